@@ -1,0 +1,100 @@
+# Everything that comes from outside, found in this one file: what it is, why we use it, how it gets here.
+# "apt" means a Debian package listed in packages.txt, which ./demo and ./check install.
+#
+# Who may link what (design: core -> glm; device -> core, Threads, readerwriterqueue; app -> all but Eigen and gtest;
+# tests -> all) is kept by a test that reads the include lines.
+
+# ---- The model -------------------------------------------------------------------------------------------------------
+
+# glm: vectors and matrices of 2 to 4 dimensions, the only library that core/ may see. apt: libglm-dev.
+find_package(glm CONFIG REQUIRED)
+
+# ---- The servo -------------------------------------------------------------------------------------------------------
+
+# Threads: the servo and the recorder thread. Part of the C library.
+set(THREADS_PREFER_PTHREAD_FLAG ON)
+find_package(Threads REQUIRED)
+
+# readerwriterqueue: wait-free single-producer single-consumer ring, servo -> plots and servo -> recorder. Headers only.
+# apt: libreaderwriterqueue-dev.
+find_path(READERWRITERQUEUE_INCLUDE_DIR readerwriterqueue/readerwriterqueue.h REQUIRED)
+add_library(ghostforce::readerwriterqueue INTERFACE IMPORTED)
+target_include_directories(ghostforce::readerwriterqueue INTERFACE ${READERWRITERQUEUE_INCLUDE_DIR})
+
+# ---- Files and words -------------------------------------------------------------------------------------------------
+
+# fmt: text from numbers; g++ 12 has no <format>. apt: libfmt-dev.
+find_package(fmt REQUIRED)
+
+# toml++: scene files, with the line and column that an error message needs. apt: libtomlplusplus-dev.
+find_package(tomlplusplus REQUIRED)
+
+# CLI11: the command line. Headers only. apt: libcli11-dev.
+find_package(CLI11 REQUIRED)
+
+# nlohmann-json: JSON output. Headers only. apt: nlohmann-json3-dev.
+find_package(nlohmann_json REQUIRED)
+
+# stb: PNG files, <stb/stb_image_write.h> and <stb/stb_image.h>. apt: libstb-dev.
+find_path(STB_INCLUDE_DIR stb/stb_image_write.h REQUIRED)
+add_library(ghostforce::stb INTERFACE IMPORTED)
+target_include_directories(ghostforce::stb INTERFACE ${STB_INCLUDE_DIR})
+
+# ---- The window ------------------------------------------------------------------------------------------------------
+
+# glad: the OpenGL 3.3 core loader, <glad/gl.h>, generated at build time. --reproducible makes it read the specification
+# that it was installed with; without that it asks the network. Debian's Python is named by its full path because one
+# that stands earlier in PATH does not see Debian's modules. apt: python3-glad.
+find_program(GHOSTFORCE_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH REQUIRED)
+set(glad_dir ${PROJECT_BINARY_DIR}/generated/glad)
+add_custom_command(
+  OUTPUT ${glad_dir}/src/gl.c ${glad_dir}/include/glad/gl.h ${glad_dir}/include/KHR/khrplatform.h
+  COMMAND ${GHOSTFORCE_PYTHON} -m glad --quiet --reproducible --api gl:core=3.3 --extensions= --out-path ${glad_dir} c
+  COMMENT "Generating the OpenGL 3.3 core loader"
+  VERBATIM)
+add_library(glad STATIC ${glad_dir}/src/gl.c ${glad_dir}/include/glad/gl.h)
+target_include_directories(glad SYSTEM PUBLIC ${glad_dir}/include)
+add_library(ghostforce::glad ALIAS glad)
+
+# Dear ImGui 1.92, ImPlot and GLFW 3.4: the window, the panels and the plots; one target, ghostforce::gui. Debian 12 has
+# older ones or none. Packages with a CMake configuration (vcpkg, Conan) are taken where all three are there, ImGui with
+# its GLFW and OpenGL 3 backends; else prebuilt static libraries come from a pinned wheel.
+find_package(imgui CONFIG QUIET)
+find_package(implot CONFIG QUIET)
+find_package(glfw3 3.4 CONFIG QUIET)
+add_library(ghostforce::gui INTERFACE IMPORTED)
+if(imgui_FOUND AND implot_FOUND AND glfw3_FOUND)
+  target_link_libraries(ghostforce::gui INTERFACE implot::implot imgui::imgui glfw)
+else()
+  include(imgui_wheel)
+  fetch_imgui_wheel(imgui_wheel_dir)
+  target_include_directories(ghostforce::gui INTERFACE ${imgui_wheel_dir}/include)
+  # In this order: ImGui's backend calls GLFW, GLFW opens X11, Wayland and OpenGL at run time.
+  target_link_libraries(ghostforce::gui INTERFACE
+    ${imgui_wheel_dir}/lib/libimgui.a ${imgui_wheel_dir}/lib/libglfw3.a Threads::Threads ${CMAKE_DL_LIBS} m)
+endif()
+# glad declares OpenGL; the system's <GL/gl.h> must stay out of its way.
+target_compile_definitions(ghostforce::gui INTERFACE GLFW_INCLUDE_NONE)
+
+# OSMesa, OpenGL in software into memory, is opened by GLFW at run time for pictures without a display: nothing to find
+# here. apt: libosmesa6.
+
+# DejaVu: the font of the screen; ImGui's built-in one lacks ρ and κ. Debian splits it from no other font.
+# apt: fonts-dejavu-core.
+set(GHOSTFORCE_FONTS "")
+foreach(font IN ITEMS DejaVuSans DejaVuSans-Bold DejaVuSansMono)
+  find_file(GHOSTFORCE_FONT_${font} ${font}.ttf
+    PATHS /usr/share/fonts/truetype/dejavu /usr/share/fonts/dejavu-sans-fonts /usr/share/fonts/TTF
+    NO_DEFAULT_PATH REQUIRED)
+  list(APPEND GHOSTFORCE_FONTS ${GHOSTFORCE_FONT_${font}})
+endforeach()
+
+# ---- The tests -------------------------------------------------------------------------------------------------------
+
+if(BUILD_TESTING)
+  # GoogleTest. apt: libgtest-dev.
+  find_package(GTest REQUIRED)
+
+  # Eigen: solves the equilibrium a second time, independently of core/. Headers only. apt: libeigen3-dev.
+  find_package(Eigen3 REQUIRED)
+endif()

@@ -1,0 +1,46 @@
+# How the project's own code is compiled. A target of ours says
+#
+#   target_link_libraries(core PUBLIC project_options PRIVATE project_warnings)
+#
+# Only the build type's default and the sanitizers act on everything; all other flags travel with these two targets, so
+# that generated and third-party code keeps its own.
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Debug, Release, RelWithDebInfo or MinSizeRel" FORCE)
+endif()
+
+# Sanitizers come before any target: a program that mixes instrumented and plain objects reports nonsense.
+set(GHOSTFORCE_SANITIZE "" CACHE STRING "Sanitizers: empty, address (with undefined behaviour) or thread")
+set_property(CACHE GHOSTFORCE_SANITIZE PROPERTY STRINGS "" address thread)
+if(GHOSTFORCE_SANITIZE STREQUAL "address")
+  set(sanitize -fsanitize=address,undefined -fno-sanitize-recover=all)
+elseif(GHOSTFORCE_SANITIZE STREQUAL "thread")
+  set(sanitize -fsanitize=thread)
+elseif(NOT GHOSTFORCE_SANITIZE STREQUAL "")
+  message(FATAL_ERROR "GHOSTFORCE_SANITIZE is \"${GHOSTFORCE_SANITIZE}\"; it can be empty, address or thread.")
+endif()
+if(GHOSTFORCE_SANITIZE)
+  add_compile_options(${sanitize} -fno-omit-frame-pointer)
+  add_link_options(${sanitize})
+endif()
+
+add_library(project_options INTERFACE)
+target_compile_features(project_options INTERFACE cxx_std_20)
+# Includes are written from the root, "core/wall.h", so that an include line shows which room it reaches into.
+target_include_directories(project_options INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_options(project_options INTERFACE
+  # Fused multiply-adds round differently from machine to machine; without them results and pictures are the same.
+  -ffp-contract=off
+  # Nothing reads errno after a maths function; std::sqrt becomes one instruction. Results do not change.
+  -fno-math-errno)
+
+option(GHOSTFORCE_WARNINGS_AS_ERRORS "Treat the warnings of our own code as errors (CI does)" OFF)
+add_library(project_warnings INTERFACE)
+target_compile_options(project_warnings INTERFACE
+  -Wall -Wextra -Wpedantic
+  -Wconversion -Wsign-conversion -Wdouble-promotion
+  -Wshadow -Wold-style-cast -Wcast-align -Wcast-qual
+  -Wnon-virtual-dtor -Woverloaded-virtual -Wextra-semi
+  -Wformat=2 -Wimplicit-fallthrough -Wundef -Wunused
+  $<$<CXX_COMPILER_ID:GNU>:-Wduplicated-cond -Wduplicated-branches -Wlogical-op>
+  $<$<BOOL:${GHOSTFORCE_WARNINGS_AS_ERRORS}>:-Werror>)

@@ -1,0 +1,29 @@
+# What the program carries besides its code: its version, its fonts, its scenes and its licences.
+#
+#   ghostforce::resources   <ghostforce_version.h>   ghostforce::version
+#                           <ghostforce_paths.h>     ghostforce::font_directories
+#
+# Paths in the header are relative to the directory of the executable, so that build trees, installed trees and copies
+# of either all work.
+include(GNUInstallDirs)
+
+configure_file(${PROJECT_SOURCE_DIR}/cmake/ghostforce_version.h.in ${PROJECT_BINARY_DIR}/generated/ghostforce_version.h)
+
+set(GHOSTFORCE_INSTALL_DATADIR ${CMAKE_INSTALL_DATADIR}/ghostforce)
+file(RELATIVE_PATH GHOSTFORCE_DATADIR_FROM_BINDIR
+  ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_DATADIR}/ghostforce)
+configure_file(${PROJECT_SOURCE_DIR}/cmake/ghostforce_paths.h.in ${PROJECT_BINARY_DIR}/generated/ghostforce_paths.h)
+
+add_library(ghostforce_resources INTERFACE)
+target_include_directories(ghostforce_resources INTERFACE ${PROJECT_BINARY_DIR}/generated)
+add_library(ghostforce::resources ALIAS ghostforce_resources)
+
+foreach(font IN LISTS GHOSTFORCE_FONTS)
+  file(COPY ${font} DESTINATION ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/fonts)
+endforeach()
+
+install(FILES ${GHOSTFORCE_FONTS} DESTINATION ${GHOSTFORCE_INSTALL_DATADIR}/fonts)
+# The scenes are embedded in the program; these copies are for people to start their own from.
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/assets/scenes DESTINATION ${GHOSTFORCE_INSTALL_DATADIR}
+  FILES_MATCHING PATTERN *.toml)
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -1,0 +1,22 @@
+# ghostforce_add_test(name SOURCES file... [LIBRARIES target...] [LABELS label])
+#
+# One GoogleTest program; each of its tests becomes one of ctest. The label `tsan` asks for a test to be run under the
+# thread sanitizer too.
+
+include(GoogleTest)
+
+function(ghostforce_add_test name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "LABELS" "SOURCES;LIBRARIES")
+  if(NOT arg_SOURCES OR arg_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "ghostforce_add_test(${name}): want SOURCES; got \"${ARGV}\"")
+  endif()
+  add_executable(${name} ${arg_SOURCES})
+  target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} GTest::gtest_main project_options project_warnings)
+  # PRE_TEST lists the tests when ctest starts, not after each link: a build stays a build.
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
+    PROPERTIES TIMEOUT 300 LABELS "${arg_LABELS}")
+endfunction()
+
+# Reports that are not ours to fix are kept out however ctest is started; the tests inherit its environment.
+configure_file(${PROJECT_SOURCE_DIR}/cmake/sanitizer_environment.cmake.in ${PROJECT_BINARY_DIR}/sanitizer_environment.cmake @ONLY)
+set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY TEST_INCLUDE_FILES ${PROJECT_BINARY_DIR}/sanitizer_environment.cmake)
