@@ -1,0 +1,49 @@
+// Which degrees of freedom a device can push: the split of the world into
+// actuated and non-actuated subspaces. Only the two projectors are needed,
+// never the bases A and N themselves. Pure values, any thread.
+#pragma once
+
+#include <span>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "core/conventions.h"
+
+namespace ghostforce {
+
+template <glm::length_t D>
+struct Actuation {
+  Matrix<D> actuated;    // P_A = A Aᵀ [1]
+  Matrix<D> unactuated;  // P_N = I − P_A [1]
+};
+
+// The actuated subspace is the span of `directions` (any lengths, need not be
+// orthogonal). Directions that add nothing new (dependent or zero) are passed
+// over, so the rank is that of the span.
+template <glm::length_t D>
+Actuation<D> actuated_along(std::span<const Vector<D>> directions) noexcept {
+  // A direction shorter than this share of its own length after projection is a
+  // repetition, not a new direction.
+  constexpr double repetition = 1e-12;
+  Matrix<D> actuated(0.0);
+  for (const Vector<D>& direction : directions) {
+    // Subtracting twice keeps the projector orthogonal to rounding even for
+    // nearly parallel directions.
+    Vector<D> fresh = direction - actuated * direction;
+    fresh -= actuated * fresh;
+    if (const double length = glm::length(fresh); length > repetition * glm::length(direction)) {
+      fresh /= length;
+      actuated += glm::outerProduct(fresh, fresh);
+    }
+  }
+  return {actuated, Matrix<D>(1.0) - actuated};
+}
+
+// A device with one motor, as the window draws it.
+template <glm::length_t D>
+Actuation<D> actuated_along(const Vector<D>& direction) noexcept {
+  return actuated_along<D>(std::span<const Vector<D>>(&direction, 1));
+}
+
+}  // namespace ghostforce

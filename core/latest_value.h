@@ -1,0 +1,62 @@
+// Wait-free exchange of the newest whole value between one writing and one
+// reading thread (a triple buffer).
+//
+// One thread calls publish(), one thread calls latest(); neither ever waits,
+// allocates or sees half a value. Values that the reader was too slow for are
+// overwritten: this carries state, not a log. Plain acquire and release, no
+// fences, so that ThreadSanitizer can check it.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <type_traits>
+
+namespace ghostforce {
+
+template <typename T>
+class LatestValue {
+  static_assert(std::is_trivially_copyable_v<T>, "a value that crosses threads is copied whole, byte for byte");
+
+ public:
+  explicit LatestValue(const T& initial) noexcept : slots_{{{initial}, {initial}, {initial}}} {}
+
+  LatestValue(const LatestValue&) = delete;
+  LatestValue& operator=(const LatestValue&) = delete;
+
+  // Writer only.
+  void publish(const T& value) noexcept {
+    slots_[write_].value = value;
+    // Release: the value above is complete before the reader can take the slot.
+    // Acquire: the slot that comes back has been left by the reader for good.
+    const std::uint8_t given_back =
+        middle_.exchange(static_cast<std::uint8_t>(write_ | fresh), std::memory_order_acq_rel);
+    write_ = given_back & slot_mask;
+  }
+
+  // Reader only. True if the next latest() would be a value not seen before.
+  bool has_news() const noexcept { return (middle_.load(std::memory_order_relaxed) & fresh) != 0; }
+
+  // Reader only. The newest value; the reference stays good until the next
+  // call.
+  const T& latest() noexcept {
+    if (has_news()) read_ = middle_.exchange(read_, std::memory_order_acq_rel) & slot_mask;
+    return slots_[read_].value;
+  }
+
+ private:
+  static constexpr std::uint8_t fresh = 4;
+  static constexpr std::uint8_t slot_mask = 3;
+
+  // A cache line each, so that writer and reader do not slow each other down.
+  struct alignas(64) Slot {
+    T value;
+  };
+
+  std::array<Slot, 3> slots_;
+  alignas(64) std::atomic<std::uint8_t> middle_{1};  // the slot in neither side's hands, and whether it is fresh
+  alignas(64) std::uint8_t write_ = 0;               // the writer's own slot
+  alignas(64) std::uint8_t read_ = 2;                // the reader's own slot
+};
+
+}  // namespace ghostforce

@@ -1,0 +1,44 @@
+// The proxy: where the wall lets the tracked point go. Soft and hard constraint
+// alike, without a matrix inverse and without a special case. Pure, never
+// allocates or throws, any thread.
+#pragma once
+
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "core/coupling.h"
+#include "core/wall.h"
+
+namespace ghostforce {
+
+// How far the proxy steps off the device per metre of the device's depth [1].
+// (22) soft, (25) in time, and their limit for the hard constraint:
+//     C = K_t⁻¹ n,  s = n·C,  step = C · k_c / (1 + k_c s),  and C / s for k_c
+//     = ∞.
+// It depends on the settings only, so the tick computes it once per change of a
+// setting.
+template <glm::length_t D>
+Vector<D> proxy_step(const Vector<D>& normal, const Coupling<D>& coupling, double k_c) noexcept {
+  const Vector<D> C = coupling.tracking_compliance * normal;
+  const double s = glm::dot(normal, C);
+  // k_c / (1 + k_c s), written so that k_c = ∞ gives 1 / s.
+  return C / (1.0 / k_c + s);
+}
+
+template <glm::length_t D>
+struct Proxy {
+  Vector<D> position;  // q_p [m]
+  bool in_contact;     // the wall acts
+};
+
+// (3)(22)(25)  q_p = q_h + step · n·(o − q_h) where n·(q_h − o) < 0; in free
+// space the proxy is the device.
+template <glm::length_t D>
+Proxy<D> proxy_of(const Vector<D>& device, const Wall<D>& wall, const Vector<D>& step) noexcept {
+  const double device_depth = depth(wall, device);
+  if (device_depth > 0.0) return {device + step * device_depth, true};
+  return {device, false};
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,36 @@
+// The device in the hand, sampled: one implicit Euler step of mass, damping and
+// the user's spring, with the rendered force held from the tick before. Pure,
+// never allocates or throws, any thread.
+#pragma once
+
+#include "core/conventions.h"
+
+namespace ghostforce {
+
+struct SampledDevice {
+  double mass;            // m, device and hand together [kg]
+  double damping;         // b, device and hand together [N·s/m]
+  double user_stiffness;  // k_u [N/m]
+  double period;          // dt [s]
+};
+
+template <glm::length_t D>
+struct DeviceMotion {
+  Vector<D> position;  // q_h [m]
+  Vector<D> velocity;  // v [m/s]
+};
+
+// (23)  (m + dt b + dt² k_u) v_k = m v_{k−1} + dt (k_u (q_u(t_k) − q_h,k−1) +
+// K_r (q_p,k−1 − q_h,k−1)) (24)  q_h,k = q_h,k−1 + dt v_k `held_force` is K_r
+// (q_p,k−1 − q_h,k−1) [N]: what the rendering put on the hand until now.
+template <glm::length_t D>
+DeviceMotion<D> step(const SampledDevice& device, const DeviceMotion<D>& before, const Vector<D>& goal,
+                     const Vector<D>& held_force) noexcept {
+  const double dt = device.period;
+  const double effective_mass = device.mass + dt * device.damping + dt * dt * device.user_stiffness;
+  const Vector<D> hand_force = device.user_stiffness * (goal - before.position);  // (1)
+  const Vector<D> velocity = (device.mass * before.velocity + dt * (hand_force + held_force)) / effective_mass;
+  return {before.position + dt * velocity, velocity};
+}
+
+}  // namespace ghostforce

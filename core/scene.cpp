@@ -1,0 +1,84 @@
+#include "core/scene.h"
+
+#include <array>
+#include <limits>
+#include <numbers>
+
+namespace ghostforce {
+namespace {
+
+constexpr double any = std::numeric_limits<double>::max();
+constexpr double degrees = 180.0 / std::numbers::pi;
+constexpr double millimetres = 1000.0;
+
+constexpr std::array<std::string_view, strategy_count> strategy_words{"full", "naive", "anisotropic"};
+constexpr std::array<std::string_view, 2> motion_words{"linear", "minimum-jerk"};
+
+// clang-format off
+const std::array keys{
+    SceneKey{"", "title", true, TextKey{[](Scene& s) -> auto& { return s.title; }}},
+    SceneKey{"", "about", true, TextKey{[](Scene& s) -> auto& { return s.about; }}},
+
+    SceneKey{"wall", "point_mm", true, PointKey{[](Scene& s) -> auto& { return s.settings.wall_point; }}},
+    SceneKey{"wall", "normal_deg", true,
+             NumberKey{[](Scene& s) -> auto& { return s.settings.wall_normal_angle; }, degrees, -any, any}},
+
+    SceneKey{"device", "actuated_deg", true,
+             NumberKey{[](Scene& s) -> auto& { return s.settings.actuated_angle; }, degrees, -any, any}},
+    SceneKey{"device", "mass_kg", true,
+             NumberKey{[](Scene& s) -> auto& { return s.settings.mass; }, 1.0, 0.001, 100.0}},
+    SceneKey{"device", "damping_N_s_per_m", true,
+             NumberKey{[](Scene& s) -> auto& { return s.settings.damping; }, 1.0, 0.0, 1e4}},
+    SceneKey{"device", "rate_hz", true,
+             NumberKey{[](Scene& s) -> auto& { return s.settings.rate; }, 1.0, 10.0, 20000.0, false, true}},
+
+    SceneKey{"user", "k_u_N_per_m", true,
+             NumberKey{[](Scene& s) -> auto& { return s.settings.impedances.k_u; }, 1.0, 0.1, 1e6}},
+    SceneKey{"user", "believed_k_u_N_per_m", false,
+             OptionalNumberKey{[](Scene& s) -> auto& { return s.settings.impedances.believed_k_u; }, 0.1, 1e6, ""}},
+
+    SceneKey{"rendering", "strategy", true,
+             ChoiceKey{strategy_words, [](const Scene& s) { return index_of(s.settings.active); },
+                       [](Scene& s, std::size_t word) { s.settings.active = strategy_catalog()[word].id; }}},
+    SceneKey{"rendering", "k_r_N_per_m", true,
+             NumberKey{[](Scene& s) -> auto& { return s.settings.impedances.k_r; }, 1.0, 0.0, 1e6}},
+    SceneKey{"rendering", "k_t_N_per_m", true,
+             NumberKey{[](Scene& s) -> auto& { return s.settings.impedances.k_t; }, 1.0, 0.1, 1e6}},
+    SceneKey{"rendering", "k_c_N_per_m", true,
+             NumberKey{[](Scene& s) -> auto& { return s.settings.impedances.k_c; }, 1.0, 1.0, 1e9, true}},
+    SceneKey{"rendering", "tracking_ratio", false,
+             OptionalNumberKey{[](Scene& s) -> auto& { return s.settings.impedances.chosen_tracking_ratio; }, 1e-3, 1e3,
+                               "optimal"}},
+
+    SceneKey{"goal", "path_mm", true, PointsKey{[](Scene& s) -> auto& { return s.goal.points; }}},
+    SceneKey{"goal", "times_s", true, TimesKey{[](Scene& s) -> auto& { return s.goal.times; }}},
+    SceneKey{"goal", "duration_s", true, NumberKey{[](Scene& s) -> auto& { return s.duration; }, 1.0, 0.0, 1e6}},
+    SceneKey{"goal", "motion", false,
+             ChoiceKey{motion_words, [](const Scene& s) { return static_cast<std::size_t>(s.goal.motion); },
+                       [](Scene& s, std::size_t word) { s.goal.motion = static_cast<Motion>(word); }}},
+
+    SceneKey{"view", "center_mm", false, PointKey{[](Scene& s) -> auto& { return s.view.center; }}},
+    SceneKey{"view", "width_mm", false,
+             NumberKey{[](Scene& s) -> auto& { return s.view.width; }, millimetres, 1.0, 10000.0}},
+};
+// clang-format on
+
+}  // namespace
+
+std::span<const SceneKey> scene_keys() noexcept {
+  return keys;
+}
+
+std::optional<SceneProblem> find_problem(const Scene& scene) {
+  if (scene.goal.points.size() != scene.goal.times.size()) {
+    return SceneProblem{"goal", "times_s",
+                        "there are " + std::to_string(scene.goal.times.size()) + " times for " +
+                            std::to_string(scene.goal.points.size()) + " waypoints in path_mm; give as many of each"};
+  }
+  if (scene.duration * scene.settings.rate > most_ticks) {
+    return SceneProblem{"goal", "duration_s", "duration_s times rate_hz is over 1e7 ticks; shorten one of them"};
+  }
+  return std::nullopt;
+}
+
+}  // namespace ghostforce

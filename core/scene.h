@@ -1,0 +1,115 @@
+// A scene: a wall, a device, a user, a rendering and a scripted hand, as one
+// value in SI units. And the catalog of its keys: name, unit, range and place
+// of each, the one list that the file reader, `--set`, the writer and the
+// window's sliders walk. Not for the servo thread (it holds strings and
+// vectors).
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "core/goal_path.h"
+#include "core/settings.h"
+
+namespace ghostforce {
+
+struct SceneView {
+  Vector<2> center{0.0};  // what is in the middle of the picture [m]
+  double width = 0.2;     // how much of the world the picture's width shows, at least [m]
+};
+
+struct Scene {
+  std::string title;
+  std::string about;
+  Settings settings;
+  GoalPath goal;
+  double duration = 0.0;  // [s]
+  SceneView view;
+};
+
+// round(duration · rate): the last tick of a run.
+inline std::int64_t last_tick(const Scene& scene) noexcept {
+  return std::llround(scene.duration * scene.settings.rate);
+}
+
+// Ticks that a run may have at most, so that a slip of the keyboard does not
+// fill a disk.
+inline constexpr double most_ticks = 1e7;
+
+// --- The catalog of keys
+// -----------------------------------------------------------------------------------------
+
+// A real number. The file holds it in `unit`s: SI value = file value / per_si.
+struct NumberKey {
+  double& (*in)(Scene&);
+  double per_si;  // file units per SI unit, e.g. 1000 for mm
+  double least;   // in file units, both ends included
+  double greatest;
+  bool may_be_infinite = false;
+  bool whole = false;  // an integer in the file
+};
+
+// A number that may be left to the program; `word_for_empty` says so in the
+// file (empty: leave the key out).
+struct OptionalNumberKey {
+  std::optional<double>& (*in)(Scene&);
+  double least;
+  double greatest;
+  std::string_view word_for_empty;
+};
+
+struct TextKey {
+  std::string& (*in)(Scene&);
+};
+
+// One word of a short list.
+struct ChoiceKey {
+  std::span<const std::string_view> words;
+  std::size_t (*get)(const Scene&);
+  void (*set)(Scene&, std::size_t word);
+};
+
+// A position [x, y], in mm in the file.
+struct PointKey {
+  Vector<2>& (*in)(Scene&);
+};
+
+// A list of positions, in mm in the file; one or more.
+struct PointsKey {
+  std::vector<Vector<2>>& (*in)(Scene&);
+};
+
+// A list of times [s], strictly increasing from 0.
+struct TimesKey {
+  std::vector<double>& (*in)(Scene&);
+};
+
+struct SceneKey {
+  std::string_view table;  // "" at the top of the file
+  std::string_view name;   // with its unit, as in the file
+  bool required;
+  std::variant<NumberKey, OptionalNumberKey, TextKey, ChoiceKey, PointKey, PointsKey, TimesKey> value;
+};
+
+// In the order in which a scene is written.
+std::span<const SceneKey> scene_keys() noexcept;
+
+// Positions in a scene lie within ± this [mm].
+inline constexpr double farthest_mm = 1000.0;
+
+// What no single key can tell: as many times as waypoints, and not too many
+// ticks. Names the key at fault.
+struct SceneProblem {
+  std::string_view table;
+  std::string_view name;
+  std::string what;
+};
+std::optional<SceneProblem> find_problem(const Scene& scene);
+
+}  // namespace ghostforce

@@ -1,0 +1,40 @@
+// Settings: everything about a scene that a person may change while it runs. SI
+// units, plane of the window. A plain value, trivially copyable: the window
+// publishes it whole, the servo takes it whole.
+#pragma once
+
+#include <type_traits>
+
+#include "core/impedance.h"
+#include "core/strategy.h"
+#include "core/tick.h"
+
+namespace ghostforce {
+
+struct Settings {
+  Vector<2> wall_point{0.0};                    // o [m]
+  double wall_normal_angle = 0.0;               // direction of n, counter-clockwise from +x [rad]
+  double actuated_angle = 0.0;                  // direction of the actuated degree of freedom [rad]
+  double mass = 0.0;                            // device and hand [kg]
+  double damping = 0.0;                         // device and hand [N·s/m]
+  double rate = 0.0;                            // ticks per second of model time, 1/dt [Hz]
+  Impedances impedances;                        // k_u, k_r, k_t, k_c, ρ
+  StrategyId active = StrategyId::anisotropic;  // the one on the device; the
+                                                // others run beside it
+};
+static_assert(std::is_trivially_copyable_v<Settings>);
+
+inline Wall<2> wall_of(const Settings& settings) noexcept {
+  return {settings.wall_point, direction_at(settings.wall_normal_angle)};
+}
+
+inline Actuation<2> actuation_of(const Settings& settings) noexcept {
+  return actuated_along(direction_at(settings.actuated_angle));
+}
+
+inline TickPlan<2> plan_of(const Settings& settings) noexcept {
+  return plan_tick(wall_of(settings), actuation_of(settings), settings.impedances, settings.mass, settings.damping,
+                   settings.rate);
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,58 @@
+// The catalog of rendering strategies: the one list that the tick, the window,
+// the command line and the tests walk. A new strategy is one more identifier
+// and one more row in strategy.cpp. Immutable after start, any thread.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "core/coupling.h"
+#include "core/impedance.h"
+
+namespace ghostforce {
+
+enum class StrategyId : std::uint8_t { full, naive, anisotropic };
+
+inline constexpr std::size_t strategy_count = 3;
+
+// One value per strategy, indexed by index_of().
+template <typename T>
+using PerStrategy = std::array<T, strategy_count>;
+
+constexpr std::size_t index_of(StrategyId id) noexcept {
+  return static_cast<std::size_t>(id);
+}
+
+struct Strategy {
+  StrategyId id;
+  std::string_view name;                                 // in files and on the command line
+  char letter;                                           // in pictures and tables
+  std::string_view title;                                // on screen
+  std::string_view sentence;                             // what it does, for a person who hovers over it
+  bool has_every_motor;                                  // K_r = k_r I, else k_r P_A
+  double (*tracking_ratio)(const Impedances&) noexcept;  // ρ of K_t
+};
+
+const PerStrategy<Strategy>& strategy_catalog() noexcept;
+
+inline const Strategy& strategy(StrategyId id) noexcept {
+  return strategy_catalog()[index_of(id)];
+}
+
+// Empty when no strategy has that name.
+std::optional<StrategyId> find_strategy(std::string_view name) noexcept;
+
+// K_r and K_t of a strategy. With `has_every_motor` there is no non-actuated
+// degree of freedom, hence no ratio.
+template <glm::length_t D>
+Coupling<D> make_coupling(const Strategy& strategy, const Impedances& impedances,
+                          const Actuation<D>& actuation) noexcept {
+  return strategy.has_every_motor ? coupling_with_every_motor<D>(impedances.k_r, impedances.k_t)
+                                  : coupling_with_some_motors<D>(impedances.k_r, impedances.k_t,
+                                                                 strategy.tracking_ratio(impedances), actuation);
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,71 @@
+// One tick of the sampled-data loop, for all strategies under the same goal.
+// noexcept, allocates nothing, takes no lock, reads no clock: settings, state
+// and reading come in as values, a snapshot goes out. Any thread.
+#pragma once
+
+#include <cstdint>
+
+#include "core/actuation.h"
+#include "core/impedance.h"
+#include "core/sampled_device.h"
+#include "core/snapshot.h"
+#include "core/strategy.h"
+#include "core/wall.h"
+
+namespace ghostforce {
+
+// What a tick needs of the settings, worked out once per change of a setting.
+template <glm::length_t D>
+struct TickPlan {
+  struct StrategyPlan {
+    Matrix<D> rendering;   // K_r [N/m]
+    Vector<D> proxy_step;  // see proxy.h [1]
+  };
+  Wall<D> wall;
+  Actuation<D> actuation;
+  SampledDevice device;
+  double rate;  // 1/dt [Hz]
+  PerStrategy<StrategyPlan> strategies;
+};
+
+// t_k = k dt [s], rounded once: k/rate is the nearest number to it, k·(1/rate)
+// is not always.
+inline double time_of(std::int64_t tick, double rate) noexcept {
+  return static_cast<double>(tick) / rate;
+}
+
+// `mass` [kg], `damping` [N·s/m], `rate` [Hz].
+template <glm::length_t D>
+TickPlan<D> plan_tick(const Wall<D>& wall, const Actuation<D>& actuation, const Impedances& impedances, double mass,
+                      double damping, double rate) noexcept;
+
+// What is carried from tick to tick. Trivially copyable.
+template <glm::length_t D>
+struct TickState {
+  struct StrategyState {
+    DeviceMotion<D> motion{Vector<D>(0.0), Vector<D>(0.0)};  // q_h [m], v [m/s]
+    Vector<D> proxy{0.0};                                    // q_p [m]
+    double energy = 0.0;                                     // W [J]
+    bool in_contact = false;
+  };
+  std::int64_t tick = 0;  // k
+  Vector<D> goal{0.0};    // q_u [m]
+  PerStrategy<StrategyState> strategies{};
+};
+
+// k = 0:  q_h = q_p = q_u(0), v = 0, f_r = 0.
+template <glm::length_t D>
+TickState<D> state_at_start(const Vector<D>& goal) noexcept;
+
+// k ≥ 1, in this order, per strategy: (23) (24) with the force held from tick k
+// − 1; then the proxy (25) of the device of tick k − 1 (the delay of sampled
+// data). Advances `state` from k − 1 to k; `goal` is q_u(t_k).
+template <glm::length_t D>
+void tick(const TickPlan<D>& plan, const Vector<D>& goal, TickState<D>& state) noexcept;
+
+// f_r,k = K_r (q_p,k − q_h,k), ghost force and proxy drift of the state as it
+// stands.
+template <glm::length_t D>
+SnapshotIn<D> snapshot_of(const TickPlan<D>& plan, const TickState<D>& state) noexcept;
+
+}  // namespace ghostforce
