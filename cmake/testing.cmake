@@ -1,9 +1,11 @@
 # ghostforce_add_test(name SOURCES file... [LIBRARIES target...] [LABELS label])
 #
-# One GoogleTest program; each of its tests becomes one of ctest. The label `tsan` asks for a test to be run under the
-# thread sanitizer too.
+# One GoogleTest program; each of its tests becomes one of ctest, named program.Suite.test. The label `tsan` marks a
+# program in which threads meet: CI runs it under the thread sanitizer too.
 
 include(GoogleTest)
+
+add_custom_target(tsan_tests COMMENT "The tests labelled tsan, without building the others")
 
 function(ghostforce_add_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "LABELS" "SOURCES;LIBRARIES")
@@ -13,8 +15,8 @@ function(ghostforce_add_test name)
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} GTest::gtest_main project_options project_warnings)
   # PRE_TEST lists the tests when ctest starts, not after each link: a build stays a build.
-  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
-    TEST_PREFIX ${name}. PROPERTIES TIMEOUT 300 LABELS "${arg_LABELS}")
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 TEST_PREFIX ${name}.
+    PROPERTIES TIMEOUT 300 LABELS "${arg_LABELS}")
 endfunction()
 
 # Reports that are not ours to fix are kept out however ctest is started; the tests inherit its environment.

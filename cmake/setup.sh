@@ -1,0 +1,141 @@
+# What ./demo, ./check and .ci/run share; sourced by them, never run. Needs bash and Debian's essential packages only.
+# All it says goes to stderr, because stdout belongs to the program; what it runs speaks into build/*.log.
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)
+
+say() { printf '%s\n' "$*" >&2; }
+fail() { say "$*"; exit 1; }
+
+log_of() { printf '%s' "$root/build/$1.log"; }
+
+# logged NAME COMMAND...: runs it with its words in a log and nothing to read; returns its status.
+logged() {
+  mkdir -p "$root/build"
+  "${@:2}" >"$(log_of "$1")" 2>&1 </dev/null
+}
+
+# fail_with NAME MESSAGE: shows the log where it matters. The first error is the one to read, those after it may only
+# follow from it.
+fail_with() {
+  local log
+  log=$(log_of "$1")
+  grep --max-count=1 --after-context=60 '^FAILED: \|^CMake Error\|^E: ' "$log" >&2 || tail -n 40 "$log" >&2
+  fail "$2 All of it is in $log."
+}
+
+# ---- Packages --------------------------------------------------------------------------------------------------------
+
+# install_packages SECTION...: installs what is missing of these sections of packages.txt; calls no apt when nothing is.
+install_packages() {
+  local line section='' wanted=()
+  while read -r line; do
+    case $line in
+      '' | '#'*) ;;
+      '['*) section=${line//[\[\]]/} ;;
+      *) [[ " $* " != *" $section "* ]] || wanted+=("$line") ;;
+    esac
+  done <"$root/packages.txt"
+
+  if ! command -v dpkg-query >/dev/null; then
+    say "This is not Debian or a child of it: what the build does not find here is named in $root/packages.txt."
+    return
+  fi
+  local name status missing=()
+  local -A installed=()
+  while read -r name status; do
+    [[ $status != installed ]] || installed[$name]=yes
+  done < <(dpkg-query --show --showformat '${Package} ${db:Status-Status}\n' "${wanted[@]}" 2>/dev/null)
+  for name in "${wanted[@]}"; do
+    [[ ${installed[$name]:-} ]] || missing+=("$name")
+  done
+  ((${#missing[@]})) || return 0
+
+  local as_root=()
+  if ((EUID != 0)); then
+    command -v sudo >/dev/null || fail "Packages are missing, and only root can install them. As root, run
+  apt-get install --no-install-recommends ${missing[*]}
+and start this again."
+    as_root=(sudo)
+  fi
+  say "Installing ${#missing[@]} Debian packages and what they need: ${missing[*]}"
+  # A fresh machine may be updating itself just now: wait for its lock.
+  local apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get --yes -o DPkg::Lock::Timeout=300)
+  logged packages "${apt[@]}" update ||
+    say "apt-get update did not reach every package source; trying with the lists that are there."
+  logged packages "${apt[@]}" install --no-install-recommends "${missing[@]}" ||
+    fail_with packages "The packages could not be installed."
+}
+
+# ---- Build -----------------------------------------------------------------------------------------------------------
+
+# build PRESET TARGET [-DNAME=VALUE...]: builds, in at most one process at a time. Configures, with these values, only
+# where there is no usable build tree: when nothing changed, this is one ninja that finds nothing to do.
+build() {
+  local preset=$1 target=$2 settings=("${@:3}") tree=$root/build/$1 lock
+  mkdir -p "$root/build"
+  exec {lock}>"$root/build/.lock"
+  flock --nonblock "$lock" || { say "Waiting for another build to end"; flock "$lock"; }
+
+  if [[ ! -e $tree/build.ninja ]] || is_foreign "$tree"; then
+    configure "$preset" "${settings[@]}"
+  fi
+  local status=0
+  run_ninja "$preset" "$target" || status=$?
+  # An error of ninja itself is no error in the code: the tree is broken, after an upgrade of the system for instance.
+  if ((status)) && grep -q '^ninja: error: ' "$(log_of "$preset")"; then
+    rm -f "$tree/CMakeCache.txt"
+    configure "$preset" "${settings[@]}"
+    status=0
+    run_ninja "$preset" "$target" || status=$?
+  fi
+  ((status == 0)) || fail_with "$preset" "The build failed."
+  exec {lock}>&-
+}
+
+# configure PRESET [-DNAME=VALUE...]
+configure() {
+  local preset=$1 tree=$root/build/$1
+  say "Configuring $preset"
+  if is_foreign "$tree"; then
+    rm -rf "$tree"
+  elif [[ -e $tree/CMakeCache.txt ]]; then
+    logged "$preset" cmake -S "$root" --preset "$@" && return  # else the cache may be what is in the way
+  fi
+  logged "$preset" cmake -S "$root" --fresh --preset "$@" || fail_with "$preset" "The build could not be configured."
+}
+
+# is_foreign TREE: whether it was configured for another place (a checkout that was moved) or another build tool.
+is_foreign() {
+  [[ -e $1/CMakeCache.txt ]] || return 1
+  local line cache
+  cache=$(<"$1/CMakeCache.txt")
+  for line in "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "CMAKE_CACHEFILE_DIR:INTERNAL=$1" CMAKE_GENERATOR:INTERNAL=Ninja; do
+    [[ $cache == *$'\n'"$line"$'\n'* ]] || return 0
+  done
+  return 1
+}
+
+# run_ninja PRESET TARGET: shows how far it is; says nothing when there is nothing to do.
+run_ninja() {
+  local line started=
+  ninja -C "$root/build/$1" "$2" 2>&1 </dev/null | {
+    while IFS= read -r line; do
+      printf '%s\n' "$line"
+      [[ $line =~ ^\[([0-9]+)/([0-9]+)\] ]] || continue
+      if [[ -t 2 ]]; then
+        printf '\rBuilding: step %s of %s\e[K' "${BASH_REMATCH[1]}" "${BASH_REMATCH[2]}" >&2
+      elif [[ ! $started ]]; then
+        say "Building: ${BASH_REMATCH[2]} steps"
+      fi
+      started=yes
+    done
+    [[ ! $started || ! -t 2 ]] || printf '\r\e[K' >&2
+  } >"$(log_of "$1")"
+}
+
+# ---- Tests -----------------------------------------------------------------------------------------------------------
+
+# run_tests PRESET [ARGUMENTS of ctest]
+run_tests() {
+  ctest --test-dir "$root/build/$1" --parallel "$(nproc)" --output-on-failure --no-tests=error "${@:2}"
+}
