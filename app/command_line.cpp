@@ -1,9 +1,179 @@
 #include "app/command_line.h"
 
-namespace ghostforce {
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <utility>
 
-int run_command_line(std::vector<std::string>) {
-  return 0;
+#include <fmt/core.h>
+#include <CLI/CLI.hpp>
+
+#include "app/commands/command.h"
+#include "app/failure.h"
+#include "app/nearest_name.h"
+#include "app/output_file.h"
+#include "app/printable.h"
+#include "app/scene_file.h"
+#include "ghostforce_version.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr std::string_view program = "ghostforce";
+
+// What is meant where no command is named.
+constexpr std::string_view default_command = "run";
+
+constexpr std::string_view description =
+    "Virtual walls on underactuated haptic devices: see, feel and measure the ghost forces that ordinary\n"
+    "rendering makes, and the anisotropic tracking stiffness that takes them away.\n";
+
+constexpr std::string_view more_help =
+    "Without a command, run is meant: 'ghostforce fig1' opens the window on the scene fig1.\n"
+    "'ghostforce COMMAND --help' tells all about a command.\n"
+    "\n"
+    "SCENE is the path of a scene file, or the name of a shipped scene:\n"
+    "  {}\n"
+    "\n"
+    "Data goes to the standard output, words go to the error output. Exit codes:\n"
+    "  0  done\n"
+    "  1  ran, and the answer is no: pictures differ, a replay diverged\n"
+    "  2  wrong call, or a file that says something wrong\n"
+    "  3  no such device plugged in\n"
+    "  4  device seen, but not allowed or busy\n"
+    "  5  firmware or homing failed\n"
+    "  6  no display, or no usable OpenGL\n"
+    "  7  stopped by a safety limit\n"
+    "  8  a file cannot be read or written\n"
+    " 70  a bug of this program: please report it\n"
+    "130  interrupted\n"
+    "\n"
+    "Examples:\n"
+    "  ghostforce equilibrium fig3-normal\n"
+    "  ghostforce simulate wall45 --strategy all -o run.csv";
+
+std::vector<std::string_view> command_names() {
+  std::vector<std::string_view> names;
+  for (const Command& command : command_catalog()) names.push_back(command.name);
+  return names;
+}
+
+bool is_option(std::string_view word) noexcept {
+  return word.starts_with('-') && word != "-";
+}
+
+bool is_command(std::string_view word) {
+  const std::vector<std::string_view> names = command_names();
+  return std::find(names.begin(), names.end(), word) != names.end();
+}
+
+// Options that are the program's own rather than a command's.
+bool is_program_option(std::string_view word) noexcept {
+  return word == "--help" || word == "-h" || word == "--version";
+}
+
+// The first word is a command, a scene for `run`, or a slip of the keyboard.
+void insert_default_command(std::vector<std::string>& words) {
+  const auto first_name = std::find_if_not(words.begin(), words.end(), is_option);
+  if (first_name != words.end() && is_command(*first_name)) return;
+  if (!words.empty() && is_program_option(words.front())) return;
+  if (!words.empty() && !is_option(words.front()) && !may_be_scene(words.front())) {
+    const std::string& word = words.front();
+    const std::vector<std::string_view> commands = command_names();
+    std::vector<std::string_view> all = commands;
+    std::ranges::copy(shipped_scene_names(), std::back_inserter(all));
+    const auto near = nearest_name(word, all);
+    throw Failure(ExitCode::wrong_call, fmt::format("no command or scene named '{}'{}", printable(word),
+                                                    near ? fmt::format("; did you mean the {} '{}'?",
+                                                                       is_command(*near) ? "command" : "scene", *near)
+                                                         : "; 'ghostforce --help' lists the commands"));
+  }
+  words.emplace(words.begin(), default_command);
+}
+
+// The command that the words named; null: none.
+CLI::App* named_command(const CLI::App& app) {
+  const std::vector<CLI::App*> named = app.get_subcommands();
+  return named.empty() ? nullptr : named.front();
+}
+
+std::string help_call(const CLI::App* command) {
+  return command == nullptr ? fmt::format("{} --help", program)
+                            : fmt::format("{} {} --help", program, command->get_name());
+}
+
+// A word that no option and no argument of the command is for.
+std::string words_about_extra(const CLI::App& app, const CLI::App* command, const std::string& extra) {
+  const std::string name = extra.substr(0, extra.find('='));
+  std::string words = fmt::format("unexpected argument '{}'", printable(extra));
+  if (is_option(extra)) {
+    std::vector<std::string> options;
+    for (const CLI::Option* const option : (command == nullptr ? app : *command).get_options()) {
+      for (const std::string& long_name : option->get_lnames()) options.push_back("--" + long_name);
+      for (const std::string& short_name : option->get_snames()) options.push_back("-" + short_name);
+    }
+    const std::vector<std::string_view> candidates(options.begin(), options.end());
+    const std::string near = did_you_mean(name, candidates);
+    words = fmt::format("no option {}{}", printable(name), near);
+    if (!near.empty()) return words;
+  } else if (command == nullptr) {
+    words = fmt::format("no command '{}'{}", printable(extra), did_you_mean(extra, command_names()));
+  }
+  return fmt::format("{}; '{}' lists what there is", words, help_call(command));
+}
+
+[[noreturn]] void refuse(const CLI::App& app, const CLI::ParseError& error) {
+  const CLI::App* const command = named_command(app);
+  // An unknown option often drags other errors behind it: tell of it alone.
+  for (const std::string& extra : app.remaining(true)) {
+    throw Failure(ExitCode::wrong_call, words_about_extra(app, command, extra));
+  }
+  const std::string what = error.what();
+  if (what.ends_with('?')) throw Failure(ExitCode::wrong_call, what);
+  throw Failure(ExitCode::wrong_call, fmt::format("{}; '{}' tells more", what, help_call(command)));
+}
+
+void print(std::string_view text) {
+  OutputFile output("-");
+  output.write(text);
+  output.commit();
+}
+
+}  // namespace
+
+int run_command_line(std::vector<std::string> words) {
+  insert_default_command(words);
+
+  CLI::App app{std::string(description), std::string(program)};
+  app.set_help_flag("-h,--help", "Print this and exit");
+  app.set_version_flag("--version", fmt::format("{} {}", program, version), "Print the program's version and exit");
+  app.require_subcommand(1);
+  app.footer(fmt::format(more_help, listed(shipped_scene_names())));
+  std::map<const CLI::App*, std::function<int()>> actions;
+  for (const Command& command : command_catalog()) {
+    CLI::App* const subcommand = app.add_subcommand(std::string(command.name), std::string(command.sentence));
+    actions.emplace(subcommand, command.attach(*subcommand));
+  }
+
+  std::reverse(words.begin(), words.end());  // as CLI11 wants them
+  try {
+    app.parse(words);
+  } catch (const CLI::CallForHelp&) {
+    const CLI::App* const command = named_command(app);
+    print(command == nullptr ? app.help() : command->help(std::string(program)));
+    return static_cast<int>(ExitCode::done);
+  } catch (const CLI::CallForVersion& asked) {
+    print(fmt::format("{}\n", asked.what()));
+    return static_cast<int>(ExitCode::done);
+  } catch (const CLI::ParseError& error) {
+    refuse(app, error);
+  }
+  return actions.at(named_command(app))();
 }
 
 }  // namespace ghostforce

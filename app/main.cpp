@@ -1,18 +1,46 @@
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
 #include <exception>
 #include <string>
 #include <vector>
 
-#include <fmt/core.h>
-
 #include "app/command_line.h"
 #include "app/failure.h"
+#include "app/interruption.h"
+
+namespace {
+
+// Where one of the three standard streams is closed, the next file that is
+// opened would take its place, and words would go into data.
+void fill_standard_streams() noexcept {
+  int descriptor = 0;
+  do {
+    descriptor = open("/dev/null", O_RDONLY);
+  } while (descriptor >= 0 && descriptor <= STDERR_FILENO);
+  if (descriptor >= 0) close(descriptor);
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   using namespace ghostforce;
+  fill_standard_streams();
+  remember_interruptions();
+  std::signal(SIGPIPE, SIG_IGN);  // a reader that has gone is found when writing
   try {
-    return run_command_line(std::vector<std::string>(argv + 1, argv + argc));
+    return run_command_line(std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc));
   } catch (const Failure& failure) {
-    fmt::print(stderr, "{}\n", failure.what());
+    if (*failure.what() != '\0') std::fprintf(stderr, "%s\n", failure.what());
     return static_cast<int>(failure.code());
+  } catch (const std::exception& error) {
+    std::fprintf(stderr,
+                 "This is a bug in ghostforce: %s. Please report it, with the command line and the files used.\n",
+                 error.what());
+  } catch (...) {
+    std::fputs("This is a bug in ghostforce. Please report it, with the command line and the files used.\n", stderr);
   }
+  return static_cast<int>(ExitCode::bug);
 }

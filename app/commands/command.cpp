@@ -1,0 +1,50 @@
+#include "app/commands/command.h"
+
+#include <algorithm>
+
+#include <fmt/core.h>
+
+#include "app/nearest_name.h"
+#include "app/printable.h"
+#include "app/scene_file.h"
+
+namespace ghostforce {
+
+void SceneOptions::attach(CLI::App& subcommand, bool scene_required) {
+  CLI::Option* const option = subcommand.add_option(
+      "SCENE", scene, "Path of a scene file, or name of a shipped scene; 'ghostforce --help' lists those");
+  option->type_name("");
+  if (scene_required) {
+    option->required();
+  } else {
+    option->default_str(scene);
+  }
+  subcommand
+      .add_option("--set", overrides,
+                  "Another value for a key of the scene, e.g. rendering.k_r_N_per_m=800; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+Scene SceneOptions::load() const {
+  return load_scene(scene, overrides);
+}
+
+CLI::Validator one_of(std::vector<std::string_view> words) {
+  const std::string all = listed(words);
+  return CLI::Validator(
+      [words = std::move(words), all](std::string& word) -> std::string {
+        if (std::find(words.begin(), words.end(), word) != words.end()) return {};
+        return fmt::format("'{}' is none of {}{}", printable(word), all, did_you_mean(word, words));
+      },
+      "");
+}
+
+std::vector<std::string_view> strategy_names() {
+  std::vector<std::string_view> names;
+  for (const Strategy& strategy : strategy_catalog()) names.push_back(strategy.name);
+  return names;
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,44 @@
+// What a command of the program is, and what commands share. A new command is
+// one file beside this one and one row in command_catalog.cpp.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "core/scene.h"
+
+namespace ghostforce {
+
+struct Command {
+  std::string_view name;
+  std::string_view sentence;  // what it does, for the list of commands
+  // Adds options, and returns what runs once they are parsed; that returns an
+  // exit code or throws Failure.
+  std::function<int()> (*attach)(CLI::App& subcommand);
+};
+
+// In the order in which --help lists them.
+std::span<const Command> command_catalog() noexcept;
+
+// SCENE and --set, which every command with a scene takes.
+struct SceneOptions {
+  std::string scene = "wall45";
+  std::vector<std::string> overrides;
+
+  void attach(CLI::App& subcommand, bool scene_required);
+  // Throws Failure, see scene_file.h.
+  Scene load() const;
+};
+
+// An option's value must be one of these words; if not, the nearest is named.
+CLI::Validator one_of(std::vector<std::string_view> words);
+
+// Names of the strategies, for --strategy.
+std::vector<std::string_view> strategy_names();
+
+}  // namespace ghostforce

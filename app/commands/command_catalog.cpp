@@ -1,0 +1,21 @@
+#include "app/commands/command_catalog.h"
+
+#include <array>
+
+#include "app/commands/command.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr std::array catalog{
+    Command{"simulate", "Play a scene's scripted hand and write every tick as CSV", attach_simulate},
+    Command{"equilibrium", "Tell where everything comes to rest under a goal that is held still", attach_equilibrium},
+};
+
+}  // namespace
+
+std::span<const Command> command_catalog() noexcept {
+  return catalog;
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,13 @@
+// Each command's one function.
+#pragma once
+
+#include <functional>
+
+#include <CLI/CLI.hpp>
+
+namespace ghostforce {
+
+std::function<int()> attach_simulate(CLI::App& subcommand);
+std::function<int()> attach_equilibrium(CLI::App& subcommand);
+
+}  // namespace ghostforce

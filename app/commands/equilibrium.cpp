@@ -1,0 +1,180 @@
+// ghostforce equilibrium: where everything comes to rest, by closed form.
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "app/commands/command.h"
+#include "app/commands/command_catalog.h"
+#include "app/failure.h"
+#include "app/output_file.h"
+#include "app/printable.h"
+#include "core/equilibrium.h"
+#include "core/ghost_force.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr double mm_per_m = 1000.0;
+
+struct Options {
+  SceneOptions scene;
+  std::optional<std::string> goal_mm;  // empty: the scene's last waypoint
+  bool json = false;
+};
+
+struct Rest {
+  Equilibrium<2> at;
+  Vector<2> ghost_force;  // [N]
+  Vector<2> proxy_drift;  // [m]
+};
+
+// "X,Y" in mm -> m.
+std::optional<Vector<2>> parse_goal(std::string_view text) {
+  Vector<2> goal(0.0);
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  for (const glm::length_t axis : {0, 1}) {
+    double mm = 0.0;
+    if (at != end && *at == '+') ++at;
+    const auto [after, error] = std::from_chars(at, end, mm);
+    if (error != std::errc{} || !(std::abs(mm) <= farthest_mm)) return std::nullopt;
+    goal[axis] = mm / mm_per_m;
+    at = after;
+    if (axis == 0) {
+      if (at == end || *at != ',') return std::nullopt;
+      ++at;
+    }
+  }
+  return at == end ? std::optional(goal) : std::nullopt;
+}
+
+PerStrategy<Rest> find_rests(const Scene& scene, const Vector<2>& goal) {
+  const Wall<2> wall = wall_of(scene.settings);
+  const Actuation<2> actuation = actuation_of(scene.settings);
+  PerStrategy<Rest> rests;
+  for (const Strategy& strategy : strategy_catalog()) {
+    rests[index_of(strategy.id)].at = equilibrium_of(strategy, wall, actuation, scene.settings.impedances, goal);
+  }
+  const Vector<2> full_force = rests[index_of(StrategyId::full)].at.force;
+  for (Rest& rest : rests) {
+    rest.ghost_force = ghost_force(actuation, rest.at.force, full_force);
+    rest.proxy_drift = rest.at.in_contact ? proxy_drift(wall, rest.at.proxy, goal) : Vector<2>(0.0);
+  }
+  return rests;
+}
+
+// −0 is a zero too.
+nlohmann::ordered_json as_json(const Vector<2>& vector) {
+  return {vector.x + 0.0, vector.y + 0.0};
+}
+
+std::string json_text(double goal_depth, const PerStrategy<Rest>& rests) {
+  nlohmann::ordered_json strategies;
+  for (const Strategy& strategy : strategy_catalog()) {
+    const Rest& rest = rests[index_of(strategy.id)];
+    strategies[std::string(strategy.name)] = {
+        {"goal_m", as_json(rest.at.goal)},
+        {"proxy_m", as_json(rest.at.proxy)},
+        {"device_m", as_json(rest.at.device)},
+        {"contact_m", as_json(rest.at.contact)},
+        {"force_N", as_json(rest.at.force)},
+        {"ghost_force_N", as_json(rest.ghost_force)},
+        {"proxy_drift_m", as_json(rest.proxy_drift)},
+    };
+  }
+  return nlohmann::ordered_json{{"depth_m", goal_depth + 0.0}, {"strategies", strategies}}.dump() + "\n";
+}
+
+// A number as people read it; what rounds to zero has no sign.
+std::string shown(double value) {
+  constexpr double least_shown = 0.0005;
+  return fmt::format("{:.3f}", std::abs(value) < least_shown ? 0.0 : value);
+}
+
+std::string shown(const Vector<2>& vector) {
+  return fmt::format("({}, {})", shown(vector.x), shown(vector.y));
+}
+
+std::string table_text(const Scene& scene, double goal_depth, const PerStrategy<Rest>& rests) {
+  struct Row {
+    std::string_view title;
+    std::string_view unit;
+    double per_si;
+    Vector<2> (*of)(const Rest&);
+  };
+  constexpr std::array rows{
+      Row{"proxy", "mm", mm_per_m, [](const Rest& rest) { return rest.at.proxy; }},
+      Row{"device", "mm", mm_per_m, [](const Rest& rest) { return rest.at.device; }},
+      Row{"contact", "mm", mm_per_m, [](const Rest& rest) { return rest.at.contact; }},
+      Row{"force", "N", 1.0, [](const Rest& rest) { return rest.at.force; }},
+      Row{"ghost force", "N", 1.0, [](const Rest& rest) { return rest.ghost_force; }},
+      Row{"proxy drift", "mm", mm_per_m, [](const Rest& rest) { return rest.proxy_drift; }},
+  };
+  const bool inside = goal_depth > 0.0;
+  std::string text =
+      fmt::format("{}\ngoal {} mm, {} mm {} the wall; tracking ratio {}\n\n{:16}", printable(scene.title),
+                  shown(mm_per_m * rests[0].at.goal), shown(mm_per_m * std::abs(goal_depth)),
+                  inside ? "inside" : "outside", tracking_ratio(scene.settings.impedances), "");
+  for (const Strategy& strategy : strategy_catalog()) {
+    text += fmt::format("  {:>22}", fmt::format("{} {}", strategy.letter, strategy.name));
+  }
+  text += "\n";
+  for (const Row& row : rows) {
+    text += fmt::format("{:12}{:4}", row.title, row.unit);
+    for (const Rest& rest : rests) text += fmt::format("  {:>22}", shown(row.per_si * row.of(rest)));
+    text += "\n";
+  }
+  return text;
+}
+
+int equilibrium(const Options& options) {
+  const Scene scene = options.scene.load();
+  Vector<2> goal = scene.goal.points.back();
+  if (options.goal_mm) {
+    const std::optional<Vector<2>> given = parse_goal(*options.goal_mm);
+    if (!given) {
+      throw Failure(
+          ExitCode::wrong_call,
+          fmt::format("--goal-mm {}: is no position; give two numbers from {} to {} mm, as in --goal-mm=-10,5",
+                      printable(*options.goal_mm), -farthest_mm, farthest_mm));
+    }
+    goal = *given;
+  }
+  const double goal_depth = depth(wall_of(scene.settings), goal);
+  const PerStrategy<Rest> rests = find_rests(scene, goal);
+  OutputFile output("-");
+  output.write(options.json ? json_text(goal_depth, rests) : table_text(scene, goal_depth, rests));
+  output.commit();
+  return static_cast<int>(ExitCode::done);
+}
+
+}  // namespace
+
+std::function<int()> attach_equilibrium(CLI::App& subcommand) {
+  const auto options = std::make_shared<Options>();
+  options->scene.attach(subcommand, true);
+  subcommand
+      .add_option("--goal-mm", options->goal_mm,
+                  "Where the hand wants to be, in mm; default: the scene's last waypoint")
+      ->type_name("X,Y");
+  subcommand.add_flag("--json", options->json, "For programs: JSON in SI units, all digits");
+  subcommand.footer(
+      "The anisotropic strategy is computed with the scene's tracking ratio, so that a wrong belief about the hand\n"
+      "shows. A goal outside the wall: device and proxy are at the goal, and there is no force.\n"
+      "\n"
+      "Examples:\n"
+      "  ghostforce equilibrium fig3-normal\n"
+      "  ghostforce equilibrium wall45 --goal-mm=-10,5 --set user.believed_k_u_N_per_m=50 --json");
+  return [options] { return equilibrium(*options); };
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,91 @@
+// ghostforce simulate: the scripted hand of a scene, every tick as a row.
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "app/commands/command.h"
+#include "app/commands/command_catalog.h"
+#include "app/failure.h"
+#include "app/interruption.h"
+#include "app/output_file.h"
+#include "app/progress.h"
+#include "app/run_file.h"
+#include "core/play.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr std::string_view every_strategy = "all";
+
+// Ticks between two looks at the clock and at interruptions: well under a
+// hundredth of a second.
+constexpr std::int64_t ticks_between_looks = 1024;
+
+struct Options {
+  SceneOptions scene;
+  std::string strategy;  // empty: the scene's
+  std::string output = "-";
+};
+
+int simulate(const Options& options) {
+  Scene scene = options.scene.load();
+  std::vector<StrategyId> ids;
+  if (options.strategy == every_strategy) {
+    for (const Strategy& strategy : strategy_catalog()) ids.push_back(strategy.id);
+  } else {
+    // The scene in the header is the one that was played.
+    if (!options.strategy.empty()) scene.settings.active = find_strategy(options.strategy).value();
+    ids.push_back(scene.settings.active);
+  }
+
+  OutputFile file(options.output);
+  file.write(run_header(scene));
+  const std::int64_t last = last_tick(scene);
+  Progress progress("simulating", last, !file.is_terminal());
+  fmt::memory_buffer rows;
+  play(scene, last, [&](const Snapshot& snapshot) {
+    for (const StrategyId id : ids) {
+      append_run_row(rows, snapshot, id);
+      rows.push_back('\n');
+    }
+    file.write({rows.data(), rows.size()});
+    rows.clear();
+    if (snapshot.tick % ticks_between_looks == 0) {
+      stop_if_interrupted();
+      progress.at(snapshot.tick);
+    }
+  });
+  file.commit();
+  return static_cast<int>(ExitCode::done);
+}
+
+}  // namespace
+
+std::function<int()> attach_simulate(CLI::App& subcommand) {
+  const auto options = std::make_shared<Options>();
+  options->scene.attach(subcommand, true);
+  std::vector<std::string_view> strategies = strategy_names();
+  strategies.push_back(every_strategy);
+  subcommand.add_option("--strategy", options->strategy, "full, naive, anisotropic or all; default: the scene's own")
+      ->type_name("NAME")
+      ->check(one_of(strategies));
+  subcommand
+      .add_option("-o,--output", options->output,
+                  "The CSV file to write, all or nothing; default: -, the standard output")
+      ->type_name("FILE");
+  subcommand.footer(
+      "One row per tick and strategy, from t = 0 to the scene's duration, both included:\n"
+      "  strategy,t_s,goal_x_m,goal_y_m,device_x_m,device_y_m,proxy_x_m,proxy_y_m,force_x_N,force_y_N\n"
+      "Lines that begin with # come first: the program's version and the scene. SI units.\n"
+      "\n"
+      "Examples:\n"
+      "  ghostforce simulate fig3-normal --strategy all -o run.csv\n"
+      "  ghostforce simulate my_scene.toml --set wall.normal_deg=120 | gnuplot plot.gp");
+  return [options] { return simulate(*options); };
+}
+
+}  // namespace ghostforce

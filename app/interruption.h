@@ -1,0 +1,19 @@
+// Ctrl+C, SIGTERM and a closed terminal: long work asks now and then whether it
+// should stop, and unwinds, so that nothing half-done stays behind. Asking is a
+// plain atomic load, any thread.
+#pragma once
+
+namespace ghostforce {
+
+// From here on the first SIGINT, SIGTERM or SIGHUP is only remembered; a second
+// one of the same kind ends the process at once. Signals that were ignored when
+// the program started (nohup, background jobs) stay ignored. Called once, by
+// main().
+void remember_interruptions() noexcept;
+
+bool interrupted() noexcept;
+
+// Throws Failure(ExitCode::interrupted) if so.
+void stop_if_interrupted();
+
+}  // namespace ghostforce

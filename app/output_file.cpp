@@ -1,0 +1,143 @@
+#include "app/output_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+
+#include <fmt/core.h>
+
+#include "app/failure.h"
+#include "app/interruption.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr std::size_t buffer_size = 1 << 16;
+
+// Few enough to be sure that the folder, not bad luck, is the matter.
+constexpr int tries = 100;
+
+// Where a chain of links ends, whether or not anything is there yet.
+std::filesystem::path end_of_links(std::filesystem::path path) {
+  constexpr int longest_chain = 40;  // as Linux has it
+  std::error_code no_link;
+  for (int i = 0; i < longest_chain; ++i) {
+    const std::filesystem::path next = std::filesystem::read_symlink(path, no_link);
+    if (no_link) break;
+    path = next.is_absolute() ? next : path.parent_path() / next;
+  }
+  return path;
+}
+
+}  // namespace
+
+std::string reason_of(int error) {
+  const std::string reason = std::generic_category().message(error);
+  switch (error) {
+    case ENOENT:
+      return reason + "; create the folder, or name another";
+    case EACCES:
+    case EPERM:
+    case EROFS:
+      return reason + "; change its permissions, or name another";
+    case EISDIR:
+      return reason + "; name a file in it";
+    case ENOSPC:
+    case EDQUOT:
+      return reason + "; make room, or name another";
+    case ENAMETOOLONG:
+      return reason + "; choose a shorter one";
+    default:
+      return reason + "; name another";
+  }
+}
+
+OutputFile::OutputFile(const std::string& path) : shown_(path) {
+  if (path == "-") {
+    shown_ = "the standard output";
+    descriptor_ = STDOUT_FILENO;
+    return;
+  }
+  struct stat status {};
+  const bool exists = stat(path.c_str(), &status) == 0;
+  if (!exists && errno != ENOENT) fail(errno);
+  if (exists && S_ISDIR(status.st_mode)) fail(EISDIR);
+  if (exists && !S_ISREG(status.st_mode)) {
+    // A pipe or a device: nothing to put in its place.
+    descriptor_ = open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor_ < 0) fail(errno);
+    return;
+  }
+  if (exists && access(path.c_str(), W_OK) != 0) fail(errno);
+
+  const std::filesystem::path target = end_of_links(path);
+  if (target.filename().empty()) fail(path.empty() ? ENOENT : EISDIR);
+  for (int i = 0; descriptor_ < 0; ++i) {
+    // A short name of its own: the file's name with something added may be too
+    // long.
+    temporary_ = target.parent_path() / fmt::format(".ghostforce-{}-{}.part", getpid(), i);
+    descriptor_ = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor_ < 0 && (errno != EEXIST || i == tries)) {
+      temporary_.clear();
+      fail(errno);
+    }
+  }
+  if (exists) fchmod(descriptor_, status.st_mode & 07777);  // as far as that is allowed
+  target_ = target;
+}
+
+OutputFile::~OutputFile() {
+  if (descriptor_ >= 0 && descriptor_ != STDOUT_FILENO) close(descriptor_);
+  if (!temporary_.empty()) unlink(temporary_.c_str());
+}
+
+void OutputFile::write(std::string_view text) {
+  if (buffer_.size() + text.size() > buffer_size) flush();
+  buffer_ += text;
+  if (buffer_.size() >= buffer_size) flush();
+}
+
+void OutputFile::flush() {
+  std::string_view rest = buffer_;
+  while (!rest.empty()) {
+    const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
+    if (written >= 0) {
+      rest.remove_prefix(static_cast<std::size_t>(written));
+    } else if (errno == EINTR) {
+      stop_if_interrupted();
+    } else {
+      fail(errno);
+    }
+  }
+  buffer_.clear();
+}
+
+void OutputFile::commit() {
+  flush();
+  if (descriptor_ == STDOUT_FILENO) return;
+  const int descriptor = descriptor_;
+  descriptor_ = -1;
+  // Some file systems tell only now that the disk is full.
+  if (close(descriptor) != 0 && errno != EINTR) fail(errno);
+  if (temporary_.empty()) return;
+  if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
+  temporary_.clear();
+}
+
+bool OutputFile::is_terminal() const noexcept {
+  return isatty(descriptor_) != 0;
+}
+
+void OutputFile::fail(int error) const {
+  if (error == EINTR) stop_if_interrupted();
+  if (error == EPIPE) throw Failure(ExitCode::done, "");
+  throw Failure(ExitCode::file_trouble, fmt::format("{} cannot be written: {}", shown_, reason_of(error)));
+}
+
+}  // namespace ghostforce

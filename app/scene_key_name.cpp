@@ -1,0 +1,92 @@
+#include "app/scene_key_name.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "app/nearest_name.h"
+#include "app/printable.h"
+
+namespace ghostforce {
+namespace {
+
+// "table.name" → table and name.
+std::pair<std::string_view, std::string_view> split(std::string_view dotted) noexcept {
+  const std::size_t dot = dotted.find('.');
+  if (dot == std::string_view::npos) return {{}, dotted};
+  return {dotted.substr(0, dot), dotted.substr(dot + 1)};
+}
+
+}  // namespace
+
+std::string dotted_name(std::string_view table, std::string_view name) {
+  return table.empty() ? std::string(name) : fmt::format("{}.{}", table, name);
+}
+
+const SceneKey* find_scene_key(std::string_view table, std::string_view name) noexcept {
+  for (const SceneKey& key : scene_keys()) {
+    if (key.table == table && key.name == name) return &key;
+  }
+  return nullptr;
+}
+
+const SceneKey* find_scene_key(std::string_view dotted) noexcept {
+  const auto [table, name] = split(dotted);
+  return find_scene_key(table, name);
+}
+
+bool is_scene_table(std::string_view name) noexcept {
+  return !name.empty() &&
+         std::any_of(scene_keys().begin(), scene_keys().end(), [&](const SceneKey& key) { return key.table == name; });
+}
+
+std::string suggest_scene_key(std::string_view table, std::string_view name) {
+  std::vector<std::string_view> here;
+  std::vector<std::string_view> names;
+  std::vector<std::string> dotted;
+  for (const SceneKey& key : scene_keys()) {
+    if (key.table == table) here.push_back(key.name);
+    names.push_back(key.name);
+    dotted.push_back(dotted_name(key.table, key.name));
+  }
+  const auto ask = [](std::string_view meant) { return fmt::format("; did you mean '{}'?", meant); };
+
+  const auto same = std::find(names.begin(), names.end(), name);
+  if (same != names.end()) return ask(dotted[static_cast<std::size_t>(same - names.begin())]);
+  if (const auto near = nearest_name(name, here)) return ask(dotted_name(table, *near));
+  const std::vector<std::string_view> all(dotted.begin(), dotted.end());
+  if (const auto near = nearest_name(dotted_name(table, name), all)) return ask(*near);
+  if (const auto near = nearest_name(name, names)) {
+    return ask(dotted[static_cast<std::size_t>(std::find(names.begin(), names.end(), *near) - names.begin())]);
+  }
+  if (here.empty()) return "";
+  return fmt::format("; {} has {}", table.empty() ? "the file" : fmt::format("[{}]", table), listed(here));
+}
+
+std::string suggest_scene_key(std::string_view dotted) {
+  const auto [table, name] = split(dotted);
+  return suggest_scene_key(table, name);
+}
+
+std::string_view unit_of(std::string_view key_name) noexcept {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 7> units{{
+      {"_N_s_per_m", "N·s/m"},
+      {"_N_per_m", "N/m"},
+      {"_mm", "mm"},
+      {"_deg", "degrees"},
+      {"_kg", "kg"},
+      {"_hz", "Hz"},
+      {"_s", "s"},
+  }};
+  for (const auto& [end, unit] : units) {
+    if (key_name.ends_with(end)) return unit;
+  }
+  return {};
+}
+
+}  // namespace ghostforce
