@@ -1,6 +1,8 @@
 #include "core/scene.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <numbers>
 
@@ -63,6 +65,35 @@ const std::array keys{
 };
 // clang-format on
 
+bool is_between(double value, double least, double greatest) noexcept {
+  return value >= least && value <= greatest;  // false for NaN
+}
+
+// Whether a scene's value lies in the range of its key, one function per kind of key; texts and the path are no
+// settings.
+struct InRange {
+  Scene& scene;
+
+  bool operator()(const NumberKey& key) const noexcept {
+    const double value = key.in(scene);
+    if (key.may_be_infinite && value == std::numeric_limits<double>::infinity()) return true;
+    return is_between(value * key.per_si, key.least, key.greatest) && (!key.whole || value == std::trunc(value));
+  }
+  bool operator()(const OptionalNumberKey& key) const noexcept {
+    const std::optional<double>& value = key.in(scene);
+    return !value || is_between(*value, key.least, key.greatest);
+  }
+  bool operator()(const ChoiceKey& key) const noexcept { return key.get(scene) < key.words.size(); }
+  bool operator()(const PointKey& key) const noexcept {
+    const Vector<2>& point = key.in(scene);
+    constexpr double farthest = farthest_mm / millimetres;
+    return is_between(point.x, -farthest, farthest) && is_between(point.y, -farthest, farthest);
+  }
+  bool operator()(const TextKey&) const noexcept { return true; }
+  bool operator()(const PointsKey&) const noexcept { return true; }
+  bool operator()(const TimesKey&) const noexcept { return true; }
+};
+
 }  // namespace
 
 std::span<const SceneKey> scene_keys() noexcept {
@@ -79,6 +110,13 @@ std::optional<SceneProblem> find_problem(const Scene& scene) {
     return SceneProblem{"goal", "duration_s", "duration_s times rate_hz is over 1e7 ticks; shorten one of them"};
   }
   return std::nullopt;
+}
+
+bool is_in_range(const Settings& settings) noexcept {
+  Scene scene;  // its strings and vectors stay empty
+  scene.settings = settings;
+  const auto in_range = [&scene](const SceneKey& key) { return std::visit(InRange{scene}, key.value); };
+  return std::ranges::all_of(keys, in_range);
 }
 
 }  // namespace ghostforce

@@ -112,4 +112,8 @@ struct SceneProblem {
 };
 std::optional<SceneProblem> find_problem(const Scene& scene);
 
+// Whether each setting lies in the range that its key gives it: what a servo
+// takes. Any thread, the servo's too: allocates nothing.
+bool is_in_range(const Settings& settings) noexcept;
+
 }  // namespace ghostforce
