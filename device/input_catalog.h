@@ -1,0 +1,26 @@
+// The one list of inputs: the command line, the input panel and the tests walk it. A new kind of input is its own file
+// and one row in input_catalog.cpp. Immutable after start, any thread; making an input allocates and may throw.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "core/scene.h"
+#include "device/input.h"
+
+namespace ghostforce {
+
+struct InputKind {
+  std::string_view name;      // on the command line
+  std::string_view title;     // on screen
+  std::string_view sentence;  // what it does, for a person who hovers over it
+  std::unique_ptr<Input> (*make)(const Scene&);
+};
+
+std::span<const InputKind> input_catalog() noexcept;
+
+// Null when no kind has that name.
+const InputKind* find_input(std::string_view name) noexcept;
+
+}  // namespace ghostforce

@@ -1,0 +1,140 @@
+// Servo: the loop that ticks the model, by default 1000 times a second, on a thread of its own.
+//
+// It and the window exchange whole values, each with one writer and one reader: the newest command goes in, the newest
+// report and every tick's sample come out. On its thread our code never allocates, locks, logs, throws, opens files or
+// frees. It starts no sooner than start() is called; tests call wake() by hand instead and need no time to pass.
+// SI units. Functions without a word about threads belong to the UI thread.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <thread>
+#include <type_traits>
+
+#include <readerwriterqueue/readerwritercircularbuffer.h>
+
+#include "core/latest_value.h"
+#include "core/settings.h"
+#include "core/snapshot.h"
+#include "core/tick.h"
+#include "device/input.h"
+#include "device/realtime.h"
+
+namespace ghostforce {
+
+// What the window wants, whole. The servo may see only the newest of several, so what happens once is a count of how
+// often it was asked for since the program began.
+struct ServoCommand {
+  Settings settings;
+  std::uint32_t settings_generation = 0;  // another number: the settings have changed
+  bool paused = false;
+  double speed = 1.0;                // of model time against real time [1]; changes ticks per second, never dt
+  std::uint32_t steps_asked = 0;     // single ticks asked for while paused
+  std::uint32_t restarts_asked = 0;  // another number: go on from restart_state
+  TickState<2> restart_state{};
+};
+static_assert(std::is_trivially_copyable_v<ServoCommand>);
+
+// How well the thread keeps its deadlines.
+struct LoopHealth {
+  double rate_hz = 0.0;               // ticks per second of real time, over the last half second; 0 while paused [Hz]
+  std::uint64_t late_ticks = 0;       // deadlines skipped, because the thread came more than a period late
+  double worst_late_s = 0.0;          // behind a deadline, since start() [s]
+  std::uint64_t dropped_samples = 0;  // that take_sample() was too slow for
+};
+
+struct ServoReport {
+  Snapshot snapshot;                      // of the newest tick, under the settings in use
+  std::uint32_t settings_generation = 0;  // of the settings in use
+  std::uint32_t restarts = 0;             // the restarts_asked that this run came from
+  std::uint32_t refused_commands =
+      0;                  // with settings, a speed or a restart state out of range: that part had no effect
+  bool diverged = false;  // see Servo::farthest_m
+  LoopHealth loop;
+  RealtimeStatus realtime;
+};
+static_assert(std::is_trivially_copyable_v<ServoReport>);
+
+// One per tick, the state that a run starts from included.
+struct Sample {
+  Snapshot snapshot;
+  std::uint32_t restarts = 0;
+};
+static_assert(std::is_trivially_copyable_v<Sample>);
+
+class Servo {
+ public:
+  // Samples that wait for take_sample() at most; over 8 s at 1 kHz.
+  static constexpr std::size_t sample_capacity = 8192;
+  // `speed` is held between these.
+  static constexpr double slowest = 0.001;
+  static constexpr double fastest = 10.0;
+  // Ticks never come faster than this [s]; a speed that asks for more gets this.
+  static constexpr double shortest_period_s = 1.0 / 20000.0;
+  // However slow the ticks, and while paused, commands are heeded this often [s].
+  static constexpr double attention_period_s = 0.005;
+  // Settings can be unstable. Before a device gets farther away than this, or becomes no number at all, the run stops
+  // at its last good tick and says `diverged` until a restart or other settings [m].
+  static constexpr double farthest_m = 1000.0;
+
+  // The first run starts from initial.restart_state. Throws std::invalid_argument if `initial` is out of range.
+  Servo(std::unique_ptr<Input> input, const ServoCommand& initial);
+  Servo(const Servo&) = delete;
+  Servo& operator=(const Servo&) = delete;
+  ~Servo();
+
+  // Starts the thread, which asks for real-time conditions first (ServoReport::realtime). Throws std::system_error.
+  void start();
+  // Returns when the thread has ended, within attention_period_s. start() may follow.
+  void stop() noexcept;
+
+  void send(const ServoCommand& command) noexcept { commands_.publish(command); }
+  // The reference stays good until the next call.
+  const ServoReport& newest() noexcept { return reports_.latest(); }
+  // The oldest sample not yet taken; false when there is none.
+  bool take_sample(Sample& sample) { return samples_.try_dequeue(sample); }
+
+  Input& input() noexcept { return *input_; }
+
+  // Servo thread, or whoever steps a servo that was not started: what happens at each deadline. Takes the newest
+  // command; then records the state that a new run starts from, or else reads the input and ticks (when paused: only if
+  // a step was asked for); then publishes. With new settings of another rate the tick number changes so that model time
+  // goes on.
+  void wake() noexcept { attend(true); }
+
+ private:
+  void run() noexcept;
+  void attend(bool tick_is_due) noexcept;
+  void take_command(const ServoCommand& command) noexcept;
+  void restart_from(const TickState<2>& state, std::uint32_t restarts) noexcept;
+  void use(const Settings& settings, std::uint32_t generation) noexcept;
+  bool takes_tick(bool tick_is_due) noexcept;
+  bool advance() noexcept;
+  bool is_idle() const noexcept { return paused_ || report_.diverged; }
+  double period_s() const noexcept;
+
+  std::unique_ptr<Input> input_;
+  LatestValue<ServoCommand> commands_;
+  LatestValue<ServoReport> reports_{ServoReport{}};
+  moodycamel::BlockingReaderWriterCircularBuffer<Sample> samples_{sample_capacity};  // the servo never blocks on it
+
+  // The UI thread's.
+  std::thread thread_;
+  std::atomic<bool> stopping_{false};
+
+  // The servo thread's.
+  TickPlan<2> plan_{};
+  TickState<2> state_;
+  bool is_at_start_ = true;  // the state has not been recorded yet
+  bool paused_;
+  double speed_ = 1.0;
+  std::uint32_t steps_wanted_ = 0;
+  std::uint32_t steps_taken_ = 0;
+  std::uint32_t seen_generation_;  // whether in use or refused
+  std::uint32_t seen_restarts_;
+  ServoReport report_;
+};
+
+}  // namespace ghostforce
