@@ -14,6 +14,7 @@
 
 #include "app/failure.h"
 #include "app/interruption.h"
+#include "app/printable.h"
 
 namespace ghostforce {
 namespace {
@@ -130,14 +131,13 @@ void OutputFile::commit() {
   temporary_.clear();
 }
 
-bool OutputFile::is_terminal() const noexcept {
-  return isatty(descriptor_) != 0;
-}
+bool OutputFile::is_terminal() const noexcept { return isatty(descriptor_) != 0; }
 
 void OutputFile::fail(int error) const {
   if (error == EINTR) stop_if_interrupted();
   if (error == EPIPE) throw Failure(ExitCode::done, "");
-  throw Failure(ExitCode::file_trouble, fmt::format("{} cannot be written: {}", shown_, reason_of(error)));
+  throw Failure(ExitCode::file_trouble,
+                fmt::format("{} cannot be written: {}", printable(shown_, longest_path), reason_of(error)));
 }
 
 }  // namespace ghostforce

@@ -10,6 +10,7 @@
 namespace ghostforce {
 
 inline constexpr std::size_t longest_quote = 80;
+inline constexpr std::size_t longest_path = 4096;  // Linux opens no longer one
 
 // Control characters become \xNN; what is longer than `longest` bytes ends in
 // "…".

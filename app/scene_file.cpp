@@ -70,14 +70,14 @@ std::string hint_for(const std::filesystem::path& path) {
 
 std::string read_file(const std::string& path) {
   const auto fail = [&](ExitCode code, const std::string& what) -> Failure {
-    return {code, fmt::format("{}: {}", printable(path, path.size()), what)};
+    return {code, fmt::format("{}: {}", printable(path, longest_path), what)};
   };
   const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) {
     const int error = errno;
     if (error == ENOENT || error == ENOTDIR || error == ENAMETOOLONG || path.empty()) {
       throw Failure(ExitCode::wrong_call,
-                    fmt::format("no scene named '{}'{}", printable(path, path.size()), hint_for(path)));
+                    fmt::format("no scene named '{}'{}", printable(path, longest_path), hint_for(path)));
     }
     throw fail(ExitCode::file_trouble, fmt::format("cannot be read: {}", reason_of(error)));
   }

@@ -84,7 +84,7 @@ std::string range_words(const Limits& limits) {
 class SceneReader {
  public:
   SceneReader(std::string_view shown_path, std::span<const std::string> overrides)
-      : shown_path_(printable(shown_path, shown_path.size())), overrides_(overrides) {}
+      : shown_path_(printable(shown_path, longest_path)), overrides_(overrides) {}
 
   Scene read(std::string_view text) {
     if (!parse(text)) return finish();

@@ -1,0 +1,33 @@
+#include "app/printable.h"
+
+#include <array>
+#include <string>
+#include <string_view>
+
+#include <gtest/gtest.h>
+
+namespace ghostforce {
+namespace {
+
+using namespace std::string_view_literals;
+
+TEST(Printable, KeepsWordsAndShowsControlCharacters) {
+  EXPECT_EQ(printable("wall45 ρ"), "wall45 ρ");
+  EXPECT_EQ(printable("a\x1b[2J\n\t\x7f"), "a\\x1B[2J\\x0A\\x09\\x7F");
+  EXPECT_EQ(printable("\0b"sv), "\\x00b");
+}
+
+TEST(Printable, CutsBetweenCharacters) {
+  EXPECT_EQ(printable("abcdef", 3), "abc…");
+  EXPECT_EQ(printable("abc", 3), "abc");
+  EXPECT_EQ(printable("aρρ", 2), "a…");  // ρ takes two bytes
+  EXPECT_EQ(printable("aρρ", 3), "aρ…");
+}
+
+TEST(Printable, Lists) {
+  EXPECT_EQ(listed(std::array{"a"sv, "b"sv, "c"sv}), "a, b, c");
+  EXPECT_EQ(listed({}), "");
+}
+
+}  // namespace
+}  // namespace ghostforce
