@@ -1,0 +1,55 @@
+#include "core/settings.h"
+
+#include <limits>
+#include <numbers>
+#include <type_traits>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "tests/core/random_setting.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr double degrees = std::numbers::pi / 180.0;
+constexpr double rounding = 8.0 * std::numeric_limits<double>::epsilon();  // cosines and products of two of them
+
+Settings example() {
+  Settings settings;
+  settings.wall_point = {0.01, -0.02};
+  settings.wall_normal_angle = 135.0 * degrees;
+  settings.actuated_angle = 30.0 * degrees;
+  settings.mass = 0.1;
+  settings.damping = 5.0;
+  settings.rate = 1000.0;
+  settings.impedances = stiffnesses(100.0, 1000.0, 500.0, 1e5);
+  return settings;
+}
+
+TEST(SettingsTest, AnglesAreDirectionsCounterClockwiseFromX) {
+  const Wall<2> wall = wall_of(example());
+  EXPECT_EQ(wall.point, Vector<2>(0.01, -0.02));
+  EXPECT_LE(glm::length(wall.normal - Vector<2>(-1.0, 1.0) / std::numbers::sqrt2), rounding);
+  const Vector<2> motor{std::sqrt(3.0) / 2.0, 0.5};
+  EXPECT_LE(glm::length(actuation_of(example()).actuated * motor - motor), rounding);
+  EXPECT_LE(glm::length(actuation_of(example()).actuated * Vector<2>(-motor.y, motor.x)), rounding);
+}
+
+TEST(SettingsTest, PlanHoldsWhatATickNeeds) {
+  const TickPlan<2> plan = plan_of(example());
+  EXPECT_EQ(plan.wall.point, wall_of(example()).point);
+  EXPECT_EQ(plan.wall.normal, wall_of(example()).normal);
+  EXPECT_EQ(plan.actuation.actuated, actuation_of(example()).actuated);
+  EXPECT_EQ(plan.device.mass, 0.1);
+  EXPECT_EQ(plan.device.damping, 5.0);
+  EXPECT_EQ(plan.device.user_stiffness, 100.0);
+  EXPECT_EQ(plan.device.period, 0.001);
+  EXPECT_EQ(plan.rate, 1000.0);
+}
+
+static_assert(std::is_trivially_copyable_v<Settings>);
+static_assert(noexcept(plan_of(std::declval<const Settings&>())));
+
+}  // namespace
+}  // namespace ghostforce
