@@ -14,6 +14,8 @@ struct Impedances {
   double k_t = 0.0;                             // tracking stiffness on actuated degrees of freedom, k_ta, (2) [N/m]
   double k_c = 0.0;                             // constraint stiffness, (4) [N/m]; infinity is the hard constraint
   std::optional<double> chosen_tracking_ratio;  // ρ [1]; empty: the optimal one, (17)
+
+  friend bool operator==(const Impedances&, const Impedances&) = default;
 };
 
 // k̂_u [N/m]

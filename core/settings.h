@@ -21,6 +21,8 @@ struct Settings {
   Impedances impedances;                        // k_u, k_r, k_t, k_c, ρ
   StrategyId active = StrategyId::anisotropic;  // the one on the device; the
                                                 // others run beside it
+
+  friend bool operator==(const Settings&, const Settings&) = default;
 };
 static_assert(std::is_trivially_copyable_v<Settings>);
 

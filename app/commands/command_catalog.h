@@ -7,6 +7,8 @@
 
 namespace ghostforce {
 
+std::function<int()> attach_run(CLI::App& subcommand);
+std::function<int()> attach_render(CLI::App& subcommand);
 std::function<int()> attach_simulate(CLI::App& subcommand);
 std::function<int()> attach_equilibrium(CLI::App& subcommand);
 

@@ -1,0 +1,41 @@
+#include "app/commands/picture_options.h"
+
+#include "app/commands/command.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr std::string_view every_strategy = "all";
+
+}  // namespace
+
+void PictureOptions::attach(CLI::App& subcommand, bool with_all) {
+  std::vector<std::string_view> strategies = strategy_names();
+  if (with_all) strategies.push_back(every_strategy);
+  subcommand
+      .add_option("--strategy", strategy,
+                  with_all ? "full, naive or anisotropic alone, or all in one picture; default: the scene's own"
+                           : "full, naive or anisotropic: the one to start with; default: the scene's own")
+      ->type_name("NAME")
+      ->check(one_of(strategies));
+  std::vector<std::string_view> themes;
+  for (const Theme& each : theme_catalog()) themes.push_back(each.name);
+  subcommand.add_option("--theme", theme, "light, dark or projector; default: light")
+      ->type_name("NAME")
+      ->check(one_of(themes));
+  subcommand.add_option("--scale", scale, "Size of letters and lines, 0.75 to 3; default: 1")
+      ->type_name("FACTOR")
+      ->check(CLI::Range(0.75, 3.0));
+}
+
+void PictureOptions::apply_strategy(Session& session) const {
+  if (const auto id = find_strategy(strategy)) {
+    session.settings.active = *id;
+    session.scene.settings.active = *id;
+  }
+  session.compare = strategy.empty() || strategy == every_strategy ? Compare::overlay : Compare::active_only;
+}
+
+const Theme& PictureOptions::chosen_theme() const { return *find_theme(theme); }
+
+}  // namespace ghostforce

@@ -1,0 +1,81 @@
+// ghostforce run: the window, live.
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "app/application.h"
+#include "app/commands/command.h"
+#include "app/commands/command_catalog.h"
+#include "app/commands/picture_options.h"
+#include "app/failure.h"
+#include "app/interruption.h"
+
+namespace ghostforce {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct Options {
+  SceneOptions scene;
+  PictureOptions picture;
+  std::string input = "mouse";
+  std::optional<double> exit_after_s;
+};
+
+double seconds(Clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
+
+// Waits for input until the next frame is due. Displays without vertical sync would otherwise draw as fast as they can;
+// a paused window has nothing to show and looks up only now and then.
+void wait_for_next_frame(Window& window, bool idle, Clock::time_point frame_began) {
+  constexpr double frame_s = 1.0 / 60.0;
+  constexpr double idle_s = 0.25;
+  window.poll(std::max(0.0, (idle ? idle_s : frame_s) - seconds(Clock::now() - frame_began)));
+}
+
+int run(const Options& options) {
+  const Scene scene = options.scene.load();
+  Window window({.title = fmt::format("{} · ghostforce", scene.title)});
+  Application application(
+      window, {.theme = &options.picture.chosen_theme(), .scale = static_cast<float>(options.picture.scale)}, scene,
+      *find_input(options.input));
+  options.picture.apply_strategy(application.session());
+  application.session().compare = Compare::overlay;
+  application.servo().start();
+
+  const Clock::time_point began = Clock::now();
+  Clock::time_point last = began;
+  while (!window.should_close()) {
+    stop_if_interrupted();
+    const Clock::time_point now = Clock::now();
+    if (options.exit_after_s && seconds(now - began) >= *options.exit_after_s) break;
+    application.frame(seconds(now - last));
+    last = now;
+    wait_for_next_frame(window, application.is_idle(), now);
+  }
+  return static_cast<int>(ExitCode::done);
+}
+
+}  // namespace
+
+std::function<int()> attach_run(CLI::App& subcommand) {
+  const auto options = std::make_shared<Options>();
+  options->scene.attach(subcommand, false);
+  std::vector<std::string_view> inputs;
+  for (const InputKind& kind : input_catalog()) inputs.push_back(kind.name);
+  subcommand.add_option("--input", options->input, "Who moves the goal: mouse, or the scene's script; default: mouse")
+      ->type_name("NAME")
+      ->check(one_of(inputs));
+  options->picture.attach(subcommand, false);
+  subcommand.add_option("--exit-after", options->exit_after_s, "Close the window by itself after so many seconds")
+      ->type_name("S")
+      ->check(CLI::NonNegativeNumber);
+  subcommand.footer(
+      "Drag anywhere in the scene: the goal of your hand follows.\n"
+      "Keys: 1 2 3 strategy, 0 compare, Space pause, . step, R reset, Alt+R reset all.");
+  return [options] { return run(*options); };
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,121 @@
+#include "app/paint/gl_painter.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <stdexcept>
+
+#include "app/paint/gl/shader_program.h"
+#include "embedded_shaders.h"
+
+namespace ghostforce {
+namespace {
+
+// Must match the constants of shaders/mark.frag.
+constexpr float line_kind = 0.0F;
+constexpr float disc_kind = 1.0F;
+constexpr float diamond_kind = 2.0F;
+constexpr float triangle_kind = 3.0F;
+constexpr float arrow_kind = 4.0F;
+constexpr float half_plane_kind = 5.0F;
+
+float kind_of(Shape shape) {
+  switch (shape) {
+    case Shape::disc:
+      return disc_kind;
+    case Shape::diamond:
+      return diamond_kind;
+    case Shape::triangle:
+      return triangle_kind;
+  }
+  return disc_kind;
+}
+
+std::string_view shader(std::string_view name) {
+  const auto found = std::find_if(embedded_shaders.begin(), embedded_shaders.end(),
+                                  [&](const auto& text) { return text.name == name; });
+  if (found == embedded_shaders.end()) throw std::logic_error("no embedded shader " + std::string(name));
+  return found->contents;
+}
+
+}  // namespace
+
+// Turns each form into one instance, in pixels.
+struct GlPainter::Collect {
+  std::vector<Instance>& out;
+  const Camera& camera;
+  double density;
+
+  Vector<2> pixels(const Vector<2>& world, const Vector<2>& offset = Vector<2>(0.0)) const {
+    return (to_screen(camera, world) + offset) * density;
+  }
+  float pixels(double points) const { return static_cast<float>(points * density); }
+  void add(const Vector<2>& from, const Vector<2>& to, float kind, double radius, double rim_width, double start,
+           const LinePattern& pattern, Colour fill, Colour rim) const {
+    out.push_back(
+        {{static_cast<float>(from.x), static_cast<float>(from.y), static_cast<float>(to.x), static_cast<float>(to.y)},
+         {kind, pixels(radius), pixels(rim_width), static_cast<float>(start)},
+         {pixels(pattern[0]), pixels(pattern[1]), pixels(pattern[2]), pixels(pattern[3])},
+         fill,
+         rim});
+  }
+
+  void operator()(const HalfPlane& form) const {
+    add(pixels(form.point), to_screen_direction(form.normal), half_plane_kind, 0.0, 0.0, 0.0, solid_line, form.fill,
+        form.fill);
+  }
+  void operator()(const Line& form) const {
+    add(pixels(form.from), pixels(form.to), line_kind, 0.5 * form.width, 0.0,
+        form.pattern_start * camera.points_per_metre * density, form.pattern, form.colour, form.colour);
+  }
+  void operator()(const Marker& form) const {
+    const Vector<2> center = pixels(form.center, form.offset);
+    add(center, center, kind_of(form.shape), form.radius, form.rim_width, 0.0, solid_line, form.fill, form.rim);
+  }
+  void operator()(const Arrow& form) const {
+    add(pixels(form.tail, form.offset), pixels(form.tip, form.offset), arrow_kind, 0.5 * form.width, form.rim_width,
+        0.0, solid_line, form.fill, form.rim);
+  }
+  void operator()(const Label&) const {}
+};
+
+GlPainter::GlPainter() : program_(gl::link_program(shader("mark.vert"), shader("mark.frag"))) {
+  viewport_uniform_ = glGetUniformLocation(program_.name(), "viewport");
+  glBindVertexArray(attributes_.name());
+  glBindBuffer(GL_ARRAY_BUFFER, instances_.name());
+  const auto attribute = [](GLuint index, GLenum type, std::size_t offset) {
+    glEnableVertexAttribArray(index);
+    glVertexAttribPointer(index, 4, type, type == GL_UNSIGNED_BYTE ? GL_TRUE : GL_FALSE, sizeof(Instance),
+                          reinterpret_cast<const void*>(offset));  // an offset, in the shape that OpenGL wants it
+    glVertexAttribDivisor(index, 1);
+  };
+  attribute(0, GL_FLOAT, offsetof(Instance, ends));
+  attribute(1, GL_FLOAT, offsetof(Instance, form));
+  attribute(2, GL_FLOAT, offsetof(Instance, pattern));
+  attribute(3, GL_UNSIGNED_BYTE, offsetof(Instance, fill));
+  attribute(4, GL_UNSIGNED_BYTE, offsetof(Instance, rim));
+  glBindVertexArray(0);
+}
+
+void GlPainter::paint(const Marks& marks, const Camera& camera, const PixelRect& rect, double pixels_per_point) {
+  collected_.clear();
+  const Collect collect{collected_, camera, pixels_per_point};
+  for (const Mark& mark : marks) std::visit(collect, mark.form);
+  if (collected_.empty() || rect.width <= 0 || rect.height <= 0) return;
+
+  glViewport(rect.x, rect.y, rect.width, rect.height);
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(rect.x, rect.y, rect.width, rect.height);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  glUseProgram(program_.name());
+  glUniform2f(viewport_uniform_, static_cast<float>(rect.width), static_cast<float>(rect.height));
+  glBindVertexArray(attributes_.name());
+  glBindBuffer(GL_ARRAY_BUFFER, instances_.name());
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(collected_.size() * sizeof(Instance)), collected_.data(),
+               GL_STREAM_DRAW);
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(collected_.size()));
+  glBindVertexArray(0);
+  glDisable(GL_SCISSOR_TEST);
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,14 @@
+// Writes marks as JSON: the same picture for a script, with positions in millimetres. Any thread.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "app/view/marks.h"
+
+namespace ghostforce {
+
+// An array with one object per mark: role, strategy (where it belongs to one), form, and the form's positions, sizes
+// and colours.
+nlohmann::ordered_json marks_as_json(const Marks& marks);
+
+}  // namespace ghostforce

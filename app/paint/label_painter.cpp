@@ -1,0 +1,43 @@
+#include "app/paint/label_painter.h"
+
+namespace ghostforce {
+namespace {
+
+ImU32 packed(Colour colour) { return IM_COL32(colour.red, colour.green, colour.blue, colour.alpha); }
+
+}  // namespace
+
+Vector<2> measure_text(std::string_view text, double height) {
+  const ImVec2 size =
+      ImGui::GetFont()->CalcTextSizeA(static_cast<float>(height), 1e9F, 0.0F, text.data(), text.data() + text.size());
+  return {static_cast<double>(size.x), static_cast<double>(size.y)};
+}
+
+void paint_labels(const Marks& marks, const Camera& camera, ImVec2 origin, double height_scale, ImDrawList& draw_list) {
+  draw_list.PushClipRect(origin,
+                         {origin.x + static_cast<float>(camera.size.x), origin.y + static_cast<float>(camera.size.y)});
+  for (const Mark& mark : marks) {
+    const auto* label = std::get_if<Label>(&mark.form);
+    if (label == nullptr) continue;
+    const Vector<2> at = to_screen(camera, label->anchor) + label->offset;
+    const ImVec2 corner{origin.x + static_cast<float>(at.x), origin.y + static_cast<float>(at.y)};
+    const auto height = static_cast<float>(text_height(label->size) * height_scale);
+    const auto write = [&](float dx, float dy, ImU32 colour) {
+      draw_list.AddText(ImGui::GetFont(), height, {corner.x + dx, corner.y + dy}, colour, label->text.data(),
+                        label->text.data() + label->text.size());
+    };
+    if (label->halo.alpha > 0) {
+      const float reach = 0.1F * height;
+      const ImU32 halo = packed(label->halo.with_alpha(200));
+      for (const float dx : {-reach, 0.0F, reach}) {
+        for (const float dy : {-reach, 0.0F, reach}) {
+          if (dx != 0.0F || dy != 0.0F) write(dx, dy, halo);
+        }
+      }
+    }
+    write(0.0F, 0.0F, packed(label->colour));
+  }
+  draw_list.PopClipRect();
+}
+
+}  // namespace ghostforce

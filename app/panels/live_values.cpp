@@ -1,0 +1,98 @@
+// The live table: what each strategy does right now, in numbers of fixed width.
+#include <fmt/format.h>
+
+#include "app/panels/controls.h"
+#include "app/panels/panel_catalog.h"
+
+namespace ghostforce {
+namespace {
+
+struct Quantity {
+  const char* title;
+  const char* unit;
+  std::string_view sentence;
+  double (*value)(const StrategySnapshot<2>&);
+  int decimals;
+};
+
+constexpr Quantity quantities[] = {
+    {"force", "N", "How hard the device pushes on the hand: |f_r|, f_r = K_r (q_p − q_h), in newtons.",
+     [](const StrategySnapshot<2>& now) { return glm::length(now.force); }, 2},
+    {"ghost force", "N",
+     "What the device pushes along its motor beyond what a fully actuated one would: |P_A (f_r − f_r of F)|, in "
+     "newtons. "
+     "It should be zero.",
+     [](const StrategySnapshot<2>& now) { return glm::length(now.ghost_force); }, 2},
+    {"drift", "mm",
+     "How far the proxy has slid along the wall from where the hand aims: |q_p − q_u| along the wall, in millimetres.",
+     [](const StrategySnapshot<2>& now) { return glm::length(now.proxy_drift) * 1000.0; }, 1},
+    {"energy", "mJ",
+     "Energy that the rendering has given to the hand since the reset, in millijoules. Above zero: it was active, not "
+     "passive.",
+     [](const StrategySnapshot<2>& now) { return now.energy * 1000.0; }, 1},
+};
+
+void right_aligned(std::string_view text) {
+  const float free = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
+  if (free > 0.0F) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + free);
+  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+}
+
+void draw_head() {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  for (const Quantity& quantity : quantities) {
+    ImGui::TableNextColumn();
+    ImGui::BeginGroup();
+    right_aligned(quantity.title);
+    right_aligned(quantity.unit);
+    ImGui::EndGroup();
+    explain(quantity.sentence);
+  }
+}
+
+void draw_row(const PanelContext& context, const Strategy& entry) {
+  const std::size_t i = index_of(entry.id);
+  const bool active = entry.id == context.session.settings.active;
+  ImGui::TableNextRow();
+  if (active)
+    ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0,
+                           packed(mix(context.theme.panel, context.theme.strategy[i], 0.16)));
+  ImGui::TableNextColumn();
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float height = ImGui::GetTextLineHeight();
+  draw_glyph(*ImGui::GetWindowDrawList(), {corner.x + 0.6F * height, corner.y + 0.5F * height}, 0.38F * height,
+             strategy_style(entry.id).shape, context.theme.strategy[i]);
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 1.4F * height);
+  ImGui::PushFont(active ? context.fonts.bold : context.fonts.regular, 0.0F);
+  ImGui::PushStyleColor(ImGuiCol_Text, unpacked(context.theme.strategy_text[i]));
+  ImGui::Text("%c", entry.letter);
+  ImGui::PopStyleColor();
+  ImGui::PopFont();
+  explain(entry.sentence);
+  for (const Quantity& quantity : quantities) {
+    ImGui::TableNextColumn();
+    ImGui::PushFont(context.fonts.number, 0.0F);
+    const double value = quantity.value(context.snapshot.strategies[i]);
+    // + 0.0 turns a rounded −0 into 0.
+    right_aligned(fmt::format("{:8.{}f}", value + 0.0, quantity.decimals));
+    ImGui::PopFont();
+  }
+}
+
+}  // namespace
+
+void draw_live_values(const PanelContext& context) {
+  if (!ImGui::BeginTable("live", 1 + static_cast<int>(std::size(quantities)),
+                         ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_PadOuterX)) {
+    return;
+  }
+  ImGui::TableSetupColumn("strategy", ImGuiTableColumnFlags_WidthFixed, 2.6F * ImGui::GetFontSize());
+  for (const Quantity& quantity : quantities)
+    ImGui::TableSetupColumn(quantity.title, ImGuiTableColumnFlags_WidthStretch);
+  draw_head();
+  for (const Strategy& entry : strategy_catalog()) draw_row(context, entry);
+  ImGui::EndTable();
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,35 @@
+// What a panel gets to see and to change. A panel draws itself into the ImGui window that is current, edits the
+// session, and knows neither device nor thread.
+#pragma once
+
+#include <string_view>
+
+#include <imgui.h>
+
+#include "app/session.h"
+#include "app/theme.h"
+#include "core/snapshot.h"
+
+namespace ghostforce {
+
+struct Fonts {
+  ImFont* regular;
+  ImFont* bold;
+  ImFont* number;  // all digits equally wide
+};
+
+struct PanelContext {
+  Session& session;
+  const Snapshot& snapshot;
+  const LoopReading& loop;
+  const Theme& theme;
+  const Fonts& fonts;
+  float scale;  // UI scale [1]
+};
+
+struct Panel {
+  std::string_view title;
+  void (*draw)(const PanelContext&);
+};
+
+}  // namespace ghostforce

@@ -1,0 +1,95 @@
+#include "app/panels/ratio_dial.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/panels/controls.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr double least_ratio = 1e-3;  // of the scene format
+constexpr double greatest_ratio = 1e3;
+constexpr float snap_points = 7.0F;
+
+// The dial is logarithmic and has naïve at a quarter and optimal at three quarters of it, wherever ρ* is.
+class Scale {
+ public:
+  explicit Scale(double optimal) : decade_(2.0 * std::log(std::max(optimal, 1.2))) {}
+  double ratio(double place) const {
+    return std::clamp(std::exp((place - 0.25) * decade_), least_ratio, greatest_ratio);
+  }
+  double place(double ratio) const { return std::clamp(0.25 + std::log(ratio) / decade_, 0.0, 1.0); }
+
+ private:
+  double decade_;
+};
+
+}  // namespace
+
+void draw_ratio_dial(const PanelContext& context) {
+  Impedances& impedances = context.session.settings.impedances;
+  const double optimal = optimal_tracking_ratio(impedances.k_r, believed_user_stiffness(impedances));
+  const Scale scale(optimal);
+  const Theme& theme = context.theme;
+  const Colour naive = theme.strategy[index_of(StrategyId::naive)];
+  const Colour cure = theme.strategy[index_of(StrategyId::anisotropic)];
+
+  const float width = ImGui::GetContentRegionAvail().x;
+  const float line = ImGui::GetTextLineHeight();
+  const float radius = 8.0F * context.scale;
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float left = corner.x + radius;
+  const float length = width - 2.0F * radius;
+  const float track_y = corner.y + line + radius + 3.0F * context.scale;
+  const auto x_of = [&](double place) { return left + static_cast<float>(place) * length; };
+
+  ImGui::InvisibleButton("ratio", {width, 2.0F * line + 2.0F * radius + 8.0F * context.scale});
+  if (ImGui::IsItemActive()) {
+    const float pointer = ImGui::GetIO().MousePos.x;
+    const bool at_optimal = std::abs(pointer - x_of(scale.place(optimal))) < snap_points * context.scale;
+    const bool at_naive = std::abs(pointer - x_of(scale.place(1.0))) < snap_points * context.scale;
+    if (at_optimal) {
+      impedances.chosen_tracking_ratio.reset();
+    } else if (at_naive) {
+      impedances.chosen_tracking_ratio = 1.0;
+    } else {
+      impedances.chosen_tracking_ratio =
+          scale.ratio(std::clamp(static_cast<double>((pointer - left) / length), 0.0, 1.0));
+    }
+  }
+  explain(
+      "ρ = k_ta / k_tn: how much more softly the proxy follows where there is no motor. At 1 the anisotropic strategy "
+      "is the naïve one; at ρ* = 1 + k_r / k_u the ghost force is gone.");
+
+  ImDrawList& draw_list = *ImGui::GetWindowDrawList();
+  const float thickness = 5.0F * context.scale;
+  draw_list.AddLine({left, track_y}, {left + length, track_y}, packed(theme.panel_border), thickness);
+  draw_list.AddRectFilledMultiColor({x_of(0.25), track_y - 0.5F * thickness}, {x_of(0.75), track_y + 0.5F * thickness},
+                                    packed(naive), packed(cure), packed(cure), packed(naive));
+  const auto stop = [&](double place, const char* word, Colour colour, Colour letters) {
+    const float x = x_of(place);
+    draw_list.AddLine({x, track_y - radius}, {x, track_y + radius}, packed(colour), 2.0F * context.scale);
+    const ImVec2 size = ImGui::CalcTextSize(word);
+    draw_list.AddText({x - 0.5F * size.x, corner.y}, packed(letters), word);
+  };
+  stop(scale.place(1.0), "naïve", naive, theme.strategy_text[index_of(StrategyId::naive)]);
+  stop(scale.place(optimal), "optimal", cure, theme.strategy_text[index_of(StrategyId::anisotropic)]);
+
+  const double ratio = tracking_ratio(impedances);
+  const ImVec2 knob{x_of(scale.place(ratio)), track_y};
+  draw_list.AddCircleFilled(knob, radius, packed(theme.panel_field), 24);
+  draw_list.AddCircle(knob, radius, packed(theme.text), 24, 2.0F * context.scale);
+
+  const std::string value =
+      impedances.chosen_tracking_ratio ? fmt::format("ρ = {:.2f}", ratio) : fmt::format("ρ = ρ* = {:.2f}", ratio);
+  const float text_y = track_y + radius + 3.0F * context.scale;
+  draw_list.AddText({left, text_y}, packed(theme.text), value.c_str());
+  const std::string formula = fmt::format("ρ* = 1 + k_r / k_u = {:.2f}", optimal);
+  draw_list.AddText({left + length - ImGui::CalcTextSize(formula.c_str()).x, text_y}, packed(theme.faint_text),
+                    formula.c_str());
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,12 @@
+// The ρ dial: one track from naïve (ρ = 1) to the optimal ratio ρ* and beyond. The two underactuated strategies are the
+// ends of this one dial.
+#pragma once
+
+#include "app/panels/panel.h"
+
+namespace ghostforce {
+
+// Edits impedances.chosen_tracking_ratio; near ρ* it snaps to "optimal", which then follows k_r and the believed k_u.
+void draw_ratio_dial(const PanelContext& context);
+
+}  // namespace ghostforce

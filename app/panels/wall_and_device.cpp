@@ -1,0 +1,18 @@
+// Which way the wall faces, and which way the device can push.
+#include "app/panels/controls.h"
+#include "app/panels/panel_catalog.h"
+
+namespace ghostforce {
+
+void draw_wall_and_device(const PanelContext& context) {
+  Settings& settings = context.session.settings;
+  if (!begin_rows("wall", context)) return;
+  row("Wall normal", "Direction of the wall's outward normal n, counter-clockwise from the x axis.");
+  angle_slider("##normal", settings.wall_normal_angle);
+  row("Motor axis",
+      "Direction in which the device can push, counter-clockwise from the x axis. Across it there is no motor.");
+  angle_slider("##actuated", settings.actuated_angle);
+  end_rows();
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,35 @@
+// Camera: which part of the world a rectangle of the screen shows. Screen points have their origin at the rectangle's
+// upper left corner, y down. A value; any thread.
+#pragma once
+
+#include <algorithm>
+
+#include "core/conventions.h"
+
+namespace ghostforce {
+
+struct Camera {
+  Vector<2> center{0.0};          // world point in the middle of the rectangle [m]
+  double points_per_metre = 1.0;  // zoom
+  Vector<2> size{1.0};            // of the rectangle [points]
+};
+
+inline Vector<2> to_screen(const Camera& camera, const Vector<2>& world) noexcept {
+  const Vector<2> offset = (world - camera.center) * camera.points_per_metre;
+  return {0.5 * camera.size.x + offset.x, 0.5 * camera.size.y - offset.y};
+}
+
+inline Vector<2> to_world(const Camera& camera, const Vector<2>& screen) noexcept {
+  const Vector<2> offset = screen - 0.5 * camera.size;
+  return camera.center + Vector<2>(offset.x, -offset.y) / camera.points_per_metre;
+}
+
+// A direction on screen (y down) for one in the world (y up), same length.
+inline Vector<2> to_screen_direction(const Vector<2>& world) noexcept { return {world.x, -world.y}; }
+
+// Shows at least `width` [m] across and three quarters of it up and down: a wide rectangle must not crop the height.
+inline Camera camera_on(const Vector<2>& center, double width, const Vector<2>& size) noexcept {
+  return {center, std::min(size.x / width, size.y / (0.75 * width)), size};
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,152 @@
+// Words and numbers beside the marks. Each label tries a few places round its anchor and takes the first that is free,
+// so that labels neither cover each other nor the markers.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "app/view/layers.h"
+
+namespace ghostforce {
+namespace {
+
+struct Box {
+  Vector<2> least;
+  Vector<2> most;
+};
+
+double overlap(const Box& a, const Box& b) {
+  const double width = std::min(a.most.x, b.most.x) - std::max(a.least.x, b.least.x);
+  const double height = std::min(a.most.y, b.most.y) - std::max(a.least.y, b.least.y);
+  return width > 0.0 && height > 0.0 ? width * height : 0.0;
+}
+
+class LabelPlacer {
+ public:
+  LabelPlacer(const View& view, Marks& marks) : view_(view), marks_(marks) {}
+
+  void keep_clear(const Vector<2>& screen, double radius) {
+    taken_.push_back({screen - Vector<2>(radius), screen + Vector<2>(radius)});
+  }
+  // A thin box per piece: a slanted line's bounding box would keep half the picture clear.
+  void keep_clear(const Vector<2>& from, const Vector<2>& to, double radius) {
+    const int pieces = std::clamp(static_cast<int>(glm::distance(from, to) / (2.0 * radius)), 1, 64);
+    for (int i = 0; i <= pieces; ++i) keep_clear(from + (to - from) * (static_cast<double>(i) / pieces), radius);
+  }
+
+  // `gap` is the distance between anchor and text [points].
+  void place(Role role, std::optional<StrategyId> id, const Vector<2>& anchor, double gap, std::string text,
+             TextSize size, Colour colour) {
+    const Vector<2> extent = view_.measure(text, view_.points(text_height(size)));
+    const Vector<2> at = to_screen(view_.camera, anchor);
+    Vector<2> best = at;
+    double least = -1.0;
+    for (const double reach : {1.0, 1.8, 3.0}) {
+      for (const Vector<2>& side : sides) {
+        const Vector<2> middle = at + side * (Vector<2>(gap * reach) + 0.5 * extent);
+        const double cost = crowding({middle - 0.5 * extent, middle + 0.5 * extent});
+        if (least < 0.0 || cost < least) {
+          least = cost;
+          best = middle - 0.5 * extent;
+        }
+      }
+      if (least == 0.0) break;
+    }
+    taken_.push_back({best, best + extent});
+    marks_.push_back({role, id, Label{anchor, best - at, std::move(text), size, colour, view_.theme.background}});
+  }
+
+ private:
+  // Right first, as one reads; then above and below, then left.
+  static constexpr std::array<Vector<2>, 8> sides{
+      {{1.0, 0.0}, {0.7, -0.9}, {0.7, 0.9}, {0.0, -1.0}, {0.0, 1.0}, {-1.0, 0.0}, {-0.7, -0.9}, {-0.7, 0.9}}};
+
+  double crowding(const Box& box) const {
+    double cost = 0.0;
+    for (const Box& other : taken_) cost += overlap(box, other);
+    // Outside the picture is worse than on top of something.
+    const Box picture{Vector<2>(4.0), view_.camera.size - Vector<2>(4.0)};
+    const Vector<2> extent = box.most - box.least;
+    return cost + 10.0 * (extent.x * extent.y - overlap(box, picture));
+  }
+
+  const View& view_;
+  Marks& marks_;
+  std::vector<Box> taken_;
+};
+
+// Marks at the edge and on the scene that no label may cover.
+void keep_marks_clear(const View& view, const Marks& marks, LabelPlacer& placer) {
+  for (const Mark& mark : marks) {
+    if (const auto* marker = std::get_if<Marker>(&mark.form)) {
+      placer.keep_clear(to_screen(view.camera, marker->center) + marker->offset, marker->radius + 2.0);
+    } else if (const auto* arrow = std::get_if<Arrow>(&mark.form)) {
+      placer.keep_clear(to_screen(view.camera, arrow->tail) + arrow->offset,
+                        to_screen(view.camera, arrow->tip) + arrow->offset, arrow->width + 2.0);
+    } else if (const auto* label = std::get_if<Label>(&mark.form)) {
+      const Vector<2> at = to_screen(view.camera, label->anchor) + label->offset;
+      const Vector<2> extent = view.measure(label->text, view.points(text_height(label->size)));
+      placer.keep_clear(at + Vector<2>(0.0, 0.5 * extent.y), at + Vector<2>(extent.x, 0.5 * extent.y), 0.5 * extent.y);
+    } else if (const auto* line = std::get_if<Line>(&mark.form);
+               line != nullptr && (mark.role == Role::proxy_drift || mark.role == Role::scale)) {
+      placer.keep_clear(to_screen(view.camera, line->from), to_screen(view.camera, line->to), 4.0);
+    }
+  }
+}
+
+// One letter per device; devices in the same place share a label ("F N A" in free space).
+void add_letters(const View& view, LabelPlacer& placer) {
+  std::vector<StrategyId> open;
+  for_each_shown(view, [&](StrategyId id) { open.push_back(id); });
+  std::reverse(open.begin(), open.end());  // the active one leads its group
+  while (!open.empty()) {
+    const StrategyId first = open.front();
+    const Vector<2> at = view.snapshot.strategies[index_of(first)].device;
+    std::string letters;
+    std::erase_if(open, [&](StrategyId id) {
+      const double apart = glm::distance(at, view.snapshot.strategies[index_of(id)].device);
+      if (id != first && apart > view.metres(12.0)) return false;
+      letters += letters.empty() ? "" : " ";
+      letters += strategy(id).letter;
+      return true;
+    });
+    placer.place(Role::device, first, at, view.points(11.0), letters,
+                 view.in_front(first) ? TextSize::large : TextSize::normal, view.theme.strategy_text[index_of(first)]);
+  }
+}
+
+void add_measures(const View& view, StrategyId id, LabelPlacer& placer) {
+  const std::size_t i = index_of(id);
+  const StrategySnapshot<2>& now = view.snapshot.strategies[i];
+  const Colour colour = view.theme.strategy_text[i];
+  if (is_drawn(now.ghost_force)) {
+    const Vector<2> offset = ghost_arrow_offset(view);
+    const Vector<2> tip =
+        arrow_tip(view, now.device, now.ghost_force) + to_screen_direction(offset) / view.camera.points_per_metre;
+    placer.place(Role::ghost_force, id, tip, view.points(9.0),
+                 fmt::format("ghost force {:.2f} N", glm::length(now.ghost_force)), TextSize::normal, colour);
+  }
+  if (view.in_front(id) && is_drawn(now.force)) {
+    placer.place(Role::force, id, arrow_tip(view, now.device, now.force), view.points(9.0),
+                 fmt::format("force {:.2f} N", glm::length(now.force)), TextSize::normal, colour);
+  }
+  if (has_drift_ruler(view, id)) {
+    const DriftRuler ruler = drift_ruler(view, id);
+    placer.place(Role::proxy_drift, id, 0.5 * (ruler.from + ruler.to), view.points(8.0),
+                 fmt::format("drift {:.1f} mm", glm::length(now.proxy_drift) * 1000.0), TextSize::normal, colour);
+  }
+}
+
+}  // namespace
+
+void add_labels(const View& view, Marks& marks) {
+  LabelPlacer placer(view, marks);
+  keep_marks_clear(view, marks, placer);
+  add_letters(view, placer);
+  placer.place(Role::goal, std::nullopt, view.snapshot.goal, view.points(15.0), "goal", TextSize::normal,
+               view.theme.text);
+  for_each_shown(view, [&](StrategyId id) { add_measures(view, id, placer); });
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,42 @@
+// The layers of the picture, back to front; each appends its marks.
+#pragma once
+
+#include "app/view/compose.h"
+
+namespace ghostforce {
+
+void add_wall(const View& view, Marks& marks);     // grid, wall, hatching
+void add_trails(const View& view, Marks& marks);   // where goal and devices have been
+void add_arrows(const View& view, Marks& marks);   // rendered force, ghost force, proxy drift
+void add_markers(const View& view, Marks& marks);  // proxy, contact, device, goal
+void add_guides(const View& view, Marks& marks);   // scale bars, motor axis, legend
+void add_labels(const View& view, Marks& marks);   // words and numbers beside the marks above
+
+// --- Where arrow and label layers must agree -----------------------------------------------------------------------
+
+// Length of an arrow per newton [points]; does not change with the zoom, so that pictures can be compared.
+inline constexpr double points_per_newton = 30.0;
+// Shorter arrows are not drawn: their head alone would be longer than they are [points].
+inline constexpr double shortest_arrow = 7.0;
+// Smaller drifts are not drawn [m].
+inline constexpr double smallest_drift = 0.0002;
+
+// Where an arrow for a force ends that starts at `tail` [m].
+inline Vector<2> arrow_tip(const View& view, const Vector<2>& tail, const Vector<2>& force) {
+  return tail + force * view.metres(points_per_newton);
+}
+inline bool is_drawn(const Vector<2>& force) { return glm::length(force) * points_per_newton >= shortest_arrow; }
+
+// The ghost force lies on the same line as the rendered force: its arrow is moved aside, to the free side of the wall
+// [points, y down].
+Vector<2> ghost_arrow_offset(const View& view);
+
+// The proxy drift as a ruler inside the wall, beside the edge: its two ends [m].
+struct DriftRuler {
+  Vector<2> from;  // beside the goal's projection on the wall
+  Vector<2> to;    // beside the contact
+};
+bool has_drift_ruler(const View& view, StrategyId id);
+DriftRuler drift_ruler(const View& view, StrategyId id);
+
+}  // namespace ghostforce

@@ -1,0 +1,60 @@
+#include "app/view/layers.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr double device_radius = 9.0;  // [points], of the active strategy
+constexpr double behind = 0.78;        // size of the others
+constexpr double goal_radius = 10.5;   // [points]
+
+void add_goal(const View& view, Marks& marks) {
+  const Vector<2> goal = view.snapshot.goal;
+  const Colour rim = view.theme.goal_rim;
+  const double arm = view.metres(goal_radius + 5.0);
+  marks.push_back({Role::goal, std::nullopt,
+                   Marker{goal, Shape::disc, view.points(goal_radius), view.theme.goal, rim, view.points(2.2)}});
+  for (const Vector<2>& direction : {Vector<2>(arm, 0.0), Vector<2>(0.0, arm)}) {
+    marks.push_back({Role::goal, std::nullopt, Line{goal - direction, goal + direction, view.points(1.8), rim}});
+  }
+}
+
+void add_proxy(const View& view, StrategyId id, Marks& marks) {
+  const std::size_t i = index_of(id);
+  const StrategySnapshot<2>& now = view.snapshot.strategies[i];
+  if (!now.in_contact) return;  // in free space the proxy is the device
+  const double size = view.in_front(id) ? 1.0 : behind;
+  const Colour colour = view.theme.strategy[i];
+  const Wall<2> wall = wall_of(view.settings);
+  const double tick = view.metres(7.0 * size);
+  marks.push_back({Role::tracking_link, id,
+                   Line{now.device, now.proxy, view.points(1.4 * size), mix(view.theme.wall, colour, 0.7)}});
+  marks.push_back(
+      {Role::contact, id,
+       Line{now.contact - wall.normal * tick, now.contact + wall.normal * tick, view.points(2.2 * size), colour}});
+  marks.push_back({Role::proxy, id,
+                   Marker{now.proxy, strategy_style(id).shape, view.points(device_radius * 0.85 * size),
+                          view.theme.background, colour, view.points(2.2 * size)}});
+}
+
+void add_device(const View& view, StrategyId id, Marks& marks) {
+  const std::size_t i = index_of(id);
+  const double size = view.in_front(id) ? 1.0 : behind;
+  marks.push_back(
+      {Role::device, id,
+       Marker{view.snapshot.strategies[i].device, strategy_style(id).shape, view.points(device_radius * size),
+              view.theme.strategy[i], view.theme.background, view.points(1.6)}});
+}
+
+}  // namespace
+
+void add_markers(const View& view, Marks& marks) {
+  const Vector<2> device = view.snapshot.strategies[index_of(view.settings.active)].device;
+  const LinePattern dots{view.points(2.0), view.points(5.0), view.points(2.0), view.points(5.0)};
+  marks.push_back({Role::hand_spring, std::nullopt,
+                   Line{view.snapshot.goal, device, view.points(2.0), view.theme.faint_text, dots}});
+  for_each_shown(view, [&](StrategyId id) { add_proxy(view, id, marks); });
+  for_each_shown(view, [&](StrategyId id) { add_device(view, id, marks); });
+  add_goal(view, marks);
+}
+
+}  // namespace ghostforce

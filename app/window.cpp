@@ -1,0 +1,202 @@
+#include "app/window.h"
+
+#include <glad/gl.h>
+
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+#include <imgui_impl_glfw.h>
+#include <imgui_impl_opengl3.h>
+
+#include <filesystem>
+
+#include "app/failure.h"
+#include "ghostforce_paths.h"
+
+// ImGui's OpenGL backend has a loader of its own that looks into libGL, where it finds nothing under OSMesa. This is
+// its entry for a loader that knows better.
+extern "C" int imgl3wInit2(void (*(*)(const char*))());
+
+namespace ghostforce {
+namespace {
+
+std::string last_glfw_error() {
+  const char* description = nullptr;
+  glfwGetError(&description);
+  return description != nullptr ? description : "no reason given";
+}
+
+constexpr const char* offscreen_advice =
+    "pictures can be made without a display: ghostforce render wall45 -o wall45.png";
+
+// What the machine has when it does not have OpenGL 3.3, for the error message.
+std::string describe_lesser_opengl() {
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 1);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 0);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_ANY_PROFILE);
+  glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+  GLFWwindow* window = glfwCreateWindow(16, 16, "", nullptr, nullptr);
+  if (window == nullptr) return "no OpenGL at all (" + last_glfw_error() + ")";
+  glfwMakeContextCurrent(window);
+  // glGetString is older than every loader's minimum version, so it is asked for by hand.
+  using GetString = const unsigned char* (*)(unsigned int);
+  const auto get_string = reinterpret_cast<GetString>(glfwGetProcAddress("glGetString"));
+  const auto text = [&](unsigned int name) {
+    const unsigned char* value = get_string != nullptr ? get_string(name) : nullptr;
+    return value != nullptr ? reinterpret_cast<const char*>(value) : "unknown";
+  };
+  std::string description = fmt::format("OpenGL {} on {}", text(GL_VERSION), text(GL_RENDERER));
+  glfwDestroyWindow(window);
+  return description;
+}
+
+GLFWwindow* create_window(const WindowOptions& options) {
+  glfwDefaultWindowHints();
+  if (options.offscreen) glfwWindowHint(GLFW_CONTEXT_CREATION_API, GLFW_OSMESA_CONTEXT_API);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+  glfwWindowHintString(GLFW_X11_CLASS_NAME, "ghostforce");
+  glfwWindowHintString(GLFW_WAYLAND_APP_ID, "ghostforce");
+  GLFWwindow* window = glfwCreateWindow(options.width, options.height, options.title.c_str(), nullptr, nullptr);
+  if (window != nullptr) return window;
+  const std::string reason = last_glfw_error();
+  if (options.offscreen) {
+    throw Failure(ExitCode::no_display,
+                  fmt::format("cannot draw offscreen: {} (there is {}); OSMesa with OpenGL 3.3 is needed, Debian's "
+                              "package libosmesa6",
+                              reason, describe_lesser_opengl()));
+  }
+  throw Failure(ExitCode::no_display, fmt::format("the window needs OpenGL 3.3 and there is {} ({}); a newer graphics "
+                                                  "driver may help, and {}",
+                                                  describe_lesser_opengl(), reason, offscreen_advice));
+}
+
+std::string font_file(std::string_view name) {
+  std::error_code unreadable;
+  const std::filesystem::path executable = std::filesystem::read_symlink("/proc/self/exe", unreadable);
+  for (const std::string_view directory : font_directories) {
+    const std::filesystem::path path = executable.parent_path() / directory / name;
+    if (std::filesystem::exists(path, unreadable)) return path.string();
+  }
+  throw Failure(ExitCode::file_trouble,
+                fmt::format("the font {} is not where the program expects it, {}; build again with ./demo, or install "
+                            "the program with cmake --install",
+                            name, (executable.parent_path() / font_directories[0]).string()));
+}
+
+}  // namespace
+
+Window::Library::Library(bool offscreen) {
+  glfwInitHint(GLFW_PLATFORM, offscreen ? GLFW_PLATFORM_NULL : GLFW_ANY_PLATFORM);
+  if (glfwInit() == GLFW_TRUE) return;
+  const std::string reason = last_glfw_error();
+  glfwTerminate();
+  throw Failure(ExitCode::no_display,
+                fmt::format("there is no display to open a window on ({}); {}", reason, offscreen_advice));
+}
+
+Window::Library::~Library() { glfwTerminate(); }
+
+void Window::Destroy::operator()(GLFWwindow* window) const { glfwDestroyWindow(window); }
+
+Window::Window(const WindowOptions& options) : library_(options.offscreen), window_(create_window(options)) {
+  glfwMakeContextCurrent(handle());
+  if (gladLoadGL(glfwGetProcAddress) < GLAD_MAKE_VERSION(3, 3)) {
+    throw Failure(ExitCode::no_display,
+                  fmt::format("OpenGL 3.3 was promised, but cannot be loaded: {}", graphics_description()));
+  }
+  glfwSwapInterval(options.offscreen ? 0 : 1);
+  start_imgui(options.takes_mouse);
+}
+
+Window::~Window() {
+  ImGui_ImplOpenGL3_Shutdown();
+  ImGui_ImplGlfw_Shutdown();
+  ImGui::DestroyContext();
+}
+
+void Window::start_imgui(bool takes_mouse) {
+  IMGUI_CHECKVERSION();
+  ImGui::CreateContext();
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;  // nothing is written to the working directory
+  io.LogFilename = nullptr;
+  io.ConfigFlags |= takes_mouse ? ImGuiConfigFlags_None : ImGuiConfigFlags_NoMouse;
+  ImGui_ImplGlfw_InitForOpenGL(handle(), true);
+  imgl3wInit2(glfwGetProcAddress);
+  ImGui_ImplOpenGL3_Init("#version 330 core");
+  regular_font_ = io.Fonts->AddFontFromFileTTF(font_file("DejaVuSans.ttf").c_str());
+  bold_font_ = io.Fonts->AddFontFromFileTTF(font_file("DejaVuSans-Bold.ttf").c_str());
+  number_font_ = io.Fonts->AddFontFromFileTTF(font_file("DejaVuSansMono.ttf").c_str());
+}
+
+bool Window::should_close() const { return glfwWindowShouldClose(handle()) == GLFW_TRUE; }
+
+void Window::close() { glfwSetWindowShouldClose(handle(), GLFW_TRUE); }
+
+void Window::resize(int width, int height) { glfwSetWindowSize(handle(), width, height); }
+
+float Window::display_scale() const {
+  // Where the framebuffer is denser than the window's coordinates (Wayland), ImGui draws denser by itself.
+  int width = 0;
+  glfwGetWindowSize(handle(), &width, nullptr);
+  if (width > 0 && pixel_width() != width) return 1.0F;
+  float scale = 1.0F;
+  glfwGetWindowContentScale(handle(), &scale, nullptr);
+  return scale > 0.0F ? scale : 1.0F;
+}
+
+int Window::pixel_width() const {
+  int width = 0;
+  glfwGetFramebufferSize(handle(), &width, nullptr);
+  return width;
+}
+
+int Window::pixel_height() const {
+  int height = 0;
+  glfwGetFramebufferSize(handle(), nullptr, &height);
+  return height;
+}
+
+void Window::poll(double wait_s) {
+  if (wait_s > 0.0) {
+    glfwWaitEventsTimeout(wait_s);
+  } else {
+    glfwPollEvents();
+  }
+}
+
+void Window::frame(const std::function<void()>& draw) {
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui_ImplGlfw_NewFrame();
+  ImGui::NewFrame();
+  draw();
+  ImGui::Render();
+  if (pixel_width() > 0 && pixel_height() > 0) ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  glfwSwapBuffers(handle());
+}
+
+Image Window::picture() const {
+  Image image{pixel_width(), pixel_height(), {}};
+  const std::size_t row = 3U * static_cast<std::size_t>(image.width);
+  std::vector<std::uint8_t> from_below(row * static_cast<std::size_t>(image.height));
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, image.width, image.height, GL_RGB, GL_UNSIGNED_BYTE, from_below.data());
+  image.rgb.reserve(from_below.size());
+  for (int y = image.height - 1; y >= 0; --y) {
+    const auto begin = from_below.begin() + static_cast<std::ptrdiff_t>(row * static_cast<std::size_t>(y));
+    image.rgb.insert(image.rgb.end(), begin, begin + static_cast<std::ptrdiff_t>(row));
+  }
+  return image;
+}
+
+std::string Window::graphics_description() const {
+  const auto text = [](GLenum name) {
+    const GLubyte* value = glGetString != nullptr ? glGetString(name) : nullptr;
+    return value != nullptr ? reinterpret_cast<const char*>(value) : "unknown";
+  };
+  return fmt::format("{}, OpenGL {}", text(GL_RENDERER), text(GL_VERSION));
+}
+
+}  // namespace ghostforce
