@@ -9,6 +9,8 @@ if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Debug, Release, RelWithDebInfo or MinSizeRel" FORCE)
 endif()
 
+set(CMAKE_CXX_EXTENSIONS OFF)
+
 # Sanitizers come before any target: a program that mixes instrumented and plain objects reports nonsense.
 set(GHOSTFORCE_SANITIZE "" CACHE STRING "Sanitizers: empty, address (with undefined behaviour) or thread")
 set_property(CACHE GHOSTFORCE_SANITIZE PROPERTY STRINGS "" address thread)
