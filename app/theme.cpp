@@ -54,7 +54,7 @@ constexpr std::array themes{
     // White, black and thick: a beamer washes out everything in between.
     Theme{.name = "projector",
           .dark = false,
-          .thickness = 1.6,
+          .thickness = 1.35,
           .strategy = light_strategies,
           .strategy_text = light_letters,
           .goal = rgb(0xF4D800),

@@ -5,9 +5,13 @@
 
 namespace ghostforce {
 
-ImU32 packed(Colour colour) { return IM_COL32(colour.red, colour.green, colour.blue, colour.alpha); }
+ImU32 packed(Colour colour) {
+  return IM_COL32(colour.red, colour.green, colour.blue, colour.alpha);
+}
 
-ImVec4 unpacked(Colour colour) { return ImGui::ColorConvertU32ToFloat4(packed(colour)); }
+ImVec4 unpacked(Colour colour) {
+  return ImGui::ColorConvertU32ToFloat4(packed(colour));
+}
 
 void draw_glyph(ImDrawList& draw_list, ImVec2 center, float radius, Shape shape, Colour fill) {
   const ImU32 colour = packed(fill);
@@ -53,7 +57,9 @@ void row(const char* name, std::string_view sentence) {
   ImGui::SetNextItemWidth(-1.0F);
 }
 
-void end_rows() { ImGui::EndTable(); }
+void end_rows() {
+  ImGui::EndTable();
+}
 
 bool stiffness_slider(const char* id, double& newton_per_metre, const SliderLimits& limits) {
   return ImGui::SliderScalar(id, ImGuiDataType_Double, &newton_per_metre, &limits.least, &limits.greatest, "%.0f N/m",

@@ -1,6 +1,8 @@
 // The live table: what each strategy does right now, in numbers of fixed width.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/panels/controls.h"
 #include "app/panels/panel_catalog.h"
 
@@ -18,8 +20,9 @@ struct Quantity {
 constexpr Quantity quantities[] = {
     {"force", "N", "How hard the device pushes on the hand: |f_r|, f_r = K_r (q_p − q_h), in newtons.",
      [](const StrategySnapshot<2>& now) { return glm::length(now.force); }, 2},
-    {"ghost force", "N",
-     "What the device pushes along its motor beyond what a fully actuated one would: |P_A (f_r − f_r of F)|, in "
+    {"ghost", "N",
+     "Ghost force: what the device pushes along its motor beyond what a fully actuated one would: |P_A (f_r − f_r of "
+     "F)|, in "
      "newtons. "
      "It should be zero.",
      [](const StrategySnapshot<2>& now) { return glm::length(now.ghost_force); }, 2},
@@ -80,6 +83,23 @@ void draw_row(const PanelContext& context, const Strategy& entry) {
   }
 }
 
+// What the active strategy does, in as much room as the longest sentence needs, so that the panels below do not jump.
+void draw_sentence(const PanelContext& context) {
+  const ImVec2 corner = ImGui::GetCursorPos();
+  float height = 0.0F;
+  for (const Strategy& entry : strategy_catalog()) {
+    height = std::max(height,
+                      ImGui::CalcTextSize(entry.sentence.data(), nullptr, false, ImGui::GetContentRegionAvail().x).y);
+  }
+  ImGui::PushStyleColor(ImGuiCol_Text, unpacked(context.theme.faint_text));
+  ImGui::PushTextWrapPos(0.0F);
+  ImGui::TextUnformatted(strategy(context.session.settings.active).sentence.data());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+  ImGui::SetCursorPos({corner.x, corner.y + height});
+  ImGui::Spacing();
+}
+
 }  // namespace
 
 void draw_live_values(const PanelContext& context) {
@@ -93,6 +113,7 @@ void draw_live_values(const PanelContext& context) {
   draw_head();
   for (const Strategy& entry : strategy_catalog()) draw_row(context, entry);
   ImGui::EndTable();
+  draw_sentence(context);
 }
 
 }  // namespace ghostforce

@@ -14,6 +14,7 @@ void draw_live_values(const PanelContext& context);
 void draw_rendering(const PanelContext& context);
 void draw_user(const PanelContext& context);
 void draw_wall_and_device(const PanelContext& context);
+void draw_keys(const PanelContext& context);
 
 // Above and below the scene.
 void draw_strategy_bar(const PanelContext& context);

@@ -83,13 +83,15 @@ void draw_ratio_dial(const PanelContext& context) {
   draw_list.AddCircleFilled(knob, radius, packed(theme.panel_field), 24);
   draw_list.AddCircle(knob, radius, packed(theme.text), 24, 2.0F * context.scale);
 
-  const std::string value =
-      impedances.chosen_tracking_ratio ? fmt::format("ρ = {:.2f}", ratio) : fmt::format("ρ = ρ* = {:.2f}", ratio);
   const float text_y = track_y + radius + 3.0F * context.scale;
-  draw_list.AddText({left, text_y}, packed(theme.text), value.c_str());
-  const std::string formula = fmt::format("ρ* = 1 + k_r / k_u = {:.2f}", optimal);
-  draw_list.AddText({left + length - ImGui::CalcTextSize(formula.c_str()).x, text_y}, packed(theme.faint_text),
-                    formula.c_str());
+  if (impedances.chosen_tracking_ratio) {
+    draw_list.AddText({left, text_y}, packed(theme.text), fmt::format("ρ = {:.2f}", ratio).c_str());
+    const std::string other = fmt::format("ρ* = {:.2f}", optimal);
+    draw_list.AddText({left + length - ImGui::CalcTextSize(other.c_str()).x, text_y}, packed(theme.faint_text),
+                      other.c_str());
+  } else {
+    draw_list.AddText({left, text_y}, packed(theme.text), fmt::format("ρ = ρ* = {:.2f}", ratio).c_str());
+  }
 }
 
 }  // namespace ghostforce

@@ -47,8 +47,9 @@ void apply_style(const Theme& theme, float scale) {
   set(ImGuiCol_Header, hovered);
   set(ImGuiCol_HeaderHovered, hovered);
   set(ImGuiCol_HeaderActive, pressed);
-  set(ImGuiCol_SliderGrab, theme.accent);
-  set(ImGuiCol_SliderGrabActive, theme.accent);
+  // Pale enough to read the slider's number through it.
+  set(ImGuiCol_SliderGrab, mix(theme.panel_field, theme.accent, 0.45));
+  set(ImGuiCol_SliderGrabActive, mix(theme.panel_field, theme.accent, 0.6));
   set(ImGuiCol_CheckMark, theme.accent);
   set(ImGuiCol_Separator, theme.panel_border);
   set(ImGuiCol_TableBorderLight, theme.panel_border);

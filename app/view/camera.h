@@ -25,7 +25,9 @@ inline Vector<2> to_world(const Camera& camera, const Vector<2>& screen) noexcep
 }
 
 // A direction on screen (y down) for one in the world (y up), same length.
-inline Vector<2> to_screen_direction(const Vector<2>& world) noexcept { return {world.x, -world.y}; }
+inline Vector<2> to_screen_direction(const Vector<2>& world) noexcept {
+  return {world.x, -world.y};
+}
 
 // Shows at least `width` [m] across and three quarters of it up and down: a wide rectangle must not crop the height.
 inline Camera camera_on(const Vector<2>& center, double width, const Vector<2>& size) noexcept {

@@ -19,7 +19,7 @@ struct HistoryPoint {
 class History {
  public:
   // A trail is a chain of this many points at most, each at least `spacing` from the one before.
-  static constexpr std::size_t most_points = 1500;
+  static constexpr std::size_t most_points = 600;
   static constexpr double spacing = 0.0004;  // [m]
 
   void add(const Snapshot& snapshot);

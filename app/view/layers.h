@@ -25,7 +25,9 @@ inline constexpr double smallest_drift = 0.0002;
 inline Vector<2> arrow_tip(const View& view, const Vector<2>& tail, const Vector<2>& force) {
   return tail + force * view.metres(points_per_newton);
 }
-inline bool is_drawn(const Vector<2>& force) { return glm::length(force) * points_per_newton >= shortest_arrow; }
+inline bool is_drawn(const Vector<2>& force) {
+  return glm::length(force) * points_per_newton >= shortest_arrow;
+}
 
 // The ghost force lies on the same line as the rendered force: its arrow is moved aside, to the free side of the wall
 // [points, y down].
