@@ -1,0 +1,82 @@
+// What happens at a deadline, and what the window does with the servo while it runs, never touches the heap.
+#include <memory>
+
+#include <gtest/gtest.h>
+
+#include "device/input_catalog.h"
+#include "device/mouse_input.h"
+#include "device/servo.h"
+#include "tests/device/servo_scenes.h"
+#include "tests/support/heap_guard.h"
+
+namespace ghostforce {
+namespace {
+
+// Walks everything that a servo can be asked for, until its samples overflow.
+TEST(ServoHeap, IsNotTouchedByAnyInputOrStrategy) {
+  const Scene scene = slanted_wall();
+  for (const InputKind& kind : input_catalog()) {
+    for (const Strategy& strategy : strategy_catalog()) {
+      SCOPED_TRACE(kind.name);
+      SCOPED_TRACE(strategy.name);
+      ServoCommand command = start_of(scene);
+      command.settings.active = strategy.id;
+      Servo servo(kind.make(scene), command);
+      auto* const mouse = dynamic_cast<MouseInput*>(&servo.input());
+      std::int64_t contacts = 0;
+      {
+        HeapGuard guard;
+        for (int round = 0; round < 12'000; ++round) {
+          if (mouse != nullptr && round % 16 == 0) mouse->move_to(goal_at(scene.goal, round % 1500 * 1e-3), 0.016);
+          if (round % 50 == 0) {
+            command.settings.actuated_angle += 0.1;
+            ++command.settings_generation;
+          }
+          command.paused = round % 500 > 450;
+          if (command.paused) ++command.steps_asked;
+          command.speed = round % 2 == 0 ? 1.0 : 0.1;
+          if (round % 3000 == 2999) ++command.restarts_asked;
+          servo.send(command);
+          servo.wake();
+          if (servo.newest().snapshot.strategies[index_of(strategy.id)].in_contact) ++contacts;
+        }
+        for (Sample sample; servo.take_sample(sample);) {
+        }
+      }
+      EXPECT_GT(contacts, 1000);
+      EXPECT_EQ(servo.newest().restarts, 4U);
+      EXPECT_GT(servo.newest().loop.dropped_samples, 0U);
+      EXPECT_EQ(servo.newest().refused_commands, 0U);
+    }
+  }
+}
+
+TEST(ServoHeap, IsNotTouchedByWhatIsRefusedOrUnstable) {
+  const Scene scene = slanted_wall();
+  const Settings unstable = unstable_settings();
+  ServoCommand command = start_of(scene);
+  Servo servo(std::make_unique<MouseInput>(), command);
+  auto& mouse = dynamic_cast<MouseInput&>(servo.input());
+  {
+    HeapGuard guard;
+    mouse.move_to({0.04, -0.04}, 0.1);
+    for (int round = 0; round < 1000; ++round) servo.wake();
+    mouse.move_to({NAN, 0.0}, 0.1);
+    command.settings = unstable;
+    ++command.settings_generation;
+    servo.send(command);
+    for (int round = 0; round < 1000; ++round) servo.wake();
+    command.settings.rate = 0.0;
+    ++command.settings_generation;
+    command.speed = NAN;
+    command.restart_state.goal.x = NAN;
+    ++command.restarts_asked;
+    servo.send(command);
+    servo.wake();
+  }
+  EXPECT_TRUE(servo.newest().diverged);
+  EXPECT_EQ(servo.newest().refused_commands, 1U);
+}
+
+}  // namespace
+}  // namespace ghostforce

@@ -1,0 +1,495 @@
+// The servo stepped by hand: one wake() is one deadline.
+#include "device/servo.h"
+
+#include <bit>
+#include <limits>
+#include <memory>
+#include <random>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "core/play.h"
+#include "device/mouse_input.h"
+#include "device/scripted_input.h"
+#include "tests/device/servo_scenes.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+std::unique_ptr<Input> script_of(const Scene& scene) {
+  return std::make_unique<ScriptedInput>(scene.goal);
+}
+
+void wake(Servo& servo, std::int64_t times) {
+  for (std::int64_t i = 0; i < times; ++i) servo.wake();
+}
+
+// --- The numbers -----------------------------------------------------------------------------------------------------
+
+TEST(Servo, MakesTheSameNumbersAsPlay) {
+  std::vector<Scene> scenes(4, slanted_wall());
+  scenes[1].settings.actuated_angle = 1.0;
+  scenes[1].settings.impedances.k_c = infinity;
+  scenes[2].settings.rate = 250.0;
+  scenes[2].settings.impedances.believed_k_u = 50.0;
+  scenes[2].goal.motion = Motion::minimum_jerk;
+  scenes[3].settings.impedances.chosen_tracking_ratio = 3.0;
+  for (Scene scene : scenes) {
+    for (const Strategy& active : strategy_catalog()) {
+      scene.settings.active = active.id;
+      Servo servo(script_of(scene), start_of(scene));
+      Sample sample;
+      play(scene, last_tick(scene), [&](const Snapshot& wanted) {
+        servo.wake();
+        ASSERT_TRUE(servo.take_sample(sample));
+        expect_same(sample.snapshot, wanted);
+        expect_same(servo.newest().snapshot, wanted);
+      });
+      EXPECT_TRUE(sample.snapshot.strategies[index_of(active.id)].in_contact) << "the scene must reach the wall";
+      EXPECT_FALSE(servo.take_sample(sample));
+    }
+  }
+}
+
+TEST(Servo, GoesOnFromAStateThatWasPlayedBefore) {
+  const Scene scene = slanted_wall();
+  ServoCommand command = start_of(scene);
+  command.restart_state = play(scene, 700, [](const Snapshot&) {});
+  Servo servo(script_of(scene), command);
+  Sample sample;
+  play(scene, last_tick(scene), [&](const Snapshot& wanted) {
+    if (wanted.tick < 700) return;
+    servo.wake();
+    ASSERT_TRUE(servo.take_sample(sample));
+    expect_same(sample.snapshot, wanted);
+  });
+}
+
+TEST(Servo, ReportsWhereItStartsBeforeItsFirstTick) {
+  const Scene scene = slanted_wall();
+  Servo servo(script_of(scene), start_of(scene));
+  EXPECT_EQ(servo.newest().snapshot.goal, scene.goal.points.front());
+  EXPECT_EQ(servo.newest().snapshot.strategies[0].device, scene.goal.points.front());
+}
+
+TEST(Servo, SpeedChangesNoNumber) {
+  const Scene scene = slanted_wall();
+  ServoCommand slow = start_of(scene);
+  slow.speed = 0.05;
+  Servo slow_servo(script_of(scene), slow);
+  Servo servo(script_of(scene), start_of(scene));
+  wake(slow_servo, 900);
+  wake(servo, 900);
+  expect_same(slow_servo.newest().snapshot, servo.newest().snapshot);
+}
+
+// --- Pause, step, restart --------------------------------------------------------------------------------------------
+
+TEST(Servo, DoesNotTickWhilePaused) {
+  const Scene scene = slanted_wall();
+  ServoCommand command = start_of(scene);
+  Servo servo(script_of(scene), command);
+  wake(servo, 600);
+  const Snapshot before = servo.newest().snapshot;
+  take_samples(servo);
+
+  command.paused = true;
+  servo.send(command);
+  wake(servo, 100);
+  expect_same(servo.newest().snapshot, before);
+  EXPECT_TRUE(take_samples(servo).empty());
+
+  command.paused = false;
+  servo.send(command);
+  servo.wake();
+  EXPECT_EQ(servo.newest().snapshot.tick, before.tick + 1);
+}
+
+TEST(Servo, TakesTheStepsAskedForWhilePausedOneByOne) {
+  const Scene scene = slanted_wall();
+  ServoCommand command = start_of(scene);
+  command.paused = true;
+  command.steps_asked = 4'000'000'000U;  // whatever was asked for before it began
+  Servo servo(script_of(scene), command);
+  wake(servo, 10);
+  EXPECT_EQ(servo.newest().snapshot.tick, 0);
+
+  command.steps_asked += 3;
+  servo.send(command);
+  for (const std::int64_t tick : {1, 2, 3, 3, 3}) {
+    servo.wake();
+    EXPECT_EQ(servo.newest().snapshot.tick, tick);
+  }
+  EXPECT_EQ(take_samples(servo).size(), 4U);  // the start and three ticks
+}
+
+TEST(Servo, StepsAskedForWhileItRunsAreForgotten) {
+  const Scene scene = slanted_wall();
+  ServoCommand command = start_of(scene);
+  Servo servo(script_of(scene), command);
+  command.steps_asked = 5;
+  servo.send(command);
+  wake(servo, 11);
+  command.paused = true;
+  servo.send(command);
+  wake(servo, 10);
+  EXPECT_EQ(servo.newest().snapshot.tick, 10);
+}
+
+TEST(Servo, RestartsFromTheStateGiven) {
+  const Scene scene = slanted_wall();
+  ServoCommand command = start_of(scene);
+  Servo servo(script_of(scene), command);
+  wake(servo, 1000);
+  take_samples(servo);
+
+  command.restarts_asked = 1;
+  servo.send(command);
+  play(scene, 800, [&](const Snapshot& wanted) {
+    servo.wake();
+    Sample sample;
+    ASSERT_TRUE(servo.take_sample(sample));
+    EXPECT_EQ(sample.restarts, 1U);
+    expect_same(sample.snapshot, wanted);
+  });
+  EXPECT_EQ(servo.newest().restarts, 1U);
+}
+
+TEST(Servo, RestartsWhilePaused) {
+  const Scene scene = slanted_wall();
+  ServoCommand command = start_of(scene);
+  Servo servo(script_of(scene), command);
+  wake(servo, 1000);
+  take_samples(servo);
+  command.paused = true;
+  command.restarts_asked = 7;
+  servo.send(command);
+  wake(servo, 10);
+  EXPECT_EQ(servo.newest().snapshot.tick, 0);
+  EXPECT_EQ(take_samples(servo).size(), 1U);
+}
+
+TEST(Servo, RestartPutsTheMouseWhereTheRunStarts) {
+  const Scene scene = slanted_wall();
+  ServoCommand command = start_of(scene);
+  Servo servo(std::make_unique<MouseInput>(), command);
+  auto& mouse = dynamic_cast<MouseInput&>(servo.input());
+  wake(servo, 2);
+  EXPECT_EQ(servo.newest().snapshot.goal, scene.goal.points.front());
+  mouse.move_to({0.03, -0.01}, 0.005);
+  wake(servo, 5);
+  EXPECT_EQ(servo.newest().snapshot.goal, Vector<2>(0.03, -0.01));
+
+  command.restarts_asked = 1;
+  command.restart_state = state_at_start(Vector<2>(-0.02, 0.03));
+  servo.send(command);
+  for (int i = 0; i < 10; ++i) {
+    servo.wake();
+    EXPECT_EQ(servo.newest().snapshot.goal, Vector<2>(-0.02, 0.03));
+  }
+}
+
+// --- Settings --------------------------------------------------------------------------------------------------------
+
+TEST(Servo, TakesNewSettingsWholeWithTheirGeneration) {
+  const Scene scene = slanted_wall();
+  Settings other = scene.settings;
+  other.wall_normal_angle = 2.0;
+  other.actuated_angle = 0.5;
+  other.impedances.k_u = 300.0;
+  other.impedances.k_r = 500.0;
+
+  ServoCommand command = start_of(scene);
+  command.settings_generation = 40;
+  Servo servo(script_of(scene), command);
+  TickState<2> state = command.restart_state;
+  servo.wake();
+  for (std::int64_t k = 1; k <= 1200; ++k) {
+    if (k == 700) {
+      command.settings = other;
+      command.settings_generation = 41;
+      servo.send(command);
+    }
+    servo.wake();
+    const TickPlan<2> plan = plan_of(k < 700 ? scene.settings : other);
+    tick(plan, goal_at(scene.goal, time_of(k, plan.rate)), state);
+    ASSERT_EQ(servo.newest().settings_generation, k < 700 ? 40U : 41U);
+    expect_same(servo.newest().snapshot, snapshot_of(plan, state));
+  }
+}
+
+TEST(Servo, ShowsNewSettingsWhilePaused) {
+  const Scene scene = slanted_wall();
+  ServoCommand command = start_of(scene);
+  command.restart_state = play(scene, 1000, [](const Snapshot&) {});
+  command.paused = true;
+  Servo servo(script_of(scene), command);
+  command.settings.impedances.k_r *= 0.5;
+  ++command.settings_generation;
+  servo.send(command);
+  servo.wake();
+  expect_same(servo.newest().snapshot, snapshot_of(plan_of(command.settings), command.restart_state));
+}
+
+TEST(Servo, LooksAtSettingsOnlyWhenTheirGenerationChanges) {
+  const Scene scene = slanted_wall();
+  ServoCommand command = start_of(scene);
+  Servo servo(script_of(scene), command);
+  command.settings.impedances.k_r = nan;
+  servo.send(command);
+  wake(servo, 10);
+  EXPECT_EQ(servo.newest().refused_commands, 0U);
+  EXPECT_TRUE(is_finite(servo.newest().snapshot));
+}
+
+TEST(Servo, OfSeveralCommandsTheNewestCounts) {
+  const Scene scene = slanted_wall();
+  ServoCommand command = start_of(scene);
+  Servo servo(script_of(scene), command);
+  for (command.settings_generation = 1; command.settings_generation < 20; ++command.settings_generation) {
+    command.settings.wall_normal_angle += 0.01;
+    servo.send(command);
+  }
+  servo.wake();
+  EXPECT_EQ(servo.newest().settings_generation, 19U);
+}
+
+TEST(Servo, ModelTimeGoesOnThroughAChangeOfRate) {
+  const Scene scene = slanted_wall();
+  ServoCommand command = start_of(scene);
+  Servo servo(script_of(scene), command);
+  wake(servo, 601);
+  for (const double rate : {500.0, 3000.0, 1000.0}) {
+    const double before_s = servo.newest().snapshot.time_s;
+    command.settings.rate = rate;
+    ++command.settings_generation;
+    servo.send(command);
+    servo.wake();
+    const Snapshot& after = servo.newest().snapshot;
+    // One new period on, from the new tick that is nearest to the old time.
+    EXPECT_NEAR(after.time_s, before_s + 1.0 / rate, 0.5 / rate + 1e-12);
+    EXPECT_EQ(after.goal, goal_at(scene.goal, after.time_s));
+  }
+}
+
+// --- Samples ---------------------------------------------------------------------------------------------------------
+
+TEST(Servo, CountsSamplesThatNobodyTook) {
+  const Scene scene = slanted_wall();
+  Servo servo(script_of(scene), start_of(scene));
+  constexpr auto capacity = static_cast<std::int64_t>(Servo::sample_capacity);
+  wake(servo, capacity + 10);
+  EXPECT_EQ(servo.newest().loop.dropped_samples, 10U);
+  EXPECT_EQ(servo.newest().snapshot.tick, capacity + 9);
+  std::vector<Sample> samples = take_samples(servo);
+  ASSERT_EQ(samples.size(), Servo::sample_capacity);
+  for (std::int64_t k = 0; k < capacity; ++k) ASSERT_EQ(samples[static_cast<std::size_t>(k)].snapshot.tick, k);
+
+  servo.wake();
+  samples = take_samples(servo);
+  ASSERT_EQ(samples.size(), 1U);
+  EXPECT_EQ(samples.front().snapshot.tick, capacity + 10);
+  EXPECT_EQ(servo.newest().loop.dropped_samples, 10U);
+}
+
+// --- Hostile values --------------------------------------------------------------------------------------------------
+
+struct Hostile {
+  const char* what;
+  void (*spoil)(ServoCommand&);
+};
+
+const Hostile hostile_settings[] = {
+    {"rate zero", [](ServoCommand& c) { c.settings.rate = 0.0; }},
+    {"rate negative", [](ServoCommand& c) { c.settings.rate = -1000.0; }},
+    {"rate NaN", [](ServoCommand& c) { c.settings.rate = nan; }},
+    {"rate inf", [](ServoCommand& c) { c.settings.rate = infinity; }},
+    {"rate tiny", [](ServoCommand& c) { c.settings.rate = 1e-300; }},
+    {"rate huge", [](ServoCommand& c) { c.settings.rate = 1e300; }},
+    {"rate not whole", [](ServoCommand& c) { c.settings.rate = 1000.5; }},
+    {"mass zero", [](ServoCommand& c) { c.settings.mass = 0.0; }},
+    {"mass NaN", [](ServoCommand& c) { c.settings.mass = nan; }},
+    {"damping negative", [](ServoCommand& c) { c.settings.damping = -5.0; }},
+    {"damping inf", [](ServoCommand& c) { c.settings.damping = infinity; }},
+    {"k_u zero", [](ServoCommand& c) { c.settings.impedances.k_u = 0.0; }},
+    {"believed k_u NaN", [](ServoCommand& c) { c.settings.impedances.believed_k_u = nan; }},
+    {"k_r NaN", [](ServoCommand& c) { c.settings.impedances.k_r = nan; }},
+    {"k_r negative", [](ServoCommand& c) { c.settings.impedances.k_r = -1.0; }},
+    {"k_t zero", [](ServoCommand& c) { c.settings.impedances.k_t = 0.0; }},
+    {"k_t inf", [](ServoCommand& c) { c.settings.impedances.k_t = infinity; }},
+    {"k_c zero", [](ServoCommand& c) { c.settings.impedances.k_c = 0.0; }},
+    {"k_c minus inf", [](ServoCommand& c) { c.settings.impedances.k_c = -infinity; }},
+    {"ratio zero", [](ServoCommand& c) { c.settings.impedances.chosen_tracking_ratio = 0.0; }},
+    {"wall point NaN", [](ServoCommand& c) { c.settings.wall_point.y = nan; }},
+    {"wall point far", [](ServoCommand& c) { c.settings.wall_point.x = 1.5; }},
+    {"wall angle NaN", [](ServoCommand& c) { c.settings.wall_normal_angle = nan; }},
+    {"actuated angle inf", [](ServoCommand& c) { c.settings.actuated_angle = infinity; }},
+    {"no such strategy", [](ServoCommand& c) { c.settings.active = static_cast<StrategyId>(200); }},
+};
+
+TEST(Servo, RefusesHostileSettingsAsAWhole) {
+  const Scene scene = slanted_wall();
+  const ServoCommand good = start_of(scene);
+  for (const Hostile& hostile : hostile_settings) {
+    SCOPED_TRACE(hostile.what);
+    Servo servo(script_of(scene), good);
+    wake(servo, 600);
+    ServoCommand bad = good;
+    bad.settings.impedances.k_r = 5.0;  // must not come through either
+    hostile.spoil(bad);
+    bad.settings_generation = 1;
+    servo.send(bad);
+    wake(servo, 401);
+    EXPECT_EQ(servo.newest().refused_commands, 1U);
+    EXPECT_EQ(servo.newest().settings_generation, 0U);
+    play(scene, 1000, [&](const Snapshot& wanted) {
+      if (wanted.tick == 1000) expect_same(servo.newest().snapshot, wanted);
+    });
+
+    ServoCommand again = good;
+    again.settings_generation = 2;
+    servo.send(again);
+    servo.wake();
+    EXPECT_EQ(servo.newest().settings_generation, 2U);
+    EXPECT_EQ(servo.newest().refused_commands, 1U);
+
+    EXPECT_THROW(Servo(script_of(scene), bad), std::invalid_argument);
+  }
+}
+
+TEST(Servo, RefusesWhatIsNoSpeed) {
+  const Scene scene = slanted_wall();
+  for (const double speed : {0.0, -1.0, nan, infinity}) {
+    ServoCommand command = start_of(scene);
+    Servo servo(script_of(scene), command);
+    command.speed = speed;
+    servo.send(command);
+    wake(servo, 10);
+    EXPECT_EQ(servo.newest().refused_commands, 1U) << speed;
+    EXPECT_EQ(servo.newest().snapshot.tick, 9) << "goes on at the speed before";
+    EXPECT_THROW(Servo(script_of(scene), command), std::invalid_argument);
+  }
+}
+
+const Hostile hostile_states[] = {
+    {"goal NaN", [](ServoCommand& c) { c.restart_state.goal.x = nan; }},
+    {"device inf", [](ServoCommand& c) { c.restart_state.strategies[1].motion.position.y = infinity; }},
+    {"velocity NaN", [](ServoCommand& c) { c.restart_state.strategies[2].motion.velocity.x = nan; }},
+    {"proxy far", [](ServoCommand& c) { c.restart_state.strategies[0].proxy.x = 1e9; }},
+    {"energy NaN", [](ServoCommand& c) { c.restart_state.strategies[0].energy = nan; }},
+    {"tick negative", [](ServoCommand& c) { c.restart_state.tick = -1; }},
+    {"tick at its end", [](ServoCommand& c) { c.restart_state.tick = std::numeric_limits<std::int64_t>::max(); }},
+};
+
+TEST(Servo, RefusesToRestartFromAHostileState) {
+  const Scene scene = slanted_wall();
+  for (const Hostile& hostile : hostile_states) {
+    SCOPED_TRACE(hostile.what);
+    ServoCommand command = start_of(scene);
+    Servo servo(script_of(scene), command);
+    wake(servo, 10);
+    hostile.spoil(command);
+    command.restarts_asked = 1;
+    servo.send(command);
+    wake(servo, 10);
+    EXPECT_EQ(servo.newest().restarts, 0U);
+    EXPECT_EQ(servo.newest().refused_commands, 1U);
+    EXPECT_EQ(servo.newest().snapshot.tick, 19);
+    EXPECT_THROW(Servo(script_of(scene), command), std::invalid_argument);
+  }
+}
+
+TEST(Servo, StopsBeforeUnstableSettingsBlowUp) {
+  const Scene scene = slanted_wall();
+  ServoCommand command = start_of(scene);
+  Servo servo(script_of(scene), command);
+  wake(servo, 1000);
+  command.settings = unstable_settings();
+  command.settings_generation = 1;
+  servo.send(command);
+  for (int i = 0; i < 1000; ++i) {
+    servo.wake();
+    ASSERT_TRUE(is_finite(servo.newest().snapshot));
+  }
+  ASSERT_TRUE(servo.newest().diverged);
+  const std::int64_t last = servo.newest().snapshot.tick;
+  EXPECT_LT(last, 1999);
+  EXPECT_EQ(take_samples(servo).back().snapshot.tick, last);
+
+  command.settings = scene.settings;
+  command.settings_generation = 2;
+  command.restarts_asked = 1;
+  servo.send(command);
+  wake(servo, 101);
+  EXPECT_FALSE(servo.newest().diverged);
+  play(scene, 100, [&](const Snapshot& wanted) {
+    if (wanted.tick == 100) expect_same(servo.newest().snapshot, wanted);
+  });
+}
+
+// Numbers of any size and kind, in range and out of it: every report is finite, and the servo comes back.
+TEST(Servo, StaysFiniteWhateverItIsSent) {
+  std::mt19937_64 random(20240607);
+  const auto any_number = [&random]() -> double {
+    switch (random() % 4) {
+      case 0:
+        return std::bit_cast<double>(random());  // NaN, infinities, denormals among them
+      case 1:
+        return std::ldexp(1.0, static_cast<int>(random() % 40) - 20);
+      case 2:
+        return static_cast<double>(random() % 20001);
+      default:
+        return 0.0;
+    }
+  };
+  const Scene scene = slanted_wall();
+  const ServoCommand good = start_of(scene);
+  Servo servo(std::make_unique<MouseInput>(), good);
+  auto& mouse = dynamic_cast<MouseInput&>(servo.input());
+  ServoCommand command = good;
+  for (int round = 0; round < 5000; ++round) {
+    Settings& settings = command.settings;
+    Impedances& impedances = settings.impedances;
+    double* const numbers[] = {&settings.wall_point.x,
+                               &settings.wall_point.y,
+                               &settings.wall_normal_angle,
+                               &settings.actuated_angle,
+                               &settings.mass,
+                               &settings.damping,
+                               &settings.rate,
+                               &impedances.k_u,
+                               &impedances.believed_k_u.emplace(impedances.k_u),
+                               &impedances.k_r,
+                               &impedances.k_t,
+                               &impedances.k_c,
+                               &impedances.chosen_tracking_ratio.emplace(1.0),
+                               &command.speed};
+    if (round % 10 == 0) command.settings = good.settings;
+    *numbers[random() % std::size(numbers)] = any_number();
+    ++command.settings_generation;
+    if (round % 7 == 0) ++command.restarts_asked;
+    servo.send(command);
+    mouse.move_to({any_number(), any_number()}, any_number());
+    for (int i = 0; i < 20; ++i) {
+      servo.wake();
+      ASSERT_TRUE(is_finite(servo.newest().snapshot)) << "round " << round;
+    }
+  }
+  EXPECT_GT(servo.newest().refused_commands, 100U);
+
+  const std::uint32_t generation = command.settings_generation + 1;
+  const std::uint32_t restarts = command.restarts_asked + 1;
+  command = good;
+  command.settings_generation = generation;
+  command.restarts_asked = restarts;
+  servo.send(command);
+  wake(servo, 11);
+  EXPECT_EQ(servo.newest().snapshot.tick, 10);
+}
+
+}  // namespace
+}  // namespace ghostforce
