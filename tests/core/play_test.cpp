@@ -1,0 +1,73 @@
+#include "core/play.h"
+
+#include <cstdint>
+#include <numbers>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/core/random_setting.h"
+
+namespace ghostforce {
+namespace {
+
+Scene example() {
+  Scene scene;
+  scene.settings.wall_normal_angle = 0.75 * std::numbers::pi;
+  scene.settings.mass = 0.1;
+  scene.settings.damping = 5.0;
+  scene.settings.rate = 1000.0;
+  scene.settings.impedances = stiffnesses(100.0, 1000.0, 1000.0, 1e5);
+  scene.goal = {{{-0.04, 0.04}, {0.04, -0.04}}, {0.0, 1.0}, Motion::minimum_jerk};
+  scene.duration = 1.5;
+  return scene;
+}
+
+TEST(PlayTest, ReportsEveryTickFromTheFirstToTheLast) {
+  const Scene scene = example();
+  std::vector<Snapshot> ticks;
+  const TickState<2> state = play(scene, last_tick(scene), [&](const Snapshot& s) { ticks.push_back(s); });
+  ASSERT_EQ(ticks.size(), 1501U);
+  for (std::size_t k = 0; k < ticks.size(); ++k) {
+    ASSERT_EQ(ticks[k].tick, static_cast<std::int64_t>(k));
+    ASSERT_EQ(ticks[k].time_s, static_cast<double>(k) / 1000.0);
+    ASSERT_EQ(ticks[k].goal, goal_at(scene.goal, ticks[k].time_s));
+  }
+  EXPECT_EQ(ticks[0].strategies[0].device, Vector<2>(-0.04, 0.04));
+  EXPECT_EQ(ticks[0].strategies[0].force, Vector<2>(0.0));
+  EXPECT_EQ(state.tick, 1500);
+}
+
+// The same ticks as any other: bit for bit what the servo would compute, and what it may go on from.
+TEST(PlayTest, IsTheTickRepeated) {
+  const Scene scene = example();
+  const TickPlan<2> plan = plan_of(scene.settings);
+  TickState<2> expected = state_at_start(scene.goal.points.front());
+  std::int64_t at = 0;
+  const auto check = [&](const Snapshot& snapshot) {
+    while (at < snapshot.tick) tick(plan, goal_at(scene.goal, time_of(++at, 1000.0)), expected);
+    for (std::size_t i = 0; i < strategy_count; ++i) {
+      ASSERT_EQ(snapshot.strategies[i].device, expected.strategies[i].motion.position);
+      ASSERT_EQ(snapshot.strategies[i].proxy, expected.strategies[i].proxy);
+      ASSERT_EQ(snapshot.strategies[i].energy, expected.strategies[i].energy);
+    }
+  };
+  const TickState<2> state = play(scene, 700, check);
+  EXPECT_EQ(state.tick, 700);
+  for (std::size_t i = 0; i < strategy_count; ++i) {
+    EXPECT_EQ(state.strategies[i].motion.velocity, expected.strategies[i].motion.velocity);
+  }
+}
+
+TEST(PlayTest, NoTicksIsTheStart) {
+  int calls = 0;
+  const TickState<2> state = play(example(), 0, [&](const Snapshot& s) {
+    ++calls;
+    EXPECT_EQ(s.tick, 0);
+  });
+  EXPECT_EQ(calls, 1);
+  EXPECT_EQ(state.tick, 0);
+}
+
+}  // namespace
+}  // namespace ghostforce

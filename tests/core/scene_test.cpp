@@ -1,0 +1,270 @@
+#include "core/scene.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace ghostforce {
+namespace {
+
+std::string full_name(const SceneKey& key) {
+  return key.table.empty() ? std::string(key.name) : std::string(key.table) + '.' + std::string(key.name);
+}
+
+const SceneKey& key_named(std::string_view name) {
+  for (const SceneKey& key : scene_keys()) {
+    if (full_name(key) == name) return key;
+  }
+  ADD_FAILURE() << "no key " << name;
+  return scene_keys()[0];
+}
+
+// The place in a scene that a key stands for; choices have none of their own.
+const void* place_of(const SceneKey& key, Scene& scene) {
+  return std::visit(
+      [&scene](const auto& value) -> const void* {
+        if constexpr (requires { value.in(scene); }) {
+          return &value.in(scene);
+        } else {
+          return nullptr;
+        }
+      },
+      key.value);
+}
+
+TEST(SceneTest, KeysAreThoseOfTheFileFormatInItsOrder) {
+  const std::vector<std::pair<std::string, bool>> expected{
+      {"title", true},
+      {"about", true},
+      {"wall.point_mm", true},
+      {"wall.normal_deg", true},
+      {"device.actuated_deg", true},
+      {"device.mass_kg", true},
+      {"device.damping_N_s_per_m", true},
+      {"device.rate_hz", true},
+      {"user.k_u_N_per_m", true},
+      {"user.believed_k_u_N_per_m", false},
+      {"rendering.strategy", true},
+      {"rendering.k_r_N_per_m", true},
+      {"rendering.k_t_N_per_m", true},
+      {"rendering.k_c_N_per_m", true},
+      {"rendering.tracking_ratio", false},
+      {"goal.path_mm", true},
+      {"goal.times_s", true},
+      {"goal.duration_s", true},
+      {"goal.motion", false},
+      {"view.center_mm", false},
+      {"view.width_mm", false},
+  };
+  std::vector<std::pair<std::string, bool>> actual;
+  for (const SceneKey& key : scene_keys()) actual.emplace_back(full_name(key), key.required);
+  EXPECT_EQ(actual, expected);
+}
+
+TEST(SceneTest, KeysHaveUniqueNamesAndPlaces) {
+  Scene scene;
+  std::set<std::string> names;
+  std::set<const void*> places;
+  std::size_t with_place = 0;
+  for (const SceneKey& key : scene_keys()) {
+    EXPECT_FALSE(key.name.empty());
+    names.insert(full_name(key));
+    if (const void* place = place_of(key, scene)) {
+      places.insert(place);
+      ++with_place;
+    }
+  }
+  EXPECT_EQ(names.size(), scene_keys().size());
+  EXPECT_EQ(places.size(), with_place);
+}
+
+TEST(SceneTest, KeysOfATableStandTogether) {
+  std::set<std::string_view> closed;
+  std::string_view open;
+  for (const SceneKey& key : scene_keys()) {
+    if (key.table == open) continue;
+    EXPECT_TRUE(closed.insert(open).second) << open;
+    EXPECT_EQ(closed.count(key.table), 0U) << key.table;
+    open = key.table;
+  }
+}
+
+TEST(SceneTest, EachKeyIsAtItsPlace) {
+  Scene scene;
+  const std::vector<std::pair<std::string_view, const void*>> places{
+      {"title", &scene.title},
+      {"about", &scene.about},
+      {"wall.point_mm", &scene.settings.wall_point},
+      {"wall.normal_deg", &scene.settings.wall_normal_angle},
+      {"device.actuated_deg", &scene.settings.actuated_angle},
+      {"device.mass_kg", &scene.settings.mass},
+      {"device.damping_N_s_per_m", &scene.settings.damping},
+      {"device.rate_hz", &scene.settings.rate},
+      {"user.k_u_N_per_m", &scene.settings.impedances.k_u},
+      {"user.believed_k_u_N_per_m", &scene.settings.impedances.believed_k_u},
+      {"rendering.k_r_N_per_m", &scene.settings.impedances.k_r},
+      {"rendering.k_t_N_per_m", &scene.settings.impedances.k_t},
+      {"rendering.k_c_N_per_m", &scene.settings.impedances.k_c},
+      {"rendering.tracking_ratio", &scene.settings.impedances.chosen_tracking_ratio},
+      {"goal.path_mm", &scene.goal.points},
+      {"goal.times_s", &scene.goal.times},
+      {"goal.duration_s", &scene.duration},
+      {"view.center_mm", &scene.view.center},
+      {"view.width_mm", &scene.view.width},
+  };
+  for (const auto& [name, place] : places) EXPECT_EQ(place_of(key_named(name), scene), place) << name;
+}
+
+// Ranges in the units of the file, both ends included.
+TEST(SceneTest, RangesAreThoseOfTheFileFormat) {
+  const auto expect_range = [](std::string_view name, double least, double greatest) {
+    SCOPED_TRACE(name);
+    const SceneKey& key = key_named(name);
+    if (const auto* number = std::get_if<NumberKey>(&key.value)) {
+      EXPECT_EQ(number->least, least);
+      EXPECT_EQ(number->greatest, greatest);
+    } else {
+      const auto* optional = std::get_if<OptionalNumberKey>(&key.value);
+      ASSERT_NE(optional, nullptr);
+      EXPECT_EQ(optional->least, least);
+      EXPECT_EQ(optional->greatest, greatest);
+    }
+  };
+  expect_range("device.mass_kg", 0.001, 100.0);
+  expect_range("device.damping_N_s_per_m", 0.0, 1e4);
+  expect_range("device.rate_hz", 10.0, 20000.0);
+  expect_range("user.k_u_N_per_m", 0.1, 1e6);
+  expect_range("user.believed_k_u_N_per_m", 0.1, 1e6);
+  expect_range("rendering.k_r_N_per_m", 0.0, 1e6);
+  expect_range("rendering.k_t_N_per_m", 0.1, 1e6);
+  expect_range("rendering.k_c_N_per_m", 1.0, 1e9);
+  expect_range("rendering.tracking_ratio", 1e-3, 1e3);
+  EXPECT_EQ(farthest_mm, 1000.0);
+  EXPECT_EQ(most_ticks, 1e7);
+
+  for (const SceneKey& key : scene_keys()) {
+    SCOPED_TRACE(full_name(key));
+    if (const auto* number = std::get_if<NumberKey>(&key.value)) {
+      EXPECT_LT(number->least, number->greatest);
+      EXPECT_TRUE(std::isfinite(number->least) && std::isfinite(number->greatest));
+      EXPECT_GT(number->per_si, 0.0);
+      EXPECT_EQ(number->may_be_infinite, key.name == "k_c_N_per_m");
+      EXPECT_EQ(number->whole, key.name == "rate_hz");
+    }
+    if (const auto* optional = std::get_if<OptionalNumberKey>(&key.value)) {
+      EXPECT_LT(optional->least, optional->greatest);
+      EXPECT_FALSE(key.required);
+    }
+  }
+}
+
+// The name tells the unit of the file; the scene is in SI.
+TEST(SceneTest, UnitsFollowTheNames) {
+  for (const SceneKey& key : scene_keys()) {
+    SCOPED_TRACE(full_name(key));
+    const auto* number = std::get_if<NumberKey>(&key.value);
+    if (number == nullptr) continue;
+    if (key.name.ends_with("_deg")) {
+      EXPECT_DOUBLE_EQ(number->per_si * std::numbers::pi, 180.0);
+    } else if (key.name.ends_with("_mm")) {
+      EXPECT_EQ(number->per_si, 1000.0);
+    } else {
+      EXPECT_EQ(number->per_si, 1.0);
+    }
+  }
+}
+
+TEST(SceneTest, ChoicesGoBackAndForth) {
+  const auto words_of = [](std::string_view name) {
+    const auto& choice = std::get<ChoiceKey>(key_named(name).value);
+    Scene scene;
+    for (std::size_t word = 0; word < choice.words.size(); ++word) {
+      choice.set(scene, word);
+      EXPECT_EQ(choice.get(scene), word) << choice.words[word];
+    }
+    return std::vector<std::string_view>(choice.words.begin(), choice.words.end());
+  };
+  std::vector<std::string_view> strategies;
+  for (const Strategy& entry : strategy_catalog()) strategies.push_back(entry.name);
+  EXPECT_EQ(words_of("rendering.strategy"), strategies);
+  EXPECT_EQ(words_of("goal.motion"), (std::vector<std::string_view>{"linear", "minimum-jerk"}));
+
+  Scene scene;
+  std::get<ChoiceKey>(key_named("rendering.strategy").value).set(scene, 1);
+  EXPECT_EQ(scene.settings.active, StrategyId::naive);
+  std::get<ChoiceKey>(key_named("goal.motion").value).set(scene, 1);
+  EXPECT_EQ(scene.goal.motion, Motion::minimum_jerk);
+}
+
+// What the program does about an empty place: a word for it in the file, or no line at all.
+TEST(SceneTest, EmptyRatioHasAWord) {
+  EXPECT_EQ(std::get<OptionalNumberKey>(key_named("rendering.tracking_ratio").value).word_for_empty, "optimal");
+  EXPECT_EQ(std::get<OptionalNumberKey>(key_named("user.believed_k_u_N_per_m").value).word_for_empty, "");
+}
+
+Scene valid() {
+  Scene scene;
+  scene.settings.rate = 1000.0;
+  scene.goal = {{{0.0, 0.0}, {0.01, 0.0}}, {0.0, 1.0}, Motion::linear};
+  scene.duration = 3.0;
+  return scene;
+}
+
+TEST(SceneTest, AValidSceneHasNoProblem) {
+  EXPECT_FALSE(find_problem(valid()).has_value());
+}
+
+TEST(SceneTest, AsManyTimesAsWaypoints) {
+  for (const std::vector<double>& times :
+       {std::vector<double>{}, std::vector<double>{0.0}, std::vector<double>{0.0, 1.0, 2.0}}) {
+    Scene scene = valid();
+    scene.goal.times = times;
+    const auto problem = find_problem(scene);
+    ASSERT_TRUE(problem.has_value());
+    EXPECT_EQ(problem->table, "goal");
+    EXPECT_EQ(problem->name, "times_s");
+    EXPECT_NE(problem->what.find(std::to_string(times.size())), std::string::npos);
+    EXPECT_NE(problem->what.find('2'), std::string::npos);
+  }
+}
+
+TEST(SceneTest, NotTooManyTicks) {
+  Scene scene = valid();
+  scene.duration = 1e4;  // exactly 1e7 ticks
+  EXPECT_FALSE(find_problem(scene).has_value());
+  scene.duration = 10001.0;
+  const auto problem = find_problem(scene);
+  ASSERT_TRUE(problem.has_value());
+  EXPECT_EQ(problem->table, "goal");
+  EXPECT_EQ(problem->name, "duration_s");
+}
+
+// A problem names a key that exists, so that a message can point at its line.
+TEST(SceneTest, ProblemsNameKeysOfTheCatalog) {
+  Scene scene = valid();
+  scene.goal.times = {0.0};
+  for (const auto& problem : {find_problem(scene)}) {
+    ASSERT_TRUE(problem.has_value());
+    EXPECT_EQ(key_named(std::string(problem->table) + '.' + std::string(problem->name)).name, problem->name);
+  }
+}
+
+TEST(SceneTest, LastTickIsRoundedNotCut) {
+  Scene scene = valid();
+  EXPECT_EQ(last_tick(scene), 3000);
+  scene.duration = 0.29;  // 0.29 · 1000 is 289.99999999999994
+  EXPECT_EQ(last_tick(scene), 290);
+  scene.duration = 0.0;
+  EXPECT_EQ(last_tick(scene), 0);
+}
+
+}  // namespace
+}  // namespace ghostforce

@@ -1,0 +1,584 @@
+#include "core/tick.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <Eigen/Eigenvalues>
+
+#include "core/equilibrium.h"
+#include "core/settings.h"
+#include "tests/core/dimensions.h"
+#include "tests/core/random_setting.h"
+#include "tests/core/reference_model.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+// What moves: a setting, the mass and damping of device and hand, and the rate of the loop.
+template <glm::length_t D>
+struct Loop {
+  Setting<D> setting;
+  double mass;
+  double damping;
+  double rate;
+
+  TickPlan<D> plan() const {
+    return plan_tick(setting.wall, setting.actuation(), setting.impedances, mass, damping, rate);
+  }
+};
+
+// One reference model per strategy, in the order of the catalog.
+template <glm::length_t D>
+PerStrategy<ReferenceModel<D>> reference_models(const Setting<D>& setting) {
+  const Impedances& k = setting.impedances;
+  const Extended belief = k.believed_k_u.value_or(k.k_u);
+  const Extended ratio = k.chosen_tracking_ratio ? Extended{*k.chosen_tracking_ratio} : 1.0L + k.k_r / belief;
+  return {reference_with_every_motor(setting), reference_with_some_motors(setting, 1.0L),
+          reference_with_some_motors(setting, ratio)};
+}
+
+// The slowest of the loop's modes, as the factor by which it shrinks per tick, free and in contact, over all
+// strategies. With x = (q_h,k−1, q_p,k−1, v_k−1) and everything that drives the loop at zero, (23) to (25) are one
+// matrix; the proxy is q_h in free space and (I − step nᵀ) q_h in contact. Below 1: stable.
+template <glm::length_t D>
+double slowest_mode(const Loop<D>& loop) {
+  using System = Eigen::Matrix<double, 3 * D, 3 * D>;
+  using Block = Eigen::Matrix<double, D, D>;
+  const Block I = Block::Identity();
+  const double dt = 1.0 / loop.rate;
+  const double k_u = loop.setting.impedances.k_u;
+  const double inertia = loop.mass + dt * loop.damping + dt * dt * k_u;
+  double slowest = 0.0;
+  for (const ReferenceModel<D>& model : reference_models(loop.setting)) {
+    const Block K_r = model.K_r.template cast<double>();
+    // A linear map is known by what it does to each axis; the wall is moved to the origin and every point is in
+    // contact.
+    Block contact;
+    for (Eigen::Index i = 0; i < D; ++i) {
+      ReferenceModel<D> at_origin = model;
+      at_origin.o.setZero();
+      ReferenceVector<D> axis = ReferenceVector<D>::Unit(i);
+      if (at_origin.n[i] > 0.0L) axis = -axis;
+      const ReferenceVector<D> image = reference_proxy(at_origin, axis);
+      contact.col(i) = (axis[i] < 0.0L ? ReferenceVector<D>(-image) : image).template cast<double>();
+    }
+    for (const Block& proxy : {I, contact}) {
+      System A;
+      const Block from_device = -dt / inertia * (k_u * I + K_r);
+      const Block from_proxy = dt / inertia * K_r;
+      const Block from_velocity = loop.mass / inertia * I;
+      A << I + dt * from_device, dt * from_proxy, dt * from_velocity,  // q_h,k
+          proxy, Block::Zero(), Block::Zero(),                         // q_p,k
+          from_device, from_proxy, from_velocity;                      // v_k
+      slowest = std::max(slowest, Eigen::EigenSolver<System>(A, false).eigenvalues().cwiseAbs().maxCoeff());
+    }
+  }
+  return slowest;
+}
+
+// Loops that settle. A sampled wall is stable where the damping outweighs what the delay of about 1.5 periods gives
+// back to the hand, b > 1.5 k_r dt less the k_r dt that the held force takes; a hand and rendering with a natural
+// period of 30 to 60 ticks, critically damped (b = 2 √(m (k_u + k_r)) = 2 (k_u + k_r)/ω), have b of 10 (k_u + k_r) dt
+// or more. The slow mode is then b/k_u long, which the range of k_r/k_u keeps below some thousand ticks. slowest_mode()
+// checks it all.
+template <glm::length_t D>
+Loop<D> random_stable_loop(Random& random) {
+  while (true) {
+    Loop<D> loop{random_setting<D>(random), 0.0, 0.0, random.over_decades(100.0, 10000.0)};
+    Impedances& k = loop.setting.impedances;
+    k.k_r = k.k_u * random.over_decades(0.1, 10.0);
+    if (random.once_in(3)) k.believed_k_u = k.k_u * random.over_decades(0.3, 3.0);
+    if (random.once_in(5)) k.chosen_tracking_ratio = random.over_decades(0.1, 30.0);
+    const double omega = 2.0 * std::numbers::pi * loop.rate / random.uniform(30.0, 60.0);
+    loop.mass = (k.k_u + k.k_r) / (omega * omega);
+    loop.damping = 2.0 * (k.k_u + k.k_r) / omega;
+    if (slowest_mode(loop) < 0.998) return loop;
+  }
+}
+
+// Ticks after which the slowest mode has shrunk by 1e-13.
+template <glm::length_t D>
+std::int64_t ticks_to_rest(const Loop<D>& loop) {
+  return 100 + static_cast<std::int64_t>(std::log(1e-13) / std::log(slowest_mode(loop)));
+}
+
+// Sum of the lengths that the roundings of a loop are measured by [m].
+template <glm::length_t D>
+double extent(const Loop<D>& loop) {
+  return glm::length(loop.setting.wall.point) + glm::length(loop.setting.goal);
+}
+
+template <typename Dimension>
+class TickTest : public testing::Test {};
+TYPED_TEST_SUITE(TickTest, Dimensions, DimensionName);
+
+// --- At rest ---------------------------------------------------------------------------------------------------------
+
+// The loop knows nothing of equilibria; held long enough under one goal it must find that of (6)(7) by itself.
+TYPED_TEST(TickTest, ComesToRestAtTheEquilibrium) {
+  constexpr glm::length_t D = TypeParam::value;
+  Random random(1);
+  for (int i = 0; i < 300; ++i) {
+    SCOPED_TRACE(i);
+    const Loop<D> loop = random_stable_loop<D>(random);
+    const Setting<D>& setting = loop.setting;
+    const TickPlan<D> plan = loop.plan();
+    // From the free side, so that the wall is met with speed.
+    TickState<D> state = state_at_start(setting.wall.point + 0.02 * setting.wall.normal);
+    for (std::int64_t k = ticks_to_rest(loop); k > 0; --k) tick(plan, setting.goal, state);
+    const SnapshotIn<D> snapshot = snapshot_of(plan, state);
+
+    // What is left of the slowest mode is 1e-13 of the way; each tick's rounding, an ε of the extent, is remembered for
+    // 1/(1 − 0.998) = 500 ticks; both are multiplied by the gain from depth to proxy, below 30 for these ratios. Hence
+    // 1e-10 of the extent, and k_r times that for the force.
+    const double tolerance = 1e-10 * extent(loop);
+    const PerStrategy<ReferenceModel<D>> models = reference_models(setting);
+    for (const Strategy& entry : strategy_catalog()) {
+      SCOPED_TRACE(entry.name);
+      const auto& rest = snapshot.strategies[index_of(entry.id)];
+      const auto balance = reference_rest(models[index_of(entry.id)], reference(setting.goal));
+      EXPECT_LE(distance(rest.device, balance.device), tolerance);
+      EXPECT_LE(distance(rest.proxy, balance.proxy), tolerance);
+      EXPECT_LE(distance(rest.force, balance.force), tolerance * setting.impedances.k_r);
+      EXPECT_TRUE(rest.in_contact);
+      const auto closed = equilibrium_of(entry, setting.wall, setting.actuation(), setting.impedances, setting.goal);
+      EXPECT_LE(glm::length(rest.device - closed.device), tolerance);
+      EXPECT_LE(glm::length(rest.proxy - closed.proxy), tolerance);
+      EXPECT_LE(glm::length(rest.contact - closed.contact), tolerance);
+      EXPECT_LE(glm::length(rest.force - closed.force), tolerance * setting.impedances.k_r);
+    }
+  }
+}
+
+// With the right belief and the optimal ratio the cure's ghost force and drift die away; the naïve ones stay.
+TYPED_TEST(TickTest, CureEndsGhostForceAndDrift) {
+  constexpr glm::length_t D = TypeParam::value;
+  Random random(2);
+  int tried = 0;
+  for (int i = 0; i < 300; ++i) {
+    SCOPED_TRACE(i);
+    Loop<D> loop = random_stable_loop<D>(random);
+    Setting<D>& setting = loop.setting;
+    setting.impedances.believed_k_u.reset();
+    setting.impedances.chosen_tracking_ratio.reset();
+    const double alpha = glm::dot(setting.wall.normal, setting.actuation().actuated * setting.wall.normal);
+    if (alpha < 0.1 || alpha > 0.9 || depth(setting.wall, setting.goal) < 0.01 || slowest_mode(loop) > 0.998) continue;
+    ++tried;
+    const TickPlan<D> plan = loop.plan();
+    TickState<D> state = state_at_start(setting.goal);
+    for (std::int64_t k = ticks_to_rest(loop); k > 0; --k) tick(plan, setting.goal, state);
+    const SnapshotIn<D> snapshot = snapshot_of(plan, state);
+    const double tolerance = 1e-10 * extent(loop);  // as above
+    const auto& anisotropic = snapshot.strategies[index_of(StrategyId::anisotropic)];
+    EXPECT_LE(glm::length(anisotropic.ghost_force), tolerance * setting.impedances.k_r);
+    EXPECT_LE(glm::length(anisotropic.proxy_drift), tolerance);
+    const auto& naive = snapshot.strategies[index_of(StrategyId::naive)];
+    EXPECT_GT(glm::length(naive.ghost_force), 1e4 * tolerance * setting.impedances.k_r);
+    EXPECT_GT(glm::length(naive.proxy_drift), 1e4 * tolerance);
+    const auto& full = snapshot.strategies[index_of(StrategyId::full)];
+    EXPECT_EQ(full.ghost_force, Vector<D>(0.0));
+    EXPECT_LE(glm::length(full.proxy_drift), tolerance);
+  }
+  EXPECT_GT(tried, 100);
+}
+
+// --- Tick by tick ----------------------------------------------------------------------------------------------------
+
+// Section 2 of docs/theory.md again, with dense matrices in extended precision.
+template <glm::length_t D>
+struct ReferenceLoop {
+  struct State {
+    ReferenceVector<D> device, proxy, velocity, force;
+    Extended energy = 0.0L;
+  };
+
+  ReferenceLoop(const Loop<D>& loop, const Vector<D>& goal) : loop_(loop), models_(reference_models(loop.setting)) {
+    for (State& state : states) {
+      state.device = reference(goal);
+      state.proxy = reference(goal);
+      state.velocity.setZero();
+      state.force.setZero();
+    }
+  }
+
+  void advance(const Vector<D>& goal) {
+    const ReferenceMatrix<D> I = ReferenceMatrix<D>::Identity();
+    const Extended dt = 1.0L / loop_.rate;
+    const Extended k_u = loop_.setting.impedances.k_u;
+    for (std::size_t i = 0; i < strategy_count; ++i) {
+      const ReferenceModel<D>& model = models_[i];
+      const State before = states[i];
+      State& now = states[i];
+      const ReferenceMatrix<D> inertia = (loop_.mass + dt * loop_.damping + dt * dt * k_u) * I;
+      now.velocity = inertia.fullPivLu().solve(
+          loop_.mass * before.velocity +
+          dt * (k_u * reference(goal) + model.K_r * before.proxy - (k_u * I + model.K_r) * before.device));  // (23)
+      now.device = before.device + dt * now.velocity;                                                        // (24)
+      now.proxy = reference_proxy(model, before.device);                                                     // (25)
+      now.force = model.K_r * (now.proxy - now.device);                                                      // (5)
+      now.energy = before.energy + before.force.dot(now.device - before.device);
+    }
+  }
+
+  PerStrategy<State> states;
+
+ private:
+  Loop<D> loop_;
+  PerStrategy<ReferenceModel<D>> models_;
+};
+
+// A hand that goes back and forth through the wall: waypoints either side of it, smoothly joined.
+template <glm::length_t D>
+std::vector<Vector<D>> script(const Loop<D>& loop, Random& random, int stretches, int ticks_per_stretch) {
+  const Wall<D>& wall = loop.setting.wall;
+  std::vector<Vector<D>> goals;
+  Vector<D> from = wall.point + along(wall, random.in_box<D>(0.05)) + 0.01 * wall.normal;
+  for (int i = 0; i < stretches; ++i) {
+    const double height = i % 2 == 0 ? random.uniform(-0.05, 0.0) : random.uniform(-0.01, 0.03);
+    const Vector<D> to = wall.point + along(wall, random.in_box<D>(0.05)) + height * wall.normal;
+    for (int j = 0; j < ticks_per_stretch; ++j) goals.push_back(from + (j / double(ticks_per_stretch)) * (to - from));
+    from = to;
+  }
+  return goals;
+}
+
+TYPED_TEST(TickTest, IsTheIndependentLoopTickByTick) {
+  constexpr glm::length_t D = TypeParam::value;
+  Random random(3);
+  int in_contact = 0;
+  int in_free_space = 0;
+  for (int i = 0; i < 20; ++i) {
+    SCOPED_TRACE(i);
+    Loop<D> loop = random_stable_loop<D>(random);
+    if (i % 4 == 0) loop.setting.impedances.k_c = infinity;
+    if (slowest_mode(loop) > 0.998) continue;
+    const TickPlan<D> plan = loop.plan();
+    const std::vector<Vector<D>> goals = script(loop, random, 6, 150);
+    TickState<D> state = state_at_start(goals[0]);
+    ReferenceLoop<D> expected(loop, goals[0]);
+
+    struct Worst {
+      double device = 0.0, proxy = 0.0, force = 0.0, energy = 0.0;
+    };
+    PerStrategy<Worst> error;
+    PerStrategy<Worst> size;
+    for (std::size_t k = 1; k < goals.size(); ++k) {
+      tick(plan, goals[k], state);
+      expected.advance(goals[k]);
+      const SnapshotIn<D> snapshot = snapshot_of(plan, state);
+      ASSERT_EQ(snapshot.tick, static_cast<std::int64_t>(k));
+      ASSERT_EQ(snapshot.goal, goals[k]);
+      const auto& full = expected.states[index_of(StrategyId::full)];
+      for (std::size_t s = 0; s < strategy_count; ++s) {
+        const auto& actual = snapshot.strategies[s];
+        const auto& wanted = expected.states[s];
+        const auto grow = [](double& worst, double value) { worst = std::max(worst, value); };
+        grow(error[s].device, distance(actual.device, wanted.device));
+        grow(error[s].proxy, distance(actual.proxy, wanted.proxy));
+        grow(error[s].force, distance(actual.force, wanted.force));
+        grow(error[s].energy, std::abs(actual.energy - static_cast<double>(wanted.energy)));
+        grow(size[s].device, static_cast<double>(wanted.device.norm()));
+        grow(size[s].proxy, static_cast<double>(wanted.proxy.norm()));
+        grow(size[s].force, static_cast<double>(wanted.force.norm()));
+        grow(size[s].energy, std::abs(static_cast<double>(wanted.energy)));
+        ++(actual.in_contact ? in_contact : in_free_space);
+        // Derived values of the same tick.
+        if (actual.in_contact) {
+          const ReferenceMatrix<D> P_A = reference_projector<D>(loop.setting.motors);
+          const ReferenceVector<D> n = reference(loop.setting.wall.normal);
+          const ReferenceVector<D> slid = wanted.proxy - reference(goals[k]);
+          const double tiny = 1e-9 * extent(loop);
+          EXPECT_LE(distance(actual.ghost_force, ReferenceVector<D>(P_A * (wanted.force - full.force))),
+                    tiny * loop.setting.impedances.k_r);
+          EXPECT_LE(distance(actual.proxy_drift, ReferenceVector<D>(slid - n * n.dot(slid))), tiny);
+        } else {
+          EXPECT_EQ(actual.ghost_force, Vector<D>(0.0));
+          EXPECT_EQ(actual.proxy_drift, Vector<D>(0.0));
+        }
+      }
+    }
+    // 1e-9 of the greatest value on the path: what the program promises of two implementations. Rounding alone needs
+    // far less, 500 remembered ticks times a few ε.
+    for (std::size_t s = 0; s < strategy_count; ++s) {
+      SCOPED_TRACE(strategy_catalog()[s].name);
+      EXPECT_LE(error[s].device, 1e-9 * size[s].device);
+      EXPECT_LE(error[s].proxy, 1e-9 * size[s].proxy);
+      EXPECT_LE(error[s].force, 1e-9 * size[s].force);
+      EXPECT_LE(error[s].energy, 1e-9 * size[s].energy);
+    }
+  }
+  EXPECT_GT(in_contact, 10000);  // the paths meet both sides
+  EXPECT_GT(in_free_space, 1000);
+}
+
+// Nothing is missing where n is a direction that a motor pushes along: naïve and anisotropic are one, at every tick.
+TYPED_TEST(TickTest, NaiveIsAnisotropicWhereTheNormalIsActuated) {
+  constexpr glm::length_t D = TypeParam::value;
+  Random random(4);
+  for (int i = 0; i < 50; ++i) {
+    SCOPED_TRACE(i);
+    Loop<D> loop = random_stable_loop<D>(random);
+    const Setting<D> turned = random_setting_with_actuated_normal<D>(random);
+    loop.setting.wall = turned.wall;
+    loop.setting.motors = turned.motors;
+    loop.setting.goal = turned.goal;
+    if (slowest_mode(loop) > 0.998) continue;
+    const TickPlan<D> plan = loop.plan();
+    const std::vector<Vector<D>> goals = script(loop, random, 4, 200);
+    TickState<D> state = state_at_start(goals[0]);
+    // P_N n is a few ε instead of 0, which ρ multiplies and 500 remembered ticks add up: 1e-11 of the extent.
+    const double tolerance = 1e-11 * extent(loop);
+    for (std::size_t k = 1; k < goals.size(); ++k) {
+      tick(plan, goals[k], state);
+      const auto& naive = state.strategies[index_of(StrategyId::naive)];
+      const auto& anisotropic = state.strategies[index_of(StrategyId::anisotropic)];
+      ASSERT_LE(glm::length(naive.motion.position - anisotropic.motion.position), tolerance);
+      ASSERT_LE(glm::length(naive.proxy - anisotropic.proxy), tolerance);
+    }
+    // And both join the fully actuated one at rest.
+    for (std::int64_t k = ticks_to_rest(loop); k > 0; --k) tick(plan, loop.setting.goal, state);
+    const auto& full = state.strategies[index_of(StrategyId::full)];
+    for (const StrategyId id : {StrategyId::naive, StrategyId::anisotropic}) {
+      const auto& other = state.strategies[index_of(id)];
+      EXPECT_LE(glm::length(other.motion.position - full.motion.position), 10.0 * tolerance);
+      EXPECT_LE(glm::length(other.proxy - full.proxy), 10.0 * tolerance);
+    }
+  }
+}
+
+// Where the projector is exact in binary, so is the agreement: bit for bit.
+TEST(Tick, NaiveIsAnisotropicBitForBitOnAnAxis) {
+  const Wall<2> wall{{0.0, 0.0}, {-1.0, 0.0}};
+  const TickPlan<2> plan =
+      plan_tick(wall, actuated_along(Vector<2>{1.0, 0.0}), stiffnesses(100.0, 700.0, 900.0, 1e5), 0.1, 5.0, 1000.0);
+  TickState<2> state = state_at_start(Vector<2>{-0.01, 0.0});
+  for (int k = 1; k <= 1000; ++k) {
+    tick(plan, Vector<2>{-0.01 + 4e-5 * k, 1e-5 * k}, state);
+    const auto& naive = state.strategies[index_of(StrategyId::naive)];
+    const auto& anisotropic = state.strategies[index_of(StrategyId::anisotropic)];
+    ASSERT_EQ(naive.motion.position, anisotropic.motion.position);
+    ASSERT_EQ(naive.proxy, anisotropic.proxy);
+    ASSERT_EQ(naive.energy, anisotropic.energy);
+  }
+  EXPECT_TRUE(state.strategies[index_of(StrategyId::naive)].in_contact);
+}
+
+// --- The wall's one side, and the first tick -------------------------------------------------------------------------
+
+TYPED_TEST(TickTest, StartsAtTheGoalAndAtRest) {
+  constexpr glm::length_t D = TypeParam::value;
+  Random random(5);
+  const Loop<D> loop = random_stable_loop<D>(random);
+  const SnapshotIn<D> snapshot = snapshot_of(loop.plan(), state_at_start(loop.setting.goal));  // inside the wall
+  EXPECT_EQ(snapshot.tick, 0);
+  EXPECT_EQ(snapshot.time_s, 0.0);
+  EXPECT_EQ(snapshot.goal, loop.setting.goal);
+  for (const auto& strategy : snapshot.strategies) {
+    EXPECT_EQ(strategy.device, loop.setting.goal);
+    EXPECT_EQ(strategy.proxy, loop.setting.goal);
+    EXPECT_EQ(strategy.force, Vector<D>(0.0));
+    EXPECT_EQ(strategy.ghost_force, Vector<D>(0.0));
+    EXPECT_EQ(strategy.proxy_drift, Vector<D>(0.0));
+    EXPECT_EQ(strategy.energy, 0.0);
+    EXPECT_FALSE(strategy.in_contact);
+  }
+}
+
+// The proxy of tick k is that of the device of tick k − 1: in contact behind the wall, in free space the device itself,
+// where the force is then −K_r dt v_k and no more.
+TYPED_TEST(TickTest, WallActsOnOneSideAndOneTickLate) {
+  constexpr glm::length_t D = TypeParam::value;
+  Random random(6);
+  int entered = 0;
+  int left = 0;
+  for (int i = 0; i < 20; ++i) {
+    SCOPED_TRACE(i);
+    const Loop<D> loop = random_stable_loop<D>(random);
+    const TickPlan<D> plan = loop.plan();
+    const std::vector<Vector<D>> goals = script(loop, random, 6, 400);
+    TickState<D> state = state_at_start(goals[0]);
+    for (std::size_t k = 1; k < goals.size(); ++k) {
+      const TickState<D> before = state;
+      tick(plan, goals[k], state);
+      const SnapshotIn<D> snapshot = snapshot_of(plan, state);
+      for (std::size_t s = 0; s < strategy_count; ++s) {
+        const Vector<D>& device_before = before.strategies[s].motion.position;
+        const auto& now = snapshot.strategies[s];
+        const bool inside = glm::dot(loop.setting.wall.normal, device_before - loop.setting.wall.point) < 0.0;
+        ASSERT_EQ(now.in_contact, inside);
+        entered += now.in_contact && !before.strategies[s].in_contact;
+        left += !now.in_contact && before.strategies[s].in_contact;
+        if (inside) {
+          // Never pulled in: the proxy is on the free side of the device that it is computed from.
+          ASSERT_GE(glm::dot(loop.setting.wall.normal, now.proxy - device_before), 0.0);
+        } else {
+          ASSERT_EQ(now.proxy, device_before);
+          const Vector<D> lag =
+              plan.strategies[s].rendering * (-plan.device.period * state.strategies[s].motion.velocity);
+          // A difference of positions, times k_r.
+          ASSERT_LE(glm::length(now.force - lag), 8.0 * epsilon * extent(loop) * loop.setting.impedances.k_r);
+        }
+      }
+    }
+  }
+  EXPECT_GT(entered, 50);
+  EXPECT_GT(left, 50);
+}
+
+// --- Time, live changes, and what a servo may rely on ----------------------------------------------------------------
+
+TEST(Tick, TimeIsNeverAccumulated) {
+  EXPECT_EQ(time_of(0, 1000.0), 0.0);
+  EXPECT_EQ(time_of(3, 1000.0), 0.003);
+  EXPECT_EQ(time_of(1'234'567, 1000.0), 1234.567);
+  EXPECT_EQ(time_of(86'400'000, 1000.0), 86400.0);
+  EXPECT_EQ(time_of(7, 10.0), 0.7);
+  Settings settings;
+  settings.mass = 0.1;
+  settings.rate = 1000.0;
+  settings.impedances = stiffnesses(100.0, 100.0, 100.0, 1e5);
+  const TickPlan<2> plan = plan_of(settings);
+  TickState<2> state = state_at_start(Vector<2>(0.0));
+  for (int k = 0; k < 12345; ++k) tick(plan, Vector<2>(0.0), state);
+  EXPECT_EQ(snapshot_of(plan, state).time_s, 12.345);
+}
+
+// Every setting pulled about while the loop runs, soft to hard, motor turned, wall turned, rendering off: whatever
+// comes out is a number, and stays within reach of the goals.
+TEST(Tick, SettingsChangedLiveStayFinite) {
+  Random random(7);
+  Settings settings;
+  settings.mass = 0.1;
+  settings.damping = 5.0;
+  settings.rate = 1000.0;
+  settings.impedances = stiffnesses(100.0, 600.0, 600.0, 1e5);
+  TickState<2> state = state_at_start(Vector<2>(0.0));
+  for (int change = 0; change < 2000; ++change) {
+    SCOPED_TRACE(change);
+    // Ranges in which the loop is stable at 1 kHz with b = 5 N·s/m: k_r dt up to 1, a fifth of it.
+    switch (random.below(10)) {
+      case 0:
+        settings.wall_normal_angle = random.uniform(-10.0, 10.0);
+        break;
+      case 1:
+        settings.actuated_angle = random.uniform(-10.0, 10.0);
+        break;
+      case 2:
+        settings.wall_point = random.in_box<2>(0.05);
+        break;
+      case 3:
+        settings.impedances.k_r = random.once_in(4) ? 0.0 : random.over_decades(1.0, 1000.0);
+        break;
+      case 4:
+        settings.impedances.k_t = random.over_decades(0.1, 1e6);
+        break;
+      case 5:
+        settings.impedances.k_c = random.once_in(3) ? infinity : random.over_decades(1.0, 1e9);
+        break;
+      case 6:
+        settings.impedances.k_u = random.over_decades(10.0, 1000.0);
+        break;
+      case 7:
+        settings.impedances.believed_k_u = random.over_decades(10.0, 1000.0);
+        break;
+      case 8:
+        settings.impedances.chosen_tracking_ratio =
+            random.once_in(2) ? std::optional<double>{} : random.over_decades(0.1, 30.0);
+        break;
+      default:
+        settings.mass = random.over_decades(0.05, 1.0);
+        break;
+    }
+    const TickPlan<2> plan = plan_of(settings);
+    for (int k = 0; k < 20; ++k) {
+      tick(plan, random.in_box<2>(0.05), state);
+      const Snapshot snapshot = snapshot_of(plan, state);
+      for (const auto& strategy : snapshot.strategies) {
+        for (const Vector<2>& v : {strategy.device, strategy.proxy, strategy.contact, strategy.force,
+                                   strategy.ghost_force, strategy.proxy_drift}) {
+          ASSERT_TRUE(std::isfinite(v.x) && std::isfinite(v.y));
+        }
+        ASSERT_TRUE(std::isfinite(strategy.energy));
+        ASSERT_LE(glm::length(strategy.device), 1.0);
+      }
+    }
+  }
+}
+
+// Each strategy is simulated by itself: what one does leaves the others alone. Changing ρ changes the anisotropic only.
+TEST(Tick, StrategiesRunBesideEachOther) {
+  Settings settings;
+  settings.wall_normal_angle = 0.75 * std::numbers::pi;
+  settings.mass = 0.1;
+  settings.damping = 5.0;
+  settings.rate = 1000.0;
+  settings.impedances = stiffnesses(100.0, 600.0, 600.0, 1e5);
+  const TickPlan<2> plan = plan_of(settings);
+  settings.impedances.chosen_tracking_ratio = 2.0;
+  const TickPlan<2> other_plan = plan_of(settings);
+  TickState<2> state = state_at_start(Vector<2>{0.02, -0.02});
+  TickState<2> other = state;
+  for (int k = 0; k < 500; ++k) {
+    tick(plan, Vector<2>{0.02, -0.02}, state);
+    tick(other_plan, Vector<2>{0.02, -0.02}, other);
+  }
+  for (const StrategyId id : {StrategyId::full, StrategyId::naive}) {
+    EXPECT_EQ(state.strategies[index_of(id)].motion.position, other.strategies[index_of(id)].motion.position);
+  }
+  EXPECT_GT(glm::length(state.strategies[index_of(StrategyId::anisotropic)].motion.position -
+                        other.strategies[index_of(StrategyId::anisotropic)].motion.position),
+            1e-4);
+}
+
+// The example of docs/theory.md, played: the naïve device ends on the other side of where it went in, x = 0.
+TEST(TickExample, NaiveEndsOnTheOtherSide) {
+  Settings settings;
+  settings.wall_normal_angle = 0.75 * std::numbers::pi;
+  settings.mass = 0.1;
+  settings.damping = 5.0;
+  settings.rate = 1000.0;
+  settings.impedances = stiffnesses(100.0, 1000.0, 1000.0, 1e5);
+  const TickPlan<2> plan = plan_of(settings);
+  TickState<2> state = state_at_start(Vector<2>{-0.04, 0.04});
+  for (int k = 1; k <= 3000; ++k) {
+    const double share = std::min(k / 1000.0, 1.0);
+    tick(plan, Vector<2>{-0.04 + 0.08 * share, 0.04 - 0.08 * share}, state);
+  }
+  const Snapshot snapshot = snapshot_of(plan, state);
+  // Two seconds after the last motion the slowest mode, 50 ms, is gone; three decimals are asked for.
+  EXPECT_NEAR(snapshot.strategies[index_of(StrategyId::full)].device.x, 3.669e-3, 0.5e-6);
+  EXPECT_NEAR(snapshot.strategies[index_of(StrategyId::naive)].device.x, -26.556e-3, 0.5e-6);
+  EXPECT_NEAR(snapshot.strategies[index_of(StrategyId::anisotropic)].device.x, 3.669e-3, 0.5e-6);
+  EXPECT_NEAR(snapshot.strategies[index_of(StrategyId::full)].force.x, -3.633, 0.5e-3);
+  EXPECT_NEAR(snapshot.strategies[index_of(StrategyId::naive)].force.x, -6.656, 0.5e-3);
+  EXPECT_NEAR(snapshot.strategies[index_of(StrategyId::anisotropic)].force.x, -3.633, 0.5e-3);
+  EXPECT_NEAR(snapshot.strategies[index_of(StrategyId::naive)].ghost_force.x, -3.023, 1e-3);
+}
+
+// The servo's promises, checked by the compiler.
+static_assert(noexcept(tick(std::declval<const TickPlan<2>&>(), std::declval<const Vector<2>&>(),
+                            std::declval<TickState<2>&>())));
+static_assert(noexcept(snapshot_of(std::declval<const TickPlan<2>&>(), std::declval<const TickState<2>&>())));
+static_assert(noexcept(plan_tick(std::declval<const Wall<2>&>(), std::declval<const Actuation<2>&>(),
+                                 std::declval<const Impedances&>(), 1.0, 1.0, 1.0)));
+static_assert(noexcept(state_at_start(std::declval<const Vector<2>&>())));
+static_assert(noexcept(time_of(1, 1.0)));
+template <glm::length_t D>
+constexpr bool crosses_threads_whole = std::is_trivially_copyable_v<TickPlan<D>>&&
+    std::is_trivially_copyable_v<TickState<D>>&& std::is_trivially_copyable_v<SnapshotIn<D>>;
+static_assert(crosses_threads_whole<2> && crosses_threads_whole<3> && crosses_threads_whole<4>);
+
+}  // namespace
+}  // namespace ghostforce
