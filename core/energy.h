@@ -22,8 +22,12 @@ double work(const Vector<D>& held_force, const Vector<D>& moved) noexcept {
 //     W = −k_r sinθ cosθ S / (cos²θ + ρ sin²θ + k_t/k_c)
 // `theta` θ: from n to the actuated direction, counter-clockwise [rad];
 // `loop_area` S: counter-clockwise + [m²]. One sense of the loop makes energy,
-// the other takes the same away. A fully actuated device: 0. A sampled loop
-// loses about k_r dt ∫v² dt on top (the force is a tick late).
+// the other takes the same away. A fully actuated device: 0.
+//
+// A sampled loop adds what the delay does, to first order in dt: the motors lose
+// k_r dt ∫(A·v)² dt (the force is held for a tick), and the wall, 1.5 ticks
+// late, adds 1.5 g dt ∫(A·v)(n·v) dt with g = k_r cosθ / (cos²θ + ρ sin²θ
+// + k_t/k_c). In free space only the loss is left.
 inline double energy_per_loop(double k_r, double k_t, double k_c, double tracking_ratio, double theta,
                               double loop_area) noexcept {
   const double cosine = std::cos(theta);
