@@ -131,7 +131,9 @@ void OutputFile::commit() {
   temporary_.clear();
 }
 
-bool OutputFile::is_terminal() const noexcept { return isatty(descriptor_) != 0; }
+bool OutputFile::is_terminal() const noexcept {
+  return isatty(descriptor_) != 0;
+}
 
 void OutputFile::fail(int error) const {
   if (error == EINTR) stop_if_interrupted();

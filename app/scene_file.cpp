@@ -64,7 +64,7 @@ std::string hint_for(const std::filesystem::path& path) {
     const std::string found = std::string(*near) + std::string(extension);
     return fmt::format("; did you mean '{}'?", printable(path.has_parent_path() ? (folder / found).string() : found));
   }
-  if (const std::string words = did_you_mean(stem, shipped); !words.empty()) return words;
+  if (std::string words = did_you_mean(stem, shipped); !words.empty()) return words;
   return fmt::format("; give the path of a file, or one of {}", listed(shipped));
 }
 

@@ -27,7 +27,9 @@ void SceneOptions::attach(CLI::App& subcommand, bool scene_required) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
-Scene SceneOptions::load() const { return load_scene(scene, overrides); }
+Scene SceneOptions::load() const {
+  return load_scene(scene, overrides);
+}
 
 CLI::Validator one_of(std::vector<std::string_view> words) {
   const std::string all = listed(words);

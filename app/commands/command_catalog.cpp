@@ -16,6 +16,8 @@ constexpr std::array catalog{
 
 }  // namespace
 
-std::span<const Command> command_catalog() noexcept { return catalog; }
+std::span<const Command> command_catalog() noexcept {
+  return catalog;
+}
 
 }  // namespace ghostforce

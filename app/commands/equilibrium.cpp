@@ -73,7 +73,9 @@ PerStrategy<Rest> find_rests(const Scene& scene, const Vector<2>& goal) {
 }
 
 // −0 is a zero too.
-nlohmann::ordered_json as_json(const Vector<2>& vector) { return {vector.x + 0.0, vector.y + 0.0}; }
+nlohmann::ordered_json as_json(const Vector<2>& vector) {
+  return {vector.x + 0.0, vector.y + 0.0};
+}
 
 std::string json_text(double goal_depth, const PerStrategy<Rest>& rests) {
   nlohmann::ordered_json strategies;
@@ -98,7 +100,9 @@ std::string shown(double value) {
   return fmt::format("{:.3f}", std::abs(value) < least_shown ? 0.0 : value);
 }
 
-std::string shown(const Vector<2>& vector) { return fmt::format("({}, {})", shown(vector.x), shown(vector.y)); }
+std::string shown(const Vector<2>& vector) {
+  return fmt::format("({}, {})", shown(vector.x), shown(vector.y));
+}
 
 std::string table_text(const Scene& scene, double goal_depth, const PerStrategy<Rest>& rests) {
   struct Row {

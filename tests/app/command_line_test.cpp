@@ -1,9 +1,9 @@
 // The program as scripts see it: what it prints where, and how it ends.
+#include <algorithm>
 #include <bit>
 #include <charconv>
 #include <csignal>
 #include <cstdint>
-#include <filesystem>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -236,7 +236,7 @@ TEST(Simulate, EndsWhereTheDesignSays) {
 
 TEST(Simulate, WritesTheSceneStrategyUnlessTold) {
   for (const auto& [words, name] : std::vector<std::pair<std::vector<std::string>, std::string>>{
-           {{"simulate", "wall45"}, "naive"},
+           {{"simulate", "wall45"}, std::string(strategy(load_scene("wall45").settings.active).name)},
            {{"simulate", "wall45", "--set", "rendering.strategy=full"}, "full"},
            {{"simulate", "wall45", "--strategy", "anisotropic"}, "anisotropic"}}) {
     const Csv csv = parse_csv(run(words).out);

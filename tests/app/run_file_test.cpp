@@ -1,6 +1,8 @@
 #include "app/run_file.h"
 
+#include <bit>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <locale>

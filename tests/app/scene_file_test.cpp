@@ -1,12 +1,16 @@
 #include "app/scene_file.h"
 
-#include <clocale>
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <iterator>
 #include <limits>
 #include <locale>
 #include <random>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -122,7 +126,7 @@ TEST(SceneFile, WritesNumbersAsShortAsTheyWere) {
     ASSERT_EQ(std::stod(written), value);
     ASSERT_LE(written.size(), 7U) << written;
   }
-  const std::string text = scene_text(load_scene("wall45"));
+  const std::string text = scene_text(load_scene("fig1", std::vector<std::string>{"view.width_mm=120"}));
   for (const std::string_view line :
        {"normal_deg = 135.0\n", "width_mm = 120.0\n", "rate_hz = 1000\n", "mass_kg = 0.1\n", "k_c_N_per_m = 100000.0\n",
         "tracking_ratio = \"optimal\"\n", "times_s = [0.0, 1.0]\n"}) {

@@ -1,7 +1,11 @@
 #include "app/scene_reader.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
+#include <optional>
+#include <ostream>
 #include <random>
 #include <string>
 #include <string_view>
@@ -66,7 +70,9 @@ std::string refusal(std::string_view text, const std::vector<std::string>& overr
   return "";
 }
 
-Scene with_overrides(const std::vector<std::string>& overrides) { return read_scene(good_scene, "f.toml", overrides); }
+Scene with_overrides(const std::vector<std::string>& overrides) {
+  return read_scene(good_scene, "f.toml", overrides);
+}
 
 TEST(SceneReader, ReadsEveryKeyIntoSi) {
   const Scene scene = read_scene(good_scene, "f.toml");
@@ -133,7 +139,9 @@ struct BadFile {
   std::vector<std::string_view> words;
 };
 
-void PrintTo(const BadFile& bad, std::ostream* out) { *out << bad.name; }
+std::ostream& operator<<(std::ostream& out, const BadFile& bad) {
+  return out << bad.name;
+}
 
 class SceneReaderRefuses : public testing::TestWithParam<BadFile> {};
 
@@ -295,7 +303,7 @@ TEST(SceneReader, TellsAllProblemsInTheOrderOfTheFile) {
 
 TEST(SceneReader, StopsTellingSomewhere) {
   std::string text(good_scene);
-  for (int i = 0; i < 1000; ++i) text += "zz" + std::to_string(i) + " = 1\n";
+  for (int i = 0; i < 1000; ++i) text.append("zz").append(std::to_string(i)).append(" = 1\n");
   const std::string said = refusal(text);
   EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 20);
   EXPECT_TRUE(said.ends_with("… and 980 more")) << said;
@@ -366,7 +374,9 @@ struct BadSet {
   std::vector<std::string_view> words;
 };
 
-void PrintTo(const BadSet& bad, std::ostream* out) { *out << bad.name; }
+std::ostream& operator<<(std::ostream& out, const BadSet& bad) {
+  return out << bad.name;
+}
 
 class SceneReaderSetRefuses : public testing::TestWithParam<BadSet> {};
 
