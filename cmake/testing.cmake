@@ -17,8 +17,13 @@ function(ghostforce_add_test name)
   # PRE_TEST lists the tests when ctest starts, not after each link: a build stays a build.
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 TEST_PREFIX ${name}.
     PROPERTIES TIMEOUT 300 LABELS "${arg_LABELS}")
+  if(arg_LABELS STREQUAL "tsan")
+    add_dependencies(tsan_tests ${name})
+  endif()
 endfunction()
 
 # Reports that are not ours to fix are kept out however ctest is started; the tests inherit its environment.
-configure_file(${PROJECT_SOURCE_DIR}/cmake/sanitizer_environment.cmake.in ${PROJECT_BINARY_DIR}/sanitizer_environment.cmake @ONLY)
-set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY TEST_INCLUDE_FILES ${PROJECT_BINARY_DIR}/sanitizer_environment.cmake)
+configure_file(${PROJECT_SOURCE_DIR}/cmake/sanitizer_environment.cmake.in
+  ${PROJECT_BINARY_DIR}/sanitizer_environment.cmake @ONLY)
+set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY
+  TEST_INCLUDE_FILES ${PROJECT_BINARY_DIR}/sanitizer_environment.cmake)

@@ -1,0 +1,18 @@
+# cmake -D BUILD_DIR=directory -P install_test.cmake
+# The installed tree works by itself: its program starts, and finds its fonts, from a directory that has nothing in it.
+
+set(scratch ${BUILD_DIR}/install_test)
+file(REMOVE_RECURSE ${scratch})
+file(MAKE_DIRECTORY ${scratch}/elsewhere)
+
+function(run)
+  execute_process(COMMAND ${ARGV} WORKING_DIRECTORY ${scratch}/elsewhere COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${scratch}/prefix)
+# Renamed once installed: a path that was compiled in would no longer hold.
+file(RENAME ${scratch}/prefix ${scratch}/moved)
+run(${scratch}/moved/bin/ghostforce --version)
+run(${scratch}/moved/bin/ghostforce render wall45 --size 640x400 -o picture.png)
+run(${BUILD_DIR}/bin/ghostforce render wall45 --size 640x400 -o expected.png)
+run(${CMAKE_COMMAND} -E compare_files picture.png expected.png)
