@@ -7,6 +7,7 @@
 #include <imgui_impl_glfw.h>
 #include <imgui_impl_opengl3.h>
 
+#include <cstdlib>
 #include <filesystem>
 
 #include "app/failure.h"
@@ -88,7 +89,9 @@ std::string font_file(std::string_view name) {
 }  // namespace
 
 Window::Library::Library(bool offscreen) {
-  glfwInitHint(GLFW_PLATFORM, offscreen ? GLFW_PLATFORM_NULL : GLFW_ANY_PLATFORM);
+  // Asking for Wayland where there is none makes its library complain on stderr.
+  const int on_display = std::getenv("WAYLAND_DISPLAY") != nullptr ? GLFW_ANY_PLATFORM : GLFW_PLATFORM_X11;
+  glfwInitHint(GLFW_PLATFORM, offscreen ? GLFW_PLATFORM_NULL : on_display);
   if (glfwInit() == GLFW_TRUE) return;
   const std::string reason = last_glfw_error();
   glfwTerminate();

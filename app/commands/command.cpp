@@ -24,6 +24,7 @@ void SceneOptions::attach(CLI::App& subcommand, bool scene_required) {
                   "Another value for a key of the scene, e.g. rendering.k_r_N_per_m=800; may be repeated")
       ->type_name("KEY=VALUE")
       ->expected(1)
+      ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 

@@ -28,12 +28,12 @@ void PictureOptions::attach(CLI::App& subcommand, bool with_all) {
       ->check(CLI::Range(0.75, 3.0));
 }
 
-void PictureOptions::apply_strategy(Session& session) const {
-  if (const auto id = find_strategy(strategy)) {
-    session.settings.active = *id;
-    session.scene.settings.active = *id;
-  }
-  session.compare = strategy.empty() || strategy == every_strategy ? Compare::overlay : Compare::active_only;
+void PictureOptions::apply_strategy(Scene& scene) const {
+  if (const auto id = find_strategy(strategy)) scene.settings.active = *id;
+}
+
+Compare PictureOptions::compare() const {
+  return find_strategy(strategy) ? Compare::active_only : Compare::overlay;
 }
 
 const Theme& PictureOptions::chosen_theme() const { return *find_theme(theme); }

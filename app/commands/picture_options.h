@@ -5,8 +5,9 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/session.h"
 #include "app/theme.h"
+#include "app/view/compose.h"
+#include "core/scene.h"
 
 namespace ghostforce {
 
@@ -17,7 +18,9 @@ struct PictureOptions {
 
   // `with_all`: "all" shows every strategy in one picture.
   void attach(CLI::App& subcommand, bool with_all);
-  void apply_strategy(Session& session) const;
+  void apply_strategy(Scene& scene) const;
+  // One strategy alone where one was asked for.
+  Compare compare() const;
   const Theme& chosen_theme() const;
 };
 

@@ -76,9 +76,10 @@ nlohmann::ordered_json describe_picture(const Session& session, const Snapshot& 
 
 int render(const Options& options) {
   const Size size = parse_size(options.size);
-  Session session = session_of(options.scene.load());
-  options.picture.apply_strategy(session);
-  session.settings = session.scene.settings;
+  Scene scene = options.scene.load();
+  options.picture.apply_strategy(scene);
+  Session session = session_of(scene);
+  session.compare = options.picture.compare();
   session.pointer_moves_goal = false;
 
   OutputFile picture_file(options.output);

@@ -36,13 +36,12 @@ void wait_for_next_frame(Window& window, bool idle, Clock::time_point frame_bega
 }
 
 int run(const Options& options) {
-  const Scene scene = options.scene.load();
+  Scene scene = options.scene.load();
+  options.picture.apply_strategy(scene);
   Window window({.title = fmt::format("{} · ghostforce", scene.title)});
   Application application(
       window, {.theme = &options.picture.chosen_theme(), .scale = static_cast<float>(options.picture.scale)}, scene,
       *find_input(options.input));
-  options.picture.apply_strategy(application.session());
-  application.session().compare = Compare::overlay;
   application.servo().start();
 
   const Clock::time_point began = Clock::now();

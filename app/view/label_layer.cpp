@@ -27,7 +27,10 @@ class LabelPlacer {
   LabelPlacer(const View& view, Marks& marks) : view_(view), marks_(marks) {}
 
   void keep_clear(const Vector<2>& screen, double radius) {
-    taken_.push_back({screen - Vector<2>(radius), screen + Vector<2>(radius)});
+    taken_.push_back({{screen - Vector<2>(radius), screen + Vector<2>(radius)}, mark_weight});
+  }
+  void keep_clear_of_text(const Vector<2>& upper_left, const Vector<2>& extent) {
+    taken_.push_back({{upper_left, upper_left + extent}, text_weight});
   }
   // A thin box per piece: a slanted line's bounding box would keep half the picture clear.
   void keep_clear(const Vector<2>& from, const Vector<2>& to, double radius) {
@@ -42,10 +45,10 @@ class LabelPlacer {
     const Vector<2> at = to_screen(view_.camera, anchor);
     Vector<2> best = at;
     double least = -1.0;
-    for (const double reach : {1.0, 1.8, 3.0}) {
+    for (const double reach : {1.0, 1.8, 3.0, 5.0, 8.0}) {
       for (const Vector<2>& side : sides) {
         const Vector<2> middle = at + side * (Vector<2>(gap * reach) + 0.5 * extent);
-        const double cost = crowding({middle - 0.5 * extent, middle + 0.5 * extent});
+        const double cost = crowding({middle - 0.5 * extent - breath, middle + 0.5 * extent + breath});
         if (least < 0.0 || cost < least) {
           least = cost;
           best = middle - 0.5 * extent;
@@ -53,27 +56,37 @@ class LabelPlacer {
       }
       if (least == 0.0) break;
     }
-    taken_.push_back({best, best + extent});
+    keep_clear_of_text(best, extent);
     marks_.push_back({role, id, Label{anchor, best - at, std::move(text), size, colour, view_.theme.background}});
   }
 
  private:
+  // Words over a line can still be read, words over words cannot.
+  static constexpr double mark_weight = 1.0;
+  static constexpr double text_weight = 100.0;
+  struct Obstacle {
+    Box box;
+    double weight;
+  };
+
+  // Between two labels, or a word ends where the next begins [points].
+  static constexpr Vector<2> breath{3.0, 1.0};
   // Right first, as one reads; then above and below, then left.
   static constexpr std::array<Vector<2>, 8> sides{
       {{1.0, 0.0}, {0.7, -0.9}, {0.7, 0.9}, {0.0, -1.0}, {0.0, 1.0}, {-1.0, 0.0}, {-0.7, -0.9}, {-0.7, 0.9}}};
 
   double crowding(const Box& box) const {
     double cost = 0.0;
-    for (const Box& other : taken_) cost += overlap(box, other);
-    // Outside the picture is worse than on top of something.
+    for (const Obstacle& other : taken_) cost += other.weight * overlap(box, other.box);
+    // Outside the picture is as bad as on top of other words.
     const Box picture{Vector<2>(4.0), view_.camera.size - Vector<2>(4.0)};
     const Vector<2> extent = box.most - box.least;
-    return cost + 10.0 * (extent.x * extent.y - overlap(box, picture));
+    return cost + text_weight * (extent.x * extent.y - overlap(box, picture));
   }
 
   const View& view_;
   Marks& marks_;
-  std::vector<Box> taken_;
+  std::vector<Obstacle> taken_;
 };
 
 // Marks at the edge and on the scene that no label may cover.
@@ -87,7 +100,7 @@ void keep_marks_clear(const View& view, const Marks& marks, LabelPlacer& placer)
     } else if (const auto* label = std::get_if<Label>(&mark.form)) {
       const Vector<2> at = to_screen(view.camera, label->anchor) + label->offset;
       const Vector<2> extent = view.measure(label->text, view.points(text_height(label->size)));
-      placer.keep_clear(at + Vector<2>(0.0, 0.5 * extent.y), at + Vector<2>(extent.x, 0.5 * extent.y), 0.5 * extent.y);
+      placer.keep_clear_of_text(at, extent);
     } else if (const auto* line = std::get_if<Line>(&mark.form);
                line != nullptr && (mark.role == Role::proxy_drift || mark.role == Role::scale)) {
       placer.keep_clear(to_screen(view.camera, line->from), to_screen(view.camera, line->to), 4.0);

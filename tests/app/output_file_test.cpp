@@ -1,8 +1,11 @@
 #include "app/output_file.h"
 
+#include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -95,11 +98,20 @@ TEST(OutputFile, TakesTheLongestName) {
   EXPECT_EQ(read_whole(folder / std::string(255, 'n')), "x");
 }
 
-TEST(OutputFile, LeavesDevicesInTheirPlace) {
-  OutputFile file("/dev/null");
+TEST(OutputFile, WritesIntoPipesAndLeavesThemInTheirPlace) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "pipe";
+  ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
+  const int reader = open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  ASSERT_GE(reader, 0);
+  OutputFile file(path);
   file.write("x");
   file.commit();
-  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+  EXPECT_TRUE(std::filesystem::is_fifo(path));
+  char c = 0;
+  EXPECT_EQ(read(reader, &c, 1), 1);
+  EXPECT_EQ(c, 'x');
+  close(reader);
 }
 
 TEST(OutputFile, SaysAtOnceWhatCanNeverBe) {
@@ -123,16 +135,41 @@ TEST(OutputFile, SaysAtOnceWhatCanNeverBe) {
   EXPECT_EQ(folder.count(), 1) << "nothing was left behind";
 }
 
-TEST(OutputFile, SaysWhenTheDiskIsFull) {
+// Files of this process can grow to so many bytes, as on a disk that is nearly
+// full.
+class SmallFiles {
+ public:
+  explicit SmallFiles(rlim_t most_bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit small{most_bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &small);
+  }
+  ~SmallFiles() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  SmallFiles(const SmallFiles&) = delete;
+  SmallFiles& operator=(const SmallFiles&) = delete;
+
+ private:
+  void (*handler_)(int);
+  rlimit before_{};
+};
+
+TEST(OutputFile, LeavesNothingWhenThereIsNoMoreRoom) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "run.csv";
   try {
-    OutputFile file("/dev/full");
-    file.write("x");
+    const SmallFiles small(1000);
+    OutputFile file(path);
+    file.write(std::string(2000, 'x'));
     file.commit();
     ADD_FAILURE();
   } catch (const Failure& failure) {
     EXPECT_EQ(failure.code(), ExitCode::file_trouble);
-    EXPECT_STREQ(failure.what(), "/dev/full cannot be written: No space left on device; make room, or name another");
+    EXPECT_EQ(failure.what(), path + " cannot be written: File too large; name another");
   }
+  EXPECT_EQ(folder.count(), 0);
 }
 
 }  // namespace

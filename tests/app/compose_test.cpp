@@ -1,0 +1,194 @@
+// The picture as marks: what is drawn, where the model says it is, and that words stay readable. No OpenGL here.
+#include "app/view/compose.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/scene_file.h"
+#include "app/view/layers.h"
+#include "core/play.h"
+
+namespace ghostforce {
+namespace {
+
+// Letters of a fixed width: close to DejaVu Sans, and the same everywhere.
+const MeasureText measure = [](std::string_view text, double height) {
+  return Vector<2>(0.58 * height * static_cast<double>(text.size()), 1.17 * height);
+};
+
+struct Picture {
+  Scene scene;
+  Snapshot snapshot;
+  History history;
+  Camera camera;
+  Marks marks;
+};
+
+Picture picture_of(const std::string& name, StrategyId active, Compare compare, Vector<2> size = {853.0, 724.0},
+                   std::vector<std::string> overrides = {}) {
+  Picture picture;
+  picture.scene = load_scene(name, overrides);
+  picture.scene.settings.active = active;
+  play(picture.scene, last_tick(picture.scene), [&](const Snapshot& snapshot) {
+    picture.history.add(snapshot);
+    picture.snapshot = snapshot;
+  });
+  picture.camera = camera_on(picture.scene.view.center, picture.scene.view.width, size);
+  picture.marks = compose({.settings = picture.scene.settings,
+                           .snapshot = picture.snapshot,
+                           .history = picture.history,
+                           .theme = *find_theme("light"),
+                           .camera = picture.camera,
+                           .compare = compare,
+                           .scale = 1.0,
+                           .measure = measure});
+  return picture;
+}
+
+template <typename Form>
+std::vector<const Form*> find_forms(const Picture& picture, Role role, std::optional<StrategyId> strategy) {
+  std::vector<const Form*> found;
+  for (const Mark& mark : picture.marks) {
+    if (mark.role == role && mark.strategy == strategy) {
+      if (const auto* form = std::get_if<Form>(&mark.form)) found.push_back(form);
+    }
+  }
+  return found;
+}
+
+TEST(Compose, DrawsTheNaiveGhostForceAsAnArrowOfItsLengthAndDirection) {
+  const Picture picture = picture_of("wall45", StrategyId::naive, Compare::overlay);
+  const auto arrows = find_forms<Arrow>(picture, Role::ghost_force, StrategyId::naive);
+  ASSERT_EQ(arrows.size(), 1U);
+  const StrategySnapshot<2>& naive = picture.snapshot.strategies[index_of(StrategyId::naive)];
+  const Vector<2> drawn = (arrows[0]->tip - arrows[0]->tail) * picture.camera.points_per_metre;
+  EXPECT_EQ(arrows[0]->tail, naive.device);
+  // 1e-9 points: rounding of two conversions.
+  EXPECT_NEAR(drawn.x, naive.ghost_force.x * points_per_newton, 1e-9);
+  EXPECT_NEAR(drawn.y, naive.ghost_force.y * points_per_newton, 1e-9);
+  EXPECT_LT(drawn.x, -30.0) << "to the left, more than a newton";
+}
+
+TEST(Compose, DrawsNoGhostForceAndNoDriftWhereThereIsNone) {
+  const Picture picture = picture_of("wall45", StrategyId::anisotropic, Compare::overlay);
+  for (const StrategyId id : {StrategyId::full, StrategyId::anisotropic}) {
+    EXPECT_TRUE(find_forms<Arrow>(picture, Role::ghost_force, id).empty());
+    EXPECT_TRUE(find_forms<Line>(picture, Role::proxy_drift, id).empty());
+  }
+}
+
+TEST(Compose, DrawsTheRulerAsLongAsTheDrift) {
+  const Picture picture = picture_of("fig3-normal", StrategyId::naive, Compare::active_only);
+  const auto lines = find_forms<Line>(picture, Role::proxy_drift, StrategyId::naive);
+  ASSERT_EQ(lines.size(), 3U) << "a ruler and its two ends";
+  const double drift = glm::length(picture.snapshot.strategies[index_of(StrategyId::naive)].proxy_drift);
+  // The device lags a nanometre behind rest after two seconds; the ruler is drawn from the same numbers.
+  EXPECT_NEAR(glm::distance(lines[0]->from, lines[0]->to), drift, 1e-12);
+}
+
+TEST(Compose, ShowsTheDevicesWhereTheyAre) {
+  const Picture picture = picture_of("fig1", StrategyId::full, Compare::overlay);
+  for (const Strategy& entry : strategy_catalog()) {
+    const auto devices = find_forms<Marker>(picture, Role::device, entry.id);
+    ASSERT_EQ(devices.size(), 1U) << entry.name;
+    EXPECT_EQ(devices[0]->center, picture.snapshot.strategies[index_of(entry.id)].device) << entry.name;
+    EXPECT_EQ(devices[0]->shape, strategy_style(entry.id).shape) << entry.name;
+  }
+  const auto goals = find_forms<Marker>(picture, Role::goal, std::nullopt);
+  ASSERT_EQ(goals.size(), 1U);
+  EXPECT_EQ(goals[0]->center, picture.snapshot.goal);
+}
+
+TEST(Compose, ShowsTheActiveStrategyAloneWhenAsked) {
+  const Picture picture = picture_of("fig1", StrategyId::naive, Compare::active_only);
+  for (const Mark& mark : picture.marks) {
+    if (mark.strategy) {
+      EXPECT_EQ(*mark.strategy, StrategyId::naive) << role_name(mark.role);
+    }
+  }
+}
+
+TEST(Compose, DrawsNoProxyAndNoContactInFreeSpace) {
+  const Picture picture = picture_of("wall45", StrategyId::naive, Compare::overlay, {853.0, 724.0},
+                                     {"goal.path_mm=[[-30,30]]", "goal.times_s=[0]"});
+  for (const Mark& mark : picture.marks) {
+    EXPECT_NE(mark.role, Role::proxy);
+    EXPECT_NE(mark.role, Role::contact);
+    EXPECT_NE(mark.role, Role::force);
+  }
+}
+
+TEST(Compose, HatchesTheInsideOfTheWall) {
+  const Picture picture =
+      picture_of("wall45", StrategyId::naive, Compare::overlay, {853.0, 724.0}, {"wall.normal_deg=20"});
+  const Wall<2> wall = wall_of(picture.scene.settings);
+  const auto strokes = find_forms<Line>(picture, Role::hatching, std::nullopt);
+  EXPECT_GT(strokes.size(), 30U);
+  for (const Line* stroke : strokes) EXPECT_GT(depth(wall, stroke->to), 0.0);
+}
+
+TEST(Compose, KeepsMarksCountBoundedHoweverFarOneZooms) {
+  const Picture close =
+      picture_of("wall45", StrategyId::naive, Compare::overlay, {4096.0, 4096.0}, {"view.width_mm=1"});
+  const Picture far =
+      picture_of("wall45", StrategyId::naive, Compare::overlay, {4096.0, 4096.0}, {"view.width_mm=10000"});
+  EXPECT_LT(close.marks.size(), 6000U);
+  EXPECT_LT(far.marks.size(), 6000U);
+}
+
+struct Box {
+  std::string text;
+  Vector<2> least, most;
+};
+
+std::vector<Box> text_boxes(const Picture& picture) {
+  std::vector<Box> boxes;
+  for (const Mark& mark : picture.marks) {
+    if (const auto* label = std::get_if<Label>(&mark.form)) {
+      const Vector<2> corner = to_screen(picture.camera, label->anchor) + label->offset;
+      boxes.push_back({label->text, corner, corner + measure(label->text, text_height(label->size))});
+    }
+  }
+  return boxes;
+}
+
+TEST(Compose, NoTwoLabelsOverlapAndNoneIsCutOff) {
+  for (const auto& shipped : shipped_scene_names()) {
+    for (const Strategy& entry : strategy_catalog()) {
+      for (const Compare compare : {Compare::overlay, Compare::active_only}) {
+        for (const Vector<2>& size : {Vector<2>(674.0, 564.0), Vector<2>(853.0, 724.0), Vector<2>(1450.0, 1000.0)}) {
+          const Picture picture = picture_of(std::string(shipped), entry.id, compare, size);
+          const std::vector<Box> boxes = text_boxes(picture);
+          for (std::size_t i = 0; i < boxes.size(); ++i) {
+            const Box& a = boxes[i];
+            EXPECT_TRUE(a.least.x >= 0.0 && a.least.y >= 0.0 && a.most.x <= size.x && a.most.y <= size.y)
+                << shipped << ' ' << entry.name << ' ' << size.x << ": '" << a.text << "' is cut off";
+            for (std::size_t j = 0; j < i; ++j) {
+              const Box& b = boxes[j];
+              const bool apart =
+                  a.most.x <= b.least.x || b.most.x <= a.least.x || a.most.y <= b.least.y || b.most.y <= a.least.y;
+              EXPECT_TRUE(apart) << shipped << ' ' << entry.name << ' ' << size.x << ": '" << a.text << "' over '"
+                                 << b.text << "'";
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(Compose, IsAFunctionOfItsInputs) {
+  const Picture first = picture_of("fig1", StrategyId::naive, Compare::overlay);
+  const Picture second = picture_of("fig1", StrategyId::naive, Compare::overlay);
+  ASSERT_EQ(first.marks.size(), second.marks.size());
+  const std::vector<Box> a = text_boxes(first);
+  const std::vector<Box> b = text_boxes(second);
+  for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i].least, b[i].least) << a[i].text;
+}
+
+}  // namespace
+}  // namespace ghostforce

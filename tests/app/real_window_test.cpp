@@ -1,0 +1,100 @@
+// The program on a real display server, through real key presses and a real pointer: what a visitor does first.
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <string>
+
+#include "app/theme.h"
+#include "tests/support/display.h"
+
+namespace ghostforce {
+namespace {
+
+Colour at(const Image& image, int x, int y) {
+  const std::size_t i =
+      3U * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x));
+  return {image.rgb[i], image.rgb[i + 1], image.rgb[i + 2]};
+}
+
+struct Spot {
+  int pixels = 0;
+  double x = 0.0;  // of their middle
+  double y = 0.0;
+};
+
+// Pixels of exactly that colour in the scene, right of its legend.
+Spot find_in_scene(const Image& image, Colour colour) {
+  constexpr int legend = 240;
+  constexpr int scene_right = 850;
+  Spot spot;
+  for (int y = 60; y < 760; ++y) {
+    for (int x = y < 180 ? legend : 0; x < scene_right; ++x) {
+      if (at(image, x, y) == colour) {
+        ++spot.pixels;
+        spot.x += x;
+        spot.y += y;
+      }
+    }
+  }
+  if (spot.pixels > 0) {
+    spot.x /= spot.pixels;
+    spot.y /= spot.pixels;
+  }
+  return spot;
+}
+
+bool is_near(const Spot& spot, double x, double y) {
+  return spot.pixels > 0 && std::abs(spot.x - x) < 2.0 && std::abs(spot.y - y) < 2.0;
+}
+
+// A button is framed in its strategy's colour while that strategy is the active one.
+bool bar_shows(const Image& image, StrategyId id) {
+  const Colour frame = find_theme("light")->strategy[index_of(id)];
+  int framed = 0;
+  for (int x = 0; x < 600; ++x) framed += at(image, x, 9) == frame || at(image, x, 8) == frame ? 1 : 0;
+  return framed > 60;
+}
+
+TEST(RealWindow, KeysAndADragChangeThePictureAsTheyShould) {
+  const Display display(1280, 800);
+  BackgroundProgram program({GHOSTFORCE_PROGRAM, "run"}, {display.environment()});
+  const Colour goal = find_theme("light")->goal;
+
+  ASSERT_TRUE(display.becomes([](const Image& image) { return bar_shows(image, StrategyId::naive); }))
+      << "the default scene starts naïve";
+  const Spot start = find_in_scene(display.picture(), goal);
+  ASSERT_GT(start.pixels, 50);
+  const Colour naive = find_theme("light")->strategy[index_of(StrategyId::naive)];
+  const int naive_pixels = find_in_scene(display.picture(), naive).pixels;
+
+  display.act({"key", "3"});
+  EXPECT_TRUE(display.becomes([](const Image& image) { return bar_shows(image, StrategyId::anisotropic); }));
+  EXPECT_LT(find_in_scene(display.picture(), naive).pixels, naive_pixels) << "naïve steps back";
+  display.act({"key", "1"});
+  EXPECT_TRUE(display.becomes([](const Image& image) { return bar_shows(image, StrategyId::full); }));
+  display.act({"key", "2"});
+  EXPECT_TRUE(display.becomes([](const Image& image) { return bar_shows(image, StrategyId::naive); }));
+
+  display.act({"mousemove", "560", "420", "mousedown", "1"});
+  EXPECT_TRUE(display.becomes([&](const Image& image) { return is_near(find_in_scene(image, goal), 560.0, 420.0); }));
+  display.act({"mousemove", "300", "300"});
+  EXPECT_TRUE(display.becomes([&](const Image& image) { return is_near(find_in_scene(image, goal), 300.0, 300.0); }));
+  display.act({"mouseup", "1"});
+
+  EXPECT_TRUE(program.is_running());
+  EXPECT_EQ(program.end(SIGINT), 130);
+}
+
+TEST(RealWindow, ClosesByItselfWhenAsked) {
+  const Display display(1280, 800);
+  BackgroundProgram program({GHOSTFORCE_PROGRAM, "run", "--exit-after", "0.5", "--theme", "dark"},
+                            {display.environment()});
+  const Colour background = find_theme("dark")->background;
+  EXPECT_TRUE(
+      display.becomes([&](const Image& image) { return at(image, 200, 300) == background || !program.is_running(); }));
+  EXPECT_EQ(program.end(0), 0);
+}
+
+}  // namespace
+}  // namespace ghostforce

@@ -1,0 +1,54 @@
+// A display of its own for a test: Xvfb, whose picture is a file that can be read at any moment, and xdotool as the
+// person's hands.
+#pragma once
+
+#include <sys/types.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/image.h"
+#include "tests/support/temporary_folder.h"
+
+namespace ghostforce {
+
+// A program that runs beside the test and is ended with it.
+class BackgroundProgram {
+ public:
+  // `words[0]` is looked for in PATH. The write end of a pipe is handed on as descriptor 3 when `pipe` is 3 or more.
+  BackgroundProgram(std::vector<std::string> words, std::vector<std::string> environment, int pipe = -1);
+  ~BackgroundProgram();
+  BackgroundProgram(const BackgroundProgram&) = delete;
+  BackgroundProgram& operator=(const BackgroundProgram&) = delete;
+
+  bool is_running();
+  // Sends the signal and waits for the end; the exit code, or 128 + N when signal N ended it.
+  int end(int signal);
+
+ private:
+  pid_t pid_ = -1;
+  int exit_code_ = -1;
+};
+
+class Display {
+ public:
+  Display(int width, int height);
+
+  // NAME=VALUE for programs that shall appear on it.
+  std::string environment() const { return std::string("DISPLAY=") + name_; }
+  // What is on the screen now.
+  Image picture() const;
+  // xdotool with these words, to its end.
+  void act(const std::vector<std::string>& words) const;
+  // Looks at the screen until it is as wanted; false if that takes too long.
+  bool becomes(const std::function<bool(const Image&)>& as_wanted) const;
+
+ private:
+  TemporaryFolder folder_;
+  std::string name_;
+  std::unique_ptr<BackgroundProgram> server_;
+};
+
+}  // namespace ghostforce
