@@ -121,10 +121,6 @@ double file_value(double si, double per_si) {
     std::from_chars(text.data(), text.data() + text.size(), candidate);
     if (candidate / per_si == si) return candidate;
   }
-  // The product is rounded, so the one that is sought may stand beside it.
-  for (const double towards : {-HUGE_VAL, HUGE_VAL}) {
-    if (const double candidate = std::nextafter(exact, towards); candidate / per_si == si) return candidate;
-  }
   return exact;
 }
 
