@@ -1,5 +1,6 @@
 #include "core/equilibrium.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -418,6 +419,24 @@ TEST(EquilibriumExample, HasTheseNumbers) {
   const Equilibrium<2> naive = equilibrium_naive(wall, actuation, impedances, goal);
   EXPECT_EQ(naive.force.y, 0.0);
   EXPECT_EQ(naive.device.y, goal.y);
+}
+
+// tan² = 1 + κ on a hard wall: the angle between n and the motor at which the naïve proxy slides furthest.
+TEST(EquilibriumExample, NaiveDriftIsLargestAtThisAngle) {
+  const Wall<2> wall{{0.0, 0.0}, {0.0, 1.0}};
+  const Vector<2> goal{0.0, -0.01};
+  for (const double kappa : {0.5, 3.0, 10.0}) {
+    const Impedances impedances = stiffnesses(100.0, 100.0 * kappa, 500.0, infinity);
+    const auto drift_at = [&](double angle) {
+      const Actuation<2> actuation = actuated_along(direction_at(std::numbers::pi / 2.0 + angle));
+      return glm::length(proxy_drift(wall, equilibrium_naive(wall, actuation, impedances, goal).proxy, goal));
+    };
+    const double worst = std::atan(std::sqrt(1.0 + kappa));
+    for (const double away : {-0.5, -0.1, -0.01, 0.01, 0.1, 0.5}) {
+      const double angle = std::min(worst + away, std::numbers::pi / 2.0);
+      EXPECT_LT(drift_at(angle), drift_at(worst)) << kappa << ' ' << away;
+    }
+  }
 }
 
 // (20) reads k_tn where the paper prints k_t: the force of (20) is that of (11) along the motors, for a soft wall too.

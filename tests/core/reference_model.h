@@ -1,6 +1,6 @@
-// The model a second time, to compare with: dense matrices in extended precision, written straight from the equations
-// of section 1 and 2 of docs/theory.md and solved by Eigen. It shares no formula and no code with core/; only settings
-// go in and numbers come out.
+// The model a second time, to compare with: dense matrices in extended precision, written straight from the balance of
+// forces and the loop in docs/theory.md, and solved by Eigen. It shares no formula and no code with core/; only
+// settings go in and numbers come out.
 #pragma once
 
 #include <vector>

@@ -3,9 +3,11 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -256,6 +258,69 @@ TEST(SceneTest, ProblemsNameKeysOfTheCatalog) {
     EXPECT_EQ(key_named(std::string(problem->table) + '.' + std::string(problem->name)).name, problem->name);
   }
 }
+
+Settings settings_in_range() {
+  Settings settings;
+  settings.mass = 0.1;
+  settings.damping = 5.0;
+  settings.rate = 1000.0;
+  settings.impedances.k_u = 100.0;
+  settings.impedances.k_r = 1000.0;
+  settings.impedances.k_t = 1000.0;
+  settings.impedances.k_c = 1e5;
+  return settings;
+}
+
+// What a servo takes: each number of each setting at both ends of its range, just past them, and not a number at all.
+TEST(SceneTest, SettingsAreInRangeWhereEachKeyIs) {
+  ASSERT_TRUE(is_in_range(settings_in_range()));
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const auto with = [](const SceneKey& key, auto value) {
+    Scene scene;
+    scene.settings = settings_in_range();
+    std::visit(
+        [&](const auto& k) {
+          if constexpr (requires { k.in(scene); }) {
+            if constexpr (std::is_same_v<decltype(k.in(scene)), decltype(value)&>) k.in(scene) = value;
+          }
+        },
+        key.value);
+    return is_in_range(scene.settings);
+  };
+  for (const SceneKey& key : scene_keys()) {
+    if (key.table == "goal" || key.table == "view" || key.table.empty()) continue;  // no settings
+    SCOPED_TRACE(full_name(key));
+    if (const auto* number = std::get_if<NumberKey>(&key.value)) {
+      EXPECT_FALSE(with(key, nan));
+      EXPECT_FALSE(with(key, -infinity));
+      EXPECT_EQ(with(key, infinity), number->may_be_infinite);
+      if (number->greatest > 1e300) continue;  // any finite number
+      EXPECT_TRUE(with(key, number->least / number->per_si));
+      EXPECT_TRUE(with(key, number->greatest / number->per_si));
+      EXPECT_FALSE(with(key, std::nextafter(number->least, -infinity) / number->per_si));
+      EXPECT_FALSE(with(key, std::nextafter(number->greatest, infinity) / number->per_si));
+      EXPECT_EQ(with(key, 100.5), !number->whole && number->greatest > 100.0 && number->least < 100.5);
+    } else if (const auto* optional = std::get_if<OptionalNumberKey>(&key.value)) {
+      EXPECT_TRUE(with(key, std::optional<double>{}));
+      EXPECT_TRUE(with(key, std::optional{optional->least}));
+      EXPECT_TRUE(with(key, std::optional{optional->greatest}));
+      EXPECT_FALSE(with(key, std::optional{std::nextafter(optional->least, -infinity)}));
+      EXPECT_FALSE(with(key, std::optional{std::nextafter(optional->greatest, infinity)}));
+      EXPECT_FALSE(with(key, std::optional{nan}));
+      EXPECT_FALSE(with(key, std::optional{infinity}));
+    } else if (std::holds_alternative<PointKey>(key.value)) {
+      EXPECT_TRUE(with(key, Vector<2>(1.0, -1.0)));
+      EXPECT_FALSE(with(key, Vector<2>(1.001, 0.0)));
+      EXPECT_FALSE(with(key, Vector<2>(0.0, -1.001)));
+      EXPECT_FALSE(with(key, Vector<2>(0.0, nan)));
+    }
+  }
+  Settings settings = settings_in_range();
+  settings.active = static_cast<StrategyId>(strategy_count);
+  EXPECT_FALSE(is_in_range(settings));
+}
+static_assert(noexcept(is_in_range(std::declval<const Settings&>())));
 
 TEST(SceneTest, LastTickIsRoundedNotCut) {
   Scene scene = valid();

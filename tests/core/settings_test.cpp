@@ -1,5 +1,6 @@
 #include "core/settings.h"
 
+#include <cmath>
 #include <limits>
 #include <numbers>
 #include <type_traits>
@@ -46,6 +47,16 @@ TEST(SettingsTest, PlanHoldsWhatATickNeeds) {
   EXPECT_EQ(plan.device.user_stiffness, 100.0);
   EXPECT_EQ(plan.device.period, 0.001);
   EXPECT_EQ(plan.rate, 1000.0);
+}
+
+TEST(SettingsTest, DifferWhereAnyOfThemDiffers) {
+  EXPECT_EQ(example(), example());
+  Settings other = example();
+  other.impedances.believed_k_u = 100.0;  // the same number as k_u, but a belief of its own
+  EXPECT_NE(other, example());
+  other = example();
+  other.active = StrategyId::naive;
+  EXPECT_NE(other, example());
 }
 
 static_assert(std::is_trivially_copyable_v<Settings>);

@@ -196,7 +196,7 @@ TYPED_TEST(TickTest, CureEndsGhostForceAndDrift) {
 
 // --- Tick by tick ----------------------------------------------------------------------------------------------------
 
-// Section 2 of docs/theory.md again, with dense matrices in extended precision.
+// The sampled loop of docs/theory.md again, with dense matrices in extended precision.
 template <glm::length_t D>
 struct ReferenceLoop {
   struct State {
