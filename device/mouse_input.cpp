@@ -26,7 +26,7 @@ Vector<2> MouseInput::goal(std::int64_t /*tick*/, double rate) noexcept {
     from_ = position();
     const Move& move = moves_.latest();
     to_ = move.to;
-    ticks_ = std::max<std::int64_t>(1, std::llround(move.duration_s * rate));
+    ticks_ = std::llround(move.duration_s * rate);  // 0: there at once, which is one tick
     ticks_gone_ = 0;
   }
   ticks_gone_ = std::min(ticks_gone_ + 1, ticks_);

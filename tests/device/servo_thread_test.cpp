@@ -90,6 +90,36 @@ TEST(ServoThread, HeedsCommandsBetweenVerySlowTicks) {
   servo.stop();
 }
 
+TEST(ServoThread, HoldsSpeedsWithinReason) {
+  const Scene scene = slanted_wall();
+  ServoCommand command = start_of(scene);
+  command.settings.rate = 20000.0;
+  command.speed = 1e-300;
+  Servo servo(std::make_unique<ScriptedInput>(scene.goal), command);
+  auto start = std::chrono::steady_clock::now();
+  const auto seconds = [&start] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  servo.start();
+  for (command.settings_generation = 1; command.settings_generation <= 5; ++command.settings_generation) {
+    servo.send(command);
+    wait_until([&] { return servo.newest().settings_generation == command.settings_generation; });
+  }
+  servo.stop();
+  const std::int64_t slow_tick = servo.newest().snapshot.tick;
+  EXPECT_LE(static_cast<double>(slow_tick), seconds() * command.settings.rate * Servo::slowest + 1.0);
+
+  command.speed = 1e300;
+  servo.send(command);
+  start = std::chrono::steady_clock::now();
+  servo.start();
+  wait_until([&] { return servo.newest().snapshot.tick >= slow_tick + 500; });
+  servo.stop();
+  const auto ticks = static_cast<double>(servo.newest().snapshot.tick - slow_tick);
+  EXPECT_LE(ticks, seconds() / Servo::shortest_period_s + 1.0);
+  EXPECT_EQ(servo.newest().refused_commands, 0U);
+}
+
 TEST(ServoThread, SaysWhatRealtimeConditionsItGot) {
   const Scene scene = slanted_wall();
   Servo servo(std::make_unique<ScriptedInput>(scene.goal), start_of(scene));
