@@ -1,6 +1,7 @@
 #include "app/application.h"
 
 #include "core/play.h"
+#include "core/sound_state.h"
 
 namespace ghostforce {
 
@@ -21,8 +22,12 @@ TickState<2> Application::start_state() {
   history_.clear();
   Scene scene = session_.scene;
   scene.settings = session_.settings;
-  return play(scene, starts_at_rest_ ? last_tick(scene) : 0,
-              [this](const Snapshot& snapshot) { history_.add(snapshot); });
+  const TickState<2> state =
+      play(scene, starts_at_rest_ ? last_tick(scene) : 0, [this](const Snapshot& snapshot) { history_.add(snapshot); });
+  if (is_sound(state)) return state;
+  // Unstable settings have no rest to start from: start where the hand is, and let the servo say what it finds.
+  history_.clear();
+  return state_at_start(scene.goal.points.back());
 }
 
 void Application::frame(double interval_s) {

@@ -11,30 +11,14 @@
 #include <pthread.h>
 
 #include "core/scene.h"
+#include "core/sound_state.h"
 #include "device/pacer.h"
 
 namespace ghostforce {
 namespace {
 
-// A year and a half at the highest rate; far from where a tick number would overflow.
-constexpr std::int64_t last_tick_ever = 1'000'000'000'000;
-
 bool is_usable_speed(double speed) noexcept {
   return std::isfinite(speed) && speed > 0.0;
-}
-
-bool is_near(const Vector<2>& v) noexcept {
-  return std::abs(v.x) <= Servo::farthest_m && std::abs(v.y) <= Servo::farthest_m;  // false for NaN
-}
-
-// Every number of it is one, and leaves room to go on from.
-bool is_sound(const TickState<2>& state) noexcept {
-  return state.tick >= 0 && state.tick <= last_tick_ever && is_near(state.goal) &&
-         std::ranges::all_of(state.strategies, [](const TickState<2>::StrategyState& strategy) {
-           return is_near(strategy.motion.position) && is_near(strategy.proxy) &&
-                  std::isfinite(strategy.motion.velocity.x) && std::isfinite(strategy.motion.velocity.y) &&
-                  std::isfinite(strategy.energy);
-         });
 }
 
 std::int64_t now_ns() noexcept {

@@ -51,7 +51,8 @@ struct ServoReport {
   std::uint32_t restarts = 0;             // the restarts_asked that this run came from
   std::uint32_t refused_commands =
       0;                  // with settings, a speed or a restart state out of range: that part had no effect
-  bool diverged = false;  // see Servo::farthest_m
+  bool diverged = false;  // the settings are unstable: stopped at the last sound tick (core/sound_state.h) until a
+                          // restart or other settings
   LoopHealth loop;
   RealtimeStatus realtime;
 };
@@ -75,9 +76,6 @@ class Servo {
   static constexpr double shortest_period_s = 1.0 / 20000.0;
   // However slow the ticks, and while paused, commands are heeded this often [s].
   static constexpr double attention_period_s = 0.005;
-  // Settings can be unstable. Before a device gets farther away than this, or becomes no number at all, the run stops
-  // at its last good tick and says `diverged` until a restart or other settings [m].
-  static constexpr double farthest_m = 1000.0;
 
   // The first run starts from initial.restart_state. Throws std::invalid_argument if `initial` is out of range.
   Servo(std::unique_ptr<Input> input, const ServoCommand& initial);

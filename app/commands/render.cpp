@@ -16,6 +16,7 @@
 #include "app/png_file.h"
 #include "app/screen.h"
 #include "core/play.h"
+#include "core/sound_state.h"
 #include "ghostforce_version.h"
 
 namespace ghostforce {
@@ -88,11 +89,18 @@ int render(const Options& options) {
 
   History history;
   Snapshot now;
-  play(session.scene, tick_at(session.scene, options.at_s), [&](const Snapshot& snapshot) {
+  const TickState<2> state = play(session.scene, tick_at(session.scene, options.at_s), [&](const Snapshot& snapshot) {
     history.add(snapshot);
     now = snapshot;
     if (snapshot.tick % 1024 == 0) stop_if_interrupted();
   });
+
+  if (!is_sound(state)) {
+    throw Failure(
+        ExitCode::wrong_call,
+        "there is nothing to draw: with these settings the sampled loop is unstable and the device runs away; "
+        "lower k_r_N_per_m, or raise rate_hz, mass_kg or damping_N_s_per_m");
+  }
 
   Window window(
       {.title = "ghostforce", .width = size.width, .height = size.height, .offscreen = true, .takes_mouse = false});

@@ -34,7 +34,7 @@ class LabelPlacer {
   }
   // A thin box per piece: a slanted line's bounding box would keep half the picture clear.
   void keep_clear(const Vector<2>& from, const Vector<2>& to, double radius) {
-    const int pieces = std::clamp(static_cast<int>(glm::distance(from, to) / (2.0 * radius)), 1, 64);
+    const int pieces = static_cast<int>(std::clamp(glm::distance(from, to) / (2.0 * radius), 1.0, 64.0));
     for (int i = 0; i <= pieces; ++i) keep_clear(from + (to - from) * (static_cast<double>(i) / pieces), radius);
   }
 

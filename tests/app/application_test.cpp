@@ -214,6 +214,20 @@ TEST_F(ApplicationTest, AWindowMinimisedToNothingDrawsNothingAndComesBack) {
   EXPECT_EQ(window_->picture().rgb.size(), before.rgb.size());
 }
 
+TEST_F(ApplicationTest, UnstableSettingsAreSaidAndLeftAgain) {
+  session().settings.impedances.k_r = 1e6;
+  session().settings.mass = 0.001;
+  frames(20);
+  EXPECT_TRUE(application_->report().diverged);
+  press(GLFW_KEY_R);
+  frames(20);
+  EXPECT_TRUE(application_->report().diverged);
+  press_with_alt(ImGuiKey_R);
+  frames(5);
+  EXPECT_FALSE(application_->report().diverged);
+  EXPECT_NEAR(application_->report().snapshot.goal.x, 0.01414, 1e-5);
+}
+
 TEST_F(ApplicationTest, EveryKeyOfTheTableIsUnique) {
   for (const KeyBinding& a : key_table()) {
     for (const KeyBinding& b : key_table()) {

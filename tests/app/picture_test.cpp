@@ -168,6 +168,15 @@ TEST(Render, SaysWhereItCannotWrite) {
   EXPECT_NE(outcome.err.find("/nonexistent/folder"), std::string::npos) << outcome.err;
 }
 
+TEST(Render, SaysSoWhereTheSettingsMakeTheLoopUnstable) {
+  const TemporaryFolder folder;
+  const Outcome outcome = render(
+      {"wall45", "-o", folder / "picture.png", "--set", "rendering.k_r_N_per_m=1e6", "--set", "device.mass_kg=0.001"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("unstable"), std::string::npos) << outcome.err;
+  EXPECT_EQ(folder.count(), 0);
+}
+
 TEST(Render, LeavesNothingBehindWhenInterrupted) {
   const TemporaryFolder folder;
   ProgramCall call;
