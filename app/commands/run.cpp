@@ -25,15 +25,30 @@ struct Options {
   std::optional<double> exit_after_s;
 };
 
-double seconds(Clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
-
-// Waits for input until the next frame is due. Displays without vertical sync would otherwise draw as fast as they can;
-// a paused window has nothing to show and looks up only now and then.
-void wait_for_next_frame(Window& window, bool idle, Clock::time_point frame_began) {
-  constexpr double frame_s = 1.0 / 60.0;
-  constexpr double idle_s = 0.25;
-  window.poll(std::max(0.0, (idle ? idle_s : frame_s) - seconds(Clock::now() - frame_began)));
+double seconds(Clock::duration duration) {
+  return std::chrono::duration<double>(duration).count();
 }
+
+// Decides how long to wait for the person before the next frame. Displays without vertical sync would otherwise draw as
+// fast as they can; a paused window has nothing to show and looks up only now and then.
+class FramePacer {
+ public:
+  void wait(Window& window, bool idle, Clock::time_point frame_began) {
+    const double interval_s = idle && frames_to_settle_ == 0 ? idle_s : frame_s;
+    const double wait_s = std::max(0.0, interval_s - seconds(Clock::now() - frame_began));
+    const Clock::time_point before = Clock::now();
+    window.poll(wait_s);
+    const bool something_happened = seconds(Clock::now() - before) < 0.9 * wait_s;
+    frames_to_settle_ = something_happened ? settling_frames : std::max(0, frames_to_settle_ - 1);
+  }
+
+ private:
+  static constexpr double frame_s = 1.0 / 60.0;
+  static constexpr double idle_s = 0.25;
+  // ImGui takes what comes in at once apart, one event a frame.
+  static constexpr int settling_frames = 6;
+  int frames_to_settle_ = settling_frames;
+};
 
 int run(const Options& options) {
   Scene scene = options.scene.load();
@@ -44,6 +59,7 @@ int run(const Options& options) {
       *find_input(options.input));
   application.servo().start();
 
+  FramePacer pacer;
   const Clock::time_point began = Clock::now();
   Clock::time_point last = began;
   while (!window.should_close()) {
@@ -52,7 +68,7 @@ int run(const Options& options) {
     if (options.exit_after_s && seconds(now - began) >= *options.exit_after_s) break;
     application.frame(seconds(now - last));
     last = now;
-    wait_for_next_frame(window, application.is_idle(), now);
+    pacer.wait(window, application.is_idle(), now);
   }
   return static_cast<int>(ExitCode::done);
 }
