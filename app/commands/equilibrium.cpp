@@ -67,7 +67,7 @@ PerStrategy<Rest> find_rests(const Scene& scene, const Vector<2>& goal) {
   const Vector<2> full_force = rests[index_of(StrategyId::full)].at.force;
   for (Rest& rest : rests) {
     rest.ghost_force = ghost_force(actuation, rest.at.force, full_force);
-    rest.proxy_drift = rest.at.in_contact ? proxy_drift(wall, rest.at.proxy, goal) : Vector<2>(0.0);
+    rest.proxy_drift = proxy_drift(wall, rest.at.proxy, goal);
   }
   return rests;
 }

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "app/commands/command.h"
 #include "app/run_file.h"
 #include "app/scene_file.h"
 #include "core/equilibrium.h"
@@ -48,7 +49,9 @@ TEST(CommandLine, HelpAtEveryLevel) {
   for (const std::string_view words : {"simulate", "equilibrium", "wall45", "130  interrupted", "--version"}) {
     EXPECT_NE(program.out.find(words), std::string::npos) << words;
   }
-  for (const std::string command : {"simulate", "equilibrium"}) {
+  for (const Command& listed : command_catalog()) {
+    const std::string command(listed.name);
+    EXPECT_NE(program.out.find("  " + command), std::string::npos) << command;
     const Outcome outcome = run({command, "--help"});
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_EQ(outcome.err, "");
@@ -58,6 +61,17 @@ TEST(CommandLine, HelpAtEveryLevel) {
   }
   EXPECT_NE(run({"simulate", "--help"}).out.find("--strategy"), std::string::npos);
   EXPECT_NE(run({"equilibrium", "-h"}).out.find("--goal-mm"), std::string::npos);
+}
+
+TEST(CommandLine, RunIsMeantWhereNoCommandIsNamed) {
+  const std::string run_help = run({"run", "--help"}).out;
+  EXPECT_NE(run_help.find("ghostforce run"), std::string::npos) << run_help;
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"fig1", "--help"}, {"some/where.toml", "--help"}, {"--strategy", "naive", "--help"}}) {
+    const Outcome outcome = run(words);
+    EXPECT_EQ(outcome.exit_code, 0) << words.front();
+    EXPECT_EQ(outcome.out, run_help) << words.front();
+  }
 }
 
 TEST(CommandLine, Version) {

@@ -47,7 +47,10 @@ TEST(RunFile, HeaderTellsVersionSceneAndColumns) {
   EXPECT_EQ(lines.back(), "") << "the header ends with a newline";
   EXPECT_EQ(lines[lines.size() - 2],
             "strategy,t_s,goal_x_m,goal_y_m,device_x_m,device_y_m,proxy_x_m,proxy_y_m,force_x_N,force_y_N");
-  for (std::size_t i = 0; i + 2 < lines.size(); ++i) EXPECT_TRUE(lines[i].starts_with("#")) << lines[i];
+  for (std::size_t i = 0; i + 2 < lines.size(); ++i) {
+    EXPECT_TRUE(lines[i].starts_with('#')) << lines[i];
+    EXPECT_FALSE(lines[i].ends_with(' ')) << "blanks that nobody sees: '" << lines[i] << "'";
+  }
 
   // The scene can be taken out again.
   std::string text;

@@ -396,6 +396,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadSet{"NoTable", "k_r_N_per_m=3", {"the key k_r_N_per_m is unknown", "did you mean 'rendering.k_r_N_per_m'?"}},
         BadSet{"NoUnit", "rendering.k_r=3", {"did you mean 'rendering.k_r_N_per_m'?"}},
         BadSet{"OtherTable", "wall.mass_kg=3", {"did you mean 'device.mass_kg'?"}},
+        BadSet{"NearHereButExactThere", "user.k_r_N_per_m=3", {"did you mean 'rendering.k_r_N_per_m'?"}},
         BadSet{"TableSlip", "rendring.k_r_N_per_m=3", {"did you mean 'rendering.k_r_N_per_m'?"}},
         BadSet{"Nonsense", "banana=3", {"the key banana is unknown"}},
         BadSet{"WordForNumber", "device.mass_kg=heavy", {"the key device.mass_kg: is a text", "0.001 to 100 kg"}},
