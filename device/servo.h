@@ -49,10 +49,10 @@ struct ServoReport {
   Snapshot snapshot;                      // of the newest tick, under the settings in use
   std::uint32_t settings_generation = 0;  // of the settings in use
   std::uint32_t restarts = 0;             // the restarts_asked that this run came from
-  std::uint32_t refused_commands =
-      0;                  // with settings, a speed or a restart state out of range: that part had no effect
-  bool diverged = false;  // the settings are unstable: stopped at the last sound tick (core/sound_state.h) until a
-                          // restart or other settings
+  // Commands with settings, a speed or a restart state out of range: that part of them had no effect.
+  std::uint32_t refused_commands = 0;
+  // The settings are unstable: stopped at the last sound tick (core/sound_state.h) until a restart or other settings.
+  bool diverged = false;
   LoopHealth loop;
   RealtimeStatus realtime;
 };

@@ -45,7 +45,7 @@ TEST(Pacer, SkipsAndCountsDeadlinesThatHavePassed) {
 
 TEST(Pacer, SurvivesAThreadThatWasStoppedForADay) {
   Pacer pacer(start_ns, 1.0 / 20000.0);
-  constexpr std::int64_t day_ns = 86'400 * 1000 * ms;
+  constexpr std::int64_t day_ns = std::int64_t{86'400} * 1000 * ms;
   EXPECT_TRUE(pacer.is_due(start_ns + day_ns));
   EXPECT_EQ(pacer.late_ticks(), 86'400U * 20'000U - 1U);
   EXPECT_FALSE(pacer.is_due(start_ns + day_ns));
