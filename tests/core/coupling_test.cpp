@@ -14,11 +14,6 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-template <glm::length_t D>
-double difference(const Matrix<D>& a, const ReferenceMatrix<D>& b) {
-  return static_cast<double>((reference(a) - b).cwiseAbs().maxCoeff());
-}
-
 template <typename Dimension>
 class CouplingTest : public testing::Test {};
 TYPED_TEST_SUITE(CouplingTest, Dimensions, DimensionName);
@@ -31,11 +26,11 @@ TYPED_TEST(CouplingTest, StiffnessesAreThoseOfTheSubspaces) {
     SCOPED_TRACE(i);
     const Setting<D> setting = random_setting<D>(random);
     const Impedances& k = setting.impedances;
-    const ReferenceModel<D> expected = reference_with_some_motors(setting, setting.ratio);
+    const ReferenceModel expected = reference_with_some_motors(setting, setting.ratio);
     const Coupling<D> coupling = coupling_with_some_motors(k.k_r, k.k_t, setting.ratio, setting.actuation());
     // Projectors are good to a dozen roundings; entries are as large as the largest stiffness.
-    EXPECT_LE(difference(coupling.rendering, expected.K_r), 16.0 * epsilon * k.k_r);
-    EXPECT_LE(difference(coupling.tracking, expected.K_t), 16.0 * epsilon * k.k_t * (1.0 + 1.0 / setting.ratio));
+    EXPECT_LE(distance(coupling.rendering, expected.K_r), 16.0 * epsilon * k.k_r);
+    EXPECT_LE(distance(coupling.tracking, expected.K_t), 16.0 * epsilon * k.k_t * (1.0 + 1.0 / setting.ratio));
   }
 }
 
@@ -50,9 +45,9 @@ TYPED_TEST(CouplingTest, ComplianceIsTheInverseOfTheTrackingStiffness) {
     for (const double ratio : {1.0, setting.ratio}) {
       const Coupling<D> coupling = coupling_with_some_motors(k.k_r, k.k_t, ratio, setting.actuation());
       const double rounding = 32.0 * epsilon * (ratio + 1.0 / ratio);
-      const ReferenceMatrix<D> I = ReferenceMatrix<D>::Identity();
-      EXPECT_LE(difference<D>(coupling.tracking * coupling.tracking_compliance, I), rounding);
-      EXPECT_LE(difference<D>(coupling.tracking_compliance * coupling.tracking, I), rounding);
+      const ReferenceMatrix I = reference_identity(D);
+      EXPECT_LE(distance(coupling.tracking * coupling.tracking_compliance, I), rounding);
+      EXPECT_LE(distance(coupling.tracking_compliance * coupling.tracking, I), rounding);
     }
   }
 }

@@ -64,7 +64,7 @@ Rounding rounding_with_some_motors(const Setting<D>& setting, double ratio) {
 }
 
 template <glm::length_t D>
-void expect_rest(const Equilibrium<D>& actual, const ReferenceRest<D>& expected, const Rounding& rounding) {
+void expect_rest(const Equilibrium<D>& actual, const ReferenceRest& expected, const Rounding& rounding) {
   EXPECT_LE(distance(actual.proxy, expected.proxy), rounding.proxy);
   EXPECT_LE(distance(actual.device, expected.device), rounding.device);
   EXPECT_LE(distance(actual.force, expected.force), rounding.force);
@@ -163,7 +163,7 @@ TYPED_TEST(EquilibriumTest, StrategiesBalanceTheForces) {
     const auto rest_of = [&](StrategyId id) {
       return equilibrium_of(strategy(id), setting.wall, setting.actuation(), k, setting.goal);
     };
-    const ReferenceVector<D> goal = reference(setting.goal);
+    const ReferenceVector goal = reference(setting.goal);
     expect_rest(rest_of(StrategyId::full), reference_rest(reference_with_every_motor(setting), goal),
                 rounding_with_every_motor(setting));
     expect_rest(rest_of(StrategyId::naive), reference_rest(reference_with_some_motors(setting, 1.0L), goal),

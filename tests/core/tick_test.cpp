@@ -12,7 +12,6 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <Eigen/Eigenvalues>
 
 #include "core/equilibrium.h"
 #include "core/settings.h"
@@ -39,52 +38,22 @@ struct Loop {
   }
 };
 
-// One reference model per strategy, in the order of the catalog.
+// One reference loop per strategy, in the order of the catalog.
 template <glm::length_t D>
-PerStrategy<ReferenceModel<D>> reference_models(const Setting<D>& setting) {
-  const Impedances& k = setting.impedances;
+PerStrategy<ReferenceLoop> reference_loops(const Loop<D>& loop) {
+  const Impedances& k = loop.setting.impedances;
   const Extended belief = k.believed_k_u.value_or(k.k_u);
   const Extended ratio = k.chosen_tracking_ratio ? Extended{*k.chosen_tracking_ratio} : 1.0L + k.k_r / belief;
-  return {reference_with_every_motor(setting), reference_with_some_motors(setting, 1.0L),
-          reference_with_some_motors(setting, ratio)};
+  const Extended period = 1.0L / loop.rate;
+  return {ReferenceLoop{reference_with_every_motor(loop.setting), loop.mass, loop.damping, period},
+          ReferenceLoop{reference_with_some_motors(loop.setting, 1.0L), loop.mass, loop.damping, period},
+          ReferenceLoop{reference_with_some_motors(loop.setting, ratio), loop.mass, loop.damping, period}};
 }
 
-// The slowest of the loop's modes, as the factor by which it shrinks per tick, free and in contact, over all
-// strategies. With x = (q_h,k−1, q_p,k−1, v_k−1) and everything that drives the loop at zero, (23) to (25) are one
-// matrix; the proxy is q_h in free space and (I − step nᵀ) q_h in contact. Below 1: stable.
 template <glm::length_t D>
 double slowest_mode(const Loop<D>& loop) {
-  using System = Eigen::Matrix<double, 3 * D, 3 * D>;
-  using Block = Eigen::Matrix<double, D, D>;
-  const Block I = Block::Identity();
-  const double dt = 1.0 / loop.rate;
-  const double k_u = loop.setting.impedances.k_u;
-  const double inertia = loop.mass + dt * loop.damping + dt * dt * k_u;
   double slowest = 0.0;
-  for (const ReferenceModel<D>& model : reference_models(loop.setting)) {
-    const Block K_r = model.K_r.template cast<double>();
-    // A linear map is known by what it does to each axis; the wall is moved to the origin and every point is in
-    // contact.
-    Block contact;
-    for (Eigen::Index i = 0; i < D; ++i) {
-      ReferenceModel<D> at_origin = model;
-      at_origin.o.setZero();
-      ReferenceVector<D> axis = ReferenceVector<D>::Unit(i);
-      if (at_origin.n[i] > 0.0L) axis = -axis;
-      const ReferenceVector<D> image = reference_proxy(at_origin, axis);
-      contact.col(i) = (axis[i] < 0.0L ? ReferenceVector<D>(-image) : image).template cast<double>();
-    }
-    for (const Block& proxy : {I, contact}) {
-      System A;
-      const Block from_device = -dt / inertia * (k_u * I + K_r);
-      const Block from_proxy = dt / inertia * K_r;
-      const Block from_velocity = loop.mass / inertia * I;
-      A << I + dt * from_device, dt * from_proxy, dt * from_velocity,  // q_h,k
-          proxy, Block::Zero(), Block::Zero(),                         // q_p,k
-          from_device, from_proxy, from_velocity;                      // v_k
-      slowest = std::max(slowest, Eigen::EigenSolver<System>(A, false).eigenvalues().cwiseAbs().maxCoeff());
-    }
-  }
+  for (const ReferenceLoop& one : reference_loops(loop)) slowest = std::max(slowest, reference_slowest_mode(one));
   return slowest;
 }
 
@@ -144,11 +113,11 @@ TYPED_TEST(TickTest, ComesToRestAtTheEquilibrium) {
     // 1/(1 − 0.998) = 500 ticks; both are multiplied by the gain from depth to proxy, below 30 for these ratios. Hence
     // 1e-10 of the extent, and k_r times that for the force.
     const double tolerance = 1e-10 * extent(loop);
-    const PerStrategy<ReferenceModel<D>> models = reference_models(setting);
+    const PerStrategy<ReferenceLoop> loops = reference_loops(loop);
     for (const Strategy& entry : strategy_catalog()) {
       SCOPED_TRACE(entry.name);
       const auto& rest = snapshot.strategies[index_of(entry.id)];
-      const auto balance = reference_rest(models[index_of(entry.id)], reference(setting.goal));
+      const auto balance = reference_rest(loops[index_of(entry.id)].model, reference(setting.goal));
       EXPECT_LE(distance(rest.device, balance.device), tolerance);
       EXPECT_LE(distance(rest.proxy, balance.proxy), tolerance);
       EXPECT_LE(distance(rest.force, balance.force), tolerance * setting.impedances.k_r);
@@ -196,49 +165,6 @@ TYPED_TEST(TickTest, CureEndsGhostForceAndDrift) {
 
 // --- Tick by tick ----------------------------------------------------------------------------------------------------
 
-// The sampled loop of docs/theory.md again, with dense matrices in extended precision.
-template <glm::length_t D>
-struct ReferenceLoop {
-  struct State {
-    ReferenceVector<D> device, proxy, velocity, force;
-    Extended energy = 0.0L;
-  };
-
-  ReferenceLoop(const Loop<D>& loop, const Vector<D>& goal) : loop_(loop), models_(reference_models(loop.setting)) {
-    for (State& state : states) {
-      state.device = reference(goal);
-      state.proxy = reference(goal);
-      state.velocity.setZero();
-      state.force.setZero();
-    }
-  }
-
-  void advance(const Vector<D>& goal) {
-    const ReferenceMatrix<D> I = ReferenceMatrix<D>::Identity();
-    const Extended dt = 1.0L / loop_.rate;
-    const Extended k_u = loop_.setting.impedances.k_u;
-    for (std::size_t i = 0; i < strategy_count; ++i) {
-      const ReferenceModel<D>& model = models_[i];
-      const State before = states[i];
-      State& now = states[i];
-      const ReferenceMatrix<D> inertia = (loop_.mass + dt * loop_.damping + dt * dt * k_u) * I;
-      now.velocity = inertia.fullPivLu().solve(
-          loop_.mass * before.velocity +
-          dt * (k_u * reference(goal) + model.K_r * before.proxy - (k_u * I + model.K_r) * before.device));  // (23)
-      now.device = before.device + dt * now.velocity;                                                        // (24)
-      now.proxy = reference_proxy(model, before.device);                                                     // (25)
-      now.force = model.K_r * (now.proxy - now.device);                                                      // (5)
-      now.energy = before.energy + before.force.dot(now.device - before.device);
-    }
-  }
-
-  PerStrategy<State> states;
-
- private:
-  Loop<D> loop_;
-  PerStrategy<ReferenceModel<D>> models_;
-};
-
 // A hand that goes back and forth through the wall: waypoints either side of it, smoothly joined.
 template <glm::length_t D>
 std::vector<Vector<D>> script(const Loop<D>& loop, Random& random, int stretches, int ticks_per_stretch) {
@@ -267,7 +193,11 @@ TYPED_TEST(TickTest, IsTheIndependentLoopTickByTick) {
     const TickPlan<D> plan = loop.plan();
     const std::vector<Vector<D>> goals = script(loop, random, 6, 150);
     TickState<D> state = state_at_start(goals[0]);
-    ReferenceLoop<D> expected(loop, goals[0]);
+    const PerStrategy<ReferenceLoop> loops = reference_loops(loop);
+    PerStrategy<ReferenceState> expected;
+    expected.fill(reference_start(reference(goals[0])));
+    const ReferenceMatrix P_A = reference_projector<D>(loop.setting.motors);
+    const ReferenceVector n = reference(loop.setting.wall.normal);
 
     struct Worst {
       double device = 0.0, proxy = 0.0, force = 0.0, energy = 0.0;
@@ -276,14 +206,16 @@ TYPED_TEST(TickTest, IsTheIndependentLoopTickByTick) {
     PerStrategy<Worst> size;
     for (std::size_t k = 1; k < goals.size(); ++k) {
       tick(plan, goals[k], state);
-      expected.advance(goals[k]);
+      for (std::size_t s = 0; s < strategy_count; ++s) {
+        expected[s] = reference_tick(loops[s], expected[s], reference(goals[k]));
+      }
       const SnapshotIn<D> snapshot = snapshot_of(plan, state);
       ASSERT_EQ(snapshot.tick, static_cast<std::int64_t>(k));
       ASSERT_EQ(snapshot.goal, goals[k]);
-      const auto& full = expected.states[index_of(StrategyId::full)];
+      const auto& full = expected[index_of(StrategyId::full)];
       for (std::size_t s = 0; s < strategy_count; ++s) {
         const auto& actual = snapshot.strategies[s];
-        const auto& wanted = expected.states[s];
+        const auto& wanted = expected[s];
         const auto grow = [](double& worst, double value) { worst = std::max(worst, value); };
         grow(error[s].device, distance(actual.device, wanted.device));
         grow(error[s].proxy, distance(actual.proxy, wanted.proxy));
@@ -296,13 +228,11 @@ TYPED_TEST(TickTest, IsTheIndependentLoopTickByTick) {
         ++(actual.in_contact ? in_contact : in_free_space);
         // Derived values of the same tick.
         if (actual.in_contact) {
-          const ReferenceMatrix<D> P_A = reference_projector<D>(loop.setting.motors);
-          const ReferenceVector<D> n = reference(loop.setting.wall.normal);
-          const ReferenceVector<D> slid = wanted.proxy - reference(goals[k]);
+          const ReferenceVector slid = wanted.proxy - reference(goals[k]);
           const double tiny = 1e-9 * extent(loop);
-          EXPECT_LE(distance(actual.ghost_force, ReferenceVector<D>(P_A * (wanted.force - full.force))),
+          EXPECT_LE(distance(actual.ghost_force, ReferenceVector(P_A * (wanted.force - full.force))),
                     tiny * loop.setting.impedances.k_r);
-          EXPECT_LE(distance(actual.proxy_drift, ReferenceVector<D>(slid - n * n.dot(slid))), tiny);
+          EXPECT_LE(distance(actual.proxy_drift, ReferenceVector(slid - n * n.dot(slid))), tiny);
         } else {
           EXPECT_EQ(actual.ghost_force, Vector<D>(0.0));
           EXPECT_EQ(actual.proxy_drift, Vector<D>(0.0));

@@ -1,0 +1,79 @@
+#include "core/sound_state.h"
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/settings.h"
+#include "tests/core/random_setting.h"
+
+namespace ghostforce {
+namespace {
+
+TEST(SoundStateTest, OneBadNumberAnywhereIsEnough) {
+  const TickState<2> sound = state_at_start(Vector<2>{0.1, -0.2});
+  ASSERT_TRUE(is_sound(sound));
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (const double bad : {nan, infinity, -infinity}) {
+    for (std::size_t i = 0; i < strategy_count; ++i) {
+      const std::vector<std::function<double&(TickState<2>&)>> places{
+          [](TickState<2>& s) -> double& { return s.goal.x; },
+          [](TickState<2>& s) -> double& { return s.goal.y; },
+          [i](TickState<2>& s) -> double& { return s.strategies[i].motion.position.x; },
+          [i](TickState<2>& s) -> double& { return s.strategies[i].motion.position.y; },
+          [i](TickState<2>& s) -> double& { return s.strategies[i].motion.velocity.x; },
+          [i](TickState<2>& s) -> double& { return s.strategies[i].motion.velocity.y; },
+          [i](TickState<2>& s) -> double& { return s.strategies[i].proxy.x; },
+          [i](TickState<2>& s) -> double& { return s.strategies[i].proxy.y; },
+          [i](TickState<2>& s) -> double& { return s.strategies[i].energy; },
+      };
+      for (std::size_t place = 0; place < places.size(); ++place) {
+        TickState<2> state = sound;
+        places[place](state) = bad;
+        EXPECT_FALSE(is_sound(state)) << bad << " at " << place << " of " << i;
+      }
+    }
+  }
+}
+
+TEST(SoundStateTest, TooFarAndTooLateAreUnsound) {
+  TickState<2> state = state_at_start(Vector<2>{0.0, 0.0});
+  state.strategies[1].motion.position = {farthest_device_m, -farthest_device_m};
+  EXPECT_TRUE(is_sound(state));
+  state.strategies[1].motion.position.y *= 1.001;
+  EXPECT_FALSE(is_sound(state));
+  state = state_at_start(Vector<2>{0.0, 0.0});
+  state.tick = -1;
+  EXPECT_FALSE(is_sound(state));
+  state.tick = std::numeric_limits<std::int64_t>::max();
+  EXPECT_FALSE(is_sound(state));
+}
+
+// A stiffness that the rate cannot carry runs away; that is seen long before a number overflows.
+TEST(SoundStateTest, UnstableSettingsAreSeenBeforeTheyOverflow) {
+  Settings settings;
+  settings.wall_normal_angle = 1.0;
+  settings.mass = 0.1;
+  settings.damping = 5.0;
+  settings.rate = 100.0;
+  settings.impedances = stiffnesses(100.0, 1e5, 1e5, 1e5);
+  const TickPlan<2> plan = plan_of(settings);
+  TickState<2> state = state_at_start(Vector<2>{-0.02, -0.02});
+  int ticks = 0;
+  while (is_sound(state) && ticks < 10000) {
+    tick(plan, Vector<2>{-0.02, -0.02}, state);
+    ++ticks;
+  }
+  EXPECT_LT(ticks, 1000);
+  for (const auto& strategy : state.strategies) EXPECT_TRUE(std::isfinite(strategy.motion.position.x));
+}
+
+static_assert(noexcept(is_sound(std::declval<const TickState<2>&>())));
+
+}  // namespace
+}  // namespace ghostforce
