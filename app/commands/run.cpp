@@ -89,7 +89,12 @@ std::function<int()> attach_run(CLI::App& subcommand) {
       ->check(CLI::NonNegativeNumber);
   subcommand.footer(
       "Drag anywhere in the scene: the goal of your hand follows.\n"
-      "Keys: 1 2 3 strategy, 0 compare, Space pause, . step, R reset, Alt+R reset all.");
+      "Keys: 1 2 3 strategy, 0 compare, Space pause, . step, R reset, Alt+R reset all.\n"
+      "\n"
+      "Examples:\n"
+      "  ghostforce run\n"
+      "  ghostforce run fig1 --strategy anisotropic --theme projector --scale 1.5\n"
+      "  ghostforce run my_scene.toml --input script");
   return [options] { return run(*options); };
 }
 
