@@ -11,11 +11,11 @@ find_package(glm CONFIG REQUIRED)
 
 # ---- The servo -------------------------------------------------------------------------------------------------------
 
-# Threads: the servo and the recorder thread. Part of the C library.
+# Threads: the servo's. Part of the C library.
 set(THREADS_PREFER_PTHREAD_FLAG ON)
 find_package(Threads REQUIRED)
 
-# readerwriterqueue: wait-free single-producer single-consumer ring, servo -> plots and servo -> recorder. Headers only.
+# readerwriterqueue: wait-free single-producer single-consumer ring, servo -> window. Headers only.
 # apt: libreaderwriterqueue-dev.
 find_path(READERWRITERQUEUE_INCLUDE_DIR readerwriterqueue/readerwriterqueue.h REQUIRED)
 add_library(ghostforce::readerwriterqueue INTERFACE IMPORTED)

@@ -25,6 +25,12 @@ if(GHOSTFORCE_SANITIZE)
   add_compile_options(${sanitize} -fno-omit-frame-pointer)
   add_link_options(${sanitize})
 endif()
+if(GHOSTFORCE_SANITIZE STREQUAL "address")
+  # Into every program, ahead of the system's dlclose: the linker takes the object for the sake of the marker in it.
+  add_library(keep_libraries_loaded STATIC ${PROJECT_SOURCE_DIR}/cmake/keep_libraries_loaded.c)
+  link_libraries(keep_libraries_loaded)
+  add_link_options(LINKER:--undefined=ghostforce_keeps_libraries_loaded)
+endif()
 
 add_library(project_options INTERFACE)
 target_compile_features(project_options INTERFACE cxx_std_20)
