@@ -23,7 +23,9 @@ constexpr std::array bindings{
 
 }  // namespace
 
-std::span<const KeyBinding> key_table() noexcept { return bindings; }
+std::span<const KeyBinding> key_table() noexcept {
+  return bindings;
+}
 
 void act_on_keys(Session& session) {
   const ImGuiIO& io = ImGui::GetIO();
@@ -40,7 +42,9 @@ void toggle_compare(Session& session) {
   session.compare = session.compare == Compare::overlay ? Compare::active_only : Compare::overlay;
 }
 
-void toggle_pause(Session& session) { session.paused = !session.paused; }
+void toggle_pause(Session& session) {
+  session.paused = !session.paused;
+}
 
 void single_step(Session& session) {
   session.paused = true;

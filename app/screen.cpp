@@ -40,7 +40,7 @@ struct Screen::Layout {
     }
     const float top_height = 46.0F * scale;
     const float bottom_height = 30.0F * scale;
-    const float column_width = std::clamp(0.335F * size.x, 350.0F * scale, 470.0F * scale);
+    const float column_width = std::min(std::clamp(0.335F * size.x, 350.0F * scale, 470.0F * scale), 0.5F * size.x);
     const float middle_height = size.y - top_height - bottom_height;
     top = {{0.0F, 0.0F}, {size.x, top_height}};
     bottom = {{0.0F, size.y - bottom_height}, {size.x, bottom_height}};
@@ -81,7 +81,10 @@ void Screen::draw(Session& session, const Snapshot& snapshot, const History& his
       begin_fixed("status", layout.bottom, ImGuiWindowFlags_NoScrollWithMouse);
       draw_status_bar(context);
       ImGui::End();
-      begin_fixed("panels", layout.column);
+      // The one window that may hold more than it shows.
+      ImGui::SetNextWindowPos(layout.column.corner);
+      ImGui::SetNextWindowSize(layout.column.size);
+      ImGui::Begin("panels", nullptr, fixed_window & ~ImGuiWindowFlags_NoScrollbar);
       for (const Panel& panel : panel_catalog()) {
         ImGui::PushFont(fonts.bold, 0.0F);
         ImGui::SeparatorText(panel.title.data());

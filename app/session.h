@@ -34,7 +34,7 @@ struct LoopReading {
   std::uint64_t late_ticks = 0;
   std::uint64_t dropped_samples = 0;
   bool diverged = false;  // the settings made the simulation unstable; it waits for others
-  std::string remark{};     // what the operating system refused; empty: nothing
+  std::string remark{};     // what the operating system granted and refused the loop; may be empty
 };
 
 }  // namespace ghostforce

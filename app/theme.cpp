@@ -74,9 +74,13 @@ constexpr std::array themes{
 
 }  // namespace
 
-const StrategyStyle& strategy_style(StrategyId id) noexcept { return styles[index_of(id)]; }
+const StrategyStyle& strategy_style(StrategyId id) noexcept {
+  return styles[index_of(id)];
+}
 
-std::span<const Theme> theme_catalog() noexcept { return themes; }
+std::span<const Theme> theme_catalog() noexcept {
+  return themes;
+}
 
 const Theme* find_theme(std::string_view name) noexcept {
   for (const Theme& theme : themes) {

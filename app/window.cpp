@@ -99,9 +99,13 @@ Window::Library::Library(bool offscreen) {
                 fmt::format("there is no display to open a window on ({}); {}", reason, offscreen_advice));
 }
 
-Window::Library::~Library() { glfwTerminate(); }
+Window::Library::~Library() {
+  glfwTerminate();
+}
 
-void Window::Destroy::operator()(GLFWwindow* window) const { glfwDestroyWindow(window); }
+void Window::Destroy::operator()(GLFWwindow* window) const {
+  glfwDestroyWindow(window);
+}
 
 Window::Window(const WindowOptions& options) : library_(options.offscreen), window_(create_window(options)) {
   glfwMakeContextCurrent(handle());
@@ -134,11 +138,17 @@ void Window::start_imgui(bool takes_mouse) {
   number_font_ = io.Fonts->AddFontFromFileTTF(font_file("DejaVuSansMono.ttf").c_str());
 }
 
-bool Window::should_close() const { return glfwWindowShouldClose(handle()) == GLFW_TRUE; }
+bool Window::should_close() const {
+  return glfwWindowShouldClose(handle()) == GLFW_TRUE;
+}
 
-void Window::close() { glfwSetWindowShouldClose(handle(), GLFW_TRUE); }
+void Window::close() {
+  glfwSetWindowShouldClose(handle(), GLFW_TRUE);
+}
 
-void Window::resize(int width, int height) { glfwSetWindowSize(handle(), width, height); }
+void Window::resize(int width, int height) {
+  glfwSetWindowSize(handle(), width, height);
+}
 
 float Window::display_scale() const {
   // Where the framebuffer is denser than the window's coordinates (Wayland), ImGui draws denser by itself.

@@ -95,8 +95,11 @@ void Servo::run() noexcept {
 void Servo::attend(bool tick_is_due) noexcept {
   if (commands_.has_news()) take_command(commands_.latest());
   const bool is_new_state = std::exchange(is_at_start_, false) || (takes_tick(tick_is_due) && advance());
-  report_.snapshot = snapshot_of(plan_, state_);
-  if (is_new_state && !samples_.try_enqueue({report_.snapshot, report_.restarts})) ++report_.loop.dropped_samples;
+  // New settings show with the next tick: the old state under new settings is a state that never was.
+  if (is_new_state) {
+    report_.snapshot = snapshot_of(plan_, state_);
+    if (!samples_.try_enqueue({report_.snapshot, report_.restarts})) ++report_.loop.dropped_samples;
+  }
   reports_.publish(report_);
 }
 

@@ -1,6 +1,7 @@
 #include "app/commands/command.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include <fmt/core.h>
 
@@ -38,6 +39,18 @@ CLI::Validator one_of(std::vector<std::string_view> words) {
       [words = std::move(words), all](std::string& word) -> std::string {
         if (std::find(words.begin(), words.end(), word) != words.end()) return {};
         return fmt::format("'{}' is none of {}{}", printable(word), all, did_you_mean(word, words));
+      },
+      "");
+}
+
+CLI::Validator number_between(double least, double greatest, std::string unit) {
+  return CLI::Validator(
+      [least, greatest, unit = std::move(unit)](std::string& text) -> std::string {
+        char* end = nullptr;
+        const double value = std::strtod(text.c_str(), &end);
+        if (!text.empty() && *end == '\0' && value >= least && value <= greatest) return {};
+        return fmt::format("'{}' is not a number from {:g} to {:g}{}{}", printable(text), least, greatest,
+                           unit.empty() ? "" : " ", unit);
       },
       "");
 }

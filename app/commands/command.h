@@ -38,6 +38,10 @@ struct SceneOptions {
 // An option's value must be one of these words; if not, the nearest is named.
 CLI::Validator one_of(std::vector<std::string_view> words);
 
+// An option's value must be a number between these, both ends included; `unit` is for the message. Unlike CLI::Range it
+// lets no NaN through.
+CLI::Validator number_between(double least, double greatest, std::string unit);
+
 // Names of the strategies, for --strategy.
 std::vector<std::string_view> strategy_names();
 

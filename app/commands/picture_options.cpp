@@ -25,7 +25,7 @@ void PictureOptions::attach(CLI::App& subcommand, bool with_all) {
       ->check(one_of(themes));
   subcommand.add_option("--scale", scale, "Size of letters and lines, 0.75 to 3; default: 1")
       ->type_name("FACTOR")
-      ->check(CLI::Range(0.75, 3.0));
+      ->check(number_between(0.75, 3.0, ""));
 }
 
 void PictureOptions::apply_strategy(Scene& scene) const {
@@ -33,9 +33,11 @@ void PictureOptions::apply_strategy(Scene& scene) const {
 }
 
 Compare PictureOptions::compare() const {
-  return find_strategy(strategy) ? Compare::active_only : Compare::overlay;
+  return strategy == every_strategy ? Compare::overlay : Compare::active_only;
 }
 
-const Theme& PictureOptions::chosen_theme() const { return *find_theme(theme); }
+const Theme& PictureOptions::chosen_theme() const {
+  return *find_theme(theme);
+}
 
 }  // namespace ghostforce

@@ -19,7 +19,7 @@ struct PictureOptions {
   // `with_all`: "all" shows every strategy in one picture.
   void attach(CLI::App& subcommand, bool with_all);
   void apply_strategy(Scene& scene) const;
-  // One strategy alone where one was asked for.
+  // All in one picture only where all were asked for.
   Compare compare() const;
   const Theme& chosen_theme() const;
 };

@@ -1,5 +1,6 @@
 // ghostforce render: the picture of a scene at one moment, drawn offscreen by the same screen as the window's.
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -14,6 +15,7 @@
 #include "app/output_file.h"
 #include "app/paint/json_painter.h"
 #include "app/png_file.h"
+#include "app/printable.h"
 #include "app/screen.h"
 #include "core/play.h"
 #include "core/sound_state.h"
@@ -48,7 +50,7 @@ Size parse_size(const std::string& text) {
   if (good && fits(size.width) && fits(size.height)) return size;
   throw Failure(ExitCode::wrong_call, fmt::format("--size {}: want WIDTHxHEIGHT in pixels, each {} to {}, for example "
                                                   "1280x800",
-                                                  text, smallest_size, largest_size));
+                                                  printable(text), smallest_size, largest_size));
 }
 
 std::int64_t tick_at(const Scene& scene, const std::optional<double>& at_s) {
@@ -75,7 +77,18 @@ nlohmann::ordered_json describe_picture(const Session& session, const Snapshot& 
   return picture;
 }
 
+// Two files of one name would be one file, and the picture lost.
+void refuse_equal_outputs(const Options& options) {
+  if (options.json.empty() ||
+      std::filesystem::weakly_canonical(options.json) != std::filesystem::weakly_canonical(options.output)) {
+    return;
+  }
+  throw Failure(ExitCode::wrong_call,
+                fmt::format("--json {}: the picture goes there already; name another file", printable(options.json)));
+}
+
 int render(const Options& options) {
+  refuse_equal_outputs(options);
   const Size size = parse_size(options.size);
   Scene scene = options.scene.load();
   options.picture.apply_strategy(scene);
@@ -129,7 +142,9 @@ std::function<int()> attach_render(CLI::App& subcommand) {
       .add_option("-o,--output", options->output, "The PNG file to write, all or nothing; - is the standard output")
       ->type_name("FILE")
       ->required();
-  subcommand.add_option("--at", options->at_s, "The moment to show [s]; default: the scene's duration")->type_name("T");
+  subcommand.add_option("--at", options->at_s, "The moment to show [s]; default: the scene's duration")
+      ->type_name("T")
+      ->check(number_between(0.0, 1e6, "s"));
   subcommand.add_option("--size", options->size, "Pixels, 64 to 4096 each way; default: 1280x800")->type_name("WxH");
   subcommand
       .add_option("--part", options->part, "window: scene, panels and bars; scene: the scene alone; default: window")

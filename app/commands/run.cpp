@@ -1,6 +1,7 @@
 // ghostforce run: the window, live.
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -53,7 +54,8 @@ class FramePacer {
 int run(const Options& options) {
   Scene scene = options.scene.load();
   options.picture.apply_strategy(scene);
-  Window window({.title = fmt::format("{} · ghostforce", scene.title)});
+  const auto scaled = [&](int points) { return static_cast<int>(std::lround(points * options.picture.scale)); };
+  Window window({.title = fmt::format("{} · ghostforce", scene.title), .width = scaled(1280), .height = scaled(800)});
   Application application(
       window, {.theme = &options.picture.chosen_theme(), .scale = static_cast<float>(options.picture.scale)}, scene,
       *find_input(options.input));
@@ -86,7 +88,7 @@ std::function<int()> attach_run(CLI::App& subcommand) {
   options->picture.attach(subcommand, false);
   subcommand.add_option("--exit-after", options->exit_after_s, "Close the window by itself after so many seconds")
       ->type_name("S")
-      ->check(CLI::NonNegativeNumber);
+      ->check(number_between(0.0, 1e6, "s"));
   subcommand.footer(
       "Drag anywhere in the scene: the goal of your hand follows.\n"
       "Keys: 1 2 3 strategy, 0 compare, Space pause, . step, R reset, Alt+R reset all.\n"

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/panels/controls.h"
 #include "app/panels/panel_catalog.h"
@@ -34,6 +35,14 @@ constexpr Quantity quantities[] = {
      "passive.",
      [](const StrategySnapshot<2>& now) { return now.energy * 1000.0; }, 1},
 };
+
+// Eight characters at most, whatever the number.
+std::string in_fixed_width(double value, int decimals) {
+  const double unit = std::pow(10.0, -decimals);
+  // + 0.0 turns the −0 that rounding leaves of a small negative number into 0.
+  const std::string text = fmt::format("{:.{}f}", std::round(value / unit) * unit + 0.0, decimals);
+  return text.size() <= 8 ? text : fmt::format("{:.1e}", value);
+}
 
 void right_aligned(std::string_view text) {
   const float free = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
@@ -76,9 +85,7 @@ void draw_row(const PanelContext& context, const Strategy& entry) {
   for (const Quantity& quantity : quantities) {
     ImGui::TableNextColumn();
     ImGui::PushFont(context.fonts.number, 0.0F);
-    const double value = quantity.value(context.snapshot.strategies[i]);
-    // + 0.0 turns a rounded −0 into 0.
-    right_aligned(fmt::format("{:8.{}f}", value + 0.0, quantity.decimals));
+    right_aligned(in_fixed_width(quantity.value(context.snapshot.strategies[i]), quantity.decimals));
     ImGui::PopFont();
   }
 }

@@ -10,10 +10,16 @@
 namespace ghostforce {
 namespace {
 
+// Too narrow for captions in full: letters must do.
+bool is_narrow(const PanelContext& context) {
+  return ImGui::GetWindowWidth() < 960.0F * context.scale;
+}
+
 void draw_strategy_button(const PanelContext& context, const Strategy& entry, float height) {
   const std::size_t i = index_of(entry.id);
   const bool active = entry.id == context.session.settings.active;
-  const std::string words = fmt::format("{} {}", entry.letter, entry.title);
+  const std::string words =
+      is_narrow(context) ? std::string(1, entry.letter) : fmt::format("{} {}", entry.letter, entry.title);
   const float glyph = 0.4F * ImGui::GetFontSize();
   const float key_width = 1.5F * ImGui::GetFontSize();
   ImGui::PushFont(active ? context.fonts.bold : context.fonts.regular, 0.0F);
@@ -77,8 +83,10 @@ void draw_strategy_bar(const PanelContext& context) {
 
   ImGui::SameLine(0.0F, 14.0F * context.scale);
   const bool overlay = session.compare == Compare::overlay;
-  if (two_faced_button(overlay ? "Compare: all" : "Compare: active", overlay ? "Compare: active" : "Compare: all",
-                       "compare", height)) {
+  const bool narrow = is_narrow(context);
+  const char* all = narrow ? "All" : "Compare: all";
+  const char* active = narrow ? "Active" : "Compare: active";
+  if (two_faced_button(overlay ? all : active, overlay ? active : all, "compare", height)) {
     toggle_compare(session);
   }
   explain("All strategies in one picture, or the active one only. Key 0.");
@@ -98,7 +106,12 @@ void draw_strategy_bar(const PanelContext& context) {
 
   const char* no_motor = "no motor";
   const float width = ImGui::CalcTextSize(no_motor).x + 2.0F * ImGui::GetStyle().FramePadding.x;
-  ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
+  ImGui::SameLine();
+  if (ImGui::GetContentRegionAvail().x < width) {
+    ImGui::NewLine();
+    return;  // it says nothing that one has to know
+  }
+  ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - width);
   ImGui::BeginDisabled();
   ImGui::Button(no_motor, {width, height});
   ImGui::EndDisabled();

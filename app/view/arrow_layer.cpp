@@ -5,8 +5,8 @@ namespace ghostforce {
 namespace {
 
 constexpr double ghost_aside = 21.0;  // [points]
-constexpr double ruler_depth = 27.0;  // of the first ruler inside the wall [points]
-constexpr double ruler_step = 15.0;   // between rulers of different strategies [points]
+constexpr double ruler_depth = 16.0;  // of the first ruler inside the wall [points]
+constexpr double ruler_step = 12.0;   // between rulers of different strategies [points]
 
 void add_drift_ruler(const View& view, StrategyId id, Marks& marks) {
   const std::size_t i = index_of(id);

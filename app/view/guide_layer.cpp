@@ -70,15 +70,24 @@ void add_motor_axis(const View& view, Marks& marks) {
                    Marker{center, Shape::disc, radius, view.theme.background.with_alpha(215), view.theme.panel_border,
                           view.points(1.2)}});
   const Vector<2> axis = direction_at(view.settings.actuated_angle);
-  const Vector<2> across = to_screen_direction({-axis.y, axis.x}) * (0.62 * radius);
-  pen.line(middle - across, middle + across, 1.6, view.theme.faint_text,
-           {view.points(3.0), view.points(4.0), view.points(3.0), view.points(4.0)});
-  for (const double sign : {-1.0, 1.0}) {
-    marks.push_back({Role::motor_axis, std::nullopt,
-                     Arrow{center, center + axis * (sign * 0.86 * radius / view.camera.points_per_metre),
-                           view.points(3.6), view.theme.text, view.theme.background, view.points(0.5)}});
+  const Vector<2> across{-axis.y, axis.x};
+  const auto motor = [&](const Vector<2>& direction) {
+    for (const double sign : {-1.0, 1.0}) {
+      marks.push_back({Role::motor_axis, std::nullopt,
+                       Arrow{center, center + direction * (sign * 0.86 * radius / view.camera.points_per_metre),
+                             view.points(3.6), view.theme.text, view.theme.background, view.points(0.5)}});
+    }
+  };
+  const bool every_motor = strategy(view.settings.active).has_every_motor;
+  if (every_motor) {
+    motor(across);
+  } else {
+    const Vector<2> reach = to_screen_direction(across) * (0.62 * radius);
+    pen.line(middle - reach, middle + reach, 1.6, view.theme.faint_text,
+             {view.points(3.0), view.points(4.0), view.points(3.0), view.points(4.0)});
   }
-  const std::string_view words = "motor axis";
+  motor(axis);
+  const std::string_view words = every_motor ? "motor axes" : "motor axis";
   pen.text({middle.x - 0.5 * text_width(view, words), middle.y + radius + view.points(4.0)}, std::string(words),
            view.theme.text, TextSize::small, view.theme.background);
 }

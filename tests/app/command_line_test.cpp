@@ -395,5 +395,23 @@ TEST(EquilibriumCommand, TableIsForPeople) {
             "proxy drift mm            (0.000, 0.000)      (-33.278, -33.278)          (0.000, 0.000)\n");
 }
 
+TEST(Simulate, SaysSoWhereTheLoopRunsAwayAndWritesNothing) {
+  const TemporaryFolder folder;
+  const Outcome outcome =
+      run_program(GHOSTFORCE_PROGRAM, {"simulate", "wall45", "--strategy", "all", "-o", folder / "run.csv", "--set",
+                                       "rendering.k_r_N_per_m=1e6", "--set", "device.mass_kg=0.001"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("unstable"), std::string::npos) << outcome.err;
+  EXPECT_EQ(folder.count(), 0);
+}
+
+TEST(Run, RefusesATimeThatIsNoNumber) {
+  for (const char* time : {"nan", "-1", "inf", "soon"}) {
+    const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, {"run", "--exit-after", time});
+    EXPECT_EQ(outcome.exit_code, 2) << time;
+    EXPECT_NE(outcome.err.find("--exit-after"), std::string::npos) << outcome.err;
+  }
+}
+
 }  // namespace
 }  // namespace ghostforce

@@ -41,7 +41,7 @@ const std::vector<Golden> goldens{
     {"wall45-naive", {"wall45", "--strategy", "naive"}},
     {"wall45-anisotropic", {"wall45", "--strategy", "anisotropic"}},
     {"wall45-all-dark", {"wall45", "--strategy", "all", "--theme", "dark"}},
-    {"wall45-small", {"wall45", "--size", "1024x640"}},
+    {"wall45-small", {"wall45", "--strategy", "all", "--size", "1024x640"}},
     {"fig1-all-projector",
      {"fig1", "--strategy", "all", "--theme", "projector", "--part", "scene", "--size", "960x720"}},
     {"fig3-actuated-moving",
@@ -109,6 +109,19 @@ TEST(Render, DrawsEachStrategyAndEachMomentDifferently) {
   }
 }
 
+TEST(Render, ShowsTheScenesOwnStrategyUnlessToldOtherwise) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(render({"wall45", "-o", folder / "default.png"}).exit_code, 0);
+  ASSERT_EQ(render({"wall45", "--strategy", "naive", "-o", folder / "naive.png"}).exit_code, 0);
+  EXPECT_EQ(read_whole(folder / "default.png"), read_whole(folder / "naive.png"));
+}
+
+TEST(Render, RefusesTwoOutputsOfOneName) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(render({"wall45", "-o", folder / "a", "--json", folder / "a"}).exit_code, 2);
+  EXPECT_EQ(folder.count(), 0);
+}
+
 TEST(Render, DrawsUpToItsGreatestSize) {
   const TemporaryFolder folder;
   const std::string path = folder / "large.png";
@@ -151,6 +164,9 @@ TEST(Render, RefusesASizeAMomentAndAPartThatCannotBe) {
                                                                                      {"--part", "windw"},
                                                                                      {"--theme", "drak"},
                                                                                      {"--scale", "0"},
+                                                                                     {"--scale", "nan"},
+                                                                                     {"--scale", "5"},
+                                                                                     {"--at", "abc"},
                                                                                      {"--strategy", "naiv"}}) {
     std::vector<std::string> call{"wall45", "-o", path};
     call.insert(call.end(), words.begin(), words.end());
