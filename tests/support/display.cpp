@@ -98,7 +98,7 @@ Display::Display(int width, int height) {
   }
   close(ends[0]);
   if (letter != '\n') throw std::runtime_error("Xvfb does not come up");
-  name_ = ":" + std::to_string(std::stoi(line));
+  name_ += std::to_string(std::stoi(line));
 }
 
 Image Display::picture() const {

@@ -47,7 +47,7 @@ class Display {
 
  private:
   TemporaryFolder folder_;
-  std::string name_;
+  std::string name_{":"};  // and the number that the server found
   std::unique_ptr<BackgroundProgram> server_;
 };
 
