@@ -71,6 +71,21 @@ TYPED_TEST(ActuationTest, IsTheProjectorOfTheBasis) {
   }
 }
 
+// Two directions that differ by a part in 10 million still span a plane, and what comes out is still a projector: the
+// small remainder of the second one, which is mostly rounding along the first, is made orthogonal again.
+TYPED_TEST(ActuationTest, NearlyParallelDirectionsGiveAProjector) {
+  constexpr glm::length_t D = TypeParam::value;
+  Random random(6);
+  for (int i = 0; i < 1000; ++i) {
+    SCOPED_TRACE(i);
+    const Vector<D> first = random.direction<D>();
+    const Vector<D> second = first + random.over_decades(1e-9, 1e-5) * random.direction<D>();
+    const Actuation<D> actuation = along_all<D>({first, second});
+    EXPECT_LE(difference(actuation.actuated * actuation.actuated, actuation.actuated), rounding);
+    EXPECT_NEAR(trace(actuation.actuated), 2.0, rounding);
+  }
+}
+
 TYPED_TEST(ActuationTest, DirectionsThatAddNothingArePassedOver) {
   constexpr glm::length_t D = TypeParam::value;
   Random random(3);

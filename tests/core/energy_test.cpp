@@ -184,11 +184,11 @@ PerStrategy<Lap> second_lap(const Impedances& k, double rate, double sense) {
       areas[i].add(before.strategies[i].motion.position, state.strategies[i].motion.position);
       const Vector<2>& v = state.strategies[i].motion.velocity;
       const double dt = plan.device.period;
-      const double v_A = glm::dot(motor, v);
-      const double v_n = glm::dot(wall.normal, v);
-      laps[i].along_motor += v_A * v_A * dt;
-      laps[i].along_motor_and_normal += v_A * v_n * dt;
-      laps[i].along_normal += v_n * v_n * dt;
+      const double along_motor = glm::dot(motor, v);
+      const double along_normal = glm::dot(wall.normal, v);
+      laps[i].along_motor += along_motor * along_motor * dt;
+      laps[i].along_motor_and_normal += along_motor * along_normal * dt;
+      laps[i].along_normal += along_normal * along_normal * dt;
       laps[i].all += glm::dot(v, v) * dt;
     }
   }
