@@ -16,7 +16,7 @@ function(ghostforce_add_test name)
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} GTest::gtest_main project_options project_warnings)
   # PRE_TEST lists the tests when ctest starts, not after each link: a build stays a build.
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 TEST_PREFIX ${name}.
-    PROPERTIES TIMEOUT 300 LABELS "${arg_LABELS}" RUN_SERIAL "${arg_SERIAL}")
+    PROPERTIES TIMEOUT 300 RUN_SERIAL "${arg_SERIAL}" LABELS "${arg_LABELS}")
   if(arg_LABELS STREQUAL "tsan")
     add_dependencies(tsan_tests ${name})
   endif()
