@@ -1,29 +1,85 @@
 #include "app/application.h"
 
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "app/failure.h"
+#include "app/output_file.h"
+#include "app/png_file.h"
+#include "app/printable.h"
+#include "app/saving.h"
+#include "app/scene_file.h"
 #include "core/play.h"
 #include "core/sound_state.h"
 
 namespace ghostforce {
+namespace {
 
-Application::Application(Window& window, const ScreenOptions& options, const Scene& scene, const InputKind& input)
-    : session_(session_of(scene)), input_title_(input.title), screen_(window, options) {
-  std::unique_ptr<Input> hand = input.make(scene);
-  mouse_ = dynamic_cast<MouseInput*>(hand.get());
-  session_.pointer_moves_goal = mouse_ != nullptr;
-  starts_at_rest_ = mouse_ != nullptr;
-  command_ = {.settings = session_.settings, .restart_state = start_state()};
-  servo_ = std::make_unique<Servo>(std::move(hand), command_);
-  report_.snapshot = snapshot_of(plan_of(session_.settings), command_.restart_state);
+constexpr double news_last_s = 6.0;  // problems stay until they are dismissed
+
+Session session_with(const Scene& scene, const ApplicationOptions& options) {
+  Session session = session_of(scene);
+  session.look = options.look;
+  session.input = options.input;
+  session.has_handles = true;
+  session.folded_panels = options.folded_panels;
+  if (options.offers_hints) session.hint = 0;
+  return session;
 }
 
-// Plays the scripted hand to the end, so that the first picture already shows what the scene is about. A reset uses the
-// settings of the moment.
+std::string title_of(const Scene& scene) {
+  return fmt::format("{} · ghostforce", scene.title);
+}
+
+}  // namespace
+
+Application::Application(Window& window, const Scene& scene, const ApplicationOptions& options)
+    : window_(window),
+      session_(session_with(scene, options)),
+      undo_({session_.scene, session_.settings}),
+      screen_(window, options.part) {
+  for (const InputKind& kind : input_catalog()) inputs_.push_back({kind.name, kind.title, kind.sentence});
+  if (!options.shader_folder.empty()) shader_watch_.emplace(options.shader_folder);
+  make_servo();
+}
+
+void Application::start() {
+  is_started_ = true;
+  servo_->start();
+}
+
+// A servo owns its input, so another input or another script is another servo; counts go on, so that what is asked for
+// later still looks new to it.
+void Application::make_servo() {
+  servo_.reset();
+  const InputKind& kind = *find_input(session_.input);
+  std::unique_ptr<Input> hand = kind.make(*session_.scene);
+  mouse_ = dynamic_cast<MouseInput*>(hand.get());
+  input_title_ = kind.title;
+  session_.pointer_moves_goal = mouse_ != nullptr;
+  session_.goal = session_.scene->goal.points.back();
+  sent_goal_ = session_.goal;
+  command_.settings = session_.settings;
+  command_.restarts_asked = session_.restarts_asked;
+  command_.steps_asked = session_.steps_asked;
+  command_.restart_state = start_state();
+  servo_ = std::make_unique<Servo>(std::move(hand), command_);
+  report_ = {};
+  report_.restarts = command_.restarts_asked;
+  report_.snapshot = snapshot_of(plan_of(session_.settings), command_.restart_state);
+  if (is_started_) servo_->start();
+}
+
+// A person at the mouse starts at rest where the scripted hand ends, so that the first picture already shows what the
+// scene is about; the scripted hand itself starts at the beginning. A reset uses the settings of the moment.
 TickState<2> Application::start_state() {
   history_.clear();
-  Scene scene = session_.scene;
+  Scene scene = *session_.scene;
   scene.settings = session_.settings;
   const TickState<2> state =
-      play(scene, starts_at_rest_ ? last_tick(scene) : 0, [this](const Snapshot& snapshot) { history_.add(snapshot); });
+      play(scene, mouse_ != nullptr ? last_tick(scene) : 0, [this](const Snapshot& snapshot) { history_.add(snapshot); });
   if (is_sound(state)) return state;
   // Unstable settings have no rest to start from: start where the hand is, and let the servo say what it finds.
   history_.clear();
@@ -31,20 +87,34 @@ TickState<2> Application::start_state() {
 }
 
 void Application::frame(double interval_s) {
+  clock_s_ += interval_s;
   take_samples();
   report_ = servo_->newest();
   if (report_.restarts != command_.restarts_asked || report_.snapshot.tick == 0) {
     // The servo has not seen the restart yet: show the state that it will start from.
     report_.snapshot = snapshot_of(plan_of(session_.settings), command_.restart_state);
   }
-  screen_.draw(session_, report_.snapshot, history_,
-               {.input_title = input_title_,
-                .rate_hz = report_.loop.rate_hz,
-                .late_ticks = report_.loop.late_ticks,
-                .dropped_samples = report_.loop.dropped_samples,
-                .diverged = report_.diverged,
-                .remark = describe(report_.realtime)});
+  if (shader_watch_) shader_watch_->look(screen_.painter(), clock_s_);
+  screen_.draw(session_, report_.snapshot, history_, loop_reading());
+  grant_wishes();
+  undo_.note({session_.scene, session_.settings}, session_.is_editing);
+  if (session_.notice && !session_.notice->is_problem) {
+    session_.notice->age_s += interval_s;
+    if (session_.notice->age_s > news_last_s) session_.notice.reset();
+  }
   send(interval_s);
+}
+
+LoopReading Application::loop_reading() const {
+  return {.input_title = input_title_,
+          .rate_hz = report_.loop.rate_hz,
+          .late_ticks = report_.loop.late_ticks,
+          .dropped_samples = report_.loop.dropped_samples,
+          .refused = report_.refused_commands + (mouse_ != nullptr ? mouse_->ignored_moves() : 0),
+          .diverged = report_.diverged,
+          .inputs = inputs_,
+          .shader_problem = shader_watch_ ? std::string_view(shader_watch_->problem()) : std::string_view(),
+          .remark = describe(report_.realtime)};
 }
 
 void Application::take_samples() {
@@ -57,14 +127,79 @@ void Application::take_samples() {
 
 void Application::send(double interval_s) {
   if (session_.settings != command_.settings) ++command_.settings_generation;
-  if (session_.restarts_asked != command_.restarts_asked) command_.restart_state = start_state();
   command_.settings = session_.settings;
+  if (session_.restarts_asked != command_.restarts_asked) {
+    command_.restart_state = start_state();
+    sent_goal_ = session_.goal;
+  }
   command_.paused = session_.paused;
   command_.speed = session_.speed;
   command_.steps_asked = session_.steps_asked;
   command_.restarts_asked = session_.restarts_asked;
   servo_->send(command_);
-  if (mouse_ != nullptr && session_.drags_goal) mouse_->move_to(session_.goal, interval_s * session_.speed);
+  if (mouse_ != nullptr && (session_.drags_goal || session_.goal != sent_goal_)) {
+    mouse_->move_to(session_.goal, interval_s * session_.speed);
+    sent_goal_ = session_.goal;
+  }
+}
+
+void Application::tell(std::string words, bool is_problem) {
+  session_.notice = Notice{std::move(words), is_problem, 0.0};
+}
+
+void Application::grant_wishes() {
+  const Wishes wishes = std::exchange(session_.wishes, {});
+  const std::vector<std::string> dropped = window_.take_dropped_files();
+  try {
+    if (wishes.quit) window_.close();
+    if (wishes.toggle_full_screen) window_.toggle_full_screen();
+    // What is being changed right now is one more step to take back.
+    if (wishes.undo || wishes.redo) undo_.note({session_.scene, session_.settings}, false);
+    if (wishes.undo) go_to(undo_.undo());
+    if (wishes.redo) go_to(undo_.redo());
+    if (wishes.input && *wishes.input != session_.input) {
+      session_.input = *wishes.input;
+      make_servo();
+    }
+    if (wishes.open_scene) open_scene(*wishes.open_scene);
+    if (!dropped.empty()) open_scene(dropped.front());
+    if (wishes.save_scene) {
+      save_scene(session_, *wishes.save_scene);
+      tell(fmt::format("Saved {}", printable(*wishes.save_scene, longest_path)), false);
+    }
+    if (wishes.save_picture) save_picture(*wishes.save_picture);
+  } catch (const Failure& failure) {
+    if (failure.code() == ExitCode::interrupted) throw;
+    tell(failure.what(), true);
+  }
+}
+
+void Application::open_scene(const std::string& name_or_path) {
+  const Scene scene = load_scene(name_or_path);
+  session_.scene = std::make_shared<const Scene>(scene);
+  session_.settings = scene.settings;
+  session_.shown = scene.view;
+  window_.set_title(title_of(scene));
+  make_servo();
+}
+
+void Application::go_to(const std::optional<Edited>& edited) {
+  if (!edited) return;
+  session_.settings = edited->settings;
+  if (edited->scene == session_.scene) return;
+  session_.scene = edited->scene;
+  session_.shown = session_.scene->view;
+  window_.set_title(title_of(*session_.scene));
+  make_servo();
+}
+
+void Application::save_picture(const PictureWish& wish) {
+  OutputFile file(wish.path);
+  const Image image = screen_.picture(session_, report_.snapshot, history_, loop_reading(),
+                                      wish.scene_alone ? Part::scene : Part::window, wish.density);
+  file.write(png_bytes(image));
+  file.commit();
+  tell(fmt::format("Saved {}", printable(wish.path, longest_path)), false);
 }
 
 }  // namespace ghostforce

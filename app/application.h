@@ -1,14 +1,18 @@
 // Application: a session at the window, live. Carries values between the screen and the servo once per frame: commands
-// and the goal one way, samples and the newest report the other. UI thread; whoever drives it decides whether the servo
-// runs on its own thread or is stepped by hand.
+// and the goal one way, samples and the newest report the other; and grants what the person wished for: other scenes
+// and inputs, undo, files. UI thread; whoever drives it decides whether the servo runs on its own thread or is stepped
+// by hand.
 #pragma once
 
-#include <chrono>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "app/screen.h"
 #include "app/session.h"
+#include "app/shader_watch.h"
+#include "app/undo.h"
 #include "app/view/history.h"
 #include "device/input_catalog.h"
 #include "device/mouse_input.h"
@@ -16,10 +20,22 @@
 
 namespace ghostforce {
 
+struct ApplicationOptions {
+  Part part = Part::window;
+  Look look;
+  std::string input = "mouse";  // a name of the input catalog
+  bool offers_hints = false;
+  std::set<std::string, std::less<>> folded_panels;
+  std::string shader_folder;  // empty: the embedded shaders, not watched
+};
+
 class Application {
  public:
-  // The window must outlive the application.
-  Application(Window& window, const ScreenOptions& options, const Scene& scene, const InputKind& input);
+  // The window must outlive the application. Throws Failure.
+  Application(Window& window, const Scene& scene, const ApplicationOptions& options);
+
+  // Starts the servo's thread; also after a change of the input.
+  void start();
 
   Servo& servo() noexcept { return *servo_; }
   Session& session() noexcept { return session_; }
@@ -30,24 +46,38 @@ class Application {
   // One frame. `interval_s`: real time since the frame before.
   void frame(double interval_s);
 
+  // Tells the person something at the next frame.
+  void tell(std::string words, bool is_problem);
+
   // Nothing would change on screen until the person does something.
-  bool is_idle() const noexcept { return session_.paused; }
+  bool is_idle() const noexcept { return session_.paused && !session_.notice && !shader_watch_; }
 
  private:
   void take_samples();
   void send(double interval_s);
+  void grant_wishes();
+  void open_scene(const std::string& name_or_path);
+  void save_picture(const PictureWish& wish);
+  void go_to(const std::optional<Edited>& edited);
+  void make_servo();
+  LoopReading loop_reading() const;
   TickState<2> start_state();
 
+  Window& window_;
   Session session_;
-
-  bool starts_at_rest_;  // pre-rolled to the end of the path; else the scripted hand plays from the path's beginning
+  UndoHistory undo_;
+  std::vector<InputChoice> inputs_;
   std::string input_title_;
   History history_;
   ServoCommand command_;
   std::unique_ptr<Servo> servo_;
-  MouseInput* mouse_;  // null when another input holds the goal
+  bool is_started_ = false;
+  MouseInput* mouse_ = nullptr;  // null when another input holds the goal
+  Vector<2> sent_goal_{0.0};
   ServoReport report_;
   Screen screen_;
+  std::optional<ShaderWatch> shader_watch_;
+  double clock_s_ = 0.0;  // sum of the frames' intervals
 };
 
 }  // namespace ghostforce

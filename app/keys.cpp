@@ -1,25 +1,138 @@
 #include "app/keys.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 
 namespace ghostforce {
 namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
 
 template <StrategyId id>
 void activate(Session& session) {
   session.settings.active = id;
 }
 
+// Millimetres in steps of a tenth.
+template <int x, int y, int tenths>
+void move_goal(Session& session) {
+  if (!session.pointer_moves_goal) return;
+  constexpr double farthest = farthest_mm / 1000.0;
+  const Vector<2> moved = session.goal + 0.0001 * tenths * Vector<2>(x, y);
+  session.goal = glm::clamp(moved, Vector<2>(-farthest), Vector<2>(farthest));
+}
+
+template <int degrees>
+void turn_motor_axis(Session& session) {
+  double& angle = session.settings.actuated_angle;
+  // To whole steps, so that holding the key down runs through round angles.
+  const double step = std::abs(degrees) * degree;
+  angle = std::remainder((std::round(angle / step) + (degrees > 0 ? 1.0 : -1.0)) * step, 2.0 * std::numbers::pi);
+}
+
+template <bool ViewOptions::*option>
+void toggle(Session& session) {
+  session.options.*option = !(session.options.*option);
+}
+
+template <bool Wishes::*wish>
+void ask(Session& session) {
+  session.wishes.*wish = true;
+}
+
+template <int steps>
+void change_scale(Session& session) {
+  constexpr double step = 0.05;
+  const double nearest = std::round(session.look.scale / step);
+  session.look.scale = std::clamp((nearest + steps) * step, Look::least_scale, Look::greatest_scale);
+}
+
+void usual_scale(Session& session) {
+  session.look.scale = 1.0;
+}
+
+void next_theme(Session& session) {
+  const auto themes = theme_catalog();
+  const std::size_t next = static_cast<std::size_t>(session.look.theme - themes.data()) + 1;
+  session.look.theme = &themes[next % themes.size()];
+}
+
+// Forces go off here as soon as there is a motor; it never quits.
+void escape(Session& session) {
+  session.dialog = Dialog::none;
+  session.notice.reset();
+}
+
+constexpr ImGuiKeyChord shift = ImGuiMod_Shift;
+constexpr ImGuiKeyChord ctrl = ImGuiMod_Ctrl;
+constexpr ImGuiKeyChord alt = ImGuiMod_Alt;
+
+// clang-format off
 constexpr std::array bindings{
     KeyBinding{ImGuiKey_1, "1", "Fully actuated rendering", activate<StrategyId::full>, false},
     KeyBinding{ImGuiKey_2, "2", "Naïve rendering", activate<StrategyId::naive>, false},
     KeyBinding{ImGuiKey_3, "3", "Anisotropic rendering", activate<StrategyId::anisotropic>, false},
-    KeyBinding{ImGuiKey_0, "0", "Compare: all strategies, or the active one only", toggle_compare, false},
+    KeyBinding{ImGuiKey_0, "0", "Compare: overlay, side by side, active only", next_compare_mode, false},
     KeyBinding{ImGuiKey_Space, "Space", "Pause, and go on", toggle_pause, false},
     KeyBinding{ImGuiKey_Period, ".", "One tick, then pause", single_step, true},
     KeyBinding{ImGuiKey_R, "R", "Reset the motion", restart, false},
-    KeyBinding{ImGuiMod_Alt | ImGuiKey_R, "Alt+R", "Reset motion and all settings", restart_with_scene_settings, false},
+    KeyBinding{alt | ImGuiKey_R, "Alt+R", "Reset motion and all settings", restart_with_scene_settings, false},
+
+    KeyBinding{ImGuiKey_LeftArrow, "Arrows", "Move the goal by 1 mm; with Shift 0.1 mm, with Ctrl 10 mm", move_goal<-1, 0, 10>, true},
+    KeyBinding{ImGuiKey_RightArrow, "", "", move_goal<1, 0, 10>, true},
+    KeyBinding{ImGuiKey_UpArrow, "", "", move_goal<0, 1, 10>, true},
+    KeyBinding{ImGuiKey_DownArrow, "", "", move_goal<0, -1, 10>, true},
+    KeyBinding{shift | ImGuiKey_LeftArrow, "", "", move_goal<-1, 0, 1>, true},
+    KeyBinding{shift | ImGuiKey_RightArrow, "", "", move_goal<1, 0, 1>, true},
+    KeyBinding{shift | ImGuiKey_UpArrow, "", "", move_goal<0, 1, 1>, true},
+    KeyBinding{shift | ImGuiKey_DownArrow, "", "", move_goal<0, -1, 1>, true},
+    KeyBinding{ctrl | ImGuiKey_LeftArrow, "", "", move_goal<-1, 0, 100>, true},
+    KeyBinding{ctrl | ImGuiKey_RightArrow, "", "", move_goal<1, 0, 100>, true},
+    KeyBinding{ctrl | ImGuiKey_UpArrow, "", "", move_goal<0, 1, 100>, true},
+    KeyBinding{ctrl | ImGuiKey_DownArrow, "", "", move_goal<0, -1, 100>, true},
+
+    KeyBinding{ImGuiKey_LeftBracket, "[  ]", "Turn the motor axis by 5°; with Shift 1°", turn_motor_axis<5>, true},
+    KeyBinding{ImGuiKey_RightBracket, "", "", turn_motor_axis<-5>, true},
+    KeyBinding{shift | ImGuiKey_LeftBracket, "", "", turn_motor_axis<1>, true},
+    KeyBinding{shift | ImGuiKey_RightBracket, "", "", turn_motor_axis<-1>, true},
+    KeyBinding{ImGuiKey_W, "W", "Turn the wall to the angle of largest naïve drift", turn_wall_to_largest_drift, false},
+
+    KeyBinding{ImGuiKey_G, "G", "Ghost force arrows on and off", toggle<&ViewOptions::ghost_forces>, false},
+    KeyBinding{ImGuiKey_P, "P", "Prediction rings on and off", toggle<&ViewOptions::predictions>, false},
+    KeyBinding{ImGuiKey_T, "T", "Trails on and off", toggle<&ViewOptions::trails>, false},
+    KeyBinding{ImGuiKey_F, "F", "Fit the view to what there is to see", ask<&Wishes::fit_view>, false},
+
+    KeyBinding{ctrl | ImGuiKey_Z, "Ctrl+Z", "Undo the last change of a setting", ask<&Wishes::undo>, true},
+    KeyBinding{ctrl | shift | ImGuiKey_Z, "Ctrl+Shift+Z", "Redo it; Ctrl+Y too", ask<&Wishes::redo>, true},
+    KeyBinding{ctrl | ImGuiKey_Y, "", "", ask<&Wishes::redo>, true},
+    KeyBinding{ctrl | ImGuiKey_O, "Ctrl+O", "Open a scene; or drop its file on the window", open_dialog<Dialog::open_scene>, false},
+    KeyBinding{ctrl | ImGuiKey_S, "Ctrl+S", "Save the scene with its settings as they are", open_dialog<Dialog::save_scene>, false},
+    KeyBinding{ctrl | ImGuiKey_P, "Ctrl+P", "Save a picture: PNG, SVG or PDF", open_dialog<Dialog::save_picture>, false},
+
+    KeyBinding{ImGuiKey_F1, "F1", "This help", open_dialog<Dialog::help>, false},
+    KeyBinding{ImGuiKey_F11, "F11", "Full screen, and back", ask<&Wishes::toggle_full_screen>, false},
+    KeyBinding{ctrl | ImGuiKey_T, "Ctrl+T", "Next theme: light, dark, projector", next_theme, false},
+    KeyBinding{ctrl | ImGuiKey_Equal, "Ctrl+ + − 0", "Letters larger, smaller, as usual", change_scale<1>, true},
+    KeyBinding{ctrl | shift | ImGuiKey_Equal, "", "", change_scale<1>, true},
+    KeyBinding{ctrl | ImGuiKey_KeypadAdd, "", "", change_scale<1>, true},
+    KeyBinding{ctrl | ImGuiKey_Minus, "", "", change_scale<-1>, true},
+    KeyBinding{ctrl | ImGuiKey_KeypadSubtract, "", "", change_scale<-1>, true},
+    KeyBinding{ctrl | ImGuiKey_0, "", "", usual_scale, false},
+    KeyBinding{ImGuiKey_Escape, "Esc", "Close what is open; it never quits", escape, false},
+    KeyBinding{ctrl | ImGuiKey_Q, "Ctrl+Q", "Quit", ask<&Wishes::quit>, false},
 };
+
+constexpr std::array gestures{
+    MouseGesture{"Drag", "The goal of your hand follows the pointer"},
+    MouseGesture{"Drag the arrow", "Turns the motor axis in steps of 5°; with Ctrl freely"},
+    MouseGesture{"Drag a grip of the wall", "Turns the wall in steps of 5°; with Ctrl freely"},
+    MouseGesture{"Wheel", "Zooms at the pointer"},
+    MouseGesture{"Right drag", "Moves the picture"},
+    MouseGesture{"Ctrl+click a slider", "Types a number into it"},
+};
+// clang-format on
 
 }  // namespace
 
@@ -27,19 +140,25 @@ std::span<const KeyBinding> key_table() noexcept {
   return bindings;
 }
 
+std::span<const MouseGesture> mouse_table() noexcept {
+  return gestures;
+}
+
 void act_on_keys(Session& session) {
   const ImGuiIO& io = ImGui::GetIO();
-  if (io.WantTextInput) return;
   for (const KeyBinding& binding : bindings) {
     const auto key = static_cast<ImGuiKey>(binding.chord & ~ImGuiMod_Mask_);
+    // Somebody who types into a field means the field, save for the way out.
+    if (io.WantTextInput && key != ImGuiKey_Escape) continue;
     if ((binding.chord & ImGuiMod_Mask_) == io.KeyMods && ImGui::IsKeyPressed(key, binding.repeats)) {
       binding.act(session);
     }
   }
 }
 
-void toggle_compare(Session& session) {
-  session.compare = session.compare == Compare::overlay ? Compare::active_only : Compare::overlay;
+void next_compare_mode(Session& session) {
+  const std::size_t next = static_cast<std::size_t>(session.options.compare) + 1;
+  session.options.compare = compare_catalog()[next % compare_catalog().size()].id;
 }
 
 void toggle_pause(Session& session) {
@@ -52,13 +171,32 @@ void single_step(Session& session) {
 }
 
 void restart(Session& session) {
-  session.goal = session.scene.goal.points.back();
+  session.goal = session.scene->goal.points.back();
   ++session.restarts_asked;
 }
 
 void restart_with_scene_settings(Session& session) {
-  session.settings = session.scene.settings;
+  session.settings = session.scene->settings;
   restart(session);
+}
+
+double angle_of_largest_drift(const Settings& settings) noexcept {
+  const double theta = std::atan(std::sqrt(1.0 + settings.impedances.k_r / settings.impedances.k_u));
+  double nearest = settings.wall_normal_angle;
+  double least_turn = 4.0;  // more than any
+  for (const double offset : {theta, -theta, std::numbers::pi + theta, std::numbers::pi - theta}) {
+    const double angle = std::remainder(settings.actuated_angle + offset, 2.0 * std::numbers::pi);
+    const double turn = std::abs(std::remainder(angle - settings.wall_normal_angle, 2.0 * std::numbers::pi));
+    if (turn < least_turn) {
+      least_turn = turn;
+      nearest = angle;
+    }
+  }
+  return nearest;
+}
+
+void turn_wall_to_largest_drift(Session& session) {
+  session.settings.wall_normal_angle = angle_of_largest_drift(session.settings);
 }
 
 }  // namespace ghostforce

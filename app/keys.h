@@ -1,5 +1,5 @@
 // The one table of keys: what is pressed, what it does, in words for the person and as a function. The window asks it
-// every frame; help and tests walk it.
+// every frame; help, README and tests walk it.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@ namespace ghostforce {
 
 struct KeyBinding {
   ImGuiKeyChord chord;
-  std::string_view shown;     // as printed on the key
+  std::string_view shown;     // as printed on the keys; empty: a further key of the row above
   std::string_view sentence;  // what it does
   void (*act)(Session&);
   bool repeats;  // holding it down does it again
@@ -21,14 +21,30 @@ struct KeyBinding {
 
 std::span<const KeyBinding> key_table() noexcept;
 
+// The mouse in the scene, in words: what the gestures do.
+struct MouseGesture {
+  std::string_view shown;
+  std::string_view sentence;
+};
+std::span<const MouseGesture> mouse_table() noexcept;
+
 // Does what the pressed keys ask for, unless the person is typing into a field.
 void act_on_keys(Session& session);
 
 // The same actions, for buttons.
-void toggle_compare(Session& session);
+void next_compare_mode(Session& session);
 void toggle_pause(Session& session);
 void single_step(Session& session);
 void restart(Session& session);
 void restart_with_scene_settings(Session& session);
+void turn_wall_to_largest_drift(Session& session);
+template <Dialog which>
+void open_dialog(Session& session) {
+  session.dialog = session.dialog == which ? Dialog::none : which;
+}
+
+// The normal's angle at which the naïve proxy drifts farthest for a goal at a given depth, tan θ = √(1 + k_r/k_u) with
+// θ between normal and motor axis; of the four such angles the nearest to the present one [rad].
+double angle_of_largest_drift(const Settings& settings) noexcept;
 
 }  // namespace ghostforce

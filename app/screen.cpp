@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/keys.h"
 #include "app/paint/label_painter.h"
 #include "app/panels/controls.h"
+#include "app/panels/dialogs.h"
 #include "app/panels/panel_catalog.h"
 #include "app/panels/style.h"
 
@@ -27,6 +29,16 @@ void begin_fixed(const char* name, const Rect& rect, ImGuiWindowFlags more = 0) 
   ImGui::Begin(name, nullptr, fixed_window | more);
 }
 
+Image cut_out(const Image& image, int left, int top, int width, int height) {
+  Image part{std::clamp(width, 1, image.width - left), std::clamp(height, 1, image.height - top), {}};
+  part.rgb.reserve(3U * static_cast<std::size_t>(part.width) * static_cast<std::size_t>(part.height));
+  for (int y = top; y < top + part.height; ++y) {
+    const auto begin = image.rgb.begin() + 3 * (static_cast<std::ptrdiff_t>(y) * image.width + left);
+    part.rgb.insert(part.rgb.end(), begin, begin + 3 * static_cast<std::ptrdiff_t>(part.width));
+  }
+  return part;
+}
+
 }  // namespace
 
 // Bar on top, bar at the bottom, panels on the right, and the scene in what remains.
@@ -39,7 +51,7 @@ struct Screen::Layout {
       return;
     }
     const float top_height = 46.0F * scale;
-    const float bottom_height = 30.0F * scale;
+    const float bottom_height = 32.0F * scale;
     const float column_width = std::min(std::clamp(0.335F * size.x, 350.0F * scale, 470.0F * scale), 0.5F * size.x);
     const float middle_height = size.y - top_height - bottom_height;
     top = {{0.0F, 0.0F}, {size.x, top_height}};
@@ -49,94 +61,117 @@ struct Screen::Layout {
   }
 };
 
-Screen::Screen(Window& window, const ScreenOptions& options)
-    : window_(window), options_(options), measure_(measure_text) {}
+Screen::Screen(Window& window, Part part) : window_(window), part_(part), measure_(measure_text) {}
 
 void Screen::draw(Session& session, const Snapshot& snapshot, const History& history, const LoopReading& loop) {
   if (window_.pixel_width() <= 0 || window_.pixel_height() <= 0) return;  // minimised
-  const float scale = options_.scale * window_.display_scale();
-  if (scale != styled_scale_) {
-    apply_style(*options_.theme, scale);
-    styled_scale_ = scale;
-  }
-  window_.frame([&] {
-    const ImVec2 size = ImGui::GetIO().DisplaySize;
-    const Layout layout(options_.part, size, scale);
-    scene_corner_ = layout.scene.corner;
-    camera_ = camera_on(session.scene.view.center, session.scene.view.width,
-                        {std::max(1.0, static_cast<double>(layout.scene.size.x)),
-                         std::max(1.0, static_cast<double>(layout.scene.size.y))});
+  // The style must not change within a frame.
+  apply_look(session.look);
+  window_.frame([&] { draw_everything(session, snapshot, history, loop, part_, true); });
+}
+
+Image Screen::picture(const Session& session, const Snapshot& snapshot, const History& history,
+                      const LoopReading& loop, Part part, int density) {
+  Session copy = session;
+  const Image image =
+      window_.picture_of(density, [&] { draw_everything(copy, snapshot, history, loop, part_, false); });
+  if (part == Part::window) return image;
+  const auto pixels = [&](double points) {
+    return static_cast<int>(std::lround(points * image.width / static_cast<double>(ImGui::GetIO().DisplaySize.x)));
+  };
+  return cut_out(image, pixels(static_cast<double>(scene_corner_.x)), pixels(static_cast<double>(scene_corner_.y)),
+                 pixels(scene_size_.x), pixels(scene_size_.y));
+}
+
+void Screen::apply_look(const Look& look) {
+  const float scale = static_cast<float>(look.scale) * window_.display_scale();
+  if (look == styled_look_ && scale == styled_scale_) return;
+  apply_style(*look.theme, scale);
+  styled_look_ = look;
+  styled_scale_ = scale;
+}
+
+void Screen::draw_everything(Session& session, const Snapshot& snapshot, const History& history,
+                             const LoopReading& loop, Part part, bool is_live) {
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  const Layout layout(part, size, styled_scale_);
+  const Theme& theme = *styled_look_.theme;
+  const double unit = static_cast<double>(styled_scale_) * theme.thickness;
+  scene_corner_ = layout.scene.corner;
+  scene_size_ = {std::max(1.0, static_cast<double>(layout.scene.size.x)),
+                 std::max(1.0, static_cast<double>(layout.scene.size.y))};
+  const Fonts fonts{window_.regular_font(), window_.bold_font(), window_.number_font()};
+  const PanelContext context{session, snapshot, loop, theme, fonts, styled_scale_};
+
+  if (is_live) {
     act_on_keys(session);
-
     begin_fixed("scene", layout.scene, ImGuiWindowFlags_NoBackground);
-    take_pointer(session);
+    gestures_.take(session, panes_, scene_size_, unit);
     ImGui::End();
-
-    if (options_.part == Part::window) {
-      const Fonts fonts{window_.regular_font(), window_.bold_font(), window_.number_font()};
-      const PanelContext context{session, snapshot, loop, *options_.theme, fonts, scale};
-      begin_fixed("strategies", layout.top, ImGuiWindowFlags_NoScrollWithMouse);
-      draw_strategy_bar(context);
-      ImGui::End();
-      begin_fixed("status", layout.bottom, ImGuiWindowFlags_NoScrollWithMouse);
-      draw_status_bar(context);
-      ImGui::End();
-      // The one window that may hold more than it shows.
-      ImGui::SetNextWindowPos(layout.column.corner);
-      ImGui::SetNextWindowSize(layout.column.size);
-      ImGui::Begin("panels", nullptr, fixed_window & ~ImGuiWindowFlags_NoScrollbar);
-      for (const Panel& panel : panel_catalog()) {
-        ImGui::PushFont(fonts.bold, 0.0F);
-        ImGui::SeparatorText(panel.title.data());
-        ImGui::PopFont();
-        panel.draw(context);
-      }
-      ImGui::End();
+    if (std::exchange(session.wishes.fit_view, false)) {
+      session.shown = view_of_everything(session, panes_, scene_size_, unit);
     }
-    // After the panels, so that a change made in this frame is seen in this frame.
-    draw_scene(session, snapshot, history);
-  });
+  }
+  if (part == Part::window) {
+    begin_fixed("strategies", layout.top, ImGuiWindowFlags_NoScrollWithMouse);
+    draw_strategy_bar(context);
+    ImGui::End();
+    begin_fixed("status", layout.bottom, ImGuiWindowFlags_NoScrollWithMouse);
+    draw_status_bar(context);
+    ImGui::End();
+    // The one window that may hold more than it shows.
+    ImGui::SetNextWindowPos(layout.column.corner);
+    ImGui::SetNextWindowSize(layout.column.size);
+    ImGui::Begin("panels", nullptr, fixed_window & ~ImGuiWindowFlags_NoScrollbar);
+    draw_column(context);
+    ImGui::End();
+  }
+  if (is_live) {
+    session.is_editing = ImGui::IsAnyItemActive();
+    hints_.follow(session);
+  }
+  // After the panels, so that a change made in this frame is seen in this frame.
+  compose_scene(session, snapshot, history);
+  painter_.paint(panes_, theme, scene_corner_, unit, window_.pixel_width(), window_.pixel_height());
+  if (!is_live) return;
+  const Vector<2> goal = to_screen(panes_.front().camera, snapshot.goal);
+  hints_.draw(context, layout.scene.corner, layout.scene.size,
+              {scene_corner_.x + static_cast<float>(goal.x), scene_corner_.y + static_cast<float>(goal.y)});
+  draw_notice(context, layout.scene.corner, layout.scene.size);
+  draw_dialog(context);
 }
 
-void Screen::draw_scene(Session& session, const Snapshot& snapshot, const History& history) {
-  const Theme& theme = *options_.theme;
-  marks_ = compose({.settings = session.settings,
-                    .snapshot = snapshot,
-                    .history = history,
-                    .theme = theme,
-                    .camera = camera_,
-                    .compare = session.compare,
-                    .scale = static_cast<double>(styled_scale_),
-                    .measure = measure_});
-
-  const double density = static_cast<double>(ImGui::GetIO().DisplayFramebufferScale.x);
-  const auto pixels = [density](double points) { return static_cast<int>(std::lround(points * density)); };
-  const int height = pixels(camera_.size.y);
-  glDisable(GL_SCISSOR_TEST);
-  glViewport(0, 0, window_.pixel_width(), window_.pixel_height());
-  glClearColor(static_cast<float>(theme.background.red) / 255.0F, static_cast<float>(theme.background.green) / 255.0F,
-               static_cast<float>(theme.background.blue) / 255.0F, 1.0F);
-  glClear(GL_COLOR_BUFFER_BIT);
-  painter_.paint(
-      marks_, camera_,
-      {pixels(static_cast<double>(scene_corner_.x)),
-       window_.pixel_height() - pixels(static_cast<double>(scene_corner_.y)) - height, pixels(camera_.size.x), height},
-      density);
-  paint_labels(marks_, camera_, scene_corner_, static_cast<double>(styled_scale_) * theme.thickness,
-               *ImGui::GetBackgroundDrawList());
+void Screen::draw_column(const PanelContext& context) {
+  for (const Panel& panel : panel_catalog()) {
+    std::set<std::string, std::less<>>& folded = context.session.folded_panels;
+    const bool was_folded = folded.contains(panel.title);
+    ImGui::PushFont(context.fonts.bold, 0.0F);
+    ImGui::SetNextItemOpen(!was_folded);
+    const bool is_open = ImGui::CollapsingHeader(panel.title.data());
+    ImGui::PopFont();
+    if (is_open) {
+      folded.erase(std::string(panel.title));
+      panel.draw(context);
+      ImGui::Spacing();
+    } else if (!was_folded) {
+      folded.emplace(panel.title);
+    }
+  }
 }
 
-void Screen::take_pointer(Session& session) const {
-  if (!session.pointer_moves_goal) return;
-  ImGui::SetCursorPos({0.0F, 0.0F});
-  ImGui::InvisibleButton("goal", {static_cast<float>(camera_.size.x), static_cast<float>(camera_.size.y)});
-  session.drags_goal = ImGui::IsItemActive();
-  if (!session.drags_goal) return;
-  const ImVec2 pointer = ImGui::GetIO().MousePos;
-  const Vector<2> at{static_cast<double>(pointer.x - scene_corner_.x),
-                     static_cast<double>(pointer.y - scene_corner_.y)};
-  // A pointer dragged out of the scene leaves the goal at its edge.
-  session.goal = to_world(camera_, glm::clamp(at, Vector<2>(0.0), camera_.size));
+void Screen::compose_scene(const Session& session, const Snapshot& snapshot, const History& history) {
+  const Handle hot = points_at(session, HintTarget::motor_axis) ? Handle::motor_axis : gestures_.hot();
+  panes_ = compose_panes({.settings = session.settings,
+                          .snapshot = snapshot,
+                          .history = history,
+                          .theme = *styled_look_.theme,
+                          .options = session.options,
+                          .shown = session.shown,
+                          .size = scene_size_,
+                          .scale = static_cast<double>(styled_scale_),
+                          .measure = measure_,
+                          .has_handles = session.has_handles,
+                          .hot = hot});
 }
 
 }  // namespace ghostforce

@@ -3,12 +3,15 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
-#include "app/paint/gl_painter.h"
+#include "app/gestures.h"
+#include "app/paint/scene_painter.h"
+#include "app/panels/hints.h"
 #include "app/panels/panel.h"
 #include "app/session.h"
-#include "app/view/compose.h"
 #include "app/view/history.h"
+#include "app/view/panes.h"
 #include "app/window.h"
 
 namespace ghostforce {
@@ -18,39 +21,47 @@ enum class Part : std::uint8_t {
   scene,   // the scene alone
 };
 
-struct ScreenOptions {
-  Part part = Part::window;
-  const Theme* theme = nullptr;
-  float scale = 1.0F;  // UI scale on top of the display's own
-};
-
 class Screen {
  public:
   // Throws gl::ShaderError. The window must outlive the screen.
-  Screen(Window& window, const ScreenOptions& options);
+  Screen(Window& window, Part part);
 
-  // Draws and shows one frame; the panels edit the session. Nothing is drawn while the window has no pixels.
+  // Draws and shows one frame; panels, keys and gestures edit the session. Nothing is drawn while the window has no
+  // pixels.
   void draw(Session& session, const Snapshot& snapshot, const History& history, const LoopReading& loop);
 
+  // The same frame as a picture, `density` times as fine, without pointer, hints and dialogs. Throws Failure where the
+  // graphics driver cannot make one that large.
+  Image picture(const Session& session, const Snapshot& snapshot, const History& history, const LoopReading& loop,
+                Part part, int density);
+
   // What the last frame showed, for the JSON painter and for tests.
-  const Marks& marks() const noexcept { return marks_; }
-  const Camera& camera() const noexcept { return camera_; }
+  const std::vector<Pane>& panes() const noexcept { return panes_; }
   // Upper left corner of the scene in the window [points].
   ImVec2 scene_corner() const noexcept { return scene_corner_; }
+  // Of the scene in the window [points].
+  Vector<2> scene_size() const noexcept { return scene_size_; }
+  GlPainter& painter() noexcept { return painter_.gl(); }
 
  private:
   struct Layout;
-  void draw_scene(Session& session, const Snapshot& snapshot, const History& history);
-  void take_pointer(Session& session) const;
+  void draw_everything(Session& session, const Snapshot& snapshot, const History& history, const LoopReading& loop,
+                       Part part, bool is_live);
+  static void draw_column(const PanelContext& context);
+  void compose_scene(const Session& session, const Snapshot& snapshot, const History& history);
+  void apply_look(const Look& look);
 
   Window& window_;
-  ScreenOptions options_;
-  GlPainter painter_;
+  Part part_;
+  ScenePainter painter_;
   MeasureText measure_;
+  Gestures gestures_;
+  Hints hints_;
+  Look styled_look_{.theme = nullptr};
   float styled_scale_ = 0.0F;
-  Marks marks_;
-  Camera camera_;
+  std::vector<Pane> panes_;
   ImVec2 scene_corner_{0.0F, 0.0F};
+  Vector<2> scene_size_{1.0};
 };
 
 }  // namespace ghostforce

@@ -1,8 +1,14 @@
-// Session: what the person at the window has loaded and changed. A value of the UI thread; panels and keys edit it, the
-// application sends it on. Nothing in here knows of a device.
+// Session: what the person at the window has loaded, changed and asked for. A value of the UI thread; panels, keys and
+// gestures edit it, the application sends it on and grants its wishes. Nothing in here knows of a device or a file.
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
 
 #include "app/theme.h"
 #include "app/view/compose.h"
@@ -10,22 +16,94 @@
 
 namespace ghostforce {
 
+// How the screen looks; kept from one run to the next.
+struct Look {
+  static constexpr double least_scale = 0.75;
+  static constexpr double greatest_scale = 3.0;
+
+  const Theme* theme = &theme_catalog().front();
+  double scale = 1.0;  // of letters and lines, on top of the display's own
+
+  friend bool operator==(const Look&, const Look&) = default;
+};
+
+// The window in front of the scene, if any.
+enum class Dialog : std::uint8_t { none, help, open_scene, save_scene, save_picture };
+
+// A picture of what is on the screen: the format is the file name's.
+struct PictureWish {
+  std::string path;
+  int density = 1;          // pixels per pixel of the screen, PNG only
+  bool scene_alone = true;  // without bars and panels, PNG only
+};
+
+// What a frame asks of those who know files, window and inputs.
+struct Wishes {
+  bool quit = false;
+  bool toggle_full_screen = false;
+  bool undo = false;
+  bool redo = false;
+  bool fit_view = false;
+  std::optional<std::string> input;  // a name of the input catalog
+  std::optional<std::string> open_scene;
+  std::optional<std::string> save_scene;
+  std::optional<PictureWish> save_picture;
+};
+
+// What stands in the fields of the dialog that is open.
+struct Form {
+  Dialog belongs_to = Dialog::none;
+  std::string path;
+  int density = 2;
+  bool scene_alone = false;
+};
+
+// One thing to tell the person.
+struct Notice {
+  std::string words;
+  bool is_problem = false;  // stays until it is dismissed
+  double age_s = 0.0;
+};
+
 struct Session {
-  Scene scene;              // as loaded
-  Settings settings;        // as changed since
-  Vector<2> goal{0.0};      // where the person wants the goal [m]
-  bool drags_goal = false;  // the pointer holds the goal
-  Compare compare = Compare::overlay;
+  std::shared_ptr<const Scene> scene;  // as loaded; never null
+  Settings settings;                   // as changed since
+  Vector<2> goal{0.0};                 // where the person wants the goal [m]
+  bool drags_goal = false;             // the pointer holds the goal
+  bool is_editing = false;             // a control or a handle is held: its change is not complete yet
+  SceneView shown;                     // the part of the world in the picture
+  ViewOptions options;
+  Look look;
+  std::set<std::string, std::less<>> folded_panels;  // by title
   bool paused = false;
   double speed = 1.0;  // of model time against real time
   std::uint32_t steps_asked = 0;
   std::uint32_t restarts_asked = 0;
-  bool pointer_moves_goal = true;  // the input is the mouse
+  std::string input = "mouse";     // who moves the goal, a name of the input catalog
+  bool pointer_moves_goal = true;  // that input is the mouse
+  bool has_handles = false;        // there is a person who can take hold of wall and motor axis
+  std::optional<std::size_t> hint;  // offered to somebody who is new here: the number of it in hint_catalog()
+  Dialog dialog = Dialog::none;
+  Form form;
+  std::optional<Notice> notice;
+  Wishes wishes;
 };
 
 inline Session session_of(const Scene& scene) {
-  return {.scene = scene, .settings = scene.settings, .goal = scene.goal.points.back()};
+  Session session;
+  session.scene = std::make_shared<const Scene>(scene);
+  session.settings = scene.settings;
+  session.goal = scene.goal.points.back();
+  session.shown = scene.view;
+  return session;
 }
+
+// Something that can move the goal.
+struct InputChoice {
+  std::string_view name;  // in the input catalog
+  std::string_view title;
+  std::string_view sentence;
+};
 
 // What the loop reports about itself, for the status bar.
 struct LoopReading {
@@ -33,8 +111,11 @@ struct LoopReading {
   double rate_hz = 0.0;
   std::uint64_t late_ticks = 0;
   std::uint64_t dropped_samples = 0;
-  bool diverged = false;  // the settings made the simulation unstable; it waits for others
-  std::string remark{};     // what the operating system granted and refused the loop; may be empty
+  std::uint64_t refused = 0;  // settings and moves that the loop could not take
+  bool diverged = false;      // the settings made the simulation unstable; it waits for others
+  std::span<const InputChoice> inputs{};
+  std::string_view shader_problem{};  // why watched shaders are not in use; may be empty
+  std::string remark{};               // what the operating system granted and refused the loop; may be empty
 };
 
 }  // namespace ghostforce

@@ -32,7 +32,8 @@ constexpr std::array themes{
           .panel = rgb(0xF3F1EC),
           .panel_field = rgb(0xFFFFFF),
           .panel_border = rgb(0xD3CEC4),
-          .accent = rgb(0x2F6FB0)},
+          .accent = rgb(0x2F6FB0),
+          .problem = rgb(0x9E1B32)},
     Theme{.name = "dark",
           .dark = true,
           .thickness = 1.0,
@@ -50,7 +51,8 @@ constexpr std::array themes{
           .panel = rgb(0x1C1F25),
           .panel_field = rgb(0x2A2F37),
           .panel_border = rgb(0x3A404A),
-          .accent = rgb(0x5FA3E6)},
+          .accent = rgb(0x5FA3E6),
+          .problem = rgb(0xFF7A8A)},
     // White, black and thick: a beamer washes out everything in between.
     Theme{.name = "projector",
           .dark = false,
@@ -69,7 +71,8 @@ constexpr std::array themes{
           .panel = rgb(0xFFFFFF),
           .panel_field = rgb(0xF0EEE9),
           .panel_border = rgb(0x8C867A),
-          .accent = rgb(0x1F5FA8)},
+          .accent = rgb(0x1F5FA8),
+          .problem = rgb(0x9E1B32)},
 };
 
 }  // namespace

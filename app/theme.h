@@ -61,6 +61,7 @@ struct Theme {
   Colour background, wall, hatch, wall_edge, grid;
   Colour text, faint_text;
   Colour panel, panel_field, panel_border, accent;
+  Colour problem;  // the border of bad news
 };
 
 std::span<const Theme> theme_catalog() noexcept;

@@ -7,10 +7,14 @@
 #include <imgui_impl_glfw.h>
 #include <imgui_impl_opengl3.h>
 
+#include <algorithm>
+#include <cfloat>
 #include <cstdlib>
 #include <filesystem>
+#include <utility>
 
 #include "app/failure.h"
+#include "app/paint/gl/handle.h"
 #include "ghostforce_paths.h"
 
 // ImGui's OpenGL backend has a loader of its own that looks into libGL, where it finds nothing under OSMesa. This is
@@ -25,6 +29,10 @@ std::string last_glfw_error() {
   glfwGetError(&description);
   return description != nullptr ? description : "no reason given";
 }
+
+// Smaller, and the bars have no room for their words [screen coordinates].
+constexpr int least_width = 480;
+constexpr int least_height = 360;
 
 constexpr const char* offscreen_advice =
     "pictures can be made without a display: ghostforce render wall45 -o wall45.png";
@@ -50,6 +58,16 @@ std::string describe_lesser_opengl() {
   return description;
 }
 
+// What the desktop leaves free of the primary monitor.
+WindowSize fitted(WindowSize size) {
+  GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
+  if (monitor == nullptr) return size;
+  int x = 0, y = 0, width = 0, height = 0;
+  glfwGetMonitorWorkarea(monitor, &x, &y, &width, &height);
+  if (width < least_width || height < least_height) return size;
+  return {std::min(size.width, width), std::min(size.height, height)};
+}
+
 GLFWwindow* create_window(const WindowOptions& options) {
   glfwDefaultWindowHints();
   if (options.offscreen) glfwWindowHint(GLFW_CONTEXT_CREATION_API, GLFW_OSMESA_CONTEXT_API);
@@ -59,7 +77,9 @@ GLFWwindow* create_window(const WindowOptions& options) {
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
   glfwWindowHintString(GLFW_X11_CLASS_NAME, "ghostforce");
   glfwWindowHintString(GLFW_WAYLAND_APP_ID, "ghostforce");
-  GLFWwindow* window = glfwCreateWindow(options.width, options.height, options.title.c_str(), nullptr, nullptr);
+  WindowSize size{options.width, options.height};
+  if (options.fits_monitor) size = fitted(size);
+  GLFWwindow* window = glfwCreateWindow(size.width, size.height, options.title.c_str(), nullptr, nullptr);
   if (window != nullptr) return window;
   const std::string reason = last_glfw_error();
   if (options.offscreen) {
@@ -114,6 +134,10 @@ Window::Window(const WindowOptions& options) : library_(options.offscreen), wind
                   fmt::format("OpenGL 3.3 was promised, but cannot be loaded: {}", graphics_description()));
   }
   glfwSwapInterval(options.offscreen ? 0 : 1);
+  if (!options.offscreen) glfwSetWindowSizeLimits(handle(), least_width, least_height, GLFW_DONT_CARE, GLFW_DONT_CARE);
+  glfwSetWindowUserPointer(handle(), this);
+  glfwSetDropCallback(handle(), on_drop);
+  restored_size_ = {options.width, options.height};
   start_imgui(options.takes_mouse);
 }
 
@@ -146,6 +170,10 @@ void Window::close() {
   glfwSetWindowShouldClose(handle(), GLFW_TRUE);
 }
 
+void Window::set_title(const std::string& title) {
+  glfwSetWindowTitle(handle(), title.c_str());
+}
+
 void Window::resize(int width, int height) {
   glfwSetWindowSize(handle(), width, height);
 }
@@ -163,13 +191,83 @@ float Window::display_scale() const {
 int Window::pixel_width() const {
   int width = 0;
   glfwGetFramebufferSize(handle(), &width, nullptr);
-  return width;
+  return width * density_;
 }
 
 int Window::pixel_height() const {
   int height = 0;
   glfwGetFramebufferSize(handle(), nullptr, &height);
-  return height;
+  return height * density_;
+}
+
+bool Window::is_full_screen() const {
+  return glfwGetWindowMonitor(handle()) != nullptr;
+}
+
+bool Window::is_maximized() const {
+  return glfwGetWindowAttrib(handle(), GLFW_MAXIMIZED) == GLFW_TRUE;
+}
+
+void Window::maximize() {
+  glfwMaximizeWindow(handle());
+}
+
+WindowSize Window::restored_size() const {
+  if (is_full_screen() || is_maximized()) return restored_size_;
+  WindowSize size;
+  glfwGetWindowSize(handle(), &size.width, &size.height);
+  return size;
+}
+
+namespace {
+
+// The one that shows most of the window.
+GLFWmonitor* monitor_of(GLFWwindow* window) {
+  int x = 0, y = 0, width = 0, height = 0;
+  glfwGetWindowPos(window, &x, &y);
+  glfwGetWindowSize(window, &width, &height);
+  GLFWmonitor* best = glfwGetPrimaryMonitor();
+  int most = 0;
+  int count = 0;
+  GLFWmonitor** monitors = glfwGetMonitors(&count);
+  for (int i = 0; i < count; ++i) {
+    int left = 0, top = 0;
+    glfwGetMonitorPos(monitors[i], &left, &top);
+    const GLFWvidmode* mode = glfwGetVideoMode(monitors[i]);
+    if (mode == nullptr) continue;
+    const int across = std::min(x + width, left + mode->width) - std::max(x, left);
+    const int down = std::min(y + height, top + mode->height) - std::max(y, top);
+    if (const int shared = std::max(0, across) * std::max(0, down); shared > most) {
+      most = shared;
+      best = monitors[i];
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+void Window::toggle_full_screen() {
+  if (is_full_screen()) {
+    glfwSetWindowMonitor(handle(), nullptr, restored_corner_.x, restored_corner_.y, restored_size_.width,
+                         restored_size_.height, 0);
+    return;
+  }
+  GLFWmonitor* const monitor = monitor_of(handle());
+  const GLFWvidmode* const mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
+  if (mode == nullptr) return;
+  restored_size_ = restored_size();
+  glfwGetWindowPos(handle(), &restored_corner_.x, &restored_corner_.y);
+  glfwSetWindowMonitor(handle(), monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
+void Window::on_drop(GLFWwindow* handle, int count, const char** paths) {
+  auto& window = *static_cast<Window*>(glfwGetWindowUserPointer(handle));
+  window.dropped_files_.insert(window.dropped_files_.end(), paths, paths + count);
+}
+
+std::vector<std::string> Window::take_dropped_files() {
+  return std::exchange(dropped_files_, {});
 }
 
 void Window::poll(double wait_s) {
@@ -201,6 +299,50 @@ Image Window::picture() const {
     const auto begin = from_below.begin() + static_cast<std::ptrdiff_t>(row * static_cast<std::size_t>(y));
     image.rgb.insert(image.rgb.end(), begin, begin + static_cast<std::ptrdiff_t>(row));
   }
+  return image;
+}
+
+Image Window::picture_of(int density, const std::function<void()>& draw) {
+  GLint largest = 0;
+  glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
+  if (std::max(pixel_width(), pixel_height()) * density > largest) {
+    throw Failure(ExitCode::wrong_call, fmt::format("the graphics driver draws pictures of {} pixels at most each way; "
+                                                    "choose a smaller one",
+                                                    largest));
+  }
+  // Whatever happens, the next frame is the window's again.
+  struct Guard {
+    int& density;
+    ~Guard() {
+      density = 1;
+      glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    }
+  } const guard{density_};
+  density_ = density;
+  gl::Framebuffer framebuffer;
+  gl::Renderbuffer colours;
+  glBindRenderbuffer(GL_RENDERBUFFER, colours.name());
+  glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, pixel_width(), pixel_height());
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colours.name());
+  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+    throw Failure(ExitCode::wrong_call, "the graphics driver has no room for a picture of this size; choose a smaller "
+                                        "one");
+  }
+
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui_ImplGlfw_NewFrame();
+  ImGuiIO& io = ImGui::GetIO();
+  const ImVec2 pointer = io.MousePos;
+  io.DisplayFramebufferScale.x *= static_cast<float>(density);
+  io.DisplayFramebufferScale.y *= static_cast<float>(density);
+  io.AddMousePosEvent(-FLT_MAX, -FLT_MAX);
+  ImGui::NewFrame();
+  draw();
+  ImGui::Render();
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  Image image = picture();
+  io.AddMousePosEvent(pointer.x, pointer.y);
   return image;
 }
 

@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <imgui.h>
 
@@ -20,7 +21,13 @@ struct WindowOptions {
   int width = 1280;  // [screen coordinates]
   int height = 800;
   bool offscreen = false;
+  bool fits_monitor = false;  // smaller where the monitor is
   bool takes_mouse = true;  // false: no hover and no click changes a picture
+};
+
+struct WindowSize {
+  int width = 0;
+  int height = 0;
 };
 
 class Window {
@@ -34,6 +41,7 @@ class Window {
   GLFWwindow* handle() const noexcept { return window_.get(); }
   bool should_close() const;
   void close();
+  void set_title(const std::string& title);
   void resize(int width, int height);
 
   // Of the display: what makes text on a dense screen as large as on an ordinary one.
@@ -41,6 +49,17 @@ class Window {
   // Framebuffer pixels; 0×0 while minimised.
   int pixel_width() const;
   int pixel_height() const;
+
+  // Fills the monitor that the window is on, and back to where it was.
+  void toggle_full_screen();
+  bool is_full_screen() const;
+  bool is_maximized() const;
+  void maximize();
+  // Without a frame, in screen coordinates, as it is while not full screen.
+  WindowSize restored_size() const;
+
+  // Files that were dropped on the window since the last call.
+  std::vector<std::string> take_dropped_files();
 
   // Takes what keyboard and mouse did, waiting at most that long for something to happen [s].
   void poll(double wait_s);
@@ -50,6 +69,10 @@ class Window {
 
   // What the last frame() drew.
   Image picture() const;
+
+  // A frame that is not shown, `density` times as fine as the window, without pointer. pixel_width() and
+  // pixel_height() are the picture's meanwhile. Throws Failure(wrong_call) where the driver cannot draw that large.
+  Image picture_of(int density, const std::function<void()>& draw);
 
   // "renderer, version" of the OpenGL in use.
   std::string graphics_description() const;
@@ -70,12 +93,19 @@ class Window {
   };
 
   void start_imgui(bool takes_mouse);
+  static void on_drop(GLFWwindow* window, int count, const char** paths);
 
   Library library_;
   std::unique_ptr<GLFWwindow, Destroy> window_;
   ImFont* regular_font_ = nullptr;
   ImFont* bold_font_ = nullptr;
   ImFont* number_font_ = nullptr;
+  int density_ = 1;  // of the frame that is being drawn
+  WindowSize restored_size_;
+  struct {
+    int x = 0, y = 0;
+  } restored_corner_;
+  std::vector<std::string> dropped_files_;
 };
 
 }  // namespace ghostforce

@@ -5,6 +5,7 @@
 
 #include <type_traits>
 
+#include "core/equilibrium.h"
 #include "core/impedance.h"
 #include "core/strategy.h"
 #include "core/tick.h"
@@ -37,6 +38,11 @@ inline Actuation<2> actuation_of(const Settings& settings) noexcept {
 inline TickPlan<2> plan_of(const Settings& settings) noexcept {
   return plan_tick(wall_of(settings), actuation_of(settings), settings.impedances, settings.mass, settings.damping,
                    settings.rate);
+}
+
+// Where a strategy comes to rest under a goal that is held still [m].
+inline Equilibrium<2> rest_of(StrategyId id, const Settings& settings, const Vector<2>& goal) noexcept {
+  return equilibrium_of(strategy(id), wall_of(settings), actuation_of(settings), settings.impedances, goal);
 }
 
 }  // namespace ghostforce

@@ -1,13 +1,9 @@
 #include "app/commands/picture_options.h"
 
 #include "app/commands/command.h"
+#include "app/picture.h"
 
 namespace ghostforce {
-namespace {
-
-constexpr std::string_view every_strategy = "all";
-
-}  // namespace
 
 void PictureOptions::attach(CLI::App& subcommand, bool with_all) {
   std::vector<std::string_view> strategies = strategy_names();
@@ -25,19 +21,16 @@ void PictureOptions::attach(CLI::App& subcommand, bool with_all) {
       ->check(one_of(themes));
   subcommand.add_option("--scale", scale, "Size of letters and lines, 0.75 to 3; default: 1")
       ->type_name("FACTOR")
-      ->check(number_between(0.75, 3.0, ""));
+      ->check(number_between(Look::least_scale, Look::greatest_scale, ""));
 }
 
 void PictureOptions::apply_strategy(Scene& scene) const {
   if (const auto id = find_strategy(strategy)) scene.settings.active = *id;
 }
 
-Compare PictureOptions::compare() const {
-  return strategy == every_strategy ? Compare::overlay : Compare::active_only;
-}
-
-const Theme& PictureOptions::chosen_theme() const {
-  return *find_theme(theme);
+void PictureOptions::apply_look(Look& look) const {
+  if (!theme.empty()) look.theme = find_theme(theme);
+  if (scale) look.scale = *scale;
 }
 
 }  // namespace ghostforce

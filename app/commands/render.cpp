@@ -1,5 +1,5 @@
 // ghostforce render: the picture of a scene at one moment, drawn offscreen by the same screen as the window's.
-#include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -11,21 +11,13 @@
 #include "app/commands/command_catalog.h"
 #include "app/commands/picture_options.h"
 #include "app/failure.h"
-#include "app/interruption.h"
 #include "app/output_file.h"
-#include "app/paint/json_painter.h"
+#include "app/picture.h"
 #include "app/png_file.h"
 #include "app/printable.h"
-#include "app/screen.h"
-#include "core/play.h"
-#include "core/sound_state.h"
-#include "ghostforce_version.h"
 
 namespace ghostforce {
 namespace {
-
-constexpr int smallest_size = 64;
-constexpr int largest_size = 4096;
 
 struct Options {
   SceneOptions scene;
@@ -35,46 +27,29 @@ struct Options {
   std::optional<double> at_s;
   std::string size = "1280x800";
   std::string part = "window";
+  std::string compare;
 };
 
-struct Size {
-  int width;
-  int height;
-};
-
-Size parse_size(const std::string& text) {
-  Size size{0, 0};
+void apply_size(const std::string& text, PictureRequest& request) {
   char rest = '\0';
-  const bool good = std::sscanf(text.c_str(), "%5dx%5d%c", &size.width, &size.height, &rest) == 2;
-  const auto fits = [](int length) { return length >= smallest_size && length <= largest_size; };
-  if (good && fits(size.width) && fits(size.height)) return size;
+  const bool good = std::sscanf(text.c_str(), "%5dx%5d%c", &request.width, &request.height, &rest) == 2;
+  const auto fits = [](int length) { return length >= smallest_picture && length <= largest_picture; };
+  if (good && fits(request.width) && fits(request.height)) return;
   throw Failure(ExitCode::wrong_call, fmt::format("--size {}: want WIDTHxHEIGHT in pixels, each {} to {}, for example "
                                                   "1280x800",
-                                                  printable(text), smallest_size, largest_size));
+                                                  printable(text), smallest_picture, largest_picture));
 }
 
-std::int64_t tick_at(const Scene& scene, const std::optional<double>& at_s) {
-  if (!at_s) return last_tick(scene);
-  const double tick = *at_s * scene.settings.rate;
-  if (tick >= 0.0 && tick <= most_ticks) return std::llround(tick);
-  throw Failure(ExitCode::wrong_call,
-                fmt::format("--at {}: want a time from 0 to {} s", *at_s, most_ticks / scene.settings.rate));
-}
-
-nlohmann::ordered_json describe_picture(const Session& session, const Snapshot& snapshot, const Screen& screen) {
-  const Camera& camera = screen.camera();
-  nlohmann::ordered_json picture;
-  picture["version"] = version;
-  picture["scene"] = session.scene.title;
-  picture["t_s"] = snapshot.time_s;
-  picture["strategy"] = strategy(session.settings.active).name;
-  picture["compare"] = session.compare == Compare::overlay ? "overlay" : "active_only";
-  picture["camera"] = {{"center_mm", {camera.center.x * 1000.0, camera.center.y * 1000.0}},
-                       {"points_per_mm", camera.points_per_metre / 1000.0},
-                       {"size", {camera.size.x, camera.size.y}},
-                       {"corner", {screen.scene_corner().x, screen.scene_corner().y}}};
-  picture["marks"] = marks_as_json(screen.marks());
-  return picture;
+PictureRequest request_of(const Options& options) {
+  PictureRequest request;
+  apply_size(options.size, request);
+  request.scene = options.scene.load();
+  request.at_s = options.at_s;
+  request.part = options.part == "scene" ? Part::scene : Part::window;
+  apply_strategy_word(options.picture.strategy, request);
+  if (const auto compare = find_compare(options.compare)) request.options.compare = *compare;
+  options.picture.apply_look(request.look);
+  return request;
 }
 
 // Two files of one name would be one file, and the picture lost.
@@ -89,45 +64,15 @@ void refuse_equal_outputs(const Options& options) {
 
 int render(const Options& options) {
   refuse_equal_outputs(options);
-  const Size size = parse_size(options.size);
-  Scene scene = options.scene.load();
-  options.picture.apply_strategy(scene);
-  Session session = session_of(scene);
-  session.compare = options.picture.compare();
-  session.pointer_moves_goal = false;
-
+  const PictureRequest request = request_of(options);
   OutputFile picture_file(options.output);
   std::optional<OutputFile> json_file;
   if (!options.json.empty()) json_file.emplace(options.json);
 
-  History history;
-  Snapshot now;
-  const TickState<2> state = play(session.scene, tick_at(session.scene, options.at_s), [&](const Snapshot& snapshot) {
-    history.add(snapshot);
-    now = snapshot;
-    if (snapshot.tick % 1024 == 0) stop_if_interrupted();
-  });
-
-  if (!is_sound(state)) {
-    throw Failure(
-        ExitCode::wrong_call,
-        "there is nothing to draw: with these settings the sampled loop is unstable and the device runs away; "
-        "lower k_r_N_per_m, or raise rate_hz, mass_kg or damping_N_s_per_m");
-  }
-
-  Window window(
-      {.title = "ghostforce", .width = size.width, .height = size.height, .offscreen = true, .takes_mouse = false});
-  Screen screen(window, {.part = options.part == "scene" ? Part::scene : Part::window,
-                         .theme = &options.picture.chosen_theme(),
-                         .scale = static_cast<float>(options.picture.scale)});
-  // A panel of ImGui knows its size one frame after its content.
-  constexpr int frames_to_settle = 3;
-  for (int i = 0; i < frames_to_settle; ++i) {
-    screen.draw(session, now, history, {.input_title = "Scripted hand", .rate_hz = session.settings.rate});
-  }
-  stop_if_interrupted();
-  picture_file.write(png_bytes(window.picture()));
-  if (json_file) json_file->write(describe_picture(session, now, screen).dump(1) + "\n");
+  const Moment moment = play_to_moment(request);
+  const Drawing drawing = draw_moment(request, moment);
+  picture_file.write(png_bytes(drawing.image));
+  if (json_file) json_file->write(describe_picture(request, moment, drawing.panes, drawing.corner).dump(1) + "\n");
   picture_file.commit();
   if (json_file) json_file->commit();
   return static_cast<int>(ExitCode::done);
@@ -151,6 +96,13 @@ std::function<int()> attach_render(CLI::App& subcommand) {
       ->type_name("PART")
       ->check(one_of({"window", "scene"}));
   options->picture.attach(subcommand, true);
+  std::vector<std::string_view> modes;
+  for (const CompareMode& mode : compare_catalog()) modes.push_back(mode.name);
+  subcommand
+      .add_option("--compare", options->compare,
+                  "overlay, side-by-side or active-only; default: overlay with --strategy all, else active-only")
+      ->type_name("MODE")
+      ->check(one_of(modes));
   subcommand.add_option("--json", options->json, "Also write what was drawn, as JSON")->type_name("FILE");
   subcommand.footer(
       "Drawn offscreen: no display is needed, and the same call gives the same bytes.\n"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -13,6 +14,8 @@
 #include "app/commands/picture_options.h"
 #include "app/failure.h"
 #include "app/interruption.h"
+#include "app/panels/panel_catalog.h"
+#include "app/remembered.h"
 
 namespace ghostforce {
 namespace {
@@ -23,6 +26,8 @@ struct Options {
   SceneOptions scene;
   PictureOptions picture;
   std::string input = "mouse";
+  std::string shader_folder;
+  bool no_hints = false;
   std::optional<double> exit_after_s;
 };
 
@@ -51,15 +56,57 @@ class FramePacer {
   int frames_to_settle_ = settling_frames;
 };
 
+// Keeps what shall be remembered up to date. What the command line asked for holds for this run only.
+class Keeper {
+ public:
+  Keeper(Preferences kept, const Session& session) : kept_(std::move(kept)), seen_(seen_in(session)) {}
+
+  // Writes what the person has changed since the last call.
+  void keep(const Session& session) {
+    const Preferences now = seen_in(session);
+    if (now == seen_) return;
+    if (now.look.theme != seen_.look.theme) kept_.look.theme = now.look.theme;
+    if (now.look.scale != seen_.look.scale) kept_.look.scale = now.look.scale;
+    if (!now.offers_hints && seen_.offers_hints) kept_.offers_hints = false;
+    seen_ = now;
+    remember(kept_);
+  }
+
+ private:
+  static Preferences seen_in(const Session& session) { return {session.look, session.hint.has_value()}; }
+
+  Preferences kept_;
+  Preferences seen_;
+};
+
+WindowLayout layout_of(const Window& window, const Session& session) {
+  const WindowSize size = window.restored_size();
+  return {size.width, size.height, window.is_maximized(), session.folded_panels};
+}
+
 int run(const Options& options) {
   Scene scene = options.scene.load();
   options.picture.apply_strategy(scene);
-  const auto scaled = [&](int points) { return static_cast<int>(std::lround(points * options.picture.scale)); };
-  Window window({.title = fmt::format("{} · ghostforce", scene.title), .width = scaled(1280), .height = scaled(800)});
-  Application application(
-      window, {.theme = &options.picture.chosen_theme(), .scale = static_cast<float>(options.picture.scale)}, scene,
-      *find_input(options.input));
-  application.servo().start();
+  Remembered remembered = recall();
+  Look look = remembered.preferences.look;
+  options.picture.apply_look(look);
+  const auto scaled = [&](int points) { return static_cast<int>(std::lround(points * look.scale)); };
+  const WindowLayout usual{.width = scaled(1280), .height = scaled(800), .folded_panels = panels_folded_at_first(800.0)};
+  const WindowLayout layout = remembered.layout.value_or(usual);
+  Window window({.title = fmt::format("{} · ghostforce", scene.title),
+                 .width = layout.width,
+                 .height = layout.height,
+                 .fits_monitor = true});
+  if (layout.is_maximized) window.maximize();
+  Application application(window, scene,
+                          {.look = look,
+                           .input = options.input,
+                           .offers_hints = remembered.preferences.offers_hints && !options.no_hints,
+                           .folded_panels = layout.folded_panels,
+                           .shader_folder = options.shader_folder});
+  for (const std::string& remark : remembered.remarks) application.tell(remark, true);
+  Keeper keeper(remembered.preferences, application.session());
+  application.start();
 
   FramePacer pacer;
   const Clock::time_point began = Clock::now();
@@ -70,8 +117,14 @@ int run(const Options& options) {
     if (options.exit_after_s && seconds(now - began) >= *options.exit_after_s) break;
     application.frame(seconds(now - last));
     last = now;
+    try {
+      keeper.keep(application.session());
+    } catch (const Failure& failure) {
+      application.tell(failure.what(), true);
+    }
     pacer.wait(window, application.is_idle(), now);
   }
+  remember(layout_of(window, application.session()));
   return static_cast<int>(ExitCode::done);
 }
 
@@ -86,12 +139,17 @@ std::function<int()> attach_run(CLI::App& subcommand) {
       ->type_name("NAME")
       ->check(one_of(inputs));
   options->picture.attach(subcommand, false);
+  subcommand.add_flag("--no-hints", options->no_hints, "No hints for newcomers in this run");
+  subcommand
+      .add_option("--shader-dir", options->shader_folder,
+                  "Take the shaders from this folder, and again whenever one of them changes")
+      ->type_name("DIR");
   subcommand.add_option("--exit-after", options->exit_after_s, "Close the window by itself after so many seconds")
       ->type_name("S")
       ->check(number_between(0.0, 1e6, "s"));
   subcommand.footer(
       "Drag anywhere in the scene: the goal of your hand follows.\n"
-      "Keys: 1 2 3 strategy, 0 compare, Space pause, . step, R reset, Alt+R reset all.\n"
+      "Keys: 1 2 3 strategy, 0 compare, Space pause, F1 all others.\n"
       "\n"
       "Examples:\n"
       "  ghostforce run\n"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <stdexcept>
+#include <utility>
 
 #include "app/paint/gl/shader_program.h"
 #include "embedded_shaders.h"
@@ -94,6 +95,21 @@ GlPainter::GlPainter() : program_(gl::link_program(shader("mark.vert"), shader("
   attribute(3, GL_UNSIGNED_BYTE, offsetof(Instance, fill));
   attribute(4, GL_UNSIGNED_BYTE, offsetof(Instance, rim));
   glBindVertexArray(0);
+}
+
+void GlPainter::use_shaders(std::string_view vertex_source, std::string_view fragment_source) {
+  gl::Program program = gl::link_program(vertex_source, fragment_source);
+  viewport_uniform_ = glGetUniformLocation(program.name(), "viewport");
+  program_ = std::move(program);
+}
+
+void GlPainter::fill(Colour colour, const PixelRect& rect) {
+  const auto share = [](std::uint8_t channel) { return static_cast<float>(channel) / 255.0F; };
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(rect.x, rect.y, rect.width, rect.height);
+  glClearColor(share(colour.red), share(colour.green), share(colour.blue), 1.0F);
+  glClear(GL_COLOR_BUFFER_BIT);
+  glDisable(GL_SCISSOR_TEST);
 }
 
 void GlPainter::paint(const Marks& marks, const Camera& camera, const PixelRect& rect, double pixels_per_point) {

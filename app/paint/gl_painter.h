@@ -2,6 +2,7 @@
 // and belong to the label painter. Lives on the thread that holds the context.
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "app/paint/gl/handle.h"
@@ -22,6 +23,11 @@ class GlPainter {
  public:
   // Throws gl::ShaderError. Needs a current context.
   GlPainter();
+
+  // Draws with other shaders from now on. Throws gl::ShaderError, and goes on with those in use.
+  void use_shaders(std::string_view vertex_source, std::string_view fragment_source);
+
+  void fill(Colour colour, const PixelRect& rect);
 
   // `pixels_per_point` is the framebuffer's density. Leaves blending and viewport changed.
   void paint(const Marks& marks, const Camera& camera, const PixelRect& rect, double pixels_per_point);

@@ -1,7 +1,14 @@
 #include "app/panels/controls.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
+#include <variant>
+
+#include "core/scene.h"
 
 namespace ghostforce {
 
@@ -31,15 +38,6 @@ void draw_glyph(ImDrawList& draw_list, ImVec2 center, float radius, Shape shape,
   }
 }
 
-void explain(std::string_view sentence) {
-  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip | ImGuiHoveredFlags_AllowWhenDisabled)) return;
-  if (!ImGui::BeginTooltip()) return;
-  ImGui::PushTextWrapPos(24.0F * ImGui::GetFontSize());
-  ImGui::TextUnformatted(sentence.data(), sentence.data() + sentence.size());
-  ImGui::PopTextWrapPos();
-  ImGui::EndTooltip();
-}
-
 bool begin_rows(const char* id, const PanelContext& context) {
   if (!ImGui::BeginTable(id, 2, ImGuiTableFlags_SizingFixedFit)) return false;
   ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, 128.0F * context.scale);
@@ -47,23 +45,76 @@ bool begin_rows(const char* id, const PanelContext& context) {
   return true;
 }
 
-void row(const char* name, std::string_view sentence) {
+namespace {
+
+template <typename Explanation>
+void any_row(const char* name, const Explanation& explanation) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(name);
-  explain(sentence);
+  explain(explanation);
   ImGui::TableNextColumn();
   ImGui::SetNextItemWidth(-1.0F);
+}
+
+// Of a number in the scene's files.
+SliderLimits range_of(std::string_view name) {
+  for (const SceneKey& key : scene_keys()) {
+    if (key.name != name) continue;
+    if (const auto* number = std::get_if<NumberKey>(&key.value)) return {number->least, number->greatest};
+    if (const auto* number = std::get_if<OptionalNumberKey>(&key.value)) return {number->least, number->greatest};
+  }
+  throw std::logic_error(fmt::format("no number is called {} in a scene", name));
+}
+
+// Three significant digits, or all before the point.
+const char* format_for(double newton_per_metre) {
+  if (newton_per_metre >= 100.0) return "%.0f N/m";
+  if (newton_per_metre >= 10.0) return "%.1f N/m";
+  return "%.2f N/m";
+}
+
+int grow(ImGuiInputTextCallbackData* data) {
+  auto& text = *static_cast<std::string*>(data->UserData);
+  text.resize(static_cast<std::size_t>(data->BufTextLen));
+  data->Buf = text.data();
+  return 0;
+}
+
+}  // namespace
+
+void row(const char* name, Term term) {
+  any_row(name, term);
+}
+
+void row(const char* name, std::string_view sentence) {
+  any_row(name, sentence);
 }
 
 void end_rows() {
   ImGui::EndTable();
 }
 
-bool stiffness_slider(const char* id, double& newton_per_metre, const SliderLimits& limits) {
-  return ImGui::SliderScalar(id, ImGuiDataType_Double, &newton_per_metre, &limits.least, &limits.greatest, "%.0f N/m",
-                             ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+bool text_field(const char* id, const char* hint, std::string& text) {
+  return ImGui::InputTextWithHint(id, hint, text.data(), text.capacity() + 1,
+                                  ImGuiInputTextFlags_CallbackResize | ImGuiInputTextFlags_EnterReturnsTrue |
+                                      ImGuiInputTextFlags_AutoSelectAll,
+                                  grow, &text);
+}
+
+bool stiffness_slider(const char* id, std::string_view key, double& newton_per_metre, const SliderLimits& limits) {
+  if (!ImGui::SliderScalar(id, ImGuiDataType_Double, &newton_per_metre, &limits.least, &limits.greatest,
+                           format_for(newton_per_metre), ImGuiSliderFlags_Logarithmic)) {
+    return false;
+  }
+  const SliderLimits range = range_of(key);
+  newton_per_metre = std::clamp(newton_per_metre, range.least, range.greatest);
+  return true;
+}
+
+void close_popup_on_escape() {
+  if (ImGui::IsKeyPressed(ImGuiKey_Escape, false)) ImGui::CloseCurrentPopup();
 }
 
 bool angle_slider(const char* id, double& radians) {

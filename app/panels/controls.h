@@ -2,10 +2,12 @@
 // explanations on hover.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include <imgui.h>
 
+#include "app/panels/explain.h"
 #include "app/panels/panel.h"
 
 namespace ghostforce {
@@ -16,22 +18,27 @@ ImVec4 unpacked(Colour colour);
 // ● ◆ ▲ as the scene draws them.
 void draw_glyph(ImDrawList& draw_list, ImVec2 center, float radius, Shape shape, Colour fill);
 
-// One sentence on the item just drawn, after a moment of hovering.
-void explain(std::string_view sentence);
-
 // A two-column grid of names and controls; call begin, rows, end. A row leaves the control at full width next.
 bool begin_rows(const char* id, const PanelContext& context);
+void row(const char* name, Term term);
 void row(const char* name, std::string_view sentence);
 void end_rows();
 
-// A logarithmic slider with the value and its unit in it; Ctrl+click types a number, which is held within the limits.
+// A field for a line of text, as wide as the next item is set to be; true when Enter was pressed in it.
+bool text_field(const char* id, const char* hint, std::string& text);
+
+// A logarithmic slider between these, with the value and its unit in it. Ctrl+click types any number that the scene's
+// `key` may have.
 struct SliderLimits {
   double least;
   double greatest;
 };
-bool stiffness_slider(const char* id, double& newton_per_metre, const SliderLimits& limits);
+bool stiffness_slider(const char* id, std::string_view key, double& newton_per_metre, const SliderLimits& limits);
 
 // Degrees on screen, radians inside. Drags without an end: angles have none.
 bool angle_slider(const char* id, double& radians);
+
+// Closes the popup that is being drawn when Esc is pressed.
+void close_popup_on_escape();
 
 }  // namespace ghostforce

@@ -6,6 +6,7 @@
 
 #include "app/panels/controls.h"
 #include "app/panels/panel_catalog.h"
+#include "core/settings.h"
 
 namespace ghostforce {
 namespace {
@@ -13,27 +14,17 @@ namespace {
 struct Quantity {
   const char* title;
   const char* unit;
-  std::string_view sentence;
+  Term term;
   double (*value)(const StrategySnapshot<2>&);
   int decimals;
 };
 
 constexpr Quantity quantities[] = {
-    {"force", "N", "How hard the device pushes on the hand: |f_r|, f_r = K_r (q_p − q_h), in newtons.",
-     [](const StrategySnapshot<2>& now) { return glm::length(now.force); }, 2},
-    {"ghost", "N",
-     "Ghost force: what the device pushes along its motor beyond what a fully actuated one would: |P_A (f_r − f_r of "
-     "F)|, in "
-     "newtons. "
-     "It should be zero.",
-     [](const StrategySnapshot<2>& now) { return glm::length(now.ghost_force); }, 2},
-    {"drift", "mm",
-     "How far the proxy has slid along the wall from where the hand aims: |q_p − q_u| along the wall, in millimetres.",
+    {"force", "N", Term::force, [](const StrategySnapshot<2>& now) { return glm::length(now.force); }, 2},
+    {"ghost", "N", Term::ghost_force, [](const StrategySnapshot<2>& now) { return glm::length(now.ghost_force); }, 2},
+    {"drift", "mm", Term::proxy_drift,
      [](const StrategySnapshot<2>& now) { return glm::length(now.proxy_drift) * 1000.0; }, 1},
-    {"energy", "mJ",
-     "Energy that the rendering has given to the hand since the reset, in millijoules. Above zero: it was active, not "
-     "passive.",
-     [](const StrategySnapshot<2>& now) { return now.energy * 1000.0; }, 1},
+    {"energy", "mJ", Term::energy, [](const StrategySnapshot<2>& now) { return now.energy * 1000.0; }, 1},
 };
 
 // Eight characters at most, whatever the number.
@@ -59,7 +50,7 @@ void draw_head() {
     right_aligned(quantity.title);
     right_aligned(quantity.unit);
     ImGui::EndGroup();
-    explain(quantity.sentence);
+    explain(quantity.term);
   }
 }
 
@@ -88,6 +79,27 @@ void draw_row(const PanelContext& context, const Strategy& entry) {
     right_aligned(in_fixed_width(quantity.value(context.snapshot.strategies[i]), quantity.decimals));
     ImGui::PopFont();
   }
+}
+
+// How far the simulation is from rest as theory has it: the largest of the three [m].
+double model_error(const PanelContext& context) {
+  double largest = 0.0;
+  for (const Strategy& entry : strategy_catalog()) {
+    const Equilibrium<2> rest = rest_of(entry.id, context.session.settings, context.snapshot.goal);
+    largest = std::max(largest, glm::distance(rest.device, context.snapshot.strategies[index_of(entry.id)].device));
+  }
+  return largest;
+}
+
+void draw_model_error(const PanelContext& context) {
+  ImGui::BeginGroup();
+  ImGui::TextUnformatted("model − simulation ≤");
+  ImGui::SameLine();
+  ImGui::PushFont(context.fonts.number, 0.0F);
+  ImGui::TextUnformatted(fmt::format("{:>8} mm", in_fixed_width(model_error(context) * 1000.0, 3)).c_str());
+  ImGui::PopFont();
+  ImGui::EndGroup();
+  explain(Term::model_error);
 }
 
 // What the active strategy does, in as much room as the longest sentence needs, so that the panels below do not jump.
@@ -120,6 +132,7 @@ void draw_live_values(const PanelContext& context) {
   draw_head();
   for (const Strategy& entry : strategy_catalog()) draw_row(context, entry);
   ImGui::EndTable();
+  draw_model_error(context);
   draw_sentence(context);
 }
 

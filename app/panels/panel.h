@@ -30,6 +30,7 @@ struct PanelContext {
 struct Panel {
   std::string_view title;
   void (*draw)(const PanelContext&);
+  bool can_wait;  // folded at first where there is no room for all
 };
 
 }  // namespace ghostforce

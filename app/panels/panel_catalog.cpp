@@ -6,15 +6,28 @@ namespace ghostforce {
 namespace {
 
 constexpr std::array panels{
-    Panel{"Live", draw_live_values},    Panel{"Rendering", draw_rendering},
-    Panel{"User", draw_user},           Panel{"Wall and device", draw_wall_and_device},
-    Panel{"Mouse and keys", draw_keys},
+    Panel{"Live", draw_live_values, false},
+    Panel{"Rendering", draw_rendering, false},
+    Panel{"User", draw_user, false},
+    Panel{"Wall and device", draw_wall_and_device, false},
+    Panel{"Input", draw_input, true},
+    Panel{"View", draw_view_options, true},
 };
+
+constexpr double room_for_all = 780.0;  // height of the window [points]
 
 }  // namespace
 
 std::span<const Panel> panel_catalog() noexcept {
   return panels;
+}
+
+std::set<std::string, std::less<>> panels_folded_at_first(double height) {
+  std::set<std::string, std::less<>> folded;
+  for (const Panel& panel : panels) {
+    if (panel.can_wait && height < room_for_all) folded.emplace(panel.title);
+  }
+  return folded;
 }
 
 }  // namespace ghostforce

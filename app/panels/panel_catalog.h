@@ -1,7 +1,10 @@
 // The one list of the panels in the right column, from top to bottom. A new panel is its own file and one row.
 #pragma once
 
+#include <functional>
+#include <set>
 #include <span>
+#include <string>
 
 #include "app/panels/panel.h"
 
@@ -9,12 +12,16 @@ namespace ghostforce {
 
 std::span<const Panel> panel_catalog() noexcept;
 
+// The titles of those that are folded at first in a window so high [points].
+std::set<std::string, std::less<>> panels_folded_at_first(double height);
+
 // The panels themselves, a file each.
 void draw_live_values(const PanelContext& context);
 void draw_rendering(const PanelContext& context);
 void draw_user(const PanelContext& context);
 void draw_wall_and_device(const PanelContext& context);
-void draw_keys(const PanelContext& context);
+void draw_input(const PanelContext& context);
+void draw_view_options(const PanelContext& context);
 
 // Above and below the scene.
 void draw_strategy_bar(const PanelContext& context);

@@ -60,9 +60,7 @@ void draw_ratio_dial(const PanelContext& context) {
           scale.ratio(std::clamp(static_cast<double>((pointer - left) / length), 0.0, 1.0));
     }
   }
-  explain(
-      "ρ = k_ta / k_tn: how much more softly the proxy follows where there is no motor. At 1 the anisotropic strategy "
-      "is the naïve one; at ρ* = 1 + k_r / k_u the ghost force is gone.");
+  explain(Term::tracking_ratio);
 
   ImDrawList& draw_list = *ImGui::GetWindowDrawList();
   const float thickness = 5.0F * context.scale;

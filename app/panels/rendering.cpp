@@ -24,13 +24,13 @@ void draw_constraint(Impedances& impedances, float scale) {
                         "∞ N/m", ImGuiSliderFlags_Logarithmic);
     ImGui::EndDisabled();
   } else {
-    stiffness_slider("##k_c", impedances.k_c, constraint_limits);
+    stiffness_slider("##k_c", "k_c_N_per_m", impedances.k_c, constraint_limits);
   }
   ImGui::SameLine();
   if (ImGui::Checkbox("hard", &hard)) {
     impedances.k_c = hard ? std::numeric_limits<double>::infinity() : first_soft_constraint;
   }
-  explain("The hard constraint, k_c = ∞: the proxy never enters the wall.");
+  explain(Term::hard_constraint);
 }
 
 }  // namespace
@@ -38,15 +38,13 @@ void draw_constraint(Impedances& impedances, float scale) {
 void draw_rendering(const PanelContext& context) {
   Impedances& impedances = context.session.settings.impedances;
   if (!begin_rows("rendering", context)) return;
-  row("Rendering k_r",
-      "Stiffness of the spring that pushes the device towards the proxy, f_r = K_r (q_p − q_h), in N/m.");
-  stiffness_slider("##k_r", impedances.k_r, rendering_limits);
-  row("Tracking k_t",
-      "Stiffness with which the proxy follows the device where there is a motor, f_t = K_t (q_h − q_p), in N/m.");
-  stiffness_slider("##k_t", impedances.k_t, rendering_limits);
-  row("Constraint k_c", "Stiffness with which the wall holds the proxy back, f_c = k_c (q_c − q_p), in N/m.");
+  row("Rendering k_r", Term::rendering_stiffness);
+  stiffness_slider("##k_r", "k_r_N_per_m", impedances.k_r, rendering_limits);
+  row("Tracking k_t", Term::tracking_stiffness);
+  stiffness_slider("##k_t", "k_t_N_per_m", impedances.k_t, rendering_limits);
+  row("Constraint k_c", Term::constraint_stiffness);
   draw_constraint(impedances, context.scale);
-  row("Ratio ρ", "The dial of the anisotropic strategy: from naïve to the cure and beyond.");
+  row("Ratio ρ", Term::tracking_ratio);
   draw_ratio_dial(context);
   end_rows();
 }

@@ -1,44 +1,48 @@
 // The bar on top: which strategy is on the device, what is compared, and how time runs.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "app/keys.h"
 #include "app/panels/controls.h"
+#include "app/panels/hints.h"
 #include "app/panels/panel_catalog.h"
 
 namespace ghostforce {
 namespace {
 
-// Too narrow for captions in full: letters must do.
+// Too narrow for titles: letters must do.
 bool is_narrow(const PanelContext& context) {
-  return ImGui::GetWindowWidth() < 960.0F * context.scale;
+  return ImGui::GetWindowWidth() < 930.0F * context.scale;
 }
 
 void draw_strategy_button(const PanelContext& context, const Strategy& entry, float height) {
   const std::size_t i = index_of(entry.id);
   const bool active = entry.id == context.session.settings.active;
-  const std::string words =
-      is_narrow(context) ? std::string(1, entry.letter) : fmt::format("{} {}", entry.letter, entry.title);
+  const std::string words = is_narrow(context) ? std::string(1, entry.letter) : std::string(entry.title);
   const float glyph = 0.4F * ImGui::GetFontSize();
   const float key_width = 1.5F * ImGui::GetFontSize();
   ImGui::PushFont(active ? context.fonts.bold : context.fonts.regular, 0.0F);
   // As wide as the bold words, so that choosing does not make the bar jump.
   const float words_width = context.fonts.bold->CalcTextSizeA(ImGui::GetFontSize(), 1e9F, 0.0F, words.c_str()).x;
-  const ImVec2 size{key_width + 2.6F * glyph + words_width + 1.4F * ImGui::GetFontSize(), height};
+  const ImVec2 size{key_width + 2.6F * glyph + words_width + 1.2F * ImGui::GetFontSize(), height};
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImGui::PushID(static_cast<int>(i));
   if (ImGui::InvisibleButton("strategy", size)) context.session.settings.active = entry.id;
   ImGui::PopID();
   const bool hovered = ImGui::IsItemHovered();
+  const bool is_hinted = entry.id == StrategyId::anisotropic && points_at(context.session, HintTarget::third_strategy);
   ImDrawList& draw_list = *ImGui::GetWindowDrawList();
   const ImVec2 end{corner.x + size.x, corner.y + size.y};
   const float rounding = ImGui::GetStyle().FrameRounding;
   const double tint = active ? 0.22 : hovered ? 0.12 : 0.0;
   draw_list.AddRectFilled(corner, end, packed(mix(context.theme.panel_field, context.theme.strategy[i], tint)),
                           rounding);
-  draw_list.AddRect(corner, end, packed(active ? context.theme.strategy[i] : context.theme.panel_border), rounding, 0,
-                    (active ? 2.0F : 1.0F) * context.scale);
+  const Colour rim = is_hinted ? context.theme.accent
+                     : active  ? context.theme.strategy[i]
+                               : context.theme.panel_border;
+  draw_list.AddRect(corner, end, packed(rim), rounding, 0, (is_hinted ? 3.0F : active ? 2.0F : 1.0F) * context.scale);
   const float text_y = corner.y + 0.5F * (size.y - ImGui::GetFontSize());
   const float pad = 0.5F * ImGui::GetFontSize();
   draw_list.AddText({corner.x + pad, text_y}, packed(context.theme.faint_text), fmt::format("{}", i + 1).c_str());
@@ -51,27 +55,79 @@ void draw_strategy_button(const PanelContext& context, const Strategy& entry, fl
   ImGui::SameLine();
 }
 
-// As wide as the wider of its two captions.
-bool two_faced_button(const char* caption, const char* other, const char* id, float height) {
-  const float width =
-      std::max(ImGui::CalcTextSize(caption).x, ImGui::CalcTextSize(other).x) + 2.0F * ImGui::GetStyle().FramePadding.x;
-  const bool pressed = ImGui::Button(fmt::format("{}###{}", caption, id).c_str(), {width, height});
-  return pressed;
+// A combo box as high as the bar's buttons.
+template <typename DrawChoices>
+void bar_combo(const char* id, const std::string& shown, float width, float height, DrawChoices&& draw_choices) {
+  ImGui::SetNextItemWidth(width);
+  const float pad = 0.5F * (height - ImGui::GetFontSize());
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ImGui::GetStyle().FramePadding.x, pad});
+  if (ImGui::BeginCombo(id, shown.c_str())) {
+    close_popup_on_escape();
+    draw_choices();
+    ImGui::EndCombo();
+  }
+  ImGui::PopStyleVar();
+}
+
+void draw_compare(Session& session, float height) {
+  const CompareMode& mode = compare_catalog()[static_cast<std::size_t>(session.options.compare)];
+  bar_combo("##compare", std::string(mode.title), 9.6F * ImGui::GetFontSize(), height, [&] {
+    for (const CompareMode& each : compare_catalog()) {
+      if (ImGui::Selectable(each.title.data(), each.id == session.options.compare)) session.options.compare = each.id;
+    }
+  });
+  explain("Compare: all strategies in one picture, a picture for each, or the active one only. Key 0.");
 }
 
 void draw_speed(Session& session, float height) {
   constexpr std::array speeds{1.0, 0.5, 0.2, 0.1, 0.02};
-  ImGui::SetNextItemWidth(4.6F * ImGui::GetFontSize());
-  const float pad = 0.5F * (height - ImGui::GetFontSize());
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ImGui::GetStyle().FramePadding.x, pad});
-  if (ImGui::BeginCombo("##speed", fmt::format("{:g}×", session.speed).c_str())) {
+  bar_combo("##speed", fmt::format("{:g}×", session.speed), 4.8F * ImGui::GetFontSize(), height, [&] {
     for (const double speed : speeds) {
       if (ImGui::Selectable(fmt::format("{:g}×", speed).c_str(), speed == session.speed)) session.speed = speed;
     }
-    ImGui::EndCombo();
-  }
-  ImGui::PopStyleVar();
+  });
   explain("Speed of model time: fewer ticks per second, never longer ones.");
+}
+
+// Signs that everybody knows, drawn because the font has none of them. `unit` is half the sign's height.
+using DrawSign = void (*)(ImDrawList& draw_list, ImVec2 middle, float unit, ImU32 colour);
+
+void draw_play_sign(ImDrawList& draw_list, ImVec2 middle, float unit, ImU32 colour) {
+  draw_list.AddTriangleFilled({middle.x - 0.7F * unit, middle.y - unit}, {middle.x + unit, middle.y},
+                              {middle.x - 0.7F * unit, middle.y + unit}, colour);
+}
+
+void draw_pause_sign(ImDrawList& draw_list, ImVec2 middle, float unit, ImU32 colour) {
+  for (const float side : {-1.0F, 1.0F}) {
+    const float x = middle.x + 0.5F * side * unit;
+    draw_list.AddRectFilled({x - 0.28F * unit, middle.y - unit}, {x + 0.28F * unit, middle.y + unit}, colour);
+  }
+}
+
+void draw_step_sign(ImDrawList& draw_list, ImVec2 middle, float unit, ImU32 colour) {
+  draw_list.AddTriangleFilled({middle.x - unit, middle.y - unit}, {middle.x + 0.4F * unit, middle.y},
+                              {middle.x - unit, middle.y + unit}, colour);
+  draw_list.AddRectFilled({middle.x + 0.5F * unit, middle.y - unit}, {middle.x + 0.95F * unit, middle.y + unit},
+                          colour);
+}
+
+// Three quarters of a circle and an arrow head: once more.
+void draw_reset_sign(ImDrawList& draw_list, ImVec2 middle, float unit, ImU32 colour) {
+  constexpr float quarter = 1.5708F;
+  draw_list.PathArcTo(middle, 0.85F * unit, -0.6F * quarter, 2.6F * quarter, 24);
+  draw_list.PathStroke(colour, 0, 0.3F * unit);
+  const ImVec2 end{middle.x + 0.5F * unit, middle.y - 0.69F * unit};
+  draw_list.AddTriangleFilled({end.x - 0.75F * unit, end.y - 0.3F * unit}, {end.x + 0.5F * unit, end.y - 0.75F * unit},
+                              {end.x + 0.35F * unit, end.y + 0.6F * unit}, colour);
+}
+
+bool sign_button(const char* id, DrawSign draw_sign, const PanelContext& context, float height) {
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float width = 1.15F * height;
+  const bool pressed = ImGui::Button(id, {width, height});
+  draw_sign(*ImGui::GetWindowDrawList(), {corner.x + 0.5F * width, corner.y + 0.5F * height}, 0.22F * height,
+            packed(context.theme.text));
+  return pressed;
 }
 
 }  // namespace
@@ -82,27 +138,18 @@ void draw_strategy_bar(const PanelContext& context) {
   for (const Strategy& entry : strategy_catalog()) draw_strategy_button(context, entry, height);
 
   ImGui::SameLine(0.0F, 14.0F * context.scale);
-  const bool overlay = session.compare == Compare::overlay;
-  const bool narrow = is_narrow(context);
-  const char* all = narrow ? "All" : "Compare: all";
-  const char* active = narrow ? "Active" : "Compare: active";
-  if (two_faced_button(overlay ? all : active, overlay ? active : all, "compare", height)) {
-    toggle_compare(session);
-  }
-  explain("All strategies in one picture, or the active one only. Key 0.");
+  draw_compare(session, height);
   ImGui::SameLine(0.0F, 14.0F * context.scale);
-  if (two_faced_button(session.paused ? "Go on" : "Pause", session.paused ? "Pause" : "Go on", "pause", height)) {
-    toggle_pause(session);
-  }
-  explain("Stops model time, and lets it go on. Space.");
+  if (sign_button("##pause", session.paused ? draw_play_sign : draw_pause_sign, context, height)) toggle_pause(session);
+  explain(session.paused ? "Lets model time go on. Space." : "Stops model time. Space.");
   ImGui::SameLine();
-  if (ImGui::Button("Step", {0.0F, height})) single_step(session);
+  if (sign_button("##step", draw_step_sign, context, height)) single_step(session);
   explain("One tick of the loop, then pause. The key is the full stop.");
   ImGui::SameLine();
-  draw_speed(session, height);
-  ImGui::SameLine();
-  if (ImGui::Button("Reset", {0.0F, height})) restart(session);
+  if (sign_button("##reset", draw_reset_sign, context, height)) restart(session);
   explain("Starts the motion again. Key R; Alt+R resets the settings too.");
+  ImGui::SameLine();
+  draw_speed(session, height);
 
   const char* no_motor = "no motor";
   const float width = ImGui::CalcTextSize(no_motor).x + 2.0F * ImGui::GetStyle().FramePadding.x;

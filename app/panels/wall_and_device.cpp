@@ -7,10 +7,9 @@ namespace ghostforce {
 void draw_wall_and_device(const PanelContext& context) {
   Settings& settings = context.session.settings;
   if (!begin_rows("wall", context)) return;
-  row("Wall normal", "Direction of the wall's outward normal n, counter-clockwise from the x axis.");
+  row("Wall normal", Term::wall_normal);
   angle_slider("##normal", settings.wall_normal_angle);
-  row("Motor axis",
-      "Direction in which the device can push, counter-clockwise from the x axis. Across it there is no motor.");
+  row("Motor axis", Term::motor_axis);
   angle_slider("##actuated", settings.actuated_angle);
   end_rows();
 }

@@ -30,13 +30,17 @@ Vector<2> ghost_arrow_offset(const View& view) {
   return to_screen_direction(aside) * view.points(ghost_aside);
 }
 
+bool has_ghost_arrow(const View& view, StrategyId id) {
+  return view.options.ghost_forces && is_drawn(view.snapshot.strategies[index_of(id)].ghost_force);
+}
+
 bool has_drift_ruler(const View& view, StrategyId id) {
   return view.shows(id) && glm::length(view.snapshot.strategies[index_of(id)].proxy_drift) >= smallest_drift;
 }
 
 DriftRuler drift_ruler(const View& view, StrategyId id) {
   const Wall<2> wall = wall_of(view.settings);
-  const double rank = view.compare == Compare::overlay ? static_cast<double>(index_of(id)) : 0.0;
+  const double rank = view.options.compare == Compare::overlay ? static_cast<double>(index_of(id)) : 0.0;
   const Vector<2> inside = -wall.normal * view.metres(ruler_depth + ruler_step * rank);
   return {projection(wall, view.snapshot.goal) + inside, view.snapshot.strategies[index_of(id)].contact + inside};
 }
@@ -54,7 +58,7 @@ void add_arrows(const View& view, Marks& marks) {
                              view.theme.background, view.points(1.2)}});
     }
     // The ghost force is hollow: it is not a force of its own, but a part of the rendered one that should not be there.
-    if (is_drawn(now.ghost_force)) {
+    if (has_ghost_arrow(view, id)) {
       marks.push_back({Role::ghost_force, id,
                        Arrow{now.device, arrow_tip(view, now.device, now.ghost_force), view.points(7.5 * size),
                              view.theme.background, colour, view.points(2.0), ghost_arrow_offset(view)}});

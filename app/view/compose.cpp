@@ -1,5 +1,7 @@
 #include "app/view/compose.h"
 
+#include <array>
+
 #include "app/view/layers.h"
 
 namespace ghostforce {
@@ -7,7 +9,8 @@ namespace ghostforce {
 Marks compose(const View& view) {
   Marks marks;
   add_wall(view, marks);
-  add_trails(view, marks);
+  if (view.options.trails) add_trails(view, marks);
+  if (view.options.predictions) add_predictions(view, marks);
   add_arrows(view, marks);
   add_markers(view, marks);
   add_guides(view, marks);
@@ -15,10 +18,35 @@ Marks compose(const View& view) {
   return marks;
 }
 
+namespace {
+
+constexpr std::array compare_modes{
+    CompareMode{Compare::overlay, "overlay", "Overlay"},
+    CompareMode{Compare::side_by_side, "side-by-side", "Side by side"},
+    CompareMode{Compare::active_only, "active-only", "Active only"},
+};
+
+}  // namespace
+
+std::span<const CompareMode> compare_catalog() noexcept {
+  return compare_modes;
+}
+
+std::string_view compare_name(Compare id) noexcept {
+  return compare_modes[static_cast<std::size_t>(id)].name;
+}
+
+std::optional<Compare> find_compare(std::string_view name) noexcept {
+  for (const CompareMode& mode : compare_modes) {
+    if (mode.name == name) return mode.id;
+  }
+  return std::nullopt;
+}
+
 std::string_view role_name(Role role) noexcept {
   constexpr std::array names{"wall",          "hatching",    "grid",   "motor_axis", "trail",   "hand_spring",
                              "tracking_link", "goal",        "device", "proxy",      "contact", "force",
-                             "ghost_force",   "proxy_drift", "scale",  "legend"};
+                             "ghost_force",   "proxy_drift", "prediction", "handle", "scale",  "legend"};
   static_assert(names.size() == static_cast<std::size_t>(Role::legend) + 1);
   return names[static_cast<std::size_t>(role)];
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "app/view/handles.h"
 #include "app/view/layers.h"
 
 namespace ghostforce {
@@ -58,38 +59,64 @@ void add_scales(const View& view, Marks& marks) {
   bar(margin + 22.0, view.points(points_per_newton), "1 N");
 }
 
-// Which way the device can push and which way it cannot, as a small compass in the lower right corner.
+// Which way the device can push and which way it cannot, as a dial in the lower right corner.
 void add_motor_axis(const View& view, Marks& marks) {
   const Pen pen{view, marks, Role::motor_axis};
-  const double radius = view.points(34.0);
-  const double line_height = view.points(text_height(TextSize::small));
-  const Vector<2> middle = view.camera.size - Vector<2>(view.points(margin) + radius + view.points(14.0),
-                                                        view.points(margin) + radius + line_height);
+  const auto [middle, radius] = motor_dial(view.camera, view.points(1.0));
   const Vector<2> center = to_world(view.camera, middle);
+  const bool is_hot = view.hot == Handle::motor_axis;
+  const Colour rim = is_hot ? view.theme.accent : view.theme.panel_border;
   marks.push_back({Role::motor_axis, std::nullopt,
-                   Marker{center, Shape::disc, radius, view.theme.background.with_alpha(215), view.theme.panel_border,
-                          view.points(1.2)}});
+                   Marker{center, Shape::disc, radius, view.theme.background.with_alpha(225), rim,
+                          view.points(is_hot ? 2.4 : 1.2)}});
   const Vector<2> axis = direction_at(view.settings.actuated_angle);
   const Vector<2> across{-axis.y, axis.x};
-  const auto motor = [&](const Vector<2>& direction) {
+  const auto motor = [&](const Vector<2>& direction, Colour colour) {
     for (const double sign : {-1.0, 1.0}) {
       marks.push_back({Role::motor_axis, std::nullopt,
-                       Arrow{center, center + direction * (sign * 0.86 * radius / view.camera.points_per_metre),
-                             view.points(3.6), view.theme.text, view.theme.background, view.points(0.5)}});
+                       Arrow{center, center + direction * (sign * 0.92 * radius / view.camera.points_per_metre),
+                             view.points(4.4), colour, view.theme.background, view.points(0.5)}});
     }
   };
   const bool every_motor = strategy(view.settings.active).has_every_motor;
   if (every_motor) {
-    motor(across);
+    motor(across, view.theme.text);
   } else {
     const Vector<2> reach = to_screen_direction(across) * (0.62 * radius);
     pen.line(middle - reach, middle + reach, 1.6, view.theme.faint_text,
              {view.points(3.0), view.points(4.0), view.points(3.0), view.points(4.0)});
   }
-  motor(axis);
+  motor(axis, is_hot ? view.theme.accent : view.theme.text);
   const std::string_view words = every_motor ? "motor axes" : "motor axis";
   pen.text({middle.x - 0.5 * text_width(view, words), middle.y + radius + view.points(4.0)}, std::string(words),
            view.theme.text, TextSize::small, view.theme.background);
+}
+
+// Two round grips on the wall, where a person can turn it.
+void add_wall_grips(const View& view, Marks& marks) {
+  const auto grips = wall_grips(wall_of(view.settings), view.camera, view.points(1.0));
+  if (!view.has_handles || !grips) return;
+  const bool is_hot = view.hot == Handle::wall;
+  for (const Vector<2>& grip : *grips) {
+    marks.push_back({Role::handle, std::nullopt,
+                     Marker{to_world(view.camera, grip), Shape::disc, view.points(grip_radius),
+                            is_hot ? view.theme.accent : view.theme.background, view.theme.wall_edge,
+                            view.points(2.0)}});
+  }
+}
+
+// Whose pane this is.
+void add_title(const View& view, Marks& marks) {
+  const Pen pen{view, marks, Role::legend};
+  const Strategy& entry = strategy(view.settings.active);
+  const std::size_t i = index_of(entry.id);
+  const Vector<2> at{view.points(margin + 6.0), view.points(margin + 6.0)};
+  marks.push_back({Role::legend, entry.id,
+                   Marker{to_world(view.camera, at), strategy_style(entry.id).shape, view.points(8.0),
+                          view.theme.strategy[i], view.theme.background, view.points(1.0)}});
+  pen.text({at.x + view.points(18.0), at.y - 0.6 * view.points(text_height(TextSize::normal))},
+           fmt::format("{}  {}", entry.letter, entry.title), view.theme.strategy_text[i], TextSize::normal,
+           view.theme.background);
 }
 
 void add_legend(const View& view, Marks& marks) {
@@ -121,8 +148,13 @@ void add_legend(const View& view, Marks& marks) {
 }  // namespace
 
 void add_guides(const View& view, Marks& marks) {
-  add_legend(view, marks);
-  add_scales(view, marks);
+  if (view.is_pane) {
+    add_title(view, marks);
+  } else {
+    add_legend(view, marks);
+  }
+  if (view.has_scales) add_scales(view, marks);
+  add_wall_grips(view, marks);
   add_motor_axis(view, marks);
 }
 

@@ -92,6 +92,7 @@ class LabelPlacer {
 // Marks at the edge and on the scene that no label may cover.
 void keep_marks_clear(const View& view, const Marks& marks, LabelPlacer& placer) {
   for (const Mark& mark : marks) {
+    if (mark.role == Role::prediction) continue;  // thin, and round a marker that is kept clear
     if (const auto* marker = std::get_if<Marker>(&mark.form)) {
       placer.keep_clear(to_screen(view.camera, marker->center) + marker->offset, marker->radius + 2.0);
     } else if (const auto* arrow = std::get_if<Arrow>(&mark.form)) {
@@ -133,7 +134,7 @@ void add_measures(const View& view, StrategyId id, LabelPlacer& placer) {
   const std::size_t i = index_of(id);
   const StrategySnapshot<2>& now = view.snapshot.strategies[i];
   const Colour colour = view.theme.strategy_text[i];
-  if (is_drawn(now.ghost_force)) {
+  if (has_ghost_arrow(view, id)) {
     const Vector<2> offset = ghost_arrow_offset(view);
     const Vector<2> tip =
         arrow_tip(view, now.device, now.ghost_force) + to_screen_direction(offset) / view.camera.points_per_metre;

@@ -7,9 +7,10 @@ namespace ghostforce {
 
 void add_wall(const View& view, Marks& marks);     // grid, wall, hatching
 void add_trails(const View& view, Marks& marks);   // where goal and devices have been
+void add_predictions(const View& view, Marks& marks);  // where the closed forms say that everything comes to rest
 void add_arrows(const View& view, Marks& marks);   // rendered force, ghost force, proxy drift
 void add_markers(const View& view, Marks& marks);  // proxy, contact, device, goal
-void add_guides(const View& view, Marks& marks);   // scale bars, motor axis, legend
+void add_guides(const View& view, Marks& marks);   // scale bars, handles, motor axis, legend
 void add_labels(const View& view, Marks& marks);   // words and numbers beside the marks above
 
 // --- Where arrow and label layers must agree -----------------------------------------------------------------------
@@ -28,6 +29,8 @@ inline Vector<2> arrow_tip(const View& view, const Vector<2>& tail, const Vector
 inline bool is_drawn(const Vector<2>& force) {
   return glm::length(force) * points_per_newton >= shortest_arrow;
 }
+
+bool has_ghost_arrow(const View& view, StrategyId id);
 
 // The ghost force lies on the same line as the rendered force: its arrow is moved aside, to the free side of the wall
 // [points, y down].

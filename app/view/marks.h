@@ -32,6 +32,8 @@ enum class Role : std::uint8_t {
   force,
   ghost_force,
   proxy_drift,
+  prediction,
+  handle,
   scale,
   legend,
 };

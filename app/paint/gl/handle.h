@@ -41,6 +41,22 @@ struct VertexArrayTraits {
   }
   static void destroy(GLuint name) { glDeleteVertexArrays(1, &name); }
 };
+struct FramebufferTraits {
+  static GLuint make() {
+    GLuint name = 0;
+    glGenFramebuffers(1, &name);
+    return name;
+  }
+  static void destroy(GLuint name) { glDeleteFramebuffers(1, &name); }
+};
+struct RenderbufferTraits {
+  static GLuint make() {
+    GLuint name = 0;
+    glGenRenderbuffers(1, &name);
+    return name;
+  }
+  static void destroy(GLuint name) { glDeleteRenderbuffers(1, &name); }
+};
 struct ProgramTraits {
   static GLuint make() { return glCreateProgram(); }
   static void destroy(GLuint name) { glDeleteProgram(name); }
@@ -56,6 +72,8 @@ struct FragmentShaderTraits {
 
 using Buffer = Handle<BufferTraits>;
 using VertexArray = Handle<VertexArrayTraits>;
+using Framebuffer = Handle<FramebufferTraits>;
+using Renderbuffer = Handle<RenderbufferTraits>;
 using Program = Handle<ProgramTraits>;
 using VertexShader = Handle<VertexShaderTraits>;
 using FragmentShader = Handle<FragmentShaderTraits>;

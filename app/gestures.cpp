@@ -1,0 +1,172 @@
+#include "app/gestures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <imgui.h>
+
+#include "app/panels/explain.h"
+#include "app/view/handles.h"
+#include "core/scene.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr double zoom_per_notch = 1.15;
+constexpr double least_width = 0.002;  // of the world across the picture [m]
+constexpr double greatest_width = 4.0;
+constexpr double farthest = farthest_mm / 1000.0;  // of the goal on each axis, as in scenes [m]
+constexpr double snap = 5.0 * std::numbers::pi / 180.0;
+// A click on a handle is no turn yet [points].
+constexpr double first_turn = 2.0;
+
+Vector<2> vector_of(ImVec2 point) {
+  return {static_cast<double>(point.x), static_cast<double>(point.y)};
+}
+
+// Counter-clockwise, of a direction on the screen [rad].
+double angle_on_screen(const Vector<2>& direction) {
+  return std::atan2(-direction.y, direction.x);
+}
+
+double& angle_of(Handle handle, Settings& settings) {
+  return handle == Handle::motor_axis ? settings.actuated_angle : settings.wall_normal_angle;
+}
+
+const Pane& pane_of(const std::vector<Pane>& panes, StrategyId id) {
+  const auto found = std::ranges::find(panes, id, &Pane::active);
+  return found == panes.end() ? panes.front() : *found;
+}
+
+}  // namespace
+
+void Gestures::take(Session& session, const std::vector<Pane>& panes, const Vector<2>& size, double unit) {
+  ImGui::SetCursorPos({0.0F, 0.0F});
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  ImGui::InvisibleButton("scene", {static_cast<float>(size.x), static_cast<float>(size.y)},
+                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
+  session.drags_goal = false;
+  if (panes.empty()) return;
+  const bool is_held = ImGui::IsItemActive();
+  const bool is_hovered = ImGui::IsItemHovered();
+  const Vector<2> pointer = vector_of(ImGui::GetIO().MousePos) - vector_of(corner);
+
+  if (!is_held) {
+    grip_ = Grip::nothing;
+    held_ = Handle::none;
+    hot_ = Handle::none;
+  }
+  if (is_hovered && !is_held) {
+    const Pane& pane = pane_at(panes, pointer);
+    const Vector<2> inside = pointer - pane.corner;
+    hot_ = handle_at(session.settings, pane.camera, unit, inside);
+    if (hot_ != Handle::none) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    explain_mark(pane, inside, unit);
+  }
+  if (const float wheel = ImGui::GetIO().MouseWheel; is_hovered && wheel != 0.0F) {
+    const Pane& pane = pane_at(panes, pointer);
+    session.shown = zoomed(session.shown, std::pow(zoom_per_notch, static_cast<double>(wheel)),
+                           to_world(pane.camera, pointer - pane.corner));
+  }
+  if (ImGui::IsItemActivated()) {
+    const Pane& pane = pane_at(panes, pointer);
+    pane_ = pane.active;
+    begin(session, pane, pointer - pane.corner, unit);
+  }
+  if (is_held) {
+    // The active strategy may change during a drag; where there is one pane, it is the one.
+    const Pane& pane = pane_of(panes, pane_);
+    go_on(session, pane, pointer - pane.corner, unit);
+  }
+}
+
+void Gestures::begin(const Session& session, const Pane& pane, const Vector<2>& pointer, double unit) {
+  began_at_ = pointer;
+  last_ = pointer;
+  has_turned_ = false;
+  if (ImGui::IsMouseDown(ImGuiMouseButton_Right)) {
+    grip_ = Grip::picture;
+    return;
+  }
+  held_ = handle_at(session.settings, pane.camera, unit, pointer);
+  hot_ = held_;
+  if (held_ != Handle::none) {
+    Settings settings = session.settings;
+    grip_ = Grip::handle;
+    began_angle_ = angle_of(held_, settings);
+  } else {
+    grip_ = session.pointer_moves_goal ? Grip::goal : Grip::nothing;
+  }
+}
+
+void Gestures::go_on(Session& session, const Pane& pane, const Vector<2>& pointer, double unit) {
+  switch (grip_) {
+    case Grip::nothing:
+      break;
+    case Grip::goal: {
+      // A pointer dragged out of the scene leaves the goal at its edge.
+      const Vector<2> at = to_world(pane.camera, glm::clamp(pointer, Vector<2>(0.0), pane.camera.size));
+      session.goal = glm::clamp(at, Vector<2>(-farthest), Vector<2>(farthest));
+      session.drags_goal = true;
+      break;
+    }
+    case Grip::handle:
+      ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+      turn(session, pane, pointer, unit);
+      has_turned_ = has_turned_ || glm::distance(pointer, began_at_) >= first_turn * unit;
+      break;
+    case Grip::picture: {
+      ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
+      const Vector<2> moved = pointer - last_;
+      session.shown.center -= Vector<2>(moved.x, -moved.y) / pane.camera.points_per_metre;
+      break;
+    }
+  }
+  last_ = pointer;
+}
+
+// By as much as the pointer has gone round the pivot since the handle was grabbed: it never jumps to the pointer.
+void Gestures::turn(Session& session, const Pane& pane, const Vector<2>& pointer, double unit) const {
+  if (!has_turned_ && glm::distance(pointer, began_at_) < first_turn * unit) return;
+  const Vector<2> pivot = pivot_of(held_, session.settings, pane.camera, unit);
+  if (glm::distance(pointer, pivot) < first_turn * unit) return;  // no direction there
+  double angle = began_angle_ + angle_on_screen(pointer - pivot) - angle_on_screen(began_at_ - pivot);
+  if (!ImGui::GetIO().KeyCtrl) angle = std::round(angle / snap) * snap;
+  angle_of(held_, session.settings) = std::remainder(angle, 2.0 * std::numbers::pi);
+}
+
+SceneView view_of_everything(const Session& session, const std::vector<Pane>& panes, const Vector<2>& size,
+                             double unit) {
+  Vector<2> least = session.goal;
+  Vector<2> most = session.goal;
+  const auto include = [&](const Vector<2>& point) {
+    least = glm::min(least, point);
+    most = glm::max(most, point);
+  };
+  include(session.settings.wall_point);
+  for (const Pane& pane : panes) {
+    for (const Mark& mark : pane.marks) {
+      const bool belongs = mark.role == Role::device || mark.role == Role::proxy || mark.role == Role::trail;
+      if (const auto* marker = std::get_if<Marker>(&mark.form); marker != nullptr && belongs) include(marker->center);
+      if (const auto* line = std::get_if<Line>(&mark.form); line != nullptr && belongs) {
+        include(line->from);
+        include(line->to);
+      }
+    }
+  }
+  const Vector<2> room = panes.empty() ? size : panes.front().camera.size;
+  const Vector<2> margin = glm::min(Vector<2>(90.0 * unit), 0.25 * room);
+  const Vector<2> extent = most - least;
+  const Vector<2> fits = (room - 2.0 * margin) / glm::max(extent, Vector<2>(least_width));
+  const double points_per_metre = std::min(fits.x, fits.y);
+  const double width = std::min(room.x, room.y / 0.75) / points_per_metre;
+  return {0.5 * (least + most), std::clamp(width, least_width, greatest_width)};
+}
+
+SceneView zoomed(const SceneView& shown, double factor, const Vector<2>& at) {
+  const double width = std::clamp(shown.width / factor, least_width, greatest_width);
+  return {at + (shown.center - at) * (width / shown.width), width};
+}
+
+}  // namespace ghostforce

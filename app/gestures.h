@@ -1,0 +1,46 @@
+// Gestures: what the mouse does in the scene. Drag: the goal follows, or the handle that was grabbed turns (in steps of
+// 5°, with Ctrl without steps); wheel: zoom at the pointer; right drag: move the picture. Between ImGui's NewFrame and
+// Render, UI thread.
+#pragma once
+
+#include <vector>
+
+#include "app/session.h"
+#include "app/view/panes.h"
+
+namespace ghostforce {
+
+class Gestures {
+ public:
+  // To be called inside an ImGui window that covers the scene. `panes` are the ones that the person sees: those of the
+  // last frame; none yet: nothing happens. `unit` is the size of a point in the scene.
+  void take(Session& session, const std::vector<Pane>& panes, const Vector<2>& size, double unit);
+
+  // The handle under the pointer or in the hand.
+  Handle hot() const noexcept { return hot_; }
+
+ private:
+  enum class Grip : std::uint8_t { nothing, goal, handle, picture };
+
+  void begin(const Session& session, const Pane& pane, const Vector<2>& pointer, double unit);
+  void go_on(Session& session, const Pane& pane, const Vector<2>& pointer, double unit);
+  void turn(Session& session, const Pane& pane, const Vector<2>& pointer, double unit) const;
+
+  Grip grip_ = Grip::nothing;
+  Handle hot_ = Handle::none;
+  Handle held_ = Handle::none;
+  StrategyId pane_ = StrategyId::full;  // in which the drag began
+  Vector<2> began_at_{0.0};             // pointer in its pane [points]
+  double began_angle_ = 0.0;            // of the handle's setting [rad]
+  bool has_turned_ = false;
+  Vector<2> last_{0.0};  // pointer in its pane, a frame ago [points]
+};
+
+// Shows all that there is: goal, devices, proxies and trails.
+SceneView view_of_everything(const Session& session, const std::vector<Pane>& panes, const Vector<2>& size,
+                             double unit);
+
+// Zooms by `factor` (above 1: closer), so that the world point `at` stays where it is.
+SceneView zoomed(const SceneView& shown, double factor, const Vector<2>& at);
+
+}  // namespace ghostforce

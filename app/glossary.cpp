@@ -1,0 +1,128 @@
+#include "app/glossary.h"
+
+#include <array>
+
+namespace ghostforce {
+namespace {
+
+constexpr std::array entries{
+    GlossaryEntry{Term::goal, "Goal q_u", "Where your hand wants the device to be; drag it.", "", "mm"},
+    GlossaryEntry{Term::device, "Device q_h", "Where the device is: the hand pulls it to the goal, its motors push back.",
+                  "k_u (q_u − q_h) + f_r = 0 at rest", "mm"},
+    GlossaryEntry{Term::proxy, "Proxy q_p", "A copy of the device that the wall holds back; the motors pull towards it.",
+                  "K_t (q_h − q_p) + k_c (q_c − q_p) = 0", "mm"},
+    GlossaryEntry{Term::contact, "Contact q_c", "The point of the wall that is nearest to the proxy.",
+                  "q_c = q_p + n (n·(o − q_p))", "mm"},
+    GlossaryEntry{Term::wall, "Virtual wall",
+                  "The device may be on the side without hatching; turn the wall by the round grips at its ends.",
+                  "n·(q − o) ≥ 0", ""},
+    GlossaryEntry{Term::force, "Rendered force f_r", "How hard the device pushes on the hand.", "f_r = K_r (q_p − q_h)",
+                  "N"},
+    GlossaryEntry{Term::ghost_force, "Ghost force",
+                  "What the device pushes along its motor beyond what a fully actuated one would; it should be zero.",
+                  "P_A (f_r − f_r of F)", "N"},
+    GlossaryEntry{Term::proxy_drift, "Proxy drift",
+                  "How far the proxy has slid along the wall, away from where the hand aims; it should be zero.",
+                  "(q_p − q_u) along the wall", "mm"},
+    GlossaryEntry{Term::energy, "Energy",
+                  "What the rendering has given to the hand since the reset; above zero it was active, not passive.",
+                  "Σ f_r,k−1 · (q_h,k − q_h,k−1)", "mJ"},
+    GlossaryEntry{Term::model_error, "Model − simulation",
+                  "How far the simulated devices still are from where the closed forms put them at rest.",
+                  "max |q_h − q_h of (9) to (20)|", "mm"},
+    GlossaryEntry{Term::prediction, "Prediction",
+                  "Where the closed form puts device and proxy at rest; the simulation comes to the rings by itself.",
+                  "(9) to (20)", "mm"},
+    GlossaryEntry{Term::trail, "Trail", "Where the goal (dots) and the devices have been.", "", "mm"},
+    GlossaryEntry{Term::hand_spring, "Hand", "The spring by which the hand pulls the device to its goal.",
+                  "f_u = k_u (q_u − q_h)", "N"},
+    GlossaryEntry{Term::tracking_link, "Tracking", "The spring by which the proxy follows the device.",
+                  "f_t = K_t (q_h − q_p)", "N"},
+    GlossaryEntry{Term::motor_axis, "Motor axis",
+                  "The direction in which the device can push; drag its arrow to turn it. Across it there is no motor.",
+                  "counter-clockwise from x", "°"},
+    GlossaryEntry{Term::wall_normal, "Wall normal n", "The direction in which the wall faces.",
+                  "counter-clockwise from x", "°"},
+    GlossaryEntry{Term::rendering_stiffness, "Rendering stiffness k_r",
+                  "Of the spring that pushes the device towards the proxy, where there are motors.",
+                  "f_r = K_r (q_p − q_h)", "N/m"},
+    GlossaryEntry{Term::tracking_stiffness, "Tracking stiffness k_t",
+                  "Of the spring by which the proxy follows the device, along the motors.", "f_t = K_t (q_h − q_p)",
+                  "N/m"},
+    GlossaryEntry{Term::constraint_stiffness, "Constraint stiffness k_c",
+                  "Of the spring by which the wall holds the proxy back.", "f_c = k_c (q_c − q_p)", "N/m"},
+    GlossaryEntry{Term::hard_constraint, "Hard constraint", "The proxy never enters the wall.", "k_c = ∞", ""},
+    GlossaryEntry{Term::tracking_ratio, "Tracking ratio ρ",
+                  "How much stiffer the proxy follows along the motors than across them: 1 is naïve, ρ* takes the ghost "
+                  "force away. Used by anisotropic rendering.",
+                  "ρ = k_ta / k_tn,  ρ* = 1 + k_r / k_u", ""},
+    GlossaryEntry{Term::user_stiffness, "User stiffness k_u", "How stiffly the hand holds on to its goal.",
+                  "f_u = k_u (q_u − q_h)", "N/m"},
+    GlossaryEntry{Term::believed_user_stiffness, "Believed user stiffness",
+                  "The k_u that the renderer puts into ρ*; it cannot measure it, and a wrong one brings drift back.",
+                  "ρ* = 1 + k_r / believed k_u", "N/m"},
+    GlossaryEntry{Term::right_belief, "Right", "The renderer happens to know the hand's true stiffness.",
+                  "believed k_u = k_u", ""},
+    GlossaryEntry{Term::force_scale, "Scale", "How long the arrows are for a force, and how long the picture is in mm.",
+                  "", "N, mm"},
+};
+
+constexpr bool is_in_order() {
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    if (static_cast<std::size_t>(entries[i].id) != i) return false;
+  }
+  return true;
+}
+static_assert(is_in_order());
+
+}  // namespace
+
+std::span<const GlossaryEntry> glossary() noexcept {
+  return entries;
+}
+
+const GlossaryEntry& glossary(Term term) noexcept {
+  return entries[static_cast<std::size_t>(term)];
+}
+
+std::optional<Term> term_of(Role role) noexcept {
+  switch (role) {
+    case Role::wall:
+    case Role::hatching:
+      return Term::wall;
+    case Role::motor_axis:
+      return Term::motor_axis;
+    case Role::trail:
+      return Term::trail;
+    case Role::hand_spring:
+      return Term::hand_spring;
+    case Role::tracking_link:
+      return Term::tracking_link;
+    case Role::goal:
+      return Term::goal;
+    case Role::device:
+      return Term::device;
+    case Role::proxy:
+      return Term::proxy;
+    case Role::contact:
+      return Term::contact;
+    case Role::force:
+      return Term::force;
+    case Role::ghost_force:
+      return Term::ghost_force;
+    case Role::proxy_drift:
+      return Term::proxy_drift;
+    case Role::prediction:
+      return Term::prediction;
+    case Role::handle:
+      return Term::wall;
+    case Role::scale:
+      return Term::force_scale;
+    case Role::grid:
+    case Role::legend:
+      break;
+  }
+  return std::nullopt;
+}
+
+}  // namespace ghostforce

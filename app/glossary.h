@@ -1,0 +1,57 @@
+// Glossary: every term on the screen in one sentence, with its formula and unit. What appears on hover, over panels and
+// over the marks of the scene alike. Immutable, any thread.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "app/view/marks.h"
+
+namespace ghostforce {
+
+enum class Term : std::uint8_t {
+  goal,
+  device,
+  proxy,
+  contact,
+  wall,
+  force,
+  ghost_force,
+  proxy_drift,
+  energy,
+  model_error,
+  prediction,
+  trail,
+  hand_spring,
+  tracking_link,
+  motor_axis,
+  wall_normal,
+  rendering_stiffness,
+  tracking_stiffness,
+  constraint_stiffness,
+  hard_constraint,
+  tracking_ratio,
+  user_stiffness,
+  believed_user_stiffness,
+  right_belief,
+  force_scale,
+};
+
+struct GlossaryEntry {
+  Term id;
+  std::string_view title;
+  std::string_view sentence;
+  std::string_view formula;  // may be empty
+  std::string_view unit;     // may be empty
+};
+
+// In the order of Term.
+std::span<const GlossaryEntry> glossary() noexcept;
+const GlossaryEntry& glossary(Term term) noexcept;
+
+// What a mark of the scene shows; empty for decoration.
+std::optional<Term> term_of(Role role) noexcept;
+
+}  // namespace ghostforce

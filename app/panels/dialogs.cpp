@@ -1,0 +1,85 @@
+#include "app/panels/dialogs.h"
+
+#include <algorithm>
+#include <array>
+
+#include "app/panels/controls.h"
+
+namespace ghostforce {
+namespace {
+
+struct Entry {
+  Dialog id;
+  const char* title;
+  void (*draw)(const PanelContext&);
+};
+constexpr std::array dialogs{
+    Entry{Dialog::help, "Help", draw_help},
+    Entry{Dialog::open_scene, "Open a scene", draw_open_scene},
+    Entry{Dialog::save_scene, "Save the scene", draw_save_scene},
+    Entry{Dialog::save_picture, "Save a picture", draw_save_picture},
+};
+
+constexpr ImGuiWindowFlags dialog_window = ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
+                                           ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                                           ImGuiWindowFlags_AlwaysAutoResize;
+
+}  // namespace
+
+void draw_dialog(const PanelContext& context) {
+  Session& session = context.session;
+  const auto entry = std::ranges::find(dialogs, session.dialog, &Entry::id);
+  if (entry == dialogs.end()) {
+    session.form = {};
+    return;
+  }
+  const ImVec2 whole = ImGui::GetIO().DisplaySize;
+  const float margin = 16.0F * context.scale;
+  ImGui::SetNextWindowPos({0.5F * whole.x, 0.5F * whole.y}, ImGuiCond_Always, {0.5F, 0.5F});
+  ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {whole.x - 2.0F * margin, whole.y - 2.0F * margin});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.5F * context.scale);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6.0F * context.scale);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {margin, 0.75F * margin});
+  bool is_open = true;
+  ImGui::Begin(entry->title, &is_open, dialog_window);
+  ImGui::PopStyleVar(3);
+  entry->draw(context);
+  if (session.form.belongs_to != session.dialog) session.form.belongs_to = session.dialog;
+  ImGui::End();
+  if (!is_open) session.dialog = Dialog::none;
+}
+
+void draw_notice(const PanelContext& context, ImVec2 corner, ImVec2 size) {
+  Session& session = context.session;
+  if (!session.notice) return;
+  const float scale = context.scale;
+  const float width = std::min(620.0F * scale, size.x - 32.0F * scale);
+  ImGui::SetNextWindowPos({corner.x + 0.5F * size.x, corner.y + 14.0F * scale}, ImGuiCond_Always, {0.5F, 0.0F});
+  ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {width, 0.6F * size.y});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 2.0F * scale);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6.0F * scale);
+  ImGui::PushStyleColor(ImGuiCol_Border, unpacked(session.notice->is_problem ? context.theme.problem
+                                                                              : context.theme.accent));
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, unpacked(context.theme.panel_field));
+  ImGui::Begin("notice", nullptr,
+               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_AlwaysAutoResize |
+                   ImGuiWindowFlags_NoFocusOnAppearing);
+  if (session.notice->is_problem) {
+    ImGui::PushFont(context.fonts.bold, 0.0F);
+    ImGui::TextUnformatted("That did not work");
+    ImGui::PopFont();
+  }
+  const std::string& words = session.notice->words;
+  const float wrap = std::min(width - 32.0F * scale, ImGui::CalcTextSize(words.c_str()).x + 4.0F * scale);
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + wrap);
+  ImGui::TextUnformatted(words.c_str());
+  ImGui::PopTextWrapPos();
+  const bool enough = ImGui::SmallButton("Close");
+  ImGui::End();
+  ImGui::PopStyleColor(2);
+  ImGui::PopStyleVar(2);
+  if (enough) session.notice.reset();
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,21 @@
+// What may stand in front of the scene, one at a time: help, and the forms for opening and saving. Each edits its own
+// fields, and in the end leaves a wish in the session.
+#pragma once
+
+#include "app/panels/panel.h"
+
+namespace ghostforce {
+
+// The one that session.dialog names, in the middle of the window.
+void draw_dialog(const PanelContext& context);
+
+// What there is to tell, if anything, at the top of the scene, whose rectangle this is.
+void draw_notice(const PanelContext& context, ImVec2 corner, ImVec2 size);
+
+// The dialogs themselves, a file each.
+void draw_help(const PanelContext& context);
+void draw_open_scene(const PanelContext& context);
+void draw_save_scene(const PanelContext& context);
+void draw_save_picture(const PanelContext& context);
+
+}  // namespace ghostforce

@@ -1,0 +1,98 @@
+#include "app/panels/explain.h"
+
+#include <algorithm>
+#include <optional>
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+namespace ghostforce {
+namespace {
+
+constexpr double slack = 4.0;  // round a mark [points]
+
+void write(std::string_view text) {
+  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+}
+
+bool begin_explanation() {
+  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip | ImGuiHoveredFlags_AllowWhenDisabled)) return false;
+  if (!ImGui::BeginTooltip()) return false;
+  ImGui::PushTextWrapPos(26.0F * ImGui::GetFontSize());
+  return true;
+}
+
+void end_explanation() {
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+void write_entry(const GlossaryEntry& entry, std::string_view whose) {
+  ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));
+  write(whose.empty() ? std::string(entry.title) : fmt::format("{} · {}", entry.title, whose));
+  ImGui::PopStyleColor();
+  write(entry.sentence);
+  const std::string formula = entry.unit.empty() ? std::string(entry.formula)
+                              : entry.formula.empty() ? fmt::format("in {}", entry.unit)
+                                                      : fmt::format("{}   [{}]", entry.formula, entry.unit);
+  if (!formula.empty()) write(formula);
+}
+
+struct DistanceTo {
+  const Camera& camera;
+  Vector<2> pointer;
+
+  double to_segment(const Vector<2>& from, const Vector<2>& to) const {
+    const Vector<2> along = to - from;
+    const double squared = glm::dot(along, along);
+    const double share = squared > 0.0 ? std::clamp(glm::dot(pointer - from, along) / squared, 0.0, 1.0) : 0.0;
+    return glm::distance(pointer, from + along * share);
+  }
+  double operator()(const HalfPlane&) const { return 1e9; }  // everywhere: of no help to anybody
+  double operator()(const Label&) const { return 1e9; }      // its mark is beside it
+  double operator()(const Line& form) const {
+    return to_segment(to_screen(camera, form.from), to_screen(camera, form.to)) - 0.5 * form.width;
+  }
+  double operator()(const Marker& form) const {
+    const double distance = glm::distance(pointer, to_screen(camera, form.center) + form.offset);
+    // A ring is there only where it is drawn.
+    const bool is_ring = form.fill.alpha == 0;
+    return is_ring ? std::abs(distance - form.radius) : distance - form.radius;
+  }
+  double operator()(const Arrow& form) const {
+    return to_segment(to_screen(camera, form.tail) + form.offset, to_screen(camera, form.tip) + form.offset) -
+           form.width;
+  }
+};
+
+}  // namespace
+
+void explain(std::string_view sentence) {
+  if (!begin_explanation()) return;
+  write(sentence);
+  end_explanation();
+}
+
+void explain(Term term) {
+  if (!begin_explanation()) return;
+  write_entry(glossary(term), "");
+  end_explanation();
+}
+
+const Mark* mark_at(const Pane& pane, const Vector<2>& pointer, double unit) {
+  for (auto mark = pane.marks.rbegin(); mark != pane.marks.rend(); ++mark) {
+    if (!term_of(mark->role)) continue;
+    if (std::visit(DistanceTo{pane.camera, pointer}, mark->form) <= slack * unit) return &*mark;
+  }
+  return nullptr;
+}
+
+void explain_mark(const Pane& pane, const Vector<2>& pointer, double unit) {
+  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip)) return;
+  const Mark* const mark = mark_at(pane, pointer, unit);
+  if (mark == nullptr || !begin_explanation()) return;
+  write_entry(glossary(term_of(mark->role).value()), mark->strategy ? strategy(*mark->strategy).title : "");
+  end_explanation();
+}
+
+}  // namespace ghostforce

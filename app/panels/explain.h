@@ -1,0 +1,21 @@
+// Explanations on hover, after a moment. Within an ImGui frame.
+#pragma once
+
+#include <string_view>
+
+#include "app/glossary.h"
+#include "app/view/panes.h"
+
+namespace ghostforce {
+
+// On the item just drawn.
+void explain(std::string_view sentence);
+void explain(Term term);
+
+// On the mark of the scene under the pointer, where the item just drawn is the scene. `pointer` in the pane [points].
+void explain_mark(const Pane& pane, const Vector<2>& pointer, double unit);
+
+// The uppermost mark with a meaning at that place; null if there is none.
+const Mark* mark_at(const Pane& pane, const Vector<2>& pointer, double unit);
+
+}  // namespace ghostforce

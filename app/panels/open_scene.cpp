@@ -1,0 +1,28 @@
+// Ctrl+O: a scene by its path. The shipped ones are in the menu of the status bar.
+#include "app/panels/controls.h"
+#include "app/panels/dialogs.h"
+
+namespace ghostforce {
+
+void draw_open_scene(const PanelContext& context) {
+  Session& session = context.session;
+  ImGui::TextUnformatted("Path of a scene file, or name of a shipped scene:");
+  if (session.form.belongs_to != Dialog::open_scene) ImGui::SetKeyboardFocusHere();
+  ImGui::SetNextItemWidth(420.0F * context.scale);
+  const bool entered = text_field("##path", "my_scene.toml", session.form.path);
+  ImGui::BeginDisabled(session.form.path.empty());
+  const bool pressed = ImGui::Button("Open");
+  ImGui::EndDisabled();
+  ImGui::SameLine();
+  if (ImGui::Button("Cancel")) session.dialog = Dialog::none;
+  ImGui::SameLine();
+  ImGui::PushStyleColor(ImGuiCol_Text, unpacked(context.theme.faint_text));
+  ImGui::TextUnformatted("Or drop the file on the window.");
+  ImGui::PopStyleColor();
+  if ((entered || pressed) && !session.form.path.empty()) {
+    session.wishes.open_scene = session.form.path;
+    session.dialog = Dialog::none;
+  }
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,75 @@
+#include "app/panels/save_path.h"
+
+#include <cctype>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "app/panels/controls.h"
+
+namespace ghostforce {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Verdict {
+  bool can_be_written;
+  const char* caption;  // of the button
+  std::string remark;
+};
+
+Verdict judge(const std::string& path) {
+  if (path.empty()) return {false, "Save", "Type a path."};
+  std::error_code error;
+  const fs::path folder = fs::path(path).parent_path();
+  if (fs::is_directory(path, error)) return {false, "Save", "This is a folder; add a file name."};
+  if (!folder.empty() && !fs::is_directory(folder, error)) return {false, "Save", "There is no such folder."};
+  if (fs::exists(path, error)) return {true, "Replace", "This file exists and will be replaced."};
+  return {true, "Save", "A new file."};
+}
+
+}  // namespace
+
+std::string file_stem(std::string_view title) {
+  std::string stem;
+  for (const char c : title) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x80 && std::isalnum(byte) != 0) {
+      stem += static_cast<char>(std::tolower(byte));
+    } else if (!stem.empty() && stem.back() != '-') {
+      stem += '-';
+    }
+  }
+  while (!stem.empty() && stem.back() == '-') stem.pop_back();
+  constexpr std::size_t longest = 60;
+  return stem.empty() ? "scene" : stem.substr(0, longest);
+}
+
+std::string proposed_path(std::string_view stem, std::string_view extension) {
+  std::error_code error;
+  const fs::path folder = fs::current_path(error);
+  for (int number = 1;; ++number) {
+    const std::string name = number == 1 ? fmt::format("{}.{}", stem, extension)
+                                         : fmt::format("{}-{}.{}", stem, number, extension);
+    if (const fs::path path = folder / name; !fs::exists(path, error)) return path.string();
+  }
+}
+
+bool draw_save_path(const PanelContext& context) {
+  Form& form = context.session.form;
+  if (form.belongs_to != context.session.dialog) ImGui::SetKeyboardFocusHere();
+  ImGui::SetNextItemWidth(480.0F * context.scale);
+  const bool entered = text_field("##path", "", form.path);
+  const Verdict verdict = judge(form.path);
+  ImGui::PushStyleColor(ImGuiCol_Text, unpacked(context.theme.faint_text));
+  ImGui::TextUnformatted(verdict.remark.c_str());
+  ImGui::PopStyleColor();
+  ImGui::BeginDisabled(!verdict.can_be_written);
+  const bool pressed = ImGui::Button(fmt::format("{}###save", verdict.caption).c_str());
+  ImGui::EndDisabled();
+  ImGui::SameLine();
+  if (ImGui::Button("Cancel")) context.session.dialog = Dialog::none;
+  return (entered || pressed) && verdict.can_be_written;
+}
+
+}  // namespace ghostforce

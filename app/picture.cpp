@@ -1,0 +1,130 @@
+#include "app/picture.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "app/failure.h"
+#include "app/interruption.h"
+#include "app/paint/json_painter.h"
+#include "app/panels/panel_catalog.h"
+#include "app/window.h"
+#include "core/play.h"
+#include "core/sound_state.h"
+#include "ghostforce_version.h"
+
+namespace ghostforce {
+namespace {
+
+std::int64_t tick_at(const Scene& scene, const std::optional<double>& at_s) {
+  if (!at_s) return last_tick(scene);
+  const double tick = *at_s * scene.settings.rate;
+  if (tick >= 0.0 && tick <= most_ticks) return std::llround(tick);
+  throw Failure(ExitCode::wrong_call, fmt::format("the moment {} s cannot be shown; want a time from 0 to {} s", *at_s,
+                                                  most_ticks / scene.settings.rate));
+}
+
+nlohmann::ordered_json describe_pane(const Pane& pane, const Vector<2>& corner) {
+  const Camera& camera = pane.camera;
+  const Vector<2> at = corner + pane.corner;
+  nlohmann::ordered_json description;
+  description["camera"] = {{"center_mm", {camera.center.x * 1000.0, camera.center.y * 1000.0}},
+                           {"points_per_mm", camera.points_per_metre / 1000.0},
+                           {"size", {camera.size.x, camera.size.y}},
+                           {"corner", {at.x, at.y}}};
+  description["marks"] = marks_as_json(pane.marks);
+  return description;
+}
+
+}  // namespace
+
+bool apply_strategy_word(std::string_view word, PictureRequest& request) {
+  if (word.empty()) return true;
+  if (word == every_strategy) {
+    request.options.compare = Compare::overlay;
+    return true;
+  }
+  const auto id = find_strategy(word);
+  if (!id) return false;
+  request.scene.settings.active = *id;
+  request.options.compare = Compare::active_only;
+  return true;
+}
+
+Moment play_to_moment(const PictureRequest& request) {
+  Moment moment;
+  const TickState<2> state =
+      play(request.scene, tick_at(request.scene, request.at_s), [&](const Snapshot& snapshot) {
+        moment.history.add(snapshot);
+        moment.snapshot = snapshot;
+        if (snapshot.tick % 1024 == 0) stop_if_interrupted();
+      });
+  if (is_sound(state)) return moment;
+  throw Failure(ExitCode::wrong_call,
+                "there is nothing to draw: with these settings the sampled loop is unstable and the device runs away; "
+                "lower k_r_N_per_m, or raise rate_hz, mass_kg or damping_N_s_per_m");
+}
+
+std::vector<Pane> compose_moment(const PictureRequest& request, const Moment& moment, const Vector<2>& size,
+                                 const MeasureText& measure) {
+  return compose_panes({.settings = request.scene.settings,
+                        .snapshot = moment.snapshot,
+                        .history = moment.history,
+                        .theme = *request.look.theme,
+                        .options = request.options,
+                        .shown = request.scene.view,
+                        .size = size,
+                        .scale = request.look.scale,
+                        .measure = measure});
+}
+
+Drawing draw_moment(const PictureRequest& request, const Moment& moment) {
+  Session session = session_of(request.scene);
+  session.options = request.options;
+  session.look = request.look;
+  session.pointer_moves_goal = false;
+  session.folded_panels = panels_folded_at_first(request.height / request.look.scale);
+
+  Window window({.title = "ghostforce",
+                 .width = request.width,
+                 .height = request.height,
+                 .offscreen = true,
+                 .takes_mouse = false});
+  Screen screen(window, request.part);
+  // A panel of ImGui knows its size one frame after its content.
+  constexpr int frames_to_settle = 3;
+  for (int i = 0; i < frames_to_settle; ++i) {
+    screen.draw(session, moment.snapshot, moment.history,
+                {.input_title = "Scripted hand", .rate_hz = session.settings.rate});
+  }
+  stop_if_interrupted();
+  const ImVec2 corner = screen.scene_corner();
+  return {window.picture(),
+          screen.panes(),
+          {static_cast<double>(corner.x), static_cast<double>(corner.y)},
+          window.graphics_description()};
+}
+
+nlohmann::ordered_json describe_picture(const PictureRequest& request, const Moment& moment,
+                                        const std::vector<Pane>& panes, const Vector<2>& corner) {
+  nlohmann::ordered_json picture;
+  picture["version"] = version;
+  picture["scene"] = request.scene.title;
+  picture["t_s"] = moment.snapshot.time_s;
+  picture["strategy"] = strategy(request.scene.settings.active).name;
+  picture["compare"] = compare_name(request.options.compare);
+  if (panes.size() == 1) {
+    picture.update(describe_pane(panes.front(), corner));
+    return picture;
+  }
+  for (const Pane& pane : panes) {
+    nlohmann::ordered_json description;
+    description["strategy"] = strategy(pane.active).name;
+    description.update(describe_pane(pane, corner));
+    picture["panes"].push_back(std::move(description));
+  }
+  return picture;
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,65 @@
+// Picture: a scene at one moment, without a window on a display. What `render` writes, `check` compares and figures
+// are made of. The same request gives the same picture. Main thread only (OpenGL offscreen).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "app/image.h"
+#include "app/screen.h"
+#include "app/view/history.h"
+#include "app/view/panes.h"
+#include "core/scene.h"
+
+namespace ghostforce {
+
+inline constexpr int smallest_picture = 64;  // [px] each way
+inline constexpr int largest_picture = 4096;
+
+struct PictureRequest {
+  Scene scene;
+  std::optional<double> at_s;  // empty: the scene's duration
+  int width = 1280;            // [px]
+  int height = 800;
+  Part part = Part::window;
+  ViewOptions options{.compare = Compare::active_only};
+  Look look;
+};
+
+// The word for all strategies in one picture.
+inline constexpr std::string_view every_strategy = "all";
+
+// The word that --strategy and a case file hold: a strategy's name shows that one alone, "all" shows the scene's own
+// with the others beside it, in the same picture; empty changes nothing. False where the word is none of these.
+bool apply_strategy_word(std::string_view word, PictureRequest& request);
+
+// The moment: the scene played from its beginning. Throws Failure: wrong_call for a moment that cannot be, or where the
+// loop is unstable; interrupted.
+struct Moment {
+  Snapshot snapshot;
+  History history;
+};
+Moment play_to_moment(const PictureRequest& request);
+
+// The scene's marks, as a painter of vectors wants them.
+std::vector<Pane> compose_moment(const PictureRequest& request, const Moment& moment, const Vector<2>& size,
+                                 const MeasureText& measure);
+
+// Drawn by the screen's own code with OpenGL in software. Throws Failure(no_display).
+struct Drawing {
+  Image image;
+  std::vector<Pane> panes;
+  Vector<2> corner;      // of the scene in the picture [points]
+  std::string graphics;  // renderer and version of OpenGL
+};
+Drawing draw_moment(const PictureRequest& request, const Moment& moment);
+
+// What was drawn, for scripts and tests.
+nlohmann::ordered_json describe_picture(const PictureRequest& request, const Moment& moment,
+                                        const std::vector<Pane>& panes, const Vector<2>& corner);
+
+}  // namespace ghostforce

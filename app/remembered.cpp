@@ -1,0 +1,179 @@
+#include "app/remembered.h"
+
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "app/failure.h"
+#include "app/output_file.h"
+#include "app/printable.h"
+#include "app/toml_text.h"
+
+namespace ghostforce {
+namespace {
+
+namespace fs = std::filesystem;
+
+// $NAME/ghostforce, or ~/FALLBACK/ghostforce; the XDG specification wants relative paths ignored. Empty: nowhere.
+fs::path folder(const char* name, const char* fallback) {
+  const char* const given = std::getenv(name);
+  if (given != nullptr && fs::path(given).is_absolute()) return fs::path(given) / "ghostforce";
+  const char* const home = std::getenv("HOME");
+  if (home != nullptr && fs::path(home).is_absolute()) return fs::path(home) / fallback / "ghostforce";
+  return {};
+}
+
+fs::path preferences_file() {
+  const fs::path where = folder("XDG_CONFIG_HOME", ".config");
+  return where.empty() ? where : where / "preferences.toml";
+}
+
+fs::path layout_file() {
+  const fs::path where = folder("XDG_STATE_HOME", ".local/state");
+  return where.empty() ? where : where / "layout.toml";
+}
+
+// A file that says something wrong; the message is for the person.
+struct Damaged {
+  std::string what;
+};
+
+// Missing keys keep their value: an older program wrote the file.
+template <typename Value>
+void take(const toml::table& table, std::string_view key, Value& value) {
+  const toml::node* const node = table.get(key);
+  if (node == nullptr) return;
+  const auto found = node->value_exact<Value>();
+  if (!found) throw Damaged{fmt::format("the value of {} has the wrong type", key)};
+  value = *found;
+}
+
+int take_length(const toml::table& table, std::string_view key, int length) {
+  constexpr std::int64_t longest = 32768;  // of any screen [px]
+  std::int64_t value = length;
+  take(table, key, value);
+  if (value < 1 || value > longest) throw Damaged{fmt::format("{} = {} is no size of a window", key, value)};
+  return static_cast<int>(value);
+}
+
+void read(const toml::table& table, Preferences& preferences) {
+  std::string theme(preferences.look.theme->name);
+  take(table, "theme", theme);
+  preferences.look.theme = find_theme(theme);
+  if (preferences.look.theme == nullptr) throw Damaged{fmt::format("there is no theme '{}'", printable(theme))};
+  take(table, "scale", preferences.look.scale);
+  if (!(preferences.look.scale >= Look::least_scale && preferences.look.scale <= Look::greatest_scale)) {
+    throw Damaged{fmt::format("scale = {} is not between {} and {}", preferences.look.scale, Look::least_scale,
+                              Look::greatest_scale)};
+  }
+  take(table, "hints", preferences.offers_hints);
+}
+
+void read(const toml::table& table, WindowLayout& layout) {
+  layout.width = take_length(table, "width", layout.width);
+  layout.height = take_length(table, "height", layout.height);
+  take(table, "maximized", layout.is_maximized);
+  if (const toml::node* const node = table.get("folded")) {
+    const toml::array* const titles = node->as_array();
+    if (titles == nullptr) throw Damaged{"the value of folded is no list"};
+    for (const toml::node& title : *titles) {
+      const auto text = title.value_exact<std::string>();
+      if (!text) throw Damaged{"folded lists something that is no text"};
+      layout.folded_panels.insert(*text);
+    }
+  }
+}
+
+std::string text_of(const Preferences& preferences) {
+  return fmt::format("# Written by ghostforce; what the View panel chooses.\ntheme = {}\nscale = {:.4f}\nhints = {}\n",
+                     toml_string(preferences.look.theme->name), preferences.look.scale, preferences.offers_hints);
+}
+
+std::string text_of(const WindowLayout& layout) {
+  std::string folded;
+  for (const std::string& title : layout.folded_panels) {
+    folded += folded.empty() ? "" : ", ";
+    folded += toml_string(title);
+  }
+  return fmt::format("# Written by ghostforce when its window closes.\nwidth = {}\nheight = {}\nmaximized = {}\n"
+                     "folded = [{}]\n",
+                     layout.width, layout.height, layout.is_maximized, folded);
+}
+
+// Where a damaged file goes: a name that nothing has yet.
+fs::path name_aside(const fs::path& file) {
+  std::error_code error;
+  for (int number = 1;; ++number) {
+    fs::path aside = file;
+    aside += number == 1 ? ".damaged" : fmt::format(".damaged-{}", number);
+    if (!fs::exists(aside, error)) return aside;
+  }
+}
+
+template <typename Value>
+std::optional<Value> recall_from(const fs::path& file, std::vector<std::string>& remarks) {
+  std::error_code error;
+  if (file.empty() || !fs::exists(file, error)) return std::nullopt;
+  const std::string shown = printable(file.string(), longest_path);
+  if (!fs::is_regular_file(file, error)) {
+    remarks.push_back(fmt::format("{} is no file; the usual values are used", shown));
+    return std::nullopt;
+  }
+  std::ifstream stream(file, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  if (!stream.good() && !stream.eof()) {
+    remarks.push_back(fmt::format("{} cannot be read; the usual values are used", shown));
+    return std::nullopt;
+  }
+  try {
+    const ParsedToml parsed = parse_toml(text);
+    if (parsed.problem) throw Damaged{fmt::format("line {}: {}", parsed.problem->position.line, parsed.problem->what)};
+    Value value;
+    read(parsed.table, value);
+    return value;
+  } catch (const Damaged& damage) {
+    const fs::path aside = name_aside(file);
+    fs::rename(file, aside, error);
+    remarks.push_back(error ? fmt::format("{} is damaged ({}); the usual values are used", shown, damage.what)
+                            : fmt::format("{} was damaged ({}) and is now {}; the usual values are used", shown,
+                                          damage.what, printable(aside.string(), longest_path)));
+    return std::nullopt;
+  }
+}
+
+void write(const fs::path& file, const std::string& text) {
+  if (file.empty()) return;
+  std::error_code error;
+  fs::create_directories(file.parent_path(), error);
+  if (error) {
+    throw Failure(ExitCode::file_trouble, fmt::format("{}: the folder cannot be made: {}; preferences are kept there",
+                                                      file.parent_path().string(), error.message()));
+  }
+  OutputFile output(file.string());
+  output.write(text);
+  output.commit();
+}
+
+}  // namespace
+
+Remembered recall() {
+  Remembered remembered;
+  remembered.preferences = recall_from<Preferences>(preferences_file(), remembered.remarks).value_or(Preferences{});
+  remembered.layout = recall_from<WindowLayout>(layout_file(), remembered.remarks);
+  return remembered;
+}
+
+void remember(const Preferences& preferences) {
+  write(preferences_file(), text_of(preferences));
+}
+
+void remember(const WindowLayout& layout) {
+  write(layout_file(), text_of(layout));
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,43 @@
+// What the program remembers from one run to the next: preferences in the XDG config folder, the layout of the window
+// in the XDG state folder, a small TOML file each. A damaged file is set aside under another name, never overwritten
+// and never a reason not to start. UI thread.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "app/session.h"
+
+namespace ghostforce {
+
+struct Preferences {
+  Look look;
+  bool offers_hints = true;  // until they have been followed or declined
+
+  friend bool operator==(const Preferences&, const Preferences&) = default;
+};
+
+struct WindowLayout {
+  int width = 1280;  // [screen coordinates], while neither maximised nor full screen
+  int height = 800;
+  bool is_maximized = false;
+  std::set<std::string, std::less<>> folded_panels;
+
+  friend bool operator==(const WindowLayout&, const WindowLayout&) = default;
+};
+
+struct Remembered {
+  Preferences preferences;
+  std::optional<WindowLayout> layout;  // empty: nothing is known yet
+  std::vector<std::string> remarks;    // for the person: what was damaged, and where it is now
+};
+Remembered recall();
+
+// Throws Failure(file_trouble). Without a home folder nothing is remembered.
+void remember(const Preferences& preferences);
+void remember(const WindowLayout& layout);
+
+}  // namespace ghostforce

@@ -1,0 +1,66 @@
+#include "app/shader_watch.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+#include "app/failure.h"
+#include "app/paint/gl/shader_program.h"
+#include "app/printable.h"
+
+namespace ghostforce {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double interval_s = 0.25;
+
+std::string contents_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  if (!stream.is_open()) throw gl::ShaderError(fmt::format("{} cannot be read", file.string()));
+  return text;
+}
+
+}  // namespace
+
+ShaderWatch::ShaderWatch(std::string folder)
+    : files_{fs::path(folder) / "mark.vert", fs::path(folder) / "mark.frag"} {
+  for (const fs::path& file : files_) {
+    std::error_code error;
+    if (fs::is_regular_file(file, error)) continue;
+    throw Failure(ExitCode::wrong_call,
+                  fmt::format("--shader-dir {}: there is no file {} in it; copy the folder shaders/ of the source tree",
+                              printable(folder, longest_path), file.filename().string()));
+  }
+}
+
+ShaderWatch::Stamps ShaderWatch::stamps() const {
+  Stamps stamps;
+  for (std::size_t i = 0; i < files_.size(); ++i) {
+    // A file that an editor is just replacing has no time; it will have one the next time.
+    std::error_code error;
+    stamps[i].time = fs::last_write_time(files_[i], error);
+    stamps[i].size = fs::file_size(files_[i], error);
+  }
+  return stamps;
+}
+
+void ShaderWatch::look(GlPainter& painter, double now_s) {
+  if (has_looked_ && now_s < next_look_s_) return;
+  next_look_s_ = now_s + interval_s;
+  const Stamps now = stamps();
+  if (has_looked_ && now == seen_) return;
+  has_looked_ = true;
+  seen_ = now;
+  try {
+    painter.use_shaders(contents_of(files_[0]), contents_of(files_[1]));
+    problem_.clear();
+  } catch (const gl::ShaderError& error) {
+    problem_ = error.what();
+  }
+}
+
+}  // namespace ghostforce

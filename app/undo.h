@@ -1,0 +1,59 @@
+// Undo: every change of a setting can be taken back, and the opening of another scene too. A drag of a slider or a
+// handle is one change. UI thread.
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/scene.h"
+
+namespace ghostforce {
+
+// What undo goes back to.
+struct Edited {
+  std::shared_ptr<const Scene> scene;
+  Settings settings;
+
+  friend bool operator==(const Edited&, const Edited&) = default;
+};
+
+class UndoHistory {
+ public:
+  static constexpr std::size_t most_steps = 500;
+
+  explicit UndoHistory(Edited present) : present_(std::move(present)) {}
+
+  // Once per frame: what the person sees now. While something is held (`is_editing`) its change is not complete.
+  void note(const Edited& now, bool is_editing) {
+    if (is_editing || now == present_) return;
+    past_.push_back(std::move(present_));
+    if (past_.size() > most_steps) past_.pop_front();
+    future_.clear();
+    present_ = now;
+  }
+
+  // What to go back or forward to; empty when there is nothing.
+  std::optional<Edited> undo() {
+    if (past_.empty()) return std::nullopt;
+    future_.push_back(std::move(present_));
+    present_ = std::move(past_.back());
+    past_.pop_back();
+    return present_;
+  }
+  std::optional<Edited> redo() {
+    if (future_.empty()) return std::nullopt;
+    past_.push_back(std::move(present_));
+    present_ = std::move(future_.back());
+    future_.pop_back();
+    return present_;
+  }
+
+ private:
+  std::deque<Edited> past_;
+  Edited present_;
+  std::vector<Edited> future_;
+};
+
+}  // namespace ghostforce

@@ -1,0 +1,39 @@
+// Panes: the picture of a scene as one piece, or as one beside the other for the comparison. Each pane is a camera and
+// its marks; together they fill the rectangle. Pure, like compose().
+#pragma once
+
+#include <vector>
+
+#include "app/view/compose.h"
+#include "core/scene.h"
+
+namespace ghostforce {
+
+struct Pane {
+  Vector<2> corner{0.0};  // upper left, in the whole rectangle [points]
+  Camera camera;          // its size is the pane's
+  StrategyId active;      // whose pane it is; the active strategy where there is one pane
+  Marks marks;
+};
+
+// What is to be seen, and how; `size` is the whole rectangle's [points].
+struct PictureContent {
+  const Settings& settings;
+  const Snapshot& snapshot;
+  const History& history;
+  const Theme& theme;
+  ViewOptions options;
+  SceneView shown;  // the part of the world
+  Vector<2> size;
+  double scale;  // UI scale, 1 is normal
+  const MeasureText& measure;
+  bool has_handles = false;
+  Handle hot = Handle::none;
+};
+
+std::vector<Pane> compose_panes(const PictureContent& content);
+
+// The pane that holds a point of the rectangle; the nearest one for a point outside. `panes` is not empty.
+const Pane& pane_at(const std::vector<Pane>& panes, const Vector<2>& point);
+
+}  // namespace ghostforce
