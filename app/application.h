@@ -22,11 +22,11 @@ namespace ghostforce {
 
 struct ApplicationOptions {
   Part part = Part::window;
-  Look look;
+  Look look{};
   std::string input = "mouse";  // a name of the input catalog
   bool offers_hints = false;
-  std::set<std::string, std::less<>> folded_panels;
-  std::string shader_folder;  // empty: the embedded shaders, not watched
+  std::set<std::string, std::less<>> folded_panels{};
+  std::string shader_folder{};  // empty: the embedded shaders, not watched
 };
 
 class Application {

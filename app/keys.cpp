@@ -71,16 +71,16 @@ constexpr ImGuiKeyChord alt = ImGuiMod_Alt;
 
 // clang-format off
 constexpr std::array bindings{
-    KeyBinding{ImGuiKey_1, "1", "Fully actuated rendering", activate<StrategyId::full>, false},
-    KeyBinding{ImGuiKey_2, "2", "Naïve rendering", activate<StrategyId::naive>, false},
-    KeyBinding{ImGuiKey_3, "3", "Anisotropic rendering", activate<StrategyId::anisotropic>, false},
-    KeyBinding{ImGuiKey_0, "0", "Compare: overlay, side by side, active only", next_compare_mode, false},
-    KeyBinding{ImGuiKey_Space, "Space", "Pause, and go on", toggle_pause, false},
+    KeyBinding{ImGuiKey_1, "1", "Fully actuated rendering", activate<StrategyId::full>},
+    KeyBinding{ImGuiKey_2, "2", "Naïve rendering", activate<StrategyId::naive>},
+    KeyBinding{ImGuiKey_3, "3", "Anisotropic rendering", activate<StrategyId::anisotropic>},
+    KeyBinding{ImGuiKey_0, "0", "Compare: overlay, side by side, active only", next_compare_mode},
+    KeyBinding{ImGuiKey_Space, "Space", "Pause, and go on", toggle_pause},
     KeyBinding{ImGuiKey_Period, ".", "One tick, then pause", single_step, true},
-    KeyBinding{ImGuiKey_R, "R", "Reset the motion", restart, false},
-    KeyBinding{alt | ImGuiKey_R, "Alt+R", "Reset motion and all settings", restart_with_scene_settings, false},
+    KeyBinding{ImGuiKey_R, "R", "Reset the motion", restart},
+    KeyBinding{alt | ImGuiKey_R, "Alt+R", "Reset motion and all settings", restart_with_scene_settings},
 
-    KeyBinding{ImGuiKey_LeftArrow, "Arrows", "Move the goal by 1 mm; with Shift 0.1 mm, with Ctrl 10 mm", move_goal<-1, 0, 10>, true},
+    KeyBinding{ImGuiKey_LeftArrow, "Arrows", "Move the goal 1 mm; Shift 0.1 mm, Ctrl 10 mm", move_goal<-1, 0, 10>, true},
     KeyBinding{ImGuiKey_RightArrow, "", "", move_goal<1, 0, 10>, true},
     KeyBinding{ImGuiKey_UpArrow, "", "", move_goal<0, 1, 10>, true},
     KeyBinding{ImGuiKey_DownArrow, "", "", move_goal<0, -1, 10>, true},
@@ -93,41 +93,41 @@ constexpr std::array bindings{
     KeyBinding{ctrl | ImGuiKey_UpArrow, "", "", move_goal<0, 1, 100>, true},
     KeyBinding{ctrl | ImGuiKey_DownArrow, "", "", move_goal<0, -1, 100>, true},
 
-    KeyBinding{ImGuiKey_LeftBracket, "[  ]", "Turn the motor axis by 5°; with Shift 1°", turn_motor_axis<5>, true},
+    KeyBinding{ImGuiKey_LeftBracket, "[  ]", "Turn the motor axis 5°; Shift 1°", turn_motor_axis<5>, true},
     KeyBinding{ImGuiKey_RightBracket, "", "", turn_motor_axis<-5>, true},
     KeyBinding{shift | ImGuiKey_LeftBracket, "", "", turn_motor_axis<1>, true},
     KeyBinding{shift | ImGuiKey_RightBracket, "", "", turn_motor_axis<-1>, true},
-    KeyBinding{ImGuiKey_W, "W", "Turn the wall to the angle of largest naïve drift", turn_wall_to_largest_drift, false},
+    KeyBinding{ImGuiKey_W, "W", "Turn the wall to the angle of largest naïve drift", turn_wall_to_largest_drift},
 
-    KeyBinding{ImGuiKey_G, "G", "Ghost force arrows on and off", toggle<&ViewOptions::ghost_forces>, false},
-    KeyBinding{ImGuiKey_P, "P", "Prediction rings on and off", toggle<&ViewOptions::predictions>, false},
-    KeyBinding{ImGuiKey_T, "T", "Trails on and off", toggle<&ViewOptions::trails>, false},
-    KeyBinding{ImGuiKey_F, "F", "Fit the view to what there is to see", ask<&Wishes::fit_view>, false},
+    KeyBinding{ImGuiKey_G, "G", "Ghost force arrows on and off", toggle<&ViewOptions::ghost_forces>},
+    KeyBinding{ImGuiKey_P, "P", "Prediction rings on and off", toggle<&ViewOptions::predictions>},
+    KeyBinding{ImGuiKey_T, "T", "Trails on and off", toggle<&ViewOptions::trails>},
+    KeyBinding{ImGuiKey_F, "F", "Fit the view to what there is to see", ask<&Wishes::fit_view>},
 
     KeyBinding{ctrl | ImGuiKey_Z, "Ctrl+Z", "Undo the last change of a setting", ask<&Wishes::undo>, true},
     KeyBinding{ctrl | shift | ImGuiKey_Z, "Ctrl+Shift+Z", "Redo it; Ctrl+Y too", ask<&Wishes::redo>, true},
     KeyBinding{ctrl | ImGuiKey_Y, "", "", ask<&Wishes::redo>, true},
-    KeyBinding{ctrl | ImGuiKey_O, "Ctrl+O", "Open a scene; or drop its file on the window", open_dialog<Dialog::open_scene>, false},
-    KeyBinding{ctrl | ImGuiKey_S, "Ctrl+S", "Save the scene with its settings as they are", open_dialog<Dialog::save_scene>, false},
-    KeyBinding{ctrl | ImGuiKey_P, "Ctrl+P", "Save a picture: PNG, SVG or PDF", open_dialog<Dialog::save_picture>, false},
+    KeyBinding{ctrl | ImGuiKey_O, "Ctrl+O", "Open a scene; or drop its file on the window", open_dialog<Dialog::open_scene>, false, true},
+    KeyBinding{ctrl | ImGuiKey_S, "Ctrl+S", "Save the scene with its settings as they are", open_dialog<Dialog::save_scene>, false, true},
+    KeyBinding{ctrl | ImGuiKey_P, "Ctrl+P", "Save a picture: PNG, SVG or PDF", open_dialog<Dialog::save_picture>, false, true},
 
-    KeyBinding{ImGuiKey_F1, "F1", "This help", open_dialog<Dialog::help>, false},
-    KeyBinding{ImGuiKey_F11, "F11", "Full screen, and back", ask<&Wishes::toggle_full_screen>, false},
-    KeyBinding{ctrl | ImGuiKey_T, "Ctrl+T", "Next theme: light, dark, projector", next_theme, false},
+    KeyBinding{ImGuiKey_F1, "F1", "This help", open_dialog<Dialog::help>, false, true},
+    KeyBinding{ImGuiKey_F11, "F11", "Full screen, and back", ask<&Wishes::toggle_full_screen>, false, true},
+    KeyBinding{ctrl | ImGuiKey_T, "Ctrl+T", "Next theme: light, dark, projector", next_theme},
     KeyBinding{ctrl | ImGuiKey_Equal, "Ctrl+ + − 0", "Letters larger, smaller, as usual", change_scale<1>, true},
     KeyBinding{ctrl | shift | ImGuiKey_Equal, "", "", change_scale<1>, true},
     KeyBinding{ctrl | ImGuiKey_KeypadAdd, "", "", change_scale<1>, true},
     KeyBinding{ctrl | ImGuiKey_Minus, "", "", change_scale<-1>, true},
     KeyBinding{ctrl | ImGuiKey_KeypadSubtract, "", "", change_scale<-1>, true},
-    KeyBinding{ctrl | ImGuiKey_0, "", "", usual_scale, false},
-    KeyBinding{ImGuiKey_Escape, "Esc", "Close what is open; it never quits", escape, false},
-    KeyBinding{ctrl | ImGuiKey_Q, "Ctrl+Q", "Quit", ask<&Wishes::quit>, false},
+    KeyBinding{ctrl | ImGuiKey_0, "", "", usual_scale},
+    KeyBinding{ImGuiKey_Escape, "Esc", "Close what is open; it never quits", escape, false, true},
+    KeyBinding{ctrl | ImGuiKey_Q, "Ctrl+Q", "Quit", ask<&Wishes::quit>, false, true},
 };
 
 constexpr std::array gestures{
     MouseGesture{"Drag", "The goal of your hand follows the pointer"},
-    MouseGesture{"Drag the arrow", "Turns the motor axis in steps of 5°; with Ctrl freely"},
-    MouseGesture{"Drag a grip of the wall", "Turns the wall in steps of 5°; with Ctrl freely"},
+    MouseGesture{"Drag the arrow", "Turns the motor axis in steps of 5°; Ctrl: freely"},
+    MouseGesture{"Drag a wall grip", "Turns the wall in steps of 5°; Ctrl: freely"},
     MouseGesture{"Wheel", "Zooms at the pointer"},
     MouseGesture{"Right drag", "Moves the picture"},
     MouseGesture{"Ctrl+click a slider", "Types a number into it"},
@@ -148,8 +148,7 @@ void act_on_keys(Session& session) {
   const ImGuiIO& io = ImGui::GetIO();
   for (const KeyBinding& binding : bindings) {
     const auto key = static_cast<ImGuiKey>(binding.chord & ~ImGuiMod_Mask_);
-    // Somebody who types into a field means the field, save for the way out.
-    if (io.WantTextInput && key != ImGuiKey_Escape) continue;
+    if (io.WantTextInput && !binding.also_in_fields) continue;
     if ((binding.chord & ImGuiMod_Mask_) == io.KeyMods && ImGui::IsKeyPressed(key, binding.repeats)) {
       binding.act(session);
     }

@@ -16,7 +16,8 @@ struct KeyBinding {
   std::string_view shown;     // as printed on the keys; empty: a further key of the row above
   std::string_view sentence;  // what it does
   void (*act)(Session&);
-  bool repeats;  // holding it down does it again
+  bool repeats = false;        // holding it down does it again
+  bool also_in_fields = false;  // even while the person types into a field, where most keys are letters
 };
 
 std::span<const KeyBinding> key_table() noexcept;
@@ -28,7 +29,7 @@ struct MouseGesture {
 };
 std::span<const MouseGesture> mouse_table() noexcept;
 
-// Does what the pressed keys ask for, unless the person is typing into a field.
+// Does what the pressed keys ask for.
 void act_on_keys(Session& session);
 
 // The same actions, for buttons.

@@ -27,7 +27,7 @@ struct PictureRequest {
   int height = 800;
   Part part = Part::window;
   ViewOptions options{.compare = Compare::active_only};
-  Look look;
+  Look look{};
 };
 
 // The word for all strategies in one picture.

@@ -14,7 +14,7 @@
 namespace ghostforce {
 
 struct Preferences {
-  Look look;
+  Look look{};
   bool offers_hints = true;  // until they have been followed or declined
 
   friend bool operator==(const Preferences&, const Preferences&) = default;
@@ -24,7 +24,7 @@ struct WindowLayout {
   int width = 1280;  // [screen coordinates], while neither maximised nor full screen
   int height = 800;
   bool is_maximized = false;
-  std::set<std::string, std::less<>> folded_panels;
+  std::set<std::string, std::less<>> folded_panels{};
 
   friend bool operator==(const WindowLayout&, const WindowLayout&) = default;
 };

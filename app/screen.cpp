@@ -29,6 +29,24 @@ void begin_fixed(const char* name, const Rect& rect, ImGuiWindowFlags more = 0) 
   ImGui::Begin(name, nullptr, fixed_window | more);
 }
 
+// Bold, low, and with a line above: a heading, not a bar of buttons.
+bool draw_panel_head(const Panel& panel, const PanelContext& context) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float y = ImGui::GetCursorScreenPos().y;
+  const float left = ImGui::GetWindowPos().x + style.WindowPadding.x;
+  const float right = ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x;
+  ImGui::PushFont(context.fonts.bold, 0.0F);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.0F, 2.0F * context.scale});
+  ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 0.0F);
+  ImGui::PushStyleColor(ImGuiCol_Header, unpacked(context.theme.panel));
+  const bool is_open = ImGui::CollapsingHeader(panel.title.data());
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar(2);
+  ImGui::PopFont();
+  ImGui::GetWindowDrawList()->AddLine({left, y}, {right, y}, packed(context.theme.panel_border), context.scale);
+  return is_open;
+}
+
 Image cut_out(const Image& image, int left, int top, int width, int height) {
   Image part{std::clamp(width, 1, image.width - left), std::clamp(height, 1, image.height - top), {}};
   part.rgb.reserve(3U * static_cast<std::size_t>(part.width) * static_cast<std::size_t>(part.height));
@@ -137,6 +155,7 @@ void Screen::draw_everything(Session& session, const Snapshot& snapshot, const H
   const Vector<2> goal = to_screen(panes_.front().camera, snapshot.goal);
   hints_.draw(context, layout.scene.corner, layout.scene.size,
               {scene_corner_.x + static_cast<float>(goal.x), scene_corner_.y + static_cast<float>(goal.y)});
+  draw_shader_problem(context, layout.scene.corner, layout.scene.size);
   draw_notice(context, layout.scene.corner, layout.scene.size);
   draw_dialog(context);
 }
@@ -145,14 +164,11 @@ void Screen::draw_column(const PanelContext& context) {
   for (const Panel& panel : panel_catalog()) {
     std::set<std::string, std::less<>>& folded = context.session.folded_panels;
     const bool was_folded = folded.contains(panel.title);
-    ImGui::PushFont(context.fonts.bold, 0.0F);
     ImGui::SetNextItemOpen(!was_folded);
-    const bool is_open = ImGui::CollapsingHeader(panel.title.data());
-    ImGui::PopFont();
+    const bool is_open = draw_panel_head(panel, context);
     if (is_open) {
       folded.erase(std::string(panel.title));
       panel.draw(context);
-      ImGui::Spacing();
     } else if (!was_folded) {
       folded.emplace(panel.title);
     }

@@ -10,9 +10,9 @@ constexpr PerStrategy<StrategyStyle> styles{{
 }};
 
 constexpr PerStrategy<Colour> light_strategies{rgb(0x173C93), rgb(0xB03407), rgb(0x37A080)};
-constexpr PerStrategy<Colour> light_letters{rgb(0x173C93), rgb(0xB03407), rgb(0x1A6E56)};
+constexpr PerStrategy<Colour> light_letters{rgb(0x173C93), rgb(0x9E2E06), rgb(0x14604A)};
 constexpr PerStrategy<Colour> dark_strategies{rgb(0x4F8DEB), rgb(0xFF5530), rgb(0x86EBD0)};
-constexpr PerStrategy<Colour> dark_letters{rgb(0x82B0F5), rgb(0xFF8264), rgb(0x86EBD0)};
+constexpr PerStrategy<Colour> dark_letters{rgb(0x8FB8F7), rgb(0xFF9478), rgb(0x86EBD0)};
 
 constexpr std::array themes{
     Theme{.name = "light",

@@ -51,6 +51,9 @@ struct StrategyStyle {
 };
 const StrategyStyle& strategy_style(StrategyId id) noexcept;
 
+// Share of its strategy's colour in a button or row that is active; more, and its letters were hard to read.
+inline constexpr double active_tint = 0.16;
+
 struct Theme {
   std::string_view name;
   bool dark;                          // panels start from a dark or a light base

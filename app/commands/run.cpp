@@ -91,8 +91,8 @@ int run(const Options& options) {
   Look look = remembered.preferences.look;
   options.picture.apply_look(look);
   const auto scaled = [&](int points) { return static_cast<int>(std::lround(points * look.scale)); };
-  const WindowLayout usual{.width = scaled(1280), .height = scaled(800), .folded_panels = panels_folded_at_first(800.0)};
-  const WindowLayout layout = remembered.layout.value_or(usual);
+  const WindowLayout layout = remembered.layout.value_or(
+      WindowLayout{.width = scaled(1280), .height = scaled(800), .is_maximized = false, .folded_panels = {}});
   Window window({.title = fmt::format("{} · ghostforce", scene.title),
                  .width = layout.width,
                  .height = layout.height,
@@ -102,7 +102,9 @@ int run(const Options& options) {
                           {.look = look,
                            .input = options.input,
                            .offers_hints = remembered.preferences.offers_hints && !options.no_hints,
-                           .folded_panels = layout.folded_panels,
+                           .folded_panels = remembered.layout
+                                                ? layout.folded_panels
+                                                : panels_folded_at_first(window.restored_size().height / look.scale),
                            .shader_folder = options.shader_folder});
   for (const std::string& remark : remembered.remarks) application.tell(remark, true);
   Keeper keeper(remembered.preferences, application.session());
@@ -124,7 +126,12 @@ int run(const Options& options) {
     }
     pacer.wait(window, application.is_idle(), now);
   }
-  remember(layout_of(window, application.session()));
+  try {
+    remember(layout_of(window, application.session()));
+  } catch (const Failure& failure) {
+    // The visit is over and went well; the window only opens in its usual size the next time.
+    fmt::print(stderr, "{}\n", failure.what());
+  }
   return static_cast<int>(ExitCode::done);
 }
 

@@ -54,7 +54,8 @@ void draw_notice(const PanelContext& context, ImVec2 corner, ImVec2 size) {
   if (!session.notice) return;
   const float scale = context.scale;
   const float width = std::min(620.0F * scale, size.x - 32.0F * scale);
-  ImGui::SetNextWindowPos({corner.x + 0.5F * size.x, corner.y + 14.0F * scale}, ImGuiCond_Always, {0.5F, 0.0F});
+  // To the right: the legend is on the left.
+  ImGui::SetNextWindowPos({corner.x + size.x - 14.0F * scale, corner.y + 14.0F * scale}, ImGuiCond_Always, {1.0F, 0.0F});
   ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {width, 0.6F * size.y});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 2.0F * scale);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6.0F * scale);

@@ -12,6 +12,9 @@ void draw_dialog(const PanelContext& context);
 // What there is to tell, if anything, at the top of the scene, whose rectangle this is.
 void draw_notice(const PanelContext& context, ImVec2 corner, ImVec2 size);
 
+// Why the shaders in the watched folder are not in use, if they are not: the driver's log and the numbered source.
+void draw_shader_problem(const PanelContext& context, ImVec2 corner, ImVec2 size);
+
 // The dialogs themselves, a file each.
 void draw_help(const PanelContext& context);
 void draw_open_scene(const PanelContext& context);

@@ -56,7 +56,9 @@ void Hints::draw(const PanelContext& context, ImVec2 corner, ImVec2 size, ImVec2
   if (!session.hint) return;
   const Hint& hint = hints[*session.hint];
   const float scale = context.scale;
-  ImGui::SetNextWindowPos({corner.x + 0.5F * size.x, corner.y + size.y - 84.0F * scale}, ImGuiCond_Always, {0.5F, 0.5F});
+  // Between scale bars and motor dial.
+  const float middle = 0.5F * (170.0F * scale + size.x - 118.0F * scale);
+  ImGui::SetNextWindowPos({corner.x + middle, corner.y + size.y - 56.0F * scale}, ImGuiCond_Always, {0.5F, 0.5F});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 2.0F * scale);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6.0F * scale);
   ImGui::PushStyleColor(ImGuiCol_Border, unpacked(context.theme.accent));
@@ -64,7 +66,7 @@ void Hints::draw(const PanelContext& context, ImVec2 corner, ImVec2 size, ImVec2
   ImGui::Begin("hint", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoNav | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
-  ImGui::PushFont(context.fonts.bold, 1.2F * ImGui::GetStyle().FontSizeBase);
+  ImGui::PushFont(context.fonts.bold, 1.1F * ImGui::GetStyle().FontSizeBase);
   ImGui::TextUnformatted(hint.sentence.data(), hint.sentence.data() + hint.sentence.size());
   ImGui::PopFont();
   ImGui::PushStyleColor(ImGuiCol_Text, unpacked(context.theme.faint_text));

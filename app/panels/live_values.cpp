@@ -11,6 +11,9 @@
 namespace ghostforce {
 namespace {
 
+// Height of the column below which the sentence is left to the strategy's button, which has it on hover [points].
+constexpr float room_for_sentence = 620.0F;
+
 struct Quantity {
   const char* title;
   const char* unit;
@@ -60,7 +63,7 @@ void draw_row(const PanelContext& context, const Strategy& entry) {
   ImGui::TableNextRow();
   if (active)
     ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0,
-                           packed(mix(context.theme.panel, context.theme.strategy[i], 0.16)));
+                           packed(mix(context.theme.panel, context.theme.strategy[i], active_tint)));
   ImGui::TableNextColumn();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float height = ImGui::GetTextLineHeight();
@@ -133,7 +136,7 @@ void draw_live_values(const PanelContext& context) {
   for (const Strategy& entry : strategy_catalog()) draw_row(context, entry);
   ImGui::EndTable();
   draw_model_error(context);
-  draw_sentence(context);
+  if (ImGui::GetWindowHeight() > room_for_sentence * context.scale) draw_sentence(context);
 }
 
 }  // namespace ghostforce

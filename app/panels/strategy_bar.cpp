@@ -36,7 +36,7 @@ void draw_strategy_button(const PanelContext& context, const Strategy& entry, fl
   ImDrawList& draw_list = *ImGui::GetWindowDrawList();
   const ImVec2 end{corner.x + size.x, corner.y + size.y};
   const float rounding = ImGui::GetStyle().FrameRounding;
-  const double tint = active ? 0.22 : hovered ? 0.12 : 0.0;
+  const double tint = active ? active_tint : hovered ? 0.5 * active_tint : 0.0;
   draw_list.AddRectFilled(corner, end, packed(mix(context.theme.panel_field, context.theme.strategy[i], tint)),
                           rounding);
   const Colour rim = is_hinted ? context.theme.accent

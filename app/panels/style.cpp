@@ -51,6 +51,13 @@ void apply_style(const Theme& theme, float scale) {
   set(ImGuiCol_SliderGrab, mix(theme.panel_field, theme.accent, 0.45));
   set(ImGuiCol_SliderGrabActive, mix(theme.panel_field, theme.accent, 0.6));
   set(ImGuiCol_CheckMark, theme.accent);
+  set(ImGuiCol_TitleBg, theme.panel_border);
+  set(ImGuiCol_TitleBgActive, theme.panel_border);
+  set(ImGuiCol_TextSelectedBg, mix(theme.panel_field, theme.accent, 0.4));
+  set(ImGuiCol_ScrollbarBg, theme.panel);
+  set(ImGuiCol_ScrollbarGrab, theme.panel_border);
+  set(ImGuiCol_ScrollbarGrabHovered, mix(theme.panel_border, theme.text, 0.3));
+  set(ImGuiCol_ScrollbarGrabActive, mix(theme.panel_border, theme.text, 0.5));
   set(ImGuiCol_Separator, theme.panel_border);
   set(ImGuiCol_TableBorderLight, theme.panel_border);
   ImGui::GetStyle() = style;

@@ -31,7 +31,7 @@ Vector<2> ghost_arrow_offset(const View& view) {
 }
 
 bool has_ghost_arrow(const View& view, StrategyId id) {
-  return view.options.ghost_forces && is_drawn(view.snapshot.strategies[index_of(id)].ghost_force);
+  return view.options.ghost_forces && is_drawn(view, view.snapshot.strategies[index_of(id)].ghost_force);
 }
 
 bool has_drift_ruler(const View& view, StrategyId id) {
@@ -52,7 +52,7 @@ void add_arrows(const View& view, Marks& marks) {
     const Colour colour = view.theme.strategy[i];
     const double size = view.in_front(id) ? 1.0 : 0.65;
     if (has_drift_ruler(view, id)) add_drift_ruler(view, id, marks);
-    if (is_drawn(now.force)) {
+    if (is_drawn(view, now.force)) {
       marks.push_back({Role::force, id,
                        Arrow{now.device, arrow_tip(view, now.device, now.force), view.points(5.0 * size), colour,
                              view.theme.background, view.points(1.2)}});

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/view/handles.h"
@@ -54,9 +55,10 @@ void add_scales(const View& view, Marks& marks) {
     pen.text(to + Vector<2>(view.points(8.0), -0.62 * view.points(text_height(TextSize::small))), std::move(words),
              view.theme.text, TextSize::small, view.theme.background);
   };
-  const double metres = round_length(view, 110.0);
+  // In a narrow pane the motor dial is close.
+  const double metres = round_length(view, std::min(110.0, 0.22 * view.camera.size.x / view.points(1.0)));
   bar(margin, metres * view.camera.points_per_metre, fmt::format("{:g} mm", metres * 1000.0));
-  bar(margin + 22.0, view.points(points_per_newton), "1 N");
+  bar(margin + 22.0, view.points(points_per_newton(view)), "1 N");
 }
 
 // Which way the device can push and which way it cannot, as a dial in the lower right corner.
@@ -143,6 +145,10 @@ void add_legend(const View& view, Marks& marks) {
   const std::size_t active = index_of(view.settings.active);
   entry(std::nullopt, strategy_style(view.settings.active).shape, 6.0, view.theme.background,
         view.theme.strategy[active], 1.8, "proxy: what the wall holds back", view.theme.text);
+  if (view.options.predictions) {
+    entry(std::nullopt, Shape::disc, 7.0, view.theme.strategy[active].with_alpha(0), view.theme.strategy[active], 1.0,
+          "ring: where theory says it rests", view.theme.text);
+  }
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ class LabelPlacer {
   }
   // A thin box per piece: a slanted line's bounding box would keep half the picture clear.
   void keep_clear(const Vector<2>& from, const Vector<2>& to, double radius) {
-    const int pieces = static_cast<int>(std::clamp(glm::distance(from, to) / (2.0 * radius), 1.0, 64.0));
+    const int pieces = static_cast<int>(std::clamp(glm::distance(from, to) / (2.0 * radius), 1.0, 256.0));
     for (int i = 0; i <= pieces; ++i) keep_clear(from + (to - from) * (static_cast<double>(i) / pieces), radius);
   }
 
@@ -56,6 +56,8 @@ class LabelPlacer {
       }
       if (least == 0.0) break;
     }
+    // A mark outside the picture keeps its words inside.
+    best = glm::max(glm::min(best, view_.camera.size - extent - Vector<2>(4.0)), Vector<2>(4.0));
     keep_clear_of_text(best, extent);
     marks_.push_back({role, id, Label{anchor, best - at, std::move(text), size, colour, view_.theme.background}});
   }
@@ -103,7 +105,8 @@ void keep_marks_clear(const View& view, const Marks& marks, LabelPlacer& placer)
       const Vector<2> extent = view.measure(label->text, view.points(text_height(label->size)));
       placer.keep_clear_of_text(at, extent);
     } else if (const auto* line = std::get_if<Line>(&mark.form);
-               line != nullptr && (mark.role == Role::proxy_drift || mark.role == Role::scale)) {
+               line != nullptr && (mark.role == Role::proxy_drift || mark.role == Role::scale ||
+                                   mark.role == Role::wall)) {
       placer.keep_clear(to_screen(view.camera, line->from), to_screen(view.camera, line->to), 4.0);
     }
   }
@@ -141,7 +144,7 @@ void add_measures(const View& view, StrategyId id, LabelPlacer& placer) {
     placer.place(Role::ghost_force, id, tip, view.points(9.0),
                  fmt::format("ghost force {:.2f} N", glm::length(now.ghost_force)), TextSize::normal, colour);
   }
-  if (view.in_front(id) && is_drawn(now.force)) {
+  if (view.in_front(id) && is_drawn(view, now.force)) {
     placer.place(Role::force, id, arrow_tip(view, now.device, now.force), view.points(9.0),
                  fmt::format("force {:.2f} N", glm::length(now.force)), TextSize::normal, colour);
   }

@@ -15,8 +15,11 @@ void add_labels(const View& view, Marks& marks);   // words and numbers beside t
 
 // --- Where arrow and label layers must agree -----------------------------------------------------------------------
 
-// Length of an arrow per newton [points]; does not change with the zoom, so that pictures can be compared.
-inline constexpr double points_per_newton = 30.0;
+// Length of an arrow per newton [points]; does not change with the zoom, so that pictures can be compared. Panes are
+// narrow: their arrows are a third as long, as the scale bar says.
+inline double points_per_newton(const View& view) {
+  return view.is_pane ? 10.0 : 30.0;
+}
 // Shorter arrows are not drawn: their head alone would be longer than they are [points].
 inline constexpr double shortest_arrow = 7.0;
 // Smaller drifts are not drawn [m].
@@ -24,12 +27,11 @@ inline constexpr double smallest_drift = 0.0002;
 
 // Where an arrow for a force ends that starts at `tail` [m].
 inline Vector<2> arrow_tip(const View& view, const Vector<2>& tail, const Vector<2>& force) {
-  return tail + force * view.metres(points_per_newton);
+  return tail + force * view.metres(points_per_newton(view));
 }
-inline bool is_drawn(const Vector<2>& force) {
-  return glm::length(force) * points_per_newton >= shortest_arrow;
+inline bool is_drawn(const View& view, const Vector<2>& force) {
+  return glm::length(force) * points_per_newton(view) >= shortest_arrow;
 }
-
 bool has_ghost_arrow(const View& view, StrategyId id);
 
 // The ghost force lies on the same line as the rendered force: its arrow is moved aside, to the free side of the wall

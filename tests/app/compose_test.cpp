@@ -8,8 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "app/glossary.h"
 #include "app/scene_file.h"
 #include "app/view/layers.h"
+#include "app/view/panes.h"
 #include "core/play.h"
 
 namespace ghostforce {
@@ -43,7 +45,7 @@ Picture picture_of(const std::string& name, StrategyId active, Compare compare, 
                            .history = picture.history,
                            .theme = *find_theme("light"),
                            .camera = picture.camera,
-                           .compare = compare,
+                           .options = {.compare = compare},
                            .scale = 1.0,
                            .measure = measure});
   return picture;
@@ -68,8 +70,8 @@ TEST(Compose, DrawsTheNaiveGhostForceAsAnArrowOfItsLengthAndDirection) {
   const Vector<2> drawn = (arrows[0]->tip - arrows[0]->tail) * picture.camera.points_per_metre;
   EXPECT_EQ(arrows[0]->tail, naive.device);
   // 1e-9 points: rounding of two conversions.
-  EXPECT_NEAR(drawn.x, naive.ghost_force.x * points_per_newton, 1e-9);
-  EXPECT_NEAR(drawn.y, naive.ghost_force.y * points_per_newton, 1e-9);
+  EXPECT_NEAR(drawn.x, naive.ghost_force.x * 30.0, 1e-9);
+  EXPECT_NEAR(drawn.y, naive.ghost_force.y * 30.0, 1e-9);
   EXPECT_LT(drawn.x, -30.0) << "to the left, more than a newton";
 }
 
@@ -156,28 +158,95 @@ std::vector<Box> text_boxes(const Picture& picture) {
   return boxes;
 }
 
+void expect_readable(const std::vector<Box>& boxes, const Vector<2>& size, const std::string& where) {
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const Box& a = boxes[i];
+    EXPECT_TRUE(a.least.x >= 0.0 && a.least.y >= 0.0 && a.most.x <= size.x && a.most.y <= size.y)
+        << where << ' ' << size.x << ": '" << a.text << "' is cut off";
+    for (std::size_t j = 0; j < i; ++j) {
+      const Box& b = boxes[j];
+      const bool apart =
+          a.most.x <= b.least.x || b.most.x <= a.least.x || a.most.y <= b.least.y || b.most.y <= a.least.y;
+      EXPECT_TRUE(apart) << where << ' ' << size.x << ": '" << a.text << "' over '" << b.text << "'";
+    }
+  }
+}
+
 TEST(Compose, NoTwoLabelsOverlapAndNoneIsCutOff) {
   for (const auto& shipped : shipped_scene_names()) {
     for (const Strategy& entry : strategy_catalog()) {
       for (const Compare compare : {Compare::overlay, Compare::active_only}) {
         for (const Vector<2>& size : {Vector<2>(674.0, 564.0), Vector<2>(853.0, 724.0), Vector<2>(1450.0, 1000.0)}) {
           const Picture picture = picture_of(std::string(shipped), entry.id, compare, size);
-          const std::vector<Box> boxes = text_boxes(picture);
-          for (std::size_t i = 0; i < boxes.size(); ++i) {
-            const Box& a = boxes[i];
-            EXPECT_TRUE(a.least.x >= 0.0 && a.least.y >= 0.0 && a.most.x <= size.x && a.most.y <= size.y)
-                << shipped << ' ' << entry.name << ' ' << size.x << ": '" << a.text << "' is cut off";
-            for (std::size_t j = 0; j < i; ++j) {
-              const Box& b = boxes[j];
-              const bool apart =
-                  a.most.x <= b.least.x || b.most.x <= a.least.x || a.most.y <= b.least.y || b.most.y <= a.least.y;
-              EXPECT_TRUE(apart) << shipped << ' ' << entry.name << ' ' << size.x << ": '" << a.text << "' over '"
-                                 << b.text << "'";
-            }
-          }
+          expect_readable(text_boxes(picture), size, std::string(shipped) + ' ' + std::string(entry.name));
         }
       }
     }
+  }
+}
+
+TEST(Panes, ShowEachStrategyAloneWithWordsThatCanBeRead) {
+  for (const auto& shipped : shipped_scene_names()) {
+    const Picture picture = picture_of(std::string(shipped), StrategyId::naive, Compare::overlay);
+    for (const Vector<2>& size : {Vector<2>(674.0, 564.0), Vector<2>(853.0, 724.0), Vector<2>(1450.0, 1000.0)}) {
+      const std::vector<Pane> panes = compose_panes({.settings = picture.scene.settings,
+                                                     .snapshot = picture.snapshot,
+                                                     .history = picture.history,
+                                                     .theme = *find_theme("light"),
+                                                     .options = {.compare = Compare::side_by_side},
+                                                     .shown = picture.scene.view,
+                                                     .size = size,
+                                                     .scale = 1.0,
+                                                     .measure = measure});
+      ASSERT_EQ(panes.size(), strategy_count);
+      double right = 0.0;
+      for (const Pane& pane : panes) {
+        EXPECT_GE(pane.corner.x, right);
+        right = pane.corner.x + pane.camera.size.x;
+        Picture alone = picture;
+        alone.camera = pane.camera;
+        alone.marks = pane.marks;
+        EXPECT_EQ(find_forms<Marker>(alone, Role::device, pane.active).size(), 1U);
+        expect_readable(text_boxes(alone), pane.camera.size,
+                        std::string(shipped) + ' ' + std::string(strategy(pane.active).name));
+      }
+      EXPECT_NEAR(right, size.x, 1e-9);
+    }
+  }
+}
+
+TEST(Panes, ThePointerBelongsToTheOneUnderIt) {
+  std::vector<Pane> panes(2);
+  panes[0].camera.size = {100.0, 50.0};
+  panes[1].corner = {102.0, 0.0};
+  panes[1].camera.size = {100.0, 50.0};
+  EXPECT_EQ(&pane_at(panes, {50.0, 10.0}), &panes[0]);
+  EXPECT_EQ(&pane_at(panes, {150.0, 10.0}), &panes[1]);
+  EXPECT_EQ(&pane_at(panes, {900.0, -10.0}), &panes[1]) << "a drag may leave the scene";
+}
+
+TEST(Compose, PutsPredictionRingsWhereTheClosedFormsDo) {
+  const Picture picture = picture_of("fig1", StrategyId::naive, Compare::overlay);
+  for (const Strategy& entry : strategy_catalog()) {
+    const auto rings = find_forms<Marker>(picture, Role::prediction, entry.id);
+    ASSERT_EQ(rings.size(), 2U) << entry.name;
+    const Equilibrium<2> rest = rest_of(entry.id, picture.scene.settings, picture.snapshot.goal);
+    EXPECT_EQ(rings[0]->center, rest.device);
+    EXPECT_EQ(rings[1]->center, rest.proxy);
+    // Two seconds after the motion the simulation is within a micrometre of rest.
+    EXPECT_LT(glm::distance(rings[0]->center, picture.snapshot.strategies[index_of(entry.id)].device), 1e-6);
+  }
+}
+
+TEST(Glossary, ExplainsEveryMarkThatMeansSomething) {
+  const Picture picture = picture_of("fig1", StrategyId::naive, Compare::overlay);
+  for (const Mark& mark : picture.marks) {
+    const bool is_decoration = mark.role == Role::grid || mark.role == Role::legend;
+    EXPECT_EQ(term_of(mark.role).has_value(), !is_decoration) << role_name(mark.role);
+  }
+  for (const GlossaryEntry& entry : glossary()) {
+    EXPECT_FALSE(entry.title.empty());
+    EXPECT_TRUE(entry.sentence.ends_with('.')) << entry.title;
   }
 }
 

@@ -63,7 +63,7 @@ bool bar_shows(const Image& image, StrategyId id) {
 
 TEST(RealWindow, KeysAndADragChangeThePictureAsTheyShould) {
   const Display display(1280, 800);
-  BackgroundProgram program({GHOSTFORCE_PROGRAM, "run"}, {display.environment()});
+  BackgroundProgram program({GHOSTFORCE_PROGRAM, "run", "--no-hints"}, display.environment());
   const Colour goal = find_theme("light")->goal;
 
   ASSERT_TRUE(display.becomes([](const Image& image) { return bar_shows(image, StrategyId::naive); }))
@@ -97,10 +97,30 @@ TEST(RealWindow, KeysAndADragChangeThePictureAsTheyShould) {
   EXPECT_EQ(program.end(SIGINT), 130);
 }
 
+TEST(RealWindow, RemembersTheThemeThatWasChosen) {
+  const Display display(1280, 800);
+  const auto shows = [](std::string_view theme) {
+    return [theme](const Image& image) { return at(image, 300, 650) == find_theme(theme)->wall; };
+  };
+  {
+    BackgroundProgram program({GHOSTFORCE_PROGRAM, "run", "--no-hints"}, display.environment());
+    ASSERT_TRUE(display.becomes(shows("light")));
+    display.act({"key", "ctrl+t"});
+    EXPECT_TRUE(display.becomes(shows("dark")));
+    display.act({"key", "ctrl+q"});
+    EXPECT_TRUE(display.becomes([&](const Image&) { return !program.is_running(); }));
+    EXPECT_EQ(program.end(0), 0);
+  }
+  EXPECT_NE(read_whole(display.preferences_file()).find("theme = \"dark\""), std::string::npos);
+  BackgroundProgram again({GHOSTFORCE_PROGRAM, "run", "--no-hints"}, display.environment());
+  EXPECT_TRUE(display.becomes(shows("dark")));
+  EXPECT_EQ(again.end(SIGINT), 130);
+}
+
 TEST(RealWindow, ClosesByItselfWhenAsked) {
   const Display display(1280, 800);
   BackgroundProgram program({GHOSTFORCE_PROGRAM, "run", "--exit-after", "0.5", "--theme", "dark"},
-                            {display.environment()});
+                            display.environment());
   const Colour background = find_theme("dark")->background;
   EXPECT_TRUE(
       display.becomes([&](const Image& image) { return at(image, 200, 300) == background || !program.is_running(); }));

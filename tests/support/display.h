@@ -36,8 +36,12 @@ class Display {
  public:
   Display(int width, int height);
 
-  // NAME=VALUE for programs that shall appear on it.
-  std::string environment() const { return std::string("DISPLAY=") + name_; }
+  // NAME=VALUE each, for programs that shall appear on it: the display, and folders of its own for what they remember.
+  std::vector<std::string> environment() const {
+    return {std::string("DISPLAY=") + name_, std::string("XDG_CONFIG_HOME=") + (folder_ / "config"),
+            std::string("XDG_STATE_HOME=") + (folder_ / "state")};
+  }
+  std::string preferences_file() const { return folder_ / "config/ghostforce/preferences.toml"; }
   // What is on the screen now.
   Image picture() const;
   // xdotool with these words, to its end.

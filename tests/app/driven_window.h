@@ -1,0 +1,170 @@
+// The whole program offscreen: the real window, ImGui and OpenGL, driven through the backend's own callbacks as a
+// display would drive them, with the servo stepped by hand.
+#pragma once
+
+#include "app/application.h"
+
+#include <GLFW/glfw3.h>
+#include <gtest/gtest.h>
+#include <imgui_impl_glfw.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/scene_file.h"
+
+namespace ghostforce {
+
+inline constexpr double frame_s = 1.0 / 60.0;
+
+// The key as GLFW calls it; 0 for one that no binding uses.
+inline int glfw_key(ImGuiKey key) {
+  if (key >= ImGuiKey_0 && key <= ImGuiKey_9) return GLFW_KEY_0 + (key - ImGuiKey_0);
+  if (key >= ImGuiKey_A && key <= ImGuiKey_Z) return GLFW_KEY_A + (key - ImGuiKey_A);
+  if (key >= ImGuiKey_F1 && key <= ImGuiKey_F12) return GLFW_KEY_F1 + (key - ImGuiKey_F1);
+  for (const auto& [ours, theirs] : std::initializer_list<std::pair<ImGuiKey, int>>{
+           {ImGuiKey_Space, GLFW_KEY_SPACE},
+           {ImGuiKey_Period, GLFW_KEY_PERIOD},
+           {ImGuiKey_Escape, GLFW_KEY_ESCAPE},
+           {ImGuiKey_Enter, GLFW_KEY_ENTER},
+           {ImGuiKey_LeftArrow, GLFW_KEY_LEFT},
+           {ImGuiKey_RightArrow, GLFW_KEY_RIGHT},
+           {ImGuiKey_UpArrow, GLFW_KEY_UP},
+           {ImGuiKey_DownArrow, GLFW_KEY_DOWN},
+           {ImGuiKey_LeftBracket, GLFW_KEY_LEFT_BRACKET},
+           {ImGuiKey_RightBracket, GLFW_KEY_RIGHT_BRACKET},
+           {ImGuiKey_Equal, GLFW_KEY_EQUAL},
+           {ImGuiKey_Minus, GLFW_KEY_MINUS},
+           {ImGuiKey_KeypadAdd, GLFW_KEY_KP_ADD},
+           {ImGuiKey_KeypadSubtract, GLFW_KEY_KP_SUBTRACT}}) {
+    if (ours == key) return theirs;
+  }
+  return 0;
+}
+
+class DrivenWindow : public testing::Test {
+ protected:
+  DrivenWindow() { open({}); }
+
+  // Opens anew; what was there before is gone.
+  void open(ApplicationOptions options, const std::string& scene = "wall45", int width = 1280, int height = 800) {
+    application_.reset();
+    window_.reset();
+    window_ = std::make_unique<Window>(
+        WindowOptions{.title = "test", .width = width, .height = height, .offscreen = true, .takes_mouse = true});
+    application_ = std::make_unique<Application>(*window_, load_scene(scene), options);
+    ImGui_ImplGlfw_WindowFocusCallback(window_->handle(), GLFW_TRUE);
+    ImGui_ImplGlfw_CursorEnterCallback(window_->handle(), GLFW_TRUE);
+    point_at(width - 400.0, height - 5.0);  // nothing there
+    frames(3);
+  }
+
+  Session& session() { return application_->session(); }
+  const Screen& screen() const { return application_->screen(); }
+  const Snapshot& now() const { return application_->report().snapshot; }
+  Image picture() const { return window_->picture(); }
+
+  // A frame of the window and the ticks that the servo makes meanwhile.
+  void frames(int count, int ticks_per_frame = 16) {
+    for (int i = 0; i < count; ++i) {
+      for (int k = 0; k < ticks_per_frame; ++k) application_->servo().wake();
+      application_->frame(frame_s);
+    }
+  }
+
+  void point_at(double x, double y) { ImGui_ImplGlfw_CursorPosCallback(window_->handle(), x, y); }
+  void point_at(const Vector<2>& at) { point_at(at.x, at.y); }
+  void button(int action, int which = GLFW_MOUSE_BUTTON_LEFT) {
+    ImGui_ImplGlfw_MouseButtonCallback(window_->handle(), which, action, 0);
+  }
+  void click_at(double x, double y) {
+    point_at(x, y);
+    frames(2);
+    button(GLFW_PRESS);
+    frames(2);
+    button(GLFW_RELEASE);
+    frames(2);
+  }
+  void press_at(const Vector<2>& at, int which = GLFW_MOUSE_BUTTON_LEFT) {
+    point_at(at);
+    frames(2);
+    button(GLFW_PRESS, which);
+    frames(2);
+  }
+  void release(int which = GLFW_MOUSE_BUTTON_LEFT) {
+    button(GLFW_RELEASE, which);
+    frames(2);
+  }
+  void drag(const Vector<2>& from, const Vector<2>& to, int which = GLFW_MOUSE_BUTTON_LEFT) {
+    press_at(from, which);
+    point_at(0.5 * (from + to));
+    frames(2);
+    point_at(to);
+    frames(2);
+    release(which);
+  }
+  void scroll(double notches) {
+    ImGui_ImplGlfw_ScrollCallback(window_->handle(), 0.0, notches);
+    frames(2);
+  }
+
+  // Plain keys through the backend's callback. It asks the platform which modifiers are down, and the null platform has
+  // none: chords are told to ImGui itself.
+  void press(ImGuiKeyChord chord) {
+    const auto key = static_cast<ImGuiKey>(chord & ~ImGuiMod_Mask_);
+    const ImGuiKeyChord modifiers = chord & ImGuiMod_Mask_;
+    if (modifiers == 0) {
+      ASSERT_NE(glfw_key(key), 0);
+      ImGui_ImplGlfw_KeyCallback(window_->handle(), glfw_key(key), 0, GLFW_PRESS, 0);
+      frames(2);
+      ImGui_ImplGlfw_KeyCallback(window_->handle(), glfw_key(key), 0, GLFW_RELEASE, 0);
+      frames(2);
+      return;
+    }
+    for (const bool is_down : {true, false}) {
+      hold(modifiers, is_down);
+      ImGui::GetIO().AddKeyEvent(key, is_down);
+      frames(2);
+    }
+  }
+  void hold(ImGuiKeyChord modifiers, bool is_down) {
+    for (const ImGuiKey modifier : {ImGuiMod_Ctrl, ImGuiMod_Shift, ImGuiMod_Alt}) {
+      if ((modifiers & modifier) != 0) ImGui::GetIO().AddKeyEvent(modifier, is_down);
+    }
+  }
+  void type(const std::string& text) {
+    for (const char c : text) ImGui_ImplGlfw_CharCallback(window_->handle(), static_cast<unsigned char>(c));
+    frames(2);
+  }
+  // Files as a file manager drops them.
+  void drop(std::vector<const char*> paths) {
+    const GLFWdropfun on_drop = glfwSetDropCallback(window_->handle(), nullptr);
+    glfwSetDropCallback(window_->handle(), on_drop);
+    on_drop(window_->handle(), static_cast<int>(paths.size()), paths.data());
+    frames(3);
+  }
+
+  Vector<2> on_window(const Vector<2>& world, std::size_t pane = 0) const {
+    const Pane& which = screen().panes()[pane];
+    return in_window(to_screen(which.camera, world) + which.corner);
+  }
+  // From a place in the scene to one in the window.
+  Vector<2> in_window(const Vector<2>& in_scene) const {
+    return {in_scene.x + static_cast<double>(screen().scene_corner().x),
+            in_scene.y + static_cast<double>(screen().scene_corner().y)};
+  }
+  int count_marks(Role role, std::optional<StrategyId> id = {}) const {
+    int count = 0;
+    for (const Pane& pane : screen().panes()) {
+      for (const Mark& mark : pane.marks) count += mark.role == role && (!id || mark.strategy == id) ? 1 : 0;
+    }
+    return count;
+  }
+
+  std::unique_ptr<Window> window_;
+  std::unique_ptr<Application> application_;
+};
+
+}  // namespace ghostforce

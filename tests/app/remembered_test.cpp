@@ -1,0 +1,109 @@
+// What is remembered from run to run, and that no damaged file stands in the way.
+#include "app/remembered.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "app/failure.h"
+#include "tests/support/temporary_folder.h"
+
+namespace ghostforce {
+namespace {
+
+class RememberedTest : public testing::Test {
+ protected:
+  RememberedTest() {
+    setenv("XDG_CONFIG_HOME", (folder_ / "config").c_str(), 1);
+    setenv("XDG_STATE_HOME", (folder_ / "state").c_str(), 1);
+    setenv("HOME", (folder_ / "home").c_str(), 1);
+  }
+  std::string preferences() const { return folder_ / "config/ghostforce/preferences.toml"; }
+  std::string layout() const { return folder_ / "state/ghostforce/layout.toml"; }
+  void write_preferences(std::string_view text) const {
+    std::filesystem::create_directories(folder_ / "config/ghostforce");
+    write_whole(preferences(), text);
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(RememberedTest, KnowsNothingAtFirstAndWritesNothingUnasked) {
+  const Remembered remembered = recall();
+  EXPECT_EQ(remembered.preferences, Preferences{});
+  EXPECT_FALSE(remembered.layout);
+  EXPECT_TRUE(remembered.remarks.empty());
+  EXPECT_EQ(folder_.count(), 0);
+}
+
+TEST_F(RememberedTest, ReadsBackWhatItWrote) {
+  const Preferences written{.look = {.theme = find_theme("projector"), .scale = 1.25}, .offers_hints = false};
+  const WindowLayout window{.width = 1024, .height = 640, .is_maximized = true, .folded_panels = {"View", "A \"b\""}};
+  remember(written);
+  remember(window);
+  const Remembered remembered = recall();
+  EXPECT_EQ(remembered.preferences, written);
+  EXPECT_EQ(remembered.layout, window);
+}
+
+TEST_F(RememberedTest, FallsBackToTheHomeFolder) {
+  unsetenv("XDG_CONFIG_HOME");
+  setenv("XDG_STATE_HOME", "relative/paths/are/ignored", 1);
+  remember(Preferences{});
+  remember(WindowLayout{});
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "home/.config/ghostforce/preferences.toml"));
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "home/.local/state/ghostforce/layout.toml"));
+}
+
+TEST_F(RememberedTest, WithoutAHomeNothingIsRememberedAndNothingFails) {
+  for (const char* name : {"XDG_CONFIG_HOME", "XDG_STATE_HOME", "HOME"}) unsetenv(name);
+  remember(Preferences{});
+  EXPECT_EQ(recall().preferences, Preferences{});
+}
+
+TEST_F(RememberedTest, DamagedFilesAreSetAsideOneByOne) {
+  int number = 0;
+  for (const std::string& text :
+       {std::string("theme = "), std::string("theme = \"pink\""), std::string("theme = 3"), std::string("scale = 99.0"),
+        std::string("scale = nan"), std::string("hints = \"yes\""), std::string("\xff\xfe\0garbage", 10)}) {
+    write_preferences(text);
+    const Remembered remembered = recall();
+    EXPECT_EQ(remembered.preferences, Preferences{}) << text;
+    ASSERT_EQ(remembered.remarks.size(), 1U) << text;
+    EXPECT_NE(remembered.remarks[0].find("damaged"), std::string::npos) << remembered.remarks[0];
+    ++number;
+    const std::string aside = preferences() + ".damaged" + (number == 1 ? "" : "-" + std::to_string(number));
+    EXPECT_EQ(read_whole(aside), text) << "nothing is lost";
+    EXPECT_FALSE(std::filesystem::exists(preferences()));
+  }
+}
+
+TEST_F(RememberedTest, ADamagedLayoutLeavesThePreferencesAlone) {
+  remember(Preferences{.look = {.theme = find_theme("dark")}, .offers_hints = false});
+  std::filesystem::create_directories(folder_ / "state/ghostforce");
+  for (const char* text : {"width = 0", "height = 1e9", "folded = 3", "folded = [3]", "width = -5", "maximized = 1"}) {
+    write_whole(layout(), text);
+    const Remembered remembered = recall();
+    EXPECT_FALSE(remembered.layout) << text;
+    EXPECT_EQ(remembered.preferences.look.theme->name, "dark");
+    EXPECT_EQ(remembered.remarks.size(), 1U) << text;
+  }
+}
+
+TEST_F(RememberedTest, MissingKeysKeepTheirUsualValue) {
+  write_preferences("scale = 2.0\n");
+  const Remembered remembered = recall();
+  EXPECT_EQ(remembered.preferences.look.scale, 2.0);
+  EXPECT_EQ(remembered.preferences.look.theme, Preferences{}.look.theme);
+  EXPECT_TRUE(remembered.remarks.empty());
+}
+
+TEST_F(RememberedTest, WhatCannotBeWrittenIsSaid) {
+  write_whole(folder_ / "config", "a file where a folder should be");
+  EXPECT_THROW(remember(Preferences{}), Failure);
+}
+
+}  // namespace
+}  // namespace ghostforce

@@ -1,0 +1,98 @@
+// Shaders that change while the program runs.
+#include "app/shader_watch.h"
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+
+#include "app/failure.h"
+#include "embedded_shaders.h"
+#include "tests/app/driven_window.h"
+#include "tests/support/temporary_folder.h"
+
+namespace ghostforce {
+namespace {
+
+class ShaderWatchTest : public DrivenWindow {
+ protected:
+  ShaderWatchTest() {
+    for (const EmbeddedText& shader : embedded_shaders) {
+      write_whole(folder_ / shader.name, shader.contents);
+      if (shader.name == "mark.frag") fragment_ = shader.contents;
+    }
+  }
+  // Changes the file and lets half a second go by.
+  void write_fragment(const std::string& text) {
+    write_whole(folder_ / "mark.frag", text);
+    ++writes_;
+    const auto later = std::filesystem::file_time_type::clock::now() + std::chrono::seconds(writes_);
+    std::filesystem::last_write_time(folder_ / "mark.frag", later);
+    frames(40, 0);
+  }
+  void open_watching() {
+    open({.shader_folder = folder_.path()});
+    session().paused = true;
+    frames(20);
+  }
+
+  TemporaryFolder folder_;
+  std::string fragment_;
+  int writes_ = 0;
+};
+
+TEST_F(ShaderWatchTest, AChangedShaderDrawsAtOnce) {
+  open_watching();
+  const Image before = picture();
+  std::string inverted = fragment_;
+  const std::string line = "colour.a *= covered;";
+  ASSERT_NE(inverted.find(line), std::string::npos);
+  inverted.replace(inverted.find(line), line.size(), "colour.rgb = 1.0 - colour.rgb; colour.a *= covered;");
+  write_fragment(inverted);
+  EXPECT_NE(picture(), before);
+  write_fragment(fragment_);
+  EXPECT_EQ(picture(), before);
+}
+
+TEST_F(ShaderWatchTest, ABrokenShaderIsShownAndTheOldOneGoesOn) {
+  open_watching();
+  const Image before = picture();
+  write_fragment("#version 330 core\nthis is no shader\n");
+  const Image broken = picture();
+  EXPECT_NE(broken, before) << "the panel with the log and the source";
+  // Above the panel the scene is drawn as before.
+  for (int y = 60; y < 300; ++y) {
+    const std::ptrdiff_t row = 3 * static_cast<std::ptrdiff_t>(y) * before.width;
+    ASSERT_TRUE(std::equal(before.rgb.begin() + row, before.rgb.begin() + row + 3 * 840, broken.rgb.begin() + row)) << y;
+  }
+  write_fragment(fragment_);
+  EXPECT_EQ(picture(), before) << "the panel goes when the shader is right again";
+}
+
+TEST_F(ShaderWatchTest, TheMessageHoldsTheLogAndTheNumberedSource) {
+  GlPainter painter;
+  ShaderWatch watch(folder_.path());
+  watch.look(painter, 0.0);
+  EXPECT_EQ(watch.problem(), "");
+  write_whole(folder_ / "mark.frag", "#version 330 core\nthis is no shader\n");
+  watch.look(painter, 0.1);
+  EXPECT_EQ(watch.problem(), "") << "not every frame";
+  watch.look(painter, 1.0);
+  EXPECT_NE(watch.problem().find("   2 this is no shader"), std::string::npos) << watch.problem();
+  std::filesystem::remove(folder_ / "mark.frag");
+  watch.look(painter, 2.0);
+  EXPECT_NE(watch.problem().find("mark.frag cannot be read"), std::string::npos) << watch.problem();
+}
+
+TEST_F(ShaderWatchTest, AFolderWithoutTheShadersIsRefused) {
+  const TemporaryFolder empty;
+  try {
+    const ShaderWatch watch(empty.path());
+    FAIL();
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.code(), ExitCode::wrong_call);
+    EXPECT_NE(std::string(failure.what()).find("mark.vert"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace ghostforce
