@@ -9,6 +9,7 @@
 namespace ghostforce {
 namespace {
 
+constexpr double least_room_for_legend = 440.0;  // across; marks have letters besides [points]
 constexpr double margin = 18.0;  // to the edge of the picture [points]
 
 struct Pen {
@@ -49,6 +50,8 @@ void add_scales(const View& view, Marks& marks) {
   const auto bar = [&](double bottom, double length, std::string words) {
     const Vector<2> from{view.points(margin), view.camera.size.y - view.points(bottom)};
     const Vector<2> to = from + Vector<2>(length, 0.0);
+    pen.line(from, to + Vector<2>(view.points(8.0) + text_width(view, words), 0.0), 21.0,
+             view.theme.background.with_alpha(215));
     pen.line(from, to, 2.0, view.theme.text);
     for (const Vector<2>& end : {from, to})
       pen.line(end - Vector<2>(0.0, tick), end + Vector<2>(0.0, tick), 2.0, view.theme.text);
@@ -127,8 +130,14 @@ void add_legend(const View& view, Marks& marks) {
   const double text_x = view.points(margin + 26.0);
   const double text_up = 0.62 * view.points(text_height(TextSize::small));
   Vector<2> at{view.points(margin + 8.0), view.points(margin + 8.0)};
+  // Trails and grid may run below: they step back behind the words.
+  const auto back = [&](std::string_view words) {
+    const double right = text_x + text_width(view, words);
+    pen.line(at, {right, at.y}, 22.0, view.theme.background.with_alpha(215));
+  };
   const auto entry = [&](std::optional<StrategyId> id, Shape shape, double radius, Colour fill, Colour rim,
                          double rim_width, std::string words, Colour colour) {
+    back(words);
     marks.push_back({Role::legend, id,
                      Marker{to_world(view.camera, at), shape, view.points(radius), fill, rim, view.points(rim_width)}});
     pen.text({text_x, at.y - text_up}, std::move(words), colour, TextSize::small, view.theme.background);
@@ -156,7 +165,7 @@ void add_legend(const View& view, Marks& marks) {
 void add_guides(const View& view, Marks& marks) {
   if (view.is_pane) {
     add_title(view, marks);
-  } else {
+  } else if (view.camera.size.x > view.points(least_room_for_legend)) {
     add_legend(view, marks);
   }
   if (view.has_scales) add_scales(view, marks);

@@ -16,7 +16,7 @@ constexpr double reach = 15.0;  // of the pointer round a grip [points]
 }  // namespace
 
 MotorDial motor_dial(const Camera& camera, double unit) {
-  const double radius = std::min(dial_radius * unit, 0.16 * std::min(camera.size.x, camera.size.y));
+  const double radius = std::min(dial_radius * unit, 0.1 * std::min(camera.size.x, camera.size.y));
   return {camera.size - Vector<2>(radius + dial_margin * unit, radius + (dial_margin + caption_room - 8.0) * unit),
           radius};
 }
