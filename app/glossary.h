@@ -51,7 +51,8 @@ struct GlossaryEntry {
 std::span<const GlossaryEntry> glossary() noexcept;
 const GlossaryEntry& glossary(Term term) noexcept;
 
-// What a mark of the scene shows; empty for decoration.
+// What a mark of the scene shows, or names in the legend; empty for decoration.
 std::optional<Term> term_of(Role role) noexcept;
+inline std::optional<Term> term_of(const Mark& mark) noexcept { return term_of(mark.about.value_or(mark.role)); }
 
 }  // namespace ghostforce

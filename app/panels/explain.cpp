@@ -1,10 +1,14 @@
 #include "app/panels/explain.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
+#include <string>
 
 #include <fmt/format.h>
 #include <imgui.h>
+
+#include "app/paint/label_painter.h"
 
 namespace ghostforce {
 namespace {
@@ -41,6 +45,7 @@ void write_entry(const GlossaryEntry& entry, std::string_view whose) {
 struct DistanceTo {
   const Camera& camera;
   Vector<2> pointer;
+  double unit;
 
   double to_segment(const Vector<2>& from, const Vector<2>& to) const {
     const Vector<2> along = to - from;
@@ -49,7 +54,11 @@ struct DistanceTo {
     return glm::distance(pointer, from + along * share);
   }
   double operator()(const HalfPlane&) const { return 1e9; }  // everywhere: of no help to anybody
-  double operator()(const Label&) const { return 1e9; }      // its mark is beside it
+  double operator()(const Label& form) const {
+    const Vector<2> corner = to_screen(camera, form.anchor) + form.offset;
+    const Vector<2> extent = measure_text(form.text, text_height(form.size) * unit);
+    return glm::distance(pointer, glm::clamp(pointer, corner, corner + extent));
+  }
   double operator()(const Line& form) const {
     return to_segment(to_screen(camera, form.from), to_screen(camera, form.to)) - 0.5 * form.width;
   }
@@ -81,8 +90,8 @@ void explain(Term term) {
 
 const Mark* mark_at(const Pane& pane, const Vector<2>& pointer, double unit) {
   for (auto mark = pane.marks.rbegin(); mark != pane.marks.rend(); ++mark) {
-    if (!term_of(mark->role)) continue;
-    if (std::visit(DistanceTo{pane.camera, pointer}, mark->form) <= slack * unit) return &*mark;
+    if (!term_of(*mark)) continue;
+    if (std::visit(DistanceTo{pane.camera, pointer, unit}, mark->form) <= slack * unit) return &*mark;
   }
   return nullptr;
 }
@@ -91,7 +100,7 @@ void explain_mark(const Pane& pane, const Vector<2>& pointer, double unit) {
   if (!ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip)) return;
   const Mark* const mark = mark_at(pane, pointer, unit);
   if (mark == nullptr || !begin_explanation()) return;
-  write_entry(glossary(term_of(mark->role).value()), mark->strategy ? strategy(*mark->strategy).title : "");
+  write_entry(glossary(term_of(*mark).value()), mark->strategy ? strategy(*mark->strategy).title : "");
   end_explanation();
 }
 

@@ -130,32 +130,34 @@ void add_legend(const View& view, Marks& marks) {
   const double text_x = view.points(margin + 26.0);
   const double text_up = 0.62 * view.points(text_height(TextSize::small));
   Vector<2> at{view.points(margin + 8.0), view.points(margin + 8.0)};
-  // Trails and grid may run below: they step back behind the words.
-  const auto back = [&](std::string_view words) {
-    const double right = text_x + text_width(view, words);
-    pen.line(at, {right, at.y}, 22.0, view.theme.background.with_alpha(215));
-  };
-  const auto entry = [&](std::optional<StrategyId> id, Shape shape, double radius, Colour fill, Colour rim,
-                         double rim_width, std::string words, Colour colour) {
-    back(words);
-    marks.push_back({Role::legend, id,
-                     Marker{to_world(view.camera, at), shape, view.points(radius), fill, rim, view.points(rim_width)}});
+  const auto entry = [&](Role about, std::optional<StrategyId> id, Marker marker, std::string words, Colour colour) {
+    // Trails and grid may run below: they step back behind the words.
+    pen.line(at, {text_x + text_width(view, words), at.y}, 22.0, view.theme.background.with_alpha(215));
+    marker.center = to_world(view.camera, at);
+    marks.push_back({Role::legend, id, marker, about});
     pen.text({text_x, at.y - text_up}, std::move(words), colour, TextSize::small, view.theme.background);
+    marks.back().strategy = id;
+    marks.back().about = about;
     at.y += row_height;
   };
-  entry(std::nullopt, Shape::disc, 6.5, view.theme.goal, view.theme.goal_rim, 1.8, "goal: where the hand pulls to",
-        view.theme.text);
+  const auto marker = [&](Shape shape, double radius, Colour fill, Colour rim, double rim_width) {
+    return Marker{Vector<2>(0.0), shape, view.points(radius), fill, rim, view.points(rim_width)};
+  };
+  entry(Role::goal, std::nullopt, marker(Shape::disc, 6.5, view.theme.goal, view.theme.goal_rim, 1.8),
+        "goal: where the hand pulls to", view.theme.text);
   for (const Strategy& each : strategy_catalog()) {
     if (!view.shows(each.id)) continue;
     const std::size_t i = index_of(each.id);
-    entry(each.id, strategy_style(each.id).shape, 7.0, view.theme.strategy[i], view.theme.background, 1.0,
+    entry(Role::device, each.id,
+          marker(strategy_style(each.id).shape, 7.0, view.theme.strategy[i], view.theme.background, 1.0),
           fmt::format("{}  device, {}", each.letter, each.title), view.theme.strategy_text[i]);
   }
-  const std::size_t active = index_of(view.settings.active);
-  entry(std::nullopt, strategy_style(view.settings.active).shape, 6.0, view.theme.background,
-        view.theme.strategy[active], 1.8, "proxy: what the wall holds back", view.theme.text);
+  const Colour active = view.theme.strategy[index_of(view.settings.active)];
+  entry(Role::proxy, std::nullopt,
+        marker(strategy_style(view.settings.active).shape, 6.0, view.theme.background, active, 1.8),
+        "proxy: what the wall holds back", view.theme.text);
   if (view.options.predictions) {
-    entry(std::nullopt, Shape::disc, 7.0, view.theme.strategy[active].with_alpha(0), view.theme.strategy[active], 1.0,
+    entry(Role::prediction, std::nullopt, marker(Shape::disc, 7.0, active.with_alpha(0), active, 1.0),
           "ring: where theory says it rests", view.theme.text);
   }
 }

@@ -90,6 +90,7 @@ struct Mark {
   Role role;
   std::optional<StrategyId> strategy;
   std::variant<HalfPlane, Line, Marker, Arrow, Label> form;
+  std::optional<Role> about{};  // of an entry of the legend: what it names
 };
 
 using Marks = std::vector<Mark>;

@@ -1,9 +1,12 @@
 // Every gesture of the mouse in the scene, through the backend's callbacks.
 #include "app/gestures.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
+#include "app/panels/explain.h"
 #include "app/view/handles.h"
 #include "tests/app/driven_window.h"
 
@@ -150,6 +153,22 @@ TEST_F(GesturesTest, HandlesWorkWhileAScriptMovesTheGoal) {
   open({.input = "script"}, "fig1");
   drag(dial_head(0.0), dial_head(30.0 * degree));
   EXPECT_NEAR(session().settings.actuated_angle, 30.0 * degree, 1e-9);
+}
+
+TEST_F(GesturesTest, WordsOfSceneAndLegendNameWhatTheyAreAbout) {
+  std::vector<Term> found;
+  for (const Mark& mark : screen().panes()[0].marks) {
+    const auto* label = std::get_if<Label>(&mark.form);
+    if (label == nullptr) continue;
+    const Vector<2> inside = to_screen(camera(), label->anchor) + label->offset + Vector<2>(4.0, 6.0);
+    const Mark* const hit = mark_at(screen().panes()[0], inside, 1.0);
+    ASSERT_NE(hit, nullptr) << label->text;
+    found.push_back(term_of(*hit).value());
+  }
+  for (const Term term : {Term::goal, Term::device, Term::proxy, Term::prediction, Term::ghost_force, Term::force,
+                          Term::proxy_drift, Term::force_scale, Term::motor_axis}) {
+    EXPECT_EQ(std::ranges::count(found, term) > 0, true) << glossary(term).title;
+  }
 }
 
 TEST_F(GesturesTest, APointerOnAMarkExplainsIt) {

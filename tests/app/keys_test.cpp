@@ -2,12 +2,16 @@
 // thing.
 #include "app/keys.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
-#include <numbers>
 #include <limits>
+#include <numbers>
+#include <string>
 
 #include "app/view/handles.h"
 #include "tests/app/driven_window.h"
+#include "tests/support/temporary_folder.h"
 
 namespace ghostforce {
 namespace {
@@ -40,6 +44,16 @@ void prepare(const KeyBinding& binding, Session& session) {
   if (binding.chord == (ImGuiMod_Ctrl | ImGuiKey_0)) session.look.scale = 1.5;
   if (binding.chord == (ImGuiMod_Alt | ImGuiKey_R)) session.settings.impedances.k_r = 900.0;
   if (binding.chord == ImGuiKey_F) session.shown.width = 0.5;
+}
+
+TEST(KeyTable, IsTheOneInTheReadme) {
+  const std::string readme = read_whole(GHOSTFORCE_README);
+  std::string table = "| mouse, key | what it does |\n| --- | --- |\n";
+  for (const MouseGesture& gesture : mouse_table()) table += fmt::format("| {} | {} |\n", gesture.shown, gesture.sentence);
+  for (const KeyBinding& binding : key_table()) {
+    if (!binding.shown.empty()) table += fmt::format("| {} | {} |\n", binding.shown, binding.sentence);
+  }
+  EXPECT_NE(readme.find(table), std::string::npos) << "README.md should hold\n" << table;
 }
 
 TEST_F(KeysTest, EachKeyChangesThePicture) {
