@@ -7,6 +7,7 @@
 
 #include "app/failure.h"
 #include "app/output_file.h"
+#include "app/paint/vector_painter.h"
 #include "app/png_file.h"
 #include "app/printable.h"
 #include "app/saving.h"
@@ -195,11 +196,31 @@ void Application::go_to(const std::optional<Edited>& edited) {
 
 void Application::save_picture(const PictureWish& wish) {
   OutputFile file(wish.path);
-  const Image image = screen_.picture(session_, report_.snapshot, history_, loop_reading(),
-                                      wish.scene_alone ? Part::scene : Part::window, wish.density);
-  file.write(png_bytes(image));
+  file.write(picture_bytes(wish));
   file.commit();
   tell(fmt::format("Saved {}", printable(wish.path, longest_path)), false);
+}
+
+std::string Application::picture_bytes(const PictureWish& wish) {
+  const auto format = vector_format_of(wish.path);
+  if (!format) {
+    return png_bytes(screen_.picture(session_, report_.snapshot, history_, loop_reading(),
+                                     wish.scene_alone ? Part::scene : Part::window, wish.density));
+  }
+  // As large as on this display, without the handles, which are for a pointer.
+  const double scale = session_.look.scale * static_cast<double>(window_.display_scale());
+  const Theme& theme = *session_.look.theme;
+  const MeasureText measure = measure_vector_text;
+  const std::vector<Pane> panes = compose_panes({.settings = session_.settings,
+                                                 .snapshot = report_.snapshot,
+                                                 .history = history_,
+                                                 .theme = theme,
+                                                 .options = session_.options,
+                                                 .shown = session_.shown,
+                                                 .size = screen_.scene_size(),
+                                                 .scale = scale,
+                                                 .measure = measure});
+  return paint_vector(panes, theme, screen_.scene_size(), scale * theme.thickness, *format, session_.scene->title);
 }
 
 }  // namespace ghostforce

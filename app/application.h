@@ -58,6 +58,7 @@ class Application {
   void grant_wishes();
   void open_scene(const std::string& name_or_path);
   void save_picture(const PictureWish& wish);
+  std::string picture_bytes(const PictureWish& wish);
   void go_to(const std::optional<Edited>& edited);
   void make_servo();
   LoopReading loop_reading() const;

@@ -10,12 +10,11 @@
 #include <algorithm>
 #include <cfloat>
 #include <cstdlib>
-#include <filesystem>
 #include <utility>
 
 #include "app/failure.h"
+#include "app/font_file.h"
 #include "app/paint/gl/handle.h"
-#include "ghostforce_paths.h"
 
 // ImGui's OpenGL backend has a loader of its own that looks into libGL, where it finds nothing under OSMesa. This is
 // its entry for a loader that knows better.
@@ -93,19 +92,6 @@ GLFWwindow* create_window(const WindowOptions& options) {
                                                   describe_lesser_opengl(), reason, offscreen_advice));
 }
 
-std::string font_file(std::string_view name) {
-  std::error_code unreadable;
-  const std::filesystem::path executable = std::filesystem::read_symlink("/proc/self/exe", unreadable);
-  for (const std::string_view directory : font_directories) {
-    const std::filesystem::path path = executable.parent_path() / directory / name;
-    if (std::filesystem::exists(path, unreadable)) return path.string();
-  }
-  throw Failure(ExitCode::file_trouble,
-                fmt::format("the font {} is not where the program expects it, {}; build again with ./demo, or install "
-                            "the program with cmake --install",
-                            name, (executable.parent_path() / font_directories[0]).string()));
-}
-
 }  // namespace
 
 Window::Library::Library(bool offscreen) {
@@ -157,7 +143,7 @@ void Window::start_imgui(bool takes_mouse) {
   ImGui_ImplGlfw_InitForOpenGL(handle(), true);
   imgl3wInit2(glfwGetProcAddress);
   ImGui_ImplOpenGL3_Init("#version 330 core");
-  regular_font_ = io.Fonts->AddFontFromFileTTF(font_file("DejaVuSans.ttf").c_str());
+  regular_font_ = io.Fonts->AddFontFromFileTTF(font_file(label_font).c_str());
   bold_font_ = io.Fonts->AddFontFromFileTTF(font_file("DejaVuSans-Bold.ttf").c_str());
   number_font_ = io.Fonts->AddFontFromFileTTF(font_file("DejaVuSansMono.ttf").c_str());
 }

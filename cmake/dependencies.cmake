@@ -40,6 +40,15 @@ find_path(STB_INCLUDE_DIR stb/stb_image_write.h REQUIRED)
 add_library(ghostforce::stb INTERFACE IMPORTED)
 target_include_directories(ghostforce::stb INTERFACE ${STB_INCLUDE_DIR})
 
+# Cairo: SVG and PDF files. Its way from a font file to letters leads through FreeType, so that the machine's own choice
+# of fonts (fontconfig) has no say in a picture. apt: libcairo2-dev, libfreetype-dev.
+find_package(Freetype REQUIRED)
+find_path(CAIRO_INCLUDE_DIR cairo-ft.h PATH_SUFFIXES cairo REQUIRED)
+find_library(CAIRO_LIBRARY cairo REQUIRED)
+add_library(ghostforce::cairo INTERFACE IMPORTED)
+target_include_directories(ghostforce::cairo INTERFACE ${CAIRO_INCLUDE_DIR})
+target_link_libraries(ghostforce::cairo INTERFACE ${CAIRO_LIBRARY} Freetype::Freetype)
+
 # ---- The window ------------------------------------------------------------------------------------------------------
 
 # glad: the OpenGL 3.3 core loader, <glad/gl.h>, generated at build time. --reproducible makes it read the specification

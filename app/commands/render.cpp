@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -12,6 +13,7 @@
 #include "app/commands/picture_options.h"
 #include "app/failure.h"
 #include "app/output_file.h"
+#include "app/paint/vector_painter.h"
 #include "app/picture.h"
 #include "app/png_file.h"
 #include "app/printable.h"
@@ -26,7 +28,7 @@ struct Options {
   std::string json;
   std::optional<double> at_s;
   std::string size = "1280x800";
-  std::string part = "window";
+  std::string part;  // empty: what the file can hold
   std::string compare;
 };
 
@@ -45,11 +47,20 @@ PictureRequest request_of(const Options& options) {
   apply_size(options.size, request);
   request.scene = options.scene.load();
   request.at_s = options.at_s;
-  request.part = options.part == "scene" ? Part::scene : Part::window;
+  request.part = options.part == "scene" || vector_format_of(options.output) ? Part::scene : Part::window;
   apply_strategy_word(options.picture.strategy, request);
   if (const auto compare = find_compare(options.compare)) request.options.compare = *compare;
   options.picture.apply_look(request.look);
   return request;
+}
+
+// Panels and bars are drawn in pixels.
+void refuse_window_as_vectors(const Options& options) {
+  if (options.part != "window" || !vector_format_of(options.output)) return;
+  throw Failure(ExitCode::wrong_call,
+                fmt::format("--part window: {} would hold lines and letters, and panels are drawn in pixels; leave "
+                            "--part out, or write a .png",
+                            printable(options.output, longest_path)));
 }
 
 // Two files of one name would be one file, and the picture lost.
@@ -62,17 +73,38 @@ void refuse_equal_outputs(const Options& options) {
                 fmt::format("--json {}: the picture goes there already; name another file", printable(options.json)));
 }
 
+struct Rendering {
+  std::string file;
+  std::vector<Pane> panes;
+  Vector<2> corner;  // of the scene in the picture [points]
+};
+
+Rendering paint_moment(const PictureRequest& request, const Moment& moment, const std::string& output) {
+  const auto format = vector_format_of(output);
+  if (!format) {
+    Drawing drawing = draw_moment(request, moment);
+    return {png_bytes(drawing.image), std::move(drawing.panes), drawing.corner};
+  }
+  const Vector<2> size{static_cast<double>(request.width), static_cast<double>(request.height)};
+  const Theme& theme = *request.look.theme;
+  std::vector<Pane> panes = compose_moment(request, moment, size, measure_vector_text);
+  std::string file =
+      paint_vector(panes, theme, size, request.look.scale * theme.thickness, *format, request.scene.title);
+  return {std::move(file), std::move(panes), Vector<2>(0.0)};
+}
+
 int render(const Options& options) {
   refuse_equal_outputs(options);
+  refuse_window_as_vectors(options);
   const PictureRequest request = request_of(options);
   OutputFile picture_file(options.output);
   std::optional<OutputFile> json_file;
   if (!options.json.empty()) json_file.emplace(options.json);
 
   const Moment moment = play_to_moment(request);
-  const Drawing drawing = draw_moment(request, moment);
-  picture_file.write(png_bytes(drawing.image));
-  if (json_file) json_file->write(describe_picture(request, moment, drawing.panes, drawing.corner).dump(1) + "\n");
+  const Rendering picture = paint_moment(request, moment, options.output);
+  picture_file.write(picture.file);
+  if (json_file) json_file->write(describe_picture(request, moment, picture.panes, picture.corner).dump(1) + "\n");
   picture_file.commit();
   if (json_file) json_file->commit();
   return static_cast<int>(ExitCode::done);
@@ -84,15 +116,21 @@ std::function<int()> attach_render(CLI::App& subcommand) {
   const auto options = std::make_shared<Options>();
   options->scene.attach(subcommand, true);
   subcommand
-      .add_option("-o,--output", options->output, "The PNG file to write, all or nothing; - is the standard output")
+      .add_option("-o,--output", options->output,
+                  "The file to write, all or nothing: .svg and .pdf hold vectors, any other name a PNG; - is the "
+                  "standard output")
       ->type_name("FILE")
       ->required();
   subcommand.add_option("--at", options->at_s, "The moment to show [s]; default: the scene's duration")
       ->type_name("T")
       ->check(number_between(0.0, 1e6, "s"));
-  subcommand.add_option("--size", options->size, "Pixels, 64 to 4096 each way; default: 1280x800")->type_name("WxH");
   subcommand
-      .add_option("--part", options->part, "window: scene, panels and bars; scene: the scene alone; default: window")
+      .add_option("--size", options->size,
+                  "Pixels, or points of an SVG or PDF, 64 to 4096 each way; default: 1280x800")
+      ->type_name("WxH");
+  subcommand
+      .add_option("--part", options->part,
+                  "window: scene, panels and bars; scene: the scene alone; default: window, and scene for SVG and PDF")
       ->type_name("PART")
       ->check(one_of({"window", "scene"}));
   options->picture.attach(subcommand, true);
@@ -109,7 +147,8 @@ std::function<int()> attach_render(CLI::App& subcommand) {
       "\n"
       "Examples:\n"
       "  ghostforce render wall45 -o wall45.png\n"
-      "  ghostforce render fig3-normal --strategy all --part scene --size 1600x1200 --scale 2 -o figure.png");
+      "  ghostforce render fig3-normal --strategy all --part scene --size 1600x1200 --scale 2 -o figure.png\n"
+      "  ghostforce render fig3-normal --compare side-by-side -o figure.pdf");
   return [options] { return render(*options); };
 }
 

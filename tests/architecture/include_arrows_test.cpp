@@ -55,7 +55,7 @@ const std::vector<Room>& rooms() {
   const std::vector<std::regex> files = regexes({"<toml\\+\\+/.+>", "<CLI/.+>", "<nlohmann/.+>", "<stb/.+>"});
   const std::vector<std::regex> gl = regexes({"<glad/gl\\.h>", "<GLFW/.+>"});
   const std::vector<std::regex> gui = regexes({"<imgui.*\\.h>", "<implot.*\\.h>"});
-  const std::vector<std::regex> vector_pictures = regexes({"<cairo(/cairo)?[a-z-]*\\.h>"});
+  const std::vector<std::regex> vector_pictures = regexes({"<cairo(/cairo)?[a-z-]*\\.h>", "<freetype/.+>"});
   const std::vector<std::regex> app = joined(pure, {std::regex("\"app/.+\""), generated});
   const std::vector<std::regex> seen = joined(joined(joined(app, words), files), joined(gui, vector_pictures));
   static const std::vector<Room> list{

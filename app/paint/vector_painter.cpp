@@ -1,0 +1,444 @@
+#include "app/paint/vector_painter.h"
+
+#include <cairo-ft.h>
+#include <cairo-pdf.h>
+#include <cairo-svg.h>
+#include <cairo.h>
+#include <fmt/format.h>
+#include <freetype/freetype.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <new>
+#include <numbers>
+#include <span>
+
+#include "app/failure.h"
+#include "app/font_file.h"
+#include "app/printable.h"
+#include "ghostforce_version.h"
+
+namespace ghostforce {
+namespace {
+
+template <auto destroy>
+struct Destroy {
+  void operator()(auto* object) const { destroy(object); }
+};
+using Context = std::unique_ptr<cairo_t, Destroy<cairo_destroy>>;
+using Surface = std::unique_ptr<cairo_surface_t, Destroy<cairo_surface_destroy>>;
+using FontOptions = std::unique_ptr<cairo_font_options_t, Destroy<cairo_font_options_destroy>>;
+using FontFace = std::unique_ptr<cairo_font_face_t, Destroy<cairo_font_face_destroy>>;
+using ScaledFont = std::unique_ptr<cairo_scaled_font_t, Destroy<cairo_scaled_font_destroy>>;
+using FontLibrary = std::unique_ptr<FT_LibraryRec_, Destroy<FT_Done_FreeType>>;
+using FontOutlines = std::unique_ptr<FT_FaceRec_, Destroy<FT_Done_Face>>;
+
+// ---- Letters --------------------------------------------------------------------------------------------------------
+
+// Sizes follow the screen's convention: a height is that of a line of text, from the highest to the lowest letter.
+class Font {
+ public:
+  Font() {
+    const std::string path = font_file(label_font);
+    FT_Library library = nullptr;
+    require(FT_Init_FreeType(&library), path);
+    library_.reset(library);
+    FT_Face outlines = nullptr;
+    require(FT_New_Face(library, path.c_str(), 0, &outlines), path);
+    outlines_.reset(outlines);
+    const double line = static_cast<double>(outlines->ascender) - static_cast<double>(outlines->descender);
+    em_ = static_cast<double>(outlines->units_per_EM) / line;
+    ascent_ = static_cast<double>(outlines->ascender) / line;
+
+    // Letters fitted to pixels would be as wide as one size of pixel wants them.
+    options_.reset(cairo_font_options_create());
+    cairo_font_options_set_hint_style(options_.get(), CAIRO_HINT_STYLE_NONE);
+    cairo_font_options_set_hint_metrics(options_.get(), CAIRO_HINT_METRICS_OFF);
+    cairo_font_options_set_antialias(options_.get(), CAIRO_ANTIALIAS_GRAY);
+    face_.reset(cairo_ft_font_face_create_for_ft_face(outlines, FT_LOAD_NO_HINTING));
+    cairo_matrix_t size;
+    cairo_matrix_init_scale(&size, measured_em, measured_em);
+    cairo_matrix_t upright;
+    cairo_matrix_init_identity(&upright);
+    measured_.reset(cairo_scaled_font_create(face_.get(), &size, &upright, options_.get()));
+  }
+
+  double width(const std::string& text, double height) const {
+    cairo_text_extents_t extents;
+    cairo_scaled_font_text_extents(measured_.get(), text.c_str(), &extents);
+    return extents.x_advance / measured_em * em_ * height;
+  }
+  // Of the baseline below the upper edge of the line.
+  double ascent(double height) const { return ascent_ * height; }
+  void choose_on(cairo_t* target, double height) const {
+    cairo_set_font_face(target, face_.get());
+    cairo_set_font_options(target, options_.get());
+    cairo_set_font_size(target, em_ * height);
+  }
+
+ private:
+  static constexpr double measured_em = 1000.0;  // large, so that no advance is rounded
+
+  static void require(FT_Error error, const std::string& path) {
+    if (error == 0) return;
+    throw Failure(ExitCode::file_trouble,
+                  fmt::format("the font {} cannot be read (FreeType error {}); build again with ./demo, or install the "
+                              "program with cmake --install",
+                              printable(path, longest_path), error));
+  }
+
+  FontLibrary library_;
+  FontOutlines outlines_;
+  FontOptions options_;
+  FontFace face_;
+  ScaledFont measured_;
+  double em_ = 1.0;  // of the height
+  double ascent_ = 1.0;
+};
+
+// Kept until the program ends: Cairo's own caches may hold a font longer than any picture.
+const Font& font() {
+  static const Font only;
+  return only;
+}
+
+// ---- Marks ----------------------------------------------------------------------------------------------------------
+
+// Must match shaders/mark.frag.
+constexpr double arrow_head = 2.3;
+constexpr double head_slenderness = 1.9;
+constexpr double longest_head = 0.8;
+constexpr double diamond_reach = 1.3;
+constexpr double triangle_half_side = 1.25;
+constexpr double triangle_rise = 0.12;
+
+constexpr double turn = 2.0 * std::numbers::pi;
+
+double share(std::uint8_t channel) {
+  return static_cast<double>(channel) / 255.0;
+}
+
+class MarkPainter {
+ public:
+  MarkPainter(cairo_t* target, const Camera& camera, double text_scale)
+      : target_(target), camera_(camera), text_scale_(text_scale) {}
+
+  void paint(const Marks& marks) const {
+    for (std::size_t i = 0; i < marks.size();) {
+      i = std::holds_alternative<Line>(marks[i].form) ? paint_curve(marks, i) : paint_one(marks, i);
+    }
+    // Words stand above everything, as on the screen.
+    for (const Mark& mark : marks) {
+      if (const auto* label = std::get_if<Label>(&mark.form)) paint_label(*label);
+    }
+  }
+
+ private:
+  Vector<2> on_screen(const Vector<2>& world, const Vector<2>& offset = Vector<2>(0.0)) const {
+    return to_screen(camera_, world) + offset;
+  }
+
+  void choose(Colour colour) const {
+    cairo_set_source_rgba(target_, share(colour.red), share(colour.green), share(colour.blue), share(colour.alpha));
+  }
+
+  void outline(std::span<const Vector<2>> corners) const {
+    for (const Vector<2>& corner : corners) cairo_line_to(target_, corner.x, corner.y);
+    cairo_close_path(target_);
+  }
+
+  void fill_and_rim(Colour fill, Colour rim, double rim_width, cairo_line_join_t join) const {
+    if (fill.alpha > 0) {
+      choose(fill);
+      cairo_fill_preserve(target_);
+    }
+    if (rim_width > 0.0) {
+      choose(rim);
+      cairo_set_line_join(target_, join);
+      cairo_set_line_width(target_, rim_width);
+      cairo_stroke_preserve(target_);
+    }
+    cairo_new_path(target_);
+  }
+
+  std::size_t paint_one(const Marks& marks, std::size_t i) const {
+    std::visit([this](const auto& form) { paint_form(form); }, marks[i].form);
+    return i + 1;
+  }
+
+  void paint_form(const Line&) const {}   // see paint_curve()
+  void paint_form(const Label&) const {}  // see paint()
+
+  // What of the pane's rectangle lies behind the edge.
+  void paint_form(const HalfPlane& form) const {
+    const Vector<2> point = on_screen(form.point);
+    const Vector<2> normal = to_screen_direction(form.normal);
+    const Vector<2>& size = camera_.size;
+    const std::array<Vector<2>, 4> pane{{{0.0, 0.0}, {size.x, 0.0}, {size.x, size.y}, {0.0, size.y}}};
+    std::vector<Vector<2>> behind;
+    for (std::size_t i = 0; i < pane.size(); ++i) {
+      const Vector<2>& corner = pane[i];
+      const Vector<2>& next = pane[(i + 1) % pane.size()];
+      const double height = glm::dot(corner - point, normal);
+      const double next_height = glm::dot(next - point, normal);
+      if (height <= 0.0) behind.push_back(corner);
+      if ((height < 0.0) != (next_height < 0.0) && height != next_height) {
+        behind.push_back(corner + (next - corner) * (height / (height - next_height)));
+      }
+    }
+    if (behind.empty()) return;
+    outline(behind);
+    choose(form.fill);
+    cairo_fill(target_);
+  }
+
+  void paint_form(const Marker& form) const {
+    const Vector<2> at = on_screen(form.center, form.offset);
+    const double radius = form.radius;
+    switch (form.shape) {
+      case Shape::disc:
+        cairo_arc(target_, at.x, at.y, radius, 0.0, turn);
+        cairo_close_path(target_);
+        fill_and_rim(form.fill, form.rim, form.rim_width, CAIRO_LINE_JOIN_ROUND);
+        return;
+      case Shape::diamond: {
+        const double reach = diamond_reach * radius;
+        outline(std::array<Vector<2>, 4>{{at + Vector<2>(reach, 0.0), at + Vector<2>(0.0, reach),
+                                          at - Vector<2>(reach, 0.0), at - Vector<2>(0.0, reach)}});
+        fill_and_rim(form.fill, form.rim, form.rim_width, CAIRO_LINE_JOIN_MITER);
+        return;
+      }
+      case Shape::triangle: {
+        const double half_side = triangle_half_side * radius;
+        const double in_radius = half_side / std::numbers::sqrt3;
+        const Vector<2> middle = at - Vector<2>(0.0, triangle_rise * radius);
+        outline(std::array<Vector<2>, 3>{{middle - Vector<2>(0.0, 2.0 * in_radius),
+                                          middle + Vector<2>(half_side, in_radius),
+                                          middle + Vector<2>(-half_side, in_radius)}});
+        fill_and_rim(form.fill, form.rim, form.rim_width, CAIRO_LINE_JOIN_ROUND);
+        return;
+      }
+    }
+  }
+
+  void paint_form(const Arrow& form) const {
+    const Vector<2> tail = on_screen(form.tail, form.offset);
+    const Vector<2> reach = on_screen(form.tip, form.offset) - tail;
+    const double length = glm::length(reach);
+    const Vector<2> along = length > 0.0 ? reach / length : Vector<2>(1.0, 0.0);
+    const Vector<2> across{-along.y, along.x};
+    const double half_width = 0.5 * form.width;
+    const double half_head = arrow_head * half_width;
+    const double neck = length - std::min(head_slenderness * half_head, longest_head * length);
+    const auto corner = [&](double x, double y) { return tail + along * x + across * y; };
+    outline(std::array<Vector<2>, 7>{{corner(0.0, -half_width), corner(neck, -half_width), corner(neck, -half_head),
+                                      corner(length, 0.0), corner(neck, half_head), corner(neck, half_width),
+                                      corner(0.0, half_width)}});
+    fill_and_rim(form.fill, form.rim, form.rim_width, CAIRO_LINE_JOIN_ROUND);
+  }
+
+  // A trail is hundreds of short lines, each beginning where the last one ended. As one stroke it looks the same, can
+  // be changed as one in a drawing program, and takes a tenth of the bytes. Translucent lines stay apart: on the screen
+  // they darken where they meet. Returns the number of the first mark behind the curve.
+  std::size_t paint_curve(const Marks& marks, std::size_t first) const {
+    const Line& start = std::get<Line>(marks[first].form);
+    const Line* last = &start;
+    const Vector<2> from = on_screen(start.from);
+    cairo_move_to(target_, from.x, from.y);
+    double end = start.pattern_start;  // [m] along the curve
+    std::size_t next = first;
+    while (true) {
+      const Vector<2> to = on_screen(last->to);
+      cairo_line_to(target_, to.x, to.y);
+      end += glm::distance(last->from, last->to);
+      ++next;
+      const Line* following = next < marks.size() ? std::get_if<Line>(&marks[next].form) : nullptr;
+      if (following == nullptr || !continues(*last, *following, end)) break;
+      last = following;
+    }
+    choose(start.colour);
+    cairo_set_line_width(target_, start.width);
+    cairo_set_line_join(target_, CAIRO_LINE_JOIN_ROUND);
+    if (is_dashed(start)) {
+      cairo_set_dash(target_, start.pattern.data(), static_cast<int>(start.pattern.size()),
+                     points(start.pattern_start));
+      cairo_stroke(target_);
+      cairo_set_dash(target_, nullptr, 0, 0.0);
+      // Dashes are cut square; where the line itself begins or ends within one, it is round.
+      if (is_in_dash(start, start.pattern_start)) paint_round_end(start, start.to, start.from);
+      if (is_in_dash(start, end)) paint_round_end(start, last->from, last->to);
+    } else {
+      cairo_set_line_cap(target_, CAIRO_LINE_CAP_ROUND);
+      cairo_stroke(target_);
+      cairo_set_line_cap(target_, CAIRO_LINE_CAP_BUTT);
+    }
+    return next;
+  }
+
+  double points(double metres) const { return metres * camera_.points_per_metre; }
+
+  static bool is_dashed(const Line& line) { return line.pattern[0] > 0.0; }
+
+  bool continues(const Line& line, const Line& following, double end) const {
+    constexpr double visible = 0.05;  // that far apart dashes would be seen to jump [points]
+    return following.from == line.to && following.width == line.width && following.colour == line.colour &&
+           line.colour.alpha == 255 && following.pattern == line.pattern &&
+           (!is_dashed(line) || points(std::abs(following.pattern_start - end)) < visible);
+  }
+
+  bool is_in_dash(const Line& line, double along) const {
+    const auto& [drawn, left_out, drawn_again, left_out_again] = line.pattern;
+    const double x = std::fmod(points(along), drawn + left_out + drawn_again + left_out_again);
+    const double second = drawn + left_out;
+    return (x > 0.0 && x < drawn) || (x > second && x < second + drawn_again);
+  }
+
+  void paint_round_end(const Line& style, const Vector<2>& before, const Vector<2>& end) const {
+    const Vector<2> at = on_screen(end);
+    const Vector<2> ahead = at - on_screen(before);
+    const double angle = std::atan2(ahead.y, ahead.x);
+    cairo_arc(target_, at.x, at.y, 0.5 * style.width, angle - 0.25 * turn, angle + 0.25 * turn);
+    cairo_fill(target_);
+  }
+
+  void paint_label(const Label& label) const {
+    const double height = text_height(label.size) * text_scale_;
+    const Vector<2> at = on_screen(label.anchor, label.offset) + Vector<2>(0.0, font().ascent(height));
+    font().choose_on(target_, height);
+    if (label.halo.alpha > 0) {
+      // An outline round the letters, not more letters: a search in a PDF should find each word once.
+      cairo_move_to(target_, at.x, at.y);
+      cairo_text_path(target_, label.text.c_str());
+      choose(label.halo);
+      cairo_set_line_join(target_, CAIRO_LINE_JOIN_ROUND);
+      cairo_set_line_width(target_, halo_width * height);
+      cairo_stroke(target_);
+    }
+    choose(label.colour);
+    cairo_move_to(target_, at.x, at.y);
+    cairo_show_text(target_, label.text.c_str());
+  }
+
+  static constexpr double halo_width = 0.22;  // of the text's height; half of it lies outside the letters
+
+  cairo_t* target_;
+  const Camera& camera_;
+  double text_scale_;
+};
+
+void fill_rectangle(cairo_t* target, const Vector<2>& corner, const Vector<2>& size, Colour colour) {
+  cairo_set_source_rgb(target, share(colour.red), share(colour.green), share(colour.blue));
+  cairo_rectangle(target, corner.x, corner.y, size.x, size.y);
+  cairo_fill(target);
+}
+
+// ---- Files ----------------------------------------------------------------------------------------------------------
+
+// Called by Cairo, through which no exception may fly.
+cairo_status_t append(void* file, const unsigned char* bytes, unsigned int count) noexcept {
+  try {
+    static_cast<std::string*>(file)->append(reinterpret_cast<const char*>(bytes), count);
+    return CAIRO_STATUS_SUCCESS;
+  } catch (const std::bad_alloc&) {
+    return CAIRO_STATUS_NO_MEMORY;
+  }
+}
+
+Surface surface_for(VectorFormat format, const Vector<2>& size, std::string_view title, std::string& file) {
+  if (format == VectorFormat::svg) {
+    Surface surface(cairo_svg_surface_create_for_stream(append, &file, size.x, size.y));
+    cairo_svg_surface_set_document_unit(surface.get(), CAIRO_SVG_UNIT_PT);
+    return surface;
+  }
+  Surface surface(cairo_pdf_surface_create_for_stream(append, &file, size.x, size.y));
+  cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, std::string(title).c_str());
+  cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATOR,
+                                 fmt::format("ghostforce {}", version).c_str());
+  cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "");  // else the time of day
+  return surface;
+}
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char c : printable(text, text.size())) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      default:
+        result += c;
+    }
+  }
+  return result;
+}
+
+// Cairo numbers its surfaces as long as the program runs, which would make each file another, and gives none a title.
+void tidy_svg(std::string& file, std::string_view title) {
+  constexpr std::string_view numbered = "id=\"surface";
+  if (const std::size_t at = file.find(numbered); at != std::string::npos) {
+    const std::size_t number = at + numbered.size();
+    file.erase(number, file.find('"', number) - number);
+  }
+  const std::size_t root = file.find('>', file.find("<svg"));
+  if (root != std::string::npos) file.insert(root + 1, "\n<title>" + escaped(title) + "</title>");
+}
+
+void require(cairo_status_t status) {
+  if (status == CAIRO_STATUS_SUCCESS) return;
+  throw Failure(ExitCode::bug, fmt::format("Cairo cannot make this picture ({}); a PNG needs no Cairo, and a smaller "
+                                           "size less memory",
+                                           cairo_status_to_string(status)));
+}
+
+}  // namespace
+
+std::optional<VectorFormat> vector_format_of(std::string_view path) {
+  std::string ending = std::filesystem::path(path).extension().string();
+  std::ranges::transform(ending, ending.begin(),
+                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  if (ending == ".svg") return VectorFormat::svg;
+  if (ending == ".pdf") return VectorFormat::pdf;
+  return std::nullopt;
+}
+
+Vector<2> measure_vector_text(std::string_view text, double height) {
+  return {font().width(std::string(text), height), height};
+}
+
+void paint_panes(const std::vector<Pane>& panes, const Theme& theme, const Vector<2>& size, double text_scale,
+                 cairo_t* target) {
+  const bool has_gaps = panes.size() > 1;
+  fill_rectangle(target, Vector<2>(0.0), size, has_gaps ? theme.panel_border : theme.background);
+  for (const Pane& pane : panes) {
+    if (has_gaps) fill_rectangle(target, pane.corner, pane.camera.size, theme.background);
+    cairo_save(target);
+    cairo_rectangle(target, pane.corner.x, pane.corner.y, pane.camera.size.x, pane.camera.size.y);
+    cairo_clip(target);
+    cairo_translate(target, pane.corner.x, pane.corner.y);
+    MarkPainter(target, pane.camera, text_scale).paint(pane.marks);
+    cairo_restore(target);
+  }
+}
+
+std::string paint_vector(const std::vector<Pane>& panes, const Theme& theme, const Vector<2>& size, double text_scale,
+                         VectorFormat format, std::string_view title) {
+  std::string file;
+  const Surface surface = surface_for(format, size, title, file);
+  {
+    const Context target(cairo_create(surface.get()));
+    paint_panes(panes, theme, size, text_scale, target.get());
+    require(cairo_status(target.get()));
+  }
+  cairo_surface_finish(surface.get());
+  require(cairo_surface_status(surface.get()));
+  if (format == VectorFormat::svg) tidy_svg(file, title);
+  return file;
+}
+
+}  // namespace ghostforce

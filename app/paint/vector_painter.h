@@ -1,0 +1,39 @@
+// Paints panes as vectors, through Cairo: SVG and PDF for papers and slides, sharp at any size. The same marks look as
+// the GL painter draws them, so the shapes must match shaders/mark.frag. Needs no window; letters come from the font
+// that the program brings, whatever the machine has. One thread at a time.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/theme.h"
+#include "app/view/panes.h"
+
+using cairo_t = struct _cairo;  // Cairo's own name for what it draws on
+
+namespace ghostforce {
+
+enum class VectorFormat : std::uint8_t { svg, pdf };
+
+// By the end of the file's name, .svg or .pdf in any case; empty for any other.
+std::optional<VectorFormat> vector_format_of(std::string_view path);
+
+// The measure of the letters that are painted here, for those who place labels. Throws Failure(file_trouble) where the
+// font cannot be read.
+Vector<2> measure_vector_text(std::string_view text, double height);
+
+// The whole file's content; the same call gives the same bytes. `size` is the panes' rectangle [points], `text_scale`
+// turns a nominal text height into points. In a PDF letters are text, to be searched and copied; in an SVG they are
+// outlines. Throws Failure: file_trouble where the font cannot be read; bug where Cairo gives up.
+std::string paint_vector(const std::vector<Pane>& panes, const Theme& theme, const Vector<2>& size, double text_scale,
+                         VectorFormat format, std::string_view title);
+
+// The same on anything that Cairo draws on, one unit of `target` for a point. Throws Failure(file_trouble); whether
+// Cairo could draw is for cairo_status() to say.
+void paint_panes(const std::vector<Pane>& panes, const Theme& theme, const Vector<2>& size, double text_scale,
+                 cairo_t* target);
+
+}  // namespace ghostforce
