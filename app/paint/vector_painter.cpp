@@ -314,7 +314,7 @@ class MarkPainter {
       cairo_text_path(target_, label.text.c_str());
       choose(label.halo);
       cairo_set_line_join(target_, CAIRO_LINE_JOIN_ROUND);
-      cairo_set_line_width(target_, halo_width * height);
+      cairo_set_line_width(target_, 2.0 * halo_reach * height);
       cairo_stroke(target_);
     }
     choose(label.colour);
@@ -322,7 +322,7 @@ class MarkPainter {
     cairo_show_text(target_, label.text.c_str());
   }
 
-  static constexpr double halo_width = 0.22;  // of the text's height; half of it lies outside the letters
+  static constexpr double halo_reach = 0.1;  // of the text's height, as in label_painter.cpp
 
   cairo_t* target_;
   const Camera& camera_;

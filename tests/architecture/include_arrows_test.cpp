@@ -257,7 +257,9 @@ TEST(IncludeArrowsSelfTest, LetsThroughWhatEachRoomNeeds) {
        "#include <nlohmann/json.hpp>\n#include <stb/stb_image_write.h>\n#include \"device/servo.h\"\n"
        "#include \"embedded_shaders.h\"\n#include \"ghostforce_version.h\"\n"},
       {"app/view/a.cpp", "#include \"core/snapshot.h\"\n#include \"app/theme.h\"\n#include <fmt/format.h>\n"},
-      {"app/paint/a.cpp", "#include <cairo/cairo-svg.h>\n#include <cairo.h>\n#include <glad/gl.h>\n"},
+      {"app/paint/a.cpp",
+       "#include <cairo/cairo-svg.h>\n#include <cairo.h>\n#include <freetype/freetype.h>\n"
+       "#include <glad/gl.h>\n"},
       {"app/panels/a.cpp", "#include <imgui.h>\n#include <implot.h>\n"},
       {"core/comment.h", "// #include <imgui.h> would be a leak\n"},
       {"tests/a.cpp", "#include <Eigen/Dense>\n#include <gtest/gtest.h>\n"},

@@ -1,0 +1,485 @@
+// Vector pictures: the same marks as OpenGL draws, measured against it pixel by pixel, in files that are whole, the
+// same every time, and need neither display nor OpenGL.
+#include <cairo.h>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "app/application.h"
+#include "app/paint/label_painter.h"
+#include "app/paint/scene_painter.h"
+#include "app/paint/vector_painter.h"
+#include "app/picture.h"
+#include "app/scene_file.h"
+#include "app/window.h"
+#include "tests/support/program.h"
+#include "tests/support/temporary_folder.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr int width = 904;  // of the pictures that are compared [px]; three panes of whole pixels and their gaps
+constexpr int height = 600;
+constexpr Vector<2> size{static_cast<double>(width), static_cast<double>(height)};
+const Theme& light = *find_theme("light");
+
+Outcome render(std::vector<std::string> words) {
+  words.insert(words.begin(), "render");
+  return run_program(GHOSTFORCE_PROGRAM, std::move(words));
+}
+
+std::vector<Pane> panes_of(std::string_view scene, Compare compare, const Theme& theme, bool has_trails = true) {
+  PictureRequest request;
+  request.scene = load_scene(std::string(scene));
+  request.options.compare = compare;
+  request.options.trails = has_trails;
+  request.look.theme = &theme;
+  return compose_moment(request, play_to_moment(request), size, measure_vector_text);
+}
+
+std::string vector_file(VectorFormat format, std::string_view title = "A title") {
+  return paint_vector(panes_of("fig1", Compare::overlay, light), light, size, 1.0, format, title);
+}
+
+// ---- Both painters --------------------------------------------------------------------------------------------------
+
+Image drawn_by_cairo(const std::vector<Pane>& panes, const Theme& theme) {
+  cairo_surface_t* surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height);
+  cairo_t* target = cairo_create(surface);
+  paint_panes(panes, theme, size, theme.thickness, target);
+  EXPECT_EQ(cairo_status(target), CAIRO_STATUS_SUCCESS);
+  cairo_surface_flush(surface);
+  Image image{width, height, {}};
+  const int stride = cairo_image_surface_get_stride(surface);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const unsigned char* pixel = cairo_image_surface_get_data(surface) + y * stride + 4 * x;  // blue, green, red
+      for (const int channel : {2, 1, 0}) image.rgb.push_back(pixel[channel]);
+    }
+  }
+  cairo_destroy(target);
+  cairo_surface_destroy(surface);
+  return image;
+}
+
+// One window for all of a test's pictures.
+class OpenGl {
+ public:
+  Image draw(const std::vector<Pane>& panes, const Theme& theme) {
+    window_.frame([&] { painter_.paint(panes, theme, {0.0F, 0.0F}, theme.thickness, width, height); });
+    return window_.picture();
+  }
+  Window& window() { return window_; }
+
+ private:
+  Window window_{{.title = "test", .width = width, .height = height, .offscreen = true, .takes_mouse = false}};
+  ScenePainter painter_;
+};
+
+int difference(const Image& a, const Image& b, std::size_t pixel) {
+  int greatest = 0;
+  for (std::size_t i = 3 * pixel; i < 3 * pixel + 3; ++i) {
+    greatest = std::max(greatest, std::abs(int{a.rgb[i]} - int{b.rgb[i]}));
+  }
+  return greatest;
+}
+
+// How many pixels differ by more than a quarter of white in some channel: more than two ways to smooth an edge do.
+int unlike_pixels(const Image& a, const Image& b) {
+  int count = 0;
+  for (std::size_t pixel = 0; pixel < a.rgb.size() / 3; ++pixel) count += difference(a, b, pixel) > 64 ? 1 : 0;
+  return count;
+}
+
+// Letters are smoothed in another way by ImGui, and stand on whole pixels there: they are compared for themselves.
+std::vector<Pane> without_labels(std::vector<Pane> panes) {
+  for (Pane& pane : panes) {
+    std::erase_if(pane.marks, [](const Mark& mark) { return std::holds_alternative<Label>(mark.form); });
+  }
+  return panes;
+}
+
+Pane pane_with(Marks marks) {
+  return {Vector<2>(0.0), camera_on(Vector<2>(0.0), 0.09, size), StrategyId::full, std::move(marks)};
+}
+
+struct Setting {
+  std::string scene;
+  Compare compare;
+  std::string theme;
+};
+
+const std::vector<Setting> looks{
+    {"wall45", Compare::overlay, "light"},          {"fig1", Compare::overlay, "dark"},
+    {"fig3-normal", Compare::overlay, "projector"}, {"fig1", Compare::side_by_side, "light"},
+    {"wall45", Compare::side_by_side, "dark"},      {"fig3-actuated", Compare::active_only, "projector"},
+};
+
+// Measured: 3 to 16 of 542,400 pixels, at the corners of arrows, where two ways to smooth an edge differ most.
+constexpr int few_pixels = 20;
+
+TEST(VectorPicture, LooksAsOpenGlDrawsIt) {
+  OpenGl gl;
+  for (const Setting& look : looks) {
+    const Theme& theme = *find_theme(look.theme);
+    const std::vector<Pane> panes = without_labels(panes_of(look.scene, look.compare, theme, false));
+    EXPECT_LE(unlike_pixels(drawn_by_cairo(panes, theme), gl.draw(panes, theme)), few_pixels)
+        << look.scene << ' ' << compare_name(look.compare) << ' ' << look.theme;
+  }
+}
+
+// The test above can fail: by an arrow that is not there, and by a marker 3 points from where it should be.
+TEST(VectorPicture, WouldBeSeenToDifferFromOpenGl) {
+  OpenGl gl;
+  const std::vector<Pane> panes = without_labels(panes_of("wall45", Compare::overlay, light, false));
+  const Image expected = gl.draw(panes, light);
+  int changed = 0;
+  for (std::size_t i = 0; i < panes.front().marks.size(); ++i) {
+    std::vector<Pane> other = panes;
+    Marks& marks = other.front().marks;
+    if (auto* marker = std::get_if<Marker>(&marks[i].form)) {
+      // Others are thin or lie behind these.
+      if (marks[i].role != Role::device && marks[i].role != Role::goal && marks[i].role != Role::legend) continue;
+      marker->offset.x += 3.0;
+    } else if (std::holds_alternative<Arrow>(marks[i].form)) {
+      marks.erase(marks.begin() + static_cast<std::ptrdiff_t>(i));
+    } else {
+      continue;
+    }
+    ++changed;
+    EXPECT_GT(unlike_pixels(drawn_by_cairo(other, light), expected), 2 * few_pixels) << i;
+  }
+  EXPECT_GE(changed, 10);
+}
+
+// OpenGL draws a trail piece by piece, and smoothed ends that lie over each other make it a little bolder.
+TEST(VectorPicture, DrawsTrailsWithTheirDashesWhereOpenGlDoes) {
+  constexpr int bolder = 200;  // measured: up to 159 pixels
+  OpenGl gl;
+  for (const Setting& look : looks) {
+    const Theme& theme = *find_theme(look.theme);
+    std::vector<Pane> panes = panes_of(look.scene, look.compare, theme);
+    for (Pane& pane : panes) {
+      std::erase_if(pane.marks, [](const Mark& mark) { return mark.role != Role::trail; });
+    }
+    const Image expected = gl.draw(panes, theme);
+    EXPECT_LE(unlike_pixels(drawn_by_cairo(panes, theme), expected), bolder)
+        << look.scene << ' ' << compare_name(look.compare) << ' ' << look.theme;
+    for (Pane& pane : panes) {
+      for (Mark& mark : pane.marks) std::get<Line>(mark.form).pattern = solid_line;
+    }
+    EXPECT_GT(unlike_pixels(drawn_by_cairo(panes, theme), expected), bolder) << look.scene;
+  }
+}
+
+TEST(VectorPicture, DrawsEachFormAsOpenGlDoes) {
+  constexpr double mm = 0.001;
+  constexpr Colour fill = rgb(0x4F8DEB), rim = rgb(0x173C93);
+  const auto mark = [](auto form) { return Mark{Role::device, std::nullopt, std::move(form)}; };
+  const auto marker = [&](Shape shape, Colour inside, double rim_width) {
+    return mark(Marker{{-10.0 * mm, 8.0 * mm}, shape, 60.0, inside, rim, rim_width, {31.5, -12.25}});
+  };
+  const LinePattern pattern{30.0, 12.0, 9.0, 12.0};
+  const Vector<2> left{-40.0 * mm, -20.0 * mm}, middle{-5.0 * mm, 17.0 * mm}, right{38.0 * mm, 11.0 * mm};
+  const Vector<2> bend = middle + Vector<2>(0.5 * mm, 0.0);
+  const double length = glm::distance(left, middle);
+  struct Case {
+    const char* name;
+    Marks marks;
+  };
+  const std::vector<Case> cases{
+      {"half plane", {mark(HalfPlane{{3.0 * mm, 5.0 * mm}, direction_at(2.0), fill})}},
+      {"half plane, everything", {mark(HalfPlane{{3000.0 * mm, 0.0}, {1.0, 0.0}, fill})}},
+      {"half plane, nothing", {mark(HalfPlane{{-3000.0 * mm, 0.0}, {1.0, 0.0}, fill})}},
+      {"half plane, straight", {mark(HalfPlane{{0.0, 3.0 * mm}, {0.0, 1.0}, fill})}},
+      {"line", {mark(Line{left, right, 17.0, fill})}},
+      {"point", {mark(Line{left, left, 40.0, fill})}},
+      {"dashed line", {mark(Line{left, right, 7.0, fill, pattern})}},
+      {"dashed line from within", {mark(Line{left, right, 7.0, fill, pattern, 2.0 * mm})}},
+      {"dashed curve",
+       {mark(Line{left, middle, 9.0, fill, pattern}), mark(Line{middle, right, 9.0, fill, pattern, length})}},
+      {"dashed curve with a jump",
+       {mark(Line{left, middle, 9.0, fill, pattern}), mark(Line{middle, right, 9.0, fill, pattern, 0.9 * length})}},
+      {"curve of two colours", {mark(Line{left, middle, 9.0, fill}), mark(Line{middle, right, 9.0, rim})}},
+      {"translucent curve",
+       {mark(Line{left, middle, 60.0, rim.with_alpha(107)}), mark(Line{middle, bend, 60.0, rim.with_alpha(107)}),
+        mark(Line{bend, right, 60.0, rim.with_alpha(107)})}},
+      {"disc", {marker(Shape::disc, fill, 14.0)}},
+      {"hollow disc", {mark(Line{left, right, 17.0, fill}), marker(Shape::disc, rim.with_alpha(0), 14.0)}},
+      {"translucent disc", {mark(Line{left, right, 17.0, rim}), marker(Shape::disc, fill.with_alpha(128), 2.0)}},
+      {"diamond", {marker(Shape::diamond, fill, 14.0)}},
+      {"triangle", {marker(Shape::triangle, fill, 14.0)}},
+      {"triangle without rim", {marker(Shape::triangle, fill, 0.0)}},
+      {"arrow", {mark(Arrow{left, right, 25.0, fill, rim, 8.0, {10.0, -21.0}})}},
+      {"short arrow", {mark(Arrow{left, left + Vector<2>(0.0, 4.0 * mm), 25.0, fill, rim, 2.0})}},
+  };
+  OpenGl gl;
+  for (const Case& each : cases) {
+    const std::vector<Pane> panes{pane_with(each.marks)};
+    EXPECT_LE(unlike_pixels(drawn_by_cairo(panes, light), gl.draw(panes, light)), 6) << each.name;  // measured: 0 to 3
+  }
+}
+
+// ---- Letters --------------------------------------------------------------------------------------------------------
+
+TEST(VectorPicture, MeasuresLettersAsTheScreenDoes) {
+  OpenGl gl;
+  gl.window().frame([] {
+    for (const std::string_view text : {"ghost force 1.27 N", "N  device, Naïve", "ρ κ", "A"}) {
+      for (const double line : {13.0, 19.0, 57.0}) {
+        const Vector<2> expected = measure_text(text, line);
+        const Vector<2> measured = measure_vector_text(text, line);
+        EXPECT_NEAR(measured.x, expected.x, 0.01 * line) << text;  // ImGui's are rounded to fractions of a pixel
+        EXPECT_EQ(measured.y, expected.y) << text;
+      }
+    }
+  });
+}
+
+// The box of all that is not paper [px].
+struct Box {
+  int left = width, right = 0, top = height, bottom = 0;
+};
+
+Box box_of_ink(const Image& image, Colour paper) {
+  Box box;
+  for (int i = 0; i < width * height; ++i) {
+    if (std::abs(int{image.rgb[3 * static_cast<std::size_t>(i) + 1]} - int{paper.green}) < 64) continue;
+    box.left = std::min(box.left, i % width);
+    box.right = std::max(box.right, i % width);
+    box.top = std::min(box.top, i / width);
+    box.bottom = std::max(box.bottom, i / width);
+  }
+  return box;
+}
+
+bool are_close(const Box& a, const Box& b) {
+  const auto near = [](int x, int y) { return std::abs(x - y) <= 1; };
+  return near(a.left, b.left) && near(a.right, b.right) && near(a.top, b.top) && near(a.bottom, b.bottom);
+}
+
+TEST(VectorPicture, SetsLettersAndTheirHaloWhereTheScreenDoes) {
+  OpenGl gl;
+  for (const TextSize text_size : {TextSize::small, TextSize::normal, TextSize::large}) {
+    for (const Colour halo : {rgb(0x000000), Colour{0, 0, 0, 0}}) {
+      const auto panes_with = [&](const Vector<2>& aside, TextSize other_size) {
+        // Letters stand on whole pixels on the screen and anywhere here, so ask for a place in between.
+        const Vector<2> offset = Vector<2>(40.5, -59.5) + aside;
+        return std::vector<Pane>{
+            pane_with({Mark{Role::legend, std::nullopt,
+                            Label{Vector<2>(0.0), offset, "Force Egj 3.39 N", other_size, rgb(0x000000), halo}}})};
+      };
+      const auto drawn = [&](const Vector<2>& aside, TextSize other_size) {
+        return box_of_ink(drawn_by_cairo(panes_with(aside, other_size), light), light.background);
+      };
+      const Box expected = box_of_ink(gl.draw(panes_with(Vector<2>(0.0), text_size), light), light.background);
+      EXPECT_TRUE(are_close(drawn(Vector<2>(0.0), text_size), expected)) << text_height(text_size) << ' ' << halo.alpha;
+      EXPECT_FALSE(are_close(drawn({3.0, 0.0}, text_size), expected));
+      EXPECT_FALSE(are_close(drawn({0.0, 3.0}, text_size), expected));
+      const TextSize other = text_size == TextSize::small ? TextSize::normal : TextSize::small;
+      EXPECT_FALSE(are_close(drawn(Vector<2>(0.0), other), expected));
+    }
+  }
+}
+
+// ---- Files ----------------------------------------------------------------------------------------------------------
+
+// Opened tags are closed, in turn; what a reader of XML refuses first. Empty where all is well.
+std::string fault_in(const std::string& xml) {
+  std::vector<std::string> open;
+  for (std::size_t at = xml.find('<'); at != std::string::npos; at = xml.find('<', at + 1)) {
+    const std::size_t end = xml.find('>', at);
+    if (end == std::string::npos) return "a tag without an end";
+    const std::string tag = xml.substr(at + 1, end - at - 1);
+    if (tag.starts_with('?') || tag.ends_with('/')) continue;
+    const std::string name = tag.substr(0, tag.find_first_of(" \n"));
+    if (!name.starts_with('/')) {
+      open.push_back(name);
+    } else if (open.empty() || open.back() != name.substr(1)) {
+      return name;
+    } else {
+      open.pop_back();
+    }
+  }
+  return open.empty() ? "" : open.back() + " is not closed";
+}
+
+TEST(VectorFile, IsAWellFormedSvgOfTheSizeAskedFor) {
+  const std::string file = vector_file(VectorFormat::svg, "a <b> & \"c\"\x01");
+  EXPECT_TRUE(file.starts_with("<?xml")) << file.substr(0, 80);
+  EXPECT_EQ(fault_in(file), "");
+  EXPECT_NE(fault_in("<a><b></a></b>"), "");
+  EXPECT_NE(file.find("width=\"904pt\" height=\"600pt\" viewBox=\"0 0 904 600\""), std::string::npos);
+  EXPECT_NE(file.find("<title>a &lt;b> &amp; \"c\"\\x01</title>"), std::string::npos) << file.substr(0, 400);
+}
+
+TEST(VectorFile, IsAPdfWithItsTitleAndWithWords) {
+  const std::string file = vector_file(VectorFormat::pdf, "A wall");
+  EXPECT_TRUE(file.starts_with("%PDF-"));
+  EXPECT_TRUE(file.ends_with("%%EOF\n"));
+  EXPECT_NE(file.find("/Title (A wall)"), std::string::npos);
+  EXPECT_NE(file.find("[ 0 0 904 600 ]"), std::string::npos);
+  // Letters that a search understands, of the program's own font.
+  EXPECT_NE(file.find("/ToUnicode"), std::string::npos);
+  EXPECT_NE(file.find("+DejaVuSans"), std::string::npos);
+}
+
+TEST(VectorFile, HasTheSameBytesOnEveryCallAndNoDate) {
+  for (const VectorFormat format : {VectorFormat::svg, VectorFormat::pdf}) {
+    const std::string first = vector_file(format);
+    EXPECT_EQ(vector_file(format), first);
+    EXPECT_EQ(first.find("Date"), std::string::npos);
+  }
+}
+
+// As Cairo writes them: up to six digits behind the point.
+std::string digits(double number) {
+  std::string text = fmt::format("{:.6f}", number);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.ends_with('.')) text.pop_back();
+  return text;
+}
+
+std::string svg_colour(Colour colour) {
+  const auto percent = [](std::uint8_t channel) { return digits(static_cast<double>(channel) / 2.55) + '%'; };
+  return fmt::format("rgb({},{},{})", percent(colour.red), percent(colour.green), percent(colour.blue));
+}
+
+TEST(VectorFile, HoldsEachStrategysColourAndDashes) {
+  std::string file = vector_file(VectorFormat::svg);
+  std::erase(file, ' ');  // newer versions of Cairo write some
+  for (const Strategy& each : strategy_catalog()) {
+    const std::string colour = svg_colour(light.strategy[index_of(each.id)]);
+    EXPECT_NE(file.find(colour), std::string::npos) << each.name << ' ' << colour;
+    const LinePattern& pattern = strategy_style(each.id).pattern;
+    if (pattern == solid_line) continue;
+    const std::string dashes = fmt::format("{},{},{},{}", pattern[0], pattern[1], pattern[2], pattern[3]);
+    EXPECT_NE(file.find(dashes), std::string::npos) << each.name << ' ' << dashes;
+  }
+}
+
+TEST(VectorFile, IsToldByItsEnding) {
+  EXPECT_EQ(vector_format_of("a.svg"), VectorFormat::svg);
+  EXPECT_EQ(vector_format_of("folder.svg/a.PDF"), VectorFormat::pdf);
+  for (const char* other : {"a.png", "a", "a.svg.png", "folder.svg/a", "-", "", "svg", "a.svgz"}) {
+    EXPECT_FALSE(vector_format_of(other)) << other;
+  }
+}
+
+// ---- The program ----------------------------------------------------------------------------------------------------
+
+TEST(RenderVectors, NeedsNoOpenGlAndGivesTheSameBytesOnEveryRun) {
+  const TemporaryFolder folder;
+  for (const char* ending : {"svg", "pdf"}) {
+    std::vector<std::string> files;
+    for (const char* name : {"a.", "b."}) {
+      ProgramCall call;
+      call.words = {"render", "fig1", "--strategy", "all", "-o", folder / std::string(name).append(ending)};
+      call.environment = {"MESA_GL_VERSION_OVERRIDE=2.1", "DISPLAY=", "WAYLAND_DISPLAY="};
+      const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, call);
+      ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+      EXPECT_EQ(outcome.out + outcome.err, "");
+      files.push_back(read_whole(call.words.back()));
+    }
+    EXPECT_EQ(files[0], files[1]) << ending;
+  }
+  EXPECT_EQ(folder.count(), 4);
+}
+
+TEST(RenderVectors, HeedsEveryOptionOfAPicture) {
+  const TemporaryFolder folder;
+  std::vector<std::string> pictures;
+  for (std::vector<std::string> words : std::vector<std::vector<std::string>>{{"--part", "scene"},
+                                                                              {"--scale", "2"},
+                                                                              {"--theme", "dark"},
+                                                                              {"--compare", "side-by-side"},
+                                                                              {"--strategy", "full"},
+                                                                              {"--at", "0.5"},
+                                                                              {"--size", "640x480"}}) {
+    words.insert(words.end(), {"wall45", "-o", folder / "picture.svg"});
+    const Outcome outcome = render(words);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    pictures.push_back(read_whole(folder / "picture.svg"));
+    for (std::size_t i = 0; i + 1 < pictures.size(); ++i) EXPECT_NE(pictures[i], pictures.back()) << words[0];
+  }
+}
+
+TEST(RenderVectors, DescribesWhatItDrewAsJson) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(render({"wall45", "-o", folder / "a.svg", "--json", folder / "a.json"}).exit_code, 0);
+  const auto picture = nlohmann::json::parse(read_whole(folder / "a.json"));
+  EXPECT_EQ(picture["camera"]["size"], nlohmann::json::parse("[1280.0, 800.0]"));
+  EXPECT_EQ(picture["camera"]["corner"], nlohmann::json::parse("[0.0, 0.0]"));
+  EXPECT_GT(picture["marks"].size(), 50U);
+}
+
+TEST(RenderVectors, RefusesTheWindowAndLeavesNothingBehind) {
+  const TemporaryFolder folder;
+  for (const char* name : {"a.svg", "a.PDF"}) {
+    const Outcome outcome = render({"wall45", "--part", "window", "-o", folder / name});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find("--part"), std::string::npos) << outcome.err;
+  }
+  EXPECT_EQ(folder.count(), 0);
+}
+
+TEST(RenderVectors, SaysWhereItCannotWrite) {
+  const Outcome outcome = render({"wall45", "-o", "/nonexistent/folder/picture.pdf"});
+  EXPECT_EQ(outcome.exit_code, 8);
+  EXPECT_NE(outcome.err.find("/nonexistent/folder"), std::string::npos) << outcome.err;
+}
+
+TEST(RenderVectors, SaysWhichFontItMissesAndLeavesNothingBehind) {
+  const TemporaryFolder folder;
+  const TemporaryFolder elsewhere;
+  const std::string program = elsewhere / "ghostforce";
+  std::filesystem::copy_file(GHOSTFORCE_PROGRAM, program);
+  const auto call = [&] { return run_program(program, {"render", "wall45", "-o", folder / "a.svg"}); };
+  Outcome outcome = call();
+  EXPECT_EQ(outcome.exit_code, 8);
+  EXPECT_NE(outcome.err.find("DejaVuSans.ttf"), std::string::npos) << outcome.err;
+  std::filesystem::create_directory(elsewhere / "fonts");
+  write_whole(elsewhere / "fonts/DejaVuSans.ttf", "no font");
+  outcome = call();
+  EXPECT_EQ(outcome.exit_code, 8);
+  EXPECT_NE(outcome.err.find("DejaVuSans.ttf cannot be read"), std::string::npos) << outcome.err;
+  EXPECT_EQ(folder.count(), 0);
+}
+
+TEST(SavePicture, WritesVectorsWhereTheNameSaysSo) {
+  const TemporaryFolder folder;
+  Window window({.title = "test", .width = 1280, .height = 800, .offscreen = true, .takes_mouse = false});
+  Application application(window, load_scene("wall45"), {});
+  application.frame(0.016);
+  const auto save = [&](const char* name) {
+    application.session().wishes.save_picture = PictureWish{.path = folder / name};
+    application.frame(0.016);
+    EXPECT_FALSE(application.session().notice->is_problem) << application.session().notice->words;
+    return read_whole(folder / name);
+  };
+  EXPECT_TRUE(save("a.pdf").ends_with("%%EOF\n"));
+  const std::string naive = save("a.svg");
+  EXPECT_EQ(fault_in(naive), "");
+  const Vector<2> scene = application.screen().scene_size();
+  EXPECT_NE(naive.find(fmt::format("viewBox=\"0 0 {} {}\"", digits(scene.x), digits(scene.y))), std::string::npos)
+      << naive.substr(0, 300);
+  // The session's own: strategy and theme.
+  application.session().settings.active = StrategyId::full;
+  EXPECT_NE(save("b.svg"), naive);
+  application.session().look.theme = find_theme("dark");
+  const std::string dark = save("c.svg");
+  EXPECT_NE(dark.find(svg_colour(find_theme("dark")->background)), std::string::npos);
+  EXPECT_TRUE(save("a.png").substr(1).starts_with("PNG"));
+}
+
+}  // namespace
+}  // namespace ghostforce
