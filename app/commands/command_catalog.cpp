@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::array catalog{
     Command{"run", "Open the window: drag the goal, feel the wall, compare the strategies", attach_run},
-    Command{"render", "Draw the picture of a scene offscreen, as PNG", attach_render},
+    Command{"render", "Draw the picture of a scene offscreen, as PNG, SVG or PDF", attach_render},
     Command{"simulate", "Play a scene's scripted hand and write every tick as CSV", attach_simulate},
     Command{"equilibrium", "Tell where everything comes to rest under a goal that is held still", attach_equilibrium},
 };

@@ -128,7 +128,12 @@ class MarkPainter {
 
   void paint(const Marks& marks) const {
     for (std::size_t i = 0; i < marks.size();) {
-      i = std::holds_alternative<Line>(marks[i].form) ? paint_curve(marks, i) : paint_one(marks, i);
+      if (std::holds_alternative<Line>(marks[i].form)) {
+        i = paint_curve(marks, i);
+      } else {
+        std::visit([this](const auto& form) { paint_form(form); }, marks[i].form);
+        ++i;
+      }
     }
     // Words stand above everything, as on the screen.
     for (const Mark& mark : marks) {
@@ -150,6 +155,7 @@ class MarkPainter {
     cairo_close_path(target_);
   }
 
+  // Half of the rim lies on the fill, so a translucent rim would show it; themes have none.
   void fill_and_rim(Colour fill, Colour rim, double rim_width, cairo_line_join_t join) const {
     if (fill.alpha > 0) {
       choose(fill);
@@ -162,11 +168,6 @@ class MarkPainter {
       cairo_stroke_preserve(target_);
     }
     cairo_new_path(target_);
-  }
-
-  std::size_t paint_one(const Marks& marks, std::size_t i) const {
-    std::visit([this](const auto& form) { paint_form(form); }, marks[i].form);
-    return i + 1;
   }
 
   void paint_form(const Line&) const {}   // see paint_curve()
@@ -240,9 +241,9 @@ class MarkPainter {
     fill_and_rim(form.fill, form.rim, form.rim_width, CAIRO_LINE_JOIN_ROUND);
   }
 
-  // A trail is hundreds of short lines, each beginning where the last one ended. As one stroke it looks the same, can
-  // be changed as one in a drawing program, and takes a tenth of the bytes. Translucent lines stay apart: on the screen
-  // they darken where they meet. Returns the number of the first mark behind the curve.
+  // A trail is hundreds of short lines, each beginning where the last one ended. As one stroke it looks the same and
+  // can be changed as one in a drawing program. Translucent lines stay apart: on the screen they darken where they
+  // meet. Returns the number of the first mark behind the curve.
   std::size_t paint_curve(const Marks& marks, std::size_t first) const {
     const Line& start = std::get<Line>(marks[first].form);
     const Line* last = &start;
