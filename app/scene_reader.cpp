@@ -29,26 +29,6 @@ constexpr std::string_view format_name = "format";
 // A file that is wrong from end to end is best read from its beginning.
 constexpr std::size_t most_problems_told = 20;
 
-std::string_view type_words(toml::node_type type) noexcept {
-  switch (type) {
-    case toml::node_type::string:
-      return "a text";
-    case toml::node_type::integer:
-    case toml::node_type::floating_point:
-      return "a number";
-    case toml::node_type::boolean:
-      return "true or false";
-    case toml::node_type::array:
-      return "an array";
-    case toml::node_type::table:
-      return "a table";
-    case toml::node_type::none:
-      return "nothing";
-    default:
-      return "a date or time";
-  }
-}
-
 // Where something is wrong; sorts as a person reads.
 struct Place {
   std::size_t override_number = 0;  // 0: in the file; else the how manieth --set

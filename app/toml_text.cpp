@@ -62,6 +62,26 @@ ParsedToml parse_toml(std::string_view text) {
   }
 }
 
+std::string_view type_words(toml::node_type type) noexcept {
+  switch (type) {
+    case toml::node_type::string:
+      return "a text";
+    case toml::node_type::integer:
+    case toml::node_type::floating_point:
+      return "a number";
+    case toml::node_type::boolean:
+      return "true or false";
+    case toml::node_type::array:
+      return "an array";
+    case toml::node_type::table:
+      return "a table";
+    case toml::node_type::none:
+      return "nothing";
+    default:
+      return "a date or time";
+  }
+}
+
 std::string toml_string(std::string_view text) {
   std::string result = "\"";
   for (const char c : text) {

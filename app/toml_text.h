@@ -23,6 +23,9 @@ struct ParsedToml {
 };
 ParsedToml parse_toml(std::string_view text);
 
+// What a person calls a value of this type: "a text", "a table".
+std::string_view type_words(toml::node_type type) noexcept;
+
 // A text as TOML writes it: in double quotes, on one line.
 std::string toml_string(std::string_view text);
 

@@ -11,5 +11,6 @@ std::function<int()> attach_run(CLI::App& subcommand);
 std::function<int()> attach_render(CLI::App& subcommand);
 std::function<int()> attach_simulate(CLI::App& subcommand);
 std::function<int()> attach_equilibrium(CLI::App& subcommand);
+std::function<int()> attach_check(CLI::App& subcommand);
 
 }  // namespace ghostforce

@@ -1,0 +1,350 @@
+#include "app/check/case_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <sstream>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "app/failure.h"
+#include "app/nearest_name.h"
+#include "app/printable.h"
+#include "app/scene_file.h"
+#include "app/toml_text.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr double latest_s = 1e6;  // as --at of `render` has it
+
+struct Range {
+  double least;
+  double greatest;
+  std::string_view unit;
+};
+
+// The one list of what a case may say; the rest of this file gives each its meaning.
+struct CaseKey {
+  std::string_view table;  // "" at the top of the file
+  std::string_view name;
+};
+constexpr std::array case_keys{
+    CaseKey{"", "scene"},           CaseKey{"", "at_s"},          CaseKey{"", "size"},       CaseKey{"", "part"},
+    CaseKey{"", "strategy"},        CaseKey{"", "compare"},       CaseKey{"", "theme"},      CaseKey{"", "scale"},
+    CaseKey{"", "set"},             CaseKey{"", "match"},         CaseKey{"", "mismatch"},   CaseKey{"tolerance", "channel"},
+    CaseKey{"tolerance", "share"},  CaseKey{"golden", "renderer"}, CaseKey{"golden", "mesa"}, CaseKey{"golden", "version"},
+};
+constexpr std::array<std::string_view, 2> case_tables{"tolerance", "golden"};
+
+std::string dotted(std::string_view table, std::string_view name) {
+  return table.empty() ? std::string(name) : fmt::format("{}.{}", table, name);
+}
+
+bool is_known(std::string_view table, std::string_view name) {
+  return std::any_of(case_keys.begin(), case_keys.end(),
+                     [&](const CaseKey& key) { return key.table == table && key.name == name; });
+}
+
+// The end of a message about an unknown key.
+std::string suggestion(std::string_view table, std::string_view name) {
+  std::vector<std::string_view> here;
+  for (const CaseKey& key : case_keys) {
+    if (key.name == name) {
+      return fmt::format("; did you mean '{}'?{}", dotted(key.table, key.name),
+                         key.table.empty() ? " It stands before the first [table]" : "");
+    }
+    if (key.table == table) here.push_back(key.name);
+  }
+  if (table.empty()) here.insert(here.end(), case_tables.begin(), case_tables.end());
+  const std::string near = did_you_mean(name, here);
+  return near.empty() ? fmt::format("; there is {}", listed(here)) : near;
+}
+
+class CaseReader {
+ public:
+  CaseReader(Case& into, std::vector<std::string>& problems) : case_(into), problems_(problems) {}
+
+  void read() {
+    ParsedToml parsed = parse_toml(case_.text);
+    if (parsed.problem) {
+      complain(parsed.problem->position, parsed.problem->what);
+      tell();
+      return;
+    }
+    file_ = std::move(parsed.table);
+    find_unknown();
+    read_scene();
+    read_picture();
+    read_expectation();
+    tell();
+  }
+
+ private:
+  // --- Telling what is wrong ---
+
+  std::string shown(toml::source_position position) const {
+    return fmt::format("{}:{}:{}", printable(case_.path, longest_path), std::max<toml::source_index>(position.line, 1),
+                       std::max<toml::source_index>(position.column, 1));
+  }
+
+  void complain(toml::source_position position, const std::string& what) { found_.emplace_back(position, what); }
+
+  void complain(const toml::node& node, std::string_view key, const std::string& what) {
+    complain(node.source().begin, fmt::format("the key {}: {}", key, what));
+  }
+
+  // In the order in which a person reads.
+  void tell() {
+    std::stable_sort(found_.begin(), found_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (const auto& [position, what] : found_) problems_.push_back(fmt::format("{}: {}", shown(position), what));
+  }
+
+  // --- What is there ---
+
+  void find_unknown() {
+    for (const auto& [key, node] : file_) {
+      const std::string_view name = key.str();
+      if (std::find(case_tables.begin(), case_tables.end(), name) != case_tables.end()) {
+        const toml::table* const table = node.as_table();
+        if (table == nullptr) {
+          complain(node, name, fmt::format("is {}; write [{}] on a line of its own", type_words(node.type()), name));
+          continue;
+        }
+        for (const auto& [inner_key, inner_node] : *table) {
+          if (!is_known(name, inner_key.str())) complain_unknown(name, inner_key);
+        }
+      } else if (!is_known("", name)) {
+        complain_unknown("", key);
+      }
+    }
+  }
+
+  void complain_unknown(std::string_view table, const toml::key& key) {
+    complain(key.source().begin, fmt::format("the key {} is unknown{}", dotted(table, printable(key.str())),
+                                             suggestion(table, key.str())));
+  }
+
+  const toml::node* find(std::string_view table, std::string_view name) const {
+    const toml::table* const in = table.empty() ? &file_ : file_[table].as_table();
+    return in == nullptr ? nullptr : in->get(name);
+  }
+
+  // --- Values; empty where there is none or where it is wrong, which has been told then ---
+
+  std::optional<std::string> text(std::string_view table, std::string_view name) {
+    const toml::node* const node = find(table, name);
+    if (node == nullptr) return std::nullopt;
+    if (const auto* const value = node->as_string()) return value->get();
+    complain(*node, dotted(table, name), fmt::format("is {}; give a text in quotes", type_words(node->type())));
+    return std::nullopt;
+  }
+
+  std::optional<std::string> word(std::string_view name, const std::vector<std::string_view>& words) {
+    std::optional<std::string> value = text("", name);
+    if (!value || std::find(words.begin(), words.end(), *value) != words.end()) return value;
+    complain(*find("", name), name, fmt::format("'{}' is none of {}{}", printable(*value), listed(words),
+                                                did_you_mean(*value, words)));
+    return std::nullopt;
+  }
+
+  std::optional<double> number(std::string_view table, std::string_view name, const Range& range) {
+    const toml::node* const node = find(table, name);
+    if (node == nullptr) return std::nullopt;
+    const std::string need = fmt::format("give {} to {}{}{}", range.least, range.greatest,
+                                         range.unit.empty() ? "" : " ", range.unit);
+    const std::optional<double> value = node->is_number() ? node->value<double>() : std::nullopt;
+    if (!value) {
+      complain(*node, dotted(table, name), fmt::format("is {}; {}", type_words(node->type()), need));
+      return std::nullopt;
+    }
+    // Written so that NaN is out of range too.
+    if (*value >= range.least && *value <= range.greatest) return value;
+    complain(*node, dotted(table, name), fmt::format("{} is out of range; {}", *value, need));
+    return std::nullopt;
+  }
+
+  std::optional<int> whole(const toml::node& node, std::string_view key, int least, int greatest) {
+    const auto* const value = node.as_integer();
+    if (value != nullptr && value->get() >= least && value->get() <= greatest) return static_cast<int>(value->get());
+    const std::string is = value != nullptr               ? fmt::format("{} is out of range", value->get())
+                           : node.is_floating_point()     ? std::string("has a decimal point or an exponent")
+                                                          : fmt::format("is {}", type_words(node.type()));
+    complain(node, key, fmt::format("{}; give a whole number, {} to {}", is, least, greatest));
+    return std::nullopt;
+  }
+
+  // --- Their meaning ---
+
+  void read_scene() {
+    const toml::node* const scene_node = find("", "scene");
+    if (scene_node == nullptr) {
+      complain({1, 1}, "the key scene is missing; give the name of a shipped scene, or a path relative to this file");
+      return;
+    }
+    const std::optional<std::string> scene = text("", "scene");
+    const std::vector<std::string> overrides = read_overrides();
+    if (!scene) return;
+    const std::vector<std::string_view> shipped = shipped_scene_names();
+    const bool is_shipped = std::find(shipped.begin(), shipped.end(), *scene) != shipped.end();
+    try {
+      const std::filesystem::path beside = std::filesystem::path(case_.path).parent_path() / *scene;
+      case_.request.scene = load_scene(is_shipped ? *scene : beside.string(), overrides);
+    } catch (const Failure& failure) {
+      if (failure.code() != ExitCode::wrong_call) {
+        throw Failure(failure.code(), fmt::format("{}: the key scene: {}", shown(scene_node->source().begin),
+                                                  failure.what()));
+      }
+      complain_about_scene(*scene_node, failure.what(), overrides);
+    }
+  }
+
+  // A line of the scene reader each: about the scene, or about one of the values set.
+  void complain_about_scene(const toml::node& scene_node, const std::string& words,
+                            const std::vector<std::string>& overrides) {
+    std::istringstream lines(words);
+    for (std::string line; std::getline(lines, line);) {
+      const auto is_about = [&](const std::string& override) {
+        return line.starts_with(fmt::format("--set {}: ", printable(override)));
+      };
+      const auto blamed = std::find_if(overrides.begin(), overrides.end(), is_about);
+      if (blamed == overrides.end()) {
+        complain(scene_node, "scene", line);
+      } else {
+        const toml::array& set = *find("", "set")->as_array();
+        complain(set[static_cast<std::size_t>(blamed - overrides.begin())], "set",
+                 line.substr(std::string_view("--set ").size()));
+      }
+    }
+  }
+
+  // Nothing where one of them is no text, so that each stands where it stands in the file.
+  std::vector<std::string> read_overrides() {
+    const toml::node* const node = find("", "set");
+    if (node == nullptr) return {};
+    constexpr std::string_view need = R"(give texts, as in ["wall.normal_deg=120"])";
+    const toml::array* const array = node->as_array();
+    if (array == nullptr) {
+      complain(*node, "set", fmt::format("is {}; {}", type_words(node->type()), need));
+      return {};
+    }
+    std::vector<std::string> overrides;
+    for (const toml::node& element : *array) {
+      const auto* const value = element.as_string();
+      if (value == nullptr) {
+        complain(element, "set", fmt::format("holds {}; {}", type_words(element.type()), need));
+        return {};
+      }
+      overrides.push_back(value->get());
+    }
+    return overrides;
+  }
+
+  void read_picture() {
+    PictureRequest& request = case_.request;
+    request.at_s = number("", "at_s", {0.0, latest_s, "s"});
+    if (request.at_s && *request.at_s * request.scene.settings.rate > most_ticks) {
+      complain(*find("", "at_s"), "at_s", fmt::format("{} s is out of range; give 0 to {} s, which is {} ticks",
+                                                      *request.at_s, most_ticks / request.scene.settings.rate,
+                                                      most_ticks));
+    }
+    read_size();
+    if (const auto part = word("part", {"window", "scene"})) {
+      request.part = *part == "scene" ? Part::scene : Part::window;
+    }
+    std::vector<std::string_view> strategies;
+    for (const Strategy& strategy : strategy_catalog()) strategies.push_back(strategy.name);
+    strategies.push_back(every_strategy);
+    if (const auto strategy = word("strategy", strategies)) apply_strategy_word(*strategy, request);
+    std::vector<std::string_view> modes;
+    for (const CompareMode& mode : compare_catalog()) modes.push_back(mode.name);
+    if (const auto compare = word("compare", modes)) request.options.compare = find_compare(*compare).value();
+    std::vector<std::string_view> themes;
+    for (const Theme& theme : theme_catalog()) themes.push_back(theme.name);
+    if (const auto theme = word("theme", themes)) request.look.theme = find_theme(*theme);
+    if (const auto scale = number("", "scale", {Look::least_scale, Look::greatest_scale, ""})) {
+      request.look.scale = *scale;
+    }
+  }
+
+  void read_size() {
+    const toml::node* const node = find("", "size");
+    if (node == nullptr) return;
+    const toml::array* const lengths = node->as_array();
+    if (lengths == nullptr || lengths->size() != 2) {
+      complain(*node, "size", fmt::format("is {}; give [width, height] in pixels, as in [1280, 800]",
+                                          lengths == nullptr ? std::string(type_words(node->type()))
+                                                             : fmt::format("an array of {}", lengths->size())));
+      return;
+    }
+    const auto width = whole((*lengths)[0], "size", smallest_picture, largest_picture);
+    const auto height = whole((*lengths)[1], "size", smallest_picture, largest_picture);
+    if (!width || !height) return;
+    case_.request.width = *width;
+    case_.request.height = *height;
+  }
+
+  void read_expectation() {
+    for (const Wanted wanted : {Wanted::match, Wanted::mismatch}) read_other(wanted);
+    if (const toml::node* const channel = find("tolerance", "channel")) {
+      case_.tolerance.channel = whole(*channel, "tolerance.channel", 0, 255).value_or(0);
+    }
+    case_.tolerance.share = number("tolerance", "share", {0.0, 1.0, ""}).value_or(0.0);
+    const toml::node* const golden = file_.get("golden");
+    if (golden == nullptr || !golden->is_table()) return;
+    if (case_.wanted != Wanted::golden) {
+      complain(golden->source().begin, fmt::format("the table [golden]: with the key {} no golden is used; remove one "
+                                                   "of them",
+                                                   wanted_name(case_.wanted)));
+    }
+    case_.origin = GoldenOrigin{text("golden", "renderer").value_or(""), text("golden", "mesa").value_or(""),
+                                text("golden", "version").value_or("")};
+  }
+
+  void read_other(Wanted wanted) {
+    const std::string_view key = wanted_name(wanted);
+    const std::optional<std::string> other = text("", key);
+    if (!other) return;
+    const toml::node& node = *find("", key);
+    if (case_.wanted != Wanted::golden) {
+      complain(node, key, fmt::format("there is the key {} too; a case has one of them", wanted_name(case_.wanted)));
+      return;
+    }
+    if (*other == case_.name) {
+      complain(node, key, "names this case itself, which is always equal to itself; name another");
+      return;
+    }
+    case_.wanted = wanted;
+    case_.other = *other;
+    case_.other_place = shown(node.source().begin);
+  }
+
+  Case& case_;
+  std::vector<std::string>& problems_;
+  std::vector<std::pair<toml::source_position, std::string>> found_;
+  toml::table file_;
+};
+
+}  // namespace
+
+std::string Case::golden_path() const {
+  return std::filesystem::path(path).replace_extension(".png").string();
+}
+
+Case read_case(const std::string& path, std::string text, std::vector<std::string>& problems) {
+  Case result;
+  result.name = std::filesystem::path(path).stem().string();
+  result.path = path;
+  result.text = std::move(text);
+  CaseReader(result, problems).read();
+  return result;
+}
+
+std::string_view wanted_name(Wanted wanted) noexcept {
+  return wanted == Wanted::match ? "match" : "mismatch";
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,45 @@
+// A case of `check`: what shall be drawn, and what the picture must be equal to. One TOML file each, NAME.toml; strict
+// like a scene. Not for the servo thread.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/check/comparison.h"
+#include "app/check/golden_origin.h"
+#include "app/picture.h"
+
+namespace ghostforce {
+
+enum class Wanted : std::uint8_t {
+  golden,    // the picture stored beside the case
+  match,     // the picture of another case
+  mismatch,  // anything but the picture of another case
+};
+
+struct Case {
+  std::string name;  // the file's, without .toml
+  std::string path;  // of the file
+  std::string text;  // in the file
+  PictureRequest request;
+  Wanted wanted = Wanted::golden;
+  std::string other;        // name of the case that `wanted` speaks of
+  std::string other_place;  // where it is named, FILE:LINE:COLUMN
+  Tolerance tolerance;
+  std::optional<GoldenOrigin> origin;
+
+  std::string golden_path() const;
+};
+
+// Loads the scene too; its path is relative to the case's file. Whatever is wrong is added to `problems`, a line each:
+//     FILE:LINE:COLUMN: the key KEY: what is wrong; what to do
+// Throws Failure(file_trouble) where a scene is there and cannot be read.
+Case read_case(const std::string& path, std::string text, std::vector<std::string>& problems);
+
+// "match" or "mismatch", as in the file.
+std::string_view wanted_name(Wanted wanted) noexcept;
+
+}  // namespace ghostforce

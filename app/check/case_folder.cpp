@@ -1,0 +1,165 @@
+#include "app/check/case_folder.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "app/failure.h"
+#include "app/interruption.h"
+#include "app/nearest_name.h"
+#include "app/output_file.h"
+#include "app/printable.h"
+
+namespace ghostforce {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view extension = ".toml";
+
+std::string shown(const fs::path& path) {
+  return printable(path.string(), longest_path);
+}
+
+[[noreturn]] void fail_to_read(const fs::path& path, int error) {
+  throw Failure(ExitCode::file_trouble, fmt::format("{} cannot be read: {}", shown(path), reason_of(error)));
+}
+
+std::vector<std::string_view> views_of(const std::vector<std::string>& words) {
+  return {words.begin(), words.end()};
+}
+
+// Another folder beside the one that is not there.
+std::string folder_hint(const fs::path& folder) {
+  const fs::path named = folder.filename().empty() ? folder.parent_path() : folder;
+  std::vector<std::string> names;
+  std::error_code error;
+  const fs::path around = named.has_parent_path() ? named.parent_path() : fs::path(".");
+  for (fs::directory_iterator entry(around, error), end; !error && entry != end; entry.increment(error)) {
+    std::error_code unknown;
+    if (entry->is_directory(unknown)) names.push_back(entry->path().filename().string());
+  }
+  std::sort(names.begin(), names.end());
+  const auto near = nearest_name(named.filename().string(), views_of(names));
+  if (!near) return "";
+  const fs::path found = named.has_parent_path() ? around / *near : fs::path(*near);
+  return fmt::format("; did you mean '{}'?", shown(found));
+}
+
+std::vector<fs::path> case_paths(const std::string& folder) {
+  std::error_code error;
+  const fs::file_status status = fs::status(folder, error);
+  if (!fs::exists(status)) {
+    if (error && error != std::errc::no_such_file_or_directory && error != std::errc::not_a_directory) {
+      fail_to_read(folder, error.value());
+    }
+    throw Failure(ExitCode::wrong_call, fmt::format("there is no folder '{}'{}", shown(folder), folder_hint(folder)));
+  }
+  if (!fs::is_directory(status)) {
+    throw Failure(ExitCode::wrong_call, fmt::format("'{}' is no folder; name the folder with the cases, and one of "
+                                                    "them with --only NAME",
+                                                    shown(folder)));
+  }
+  std::vector<fs::path> paths;
+  fs::directory_iterator entry(folder, error);
+  for (const fs::directory_iterator end; !error && entry != end; entry.increment(error)) {
+    std::error_code unknown;
+    const fs::path& path = entry->path();
+    if (path.extension() == extension && !path.filename().string().starts_with('.') && !entry->is_directory(unknown)) {
+      paths.push_back(path);
+    }
+  }
+  if (error) fail_to_read(folder, error.value());
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+std::string read_text(const fs::path& path) {
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (!file.is_open() || file.bad()) fail_to_read(path, errno);
+  return text;
+}
+
+bool has_control_character(std::string_view name) {
+  return std::any_of(name.begin(), name.end(), [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte < 0x20 || byte == 0x7F;
+  });
+}
+
+// What no case can tell alone.
+void find_problems_between(const std::vector<Case>& cases, std::vector<std::string>& problems) {
+  std::vector<std::string_view> names;
+  for (const Case& each : cases) names.push_back(each.name);
+  for (const Case& each : cases) {
+    if (each.other.empty()) continue;
+    const std::string at = fmt::format("{}: the key {}", each.other_place, wanted_name(each.wanted));
+    const Case* const other = find_case(cases, each.other);
+    if (other == nullptr) {
+      problems.push_back(fmt::format("{}: there is no case '{}' in this folder{}", at, printable(each.other),
+                                     did_you_mean(each.other, names)));
+    } else if (other->request.width != each.request.width || other->request.height != each.request.height) {
+      problems.push_back(fmt::format("{}: this picture has {}x{} pixels and that of '{}' {}x{}; give both one size", at,
+                                     each.request.width, each.request.height, printable(each.other),
+                                     other->request.width, other->request.height));
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Case> read_case_folder(const std::string& folder) {
+  const std::vector<fs::path> paths = case_paths(folder);
+  if (paths.empty()) {
+    throw Failure(ExitCode::wrong_call,
+                  fmt::format("there is no case in '{}'; a case is a file NAME.toml, with at least a line "
+                              "scene = \"wall45\"",
+                              shown(folder)));
+  }
+  std::vector<Case> cases;
+  std::vector<std::string> problems;
+  for (const fs::path& path : paths) {
+    stop_if_interrupted();
+    if (has_control_character(path.filename().string())) {
+      problems.push_back(fmt::format("{}: there is a control character in its name; rename it", shown(path)));
+    }
+    cases.push_back(read_case(path.string(), read_text(path), problems));
+  }
+  find_problems_between(cases, problems);
+  if (!problems.empty()) throw Failure(ExitCode::wrong_call, fmt::format("{}", fmt::join(problems, "\n")));
+  return cases;
+}
+
+const Case* find_case(const std::vector<Case>& cases, std::string_view name) noexcept {
+  const auto found = std::find_if(cases.begin(), cases.end(), [&](const Case& each) { return each.name == name; });
+  return found == cases.end() ? nullptr : &*found;
+}
+
+std::vector<const Case*> chosen_cases(const std::vector<Case>& cases, const std::vector<std::string>& names,
+                                      std::string_view option) {
+  std::vector<std::string_view> known;
+  for (const Case& each : cases) known.push_back(each.name);
+  std::vector<std::string> problems;
+  for (const std::string& name : names) {
+    if (find_case(cases, name) != nullptr) continue;
+    const std::string near = did_you_mean(name, known);
+    problems.push_back(fmt::format("{} {}: there is no such case{}", option, printable(name),
+                                   near.empty() ? fmt::format("; there is {}", listed(known)) : near));
+  }
+  if (!problems.empty()) throw Failure(ExitCode::wrong_call, fmt::format("{}", fmt::join(problems, "\n")));
+  std::vector<const Case*> chosen;
+  for (const Case& each : cases) {
+    if (names.empty() || std::find(names.begin(), names.end(), each.name) != names.end()) chosen.push_back(&each);
+  }
+  return chosen;
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,139 @@
+#include "app/check/comparison.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdlib>
+
+#include <fmt/format.h>
+
+namespace ghostforce {
+namespace {
+
+using Pixel = std::array<std::uint8_t, 3>;
+
+constexpr Pixel over_colour{255, 0, 190};
+constexpr Pixel slight_colour{255, 165, 0};
+constexpr Pixel frame_colour{0, 90, 255};
+// Between the frame and what it surrounds, so that it covers nothing that differs [px].
+constexpr int frame_distance = 5;
+
+std::size_t place_of(const Image& image, int x, int y) {
+  return 3U * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x));
+}
+
+bool has(const Image& image, int x, int y) {
+  return x < image.width && y < image.height;
+}
+
+// The greatest of its three channels.
+int difference_at(const Image& a, const Image& b, int x, int y) {
+  const std::size_t in_a = place_of(a, x, y);
+  const std::size_t in_b = place_of(b, x, y);
+  int greatest = 0;
+  for (std::size_t i = 0; i < 3; ++i) greatest = std::max(greatest, std::abs(int{a.rgb[in_a + i]} - int{b.rgb[in_b + i]}));
+  return greatest;
+}
+
+void put(Image& image, int x, int y, const Pixel& pixel) {
+  std::copy(pixel.begin(), pixel.end(), image.rgb.begin() + static_cast<std::ptrdiff_t>(place_of(image, x, y)));
+}
+
+Pixel faded(const Image& image, int x, int y) {
+  const std::size_t at = place_of(image, x, y);
+  // A fifth of its brightness on white, as sRGB's luma has it.
+  const int luma = (299 * image.rgb[at] + 587 * image.rgb[at + 1] + 114 * image.rgb[at + 2]) / 1000;
+  const auto grey = static_cast<std::uint8_t>(204 + luma / 5);
+  return {grey, grey, grey};
+}
+
+void put_frame(Image& image, const Comparison& around) {
+  const int left = std::max(0, around.left - frame_distance);
+  const int top = std::max(0, around.top - frame_distance);
+  const int right = std::min(image.width - 1, around.right + frame_distance);
+  const int bottom = std::min(image.height - 1, around.bottom + frame_distance);
+  // A difference at the picture's edge leaves the frame no room but over it.
+  const auto put_beside = [&](int x, int y) {
+    const bool is_inside = x >= around.left && x <= around.right && y >= around.top && y <= around.bottom;
+    if (!is_inside) put(image, x, y, frame_colour);
+  };
+  for (int x = left; x <= right; ++x) {
+    put_beside(x, top);
+    put_beside(x, bottom);
+  }
+  for (int y = top; y <= bottom; ++y) {
+    put_beside(left, y);
+    put_beside(right, y);
+  }
+}
+
+}  // namespace
+
+Comparison compare_pictures(const Image& expected, const Image& actual, const Tolerance& tolerance) {
+  Comparison result;
+  result.has_one_size = expected.width == actual.width && expected.height == actual.height;
+  if (!result.has_one_size) return result;
+  result.pixels = std::int64_t{actual.width} * actual.height;
+  if (expected.rgb == actual.rgb) return result;
+  result.left = actual.width;
+  result.top = actual.height;
+  for (int y = 0; y < actual.height; ++y) {
+    for (int x = 0; x < actual.width; ++x) {
+      const int difference = difference_at(expected, actual, x, y);
+      result.greatest = std::max(result.greatest, difference);
+      if (difference <= tolerance.channel) continue;
+      ++result.over;
+      result.left = std::min(result.left, x);
+      result.top = std::min(result.top, y);
+      result.right = std::max(result.right, x);
+      result.bottom = std::max(result.bottom, y);
+    }
+  }
+  return result;
+}
+
+bool is_within(const Comparison& comparison, const Tolerance& tolerance) noexcept {
+  return comparison.has_one_size && comparison.share() <= tolerance.share;
+}
+
+std::string size_words(const Image& image) {
+  return fmt::format("{}x{}", image.width, image.height);
+}
+
+std::string difference_words(const Comparison& comparison, const Tolerance& tolerance) {
+  if (comparison.over == 0) {
+    return comparison.greatest == 0 ? "no pixel differs"
+                                    : fmt::format("no pixel differs by more than {} of 255, the most is {}",
+                                                  tolerance.channel, comparison.greatest);
+  }
+  const std::string by = tolerance.channel == 0 ? "" : fmt::format("by more than {} of 255, ", tolerance.channel);
+  return fmt::format("{} of {} pixels ({:.3g} %) differ {}by up to {}, all of them in {}x{} pixels at x {}, y {}",
+                     comparison.over, comparison.pixels, 100.0 * comparison.share(), by, comparison.greatest,
+                     comparison.right - comparison.left + 1, comparison.bottom - comparison.top + 1, comparison.left,
+                     comparison.top);
+}
+
+Image difference_picture(const Image& expected, const Image& actual, const Tolerance& tolerance) {
+  Image picture{std::max(expected.width, actual.width), std::max(expected.height, actual.height), {}};
+  picture.rgb.resize(place_of(picture, 0, picture.height));
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = 0; x < picture.width; ++x) {
+      if (!has(expected, x, y) || !has(actual, x, y)) {
+        put(picture, x, y, over_colour);
+        continue;
+      }
+      const int difference = difference_at(expected, actual, x, y);
+      if (difference == 0) {
+        put(picture, x, y, faded(actual, x, y));
+      } else {
+        put(picture, x, y, difference > tolerance.channel ? over_colour : slight_colour);
+      }
+    }
+  }
+  if (const Comparison comparison = compare_pictures(expected, actual, tolerance); comparison.over > 0) {
+    put_frame(picture, comparison);
+  }
+  return picture;
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,45 @@
+// Two pictures, pixel by pixel: how far apart they are, and a picture of where. Pure, any thread.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "app/image.h"
+
+namespace ghostforce {
+
+// What counts as the same picture; the default is each pixel alike.
+struct Tolerance {
+  int channel = 0;     // greatest difference of a red, green or blue that counts as none, 0-255
+  double share = 0.0;  // of the pixels that may differ by more, 0-1
+};
+
+struct Comparison {
+  bool has_one_size = true;  // if not, nothing else was looked at
+  std::int64_t pixels = 0;
+  std::int64_t over = 0;  // how many pixels have a channel that differs by more than the tolerance's
+  int greatest = 0;       // difference of a channel anywhere
+  // The rectangle around the pixels that are over, all four included [px]; of no meaning where there is none.
+  int left = 0;
+  int top = 0;
+  int right = 0;
+  int bottom = 0;
+
+  double share() const noexcept { return pixels > 0 ? static_cast<double>(over) / static_cast<double>(pixels) : 0.0; }
+};
+
+Comparison compare_pictures(const Image& expected, const Image& actual, const Tolerance& tolerance);
+
+bool is_within(const Comparison& comparison, const Tolerance& tolerance) noexcept;
+
+// "640x480"
+std::string size_words(const Image& image);
+
+// "512 of 307200 pixels (0.167 %) differ by more than 2 of 255, by up to 90, all of them in 31x40 pixels at x 12, y 20"
+std::string difference_words(const Comparison& comparison, const Tolerance& tolerance);
+
+// What both show, faded to greys; pixels over the tolerance's channel in magenta and inside a blue frame, smaller
+// differences in orange. As large as the larger of the two each way; what only one of them has counts as different.
+Image difference_picture(const Image& expected, const Image& actual, const Tolerance& tolerance);
+
+}  // namespace ghostforce

@@ -1,0 +1,219 @@
+#include "app/check/report.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "app/failure.h"
+#include "app/printable.h"
+#include "ghostforce_version.h"
+
+namespace ghostforce {
+namespace {
+
+// The page holds all that it needs but the pictures. Nothing is said by colour alone.
+constexpr std::string_view style = R"(
+:root { color-scheme: light dark; --line: #8886; --bad: #b3261e; --good: #1a7f37; }
+@media (prefers-color-scheme: dark) { :root { --bad: #ff8a80; --good: #7ee787; } }
+body { font: 16px/1.5 system-ui, sans-serif; margin: 2rem auto; max-width: 110rem; padding: 0 1.5rem; }
+h1 { font-size: 1.5rem; margin-bottom: 0; }
+h2 { font-size: 1.2rem; margin: 2.5rem 0 .25rem; padding-top: 1rem; border-top: 1px solid var(--line); }
+table { border-collapse: collapse; }
+th, td { text-align: left; padding: .25rem 1.5rem .25rem 0; border-bottom: 1px solid var(--line); vertical-align: top; }
+td.time { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
+.pass { color: var(--good); } .FAIL { color: var(--bad); font-weight: bold; }
+code { background: #8882; padding: .15rem .4rem; border-radius: .25rem; overflow-wrap: anywhere; }
+.pictures { display: grid; grid-template-columns: repeat(3, minmax(0, 1fr)); gap: 1rem; margin-top: .75rem; }
+figure { margin: 0; } figcaption { margin-bottom: .25rem; }
+img { width: 100%; border: 1px solid var(--line); box-sizing: border-box; }
+@media (max-width: 60rem) { .pictures { grid-template-columns: 1fr; } }
+)";
+
+struct PictureKind {
+  std::string_view ending;
+  std::string_view caption;
+  std::string VerdictPictures::*bytes;
+};
+constexpr std::array<PictureKind, 3> picture_kinds{{
+    {"expected.png", "expected", &VerdictPictures::expected},
+    {"actual.png", "actual", &VerdictPictures::actual},
+    {"diff.png", "difference: magenta, inside the blue frame; orange where within the tolerance",
+     &VerdictPictures::difference},
+}};
+
+// The length of the UTF-8 character that a text begins with; 0: it begins with none.
+std::size_t character_length(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char first = byte(0);
+  const std::size_t length = first < 0x80                     ? 1
+                             : first >= 0xC2 && first <= 0xDF ? 2
+                             : first >= 0xE0 && first <= 0xEF ? 3
+                             : first >= 0xF0 && first <= 0xF4 ? 4
+                                                              : 0;
+  if (length == 0 || length > text.size()) return 0;
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xC0U) != 0x80U) return 0;
+  }
+  // Written longer than need be, half of a pair of UTF-16, beyond the last, or what XML refuses.
+  if (first == 0xE0 && byte(1) < 0xA0) return 0;
+  if (first == 0xED && byte(1) > 0x9F) return 0;
+  if (first == 0xF0 && byte(1) < 0x90) return 0;
+  if (first == 0xF4 && byte(1) > 0x8F) return 0;
+  if (first == 0xEF && byte(1) == 0xBF && byte(2) >= 0xBE) return 0;
+  if (first < 0x20 && first != '\n' && first != '\t') return 0;
+  return length;
+}
+
+// For the text and the attributes of XML and HTML. File names may hold any bytes.
+std::string escaped(std::string_view text) {
+  std::string result;
+  while (!text.empty()) {
+    const std::size_t length = character_length(text);
+    if (length == 0) {
+      result += "\xEF\xBF\xBD";
+    } else if (text[0] == '&') {
+      result += "&amp;";
+    } else if (text[0] == '<') {
+      result += "&lt;";
+    } else if (text[0] == '>') {
+      result += "&gt;";
+    } else if (text[0] == '"') {
+      result += "&quot;";
+    } else if (text[0] == '\'') {
+      result += "&#39;";
+    } else if (text[0] == '\n') {
+      result += "&#10;";  // else an attribute would lose it
+    } else {
+      result += text.substr(0, length);
+    }
+    text.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  return result;
+}
+
+// A file's name as a link beside the page.
+std::string link_to(std::string_view file_name) {
+  std::string link = "./";  // so that a colon in it makes no scheme
+  for (const char c : file_name) {
+    const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+                          c == '_' || c == '.';
+    link += is_plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  }
+  return link;
+}
+
+std::string picture_name(const Verdict& verdict, const PictureKind& kind) {
+  return fmt::format("{}.{}", verdict.name, kind.ending);
+}
+
+std::string_view word_of(const Verdict& verdict) {
+  return verdict.passes ? "pass" : "FAIL";
+}
+
+std::ptrdiff_t failures_in(const std::vector<Verdict>& verdicts) {
+  return std::count_if(verdicts.begin(), verdicts.end(), [](const Verdict& verdict) { return !verdict.passes; });
+}
+
+std::string section_about(const Verdict& verdict, std::size_t number) {
+  std::string html = fmt::format("<h2 id=\"case{}\">{}</h2>\n<p>{}</p>\n", number, escaped(verdict.name),
+                                 escaped(verdict.reason));
+  if (!verdict.remark.empty()) html += fmt::format("<p><strong>{}</strong></p>\n", escaped(verdict.remark));
+  if (!verdict.remedy.empty()) {
+    html += fmt::format("<p>If the new picture is right: <code>{}</code></p>\n", escaped(verdict.remedy));
+  }
+  html += "<div class=\"pictures\">\n";
+  for (const PictureKind& kind : picture_kinds) {
+    if ((verdict.pictures.*kind.bytes).empty()) continue;
+    const std::string link = link_to(picture_name(verdict, kind));
+    html += fmt::format("<figure><figcaption>{}</figcaption><a href=\"{}\"><img src=\"{}\" alt=\"{} picture of {}\">"
+                        "</a></figure>\n",
+                        kind.caption, link, link, kind.ending.substr(0, kind.ending.find('.')), escaped(verdict.name));
+  }
+  return html + "</div>\n";
+}
+
+// The folder, which is there from now on.
+std::string made(const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!error) return folder;
+  throw Failure(ExitCode::file_trouble, fmt::format("the folder {} cannot be made: {}",
+                                                    printable(folder, longest_path), reason_of(error.value())));
+}
+
+}  // namespace
+
+std::string report_as_html(const std::vector<Verdict>& verdicts, std::string_view folder) {
+  const std::string title = fmt::format("{} cases, {} failed", verdicts.size(), failures_in(verdicts));
+  std::string html = fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width\">\n<title>{} – ghostforce check</title>\n"
+      "<style>{}</style>\n</head>\n<body>\n<h1>{}</h1>\n<p>ghostforce {} check <code>{}</code></p>\n"
+      "<table>\n<thead><tr><th>verdict</th><th>case</th><th>what was found</th><th>time</th></tr></thead>\n<tbody>\n",
+      title, style, title, version, escaped(folder));
+  std::string sections;
+  for (std::size_t i = 0; i < verdicts.size(); ++i) {
+    const Verdict& verdict = verdicts[i];
+    const std::string name = verdict.passes ? escaped(verdict.name)
+                                            : fmt::format("<a href=\"#case{}\">{}</a>", i + 1, escaped(verdict.name));
+    html += fmt::format("<tr><td class=\"{}\">{}</td><td>{}</td><td>{}</td><td class=\"time\">{:.2f} s</td></tr>\n",
+                        word_of(verdict), word_of(verdict), name, escaped(verdict.reason), verdict.duration_s);
+    if (!verdict.passes) sections += section_about(verdict, i + 1);
+  }
+  return html + "</tbody>\n</table>\n" + sections + "</body>\n</html>\n";
+}
+
+std::string report_as_junit(const std::vector<Verdict>& verdicts, std::string_view folder) {
+  double duration_s = 0.0;
+  for (const Verdict& verdict : verdicts) duration_s += verdict.duration_s;
+  const std::string counts =
+      fmt::format("tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"0\" time=\"{:.3f}\"", verdicts.size(),
+                  failures_in(verdicts), duration_s);
+  std::string xml = fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"ghostforce check\" {}>\n"
+      "  <testsuite name=\"{}\" {}>\n",
+      counts, escaped(folder), counts);
+  for (const Verdict& verdict : verdicts) {
+    xml += fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\"", escaped(folder),
+                       escaped(verdict.name), verdict.duration_s);
+    if (verdict.passes) {
+      xml += "/>\n";
+      continue;
+    }
+    const std::string more = fmt::format("{}{}{}{}{}", verdict.reason, verdict.remark.empty() ? "" : "\n",
+                                         verdict.remark, verdict.remedy.empty() ? "" : "\nto update: ", verdict.remedy);
+    xml += fmt::format(">\n      <failure type=\"picture\" message=\"{}\">{}</failure>\n    </testcase>\n",
+                       escaped(verdict.reason), escaped(more));
+  }
+  return xml + "  </testsuite>\n</testsuites>\n";
+}
+
+Report::Report(const std::string& to_folder)
+    : to_folder_(made(to_folder)), html_(path_of("report.html")), junit_(path_of("junit.xml")) {}
+
+std::string Report::path_of(std::string_view name) const {
+  return (std::filesystem::path(to_folder_) / name).string();
+}
+
+void Report::write(const std::vector<Verdict>& verdicts, std::string_view folder) {
+  // The pages come last: they never show a picture that is not there.
+  for (const Verdict& verdict : verdicts) {
+    for (const PictureKind& kind : picture_kinds) {
+      const std::string& bytes = verdict.pictures.*kind.bytes;
+      if (bytes.empty()) continue;
+      OutputFile file(path_of(picture_name(verdict, kind)));
+      file.write(bytes);
+      file.commit();
+    }
+  }
+  html_.write(report_as_html(verdicts, folder));
+  junit_.write(report_as_junit(verdicts, folder));
+  html_.commit();
+  junit_.commit();
+}
+
+}  // namespace ghostforce

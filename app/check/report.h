@@ -1,0 +1,37 @@
+// Report: what `check` found, as a page for people and as XML for the machinery that runs tests. Not for the servo
+// thread.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/check/verdict.h"
+#include "app/output_file.h"
+
+namespace ghostforce {
+
+// The page shows the pictures as files beside it.
+std::string report_as_html(const std::vector<Verdict>& verdicts, std::string_view folder);
+
+// A testcase per case, as JUnit's readers take it.
+std::string report_as_junit(const std::vector<Verdict>& verdicts, std::string_view folder);
+
+class Report {
+ public:
+  // Makes the folder where there is none. Throws Failure(file_trouble) now where nothing can be written there.
+  explicit Report(const std::string& to_folder);
+
+  // report.html, junit.xml, and of each case that fails NAME.expected.png, NAME.actual.png and NAME.diff.png. Nothing
+  // else in the folder is touched. `folder` is that of the cases.
+  void write(const std::vector<Verdict>& verdicts, std::string_view folder);
+
+ private:
+  std::string path_of(std::string_view name) const;
+
+  std::string to_folder_;
+  OutputFile html_;
+  OutputFile junit_;
+};
+
+}  // namespace ghostforce

@@ -1,0 +1,33 @@
+// Verdict: whether a case passes, and what a person needs to know where it does not. Main thread only (it draws).
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "app/check/case_file.h"
+#include "app/check/gallery.h"
+
+namespace ghostforce {
+
+// Of a case that fails, as PNG files; empty where there is none.
+struct VerdictPictures {
+  std::string expected;
+  std::string actual;
+  std::string difference;
+};
+
+struct Verdict {
+  std::string name;
+  bool passes = false;
+  bool is_file_trouble = false;  // the golden is there and cannot be read
+  std::string reason;            // one line; of a case that passes too: what was found
+  std::string remark;            // a probable cause; may be empty
+  std::string remedy;            // the command that updates the golden; empty where none does
+  double duration_s = 0.0;
+  VerdictPictures pictures;
+};
+
+// `folder` as the person named it, for the remedy. Pictures are made where `wants_pictures`. Throws what drawing does.
+Verdict judge(const Case& judged, Gallery& gallery, std::string_view folder, bool wants_pictures);
+
+}  // namespace ghostforce

@@ -1,0 +1,158 @@
+// ghostforce check: screenshot regression. Draws a folder of cases and compares each with the picture stored beside it.
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "app/check/case_folder.h"
+#include "app/check/report.h"
+#include "app/check/update.h"
+#include "app/check/verdict.h"
+#include "app/commands/command.h"
+#include "app/commands/command_catalog.h"
+#include "app/failure.h"
+#include "app/interruption.h"
+#include "app/output_file.h"
+#include "app/printable.h"
+#include "app/progress.h"
+
+namespace ghostforce {
+namespace {
+
+struct Options {
+  std::string folder;
+  std::vector<std::string> only;
+  std::vector<std::string> update;
+  std::string report;
+};
+
+// The standard output, a line at a time. Who reads no further (head, less) still gets the exit code.
+class Lines {
+ public:
+  void write(const std::string& line) {
+    if (!is_read_) return;
+    try {
+      output_.write(line + "\n");
+      output_.commit();
+    } catch (const Failure& failure) {
+      if (failure.code() != ExitCode::done) throw;
+      is_read_ = false;
+    }
+  }
+  bool is_terminal() const noexcept { return output_.is_terminal(); }
+
+ private:
+  OutputFile output_{"-"};
+  bool is_read_ = true;
+};
+
+// The report's pictures would lie among the goldens.
+void refuse_report_among_cases(const Options& options) {
+  std::error_code error;
+  if (options.report.empty() || !std::filesystem::equivalent(options.report, options.folder, error)) return;
+  throw Failure(ExitCode::wrong_call, fmt::format("--report {}: the cases are there; name another folder",
+                                                  printable(options.report, longest_path)));
+}
+
+void tell_of_failure(const Verdict& verdict) {
+  fmt::print(stderr, "{}: {}\n", printable(verdict.name), verdict.reason);
+  if (!verdict.remark.empty()) fmt::print(stderr, "  {}\n", verdict.remark);
+  if (!verdict.remedy.empty()) fmt::print(stderr, "  if the new picture is right: {}\n", verdict.remedy);
+}
+
+int update(const Options& options) {
+  const std::vector<Case> cases = read_case_folder(options.folder);
+  Lines lines;
+  for (const std::string& line : update_goldens(cases, chosen_cases(cases, options.update, "--update"))) {
+    lines.write(line);
+  }
+  return static_cast<int>(ExitCode::done);
+}
+
+int check(const Options& options) {
+  const std::vector<Case> cases = read_case_folder(options.folder);
+  const std::vector<const Case*> chosen = chosen_cases(cases, options.only, "--only");
+  refuse_report_among_cases(options);
+  std::optional<Report> report;
+  if (!options.report.empty()) report.emplace(options.report);
+
+  Gallery gallery(cases, chosen);
+  Lines lines;
+  std::vector<Verdict> verdicts;
+  ExitCode end = ExitCode::done;
+  std::size_t failed = 0;
+  {
+    Progress progress("checking", static_cast<std::int64_t>(chosen.size()), !lines.is_terminal());
+    for (const Case* const each : chosen) {
+      stop_if_interrupted();
+      verdicts.push_back(judge(*each, gallery, options.folder, report.has_value()));
+      const Verdict& verdict = verdicts.back();
+      lines.write(verdict.passes ? fmt::format("pass {}", verdict.name)
+                                 : fmt::format("FAIL {}  {}", verdict.name, verdict.reason));
+      if (!verdict.passes) ++failed;
+      if (!verdict.passes && end == ExitCode::done) end = ExitCode::answer_is_no;
+      if (verdict.is_file_trouble) end = ExitCode::file_trouble;
+      progress.at(static_cast<std::int64_t>(verdicts.size()));
+    }
+  }
+  stop_if_interrupted();
+  if (report) report->write(verdicts, options.folder);
+  lines.write(fmt::format("{} cases, {} failed", verdicts.size(), failed));
+  for (const Verdict& verdict : verdicts) {
+    if (!verdict.passes) tell_of_failure(verdict);
+  }
+  return static_cast<int>(end);
+}
+
+}  // namespace
+
+std::function<int()> attach_check(CLI::App& subcommand) {
+  const auto options = std::make_shared<Options>();
+  subcommand.add_option("DIR", options->folder, "The folder with the cases, NAME.toml each and its golden NAME.png")
+      ->type_name("")
+      ->required();
+  CLI::Option* const only =
+      subcommand.add_option("--only", options->only, "Check these cases, not all")->type_name("NAME...");
+  CLI::Option* const update_option =
+      subcommand
+          .add_option("--update", options->update, "Store these cases' pictures as they are drawn now, and check nothing")
+          ->type_name("NAME...")
+          ->excludes(only);
+  subcommand
+      .add_option("--report", options->report,
+                  "Write report.html, junit.xml and the pictures of cases that fail into this folder")
+      ->type_name("DIR")
+      ->excludes(update_option);
+  subcommand.footer(
+      "A case, NAME.toml (only scene is required):\n"
+      "  scene = \"wall45\"            # a shipped scene, or a path relative to this file\n"
+      "  at_s = 3.0\n"
+      "  size = [1280, 800]\n"
+      "  part = \"window\"             # window, scene\n"
+      "  strategy = \"naive\"          # full, naive, anisotropic, all\n"
+      "  compare = \"overlay\"         # overlay, side-by-side, active-only\n"
+      "  theme = \"light\"\n"
+      "  scale = 1.0\n"
+      "  set = [\"wall.normal_deg=120\"]\n"
+      "  match = \"OTHER\"             # or mismatch: (un)equal to another case's picture, instead of a golden\n"
+      "  [tolerance]                 # default: none\n"
+      "  channel = 2                 # greatest difference of a channel that counts as none, 0-255\n"
+      "  share = 0.001               # share of the pixels that may differ by more\n"
+      "\n"
+      "Exit code 0: all pass; 1: at least one does not; 8: a golden cannot be read.\n"
+      "\n"
+      "Examples:\n"
+      "  ghostforce check pictures --report report\n"
+      "  ghostforce check pictures --update wall45-naive");
+  return [options] { return options->update.empty() ? check(*options) : update(*options); };
+}
+
+}  // namespace ghostforce
