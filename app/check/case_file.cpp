@@ -33,10 +33,12 @@ struct CaseKey {
   std::string_view name;
 };
 constexpr std::array case_keys{
-    CaseKey{"", "scene"},           CaseKey{"", "at_s"},          CaseKey{"", "size"},       CaseKey{"", "part"},
-    CaseKey{"", "strategy"},        CaseKey{"", "compare"},       CaseKey{"", "theme"},      CaseKey{"", "scale"},
-    CaseKey{"", "set"},             CaseKey{"", "match"},         CaseKey{"", "mismatch"},   CaseKey{"tolerance", "channel"},
-    CaseKey{"tolerance", "share"},  CaseKey{"golden", "renderer"}, CaseKey{"golden", "mesa"}, CaseKey{"golden", "version"},
+    CaseKey{"", "scene"},          CaseKey{"", "at_s"},           CaseKey{"", "size"},
+    CaseKey{"", "part"},           CaseKey{"", "strategy"},       CaseKey{"", "compare"},
+    CaseKey{"", "theme"},          CaseKey{"", "scale"},          CaseKey{"", "set"},
+    CaseKey{"", "match"},          CaseKey{"", "mismatch"},       CaseKey{"tolerance", "channel"},
+    CaseKey{"tolerance", "share"}, CaseKey{"golden", "renderer"}, CaseKey{"golden", "mesa"},
+    CaseKey{"golden", "version"},
 };
 constexpr std::array<std::string_view, 2> case_tables{"tolerance", "golden"};
 
@@ -124,8 +126,8 @@ class CaseReader {
   }
 
   void complain_unknown(std::string_view table, const toml::key& key) {
-    complain(key.source().begin, fmt::format("the key {} is unknown{}", dotted(table, printable(key.str())),
-                                             suggestion(table, key.str())));
+    complain(key.source().begin,
+             fmt::format("the key {} is unknown{}", dotted(table, printable(key.str())), suggestion(table, key.str())));
   }
 
   const toml::node* find(std::string_view table, std::string_view name) const {
@@ -146,16 +148,16 @@ class CaseReader {
   std::optional<std::string> word(std::string_view name, const std::vector<std::string_view>& words) {
     std::optional<std::string> value = text("", name);
     if (!value || std::find(words.begin(), words.end(), *value) != words.end()) return value;
-    complain(*find("", name), name, fmt::format("'{}' is none of {}{}", printable(*value), listed(words),
-                                                did_you_mean(*value, words)));
+    complain(*find("", name), name,
+             fmt::format("'{}' is none of {}{}", printable(*value), listed(words), did_you_mean(*value, words)));
     return std::nullopt;
   }
 
   std::optional<double> number(std::string_view table, std::string_view name, const Range& range) {
     const toml::node* const node = find(table, name);
     if (node == nullptr) return std::nullopt;
-    const std::string need = fmt::format("give {} to {}{}{}", range.least, range.greatest,
-                                         range.unit.empty() ? "" : " ", range.unit);
+    const std::string need =
+        fmt::format("give {} to {}{}{}", range.least, range.greatest, range.unit.empty() ? "" : " ", range.unit);
     const std::optional<double> value = node->is_number() ? node->value<double>() : std::nullopt;
     if (!value) {
       complain(*node, dotted(table, name), fmt::format("is {}; {}", type_words(node->type()), need));
@@ -170,9 +172,9 @@ class CaseReader {
   std::optional<int> whole(const toml::node& node, std::string_view key, int least, int greatest) {
     const auto* const value = node.as_integer();
     if (value != nullptr && value->get() >= least && value->get() <= greatest) return static_cast<int>(value->get());
-    const std::string is = value != nullptr               ? fmt::format("{} is out of range", value->get())
-                           : node.is_floating_point()     ? std::string("has a decimal point or an exponent")
-                                                          : fmt::format("is {}", type_words(node.type()));
+    const std::string is = value != nullptr           ? fmt::format("{} is out of range", value->get())
+                           : node.is_floating_point() ? std::string("has a decimal point or an exponent")
+                                                      : fmt::format("is {}", type_words(node.type()));
     complain(node, key, fmt::format("{}; give a whole number, {} to {}", is, least, greatest));
     return std::nullopt;
   }
@@ -195,8 +197,8 @@ class CaseReader {
       case_.request.scene = load_scene(is_shipped ? *scene : beside.string(), overrides);
     } catch (const Failure& failure) {
       if (failure.code() != ExitCode::wrong_call) {
-        throw Failure(failure.code(), fmt::format("{}: the key scene: {}", shown(scene_node->source().begin),
-                                                  failure.what()));
+        throw Failure(failure.code(),
+                      fmt::format("{}: the key scene: {}", shown(scene_node->source().begin), failure.what()));
       }
       complain_about_scene(*scene_node, failure.what(), overrides);
     }
@@ -247,9 +249,9 @@ class CaseReader {
     PictureRequest& request = case_.request;
     request.at_s = number("", "at_s", {0.0, latest_s, "s"});
     if (request.at_s && *request.at_s * request.scene.settings.rate > most_ticks) {
-      complain(*find("", "at_s"), "at_s", fmt::format("{} s is out of range; give 0 to {} s, which is {} ticks",
-                                                      *request.at_s, most_ticks / request.scene.settings.rate,
-                                                      most_ticks));
+      complain(*find("", "at_s"), "at_s",
+               fmt::format("{} s is out of range; give 0 to {} s, which is {} ticks", *request.at_s,
+                           most_ticks / request.scene.settings.rate, most_ticks));
     }
     read_size();
     if (const auto part = word("part", {"window", "scene"})) {
@@ -275,9 +277,10 @@ class CaseReader {
     if (node == nullptr) return;
     const toml::array* const lengths = node->as_array();
     if (lengths == nullptr || lengths->size() != 2) {
-      complain(*node, "size", fmt::format("is {}; give [width, height] in pixels, as in [1280, 800]",
-                                          lengths == nullptr ? std::string(type_words(node->type()))
-                                                             : fmt::format("an array of {}", lengths->size())));
+      complain(*node, "size",
+               fmt::format("is {}; give [width, height] in pixels, as in [1280, 800]",
+                           lengths == nullptr ? std::string(type_words(node->type()))
+                                              : fmt::format("an array of {}", lengths->size())));
       return;
     }
     const auto width = whole((*lengths)[0], "size", smallest_picture, largest_picture);

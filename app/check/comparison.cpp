@@ -31,7 +31,8 @@ int difference_at(const Image& a, const Image& b, int x, int y) {
   const std::size_t in_a = place_of(a, x, y);
   const std::size_t in_b = place_of(b, x, y);
   int greatest = 0;
-  for (std::size_t i = 0; i < 3; ++i) greatest = std::max(greatest, std::abs(int{a.rgb[in_a + i]} - int{b.rgb[in_b + i]}));
+  for (std::size_t i = 0; i < 3; ++i)
+    greatest = std::max(greatest, std::abs(int{a.rgb[in_a + i]} - int{b.rgb[in_b + i]}));
   return greatest;
 }
 

@@ -1,5 +1,5 @@
-// Where a golden came from: the table [golden] of its case. What another renderer draws differs in a few pixels although
-// nothing is wrong, and then this is what says so. Pure, any thread.
+// Where a golden came from: the table [golden] of its case. What another renderer draws differs in a few pixels
+// although nothing is wrong, and then this is what says so. Pure, any thread.
 #pragma once
 
 #include <string>

@@ -99,8 +99,8 @@ std::string escaped(std::string_view text) {
 std::string link_to(std::string_view file_name) {
   std::string link = "./";  // so that a colon in it makes no scheme
   for (const char c : file_name) {
-    const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
-                          c == '_' || c == '.';
+    const bool is_plain =
+        (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
     link += is_plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
   }
   return link;
@@ -119,8 +119,8 @@ std::ptrdiff_t failures_in(const std::vector<Verdict>& verdicts) {
 }
 
 std::string section_about(const Verdict& verdict, std::size_t number) {
-  std::string html = fmt::format("<h2 id=\"case{}\">{}</h2>\n<p>{}</p>\n", number, escaped(verdict.name),
-                                 escaped(verdict.reason));
+  std::string html =
+      fmt::format("<h2 id=\"case{}\">{}</h2>\n<p>{}</p>\n", number, escaped(verdict.name), escaped(verdict.reason));
   if (!verdict.remark.empty()) html += fmt::format("<p><strong>{}</strong></p>\n", escaped(verdict.remark));
   if (!verdict.remedy.empty()) {
     html += fmt::format("<p>If the new picture is right: <code>{}</code></p>\n", escaped(verdict.remedy));
@@ -129,9 +129,10 @@ std::string section_about(const Verdict& verdict, std::size_t number) {
   for (const PictureKind& kind : picture_kinds) {
     if ((verdict.pictures.*kind.bytes).empty()) continue;
     const std::string link = link_to(picture_name(verdict, kind));
-    html += fmt::format("<figure><figcaption>{}</figcaption><a href=\"{}\"><img src=\"{}\" alt=\"{} picture of {}\">"
-                        "</a></figure>\n",
-                        kind.caption, link, link, kind.ending.substr(0, kind.ending.find('.')), escaped(verdict.name));
+    html += fmt::format(
+        "<figure><figcaption>{}</figcaption><a href=\"{}\"><img src=\"{}\" alt=\"{} picture of {}\">"
+        "</a></figure>\n",
+        kind.caption, link, link, kind.ending.substr(0, kind.ending.find('.')), escaped(verdict.name));
   }
   return html + "</div>\n";
 }
@@ -141,8 +142,8 @@ std::string made(const std::string& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (!error) return folder;
-  throw Failure(ExitCode::file_trouble, fmt::format("the folder {} cannot be made: {}",
-                                                    printable(folder, longest_path), reason_of(error.value())));
+  throw Failure(ExitCode::file_trouble, fmt::format("the folder {} cannot be made: {}", printable(folder, longest_path),
+                                                    reason_of(error.value())));
 }
 
 }  // namespace
@@ -170,9 +171,8 @@ std::string report_as_html(const std::vector<Verdict>& verdicts, std::string_vie
 std::string report_as_junit(const std::vector<Verdict>& verdicts, std::string_view folder) {
   double duration_s = 0.0;
   for (const Verdict& verdict : verdicts) duration_s += verdict.duration_s;
-  const std::string counts =
-      fmt::format("tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"0\" time=\"{:.3f}\"", verdicts.size(),
-                  failures_in(verdicts), duration_s);
+  const std::string counts = fmt::format("tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"0\" time=\"{:.3f}\"",
+                                         verdicts.size(), failures_in(verdicts), duration_s);
   std::string xml = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"ghostforce check\" {}>\n"
       "  <testsuite name=\"{}\" {}>\n",

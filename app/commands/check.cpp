@@ -123,7 +123,8 @@ std::function<int()> attach_check(CLI::App& subcommand) {
       subcommand.add_option("--only", options->only, "Check these cases, not all")->type_name("NAME...");
   CLI::Option* const update_option =
       subcommand
-          .add_option("--update", options->update, "Store these cases' pictures as they are drawn now, and check nothing")
+          .add_option("--update", options->update,
+                      "Store these cases' pictures as they are drawn now, and check nothing")
           ->type_name("NAME...")
           ->excludes(only);
   subcommand

@@ -1,6 +1,6 @@
 // Screenshot regression as its users have it: `ghostforce check` on folders of cases. That it notices what it is for (a
-// colour, a marker 2 px off, a missing arrow, another strategy), says it so that a person can act on it, and stays quiet
-// where nothing has changed.
+// colour, a marker 2 px off, a missing arrow, another strategy), says it so that a person can act on it, and stays
+// quiet where nothing has changed.
 #include <unistd.h>
 
 #include <algorithm>
@@ -99,7 +99,8 @@ std::string replaced(std::string text, std::string_view piece, std::string_view 
 // The scene's marks as the screen composes them, altered, and painted as the screen paints them.
 Image painted(const PictureRequest& request, const std::function<void(Marks&)>& alter) {
   const Moment moment = play_to_moment(request);
-  Window window({.title = "", .width = request.width, .height = request.height, .offscreen = true, .takes_mouse = false});
+  Window window(
+      {.title = "", .width = request.width, .height = request.height, .offscreen = true, .takes_mouse = false});
   const auto scale = static_cast<float>(request.look.scale);
   apply_style(*request.look.theme, scale);
   ScenePainter painter;
@@ -179,7 +180,8 @@ TEST_P(Notices, WhatIsDrawnOtherwise) {
   EXPECT_TRUE(contains(outcome.out, word + " tolerant"));
 }
 
-INSTANTIATE_TEST_SUITE_P(, Notices, testing::ValuesIn(alterations), [](const auto& alteration) { return alteration.param.name; });
+INSTANTIATE_TEST_SUITE_P(, Notices, testing::ValuesIn(alterations),
+                         [](const auto& alteration) { return alteration.param.name; });
 
 TEST(Check, NoticesAnotherStrategy) {
   const Cases cases({{"wall", std::string(small_case) + "strategy = \"naive\"\n"}});
@@ -200,8 +202,9 @@ TEST(Check, NoticesAnotherStrategy) {
 std::map<std::string, std::string> varied_cases() {
   return {{"window", "scene = \"wall45\"\nsize = [640, 480]\ntheme = \"dark\"\n"},
           {"fig1", "scene = \"fig1\"\nsize = [320, 240]\npart = \"scene\"\nstrategy = \"all\"\nat_s = 0.8\n"},
-          {"panes", "scene = \"wall45\"\nsize = [600, 240]\ncompare = \"side-by-side\"\nscale = 0.75\n"
-                    "theme = \"projector\"\nset = [\"wall.normal_deg=120\", \"rendering.strategy=full\"]\n"}};
+          {"panes",
+           "scene = \"wall45\"\nsize = [600, 240]\ncompare = \"side-by-side\"\nscale = 0.75\n"
+           "theme = \"projector\"\nset = [\"wall.normal_deg=120\", \"rendering.strategy=full\"]\n"}};
 }
 
 TEST(Check, DrawsWhatRenderDraws) {
@@ -293,8 +296,9 @@ TEST(Check, TellsNumbersAndPlaceOfADifference) {
   write_whole(cases / "wall.png", png_bytes(golden));
   const Outcome outcome = cases.check();
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_TRUE(contains(outcome.out, "6 of 76800 pixels (0.00781 %) differ by up to 77, all of them in 3x2 pixels at "
-                                    "x 10, y 20"));
+  EXPECT_TRUE(contains(outcome.out,
+                       "6 of 76800 pixels (0.00781 %) differ by up to 77, all of them in 3x2 pixels at "
+                       "x 10, y 20"));
   EXPECT_FALSE(contains(outcome.err, "renderer"));
 
   // 6 of 76800 is a share of 7.8125e-5, and the 2 pixels that differ by more than 5 are one of 2.604e-5.
@@ -362,9 +366,12 @@ TEST(CheckUpdate, KeepsEveryByteOfTheRestOfTheCase) {
   for (const std::string newline : {"\n", "\r\n"}) {
     for (const Edit& edit : std::vector<Edit>{
              {head, head + "\n[golden]\nrenderer = R\nmesa = M\nversion = V\n"},
-             {head + "part='scene'  # no newline", head + "part='scene'  # no newline\n\n[golden]\nrenderer = R\nmesa = M\nversion = V\n"},
-             {head + "[golden] # mine\n mesa='1'#x\n# y\nrenderer = \"\\\"ü\\\"\"  # z\nversion =\"0\"\n\n# end\n[tolerance]\nshare=0.5\n",
-              head + "[golden] # mine\n mesa=M#x\n# y\nrenderer = R  # z\nversion =V\n\n# end\n[tolerance]\nshare=0.5\n"},
+             {head + "part='scene'  # no newline",
+              head + "part='scene'  # no newline\n\n[golden]\nrenderer = R\nmesa = M\nversion = V\n"},
+             {head + "[golden] # mine\n mesa='1'#x\n# y\nrenderer = \"\\\"ü\\\"\"  # z\nversion =\"0\"\n\n# "
+                     "end\n[tolerance]\nshare=0.5\n",
+              head +
+                  "[golden] # mine\n mesa=M#x\n# y\nrenderer = R  # z\nversion =V\n\n# end\n[tolerance]\nshare=0.5\n"},
              {head + "[golden]\nmesa = '1'\n[tolerance]\n# nothing",
               head + "[golden]\nrenderer = R\nversion = V\nmesa = M\n[tolerance]\n# nothing"},
              {head + "[golden]", head + "[golden]\nrenderer = R\nmesa = M\nversion = V\n"},
@@ -468,7 +475,8 @@ TEST(CheckMatch, ComparesWithAnotherCasesPicture) {
   write_whole(cases / "a.toml", text + "mismatch = \"b\"\n");
   const Outcome outcome = cases.check({"--report", cases.beside("report")});
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_TRUE(contains(outcome.out, "FAIL a  against the picture of b, which it must not be equal to: no pixel differs"));
+  EXPECT_TRUE(
+      contains(outcome.out, "FAIL a  against the picture of b, which it must not be equal to: no pixel differs"));
   EXPECT_TRUE(contains(outcome.out, "FAIL b  against the picture of c, which it must be equal to: "));
   EXPECT_TRUE(contains(outcome.out, "pass c\n3 cases, 2 failed"));
   EXPECT_FALSE(contains(outcome.err, "--update")) << "there is nothing to update";
@@ -489,7 +497,8 @@ TEST(CheckMatch, TakesTheToleranceIntoAccount) {
 // Each tag is closed in its turn, each attribute quoted, each & the beginning of an entity.
 testing::AssertionResult is_well_formed(const std::string& text) {
   static const std::regex piece(
-      "<(\\?xml [^?<>]*\\?|!DOCTYPE html|/?[a-z][a-z0-9]*(?: [a-z]+=\"[^\"<]*\")*/?)>|&(amp|lt|gt|quot|#39|#10);|[^<&]+|.");
+      "<(\\?xml [^?<>]*\\?|!DOCTYPE html|/?[a-z][a-z0-9]*(?: "
+      "[a-z]+=\"[^\"<]*\")*/?)>|&(amp|lt|gt|quot|#39|#10);|[^<&]+|.");
   static const std::set<std::string> never_closed{"meta", "img"};
   std::vector<std::string> open;
   for (std::sregex_iterator at(text.begin(), text.end(), piece), end; at != end; ++at) {
@@ -532,9 +541,8 @@ TEST(CheckReport, ShowsFailuresAsFilesForPeopleAndMachines) {
   const std::string report = cases.beside("deep/report");
   const Outcome outcome = cases.check({"--report", report});
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_EQ(Cases::files_in(report),
-            (std::set<std::string>{odd + ".expected.png", odd + ".actual.png", odd + ".diff.png", "report.html",
-                                   "junit.xml"}));
+  EXPECT_EQ(Cases::files_in(report), (std::set<std::string>{odd + ".expected.png", odd + ".actual.png",
+                                                            odd + ".diff.png", "report.html", "junit.xml"}));
   EXPECT_EQ(read_whole(report + "/" + odd + ".expected.png"), read_whole(cases / (odd + ".png")));
 
   const std::string html = read_whole(report + "/report.html");
@@ -558,8 +566,8 @@ TEST(CheckReport, ShowsFailuresAsFilesForPeopleAndMachines) {
 TEST(CheckReport, MarksWhatDiffersInADifferencePicture) {
   Image a{20, 10, std::vector<std::uint8_t>(600, 100)};
   Image b = a;
-  b.rgb[3U * (5 * 20 + 10)] = 130;   // (10, 5), over
-  b.rgb[3U * (1 * 20 + 18)] = 102;   // (18, 1), within
+  b.rgb[3U * (5 * 20 + 10)] = 130;  // (10, 5), over
+  b.rgb[3U * (1 * 20 + 18)] = 102;  // (18, 1), within
   const Image picture = difference_picture(a, b, {.channel = 2});
   const auto pixel = [&](int x, int y) {
     const auto at = picture.rgb.begin() + 3 * (y * 20 + x);
@@ -599,8 +607,9 @@ TEST(Check, TellsAllThatIsWrongWithAllCasesBeforeItDraws) {
   const Cases cases({
       {"a", "scene = \"wal45\"\n"},
       {"b", "scene = \"wall45\"\nstratgy = \"naive\"\n[tolerance]\nshares = 0.5\n"},
-      {"c", "scene = 5\nat_s = \"3\"\nsize = [1280, 63]\npart = \"windw\"\nstrategy = \"naiv\"\ntheme = \"drak\"\n"
-            "compare = \"overlai\"\nscale = 5\nset = [\"wall.normal_de=120\", \"wall.normal_deg=x\"]\n"},
+      {"c",
+       "scene = 5\nat_s = \"3\"\nsize = [1280, 63]\npart = \"windw\"\nstrategy = \"naiv\"\ntheme = \"drak\"\n"
+       "compare = \"overlai\"\nscale = 5\nset = [\"wall.normal_de=120\", \"wall.normal_deg=x\"]\n"},
       {"d", "scene = \"wall45\"\nmatch = \"aa\"\nmismatch = \"b\"\n[tolerance]\nchannel = 256\nshare = nan\n"},
       {"e", "scene = \"wall45\"\nmatch = \"e\"\n"},
       {"f", "scene = \"wall45\"\nsize = 5\nset = \"x\"\n[golden]\nmesa = 22\n"},
@@ -615,33 +624,46 @@ TEST(Check, TellsAllThatIsWrongWithAllCasesBeforeItDraws) {
   const Outcome outcome = cases.check({"--report", cases.beside("report")});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.out, "");
-  for (const std::string words :
-       {"a.toml:1:9: the key scene: no scene named", "did you mean 'wall45'?",
-        "b.toml:2:1: the key stratgy is unknown; did you mean 'strategy'?",
-        "b.toml:4:1: the key tolerance.shares is unknown; did you mean 'share'?",
-        "c.toml:1:9: the key scene: is a number; give a text in quotes", "c.toml:2:8: the key at_s: is a text; give 0 to",
-        "c.toml:3:15: the key size: 63 is out of range; give a whole number, 64 to 4096",
-        "c.toml:4:8: the key part: 'windw' is none of window, scene; did you mean 'window'?",
-        "c.toml:5:12: the key strategy: 'naiv' is none of", "c.toml:6:9: the key theme: 'drak' is none of",
-        "c.toml:7:11: the key compare: 'overlai'", "c.toml:8:9: the key scale: 5 is out of range; give 0.75 to 3",
-        "d.toml:2:9: the key match: there is no case 'aa'", "d.toml:3:12: the key mismatch: there is the key match too",
-        "d.toml:5:11: the key tolerance.channel: 256 is out of range", "d.toml:6:9: the key tolerance.share: nan",
-        "e.toml:2:9: the key match: names this case itself", "f.toml:2:8: the key size: is a number; give [width",
-        "f.toml:3:7: the key set: is a text; give texts", "f.toml:5:8: the key golden.mesa: is a number",
-        "g.toml:3:8: the key set: wall.normal_de=120: ", "did you mean 'theme'? It stands before the first [table]",
-        "h.toml:1:1: the key scene is missing", "i.toml:1:", "j.toml:4:1: the table [golden]: with the key match",
-        "j.toml:2:9: the key match: this picture has 100x100 pixels and that of 'b' 1280x800",
-        "k.toml:2:8: the key at_s: 20000 s is out of range", "k.toml:3:1: the key channel is unknown; did you mean "
-        "'tolerance.channel'?", "k.toml:4:9: the key size: has a decimal point", "l.toml:1:9: the key scene: "}) {
+  for (const std::string words : {"a.toml:1:9: the key scene: no scene named",
+                                  "did you mean 'wall45'?",
+                                  "b.toml:2:1: the key stratgy is unknown; did you mean 'strategy'?",
+                                  "b.toml:4:1: the key tolerance.shares is unknown; did you mean 'share'?",
+                                  "c.toml:1:9: the key scene: is a number; give a text in quotes",
+                                  "c.toml:2:8: the key at_s: is a text; give 0 to",
+                                  "c.toml:3:15: the key size: 63 is out of range; give a whole number, 64 to 4096",
+                                  "c.toml:4:8: the key part: 'windw' is none of window, scene; did you mean 'window'?",
+                                  "c.toml:5:12: the key strategy: 'naiv' is none of",
+                                  "c.toml:6:9: the key theme: 'drak' is none of",
+                                  "c.toml:7:11: the key compare: 'overlai'",
+                                  "c.toml:8:9: the key scale: 5 is out of range; give 0.75 to 3",
+                                  "d.toml:2:9: the key match: there is no case 'aa'",
+                                  "d.toml:3:12: the key mismatch: there is the key match too",
+                                  "d.toml:5:11: the key tolerance.channel: 256 is out of range",
+                                  "d.toml:6:9: the key tolerance.share: nan",
+                                  "e.toml:2:9: the key match: names this case itself",
+                                  "f.toml:2:8: the key size: is a number; give [width",
+                                  "f.toml:3:7: the key set: is a text; give texts",
+                                  "f.toml:5:8: the key golden.mesa: is a number",
+                                  "g.toml:3:8: the key set: wall.normal_de=120: ",
+                                  "did you mean 'theme'? It stands before the first [table]",
+                                  "h.toml:1:1: the key scene is missing",
+                                  "i.toml:1:",
+                                  "j.toml:4:1: the table [golden]: with the key match",
+                                  "j.toml:2:9: the key match: this picture has 100x100 pixels and that of 'b' 1280x800",
+                                  "k.toml:2:8: the key at_s: 20000 s is out of range",
+                                  "k.toml:3:1: the key channel is unknown; did you mean "
+                                  "'tolerance.channel'?",
+                                  "k.toml:4:9: the key size: has a decimal point",
+                                  "l.toml:1:9: the key scene: "}) {
     EXPECT_TRUE(contains(outcome.err, words));
   }
   EXPECT_FALSE(fs::exists(cases.beside("report")));
 }
 
 TEST(Check, NamesTheCaseWhoseLoopIsUnstable) {
-  const Cases cases({{"good", std::string(small_case)},
-                     {"wild", std::string(small_case) +
-                                  "set = [\"rendering.k_r_N_per_m=1e6\", \"device.mass_kg=0.001\"]\n"}});
+  const Cases cases(
+      {{"good", std::string(small_case)},
+       {"wild", std::string(small_case) + "set = [\"rendering.k_r_N_per_m=1e6\", \"device.mass_kg=0.001\"]\n"}});
   const Outcome outcome = cases.check();
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_TRUE(contains(outcome.err, "wild.toml: "));
@@ -714,6 +736,17 @@ TEST(Check, LeavesNothingBehindWhenInterrupted) {
   EXPECT_EQ(cases.files().size(), 60U);
 }
 
+TEST(CheckUpdate, LeavesNothingBehindWhenInterrupted) {
+  // Ten million ticks: long enough to be met in the middle.
+  const std::string endless = std::string(small_case) + "set = [\"goal.duration_s=10000\"]\n";
+  const Cases cases({{"a", std::string(small_case)}, {"b", endless}, {"c", endless}, {"d", endless}});
+  const Outcome outcome = run_program("/usr/bin/timeout", {"--preserve-status", "-s", "INT", "0.3", GHOSTFORCE_PROGRAM,
+                                                           "check", cases.path(), "--update", "a", "b", "c", "d"});
+  EXPECT_EQ(outcome.exit_code, 130);
+  EXPECT_EQ(cases.files(), (std::set<std::string>{"a.toml", "b.toml", "c.toml", "d.toml"}));
+  EXPECT_EQ(read_whole(cases / "b.toml"), endless);
+}
+
 TEST(Check, SaysWhichOpenGlThereIsWhenItIsTooOld) {
   const Cases cases({{"a", std::string(small_case)}});
   const Outcome outcome = cases.check_with({"MESA_GL_VERSION_OVERRIDE=2.1"});
@@ -722,7 +755,8 @@ TEST(Check, SaysWhichOpenGlThereIsWhenItIsTooOld) {
 }
 
 TEST(ShellWord, IsTakenByAShellAsItIs) {
-  for (const std::string word : {"plain-name_1.2", "two words", "it's", "$HOME", "`x`", "a\\b", "", "~", "*", "a;b", "ü"}) {
+  for (const std::string word :
+       {"plain-name_1.2", "two words", "it's", "$HOME", "`x`", "a\\b", "", "~", "*", "a;b", "ü"}) {
     EXPECT_EQ(run_program("/bin/sh", {"-c", "printf %s " + shell_word(word)}).out, word);
   }
   EXPECT_EQ(update_command("-d", "-n"), "ghostforce check ./-d --update=-n");
@@ -735,7 +769,8 @@ TEST(GoldenOrigin, IsReadFromWhatOpenGlSaysOfItself) {
   EXPECT_EQ(present_origin("softpipe, OpenGL 3.3 (Core Profile) Mesa 24.0.0-devel (git-1)").mesa, "24.0.0-devel");
   EXPECT_EQ(present_origin("Other GPU, 2 bits, OpenGL 4.6").renderer, "Other GPU, 2 bits");
   EXPECT_EQ(present_origin("Other GPU, OpenGL 4.6").mesa, "");
-  EXPECT_EQ(other_renderer_words(origin, {"llvmpipe (LLVM 15.0.6)", "22.3.6", "9.9"}), "") << "another program draws alike";
+  EXPECT_EQ(other_renderer_words(origin, {"llvmpipe (LLVM 15.0.6)", "22.3.6", "9.9"}), "")
+      << "another program draws alike";
   EXPECT_EQ(other_renderer_words({}, origin), "") << "nothing is known";
   EXPECT_NE(other_renderer_words(origin, {"softpipe", "22.3.6", "0.1"}), "");
 }

@@ -29,8 +29,9 @@ class Snapshots : public testing::TestWithParam<std::string> {};
 TEST_P(Snapshots, AreDrawnAsTheyAreStored) {
   // A folder each: tests run side by side.
   const std::string report = std::string(GHOSTFORCE_SNAPSHOTS_REPORT) + "/" + GetParam();
-  const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, std::vector<std::string>{
-      "check", GHOSTFORCE_SNAPSHOTS, "--only", GetParam(), "--report", report});
+  const Outcome outcome =
+      run_program(GHOSTFORCE_PROGRAM,
+                  std::vector<std::string>{"check", GHOSTFORCE_SNAPSHOTS, "--only", GetParam(), "--report", report});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err << "look at " << report << "/report.html";
 }
 
