@@ -1,5 +1,7 @@
 #include "app/keys.h"
 
+#include <GLFW/glfw3.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -65,63 +67,64 @@ void escape(Session& session) {
   session.notice.reset();
 }
 
-constexpr ImGuiKeyChord shift = ImGuiMod_Shift;
-constexpr ImGuiKeyChord ctrl = ImGuiMod_Ctrl;
-constexpr ImGuiKeyChord alt = ImGuiMod_Alt;
+constexpr int none = 0;
+constexpr int shift = GLFW_MOD_SHIFT;
+constexpr int ctrl = GLFW_MOD_CONTROL;
+constexpr int alt = GLFW_MOD_ALT;
 
 // clang-format off
 constexpr std::array bindings{
-    KeyBinding{ImGuiKey_1, "1", "Fully actuated rendering", activate<StrategyId::full>},
-    KeyBinding{ImGuiKey_2, "2", "Naïve rendering", activate<StrategyId::naive>},
-    KeyBinding{ImGuiKey_3, "3", "Anisotropic rendering", activate<StrategyId::anisotropic>},
-    KeyBinding{ImGuiKey_0, "0", "Compare: overlay, side by side, active only", next_compare_mode},
-    KeyBinding{ImGuiKey_Space, "Space", "Pause, and go on", toggle_pause},
-    KeyBinding{ImGuiKey_Period, ".", "One tick, then pause", single_step, true},
-    KeyBinding{ImGuiKey_R, "R", "Reset the motion", restart},
-    KeyBinding{alt | ImGuiKey_R, "Alt+R", "Reset motion and all settings", restart_with_scene_settings},
+    KeyBinding{GLFW_KEY_1, none, "1", "Fully actuated rendering", activate<StrategyId::full>},
+    KeyBinding{GLFW_KEY_2, none, "2", "Naïve rendering", activate<StrategyId::naive>},
+    KeyBinding{GLFW_KEY_3, none, "3", "Anisotropic rendering", activate<StrategyId::anisotropic>},
+    KeyBinding{GLFW_KEY_0, none, "0", "Compare: overlay, side by side, active only", next_compare_mode},
+    KeyBinding{GLFW_KEY_SPACE, none, "Space", "Pause, and go on", toggle_pause},
+    KeyBinding{GLFW_KEY_PERIOD, none, ".", "One tick, then pause", single_step, true},
+    KeyBinding{GLFW_KEY_R, none, "R", "Reset the motion", restart},
+    KeyBinding{GLFW_KEY_R, alt, "Alt+R", "Reset motion and all settings", restart_with_scene_settings},
 
-    KeyBinding{ImGuiKey_LeftArrow, "Arrows", "Move the goal 1 mm; Shift 0.1 mm, Ctrl 10 mm", move_goal<-1, 0, 10>, true},
-    KeyBinding{ImGuiKey_RightArrow, "", "", move_goal<1, 0, 10>, true},
-    KeyBinding{ImGuiKey_UpArrow, "", "", move_goal<0, 1, 10>, true},
-    KeyBinding{ImGuiKey_DownArrow, "", "", move_goal<0, -1, 10>, true},
-    KeyBinding{shift | ImGuiKey_LeftArrow, "", "", move_goal<-1, 0, 1>, true},
-    KeyBinding{shift | ImGuiKey_RightArrow, "", "", move_goal<1, 0, 1>, true},
-    KeyBinding{shift | ImGuiKey_UpArrow, "", "", move_goal<0, 1, 1>, true},
-    KeyBinding{shift | ImGuiKey_DownArrow, "", "", move_goal<0, -1, 1>, true},
-    KeyBinding{ctrl | ImGuiKey_LeftArrow, "", "", move_goal<-1, 0, 100>, true},
-    KeyBinding{ctrl | ImGuiKey_RightArrow, "", "", move_goal<1, 0, 100>, true},
-    KeyBinding{ctrl | ImGuiKey_UpArrow, "", "", move_goal<0, 1, 100>, true},
-    KeyBinding{ctrl | ImGuiKey_DownArrow, "", "", move_goal<0, -1, 100>, true},
+    KeyBinding{GLFW_KEY_LEFT, none, "Arrows", "Move the goal 1 mm; Shift 0.1 mm, Ctrl 10 mm", move_goal<-1, 0, 10>, true},
+    KeyBinding{GLFW_KEY_RIGHT, none, "", "", move_goal<1, 0, 10>, true},
+    KeyBinding{GLFW_KEY_UP, none, "", "", move_goal<0, 1, 10>, true},
+    KeyBinding{GLFW_KEY_DOWN, none, "", "", move_goal<0, -1, 10>, true},
+    KeyBinding{GLFW_KEY_LEFT, shift, "", "", move_goal<-1, 0, 1>, true},
+    KeyBinding{GLFW_KEY_RIGHT, shift, "", "", move_goal<1, 0, 1>, true},
+    KeyBinding{GLFW_KEY_UP, shift, "", "", move_goal<0, 1, 1>, true},
+    KeyBinding{GLFW_KEY_DOWN, shift, "", "", move_goal<0, -1, 1>, true},
+    KeyBinding{GLFW_KEY_LEFT, ctrl, "", "", move_goal<-1, 0, 100>, true},
+    KeyBinding{GLFW_KEY_RIGHT, ctrl, "", "", move_goal<1, 0, 100>, true},
+    KeyBinding{GLFW_KEY_UP, ctrl, "", "", move_goal<0, 1, 100>, true},
+    KeyBinding{GLFW_KEY_DOWN, ctrl, "", "", move_goal<0, -1, 100>, true},
 
-    KeyBinding{ImGuiKey_LeftBracket, "[  ]", "Turn the motor axis 5°; Shift 1°", turn_motor_axis<5>, true},
-    KeyBinding{ImGuiKey_RightBracket, "", "", turn_motor_axis<-5>, true},
-    KeyBinding{shift | ImGuiKey_LeftBracket, "", "", turn_motor_axis<1>, true},
-    KeyBinding{shift | ImGuiKey_RightBracket, "", "", turn_motor_axis<-1>, true},
-    KeyBinding{ImGuiKey_W, "W", "Turn the wall to the angle of largest naïve drift", turn_wall_to_largest_drift},
+    KeyBinding{GLFW_KEY_LEFT_BRACKET, none, "[  ]", "Turn the motor axis 5°; Shift 1°", turn_motor_axis<5>, true},
+    KeyBinding{GLFW_KEY_RIGHT_BRACKET, none, "", "", turn_motor_axis<-5>, true},
+    KeyBinding{GLFW_KEY_LEFT_BRACKET, shift, "", "", turn_motor_axis<1>, true},
+    KeyBinding{GLFW_KEY_RIGHT_BRACKET, shift, "", "", turn_motor_axis<-1>, true},
+    KeyBinding{GLFW_KEY_W, none, "W", "Turn the wall to the angle of largest naïve drift", turn_wall_to_largest_drift},
 
-    KeyBinding{ImGuiKey_G, "G", "Ghost force arrows on and off", toggle<&ViewOptions::ghost_forces>},
-    KeyBinding{ImGuiKey_P, "P", "Prediction rings on and off", toggle<&ViewOptions::predictions>},
-    KeyBinding{ImGuiKey_T, "T", "Trails on and off", toggle<&ViewOptions::trails>},
-    KeyBinding{ImGuiKey_F, "F", "Fit the view to what there is to see", ask<&Wishes::fit_view>},
+    KeyBinding{GLFW_KEY_G, none, "G", "Ghost force arrows on and off", toggle<&ViewOptions::ghost_forces>},
+    KeyBinding{GLFW_KEY_P, none, "P", "Prediction rings on and off", toggle<&ViewOptions::predictions>},
+    KeyBinding{GLFW_KEY_T, none, "T", "Trails on and off", toggle<&ViewOptions::trails>},
+    KeyBinding{GLFW_KEY_F, none, "F", "Fit the view to what there is to see", ask<&Wishes::fit_view>},
 
-    KeyBinding{ctrl | ImGuiKey_Z, "Ctrl+Z", "Undo the last change of a setting", ask<&Wishes::undo>, true},
-    KeyBinding{ctrl | shift | ImGuiKey_Z, "Ctrl+Shift+Z", "Redo it; Ctrl+Y too", ask<&Wishes::redo>, true},
-    KeyBinding{ctrl | ImGuiKey_Y, "", "", ask<&Wishes::redo>, true},
-    KeyBinding{ctrl | ImGuiKey_O, "Ctrl+O", "Open a scene; or drop its file on the window", open_dialog<Dialog::open_scene>, false, true},
-    KeyBinding{ctrl | ImGuiKey_S, "Ctrl+S", "Save the scene with its settings as they are", open_dialog<Dialog::save_scene>, false, true},
-    KeyBinding{ctrl | ImGuiKey_P, "Ctrl+P", "Save a picture: PNG, SVG or PDF", open_dialog<Dialog::save_picture>, false, true},
+    KeyBinding{GLFW_KEY_Z, ctrl, "Ctrl+Z", "Undo the last change of a setting", ask<&Wishes::undo>, true},
+    KeyBinding{GLFW_KEY_Z, ctrl | shift, "Ctrl+Shift+Z", "Redo it; Ctrl+Y too", ask<&Wishes::redo>, true},
+    KeyBinding{GLFW_KEY_Y, ctrl, "", "", ask<&Wishes::redo>, true},
+    KeyBinding{GLFW_KEY_O, ctrl, "Ctrl+O", "Open a scene; or drop its file on the window", open_dialog<Dialog::open_scene>, false, true},
+    KeyBinding{GLFW_KEY_S, ctrl, "Ctrl+S", "Save the scene with its settings as they are", open_dialog<Dialog::save_scene>, false, true},
+    KeyBinding{GLFW_KEY_P, ctrl, "Ctrl+P", "Save a picture: PNG, SVG or PDF", open_dialog<Dialog::save_picture>, false, true},
 
-    KeyBinding{ImGuiKey_F1, "F1", "This help", open_dialog<Dialog::help>, false, true},
-    KeyBinding{ImGuiKey_F11, "F11", "Full screen, and back", ask<&Wishes::toggle_full_screen>, false, true},
-    KeyBinding{ctrl | ImGuiKey_T, "Ctrl+T", "Next theme: light, dark, projector", next_theme},
-    KeyBinding{ctrl | ImGuiKey_Equal, "Ctrl+ + − 0", "Letters larger, smaller, as usual", change_scale<1>, true},
-    KeyBinding{ctrl | shift | ImGuiKey_Equal, "", "", change_scale<1>, true},
-    KeyBinding{ctrl | ImGuiKey_KeypadAdd, "", "", change_scale<1>, true},
-    KeyBinding{ctrl | ImGuiKey_Minus, "", "", change_scale<-1>, true},
-    KeyBinding{ctrl | ImGuiKey_KeypadSubtract, "", "", change_scale<-1>, true},
-    KeyBinding{ctrl | ImGuiKey_0, "", "", usual_scale},
-    KeyBinding{ImGuiKey_Escape, "Esc", "Close what is open; it never quits", escape, false, true},
-    KeyBinding{ctrl | ImGuiKey_Q, "Ctrl+Q", "Quit", ask<&Wishes::quit>, false, true},
+    KeyBinding{GLFW_KEY_F1, none, "F1", "This help", open_dialog<Dialog::help>, false, true},
+    KeyBinding{GLFW_KEY_F11, none, "F11", "Full screen, and back", ask<&Wishes::toggle_full_screen>, false, true},
+    KeyBinding{GLFW_KEY_T, ctrl, "Ctrl+T", "Next theme: light, dark, projector", next_theme},
+    KeyBinding{GLFW_KEY_EQUAL, ctrl, "Ctrl+ + − 0", "Letters larger, smaller, as usual", change_scale<1>, true},
+    KeyBinding{GLFW_KEY_EQUAL, ctrl | shift, "", "", change_scale<1>, true},
+    KeyBinding{GLFW_KEY_KP_ADD, ctrl, "", "", change_scale<1>, true},
+    KeyBinding{GLFW_KEY_MINUS, ctrl, "", "", change_scale<-1>, true},
+    KeyBinding{GLFW_KEY_KP_SUBTRACT, ctrl, "", "", change_scale<-1>, true},
+    KeyBinding{GLFW_KEY_0, ctrl, "", "", usual_scale},
+    KeyBinding{GLFW_KEY_ESCAPE, none, "Esc", "Close what is open; it never quits", escape, false, true},
+    KeyBinding{GLFW_KEY_Q, ctrl, "Ctrl+Q", "Quit", ask<&Wishes::quit>, false, true},
 };
 
 constexpr std::array gestures{
@@ -144,12 +147,11 @@ std::span<const MouseGesture> mouse_table() noexcept {
   return gestures;
 }
 
-void act_on_keys(Session& session) {
-  const ImGuiIO& io = ImGui::GetIO();
-  for (const KeyBinding& binding : bindings) {
-    const auto key = static_cast<ImGuiKey>(binding.chord & ~ImGuiMod_Mask_);
-    if (io.WantTextInput && !binding.also_in_fields) continue;
-    if ((binding.chord & ImGuiMod_Mask_) == io.KeyMods && ImGui::IsKeyPressed(key, binding.repeats)) {
+void act_on_keys(Session& session, std::span<const KeyPress> presses, bool is_typing) {
+  for (const KeyPress& press : presses) {
+    for (const KeyBinding& binding : bindings) {
+      if (binding.key != press.key || binding.modifiers != press.modifiers) continue;
+      if ((press.is_repeat && !binding.repeats) || (is_typing && !binding.also_in_fields)) continue;
       binding.act(session);
     }
   }

@@ -1,18 +1,17 @@
-// The one table of keys: what is pressed, what it does, in words for the person and as a function. The window asks it
-// every frame; help, README and tests walk it.
+// The one table of keys: what is pressed, what it does, in words for the person and as a function. Help, README and tests walk it.
 #pragma once
 
 #include <span>
 #include <string_view>
 
-#include <imgui.h>
-
+#include "app/key_press.h"
 #include "app/session.h"
 
 namespace ghostforce {
 
 struct KeyBinding {
-  ImGuiKeyChord chord;
+  int key;        // GLFW_KEY_…
+  int modifiers;  // GLFW_MOD_…
   std::string_view shown;     // as printed on the keys; empty: a further key of the row above
   std::string_view sentence;  // what it does
   void (*act)(Session&);
@@ -29,8 +28,8 @@ struct MouseGesture {
 };
 std::span<const MouseGesture> mouse_table() noexcept;
 
-// Does what the pressed keys ask for.
-void act_on_keys(Session& session);
+// Does what the pressed keys ask for. `is_typing`: the person is typing into a field.
+void act_on_keys(Session& session, std::span<const KeyPress> presses, bool is_typing);
 
 // The same actions, for buttons.
 void next_compare_mode(Session& session);

@@ -122,7 +122,7 @@ void Screen::draw_everything(Session& session, const Snapshot& snapshot, const H
   const PanelContext context{session, snapshot, loop, theme, fonts, styled_scale_};
 
   if (is_live) {
-    act_on_keys(session);
+    act_on_keys(session, window_.take_key_presses(), ImGui::GetIO().WantTextInput);
     begin_fixed("scene", layout.scene, ImGuiWindowFlags_NoBackground);
     gestures_.take(session, panes_, scene_size_, unit);
     ImGui::End();

@@ -123,6 +123,7 @@ Window::Window(const WindowOptions& options) : library_(options.offscreen), wind
   if (!options.offscreen) glfwSetWindowSizeLimits(handle(), least_width, least_height, GLFW_DONT_CARE, GLFW_DONT_CARE);
   glfwSetWindowUserPointer(handle(), this);
   glfwSetDropCallback(handle(), on_drop);
+  glfwSetKeyCallback(handle(), on_key);  // before ImGui's, which then calls it
   restored_size_ = {options.width, options.height};
   start_imgui(options.takes_mouse);
 }
@@ -245,6 +246,45 @@ void Window::toggle_full_screen() {
   restored_size_ = restored_size();
   glfwGetWindowPos(handle(), &restored_corner_.x, &restored_corner_.y);
   glfwSetWindowMonitor(handle(), monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
+namespace {
+
+// By what is printed on it where the layout says so: Ctrl+Z is where the Z is. Otherwise by its place, as for the digits
+// of a French keyboard.
+int key_by_layout(int key, int scancode) {
+  const char* const name = glfwGetKeyName(key, scancode);
+  if (name == nullptr || name[0] == '\0' || name[1] != '\0') return key;
+  const char sign = name[0];
+  if (sign >= 'a' && sign <= 'z') return GLFW_KEY_A + (sign - 'a');
+  if (sign >= 'A' && sign <= 'Z') return GLFW_KEY_A + (sign - 'A');
+  switch (sign) {
+    case '.':
+      return key == GLFW_KEY_KP_DECIMAL ? key : GLFW_KEY_PERIOD;
+    case '[':
+      return GLFW_KEY_LEFT_BRACKET;
+    case ']':
+      return GLFW_KEY_RIGHT_BRACKET;
+    case '-':
+      return key == GLFW_KEY_KP_SUBTRACT ? key : GLFW_KEY_MINUS;
+    case '+':
+      return key == GLFW_KEY_KP_ADD ? key : GLFW_KEY_EQUAL;
+    default:
+      return key;
+  }
+}
+
+}  // namespace
+
+void Window::on_key(GLFWwindow* handle, int key, int scancode, int action, int modifiers) {
+  if (action == GLFW_RELEASE) return;
+  constexpr int that_count = GLFW_MOD_SHIFT | GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER;
+  auto& window = *static_cast<Window*>(glfwGetWindowUserPointer(handle));
+  window.key_presses_.push_back({key_by_layout(key, scancode), modifiers & that_count, action == GLFW_REPEAT});
+}
+
+std::vector<KeyPress> Window::take_key_presses() {
+  return std::exchange(key_presses_, {});
 }
 
 void Window::on_drop(GLFWwindow* handle, int count, const char** paths) {

@@ -11,6 +11,7 @@
 #include <imgui.h>
 
 #include "app/image.h"
+#include "app/key_press.h"
 
 struct GLFWwindow;
 
@@ -58,6 +59,9 @@ class Window {
   // Without a frame, in screen coordinates, as it is while not full screen.
   WindowSize restored_size() const;
 
+  // Since the last call, in their order.
+  std::vector<KeyPress> take_key_presses();
+
   // Files that were dropped on the window since the last call.
   std::vector<std::string> take_dropped_files();
 
@@ -93,6 +97,7 @@ class Window {
   };
 
   void start_imgui(bool takes_mouse);
+  static void on_key(GLFWwindow* window, int key, int scancode, int action, int modifiers);
   static void on_drop(GLFWwindow* window, int count, const char** paths);
 
   Library library_;
@@ -105,6 +110,7 @@ class Window {
   struct {
     int x = 0, y = 0;
   } restored_corner_;
+  std::vector<KeyPress> key_presses_;
   std::vector<std::string> dropped_files_;
 };
 

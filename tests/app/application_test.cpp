@@ -18,8 +18,8 @@ TEST_F(ApplicationTest, StartsAtRestAtTheEndOfTheScenesPath) {
 
 TEST_F(ApplicationTest, KeysChooseTheStrategyAndThePictureFollows) {
   Image before = window_->picture();
-  for (const auto& [key, id] : {std::pair{ImGuiKey_3, StrategyId::anisotropic}, std::pair{ImGuiKey_1, StrategyId::full},
-                                std::pair{ImGuiKey_2, StrategyId::naive}}) {
+  for (const auto& [key, id] : {std::pair{GLFW_KEY_3, StrategyId::anisotropic}, std::pair{GLFW_KEY_1, StrategyId::full},
+                                std::pair{GLFW_KEY_2, StrategyId::naive}}) {
     press(key);
     EXPECT_EQ(session().settings.active, id);
     const Image after = window_->picture();
@@ -29,16 +29,16 @@ TEST_F(ApplicationTest, KeysChooseTheStrategyAndThePictureFollows) {
 }
 
 TEST_F(ApplicationTest, SpacePausesAndAFullStopSteps) {
-  press(ImGuiKey_Space);
+  press(GLFW_KEY_SPACE);
   EXPECT_TRUE(session().paused);
   frames(2);
   const std::int64_t paused_at = application_->report().snapshot.tick;
   frames(5);
   EXPECT_EQ(application_->report().snapshot.tick, paused_at);
-  press(ImGuiKey_Period);
+  press(GLFW_KEY_PERIOD);
   frames(2);
   EXPECT_EQ(application_->report().snapshot.tick, paused_at + 1);
-  press(ImGuiKey_Space);
+  press(GLFW_KEY_SPACE);
   frames(3);
   EXPECT_GT(application_->report().snapshot.tick, paused_at + 1);
 }
@@ -83,10 +83,10 @@ TEST_F(ApplicationTest, ResetStartsTheMotionAgainAndAltResetTheSettingsToo) {
   session().settings.impedances.k_r = 1234.0;
   frames(30);
   const std::int64_t before = application_->report().snapshot.tick;
-  press(ImGuiKey_R);
+  press(GLFW_KEY_R);
   EXPECT_LT(application_->report().snapshot.tick, before);
   EXPECT_EQ(session().settings.impedances.k_r, 1234.0);
-  press(ImGuiMod_Alt | ImGuiKey_R);
+  press(GLFW_KEY_R, GLFW_MOD_ALT);
   EXPECT_EQ(session().settings, load_scene("wall45").settings);
   EXPECT_EQ(application_->report().snapshot.goal, load_scene("wall45").goal.points.back());
 }
@@ -136,10 +136,10 @@ TEST_F(ApplicationTest, UnstableSettingsAreSaidAndLeftAgain) {
   session().settings.mass = 0.001;
   frames(20);
   EXPECT_TRUE(application_->report().diverged);
-  press(ImGuiKey_R);
+  press(GLFW_KEY_R);
   frames(20);
   EXPECT_TRUE(application_->report().diverged);
-  press(ImGuiMod_Alt | ImGuiKey_R);
+  press(GLFW_KEY_R, GLFW_MOD_ALT);
   frames(5);
   EXPECT_FALSE(application_->report().diverged);
   EXPECT_NEAR(application_->report().snapshot.goal.x, 0.01414, 1e-5);

@@ -45,13 +45,13 @@ TEST_F(GesturesTest, TheArrowsHeadTurnsTheMotorAxisInStepsOfFiveDegrees) {
 
 TEST_F(GesturesTest, ControlTurnsItFreely) {
   press_at(dial_head(0.0));
-  hold(ImGuiMod_Ctrl, true);
+  hold_control(true);
   point_at(dial_head(37.0 * degree));
   frames(3);
   // The pointer stands on whole points: 2° at this radius.
   EXPECT_NEAR(session().settings.actuated_angle, 37.0 * degree, 2.0 * degree);
   EXPECT_GT(std::abs(std::remainder(session().settings.actuated_angle / degree, 5.0)), 0.05);
-  hold(ImGuiMod_Ctrl, false);
+  hold_control(false);
   release();
 }
 
@@ -130,7 +130,7 @@ TEST_F(GesturesTest, FitShowsEverythingAgain) {
     return at.x > 20.0 && at.y > 20.0 && at.x < camera().size.x - 20.0 && at.y < camera().size.y - 20.0;
   };
   ASSERT_FALSE(is_visible(now().goal));
-  press(ImGuiKey_F);
+  press(GLFW_KEY_F);
   EXPECT_TRUE(is_visible(now().goal));
   for (const auto& strategy : now().strategies) EXPECT_TRUE(is_visible(strategy.device));
 }
