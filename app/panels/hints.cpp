@@ -11,9 +11,18 @@ namespace ghostforce {
 namespace {
 
 constexpr std::array hints{
-    Hint{"Drag: this is where your hand wants to be.", HintTarget::goal},
-    Hint{"Press 3. Same hand, same wall.", HintTarget::third_strategy},
-    Hint{"Turn the arrow.", HintTarget::motor_axis},
+    Hint{"Drag: this is where your hand wants to be.", HintTarget::goal,
+         [](const Session& session, const HintProgress& progress) {
+           return progress.has_dragged && !session.drags_goal;
+         }},
+    Hint{"Press 3. Same hand, same wall.", HintTarget::third_strategy,
+         [](const Session& session, const HintProgress&) {
+           return session.settings.active == StrategyId::anisotropic;
+         }},
+    Hint{"Turn the arrow.", HintTarget::motor_axis,
+         [](const Session& session, const HintProgress& progress) {
+           return session.settings.actuated_angle != progress.actuated_angle && !session.is_editing;
+         }},
 };
 
 }  // namespace
@@ -26,27 +35,14 @@ bool points_at(const Session& session, HintTarget target) noexcept {
   return session.hint && hints[*session.hint].target == target;
 }
 
-bool Hints::is_followed(const Session& session) {
-  switch (hints[*session.hint].target) {
-    case HintTarget::goal:
-      has_dragged_ = has_dragged_ || session.drags_goal;
-      return has_dragged_ && !session.drags_goal;
-    case HintTarget::third_strategy:
-      return session.settings.active == StrategyId::anisotropic;
-    case HintTarget::motor_axis:
-      return session.settings.actuated_angle != angle_ && !session.is_editing;
-  }
-  return true;
-}
-
 void Hints::follow(Session& session) {
   if (!session.hint) return;
   if (begun_ != session.hint) {
     begun_ = session.hint;
-    has_dragged_ = false;
-    angle_ = session.settings.actuated_angle;
+    progress_ = {.actuated_angle = session.settings.actuated_angle};
   }
-  if (!is_followed(session)) return;
+  progress_.has_dragged = progress_.has_dragged || session.drags_goal;
+  if (!hints[*session.hint].is_followed(session, progress_)) return;
   const std::size_t next = *session.hint + 1;
   session.hint = next < hints.size() ? std::optional(next) : std::nullopt;
 }

@@ -2,6 +2,8 @@
 // has been followed.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -11,13 +13,21 @@
 
 namespace ghostforce {
 
-// In their order. Which part of the screen each is about is told by its number: the goal, the third strategy's button,
-// the motor axis.
+// What of the screen a hint is about.
 enum class HintTarget : std::uint8_t { goal, third_strategy, motor_axis };
+
+// How things stood when a hint appeared, and what has been done since.
+struct HintProgress {
+  bool has_dragged = false;
+  double actuated_angle = 0.0;  // at first [rad]
+};
+
 struct Hint {
   std::string_view sentence;
   HintTarget target;
+  bool (*is_followed)(const Session&, const HintProgress&);
 };
+// In their order.
 std::span<const Hint> hint_catalog() noexcept;
 
 // The target of the hint that is on the screen now.
@@ -32,11 +42,8 @@ class Hints {
   void draw(const PanelContext& context, ImVec2 corner, ImVec2 size, ImVec2 goal) const;
 
  private:
-  bool is_followed(const Session& session);
-
-  std::optional<std::size_t> begun_;  // the hint that the following belong to
-  bool has_dragged_ = false;
-  double angle_ = 0.0;  // of the motor axis when the hint appeared [rad]
+  std::optional<std::size_t> begun_;  // the hint that the progress belongs to
+  HintProgress progress_;
 };
 
 }  // namespace ghostforce

@@ -1,8 +1,5 @@
-// Pictures as users make them, by the program's own `render`: the same bytes every time, equal to the stored ones, and
-// a clear word where a picture cannot be made.
-//
-// A stored picture is re-made on purpose only, one by one:
-//     GHOSTFORCE_REMAKE=wall45-naive ctest --test-dir build/release -R Goldens
+// Pictures as users make them, by the program's own `render`: the same bytes every time, and a clear word where a picture
+// cannot be made. The stored pictures are in snapshots_test.cpp.
 #include "app/image.h"
 
 #include <gtest/gtest.h>
@@ -26,63 +23,6 @@ Outcome render(std::vector<std::string> words) {
   words.insert(words.begin(), "render");
   return run_program(GHOSTFORCE_PROGRAM, std::move(words));
 }
-
-struct Golden {
-  std::string name;
-  std::vector<std::string> words;
-};
-
-void PrintTo(const Golden& golden, std::ostream* out) {
-  *out << golden.name;
-}
-
-const std::vector<Golden> goldens{
-    {"wall45-full", {"wall45", "--strategy", "full"}},
-    {"wall45-naive", {"wall45", "--strategy", "naive"}},
-    {"wall45-anisotropic", {"wall45", "--strategy", "anisotropic"}},
-    {"wall45-all-dark", {"wall45", "--strategy", "all", "--theme", "dark"}},
-    {"wall45-small", {"wall45", "--strategy", "all", "--size", "1024x640"}},
-    {"fig1-all-projector",
-     {"fig1", "--strategy", "all", "--theme", "projector", "--part", "scene", "--size", "960x720"}},
-    {"fig3-actuated-moving",
-     {"fig3-actuated", "--strategy", "all", "--at", "0.8", "--part", "scene", "--size", "800x600"}},
-    {"fig3-normal-twice",
-     {"fig3-normal", "--strategy", "naive", "--part", "scene", "--size", "1200x900", "--scale", "2"}},
-};
-
-class Goldens : public testing::TestWithParam<Golden> {};
-
-TEST_P(Goldens, AreDrawnTheSameToThePixel) {
-  const TemporaryFolder folder;
-  const std::string actual = folder / "actual.png";
-  const std::string expected = std::string(GHOSTFORCE_SNAPSHOTS) + "/" + GetParam().name + ".png";
-  std::vector<std::string> words = GetParam().words;
-  words.insert(words.end(), {"-o", actual});
-  const Outcome outcome = render(words);
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  if (const char* remake = std::getenv("GHOSTFORCE_REMAKE"); remake != nullptr && GetParam().name == remake) {
-    std::filesystem::copy_file(actual, expected, std::filesystem::copy_options::overwrite_existing);
-    FAIL() << "re-made " << expected << "; look at it, then run the test again";
-  }
-  const Image drawn = read_png(actual);
-  const Image stored = read_png(expected);
-  ASSERT_EQ(drawn.width, stored.width);
-  ASSERT_EQ(drawn.height, stored.height);
-  std::size_t different = 0;
-  int greatest = 0;
-  for (std::size_t i = 0; i < drawn.rgb.size(); ++i) {
-    const int difference = std::abs(int{drawn.rgb[i]} - int{stored.rgb[i]});
-    different += difference != 0 ? 1U : 0U;
-    greatest = std::max(greatest, difference);
-  }
-  EXPECT_EQ(different, 0U) << "channels of " << expected << " differ, by up to " << greatest;
-}
-
-INSTANTIATE_TEST_SUITE_P(, Goldens, testing::ValuesIn(goldens), [](const auto& golden) {
-  std::string name = golden.param.name;
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-});
 
 TEST(Render, MakesTheSameBytesOnEveryRun) {
   const TemporaryFolder folder;
