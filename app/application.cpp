@@ -43,7 +43,7 @@ Application::Application(Window& window, const Scene& scene, const ApplicationOp
       screen_(window, options.part) {
   for (const InputKind& kind : input_catalog()) inputs_.push_back({kind.name, kind.title, kind.sentence});
   if (!options.shader_folder.empty()) shader_watch_.emplace(options.shader_folder);
-  make_servo();
+  use(*find_input(options.input), session_.scene, session_.settings);
 }
 
 void Application::start() {
@@ -52,15 +52,21 @@ void Application::start() {
 }
 
 // A servo owns its input, so another input or another script is another servo; counts go on, so that what is asked for
-// later still looks new to it.
-void Application::make_servo() {
-  servo_.reset();
-  const InputKind& kind = *find_input(session_.input);
-  std::unique_ptr<Input> hand = kind.make(*session_.scene);
+// later still looks new to it. An input that cannot be had leaves everything as it was.
+void Application::use(const InputKind& kind, std::shared_ptr<const Scene> scene, const Settings& settings) {
+  std::unique_ptr<Input> hand = kind.make(*scene);
+  const bool is_other_scene = scene != session_.scene;
   mouse_ = dynamic_cast<MouseInput*>(hand.get());
   input_title_ = kind.title;
+  session_.input = kind.name;
   session_.pointer_moves_goal = mouse_ != nullptr;
+  session_.scene = std::move(scene);
+  session_.settings = settings;
   session_.goal = session_.scene->goal.points.back();
+  if (is_other_scene) {
+    session_.shown = session_.scene->view;
+    window_.set_title(title_of(*session_.scene));
+  }
   sent_goal_ = session_.goal;
   command_.settings = session_.settings;
   command_.restarts_asked = session_.restarts_asked;
@@ -159,11 +165,11 @@ void Application::grant_wishes() {
     if (wishes.undo) go_to(undo_.undo());
     if (wishes.redo) go_to(undo_.redo());
     if (wishes.input && *wishes.input != session_.input) {
-      session_.input = *wishes.input;
-      make_servo();
+      use(*find_input(*wishes.input), session_.scene, session_.settings);
     }
     if (wishes.open_scene) open_scene(*wishes.open_scene);
     if (!dropped.empty()) open_scene(dropped.front());
+    if (dropped.size() > 1) tell("One scene at a time: the first of the files is open.", false);
     if (wishes.save_scene) {
       save_scene(session_, *wishes.save_scene);
       tell(fmt::format("Saved {}", printable(*wishes.save_scene, longest_path)), false);
@@ -176,22 +182,17 @@ void Application::grant_wishes() {
 }
 
 void Application::open_scene(const std::string& name_or_path) {
-  const Scene scene = load_scene(name_or_path);
-  session_.scene = std::make_shared<const Scene>(scene);
-  session_.settings = scene.settings;
-  session_.shown = scene.view;
-  window_.set_title(title_of(scene));
-  make_servo();
+  const auto scene = std::make_shared<const Scene>(load_scene(name_or_path));
+  use(*find_input(session_.input), scene, scene->settings);
 }
 
 void Application::go_to(const std::optional<Edited>& edited) {
   if (!edited) return;
-  session_.settings = edited->settings;
-  if (edited->scene == session_.scene) return;
-  session_.scene = edited->scene;
-  session_.shown = session_.scene->view;
-  window_.set_title(title_of(*session_.scene));
-  make_servo();
+  if (edited->scene == session_.scene) {
+    session_.settings = edited->settings;
+  } else {
+    use(*find_input(session_.input), edited->scene, edited->settings);
+  }
 }
 
 void Application::save_picture(const PictureWish& wish) {

@@ -60,7 +60,7 @@ class Application {
   void save_picture(const PictureWish& wish);
   std::string picture_bytes(const PictureWish& wish);
   void go_to(const std::optional<Edited>& edited);
-  void make_servo();
+  void use(const InputKind& kind, std::shared_ptr<const Scene> scene, const Settings& settings);
   LoopReading loop_reading() const;
   TickState<2> start_state();
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <variant>
 
 #include <imgui.h>
 
@@ -14,8 +15,6 @@ namespace ghostforce {
 namespace {
 
 constexpr double zoom_per_notch = 1.15;
-constexpr double least_width = 0.002;  // of the world across the picture [m]
-constexpr double greatest_width = 4.0;
 constexpr double farthest = farthest_mm / 1000.0;  // of the goal on each axis, as in scenes [m]
 constexpr double snap = 5.0 * std::numbers::pi / 180.0;
 // A click on a handle is no turn yet [points].
@@ -62,7 +61,7 @@ void Gestures::take(Session& session, const std::vector<Pane>& panes, const Vect
     const Vector<2> inside = pointer - pane.corner;
     hot_ = handle_at(session.settings, pane.camera, unit, inside);
     if (hot_ != Handle::none) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    explain_mark(pane, inside, unit);
+    if (session.dialog == Dialog::none) explain_mark(pane, inside, unit);
   }
   if (const float wheel = ImGui::GetIO().MouseWheel; is_hovered && wheel != 0.0F) {
     const Pane& pane = pane_at(panes, pointer);
@@ -81,12 +80,18 @@ void Gestures::take(Session& session, const std::vector<Pane>& panes, const Vect
   }
 }
 
-void Gestures::begin(const Session& session, const Pane& pane, const Vector<2>& pointer, double unit) {
+void Gestures::begin(Session& session, const Pane& pane, const Vector<2>& pointer, double unit) {
   began_at_ = pointer;
   last_ = pointer;
   has_turned_ = false;
   if (ImGui::IsMouseDown(ImGuiMouseButton_Right)) {
     grip_ = Grip::picture;
+    return;
+  }
+  // The legend is no place for a goal: its entries choose the strategy that they name.
+  if (const Mark* const mark = mark_at(pane, pointer, unit); mark != nullptr && mark->role == Role::legend) {
+    grip_ = Grip::nothing;
+    if (mark->strategy) session.settings.active = *mark->strategy;
     return;
   }
   held_ = handle_at(session.settings, pane.camera, unit, pointer);
@@ -119,7 +124,8 @@ void Gestures::go_on(Session& session, const Pane& pane, const Vector<2>& pointe
     case Grip::picture: {
       ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
       const Vector<2> moved = pointer - last_;
-      session.shown.center -= Vector<2>(moved.x, -moved.y) / pane.camera.points_per_metre;
+      session.shown = within_scene_limits({session.shown.center - Vector<2>(moved.x, -moved.y) / pane.camera.points_per_metre,
+                                           session.shown.width});
       break;
     }
   }
@@ -158,15 +164,25 @@ SceneView view_of_everything(const Session& session, const std::vector<Pane>& pa
   const Vector<2> room = panes.empty() ? size : panes.front().camera.size;
   const Vector<2> margin = glm::min(Vector<2>(90.0 * unit), 0.25 * room);
   const Vector<2> extent = most - least;
-  const Vector<2> fits = (room - 2.0 * margin) / glm::max(extent, Vector<2>(least_width));
+  const Vector<2> fits = (room - 2.0 * margin) / glm::max(extent, Vector<2>(1e-3));
   const double points_per_metre = std::min(fits.x, fits.y);
   const double width = std::min(room.x, room.y / 0.75) / points_per_metre;
-  return {0.5 * (least + most), std::clamp(width, least_width, greatest_width)};
+  return within_scene_limits({0.5 * (least + most), width});
 }
 
 SceneView zoomed(const SceneView& shown, double factor, const Vector<2>& at) {
-  const double width = std::clamp(shown.width / factor, least_width, greatest_width);
-  return {at + (shown.center - at) * (width / shown.width), width};
+  const double width = within_scene_limits({shown.center, shown.width / factor}).width;
+  return within_scene_limits({at + (shown.center - at) * (width / shown.width), width});
+}
+
+SceneView within_scene_limits(SceneView shown) {
+  for (const SceneKey& key : scene_keys()) {
+    if (key.table != "view" || key.name != "width_mm") continue;
+    const auto& width = std::get<NumberKey>(key.value);
+    shown.width = std::clamp(shown.width, width.least / width.per_si, width.greatest / width.per_si);
+  }
+  shown.center = glm::clamp(shown.center, Vector<2>(-farthest), Vector<2>(farthest));
+  return shown;
 }
 
 }  // namespace ghostforce

@@ -22,7 +22,7 @@ class Gestures {
  private:
   enum class Grip : std::uint8_t { nothing, goal, handle, picture };
 
-  void begin(const Session& session, const Pane& pane, const Vector<2>& pointer, double unit);
+  void begin(Session& session, const Pane& pane, const Vector<2>& pointer, double unit);
   void go_on(Session& session, const Pane& pane, const Vector<2>& pointer, double unit);
   void turn(Session& session, const Pane& pane, const Vector<2>& pointer, double unit) const;
 
@@ -39,6 +39,9 @@ class Gestures {
 // Shows all that there is: goal, devices, proxies and trails.
 SceneView view_of_everything(const Session& session, const std::vector<Pane>& panes, const Vector<2>& size,
                              double unit);
+
+// The nearest view that a scene's file can hold.
+SceneView within_scene_limits(SceneView shown);
 
 // Zooms by `factor` (above 1: closer), so that the world point `at` stays where it is.
 SceneView zoomed(const SceneView& shown, double factor, const Vector<2>& at);

@@ -63,8 +63,10 @@ void next_theme(Session& session) {
 
 // Forces go off here as soon as there is a motor; it never quits.
 void escape(Session& session) {
+  const bool closes_more = session.dialog != Dialog::none || session.notice;
   session.dialog = Dialog::none;
   session.notice.reset();
+  if (!closes_more) session.hint.reset();
 }
 
 constexpr int none = 0;

@@ -6,6 +6,7 @@
 
 #include "app/keys.h"
 #include "app/paint/label_painter.h"
+#include "app/panels/caption.h"
 #include "app/panels/controls.h"
 #include "app/panels/dialogs.h"
 #include "app/panels/panel_catalog.h"
@@ -59,9 +60,9 @@ Image cut_out(const Image& image, int left, int top, int width, int height) {
 
 }  // namespace
 
-// Bar on top, bar at the bottom, panels on the right, and the scene in what remains.
+// Bar on top, bar at the bottom, panels on the right, and in what remains the scene under its caption.
 struct Screen::Layout {
-  Rect top, bottom, column, scene;
+  Rect top, bottom, column, caption, scene;
 
   Layout(Part part, ImVec2 size, float scale) {
     if (part == Part::scene) {
@@ -75,7 +76,10 @@ struct Screen::Layout {
     top = {{0.0F, 0.0F}, {size.x, top_height}};
     bottom = {{0.0F, size.y - bottom_height}, {size.x, bottom_height}};
     column = {{size.x - column_width, top_height}, {column_width, middle_height}};
-    scene = {{0.0F, top_height}, {size.x - column_width, middle_height}};
+    const float caption_height = 62.0F * scale;
+    const float scene_width = size.x - column_width;
+    caption = {{0.0F, top_height}, {scene_width, caption_height}};
+    scene = {{0.0F, top_height + caption_height}, {scene_width, middle_height - caption_height}};
   }
 };
 
@@ -90,7 +94,10 @@ void Screen::draw(Session& session, const Snapshot& snapshot, const History& his
 
 Image Screen::picture(const Session& session, const Snapshot& snapshot, const History& history,
                       const LoopReading& loop, Part part, int density) {
+  // Nobody can take hold of a picture or follow its hints.
   Session copy = session;
+  copy.hint.reset();
+  copy.has_handles = false;
   const Image image =
       window_.picture_of(density, [&] { draw_everything(copy, snapshot, history, loop, part_, false); });
   if (part == Part::window) return image;
@@ -134,6 +141,9 @@ void Screen::draw_everything(Session& session, const Snapshot& snapshot, const H
     begin_fixed("strategies", layout.top, ImGuiWindowFlags_NoScrollWithMouse);
     draw_strategy_bar(context);
     ImGui::End();
+    begin_fixed("caption", layout.caption, ImGuiWindowFlags_NoScrollWithMouse);
+    draw_caption(context);
+    ImGui::End();
     begin_fixed("status", layout.bottom, ImGuiWindowFlags_NoScrollWithMouse);
     draw_status_bar(context);
     ImGui::End();
@@ -149,12 +159,9 @@ void Screen::draw_everything(Session& session, const Snapshot& snapshot, const H
     hints_.follow(session);
   }
   // After the panels, so that a change made in this frame is seen in this frame.
-  compose_scene(session, snapshot, history);
+  compose_scene(session, snapshot, history, is_live);
   painter_.paint(panes_, theme, scene_corner_, unit, window_.pixel_width(), window_.pixel_height());
   if (!is_live) return;
-  const Vector<2> goal = to_screen(panes_.front().camera, snapshot.goal);
-  hints_.draw(context, layout.scene.corner, layout.scene.size,
-              {scene_corner_.x + static_cast<float>(goal.x), scene_corner_.y + static_cast<float>(goal.y)});
   draw_shader_problem(context, layout.scene.corner, layout.scene.size);
   draw_notice(context, layout.scene.corner, layout.scene.size);
   draw_dialog(context);
@@ -175,8 +182,10 @@ void Screen::draw_column(const PanelContext& context) {
   }
 }
 
-void Screen::compose_scene(const Session& session, const Snapshot& snapshot, const History& history) {
-  const Handle hot = points_at(session, HintTarget::motor_axis) ? Handle::motor_axis : gestures_.hot();
+void Screen::compose_scene(const Session& session, const Snapshot& snapshot, const History& history, bool is_live) {
+  const Handle hot = !is_live                                       ? Handle::none
+                     : points_at(session, HintTarget::motor_axis) ? Handle::motor_axis
+                                                                    : gestures_.hot();
   panes_ = compose_panes({.settings = session.settings,
                           .snapshot = snapshot,
                           .history = history,
@@ -187,7 +196,8 @@ void Screen::compose_scene(const Session& session, const Snapshot& snapshot, con
                           .scale = static_cast<double>(styled_scale_),
                           .measure = measure_,
                           .has_handles = session.has_handles,
-                          .hot = hot});
+                          .hot = hot,
+                          .is_goal_hot = is_live && points_at(session, HintTarget::goal)});
 }
 
 }  // namespace ghostforce

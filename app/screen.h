@@ -48,7 +48,7 @@ class Screen {
   void draw_everything(Session& session, const Snapshot& snapshot, const History& history, const LoopReading& loop,
                        Part part, bool is_live);
   static void draw_column(const PanelContext& context);
-  void compose_scene(const Session& session, const Snapshot& snapshot, const History& history);
+  void compose_scene(const Session& session, const Snapshot& snapshot, const History& history, bool is_live);
   void apply_look(const Look& look);
 
   Window& window_;

@@ -7,19 +7,24 @@ double isotropic(const Impedances&) noexcept {
   return 1.0;
 }
 
+constexpr std::string_view full_sentence =
+    "A motor on every axis: the wall as it should feel. The reference for the other two.";
+
 constexpr PerStrategy<Strategy> catalog{{
-    {StrategyId::full, "full", 'F', "Fully actuated",
-     "A motor on every axis: the wall as it should feel. The reference for the "
-     "other two.",
-     true, isotropic},
-    {StrategyId::naive, "naive", 'N', "Naïve",
-     "One motor, rendered as if there were two: a ghost force drags the hand "
-     "along the wall.",
+    {StrategyId::full, "full", 'F', "Fully actuated", "two motors", full_sentence, full_sentence, full_sentence, true,
+     isotropic},
+    {StrategyId::naive, "naive", 'N', "Naïve", "one motor",
+     "One motor, rendered as if there were two: a ghost force drags the hand along the wall.",
+     "One motor, rendered as if there were two: a ghost force drags the hand along the wall.",
+     "One motor, rendered as if there were two; here it makes no ghost force: the motor pushes straight out of the wall.",
      false, isotropic},
-    {StrategyId::anisotropic, "anisotropic", 'A', "Anisotropic",
-     "The same single motor, with a proxy that follows more softly where there "
-     "is none: the ghost force is gone.",
-     false, tracking_ratio},
+    {StrategyId::anisotropic, "anisotropic", 'A', "Anisotropic", "one motor, cured",
+     "The cure: the same one motor, and a proxy that follows more softly across it. At the optimal ratio ρ* the ghost "
+     "force is gone.",
+     "The same one motor, and a proxy that follows more softly across it, but not by the ratio ρ that this hand needs: "
+     "a ghost force is left.",
+     "The cure: the same one motor, and a proxy that follows more softly across it. The ghost force is gone.", false,
+     tracking_ratio},
 }};
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "app/application.h"
 #include "app/commands/command.h"
@@ -106,7 +107,7 @@ int run(const Options& options) {
                                                 ? layout.folded_panels
                                                 : panels_folded_at_first(window.restored_size().height / look.scale),
                            .shader_folder = options.shader_folder});
-  for (const std::string& remark : remembered.remarks) application.tell(remark, true);
+  if (!remembered.remarks.empty()) application.tell(fmt::format("{}", fmt::join(remembered.remarks, "\n\n")), true);
   Keeper keeper(remembered.preferences, application.session());
   application.start();
 

@@ -33,6 +33,8 @@ void draw_dialog(const PanelContext& context) {
     session.form = {};
     return;
   }
+  // Every dialog begins with fields of its own.
+  if (session.form.belongs_to != session.dialog && session.form.belongs_to != Dialog::none) session.form = {};
   const ImVec2 whole = ImGui::GetIO().DisplaySize;
   const float margin = 16.0F * context.scale;
   ImGui::SetNextWindowPos({0.5F * whole.x, 0.5F * whole.y}, ImGuiCond_Always, {0.5F, 0.5F});
@@ -44,9 +46,13 @@ void draw_dialog(const PanelContext& context) {
   ImGui::Begin(entry->title, &is_open, dialog_window);
   ImGui::PopStyleVar(3);
   entry->draw(context);
-  if (session.form.belongs_to != session.dialog) session.form.belongs_to = session.dialog;
+  if (session.dialog != Dialog::none) session.form.belongs_to = entry->id;
   ImGui::End();
   if (!is_open) session.dialog = Dialog::none;
+}
+
+float dialog_field_width(float points, const PanelContext& context) {
+  return std::min(points * context.scale, ImGui::GetIO().DisplaySize.x - 80.0F * context.scale);
 }
 
 void draw_notice(const PanelContext& context, ImVec2 corner, ImVec2 size) {
@@ -68,7 +74,7 @@ void draw_notice(const PanelContext& context, ImVec2 corner, ImVec2 size) {
                    ImGuiWindowFlags_NoFocusOnAppearing);
   if (session.notice->is_problem) {
     ImGui::PushFont(context.fonts.bold, 0.0F);
-    ImGui::TextUnformatted("That did not work");
+    ImGui::TextUnformatted("Please note");
     ImGui::PopFont();
   }
   const std::string& words = session.notice->words;

@@ -19,8 +19,25 @@ void write(std::string_view text) {
   ImGui::TextUnformatted(text.data(), text.data() + text.size());
 }
 
+// Somebody who has just used a control knows what it is: no explanation until the pointer has left it.
+bool has_been_used() {
+  const ImGuiID id = ImGui::GetItemID();
+  if (id == 0) return false;
+  ImGuiStorage& storage = *ImGui::GetStateStorage();
+  if (ImGui::IsItemActive()) storage.SetBool(id, true);
+  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) storage.SetBool(id, false);
+  return storage.GetBool(id);
+}
+
 bool begin_explanation() {
+  if (has_been_used()) return false;
   if (!ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip | ImGuiHoveredFlags_AllowWhenDisabled)) return false;
+  // Beside the panels, not over the neighbours of what is explained.
+  const ImVec2 window = ImGui::GetWindowPos();
+  if (window.x > 0.4F * ImGui::GetIO().DisplaySize.x) {
+    ImGui::SetNextWindowPos({window.x - ImGui::GetStyle().ItemSpacing.x, ImGui::GetItemRectMin().y}, ImGuiCond_Always,
+                            {1.0F, 0.0F});
+  }
   if (!ImGui::BeginTooltip()) return false;
   ImGui::PushTextWrapPos(26.0F * ImGui::GetFontSize());
   return true;
@@ -89,9 +106,12 @@ void explain(Term term) {
 }
 
 const Mark* mark_at(const Pane& pane, const Vector<2>& pointer, double unit) {
-  for (auto mark = pane.marks.rbegin(); mark != pane.marks.rend(); ++mark) {
-    if (!term_of(*mark)) continue;
-    if (std::visit(DistanceTo{pane.camera, pointer, unit}, mark->form) <= slack * unit) return &*mark;
+  // Springs and trails are thin and everywhere: whoever points at an arrow that one crosses means the arrow.
+  for (const bool is_line : {false, true}) {
+    for (auto mark = pane.marks.rbegin(); mark != pane.marks.rend(); ++mark) {
+      if (!term_of(*mark) || std::holds_alternative<Line>(mark->form) != is_line) continue;
+      if (std::visit(DistanceTo{pane.camera, pointer, unit}, mark->form) <= slack * unit) return &*mark;
+    }
   }
   return nullptr;
 }

@@ -1,6 +1,7 @@
 // F1: what mouse and keys do, from the one table of each, in two columns.
 #include <algorithm>
-#include <string>
+#include <span>
+#include <string_view>
 #include <vector>
 
 #include "app/keys.h"
@@ -24,9 +25,16 @@ std::vector<HelpLine> help_lines() {
   return lines;
 }
 
-void draw_lines(const char* id, std::span<const HelpLine> lines, const PanelContext& context) {
+constexpr std::string_view subject =
+    "A hand (the goal) presses a device into a virtual wall. The device senses both directions, but its motor pushes in "
+    "one only. Rendered as usual, the device follows its one motor sideways, the proxy follows the device along the wall, "
+    "and the motor pulls after it: a ghost force. The cure lets the proxy follow more softly across the motor, by the "
+    "ratio ρ*, so that it stays straight in front of the goal, and the motor has nothing more to pull than it should.";
+
+void draw_lines(const char* id, std::span<const HelpLine> lines, float first_column, const PanelContext& context) {
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {6.0F * context.scale, 2.0F * context.scale});
   if (ImGui::BeginTable(id, 2, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoHostExtendX)) {
+    ImGui::TableSetupColumn("press", ImGuiTableColumnFlags_WidthFixed, first_column);
     for (const HelpLine& line : lines) {
       ImGui::TableNextRow();
       ImGui::TableNextColumn();
@@ -47,11 +55,19 @@ void draw_help(const PanelContext& context) {
   const std::vector<HelpLine> lines = help_lines();
   const std::span<const HelpLine> all(lines);
   const std::size_t half = (all.size() + 1) / 2;
+  // The same in both, so that they read as one list where they stand above each other.
+  const float first_column =
+      context.fonts.bold->CalcTextSizeA(ImGui::GetFontSize(), 1e9F, 0.0F, "Ctrl+click a slider").x;
   // One above the other where the window is too narrow for both.
   const bool is_wide = ImGui::GetIO().DisplaySize.x > 980.0F * context.scale;
-  draw_lines("left", all.first(half), context);
+  const float widest = ImGui::GetIO().DisplaySize.x - 80.0F * context.scale;
+  ImGui::PushTextWrapPos(std::min((is_wide ? 930.0F : 520.0F) * context.scale, widest));
+  ImGui::TextUnformatted(subject.data(), subject.data() + subject.size());
+  ImGui::PopTextWrapPos();
+  ImGui::Spacing();
+  draw_lines("left", all.first(half), first_column, context);
   if (is_wide) ImGui::SameLine(0.0F, 18.0F * context.scale);
-  draw_lines("right", all.subspan(half), context);
+  draw_lines("right", all.subspan(half), first_column, context);
   ImGui::PushStyleColor(ImGuiCol_Text, unpacked(context.theme.faint_text));
   ImGui::TextUnformatted("Every name and every mark explains itself when the pointer rests on it.");
   ImGui::PopStyleColor();

@@ -3,11 +3,10 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string_view>
-
-#include <imgui.h>
 
 #include "app/panels/panel.h"
 
@@ -24,6 +23,7 @@ struct HintProgress {
 
 struct Hint {
   std::string_view sentence;
+  std::string_view detail;  // what to look at
   HintTarget target;
   bool (*is_followed)(const Session&, const HintProgress&);
 };
@@ -38,12 +38,13 @@ class Hints {
   // Goes on to the next hint when this one has been followed.
   void follow(Session& session);
 
-  // Above the scene, whose rectangle this is, with a line to `goal` on the screen where the hint is about it.
-  void draw(const PanelContext& context, ImVec2 corner, ImVec2 size, ImVec2 goal) const;
-
  private:
-  std::optional<std::size_t> begun_;  // the hint that the progress belongs to
+  std::optional<std::size_t> begun_;    // the hint that the progress belongs to,
+  std::shared_ptr<const Scene> scene_;  // and its scene
   HintProgress progress_;
 };
+
+// The hint that is on, in the window that is current.
+void draw_hint(const PanelContext& context);
 
 }  // namespace ghostforce

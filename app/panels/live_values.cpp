@@ -11,9 +11,6 @@
 namespace ghostforce {
 namespace {
 
-// Height of the column below which the sentence is left to the strategy's button, which has it on hover [points].
-constexpr float room_for_sentence = 620.0F;
-
 struct Quantity {
   const char* title;
   const char* unit;
@@ -105,23 +102,6 @@ void draw_model_error(const PanelContext& context) {
   explain(Term::model_error);
 }
 
-// What the active strategy does, in as much room as the longest sentence needs, so that the panels below do not jump.
-void draw_sentence(const PanelContext& context) {
-  const ImVec2 corner = ImGui::GetCursorPos();
-  float height = 0.0F;
-  for (const Strategy& entry : strategy_catalog()) {
-    height = std::max(height,
-                      ImGui::CalcTextSize(entry.sentence.data(), nullptr, false, ImGui::GetContentRegionAvail().x).y);
-  }
-  ImGui::PushStyleColor(ImGuiCol_Text, unpacked(context.theme.faint_text));
-  ImGui::PushTextWrapPos(0.0F);
-  ImGui::TextUnformatted(strategy(context.session.settings.active).sentence.data());
-  ImGui::PopTextWrapPos();
-  ImGui::PopStyleColor();
-  ImGui::SetCursorPos({corner.x, corner.y + height});
-  ImGui::Spacing();
-}
-
 }  // namespace
 
 void draw_live_values(const PanelContext& context) {
@@ -136,7 +116,6 @@ void draw_live_values(const PanelContext& context) {
   for (const Strategy& entry : strategy_catalog()) draw_row(context, entry);
   ImGui::EndTable();
   draw_model_error(context);
-  if (ImGui::GetWindowHeight() > room_for_sentence * context.scale) draw_sentence(context);
 }
 
 }  // namespace ghostforce

@@ -8,7 +8,7 @@ void draw_open_scene(const PanelContext& context) {
   Session& session = context.session;
   ImGui::TextUnformatted("Path of a scene file, or name of a shipped scene:");
   if (session.form.belongs_to != Dialog::open_scene) ImGui::SetKeyboardFocusHere();
-  ImGui::SetNextItemWidth(420.0F * context.scale);
+  ImGui::SetNextItemWidth(dialog_field_width(420.0F, context));
   const bool entered = text_field("##path", "my_scene.toml", session.form.path);
   ImGui::BeginDisabled(session.form.path.empty());
   const bool pressed = ImGui::Button("Open");

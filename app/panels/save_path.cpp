@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "app/panels/controls.h"
+#include "app/panels/dialogs.h"
 
 namespace ghostforce {
 namespace {
@@ -58,7 +59,7 @@ std::string proposed_path(std::string_view stem, std::string_view extension) {
 bool draw_save_path(const PanelContext& context) {
   Form& form = context.session.form;
   if (form.belongs_to != context.session.dialog) ImGui::SetKeyboardFocusHere();
-  ImGui::SetNextItemWidth(480.0F * context.scale);
+  ImGui::SetNextItemWidth(dialog_field_width(480.0F, context));
   const bool entered = text_field("##path", "", form.path);
   const Verdict verdict = judge(form.path);
   ImGui::PushStyleColor(ImGuiCol_Text, unpacked(context.theme.faint_text));

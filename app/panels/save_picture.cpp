@@ -1,6 +1,9 @@
 // Ctrl+P: what is on the screen, as pixels or as vectors.
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <string>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -13,20 +16,26 @@ namespace {
 
 constexpr std::array formats{"png", "svg", "pdf"};
 
-std::string_view extension_of(std::string_view path) {
-  const std::size_t dot = path.rfind('.');
-  const std::size_t slash = path.rfind('/');
-  if (dot == std::string_view::npos || (slash != std::string_view::npos && dot < slash)) return {};
-  return path.substr(dot + 1);
+bool has_extension(const std::string& path, std::string_view extension) {
+  if (path.size() <= extension.size() || path[path.size() - extension.size() - 1] != '.') return false;
+  return std::equal(extension.begin(), extension.end(), path.end() - static_cast<std::ptrdiff_t>(extension.size()),
+                    [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
+}
+
+// Of the formats; null for any other ending.
+const char* format_of(const std::string& path) {
+  const auto found = std::ranges::find_if(formats, [&](const char* format) { return has_extension(path, format); });
+  return found == formats.end() ? nullptr : *found;
 }
 
 void draw_format_choice(Form& form) {
-  const std::string_view present = extension_of(form.path);
-  for (const char* format : formats) {
+  const char* const present = format_of(form.path);
+  for (const char* const format : formats) {
     if (format != formats.front()) ImGui::SameLine();
     if (ImGui::RadioButton(format, present == format)) {
-      form.path.resize(form.path.size() - (present.empty() ? 0 : present.size() + 1));
+      if (present != nullptr) form.path.resize(form.path.size() - std::string_view(present).size() - 1);
       form.path += fmt::format(".{}", format);
+      return;
     }
   }
 }
@@ -47,7 +56,8 @@ void draw_save_picture(const PanelContext& context) {
     const std::string stem = fmt::format("{}-{}", file_stem(session.scene->title), strategy(session.settings.active).name);
     form.path = proposed_path(stem, formats.front());
   }
-  const bool is_png = extension_of(form.path) == formats.front();
+  const char* const format = format_of(form.path);
+  const bool is_png = format == nullptr || format == formats.front();
   if (begin_rows("picture", context)) {
     row("Format", "PNG: pixels, as on the screen. SVG and PDF: lines and letters of any size, for papers and slides.");
     draw_format_choice(form);
@@ -62,6 +72,8 @@ void draw_save_picture(const PanelContext& context) {
     end_rows();
   }
   if (!draw_save_path(context)) return;
+  // A name without one of the endings is a PNG's.
+  if (format_of(form.path) == nullptr) form.path += fmt::format(".{}", formats.front());
   session.wishes.save_picture = PictureWish{form.path, form.density, form.scene_alone};
   session.dialog = Dialog::none;
 }

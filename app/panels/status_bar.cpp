@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/keys.h"
@@ -26,6 +27,12 @@ const std::vector<ShippedScene>& shipped_scenes() {
       const Scene scene = load_scene(std::string(name));
       list.push_back({std::string(name), scene.title, scene.about});
     }
+    // fig4-ratio5 comes before fig4-ratio10.
+    std::ranges::sort(list, {}, [](const ShippedScene& scene) {
+      const std::size_t digits = scene.name.find_last_not_of("0123456789") + 1;
+      const std::string number = scene.name.substr(digits);
+      return std::pair(scene.name.substr(0, digits), number.empty() ? 0 : std::stoi(number));
+    });
     return list;
   }();
   return scenes;
@@ -35,7 +42,7 @@ void draw_scene_menu(Session& session) {
   if (!ImGui::BeginPopup("scenes")) return;
   close_popup_on_escape();
   for (const ShippedScene& scene : shipped_scenes()) {
-    if (ImGui::MenuItem(scene.title.c_str(), scene.name.c_str())) session.wishes.open_scene = scene.name;
+    if (ImGui::MenuItem(scene.title.c_str(), scene.name.c_str(), scene.title == session.scene->title)) session.wishes.open_scene = scene.name;
     explain(scene.about);
   }
   ImGui::Separator();
@@ -51,13 +58,14 @@ void draw_scene_menu(Session& session) {
 
 // What a narrow bar cuts off at its end says so.
 std::string shortened(const std::string& text, float room) {
-  if (ImGui::CalcTextSize(text.c_str()).x <= room) return text;
-  std::string kept = text;
-  while (!kept.empty() && ImGui::CalcTextSize((kept + "…").c_str()).x > room) {
+  constexpr std::size_t longest = 200;  // bytes; no bar has room for more
+  if (text.size() <= longest && ImGui::CalcTextSize(text.c_str()).x <= room) return text;
+  std::string kept = text.substr(0, longest);
+  do {
     // Whole letters: the bytes that go on a letter in UTF-8 begin with the bits 10.
     while (!kept.empty() && (static_cast<unsigned char>(kept.back()) & 0xC0U) == 0x80U) kept.pop_back();
     if (!kept.empty()) kept.pop_back();
-  }
+  } while (!kept.empty() && ImGui::CalcTextSize((kept + "…").c_str()).x > room);
   return kept + "…";
 }
 
@@ -66,7 +74,7 @@ std::string shortened(const std::string& text, float room) {
 void draw_status_bar(const PanelContext& context) {
   Session& session = context.session;
   const LoopReading& loop = context.loop;
-  std::string words = fmt::format("{}   ·   t = {:8.3f} s   ·   {:5.0f} ticks/s   ·   {} late", loop.input_title,
+  std::string words = fmt::format("{}   ·   t = {:8.3f} s   ·   {:5.0f} ticks/s   ·   {:3} late", loop.input_title,
                                   context.snapshot.time_s, loop.rate_hz, loop.late_ticks);
   if (loop.dropped_samples > 0) words += fmt::format("   ·   {} samples dropped", loop.dropped_samples);
   if (loop.refused > 0) words += fmt::format("   ·   {} refused", loop.refused);

@@ -32,7 +32,7 @@ void draw_strategy_button(const PanelContext& context, const Strategy& entry, fl
   if (ImGui::InvisibleButton("strategy", size)) context.session.settings.active = entry.id;
   ImGui::PopID();
   const bool hovered = ImGui::IsItemHovered();
-  const bool is_hinted = entry.id == StrategyId::anisotropic && points_at(context.session, HintTarget::third_strategy);
+  const bool is_hinted = i == 2 && points_at(context.session, HintTarget::third_strategy);
   ImDrawList& draw_list = *ImGui::GetWindowDrawList();
   const ImVec2 end{corner.x + size.x, corner.y + size.y};
   const float rounding = ImGui::GetStyle().FrameRounding;
@@ -86,7 +86,7 @@ void draw_speed(Session& session, float height) {
       if (ImGui::Selectable(fmt::format("{:g}×", speed).c_str(), speed == session.speed)) session.speed = speed;
     }
   });
-  explain("Speed of model time: fewer ticks per second, never longer ones.");
+  explain("Slow motion: fewer ticks per second, and the same physics.");
 }
 
 // Signs that everybody knows, drawn because the font has none of them. `unit` is half the sign's height.

@@ -12,12 +12,12 @@ void draw_user(const PanelContext& context) {
   stiffness_slider("##k_u", "k_u_N_per_m", impedances.k_u, limits);
   row("Believed k_u", Term::believed_user_stiffness);
   bool right = !impedances.believed_k_u.has_value();
-  const float switch_width = ImGui::CalcTextSize("right").x + ImGui::GetFrameHeight() + 14.0F * context.scale;
+  const float switch_width = ImGui::CalcTextSize("same").x + ImGui::GetFrameHeight() + 14.0F * context.scale;
   double believed = believed_user_stiffness(impedances);
   ImGui::SetNextItemWidth(-switch_width);
   if (stiffness_slider("##believed", "believed_k_u_N_per_m", believed, limits)) impedances.believed_k_u = believed;
   ImGui::SameLine();
-  if (ImGui::Checkbox("right", &right)) {
+  if (ImGui::Checkbox("same", &right)) {
     impedances.believed_k_u = right ? std::nullopt : std::optional(impedances.k_u);
   }
   explain(Term::right_belief);

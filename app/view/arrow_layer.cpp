@@ -45,25 +45,23 @@ DriftRuler drift_ruler(const View& view, StrategyId id) {
   return {projection(wall, view.snapshot.goal) + inside, view.snapshot.strategies[index_of(id)].contact + inside};
 }
 
-void add_arrows(const View& view, Marks& marks) {
-  for_each_shown(view, [&](StrategyId id) {
-    const std::size_t i = index_of(id);
-    const StrategySnapshot<2>& now = view.snapshot.strategies[i];
-    const Colour colour = view.theme.strategy[i];
-    const double size = view.in_front(id) ? 1.0 : 0.65;
-    if (has_drift_ruler(view, id)) add_drift_ruler(view, id, marks);
-    if (is_drawn(view, now.force)) {
-      marks.push_back({Role::force, id,
-                       Arrow{now.device, arrow_tip(view, now.device, now.force), view.points(5.0 * size), colour,
-                             view.theme.background, view.points(1.2)}});
-    }
-    // The ghost force is hollow: it is not a force of its own, but a part of the rendered one that should not be there.
-    if (has_ghost_arrow(view, id)) {
-      marks.push_back({Role::ghost_force, id,
-                       Arrow{now.device, arrow_tip(view, now.device, now.ghost_force), view.points(7.5 * size),
-                             view.theme.background, colour, view.points(2.0), ghost_arrow_offset(view)}});
-    }
-  });
+void add_arrows(const View& view, StrategyId id, Marks& marks) {
+  const std::size_t i = index_of(id);
+  const StrategySnapshot<2>& now = view.snapshot.strategies[i];
+  const Colour colour = view.theme.strategy[i];
+  const double size = view.in_front(id) ? 1.0 : 0.65;
+  if (has_drift_ruler(view, id)) add_drift_ruler(view, id, marks);
+  if (is_drawn(view, now.force)) {
+    marks.push_back({Role::force, id,
+                     Arrow{now.device, arrow_tip(view, now.device, now.force), view.points(5.0 * size), colour,
+                           view.theme.background, view.points(1.2)}});
+  }
+  // The ghost force is hollow: it is not a force of its own, but a part of the rendered one that should not be there.
+  if (has_ghost_arrow(view, id)) {
+    marks.push_back({Role::ghost_force, id,
+                     Arrow{now.device, arrow_tip(view, now.device, now.ghost_force), view.points(7.5 * size),
+                           view.theme.background, colour, view.points(2.0), ghost_arrow_offset(view)}});
+  }
 }
 
 }  // namespace ghostforce

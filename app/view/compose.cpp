@@ -11,8 +11,12 @@ Marks compose(const View& view) {
   add_wall(view, marks);
   if (view.options.trails) add_trails(view, marks);
   if (view.options.predictions) add_predictions(view, marks);
-  add_arrows(view, marks);
-  add_markers(view, marks);
+  add_hand(view, marks);
+  for_each_shown(view, [&](StrategyId id) {
+    add_arrows(view, id, marks);
+    add_markers(view, id, marks);
+  });
+  add_goal(view, marks);
   add_guides(view, marks);
   add_labels(view, marks);
   return marks;

@@ -10,6 +10,7 @@ namespace ghostforce {
 namespace {
 
 constexpr double least_room_for_legend = 440.0;  // across; marks have letters besides [points]
+constexpr double least_room_for_scales = 190.0;  // beside the motor dial [points]
 constexpr double margin = 18.0;  // to the edge of the picture [points]
 
 struct Pen {
@@ -80,7 +81,8 @@ void add_motor_axis(const View& view, Marks& marks) {
     for (const double sign : {-1.0, 1.0}) {
       marks.push_back({Role::motor_axis, std::nullopt,
                        Arrow{center, center + direction * (sign * 0.92 * radius / view.camera.points_per_metre),
-                             view.points(4.4), colour, view.theme.background, view.points(0.5)}});
+                             std::min(view.points(4.4), 0.11 * radius), colour, view.theme.background,
+                             view.points(0.5)}});
     }
   };
   const bool every_motor = strategy(view.settings.active).has_every_motor;
@@ -118,10 +120,17 @@ void add_title(const View& view, Marks& marks) {
   const Vector<2> at{view.points(margin + 6.0), view.points(margin + 6.0)};
   marks.push_back({Role::legend, entry.id,
                    Marker{to_world(view.camera, at), strategy_style(entry.id).shape, view.points(8.0),
-                          view.theme.strategy[i], view.theme.background, view.points(1.0)}});
-  pen.text({at.x + view.points(18.0), at.y - 0.6 * view.points(text_height(TextSize::normal))},
-           fmt::format("{}  {}", entry.letter, entry.title), view.theme.strategy_text[i], TextSize::normal,
+                          view.theme.strategy[i], view.theme.background, view.points(1.0)},
+                   Role::device});
+  const std::string letter(1, entry.letter);
+  const std::string in_full = fmt::format("{}  {}", entry.letter, entry.title);
+  const double height = view.points(text_height(TextSize::normal));
+  const double left = at.x + view.points(18.0);
+  const bool fits = left + view.measure(in_full, height).x < view.camera.size.x - view.points(4.0);
+  pen.text({left, at.y - 0.6 * height}, fits ? in_full : letter, view.theme.strategy_text[i], TextSize::normal,
            view.theme.background);
+  marks.back().strategy = entry.id;
+  marks.back().about = Role::device;
 }
 
 void add_legend(const View& view, Marks& marks) {
@@ -150,7 +159,7 @@ void add_legend(const View& view, Marks& marks) {
     const std::size_t i = index_of(each.id);
     entry(Role::device, each.id,
           marker(strategy_style(each.id).shape, 7.0, view.theme.strategy[i], view.theme.background, 1.0),
-          fmt::format("{}  device, {}", each.letter, each.title), view.theme.strategy_text[i]);
+          fmt::format("{}  {}: {}", each.letter, each.title, each.in_brief), view.theme.strategy_text[i]);
   }
   const Colour active = view.theme.strategy[index_of(view.settings.active)];
   entry(Role::proxy, std::nullopt,
@@ -170,7 +179,7 @@ void add_guides(const View& view, Marks& marks) {
   } else if (view.camera.size.x > view.points(least_room_for_legend)) {
     add_legend(view, marks);
   }
-  if (view.has_scales) add_scales(view, marks);
+  if (view.has_scales && view.camera.size.x > view.points(least_room_for_scales)) add_scales(view, marks);
   add_wall_grips(view, marks);
   add_motor_axis(view, marks);
 }

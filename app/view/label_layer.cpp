@@ -43,27 +43,29 @@ class LabelPlacer {
              TextSize size, Colour colour) {
     const Vector<2> extent = view_.measure(text, view_.points(text_height(size)));
     const Vector<2> at = to_screen(view_.camera, anchor);
+    // What is far outside the picture is not there to be named.
+    const Vector<2> nearest = glm::clamp(at, Vector<2>(0.0), view_.camera.size);
+    if (glm::distance(at, nearest) > view_.points(farthest_outside)) return;
     Vector<2> best = at;
     double least = -1.0;
     for (const double reach : {1.0, 1.8, 3.0, 5.0, 8.0}) {
       for (const Vector<2>& side : sides) {
-        const Vector<2> middle = at + side * (Vector<2>(gap * reach) + 0.5 * extent);
-        const double cost = crowding({middle - 0.5 * extent - breath, middle + 0.5 * extent + breath});
+        const Vector<2> corner = inside(at + side * (Vector<2>(gap * reach) + 0.5 * extent) - 0.5 * extent, extent);
+        const double cost = crowding({corner - breath, corner + extent + breath});
         if (least < 0.0 || cost < least) {
           least = cost;
-          best = middle - 0.5 * extent;
+          best = corner;
         }
       }
       if (least == 0.0) break;
     }
-    // A mark outside the picture keeps its words inside.
-    best = glm::max(glm::min(best, view_.camera.size - extent - Vector<2>(4.0)), Vector<2>(4.0));
     keep_clear_of_text(best, extent);
     marks_.push_back({role, id, Label{anchor, best - at, std::move(text), size, colour, view_.theme.background}});
   }
 
  private:
   // Words over a line can still be read, words over words cannot.
+  static constexpr double farthest_outside = 60.0;  // [points]
   static constexpr double mark_weight = 1.0;
   static constexpr double text_weight = 100.0;
   struct Obstacle {
@@ -71,19 +73,22 @@ class LabelPlacer {
     double weight;
   };
 
+  static constexpr Vector<2> margin{4.0, 4.0};  // to the picture's edge [points]
   // Between two labels, or a word ends where the next begins [points].
   static constexpr Vector<2> breath{3.0, 1.0};
   // Right first, as one reads; then above and below, then left.
   static constexpr std::array<Vector<2>, 8> sides{
       {{1.0, 0.0}, {0.7, -0.9}, {0.7, 0.9}, {0.0, -1.0}, {0.0, 1.0}, {-1.0, 0.0}, {-0.7, -0.9}, {-0.7, 0.9}}};
 
+  // The corner of a text that would leave the picture, moved so that it stays.
+  Vector<2> inside(const Vector<2>& corner, const Vector<2>& extent) const {
+    return glm::max(glm::min(corner, view_.camera.size - extent - margin), margin);
+  }
+
   double crowding(const Box& box) const {
     double cost = 0.0;
     for (const Obstacle& other : taken_) cost += other.weight * overlap(box, other.box);
-    // Outside the picture is as bad as on top of other words.
-    const Box picture{Vector<2>(4.0), view_.camera.size - Vector<2>(4.0)};
-    const Vector<2> extent = box.most - box.least;
-    return cost + text_weight * (extent.x * extent.y - overlap(box, picture));
+    return cost;
   }
 
   const View& view_;
@@ -133,8 +138,18 @@ void add_letters(const View& view, LabelPlacer& placer) {
   }
 }
 
+// Whether a device stands where the active one does: its numbers would be said twice.
+bool is_behind_active(const View& view, StrategyId id) {
+  const auto device = [&](StrategyId which) { return view.snapshot.strategies[index_of(which)].device; };
+  return !view.in_front(id) && glm::distance(device(id), device(view.settings.active)) < view.metres(4.0);
+}
+
 void add_measures(const View& view, StrategyId id, LabelPlacer& placer) {
+  if (is_behind_active(view, id)) return;
   const std::size_t i = index_of(id);
+  // Where there are several, each says whose it is.
+  const std::string whose =
+      view.options.compare == Compare::overlay ? fmt::format("{}: ", strategy(id).letter) : std::string();
   const StrategySnapshot<2>& now = view.snapshot.strategies[i];
   const Colour colour = view.theme.strategy_text[i];
   if (has_ghost_arrow(view, id)) {
@@ -142,16 +157,16 @@ void add_measures(const View& view, StrategyId id, LabelPlacer& placer) {
     const Vector<2> tip =
         arrow_tip(view, now.device, now.ghost_force) + to_screen_direction(offset) / view.camera.points_per_metre;
     placer.place(Role::ghost_force, id, tip, view.points(9.0),
-                 fmt::format("ghost force {:.2f} N", glm::length(now.ghost_force)), TextSize::normal, colour);
+                 fmt::format("{}ghost force {:.2f} N", whose, glm::length(now.ghost_force)), TextSize::normal, colour);
   }
   if (view.in_front(id) && is_drawn(view, now.force)) {
     placer.place(Role::force, id, arrow_tip(view, now.device, now.force), view.points(9.0),
-                 fmt::format("force {:.2f} N", glm::length(now.force)), TextSize::normal, colour);
+                 fmt::format("{}force {:.2f} N", whose, glm::length(now.force)), TextSize::normal, colour);
   }
   if (has_drift_ruler(view, id)) {
     const DriftRuler ruler = drift_ruler(view, id);
     placer.place(Role::proxy_drift, id, 0.5 * (ruler.from + ruler.to), view.points(8.0),
-                 fmt::format("drift {:.1f} mm", glm::length(now.proxy_drift) * 1000.0), TextSize::normal, colour);
+                 fmt::format("{}drift {:.1f} mm", whose, glm::length(now.proxy_drift) * 1000.0), TextSize::normal, colour);
   }
 }
 

@@ -7,17 +7,6 @@ constexpr double device_radius = 9.0;  // [points], of the active strategy
 constexpr double behind = 0.78;        // size of the others
 constexpr double goal_radius = 10.5;   // [points]
 
-void add_goal(const View& view, Marks& marks) {
-  const Vector<2> goal = view.snapshot.goal;
-  const Colour rim = view.theme.goal_rim;
-  const double arm = view.metres(goal_radius + 5.0);
-  marks.push_back({Role::goal, std::nullopt,
-                   Marker{goal, Shape::disc, view.points(goal_radius), view.theme.goal, rim, view.points(2.2)}});
-  for (const Vector<2>& direction : {Vector<2>(arm, 0.0), Vector<2>(0.0, arm)}) {
-    marks.push_back({Role::goal, std::nullopt, Line{goal - direction, goal + direction, view.points(1.8), rim}});
-  }
-}
-
 void add_proxy(const View& view, StrategyId id, Marks& marks) {
   const std::size_t i = index_of(id);
   const StrategySnapshot<2>& now = view.snapshot.strategies[i];
@@ -47,14 +36,32 @@ void add_device(const View& view, StrategyId id, Marks& marks) {
 
 }  // namespace
 
-void add_markers(const View& view, Marks& marks) {
+void add_hand(const View& view, Marks& marks) {
   const Vector<2> device = view.snapshot.strategies[index_of(view.settings.active)].device;
   const LinePattern dots{view.points(2.0), view.points(5.0), view.points(2.0), view.points(5.0)};
   marks.push_back({Role::hand_spring, std::nullopt,
                    Line{view.snapshot.goal, device, view.points(2.0), view.theme.faint_text, dots}});
-  for_each_shown(view, [&](StrategyId id) { add_proxy(view, id, marks); });
-  for_each_shown(view, [&](StrategyId id) { add_device(view, id, marks); });
-  add_goal(view, marks);
+}
+
+void add_markers(const View& view, StrategyId id, Marks& marks) {
+  add_proxy(view, id, marks);
+  add_device(view, id, marks);
+}
+
+void add_goal(const View& view, Marks& marks) {
+  const Vector<2> goal = view.snapshot.goal;
+  const Colour rim = view.theme.goal_rim;
+  const double arm = view.metres(goal_radius + 5.0);
+  marks.push_back({Role::goal, std::nullopt,
+                   Marker{goal, Shape::disc, view.points(goal_radius), view.theme.goal, rim, view.points(2.2)}});
+  if (view.is_goal_hot) {
+    marks.push_back({Role::goal, std::nullopt,
+                     Marker{goal, Shape::disc, view.points(goal_radius + 11.0), rim.with_alpha(0), view.theme.accent,
+                            view.points(2.4)}});
+  }
+  for (const Vector<2>& direction : {Vector<2>(arm, 0.0), Vector<2>(0.0, arm)}) {
+    marks.push_back({Role::goal, std::nullopt, Line{goal - direction, goal + direction, view.points(1.8), rim}});
+  }
 }
 
 }  // namespace ghostforce

@@ -20,6 +20,7 @@ Pane compose_pane(const PictureContent& content, const Settings& settings, const
                         .measure = content.measure,
                         .has_handles = content.has_handles,
                         .hot = content.hot,
+                        .is_goal_hot = content.is_goal_hot,
                         .is_pane = is_pane,
                         .has_scales = has_scales});
   return pane;

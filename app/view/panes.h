@@ -29,6 +29,7 @@ struct PictureContent {
   const MeasureText& measure;
   bool has_handles = false;
   Handle hot = Handle::none;
+  bool is_goal_hot = false;
 };
 
 std::vector<Pane> compose_panes(const PictureContent& content);

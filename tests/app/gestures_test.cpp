@@ -105,9 +105,9 @@ TEST_F(GesturesTest, TheZoomHasEnds) {
   point_at(300.0, 300.0);
   frames(2);
   for (int i = 0; i < 30; ++i) scroll(10.0);
-  EXPECT_GT(session().shown.width, 0.001);
+  EXPECT_EQ(session().shown.width, 0.001) << "those of a scene's file";
   for (int i = 0; i < 60; ++i) scroll(-10.0);
-  EXPECT_LT(session().shown.width, 5.0);
+  EXPECT_EQ(session().shown.width, 10.0);
   EXPECT_GT(picture().width, 0);
 }
 
@@ -168,6 +168,31 @@ TEST_F(GesturesTest, WordsOfSceneAndLegendNameWhatTheyAreAbout) {
   for (const Term term : {Term::goal, Term::device, Term::proxy, Term::prediction, Term::ghost_force, Term::force,
                           Term::proxy_drift, Term::force_scale, Term::motor_axis}) {
     EXPECT_EQ(std::ranges::count(found, term) > 0, true) << glossary(term).title;
+  }
+}
+
+TEST_F(GesturesTest, AnArrowIsMeantWhereASpringCrossesIt) {
+  for (const Mark& mark : screen().panes()[0].marks) {
+    if (mark.role != Role::ghost_force) continue;
+    const auto* arrow = std::get_if<Arrow>(&mark.form);
+    if (arrow == nullptr) continue;
+    const Vector<2> tail = to_screen(camera(), arrow->tail) + arrow->offset;
+    const Vector<2> tip = to_screen(camera(), arrow->tip) + arrow->offset;
+    EXPECT_EQ(term_of(*mark_at(screen().panes()[0], 0.5 * (tail + tip), 1.0)), Term::ghost_force);
+  }
+}
+
+TEST_F(GesturesTest, AnEntryOfTheLegendChoosesItsStrategyAndMovesNoGoal) {
+  const Vector<2> goal = session().goal;
+  for (const Mark& mark : std::vector<Mark>(screen().panes()[0].marks)) {
+    const auto* label = std::get_if<Label>(&mark.form);
+    if (mark.role != Role::legend || label == nullptr) continue;
+    press_at(in_window(to_screen(camera(), label->anchor) + label->offset + Vector<2>(5.0, 6.0)));
+    release();
+    if (mark.strategy) {
+      EXPECT_EQ(session().settings.active, *mark.strategy);
+    }
+    EXPECT_EQ(session().goal, goal) << label->text;
   }
 }
 

@@ -4,14 +4,20 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <numbers>
+#include <string_view>
 
+#include "app/panels/caption.h"
 #include "app/panels/hints.h"
+#include "app/panels/panel_catalog.h"
 #include "app/panels/save_path.h"
 #include "app/png_file.h"
 #include "app/saving.h"
 #include "app/view/handles.h"
 #include "tests/app/driven_window.h"
 #include "tests/support/temporary_folder.h"
+
+#include <imgui_internal.h>
 
 namespace ghostforce {
 namespace {
@@ -123,6 +129,16 @@ TEST_F(SessionTest, TheDialogProposesAFreeNameAndSavesThere) {
   EXPECT_EQ(session().dialog, Dialog::none);
 }
 
+TEST_F(SessionTest, AViewFromFarAwayCanBeSavedAndOpenedToo) {
+  const TemporaryFolder folder;
+  point_at(400.0, 400.0);
+  for (int i = 0; i < 40; ++i) scroll(-10.0);
+  for (int i = 0; i < 4; ++i) drag({100.0, 200.0}, {800.0, 700.0}, GLFW_MOUSE_BUTTON_RIGHT);
+  session().wishes.save_scene = folder / "far.toml";
+  frames(2);
+  EXPECT_EQ(load_scene(folder / "far.toml").view.width, session().shown.width);
+}
+
 TEST_F(SessionTest, ADroppedFileIsOpened) {
   const TemporaryFolder folder;
   Scene scene = load_scene("fig3-actuated");
@@ -181,27 +197,55 @@ TEST_F(SessionTest, APictureIsTheScreenOnceToFourTimesAsFine) {
   EXPECT_NEAR(scene.height, 2.0 * screen().scene_size().y, 2.0);
 }
 
-TEST_F(SessionTest, APictureShowsNeitherHintNorNoticeNorDialog) {
+TEST_F(SessionTest, APictureShowsNeitherHintsNorHandlesNorNotices) {
   const TemporaryFolder folder;
   session().paused = true;
-  session().has_handles = false;  // the picture's grips are those of the screen
+  session().has_handles = false;
   point_at(5.0, 795.0);
   frames(8);
   const Image plain = picture();
-  session().hint = 0;
-  session().notice = Notice{"something", true, 0.0};
-  frames(2);
-  EXPECT_NE(picture(), plain);
-  session().wishes.save_picture = PictureWish{folder / "picture.png", 1, false};
-  frames(1);
-  const Image saved = read_png(folder / "picture.png");
-  ASSERT_EQ(saved.rgb.size(), plain.rgb.size());
-  int greatest = 0;
-  for (std::size_t i = 0; i < plain.rgb.size(); ++i) {
-    greatest = std::max(greatest, std::abs(int{saved.rgb[i]} - int{plain.rgb[i]}));
+  session().has_handles = true;
+  for (std::size_t hint = 0; hint < hint_catalog().size(); ++hint) {
+    session().hint = hint;
+    session().notice = Notice{"something", true, 0.0};
+    session().settings.active = StrategyId::naive;
+    frames(2);
+    EXPECT_NE(picture(), plain);
+    session().wishes.save_picture = PictureWish{folder / "picture.png", 1, false};
+    frames(1);
+    const Image saved = read_png(folder / "picture.png");
+    ASSERT_EQ(saved.rgb.size(), plain.rgb.size());
+    int greatest = 0;
+    for (std::size_t i = 0; i < plain.rgb.size(); ++i) {
+      greatest = std::max(greatest, std::abs(int{saved.rgb[i]} - int{plain.rgb[i]}));
+    }
+    // Blending into a renderbuffer rounds otherwise than into the window, by one step.
+    EXPECT_LE(greatest, 1) << hint;
   }
-  // Blending into a renderbuffer rounds otherwise than into the window, by one step.
-  EXPECT_LE(greatest, 1);
+}
+
+TEST_F(SessionTest, ThePictureDialogKnowsItsFormatsInAnyCase) {
+  const TemporaryFolder folder;
+  for (const auto& [typed, written] : {std::pair{"a.PNG", "a.PNG"}, std::pair{"b", "b.png"}, std::pair{"c.jpg", "c.jpg.png"},
+                                       std::pair{"d.Svg", "d.Svg"}, std::pair{"e.pdf", "e.pdf"}}) {
+    press(GLFW_KEY_P, GLFW_MOD_CONTROL);
+    session().form.density = 1;
+    frames(2);
+    type(folder / typed);  // in place of the proposal, which is selected
+    press(GLFW_KEY_ENTER);
+    frames(2);
+    EXPECT_TRUE(std::filesystem::exists(folder / written)) << typed;
+  }
+  EXPECT_TRUE(read_whole(folder / "d.Svg").starts_with("<?xml"));
+  EXPECT_TRUE(read_whole(folder / "e.pdf").starts_with("%PDF"));
+}
+
+TEST_F(SessionTest, EachDialogBeginsWithFieldsOfItsOwn) {
+  press(GLFW_KEY_S, GLFW_MOD_CONTROL);
+  EXPECT_FALSE(session().form.path.empty());
+  press(GLFW_KEY_O, GLFW_MOD_CONTROL);
+  EXPECT_EQ(session().dialog, Dialog::open_scene);
+  EXPECT_EQ(session().form.path, "");
 }
 
 // --- Inputs ------------------------------------------------------------------------------------------------------------
@@ -241,6 +285,18 @@ TEST_F(SessionTest, ThreeHintsGoOneAfterAnotherAsTheyAreFollowed) {
   EXPECT_FALSE(session().hint);
 }
 
+TEST_F(SessionTest, AHintThatCannotBeFollowedIsNotOffered) {
+  open({.input = "script", .offers_hints = true});
+  EXPECT_EQ(session().hint, 1U) << "a script moves the goal";
+  session().hint = 2;
+  frames(2);
+  session().wishes.open_scene = "fig4-ratio5";
+  frames(4);
+  EXPECT_EQ(session().hint, 2U) << "another scene is no turn of the arrow";
+  press(GLFW_KEY_ESCAPE);
+  EXPECT_FALSE(session().hint);
+}
+
 TEST_F(SessionTest, HintsAreTheSentencesOfTheDesign) {
   ASSERT_EQ(hint_catalog().size(), 3U);
   EXPECT_EQ(hint_catalog()[0].sentence, "Drag: this is where your hand wants to be.");
@@ -254,32 +310,80 @@ TEST_F(SessionTest, NobodyIsOfferedHintsUnasked) {
 
 // --- Sizes -------------------------------------------------------------------------------------------------------------
 
-TEST_F(SessionTest, EverySizeScaleAndThemeDraws) {
-  for (const auto& [width, height] : {std::pair{320, 240}, std::pair{1024, 640}, std::pair{1920, 1080}}) {
-    for (const double scale : {0.75, 1.0, 3.0}) {
+// The windows of ImGui that are on the screen, by name.
+std::vector<const ImGuiWindow*> windows_on_screen() {
+  std::vector<const ImGuiWindow*> found;
+  for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows) {
+    if (window->WasActive && !window->Hidden && window->ParentWindow == nullptr) found.push_back(window);
+  }
+  return found;
+}
+
+TEST_F(SessionTest, EveryWindowStaysOnTheScreenAtEverySizeScaleAndTheme) {
+  for (const auto& [width, height] : {std::pair{480, 360}, std::pair{1024, 640}, std::pair{1920, 1080}}) {
+    for (const double scale : {0.75, 1.0, 2.0}) {
       for (const Theme& theme : theme_catalog()) {
         open({.look = {.theme = &theme, .scale = scale}, .offers_hints = true}, "fig1", width, height);
         for (const Dialog dialog : {Dialog::help, Dialog::open_scene, Dialog::save_scene, Dialog::save_picture}) {
           session().dialog = theme.dark ? dialog : Dialog::none;
-          frames(2);
-          EXPECT_EQ(picture().width, width);
+          session().notice = Notice{std::string(300, 'w') + ' ' + std::string(300, 'o'), true, 0.0};
+          frames(3);
+          for (const ImGuiWindow* window : windows_on_screen()) {
+            if (std::string_view(window->Name).starts_with("Debug")) continue;
+            EXPECT_GE(window->Pos.x, -0.5F) << window->Name << ' ' << width << ' ' << scale;
+            EXPECT_GE(window->Pos.y, -0.5F) << window->Name << ' ' << width << ' ' << scale;
+            EXPECT_LE(window->Pos.x + window->Size.x, static_cast<float>(width) + 0.5F) << window->Name << ' ' << width << ' ' << scale;
+            EXPECT_LE(window->Pos.y + window->Size.y, static_cast<float>(height) + 0.5F) << window->Name << ' ' << width << ' ' << scale;
+          }
         }
       }
     }
   }
 }
 
+TEST_F(SessionTest, AtItsSmallestSizeThePanelsNeedNoScrolling) {
+  open({.folded_panels = panels_folded_at_first(640.0)}, "fig1", 1024, 640);
+  frames(3);
+  EXPECT_EQ(ImGui::FindWindowByName("panels")->ScrollMax.y, 0.0F);
+  open({.folded_panels = panels_folded_at_first(800.0)}, "fig1");
+  frames(3);
+  EXPECT_EQ(ImGui::FindWindowByName("panels")->ScrollMax.y, 0.0F);
+}
+
 TEST_F(SessionTest, NumbersDoNotMakeTheLayoutJump) {
-  // Widths of what stands beside numbers: the same marks at the same places while the numbers change.
+  const auto content = [] { return ImGui::FindWindowByName("panels")->ContentSize; };
   session().paused = true;
   frames(4);
-  const ImVec2 corner = screen().scene_corner();
-  const Vector<2> size = screen().scene_size();
-  session().settings.impedances = {.k_u = 0.4, .believed_k_u = 900000.0, .k_r = 1e6, .k_t = 0.1, .k_c = 1e9, .chosen_tracking_ratio = {}};
-  session().settings.active = StrategyId::anisotropic;
-  frames(4);
-  EXPECT_EQ(screen().scene_corner().x, corner.x);
-  EXPECT_EQ(screen().scene_size(), size);
+  const ImVec2 before = content();
+  session().settings.impedances = {
+      .k_u = 0.4, .believed_k_u = 900000.0, .k_r = 1e6, .k_t = 0.1, .k_c = 1e9, .chosen_tracking_ratio = 123.456};
+  for (const Strategy& entry : strategy_catalog()) {
+    session().settings.active = entry.id;
+    frames(3);
+    EXPECT_EQ(content().x, before.x);
+    EXPECT_EQ(content().y, before.y);
+  }
+}
+
+// --- The caption -------------------------------------------------------------------------------------------------------
+
+TEST(Caption, SaysWhatIsTrueNow) {
+  Settings settings = load_scene("fig1").settings;
+  const Vector<2> inside = load_scene("fig1").goal.points.back();
+  for (const Strategy& entry : strategy_catalog()) {
+    settings.active = entry.id;
+    const bool has_ghost = entry.id == StrategyId::naive;
+    EXPECT_EQ(caption_of(settings, inside), has_ghost ? entry.with_ghost : entry.without_ghost) << entry.name;
+    EXPECT_NE(caption_of(settings, {-0.05, 0.05}).find("in front of the wall"), std::string_view::npos);
+  }
+  settings.active = StrategyId::anisotropic;
+  settings.impedances.chosen_tracking_ratio = 1.0;
+  EXPECT_EQ(caption_of(settings, inside), strategy(StrategyId::anisotropic).with_ghost) << "not the ratio it needs";
+  settings.active = StrategyId::naive;
+  settings.actuated_angle = settings.wall_normal_angle;
+  EXPECT_EQ(caption_of(settings, inside), strategy(StrategyId::naive).without_ghost) << "straight out of the wall";
+  settings.actuated_angle = settings.wall_normal_angle + std::numbers::pi / 2.0;
+  EXPECT_NE(caption_of(settings, inside).find("along the wall"), std::string_view::npos);
 }
 
 TEST(SavePath, MakesFileNamesOfTitles) {

@@ -1,0 +1,48 @@
+#include "app/panels/caption.h"
+
+#include <cmath>
+
+#include "app/panels/controls.h"
+#include "app/panels/hints.h"
+#include "core/ghost_force.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr double visible_force = 0.01;  // as in the table [N]
+constexpr double parallel = 0.02;       // sine of an angle that looks like none
+
+}  // namespace
+
+std::string_view caption_of(const Settings& settings, const Vector<2>& goal) {
+  const Wall<2> wall = wall_of(settings);
+  if (depth(wall, goal) <= 0.0) {
+    return "The goal is in front of the wall: there is nothing to push back. Drag it into the hatched side.";
+  }
+  const Strategy& active = strategy(settings.active);
+  if (!active.has_every_motor && std::abs(glm::dot(wall.normal, direction_at(settings.actuated_angle))) < parallel) {
+    return "The motor pushes along the wall: it cannot hold the hand back at all. Turn its arrow.";
+  }
+  const Vector<2> ghost = ghost_force(actuation_of(settings), rest_of(settings.active, settings, goal).force,
+                                      rest_of(StrategyId::full, settings, goal).force);
+  return glm::length(ghost) < visible_force ? active.without_ghost : active.with_ghost;
+}
+
+void draw_caption(const PanelContext& context) {
+  if (context.session.hint) {
+    draw_hint(context);
+    return;
+  }
+  const std::size_t i = index_of(context.session.settings.active);
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float line = ImGui::GetTextLineHeight();
+  draw_glyph(*ImGui::GetWindowDrawList(), {corner.x + 0.6F * line, corner.y + 0.5F * line}, 0.42F * line,
+             strategy_style(context.session.settings.active).shape, context.theme.strategy[i]);
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 1.6F * line);
+  ImGui::PushTextWrapPos(0.0F);
+  const std::string_view words = caption_of(context.session.settings, context.snapshot.goal);
+  ImGui::TextUnformatted(words.data(), words.data() + words.size());
+  ImGui::PopTextWrapPos();
+}
+
+}  // namespace ghostforce
