@@ -1,5 +1,7 @@
 #include "app/screen.h"
 
+#include <GLFW/glfw3.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -48,6 +50,10 @@ bool draw_panel_head(const Panel& panel, const PanelContext& context) {
   return is_open;
 }
 
+bool is_escape(const KeyPress& press) {
+  return press.key == GLFW_KEY_ESCAPE;
+}
+
 Image cut_out(const Image& image, int left, int top, int width, int height) {
   Image part{std::clamp(width, 1, image.width - left), std::clamp(height, 1, image.height - top), {}};
   part.rgb.reserve(3U * static_cast<std::size_t>(part.width) * static_cast<std::size_t>(part.height));
@@ -92,8 +98,8 @@ void Screen::draw(Session& session, const Snapshot& snapshot, const History& his
   window_.frame([&] { draw_everything(session, snapshot, history, loop, part_, true); });
 }
 
-Image Screen::picture(const Session& session, const Snapshot& snapshot, const History& history,
-                      const LoopReading& loop, Part part, int density) {
+Image Screen::picture(const Session& session, const Snapshot& snapshot, const History& history, const LoopReading& loop,
+                      Part part, int density) {
   // Nobody can take hold of a picture or follow its hints.
   Session copy = session;
   copy.hint.reset();
@@ -129,7 +135,10 @@ void Screen::draw_everything(Session& session, const Snapshot& snapshot, const H
   const PanelContext context{session, snapshot, loop, theme, fonts, styled_scale_};
 
   if (is_live) {
-    act_on_keys(session, window_.take_key_presses(), ImGui::GetIO().WantTextInput);
+    std::vector<KeyPress> presses = window_.take_key_presses();
+    // An open menu takes Esc for itself.
+    if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) std::erase_if(presses, is_escape);
+    act_on_keys(session, presses, ImGui::GetIO().WantTextInput);
     begin_fixed("scene", layout.scene, ImGuiWindowFlags_NoBackground);
     gestures_.take(session, panes_, scene_size_, unit);
     ImGui::End();
@@ -183,9 +192,9 @@ void Screen::draw_column(const PanelContext& context) {
 }
 
 void Screen::compose_scene(const Session& session, const Snapshot& snapshot, const History& history, bool is_live) {
-  const Handle hot = !is_live                                       ? Handle::none
+  const Handle hot = !is_live                                     ? Handle::none
                      : points_at(session, HintTarget::motor_axis) ? Handle::motor_axis
-                                                                    : gestures_.hot();
+                                                                  : gestures_.hot();
   panes_ = compose_panes({.settings = session.settings,
                           .snapshot = snapshot,
                           .history = history,
