@@ -10,6 +10,7 @@ Marks compose(const View& view) {
   Marks marks;
   add_wall(view, marks);
   if (view.options.trails) add_trails(view, marks);
+  add_guides(view, marks);
   if (view.options.predictions) add_predictions(view, marks);
   add_hand(view, marks);
   for_each_shown(view, [&](StrategyId id) {
@@ -17,7 +18,7 @@ Marks compose(const View& view) {
     add_markers(view, id, marks);
   });
   add_goal(view, marks);
-  add_guides(view, marks);
+  add_handles(view, marks);
   add_labels(view, marks);
   return marks;
 }

@@ -180,6 +180,9 @@ void add_guides(const View& view, Marks& marks) {
     add_legend(view, marks);
   }
   if (view.has_scales && view.camera.size.x > view.points(least_room_for_scales)) add_scales(view, marks);
+}
+
+void add_handles(const View& view, Marks& marks) {
   add_wall_grips(view, marks);
   add_motor_axis(view, marks);
 }

@@ -9,11 +9,12 @@ void add_wall(const View& view, Marks& marks);         // grid, wall, hatching
 void add_trails(const View& view, Marks& marks);       // where goal and devices have been
 void add_predictions(const View& view, Marks& marks);  // where the closed forms say that everything comes to rest
 void add_hand(const View& view, Marks& marks);         // the spring from the goal to the active device
+void add_guides(const View& view, Marks& marks);       // legend and scale bars: above trails, below all that moves
 // Strategy by strategy, so that all of the active one lies above all of the others.
 void add_arrows(const View& view, StrategyId id, Marks& marks);   // rendered force, ghost force, proxy drift
 void add_markers(const View& view, StrategyId id, Marks& marks);  // proxy, contact, device
 void add_goal(const View& view, Marks& marks);
-void add_guides(const View& view, Marks& marks);  // scale bars, handles, motor axis, legend
+void add_handles(const View& view, Marks& marks);  // motor axis, wall grips
 void add_labels(const View& view, Marks& marks);  // words and numbers beside the marks above
 
 // --- Where arrow and label layers must agree -----------------------------------------------------------------------
