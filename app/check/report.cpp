@@ -10,6 +10,7 @@
 
 #include "app/failure.h"
 #include "app/printable.h"
+#include "app/xml_text.h"
 #include "ghostforce_version.h"
 
 namespace ghostforce {
@@ -45,56 +46,6 @@ constexpr std::array<PictureKind, 3> picture_kinds{{
      &VerdictPictures::difference},
 }};
 
-// The length of the UTF-8 character that a text begins with; 0: it begins with none.
-std::size_t character_length(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char first = byte(0);
-  const std::size_t length = first < 0x80                     ? 1
-                             : first >= 0xC2 && first <= 0xDF ? 2
-                             : first >= 0xE0 && first <= 0xEF ? 3
-                             : first >= 0xF0 && first <= 0xF4 ? 4
-                                                              : 0;
-  if (length == 0 || length > text.size()) return 0;
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xC0U) != 0x80U) return 0;
-  }
-  // Written longer than need be, half of a pair of UTF-16, beyond the last, or what XML refuses.
-  if (first == 0xE0 && byte(1) < 0xA0) return 0;
-  if (first == 0xED && byte(1) > 0x9F) return 0;
-  if (first == 0xF0 && byte(1) < 0x90) return 0;
-  if (first == 0xF4 && byte(1) > 0x8F) return 0;
-  if (first == 0xEF && byte(1) == 0xBF && byte(2) >= 0xBE) return 0;
-  if (first < 0x20 && first != '\n' && first != '\t') return 0;
-  return length;
-}
-
-// For the text and the attributes of XML and HTML. File names may hold any bytes.
-std::string escaped(std::string_view text) {
-  std::string result;
-  while (!text.empty()) {
-    const std::size_t length = character_length(text);
-    if (length == 0) {
-      result += "\xEF\xBF\xBD";
-    } else if (text[0] == '&') {
-      result += "&amp;";
-    } else if (text[0] == '<') {
-      result += "&lt;";
-    } else if (text[0] == '>') {
-      result += "&gt;";
-    } else if (text[0] == '"') {
-      result += "&quot;";
-    } else if (text[0] == '\'') {
-      result += "&#39;";
-    } else if (text[0] == '\n') {
-      result += "&#10;";  // else an attribute would lose it
-    } else {
-      result += text.substr(0, length);
-    }
-    text.remove_prefix(std::max<std::size_t>(length, 1));
-  }
-  return result;
-}
-
 // A file's name as a link beside the page.
 std::string link_to(std::string_view file_name) {
   std::string link = "./";  // so that a colon in it makes no scheme
@@ -120,10 +71,10 @@ std::ptrdiff_t failures_in(const std::vector<Verdict>& verdicts) {
 
 std::string section_about(const Verdict& verdict, std::size_t number) {
   std::string html =
-      fmt::format("<h2 id=\"case{}\">{}</h2>\n<p>{}</p>\n", number, escaped(verdict.name), escaped(verdict.reason));
-  if (!verdict.remark.empty()) html += fmt::format("<p><strong>{}</strong></p>\n", escaped(verdict.remark));
+      fmt::format("<h2 id=\"case{}\">{}</h2>\n<p>{}</p>\n", number, xml_text(verdict.name), xml_text(verdict.reason));
+  if (!verdict.remark.empty()) html += fmt::format("<p><strong>{}</strong></p>\n", xml_text(verdict.remark));
   if (!verdict.remedy.empty()) {
-    html += fmt::format("<p>If the new picture is right: <code>{}</code></p>\n", escaped(verdict.remedy));
+    html += fmt::format("<p>If the new picture is right: <code>{}</code></p>\n", xml_text(verdict.remedy));
   }
   html += "<div class=\"pictures\">\n";
   for (const PictureKind& kind : picture_kinds) {
@@ -132,7 +83,7 @@ std::string section_about(const Verdict& verdict, std::size_t number) {
     html += fmt::format(
         "<figure><figcaption>{}</figcaption><a href=\"{}\"><img src=\"{}\" alt=\"{} picture of {}\">"
         "</a></figure>\n",
-        kind.caption, link, link, kind.ending.substr(0, kind.ending.find('.')), escaped(verdict.name));
+        kind.caption, link, link, kind.ending.substr(0, kind.ending.find('.')), xml_text(verdict.name));
   }
   return html + "</div>\n";
 }
@@ -155,14 +106,14 @@ std::string report_as_html(const std::vector<Verdict>& verdicts, std::string_vie
       "<meta name=\"viewport\" content=\"width=device-width\">\n<title>{} – ghostforce check</title>\n"
       "<style>{}</style>\n</head>\n<body>\n<h1>{}</h1>\n<p>ghostforce {} check <code>{}</code></p>\n"
       "<table>\n<thead><tr><th>verdict</th><th>case</th><th>what was found</th><th>time</th></tr></thead>\n<tbody>\n",
-      title, style, title, version, escaped(folder));
+      title, style, title, version, xml_text(folder));
   std::string sections;
   for (std::size_t i = 0; i < verdicts.size(); ++i) {
     const Verdict& verdict = verdicts[i];
-    const std::string name = verdict.passes ? escaped(verdict.name)
-                                            : fmt::format("<a href=\"#case{}\">{}</a>", i + 1, escaped(verdict.name));
+    const std::string name = verdict.passes ? xml_text(verdict.name)
+                                            : fmt::format("<a href=\"#case{}\">{}</a>", i + 1, xml_text(verdict.name));
     html += fmt::format("<tr><td class=\"{}\">{}</td><td>{}</td><td>{}</td><td class=\"time\">{:.2f} s</td></tr>\n",
-                        word_of(verdict), word_of(verdict), name, escaped(verdict.reason), verdict.duration_s);
+                        word_of(verdict), word_of(verdict), name, xml_text(verdict.reason), verdict.duration_s);
     if (!verdict.passes) sections += section_about(verdict, i + 1);
   }
   return html + "</tbody>\n</table>\n" + sections + "</body>\n</html>\n";
@@ -176,10 +127,10 @@ std::string report_as_junit(const std::vector<Verdict>& verdicts, std::string_vi
   std::string xml = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"ghostforce check\" {}>\n"
       "  <testsuite name=\"{}\" {}>\n",
-      counts, escaped(folder), counts);
+      counts, xml_text(folder), counts);
   for (const Verdict& verdict : verdicts) {
-    xml += fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\"", escaped(folder),
-                       escaped(verdict.name), verdict.duration_s);
+    xml += fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\"", xml_text(folder),
+                       xml_text(verdict.name), verdict.duration_s);
     if (verdict.passes) {
       xml += "/>\n";
       continue;
@@ -187,7 +138,7 @@ std::string report_as_junit(const std::vector<Verdict>& verdicts, std::string_vi
     const std::string more = fmt::format("{}{}{}{}{}", verdict.reason, verdict.remark.empty() ? "" : "\n",
                                          verdict.remark, verdict.remedy.empty() ? "" : "\nto update: ", verdict.remedy);
     xml += fmt::format(">\n      <failure type=\"picture\" message=\"{}\">{}</failure>\n    </testcase>\n",
-                       escaped(verdict.reason), escaped(more));
+                       xml_text(verdict.reason), xml_text(more));
   }
   return xml + "  </testsuite>\n</testsuites>\n";
 }

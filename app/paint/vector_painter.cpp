@@ -19,6 +19,7 @@
 #include "app/failure.h"
 #include "app/font_file.h"
 #include "app/printable.h"
+#include "app/xml_text.h"
 #include "ghostforce_version.h"
 
 namespace ghostforce {
@@ -362,23 +363,6 @@ Surface surface_for(VectorFormat format, const Vector<2>& size, std::string_view
   return surface;
 }
 
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : printable(text, text.size())) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
-
 // Cairo numbers its surfaces as long as the program runs, which would make each file another, and gives none a title.
 void tidy_svg(std::string& file, std::string_view title) {
   constexpr std::string_view numbered = "id=\"surface";
@@ -387,7 +371,8 @@ void tidy_svg(std::string& file, std::string_view title) {
     file.erase(number, file.find('"', number) - number);
   }
   const std::size_t root = file.find('>', file.find("<svg"));
-  if (root != std::string::npos) file.insert(root + 1, "\n<title>" + escaped(title) + "</title>");
+  const std::string words = xml_text(printable(title, title.size()));
+  if (root != std::string::npos) file.insert(root + 1, "\n<title>" + words + "</title>");
 }
 
 void require(cairo_status_t status) {

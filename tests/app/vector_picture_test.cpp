@@ -319,7 +319,16 @@ TEST(VectorFile, IsAWellFormedSvgOfTheSizeAskedFor) {
   EXPECT_EQ(fault_in(file), "");
   EXPECT_NE(fault_in("<a><b></a></b>"), "");
   EXPECT_NE(file.find("width=\"904pt\" height=\"600pt\" viewBox=\"0 0 904 600\""), std::string::npos);
-  EXPECT_NE(file.find("<title>a &lt;b> &amp; \"c\"\\x01</title>"), std::string::npos) << file.substr(0, 400);
+  EXPECT_NE(file.find("<title>a &lt;b&gt; &amp; &quot;c&quot;\\x01</title>"), std::string::npos) << file.substr(0, 400);
+}
+
+TEST(VectorFile, HoldsNothingThatXmlForbidsWhateverTheTitleIs) {
+  for (const std::string forbidden : {"\xEF\xBF\xBE", "\xEF\xBF\xBF", "\x01", "\x1B", "\xFF", "\xED\xA0\x80"}) {
+    const std::string file = vector_file(VectorFormat::svg, "a " + forbidden + " b");
+    EXPECT_EQ(file.find(forbidden), std::string::npos);
+    EXPECT_EQ(fault_in(file), "");
+    EXPECT_NE(file.find("<title>a "), std::string::npos);
+  }
 }
 
 TEST(VectorFile, IsAPdfWithItsTitleAndWithWords) {
