@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -63,12 +64,17 @@ void refuse_window_as_vectors(const Options& options) {
                             printable(options.output, longest_path)));
 }
 
-// Two files of one name would be one file, and the picture lost.
+// Where an output goes, in one way of writing; what cannot be followed (a pipe, links in a circle) by its name.
+std::filesystem::path destination(const std::string& output) {
+  std::error_code error;
+  const std::filesystem::path path = std::filesystem::absolute(output == "-" ? "/dev/stdout" : output, error);
+  std::filesystem::path resolved = std::filesystem::weakly_canonical(path, error);
+  return error ? path.lexically_normal() : resolved.lexically_normal();
+}
+
+// Two outputs in one place would be one, and the picture lost.
 void refuse_equal_outputs(const Options& options) {
-  if (options.json.empty() ||
-      std::filesystem::weakly_canonical(options.json) != std::filesystem::weakly_canonical(options.output)) {
-    return;
-  }
+  if (options.json.empty() || destination(options.json) != destination(options.output)) return;
   throw Failure(ExitCode::wrong_call,
                 fmt::format("--json {}: the picture goes there already; name another file", printable(options.json)));
 }

@@ -441,6 +441,45 @@ TEST(RenderVectors, RefusesTheWindowAndLeavesNothingBehind) {
   EXPECT_EQ(folder.count(), 0);
 }
 
+TEST(RenderVectors, RefusesTwoOutputsOfOneName) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory_symlink(".", folder / "same");
+  const auto refused = [&](const std::string& picture, const std::string& json) {
+    ProgramCall call;
+    call.words = {"render", "wall45", "-o", picture, "--json", json};
+    call.folder = folder.path();
+    const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, call);
+    EXPECT_EQ(outcome.out, "");
+    return outcome.exit_code == 2 && outcome.err.find("the picture goes there already") != std::string::npos;
+  };
+  EXPECT_TRUE(refused("x.pdf", "./x.pdf"));
+  EXPECT_TRUE(refused("x.pdf", "none/../x.pdf"));
+  EXPECT_TRUE(refused("same/x.pdf", folder / "x.pdf"));
+  EXPECT_TRUE(refused("-", "-"));
+  EXPECT_TRUE(refused("-", "/dev/stdout"));
+  EXPECT_EQ(folder.count(), 1);
+  write_whole(folder / "-", "");
+  EXPECT_FALSE(refused("x.pdf", "./-")) << "a file of this name is not the standard output";
+  EXPECT_EQ(folder.count(), 3);
+}
+
+TEST(RenderVectors, WritesJsonIntoAPipe) {
+  const TemporaryFolder folder;
+  const Outcome outcome = render({"wall45", "-o", folder / "x.pdf", "--json", "/dev/stdout"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(nlohmann::json::accept(outcome.out));
+  EXPECT_EQ(folder.count(), 1);
+}
+
+TEST(RenderVectors, SaysThatALinkLeadsToItself) {
+  const TemporaryFolder folder;
+  std::filesystem::create_symlink("loop", folder / "loop");
+  const Outcome outcome = render({"wall45", "-o", folder / "x.pdf", "--json", folder / "loop"});
+  EXPECT_EQ(outcome.exit_code, 8);
+  EXPECT_NE(outcome.err.find("loop cannot be written"), std::string::npos) << outcome.err;
+  EXPECT_EQ(folder.count(), 1);
+}
+
 TEST(RenderVectors, SaysWhereItCannotWrite) {
   const Outcome outcome = render({"wall45", "-o", "/nonexistent/folder/picture.pdf"});
   EXPECT_EQ(outcome.exit_code, 8);
