@@ -14,6 +14,7 @@
 
 #include "app/failure.h"
 #include "app/font_file.h"
+#include "app/key_layout.h"
 #include "app/paint/gl/handle.h"
 
 // ImGui's OpenGL backend has a loader of its own that looks into libGL, where it finds nothing under OSMesa. This is
@@ -28,10 +29,6 @@ std::string last_glfw_error() {
   glfwGetError(&description);
   return description != nullptr ? description : "no reason given";
 }
-
-// Smaller, and the bars have no room for their words [screen coordinates].
-constexpr int least_width = 480;
-constexpr int least_height = 360;
 
 constexpr const char* offscreen_advice =
     "pictures can be made without a display: ghostforce render wall45 -o wall45.png";
@@ -63,7 +60,7 @@ WindowSize fitted(WindowSize size) {
   if (monitor == nullptr) return size;
   int x = 0, y = 0, width = 0, height = 0;
   glfwGetMonitorWorkarea(monitor, &x, &y, &width, &height);
-  if (width < least_width || height < least_height) return size;
+  if (width < least_window_width || height < least_window_height) return size;
   return {std::min(size.width, width), std::min(size.height, height)};
 }
 
@@ -120,10 +117,13 @@ Window::Window(const WindowOptions& options) : library_(options.offscreen), wind
                   fmt::format("OpenGL 3.3 was promised, but cannot be loaded: {}", graphics_description()));
   }
   glfwSwapInterval(options.offscreen ? 0 : 1);
-  if (!options.offscreen) glfwSetWindowSizeLimits(handle(), least_width, least_height, GLFW_DONT_CARE, GLFW_DONT_CARE);
+  if (!options.offscreen) {
+    glfwSetWindowSizeLimits(handle(), least_window_width, least_window_height, GLFW_DONT_CARE, GLFW_DONT_CARE);
+  }
   glfwSetWindowUserPointer(handle(), this);
   glfwSetDropCallback(handle(), on_drop);
   glfwSetKeyCallback(handle(), on_key);  // before ImGui's, which then calls it
+  glfwSetWindowSizeCallback(handle(), on_resize);  // ImGui has none
   restored_size_ = {options.width, options.height};
   start_imgui(options.takes_mouse);
 }
@@ -248,43 +248,21 @@ void Window::toggle_full_screen() {
   glfwSetWindowMonitor(handle(), monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
 
-namespace {
-
-// By what is printed on it where the layout says so: Ctrl+Z is where the Z is. Otherwise by its place, as for the digits
-// of a French keyboard.
-int key_by_layout(int key, int scancode) {
-  const char* const name = glfwGetKeyName(key, scancode);
-  if (name == nullptr || name[0] == '\0' || name[1] != '\0') return key;
-  const char sign = name[0];
-  if (sign >= 'a' && sign <= 'z') return GLFW_KEY_A + (sign - 'a');
-  if (sign >= 'A' && sign <= 'Z') return GLFW_KEY_A + (sign - 'A');
-  switch (sign) {
-    case '.':
-      return key == GLFW_KEY_KP_DECIMAL ? key : GLFW_KEY_PERIOD;
-    case '[':
-      return GLFW_KEY_LEFT_BRACKET;
-    case ']':
-      return GLFW_KEY_RIGHT_BRACKET;
-    case '-':
-      return key == GLFW_KEY_KP_SUBTRACT ? key : GLFW_KEY_MINUS;
-    case '+':
-      return key == GLFW_KEY_KP_ADD ? key : GLFW_KEY_EQUAL;
-    default:
-      return key;
-  }
-}
-
-}  // namespace
-
 void Window::on_key(GLFWwindow* handle, int key, int scancode, int action, int modifiers) {
   if (action == GLFW_RELEASE) return;
   constexpr int that_count = GLFW_MOD_SHIFT | GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER;
   auto& window = *static_cast<Window*>(glfwGetWindowUserPointer(handle));
-  window.key_presses_.push_back({key_by_layout(key, scancode), modifiers & that_count, action == GLFW_REPEAT});
+  const int chosen = key_by_layout(key, glfwGetKeyName(key, scancode), modifiers);
+  window.key_presses_.push_back({chosen, modifiers & that_count, action == GLFW_REPEAT});
 }
 
 std::vector<KeyPress> Window::take_key_presses() {
   return std::exchange(key_presses_, {});
+}
+
+void Window::on_resize(GLFWwindow* handle, int width, int height) {
+  auto& window = *static_cast<Window*>(glfwGetWindowUserPointer(handle));
+  if (!window.is_full_screen() && !window.is_maximized()) window.restored_size_ = {width, height};
 }
 
 void Window::on_drop(GLFWwindow* handle, int count, const char** paths) {

@@ -26,6 +26,10 @@ struct WindowOptions {
   bool takes_mouse = true;  // false: no hover and no click changes a picture
 };
 
+// Smaller, and the bars have no room for their words [screen coordinates].
+inline constexpr int least_window_width = 480;
+inline constexpr int least_window_height = 360;
+
 struct WindowSize {
   int width = 0;
   int height = 0;
@@ -56,7 +60,7 @@ class Window {
   bool is_full_screen() const;
   bool is_maximized() const;
   void maximize();
-  // Without a frame, in screen coordinates, as it is while not full screen.
+  // Without a frame, in screen coordinates, as it is while neither maximised nor full screen.
   WindowSize restored_size() const;
 
   // Since the last call, in their order.
@@ -98,6 +102,7 @@ class Window {
 
   void start_imgui(bool takes_mouse);
   static void on_key(GLFWwindow* window, int key, int scancode, int action, int modifiers);
+  static void on_resize(GLFWwindow* window, int width, int height);
   static void on_drop(GLFWwindow* window, int count, const char** paths);
 
   Library library_;
@@ -106,7 +111,7 @@ class Window {
   ImFont* bold_font_ = nullptr;
   ImFont* number_font_ = nullptr;
   int density_ = 1;  // of the frame that is being drawn
-  WindowSize restored_size_;
+  WindowSize restored_size_;  // the last one while neither maximised nor full screen
   struct {
     int x = 0, y = 0;
   } restored_corner_;

@@ -1,0 +1,29 @@
+#include "app/key_layout.h"
+
+#include <GLFW/glfw3.h>
+
+namespace ghostforce {
+
+int key_by_layout(int key, const char* name, int modifiers) noexcept {
+  const bool is_on_number_pad = key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_EQUAL;
+  if (is_on_number_pad || name == nullptr || name[0] == '\0' || name[1] != '\0') return key;
+  const char sign = name[0];
+  if (sign >= 'a' && sign <= 'z') return GLFW_KEY_A + (sign - 'a');
+  if (sign >= 'A' && sign <= 'Z') return GLFW_KEY_A + (sign - 'A');
+  switch (sign) {
+    case '.':
+      return GLFW_KEY_PERIOD;
+    case '[':
+      return GLFW_KEY_LEFT_BRACKET;
+    case ']':
+      return GLFW_KEY_RIGHT_BRACKET;
+    case '-':
+      return GLFW_KEY_MINUS;
+    case '+':
+      return (modifiers & GLFW_MOD_CONTROL) != 0 ? GLFW_KEY_EQUAL : key;
+    default:
+      return key;
+  }
+}
+
+}  // namespace ghostforce
