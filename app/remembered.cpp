@@ -1,18 +1,22 @@
 #include "app/remembered.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <system_error>
+#include <type_traits>
 
 #include <fmt/format.h>
 
 #include "app/failure.h"
+#include "app/file_kind.h"
 #include "app/output_file.h"
 #include "app/printable.h"
 #include "app/toml_text.h"
+#include "app/window.h"
 
 namespace ghostforce {
 namespace {
@@ -48,17 +52,20 @@ template <typename Value>
 void take(const toml::table& table, std::string_view key, Value& value) {
   const toml::node* const node = table.get(key);
   if (node == nullptr) return;
-  const auto found = node->value_exact<Value>();
+  // Whoever writes a 2 where a 2.0 could stand means the same.
+  const bool is_whole = std::is_same_v<Value, double> && node->is_integer();
+  const auto found = is_whole ? node->value<Value>() : node->value_exact<Value>();
   if (!found) throw Damaged{fmt::format("the value of {} has the wrong type", key)};
   value = *found;
 }
 
-int take_length(const toml::table& table, std::string_view key, int length) {
+// A window cannot be made smaller than `least`, whatever is written.
+int take_length(const toml::table& table, std::string_view key, int length, int least) {
   constexpr std::int64_t longest = 32768;  // of any screen [px]
   std::int64_t value = length;
   take(table, key, value);
   if (value < 1 || value > longest) throw Damaged{fmt::format("{} = {} is no size of a window", key, value)};
-  return static_cast<int>(value);
+  return std::max(static_cast<int>(value), least);
 }
 
 void read(const toml::table& table, Preferences& preferences) {
@@ -75,8 +82,8 @@ void read(const toml::table& table, Preferences& preferences) {
 }
 
 void read(const toml::table& table, WindowLayout& layout) {
-  layout.width = take_length(table, "width", layout.width);
-  layout.height = take_length(table, "height", layout.height);
+  layout.width = take_length(table, "width", layout.width, least_window_width);
+  layout.height = take_length(table, "height", layout.height, least_window_height);
   take(table, "maximized", layout.is_maximized);
   if (const toml::node* const node = table.get("folded")) {
     const toml::array* const titles = node->as_array();
@@ -146,13 +153,20 @@ std::optional<Value> recall_from(const fs::path& file, std::vector<std::string>&
   }
 }
 
-void write(const fs::path& file, const std::string& text) {
+// `what` is kept in the file, for messages.
+void write(const fs::path& file, const std::string& text, std::string_view what) {
   if (file.empty()) return;
   std::error_code error;
   fs::create_directories(file.parent_path(), error);
   if (error) {
-    throw Failure(ExitCode::file_trouble, fmt::format("{}: the folder cannot be made: {}; preferences are kept there",
-                                                      file.parent_path().string(), error.message()));
+    throw Failure(ExitCode::file_trouble,
+                  fmt::format("the folder {} cannot be made: {}; {} kept there",
+                              printable(file.parent_path().string(), longest_path), error.message(), what));
+  }
+  // A link to nothing yet is followed; into a pipe nobody may ever look.
+  if (const std::string_view kind = kind_instead_of_file(file); !kind.empty() && fs::exists(file, error)) {
+    throw Failure(ExitCode::file_trouble, fmt::format("{} is {}, and {} kept in a file of this name; remove it",
+                                                      printable(file.string(), longest_path), kind, what));
   }
   OutputFile output(file.string());
   output.write(text);
@@ -169,11 +183,11 @@ Remembered recall() {
 }
 
 void remember(const Preferences& preferences) {
-  write(preferences_file(), text_of(preferences));
+  write(preferences_file(), text_of(preferences), "preferences are");
 }
 
 void remember(const WindowLayout& layout) {
-  write(layout_file(), text_of(layout));
+  write(layout_file(), text_of(layout), "the window's layout is");
 }
 
 }  // namespace ghostforce

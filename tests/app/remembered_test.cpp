@@ -2,6 +2,7 @@
 #include "app/remembered.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -67,14 +68,16 @@ TEST_F(RememberedTest, DamagedFilesAreSetAsideOneByOne) {
   int number = 0;
   for (const std::string& text :
        {std::string("theme = "), std::string("theme = \"pink\""), std::string("theme = 3"), std::string("scale = 99.0"),
-        std::string("scale = nan"), std::string("hints = \"yes\""), std::string("\xff\xfe\0garbage", 10)}) {
+        std::string("scale = nan"), std::string("scale = \"2\""), std::string("scale = true"),
+        std::string("hints = \"yes\""), std::string("\xff\xfe\0garbage", 10)}) {
     write_preferences(text);
     const Remembered remembered = recall();
     EXPECT_EQ(remembered.preferences, Preferences{}) << text;
     ASSERT_EQ(remembered.remarks.size(), 1U) << text;
     EXPECT_NE(remembered.remarks[0].find("damaged"), std::string::npos) << remembered.remarks[0];
     ++number;
-    const std::string aside = preferences() + ".damaged" + (number == 1 ? "" : "-" + std::to_string(number));
+    std::string aside = preferences() + ".damaged";
+    if (number > 1) aside.append("-").append(std::to_string(number));
     EXPECT_EQ(read_whole(aside), text) << "nothing is lost";
     EXPECT_FALSE(std::filesystem::exists(preferences()));
   }
@@ -100,9 +103,61 @@ TEST_F(RememberedTest, MissingKeysKeepTheirUsualValue) {
   EXPECT_TRUE(remembered.remarks.empty());
 }
 
+TEST_F(RememberedTest, AWholeNumberIsANumber) {
+  write_preferences("scale = 2\n");
+  const Remembered remembered = recall();
+  EXPECT_EQ(remembered.preferences.look.scale, 2.0);
+  EXPECT_TRUE(remembered.remarks.empty());
+}
+
+TEST_F(RememberedTest, NoWindowIsSmallerThanTheSmallest) {
+  std::filesystem::create_directories(folder_ / "state/ghostforce");
+  write_whole(layout(), "width = 100\nheight = 1\n");
+  const Remembered remembered = recall();
+  EXPECT_EQ(remembered.layout, (WindowLayout{.width = 480, .height = 360}));
+  EXPECT_TRUE(remembered.remarks.empty());
+}
+
+// What went wrong, in words for a person; empty where nothing did.
+template <typename Value>
+std::string trouble_with(const Value& value) {
+  try {
+    remember(value);
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.code(), ExitCode::file_trouble);
+    return failure.what();
+  }
+  return "";
+}
+
 TEST_F(RememberedTest, WhatCannotBeWrittenIsSaid) {
   write_whole(folder_ / "config", "a file where a folder should be");
-  EXPECT_THROW(remember(Preferences{}), Failure);
+  write_whole(folder_ / "state", "another");
+  EXPECT_NE(trouble_with(Preferences{}).find("preferences are kept there"), std::string::npos);
+  EXPECT_NE(trouble_with(WindowLayout{}).find("the window's layout is kept there"), std::string::npos);
+}
+
+TEST_F(RememberedTest, APipeHoldsNothingUp) {
+  std::filesystem::create_directories(folder_ / "state/ghostforce");
+  ASSERT_EQ(mkfifo(layout().c_str(), 0600), 0);
+  EXPECT_FALSE(recall().layout);
+  const std::string trouble = trouble_with(WindowLayout{});
+  EXPECT_NE(trouble.find("layout.toml is a pipe"), std::string::npos) << trouble;
+  EXPECT_NE(trouble.find("remove it"), std::string::npos) << trouble;
+  std::filesystem::remove(layout());
+  std::filesystem::create_directory(layout());
+  EXPECT_NE(trouble_with(WindowLayout{}).find("is a folder"), std::string::npos);
+}
+
+TEST_F(RememberedTest, ALinkToAFileIsAFile) {
+  std::filesystem::create_directories(folder_ / "state/ghostforce");
+  std::filesystem::create_symlink(folder_ / "kept.toml", layout());
+  for (const int width : {600, 700}) {  // the file is not there at first
+    EXPECT_EQ(trouble_with(WindowLayout{.width = width}), "");
+    EXPECT_EQ(recall().layout, WindowLayout{.width = width});
+  }
+  EXPECT_TRUE(std::filesystem::is_symlink(layout()));
+  EXPECT_TRUE(std::filesystem::is_regular_file(folder_ / "kept.toml"));
 }
 
 }  // namespace
