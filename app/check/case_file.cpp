@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <filesystem>
-#include <functional>
 #include <sstream>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -66,6 +65,29 @@ std::string suggestion(std::string_view table, std::string_view name) {
   return near.empty() ? fmt::format("; there is {}", listed(here)) : near;
 }
 
+// What may have been meant by the name of a scene that is none: a file in the subfolder that it names (what lies beside
+// a case is a case), or a shipped scene.
+std::string scene_hint(const std::filesystem::path& name, const std::filesystem::path& case_folder) {
+  namespace fs = std::filesystem;
+  const std::vector<std::string_view> shipped = shipped_scene_names();
+  if (name.has_parent_path()) {
+    std::vector<std::string> files;
+    std::error_code error;
+    for (fs::directory_iterator file(case_folder / name.parent_path(), error), end; !error && file != end;
+         file.increment(error)) {
+      if (file->path().extension() == ".toml") files.push_back(file->path().filename().string());
+    }
+    std::sort(files.begin(), files.end());
+    const std::vector<std::string_view> views(files.begin(), files.end());
+    if (const auto near = nearest_name(name.filename().string(), views)) {
+      return fmt::format("; did you mean '{}'?", printable((name.parent_path() / *near).string(), longest_path));
+    }
+  }
+  const bool is_file = name.extension() == ".toml";
+  const std::string near = did_you_mean((is_file ? name.stem() : name.filename()).string(), shipped);
+  return near.empty() ? fmt::format("; give a path relative to this file, or one of {}", listed(shipped)) : near;
+}
+
 class CaseReader {
  public:
   CaseReader(Case& into, std::vector<std::string>& problems) : case_(into), problems_(problems) {}
@@ -78,6 +100,13 @@ class CaseReader {
       return;
     }
     file_ = std::move(parsed.table);
+    if (is_scene()) {
+      complain({1, 1}, fmt::format("this is a scene, not a case; put scenes into a subfolder, and name them as in "
+                                   "scene = \"scenes/{}\"",
+                                   printable(std::filesystem::path(case_.path).filename().string())));
+      tell();
+      return;
+    }
     find_unknown();
     read_scene();
     read_picture();
@@ -106,6 +135,8 @@ class CaseReader {
   }
 
   // --- What is there ---
+
+  bool is_scene() const { return !file_.contains("scene") && (file_.contains("format") || file_["wall"].is_table()); }
 
   void find_unknown() {
     for (const auto& [key, node] : file_) {
@@ -192,8 +223,15 @@ class CaseReader {
     if (!scene) return;
     const std::vector<std::string_view> shipped = shipped_scene_names();
     const bool is_shipped = std::find(shipped.begin(), shipped.end(), *scene) != shipped.end();
+    const std::filesystem::path folder = std::filesystem::path(case_.path).parent_path();
+    const std::filesystem::path beside = folder / *scene;
+    std::error_code unknown;
+    if (!is_shipped && std::filesystem::status(beside, unknown).type() == std::filesystem::file_type::not_found) {
+      complain(*scene_node, "scene",
+               fmt::format("no scene named '{}'{}", printable(*scene, longest_path), scene_hint(*scene, folder)));
+      return;
+    }
     try {
-      const std::filesystem::path beside = std::filesystem::path(case_.path).parent_path() / *scene;
       case_.request.scene = load_scene(is_shipped ? *scene : beside.string(), overrides);
     } catch (const Failure& failure) {
       if (failure.code() != ExitCode::wrong_call) {

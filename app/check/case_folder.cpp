@@ -11,6 +11,7 @@
 #include <fmt/ranges.h>
 
 #include "app/failure.h"
+#include "app/file_kind.h"
 #include "app/interruption.h"
 #include "app/nearest_name.h"
 #include "app/output_file.h"
@@ -69,11 +70,8 @@ std::vector<fs::path> case_paths(const std::string& folder) {
   std::vector<fs::path> paths;
   fs::directory_iterator entry(folder, error);
   for (const fs::directory_iterator end; !error && entry != end; entry.increment(error)) {
-    std::error_code unknown;
     const fs::path& path = entry->path();
-    if (path.extension() == extension && !path.filename().string().starts_with('.') && !entry->is_directory(unknown)) {
-      paths.push_back(path);
-    }
+    if (path.extension() == extension && !path.filename().string().starts_with('.')) paths.push_back(path);
   }
   if (error) fail_to_read(folder, error.value());
   std::sort(paths.begin(), paths.end());
@@ -130,6 +128,10 @@ std::vector<Case> read_case_folder(const std::string& folder) {
     stop_if_interrupted();
     if (has_control_character(path.filename().string())) {
       problems.push_back(fmt::format("{}: there is a control character in its name; rename it", shown(path)));
+    }
+    if (const std::string_view kind = kind_instead_of_file(path); !kind.empty()) {
+      problems.push_back(fmt::format("{}: is {}, and a case is a file; rename it, or remove it", shown(path), kind));
+      continue;
     }
     cases.push_back(read_case(path.string(), read_text(path), problems));
   }

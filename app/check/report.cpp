@@ -150,10 +150,20 @@ std::string Report::path_of(std::string_view name) const {
   return (std::filesystem::path(to_folder_) / name).string();
 }
 
+void Report::remove_picture(const std::string& path) const {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(path, error))) return;
+  std::filesystem::remove(path, error);
+  if (!error) return;
+  throw Failure(ExitCode::file_trouble,
+                fmt::format("{} cannot be removed: {}", printable(path, longest_path), reason_of(error.value())));
+}
+
 void Report::write(const std::vector<Verdict>& verdicts, std::string_view folder) {
   // The pages come last: they never show a picture that is not there.
   for (const Verdict& verdict : verdicts) {
     for (const PictureKind& kind : picture_kinds) {
+      if (verdict.passes) remove_picture(path_of(picture_name(verdict, kind)));
       const std::string& bytes = verdict.pictures.*kind.bytes;
       if (bytes.empty()) continue;
       OutputFile file(path_of(picture_name(verdict, kind)));

@@ -22,12 +22,13 @@ class Report {
   // Makes the folder where there is none. Throws Failure(file_trouble) now where nothing can be written there.
   explicit Report(const std::string& to_folder);
 
-  // report.html, junit.xml, and of each case that fails NAME.expected.png, NAME.actual.png and NAME.diff.png. Nothing
-  // else in the folder is touched. `folder` is that of the cases.
+  // report.html, junit.xml, and of each case that fails NAME.expected.png, NAME.actual.png and NAME.diff.png; of a case
+  // that passes, these three are removed. Nothing else in the folder is touched. `folder` is that of the cases.
   void write(const std::vector<Verdict>& verdicts, std::string_view folder);
 
  private:
   std::string path_of(std::string_view name) const;
+  void remove_picture(const std::string& path) const;
 
   std::string to_folder_;
   OutputFile html_;

@@ -8,6 +8,7 @@
 
 #include "app/check/gallery.h"
 #include "app/failure.h"
+#include "app/file_kind.h"
 #include "app/interruption.h"
 #include "app/output_file.h"
 #include "app/png_file.h"
@@ -34,6 +35,18 @@ void refuse_cases_without_golden(const std::vector<const Case*>& chosen) {
   if (!problems.empty()) throw Failure(ExitCode::wrong_call, fmt::format("{}", fmt::join(problems, "\n")));
 }
 
+// Drawing takes long, and a pipe would take what is drawn for ever.
+void refuse_goldens_that_are_no_files(const std::vector<const Case*>& chosen) {
+  std::vector<std::string> problems;
+  for (const Case* const each : chosen) {
+    const std::string path = each->golden_path();
+    const std::string_view kind = kind_instead_of_file(path);
+    if (kind.empty()) continue;
+    problems.push_back(fmt::format("{} cannot be written: it is {}; remove it", printable(path, longest_path), kind));
+  }
+  if (!problems.empty()) throw Failure(ExitCode::file_trouble, fmt::format("{}", fmt::join(problems, "\n")));
+}
+
 bool is_stored(const Case& each, const Image& image) {
   std::error_code unknown;
   if (!std::filesystem::exists(each.golden_path(), unknown)) return false;
@@ -54,6 +67,7 @@ void write_whole(const std::string& path, const std::string& content) {
 
 std::vector<std::string> update_goldens(const std::vector<Case>& all, const std::vector<const Case*>& chosen) {
   refuse_cases_without_golden(chosen);
+  refuse_goldens_that_are_no_files(chosen);
   Gallery gallery(all, chosen);
   std::vector<Change> changes;
   Progress progress("drawing", static_cast<std::int64_t>(chosen.size()), true);

@@ -9,6 +9,7 @@
 
 #include "app/check/shell_word.h"
 #include "app/failure.h"
+#include "app/file_kind.h"
 #include "app/png_file.h"
 #include "app/printable.h"
 
@@ -20,6 +21,11 @@ namespace {
 std::optional<Image> counterpart(const Case& judged, Gallery& gallery, Verdict& verdict) {
   if (judged.wanted != Wanted::golden) return gallery.draw(judged.other).image;
   const std::string path = judged.golden_path();
+  if (const std::string_view kind = kind_instead_of_file(path); !kind.empty()) {
+    verdict.reason = fmt::format("the golden {} is {}, no picture; remove it", printable(path, longest_path), kind);
+    verdict.is_file_trouble = true;
+    return std::nullopt;
+  }
   std::error_code unknown;
   if (std::filesystem::symlink_status(path, unknown).type() == std::filesystem::file_type::not_found) {
     verdict.reason = fmt::format("there is no golden {}", printable(path, longest_path));
@@ -60,7 +66,9 @@ Verdict judge(const Case& judged, Gallery& gallery, std::string_view folder, boo
   const std::optional<Image> expected = counterpart(judged, gallery, verdict);
   if (expected) compare(judged, *expected, drawn.image, verdict);
   if (!verdict.passes) {
-    if (judged.wanted == Wanted::golden) verdict.remedy = update_command(folder, judged.name);
+    if (judged.wanted == Wanted::golden && kind_instead_of_file(judged.golden_path()).empty()) {
+      verdict.remedy = update_command(folder, judged.name);
+    }
     if (expected && judged.origin) verdict.remark = other_renderer_words(*judged.origin, drawn.origin);
     if (wants_pictures) {
       verdict.pictures.actual = png_bytes(drawn.image);

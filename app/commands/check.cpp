@@ -131,6 +131,7 @@ std::function<int()> attach_check(CLI::App& subcommand) {
       .add_option("--report", options->report,
                   "Write report.html, junit.xml and the pictures of cases that fail into this folder")
       ->type_name("DIR")
+      ->check([](const std::string& folder) { return std::string(folder.empty() ? "name a folder" : ""); })
       ->excludes(update_option);
   subcommand.footer(
       "A case, NAME.toml (only scene is required):\n"

@@ -1,6 +1,7 @@
 // Screenshot regression as its users have it: `ghostforce check` on folders of cases. That it notices what it is for (a
 // colour, a marker 2 px off, a missing arrow, another strategy), says it so that a person can act on it, and stays
 // quiet where nothing has changed.
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -263,8 +264,7 @@ TEST(Check, RunsBesideItself) {
   at_once({"--update", "window", "fig1", "panes"}, 0);
   at_once({"--report", report}, 0);
   EXPECT_EQ(cases.files().size(), 6U) << "three cases, three goldens";
-  EXPECT_EQ(Cases::files_in(report), (std::set<std::string>{"fig1.actual.png", "panes.actual.png", "window.actual.png",
-                                                            "report.html", "junit.xml"}));
+  EXPECT_EQ(Cases::files_in(report), (std::set<std::string>{"report.html", "junit.xml"}));
 }
 
 // --- Goldens ---------------------------------------------------------------------------------------------------------
@@ -352,6 +352,48 @@ TEST(Check, ReportsAGoldenThatIsNoPictureAndGoesOn) {
   EXPECT_TRUE(contains(outcome.out, "FAIL a"));
   EXPECT_TRUE(contains(outcome.out, "pass b\n2 cases, 1 failed\n"));
   cases.update("a");
+  EXPECT_EQ(cases.check().exit_code, 0);
+}
+
+// Each of them once held the check up, or got a remedy that failed.
+TEST(Check, SaysWhatAGoldenIsThatIsNoFile) {
+  const Cases cases({{"folder", std::string(small_case)},
+                     {"good", std::string(small_case)},
+                     {"link", std::string(small_case)},
+                     {"loop", std::string(small_case)},
+                     {"pipe", std::string(small_case)}});
+  cases.update("good");
+  fs::create_directory(cases / "folder.png");
+  fs::create_symlink("nothing.png", cases / "link.png");
+  fs::create_symlink("loop.png", cases / "loop.png");
+  ASSERT_EQ(mkfifo((cases / "pipe.png").c_str(), 0600), 0);
+  const Outcome checked = cases.check({"--report", cases.beside("report")});
+  EXPECT_EQ(checked.exit_code, 8);
+  EXPECT_TRUE(contains(checked.out, "pass good"));
+  EXPECT_TRUE(contains(checked.out, "5 cases, 4 failed"));
+  EXPECT_EQ(checked.err.find("--update"), std::string::npos) << checked.err;
+  const Outcome updated = cases.check({"--update", "folder", "link", "loop", "pipe"});
+  EXPECT_EQ(updated.exit_code, 8);
+  EXPECT_EQ(updated.out, "");
+  for (const auto& [name, words] : std::map<std::string, std::string>{{"folder", "is a folder"},
+                                                                      {"link", "is a link that leads nowhere"},
+                                                                      {"loop", "is a link that leads nowhere"},
+                                                                      {"pipe", "is a pipe"}}) {
+    EXPECT_TRUE(contains(checked.err, fmt::format("the golden {} {}", cases / (name + ".png"), words)));
+    EXPECT_TRUE(contains(updated.err, fmt::format("{} cannot be written: it {}", cases / (name + ".png"), words)));
+    EXPECT_EQ(read_whole(cases / (name + ".toml")), small_case);
+    fs::remove(cases / (name + ".png"));
+  }
+  EXPECT_EQ(cases.check({"--update", "folder", "link", "loop", "pipe"}).exit_code, 0) << "as it was advised";
+}
+
+TEST(Check, TakesALinkToAFileForTheFile) {
+  const Cases cases({{"wall", std::string(small_case)}});
+  cases.update("wall");
+  for (const char* name : {"wall.png", "wall.toml"}) {
+    fs::rename(cases / name, cases.beside(name));
+    fs::create_symlink(fs::path("..") / name, cases / name);
+  }
   EXPECT_EQ(cases.check().exit_code, 0);
 }
 
@@ -498,7 +540,7 @@ TEST(CheckMatch, TakesTheToleranceIntoAccount) {
 testing::AssertionResult is_well_formed(const std::string& text) {
   static const std::regex piece(
       "<(\\?xml [^?<>]*\\?|!DOCTYPE html|/?[a-z][a-z0-9]*(?: "
-      "[a-z]+=\"[^\"<]*\")*/?)>|&(amp|lt|gt|quot|#39|#10);|[^<&]+|.");
+      "[a-z]+=\"[^\"<]*\")*/?)>|&(amp|lt|gt|quot|#39|#9|#10|#13);|[^<&]+|.");
   static const std::set<std::string> never_closed{"meta", "img"};
   std::vector<std::string> open;
   for (std::sregex_iterator at(text.begin(), text.end(), piece), end; at != end; ++at) {
@@ -591,8 +633,33 @@ TEST(CheckReport, IsWrittenWhenAllPassesAndDeletesNothing) {
   EXPECT_TRUE(contains(read_whole(report + "/junit.xml"), "failures=\"0\""));
 }
 
+TEST(CheckReport, KeepsNoPicturesOfAFailureThatIsOver) {
+  const Cases cases({{"other", std::string(small_case)}, {"wall", std::string(small_case)}});
+  ASSERT_EQ(cases.check({"--update", "other", "wall"}).exit_code, 0);
+  for (const char* name : {"other.toml", "wall.toml"}) {
+    write_whole(cases / name, "strategy = \"full\"\n" + read_whole(cases / name));
+  }
+  const std::string report = cases.beside("report");
+  ASSERT_EQ(cases.check({"--report", report}).exit_code, 1);
+  ASSERT_EQ(Cases::files_in(report).size(), 8U);
+  write_whole(report + "/wall.notes.png", "mine");
+  write_whole(report + "/wal.diff.png", "mine");
+  cases.update("wall");
+  EXPECT_EQ(cases.check({"--only", "wall", "--report", report}).exit_code, 0);
+  EXPECT_EQ(Cases::files_in(report),
+            (std::set<std::string>{"other.expected.png", "other.actual.png", "other.diff.png", "wall.notes.png",
+                                   "wal.diff.png", "report.html", "junit.xml"}))
+      << "nothing is known of the other case now";
+}
+
 TEST(CheckReport, IsRefusedWhereItCannotBe) {
   const Cases cases({{"wall", std::string(small_case)}});
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"--report", ""}, {"--report="}}) {
+    const Outcome nowhere = cases.check(words);
+    EXPECT_EQ(nowhere.exit_code, 2) << words[0];
+    EXPECT_TRUE(contains(nowhere.err, "--report"));
+    EXPECT_EQ(nowhere.out, "");
+  }
   EXPECT_EQ(cases.check({"--report", "/proc/nothing/report"}).exit_code, 8);
   EXPECT_EQ(cases.check({"--report", cases / "wall.toml"}).exit_code, 8);
   const Outcome outcome = cases.check({"--report", cases.path()});
@@ -658,6 +725,54 @@ TEST(Check, TellsAllThatIsWrongWithAllCasesBeforeItDraws) {
     EXPECT_TRUE(contains(outcome.err, words));
   }
   EXPECT_FALSE(fs::exists(cases.beside("report")));
+}
+
+TEST(Check, TellsASceneFromACase) {
+  const Cases cases({{"good", std::string(small_case)},
+                     {"half", "[wall]\nnormal_deg = 90\n"},
+                     {"mine", read_whole(GHOSTFORCE_SCENES "/wall45.toml")},
+                     {"mixed", "format = 1\n" + std::string(small_case)}});
+  const Outcome outcome = cases.check();
+  EXPECT_EQ(outcome.exit_code, 2);
+  for (const char* name : {"half", "mine"}) {
+    EXPECT_TRUE(contains(outcome.err, fmt::format("{}.toml:1:1: this is a scene, not a case; put scenes into a "
+                                                  "subfolder, and name them as in scene = \"scenes/{}.toml\"\n",
+                                                  name, name)));
+  }
+  EXPECT_TRUE(contains(outcome.err, "mixed.toml:1:1: the key format is unknown")) << "it names a scene: a case";
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 3) << outcome.err;
+}
+
+TEST(Check, SaysWhatACaseIsThatIsNoFile) {
+  const Cases cases({{"good", std::string(small_case)}});
+  fs::create_directory(cases / "folder.toml");
+  fs::create_symlink("nothing.toml", cases / "link.toml");
+  ASSERT_EQ(mkfifo((cases / "pipe.toml").c_str(), 0600), 0);
+  const Outcome outcome = cases.check();
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_TRUE(contains(outcome.err, "folder.toml: is a folder, and a case is a file; rename it, or remove it"));
+  EXPECT_TRUE(contains(outcome.err, "link.toml: is a link that leads nowhere"));
+  EXPECT_TRUE(contains(outcome.err, "pipe.toml: is a pipe"));
+}
+
+TEST(Check, NamesASceneAsThePersonWroteIt) {
+  const Cases cases({{"a", "scene = \"wall46\"\n"},
+                     {"b", "scene = \"scenes/mien.toml\"\n"},
+                     {"c", "scene = \"scenes/wall46.toml\"\n"},
+                     {"d", "scene = \"something else\"\n"},
+                     {"wall46x", std::string(small_case)}});
+  fs::create_directory(cases / "scenes");
+  write_whole(cases / "scenes/mine.toml", "");
+  const Outcome outcome = cases.check();
+  EXPECT_EQ(outcome.exit_code, 2);
+  for (const char* words : {"a.toml:1:9: the key scene: no scene named 'wall46'; did you mean 'wall45'?\n",
+                            "b.toml:1:9: the key scene: no scene named 'scenes/mien.toml'; did you mean "
+                            "'scenes/mine.toml'?\n",
+                            "c.toml:1:9: the key scene: no scene named 'scenes/wall46.toml'; did you mean 'wall45'?\n",
+                            "d.toml:1:9: the key scene: no scene named 'something else'; give a path relative to this "
+                            "file, or one of fig1, "}) {
+    EXPECT_TRUE(contains(outcome.err, words));
+  }
 }
 
 TEST(Check, NamesTheCaseWhoseLoopIsUnstable) {
