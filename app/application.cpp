@@ -85,8 +85,8 @@ TickState<2> Application::start_state() {
   history_.clear();
   Scene scene = *session_.scene;
   scene.settings = session_.settings;
-  const TickState<2> state =
-      play(scene, mouse_ != nullptr ? last_tick(scene) : 0, [this](const Snapshot& snapshot) { history_.add(snapshot); });
+  const TickState<2> state = play(scene, mouse_ != nullptr ? last_tick(scene) : 0,
+                                  [this](const Snapshot& snapshot) { history_.add(snapshot); });
   if (is_sound(state)) return state;
   // Unstable settings have no rest to start from: start where the hand is, and let the servo say what it finds.
   history_.clear();

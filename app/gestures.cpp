@@ -124,8 +124,8 @@ void Gestures::go_on(Session& session, const Pane& pane, const Vector<2>& pointe
     case Grip::picture: {
       ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
       const Vector<2> moved = pointer - last_;
-      session.shown = within_scene_limits({session.shown.center - Vector<2>(moved.x, -moved.y) / pane.camera.points_per_metre,
-                                           session.shown.width});
+      session.shown = within_scene_limits(
+          {session.shown.center - Vector<2>(moved.x, -moved.y) / pane.camera.points_per_metre, session.shown.width});
       break;
     }
   }

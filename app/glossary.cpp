@@ -7,10 +7,13 @@ namespace {
 
 constexpr std::array entries{
     GlossaryEntry{Term::goal, "Goal q_u", "Where your hand wants the device to be; drag it.", "", "mm"},
-    GlossaryEntry{Term::device, "Device q_h", "Where the device is: the hand pulls it to the goal, its motors push back.",
+    GlossaryEntry{Term::device, "Device q_h",
+                  "Where the device is: the hand pulls it to the goal, its motors push back.",
                   "k_u (q_u − q_h) + f_r = 0 at rest", "mm"},
-    GlossaryEntry{Term::proxy, "Proxy q_p", "Where the handle should be: the wall holds this point back, and the motors pull the device towards it.",
-                  "K_t (q_h − q_p) + k_c (q_c − q_p) = 0", "mm"},
+    GlossaryEntry{
+        Term::proxy, "Proxy q_p",
+        "Where the handle should be: the wall holds this point back, and the motors pull the device towards it.",
+        "K_t (q_h − q_p) + k_c (q_c − q_p) = 0", "mm"},
     GlossaryEntry{Term::contact, "Contact q_c", "The point of the wall that is nearest to the proxy.",
                   "q_c = q_p + n (n·(o − q_p))", "mm"},
     GlossaryEntry{Term::wall, "Virtual wall",
@@ -25,7 +28,8 @@ constexpr std::array entries{
                   "How far the proxy has slid along the wall, away from where the hand aims; it should be zero.",
                   "(q_p − q_u) along the wall", "mm"},
     GlossaryEntry{Term::energy, "Energy",
-                  "What the rendering has given to the hand since the reset: round a closed loop it should be none. Above zero it was "
+                  "What the rendering has given to the hand since the reset: round a closed loop it should be none. "
+                  "Above zero it was "
                   "active, not passive.",
                   "Σ f_r,k−1 · (q_h,k − q_h,k−1)", "mJ"},
     GlossaryEntry{Term::model_error, "Model − simulation",
@@ -53,10 +57,11 @@ constexpr std::array entries{
     GlossaryEntry{Term::constraint_stiffness, "Constraint stiffness k_c",
                   "Of the spring by which the wall holds the proxy back.", "f_c = k_c (q_c − q_p)", "N/m"},
     GlossaryEntry{Term::hard_constraint, "Hard constraint", "The proxy never enters the wall.", "k_c = ∞", ""},
-    GlossaryEntry{Term::tracking_ratio, "Tracking ratio ρ",
-                  "How much stiffer the proxy follows along the motors than across them: 1 is naïve, ρ* takes the ghost "
-                  "force away. Used by anisotropic rendering.",
-                  "ρ = k_ta / k_tn,  ρ* = 1 + k_r / k_u", ""},
+    GlossaryEntry{
+        Term::tracking_ratio, "Tracking ratio ρ",
+        "How much stiffer the proxy follows along the motors than across them: 1 is naïve, ρ* takes the ghost "
+        "force away. Used by anisotropic rendering.",
+        "ρ = k_ta / k_tn,  ρ* = 1 + k_r / k_u", ""},
     GlossaryEntry{Term::user_stiffness, "User stiffness k_u", "How stiffly the hand holds on to its goal.",
                   "f_u = k_u (q_u − q_h)", "N/m"},
     GlossaryEntry{Term::believed_user_stiffness, "Believed user stiffness",

@@ -53,6 +53,8 @@ const GlossaryEntry& glossary(Term term) noexcept;
 
 // What a mark of the scene shows, or names in the legend; empty for decoration.
 std::optional<Term> term_of(Role role) noexcept;
-inline std::optional<Term> term_of(const Mark& mark) noexcept { return term_of(mark.about.value_or(mark.role)); }
+inline std::optional<Term> term_of(const Mark& mark) noexcept {
+  return term_of(mark.about.value_or(mark.role));
+}
 
 }  // namespace ghostforce

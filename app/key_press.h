@@ -1,5 +1,5 @@
-// A key press as it happened, with the modifiers of that moment. ImGui tells which keys are down once per frame; where a
-// frame takes as long as a quick chord, Alt+R would be an R.
+// A key press as it happened, with the modifiers of that moment. ImGui tells which keys are down once per frame; where
+// a frame takes as long as a quick chord, Alt+R would be an R.
 #pragma once
 
 namespace ghostforce {

@@ -1,4 +1,5 @@
-// The one table of keys: what is pressed, what it does, in words for the person and as a function. Help, README and tests walk it.
+// The one table of keys: what is pressed, what it does, in words for the person and as a function. Help, README and
+// tests walk it.
 #pragma once
 
 #include <span>
@@ -10,12 +11,12 @@
 namespace ghostforce {
 
 struct KeyBinding {
-  int key;        // GLFW_KEY_…
-  int modifiers;  // GLFW_MOD_…
+  int key;                    // GLFW_KEY_…
+  int modifiers;              // GLFW_MOD_…
   std::string_view shown;     // as printed on the keys; empty: a further key of the row above
   std::string_view sentence;  // what it does
   void (*act)(Session&);
-  bool repeats = false;        // holding it down does it again
+  bool repeats = false;         // holding it down does it again
   bool also_in_fields = false;  // even while the person types into a field, where most keys are letters
 };
 

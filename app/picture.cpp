@@ -54,12 +54,11 @@ bool apply_strategy_word(std::string_view word, PictureRequest& request) {
 
 Moment play_to_moment(const PictureRequest& request) {
   Moment moment;
-  const TickState<2> state =
-      play(request.scene, tick_at(request.scene, request.at_s), [&](const Snapshot& snapshot) {
-        moment.history.add(snapshot);
-        moment.snapshot = snapshot;
-        if (snapshot.tick % 1024 == 0) stop_if_interrupted();
-      });
+  const TickState<2> state = play(request.scene, tick_at(request.scene, request.at_s), [&](const Snapshot& snapshot) {
+    moment.history.add(snapshot);
+    moment.snapshot = snapshot;
+    if (snapshot.tick % 1024 == 0) stop_if_interrupted();
+  });
   if (is_sound(state)) return moment;
   throw Failure(ExitCode::wrong_call,
                 "there is nothing to draw: with these settings the sampled loop is unstable and the device runs away; "

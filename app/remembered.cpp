@@ -107,9 +107,10 @@ std::string text_of(const WindowLayout& layout) {
     folded += folded.empty() ? "" : ", ";
     folded += toml_string(title);
   }
-  return fmt::format("# Written by ghostforce when its window closes.\nwidth = {}\nheight = {}\nmaximized = {}\n"
-                     "folded = [{}]\n",
-                     layout.width, layout.height, layout.is_maximized, folded);
+  return fmt::format(
+      "# Written by ghostforce when its window closes.\nwidth = {}\nheight = {}\nmaximized = {}\n"
+      "folded = [{}]\n",
+      layout.width, layout.height, layout.is_maximized, folded);
 }
 
 // Where a damaged file goes: a name that nothing has yet.

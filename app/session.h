@@ -79,9 +79,9 @@ struct Session {
   double speed = 1.0;  // of model time against real time
   std::uint32_t steps_asked = 0;
   std::uint32_t restarts_asked = 0;
-  std::string input = "mouse";     // who moves the goal, a name of the input catalog
-  bool pointer_moves_goal = true;  // that input is the mouse
-  bool has_handles = false;        // there is a person who can take hold of wall and motor axis
+  std::string input = "mouse";      // who moves the goal, a name of the input catalog
+  bool pointer_moves_goal = true;   // that input is the mouse
+  bool has_handles = false;         // there is a person who can take hold of wall and motor axis
   std::optional<std::size_t> hint;  // offered to somebody who is new here: the number of it in hint_catalog()
   Dialog dialog = Dialog::none;
   Form form;

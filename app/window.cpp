@@ -122,7 +122,7 @@ Window::Window(const WindowOptions& options) : library_(options.offscreen), wind
   }
   glfwSetWindowUserPointer(handle(), this);
   glfwSetDropCallback(handle(), on_drop);
-  glfwSetKeyCallback(handle(), on_key);  // before ImGui's, which then calls it
+  glfwSetKeyCallback(handle(), on_key);            // before ImGui's, which then calls it
   glfwSetWindowSizeCallback(handle(), on_resize);  // ImGui has none
   restored_size_ = {options.width, options.height};
   start_imgui(options.takes_mouse);
@@ -330,8 +330,9 @@ Image Window::picture_of(int density, const std::function<void()>& draw) {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colours.name());
   if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-    throw Failure(ExitCode::wrong_call, "the graphics driver has no room for a picture of this size; choose a smaller "
-                                        "one");
+    throw Failure(ExitCode::wrong_call,
+                  "the graphics driver has no room for a picture of this size; choose a smaller "
+                  "one");
   }
 
   ImGui_ImplOpenGL3_NewFrame();

@@ -23,7 +23,7 @@ struct WindowOptions {
   int height = 800;
   bool offscreen = false;
   bool fits_monitor = false;  // smaller where the monitor is
-  bool takes_mouse = true;  // false: no hover and no click changes a picture
+  bool takes_mouse = true;    // false: no hover and no click changes a picture
 };
 
 // Smaller, and the bars have no room for their words [screen coordinates].
@@ -110,7 +110,7 @@ class Window {
   ImFont* regular_font_ = nullptr;
   ImFont* bold_font_ = nullptr;
   ImFont* number_font_ = nullptr;
-  int density_ = 1;  // of the frame that is being drawn
+  int density_ = 1;           // of the frame that is being drawn
   WindowSize restored_size_;  // the last one while neither maximised nor full screen
   struct {
     int x = 0, y = 0;

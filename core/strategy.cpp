@@ -16,7 +16,8 @@ constexpr PerStrategy<Strategy> catalog{{
     {StrategyId::naive, "naive", 'N', "Naïve", "one motor",
      "One motor, rendered as if there were two: a ghost force drags the hand along the wall.",
      "One motor, rendered as if there were two: a ghost force drags the hand along the wall.",
-     "One motor, rendered as if there were two; here it makes no ghost force: the motor pushes straight out of the wall.",
+     "One motor, rendered as if there were two; here it makes no ghost force: the motor pushes straight out of the "
+     "wall.",
      false, isotropic},
     {StrategyId::anisotropic, "anisotropic", 'A', "Anisotropic", "one motor, cured",
      "The cure: the same one motor, and a proxy that follows more softly across it. At the optimal ratio ρ* the ghost "

@@ -31,10 +31,10 @@ struct Strategy {
   std::string_view name;                                 // in files and on the command line
   char letter;                                           // in pictures and tables
   std::string_view title;                                // on screen
-  std::string_view in_brief;        // beside the title, in a legend
-  std::string_view sentence;        // what it does, for a person who hovers over it
-  std::string_view with_ghost;      // what to see where it makes a ghost force,
-  std::string_view without_ghost;   // and where it makes none
+  std::string_view in_brief;                             // beside the title, in a legend
+  std::string_view sentence;                             // what it does, for a person who hovers over it
+  std::string_view with_ghost;                           // what to see where it makes a ghost force,
+  std::string_view without_ghost;                        // and where it makes none
   bool has_every_motor;                                  // K_r = k_r I, else k_r P_A
   double (*tracking_ratio)(const Impedances&) noexcept;  // ρ of K_t
 };

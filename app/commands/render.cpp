@@ -131,8 +131,7 @@ std::function<int()> attach_render(CLI::App& subcommand) {
       ->type_name("T")
       ->check(number_between(0.0, 1e6, "s"));
   subcommand
-      .add_option("--size", options->size,
-                  "Pixels, or points of an SVG or PDF, 64 to 4096 each way; default: 1280x800")
+      .add_option("--size", options->size, "Pixels, or points of an SVG or PDF, 64 to 4096 each way; default: 1280x800")
       ->type_name("WxH");
   subcommand
       .add_option("--part", options->part,

@@ -99,14 +99,14 @@ int run(const Options& options) {
                  .height = layout.height,
                  .fits_monitor = true});
   if (layout.is_maximized) window.maximize();
-  Application application(window, scene,
-                          {.look = look,
-                           .input = options.input,
-                           .offers_hints = remembered.preferences.offers_hints && !options.no_hints,
-                           .folded_panels = remembered.layout
-                                                ? layout.folded_panels
-                                                : panels_folded_at_first(window.restored_size().height / look.scale),
-                           .shader_folder = options.shader_folder});
+  Application application(
+      window, scene,
+      {.look = look,
+       .input = options.input,
+       .offers_hints = remembered.preferences.offers_hints && !options.no_hints,
+       .folded_panels = remembered.layout ? layout.folded_panels
+                                          : panels_folded_at_first(window.restored_size().height / look.scale),
+       .shader_folder = options.shader_folder});
   if (!remembered.remarks.empty()) application.tell(fmt::format("{}", fmt::join(remembered.remarks, "\n\n")), true);
   Keeper keeper(remembered.preferences, application.session());
   application.start();

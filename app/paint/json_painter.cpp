@@ -9,7 +9,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json millimetres(const Vector<2>& world) { return Json::array({world.x * 1000.0, world.y * 1000.0}); }
+Json millimetres(const Vector<2>& world) {
+  return Json::array({world.x * 1000.0, world.y * 1000.0});
+}
 
 std::string hex(Colour colour) {
   return fmt::format("#{:02X}{:02X}{:02X}{:02X}", colour.red, colour.green, colour.blue, colour.alpha);

@@ -3,7 +3,9 @@
 namespace ghostforce {
 namespace {
 
-ImU32 packed(Colour colour) { return IM_COL32(colour.red, colour.green, colour.blue, colour.alpha); }
+ImU32 packed(Colour colour) {
+  return IM_COL32(colour.red, colour.green, colour.blue, colour.alpha);
+}
 
 }  // namespace
 

@@ -97,10 +97,10 @@ void end_rows() {
 }
 
 bool text_field(const char* id, const char* hint, std::string& text) {
-  return ImGui::InputTextWithHint(id, hint, text.data(), text.capacity() + 1,
-                                  ImGuiInputTextFlags_CallbackResize | ImGuiInputTextFlags_EnterReturnsTrue |
-                                      ImGuiInputTextFlags_AutoSelectAll,
-                                  grow, &text);
+  return ImGui::InputTextWithHint(
+      id, hint, text.data(), text.capacity() + 1,
+      ImGuiInputTextFlags_CallbackResize | ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll,
+      grow, &text);
 }
 
 bool stiffness_slider(const char* id, std::string_view key, double& newton_per_metre, const SliderLimits& limits) {

@@ -61,12 +61,13 @@ void draw_notice(const PanelContext& context, ImVec2 corner, ImVec2 size) {
   const float scale = context.scale;
   const float width = std::min(620.0F * scale, size.x - 32.0F * scale);
   // To the right: the legend is on the left.
-  ImGui::SetNextWindowPos({corner.x + size.x - 14.0F * scale, corner.y + 14.0F * scale}, ImGuiCond_Always, {1.0F, 0.0F});
+  ImGui::SetNextWindowPos({corner.x + size.x - 14.0F * scale, corner.y + 14.0F * scale}, ImGuiCond_Always,
+                          {1.0F, 0.0F});
   ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {width, 0.6F * size.y});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 2.0F * scale);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6.0F * scale);
-  ImGui::PushStyleColor(ImGuiCol_Border, unpacked(session.notice->is_problem ? context.theme.problem
-                                                                              : context.theme.accent));
+  ImGui::PushStyleColor(ImGuiCol_Border,
+                        unpacked(session.notice->is_problem ? context.theme.problem : context.theme.accent));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, unpacked(context.theme.panel_field));
   ImGui::Begin("notice", nullptr,
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |

@@ -53,7 +53,7 @@ void write_entry(const GlossaryEntry& entry, std::string_view whose) {
   write(whose.empty() ? std::string(entry.title) : fmt::format("{} · {}", entry.title, whose));
   ImGui::PopStyleColor();
   write(entry.sentence);
-  const std::string formula = entry.unit.empty() ? std::string(entry.formula)
+  const std::string formula = entry.unit.empty()      ? std::string(entry.formula)
                               : entry.formula.empty() ? fmt::format("in {}", entry.unit)
                                                       : fmt::format("{}   [{}]", entry.formula, entry.unit);
   if (!formula.empty()) write(formula);

@@ -11,24 +11,25 @@ namespace {
 
 constexpr std::array hints{
     Hint{"Drag: this is where your hand wants to be.",
-         "You press a handle into a virtual wall. Its one motor only pushes left and right; the hollow arrow is what goes "
+         "You press a handle into a virtual wall. Its one motor only pushes left and right; the hollow arrow is what "
+         "goes "
          "wrong: the ghost force.",
          HintTarget::goal,
          [](const Session& session, const HintProgress& progress) {
            return progress.has_dragged && !session.drags_goal;
          }},
-    Hint{"Press 3. Same hand, same wall.",
-         "Same motor, too: watch the hollow arrow and the drift along the wall go. This is the cure.",
-         HintTarget::third_strategy,
-         [](const Session& session, const HintProgress&) {
-           return session.settings.active == StrategyId::anisotropic;
-         }},
-    Hint{"Turn the arrow.",
-         "The motor axis, lower right: then it pushes another way. Where is there no ghost force even without the cure?",
-         HintTarget::motor_axis,
-         [](const Session& session, const HintProgress& progress) {
-           return session.settings.actuated_angle != progress.actuated_angle && !session.is_editing;
-         }},
+    Hint{
+        "Press 3. Same hand, same wall.",
+        "Same motor, too: watch the hollow arrow and the drift along the wall go. This is the cure.",
+        HintTarget::third_strategy,
+        [](const Session& session, const HintProgress&) { return session.settings.active == StrategyId::anisotropic; }},
+    Hint{
+        "Turn the arrow.",
+        "The motor axis, lower right: then it pushes another way. Where is there no ghost force even without the cure?",
+        HintTarget::motor_axis,
+        [](const Session& session, const HintProgress& progress) {
+          return session.settings.actuated_angle != progress.actuated_angle && !session.is_editing;
+        }},
 };
 
 }  // namespace

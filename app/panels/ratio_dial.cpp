@@ -74,7 +74,8 @@ void draw_ratio_dial(const PanelContext& context) {
     draw_list.AddText({x - 0.5F * size.x, corner.y}, packed(letters), word);
   };
   stop(scale.place(1.0), "naïve", naive, theme.strategy_text[index_of(StrategyId::naive)]);
-  stop(scale.place(optimal), impedances.believed_k_u ? "believed optimal" : "optimal", cure, theme.strategy_text[index_of(StrategyId::anisotropic)]);
+  stop(scale.place(optimal), impedances.believed_k_u ? "believed optimal" : "optimal", cure,
+       theme.strategy_text[index_of(StrategyId::anisotropic)]);
 
   const double ratio = tracking_ratio(impedances);
   const ImVec2 knob{x_of(scale.place(ratio)), track_y};

@@ -50,8 +50,8 @@ std::string proposed_path(std::string_view stem, std::string_view extension) {
   std::error_code error;
   const fs::path folder = fs::current_path(error);
   for (int number = 1;; ++number) {
-    const std::string name = number == 1 ? fmt::format("{}.{}", stem, extension)
-                                         : fmt::format("{}-{}.{}", stem, number, extension);
+    const std::string name =
+        number == 1 ? fmt::format("{}.{}", stem, extension) : fmt::format("{}-{}.{}", stem, number, extension);
     if (const fs::path path = folder / name; !fs::exists(path, error)) return path.string();
   }
 }

@@ -53,7 +53,8 @@ void draw_save_picture(const PanelContext& context) {
   Session& session = context.session;
   Form& form = session.form;
   if (form.belongs_to != Dialog::save_picture) {
-    const std::string stem = fmt::format("{}-{}", file_stem(session.scene->title), strategy(session.settings.active).name);
+    const std::string stem =
+        fmt::format("{}-{}", file_stem(session.scene->title), strategy(session.settings.active).name);
     form.path = proposed_path(stem, formats.front());
   }
   const char* const format = format_of(form.path);

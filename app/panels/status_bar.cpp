@@ -42,7 +42,8 @@ void draw_scene_menu(Session& session) {
   if (!ImGui::BeginPopup("scenes")) return;
   close_popup_on_escape();
   for (const ShippedScene& scene : shipped_scenes()) {
-    if (ImGui::MenuItem(scene.title.c_str(), scene.name.c_str(), scene.title == session.scene->title)) session.wishes.open_scene = scene.name;
+    if (ImGui::MenuItem(scene.title.c_str(), scene.name.c_str(), scene.title == session.scene->title))
+      session.wishes.open_scene = scene.name;
     explain(scene.about);
   }
   ImGui::Separator();

@@ -39,9 +39,7 @@ void draw_strategy_button(const PanelContext& context, const Strategy& entry, fl
   const double tint = active ? active_tint : hovered ? 0.5 * active_tint : 0.0;
   draw_list.AddRectFilled(corner, end, packed(mix(context.theme.panel_field, context.theme.strategy[i], tint)),
                           rounding);
-  const Colour rim = is_hinted ? context.theme.accent
-                     : active  ? context.theme.strategy[i]
-                               : context.theme.panel_border;
+  const Colour rim = is_hinted ? context.theme.accent : active ? context.theme.strategy[i] : context.theme.panel_border;
   draw_list.AddRect(corner, end, packed(rim), rounding, 0, (is_hinted ? 3.0F : active ? 2.0F : 1.0F) * context.scale);
   const float text_y = corner.y + 0.5F * (size.y - ImGui::GetFontSize());
   const float pad = 0.5F * ImGui::GetFontSize();

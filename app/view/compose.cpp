@@ -49,9 +49,9 @@ std::optional<Compare> find_compare(std::string_view name) noexcept {
 }
 
 std::string_view role_name(Role role) noexcept {
-  constexpr std::array names{"wall",          "hatching",    "grid",   "motor_axis", "trail",   "hand_spring",
-                             "tracking_link", "goal",        "device", "proxy",      "contact", "force",
-                             "ghost_force",   "proxy_drift", "prediction", "handle", "scale",  "legend"};
+  constexpr std::array names{"wall",          "hatching",    "grid",       "motor_axis", "trail",   "hand_spring",
+                             "tracking_link", "goal",        "device",     "proxy",      "contact", "force",
+                             "ghost_force",   "proxy_drift", "prediction", "handle",     "scale",   "legend"};
   static_assert(names.size() == static_cast<std::size_t>(Role::legend) + 1);
   return names[static_cast<std::size_t>(role)];
 }

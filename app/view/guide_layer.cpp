@@ -11,7 +11,7 @@ namespace {
 
 constexpr double least_room_for_legend = 440.0;  // across; marks have letters besides [points]
 constexpr double least_room_for_scales = 190.0;  // beside the motor dial [points]
-constexpr double margin = 18.0;  // to the edge of the picture [points]
+constexpr double margin = 18.0;                  // to the edge of the picture [points]
 
 struct Pen {
   const View& view;
@@ -79,10 +79,10 @@ void add_motor_axis(const View& view, Marks& marks) {
   const Vector<2> across{-axis.y, axis.x};
   const auto motor = [&](const Vector<2>& direction, Colour colour) {
     for (const double sign : {-1.0, 1.0}) {
-      marks.push_back({Role::motor_axis, std::nullopt,
-                       Arrow{center, center + direction * (sign * 0.92 * radius / view.camera.points_per_metre),
-                             std::min(view.points(4.4), 0.11 * radius), colour, view.theme.background,
-                             view.points(0.5)}});
+      marks.push_back(
+          {Role::motor_axis, std::nullopt,
+           Arrow{center, center + direction * (sign * 0.92 * radius / view.camera.points_per_metre),
+                 std::min(view.points(4.4), 0.11 * radius), colour, view.theme.background, view.points(0.5)}});
     }
   };
   const bool every_motor = strategy(view.settings.active).has_every_motor;
@@ -105,10 +105,10 @@ void add_wall_grips(const View& view, Marks& marks) {
   if (!view.has_handles || !grips) return;
   const bool is_hot = view.hot == Handle::wall;
   for (const Vector<2>& grip : *grips) {
-    marks.push_back({Role::handle, std::nullopt,
-                     Marker{to_world(view.camera, grip), Shape::disc, view.points(grip_radius),
-                            is_hot ? view.theme.accent : view.theme.background, view.theme.wall_edge,
-                            view.points(2.0)}});
+    marks.push_back(
+        {Role::handle, std::nullopt,
+         Marker{to_world(view.camera, grip), Shape::disc, view.points(grip_radius),
+                is_hot ? view.theme.accent : view.theme.background, view.theme.wall_edge, view.points(2.0)}});
   }
 }
 

@@ -110,8 +110,8 @@ void keep_marks_clear(const View& view, const Marks& marks, LabelPlacer& placer)
       const Vector<2> extent = view.measure(label->text, view.points(text_height(label->size)));
       placer.keep_clear_of_text(at, extent);
     } else if (const auto* line = std::get_if<Line>(&mark.form);
-               line != nullptr && (mark.role == Role::proxy_drift || mark.role == Role::scale ||
-                                   mark.role == Role::wall)) {
+               line != nullptr &&
+               (mark.role == Role::proxy_drift || mark.role == Role::scale || mark.role == Role::wall)) {
       placer.keep_clear(to_screen(view.camera, line->from), to_screen(view.camera, line->to), 4.0);
     }
   }
@@ -166,7 +166,8 @@ void add_measures(const View& view, StrategyId id, LabelPlacer& placer) {
   if (has_drift_ruler(view, id)) {
     const DriftRuler ruler = drift_ruler(view, id);
     placer.place(Role::proxy_drift, id, 0.5 * (ruler.from + ruler.to), view.points(8.0),
-                 fmt::format("{}drift {:.1f} mm", whose, glm::length(now.proxy_drift) * 1000.0), TextSize::normal, colour);
+                 fmt::format("{}drift {:.1f} mm", whose, glm::length(now.proxy_drift) * 1000.0), TextSize::normal,
+                 colour);
   }
 }
 

@@ -15,7 +15,7 @@ void add_arrows(const View& view, StrategyId id, Marks& marks);   // rendered fo
 void add_markers(const View& view, StrategyId id, Marks& marks);  // proxy, contact, device
 void add_goal(const View& view, Marks& marks);
 void add_handles(const View& view, Marks& marks);  // motor axis, wall grips
-void add_labels(const View& view, Marks& marks);  // words and numbers beside the marks above
+void add_labels(const View& view, Marks& marks);   // words and numbers beside the marks above
 
 // --- Where arrow and label layers must agree -----------------------------------------------------------------------
 

@@ -16,9 +16,9 @@ void add_predictions(const View& view, Marks& marks) {
     const double size = view.in_front(id) ? 1.0 : behind;
     const Colour colour = view.theme.strategy[index_of(id)];
     const auto ring = [&](const Vector<2>& center, double radius) {
-      marks.push_back({Role::prediction, id,
-                       Marker{center, Shape::disc, view.points(radius * size), colour.with_alpha(0), colour,
-                              view.points(1.0)}});
+      marks.push_back(
+          {Role::prediction, id,
+           Marker{center, Shape::disc, view.points(radius * size), colour.with_alpha(0), colour, view.points(1.0)}});
     };
     ring(rest.device, device_ring);
     if (rest.in_contact) ring(rest.proxy, proxy_ring);

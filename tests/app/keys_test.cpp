@@ -184,8 +184,8 @@ TEST_F(KeysTest, GPAndTShowAndHide) {
     int key;
     Role role;
   };
-  for (const Case& c : {Case{GLFW_KEY_G, Role::ghost_force}, Case{GLFW_KEY_P, Role::prediction},
-                        Case{GLFW_KEY_T, Role::trail}}) {
+  for (const Case& c :
+       {Case{GLFW_KEY_G, Role::ghost_force}, Case{GLFW_KEY_P, Role::prediction}, Case{GLFW_KEY_T, Role::trail}}) {
     EXPECT_GT(count_marks(c.role), 0) << role_name(c.role);
     press(c.key);
     EXPECT_EQ(count_marks(c.role), 0) << role_name(c.role);

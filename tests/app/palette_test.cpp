@@ -49,9 +49,8 @@ const std::array<Vision, 4> visions{{
 // CIE L*a*b* under D65.
 Triple lab(Triple rgb) {
   for (double& channel : rgb) channel = std::clamp(channel, 0.0, 1.0);
-  const Transform to_xyz{{{0.4124564, 0.3575761, 0.1804375},
-                          {0.2126729, 0.7151522, 0.0721750},
-                          {0.0193339, 0.1191920, 0.9503041}}};
+  const Transform to_xyz{
+      {{0.4124564, 0.3575761, 0.1804375}, {0.2126729, 0.7151522, 0.0721750}, {0.0193339, 0.1191920, 0.9503041}}};
   Triple xyz = applied(to_xyz, rgb);
   const Triple white{0.95047, 1.0, 1.08883};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -155,10 +154,8 @@ TEST(Palette, NothingIsToldByColourAlone) {
 TEST(Palette, WordsCanBeRead) {
   constexpr double least = 4.5;  // of WCAG 2 for text of this size
   for (const Theme& theme : theme_catalog()) {
-    const std::vector<std::pair<std::string, Colour>> behind{{"panel", theme.panel},
-                                                             {"field", theme.panel_field},
-                                                             {"scene", theme.background},
-                                                             {"wall", theme.wall}};
+    const std::vector<std::pair<std::string, Colour>> behind{
+        {"panel", theme.panel}, {"field", theme.panel_field}, {"scene", theme.background}, {"wall", theme.wall}};
     for (const auto& [where, ground] : behind) {
       EXPECT_GE(contrast(theme.text, ground), least) << theme.name << ": text on " << where;
       EXPECT_GE(contrast(theme.faint_text, ground), least) << theme.name << ": faint text on " << where;

@@ -1,5 +1,5 @@
-// Pictures as users make them, by the program's own `render`: the same bytes every time, and a clear word where a picture
-// cannot be made. The stored pictures are in snapshots_test.cpp.
+// Pictures as users make them, by the program's own `render`: the same bytes every time, and a clear word where a
+// picture cannot be made. The stored pictures are in snapshots_test.cpp.
 #include "app/image.h"
 
 #include <gtest/gtest.h>

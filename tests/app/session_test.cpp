@@ -28,7 +28,8 @@ class SessionTest : public DrivenWindow {
   void redo() { press(GLFW_KEY_Z, GLFW_MOD_CONTROL | GLFW_MOD_SHIFT); }
 };
 
-// --- Undo --------------------------------------------------------------------------------------------------------------
+// --- Undo
+// --------------------------------------------------------------------------------------------------------------
 
 TEST_F(SessionTest, EveryChangeOfASettingIsTakenBackAndDoneAgain) {
   const Settings start = session().settings;
@@ -85,7 +86,8 @@ TEST_F(SessionTest, OpeningAnotherSceneCanBeTakenBackToo) {
   EXPECT_EQ(session().scene->title, load_scene("wall45").title);
 }
 
-// --- Scenes ------------------------------------------------------------------------------------------------------------
+// --- Scenes
+// ------------------------------------------------------------------------------------------------------------
 
 TEST_F(SessionTest, ASavedSceneShowsWhatWasSeen) {
   const TemporaryFolder folder;
@@ -173,7 +175,8 @@ TEST_F(SessionTest, SavingWhereNothingCanBeIsSaid) {
   EXPECT_TRUE(session().notice->is_problem);
 }
 
-// --- Pictures ----------------------------------------------------------------------------------------------------------
+// --- Pictures
+// ----------------------------------------------------------------------------------------------------------
 
 TEST_F(SessionTest, APictureIsTheScreenOnceToFourTimesAsFine) {
   const TemporaryFolder folder;
@@ -226,8 +229,9 @@ TEST_F(SessionTest, APictureShowsNeitherHintsNorHandlesNorNotices) {
 
 TEST_F(SessionTest, ThePictureDialogKnowsItsFormatsInAnyCase) {
   const TemporaryFolder folder;
-  for (const auto& [typed, written] : {std::pair{"a.PNG", "a.PNG"}, std::pair{"b", "b.png"}, std::pair{"c.jpg", "c.jpg.png"},
-                                       std::pair{"d.Svg", "d.Svg"}, std::pair{"e.pdf", "e.pdf"}}) {
+  for (const auto& [typed, written] :
+       {std::pair{"a.PNG", "a.PNG"}, std::pair{"b", "b.png"}, std::pair{"c.jpg", "c.jpg.png"},
+        std::pair{"d.Svg", "d.Svg"}, std::pair{"e.pdf", "e.pdf"}}) {
     press(GLFW_KEY_P, GLFW_MOD_CONTROL);
     session().form.density = 1;
     frames(2);
@@ -248,7 +252,8 @@ TEST_F(SessionTest, EachDialogBeginsWithFieldsOfItsOwn) {
   EXPECT_EQ(session().form.path, "");
 }
 
-// --- Inputs ------------------------------------------------------------------------------------------------------------
+// --- Inputs
+// ------------------------------------------------------------------------------------------------------------
 
 TEST_F(SessionTest, TheInputChangesWhileTheProgramRuns) {
   session().wishes.input = "script";
@@ -263,7 +268,8 @@ TEST_F(SessionTest, TheInputChangesWhileTheProgramRuns) {
   EXPECT_EQ(now().goal, load_scene("wall45").goal.points.back());
 }
 
-// --- Hints -------------------------------------------------------------------------------------------------------------
+// --- Hints
+// -------------------------------------------------------------------------------------------------------------
 
 TEST_F(SessionTest, ThreeHintsGoOneAfterAnotherAsTheyAreFollowed) {
   open({.offers_hints = true});
@@ -308,7 +314,8 @@ TEST_F(SessionTest, NobodyIsOfferedHintsUnasked) {
   EXPECT_FALSE(session().hint);
 }
 
-// --- Sizes -------------------------------------------------------------------------------------------------------------
+// --- Sizes
+// -------------------------------------------------------------------------------------------------------------
 
 // The windows of ImGui that are on the screen, by name.
 std::vector<const ImGuiWindow*> windows_on_screen() {
@@ -332,8 +339,10 @@ TEST_F(SessionTest, EveryWindowStaysOnTheScreenAtEverySizeScaleAndTheme) {
             if (std::string_view(window->Name).starts_with("Debug")) continue;
             EXPECT_GE(window->Pos.x, -0.5F) << window->Name << ' ' << width << ' ' << scale;
             EXPECT_GE(window->Pos.y, -0.5F) << window->Name << ' ' << width << ' ' << scale;
-            EXPECT_LE(window->Pos.x + window->Size.x, static_cast<float>(width) + 0.5F) << window->Name << ' ' << width << ' ' << scale;
-            EXPECT_LE(window->Pos.y + window->Size.y, static_cast<float>(height) + 0.5F) << window->Name << ' ' << width << ' ' << scale;
+            EXPECT_LE(window->Pos.x + window->Size.x, static_cast<float>(width) + 0.5F)
+                << window->Name << ' ' << width << ' ' << scale;
+            EXPECT_LE(window->Pos.y + window->Size.y, static_cast<float>(height) + 0.5F)
+                << window->Name << ' ' << width << ' ' << scale;
           }
         }
       }
@@ -365,7 +374,8 @@ TEST_F(SessionTest, NumbersDoNotMakeTheLayoutJump) {
   }
 }
 
-// --- The caption -------------------------------------------------------------------------------------------------------
+// --- The caption
+// -------------------------------------------------------------------------------------------------------
 
 TEST(Caption, SaysWhatIsTrueNow) {
   Settings settings = load_scene("fig1").settings;

@@ -62,7 +62,8 @@ TEST_F(ShaderWatchTest, ABrokenShaderIsShownAndTheOldOneGoesOn) {
   // Above the panel the scene is drawn as before.
   for (int y = 60; y < 300; ++y) {
     const std::ptrdiff_t row = 3 * static_cast<std::ptrdiff_t>(y) * before.width;
-    ASSERT_TRUE(std::equal(before.rgb.begin() + row, before.rgb.begin() + row + 3 * 840, broken.rgb.begin() + row)) << y;
+    ASSERT_TRUE(std::equal(before.rgb.begin() + row, before.rgb.begin() + row + 3 * 840, broken.rgb.begin() + row))
+        << y;
   }
   write_fragment(fragment_);
   EXPECT_EQ(picture(), before) << "the panel goes when the shader is right again";
