@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "app/failure.h"
+#include "app/input_choices.h"
 #include "app/output_file.h"
 #include "app/paint/vector_painter.h"
 #include "app/png_file.h"
@@ -40,8 +41,8 @@ Application::Application(Window& window, const Scene& scene, const ApplicationOp
     : window_(window),
       session_(session_with(scene, options)),
       undo_({session_.scene, session_.settings}),
+      inputs_(input_choices()),
       screen_(window, options.part) {
-  for (const InputKind& kind : input_catalog()) inputs_.push_back({kind.name, kind.title, kind.sentence});
   if (!options.shader_folder.empty()) shader_watch_.emplace(options.shader_folder);
   use(*find_input(options.input), session_.scene, session_.settings);
 }

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/failure.h"
+#include "app/input_choices.h"
 #include "app/interruption.h"
 #include "app/paint/json_painter.h"
 #include "app/panels/panel_catalog.h"
@@ -83,6 +84,8 @@ Drawing draw_moment(const PictureRequest& request, const Moment& moment) {
   session.options = request.options;
   session.look = request.look;
   session.pointer_moves_goal = false;
+  const InputKind& hand = *find_input("script");
+  session.input = hand.name;
   session.folded_panels = panels_folded_at_first(request.height / request.look.scale);
 
   Window window({.title = "ghostforce",
@@ -91,11 +94,12 @@ Drawing draw_moment(const PictureRequest& request, const Moment& moment) {
                  .offscreen = true,
                  .takes_mouse = false});
   Screen screen(window, request.part);
+  const std::vector<InputChoice> inputs = input_choices();
   // A panel of ImGui knows its size one frame after its content.
   constexpr int frames_to_settle = 3;
   for (int i = 0; i < frames_to_settle; ++i) {
     screen.draw(session, moment.snapshot, moment.history,
-                {.input_title = "Scripted hand", .rate_hz = session.settings.rate});
+                {.input_title = hand.title, .rate_hz = session.settings.rate, .inputs = inputs});
   }
   stop_if_interrupted();
   const ImVec2 corner = screen.scene_corner();

@@ -10,6 +10,7 @@ namespace ghostforce {
 namespace {
 
 constexpr double visible_force = 0.01;  // as in the table [N]
+constexpr float large = 1.2F;           // of the panels' letters
 constexpr double parallel = 0.02;       // sine of an angle that looks like none
 
 }  // namespace
@@ -33,6 +34,11 @@ void draw_caption(const PanelContext& context) {
     draw_hint(context);
     return;
   }
+  const std::string_view words = caption_of(context.session.settings, context.snapshot.goal);
+  // Large, to be read from the last row, where two lines have room for it.
+  const float needed = large * ImGui::CalcTextSize(words.data(), words.data() + words.size()).x;
+  const bool fits = needed < 1.8F * ImGui::GetContentRegionAvail().x;
+  ImGui::PushFont(context.fonts.regular, (fits ? large : 1.0F) * ImGui::GetStyle().FontSizeBase);
   const std::size_t i = index_of(context.session.settings.active);
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float line = ImGui::GetTextLineHeight();
@@ -40,9 +46,9 @@ void draw_caption(const PanelContext& context) {
              strategy_style(context.session.settings.active).shape, context.theme.strategy[i]);
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 1.6F * line);
   ImGui::PushTextWrapPos(0.0F);
-  const std::string_view words = caption_of(context.session.settings, context.snapshot.goal);
   ImGui::TextUnformatted(words.data(), words.data() + words.size());
   ImGui::PopTextWrapPos();
+  ImGui::PopFont();
 }
 
 }  // namespace ghostforce
