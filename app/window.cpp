@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cfloat>
+#include <cmath>
 #include <cstdlib>
 #include <utility>
 
@@ -61,7 +62,11 @@ WindowSize fitted(WindowSize size) {
   int x = 0, y = 0, width = 0, height = 0;
   glfwGetMonitorWorkarea(monitor, &x, &y, &width, &height);
   if (width < least_window_width || height < least_window_height) return size;
-  return {std::min(size.width, width), std::min(size.height, height)};
+  // Where a window's coordinates are pixels, GLFW makes it larger by the display's scale.
+  float scale = 1.0F;
+  if (glfwGetPlatform() == GLFW_PLATFORM_X11) glfwGetMonitorContentScale(monitor, &scale, nullptr);
+  const auto before_scaling = [scale](int length) { return static_cast<int>(static_cast<float>(length) / scale); };
+  return {std::min(size.width, before_scaling(width)), std::min(size.height, before_scaling(height))};
 }
 
 GLFWwindow* create_window(const WindowOptions& options) {
@@ -124,7 +129,7 @@ Window::Window(const WindowOptions& options) : library_(options.offscreen), wind
   glfwSetDropCallback(handle(), on_drop);
   glfwSetKeyCallback(handle(), on_key);            // before ImGui's, which then calls it
   glfwSetWindowSizeCallback(handle(), on_resize);  // ImGui has none
-  restored_size_ = {options.width, options.height};
+  glfwGetWindowSize(handle(), &restored_size_.width, &restored_size_.height);
   start_imgui(options.takes_mouse);
 }
 
@@ -200,10 +205,12 @@ void Window::maximize() {
 }
 
 WindowSize Window::restored_size() const {
-  if (is_full_screen() || is_maximized()) return restored_size_;
-  WindowSize size;
-  glfwGetWindowSize(handle(), &size.width, &size.height);
-  return size;
+  WindowSize size = restored_size_;
+  if (!is_full_screen() && !is_maximized()) glfwGetWindowSize(handle(), &size.width, &size.height);
+  const auto unscaled = [this](int length) {
+    return static_cast<int>(std::lround(static_cast<float>(length) / display_scale()));
+  };
+  return {unscaled(size.width), unscaled(size.height)};
 }
 
 namespace {
@@ -243,7 +250,7 @@ void Window::toggle_full_screen() {
   GLFWmonitor* const monitor = monitor_of(handle());
   const GLFWvidmode* const mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
   if (mode == nullptr) return;
-  restored_size_ = restored_size();
+  if (!is_maximized()) glfwGetWindowSize(handle(), &restored_size_.width, &restored_size_.height);
   glfwGetWindowPos(handle(), &restored_corner_.x, &restored_corner_.y);
   glfwSetWindowMonitor(handle(), monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
 }

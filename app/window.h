@@ -60,7 +60,7 @@ class Window {
   bool is_full_screen() const;
   bool is_maximized() const;
   void maximize();
-  // Without a frame, in screen coordinates, as it is while neither maximised nor full screen.
+  // As it is while neither maximised nor full screen, as WindowOptions has it: before the display's scale.
   WindowSize restored_size() const;
 
   // Since the last call, in their order.

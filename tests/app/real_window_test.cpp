@@ -117,6 +117,26 @@ TEST(RealWindow, RemembersTheThemeThatWasChosen) {
   EXPECT_EQ(again.end(SIGINT), 130);
 }
 
+TEST(RealWindow, IsTwiceAsLargeOnADenseScreenAndStaysSo) {
+  const Display display(2560, 1600, 192);
+  // The frame of the active strategy's button, at twice its height above the screen's edge.
+  const auto is_twice_as_large = [](const Image& image) {
+    const Colour frame = find_theme("light")->strategy[index_of(StrategyId::naive)];
+    int framed = 0;
+    for (int x = 0; x < 1200; ++x) framed += at(image, x, 17) == frame ? 1 : 0;
+    return framed > 120 && at(image, 2556, 1596) == find_theme("light")->panel;
+  };
+  for (int start = 0; start < 2; ++start) {
+    BackgroundProgram program({GHOSTFORCE_PROGRAM, "run", "--no-hints"}, display.environment());
+    EXPECT_TRUE(display.becomes(is_twice_as_large)) << "start " << start;
+    display.act({"key", "ctrl+q"});
+    EXPECT_TRUE(display.becomes([&](const Image&) { return !program.is_running(); }));
+    EXPECT_EQ(program.end(SIGTERM), 0);
+  }
+  const std::string layout = read_whole(display.layout_file());
+  EXPECT_NE(layout.find("width = 1280\nheight = 800"), std::string::npos) << layout;
+}
+
 TEST(RealWindow, ClosesByItselfWhenAsked) {
   const Display display(1280, 800);
   BackgroundProgram program({GHOSTFORCE_PROGRAM, "run", "--exit-after", "0.5", "--theme", "dark"},

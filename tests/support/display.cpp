@@ -1,5 +1,6 @@
 #include "tests/support/display.h"
 
+#include <dlfcn.h>
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
@@ -77,16 +78,41 @@ int BackgroundProgram::end(int signal) {
   return exit_code_;
 }
 
-Display::Display(int width, int height) {
+namespace {
+
+// As a desktop does it: in the property that toolkits read, with libX11 as the program itself opens it.
+void tell_density(const std::string& display_name, int dots_per_inch) {
+  const std::unique_ptr<void, int (*)(void*)> library(dlopen("libX11.so.6", RTLD_NOW), dlclose);
+  if (!library) throw std::runtime_error("no libX11");
+  using Atom = unsigned long;
+  const auto open_display = reinterpret_cast<void* (*)(const char*)>(dlsym(library.get(), "XOpenDisplay"));
+  const auto close_display = reinterpret_cast<int (*)(void*)>(dlsym(library.get(), "XCloseDisplay"));
+  const auto root_window = reinterpret_cast<unsigned long (*)(void*)>(dlsym(library.get(), "XDefaultRootWindow"));
+  const auto change_property =
+      reinterpret_cast<int (*)(void*, unsigned long, Atom, Atom, int, int, const unsigned char*, int)>(
+          dlsym(library.get(), "XChangeProperty"));
+  void* const display = open_display(display_name.c_str());
+  if (display == nullptr) throw std::runtime_error("the display cannot be opened");
+  constexpr Atom resource_manager = 23;  // predefined, as is the type: X11/Xatom.h
+  constexpr Atom string = 31;
+  const std::string text = "Xft.dpi:\t" + std::to_string(dots_per_inch) + "\n";
+  change_property(display, root_window(display), resource_manager, string, 8, 0,
+                  reinterpret_cast<const unsigned char*>(text.data()), static_cast<int>(text.size()));
+  close_display(display);
+}
+
+}  // namespace
+
+Display::Display(int width, int height, int dots_per_inch) {
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
   const std::string size = std::to_string(width) + "x" + std::to_string(height) + "x24";
   // The server looks for a free display number itself and tells it through the pipe, so that tests may run side by
   // side.
-  server_ =
-      std::make_unique<BackgroundProgram>(std::vector<std::string>{"Xvfb", "-displayfd", "3", "-screen", "0", size,
-                                                                   "-fbdir", folder_.path(), "-nolisten", "tcp"},
-                                          std::vector<std::string>{}, ends[1]);
+  server_ = std::make_unique<BackgroundProgram>(
+      std::vector<std::string>{"Xvfb", "-displayfd", "3", "-screen", "0", size, "-fbdir", folder_.path(), "-nolisten",
+                               "tcp", "-noreset"},
+      std::vector<std::string>{}, ends[1]);
   close(ends[1]);
   // To the end of the line: closing early would break the server's second write.
   std::string line;
@@ -99,6 +125,7 @@ Display::Display(int width, int height) {
   close(ends[0]);
   if (letter != '\n') throw std::runtime_error("Xvfb does not come up");
   name_ += std::to_string(std::stoi(line));
+  if (dots_per_inch != 96) tell_density(name_, dots_per_inch);
 }
 
 Image Display::picture() const {

@@ -34,13 +34,15 @@ class BackgroundProgram {
 
 class Display {
  public:
-  Display(int width, int height);
+  // `dots_per_inch`: 96 is an ordinary screen, 192 a dense one, on which everything is to be twice as large.
+  Display(int width, int height, int dots_per_inch = 96);
 
   // NAME=VALUE each, for programs that shall appear on it: the display, and folders of its own for what they remember.
   std::vector<std::string> environment() const {
     return {std::string("DISPLAY=") + name_, std::string("XDG_CONFIG_HOME=") + (folder_ / "config"),
             std::string("XDG_STATE_HOME=") + (folder_ / "state")};
   }
+  std::string layout_file() const { return folder_ / "state/ghostforce/layout.toml"; }
   std::string preferences_file() const { return folder_ / "config/ghostforce/preferences.toml"; }
   // What is on the screen now.
   Image picture() const;
