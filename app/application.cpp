@@ -31,11 +31,11 @@ Session session_with(const Scene& scene, const ApplicationOptions& options) {
   return session;
 }
 
-std::string title_of(const Scene& scene) {
+}  // namespace
+
+std::string window_title(const Scene& scene) {
   return fmt::format("{} · ghostforce", scene.title);
 }
-
-}  // namespace
 
 Application::Application(Window& window, const Scene& scene, const ApplicationOptions& options)
     : window_(window),
@@ -66,7 +66,7 @@ void Application::use(const InputKind& kind, std::shared_ptr<const Scene> scene,
   session_.goal = session_.scene->goal.points.back();
   if (is_other_scene) {
     session_.shown = session_.scene->view;
-    window_.set_title(title_of(*session_.scene));
+    window_.set_title(window_title(*session_.scene));
   }
   sent_goal_ = session_.goal;
   command_.settings = session_.settings;

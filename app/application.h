@@ -29,6 +29,9 @@ struct ApplicationOptions {
   std::string shader_folder{};  // empty: the embedded shaders, not watched
 };
 
+// Of the window in which the scene is.
+std::string window_title(const Scene& scene);
+
 class Application {
  public:
   // The window must outlive the application. Throws Failure.

@@ -15,7 +15,6 @@ namespace ghostforce {
 namespace {
 
 constexpr double zoom_per_notch = 1.15;
-constexpr double farthest = farthest_mm / 1000.0;  // of the goal on each axis, as in scenes [m]
 constexpr double snap = 5.0 * std::numbers::pi / 180.0;
 // A click on a handle is no turn yet [points].
 constexpr double first_turn = 2.0;
@@ -112,7 +111,7 @@ void Gestures::go_on(Session& session, const Pane& pane, const Vector<2>& pointe
     case Grip::goal: {
       // A pointer dragged out of the scene leaves the goal at its edge.
       const Vector<2> at = to_world(pane.camera, glm::clamp(pointer, Vector<2>(0.0), pane.camera.size));
-      session.goal = glm::clamp(at, Vector<2>(-farthest), Vector<2>(farthest));
+      session.goal = nearest_in_scene(at);
       session.drags_goal = true;
       break;
     }
@@ -181,7 +180,7 @@ SceneView within_scene_limits(SceneView shown) {
     const auto& width = std::get<NumberKey>(key.value);
     shown.width = std::clamp(shown.width, width.least / width.per_si, width.greatest / width.per_si);
   }
-  shown.center = glm::clamp(shown.center, Vector<2>(-farthest), Vector<2>(farthest));
+  shown.center = nearest_in_scene(shown.center);
   return shown;
 }
 

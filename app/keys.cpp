@@ -21,9 +21,7 @@ void activate(Session& session) {
 template <int x, int y, int tenths>
 void move_goal(Session& session) {
   if (!session.pointer_moves_goal) return;
-  constexpr double farthest = farthest_mm / 1000.0;
-  const Vector<2> moved = session.goal + 0.0001 * tenths * Vector<2>(x, y);
-  session.goal = glm::clamp(moved, Vector<2>(-farthest), Vector<2>(farthest));
+  session.goal = nearest_in_scene(session.goal + 0.0001 * tenths * Vector<2>(x, y));
 }
 
 template <int degrees>
@@ -32,6 +30,27 @@ void turn_motor_axis(Session& session) {
   // To whole steps, so that holding the key down runs through round angles.
   const double step = std::abs(degrees) * degree;
   angle = std::remainder((std::round(angle / step) + (degrees > 0 ? 1.0 : -1.0)) * step, 2.0 * std::numbers::pi);
+}
+
+// The normal's angle at which the naïve proxy drifts farthest for a goal at a given depth, tan θ = √(1 + k_r/k_u) with
+// θ between normal and motor axis; of the four such angles the nearest to the present one [rad].
+double angle_of_largest_drift(const Settings& settings) noexcept {
+  const double theta = std::atan(std::sqrt(1.0 + settings.impedances.k_r / settings.impedances.k_u));
+  double nearest = settings.wall_normal_angle;
+  double least_turn = 4.0;  // more than any
+  for (const double offset : {theta, -theta, std::numbers::pi + theta, std::numbers::pi - theta}) {
+    const double angle = std::remainder(settings.actuated_angle + offset, 2.0 * std::numbers::pi);
+    const double turn = std::abs(std::remainder(angle - settings.wall_normal_angle, 2.0 * std::numbers::pi));
+    if (turn < least_turn) {
+      least_turn = turn;
+      nearest = angle;
+    }
+  }
+  return nearest;
+}
+
+void turn_wall_to_largest_drift(Session& session) {
+  session.settings.wall_normal_angle = angle_of_largest_drift(session.settings);
 }
 
 template <bool ViewOptions::*option>
@@ -181,25 +200,6 @@ void restart(Session& session) {
 void restart_with_scene_settings(Session& session) {
   session.settings = session.scene->settings;
   restart(session);
-}
-
-double angle_of_largest_drift(const Settings& settings) noexcept {
-  const double theta = std::atan(std::sqrt(1.0 + settings.impedances.k_r / settings.impedances.k_u));
-  double nearest = settings.wall_normal_angle;
-  double least_turn = 4.0;  // more than any
-  for (const double offset : {theta, -theta, std::numbers::pi + theta, std::numbers::pi - theta}) {
-    const double angle = std::remainder(settings.actuated_angle + offset, 2.0 * std::numbers::pi);
-    const double turn = std::abs(std::remainder(angle - settings.wall_normal_angle, 2.0 * std::numbers::pi));
-    if (turn < least_turn) {
-      least_turn = turn;
-      nearest = angle;
-    }
-  }
-  return nearest;
-}
-
-void turn_wall_to_largest_drift(Session& session) {
-  session.settings.wall_normal_angle = angle_of_largest_drift(session.settings);
 }
 
 }  // namespace ghostforce

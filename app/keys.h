@@ -38,14 +38,9 @@ void toggle_pause(Session& session);
 void single_step(Session& session);
 void restart(Session& session);
 void restart_with_scene_settings(Session& session);
-void turn_wall_to_largest_drift(Session& session);
 template <Dialog which>
 void open_dialog(Session& session) {
   session.dialog = session.dialog == which ? Dialog::none : which;
 }
-
-// The normal's angle at which the naïve proxy drifts farthest for a goal at a given depth, tan θ = √(1 + k_r/k_u) with
-// θ between normal and motor axis; of the four such angles the nearest to the present one [rad].
-double angle_of_largest_drift(const Settings& settings) noexcept;
 
 }  // namespace ghostforce

@@ -30,9 +30,6 @@ struct PictureRequest {
   Look look{};
 };
 
-// The word for all strategies in one picture.
-inline constexpr std::string_view every_strategy = "all";
-
 // The word that --strategy and a case file hold: a strategy's name shows that one alone, "all" shows the scene's own
 // with the others beside it, in the same picture; empty changes nothing. False where the word is none of these.
 bool apply_strategy_word(std::string_view word, PictureRequest& request);

@@ -4,14 +4,13 @@
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <system_error>
 #include <type_traits>
 
 #include <fmt/format.h>
 
 #include "app/failure.h"
+#include "app/file_contents.h"
 #include "app/file_kind.h"
 #include "app/output_file.h"
 #include "app/printable.h"
@@ -132,14 +131,13 @@ std::optional<Value> recall_from(const fs::path& file, std::vector<std::string>&
     remarks.push_back(fmt::format("{} is no file; the usual values are used", shown));
     return std::nullopt;
   }
-  std::ifstream stream(file, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  if (!stream.good() && !stream.eof()) {
+  const std::optional<std::string> text = file_contents(file);
+  if (!text) {
     remarks.push_back(fmt::format("{} cannot be read; the usual values are used", shown));
     return std::nullopt;
   }
   try {
-    const ParsedToml parsed = parse_toml(text);
+    const ParsedToml parsed = parse_toml(*text);
     if (parsed.problem) throw Damaged{fmt::format("line {}: {}", parsed.problem->position.line, parsed.problem->what)};
     Value value;
     read(parsed.table, value);

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <iterator>
 #include <system_error>
+#include <utility>
 
 #include "app/failure.h"
+#include "app/file_contents.h"
 #include "app/paint/gl/shader_program.h"
 #include "app/printable.h"
 
@@ -18,10 +18,8 @@ namespace fs = std::filesystem;
 constexpr double interval_s = 0.25;
 
 std::string contents_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  if (!stream.is_open()) throw gl::ShaderError(fmt::format("{} cannot be read", file.string()));
-  return text;
+  if (auto text = file_contents(file)) return *std::move(text);
+  throw gl::ShaderError(fmt::format("{} cannot be read", file.string()));
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <deque>
 #include <memory>
 #include <optional>
-#include <vector>
 
 #include "core/scene.h"
 
@@ -35,25 +34,21 @@ class UndoHistory {
   }
 
   // What to go back or forward to; empty when there is nothing.
-  std::optional<Edited> undo() {
-    if (past_.empty()) return std::nullopt;
-    future_.push_back(std::move(present_));
-    present_ = std::move(past_.back());
-    past_.pop_back();
-    return present_;
-  }
-  std::optional<Edited> redo() {
-    if (future_.empty()) return std::nullopt;
-    past_.push_back(std::move(present_));
-    present_ = std::move(future_.back());
-    future_.pop_back();
+  std::optional<Edited> undo() { return step(past_, future_); }
+  std::optional<Edited> redo() { return step(future_, past_); }
+
+ private:
+  std::optional<Edited> step(std::deque<Edited>& from, std::deque<Edited>& to) {
+    if (from.empty()) return std::nullopt;
+    to.push_back(std::move(present_));
+    present_ = std::move(from.back());
+    from.pop_back();
     return present_;
   }
 
- private:
   std::deque<Edited> past_;
   Edited present_;
-  std::vector<Edited> future_;
+  std::deque<Edited> future_;
 };
 
 }  // namespace ghostforce

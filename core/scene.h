@@ -14,6 +14,8 @@
 #include <variant>
 #include <vector>
 
+#include <glm/common.hpp>
+
 #include "core/goal_path.h"
 #include "core/settings.h"
 
@@ -102,6 +104,12 @@ std::span<const SceneKey> scene_keys() noexcept;
 
 // Positions in a scene lie within ± this [mm].
 inline constexpr double farthest_mm = 1000.0;
+
+// The nearest position that a scene may hold [m].
+inline Vector<2> nearest_in_scene(const Vector<2>& position) noexcept {
+  constexpr double farthest = farthest_mm / 1000.0;
+  return glm::clamp(position, Vector<2>(-farthest), Vector<2>(farthest));
+}
 
 // What no single key can tell: as many times as waypoints, and not too many
 // ticks. Names the key at fault.

@@ -48,6 +48,9 @@ inline const Strategy& strategy(StrategyId id) noexcept {
 // Empty when no strategy has that name.
 std::optional<StrategyId> find_strategy(std::string_view name) noexcept;
 
+// Where a name may stand: all of them.
+inline constexpr std::string_view every_strategy = "all";
+
 // K_r and K_t of a strategy. With `has_every_motor` there is no non-actuated
 // degree of freedom, hence no ratio.
 template <glm::length_t D>

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "app/failure.h"
+#include "app/file_contents.h"
 #include "app/file_kind.h"
 #include "app/interruption.h"
 #include "app/nearest_name.h"
@@ -79,11 +79,8 @@ std::vector<fs::path> case_paths(const std::string& folder) {
 }
 
 std::string read_text(const fs::path& path) {
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (!file.is_open() || file.bad()) fail_to_read(path, errno);
-  return text;
+  if (auto text = file_contents(path)) return *std::move(text);
+  fail_to_read(path, errno);
 }
 
 bool has_control_character(std::string_view name) {

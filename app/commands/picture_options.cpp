@@ -1,7 +1,6 @@
 #include "app/commands/picture_options.h"
 
 #include "app/commands/command.h"
-#include "app/picture.h"
 
 namespace ghostforce {
 

@@ -94,10 +94,7 @@ int run(const Options& options) {
   const auto scaled = [&](int points) { return static_cast<int>(std::lround(points * look.scale)); };
   const WindowLayout layout = remembered.layout.value_or(
       WindowLayout{.width = scaled(1280), .height = scaled(800), .is_maximized = false, .folded_panels = {}});
-  Window window({.title = fmt::format("{} · ghostforce", scene.title),
-                 .width = layout.width,
-                 .height = layout.height,
-                 .fits_monitor = true});
+  Window window({.title = window_title(scene), .width = layout.width, .height = layout.height, .fits_monitor = true});
   if (layout.is_maximized) window.maximize();
   Application application(
       window, scene,

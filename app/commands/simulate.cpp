@@ -20,8 +20,6 @@
 namespace ghostforce {
 namespace {
 
-constexpr std::string_view every_strategy = "all";
-
 // Ticks between two looks at the clock and at interruptions: well under a
 // hundredth of a second.
 constexpr std::int64_t ticks_between_looks = 1024;

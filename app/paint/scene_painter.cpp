@@ -5,23 +5,12 @@
 #include "app/paint/label_painter.h"
 
 namespace ghostforce {
-namespace {
-
-// Between panes the target shows through.
-void clear(Colour colour, int pixel_width, int pixel_height) {
-  const auto share = [](std::uint8_t channel) { return static_cast<float>(channel) / 255.0F; };
-  glDisable(GL_SCISSOR_TEST);
-  glViewport(0, 0, pixel_width, pixel_height);
-  glClearColor(share(colour.red), share(colour.green), share(colour.blue), 1.0F);
-  glClear(GL_COLOR_BUFFER_BIT);
-}
-
-}  // namespace
 
 void ScenePainter::paint(const std::vector<Pane>& panes, const Theme& theme, ImVec2 corner, double text_scale,
                          int pixel_width, int pixel_height) {
   const bool has_gaps = panes.size() > 1;
-  clear(has_gaps ? theme.panel_border : theme.background, pixel_width, pixel_height);
+  // Between panes the target shows through.
+  gl_.fill(has_gaps ? theme.panel_border : theme.background, {0, 0, pixel_width, pixel_height});
   const double density = static_cast<double>(ImGui::GetIO().DisplayFramebufferScale.x);
   const auto pixels = [density](double points) { return static_cast<int>(std::lround(points * density)); };
   for (const Pane& pane : panes) {
