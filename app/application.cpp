@@ -103,7 +103,7 @@ void Application::frame(double interval_s) {
     report_.snapshot = snapshot_of(plan_of(session_.settings), command_.restart_state);
   }
   if (shader_watch_) shader_watch_->look(screen_.painter(), clock_s_);
-  screen_.draw(session_, report_.snapshot, history_, loop_reading());
+  screen_.draw(session_, report_.snapshot, history_, loop_reading(), interval_s);
   grant_wishes();
   undo_.note({session_.scene, session_.settings}, session_.is_editing);
   if (session_.notice && !session_.notice->is_problem) {

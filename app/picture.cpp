@@ -99,7 +99,7 @@ Drawing draw_moment(const PictureRequest& request, const Moment& moment) {
   constexpr int frames_to_settle = 3;
   for (int i = 0; i < frames_to_settle; ++i) {
     screen.draw(session, moment.snapshot, moment.history,
-                {.input_title = hand.title, .rate_hz = session.settings.rate, .inputs = inputs});
+                {.input_title = hand.title, .rate_hz = session.settings.rate, .inputs = inputs}, 0.0);
   }
   stop_if_interrupted();
   const ImVec2 corner = screen.scene_corner();

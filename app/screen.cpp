@@ -91,11 +91,12 @@ struct Screen::Layout {
 
 Screen::Screen(Window& window, Part part) : window_(window), part_(part), measure_(measure_text) {}
 
-void Screen::draw(Session& session, const Snapshot& snapshot, const History& history, const LoopReading& loop) {
+void Screen::draw(Session& session, const Snapshot& snapshot, const History& history, const LoopReading& loop,
+                  double interval_s) {
   if (window_.pixel_width() <= 0 || window_.pixel_height() <= 0) return;  // minimised
   // The style must not change within a frame.
   apply_look(session.look);
-  window_.frame([&] { draw_everything(session, snapshot, history, loop, part_, true); });
+  window_.frame(interval_s, [&] { draw_everything(session, snapshot, history, loop, part_, true); });
 }
 
 Image Screen::picture(const Session& session, const Snapshot& snapshot, const History& history, const LoopReading& loop,

@@ -31,6 +31,11 @@ std::string last_glfw_error() {
   return description != nullptr ? description : "no reason given";
 }
 
+// In place of the one that the backend measures by its own clock. ImGui wants time to pass in every frame.
+void set_interval(double interval_s) {
+  ImGui::GetIO().DeltaTime = static_cast<float>(std::max(interval_s, 1e-6));
+}
+
 constexpr const char* offscreen_advice =
     "pictures can be made without a display: ghostforce render wall45 -o wall45.png";
 
@@ -289,9 +294,10 @@ void Window::poll(double wait_s) {
   }
 }
 
-void Window::frame(const std::function<void()>& draw) {
+void Window::frame(double interval_s, const std::function<void()>& draw) {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
+  set_interval(interval_s);
   ImGui::NewFrame();
   draw();
   ImGui::Render();
@@ -344,6 +350,7 @@ Image Window::picture_of(int density, const std::function<void()>& draw) {
 
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
+  set_interval(0.0);
   ImGuiIO& io = ImGui::GetIO();
   const ImVec2 pointer = io.MousePos;
   io.DisplayFramebufferScale.x *= static_cast<float>(density);

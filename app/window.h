@@ -72,8 +72,9 @@ class Window {
   // Takes what keyboard and mouse did, waiting at most that long for something to happen [s].
   void poll(double wait_s);
 
-  // One frame: `draw` runs between ImGui's NewFrame and Render; then everything is shown.
-  void frame(const std::function<void()>& draw);
+  // One frame: `draw` runs between ImGui's NewFrame and Render; then everything is shown. `interval_s` is the time since
+  // the frame before: the screen reads no clock, so that what a double click is does not depend on how busy a machine is.
+  void frame(double interval_s, const std::function<void()>& draw);
 
   // What the last frame() drew.
   Image picture() const;

@@ -106,7 +106,7 @@ Image painted(const PictureRequest& request, const std::function<void(Marks&)>& 
   apply_style(*request.look.theme, scale);
   ScenePainter painter;
   for (int i = 0; i < 3; ++i) {
-    window.frame([&] {
+    window.frame(0.0, [&] {
       std::vector<Pane> panes = compose_moment(request, moment, {request.width, request.height}, measure_text);
       for (Pane& pane : panes) alter(pane.marks);
       painter.paint(panes, *request.look.theme, {0.0F, 0.0F}, request.look.scale * request.look.theme->thickness,

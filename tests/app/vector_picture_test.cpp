@@ -75,7 +75,7 @@ Image drawn_by_cairo(const std::vector<Pane>& panes, const Theme& theme) {
 class OpenGl {
  public:
   Image draw(const std::vector<Pane>& panes, const Theme& theme) {
-    window_.frame([&] { painter_.paint(panes, theme, {0.0F, 0.0F}, theme.thickness, width, height); });
+    window_.frame(0.0, [&] { painter_.paint(panes, theme, {0.0F, 0.0F}, theme.thickness, width, height); });
     return window_.picture();
   }
   Window& window() { return window_; }
@@ -233,7 +233,7 @@ TEST(VectorPicture, DrawsEachFormAsOpenGlDoes) {
 
 TEST(VectorPicture, MeasuresLettersAsTheScreenDoes) {
   OpenGl gl;
-  gl.window().frame([] {
+  gl.window().frame(0.0, [] {
     for (const std::string_view text : {"ghost force 1.27 N", "N  device, Naïve", "ρ κ", "A"}) {
       for (const double line : {13.0, 19.0, 57.0}) {
         const Vector<2> expected = measure_text(text, line);
