@@ -1,7 +1,7 @@
 # Everything that comes from outside, found in this one file: what it is, why we use it, how it gets here.
 # "apt" means a Debian package listed in packages.txt, which ./demo and ./check install.
 #
-# Who may link what (design: core -> glm; device -> core, Threads, readerwriterqueue; app -> all but Eigen and gtest;
+# Who may link what (design: core -> glm; device -> core, Threads, readerwriterqueue, libusb, hidapi, libcrypto; app -> all but Eigen and gtest;
 # tests -> all) is kept by a test that reads the include lines.
 
 # ---- The model -------------------------------------------------------------------------------------------------------
@@ -20,6 +20,21 @@ find_package(Threads REQUIRED)
 find_path(READERWRITERQUEUE_INCLUDE_DIR readerwriterqueue/readerwriterqueue.h REQUIRED)
 add_library(ghostforce::readerwriterqueue INTERFACE IMPORTED)
 target_include_directories(ghostforce::readerwriterqueue INTERFACE ${READERWRITERQUEUE_INCLUDE_DIR})
+
+# ---- Devices ---------------------------------------------------------------------------------------------------------
+
+find_package(PkgConfig REQUIRED)
+
+# libusb: transfers to and from the Falcon. apt: libusb-1.0-0-dev.
+pkg_check_modules(LIBUSB REQUIRED IMPORTED_TARGET libusb-1.0>=1.0.24)
+add_library(ghostforce::libusb ALIAS PkgConfig::LIBUSB)
+
+# hidapi: reports of a SpaceMouse, through the kernel's hidraw. apt: libhidapi-dev.
+pkg_check_modules(HIDAPI REQUIRED IMPORTED_TARGET hidapi-hidraw)
+add_library(ghostforce::hidapi ALIAS PkgConfig::HIDAPI)
+
+# libcrypto: the SHA-256 by which people compare their firmware file with others. apt: libssl-dev.
+find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 
 # ---- Files and words -------------------------------------------------------------------------------------------------
 
@@ -103,6 +118,11 @@ endforeach()
 if(BUILD_TESTING)
   # GoogleTest. apt: libgtest-dev.
   find_package(GTest REQUIRED)
+
+  # umockdev: real libusb and real hidapi against devices that exist only at the kernel's boundary. A program,
+  # umockdev-wrapper, and a library. apt: umockdev, libumockdev-dev.
+  pkg_check_modules(UMOCKDEV REQUIRED IMPORTED_TARGET umockdev-1.0)
+  find_program(UMOCKDEV_WRAPPER umockdev-wrapper REQUIRED)
 
   # Eigen: solves the equilibrium a second time, independently of core/. Headers only. apt: libeigen3-dev.
   find_package(Eigen3 REQUIRED)

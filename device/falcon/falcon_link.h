@@ -1,0 +1,92 @@
+// FalconLink: the pipe between the driver and a Falcon, which on USB is a serial chip of FTDI's: vendor requests that
+// set the chip up, bytes out, bytes in. The real one is libusb's (ftdi_link.h), the other one is this program's own end
+// of the protocol (device/virtual_falcon/virtual_link.h). The driver above cannot tell them apart.
+//
+// All functions but send_at_once() belong to the one thread that drives the device. None throws, and none waits except
+// wait_until(), open() and close(). Times in ns.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace ghostforce {
+
+// A control transfer to the chip: bmRequestType 0x40, no data.
+struct VendorRequest {
+  std::uint8_t request = 0;
+  std::uint16_t value = 0;
+  std::uint16_t index = 0;
+
+  friend bool operator==(const VendorRequest&, const VendorRequest&) = default;
+};
+
+// Why a link is not open, or is of no use any more.
+enum class LinkFault : std::uint8_t {
+  none,
+  absent,       // no device with these ids and that serial number is plugged in
+  not_allowed,  // it is, and this user may not open it
+  busy,         // another program has it
+  unsupported,  // it, or this system's USB, cannot be driven this way
+  unplugged,    // it was there and has gone
+  broken,       // transfers fail for another reason
+};
+
+// Since open(); for the diagnosis on screen.
+struct LinkCounters {
+  std::uint64_t library_calls = 0;  // into the USB library, which allocates as it likes
+  std::uint64_t bytes_in = 0;       // without the chip's status bytes
+  std::uint64_t bytes_out = 0;
+  std::uint64_t status_packets = 0;   // with nothing but status: the chip was there and had nothing to say
+  std::uint64_t line_errors = 0;      // overrun, parity or framing, as the chip reports them
+  std::uint64_t discarded_bytes = 0;  // that came while nobody took them
+};
+
+class FalconLink {
+ public:
+  FalconLink() = default;
+  FalconLink(const FalconLink&) = delete;
+  FalconLink& operator=(const FalconLink&) = delete;
+  virtual ~FalconLink() = default;  // closes
+
+  // Looks for the device and takes it; from then on bytes come in by themselves. May take some ms and allocate.
+  // Returns fault().
+  virtual LinkFault open() noexcept = 0;
+
+  // Ends what is under way and gives the device back, within 1 s. Also after a fault. Nothing if it is not open.
+  virtual void close() noexcept = 0;
+
+  // none: open and well. Stays what it is until the next open().
+  virtual LinkFault fault() const noexcept = 0;
+
+  // Of the device that is open or was; empty before.
+  virtual std::string_view serial() const noexcept = 0;
+
+  // Starts to send; false, and nothing happens, while something else is still being sent (is_sending()) or the link is
+  // not open. At most 64 bytes.
+  virtual bool request(const VendorRequest& request) noexcept = 0;
+  virtual bool write(std::span<const std::uint8_t> bytes) noexcept = 0;
+  virtual bool is_sending() const noexcept = 0;
+
+  // Takes the bytes that have come in, oldest first, without the chip's status bytes; returns how many.
+  virtual std::size_t read(std::span<std::uint8_t> into) noexcept = 0;
+
+  // The chip's newest first status byte; bit 4 is CTS. 0 before the first.
+  virtual std::uint8_t modem_status() const noexcept = 0;
+
+  virtual LinkCounters counters() const noexcept = 0;
+
+  // The clock by which everything here happens: that of CLOCK_MONOTONIC, or one that a test moves.
+  virtual std::int64_t now_ns() const noexcept = 0;
+
+  // Lets transfers make progress; returns when bytes have come in or something has been sent, or on a fault, and at
+  // `deadline_ns` at the latest. A deadline that has passed: looks, and returns at once.
+  virtual void wait_until(std::int64_t deadline_ns) noexcept = 0;
+
+  // The last resort of a process that is about to die, from a signal handler, on any thread: sends these bytes past
+  // all that is under way. Async-signal-safe; returns within 30 ms. No other function may be called afterwards.
+  virtual void send_at_once(std::span<const std::uint8_t> bytes) noexcept = 0;
+};
+
+}  // namespace ghostforce
