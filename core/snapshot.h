@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <type_traits>
 
 #include "core/conventions.h"
@@ -28,6 +29,9 @@ struct SnapshotIn {
   std::int64_t tick = 0;  // k
   double time_s = 0.0;    // t_k = k dt
   Vector<D> goal{0.0};    // q_u [m]
+  // The strategy whose device is a real one, measured, and whose force goes to its motors. The goal is then an
+  // estimate: nobody can measure it. Empty: every device is simulated, under a goal that was given.
+  std::optional<StrategyId> measured;
   PerStrategy<StrategySnapshot<D>> strategies{};
 };
 

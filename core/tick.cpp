@@ -30,19 +30,54 @@ TickState<D> state_at_start(const Vector<D>& goal) noexcept {
   return state;
 }
 
+namespace {
+
+// f_r of the state as it stands.
+template <glm::length_t D>
+Vector<D> force_of(const TickPlan<D>& plan, const TickState<D>& state, std::size_t i) noexcept {
+  return plan.strategies[i].rendering * (state.strategies[i].proxy - state.strategies[i].motion.position);
+}
+
+// The device has moved under the force held since the tick before, and the proxy belongs to `tracked`.
+template <glm::length_t D>
+void move(const TickPlan<D>& plan, std::size_t i, const DeviceMotion<D>& motion, const Vector<D>& tracked,
+          const Vector<D>& held_force, TickState<D>& state) noexcept {
+  auto& strategy = state.strategies[i];
+  strategy.energy += work(held_force, motion.position - strategy.motion.position);
+  strategy.motion = motion;
+  const Proxy<D> proxy = proxy_of(tracked, plan.wall, plan.strategies[i].proxy_step);
+  strategy.proxy = proxy.position;
+  strategy.in_contact = proxy.in_contact;
+}
+
+template <glm::length_t D>
+void simulate(const TickPlan<D>& plan, std::size_t i, TickState<D>& state) noexcept {
+  const DeviceMotion<D> before = state.strategies[i].motion;
+  const Vector<D> held_force = force_of(plan, state, i);
+  move(plan, i, step(plan.device, before, state.goal, held_force), before.position, held_force, state);
+}
+
+}  // namespace
+
 template <glm::length_t D>
 void tick(const TickPlan<D>& plan, const Vector<D>& goal, TickState<D>& state) noexcept {
   ++state.tick;
   state.goal = goal;
+  state.measured.reset();
+  for (std::size_t i = 0; i < strategy_count; ++i) simulate(plan, i, state);
+}
+
+template <glm::length_t D>
+void tick_measured(const TickPlan<D>& plan, StrategyId active, const Vector<D>& device, double believed_k_u,
+                   TickState<D>& state) noexcept {
+  ++state.tick;
+  state.measured = active;
+  const std::size_t measured = index_of(active);
+  const Vector<D> velocity = (device - state.strategies[measured].motion.position) * plan.rate;
+  move(plan, measured, {device, velocity}, device, force_of(plan, state, measured), state);
+  state.goal = device - force_of(plan, state, measured) / believed_k_u;  // in free space there is no force
   for (std::size_t i = 0; i < strategy_count; ++i) {
-    auto& strategy = state.strategies[i];
-    const DeviceMotion<D> before = strategy.motion;
-    const Vector<D> held_force = plan.strategies[i].rendering * (strategy.proxy - before.position);
-    strategy.motion = step(plan.device, before, goal, held_force);
-    const Proxy<D> proxy = proxy_of(before.position, plan.wall, plan.strategies[i].proxy_step);
-    strategy.proxy = proxy.position;
-    strategy.in_contact = proxy.in_contact;
-    strategy.energy += work(held_force, strategy.motion.position - before.position);
+    if (i != measured) simulate(plan, i, state);
   }
 }
 
@@ -52,13 +87,14 @@ SnapshotIn<D> snapshot_of(const TickPlan<D>& plan, const TickState<D>& state) no
   snapshot.tick = state.tick;
   snapshot.time_s = time_of(state.tick, plan.rate);
   snapshot.goal = state.goal;
+  snapshot.measured = state.measured;
   for (std::size_t i = 0; i < strategy_count; ++i) {
     const auto& strategy = state.strategies[i];
     auto& out = snapshot.strategies[i];
     out.device = strategy.motion.position;
     out.proxy = strategy.proxy;
     out.contact = projection(plan.wall, strategy.proxy);
-    out.force = plan.strategies[i].rendering * (strategy.proxy - strategy.motion.position);
+    out.force = force_of(plan, state, i);
     out.energy = strategy.energy;
     out.in_contact = strategy.in_contact;
   }
@@ -71,11 +107,12 @@ SnapshotIn<D> snapshot_of(const TickPlan<D>& plan, const TickState<D>& state) no
   return snapshot;
 }
 
-#define GHOSTFORCE_INSTANTIATE(D)                                                                           \
-  template TickPlan<D> plan_tick<D>(const Wall<D>&, const Actuation<D>&, const Impedances&, double, double, \
-                                    double) noexcept;                                                       \
-  template TickState<D> state_at_start<D>(const Vector<D>&) noexcept;                                       \
-  template void tick<D>(const TickPlan<D>&, const Vector<D>&, TickState<D>&) noexcept;                      \
+#define GHOSTFORCE_INSTANTIATE(D)                                                                                   \
+  template TickPlan<D> plan_tick<D>(const Wall<D>&, const Actuation<D>&, const Impedances&, double, double,         \
+                                    double) noexcept;                                                               \
+  template TickState<D> state_at_start<D>(const Vector<D>&) noexcept;                                               \
+  template void tick<D>(const TickPlan<D>&, const Vector<D>&, TickState<D>&) noexcept;                              \
+  template void tick_measured<D>(const TickPlan<D>&, StrategyId, const Vector<D>&, double, TickState<D>&) noexcept; \
   template SnapshotIn<D> snapshot_of<D>(const TickPlan<D>&, const TickState<D>&) noexcept
 GHOSTFORCE_INSTANTIATE(2);
 GHOSTFORCE_INSTANTIATE(3);

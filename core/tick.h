@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "core/actuation.h"
 #include "core/impedance.h"
@@ -48,8 +49,9 @@ struct TickState {
     double energy = 0.0;                                     // W [J]
     bool in_contact = false;
   };
-  std::int64_t tick = 0;  // k
-  Vector<D> goal{0.0};    // q_u [m]
+  std::int64_t tick = 0;               // k
+  Vector<D> goal{0.0};                 // q_u [m]
+  std::optional<StrategyId> measured;  // see SnapshotIn
   PerStrategy<StrategyState> strategies{};
 };
 
@@ -62,6 +64,15 @@ TickState<D> state_at_start(const Vector<D>& goal) noexcept;
 // data). Advances `state` from k − 1 to k; `goal` is q_u(t_k).
 template <glm::length_t D>
 void tick(const TickPlan<D>& plan, const Vector<D>& goal, TickState<D>& state) noexcept;
+
+// k ≥ 1 with a real device under `active`: nothing of it is simulated. q_h is
+// measured and the proxy is that of the same tick's q_h, so that free space is
+// exactly force-free; the goal is inferred from the device's equilibrium (7),
+//     q_u ≈ q_h − f_r / k̂_u in contact, q_h in free space,
+// and the other strategies are simulated under it. `believed_k_u` is k̂_u [N/m].
+template <glm::length_t D>
+void tick_measured(const TickPlan<D>& plan, StrategyId active, const Vector<D>& device, double believed_k_u,
+                   TickState<D>& state) noexcept;
 
 // f_r,k = K_r (q_p,k − q_h,k), ghost force and proxy drift of the state as it
 // stands.

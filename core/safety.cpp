@@ -1,0 +1,148 @@
+#include "core/safety.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace ghostforce {
+namespace {
+
+// In the order of OffReason.
+constexpr std::array reasons{
+    OffReasonEntry{OffReason::none, "none", "off", "Press the safety button to arm.", false},
+    OffReasonEntry{OffReason::key, "key", "turned off", "Nothing is wrong: somebody pressed Esc or the safety button.",
+                   false},
+    OffReasonEntry{OffReason::button_released, "button_released", "button released",
+                   "The button on the grip was let go of. Hold it while the motors are on.", false},
+    OffReasonEntry{OffReason::focus_lost, "focus_lost", "window not in front",
+                   "Esc would not have reached this window. Bring it to the front and arm again.", false},
+    OffReasonEntry{OffReason::too_fast, "too_fast", "too fast",
+                   "The handle moved faster than 1 m/s. Hold it more firmly, or make the wall softer.", false},
+    OffReasonEntry{OffReason::over_force, "over_force", "over force",
+                   "The handle was so deep in the wall that it would have been thrown out. Leave the wall and arm "
+                   "again.",
+                   false},
+    OffReasonEntry{OffReason::loop_late, "loop_late", "loop late",
+                   "The device did not answer for 20 ms. Close what keeps the machine busy; use a USB port of the "
+                   "machine itself.",
+                   false},
+    OffReasonEntry{OffReason::window_stalled, "window_stalled", "window stalled",
+                   "The window did not draw for half a second, and Esc would not have been heard.", false},
+    OffReasonEntry{OffReason::unplugged, "unplugged", "unplugged",
+                   "Plug the device in again; it is looked for all the time.", true},
+    OffReasonEntry{OffReason::not_homed, "not_homed", "not homed",
+                   "The device no longer knows where its arms are, as after a loss of power: home it again.", true},
+    OffReasonEntry{OffReason::program_ending, "program_ending", "program ending", "The program was about to end.",
+                   true},
+    OffReasonEntry{OffReason::fault, "fault", "fault", "Something failed: the ladder of the device (F2) says what.",
+                   true},
+};
+
+// In the order of ArmingObstacle.
+constexpr std::array obstacles{
+    ArmingObstacleEntry{ArmingObstacle::none, ""},
+    ArmingObstacleEntry{ArmingObstacle::device_not_ready, "the device is not ready yet: see its ladder (F2)"},
+    ArmingObstacleEntry{ArmingObstacle::loop_not_healthy, "waiting until the device answers fast and evenly"},
+    ArmingObstacleEntry{ArmingObstacle::inside_wall, "move the handle out of the wall"},
+    ArmingObstacleEntry{ArmingObstacle::force, "hold the handle still, away from the wall"},
+    ArmingObstacleEntry{ArmingObstacle::button, "hold a button on the grip"},
+    ArmingObstacleEntry{ArmingObstacle::focus, "bring the window to the front"},
+};
+
+// In the order of SafetyState.
+constexpr std::array<std::string_view, 5> state_names{"OFF", "ARMING", "RAMP", "ON", "FADE"};
+
+}  // namespace
+
+std::span<const OffReasonEntry> off_reason_catalog() noexcept {
+  return reasons;
+}
+
+const OffReasonEntry& entry_of(OffReason reason) noexcept {
+  return reasons[static_cast<std::size_t>(reason)];
+}
+
+const ArmingObstacleEntry& entry_of(ArmingObstacle obstacle) noexcept {
+  return obstacles[static_cast<std::size_t>(obstacle)];
+}
+
+std::string_view name_of(SafetyState state) noexcept {
+  return state_names[static_cast<std::size_t>(state)];
+}
+
+void Safety::acknowledge() noexcept {
+  if (state_ == SafetyState::off) reason_ = OffReason::none;
+}
+
+void Safety::turn_off(OffReason reason) noexcept {
+  arm_asked_ = false;
+  if (state_ == SafetyState::off) return;
+  const bool at_once = entry_of(reason).at_once || gain_ == 0.0;
+  if (state_ != SafetyState::fade) reason_ = reason;
+  if (at_once) {
+    state_ = SafetyState::off;
+    gain_ = 0.0;
+  } else {
+    state_ = SafetyState::fade;
+  }
+}
+
+void Safety::attend(const SafetyReading& reading, const SafetyOptions& options, double elapsed_s) noexcept {
+  const double step_s = elapsed_s > 0.0 ? elapsed_s : 0.0;  // NaN: nothing has passed
+  const bool arm_asked = std::exchange(arm_asked_, false);
+  if (state_ == SafetyState::off && arm_asked && reason_ == OffReason::none) state_ = SafetyState::arming;
+  if (state_ == SafetyState::off) return;
+  if (const OffReason reason = reason_to_stop(reading, options); reason != OffReason::none) {
+    // What one can wait for does not end the waiting.
+    if (state_ != SafetyState::arming || entry_of(reason).at_once) turn_off(reason);
+  }
+  switch (state_) {
+    case SafetyState::off:
+      return;
+    case SafetyState::arming:
+      obstacle_ = obstacle_in(reading, options);
+      if (obstacle_ == ArmingObstacle::none) state_ = SafetyState::ramp;
+      return;
+    case SafetyState::ramp:
+      gain_ = std::min(1.0, gain_ + step_s / ramp_s);
+      if (gain_ == 1.0) state_ = SafetyState::on;
+      return;
+    case SafetyState::on:
+      return;
+    case SafetyState::fade:
+      gain_ = std::max(0.0, gain_ - step_s / fade_s);
+      if (gain_ == 0.0) state_ = SafetyState::off;
+      return;
+  }
+}
+
+// Written so that NaN is a reason.
+OffReason Safety::reason_to_stop(const SafetyReading& reading, const SafetyOptions& options) noexcept {
+  if (reading.trouble != OffReason::none) return reading.trouble;
+  if (!(reading.since_exchange_s <= longest_exchange_s)) return OffReason::loop_late;
+  if (!(reading.since_window_s <= longest_window_s)) return OffReason::window_stalled;
+  if (!reading.has_focus) return OffReason::focus_lost;
+  if (options.needs_button && !reading.button_is_held) return OffReason::button_released;
+  if (!(reading.speed <= greatest_speed)) return OffReason::too_fast;
+  if (!(reading.wanted_force <= greatest_wanted_force)) return OffReason::over_force;
+  return OffReason::none;
+}
+
+ArmingObstacle Safety::obstacle_in(const SafetyReading& reading, const SafetyOptions& options) noexcept {
+  if (!reading.device_is_ready) return ArmingObstacle::device_not_ready;
+  if (!reading.has_focus) return ArmingObstacle::focus;
+  if (!reading.loop_is_healthy || !(reading.since_exchange_s <= longest_exchange_s) ||
+      !(reading.since_window_s <= longest_window_s)) {
+    return ArmingObstacle::loop_not_healthy;
+  }
+  if (!reading.is_outside_wall) return ArmingObstacle::inside_wall;
+  if (!(reading.wanted_force < greatest_arming_force) || !(reading.speed <= greatest_speed)) {
+    return ArmingObstacle::force;
+  }
+  if (options.needs_button && !reading.button_is_held) return ArmingObstacle::button;
+  return ArmingObstacle::none;
+}
+
+}  // namespace ghostforce

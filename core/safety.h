@@ -1,0 +1,124 @@
+// Safety: whether motors may push. OFF at the start; a person asks for ARMING, which waits until all is well; RAMP lets
+// the force grow over a second; ON; FADE takes it away, and OFF says why. Only a person leads out of OFF.
+//
+// A plain value that is told what is going on once per tick; SI units; never allocates or throws; any one thread.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <type_traits>
+
+namespace ghostforce {
+
+enum class SafetyState : std::uint8_t { off, arming, ramp, on, fade };
+
+enum class OffReason : std::uint8_t {
+  none,  // not armed since the start, or the reason was acknowledged
+  key,
+  button_released,
+  focus_lost,
+  too_fast,
+  over_force,
+  loop_late,
+  window_stalled,
+  unplugged,
+  not_homed,
+  program_ending,
+  fault,
+};
+
+struct OffReasonEntry {
+  OffReason id;
+  std::string_view name;    // in files
+  std::string_view title;   // on screen
+  std::string_view remedy;  // what to do now
+  bool at_once;             // there is nothing left to fade with
+};
+
+std::span<const OffReasonEntry> off_reason_catalog() noexcept;
+const OffReasonEntry& entry_of(OffReason reason) noexcept;
+
+// Why ARMING waits.
+enum class ArmingObstacle : std::uint8_t {
+  none,
+  device_not_ready,
+  loop_not_healthy,
+  inside_wall,
+  force,
+  button,
+  focus
+};
+
+struct ArmingObstacleEntry {
+  ArmingObstacle id;
+  std::string_view sentence;  // what to do about it
+};
+
+const ArmingObstacleEntry& entry_of(ArmingObstacle obstacle) noexcept;
+
+std::string_view name_of(SafetyState state) noexcept;  // as on the button
+
+// What a person decides about it.
+struct SafetyOptions {
+  bool needs_button = false;    // a button on the grip must be held: dead-man
+  double force_limit = 6.0;     // of the force's length [N]
+  double greatest_k_r = 800.0;  // held at this while armed, until a person types a larger one [N/m]
+
+  friend bool operator==(const SafetyOptions&, const SafetyOptions&) = default;
+};
+
+// What is going on in this tick.
+struct SafetyReading {
+  OffReason trouble = OffReason::none;  // what the device itself says: unplugged, not_homed, fault
+  bool device_is_ready = false;         // every rung up to the encoders is reached
+  bool loop_is_healthy = false;         // exchanges come fast and evenly enough to start
+  double since_exchange_s = 0.0;        // the newest reading is so old
+  double since_window_s = 0.0;          // the window's last heart beat was so long ago
+  bool has_focus = true;                // keys reach the window
+  bool button_is_held = false;          // on the grip
+  bool is_outside_wall = false;         // the handle
+  double speed = 0.0;                   // of the handle [m/s]
+  double wanted_force = 0.0;            // length of what the force law wants, before any limit [N]
+};
+
+class Safety {
+ public:
+  static constexpr double ramp_s = 1.0;
+  static constexpr double fade_s = 0.2;
+  static constexpr double greatest_speed = 1.0;          // [m/s]
+  static constexpr double greatest_wanted_force = 40.0;  // far over any limit: the wall has been left behind [N]
+  static constexpr double greatest_arming_force = 0.2;   // [N]
+  static constexpr double longest_exchange_s = 0.020;
+  static constexpr double longest_window_s = 0.500;
+
+  // A person's, heeded at the next attend(). arm() has no effect while a reason waits to be acknowledged.
+  void arm() noexcept { arm_asked_ = true; }
+  void acknowledge() noexcept;
+
+  // Has an effect in every state but OFF. The first reason stays.
+  void turn_off(OffReason reason) noexcept;
+
+  void attend(const SafetyReading& reading, const SafetyOptions& options, double elapsed_s) noexcept;
+
+  SafetyState state() const noexcept { return state_; }
+  OffReason reason() const noexcept { return reason_; }           // in FADE and OFF
+  ArmingObstacle obstacle() const noexcept { return obstacle_; }  // in ARMING
+  double gain() const noexcept { return gain_; }                  // on the force, 0 … 1
+
+  // The device is the handle, and not simulated.
+  bool is_armed() const noexcept { return state_ != SafetyState::off && state_ != SafetyState::arming; }
+
+ private:
+  static OffReason reason_to_stop(const SafetyReading& reading, const SafetyOptions& options) noexcept;
+  static ArmingObstacle obstacle_in(const SafetyReading& reading, const SafetyOptions& options) noexcept;
+
+  SafetyState state_ = SafetyState::off;
+  OffReason reason_ = OffReason::none;
+  ArmingObstacle obstacle_ = ArmingObstacle::none;
+  double gain_ = 0.0;
+  bool arm_asked_ = false;
+};
+static_assert(std::is_trivially_copyable_v<Safety>);
+
+}  // namespace ghostforce
