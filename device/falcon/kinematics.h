@@ -1,0 +1,106 @@
+// FalconKinematics: from where the handle is to how far the three upper arms are swung, and back; and from a force at
+// the handle to what the motors must do. Exact for a geometry (geometry.h); how well that describes a device is another
+// matter. x right, y up, z out of the device towards the user; m, rad, N, N·m, from the middle of the base.
+// Made for the servo thread: never allocates or throws, and every call ends within a bounded number of steps.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "core/conventions.h"
+#include "device/falcon/geometry.h"
+
+namespace ghostforce {
+
+// Where the search for a position begins when nothing is known: amidst the workspace, where every leg is bent.
+inline constexpr Vector<3> cold_start{0.0, 0.0, 0.11};
+
+struct ForwardKinematics {
+  Vector<3> position;          // the nearest that was found if it has not converged
+  int iterations = 0;          // Newton steps
+  bool has_converged = false;  // false: no position of the handle has these angles, or none could be found
+};
+
+class FalconKinematics {
+ public:
+  explicit FalconKinematics(const FalconGeometry& geometry) noexcept;
+
+  // The upper arms' angles at a position, in (−π, π]; 0 is level, grows outwards. Empty: out of reach, or not finite.
+  std::optional<Vector<3>> angles(const Vector<3>& position) const noexcept;
+
+  // A = ∂angles/∂position [rad/m], row per leg. Empty: out of reach, or a leg is at the end of its reach.
+  std::optional<Matrix<3>> jacobian(const Vector<3>& position) const noexcept;
+
+  // The position that has these angles, by Newton's method from `start`, which should be the last known position, and
+  // from the cold start if that leads nowhere. Three arms can hold a handle on either side of their knees; this finds
+  // the position on the side where a Falcon's handle is.
+  ForwardKinematics position(const Vector<3>& angles, const Vector<3>& start = cold_start) const noexcept;
+
+ private:
+  struct Azimuth {
+    double cosine;
+    double sine;
+  };
+
+  // Where the end of a leg is, from its motor's axis [m], and how its parallelogram leans to get there.
+  struct Reach {
+    double radial;
+    double lean_cosine;  // of the angle between its long side and the tangential axis
+    double lean_sine;
+    double length;  // what is left for the plane in which the upper arm swings [m]
+  };
+
+  // One leg at a position.
+  struct Leg {
+    double angle;
+    Vector<3> direction;  // of the parallelogram's long side, a unit vector; the gradient of `angle` is this / lever
+    double lever;         // [m]
+  };
+  using Legs = std::array<Leg, 3>;
+
+  bool reach(const Vector<3>& position, const Azimuth& azimuth, Reach& reach) const noexcept;
+  bool solve(const Vector<3>& position, Legs& legs) const noexcept;
+
+  // One leg that ends at a position while its upper arm is where an angle puts it.
+  struct Gap {
+    double size;         // by which the parallelogram is too short, seen along itself [m]
+    Vector<3> gradient;  // of that, a unit vector once the gap is closed: the parallelogram's direction
+    double bend;         // sine of the angle from upper arm to parallelogram; positive: the knee is on the outer side
+  };
+  struct Arms {
+    Vector<3> cosines;
+    Vector<3> sines;
+  };
+  using Gaps = std::array<Gap, 3>;
+
+  bool measure(const Vector<3>& position, const Arms& arms, Gaps& gaps) const noexcept;
+  ForwardKinematics search(const Arms& arms, const Vector<3>& start) const noexcept;
+
+  FalconGeometry geometry_;
+  std::array<Azimuth, 3> azimuths_;
+  double handedness_ = 0.0;  // the sign of the parallelograms' triple product wherever a handle can be
+};
+
+// The greatest number that a motor is sent, either way; what a Falcon makes of more is not known [counts].
+inline constexpr double most_motor_counts = 4095.0;
+
+// What the upper arms must be turned with, each in the direction of its growing angle, so that the handle pushes the
+// hand with `force`: A⁻ᵀ F. Empty: A is singular, or something is not finite.
+std::optional<Vector<3>> joint_torques(const Vector<3>& force, const Matrix<3>& jacobian) noexcept;
+
+struct MotorCommand {
+  MotorNumbers counts{};      // positive pulls an arm in
+  bool is_saturated = false;  // scaled down to what the motors may be sent; the force keeps its direction
+  bool is_valid = false;      // false: no force can be commanded here, and the counts are 0
+};
+
+// The numbers that make `force`. Numbers are whole, and rounding them adds up to 5 mN across the force, however small
+// that is: with 6600 counts per N·m its direction is kept within 0.1° from 3 N upwards, and within 0.3° at 1 N.
+// Rounding cannot do better without changing the force's magnitude.
+MotorCommand motor_counts(const Vector<3>& force, const Matrix<3>& jacobian, double counts_per_newton_metre) noexcept;
+
+// The force at the handle that these numbers make: what a simulated device answers.
+Vector<3> force_of_motor_counts(const MotorNumbers& counts, const Matrix<3>& jacobian,
+                                double counts_per_newton_metre) noexcept;
+
+}  // namespace ghostforce
