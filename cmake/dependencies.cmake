@@ -127,3 +127,10 @@ if(BUILD_TESTING)
   # Eigen: solves the equilibrium a second time, independently of core/. Headers only. apt: libeigen3-dev.
   find_package(Eigen3 REQUIRED)
 endif()
+
+# ---- The benchmarks --------------------------------------------------------------------------------------------------
+
+if(GHOSTFORCE_BENCH)
+  # Google Benchmark: repeats, times and takes medians. apt: libbenchmark-dev.
+  find_package(benchmark REQUIRED)
+endif()

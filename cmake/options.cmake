@@ -42,6 +42,8 @@ target_compile_options(project_options INTERFACE
   # Nothing reads errno after a maths function; std::sqrt becomes one instruction. Results do not change.
   -fno-math-errno)
 
+option(GHOSTFORCE_BENCH "Build the programs in bench/, which measure how long things take" OFF)
+
 option(GHOSTFORCE_WARNINGS_AS_ERRORS "Treat the warnings of our own code as errors (CI does)" OFF)
 add_library(project_warnings INTERFACE)
 target_compile_options(project_warnings INTERFACE
