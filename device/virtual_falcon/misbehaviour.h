@@ -1,0 +1,66 @@
+// Misbehaviour: what the virtual Falcon is asked to do wrong, and the catalog of the faults that a person may ask for
+// by name, alone or together. Each has been seen on real devices, or would be the worst place for a driver to stumble.
+// A trivially copyable value: it may change while the device runs. A new fault is a member here, one row in
+// misbehaviour.cpp, and the place in the device that obeys it. Immutable after start, any thread.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "device/falcon/falcon_link.h"
+
+namespace ghostforce {
+
+enum class EchoFault : std::uint8_t {
+  none,
+  corrupted_once,    // since the fault was asked for: the next upload is well again
+  corrupted_always,  // in each upload
+  lost_once,
+};
+
+// As it is made: none.
+struct Misbehaviour {
+  // The link: absent, not_allowed and busy keep it from opening; unplugged ends one that is open, and nothing is there
+  // to be opened as long as it lasts.
+  LinkFault link = LinkFault::none;
+
+  // Hand-shake and upload.
+  int lost_replies = 0;     // so many answers of the hand-shake never come, counted since the fault was asked for
+  bool leading_00 = false;  // before each answer of the hand-shake
+  bool leading_13 = false;  // before the 'A' that answers the 'A' of the host
+  bool without_cts = false;
+  EchoFault echo = EchoFault::none;
+  int echo_byte = 44;    // of the upload, from 0: whose echo is wrong
+  int upload_stops = 0;  // after so many bytes of the upload nothing is heard of the device; 0: it does not
+
+  // The cable.
+  bool split_packets = false;   // few bytes in each
+  bool joined_packets = false;  // held back until several answers fill one
+
+  // The firmware.
+  unsigned short_frames = 0;  // each so many-th frame lacks two bytes; 0: none
+  bool garbage = false;       // between frames
+  bool silence = false;       // takes everything and answers nothing
+  bool frozen_encoders = false;
+  bool never_homes = false;
+  std::int64_t reply_delay_ns = 0;
+
+  // No current in the device behind the USB chip: silence, and what was loaded and homed is forgotten.
+  bool power_lost = false;
+
+  friend bool operator==(const Misbehaviour&, const Misbehaviour&) = default;
+};
+
+struct MisbehaviourKind {
+  std::string_view name;      // on the command line
+  std::string_view sentence;  // what it does, for a person
+  void (*add)(Misbehaviour&) noexcept;
+};
+
+std::span<const MisbehaviourKind> misbehaviour_catalog() noexcept;
+
+// Null when no fault has that name.
+const MisbehaviourKind* find_misbehaviour(std::string_view name) noexcept;
+
+}  // namespace ghostforce

@@ -1,0 +1,529 @@
+// The far end of the cable, byte by byte and packet by packet: what a real device was seen to do, and each fault.
+#include "device/virtual_falcon/falcon_dsp.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/support/dummy_firmware.h"
+
+namespace ghostforce {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+constexpr std::int64_t ms = 1'000'000;
+
+const Bytes question{0x0A, 0x43, 0x0D};
+const Bytes answer{0x0A, 0x44, 0x2C, 0x0D};
+
+constexpr VendorRequest dtr_low{0x01, 0x0100, 0};
+constexpr VendorRequest dtr_high{0x01, 0x0101, 0};
+constexpr VendorRequest hand_shake_baud{0x03, 0x4138, 0};
+constexpr VendorRequest boot_baud{0x03, 0x0015, 0};
+constexpr VendorRequest run_baud{0x03, 0x0002, 0};
+constexpr VendorRequest latency_1{0x09, 1, 0};
+constexpr VendorRequest latency_16{0x09, 16, 0};
+
+// A host with a clock that it moves itself.
+struct Host {
+  explicit Host(const FalconDsp::Options& options = {}) : dsp(options, 0) {}
+
+  void request(const VendorRequest& request) { dsp.control(request, now); }
+  void write(const Bytes& bytes) { dsp.receive(bytes, now); }
+
+  // Takes all that comes within so long.
+  Bytes listen(std::int64_t duration_ns) {
+    Bytes heard;
+    const std::int64_t end = now + duration_ns;
+    while (dsp.next_due_ns() <= end) {
+      now = std::max(now, dsp.next_due_ns());
+      std::array<std::uint8_t, 64> packet{};
+      const std::size_t size = dsp.take_packet(packet, now);
+      if (size == 0) continue;
+      EXPECT_GE(size, 2U);
+      status = packet[0];
+      line_status = packet[1];
+      ++packets;
+      if (size == 2) ++empty_packets;
+      largest = std::max(largest, size);
+      heard.insert(heard.end(), packet.begin() + 2, packet.begin() + static_cast<std::ptrdiff_t>(size));
+    }
+    now = end;
+    dsp.advance(now);
+    return heard;
+  }
+
+  void begin_hand_shake() {
+    request(latency_16);
+    request(hand_shake_baud);
+    request(dtr_low);
+    request(dtr_high);
+  }
+
+  Bytes ask() {
+    write(question);
+    return listen(100 * ms);
+  }
+
+  void begin_upload() {
+    begin_hand_shake();
+    ASSERT_EQ(ask(), answer);
+    request(dtr_low);
+    request(boot_baud);
+    listen(20 * ms);
+  }
+
+  // In pieces of 62; returns the echo.
+  Bytes upload(const Bytes& firmware) {
+    Bytes echo;
+    for (std::size_t i = 0; i < firmware.size(); i += 62) {
+      write({firmware.begin() + static_cast<std::ptrdiff_t>(i),
+             firmware.begin() + static_cast<std::ptrdiff_t>(std::min(i + 62, firmware.size()))});
+      const Bytes part = listen(40 * ms);
+      echo.insert(echo.end(), part.begin(), part.end());
+    }
+    return echo;
+  }
+
+  void run() {
+    request(latency_1);
+    request(run_baud);
+  }
+
+  // One command, and what is answered within so long.
+  std::optional<ReplyFrame> exchange(const CommandFrame& command, std::int64_t duration_ns = 5 * ms) {
+    const FrameBytes bytes = encode(command);
+    write({bytes.begin(), bytes.end()});
+    return reader.take(listen(duration_ns));
+  }
+
+  FalconDsp dsp;
+  std::int64_t now = 0;
+  std::uint8_t status = 0;
+  std::uint8_t line_status = 0;
+  int packets = 0;
+  int empty_packets = 0;
+  std::size_t largest = 0;
+  FrameReader<ReplyFrame> reader;
+};
+
+Misbehaviour wrong(std::string_view name) {
+  Misbehaviour wrong;
+  find_misbehaviour(name)->add(wrong);
+  return wrong;
+}
+
+TEST(Baud, IsWhatTheChipsTableSays) {
+  EXPECT_DOUBLE_EQ(baud_of(0x4138, 0), 9600.0);
+  EXPECT_NEAR(baud_of(0x0015, 0), 142857.1, 0.1);
+  EXPECT_NEAR(baud_of(0x0015, 1), 140350.9, 0.1);  // 21.375: three eighths have the code 4
+  EXPECT_DOUBLE_EQ(baud_of(0x0002, 0), 1.5e6);
+  EXPECT_DOUBLE_EQ(baud_of(0x0000, 0), 3e6);
+  EXPECT_DOUBLE_EQ(baud_of(0x0001, 0), 2e6);
+}
+
+TEST(FalconDsp, WithNothingToSayThereIsAStatusPacketPerLatency) {
+  Host host;
+  EXPECT_TRUE(host.listen(160 * ms).empty());
+  EXPECT_EQ(host.packets, 10);
+  EXPECT_EQ(host.empty_packets, 10);
+  EXPECT_EQ(host.status, 0x01);
+  EXPECT_EQ(host.line_status, 0x60);
+  host.request(latency_1);
+  host.listen(160 * ms);
+  EXPECT_EQ(host.packets, 170);
+}
+
+TEST(FalconDsp, ShakesHandsAtTheRightRateWithDtrHigh) {
+  Host host;
+  host.begin_hand_shake();
+  EXPECT_EQ(host.ask(), answer);
+  EXPECT_EQ(host.ask(), answer);
+  // With whatever stands before it.
+  host.write({0x0A, 0x0A, 0x43});
+  EXPECT_TRUE(host.listen(50 * ms).empty());
+  host.write({0x0D});
+  EXPECT_EQ(host.listen(50 * ms), answer);
+  host.request(boot_baud);
+  EXPECT_TRUE(host.ask().empty());
+  host.request(hand_shake_baud);
+  host.request(dtr_low);
+  EXPECT_TRUE(host.ask().empty());
+}
+
+TEST(FalconDsp, AnswersTheHandShakeAtThePaceOfTheLine) {
+  Host host;
+  host.begin_hand_shake();
+  host.request(latency_1);
+  host.write(question);
+  // Three bytes there and four back at 9600 baud are 7.3 ms.
+  EXPECT_EQ(host.listen(7 * ms).size(), 3U);
+  EXPECT_EQ(host.listen(2 * ms).size(), 1U);
+}
+
+TEST(FalconDsp, TakesABootTableAndEchoesEachByteOfIt) {
+  Host host;
+  host.begin_upload();
+  EXPECT_EQ(host.status, 0x11);  // clear to send
+  host.write({'A'});
+  EXPECT_EQ(host.listen(20 * ms), Bytes{'A'});
+  Bytes firmware = dummy_firmware();
+  const std::uint8_t last = firmware.back();
+  firmware.pop_back();
+  EXPECT_EQ(host.upload(firmware), firmware);
+  EXPECT_FALSE(host.dsp.runs_firmware());
+  EXPECT_EQ(host.upload({last}), Bytes{last});
+  EXPECT_TRUE(host.dsp.runs_firmware());
+  host.run();
+  const auto reply = host.exchange({});
+  ASSERT_TRUE(reply);
+  EXPECT_EQ(reply->status, 0);
+}
+
+TEST(FalconDsp, BootsAtTheRateOfOtherDriversToo) {
+  Host host;
+  host.begin_upload();
+  host.request({0x03, 0x0015, 1});
+  host.write({'A'});
+  EXPECT_EQ(host.listen(20 * ms), Bytes{'A'});
+  EXPECT_EQ(host.upload(dummy_firmware()), dummy_firmware());
+  EXPECT_TRUE(host.dsp.runs_firmware());
+}
+
+TEST(FalconDsp, WillNotBootOutOfTurn) {
+  // No hand-shake answered.
+  Host rash;
+  rash.begin_hand_shake();
+  rash.request(dtr_low);
+  rash.request(boot_baud);
+  rash.write({'A'});
+  EXPECT_TRUE(rash.listen(50 * ms).empty());
+  // No 'A'.
+  Host hasty;
+  hasty.begin_upload();
+  hasty.upload(dummy_firmware());
+  EXPECT_FALSE(hasty.dsp.runs_firmware());
+  // A file of another kind.
+  Host mistaken;
+  mistaken.begin_upload();
+  mistaken.write({'A'});
+  mistaken.listen(20 * ms);
+  EXPECT_EQ(mistaken.upload({0xAA, 0x09, 0x00, 0x00}), (Bytes{0xAA, 0x09}));
+}
+
+TEST(FalconDsp, AFullPacketDoesNotWaitForTheTimer) {
+  Host host;
+  host.begin_upload();
+  host.write({'A'});
+  host.listen(20 * ms);
+  host.largest = 0;
+  const Bytes firmware = dummy_firmware(300);
+  const std::int64_t start = host.now;
+  host.write({firmware.begin(), firmware.begin() + 250});
+  // 250 bytes take 17.5 ms: four full packets, each with 62 of them.
+  const Bytes heard = host.listen(18 * ms);
+  EXPECT_GE(heard.size(), 248U);
+  EXPECT_EQ(host.largest, 64U);
+  EXPECT_EQ(host.now, start + 18 * ms);
+}
+
+TEST(FalconDsp, WhatDoesNotFitIntoTheChipIsLost) {
+  Host host;
+  EXPECT_EQ(host.dsp.room(), 256U);
+  host.write(Bytes(300, 0x55));
+  EXPECT_EQ(host.dsp.room(), 0U);
+  host.listen(1000 * ms);
+  EXPECT_EQ(host.dsp.room(), 256U);
+}
+
+TEST(FalconDsp, AnswersFramesOneByOneAndOnlyAtRunTime) {
+  Host host({.starts_with_firmware = true, .starts_homed = true});
+  host.dsp.set_encoders({-1447, 0, 100});
+  host.dsp.set_buttons(0x0D);
+  EXPECT_FALSE(host.exchange({}, 50 * ms));
+  host.run();
+  const auto reply = host.exchange({{1311, -1453, 4095}, CommandFrame::blue});
+  ASSERT_TRUE(reply);
+  EXPECT_EQ(*reply, (ReplyFrame{{-1447, 0, 100}, ReplyFrame::homed | 0x0D}));
+  EXPECT_EQ(host.dsp.motors(), (std::array<std::int16_t, 3>{1311, -1453, 4095}));
+  EXPECT_EQ(host.dsp.lights(), CommandFrame::blue);
+  for (int i = 0; i < 20; ++i) EXPECT_TRUE(host.exchange({}));
+  EXPECT_EQ(host.dsp.frames(), 21U);
+  EXPECT_EQ(host.reader.frames(), 21U);
+  EXPECT_EQ(host.reader.discarded_bytes(), 0U);
+}
+
+// So many exchanges in a second, each begun when the last one has been answered.
+int exchanges_per_second(Host& host) {
+  int exchanges = 0;
+  for (const std::int64_t end = host.now + 1000 * ms; host.now < end;) {
+    const FrameBytes bytes = encode(CommandFrame{});
+    host.write({bytes.begin(), bytes.end()});
+    const std::uint64_t before = host.reader.frames();
+    while (host.reader.frames() == before && host.now < end) {
+      host.reader.take(host.listen(std::max<std::int64_t>(host.dsp.next_due_ns() - host.now, 0)));
+    }
+    ++exchanges;
+  }
+  return exchanges;
+}
+
+TEST(FalconDsp, TheLatencyTimerSetsThePace) {
+  Host host({.starts_with_firmware = true});
+  host.run();
+  EXPECT_NEAR(exchanges_per_second(host), 1000, 2);
+  host.request(latency_16);
+  EXPECT_NEAR(exchanges_per_second(host), 62.5, 1.5);
+}
+
+TEST(FalconDsp, AFrameTakesItsTimeOnTheLineBothWays) {
+  Host host({.starts_with_firmware = true});
+  host.run();
+  host.listen(1 * ms);
+  const FrameBytes bytes = encode(CommandFrame{{1, 2, 3}, 0});
+  host.write({bytes.begin(), bytes.end()});
+  host.dsp.advance(host.now + 106'000);
+  EXPECT_EQ(host.dsp.frames(), 0U);
+  host.dsp.advance(host.now + 107'500);
+  EXPECT_EQ(host.dsp.frames(), 1U);
+}
+
+TEST(FalconDsp, PurgingForgetsWhatHasArrived) {
+  Host host({.starts_with_firmware = true});
+  host.run();
+  const FrameBytes bytes = encode(CommandFrame{});
+  host.write({bytes.begin(), bytes.end()});
+  host.now += 500'000;
+  host.request({0x00, 1, 0});
+  EXPECT_TRUE(host.listen(10 * ms).empty());
+  EXPECT_EQ(host.dsp.frames(), 1U);
+  host.write({bytes.begin(), bytes.end()});
+  host.request({0x00, 2, 0});
+  host.listen(10 * ms);
+  EXPECT_EQ(host.dsp.frames(), 1U);
+}
+
+TEST(FalconDsp, ARisingDtrForgetsTheFirmware) {
+  Host host({.starts_with_firmware = true, .starts_homed = true});
+  host.run();
+  EXPECT_TRUE(host.exchange({{100, 100, 100}, 0}));
+  host.request(dtr_high);
+  EXPECT_FALSE(host.dsp.runs_firmware());
+  EXPECT_EQ(host.dsp.homed(), 0);
+  EXPECT_EQ(host.dsp.motors(), (std::array<std::int16_t, 3>{}));
+  EXPECT_FALSE(host.exchange({}));
+}
+
+TEST(FalconDsp, HomesOneArmAfterAnotherWhenPushedIn) {
+  Host host({.starts_with_firmware = true});
+  host.run();
+  const CommandFrame homing{{}, CommandFrame::homing | CommandFrame::red};
+  host.dsp.set_encoders({0, 0, 0});
+  auto reply = host.exchange(homing);
+  ASSERT_TRUE(reply);
+  EXPECT_EQ(reply->status, 0);
+  // Counts mean nothing yet.
+  EXPECT_NE(reply->encoders, (std::array<std::int16_t, 3>{}));
+  const auto away = reply->encoders;
+  host.dsp.set_encoders({500, 500, 500});
+  reply = host.exchange(homing);
+  EXPECT_EQ(reply->encoders[0], away[0] + 500);
+
+  host.dsp.set_encoders({-1400, -1401, -1402});
+  // Not unless it is asked to.
+  for (int i = 0; i < 50; ++i) EXPECT_EQ(host.exchange({})->status, 0);
+  std::vector<int> seen;
+  for (int i = 0; i < 50; ++i) {
+    reply = host.exchange(homing);
+    if (seen.empty() || seen.back() != reply->status) seen.push_back(reply->status);
+  }
+  EXPECT_EQ(seen, (std::vector<int>{0x10, 0x30, 0x70}));
+  EXPECT_EQ(reply->encoders, (std::array<std::int16_t, 3>{-1400, -1401, -1402}));
+  // And it stays, with the bit and without.
+  host.dsp.set_encoders({10, 20, 30});
+  EXPECT_EQ(*host.exchange({}), (ReplyFrame{{10, 20, 30}, ReplyFrame::homed}));
+  EXPECT_EQ(*host.exchange(homing), (ReplyFrame{{10, 20, 30}, ReplyFrame::homed}));
+}
+
+TEST(FalconDsp, TheWatchdogBitesOnlyWhereThereIsOne) {
+  Host without({.starts_with_firmware = true});
+  without.run();
+  without.exchange({{500, 500, 500}, 0});
+  without.listen(1000 * ms);
+  EXPECT_EQ(without.dsp.motors()[0], 500);
+
+  Host with({.starts_with_firmware = true, .watchdog_ms = 20});
+  with.run();
+  with.exchange({{500, 500, 500}, 0});
+  with.listen(14 * ms);
+  EXPECT_EQ(with.dsp.motors()[0], 500);
+  with.listen(2 * ms);
+  EXPECT_EQ(with.dsp.motors()[0], 0);
+}
+
+// --- Faults -----------------------------------------------------------------
+
+TEST(Misbehaviour, HasOneNameEachAndDoesSomething) {
+  for (const MisbehaviourKind& kind : misbehaviour_catalog()) {
+    EXPECT_EQ(find_misbehaviour(kind.name), &kind);
+    EXPECT_NE(wrong(kind.name), Misbehaviour{}) << kind.name;
+    EXPECT_TRUE(kind.sentence.ends_with('.')) << kind.name;
+  }
+  EXPECT_EQ(find_misbehaviour("nonsense"), nullptr);
+}
+
+TEST(Misbehaviour, FirstAnswersAreLost) {
+  Host host;
+  host.dsp.misbehave(wrong("lost-first-replies"));
+  host.begin_hand_shake();
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(host.ask().empty());
+  EXPECT_EQ(host.ask(), answer);
+}
+
+TEST(Misbehaviour, BytesComeBeforeTheAnswers) {
+  Host host;
+  Misbehaviour both = wrong("leading-00");
+  find_misbehaviour("leading-13")->add(both);
+  host.dsp.misbehave(both);
+  host.begin_hand_shake();
+  EXPECT_EQ(host.ask(), (Bytes{0x00, 0x0A, 0x44, 0x2C, 0x0D}));
+  host.request(dtr_low);
+  host.request(boot_baud);
+  host.write({'A'});
+  EXPECT_EQ(host.listen(50 * ms), (Bytes{0x13, 'A'}));
+  EXPECT_EQ(host.upload(dummy_firmware()), dummy_firmware());
+}
+
+TEST(Misbehaviour, NeverClearToSend) {
+  Host host;
+  host.dsp.misbehave(wrong("no-cts"));
+  host.begin_upload();
+  host.listen(200 * ms);
+  EXPECT_EQ(host.status, 0x01);
+}
+
+// Of the echo of a whole upload, with this fault.
+Bytes echo_of(Host& host) {
+  host.begin_upload();
+  host.write({'A'});
+  EXPECT_EQ(host.listen(20 * ms), Bytes{'A'});
+  return host.upload(dummy_firmware());
+}
+
+TEST(Misbehaviour, TheEchoIsWrong) {
+  const Bytes firmware = dummy_firmware();
+  Bytes changed = firmware;
+  changed[44] ^= 0x04U;
+  Bytes shorter = firmware;
+  shorter.erase(shorter.begin() + 44);
+
+  Host once;
+  once.dsp.misbehave(wrong("corrupted-echo"));
+  EXPECT_EQ(echo_of(once), changed);
+  EXPECT_EQ(echo_of(once), firmware);
+
+  Host always;
+  always.dsp.misbehave(wrong("always-corrupted-echo"));
+  EXPECT_EQ(echo_of(always), changed);
+  EXPECT_EQ(echo_of(always), changed);
+
+  Host lost;
+  lost.dsp.misbehave(wrong("lost-echo"));
+  EXPECT_EQ(echo_of(lost), shorter);
+  EXPECT_EQ(echo_of(lost), firmware);
+
+  Host stops;
+  stops.dsp.misbehave(wrong("upload-stops"));
+  EXPECT_EQ(echo_of(stops), Bytes(firmware.begin(), firmware.begin() + 100));
+  EXPECT_FALSE(stops.dsp.runs_firmware());
+}
+
+Host running(std::string_view fault) {
+  Host host({.starts_with_firmware = true, .starts_homed = true});
+  host.run();
+  host.listen(10 * ms);
+  host.dsp.misbehave(wrong(fault));
+  return host;
+}
+
+TEST(Misbehaviour, PacketsAreSplitOrJoined) {
+  Host split = running("split-packets");
+  split.largest = 0;
+  for (int i = 0; i < 10; ++i) EXPECT_TRUE(split.exchange({}));
+  EXPECT_EQ(split.largest, 7U);
+  EXPECT_EQ(split.reader.discarded_bytes(), 0U);
+
+  Host joined = running("joined-packets");
+  const FrameBytes frame = encode(CommandFrame{});
+  joined.largest = 0;
+  for (int i = 0; i < 40; ++i) {
+    joined.write({frame.begin(), frame.end()});
+    joined.reader.take(joined.listen(1 * ms));
+  }
+  EXPECT_GE(joined.largest, 2U + 48U);
+  EXPECT_EQ(joined.reader.discarded_bytes(), 0U);
+}
+
+TEST(Misbehaviour, FramesAreShortOrHaveGarbageBetween) {
+  Host shorter = running("short-frames");
+  int good = 0;
+  for (int i = 0; i < 40; ++i) good += shorter.exchange({}) ? 1 : 0;
+  EXPECT_EQ(good, 30);
+  EXPECT_GT(shorter.reader.discarded_bytes(), 0U);
+
+  Host garbage = running("garbage");
+  for (int i = 0; i < 40; ++i) EXPECT_TRUE(garbage.exchange({}));
+  EXPECT_EQ(garbage.reader.discarded_bytes(), 40U * 5U);
+}
+
+TEST(Misbehaviour, SilenceCanEnd) {
+  Host host = running("silence");
+  EXPECT_FALSE(host.exchange({}, 100 * ms));
+  EXPECT_EQ(host.line_status, 0x60);
+  host.dsp.misbehave({});
+  EXPECT_TRUE(host.exchange({}));
+}
+
+TEST(Misbehaviour, EncodersFreeze) {
+  Host host({.starts_with_firmware = true, .starts_homed = true});
+  host.run();
+  host.dsp.set_encoders({1, 2, 3});
+  host.exchange({});
+  host.dsp.misbehave(wrong("frozen-encoders"));
+  host.dsp.set_encoders({100, 200, 300});
+  EXPECT_EQ(host.exchange({})->encoders, (std::array<std::int16_t, 3>{1, 2, 3}));
+}
+
+TEST(Misbehaviour, AnswersComeLate) {
+  Host host = running("late-5ms");
+  EXPECT_FALSE(host.exchange({}, 5 * ms));
+  EXPECT_TRUE(host.reader.take(host.listen(2 * ms)));
+  host.dsp.misbehave(wrong("late-50ms"));
+  EXPECT_FALSE(host.exchange({}, 50 * ms));
+  EXPECT_TRUE(host.reader.take(host.listen(2 * ms)));
+}
+
+TEST(Misbehaviour, NeverHomes) {
+  Host host({.starts_with_firmware = true});
+  host.run();
+  host.dsp.misbehave(wrong("never-homes"));
+  host.dsp.set_encoders({-1400, -1400, -1400});
+  for (int i = 0; i < 50; ++i) EXPECT_EQ(host.exchange({{}, CommandFrame::homing})->status, 0);
+}
+
+TEST(Misbehaviour, WithoutPowerAllIsForgotten) {
+  Host host = running("power-lost");
+  EXPECT_FALSE(host.exchange({}));
+  host.begin_hand_shake();
+  EXPECT_TRUE(host.ask().empty());
+  host.dsp.misbehave({});
+  EXPECT_FALSE(host.dsp.runs_firmware());
+  EXPECT_EQ(host.dsp.homed(), 0);
+  EXPECT_EQ(echo_of(host), dummy_firmware());
+  EXPECT_TRUE(host.dsp.runs_firmware());
+}
+
+}  // namespace
+}  // namespace ghostforce
