@@ -30,16 +30,15 @@ constexpr int joined_latencies = 4;
 // A '<' among them, for whom that is enough.
 constexpr std::array<std::uint8_t, 5> garbage_bytes{0x00, '<', 'A', 0x13, 0xFF};
 
-namespace chip {
+namespace chip_code {
 constexpr std::uint8_t reset = 0x00;
 constexpr std::uint8_t modem_control = 0x01;
 constexpr std::uint8_t baud = 0x03;
 constexpr std::uint8_t latency = 0x09;
-constexpr std::size_t status_size = 2;
 constexpr std::uint8_t status = 0x01;
 constexpr std::uint8_t line_status = 0x60;
 constexpr std::uint8_t line_overrun = 0x02;
-}  // namespace chip
+}  // namespace chip_code
 
 }  // namespace
 
@@ -68,7 +67,7 @@ FalconDsp::FalconDsp(const Options& options, std::int64_t now_ns) noexcept
 void FalconDsp::control(const VendorRequest& request, std::int64_t now_ns) noexcept {
   advance(now_ns);
   switch (request.request) {
-    case chip::reset:
+    case chip_code::reset:
       // 1: what is there for the host; 2: what came from it; 0: both, and more.
       if (request.value != 2) {
         while (!to_host_.empty() && to_host_.front().at_ns <= now_ns) to_host_.pop();
@@ -79,15 +78,15 @@ void FalconDsp::control(const VendorRequest& request, std::int64_t now_ns) noexc
       }
       if (request.value == 0) set_dtr(false);
       break;
-    case chip::modem_control:
+    case chip_code::modem_control:
       // The high byte says which of the lines is meant; RTS leads nowhere.
       if ((request.value & 0x0100U) != 0) set_dtr((request.value & 0x0001U) != 0);
       break;
-    case chip::baud:
+    case chip_code::baud:
       set_baud(request.value, request.index, now_ns);
       break;
-    case chip::latency:
-      latency_ns_ = std::clamp<std::int64_t>(request.value, 1, 255) * 1'000'000;
+    case chip_code::latency:
+      chip_.latency_ns = std::clamp<std::int64_t>(request.value, 1, 255) * 1'000'000;
       break;
     default:
       break;
@@ -116,12 +115,12 @@ std::size_t FalconDsp::take_packet(std::span<std::uint8_t, packet_size> into, st
   const std::int64_t due = packet_due_ns();
   if (due > now_ns) return 0;
   // The timer is not let down by a host that looks a little late; one that was away for long gets no backlog.
-  last_packet_ns_ = now_ns - due < latency_ns_ ? due : now_ns;
-  into[0] = static_cast<std::uint8_t>(chip::status | (cts_from_ns_ != 0 && cts_from_ns_ <= now_ns ? cts : 0));
-  into[1] = static_cast<std::uint8_t>(chip::line_status | (overrun_ ? chip::line_overrun : 0));
+  last_packet_ns_ = now_ns - due < chip_.latency_ns ? due : now_ns;
+  into[0] = static_cast<std::uint8_t>(chip_code::status | (cts_from_ns_ != 0 && cts_from_ns_ <= now_ns ? cts : 0));
+  into[1] = static_cast<std::uint8_t>(chip_code::line_status | (overrun_ ? chip_code::line_overrun : 0));
   overrun_ = false;
-  std::size_t size = chip::status_size;
-  const std::size_t limit = chip::status_size + payload_limit();
+  std::size_t size = status_size;
+  const std::size_t limit = status_size + payload_limit();
   while (size < limit && !to_host_.empty() && to_host_.front().at_ns <= now_ns) into[size++] = to_host_.pop().byte;
   return size;
 }
@@ -145,14 +144,19 @@ void FalconDsp::misbehave(const Misbehaviour& wrong) noexcept {
   wrong_ = wrong;
   replies_to_lose_ = wrong.lost_replies;
   echo_is_to_fail_ = wrong.echo != EchoFault::none;
-  if (wrong.power_lost) reset(Stage::idle);
+  if (wrong.power_lost || wrong.is_off_the_cable()) reset(Stage::idle);
+  if (wrong.is_off_the_cable()) {
+    chip_ = {};
+    to_dsp_.clear();
+    to_host_.clear();
+  }
 }
 
 // --- The chip ---------------------------------------------------------------
 
 void FalconDsp::set_dtr(bool high) noexcept {
-  if (high == dtr_) return;
-  dtr_ = high;
+  if (high == chip_.dtr) return;
+  chip_.dtr = high;
   if (wrong_.power_lost) return;
   if (high) {
     reset(Stage::hand_shake);
@@ -162,7 +166,7 @@ void FalconDsp::set_dtr(bool high) noexcept {
 }
 
 void FalconDsp::set_baud(std::uint16_t value, std::uint16_t index, std::int64_t now_ns) noexcept {
-  baud_ = baud_of(value, index);
+  chip_.baud = baud_of(value, index);
   if (stage_ == Stage::boot_loader && baud_is_about(boot_baud) && !wrong_.without_cts) {
     cts_from_ns_ = now_ns + cts_delay_ns;
   }
@@ -170,20 +174,20 @@ void FalconDsp::set_baud(std::uint16_t value, std::uint16_t index, std::int64_t 
 
 // As far as a serial line forgives.
 bool FalconDsp::baud_is_about(double rate) const noexcept {
-  return std::abs(baud_ - rate) < 0.03 * rate;
+  return std::abs(chip_.baud - rate) < 0.03 * rate;
 }
 
 // A start bit, eight, and a stop bit.
 std::int64_t FalconDsp::byte_time_ns() const noexcept {
-  return std::llround(10e9 / baud_);
+  return std::llround(10e9 / chip_.baud);
 }
 
 std::size_t FalconDsp::payload_limit() const noexcept {
-  return wrong_.split_packets ? split_payload : packet_size - chip::status_size;
+  return wrong_.split_packets ? split_payload : packet_size - status_size;
 }
 
 std::int64_t FalconDsp::packet_due_ns() const noexcept {
-  std::int64_t due = last_packet_ns_ + latency_ns_ * (wrong_.joined_packets ? joined_latencies : 1);
+  std::int64_t due = last_packet_ns_ + chip_.latency_ns * (wrong_.joined_packets ? joined_latencies : 1);
   if (const std::size_t full = payload_limit(); to_host_.size() >= full) {
     const std::int64_t gap = wrong_.split_packets ? split_gap_ns : 0;
     due = std::min(due, std::max(to_host_[full - 1].at_ns, last_packet_ns_ + gap));
@@ -208,6 +212,7 @@ void FalconDsp::reset(Stage stage) noexcept {
   matched_ = 0;
   table_ = {};
   commands_.reset();
+  last_command_ = {};
   motors_ = {};
   lights_ = 0;
   homed_ = 0;

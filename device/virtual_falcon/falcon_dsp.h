@@ -25,8 +25,9 @@ double baud_of(std::uint16_t value, std::uint16_t index) noexcept;
 
 class FalconDsp {
  public:
-  static constexpr std::size_t packet_size = 64;  // the chip's two status bytes included
-  static constexpr std::uint8_t cts = 0x10;       // of the first status byte
+  static constexpr std::size_t packet_size = 64;  // the chip's status bytes included
+  static constexpr std::size_t status_size = 2;
+  static constexpr std::uint8_t cts = 0x10;  // of the first status byte
 
   // An arm that stands at or below this, counted from the geometry's zero, is pushed in: where homing finds it.
   static constexpr int pushed_in_counts = -1300;
@@ -69,6 +70,10 @@ class FalconDsp {
 
   bool runs_firmware() const noexcept { return stage_ == Stage::firmware; }
   std::uint8_t homed() const noexcept { return homed_; }  // bits of ReplyFrame
+  // Somebody asks the firmware to find home, and it has not yet.
+  bool wants_homing() const noexcept {
+    return (last_command_.info & CommandFrame::homing) != 0 && homed_ != ReplyFrame::homed;
+  }
   std::uint64_t frames() const noexcept { return commands_.frames(); }
   const CommandFrame& last_command() const noexcept { return last_command_; }
 
@@ -123,10 +128,13 @@ class FalconDsp {
   int replies_to_lose_ = 0;
   bool echo_is_to_fail_ = false;
 
-  // The chip.
-  double baud_ = 9600.0;
-  std::int64_t latency_ns_ = 16'000'000;
-  bool dtr_ = false;
+  // The chip, as it is when it gets current.
+  struct Settings {
+    double baud = 9600.0;
+    std::int64_t latency_ns = 16'000'000;
+    bool dtr = false;
+  };
+  Settings chip_;
   std::int64_t cts_from_ns_ = 0;  // 0: not raised
   bool overrun_ = false;
   std::int64_t last_packet_ns_;

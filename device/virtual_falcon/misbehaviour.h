@@ -21,9 +21,10 @@ enum class EchoFault : std::uint8_t {
 
 // As it is made: none.
 struct Misbehaviour {
-  // The link: absent, not_allowed and busy keep it from opening; unplugged ends one that is open, and nothing is there
-  // to be opened as long as it lasts.
+  // The link: not_allowed and busy keep it from opening; absent and unplugged do too, and end one that is open. A
+  // device off the cable has no current either.
   LinkFault link = LinkFault::none;
+  bool is_off_the_cable() const noexcept { return link == LinkFault::absent || link == LinkFault::unplugged; }
 
   // Hand-shake and upload.
   int lost_replies = 0;     // so many answers of the hand-shake never come, counted since the fault was asked for

@@ -1,0 +1,215 @@
+#include "device/virtual_falcon/virtual_link.h"
+
+#include <time.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <limits>
+
+namespace ghostforce {
+namespace {
+
+// Who has not looked for longer finds that nothing has happened meanwhile.
+constexpr std::int64_t longest_gap_ns = 1'000'000'000;
+constexpr std::int64_t longest_sleep_ns = 100'000'000;
+
+constexpr std::uint64_t last_resort_taken = std::uint64_t{1} << 48U;
+
+constexpr std::uint8_t line_errors = 0x0E;  // overrun, parity, framing, of the second status byte
+
+std::int64_t monotonic_ns() noexcept {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return now.tv_sec * std::int64_t{1'000'000'000} + now.tv_nsec;
+}
+
+}  // namespace
+
+VirtualLink::VirtualLink(const Options& options) noexcept
+    : clock_(options.clock),
+      lived_ns_(now_ns()),
+      misbehaviours_(options.misbehaviour),
+      link_fault_(options.misbehaviour.link),
+      dsp_(options.device, lived_ns_),
+      arm_(options.arm),
+      hand_(options.hand, lived_ns_) {
+  dsp_.misbehave(options.misbehaviour);
+  dsp_.set_encoders(arm_.encoders());
+}
+
+LinkFault VirtualLink::open() noexcept {
+  close();
+  live_until(now_ns());
+  // A cable that was pulled out is, to whoever looks for the device, none.
+  fault_ = link_fault_ == LinkFault::unplugged ? LinkFault::absent : link_fault_;
+  if (fault_ != LinkFault::none) return fault_;
+  counters_ = {};
+  modem_status_ = 0;
+  incoming_.clear();
+  was_open_ = true;
+  is_open_ = true;
+  return fault_;
+}
+
+void VirtualLink::close() noexcept {
+  is_open_ = false;
+  sending_ = Sending::nothing;
+}
+
+bool VirtualLink::request(const VendorRequest& request) noexcept {
+  if (!is_live() || is_sending()) return false;
+  request_ = request;
+  sending_ = Sending::request;
+  delivery_ns_ = now_ns() + transfer_ns;
+  return true;
+}
+
+bool VirtualLink::write(std::span<const std::uint8_t> bytes) noexcept {
+  if (!is_live() || is_sending() || bytes.size() > outgoing_.size()) return false;
+  std::ranges::copy(bytes, outgoing_.begin());
+  outgoing_size_ = bytes.size();
+  sending_ = Sending::bytes;
+  delivery_ns_ = now_ns() + transfer_ns;
+  return true;
+}
+
+std::size_t VirtualLink::read(std::span<std::uint8_t> into) noexcept {
+  const std::size_t count = std::min(into.size(), incoming_.size());
+  for (std::uint8_t& byte : into.first(count)) byte = incoming_.pop();
+  return count;
+}
+
+std::int64_t VirtualLink::now_ns() const noexcept {
+  return clock_ == Clock::stepped ? stepped_ns_ : monotonic_ns();
+}
+
+void VirtualLink::wait_until(std::int64_t deadline_ns) noexcept {
+  for (;;) {
+    const std::int64_t now = now_ns();
+    if (live_until(now) || now >= deadline_ns) return;
+    sleep_until(std::min({deadline_ns, next_event_ns(), now + longest_sleep_ns}));
+  }
+}
+
+void VirtualLink::send_at_once(std::span<const std::uint8_t> bytes) noexcept {
+  if (!is_open_) return;
+  FrameReader<CommandFrame> reader;
+  const auto frame = reader.take(bytes);
+  if (!frame) return;
+  std::uint64_t packed = last_resort_taken;
+  for (std::size_t i = 0; i < frame->motors.size(); ++i) {
+    packed |= std::uint64_t{static_cast<std::uint16_t>(frame->motors[i])} << (16 * i);
+  }
+  last_resort_ = packed;
+}
+
+MotorNumbers VirtualLink::motors() const noexcept {
+  const std::uint64_t packed = last_resort_;
+  if ((packed & last_resort_taken) == 0) return dsp_.motors();
+  MotorNumbers numbers{};
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    numbers[i] = static_cast<std::int16_t>(static_cast<std::uint16_t>(packed >> (16 * i)));
+  }
+  return numbers;
+}
+
+// In the order in which things happen. Returns whether there is something that a waiting driver wants to know.
+bool VirtualLink::live_until(std::int64_t now_ns) noexcept {
+  lived_ns_ = std::max(lived_ns_, now_ns - longest_gap_ns);
+  bool has_news = obey_misbehaviour();
+  while (lived_ns_ + step_ns <= now_ns) {
+    has_news |= exchange_until(lived_ns_ + step_ns);
+    step_to(lived_ns_ + step_ns);
+  }
+  has_news |= exchange_until(now_ns);
+  return has_news;
+}
+
+bool VirtualLink::obey_misbehaviour() noexcept {
+  if (!misbehaviours_.has_news()) return false;
+  const Misbehaviour& wrong = misbehaviours_.latest();
+  dsp_.misbehave(wrong);
+  link_fault_ = wrong.link;
+  if (!is_live() || !wrong.is_off_the_cable()) return false;
+  fault_ = LinkFault::unplugged;
+  sending_ = Sending::nothing;
+  return true;
+}
+
+bool VirtualLink::exchange_until(std::int64_t at_ns) noexcept {
+  bool has_news = false;
+  while (is_live()) {
+    const std::int64_t event = next_event_ns();
+    if (event > at_ns) break;
+    // What has been due since before the link was opened happens now.
+    const std::int64_t now = std::max(event, lived_ns_);
+    has_news |= is_sending() && delivery_ns_ <= now ? deliver(now) : take_packet(now);
+  }
+  return has_news;
+}
+
+bool VirtualLink::deliver(std::int64_t at_ns) noexcept {
+  if (sending_ == Sending::request) {
+    dsp_.control(request_, at_ns);
+  } else {
+    if (dsp_.room() < outgoing_size_) {
+      // The chip cannot take it yet; USB asks again.
+      dsp_.advance(at_ns);
+      delivery_ns_ = at_ns + transfer_ns;
+      return false;
+    }
+    dsp_.receive(std::span{outgoing_}.first(outgoing_size_), at_ns);
+    counters_.bytes_out += outgoing_size_;
+  }
+  sending_ = Sending::nothing;
+  return true;
+}
+
+bool VirtualLink::take_packet(std::int64_t at_ns) noexcept {
+  std::array<std::uint8_t, FalconDsp::packet_size> packet{};
+  const std::size_t size = dsp_.take_packet(packet, at_ns);
+  if (size == 0) return false;
+  modem_status_ = packet[0];
+  if ((packet[1] & line_errors) != 0) ++counters_.line_errors;
+  const auto payload = std::span{packet}.first(size).subspan(FalconDsp::status_size);
+  if (payload.empty()) {
+    ++counters_.status_packets;
+    return false;
+  }
+  counters_.bytes_in += payload.size();
+  for (const std::uint8_t byte : payload) {
+    if (incoming_.room() == 0) {
+      incoming_.pop();
+      ++counters_.discarded_bytes;
+    }
+    incoming_.push(byte);
+  }
+  return true;
+}
+
+void VirtualLink::step_to(std::int64_t at_ns) noexcept {
+  constexpr double seconds_per_ns = 1e-9;
+  dsp_.advance(at_ns);
+  hand_.advance(at_ns, dsp_.wants_homing());
+  arm_.step(static_cast<double>(at_ns - lived_ns_) * seconds_per_ns, motors(), hand_.goal(), hand_.stiffness());
+  dsp_.set_encoders(arm_.encoders());
+  dsp_.set_buttons(hand_.buttons());
+  lived_ns_ = at_ns;
+}
+
+std::int64_t VirtualLink::next_event_ns() const noexcept {
+  if (!is_live()) return std::numeric_limits<std::int64_t>::max();
+  return is_sending() ? std::min(dsp_.next_due_ns(), delivery_ns_) : dsp_.next_due_ns();
+}
+
+void VirtualLink::sleep_until(std::int64_t at_ns) noexcept {
+  if (clock_ == Clock::stepped) {
+    stepped_ns_ = std::max(stepped_ns_, at_ns);
+    return;
+  }
+  const timespec at{.tv_sec = at_ns / 1'000'000'000, .tv_nsec = at_ns % 1'000'000'000};
+  while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &at, nullptr) == EINTR) {
+  }
+}
+
+}  // namespace ghostforce

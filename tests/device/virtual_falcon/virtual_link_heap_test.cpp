@@ -1,0 +1,51 @@
+// Once it is made, the virtual Falcon never touches the heap: in a rehearsal the servo's thread lives in it.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <vector>
+
+#include "device/virtual_falcon/virtual_link.h"
+#include "tests/device/virtual_falcon/link_exchange.h"
+#include "tests/support/dummy_firmware.h"
+#include "tests/support/heap_guard.h"
+
+namespace ghostforce {
+namespace {
+
+TEST(VirtualLinkHeap, IsNotTouchedFromOpeningToUnplugging) {
+  const std::vector<std::uint8_t> firmware = dummy_firmware();
+  VirtualLink link({.clock = VirtualLink::Clock::stepped, .hand = {.homes_when_asked = true}});
+  std::optional<ReplyFrame> reply;
+  {
+    HeapGuard guard;
+    link.open();
+    load_firmware(link, firmware);
+    begin_run_time(link);
+    for (int i = 0; i < 3000; ++i) reply = exchange(link, {{10, 20, 30}, CommandFrame::homing});
+    link.lead_hand(hand_at({0.01, 0.0, 0.12}, 0.1));
+    for (int i = 0; i < 100; ++i) exchange(link, {{10, 20, 30}, 0});
+  }
+  ASSERT_TRUE(reply);
+  EXPECT_EQ(reply->status, ReplyFrame::homed);
+}
+
+TEST(VirtualLinkHeap, IsNotTouchedByAnyMisbehaviour) {
+  for (const MisbehaviourKind& kind : misbehaviour_catalog()) {
+    SCOPED_TRACE(kind.name);
+    const std::vector<std::uint8_t> firmware = dummy_firmware();
+    Misbehaviour wrong;
+    kind.add(wrong);
+    VirtualLink link({.clock = VirtualLink::Clock::stepped});
+    HeapGuard guard;
+    link.open();
+    link.misbehave(wrong);
+    load_firmware(link, firmware);
+    begin_run_time(link);
+    for (int i = 0; i < 50; ++i) exchange(link, {});
+    link.close();
+    link.open();
+  }
+}
+
+}  // namespace
+}  // namespace ghostforce
