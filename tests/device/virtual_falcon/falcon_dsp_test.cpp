@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/device/virtual_falcon/link_exchange.h"
 #include "tests/support/dummy_firmware.h"
 
 namespace ghostforce {
@@ -13,18 +14,8 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-constexpr std::int64_t ms = 1'000'000;
-
 const Bytes question{0x0A, 0x43, 0x0D};
 const Bytes answer{0x0A, 0x44, 0x2C, 0x0D};
-
-constexpr VendorRequest dtr_low{0x01, 0x0100, 0};
-constexpr VendorRequest dtr_high{0x01, 0x0101, 0};
-constexpr VendorRequest hand_shake_baud{0x03, 0x4138, 0};
-constexpr VendorRequest boot_baud{0x03, 0x0015, 0};
-constexpr VendorRequest run_baud{0x03, 0x0002, 0};
-constexpr VendorRequest latency_1{0x09, 1, 0};
-constexpr VendorRequest latency_16{0x09, 16, 0};
 
 // A host with a clock that it moves itself.
 struct Host {
@@ -108,12 +99,6 @@ struct Host {
   std::size_t largest = 0;
   FrameReader<ReplyFrame> reader;
 };
-
-Misbehaviour wrong(std::string_view name) {
-  Misbehaviour wrong;
-  find_misbehaviour(name)->add(wrong);
-  return wrong;
-}
 
 TEST(Baud, IsWhatTheChipsTableSays) {
   EXPECT_DOUBLE_EQ(baud_of(0x4138, 0), 9600.0);
@@ -368,7 +353,7 @@ TEST(FalconDsp, TheWatchdogBitesOnlyWhereThereIsOne) {
 TEST(Misbehaviour, HasOneNameEachAndDoesSomething) {
   for (const MisbehaviourKind& kind : misbehaviour_catalog()) {
     EXPECT_EQ(find_misbehaviour(kind.name), &kind);
-    EXPECT_NE(wrong(kind.name), Misbehaviour{}) << kind.name;
+    EXPECT_NE(misbehaviour(kind.name), Misbehaviour{}) << kind.name;
     EXPECT_TRUE(kind.sentence.ends_with('.')) << kind.name;
   }
   EXPECT_EQ(find_misbehaviour("nonsense"), nullptr);
@@ -376,7 +361,7 @@ TEST(Misbehaviour, HasOneNameEachAndDoesSomething) {
 
 TEST(Misbehaviour, FirstAnswersAreLost) {
   Host host;
-  host.dsp.misbehave(wrong("lost-first-replies"));
+  host.dsp.misbehave(misbehaviour("lost-first-replies"));
   host.begin_hand_shake();
   for (int i = 0; i < 3; ++i) EXPECT_TRUE(host.ask().empty());
   EXPECT_EQ(host.ask(), answer);
@@ -384,7 +369,7 @@ TEST(Misbehaviour, FirstAnswersAreLost) {
 
 TEST(Misbehaviour, BytesComeBeforeTheAnswers) {
   Host host;
-  Misbehaviour both = wrong("leading-00");
+  Misbehaviour both = misbehaviour("leading-00");
   find_misbehaviour("leading-13")->add(both);
   host.dsp.misbehave(both);
   host.begin_hand_shake();
@@ -398,7 +383,7 @@ TEST(Misbehaviour, BytesComeBeforeTheAnswers) {
 
 TEST(Misbehaviour, NeverClearToSend) {
   Host host;
-  host.dsp.misbehave(wrong("no-cts"));
+  host.dsp.misbehave(misbehaviour("no-cts"));
   host.begin_upload();
   host.listen(200 * ms);
   EXPECT_EQ(host.status, 0x01);
@@ -420,22 +405,22 @@ TEST(Misbehaviour, TheEchoIsWrong) {
   shorter.erase(shorter.begin() + 44);
 
   Host once;
-  once.dsp.misbehave(wrong("corrupted-echo"));
+  once.dsp.misbehave(misbehaviour("corrupted-echo"));
   EXPECT_EQ(echo_of(once), changed);
   EXPECT_EQ(echo_of(once), firmware);
 
   Host always;
-  always.dsp.misbehave(wrong("always-corrupted-echo"));
+  always.dsp.misbehave(misbehaviour("always-corrupted-echo"));
   EXPECT_EQ(echo_of(always), changed);
   EXPECT_EQ(echo_of(always), changed);
 
   Host lost;
-  lost.dsp.misbehave(wrong("lost-echo"));
+  lost.dsp.misbehave(misbehaviour("lost-echo"));
   EXPECT_EQ(echo_of(lost), shorter);
   EXPECT_EQ(echo_of(lost), firmware);
 
   Host stops;
-  stops.dsp.misbehave(wrong("upload-stops"));
+  stops.dsp.misbehave(misbehaviour("upload-stops"));
   EXPECT_EQ(echo_of(stops), Bytes(firmware.begin(), firmware.begin() + 100));
   EXPECT_FALSE(stops.dsp.runs_firmware());
 }
@@ -444,7 +429,7 @@ Host running(std::string_view fault) {
   Host host({.starts_with_firmware = true, .starts_homed = true});
   host.run();
   host.listen(10 * ms);
-  host.dsp.misbehave(wrong(fault));
+  host.dsp.misbehave(misbehaviour(fault));
   return host;
 }
 
@@ -491,7 +476,7 @@ TEST(Misbehaviour, EncodersFreeze) {
   host.run();
   host.dsp.set_encoders({1, 2, 3});
   host.exchange({});
-  host.dsp.misbehave(wrong("frozen-encoders"));
+  host.dsp.misbehave(misbehaviour("frozen-encoders"));
   host.dsp.set_encoders({100, 200, 300});
   EXPECT_EQ(host.exchange({})->encoders, (std::array<std::int16_t, 3>{1, 2, 3}));
 }
@@ -500,7 +485,7 @@ TEST(Misbehaviour, AnswersComeLate) {
   Host host = running("late-5ms");
   EXPECT_FALSE(host.exchange({}, 5 * ms));
   EXPECT_TRUE(host.reader.take(host.listen(2 * ms)));
-  host.dsp.misbehave(wrong("late-50ms"));
+  host.dsp.misbehave(misbehaviour("late-50ms"));
   EXPECT_FALSE(host.exchange({}, 50 * ms));
   EXPECT_TRUE(host.reader.take(host.listen(2 * ms)));
 }
@@ -508,7 +493,7 @@ TEST(Misbehaviour, AnswersComeLate) {
 TEST(Misbehaviour, NeverHomes) {
   Host host({.starts_with_firmware = true});
   host.run();
-  host.dsp.misbehave(wrong("never-homes"));
+  host.dsp.misbehave(misbehaviour("never-homes"));
   host.dsp.set_encoders({-1400, -1400, -1400});
   for (int i = 0; i < 50; ++i) EXPECT_EQ(host.exchange({{}, CommandFrame::homing})->status, 0);
 }

@@ -33,8 +33,7 @@ TEST(VirtualLinkHeap, IsNotTouchedByAnyMisbehaviour) {
   for (const MisbehaviourKind& kind : misbehaviour_catalog()) {
     SCOPED_TRACE(kind.name);
     const std::vector<std::uint8_t> firmware = dummy_firmware();
-    Misbehaviour wrong;
-    kind.add(wrong);
+    const Misbehaviour wrong = misbehaviour(kind.name);
     VirtualLink link({.clock = VirtualLink::Clock::stepped});
     HeapGuard guard;
     link.open();
