@@ -98,8 +98,8 @@ class FalconDsp {
     enum class Part : std::uint8_t { key, reserved, entry, size, address, data, done, refused };
     Part part = Part::key;
     int bytes = 0;            // taken
-    std::uint8_t low = 0;     // the word that is half here
-    unsigned block = 0;       // its size [words]
+    std::uint8_t low = 0;     // of a word of which the other half is still to come
+    unsigned block = 0;       // words of the data that come next
     unsigned words_left = 1;  // of this part
 
     void take(std::uint8_t byte) noexcept;
