@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "core/conventions.h"
+#include "device/haptic_device.h"
 
 namespace ghostforce {
 
@@ -23,6 +24,9 @@ class Input {
 
   // q_u(t_k) [m], where t_k = k / rate; asked once per tick. `rate` in ticks per second of model time [Hz].
   virtual Vector<2> goal(std::int64_t tick, double rate) noexcept = 0;
+
+  // The motors of this input; null: it has none. Then nothing that it does can be felt.
+  virtual HapticDevice* haptic_device() noexcept { return nullptr; }
 };
 
 }  // namespace ghostforce

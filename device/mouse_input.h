@@ -9,23 +9,20 @@
 
 #include "core/latest_value.h"
 #include "device/input.h"
+#include "device/pointer_target.h"
 
 namespace ghostforce {
 
-class MouseInput final : public Input {
+class MouseInput final : public Input, public PointerTarget {
  public:
   // Goals lie within ± this on each axis, as positions in a scene do [m].
   static constexpr double farthest_m = 1.0;
   // A window that stalled does not make the goal crawl for longer than this [s].
   static constexpr double slowest_move_s = 0.1;
 
-  // UI thread. The goal shall be at `goal` [m] after `duration_s` of model time, which is the time until the next call:
-  // frame interval × speed. Shorter than a tick is one tick. A goal that is not finite is ignored and counted.
-  // A restart forgets moves that the servo has not begun.
-  void move_to(const Vector<2>& goal, double duration_s) noexcept;
-
-  // UI thread.
-  std::uint64_t ignored_moves() const noexcept { return ignored_moves_; }
+  // Shorter than a tick is one tick. A restart forgets moves that the servo has not begun.
+  void move_to(const Vector<2>& goal, double duration_s) noexcept override;
+  std::uint64_t ignored_moves() const noexcept override { return ignored_moves_; }
 
   void restart(const Vector<2>& goal) noexcept override;
   Vector<2> goal(std::int64_t tick, double rate) noexcept override;

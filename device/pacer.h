@@ -42,6 +42,14 @@ class Pacer {
     next_ = 1;
   }
 
+  // For a loop that keeps time with a device: one that came late by more than a tenth of a period sets the rhythm from
+  // now on. Of a tick that was kept.
+  void follow(std::int64_t now_ns) noexcept {
+    if (static_cast<double>(now_ns - on_grid(next_ - 1)) <= 0.1 * period_ns_) return;
+    origin_ns_ = now_ns;
+    next_ = 1;
+  }
+
   // While nothing is to be paced: the next deadline is one period from now, and the rate is 0.
   void align(std::int64_t now_ns) noexcept {
     origin_ns_ = now_ns;

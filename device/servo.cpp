@@ -10,6 +10,7 @@
 
 #include <pthread.h>
 
+#include "core/proxy.h"
 #include "core/scene.h"
 #include "core/sound_state.h"
 #include "device/pacer.h"
@@ -19,6 +20,10 @@ namespace {
 
 bool is_usable_speed(double speed) noexcept {
   return std::isfinite(speed) && speed > 0.0;
+}
+
+bool is_usable(const SafetyOptions& options) noexcept {
+  return std::isfinite(options.force_limit) && options.greatest_k_r >= 0.0;
 }
 
 std::int64_t now_ns() noexcept {
@@ -36,14 +41,24 @@ void sleep_until(std::int64_t time_ns) noexcept {
 
 Servo::Servo(std::unique_ptr<Input> input, const ServoCommand& initial)
     : input_(std::move(input)),
+      device_(input_->haptic_device()),
       commands_(initial),
+      settings_(initial.settings),
       paused_(initial.paused),
       seen_generation_(initial.settings_generation),
-      seen_restarts_(initial.restarts_asked) {
+      seen_restarts_(initial.restarts_asked),
+      safety_options_(initial.safety),
+      has_focus_(initial.has_focus),
+      seen_arms_(initial.arms_asked),
+      seen_offs_(initial.offs_asked),
+      seen_acknowledgements_(initial.acknowledgements),
+      seen_heart_beats_(initial.heart_beats) {
   if (!is_in_range(initial.settings) || !is_usable_speed(initial.speed) || !is_sound(initial.restart_state)) {
     throw std::invalid_argument("a servo cannot start with settings, a speed or a state out of range");
   }
-  plan_ = plan_of(initial.settings);
+  plan();
+  if (device_ != nullptr) heart_beat_ns_ = attended_ns_ = device_->now_ns();
+  report_.motors.has_motors = device_ != nullptr;
   report_.settings_generation = initial.settings_generation;
   restart_from(initial.restart_state, initial.restarts_asked);
   speed_ = std::clamp(initial.speed, slowest, fastest);
@@ -80,27 +95,108 @@ void Servo::run() noexcept {
   std::int64_t now = now_ns();
   Pacer pacer(now, period_s());
   while (!stopping_.load(std::memory_order_relaxed)) {
-    sleep_until(is_idle() ? now + attention_ns : std::min(pacer.deadline_ns(), now + attention_ns));
+    const std::int64_t until = is_idle() ? now + attention_ns : std::min(pacer.deadline_ns(), now + attention_ns);
+    device_ != nullptr ? device_->wait_until(until) : sleep_until(until);
     now = now_ns();
     if (is_idle()) pacer.align(now);
     const bool tick_is_due = pacer.is_due(now);
+    if (tick_is_due && device_ != nullptr) pacer.follow(now);
     report_.loop.rate_hz = pacer.rate_hz();
     report_.loop.late_ticks = pacer.late_ticks();
     report_.loop.worst_late_s = pacer.worst_late_s();
     attend(tick_is_due);
     pacer.set_period(period_s(), now);
   }
+  if (device_ == nullptr) return;
+  safety_.turn_off(OffReason::program_ending);
+  device_->finish();
+}
+
+void Servo::wake() noexcept {
+  if (device_ != nullptr) device_->wait_until(device_->now_ns() + std::llround(period_s() * 1e9));
+  attend(true);
 }
 
 void Servo::attend(bool tick_is_due) noexcept {
   if (commands_.has_news()) take_command(commands_.latest());
+  if (device_ != nullptr) watch_handle();
   const bool is_new_state = std::exchange(is_at_start_, false) || (takes_tick(tick_is_due) && advance());
+  if (device_ != nullptr) drive_motors();
   // New settings show with the next tick: the old state under new settings is a state that never was.
   if (is_new_state) {
     report_.snapshot = snapshot_of(plan_, state_);
-    if (!samples_.try_enqueue({report_.snapshot, report_.restarts})) ++report_.loop.dropped_samples;
+    if (!samples_.try_enqueue({report_.snapshot, report_.restarts, report_.motors.sent, report_.motors.is_saturated})) {
+      ++report_.loop.dropped_samples;
+    }
   }
   reports_.publish(report_);
+}
+
+// What the active strategy's force would be with the device there.
+Vector<2> Servo::force_at(const Vector<2>& handle) const noexcept {
+  const auto& active = plan_.strategies[index_of(settings_.active)];
+  return active.rendering * (proxy_of(handle, plan_.wall, active.proxy_step).position - handle);
+}
+
+void Servo::watch_handle() noexcept {
+  const std::int64_t now = device_->now_ns();
+  const auto since = [now](std::int64_t then) { return static_cast<double>(now - then) * 1e-9; };
+  handle_ = device_->read();
+  const bool is_outside = handle_.is_known && depth(plan_.wall, handle_.position) <= 0.0;
+  safety_.attend({.trouble = handle_.trouble,
+                  .device_is_ready = handle_.is_ready && handle_.is_known,
+                  .loop_is_healthy = handle_.is_healthy,
+                  .since_exchange_s = since(handle_.time_ns),
+                  .since_window_s = since(heart_beat_ns_),
+                  .has_focus = has_focus_,
+                  .button_is_held = handle_.button_is_held,
+                  .is_outside_wall = is_outside,
+                  .speed = handle_.speed,
+                  .wanted_force = glm::length(force_at(handle_.position))},
+                 safety_options_, since(attended_ns_));
+  if (safety_.is_armed() != plan_is_felt_) plan();
+  report_.motors.handle = handle_.position;
+  report_.motors.is_handle_known = handle_.is_known;
+  report_.motors.is_outside_wall = is_outside;
+  report_.motors.handle_speed = handle_.speed;
+  report_.motors.exchange_age_s = since(handle_.time_ns);
+}
+
+void Servo::drive_motors() noexcept {
+  const std::int64_t now = device_->now_ns();
+  const double elapsed_s = static_cast<double>(now - std::exchange(attended_ns_, now)) * 1e-9;
+  const double limit = safety_options_.force_limit / device_->force_uncertainty();
+  ForceLimiter::Result result;
+  if (safety_.is_armed()) {
+    result = limiter_.pass(force_at(handle_.position), safety_.gain(), limit, elapsed_s);
+    if (!result.was_finite) safety_.turn_off(OffReason::fault);
+  }
+  if (!safety_.is_armed()) {
+    limiter_.reset();
+    result = {};
+  }
+  device_->push(result.force, safety_.is_armed());
+  MotorReport& motors = report_.motors;
+  motors.state = safety_.state();
+  motors.reason = safety_.reason();
+  motors.obstacle = safety_.obstacle();
+  motors.gain = safety_.gain();
+  motors.sent = result.force;
+  motors.is_saturated = result.was_saturated;
+  motors.limit = limit;
+  motors.held_k_r = settings_.impedances.k_r > safety_options_.greatest_k_r ? safety_options_.greatest_k_r : 0.0;
+}
+
+// On motors the wall is no stiffer than a person has agreed to.
+void Servo::plan() noexcept {
+  // Motors that come on have no force to lead over from.
+  const bool comes_on = safety_.is_armed() && !plan_is_felt_;
+  plan_is_felt_ = safety_.is_armed();
+  Settings settings = settings_;
+  double& k_r = settings.impedances.k_r;
+  if (plan_is_felt_) k_r = std::min(k_r, safety_options_.greatest_k_r);
+  plan_ = plan_of(settings);
+  comes_on ? limiter_.reset() : limiter_.cross_fade();
 }
 
 void Servo::take_command(const ServoCommand& command) noexcept {
@@ -126,10 +222,26 @@ void Servo::take_command(const ServoCommand& command) noexcept {
   } else {
     is_refused = true;
   }
+  if (device_ != nullptr) heed_person(command);
   paused_ = command.paused;
   steps_wanted_ = command.steps_asked;
   if (!paused_) steps_taken_ = steps_wanted_;
   if (is_refused) ++report_.refused_commands;
+}
+
+void Servo::heed_person(const ServoCommand& command) noexcept {
+  has_focus_ = command.has_focus;
+  if (command.safety != safety_options_ && is_usable(command.safety)) {
+    safety_options_ = command.safety;
+    plan();
+  }
+  if (std::exchange(seen_heart_beats_, command.heart_beats) != command.heart_beats) heart_beat_ns_ = device_->now_ns();
+  if (std::exchange(seen_acknowledgements_, command.acknowledgements) != command.acknowledgements) {
+    safety_.acknowledge();
+  }
+  if (std::exchange(seen_arms_, command.arms_asked) != command.arms_asked) safety_.arm();
+  // Last: whoever asks for both at once gets motors that are off.
+  if (std::exchange(seen_offs_, command.offs_asked) != command.offs_asked) safety_.turn_off(OffReason::key);
 }
 
 void Servo::restart_from(const TickState<2>& state, std::uint32_t restarts) noexcept {
@@ -143,13 +255,14 @@ void Servo::restart_from(const TickState<2>& state, std::uint32_t restarts) noex
 void Servo::use(const Settings& settings, std::uint32_t generation) noexcept {
   // Model time goes on: t_k is k/rate, so another rate is another k.
   if (plan_.rate != settings.rate) state_.tick = std::llround(time_of(state_.tick, plan_.rate) * settings.rate);
-  plan_ = plan_of(settings);
+  settings_ = settings;
+  plan();
   report_.settings_generation = generation;
   report_.diverged = false;
 }
 
 bool Servo::takes_tick(bool tick_is_due) noexcept {
-  if (!paused_) return tick_is_due;
+  if (!paused_ || safety_.is_armed()) return tick_is_due;
   if (steps_taken_ == steps_wanted_) return false;
   ++steps_taken_;
   return true;
@@ -158,14 +271,20 @@ bool Servo::takes_tick(bool tick_is_due) noexcept {
 bool Servo::advance() noexcept {
   if (report_.diverged) return false;
   TickState<2> next = state_;
-  tick(plan_, input_->goal(state_.tick + 1, plan_.rate), next);
+  if (safety_.is_armed()) {
+    tick_measured(plan_, settings_.active, handle_.position, believed_user_stiffness(settings_.impedances), next);
+  } else {
+    tick(plan_, input_->goal(state_.tick + 1, plan_.rate), next);
+  }
   report_.diverged = !is_sound(next);
+  if (report_.diverged) safety_.turn_off(OffReason::fault);
   if (!report_.diverged) state_ = next;
   return !report_.diverged;
 }
 
 double Servo::period_s() const noexcept {
-  return std::max(1.0 / (plan_.rate * speed_), shortest_period_s);
+  const double speed = safety_.is_armed() ? 1.0 : speed_;
+  return std::max(1.0 / (plan_.rate * speed), shortest_period_s);
 }
 
 }  // namespace ghostforce

@@ -15,7 +15,10 @@
 
 #include <readerwriterqueue/readerwritercircularbuffer.h>
 
+#include "core/force_limiter.h"
 #include "core/latest_value.h"
+#include "core/motor_report.h"
+#include "core/safety.h"
 #include "core/settings.h"
 #include "core/snapshot.h"
 #include "core/tick.h"
@@ -34,6 +37,14 @@ struct ServoCommand {
   std::uint32_t steps_asked = 0;     // single ticks asked for while paused
   std::uint32_t restarts_asked = 0;  // another number: go on from restart_state
   TickState<2> restart_state{};
+
+  // For devices with motors. Somebody wants them on, off, or has read why they went off.
+  std::uint32_t arms_asked = 0;
+  std::uint32_t offs_asked = 0;
+  std::uint32_t acknowledgements = 0;
+  SafetyOptions safety;
+  bool has_focus = true;          // keys reach the window
+  std::uint32_t heart_beats = 0;  // another number: the window lives
 };
 static_assert(std::is_trivially_copyable_v<ServoCommand>);
 
@@ -54,6 +65,7 @@ struct ServoReport {
   // The settings are unstable: stopped at the last sound tick (core/sound_state.h) until a restart or other settings.
   bool diverged = false;
   LoopHealth loop;
+  MotorReport motors;
   RealtimeStatus realtime;
 };
 static_assert(std::is_trivially_copyable_v<ServoReport>);
@@ -62,6 +74,8 @@ static_assert(std::is_trivially_copyable_v<ServoReport>);
 struct Sample {
   Snapshot snapshot;
   std::uint32_t restarts = 0;
+  Vector<2> sent{0.0};        // force for the motors, after every limit [N]
+  bool is_saturated = false;  // the limit has shortened it
 };
 static_assert(std::is_trivially_copyable_v<Sample>);
 
@@ -100,20 +114,29 @@ class Servo {
   // command; then records the state that a new run starts from, or else reads the input and ticks (when paused: only if
   // a step was asked for); then publishes. With new settings of another rate the tick number changes so that model time
   // goes on.
-  void wake() noexcept { attend(true); }
+  //
+  // An input with motors: its handle is read, and the motors get what the active strategy wants and the safety chain
+  // leaves of it. While they are armed the handle is the device, and neither pause nor slow motion stops its time.
+  void wake() noexcept;
 
  private:
   void run() noexcept;
   void attend(bool tick_is_due) noexcept;
+  void watch_handle() noexcept;
+  void drive_motors() noexcept;
+  void heed_person(const ServoCommand& command) noexcept;
+  void plan() noexcept;
   void take_command(const ServoCommand& command) noexcept;
   void restart_from(const TickState<2>& state, std::uint32_t restarts) noexcept;
   void use(const Settings& settings, std::uint32_t generation) noexcept;
   bool takes_tick(bool tick_is_due) noexcept;
   bool advance() noexcept;
-  bool is_idle() const noexcept { return paused_ || report_.diverged; }
+  bool is_idle() const noexcept { return device_ == nullptr && (paused_ || report_.diverged); }
+  Vector<2> force_at(const Vector<2>& handle) const noexcept;
   double period_s() const noexcept;
 
   std::unique_ptr<Input> input_;
+  HapticDevice* device_;  // the input's motors; may be null
   LatestValue<ServoCommand> commands_;
   LatestValue<ServoReport> reports_{ServoReport{}};
   moodycamel::BlockingReaderWriterCircularBuffer<Sample> samples_{sample_capacity};  // the servo never blocks on it
@@ -123,7 +146,9 @@ class Servo {
   std::atomic<bool> stopping_{false};
 
   // The servo thread's.
+  Settings settings_;
   TickPlan<2> plan_{};
+  bool plan_is_felt_ = false;  // made for motors that are on
   TickState<2> state_;
   bool is_at_start_ = true;  // the state has not been recorded yet
   bool paused_;
@@ -133,6 +158,19 @@ class Servo {
   std::uint32_t seen_generation_;  // whether in use or refused
   std::uint32_t seen_restarts_;
   ServoReport report_;
+
+  // Of the motors.
+  Safety safety_;
+  SafetyOptions safety_options_;
+  ForceLimiter limiter_;
+  HandleReading handle_;
+  bool has_focus_ = true;
+  std::uint32_t seen_arms_;
+  std::uint32_t seen_offs_;
+  std::uint32_t seen_acknowledgements_;
+  std::uint32_t seen_heart_beats_;
+  std::int64_t heart_beat_ns_ = 0;
+  std::int64_t attended_ns_ = 0;
 };
 
 }  // namespace ghostforce

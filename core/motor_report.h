@@ -1,0 +1,30 @@
+// MotorReport: what the servo tells about the motors of an input and what watches over them. Trivially copyable: it
+// crosses threads whole. SI units, in the plane of the scene.
+#pragma once
+
+#include <type_traits>
+
+#include "core/conventions.h"
+#include "core/safety.h"
+
+namespace ghostforce {
+
+struct MotorReport {
+  bool has_motors = false;  // the input has
+  SafetyState state = SafetyState::off;
+  OffReason reason = OffReason::none;
+  ArmingObstacle obstacle = ArmingObstacle::none;
+  double gain = 0.0;      // of ramp and fade
+  Vector<2> handle{0.0};  // where it is, or was last known [m]
+  bool is_handle_known = false;
+  bool is_outside_wall = false;  // the handle
+  double handle_speed = 0.0;     // [m/s]
+  Vector<2> sent{0.0};           // force for the motors, after every limit [N]
+  bool is_saturated = false;     // the limit shortens it
+  double limit = 0.0;            // in use: lower than asked for by what is not known of the motors [N]
+  double held_k_r = 0.0;         // what k_r is held at while armed; 0: it is not [N/m]
+  double exchange_age_s = 0.0;   // of the newest reading
+};
+static_assert(std::is_trivially_copyable_v<MotorReport>);
+
+}  // namespace ghostforce

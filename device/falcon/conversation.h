@@ -1,0 +1,52 @@
+// Conversation: what is said to the chip and what it must answer, as a table of steps that are gone through one after
+// another, without ever waiting: attend() does what can be done now. Trivial to make; the tables must outlive it. The
+// driver's thread; never allocates or throws.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "device/falcon/falcon_link.h"
+
+namespace ghostforce {
+
+struct ConversationStep {
+  enum class Kind : std::uint8_t {
+    request,              // the chip is asked for something
+    say,                  // `bytes` go out
+    hear,                 // `bytes` must come within `duration_ms`, whatever comes before them
+    settle,               // `duration_ms` pass
+    await_clear_to_send,  // until the other side raises CTS, but `duration_ms` at most: not all devices do
+    forget,               // what has come so far is thrown away
+  };
+
+  Kind kind;
+  VendorRequest asked{};
+  std::string_view bytes{};
+  int duration_ms = 0;
+};
+
+enum class Progress : std::uint8_t { running, done, failed };
+
+class Conversation {
+ public:
+  Conversation() = default;
+  explicit Conversation(std::span<const ConversationStep> steps) noexcept : steps_(steps) {}
+
+  // failed: an answer did not come. The fault of a link is the caller's to look at.
+  Progress attend(FalconLink& link) noexcept;
+
+ private:
+  bool finishes(const ConversationStep& step, FalconLink& link) noexcept;
+  bool hears(std::string_view bytes, FalconLink& link) noexcept;
+
+  std::span<const ConversationStep> steps_;
+  std::size_t at_ = 0;
+  bool has_begun_ = false;     // the step
+  std::int64_t began_ns_ = 0;  // the step
+  std::size_t heard_ = 0;      // of its bytes
+};
+
+}  // namespace ghostforce

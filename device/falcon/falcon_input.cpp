@@ -1,0 +1,118 @@
+#include "device/falcon/falcon_input.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "core/scene.h"
+
+namespace ghostforce {
+namespace {
+
+// A reply that is about to come is waited for this long after a tick is due [ns].
+constexpr std::int64_t patience_ns = 1'000'000;
+
+// An older position is none [s].
+constexpr double longest_known_s = Safety::longest_exchange_s;
+
+OffReason trouble_of(const FalconReport& report) noexcept {
+  switch (report.state) {
+    case FalconState::idle:
+    case FalconState::active:
+      return OffReason::none;
+    case FalconState::homing:
+    case FalconState::opening:
+    case FalconState::loading_firmware:
+      return OffReason::not_homed;
+    case FalconState::absent:
+      return OffReason::unplugged;
+    case FalconState::fault:
+      return report.fault == FalconFault::unplugged ? OffReason::unplugged : OffReason::fault;
+  }
+  return OffReason::fault;
+}
+
+}  // namespace
+
+FalconInput::FalconInput(std::unique_ptr<FalconLink> link, FalconOptions options, const Vector<2>& view_center)
+    : falcon_(std::move(link), std::move(options)), view_center_(view_center) {}
+
+void FalconInput::restart(const Vector<2>& goal) noexcept {
+  goal_ = goal;
+  approach_ = 0.0;
+}
+
+Vector<2> FalconInput::goal(std::int64_t /*tick*/, double rate) noexcept {
+  if (!reading_.is_known) {
+    approach_ = 0.0;
+    return goal_;
+  }
+  // The rest of the way shrinks to nothing as the share that is gone grows to all.
+  const double before = approach_;
+  approach_ = std::min(1.0, approach_ + 1.0 / (approach_s * rate));
+  goal_ = before < 1.0 ? glm::mix(goal_, reading_.position, (approach_ - before) / (1.0 - before)) : reading_.position;
+  goal_ = nearest_in_scene(goal_);
+  return goal_;
+}
+
+void FalconInput::wait_until(std::int64_t deadline_ns) noexcept {
+  for (;;) {
+    falcon_.attend();
+    const std::int64_t now = now_ns();
+    const bool is_worth_waiting = falcon_.is_waiting_for_reply() && now < deadline_ns + patience_ns;
+    if (now >= deadline_ns && !is_worth_waiting) return;
+    falcon_.link().wait_until(now < deadline_ns ? deadline_ns : deadline_ns + patience_ns);
+  }
+}
+
+HandleReading FalconInput::read() noexcept {
+  const FalconReport& report = falcon_.report();
+  const double age_s = static_cast<double>(now_ns() - falcon_.position_time_ns()) * 1e-9;
+  reading_.is_known = report.is_readable() && age_s <= longest_known_s;
+  reading_.time_ns = falcon_.position_time_ns();
+  if (reading_.is_known) {
+    note({report.position, falcon_.position_time_ns()});
+    reading_.position = plane().in_scene(report.position);
+  } else {
+    place_count_ = 0;
+  }
+  reading_.speed = speed();
+  reading_.button_is_held = report.buttons != 0;
+  reading_.is_ready = report.is_readable() && report.encoders_move();
+  reading_.is_healthy = report.is_fast_enough() && report.worst_exchange_s < Safety::longest_exchange_s;
+  reading_.trouble = trouble_of(report);
+  reports_.publish(report);
+  return reading_;
+}
+
+void FalconInput::note(const Place& place) noexcept {
+  const std::size_t last = (next_place_ + speed_readings - 1) % speed_readings;
+  if (place_count_ > 0 && places_[last].time_ns == place.time_ns) return;  // no news
+  places_[next_place_] = place;
+  next_place_ = (next_place_ + 1) % speed_readings;
+  place_count_ = std::min(place_count_ + 1, speed_readings);
+}
+
+double FalconInput::speed() const noexcept {
+  if (place_count_ < speed_readings) return 0.0;
+  const Place& oldest = places_[next_place_];
+  const Place& newest = places_[(next_place_ + speed_readings - 1) % speed_readings];
+  return glm::length(newest.position - oldest.position) / (static_cast<double>(newest.time_ns - oldest.time_ns) * 1e-9);
+}
+
+void FalconInput::push(const Vector<2>& force, bool is_armed) noexcept {
+  falcon_.push(plane().on_handle(force), is_armed);
+}
+
+double FalconInput::force_uncertainty() const noexcept {
+  const double used = falcon_.calibration().counts_per_newton_metre;
+  return used / std::min(used, smallest_published_motor_constant);
+}
+
+void FalconInput::finish() noexcept {
+  falcon_.finish();
+  reports_.publish(falcon_.report());
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,67 @@
+// FalconInput: a Falcon in the hand. Not armed, its handle is the user's goal and the device is simulated: the safe way
+// to start, and the way the mouse works. Armed, it is the device (servo.h).
+//
+// Made on the UI thread, then the servo thread's, but for report(). SI units, in the plane of the scene.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+
+#include "core/latest_value.h"
+#include "device/falcon/falcon.h"
+#include "device/falcon/plane.h"
+#include "device/haptic_device.h"
+#include "device/input.h"
+
+namespace ghostforce {
+
+class FalconInput : public Input, public HapticDevice {
+ public:
+  // When the handle is found, the goal goes there in this time and does not leap [s].
+  static constexpr double approach_s = 0.5;
+  // The speed of the handle is taken over so many readings: over one, a single count would be 5 cm/s.
+  static constexpr std::size_t speed_readings = 8;
+
+  // `view_center`: what lies in the middle of the workspace [m].
+  FalconInput(std::unique_ptr<FalconLink> link, FalconOptions options, const Vector<2>& view_center);
+
+  void restart(const Vector<2>& goal) noexcept override;
+  Vector<2> goal(std::int64_t tick, double rate) noexcept override;
+  HapticDevice* haptic_device() noexcept override { return this; }
+
+  std::int64_t now_ns() const noexcept override { return falcon_.link().now_ns(); }
+  void wait_until(std::int64_t deadline_ns) noexcept override;
+  HandleReading read() noexcept override;
+  void push(const Vector<2>& force, bool is_armed) noexcept override;
+  double force_uncertainty() const noexcept override;
+  void finish() noexcept override;
+
+  // UI thread: the newest. The reference stays good until the next call.
+  const FalconReport& report() noexcept { return reports_.latest(); }
+
+ protected:
+  const Falcon& falcon() const noexcept { return falcon_; }
+  FalconPlane plane() const noexcept { return {falcon_.calibration(), view_center_}; }
+
+ private:
+  struct Place {
+    Vector<3> position{0.0};
+    std::int64_t time_ns = 0;
+  };
+
+  double speed() const noexcept;
+  void note(const Place& place) noexcept;
+
+  Falcon falcon_;
+  Vector<2> view_center_;
+  LatestValue<FalconReport> reports_{FalconReport{}};
+  HandleReading reading_;
+  std::array<Place, speed_readings> places_{};  // a ring
+  std::size_t next_place_ = 0;
+  std::size_t place_count_ = 0;
+  Vector<2> goal_{0.0};
+  double approach_ = 0.0;  // how much of the way to the handle the goal has gone, 0 … 1
+};
+
+}  // namespace ghostforce

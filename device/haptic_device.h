@@ -1,0 +1,50 @@
+// HapticDevice: what the servo needs of a device whose handle it can read and whose motors it can drive, in the plane
+// of the scene. The servo's thread; nothing here allocates, throws or, but for wait_until(), waits. SI units.
+#pragma once
+
+#include <cstdint>
+
+#include "core/conventions.h"
+#include "core/safety.h"
+
+namespace ghostforce {
+
+struct HandleReading {
+  Vector<2> position{0.0};  // q_h [m]; where it was last known, if it is not known now
+  double speed = 0.0;       // of the handle, in all its directions [m/s]
+  bool is_known = false;
+  std::int64_t time_ns = 0;             // when it came, by now_ns()
+  bool button_is_held = false;          // any on the grip
+  bool is_ready = false;                // every rung before the handle's place is reached
+  bool is_healthy = false;              // exchanges have been fast and even for a while
+  OffReason trouble = OffReason::none;  // why motors must not push
+};
+
+class HapticDevice {
+ public:
+  HapticDevice() = default;
+  HapticDevice(const HapticDevice&) = delete;
+  HapticDevice& operator=(const HapticDevice&) = delete;
+  virtual ~HapticDevice() = default;
+
+  // The clock of everything here.
+  virtual std::int64_t now_ns() const noexcept = 0;
+
+  // Lets the device work until a tick is due at `deadline_ns`; a little longer if its answer is about to come, so that
+  // the tick has the newest.
+  virtual void wait_until(std::int64_t deadline_ns) noexcept = 0;
+
+  virtual HandleReading read() noexcept = 0;
+
+  // Drives the motors: the force on the hand in the plane [N]. What goes on until the next call. `is_armed` false:
+  // motors off, whatever the force.
+  virtual void push(const Vector<2>& force, bool is_armed) noexcept = 0;
+
+  // How much stronger the true force may be than the one asked for, by what is not known of the motors; 1 or more.
+  virtual double force_uncertainty() const noexcept = 0;
+
+  // Motors off, and told so to the device; within 0.1 s. Before the thread ends.
+  virtual void finish() noexcept = 0;
+};
+
+}  // namespace ghostforce

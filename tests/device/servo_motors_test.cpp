@@ -1,0 +1,414 @@
+// The servo with motors, stepped by hand on a device that does exactly as it is told: when do they push, with what, and
+// what makes them stop.
+#include "device/servo.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <random>
+#include <vector>
+
+#include "core/proxy.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr double dt = 0.001;
+
+// A handle that is where it is put, with a clock that only waiting moves.
+class PuppetInput final : public Input, public HapticDevice {
+ public:
+  void restart(const Vector<2>& /*goal*/) noexcept override {}
+  Vector<2> goal(std::int64_t /*tick*/, double /*rate*/) noexcept override { return reading.position; }
+  HapticDevice* haptic_device() noexcept override { return this; }
+
+  std::int64_t now_ns() const noexcept override { return now; }
+  void wait_until(std::int64_t deadline_ns) noexcept override {
+    now = deadline_ns;
+    if (answers) reading.time_ns = now;
+  }
+  HandleReading read() noexcept override { return reading; }
+  void push(const Vector<2>& force, bool is_armed) noexcept override {
+    pushed = force;
+    armed = is_armed;
+  }
+  double force_uncertainty() const noexcept override { return uncertainty; }
+  void finish() noexcept override { pushed = Vector<2>(0.0), armed = false, finished = true; }
+
+  HandleReading reading{.is_known = true, .is_ready = true, .is_healthy = true};
+  std::int64_t now = 1'000'000'000;
+  bool answers = true;
+  double uncertainty = 1.0;
+  Vector<2> pushed{0.0};
+  bool armed = false;
+  bool finished = false;
+};
+
+// A level wall through the origin, free above; motors along x.
+class ServoMotors : public testing::Test {
+ protected:
+  ServoMotors() { begin(); }
+
+  void begin() {
+    auto input = std::make_unique<PuppetInput>();
+    puppet_ = input.get();
+    command_ = {};
+    command_.settings = figure_settings();
+    command_.settings.wall_normal_angle = std::acos(-1.0) * 0.75;
+    command_.restart_state = state_at_start(outside);
+    puppet_->reading.position = outside;
+    servo_ = std::make_unique<Servo>(std::move(input), command_);
+  }
+
+  static Settings figure_settings() { return load_settings(); }
+  static Settings load_settings() {
+    Settings settings;
+    settings.mass = 0.1;
+    settings.damping = 5.0;
+    settings.rate = 1000.0;
+    settings.impedances.k_u = 100.0;
+    settings.impedances.k_r = 500.0;
+    settings.impedances.k_t = 500.0;
+    settings.impedances.k_c = 1e5;
+    settings.active = StrategyId::anisotropic;
+    return settings;
+  }
+
+  const ServoReport& report() { return servo_->newest(); }
+  const MotorReport& motors() { return report().motors; }
+
+  // The window lives and sends its newest.
+  void step() {
+    ++command_.heart_beats;
+    servo_->send(command_);
+    servo_->wake();
+  }
+  void run(double seconds) {
+    for (double t = 0.0; t < seconds - 0.5 * dt; t += dt) step();
+  }
+  void arm() { ++command_.arms_asked; }
+  void turn_on() {
+    arm();
+    run(1.1);
+    ASSERT_EQ(motors().state, SafetyState::on);
+  }
+  // What the active strategy wants with the handle there.
+  Vector<2> wanted(const Vector<2>& handle, const Settings& settings) const {
+    const TickPlan<2> plan = plan_of(settings);
+    const auto& active = plan.strategies[index_of(settings.active)];
+    return active.rendering * (proxy_of(handle, plan.wall, active.proxy_step).position - handle);
+  }
+
+  static constexpr Vector<2> outside{-0.02, 0.02};
+  static constexpr Vector<2> inside{0.006, -0.006};
+  PuppetInput* puppet_ = nullptr;
+  ServoCommand command_;
+  std::unique_ptr<Servo> servo_;
+};
+
+TEST_F(ServoMotors, HandleIsTheGoalUntilTheyAreArmed) {
+  puppet_->reading.position = inside;
+  run(1.0);
+  EXPECT_EQ(report().snapshot.goal, inside);
+  EXPECT_FALSE(report().snapshot.measured);
+  EXPECT_GT(glm::length(report().snapshot.strategies[0].force), 0.1);  // the model's
+  EXPECT_EQ(puppet_->pushed, Vector<2>(0.0));
+  EXPECT_FALSE(puppet_->armed);
+  EXPECT_EQ(motors().state, SafetyState::off);
+}
+
+TEST_F(ServoMotors, ArmedTheHandleIsTheDevice) {
+  turn_on();
+  puppet_->reading.position = inside;
+  run(0.2);
+  const Snapshot& snapshot = report().snapshot;
+  ASSERT_EQ(snapshot.measured, StrategyId::anisotropic);
+  EXPECT_EQ(snapshot.strategies[index_of(StrategyId::anisotropic)].device, inside);
+  const Vector<2> force = wanted(inside, command_.settings);
+  EXPECT_EQ(puppet_->pushed, force);
+  EXPECT_EQ(motors().sent, force);
+  EXPECT_TRUE(puppet_->armed);
+  EXPECT_EQ(snapshot.goal, inside - force / 100.0);
+  EXPECT_EQ(force.y, 0.0);  // one motor, along x
+  EXPECT_LT(force.x, -0.5);
+}
+
+TEST_F(ServoMotors, EveryStrategyPushesAsItsOwn) {
+  turn_on();
+  puppet_->reading.position = inside;
+  for (const Strategy& entry : strategy_catalog()) {
+    command_.settings.active = entry.id;
+    ++command_.settings_generation;
+    run(0.3);
+    EXPECT_EQ(puppet_->pushed, wanted(inside, command_.settings)) << entry.name;
+    EXPECT_EQ(puppet_->pushed.y != 0.0, entry.has_every_motor) << entry.name;
+  }
+}
+
+TEST_F(ServoMotors, ForceComesInOverASecond) {
+  arm();
+  step();
+  step();
+  ASSERT_EQ(motors().state, SafetyState::ramp);
+  puppet_->reading.position = inside;
+  const double full = glm::length(wanted(inside, command_.settings));
+  for (int i = 1; i <= 9; ++i) {
+    run(0.1);
+    EXPECT_NEAR(glm::length(puppet_->pushed), full * motors().gain, 1e-9);
+    EXPECT_NEAR(motors().gain, 0.1 * i, 0.002);
+  }
+}
+
+TEST_F(ServoMotors, ChangesLeadOverAndDoNotLeap) {
+  turn_on();
+  puppet_->reading.position = inside;
+  run(0.5);
+  for (int change = 0; change < 6; ++change) {
+    if (change % 2 == 0) command_.settings.active = change == 0 ? StrategyId::full : StrategyId::naive;
+    if (change % 2 == 1) command_.settings.impedances.k_r = change == 1 ? 100.0 : 700.0;
+    ++command_.settings_generation;
+    Vector<2> before = puppet_->pushed;
+    for (int i = 0; i < 300; ++i) {
+      step();
+      // A cross-fade of 150 ms between forces that differ by some newtons.
+      EXPECT_LT(glm::length(puppet_->pushed - before), 0.1);
+      before = puppet_->pushed;
+    }
+    EXPECT_NEAR(glm::length(puppet_->pushed - wanted(inside, command_.settings)), 0.0, 1e-12);
+  }
+}
+
+TEST_F(ServoMotors, HoldAStiffWallSofterUntilAPersonTypesMore) {
+  command_.settings.impedances.k_r = 2000.0;
+  ++command_.settings_generation;
+  turn_on();
+  puppet_->reading.position = {0.002, -0.002};
+  run(0.3);
+  Settings held = command_.settings;
+  held.impedances.k_r = 800.0;
+  EXPECT_EQ(puppet_->pushed, wanted({0.002, -0.002}, held));
+  EXPECT_EQ(motors().held_k_r, 800.0);
+  command_.safety.greatest_k_r = 3000.0;
+  run(0.3);
+  EXPECT_EQ(puppet_->pushed, wanted({0.002, -0.002}, command_.settings));
+  EXPECT_EQ(motors().held_k_r, 0.0);
+}
+
+TEST_F(ServoMotors, LimitCountsWithWhatIsNotKnownOfThem) {
+  puppet_->uncertainty = 2.0;
+  turn_on();
+  puppet_->reading.position = {0.03, -0.03};
+  run(0.5);
+  EXPECT_NEAR(glm::length(puppet_->pushed), SafetyOptions{}.force_limit / 2.0, 1e-12);
+  EXPECT_TRUE(motors().is_saturated);
+}
+
+TEST_F(ServoMotors, PauseAndSlowMotionAreNotForAnArmedDevice) {
+  turn_on();
+  command_.paused = true;
+  command_.speed = 0.1;
+  const std::int64_t tick = report().snapshot.tick;
+  const std::int64_t began = puppet_->now;
+  run(0.1);
+  EXPECT_EQ(report().snapshot.tick, tick + 100);
+  EXPECT_NEAR(static_cast<double>(puppet_->now - began) * 1e-9, 0.1, 0.0015);
+}
+
+struct Stop {
+  OffReason reason;
+  std::function<void(PuppetInput&, ServoCommand&)> cause;
+};
+
+// Each way out of ON that does not need a thread, and the promise of each: no force, and none again without a person.
+TEST_F(ServoMotors, EveryReasonEndsInNoForce) {
+  const std::vector<Stop> stops{
+      {OffReason::key, [](PuppetInput&, ServoCommand& c) { ++c.offs_asked; }},
+      {OffReason::button_released, [](PuppetInput& p, ServoCommand&) { p.reading.button_is_held = false; }},
+      {OffReason::focus_lost, [](PuppetInput&, ServoCommand& c) { c.has_focus = false; }},
+      {OffReason::too_fast, [](PuppetInput& p, ServoCommand&) { p.reading.speed = 1.2; }},
+      {OffReason::over_force,
+       [](PuppetInput& p, ServoCommand&) {
+         p.reading.position = {0.5, -0.5};
+       }},
+      {OffReason::loop_late, [](PuppetInput& p, ServoCommand&) { p.answers = false; }},
+      {OffReason::unplugged, [](PuppetInput& p, ServoCommand&) { p.reading.trouble = OffReason::unplugged; }},
+      {OffReason::not_homed, [](PuppetInput& p, ServoCommand&) { p.reading.trouble = OffReason::not_homed; }},
+      {OffReason::fault, [](PuppetInput& p, ServoCommand&) { p.reading.trouble = OffReason::fault; }},
+  };
+  for (const Stop& stop : stops) {
+    begin();
+    command_.safety.needs_button = true;
+    puppet_->reading.button_is_held = true;
+    turn_on();
+    puppet_->reading.position = inside;
+    run(0.1);
+    ASSERT_GT(glm::length(puppet_->pushed), 0.5);
+    const HandleReading good = puppet_->reading;
+    stop.cause(*puppet_, command_);
+    run(0.3);
+    const std::string name(entry_of(stop.reason).name);
+    EXPECT_EQ(motors().state, SafetyState::off) << name;
+    EXPECT_EQ(motors().reason, stop.reason) << name;
+    EXPECT_EQ(puppet_->pushed, Vector<2>(0.0)) << name;
+    EXPECT_FALSE(puppet_->armed) << name;
+    EXPECT_FALSE(report().snapshot.measured) << name;
+    puppet_->reading = good;
+    puppet_->answers = true;
+    command_.has_focus = true;
+    run(2.0);
+    EXPECT_EQ(motors().state, SafetyState::off) << name;
+    EXPECT_EQ(puppet_->pushed, Vector<2>(0.0)) << name;
+    puppet_->reading.position = outside;
+    ++command_.acknowledgements;
+    step();
+    EXPECT_EQ(motors().reason, OffReason::none) << name;
+    turn_on();
+  }
+}
+
+TEST_F(ServoMotors, AWindowThatStallsTakesTheForceAway) {
+  turn_on();
+  puppet_->reading.position = inside;
+  run(0.1);
+  for (int i = 0; i < 450; ++i) servo_->wake();
+  EXPECT_EQ(motors().state, SafetyState::on);
+  for (int i = 0; i < 300; ++i) servo_->wake();
+  EXPECT_EQ(motors().state, SafetyState::off);
+  EXPECT_EQ(motors().reason, OffReason::window_stalled);
+  EXPECT_EQ(puppet_->pushed, Vector<2>(0.0));
+}
+
+TEST_F(ServoMotors, ANumberThatIsNoneTakesTheForceAwayAtOnce) {
+  turn_on();
+  puppet_->reading.position = inside;
+  run(0.1);
+  puppet_->reading.position.x = std::numeric_limits<double>::quiet_NaN();
+  step();
+  EXPECT_EQ(puppet_->pushed, Vector<2>(0.0));
+  run(0.3);
+  EXPECT_EQ(motors().state, SafetyState::off);
+}
+
+TEST_F(ServoMotors, SettingsThatRunAwayTakeTheForceAway) {
+  turn_on();
+  puppet_->reading.position = inside;
+  run(0.1);
+  command_.settings.mass = 0.001;  // of the simulated others
+  command_.settings.damping = 0.0;
+  command_.settings.rate = 20.0;
+  ++command_.settings_generation;
+  run(20.0);
+  if (!report().diverged) GTEST_SKIP() << "these settings are stable";
+  EXPECT_EQ(motors().reason, OffReason::fault);
+  EXPECT_EQ(puppet_->pushed, Vector<2>(0.0));
+}
+
+TEST_F(ServoMotors, TheEndOfTheThreadIsTheEndOfTheForce) {
+  PuppetInput* const puppet = puppet_;
+  servo_->start();
+  servo_->stop();
+  EXPECT_TRUE(puppet->finished);
+  EXPECT_FALSE(puppet->armed);
+  EXPECT_EQ(puppet->pushed, Vector<2>(0.0));
+}
+
+// Whatever handle and window do: what reaches the motors is a number, under the limit, and no faster than allowed.
+TEST_F(ServoMotors, KeepTheirPromiseUnderAMillionHostileTicks) {
+  std::mt19937_64 random{11};
+  const auto any = [&](double least, double greatest) {
+    return std::uniform_real_distribution<double>(least, greatest)(random);
+  };
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const HandleReading good = puppet_->reading;
+  int armed_ticks = 0;
+  for (int i = 0; i < 1'000'000; ++i) {
+    HandleReading& reading = puppet_->reading;
+    switch (random() % 400) {
+      case 0:
+        reading.position = {any(-0.1, 0.1), any(-0.1, 0.1)};
+        break;
+      case 1:
+        reading.position = {nan, any(-1.0, 1.0)};
+        break;
+      case 2:
+        reading.position = {any(-1e9, 1e9), 1e300};
+        break;
+      case 3:
+        reading.speed = any(0.0, 1.3);
+        break;
+      case 4:
+        reading.trouble = static_cast<OffReason>(random() % 12);
+        break;
+      case 5:
+        puppet_->answers = random() % 2 == 0;
+        break;
+      case 6:
+        reading.is_known = random() % 2 == 0;
+        break;
+      case 7:
+        command_.settings.active = static_cast<StrategyId>(random() % 3), ++command_.settings_generation;
+        break;
+      case 8:
+        command_.settings.impedances.k_r = std::pow(10.0, any(-1.0, 6.0));
+        ++command_.settings_generation;
+        break;
+      case 9:
+        command_.settings.impedances.k_c = std::pow(10.0, any(0.0, 9.0));
+        command_.settings.impedances.chosen_tracking_ratio = std::pow(10.0, any(-3.0, 3.0));
+        ++command_.settings_generation;
+        break;
+      case 10:
+        command_.settings.wall_normal_angle = any(-9.0, 9.0), ++command_.settings_generation;
+        break;
+      case 11:
+        command_.safety.force_limit = random() % 8 == 0 ? nan : any(0.0, 12.0);
+        break;
+      case 12:
+        command_.safety.greatest_k_r = random() % 8 == 0 ? nan : std::pow(10.0, any(0.0, 6.0));
+        break;
+      case 13:
+        command_.paused = !command_.paused;
+        break;
+      case 14:
+        command_.settings.impedances.k_u = any(-1.0, 1e3), ++command_.settings_generation;
+        break;
+      case 15:
+        ++command_.offs_asked;
+        break;
+      case 16:
+        puppet_->now += static_cast<std::int64_t>(random() % 30'000'000);
+        break;
+      default:
+        break;
+    }
+    if (random() % 60 == 0) {
+      reading = good;
+      reading.position = outside;
+      puppet_->answers = true;
+      command_.settings = load_settings();
+      ++command_.settings_generation;
+      ++command_.acknowledgements;
+      arm();
+    }
+    if (reading.is_known && random() % 3 != 0) reading.position += Vector<2>{any(-1e-4, 2e-4), any(-2e-4, 1e-4)};
+    const Vector<2> before = puppet_->pushed;
+    const bool was_armed = puppet_->armed;
+    step();
+    const Vector<2> force = puppet_->pushed;
+    ASSERT_TRUE(std::isfinite(force.x) && std::isfinite(force.y)) << i;
+    ASSERT_LE(glm::length(force), force_ceiling + 1e-12) << i;
+    if (force != Vector<2>(0.0)) {
+      ASSERT_TRUE(puppet_->armed) << i;
+      // 500 N/s for 2 ms at most, however late the tick.
+      ASSERT_LE(glm::length(force - before), ForceLimiter::slew * ForceLimiter::longest_step_s + 1e-9) << i;
+    }
+    armed_ticks += was_armed && force != Vector<2>(0.0) ? 1 : 0;
+  }
+  EXPECT_GT(armed_ticks, 10'000);
+}
+
+}  // namespace
+}  // namespace ghostforce
