@@ -1,0 +1,131 @@
+// FtdiLink: the FalconLink over USB, through libusb: the serial chip of FTDI's inside a Falcon that is plugged in.
+//
+// Receiving never pauses: several transfers are always posted, and each is posted again as soon as its bytes have been
+// taken out, so that the chip's 1 ms is not lost waiting for a program. Everything is allocated by open(); afterwards
+// only libusb allocates, as it likes. A transfer that fails is tried again, until many in a row have failed. Transfers'
+// callbacks run inside wait_until() and close(), on the thread that calls these.
+#pragma once
+
+#include <poll.h>
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "device/falcon/falcon_link.h"
+#include "device/falcon/usb_search.h"
+
+struct libusb_context;
+struct libusb_device;
+struct libusb_device_handle;
+struct libusb_transfer;
+
+namespace ghostforce {
+
+struct FtdiLinkOptions {
+  UsbId id = falcon_usb_id;
+  std::string serial;  // empty: the first of them, in the order of their serial numbers, that can be had
+};
+
+class FtdiLink final : public FalconLink {
+ public:
+  explicit FtdiLink(FtdiLinkOptions options = {}) : options_(std::move(options)) {}
+  ~FtdiLink() override { close(); }
+
+  LinkFault open() noexcept override;
+  void close() noexcept override;
+  LinkFault fault() const noexcept override { return fault_; }
+  std::string_view serial() const noexcept override { return serial_; }
+
+  bool request(const VendorRequest& request) noexcept override;
+  bool write(std::span<const std::uint8_t> bytes) noexcept override;
+  bool is_sending() const noexcept override { return sending_; }
+
+  std::size_t read(std::span<std::uint8_t> into) noexcept override;
+  std::uint8_t modem_status() const noexcept override { return modem_status_; }
+  LinkCounters counters() const noexcept override { return counters_; }
+
+  std::int64_t now_ns() const noexcept override;
+  void wait_until(std::int64_t deadline_ns) noexcept override;
+  void send_at_once(std::span<const std::uint8_t> bytes) noexcept override;
+
+ private:
+  static constexpr std::size_t in_transfers = 4;
+  static constexpr std::size_t in_size = 512;   // several packets: a chip that has more than was asked for is an error
+  static constexpr std::size_t out_size = 64;   // the contract's
+  static constexpr std::size_t setup_size = 8;  // a control transfer without data
+  static constexpr std::size_t ring_size = 16384;  // 0.1 s of the chip's fastest stream
+
+  // One of the posted transfers and what it fills.
+  struct Receiver {
+    FtdiLink* link = nullptr;
+    libusb_transfer* transfer = nullptr;
+    bool is_posted = false;
+    alignas(8) std::array<std::uint8_t, in_size> buffer{};
+  };
+
+  struct Callbacks;  // libusb's way into this object
+
+  LinkFault find_and_take();
+  LinkFault take(libusb_device_handle* handle);
+  LinkFault find_endpoints();
+  bool make_transfers();
+  void find_descriptor();
+  void find_poll_descriptors();
+
+  void post(Receiver& receiver) noexcept;
+  bool send(libusb_transfer* transfer) noexcept;
+  void received(Receiver& receiver) noexcept;
+  void sent(const libusb_transfer& transfer) noexcept;
+  void take_packets(std::span<const std::uint8_t> bytes) noexcept;
+  void keep(std::span<const std::uint8_t> payload) noexcept;
+  void failed(int transfer_status) noexcept;
+  void recover() noexcept;
+  void handle_events(int timeout_ms) noexcept;
+  bool is_anything_posted() const noexcept;
+  void set_fault(LinkFault fault) noexcept;
+
+  FtdiLinkOptions options_;
+  LinkFault fault_ = LinkFault::absent;
+  std::string serial_;
+  LinkCounters counters_;
+  std::uint8_t modem_status_ = 0;
+
+  libusb_context* context_ = nullptr;
+  libusb_device_handle* handle_ = nullptr;
+  bool is_claimed_ = false;
+  std::uint8_t in_endpoint_ = 0;
+  std::uint8_t out_endpoint_ = 0;
+  std::size_t packet_size_ = 0;  // each packet that comes in begins with status bytes
+
+  std::array<Receiver, in_transfers> receivers_{};
+  libusb_transfer* out_transfer_ = nullptr;
+  alignas(8) std::array<std::uint8_t, out_size> out_buffer_{};
+  libusb_transfer* control_transfer_ = nullptr;
+  alignas(8) std::array<std::uint8_t, setup_size> setup_buffer_{};
+  bool sending_ = false;
+  bool closing_ = false;
+  int failures_in_a_row_ = 0;
+  bool in_is_halted_ = false;
+  bool out_is_halted_ = false;
+  bool something_happened_ = false;  // since wait_until() was called
+
+  // The bytes that nobody has taken yet, from first_ on.
+  std::array<std::uint8_t, ring_size> ring_{};
+  std::size_t first_ = 0;
+  std::size_t held_ = 0;
+
+  // What libusb waits for, so that we can wait with a finer clock than its milliseconds.
+  std::array<pollfd, 8> poll_descriptors_{};
+  nfds_t poll_count_ = 0;
+
+  // The file behind the handle, for send_at_once(); -1: not known.
+  std::atomic<int> descriptor_{-1};
+};
+
+}  // namespace ghostforce
