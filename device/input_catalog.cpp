@@ -3,17 +3,41 @@
 #include <algorithm>
 #include <array>
 
+#include "device/falcon/falcon_input.h"
+#include "device/falcon/ftdi_link.h"
 #include "device/mouse_input.h"
 #include "device/scripted_input.h"
+#include "device/virtual_falcon/virtual_falcon_input.h"
 
 namespace ghostforce {
 namespace {
 
+std::unique_ptr<Input> make_mouse(const Scene&, const InputOptions&) {
+  return std::make_unique<MouseInput>();
+}
+
+std::unique_ptr<Input> make_script(const Scene& scene, const InputOptions&) {
+  return std::make_unique<ScriptedInput>(scene.goal);
+}
+
+std::unique_ptr<Input> make_falcon(const Scene& scene, const InputOptions& options) {
+  return std::make_unique<FalconInput>(std::make_unique<FtdiLink>(FtdiLinkOptions{.id = options.falcon_id, .serial = {}}),
+                                       options.falcon, scene.view.center);
+}
+
+std::unique_ptr<Input> make_virtual_falcon(const Scene& scene, const InputOptions& options) {
+  return std::make_unique<VirtualFalconInput>(options.falcon, options.misbehaviour, scene.view.center,
+                                              scene.settings.impedances.k_u);
+}
+
 constexpr std::array kinds{
-    InputKind{"mouse", "Mouse", "Drag in the scene: the goal follows the pointer.",
-              [](const Scene&) -> std::unique_ptr<Input> { return std::make_unique<MouseInput>(); }},
-    InputKind{"script", "Scripted hand", "The goal follows the scene's path, the same way every time.",
-              [](const Scene& scene) -> std::unique_ptr<Input> { return std::make_unique<ScriptedInput>(scene.goal); }},
+    InputKind{"mouse", "Mouse", "Drag in the scene: the goal follows the pointer.", make_mouse},
+    InputKind{"script", "Scripted hand", "The goal follows the scene's path, the same way every time.", make_script},
+    InputKind{"falcon", "Falcon", "A Novint Falcon: its handle is the goal, and with its motors on it is the device.",
+              make_falcon},
+    InputKind{"virtual-falcon", "Virtual Falcon",
+              "The Falcon's driver with a simulated device and hand behind it; drag in the scene to lead that hand.",
+              make_virtual_falcon},
 };
 
 }  // namespace

@@ -7,15 +7,25 @@
 #include <string_view>
 
 #include "core/scene.h"
+#include "device/falcon/falcon.h"
+#include "device/falcon/usb_search.h"
 #include "device/input.h"
+#include "device/virtual_falcon/misbehaviour.h"
 
 namespace ghostforce {
+
+// What making an input may need besides the scene.
+struct InputOptions {
+  FalconOptions falcon;
+  UsbId falcon_id = falcon_usb_id;
+  Misbehaviour misbehaviour;  // of the virtual Falcon
+};
 
 struct InputKind {
   std::string_view name;      // on the command line
   std::string_view title;     // on screen
   std::string_view sentence;  // what it does, for a person who hovers over it
-  std::unique_ptr<Input> (*make)(const Scene&);
+  std::unique_ptr<Input> (*make)(const Scene&, const InputOptions&);
 };
 
 std::span<const InputKind> input_catalog() noexcept;

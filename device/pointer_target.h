@@ -20,6 +20,9 @@ class PointerTarget {
   virtual void move_to(const Vector<2>& goal, double duration_s) noexcept = 0;
 
   virtual std::uint64_t ignored_moves() const noexcept = 0;
+
+  // The stiffness of the hand that the pointer leads, for a hand that is not part of the model [N/m].
+  virtual void hold_with(double /*k_u*/) noexcept {}
 };
 
 }  // namespace ghostforce

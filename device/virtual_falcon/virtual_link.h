@@ -44,13 +44,15 @@ class VirtualLink final : public FalconLink {
   // From the host to the chip: what USB takes for one transfer.
   static constexpr std::int64_t transfer_ns = 60'000;
 
+  static constexpr std::string_view serial_number = "VIRTUAL1";
+
   explicit VirtualLink(const Options& options) noexcept;
   ~VirtualLink() override { close(); }
 
   LinkFault open() noexcept override;
   void close() noexcept override;
   LinkFault fault() const noexcept override { return fault_; }
-  std::string_view serial() const noexcept override { return was_open_ ? "VIRTUAL1" : std::string_view{}; }
+  std::string_view serial() const noexcept override { return was_open_ ? serial_number : std::string_view{}; }
 
   bool request(const VendorRequest& request) noexcept override;
   bool write(std::span<const std::uint8_t> bytes) noexcept override;

@@ -24,7 +24,7 @@ TEST(InputCatalog, EveryKindMakesAnInputThatStartsAtTheGoalOfTheRun) {
   const Scene scene = slanted_wall();
   const Vector<2> start = goal_at(scene.goal, 0.0);
   for (const InputKind& kind : input_catalog()) {
-    const std::unique_ptr<Input> input = kind.make(scene);
+    const std::unique_ptr<Input> input = kind.make(scene, {});
     ASSERT_NE(input, nullptr) << kind.name;
     input->restart(start);
     EXPECT_EQ(input->goal(0, scene.settings.rate), start) << kind.name;

@@ -16,12 +16,14 @@ namespace {
 TEST(ServoHeap, IsNotTouchedByAnyInputOrStrategy) {
   const Scene scene = slanted_wall();
   for (const InputKind& kind : input_catalog()) {
+    // Those with motors have a clock of their own: see falcon_rehearsal_heap_test.cpp.
+    if (kind.make(scene, {})->haptic_device() != nullptr) continue;
     for (const Strategy& strategy : strategy_catalog()) {
       SCOPED_TRACE(kind.name);
       SCOPED_TRACE(strategy.name);
       ServoCommand command = start_of(scene);
       command.settings.active = strategy.id;
-      Servo servo(kind.make(scene), command);
+      Servo servo(kind.make(scene, {}), command);
       auto* const mouse = dynamic_cast<MouseInput*>(&servo.input());
       std::int64_t contacts = 0;
       {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "tests/device/virtual_falcon/link_exchange.h"
-#include "tests/support/dummy_firmware.h"
+#include "device/virtual_falcon/practice_firmware.h"
 
 namespace ghostforce {
 namespace {
@@ -154,7 +154,7 @@ TEST(FalconDsp, TakesABootTableAndEchoesEachByteOfIt) {
   EXPECT_EQ(host.status, 0x11);  // clear to send
   host.write({'A'});
   EXPECT_EQ(host.listen(20 * ms), Bytes{'A'});
-  Bytes firmware = dummy_firmware();
+  Bytes firmware = practice_firmware();
   const std::uint8_t last = firmware.back();
   firmware.pop_back();
   EXPECT_EQ(host.upload(firmware), firmware);
@@ -173,7 +173,7 @@ TEST(FalconDsp, BootsAtTheRateOfOtherDriversToo) {
   host.request({0x03, 0x0015, 1});
   host.write({'A'});
   EXPECT_EQ(host.listen(20 * ms), Bytes{'A'});
-  EXPECT_EQ(host.upload(dummy_firmware()), dummy_firmware());
+  EXPECT_EQ(host.upload(practice_firmware()), practice_firmware());
   EXPECT_TRUE(host.dsp.runs_firmware());
 }
 
@@ -188,7 +188,7 @@ TEST(FalconDsp, WillNotBootOutOfTurn) {
   // No 'A'.
   Host hasty;
   hasty.begin_upload();
-  hasty.upload(dummy_firmware());
+  hasty.upload(practice_firmware());
   EXPECT_FALSE(hasty.dsp.runs_firmware());
   // A file of another kind.
   Host mistaken;
@@ -204,7 +204,7 @@ TEST(FalconDsp, AFullPacketDoesNotWaitForTheTimer) {
   host.write({'A'});
   host.listen(20 * ms);
   host.largest = 0;
-  const Bytes firmware = dummy_firmware(300);
+  const Bytes firmware = practice_firmware(300);
   const std::int64_t start = host.now;
   host.write({firmware.begin(), firmware.begin() + 250});
   // 250 bytes take 17.5 ms: four full packets, each with 62 of them.
@@ -378,7 +378,7 @@ TEST(Misbehaviour, BytesComeBeforeTheAnswers) {
   host.request(boot_baud);
   host.write({'A'});
   EXPECT_EQ(host.listen(50 * ms), (Bytes{0x13, 'A'}));
-  EXPECT_EQ(host.upload(dummy_firmware()), dummy_firmware());
+  EXPECT_EQ(host.upload(practice_firmware()), practice_firmware());
 }
 
 TEST(Misbehaviour, NeverClearToSend) {
@@ -394,11 +394,11 @@ Bytes echo_of(Host& host) {
   host.begin_upload();
   host.write({'A'});
   EXPECT_EQ(host.listen(20 * ms), Bytes{'A'});
-  return host.upload(dummy_firmware());
+  return host.upload(practice_firmware());
 }
 
 TEST(Misbehaviour, TheEchoIsWrong) {
-  const Bytes firmware = dummy_firmware();
+  const Bytes firmware = practice_firmware();
   Bytes changed = firmware;
   changed[44] ^= 0x04U;
   Bytes shorter = firmware;
@@ -506,7 +506,7 @@ TEST(Misbehaviour, WithoutPowerAllIsForgotten) {
   host.dsp.misbehave({});
   EXPECT_FALSE(host.dsp.runs_firmware());
   EXPECT_EQ(host.dsp.homed(), 0);
-  EXPECT_EQ(echo_of(host), dummy_firmware());
+  EXPECT_EQ(echo_of(host), practice_firmware());
   EXPECT_TRUE(host.dsp.runs_firmware());
 }
 

@@ -6,14 +6,14 @@
 
 #include "device/virtual_falcon/virtual_link.h"
 #include "tests/device/virtual_falcon/link_exchange.h"
-#include "tests/support/dummy_firmware.h"
+#include "device/virtual_falcon/practice_firmware.h"
 #include "tests/support/heap_guard.h"
 
 namespace ghostforce {
 namespace {
 
 TEST(VirtualLinkHeap, IsNotTouchedFromOpeningToUnplugging) {
-  const std::vector<std::uint8_t> firmware = dummy_firmware();
+  const std::vector<std::uint8_t> firmware = practice_firmware();
   VirtualLink link({.clock = VirtualLink::Clock::stepped, .hand = {.homes_when_asked = true}});
   std::optional<ReplyFrame> reply;
   {
@@ -32,7 +32,7 @@ TEST(VirtualLinkHeap, IsNotTouchedFromOpeningToUnplugging) {
 TEST(VirtualLinkHeap, IsNotTouchedByAnyMisbehaviour) {
   for (const MisbehaviourKind& kind : misbehaviour_catalog()) {
     SCOPED_TRACE(kind.name);
-    const std::vector<std::uint8_t> firmware = dummy_firmware();
+    const std::vector<std::uint8_t> firmware = practice_firmware();
     const Misbehaviour wrong = misbehaviour(kind.name);
     VirtualLink link({.clock = VirtualLink::Clock::stepped});
     HeapGuard guard;

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "tests/device/virtual_falcon/link_exchange.h"
-#include "tests/support/dummy_firmware.h"
+#include "device/virtual_falcon/practice_firmware.h"
 
 namespace ghostforce {
 namespace {
@@ -148,7 +148,7 @@ TEST(VirtualLink, ClosingForgetsNothingThatTheDeviceKnows) {
 TEST(VirtualLink, ShakesHandsLoadsHomesAndHoldsTheHandle) {
   VirtualLink link({.clock = VirtualLink::Clock::stepped, .hand = {.homes_when_asked = true}});
   link.open();
-  ASSERT_TRUE(load_firmware(link, dummy_firmware(1000)));
+  ASSERT_TRUE(load_firmware(link, practice_firmware(1000)));
   begin_run_time(link);
   int seconds_ms = 0;
   std::optional<ReplyFrame> reply;

@@ -1,5 +1,5 @@
 // Bytes in the form of a Falcon's firmware (a boot table of TI's C28x, as its boot loader takes it) with nothing to run
-// in them. For tests of whatever carries a firmware somewhere; a real one is nobody's to pass on.
+// in them: what a virtual Falcon is given, which takes any. A real one is nobody's to pass on.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 namespace ghostforce {
 
 // Two blocks; the larger one has `words` words, so that the whole is as long as a test wants it.
-inline std::vector<std::uint8_t> dummy_firmware(unsigned words = 100) {
+inline std::vector<std::uint8_t> practice_firmware(unsigned words = 100) {
   std::vector<std::uint8_t> bytes;
   const auto put = [&](unsigned word) {
     bytes.push_back(static_cast<std::uint8_t>(word));

@@ -1,0 +1,46 @@
+// VirtualFalconInput: a rehearsal. The Falcon's driver, the very same, on a device that is not there, held by a
+// simulated hand; the pointer of the window leads that hand, which homes the device when it is asked to, as a person
+// would.
+//
+// Made on the UI thread; functions of PointerTarget and misbehave() stay its, the rest is the servo thread's.
+#pragma once
+
+#include "device/falcon/falcon_input.h"
+#include "device/pointer_target.h"
+#include "device/virtual_falcon/virtual_link.h"
+
+namespace ghostforce {
+
+class VirtualFalconInput final : public FalconInput, public PointerTarget {
+ public:
+  using Clock = VirtualLink::Clock;
+
+  // A device without firmware takes the one of `options`, or else a practice one. `k_u`: of the hand [N/m].
+  VirtualFalconInput(FalconOptions options, const Misbehaviour& misbehaviour, const Vector<2>& view_center, double k_u,
+                     Clock clock = Clock::monotonic);
+
+  void move_to(const Vector<2>& goal, double duration_s) noexcept override;
+  std::uint64_t ignored_moves() const noexcept override { return ignored_moves_; }
+  void hold_with(double k_u) noexcept override;
+  // A button of the grip, as in ReplyFrame; 0: none.
+  void press(std::uint8_t buttons) noexcept;
+  void misbehave(const Misbehaviour& wrong) noexcept { link_.misbehave(wrong); }
+
+  // See VirtualLink.
+  const VirtualLink& link() const noexcept { return link_; }
+
+ private:
+  VirtualFalconInput(std::unique_ptr<VirtualLink> link, FalconOptions options, const Vector<2>& view_center,
+                     double k_u);
+  void lead() noexcept;
+
+  VirtualLink& link_;  // the driver's
+  FalconPlane plane_;
+  std::uint64_t ignored_moves_ = 0;
+  Vector<2> goal_;  // of the hand, in the scene [m]
+  double move_s_ = 0.0;
+  double k_u_;
+  std::uint8_t buttons_ = 0;
+};
+
+}  // namespace ghostforce
