@@ -65,6 +65,7 @@ void VirtualFalconInput::hold_with(double k_u) noexcept {
 void VirtualFalconInput::press(std::uint8_t buttons) noexcept {
   if (buttons == buttons_) return;
   buttons_ = buttons;
+  move_s_ = 0.0;  // a plan's buttons come with its waypoints: now
   lead();
 }
 

@@ -4,9 +4,9 @@
 #include <array>
 #include <vector>
 
+#include "device/virtual_falcon/practice_firmware.h"
 #include "device/virtual_falcon/virtual_link.h"
 #include "tests/device/virtual_falcon/link_exchange.h"
-#include "device/virtual_falcon/practice_firmware.h"
 #include "tests/support/heap_guard.h"
 
 namespace ghostforce {

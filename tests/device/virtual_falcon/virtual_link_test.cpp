@@ -6,8 +6,8 @@
 #include <glm/geometric.hpp>
 #include <memory>
 
-#include "tests/device/virtual_falcon/link_exchange.h"
 #include "device/virtual_falcon/practice_firmware.h"
+#include "tests/device/virtual_falcon/link_exchange.h"
 
 namespace ghostforce {
 namespace {

@@ -1,0 +1,98 @@
+// The paper's experiment (section 6.2) through the driver: a hand, a Falcon of which only the horizontal axis is
+// actuated, and a slanted wall. Everything that a program can get wrong between a wall and a hand lies in between:
+// frames, encoders, kinematics, Jacobian, motor counts, sampling.
+#include <gtest/gtest.h>
+
+#include "core/equilibrium.h"
+#include "tests/device/virtual_falcon/rehearsal.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr Vector<2> goal{0.02, -0.02};
+
+// Where the hand comes to rest under a strategy, in truth and not as the driver sees it.
+Vector<2> rest_under(Rehearsal& rehearsal, StrategyId id) {
+  rehearsal.use(id);
+  rehearsal.input().move_to(goal, 1.0);
+  rehearsal.run(5.0);
+  EXPECT_EQ(rehearsal.motors().state, SafetyState::on);
+  return rehearsal.tip();
+}
+
+// At (20, −20) mm no force is clipped, so that the closed forms hold. Half a count of each motor is worth 25 µm at
+// worst, and the force that it misplaces moves the hand by k_r / k_u as much again.
+constexpr double resolution = 25e-6;
+
+TEST(ClosedLoop, TheHandEndsWhereTheTheorySaysUnderEveryStrategy) {
+  Rehearsal rehearsal;
+  rehearsal.turn_on();
+  const Settings& settings = rehearsal.command().settings;
+  for (const Strategy& entry : strategy_catalog()) {
+    const Vector<2> tip = rest_under(rehearsal, entry.id);
+    const Vector<2> theory = rest_of(entry.id, settings, goal).device;
+    const double k_r_over_k_u = settings.impedances.k_r / settings.impedances.k_u;
+    EXPECT_NEAR(tip.x, theory.x, resolution * (1.0 + k_r_over_k_u)) << entry.name;
+    EXPECT_NEAR(tip.y, theory.y, resolution * (1.0 + k_r_over_k_u)) << entry.name;
+    rehearsal.input().move_to(Rehearsal::free_place, 0.5);
+    rehearsal.run(2.0);
+  }
+}
+
+TEST(ClosedLoop, NaiveRenderingDragsTheHandFarToTheLeftAndTheAnisotropicOneDoesNot) {
+  Rehearsal rehearsal;
+  rehearsal.turn_on();
+  const Vector<2> full = rest_under(rehearsal, StrategyId::full);
+  const Vector<2> naive = rest_under(rehearsal, StrategyId::naive);
+  const Vector<2> anisotropic = rest_under(rehearsal, StrategyId::anisotropic);
+  EXPECT_LT(naive.x, full.x - 0.008);  // the ghost force
+  EXPECT_LT(naive.x, 0.0);             // on the other side of where it entered
+  EXPECT_NEAR(anisotropic.x, full.x, 2.0 * resolution);
+  // Without a motor on it, the vertical axis stays with the hand's goal.
+  EXPECT_NEAR(naive.y, goal.y, 2.0 * resolution);
+  EXPECT_NEAR(anisotropic.y, goal.y, 2.0 * resolution);
+}
+
+TEST(ClosedLoop, TheInferredGoalIsTheHandsWhenTheBeliefIsRight) {
+  Rehearsal rehearsal;
+  rehearsal.turn_on();
+  rest_under(rehearsal, StrategyId::naive);
+  const Snapshot& snapshot = rehearsal.report().snapshot;
+  ASSERT_EQ(snapshot.measured, StrategyId::naive);
+  EXPECT_NEAR(glm::length(snapshot.goal - goal), 0.0, 10.0 * resolution);
+  rehearsal.command().settings.impedances.believed_k_u = 50.0;
+  ++rehearsal.command().settings_generation;
+  rehearsal.run(1.0);
+  EXPECT_GT(glm::length(rehearsal.report().snapshot.goal - goal), 0.01);
+}
+
+TEST(ClosedLoop, AWrongBeliefLeavesAGhostForce) {
+  Rehearsal rehearsal;
+  rehearsal.turn_on();
+  const double full = rest_under(rehearsal, StrategyId::full).x;
+  rehearsal.command().settings.impedances.believed_k_u = 300.0;
+  const double wrong = rest_under(rehearsal, StrategyId::anisotropic).x;
+  const double theory = rest_of(StrategyId::anisotropic, rehearsal.command().settings, goal).device.x;
+  EXPECT_GT(std::abs(wrong - full), 1e-3);
+  EXPECT_NEAR(wrong, theory, 10.0 * resolution);
+}
+
+// Pushing far: the clamp keeps the force's direction, also through kinematics and motors.
+TEST(ClosedLoop, TheForceOnTheHandHasTheDirectionThatWasAskedFor) {
+  Rehearsal rehearsal;
+  rehearsal.turn_on();
+  rehearsal.use(StrategyId::full);
+  rehearsal.input().move_to({0.04, -0.04}, 1.0);
+  rehearsal.run(3.0);
+  ASSERT_EQ(rehearsal.motors().state, SafetyState::on);
+  const Vector<3> force = rehearsal.input().link().arm().force();
+  const Vector<2> wanted = rehearsal.motors().sent;
+  // Whole motor counts turn a force by 0.1° at 3 N, and the encoders' rounding adds less.
+  const Vector<2> got{force.x, force.y};
+  EXPECT_NEAR(std::atan2(got.y, got.x), std::atan2(wanted.y, wanted.x), 0.15 * std::acos(-1.0) / 180.0);
+  EXPECT_NEAR(glm::length(got), glm::length(wanted), 0.01 * glm::length(wanted));
+  EXPECT_NEAR(force.z, 0.0, 0.01 * glm::length(wanted));  // the third axis is held by nothing
+}
+
+}  // namespace
+}  // namespace ghostforce

@@ -1,0 +1,29 @@
+// The way from a thousand exchanges a second to forces on a handle, and every way out of it, never touches the heap.
+#include <gtest/gtest.h>
+
+#include "tests/device/virtual_falcon/rehearsal.h"
+#include "tests/support/heap_guard.h"
+
+namespace ghostforce {
+namespace {
+
+TEST(DriverHeap, IsNotTouchedFromTheFirstLookToTheLastFrame) {
+  Rehearsal rehearsal;
+  HeapGuard guard;
+  rehearsal.turn_on();
+  for (const Strategy& entry : strategy_catalog()) {
+    rehearsal.use(entry.id);
+    rehearsal.input().move_to({0.02, -0.02}, 0.3);
+    rehearsal.run(1.0);
+    ASSERT_EQ(rehearsal.motors().state, SafetyState::on);
+  }
+  Misbehaviour misbehaviour;
+  misbehaviour.silence = true;
+  rehearsal.input().misbehave(misbehaviour);
+  rehearsal.run(3.0);
+  ASSERT_EQ(rehearsal.motors().state, SafetyState::off);
+  rehearsal.input().finish();
+}
+
+}  // namespace
+}  // namespace ghostforce

@@ -1,0 +1,97 @@
+// A rehearsal stepped by hand: servo, driver and virtual Falcon, with a clock that only the servo's waiting moves.
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "core/scene.h"
+#include "device/servo.h"
+#include "device/virtual_falcon/virtual_falcon_input.h"
+
+namespace ghostforce {
+
+// A 45° wall through the middle, free on the upper left; motor along x; the hand of the paper's experiment.
+inline Settings rehearsal_settings() {
+  Settings settings;
+  settings.wall_normal_angle = 0.75 * std::acos(-1.0);
+  settings.mass = 0.1;
+  settings.damping = 5.0;
+  settings.rate = 1000.0;
+  settings.impedances.k_u = 100.0;
+  settings.impedances.k_r = 500.0;
+  settings.impedances.k_t = 500.0;
+  settings.impedances.k_c = 1e5;
+  settings.active = StrategyId::naive;
+  return settings;
+}
+
+class Rehearsal {
+ public:
+  explicit Rehearsal(const Misbehaviour& misbehaviour = {}, FalconOptions options = {}) {
+    command_.settings = rehearsal_settings();
+    command_.restart_state = state_at_start(free_place);
+    auto input = std::make_unique<VirtualFalconInput>(std::move(options), misbehaviour, Vector<2>(0.0), 100.0,
+                                                      VirtualFalconInput::Clock::stepped);
+    input_ = input.get();
+    servo_ = std::make_unique<Servo>(std::move(input), command_);
+    input_->move_to(free_place, 0.0);
+  }
+
+  void run(double seconds) {
+    for (double t = 0.0; t < seconds - 0.0005; t += 0.001) step();
+  }
+  void step() {
+    ++command_.heart_beats;
+    servo_->send(command_);
+    servo_->wake();
+  }
+  // Until it is so; false: it was not within `seconds`.
+  bool run_until(double seconds, const std::function<bool()>& is_so) {
+    for (double t = 0.0; t < seconds; t += 0.001) {
+      step();
+      if (is_so()) return true;
+    }
+    return false;
+  }
+  bool run_until_state(FalconState state, double seconds = 30.0) {
+    return run_until(seconds, [&] { return falcon().state == state; });
+  }
+  // Up the whole ladder, with the hand outside the wall.
+  void turn_on() {
+    ASSERT_TRUE(run_until_state(FalconState::idle));
+    input_->move_to(free_place, 0.5);
+    run(2.0);
+    ++command_.acknowledgements;
+    ++command_.arms_asked;
+    ASSERT_TRUE(run_until(3.0, [&] { return motors().state == SafetyState::on; }))
+        << entry_of(motors().obstacle).sentence << entry_of(motors().reason).title;
+  }
+  void use(StrategyId active) {
+    command_.settings.active = active;
+    ++command_.settings_generation;
+  }
+
+  VirtualFalconInput& input() { return *input_; }
+  ServoCommand& command() { return command_; }
+  Servo& servo() { return *servo_; }
+  const FalconReport& falcon() { return input_->report(); }
+  const ServoReport& report() { return servo_->newest(); }
+  const MotorReport& motors() { return report().motors; }
+  // Where the arm really is, in the scene.
+  Vector<2> tip() const {
+    return FalconPlane(FalconCalibration{}, Vector<2>(0.0)).in_scene(input_->link().arm().position());
+  }
+
+  static constexpr Vector<2> free_place{-0.02, 0.02};
+
+ private:
+  ServoCommand command_;
+  VirtualFalconInput* input_ = nullptr;
+  std::unique_ptr<Servo> servo_;
+};
+
+}  // namespace ghostforce
