@@ -1,6 +1,7 @@
 #include "app/application.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -42,6 +43,7 @@ Application::Application(Window& window, const Scene& scene, const ApplicationOp
       session_(session_with(scene, options)),
       undo_({session_.scene, session_.settings}),
       inputs_(input_choices()),
+      input_options_(options.input_options),
       screen_(window, options.part) {
   if (!options.shader_folder.empty()) shader_watch_.emplace(options.shader_folder);
   use(*find_input(options.input), session_.scene, session_.settings);
@@ -55,12 +57,23 @@ void Application::start() {
 // A servo owns its input, so another input or another script is another servo; counts go on, so that what is asked for
 // later still looks new to it. An input that cannot be had leaves everything as it was.
 void Application::use(const InputKind& kind, std::shared_ptr<const Scene> scene, const Settings& settings) {
-  std::unique_ptr<Input> hand = kind.make(*scene);
+  // A device has one driver: the one before lets go of it first.
+  if (servo_) servo_->stop();
+  std::unique_ptr<Input> hand;
+  try {
+    hand = kind.make(*scene, input_options_);
+  } catch (...) {
+    if (is_started_) servo_->start();
+    throw;
+  }
   const bool is_other_scene = scene != session_.scene;
-  mouse_ = dynamic_cast<MouseInput*>(hand.get());
+  pointer_ = dynamic_cast<PointerTarget*>(hand.get());
+  falcon_ = dynamic_cast<FalconInput*>(hand.get());
+  virtual_falcon_ = dynamic_cast<VirtualFalconInput*>(hand.get());
+  falcon_report_ = {};
   input_title_ = kind.title;
   session_.input = kind.name;
-  session_.pointer_moves_goal = mouse_ != nullptr;
+  session_.pointer_moves_goal = pointer_ != nullptr;
   session_.scene = std::move(scene);
   session_.settings = settings;
   session_.goal = session_.scene->goal.points.back();
@@ -72,8 +85,10 @@ void Application::use(const InputKind& kind, std::shared_ptr<const Scene> scene,
   command_.settings = session_.settings;
   command_.restarts_asked = session_.restarts_asked;
   command_.steps_asked = session_.steps_asked;
+  note_motors();
   command_.restart_state = start_state();
   servo_ = std::make_unique<Servo>(std::move(hand), command_);
+  if (virtual_falcon_ != nullptr) virtual_falcon_->move_to(session_.goal, 1.0);
   report_ = {};
   report_.restarts = command_.restarts_asked;
   report_.snapshot = snapshot_of(plan_of(session_.settings), command_.restart_state);
@@ -86,7 +101,7 @@ TickState<2> Application::start_state() {
   history_.clear();
   Scene scene = *session_.scene;
   scene.settings = session_.settings;
-  const TickState<2> state = play(scene, mouse_ != nullptr ? last_tick(scene) : 0,
+  const TickState<2> state = play(scene, session_.input != "script" ? last_tick(scene) : 0,
                                   [this](const Snapshot& snapshot) { history_.add(snapshot); });
   if (is_sound(state)) return state;
   // Unstable settings have no rest to start from: start where the hand is, and let the servo say what it finds.
@@ -98,6 +113,7 @@ void Application::frame(double interval_s) {
   clock_s_ += interval_s;
   take_samples();
   report_ = servo_->newest();
+  if (falcon_ != nullptr) falcon_report_ = falcon_->report();
   if (report_.restarts != command_.restarts_asked || report_.snapshot.tick == 0) {
     // The servo has not seen the restart yet: show the state that it will start from.
     report_.snapshot = snapshot_of(plan_of(session_.settings), command_.restart_state);
@@ -118,11 +134,34 @@ LoopReading Application::loop_reading() const {
           .rate_hz = report_.loop.rate_hz,
           .late_ticks = report_.loop.late_ticks,
           .dropped_samples = report_.loop.dropped_samples,
-          .refused = report_.refused_commands + (mouse_ != nullptr ? mouse_->ignored_moves() : 0),
+          .refused = report_.refused_commands + (pointer_ != nullptr ? pointer_->ignored_moves() : 0),
           .diverged = report_.diverged,
           .inputs = inputs_,
           .shader_problem = shader_watch_ ? std::string_view(shader_watch_->problem()) : std::string_view(),
+          .motors = report_.motors,
+          .ladder = falcon_ != nullptr ? ladder_of(falcon_report_, &report_.motors) : std::vector<RungState>(),
+          .device = falcon_ != nullptr ? fmt::format("{} {}", input_title_, falcon_report_.serial.text()) : "",
+          .device_remark = device_remark(),
           .remark = describe(report_.realtime)};
+}
+
+// Whether the handle reaches what the scene is about.
+std::string Application::device_remark() const {
+  if (falcon_ == nullptr) return {};
+  const auto known =
+      std::ranges::find(input_options_.falcon.calibrations, falcon_report_.serial, &FalconCalibration::serial);
+  const FalconCalibration calibration =
+      known == input_options_.falcon.calibrations.end() ? FalconCalibration{} : *known;
+  const FalconPlane plane(calibration, session_.scene->view.center);
+  double needed = 0.0;
+  for (const Vector<2>& point : session_.scene->goal.points) needed = std::max(needed, plane.scale_to_reach(point));
+  if (needed <= calibration.scale) return {};
+  return fmt::format(
+      "This scene reaches {:.0f} mm from the middle of the view, and the handle {:.0f} mm: set scale = {:.1f} or more "
+      "in "
+      "the device's calibration file.",
+      1000.0 * workspace_radius * needed, 1000.0 * workspace_radius * calibration.scale,
+      std::ceil(10.0 * needed) / 10.0);
 }
 
 void Application::take_samples() {
@@ -144,11 +183,25 @@ void Application::send(double interval_s) {
   command_.speed = session_.speed;
   command_.steps_asked = session_.steps_asked;
   command_.restarts_asked = session_.restarts_asked;
+  note_motors();
+  ++command_.heart_beats;
   servo_->send(command_);
-  if (mouse_ != nullptr && (session_.drags_goal || session_.goal != sent_goal_)) {
-    mouse_->move_to(session_.goal, interval_s * session_.speed);
+  if (pointer_ == nullptr) return;
+  pointer_->hold_with(session_.settings.impedances.k_u);
+  // Whoever drags a virtual handle holds its grip.
+  if (virtual_falcon_ != nullptr) virtual_falcon_->press(session_.drags_goal ? ReplyFrame::button_centre : 0);
+  if (session_.drags_goal || session_.goal != sent_goal_) {
+    pointer_->move_to(session_.goal, interval_s * session_.speed);
     sent_goal_ = session_.goal;
   }
+}
+
+void Application::note_motors() {
+  command_.arms_asked = session_.arms_asked;
+  command_.offs_asked = session_.offs_asked;
+  command_.acknowledgements = session_.acknowledgements;
+  command_.safety = session_.safety;
+  command_.has_focus = window_.has_focus();
 }
 
 void Application::tell(std::string words, bool is_problem) {

@@ -14,9 +14,11 @@
 #include "app/shader_watch.h"
 #include "app/undo.h"
 #include "app/view/history.h"
+#include "device/falcon/falcon_input.h"
 #include "device/input_catalog.h"
-#include "device/mouse_input.h"
+#include "device/pointer_target.h"
 #include "device/servo.h"
+#include "device/virtual_falcon/virtual_falcon_input.h"
 
 namespace ghostforce {
 
@@ -24,6 +26,7 @@ struct ApplicationOptions {
   Part part = Part::window;
   Look look{};
   std::string input = "mouse";  // a name of the input catalog
+  InputOptions input_options{};
   bool offers_hints = false;
   std::set<std::string, std::less<>> folded_panels{};
   std::string shader_folder{};  // empty: the embedded shaders, not watched
@@ -53,11 +56,15 @@ class Application {
   void tell(std::string words, bool is_problem);
 
   // Nothing would change on screen until the person does something.
-  bool is_idle() const noexcept { return session_.paused && !session_.notice && !shader_watch_; }
+  bool is_idle() const noexcept { return session_.paused && !session_.notice && !shader_watch_ && falcon_ == nullptr; }
+
+  // What the Falcon's driver knows of its device; null when another input is in use.
+  const FalconReport* falcon_report() const noexcept { return falcon_ != nullptr ? &falcon_report_ : nullptr; }
 
  private:
   void take_samples();
   void send(double interval_s);
+  void note_motors();
   void grant_wishes();
   void open_scene(const std::string& name_or_path);
   void save_picture(const PictureWish& wish);
@@ -65,6 +72,7 @@ class Application {
   void go_to(const std::optional<Edited>& edited);
   void use(const InputKind& kind, std::shared_ptr<const Scene> scene, const Settings& settings);
   LoopReading loop_reading() const;
+  std::string device_remark() const;
   TickState<2> start_state();
 
   Window& window_;
@@ -76,7 +84,12 @@ class Application {
   ServoCommand command_;
   std::unique_ptr<Servo> servo_;
   bool is_started_ = false;
-  MouseInput* mouse_ = nullptr;  // null when another input holds the goal
+  InputOptions input_options_;
+  // What the input in use is besides; each may be null.
+  PointerTarget* pointer_ = nullptr;  // led by the pointer
+  FalconInput* falcon_ = nullptr;
+  VirtualFalconInput* virtual_falcon_ = nullptr;
+  FalconReport falcon_report_;
   Vector<2> sent_goal_{0.0};
   ServoReport report_;
   Screen screen_;

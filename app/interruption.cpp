@@ -5,6 +5,7 @@
 #include <atomic>
 
 #include "app/failure.h"
+#include "device/last_resort.h"
 
 namespace ghostforce {
 namespace {
@@ -12,8 +13,12 @@ namespace {
 std::atomic<bool> is_interrupted{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may touch nothing else");
 
-extern "C" void remember(int) {
-  is_interrupted.store(true, std::memory_order_relaxed);
+extern "C" void remember(int number) {
+  if (!is_interrupted.exchange(true, std::memory_order_relaxed)) return;
+  // A second one does not wait, and nobody comes after it to turn motors off.
+  last_resort::take();
+  signal(number, SIG_DFL);
+  raise(number);
 }
 
 }  // namespace
@@ -25,7 +30,7 @@ void remember_interruptions() noexcept {
     if (action.sa_handler == SIG_IGN) continue;
     action.sa_handler = remember;
     // No SA_RESTART: a write to a pipe that nobody reads must come back too.
-    action.sa_flags = static_cast<int>(SA_RESETHAND);
+    action.sa_flags = 0;
     sigaction(number, &action, nullptr);
   }
 }

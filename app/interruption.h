@@ -6,7 +6,7 @@
 namespace ghostforce {
 
 // From here on the first SIGINT, SIGTERM or SIGHUP is only remembered; a second
-// one of the same kind ends the process at once. Signals that were ignored when
+// one turns motors off and ends the process at once. Signals that were ignored when
 // the program started (nohup, background jobs) stay ignored. Called once, by
 // main().
 void remember_interruptions() noexcept;

@@ -80,8 +80,9 @@ void next_theme(Session& session) {
   session.look.theme = &themes[next % themes.size()];
 }
 
-// Forces go off here as soon as there is a motor; it never quits.
+// Before all else it turns motors off; it never quits.
 void escape(Session& session) {
+  ++session.offs_asked;
   const bool closes_more = session.dialog != Dialog::none || session.notice;
   session.dialog = Dialog::none;
   session.notice.reset();
@@ -136,6 +137,7 @@ constexpr std::array bindings{
     KeyBinding{GLFW_KEY_P, ctrl, "Ctrl+P", "Save a picture: PNG, SVG or PDF", open_dialog<Dialog::save_picture>, false, true},
 
     KeyBinding{GLFW_KEY_F1, none, "F1", "This help", open_dialog<Dialog::help>, false, true},
+    KeyBinding{GLFW_KEY_F2, none, "F2", "The device: how far it is, and what to do", open_dialog<Dialog::doctor>, false, true},
     KeyBinding{GLFW_KEY_F11, none, "F11", "Full screen, and back", ask<&Wishes::toggle_full_screen>, false, true},
     KeyBinding{GLFW_KEY_T, ctrl, "Ctrl+T", "Next theme: light, dark, projector", next_theme},
     KeyBinding{GLFW_KEY_EQUAL, ctrl, "Ctrl+ + − 0", "Letters larger, smaller, as usual", change_scale<1>, true},
@@ -144,7 +146,7 @@ constexpr std::array bindings{
     KeyBinding{GLFW_KEY_MINUS, ctrl, "", "", change_scale<-1>, true},
     KeyBinding{GLFW_KEY_KP_SUBTRACT, ctrl, "", "", change_scale<-1>, true},
     KeyBinding{GLFW_KEY_0, ctrl, "", "", usual_scale},
-    KeyBinding{GLFW_KEY_ESCAPE, none, "Esc", "Close what is open; it never quits", escape, false, true},
+    KeyBinding{GLFW_KEY_ESCAPE, none, "Esc", "Motors off; close what is open; it never quits", escape, false, true},
     KeyBinding{GLFW_KEY_Q, ctrl, "Ctrl+Q", "Quit", ask<&Wishes::quit>, false, true},
 };
 
@@ -190,6 +192,16 @@ void toggle_pause(Session& session) {
 void single_step(Session& session) {
   session.paused = true;
   ++session.steps_asked;
+}
+
+void press_safety_button(Session& session, const MotorReport& motors) {
+  if (motors.state != SafetyState::off) {
+    ++session.offs_asked;
+  } else if (motors.reason != OffReason::none) {
+    ++session.acknowledgements;
+  } else {
+    ++session.arms_asked;
+  }
 }
 
 void restart(Session& session) {

@@ -10,6 +10,7 @@
 #include "app/command_line.h"
 #include "app/failure.h"
 #include "app/interruption.h"
+#include "device/last_resort.h"
 
 namespace {
 
@@ -29,6 +30,7 @@ int main(int argc, char** argv) {
   using namespace ghostforce;
   fill_standard_streams();
   remember_interruptions();
+  last_resort::install();
   std::signal(SIGPIPE, SIG_IGN);  // a reader that has gone is found when writing
   try {
     return run_command_line(std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc));

@@ -137,8 +137,10 @@ void Screen::draw_everything(Session& session, const Snapshot& snapshot, const H
 
   if (is_live) {
     std::vector<KeyPress> presses = window_.take_key_presses();
-    // An open menu takes Esc for itself.
-    if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) std::erase_if(presses, is_escape);
+    // An open menu takes Esc for itself, but not what matters most about it.
+    if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup) && std::erase_if(presses, is_escape) > 0) {
+      ++session.offs_asked;
+    }
     act_on_keys(session, presses, ImGui::GetIO().WantTextInput);
     begin_fixed("scene", layout.scene, ImGuiWindowFlags_NoBackground);
     gestures_.take(session, panes_, scene_size_, unit);
@@ -179,6 +181,7 @@ void Screen::draw_everything(Session& session, const Snapshot& snapshot, const H
 
 void Screen::draw_column(const PanelContext& context) {
   for (const Panel& panel : panel_catalog()) {
+    if (panel.is_there != nullptr && !panel.is_there(context.loop)) continue;
     std::set<std::string, std::less<>>& folded = context.session.folded_panels;
     const bool was_folded = folded.contains(panel.title);
     ImGui::SetNextItemOpen(!was_folded);

@@ -26,8 +26,8 @@ class Screen {
   // Throws gl::ShaderError. The window must outlive the screen.
   Screen(Window& window, Part part);
 
-  // Draws and shows one frame, `interval_s` after the one before; panels, keys and gestures edit the session. Nothing is drawn while the window has no
-  // pixels.
+  // Draws and shows one frame, `interval_s` after the one before; panels, keys and gestures edit the session. Nothing
+  // is drawn while the window has no pixels.
   void draw(Session& session, const Snapshot& snapshot, const History& history, const LoopReading& loop,
             double interval_s);
 

@@ -9,9 +9,12 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "app/ladder.h"
 #include "app/theme.h"
 #include "app/view/compose.h"
+#include "core/motor_report.h"
 #include "core/scene.h"
 
 namespace ghostforce {
@@ -28,7 +31,7 @@ struct Look {
 };
 
 // The window in front of the scene, if any.
-enum class Dialog : std::uint8_t { none, help, open_scene, save_scene, save_picture };
+enum class Dialog : std::uint8_t { none, help, doctor, open_scene, save_scene, save_picture };
 
 // A picture of what is on the screen: the format is the file name's.
 struct PictureWish {
@@ -79,6 +82,10 @@ struct Session {
   double speed = 1.0;  // of model time against real time
   std::uint32_t steps_asked = 0;
   std::uint32_t restarts_asked = 0;
+  std::uint32_t arms_asked = 0;        // motors on
+  std::uint32_t offs_asked = 0;        // motors off
+  std::uint32_t acknowledgements = 0;  // the person has read why they went off
+  SafetyOptions safety;
   std::string input = "mouse";      // who moves the goal, a name of the input catalog
   bool pointer_moves_goal = true;   // that input is the mouse
   bool has_handles = false;         // there is a person who can take hold of wall and motor axis
@@ -115,6 +122,10 @@ struct LoopReading {
   bool diverged = false;      // the settings made the simulation unstable; it waits for others
   std::span<const InputChoice> inputs{};
   std::string_view shader_problem{};  // why watched shaders are not in use; may be empty
+  MotorReport motors{};               // of the input, and what watches over them
+  std::vector<RungState> ladder{};    // from nothing to motors that push; empty: the input has none
+  std::string device{};               // what the ladder is of; may be empty
+  std::string device_remark{};        // what else is to be known about it; may be empty
   std::string remark{};               // what the operating system granted and refused the loop; may be empty
 };
 

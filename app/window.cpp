@@ -205,6 +205,10 @@ bool Window::is_maximized() const {
   return glfwGetWindowAttrib(handle(), GLFW_MAXIMIZED) == GLFW_TRUE;
 }
 
+bool Window::has_focus() const {
+  return !ImGui::GetIO().AppFocusLost;
+}
+
 void Window::maximize() {
   glfwMaximizeWindow(handle());
 }

@@ -59,6 +59,8 @@ class Window {
   void toggle_full_screen();
   bool is_full_screen() const;
   bool is_maximized() const;
+  // Keys reach it.
+  bool has_focus() const;
   void maximize();
   // As it is while neither maximised nor full screen, as WindowOptions has it: before the display's scale.
   WindowSize restored_size() const;
@@ -72,8 +74,9 @@ class Window {
   // Takes what keyboard and mouse did, waiting at most that long for something to happen [s].
   void poll(double wait_s);
 
-  // One frame: `draw` runs between ImGui's NewFrame and Render; then everything is shown. `interval_s` is the time since
-  // the frame before: the screen reads no clock, so that what a double click is does not depend on how busy a machine is.
+  // One frame: `draw` runs between ImGui's NewFrame and Render; then everything is shown. `interval_s` is the time
+  // since the frame before: the screen reads no clock, so that what a double click is does not depend on how busy a
+  // machine is.
   void frame(double interval_s, const std::function<void()>& draw);
 
   // What the last frame() drew.

@@ -30,7 +30,8 @@ struct SnapshotIn {
   double time_s = 0.0;    // t_k = k dt
   Vector<D> goal{0.0};    // q_u [m]
   // The strategy whose device is a real one, measured, and whose force goes to its motors. The goal is then an
-  // estimate: nobody can measure it. Empty: every device is simulated, under a goal that was given.
+  // estimate: nobody can measure it, and ghost forces and drifts against it would be circular: they are left at 0.
+  // Empty: every device is simulated, under a goal that was given.
   std::optional<StrategyId> measured;
   PerStrategy<StrategySnapshot<D>> strategies{};
 };

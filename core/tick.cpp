@@ -100,7 +100,7 @@ SnapshotIn<D> snapshot_of(const TickPlan<D>& plan, const TickState<D>& state) no
   }
   const Vector<D> full_force = snapshot.strategies[index_of(StrategyId::full)].force;
   for (auto& out : snapshot.strategies) {
-    if (!out.in_contact) continue;
+    if (!out.in_contact || state.measured) continue;
     out.ghost_force = ghost_force(plan.actuation, out.force, full_force);
     out.proxy_drift = proxy_drift(plan.wall, out.proxy, state.goal);
   }

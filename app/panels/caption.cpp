@@ -34,7 +34,10 @@ void draw_caption(const PanelContext& context) {
     draw_hint(context);
     return;
   }
-  const std::string_view words = caption_of(context.session.settings, context.snapshot.goal);
+  const std::string_view words = context.snapshot.measured
+                                     ? "In your hand. The hollow goal is inferred from the force, with the believed "
+                                       "k_u; the others are simulated beside you."
+                                     : caption_of(context.session.settings, context.snapshot.goal);
   // Large, to be read from the last row, where two lines have room for it.
   const float needed = large * ImGui::CalcTextSize(words.data(), words.data() + words.size()).x;
   const bool fits = needed < 1.8F * ImGui::GetContentRegionAvail().x;

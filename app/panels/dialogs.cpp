@@ -15,6 +15,7 @@ struct Entry {
 };
 constexpr std::array dialogs{
     Entry{Dialog::help, "Help", draw_help},
+    Entry{Dialog::doctor, "The device", draw_doctor},
     Entry{Dialog::open_scene, "Open a scene", draw_open_scene},
     Entry{Dialog::save_scene, "Save the scene", draw_save_scene},
     Entry{Dialog::save_picture, "Save a picture", draw_save_picture},

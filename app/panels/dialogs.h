@@ -20,6 +20,7 @@ float dialog_field_width(float points, const PanelContext& context);
 
 // The dialogs themselves, a file each.
 void draw_help(const PanelContext& context);
+void draw_doctor(const PanelContext& context);
 void draw_open_scene(const PanelContext& context);
 void draw_save_scene(const PanelContext& context);
 void draw_save_picture(const PanelContext& context);

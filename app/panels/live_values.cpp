@@ -17,13 +17,15 @@ struct Quantity {
   Term term;
   double (*value)(const StrategySnapshot<2>&);
   int decimals;
+  bool is_against_goal = false;  // and so nobody knows it where the goal is only inferred
 };
 
 constexpr Quantity quantities[] = {
     {"force", "N", Term::force, [](const StrategySnapshot<2>& now) { return glm::length(now.force); }, 2},
-    {"ghost", "N", Term::ghost_force, [](const StrategySnapshot<2>& now) { return glm::length(now.ghost_force); }, 2},
+    {"ghost", "N", Term::ghost_force, [](const StrategySnapshot<2>& now) { return glm::length(now.ghost_force); }, 2,
+     true},
     {"drift", "mm", Term::proxy_drift,
-     [](const StrategySnapshot<2>& now) { return glm::length(now.proxy_drift) * 1000.0; }, 1},
+     [](const StrategySnapshot<2>& now) { return glm::length(now.proxy_drift) * 1000.0; }, 1, true},
     {"energy", "mJ", Term::energy, [](const StrategySnapshot<2>& now) { return now.energy * 1000.0; }, 1},
 };
 
@@ -76,8 +78,10 @@ void draw_row(const PanelContext& context, const Strategy& entry) {
   for (const Quantity& quantity : quantities) {
     ImGui::TableNextColumn();
     ImGui::PushFont(context.fonts.number, 0.0F);
-    right_aligned(in_fixed_width(quantity.value(context.snapshot.strategies[i]), quantity.decimals));
+    const bool is_known = !quantity.is_against_goal || !context.snapshot.measured;
+    right_aligned(is_known ? in_fixed_width(quantity.value(context.snapshot.strategies[i]), quantity.decimals) : "—");
     ImGui::PopFont();
+    if (!is_known) explain("Cannot be known: the goal of a real hand is only inferred from the force itself.");
   }
 }
 
@@ -92,6 +96,12 @@ double model_error(const PanelContext& context) {
 }
 
 void draw_model_error(const PanelContext& context) {
+  if (context.snapshot.measured) {
+    ImGui::TextUnformatted(fmt::format("{} measured, the others simulated under the inferred goal",
+                                       strategy(*context.snapshot.measured).letter)
+                               .c_str());
+    return;
+  }
   ImGui::BeginGroup();
   ImGui::TextUnformatted("model − simulation ≤");
   ImGui::SameLine();

@@ -30,7 +30,8 @@ struct PanelContext {
 struct Panel {
   std::string_view title;
   void (*draw)(const PanelContext&);
-  bool can_wait;  // folded at first where there is no room for all
+  bool can_wait;                                   // folded at first where there is no room for all
+  bool (*is_there)(const LoopReading&) = nullptr;  // null: always
 };
 
 }  // namespace ghostforce

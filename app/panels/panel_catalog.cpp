@@ -5,10 +5,18 @@
 namespace ghostforce {
 namespace {
 
+bool has_motors(const LoopReading& loop) {
+  return loop.motors.has_motors;
+}
+
 constexpr std::array panels{
-    Panel{"Live", draw_live_values, false}, Panel{"Rendering", draw_rendering, false},
-    Panel{"User", draw_user, false},        Panel{"Wall and device", draw_wall_and_device, false},
-    Panel{"Input", draw_input, true},       Panel{"View", draw_view_options, true},
+    Panel{"Live", draw_live_values, false},
+    Panel{"Safety", draw_safety, false, has_motors},
+    Panel{"Rendering", draw_rendering, false},
+    Panel{"User", draw_user, false},
+    Panel{"Wall and device", draw_wall_and_device, false},
+    Panel{"Input", draw_input, true},
+    Panel{"View", draw_view_options, true},
 };
 
 constexpr double room_for_all = 780.0;  // height of the window [points]

@@ -17,6 +17,7 @@ std::set<std::string, std::less<>> panels_folded_at_first(double height);
 
 // The panels themselves, a file each.
 void draw_live_values(const PanelContext& context);
+void draw_safety(const PanelContext& context);
 void draw_rendering(const PanelContext& context);
 void draw_user(const PanelContext& context);
 void draw_wall_and_device(const PanelContext& context);

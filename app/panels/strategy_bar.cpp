@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 
 #include "app/keys.h"
 #include "app/panels/controls.h"
@@ -128,6 +129,58 @@ bool sign_button(const char* id, DrawSign draw_sign, const PanelContext& context
   return pressed;
 }
 
+// What the button of the motors says; pressed, it does what its words ask for.
+std::string safety_words(const MotorReport& motors) {
+  if (!motors.has_motors) return "no motor";
+  switch (motors.state) {
+    case SafetyState::off:
+      return motors.reason == OffReason::none ? "Motors: arm"
+                                              : fmt::format("OFF: {}. OK", entry_of(motors.reason).title);
+    case SafetyState::arming:
+      return "Arming… Esc";
+    case SafetyState::ramp:
+    case SafetyState::on:
+      return "MOTORS ON. Esc";
+    case SafetyState::fade:
+      return "Going off";
+  }
+  return {};
+}
+
+void draw_safety_button(const PanelContext& context, float height) {
+  const MotorReport& motors = context.loop.motors;
+  const std::string words = safety_words(motors);
+  const float width = ImGui::CalcTextSize(words.c_str()).x + 2.0F * ImGui::GetStyle().FramePadding.x;
+  ImGui::SameLine();
+  const bool fits = ImGui::GetContentRegionAvail().x >= width;
+  if (!fits && !motors.has_motors) {
+    ImGui::NewLine();
+    return;  // it says nothing that one has to know
+  }
+  // With motors it is there, whatever it covers.
+  ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - width);
+  const bool stands_out = motors.has_motors && (motors.state != SafetyState::off || motors.reason != OffReason::none);
+  const Colour rim = motors.state == SafetyState::off ? context.theme.problem : context.theme.accent;
+  ImGui::BeginDisabled(!motors.has_motors);
+  if (stands_out) {
+    ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 2.5F * context.scale);
+    ImGui::PushStyleColor(ImGuiCol_Border, unpacked(rim));
+  }
+  if (ImGui::Button((words + "###motors").c_str(), {width, height})) press_safety_button(context.session, motors);
+  if (stands_out) {
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar();
+  }
+  ImGui::EndDisabled();
+  if (!motors.has_motors) {
+    explain("No device with a motor is in use: the forces on screen are the model's.");
+  } else if (motors.state == SafetyState::off && motors.reason != OffReason::none) {
+    explain(entry_of(motors.reason).remedy);
+  } else {
+    explain("Lets the device push. Esc turns it off at any time.");
+  }
+}
+
 }  // namespace
 
 void draw_strategy_bar(const PanelContext& context) {
@@ -149,18 +202,7 @@ void draw_strategy_bar(const PanelContext& context) {
   ImGui::SameLine();
   draw_speed(session, height);
 
-  const char* no_motor = "no motor";
-  const float width = ImGui::CalcTextSize(no_motor).x + 2.0F * ImGui::GetStyle().FramePadding.x;
-  ImGui::SameLine();
-  if (ImGui::GetContentRegionAvail().x < width) {
-    ImGui::NewLine();
-    return;  // it says nothing that one has to know
-  }
-  ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - width);
-  ImGui::BeginDisabled();
-  ImGui::Button(no_motor, {width, height});
-  ImGui::EndDisabled();
-  explain("No device with a motor is in use: the forces on screen are the model's.");
+  draw_safety_button(context, height);
 }
 
 }  // namespace ghostforce

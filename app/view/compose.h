@@ -66,6 +66,8 @@ struct View {
 
   bool shows(StrategyId id) const noexcept { return options.compare == Compare::overlay || id == settings.active; }
   bool in_front(StrategyId id) const noexcept { return id == settings.active; }
+  // Simulated beside a device that is measured.
+  bool is_predicted(StrategyId id) const noexcept { return snapshot.measured && *snapshot.measured != id; }
   // A size in points, grown by the UI scale and the theme.
   double points(double size) const noexcept { return size * scale * theme.thickness; }
   // How long that is in the world [m].

@@ -152,14 +152,23 @@ void add_legend(const View& view, Marks& marks) {
   const auto marker = [&](Shape shape, double radius, Colour fill, Colour rim, double rim_width) {
     return Marker{Vector<2>(0.0), shape, view.points(radius), fill, rim, view.points(rim_width)};
   };
-  entry(Role::goal, std::nullopt, marker(Shape::disc, 6.5, view.theme.goal, view.theme.goal_rim, 1.8),
-        "goal: where the hand pulls to", view.theme.text);
+  if (view.snapshot.measured) {
+    entry(Role::goal, std::nullopt, marker(Shape::disc, 6.5, view.theme.goal.with_alpha(0), view.theme.goal_rim, 2.4),
+          "goal: where the hand seems to pull to", view.theme.text);
+  } else {
+    entry(Role::goal, std::nullopt, marker(Shape::disc, 6.5, view.theme.goal, view.theme.goal_rim, 1.8),
+          "goal: where the hand pulls to", view.theme.text);
+  }
   for (const Strategy& each : strategy_catalog()) {
     if (!view.shows(each.id)) continue;
     const std::size_t i = index_of(each.id);
-    entry(Role::device, each.id,
-          marker(strategy_style(each.id).shape, 7.0, view.theme.strategy[i], view.theme.background, 1.0),
-          fmt::format("{}  {}: {}", each.letter, each.title, each.in_brief), view.theme.strategy_text[i]);
+    const Colour fill = view.is_predicted(each.id) ? view.theme.background : view.theme.strategy[i];
+    const Colour rim = view.is_predicted(each.id) ? view.theme.strategy[i] : view.theme.background;
+    const std::string_view in_brief = view.is_predicted(each.id)          ? "simulated beside it"
+                                      : view.snapshot.measured == each.id ? "measured, in your hand"
+                                                                          : each.in_brief;
+    entry(Role::device, each.id, marker(strategy_style(each.id).shape, 7.0, fill, rim, 1.0),
+          fmt::format("{}  {}: {}", each.letter, each.title, in_brief), view.theme.strategy_text[i]);
   }
   const Colour active = view.theme.strategy[index_of(view.settings.active)];
   entry(Role::proxy, std::nullopt,

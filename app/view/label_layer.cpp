@@ -177,8 +177,8 @@ void add_labels(const View& view, Marks& marks) {
   LabelPlacer placer(view, marks);
   keep_marks_clear(view, marks, placer);
   add_letters(view, placer);
-  placer.place(Role::goal, std::nullopt, view.snapshot.goal, view.points(15.0), "goal", TextSize::normal,
-               view.theme.text);
+  placer.place(Role::goal, std::nullopt, view.snapshot.goal, view.points(15.0),
+               view.snapshot.measured ? "goal, estimated" : "goal", TextSize::normal, view.theme.text);
   for_each_shown(view, [&](StrategyId id) { add_measures(view, id, placer); });
 }
 

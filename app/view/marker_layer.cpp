@@ -25,13 +25,27 @@ void add_proxy(const View& view, StrategyId id, Marks& marks) {
                           view.theme.background, colour, view.points(2.2 * size)}});
 }
 
+// Filled: the device itself; measured, it has an eye. Hollow: it is only simulated beside a measured one.
 void add_device(const View& view, StrategyId id, Marks& marks) {
   const std::size_t i = index_of(id);
   const double size = view.in_front(id) ? 1.0 : behind;
+  const Vector<2> at = view.snapshot.strategies[i].device;
+  const Shape shape = strategy_style(id).shape;
+  const Colour colour = view.theme.strategy[i];
+  if (view.is_predicted(id)) {
+    marks.push_back({Role::device, id,
+                     Marker{at, shape, view.points(0.9 * device_radius * size), view.theme.background.with_alpha(150),
+                            colour, view.points(1.6)}});
+    return;
+  }
   marks.push_back(
       {Role::device, id,
-       Marker{view.snapshot.strategies[i].device, strategy_style(id).shape, view.points(device_radius * size),
-              view.theme.strategy[i], view.theme.background, view.points(1.6)}});
+       Marker{at, shape, view.points(device_radius * size), colour, view.theme.background, view.points(1.6)}});
+  if (view.snapshot.measured == id) {
+    marks.push_back(
+        {Role::device, id,
+         Marker{at, Shape::disc, view.points(0.3 * device_radius), view.theme.background, colour, view.points(0.5)}});
+  }
 }
 
 }  // namespace
@@ -52,8 +66,18 @@ void add_goal(const View& view, Marks& marks) {
   const Vector<2> goal = view.snapshot.goal;
   const Colour rim = view.theme.goal_rim;
   const double arm = view.metres(goal_radius + 5.0);
-  marks.push_back({Role::goal, std::nullopt,
-                   Marker{goal, Shape::disc, view.points(goal_radius), view.theme.goal, rim, view.points(2.2)}});
+  // Hollow: nobody gave it, it is inferred.
+  const bool is_estimated = view.snapshot.measured.has_value();
+  const auto disc = [&](double radius, Colour fill, Colour line, double width) {
+    marks.push_back(
+        {Role::goal, std::nullopt, Marker{goal, Shape::disc, view.points(radius), fill, line, view.points(width)}});
+  };
+  if (is_estimated) {
+    disc(goal_radius, rim.with_alpha(0), rim, 5.2);
+    disc(goal_radius, rim.with_alpha(0), view.theme.goal, 2.6);
+  } else {
+    disc(goal_radius, view.theme.goal, rim, 2.2);
+  }
   if (view.is_goal_hot) {
     marks.push_back({Role::goal, std::nullopt,
                      Marker{goal, Shape::disc, view.points(goal_radius + 11.0), rim.with_alpha(0), view.theme.accent,

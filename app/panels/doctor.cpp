@@ -1,0 +1,66 @@
+// F2: the ladder of the device, from nothing to motors that push: what is reached, what is next, and what to do.
+#include "app/panels/controls.h"
+#include "app/panels/dialogs.h"
+
+namespace ghostforce {
+namespace {
+
+// A tick, an arrow head or an empty ring: told apart by form.
+void draw_sign(const PanelContext& context, const RungState& rung) {
+  ImDrawList& draw_list = *ImGui::GetWindowDrawList();
+  const float height = ImGui::GetTextLineHeight();
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const ImVec2 middle{corner.x + 0.5F * height, corner.y + 0.5F * height};
+  const float unit = 0.3F * height;
+  const float stroke = 0.14F * height;
+  const Colour colour = rung.is_current ? context.theme.accent : context.theme.text;
+  if (rung.is_reached) {
+    const ImVec2 knee{middle.x - 0.3F * unit, middle.y + 0.8F * unit};
+    draw_list.AddLine({middle.x - unit, middle.y}, knee, packed(colour), stroke);
+    draw_list.AddLine(knee, {middle.x + unit, middle.y - 0.8F * unit}, packed(colour), stroke);
+  } else if (rung.is_current) {
+    draw_list.AddTriangleFilled({middle.x - 0.6F * unit, middle.y - unit}, {middle.x + unit, middle.y},
+                                {middle.x - 0.6F * unit, middle.y + unit}, packed(colour));
+  } else {
+    draw_list.AddCircle(middle, 0.7F * unit, packed(context.theme.faint_text), 16, 0.6F * stroke);
+  }
+  ImGui::Dummy({height, height});
+}
+
+void draw_rung(const PanelContext& context, const RungState& rung, float end) {
+  draw_sign(context, rung);
+  ImGui::SameLine();
+  ImGui::PushFont(rung.is_current ? context.fonts.bold : context.fonts.regular, 0.0F);
+  ImGui::TextUnformatted(rung.title.data(), rung.title.data() + rung.title.size());
+  ImGui::PopFont();
+  if (rung.words.empty()) return;
+  ImGui::SameLine(200.0F * context.scale);
+  ImGui::PushTextWrapPos(end);
+  ImGui::TextUnformatted(rung.words.c_str());
+  ImGui::PopTextWrapPos();
+}
+
+}  // namespace
+
+void draw_doctor(const PanelContext& context) {
+  const float width = dialog_field_width(640.0F, context);
+  const float end = ImGui::GetCursorPosX() + width;
+  ImGui::PushTextWrapPos(end);
+  if (context.loop.ladder.empty()) {
+    ImGui::TextUnformatted(
+        "The input in use has no motors. In the panel Input, choose Falcon, or Virtual Falcon for a rehearsal without "
+        "one. 'ghostforce doctor' looks at a device from the command line.");
+  } else {
+    ImGui::PushFont(context.fonts.bold, 0.0F);
+    ImGui::TextUnformatted(context.loop.device.c_str());
+    ImGui::PopFont();
+    ImGui::Spacing();
+    for (const RungState& rung : context.loop.ladder) draw_rung(context, rung, end);
+    ImGui::Spacing();
+    if (!context.loop.device_remark.empty()) ImGui::TextUnformatted(context.loop.device_remark.c_str());
+  }
+  ImGui::PopTextWrapPos();
+  ImGui::Dummy({width, 1.0F});
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,70 @@
+// The motors: whether they may push, with what, and why not.
+#include <fmt/format.h>
+
+#include <string>
+
+#include "app/panels/controls.h"
+#include "app/panels/panel_catalog.h"
+#include "core/force_limiter.h"
+
+namespace ghostforce {
+namespace {
+
+std::string words_about(const MotorReport& motors) {
+  switch (motors.state) {
+    case SafetyState::off:
+      if (motors.reason == OffReason::none) return "Off. Arm them with the button at the top right.";
+      return fmt::format("Off: {}. {}", entry_of(motors.reason).title, entry_of(motors.reason).remedy);
+    case SafetyState::arming:
+      return fmt::format("Arming: {}.", entry_of(motors.obstacle).sentence);
+    case SafetyState::ramp:
+      return fmt::format("Coming on: {:.0f} %. Esc turns them off.", 100.0 * motors.gain);
+    case SafetyState::on:
+      return "On. Esc turns them off.";
+    case SafetyState::fade:
+      return fmt::format("Going off: {}.", entry_of(motors.reason).title);
+  }
+  return {};
+}
+
+void draw_limits(const PanelContext& context) {
+  SafetyOptions& safety = context.session.safety;
+  if (!begin_rows("safety", context)) return;
+  row("Force limit",
+      "The longest force that is asked of the motors. A longer one is shortened and keeps its direction.");
+  constexpr double least_force = 0.5;
+  constexpr double greatest_force = force_ceiling;
+  ImGui::SliderScalar("##limit", ImGuiDataType_Double, &safety.force_limit, &least_force, &greatest_force, "%.1f N",
+                      ImGuiSliderFlags_AlwaysClamp);
+  row("Stiffest wall", "k_r is held at this while the motors are on. To go beyond 800 N/m, Ctrl+click and type it.");
+  constexpr double least_k_r = 50.0;
+  constexpr double usual_k_r = 800.0;
+  ImGui::SliderScalar("##stiffest", ImGuiDataType_Double, &safety.greatest_k_r, &least_k_r, &usual_k_r, "%.0f N/m");
+  row("Dead man", "Motors are on only while a button of the grip is held.");
+  ImGui::Checkbox("hold a grip button", &safety.needs_button);
+  end_rows();
+}
+
+}  // namespace
+
+void draw_safety(const PanelContext& context) {
+  const MotorReport& motors = context.loop.motors;
+  ImGui::PushTextWrapPos(0.0F);
+  ImGui::TextUnformatted(words_about(motors).c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PushFont(context.fonts.number, 0.0F);
+  ImGui::TextUnformatted(fmt::format("{:4.2f} of {:4.2f} N{:9}  {:4.2f} m/s", glm::length(motors.sent), motors.limit,
+                                     motors.is_saturated ? ", limited" : "", motors.handle_speed)
+                             .c_str());
+  ImGui::PopFont();
+  explain("What goes to the motors after every limit, and what it may be at most; how fast the handle moves.");
+  if (motors.held_k_r > 0.0) {
+    ImGui::TextUnformatted(fmt::format("k_r is held at {:.0f} N/m on the motors.", motors.held_k_r).c_str());
+  }
+  if (ImGui::TreeNodeEx("Limits", ImGuiTreeNodeFlags_SpanAvailWidth)) {
+    draw_limits(context);
+    ImGui::TreePop();
+  }
+}
+
+}  // namespace ghostforce
