@@ -1,0 +1,240 @@
+#include "app/ladder.h"
+
+#include <array>
+#include <cstddef>
+
+#include <fmt/format.h>
+
+#include "core/safety.h"
+
+namespace ghostforce {
+namespace {
+
+// In the order of Rung.
+constexpr std::array rungs{
+    RungEntry{Rung::seen, "seen", "Plugged in", "Plug in the Falcon's power supply, then its USB cable."},
+    RungEntry{Rung::allowed, "allowed", "Allowed",
+              "Run 'ghostforce doctor --install-udev' once, then plug it in again."},
+    RungEntry{Rung::free, "free", "Free", "Close the other program that has the device."},
+    RungEntry{Rung::firmware, "firmware", "Firmware", "Give it a firmware file: --firmware FILE, see docs/falcon.md."},
+    RungEntry{Rung::homed, "homed", "Homed",
+              "Pull the handle all the way out, then push it straight in until it stops."},
+    RungEntry{Rung::encoders_move, "encoders_move", "Encoders move",
+              "Move the handle up and down, left and right, out and in."},
+    RungEntry{Rung::fast_enough, "fast_enough", "Fast enough",
+              "Use a USB port of the machine itself, without a hub, and close what keeps the machine busy."},
+    RungEntry{Rung::outside_wall, "outside_wall", "Outside the wall", "Move the handle out of the wall."},
+    RungEntry{Rung::armed, "armed", "Armed", "Hold the handle and press the safety button."},
+};
+
+constexpr std::array<std::string_view, 3> motor_names{"motor 1", "motor 2", "motor 3"};
+
+// The motors of which `is_so` is `wanted`: "motor 1, motor 3".
+std::string motors_where(const std::array<bool, 3>& is_so, bool wanted) {
+  std::string names;
+  for (std::size_t i = 0; i < is_so.size(); ++i) {
+    if (is_so[i] != wanted) continue;
+    names += names.empty() ? "" : ", ";
+    names += motor_names[i];
+  }
+  return names.empty() ? "none" : names;
+}
+
+// The rung on which a fault keeps the device. The link tells what is wrong before it tells anything else, so all below
+// has been reached.
+Rung rung_of(FalconFault fault) noexcept {
+  switch (fault) {
+    case FalconFault::none:
+    case FalconFault::unplugged:
+      return Rung::seen;
+    case FalconFault::not_allowed:
+      return Rung::allowed;
+    case FalconFault::busy:
+    case FalconFault::unsupported:
+      return Rung::free;
+    case FalconFault::broken:
+    case FalconFault::no_firmware:
+    case FalconFault::no_handshake:
+    case FalconFault::no_baud_answer:
+    case FalconFault::echo_missing:
+    case FalconFault::echo_differs:
+    case FalconFault::firmware_silent:
+    case FalconFault::no_replies:
+      return Rung::firmware;
+    case FalconFault::kinematics:
+      return Rung::homed;
+  }
+  return Rung::seen;
+}
+
+// How far the device has come by itself, up to being homed: the first rung that is not reached.
+Rung way_of(const FalconReport& report) noexcept {
+  switch (report.state) {
+    case FalconState::absent:
+      return Rung::seen;
+    case FalconState::fault:
+      return rung_of(report.fault);
+    case FalconState::opening:
+    case FalconState::loading_firmware:
+      return Rung::firmware;
+    case FalconState::homing:
+      return Rung::homed;
+    case FalconState::idle:
+    case FalconState::active:
+      return Rung::encoders_move;
+  }
+  return Rung::seen;
+}
+
+bool are_on(const MotorReport& motors) noexcept {
+  return motors.state == SafetyState::ramp || motors.state == SafetyState::on;
+}
+
+class Climb {
+ public:
+  Climb(const FalconReport& report, const MotorReport* motors)
+      : report_(report), motors_(motors), way_(way_of(report)) {}
+
+  std::vector<RungState> states() const {
+    std::vector<RungState> states;
+    bool is_below_current = true;
+    for (const RungEntry& entry : rungs) {
+      if (motors_ == nullptr && entry.id > Rung::fast_enough) break;
+      RungState state{.rung = entry.id, .name = entry.name, .title = entry.title, .words = {}};
+      state.is_reached = is_reached(entry.id);
+      state.is_current = is_below_current && !state.is_reached;
+      is_below_current = is_below_current && state.is_reached;
+      if (state.is_current && report_.state == FalconState::fault && report_.fault != FalconFault::none) {
+        const FalconFaultEntry& fault = entry_of(report_.fault);
+        state.words = fmt::format("{}: {}", fault.title, fault.remedy);
+      } else if (state.is_reached || state.is_current) {
+        state.words = words(entry, state.is_reached);
+      }
+      states.push_back(std::move(state));
+    }
+    return states;
+  }
+
+ private:
+  bool is_reached(Rung rung) const noexcept {
+    switch (rung) {
+      case Rung::seen:
+      case Rung::allowed:
+      case Rung::free:
+      case Rung::firmware:
+      case Rung::homed:
+        return rung < way_;
+      case Rung::encoders_move:
+        return report_.is_readable() && report_.encoders_move();
+      case Rung::fast_enough:
+        return is_fast_and_even(report_);
+      case Rung::outside_wall:
+        // Who has armed was outside then, and may go in.
+        return motors_ != nullptr && motors_->is_handle_known && (motors_->is_outside_wall || are_on(*motors_));
+      case Rung::armed:
+        return motors_ != nullptr && are_on(*motors_);
+    }
+    return false;
+  }
+
+  std::string words(const RungEntry& entry, bool reached) const {
+    switch (entry.id) {
+      case Rung::seen:
+        if (!reached) break;
+        return report_.serial.text().empty() ? "" : fmt::format("serial number {}", report_.serial.text());
+      case Rung::allowed:
+        if (!reached) break;
+        return "this user may open it";
+      case Rung::free:
+        if (!reached) break;
+        return "no other program has it";
+      case Rung::firmware:
+        return reached ? "it answers" : firmware_words();
+      case Rung::homed:
+        return reached ? "all three motors have found their zero" : homing_words(entry);
+      case Rung::encoders_move:
+        return reached ? "all three" : moving_words(entry);
+      case Rung::fast_enough:
+        return speed_words(entry, reached);
+      case Rung::outside_wall:
+        if (!reached) break;
+        return "";
+      case Rung::armed:
+        return armed_words(entry);
+    }
+    return std::string(entry.remedy);
+  }
+
+  std::string firmware_words() const {
+    const std::string before =
+        report_.fault == FalconFault::none ? "" : fmt::format("; before: {}", entry_of(report_.fault).title);
+    if (report_.state == FalconState::opening) return "it is asked whether it has firmware" + before;
+    return fmt::format("loading, attempt {} of {}, {} of {} bytes{}", report_.attempt, report_.attempts,
+                       report_.bytes_echoed, report_.firmware_size, before);
+  }
+
+  std::string homing_words(const RungEntry& entry) const {
+    return fmt::format("{} Homed: {}. Counts {}, {}, {}.", entry.remedy, motors_where(report_.has_homed, true),
+                       report_.encoders[0], report_.encoders[1], report_.encoders[2]);
+  }
+
+  std::string moving_words(const RungEntry& entry) const {
+    return fmt::format("{} Not moved yet: {}.", entry.remedy, motors_where(report_.has_moved, false));
+  }
+
+  std::string speed_words(const RungEntry& entry, bool reached) const {
+    if (report_.exchange_hz == 0.0) return "being measured";
+    const std::string measured =
+        fmt::format("{:.0f} exchanges/s, {:.2f} ms each, worst {:.1f} ms", attainable_exchange_hz(report_),
+                    1e3 * report_.exchange_s, 1e3 * report_.worst_exchange_s);
+    return reached ? measured : fmt::format("{}. {}", measured, entry.remedy);
+  }
+
+  std::string armed_words(const RungEntry& entry) const {
+    switch (motors_->state) {
+      case SafetyState::off:
+      case SafetyState::fade: {
+        if (motors_->reason == OffReason::none) break;
+        const OffReasonEntry& reason = entry_of(motors_->reason);
+        return fmt::format("{}: {}", reason.title, reason.remedy);
+      }
+      case SafetyState::arming:
+        return std::string(entry_of(motors_->obstacle).sentence);
+      case SafetyState::ramp:
+      case SafetyState::on:
+        return fmt::format("motors on, {:.1f} N at most", motors_->limit);
+    }
+    return std::string(entry.remedy);
+  }
+
+  const FalconReport& report_;
+  const MotorReport* motors_;
+  Rung way_;
+};
+
+}  // namespace
+
+std::span<const RungEntry> rung_catalog() noexcept {
+  return rungs;
+}
+
+const RungEntry& entry_of(Rung rung) noexcept {
+  return rungs[static_cast<std::size_t>(rung)];
+}
+
+double attainable_exchange_hz(const FalconReport& report) noexcept {
+  if (report.state != FalconState::homing) return report.exchange_hz;
+  return report.exchange_s > 0.0 && report.exchange_hz > 0.0 ? 1.0 / report.exchange_s : 0.0;
+}
+
+bool is_fast_and_even(const FalconReport& report) noexcept {
+  if (report.state != FalconState::homing && !report.is_readable()) return false;
+  return attainable_exchange_hz(report) >= FalconReport::fast_enough_hz &&
+         report.worst_exchange_s < Safety::longest_exchange_s;
+}
+
+std::vector<RungState> ladder_of(const FalconReport& report, const MotorReport* motors) {
+  return Climb(report, motors).states();
+}
+
+}  // namespace ghostforce
