@@ -16,28 +16,29 @@
 #include "app/printable.h"
 #include "app/toml_text.h"
 #include "app/window.h"
+#include "device/config_folder.h"
 
 namespace ghostforce {
 namespace {
 
 namespace fs = std::filesystem;
 
-// $NAME/ghostforce, or ~/FALLBACK/ghostforce; the XDG specification wants relative paths ignored. Empty: nowhere.
-fs::path folder(const char* name, const char* fallback) {
-  const char* const given = std::getenv(name);
+// $XDG_STATE_HOME/ghostforce, or ~/.local/state/ghostforce; as config_folder() otherwise.
+fs::path state_folder() {
+  const char* const given = std::getenv("XDG_STATE_HOME");
   if (given != nullptr && fs::path(given).is_absolute()) return fs::path(given) / "ghostforce";
   const char* const home = std::getenv("HOME");
-  if (home != nullptr && fs::path(home).is_absolute()) return fs::path(home) / fallback / "ghostforce";
+  if (home != nullptr && fs::path(home).is_absolute()) return fs::path(home) / ".local/state/ghostforce";
   return {};
 }
 
 fs::path preferences_file() {
-  const fs::path where = folder("XDG_CONFIG_HOME", ".config");
+  const fs::path where = config_folder();
   return where.empty() ? where : where / "preferences.toml";
 }
 
 fs::path layout_file() {
-  const fs::path where = folder("XDG_STATE_HOME", ".local/state");
+  const fs::path where = state_folder();
   return where.empty() ? where : where / "layout.toml";
 }
 

@@ -1,0 +1,100 @@
+#include "app/falcon_setup.h"
+
+#include <charconv>
+#include <cstdint>
+#include <filesystem>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "app/commands/command.h"
+#include "app/failure.h"
+#include "app/falcon_calibration_file.h"
+#include "app/printable.h"
+#include "device/virtual_falcon/misbehaviour.h"
+
+namespace ghostforce {
+namespace {
+
+std::optional<std::uint16_t> four_hex_digits(std::string_view text) {
+  std::uint16_t number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [after, error] = std::from_chars(text.data(), end, number, 16);
+  if (text.size() != 4 || error != std::errc{} || after != end) return std::nullopt;
+  return number;
+}
+
+std::optional<UsbId> parse_usb_id(std::string_view text) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string_view::npos) return std::nullopt;
+  const auto vendor = four_hex_digits(text.substr(0, colon));
+  const auto product = four_hex_digits(text.substr(colon + 1));
+  if (!vendor || !product) return std::nullopt;
+  return UsbId{*vendor, *product};
+}
+
+CLI::Validator is_usb_id() {
+  return CLI::Validator(
+      [](std::string& text) -> std::string {
+        if (parse_usb_id(text)) return {};
+        return fmt::format(
+            "'{}' is no USB id; give vendor and product as lsusb shows them, four hex digits each: "
+            "{:04x}:{:04x}",
+            printable(text), falcon_usb_id.vendor, falcon_usb_id.product);
+      },
+      "");
+}
+
+}  // namespace
+
+void FalconSetUp::attach(CLI::App& subcommand) {
+  subcommand
+      .add_option("--firmware", firmware,
+                  "The Falcon's firmware; default: $GHOSTFORCE_FIRMWARE, else falcon/firmware.bin among the settings")
+      ->type_name("FILE");
+  subcommand.add_option("--falcon-usb-id", usb_id, "Another device than 0403:cb48 is a Falcon")
+      ->type_name("VVVV:PPPP")
+      ->check(is_usb_id());
+  std::vector<std::string_view> names;
+  for (const MisbehaviourKind& kind : misbehaviour_catalog()) names.push_back(kind.name);
+  subcommand
+      .add_option("--misbehave", misbehave,
+                  fmt::format("With --input virtual-falcon: what goes wrong with it. {}", listed(names)))
+      ->type_name("NAME[,NAME]")
+      ->delimiter(',')
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->check(one_of(names));
+}
+
+std::optional<FirmwareImage> FalconSetUp::read_firmware_file() const {
+  const auto path = firmware_path(firmware.empty() ? std::nullopt : std::optional<std::filesystem::path>(firmware));
+  if (!path) return std::nullopt;
+  try {
+    return read_firmware(*path);
+  } catch (const FirmwareError& error) {
+    const ExitCode code =
+        error.trouble() == FirmwareTrouble::unreadable ? ExitCode::file_trouble : ExitCode::wrong_call;
+    throw Failure(code, fmt::format("the Falcon's firmware {}", printable(error.what(), longest_path)));
+  }
+}
+
+InputOptions FalconSetUp::input_options(const std::optional<FirmwareImage>& image) const {
+  InputOptions options;
+  if (image) options.falcon.firmware = image->bytes;
+  options.falcon.calibrations = recall_falcon_calibrations();
+  // Both have been looked at when the command line was.
+  if (!usb_id.empty()) options.falcon_id = parse_usb_id(usb_id).value();
+  for (const std::string& name : misbehave) find_misbehaviour(name)->add(options.misbehaviour);
+  return options;
+}
+
+std::string firmware_words(const std::optional<FirmwareImage>& image) {
+  if (!image) return "firmware: no file; see docs/falcon.md for where to get one and where to put it";
+  const std::string_view name = known_firmware(image->sha256);
+  return fmt::format("firmware: {}, SHA-256 {}, {}", printable(image->path.string(), longest_path), image->sha256,
+                     name.empty() ? "none of the published ones" : fmt::format("known as {}", name));
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,33 @@
+// FalconSetUp: the options of the command line that are about a Falcon, and what they make of the files that it needs.
+// Shared by the commands that drive one. UI thread.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "device/falcon/firmware_file.h"
+#include "device/input_catalog.h"
+
+namespace ghostforce {
+
+struct FalconSetUp {
+  std::string firmware;                // path; empty: where it usually is, see firmware_path()
+  std::string usb_id;                  // VVVV:PPPP; empty: that of every Falcon
+  std::vector<std::string> misbehave;  // names of misbehaviour_catalog()
+
+  void attach(CLI::App& subcommand);
+
+  // Empty: no file is named and none is in the usual place. Throws Failure where there is one and it cannot be taken.
+  std::optional<FirmwareImage> read_firmware_file() const;
+
+  // With the calibrations that are kept. Throws Failure where one of them is wrong.
+  InputOptions input_options(const std::optional<FirmwareImage>& image) const;
+};
+
+// One line for a person: which file, its SHA-256, and what that is commonly called.
+std::string firmware_words(const std::optional<FirmwareImage>& image);
+
+}  // namespace ghostforce
