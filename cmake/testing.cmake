@@ -1,4 +1,4 @@
-# ghostforce_add_test(name SOURCES file... [LIBRARIES target...] [LABELS label] [SERIAL])
+# ghostforce_add_test(name SOURCES file... [LIBRARIES target...] [LABELS label] [LAUNCHER command...] [SERIAL])
 #
 # One GoogleTest program; each of its tests becomes one of ctest, named program.Suite.test. The label `tsan` marks a
 # program in which threads meet: CI runs it under the thread sanitizer too. SERIAL: nothing else runs beside its tests.
@@ -8,12 +8,14 @@ include(GoogleTest)
 add_custom_target(tsan_tests COMMENT "The tests labelled tsan, without building the others")
 
 function(ghostforce_add_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "SERIAL" "LABELS" "SOURCES;LIBRARIES")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "SERIAL" "LABELS" "SOURCES;LIBRARIES;LAUNCHER")
   if(NOT arg_SOURCES OR arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "ghostforce_add_test(${name}): want SOURCES; got \"${ARGV}\"")
   endif()
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} GTest::gtest_main project_options project_warnings)
+  # CMake's name for it, from the days when only another machine's programs had one.
+  set_property(TARGET ${name} PROPERTY CROSSCOMPILING_EMULATOR ${arg_LAUNCHER})
   # PRE_TEST lists the tests when ctest starts, not after each link: a build stays a build.
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 TEST_PREFIX ${name}.
     PROPERTIES TIMEOUT 300 RUN_SERIAL "${arg_SERIAL}" LABELS "${arg_LABELS}")

@@ -1,0 +1,85 @@
+#include "tests/emulation/test_bed.h"
+
+#include <filesystem>
+#include <stdexcept>
+
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
+#include <umockdev.h>
+#include <unistd.h>
+
+namespace ghostforce {
+
+TestBed::TestBed() : testbed_(umockdev_testbed_new()) {
+  // Only now: umockdev remembers the first answer.
+  if (!umockdev_in_mock_environment()) throw std::runtime_error("start this through umockdev-wrapper");
+  gchar* root = umockdev_testbed_get_root_dir(testbed_);
+  root_ = root;
+  g_free(root);
+  add(std::string("P: ") + hub +
+      "\nE: DEVNAME=/dev/bus/usb/001/001\nE: DEVTYPE=usb_device\nE: SUBSYSTEM=usb\nA: busnum=1\\n\nA: devnum=1\\n\n"
+      "A: speed=480\\n\nA: bConfigurationValue=1\\n\nA: bDeviceClass=09\\n\nA: idVendor=1d6b\\n\nA: idProduct=0002\\n\n"
+      "H: descriptors=12010002090001406b1d020000060302010109021900010100e0000904000001090000000705810304000c\n");
+}
+
+TestBed::~TestBed() {
+  g_object_unref(testbed_);
+}
+
+DeviceFile TestBed::make_file(const std::string& path, KernelDoor::Open open) {
+  DeviceFile file;
+  file.path = path;
+  file.terminal = std::make_unique<Terminal>();
+  const std::filesystem::path name = root_ + path;
+  const std::filesystem::path socket = root_ + "/ioctl" + path;
+  std::filesystem::create_directories(name.parent_path());
+  std::filesystem::create_directories(socket.parent_path());
+  file.door = std::make_unique<KernelDoor>(socket, std::move(open));
+  // stat() on the file is answered from here.
+  std::filesystem::create_directories(root_ + "/dev/.node");
+  std::string flat = path.substr(5);
+  for (char& letter : flat) letter = letter == '/' ? '_' : letter;
+  const dev_t number = file.terminal->number();
+  const std::string link = root_ + "/dev/.node/" + flat;
+  unlink(link.c_str());
+  std::filesystem::create_symlink(std::to_string(major(number)) + ":" + std::to_string(minor(number)), link);
+  std::filesystem::create_symlink(file.terminal->path(), name);
+  return file;
+}
+
+void TestBed::remove_name(const std::string& path) {
+  unlink((root_ + path).c_str());
+  unlink((root_ + "/ioctl" + path).c_str());
+}
+
+void TestBed::set_mode(const std::string& path, mode_t mode) {
+  if (chmod((root_ + path).c_str(), mode) != 0) throw std::runtime_error("cannot change the mode of " + path);
+}
+
+void TestBed::add(const std::string& description) {
+  GError* error = nullptr;
+  umockdev_testbed_add_from_string(testbed_, description.c_str(), &error);
+  if (error == nullptr) return;
+  const std::string message = error->message;
+  g_error_free(error);
+  throw std::runtime_error(message + " in:\n" + description);
+}
+
+void TestBed::remove(const std::string& syspath) {
+  const std::string path = "/sys" + syspath;
+  umockdev_testbed_uevent(testbed_, path.c_str(), "remove");
+  umockdev_testbed_remove_device(testbed_, path.c_str());
+}
+
+std::string hex_of(const std::string& bytes) {
+  static constexpr char digits[] = "0123456789abcdef";
+  std::string text;
+  for (const char letter : bytes) {
+    const auto byte = static_cast<unsigned char>(letter);
+    text += digits[byte >> 4U];
+    text += digits[byte & 15U];
+  }
+  return text;
+}
+
+}  // namespace ghostforce
