@@ -158,14 +158,16 @@ LinkFault FtdiLink::take(libusb_device_handle* handle) {
   // Another driver may have it if a person told the kernel so, or with the ids of another chip. Where the system knows
   // no such thing there is nothing to detach.
   libusb_set_auto_detach_kernel_driver(handle, 1);
-  int error = LIBUSB_ERROR_NOT_FOUND;
-  for (int attempt = 0; attempt < claim_attempts && error == LIBUSB_ERROR_NOT_FOUND; ++attempt) {
+  int error = LIBUSB_SUCCESS;
+  for (int attempt = 0; attempt < claim_attempts; ++attempt) {
     if (attempt > 0) {
       const timespec pause = timespec_of(claim_pause_ns);
       nanosleep(&pause, nullptr);
     }
     ++counters_.library_calls;
     error = libusb_claim_interface(handle, interface_number);
+    // Two words for an interface that is not there yet: the second where a driver was to be detached first.
+    if (error != LIBUSB_ERROR_NOT_FOUND && error != LIBUSB_ERROR_INVALID_PARAM) break;
   }
   if (error != LIBUSB_SUCCESS) return fault_of(error);
   handle_ = handle;

@@ -46,6 +46,7 @@ class EmulatedUsbDevice::File final : public OpenFile {
 
   explicit File(EmulatedUsbDevice& device) : device_(device) {
     const std::lock_guard lock(device_.mutex_);
+    is_unplugged = !device_.is_plugged_;
     device_.files_.push_back(this);
   }
 
@@ -61,10 +62,11 @@ class EmulatedUsbDevice::File final : public OpenFile {
   }
 
   CallResult ioctl(const CallerMemory& memory, unsigned long request, std::uintptr_t argument) override {
-    if (request == USBDEVFS_CLAIMINTERFACE || request == USBDEVFS_DISCONNECT_CLAIM) return device_.claim(*this);
+    if (request == USBDEVFS_CLAIMINTERFACE) return device_.claim(*this, ENOENT);
+    if (request == USBDEVFS_DISCONNECT_CLAIM) return device_.claim(*this, EINVAL);
     const std::lock_guard lock(device_.mutex_);
     if (request == USBDEVFS_REAPURBNDELAY) return device_.reap(*this, memory, argument);
-    if (!device_.is_plugged_) return CallResult::failure(ENODEV);
+    if (is_unplugged) return CallResult::failure(ENODEV);
     switch (request) {
       case USBDEVFS_SUBMITURB:
         return device_.submit(*this, memory, argument);
@@ -103,6 +105,7 @@ class EmulatedUsbDevice::File final : public OpenFile {
   }
 
   std::deque<Completion> completions;
+  bool is_unplugged = false;  // for good, even if the device comes back: that is another file
 
  private:
   EmulatedUsbDevice& device_;
@@ -117,7 +120,9 @@ EmulatedUsbDevice::EmulatedUsbDevice(TestBed& bed, EmulatedChip& chip, std::stri
 
 EmulatedUsbDevice::~EmulatedUsbDevice() {
   unplug();
-  file_.door.reset();  // ends the files that are still open
+  // Ends the files that are still open.
+  past_files_.clear();
+  file_.door.reset();
   {
     const std::lock_guard lock(mutex_);
     is_ending_ = true;
@@ -128,13 +133,13 @@ EmulatedUsbDevice::~EmulatedUsbDevice() {
 
 void EmulatedUsbDevice::plug() {
   unplug();
-  file_.door.reset();  // of the last time
   const int address = bed_.next_address();
   char node[64];
   std::snprintf(node, sizeof node, "/dev/bus/usb/001/%03d", address);
   DeviceFile file = bed_.make_file(node, [this] { return std::make_unique<File>(*this); });
   {
     const std::lock_guard lock(mutex_);
+    if (file_.door) past_files_.push_back(std::move(file_));
     file_ = std::move(file);
     is_plugged_ = true;
   }
@@ -156,6 +161,8 @@ void EmulatedUsbDevice::unplug() {
       for (const Urb& urb : *queue) complete(urb, -ESHUTDOWN, queue == &in_);
       queue->clear();
     }
+    for (File* const file : files_) file->is_unplugged = true;
+    owner_ = nullptr;
     changed_.notify_all();
   }
   bed_.remove_name(file_.path);
@@ -206,15 +213,15 @@ std::string EmulatedUsbDevice::configuration() const {
 
 // --- The program's side; the lock is held, except in claim() ---------------------------------------------------------
 
-CallResult EmulatedUsbDevice::claim(File& file) {
+CallResult EmulatedUsbDevice::claim(File& file, int not_ready) {
   std::unique_lock lock(mutex_);
-  if (!is_plugged_) return CallResult::failure(ENODEV);
+  if (file.is_unplugged) return CallResult::failure(ENODEV);
   if (claims_to_delay_ > 0) {
     --claims_to_delay_;
-    return CallResult::failure(ENOENT);
+    return CallResult::failure(not_ready);
   }
-  changed_.wait_for(lock, release_patience, [&] { return owner_ == nullptr || owner_ == &file || !is_plugged_; });
-  if (!is_plugged_) return CallResult::failure(ENODEV);
+  changed_.wait_for(lock, release_patience, [&] { return owner_ == nullptr || owner_ == &file || file.is_unplugged; });
+  if (file.is_unplugged) return CallResult::failure(ENODEV);
   if (owner_ != nullptr && owner_ != &file) return CallResult::failure(EBUSY);
   owner_ = &file;
   return {};
@@ -291,7 +298,7 @@ CallResult EmulatedUsbDevice::send_now(const CallerMemory& memory, std::uintptr_
 }
 
 CallResult EmulatedUsbDevice::reap(File& file, const CallerMemory& memory, std::uintptr_t into) {
-  if (file.completions.empty()) return CallResult::failure(is_plugged_ ? EAGAIN : ENODEV);
+  if (file.completions.empty()) return CallResult::failure(file.is_unplugged ? ENODEV : EAGAIN);
   const File::Completion completion = std::move(file.completions.front());
   file.completions.pop_front();
   show_completions();
@@ -333,8 +340,9 @@ void EmulatedUsbDevice::complete(const Urb& urb, int status, bool inwards) {
 
 void EmulatedUsbDevice::show_completions() {
   if (!file_.terminal) return;
-  file_.terminal->set_writable(
-      std::any_of(files_.begin(), files_.end(), [](const File* file) { return !file->completions.empty(); }));
+  file_.terminal->set_writable(std::any_of(files_.begin(), files_.end(), [](const File* file) {
+    return !file->is_unplugged && !file->completions.empty();
+  }));
 }
 
 // What a host controller does once per frame.

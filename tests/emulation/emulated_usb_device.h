@@ -37,7 +37,7 @@ class EmulatedUsbDevice {
 
   // The next so many transfers from the device fail, with an errno as a URB's status has it (EPIPE is a stall).
   void fail_in(int count, int error);
-  // Claiming the interface fails with ENOENT so often: the kernel has not set the device up yet.
+  // Claiming the interface fails so often: the kernel has not set the device up yet.
   void delay_claims(int count);
 
   std::uint64_t halts_cleared() const;
@@ -61,7 +61,7 @@ class EmulatedUsbDevice {
   CallResult submit(File& file, const CallerMemory& memory, std::uintptr_t address);
   CallResult reap(File& file, const CallerMemory& memory, std::uintptr_t into);
   CallResult discard(std::uintptr_t address);
-  CallResult claim(File& file);
+  CallResult claim(File& file, int not_ready);
   CallResult send_now(const CallerMemory& memory, std::uintptr_t argument);
   int answer_control(Urb& urb, const std::uint8_t (&setup)[8]);
   void complete(const Urb& urb, int status, bool inwards);
@@ -76,6 +76,7 @@ class EmulatedUsbDevice {
   const UsbId id_;
   std::string syspath_;
   DeviceFile file_;
+  std::vector<DeviceFile> past_files_;  // of earlier times; somebody may still have them open
 
   mutable std::mutex mutex_;  // of all that follows
   std::condition_variable changed_;

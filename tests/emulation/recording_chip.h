@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <deque>
 #include <mutex>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "tests/emulation/emulated_chip.h"
@@ -24,6 +26,12 @@ class RecordingChip final : public EmulatedChip {
   void set_echo(bool on) {
     const std::lock_guard lock(mutex_);
     echo_ = on;
+  }
+
+  // As if the wire behind the chip stood still: the host has to wait with what it sends.
+  void set_stuck(bool on) {
+    const std::lock_guard lock(mutex_);
+    is_stuck_ = on;
   }
 
   // A whole packet, status bytes included. Goes out as soon as the host asks after anything at all happens.
@@ -53,7 +61,10 @@ class RecordingChip final : public EmulatedChip {
     requests_.push_back(request);
   }
 
-  std::size_t room() const override { return 4096; }
+  std::size_t room() const override {
+    const std::lock_guard lock(mutex_);
+    return is_stuck_ ? 0 : 4096;
+  }
 
   void receive(std::span<const std::uint8_t> bytes, std::int64_t /*now_ns*/) override {
     const std::lock_guard lock(mutex_);
@@ -92,6 +103,7 @@ class RecordingChip final : public EmulatedChip {
   const std::int64_t latency_ns_;
   std::int64_t next_status_ns_ = 0;
   bool echo_ = true;
+  bool is_stuck_ = false;
   std::deque<std::vector<std::uint8_t>> packets_;
   std::vector<VendorRequest> requests_;
   std::vector<std::uint8_t> received_;

@@ -16,6 +16,7 @@ TestBed::TestBed() : testbed_(umockdev_testbed_new()) {
   gchar* root = umockdev_testbed_get_root_dir(testbed_);
   root_ = root;
   g_free(root);
+  std::filesystem::create_directories(root_ + "/dev/bus/usb");
   add(std::string("P: ") + hub +
       "\nE: DEVNAME=/dev/bus/usb/001/001\nE: DEVTYPE=usb_device\nE: SUBSYSTEM=usb\nA: busnum=1\\n\nA: devnum=1\\n\n"
       "A: speed=480\\n\nA: bConfigurationValue=1\\n\nA: bDeviceClass=09\\n\nA: idVendor=1d6b\\n\nA: idProduct=0002\\n\n"
