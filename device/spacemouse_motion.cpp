@@ -1,0 +1,57 @@
+#include "device/spacemouse_motion.h"
+
+#include <cmath>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace ghostforce {
+
+bool is_valid(const SpaceMouseSettings& settings) noexcept {
+  const auto is_amount = [](double value) { return std::isfinite(value) && value >= 0.0; };
+  return is_amount(settings.dead_zone) && settings.dead_zone < 1.0 && is_amount(settings.reach_m) &&
+         is_amount(settings.speed_m_s);
+}
+
+Vector<2> deflection(const std::array<double, 6>& axes, const SpaceMouseSettings& settings) noexcept {
+  // The device counts z down and y towards the user.
+  const Vector<2> raw{axes[0], settings.up == SpaceMouseSettings::Up::lift ? -axes[2] : -axes[1]};
+  const double length = glm::length(raw);
+  if (!(length > settings.dead_zone)) return Vector<2>{0.0};
+  const double wanted = std::fmin((length - settings.dead_zone) / (1.0 - settings.dead_zone), 1.0);
+  return raw * (wanted / length);
+}
+
+void SpaceMouseMotion::restart(const Vector<2>& goal) noexcept {
+  goal_ = goal;
+  rest_ = goal;
+  first_ = second_ = Vector<2>{0.0};
+}
+
+Vector<2> SpaceMouseMotion::step(std::uint32_t connection, const std::array<double, 6>& axes,
+                                 const SpaceMouseSettings& settings, double rate_hz) noexcept {
+  if (connection != connection_) {  // what was known of the cap was another time's
+    connection_ = connection;
+    first_ = second_ = Vector<2>{0.0};
+    rest_ = goal_;
+  }
+  if (settings.mode != mode_) {
+    mode_ = settings.mode;
+    rest_ = goal_ - settings.reach_m * second_;
+  }
+  if (connection == 0) return goal_;
+
+  const double step_s = 1.0 / rate_hz;
+  const double share = 1.0 - std::exp(-step_s / lag_s);
+  first_ += share * (deflection(axes, settings) - first_);
+  second_ += share * (first_ - second_);
+  Vector<2> move = settings.mode == SpaceMouseSettings::Mode::rate ? settings.speed_m_s * step_s * second_
+                                                                   : rest_ + settings.reach_m * second_ - goal_;
+  const double length = glm::length(move);
+  const double longest = fastest_m_s * step_s;
+  if (length > longest) move *= longest / length;
+  goal_ = glm::clamp(goal_ + move, -farthest_m, farthest_m);
+  return goal_;
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,57 @@
+// How the cap of a SpaceMouse moves the goal. Its sideways axis is x; y is lifting it, or pushing it away. Either the
+// goal is as far from its place of rest as the cap is deflected, or it goes as fast. Whatever happens, reports that
+// come late, another mode, a device that goes and comes back, the goal never goes faster than fastest_m_s and stays
+// where it is while there is no device. Stepped once per tick; allocates and throws nothing; one thread. SI units.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "core/conventions.h"
+
+namespace ghostforce {
+
+// Trivially copyable: it crosses threads whole.
+struct SpaceMouseSettings {
+  enum class Mode : std::uint8_t { position, rate };
+  enum class Up : std::uint8_t { lift, push_away };  // what moves the goal along +y
+
+  Mode mode = Mode::position;
+  Up up = Up::lift;
+  double dead_zone = 0.05;   // share of full deflection
+  double reach_m = 0.060;    // at full deflection, in position mode
+  double speed_m_s = 0.150;  // at full deflection, in rate mode
+
+  friend bool operator==(const SpaceMouseSettings&, const SpaceMouseSettings&) = default;
+};
+
+// Whether all numbers are finite, the dead zone less than 1, and none negative.
+bool is_valid(const SpaceMouseSettings& settings) noexcept;
+
+// Deflection of the cap, at most 1 long, from its axes, -1 to 1 each. The dead zone is round, and beyond its edge the
+// deflection starts from 0: no step there, and no direction is lost.
+Vector<2> deflection(const std::array<double, 6>& axes, const SpaceMouseSettings& settings) noexcept;
+
+class SpaceMouseMotion {
+ public:
+  static constexpr double farthest_m = 1.0;   // goals lie within ± this on each axis
+  static constexpr double fastest_m_s = 0.6;  // of the goal
+  // The cap's deflection passes two of these lags, which make one motion of what comes in some hundred steps a second.
+  static constexpr double lag_s = 0.010;
+
+  void restart(const Vector<2>& goal) noexcept;
+
+  // The next tick. `connection` is another number each time a device has been opened, 0: there is none.
+  Vector<2> step(std::uint32_t connection, const std::array<double, 6>& axes, const SpaceMouseSettings& settings,
+                 double rate_hz) noexcept;
+
+ private:
+  Vector<2> goal_{0.0};
+  Vector<2> rest_{0.0};    // where the goal is in position mode when nobody touches the cap
+  Vector<2> first_{0.0};   // deflection after the first lag
+  Vector<2> second_{0.0};  // and after the other
+  std::uint32_t connection_ = 0;
+  SpaceMouseSettings::Mode mode_ = SpaceMouseSettings::Mode::position;
+};
+
+}  // namespace ghostforce

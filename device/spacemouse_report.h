@@ -1,0 +1,23 @@
+// What a SpaceMouse says, report by report. Older ones send translation and rotation in reports of their own, newer
+// ones all six axes in one; which of them comes is seen from its length. Pure values, any thread; never allocates or
+// throws.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace ghostforce {
+
+struct SpaceMouseState {
+  // As the device counts them: x to the right, y towards the user, z down, then turns about these. Some ±350.
+  std::array<int, 6> axes{};
+  std::uint32_t buttons = 0;  // bit 0: the first
+
+  friend bool operator==(const SpaceMouseState&, const SpaceMouseState&) = default;
+};
+
+// Takes over what this report says, its number first. False, and nothing changes: it is none that is known here.
+bool take_report(std::span<const std::uint8_t> report, SpaceMouseState& state) noexcept;
+
+}  // namespace ghostforce
