@@ -149,7 +149,8 @@ void EmulatedUsbDevice::plug() {
                 unsigned{id_.product});
   bed_.add("P: " + syspath_ + "\nE: DEVNAME=" + node + "\nE: DEVTYPE=usb_device\nE: SUBSYSTEM=usb\nA: busnum=1\\n\n" +
            "A: devnum=" + std::to_string(address) + "\\n\nA: speed=12\\n\nA: bConfigurationValue=1\\n\n" + ids +
-           "A: serial=" + serial_ + "\\n\nH: descriptors=" + hex_of(configuration()) + "\n");
+           "A: dev=" + file_.number() + "\\n\nA: serial=" + serial_ + "\\n\nH: descriptors=" + hex_of(configuration()) +
+           "\n");
 }
 
 void EmulatedUsbDevice::unplug() {

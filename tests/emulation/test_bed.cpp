@@ -36,16 +36,13 @@ DeviceFile TestBed::make_file(const std::string& path, KernelDoor::Open open) {
   std::filesystem::create_directories(name.parent_path());
   std::filesystem::create_directories(socket.parent_path());
   file.door = std::make_unique<KernelDoor>(socket, std::move(open));
-  // stat() on the file is answered from here.
-  std::filesystem::create_directories(root_ + "/dev/.node");
-  std::string flat = path.substr(5);
-  for (char& letter : flat) letter = letter == '/' ? '_' : letter;
-  const dev_t number = file.terminal->number();
-  const std::string link = root_ + "/dev/.node/" + flat;
-  unlink(link.c_str());
-  std::filesystem::create_symlink(std::to_string(major(number)) + ":" + std::to_string(minor(number)), link);
   std::filesystem::create_symlink(file.terminal->path(), name);
   return file;
+}
+
+std::string DeviceFile::number() const {
+  const dev_t number = terminal->number();
+  return std::to_string(major(number)) + ":" + std::to_string(minor(number));
 }
 
 void TestBed::remove_name(const std::string& path) {

@@ -21,6 +21,9 @@ struct DeviceFile {
   std::string path;  // as programs see it
   std::unique_ptr<Terminal> terminal;
   std::unique_ptr<KernelDoor> door;
+
+  // For the attribute `dev`: programs compare it with what fstat() tells, which is the terminal's.
+  std::string number() const;
 };
 
 class TestBed {
