@@ -1,5 +1,6 @@
 # cmake -D BUILD_DIR=directory -P install_test.cmake
 # The installed tree works by itself: its program starts, and finds its fonts, from a directory that has nothing in it.
+# What other programs look for there is there.
 
 set(scratch ${BUILD_DIR}/install_test)
 file(REMOVE_RECURSE ${scratch})
@@ -12,6 +13,9 @@ endfunction()
 run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${scratch}/prefix)
 # Renamed once installed: a path that was compiled in would no longer hold.
 file(RENAME ${scratch}/prefix ${scratch}/moved)
+if(NOT EXISTS ${scratch}/moved/lib/udev/rules.d/70-ghostforce.rules)
+  message(FATAL_ERROR "The rules that let people use their devices were not installed.")
+endif()
 run(${scratch}/moved/bin/ghostforce --version)
 run(${scratch}/moved/bin/ghostforce render wall45 --size 640x400 -o picture.png)
 run(${BUILD_DIR}/bin/ghostforce render wall45 --size 640x400 -o expected.png)
