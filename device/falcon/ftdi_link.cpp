@@ -436,12 +436,17 @@ void FtdiLink::handle_events(int timeout_ms) noexcept {
 // and the waiting is done here.
 void FtdiLink::wait_until(std::int64_t deadline_ns) noexcept {
   something_happened_ = false;
-  while (handle_ != nullptr && fault_ == LinkFault::none) {
+  if (handle_ == nullptr || fault_ != LinkFault::none) {  // nothing but the deadline will come
+    const timespec deadline = timespec_of(std::max<std::int64_t>(deadline_ns, 0));
+    while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &deadline, nullptr) == EINTR) {
+    }
+    return;
+  }
+  for (;;) {
     handle_events(0);
     recover();
-    if (something_happened_) return;
     const std::int64_t left_ns = deadline_ns - monotonic_ns();
-    if (left_ns <= 0) return;
+    if (something_happened_ || left_ns <= 0) return;
     const timespec wait = timespec_of(std::min(left_ns, longest_wait_ns));
     ppoll(poll_descriptors_.data(), poll_count_, &wait, nullptr);
   }

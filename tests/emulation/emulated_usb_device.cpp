@@ -382,8 +382,9 @@ void EmulatedUsbDevice::keep_time() {
       continue;
     }
     move_packets();
-    // A chip may have to be asked again without more being due: not in a circle.
-    const std::int64_t wait_ns = std::clamp<std::int64_t>(chip_.next_due_ns() - monotonic_ns(), 50'000, 20'000'000);
+    // A chip may have to be asked again without more being due: not in a circle. It may also get room at any time.
+    const std::int64_t longest_ns = out_.empty() ? 20'000'000 : 1'000'000;
+    const std::int64_t wait_ns = std::clamp<std::int64_t>(chip_.next_due_ns() - monotonic_ns(), 50'000, longest_ns);
     changed_.wait_for(lock, std::chrono::nanoseconds(wait_ns));
   }
 }

@@ -1,0 +1,104 @@
+// FalconChip: a whole Falcon at the far end of an emulated cable: its chip and processor, an arm, and a hand that homes
+// it when it is asked to. The virtual Falcon's parts, driven by the emulated device's clock. Any thread.
+#pragma once
+
+#include <time.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <mutex>
+
+#include "device/virtual_falcon/arm.h"
+#include "device/virtual_falcon/falcon_dsp.h"
+#include "device/virtual_falcon/hand.h"
+#include "tests/emulation/emulated_chip.h"
+
+namespace ghostforce {
+
+class FalconChip final : public EmulatedChip {
+ public:
+  FalconChip() : FalconChip(now_ns()) {}
+
+  void control(const VendorRequest& request, std::int64_t now_ns) override {
+    const std::lock_guard lock(mutex_);
+    live_until(now_ns);
+    dsp_.control(request, now_ns);
+  }
+
+  std::size_t room() const override {
+    const std::lock_guard lock(mutex_);
+    return dsp_.room();
+  }
+
+  void receive(std::span<const std::uint8_t> bytes, std::int64_t now_ns) override {
+    const std::lock_guard lock(mutex_);
+    live_until(now_ns);
+    dsp_.receive(bytes, now_ns);
+  }
+
+  std::size_t take_packet(std::span<std::uint8_t, packet_size> into, std::int64_t now_ns) override {
+    const std::lock_guard lock(mutex_);
+    live_until(now_ns);
+    return dsp_.take_packet(into, now_ns);
+  }
+
+  std::int64_t next_due_ns() const override {
+    const std::lock_guard lock(mutex_);
+    return dsp_.next_due_ns();
+  }
+
+  // Its supply was off for a moment: all that it knew is gone.
+  void lose_power() {
+    const std::lock_guard lock(mutex_);
+    dsp_ = FalconDsp({}, now_ns());
+    dsp_.set_encoders(arm_.encoders());
+  }
+
+  Vector<3> position() const {
+    const std::lock_guard lock(mutex_);
+    return arm_.position();
+  }
+
+  std::array<std::int16_t, 3> motors() const {
+    const std::lock_guard lock(mutex_);
+    return dsp_.motors();
+  }
+
+ private:
+  static constexpr std::int64_t step_ns = 100'000;
+  static constexpr std::int64_t longest_gap_ns = 100'000'000;  // while nobody looks, nothing happens
+
+  static std::int64_t now_ns() noexcept {
+    timespec now{};
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
+  }
+
+  static HandPlan plan() noexcept {
+    HandPlan plan;
+    plan.homes_when_asked = true;
+    return plan;
+  }
+
+  explicit FalconChip(std::int64_t now_ns) : lived_ns_(now_ns), dsp_({}, now_ns), arm_({}), hand_(plan(), now_ns) {
+    dsp_.set_encoders(arm_.encoders());
+  }
+
+  void live_until(std::int64_t now_ns) noexcept {
+    lived_ns_ = std::max(lived_ns_, now_ns - longest_gap_ns);
+    for (; lived_ns_ + step_ns <= now_ns; lived_ns_ += step_ns) {
+      dsp_.advance(lived_ns_ + step_ns);
+      hand_.advance(lived_ns_ + step_ns, dsp_.wants_homing());
+      arm_.step(static_cast<double>(step_ns) * 1e-9, dsp_.motors(), hand_.goal(), hand_.stiffness());
+      dsp_.set_encoders(arm_.encoders());
+    }
+  }
+
+  mutable std::mutex mutex_;
+  std::int64_t lived_ns_;
+  FalconDsp dsp_;
+  SimulatedArm arm_;
+  SimulatedHand hand_;
+};
+
+}  // namespace ghostforce
