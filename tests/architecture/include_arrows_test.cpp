@@ -226,6 +226,8 @@ TEST(IncludeArrowsSelfTest, RefusesWhatEachRoomMayNotSee) {
       {"device/a.cpp", "#include <toml++/toml.h>"},
       {"device/falcon/a.cpp", "#include <GLFW/glfw3.h>"},
       {"app/a.cpp", "#include <libusb-1.0/libusb.h>"},
+      {"app/a.cpp", "#include <libusb.h>"},
+      {"app/a.cpp", "#include <hidapi.h>"},
       {"app/a.cpp", "#include <hidapi/hidapi.h>"},
       {"app/a.cpp", "#include <Eigen/Dense>"},
       {"app/a.cpp", "#include <gtest/gtest.h>"},
@@ -249,6 +251,7 @@ TEST(IncludeArrowsSelfTest, LetsThroughWhatEachRoomNeeds) {
       {"core/a.h", "#include <atomic>\n#include <glm/vec2.hpp>\n#include \"core/b.h\"\n"},
       {"device/a.cpp",
        "#include <thread>\n#include <pthread.h>\n#include <sys/mman.h>\n#include <libusb-1.0/libusb.h>\n"
+       "#include <libusb.h>\n#include <linux/usbdevice_fs.h>\n#include <hidapi.h>\n"
        "#include <hidapi/hidapi.h>\n#include <openssl/sha.h>\n#include <readerwriterqueue/readerwriterqueue.h>\n"
        "#include \"core/b.h\"\n#include \"device/b.h\"\n"},
       {"app/a.cpp",

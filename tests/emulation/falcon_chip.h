@@ -47,13 +47,6 @@ class FalconChip final : public EmulatedChip {
     return dsp_.next_due_ns();
   }
 
-  // Its supply was off for a moment: all that it knew is gone.
-  void lose_power() {
-    const std::lock_guard lock(mutex_);
-    dsp_ = FalconDsp({}, now_ns());
-    dsp_.set_encoders(arm_.encoders());
-  }
-
   Vector<3> position() const {
     const std::lock_guard lock(mutex_);
     return arm_.position();

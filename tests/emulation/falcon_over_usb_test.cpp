@@ -58,7 +58,6 @@ TEST_F(FalconOverUsbTest, IsFoundLoadedHomedAndReadAndFoundAgain) {
   const std::uint64_t exchanges = input->report().exchanges;
   ASSERT_TRUE(tick_until([&] { return input->report().exchanges >= exchanges + 300; }));
   EXPECT_NEAR(glm::distance(input->report().position, chip.position()), 0.0, 1e-3);
-  RecordProperty("exchanges_per_second", std::to_string(input->report().exchange_hz));
 
   // Pushed up, it goes up against the hand; with the plug pulled, that is what is said.
   force = {0.0, 1.0};
@@ -67,7 +66,6 @@ TEST_F(FalconOverUsbTest, IsFoundLoadedHomedAndReadAndFoundAgain) {
   falcon.unplug();
   EXPECT_TRUE(tick_until([&] { return reading.trouble == OffReason::unplugged; }, 1.0));
   EXPECT_FALSE(reading.is_known);
-  chip.lose_power();
   falcon.plug();
   force = {0.0, 0.0};
   EXPECT_TRUE(tick_until([&] { return reading.is_known; })) << "state " << name_of(input->report().state);
