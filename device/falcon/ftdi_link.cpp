@@ -226,11 +226,11 @@ void FtdiLink::find_descriptor() {
   DIR* folder = opendir("/proc/self/fd");
   if (folder == nullptr) return;
   while (const dirent* entry = readdir(folder)) {
-    char* end = nullptr;
-    const long number = std::strtol(entry->d_name, &end, 10);
+    // By its name: other threads may be closing theirs.
+    const std::string name = std::string("/proc/self/fd/") + entry->d_name;
     struct stat file {};
-    if (*end != '\0' || fstat(static_cast<int>(number), &file) != 0) continue;
-    if (S_ISCHR(file.st_mode) && file.st_rdev == node.st_rdev) descriptor_ = static_cast<int>(number);
+    if (stat(name.c_str(), &file) != 0 || !S_ISCHR(file.st_mode) || file.st_rdev != node.st_rdev) continue;
+    descriptor_ = std::atoi(entry->d_name);
   }
   closedir(folder);
 }
