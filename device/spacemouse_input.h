@@ -2,7 +2,8 @@
 // (hidapi; all of which may wait and allocate); the servo thread only takes the newest reading. SI units.
 //
 // set(), reading() and the constructor belong to the UI thread, restart() and goal() to the servo thread; they neither
-// wait nor throw. The destructor waits for the reading thread, some 20 ms.
+// wait nor throw. The destructor waits for the reading thread: some 20 ms, or until
+// it has looked through what is plugged in.
 #pragma once
 
 #include <array>
