@@ -1,9 +1,9 @@
 // The hand on a SpaceMouse. A thread of the input's own looks for a device about twice a second, opens it and reads it
 // (hidapi; all of which may wait and allocate); the servo thread only takes the newest reading. SI units.
 //
-// set(), reading() and the constructor belong to the UI thread, restart() and goal() to the servo thread; they neither
-// wait nor throw. The destructor waits for the reading thread: some 20 ms, or until
-// it has looked through what is plugged in.
+// set(), reading() and the constructor belong to the UI thread, restart() and goal() to the servo thread; these two
+// neither wait nor throw. The destructor waits for the reading thread: some 20 ms, or until that has seen what is
+// plugged in.
 #pragma once
 
 #include <array>
