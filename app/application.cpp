@@ -68,6 +68,7 @@ void Application::use(const InputKind& kind, std::shared_ptr<const Scene> scene,
   }
   const bool is_other_scene = scene != session_.scene;
   pointer_ = dynamic_cast<PointerTarget*>(hand.get());
+  spacemouse_ = dynamic_cast<SpaceMouseInput*>(hand.get());
   falcon_ = dynamic_cast<FalconInput*>(hand.get());
   virtual_falcon_ = dynamic_cast<VirtualFalconInput*>(hand.get());
   falcon_report_ = {};
@@ -142,6 +143,7 @@ LoopReading Application::loop_reading() const {
           .ladder = falcon_ != nullptr ? ladder_of(falcon_report_, &report_.motors) : std::vector<RungState>(),
           .device = falcon_ != nullptr ? fmt::format("{} {}", input_title_, falcon_report_.serial.text()) : "",
           .device_remark = device_remark(),
+          .spacemouse = spacemouse_ != nullptr ? std::optional(spacemouse_->reading()) : std::nullopt,
           .remark = describe(report_.realtime)};
 }
 
@@ -186,6 +188,7 @@ void Application::send(double interval_s) {
   note_motors();
   ++command_.heart_beats;
   servo_->send(command_);
+  if (spacemouse_ != nullptr) spacemouse_->set(session_.spacemouse);
   if (pointer_ == nullptr) return;
   pointer_->hold_with(session_.settings.impedances.k_u);
   // Whoever drags a virtual handle holds its grip.

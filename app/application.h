@@ -18,6 +18,7 @@
 #include "device/input_catalog.h"
 #include "device/pointer_target.h"
 #include "device/servo.h"
+#include "device/spacemouse_input.h"
 #include "device/virtual_falcon/virtual_falcon_input.h"
 
 namespace ghostforce {
@@ -87,6 +88,7 @@ class Application {
   InputOptions input_options_;
   // What the input in use is besides; each may be null.
   PointerTarget* pointer_ = nullptr;  // led by the pointer
+  SpaceMouseInput* spacemouse_ = nullptr;
   FalconInput* falcon_ = nullptr;
   VirtualFalconInput* virtual_falcon_ = nullptr;
   FalconReport falcon_report_;

@@ -1,5 +1,6 @@
 // Session: what the person at the window has loaded, changed and asked for. A value of the UI thread; panels, keys and
-// gestures edit it, the application sends it on and grants its wishes. Nothing in here knows of a device or a file.
+// gestures edit it, the application sends it on and grants its wishes. Nothing in here knows of a file, or of a device
+// more than values that are told about it.
 #pragma once
 
 #include <cstdint>
@@ -16,6 +17,8 @@
 #include "app/view/compose.h"
 #include "core/motor_report.h"
 #include "core/scene.h"
+#include "device/spacemouse_motion.h"
+#include "device/spacemouse_reading.h"
 
 namespace ghostforce {
 
@@ -86,6 +89,7 @@ struct Session {
   std::uint32_t offs_asked = 0;        // motors off
   std::uint32_t acknowledgements = 0;  // the person has read why they went off
   SafetyOptions safety;
+  SpaceMouseSettings spacemouse;
   std::string input = "mouse";      // who moves the goal, a name of the input catalog
   bool pointer_moves_goal = true;   // that input is the mouse
   bool has_handles = false;         // there is a person who can take hold of wall and motor axis
@@ -121,12 +125,13 @@ struct LoopReading {
   std::uint64_t refused = 0;  // settings and moves that the loop could not take
   bool diverged = false;      // the settings made the simulation unstable; it waits for others
   std::span<const InputChoice> inputs{};
-  std::string_view shader_problem{};  // why watched shaders are not in use; may be empty
-  MotorReport motors{};               // of the input, and what watches over them
-  std::vector<RungState> ladder{};    // from nothing to motors that push; empty: the input has none
-  std::string device{};               // what the ladder is of; may be empty
-  std::string device_remark{};        // what else is to be known about it; may be empty
-  std::string remark{};               // what the operating system granted and refused the loop; may be empty
+  std::string_view shader_problem{};              // why watched shaders are not in use; may be empty
+  MotorReport motors{};                           // of the input, and what watches over them
+  std::vector<RungState> ladder{};                // from nothing to motors that push; empty: the input has none
+  std::string device{};                           // what the ladder is of; may be empty
+  std::string device_remark{};                    // what else is to be known about it; may be empty
+  std::optional<SpaceMouseReading> spacemouse{};  // if that is the input
+  std::string remark{};  // what the operating system granted and refused the loop; may be empty
 };
 
 }  // namespace ghostforce

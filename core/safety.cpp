@@ -11,33 +11,34 @@ namespace {
 
 // In the order of OffReason.
 constexpr std::array reasons{
-    OffReasonEntry{OffReason::none, "none", "off", "Press the safety button to arm.", false},
+    OffReasonEntry{OffReason::none, "none", "off", "Press the safety button to arm.", false, false},
     OffReasonEntry{OffReason::key, "key", "turned off", "Nothing is wrong: somebody pressed Esc or the safety button.",
-                   false},
+                   false, false},
     OffReasonEntry{OffReason::button_released, "button_released", "button released",
-                   "The button on the grip was let go of. Hold it while the motors are on.", false},
+                   "The button on the grip was let go of. Hold it while the motors are on.", false, false},
     OffReasonEntry{OffReason::focus_lost, "focus_lost", "window not in front",
-                   "Esc would not have reached this window. Bring it to the front and arm again.", false},
+                   "Esc would not have reached this window. Bring it to the front and arm again.", false, false},
     OffReasonEntry{OffReason::too_fast, "too_fast", "too fast",
-                   "The handle moved faster than 1 m/s. Hold it more firmly, or make the wall softer.", false},
+                   "The handle moved faster than 1 m/s. Hold it more firmly, or make the wall softer.", false, true},
     OffReasonEntry{OffReason::over_force, "over_force", "over force",
                    "The handle was so deep in the wall that it would have been thrown out. Leave the wall and arm "
                    "again.",
-                   false},
+                   false, true},
     OffReasonEntry{OffReason::loop_late, "loop_late", "loop late",
                    "The device did not answer for 20 ms. Close what keeps the machine busy; use a USB port of the "
                    "machine itself.",
-                   false},
+                   false, true},
     OffReasonEntry{OffReason::window_stalled, "window_stalled", "window stalled",
-                   "The window did not draw for half a second, and Esc would not have been heard.", false},
+                   "The window did not draw for half a second, and Esc would not have been heard.", false, true},
     OffReasonEntry{OffReason::unplugged, "unplugged", "unplugged",
-                   "Plug the device in again; it is looked for all the time.", true},
+                   "Plug the device in again; it is looked for all the time.", true, false},
     OffReasonEntry{OffReason::not_homed, "not_homed", "not homed",
-                   "The device no longer knows where its arms are, as after a loss of power: home it again.", true},
-    OffReasonEntry{OffReason::program_ending, "program_ending", "program ending", "The program was about to end.",
-                   true},
+                   "The device no longer knows where its arms are, as after a loss of power: home it again.", true,
+                   false},
+    OffReasonEntry{OffReason::program_ending, "program_ending", "program ending", "The program was about to end.", true,
+                   false},
     OffReasonEntry{OffReason::fault, "fault", "fault", "Something failed: the ladder of the device (F2) says what.",
-                   true},
+                   true, false},
 };
 
 // In the order of ArmingObstacle.

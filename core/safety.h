@@ -34,6 +34,7 @@ struct OffReasonEntry {
   std::string_view title;   // on screen
   std::string_view remedy;  // what to do now
   bool at_once;             // there is nothing left to fade with
+  bool is_safety_limit;     // something was too much, or came too late
 };
 
 std::span<const OffReasonEntry> off_reason_catalog() noexcept;

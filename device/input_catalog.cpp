@@ -7,6 +7,7 @@
 #include "device/falcon/ftdi_link.h"
 #include "device/mouse_input.h"
 #include "device/scripted_input.h"
+#include "device/spacemouse_input.h"
 #include "device/virtual_falcon/virtual_falcon_input.h"
 
 namespace ghostforce {
@@ -18,6 +19,10 @@ std::unique_ptr<Input> make_mouse(const Scene&, const InputOptions&) {
 
 std::unique_ptr<Input> make_script(const Scene& scene, const InputOptions&) {
   return std::make_unique<ScriptedInput>(scene.goal);
+}
+
+std::unique_ptr<Input> make_spacemouse(const Scene&, const InputOptions&) {
+  return std::make_unique<SpaceMouseInput>();
 }
 
 std::unique_ptr<Input> make_falcon(const Scene& scene, const InputOptions& options) {
@@ -33,6 +38,7 @@ std::unique_ptr<Input> make_virtual_falcon(const Scene& scene, const InputOption
 constexpr std::array kinds{
     InputKind{"mouse", "Mouse", "Drag in the scene: the goal follows the pointer.", make_mouse},
     InputKind{"script", "Scripted hand", "The goal follows the scene's path, the same way every time.", make_script},
+    InputKind{"spacemouse", "SpaceMouse", "The goal follows the cap of a 3Dconnexion SpaceMouse.", make_spacemouse},
     InputKind{"falcon", "Falcon", "A Novint Falcon: its handle is the goal, and with its motors on it is the device.",
               make_falcon},
     InputKind{"virtual-falcon", "Virtual Falcon",

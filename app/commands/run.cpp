@@ -14,6 +14,7 @@
 #include "app/commands/command_catalog.h"
 #include "app/commands/picture_options.h"
 #include "app/failure.h"
+#include "app/falcon_setup.h"
 #include "app/interruption.h"
 #include "app/panels/panel_catalog.h"
 #include "app/remembered.h"
@@ -27,6 +28,7 @@ struct Options {
   SceneOptions scene;
   PictureOptions picture;
   std::string input = "mouse";
+  FalconSetUp falcon;
   std::string shader_folder;
   bool no_hints = false;
   std::optional<double> exit_after_s;
@@ -85,9 +87,19 @@ WindowLayout layout_of(const Window& window, const Session& session) {
   return {size.width, size.height, window.is_maximized(), session.folded_panels};
 }
 
+// How the visit ended, as far as devices are concerned.
+ExitCode end_of(const Application& application) {
+  if (entry_of(application.report().motors.reason).is_safety_limit) return ExitCode::safety_stop;
+  const FalconReport* const falcon = application.falcon_report();
+  if (falcon == nullptr || falcon->is_readable()) return ExitCode::done;
+  return exit_code_of(*falcon);
+}
+
 int run(const Options& options) {
   Scene scene = options.scene.load();
   options.picture.apply_strategy(scene);
+  const std::optional<FirmwareImage> firmware = options.falcon.read_firmware_file();
+  if (firmware) fmt::print(stderr, "{}\n", firmware_words(firmware));
   Remembered remembered = recall();
   Look look = remembered.preferences.look;
   options.picture.apply_look(look);
@@ -100,6 +112,7 @@ int run(const Options& options) {
       window, scene,
       {.look = look,
        .input = options.input,
+       .input_options = options.falcon.input_options(firmware),
        .offers_hints = remembered.preferences.offers_hints && !options.no_hints,
        .folded_panels = remembered.layout ? layout.folded_panels
                                           : panels_folded_at_first(window.restored_size().height / look.scale),
@@ -130,7 +143,8 @@ int run(const Options& options) {
     // The visit is over and went well; the window only opens in its usual size the next time.
     fmt::print(stderr, "{}\n", failure.what());
   }
-  return static_cast<int>(ExitCode::done);
+  // Scripts want to know; a person has seen it on the screen.
+  return static_cast<int>(options.exit_after_s ? end_of(application) : ExitCode::done);
 }
 
 }  // namespace
@@ -140,10 +154,14 @@ std::function<int()> attach_run(CLI::App& subcommand) {
   options->scene.attach(subcommand, false);
   std::vector<std::string_view> inputs;
   for (const InputKind& kind : input_catalog()) inputs.push_back(kind.name);
-  subcommand.add_option("--input", options->input, "Who moves the goal: mouse, or the scene's script; default: mouse")
+  subcommand
+      .add_option("--input", options->input,
+                  "Who moves the goal: mouse, script (the scene's), spacemouse, falcon, or virtual-falcon, a "
+                  "rehearsal; default: mouse")
       ->type_name("NAME")
       ->check(one_of(inputs));
   options->picture.attach(subcommand, false);
+  options->falcon.attach(subcommand);
   subcommand.add_flag("--no-hints", options->no_hints, "No hints for newcomers in this run");
   subcommand
       .add_option("--shader-dir", options->shader_folder,
