@@ -5,7 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "core/motor_report.h"
 #include "core/safety.h"
+#include "device/falcon/falcon_report.h"
 
 namespace ghostforce {
 namespace {
@@ -174,12 +176,12 @@ class Climb {
   }
 
   std::string homing_words(const RungEntry& entry) const {
-    return fmt::format("{} Homed: {}. Counts {}, {}, {}.", entry.remedy, motors_where(report_.has_homed, true),
-                       report_.encoders[0], report_.encoders[1], report_.encoders[2]);
+    return fmt::format("homed: {}; counts {}, {}, {}. {}", motors_where(report_.has_homed, true), report_.encoders[0],
+                       report_.encoders[1], report_.encoders[2], entry.remedy);
   }
 
   std::string moving_words(const RungEntry& entry) const {
-    return fmt::format("{} Not moved yet: {}.", entry.remedy, motors_where(report_.has_moved, false));
+    return fmt::format("not moved yet: {}. {}", motors_where(report_.has_moved, false), entry.remedy);
   }
 
   std::string speed_words(const RungEntry& entry, bool reached) const {

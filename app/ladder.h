@@ -9,10 +9,11 @@
 #include <string_view>
 #include <vector>
 
-#include "core/motor_report.h"
-#include "device/falcon/falcon_report.h"
-
 namespace ghostforce {
+
+// Of the device, of which what draws the ladder knows nothing else.
+struct FalconReport;
+struct MotorReport;
 
 enum class Rung : std::uint8_t {
   seen,
