@@ -17,8 +17,7 @@
 #include "app/view/compose.h"
 #include "core/motor_report.h"
 #include "core/scene.h"
-#include "device/spacemouse_motion.h"
-#include "device/spacemouse_reading.h"
+#include "core/spacemouse.h"
 
 namespace ghostforce {
 

@@ -154,6 +154,8 @@ void Window::start_imgui(bool takes_mouse) {
   ImGui_ImplGlfw_InitForOpenGL(handle(), true);
   imgl3wInit2(glfwGetProcAddress);
   ImGui_ImplOpenGL3_Init("#version 330 core");
+  // Letters are twice as wide in the atlas as on the screen: with one texel between them, a neighbour's edge showed.
+  io.Fonts->TexGlyphPadding = 4;
   regular_font_ = io.Fonts->AddFontFromFileTTF(font_file(label_font).c_str());
   bold_font_ = io.Fonts->AddFontFromFileTTF(font_file("DejaVuSans-Bold.ttf").c_str());
   number_font_ = io.Fonts->AddFontFromFileTTF(font_file("DejaVuSansMono.ttf").c_str());

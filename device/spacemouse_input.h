@@ -12,7 +12,6 @@
 #include "core/latest_value.h"
 #include "device/input.h"
 #include "device/spacemouse_motion.h"
-#include "device/spacemouse_reading.h"
 
 namespace ghostforce {
 

@@ -8,22 +8,9 @@
 #include <cstdint>
 
 #include "core/conventions.h"
+#include "core/spacemouse.h"
 
 namespace ghostforce {
-
-// Trivially copyable: it crosses threads whole.
-struct SpaceMouseSettings {
-  enum class Mode : std::uint8_t { position, rate };
-  enum class Up : std::uint8_t { lift, push_away };  // what moves the goal along +y
-
-  Mode mode = Mode::position;
-  Up up = Up::lift;
-  double dead_zone = 0.05;   // share of full deflection
-  double reach_m = 0.060;    // at full deflection, in position mode
-  double speed_m_s = 0.150;  // at full deflection, in rate mode
-
-  friend bool operator==(const SpaceMouseSettings&, const SpaceMouseSettings&) = default;
-};
 
 // Whether all numbers are finite, the dead zone less than 1, and none negative.
 bool is_valid(const SpaceMouseSettings& settings) noexcept;

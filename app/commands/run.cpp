@@ -92,7 +92,7 @@ ExitCode end_of(const Application& application) {
   if (entry_of(application.report().motors.reason).is_safety_limit) return ExitCode::safety_stop;
   const FalconReport* const falcon = application.falcon_report();
   if (falcon == nullptr || falcon->is_readable()) return ExitCode::done;
-  return exit_code_of(*falcon);
+  return ExitCode::device_absent;
 }
 
 int run(const Options& options) {

@@ -45,7 +45,10 @@ TEST(ServoHeap, IsNotTouchedByAnyInputOrStrategy) {
         for (Sample sample; servo.take_sample(sample);) {
         }
       }
-      EXPECT_GT(contacts, 1000);
+      // A SpaceMouse that is not there leaves the goal where it was.
+      if (kind.name != "spacemouse") {
+        EXPECT_GT(contacts, 1000);
+      }
       EXPECT_EQ(servo.newest().restarts, 4U);
       EXPECT_GT(servo.newest().loop.dropped_samples, 0U);
       EXPECT_EQ(servo.newest().refused_commands, 0U);

@@ -1,10 +1,25 @@
-// What is known of a SpaceMouse: whether there is one, and how its cap is deflected.
+// What a person sets about a SpaceMouse, and what is known of it: plain values, so that a panel may show them. SI
+// units.
 #pragma once
 
 #include <array>
 #include <cstdint>
 
 namespace ghostforce {
+
+// Trivially copyable: it crosses threads whole.
+struct SpaceMouseSettings {
+  enum class Mode : std::uint8_t { position, rate };
+  enum class Up : std::uint8_t { lift, push_away };  // what moves the goal along +y
+
+  Mode mode = Mode::position;
+  Up up = Up::lift;
+  double dead_zone = 0.05;   // share of full deflection
+  double reach_m = 0.060;    // at full deflection, in position mode
+  double speed_m_s = 0.150;  // at full deflection, in rate mode
+
+  friend bool operator==(const SpaceMouseSettings&, const SpaceMouseSettings&) = default;
+};
 
 // Trivially copyable: it crosses threads whole.
 struct SpaceMouseReading {
