@@ -147,7 +147,6 @@ LoopReading Application::loop_reading() const {
           .remark = describe(report_.realtime)};
 }
 
-// Whether the handle reaches what the scene is about.
 std::string Application::device_remark() const {
   if (falcon_ == nullptr) return {};
   const auto known =

@@ -59,6 +59,9 @@ class Application {
   // Nothing would change on screen until the person does something.
   bool is_idle() const noexcept { return session_.paused && !session_.notice && !shader_watch_ && falcon_ == nullptr; }
 
+  // Whether the handle reaches what the scene is about; empty: it does, or there is none.
+  std::string device_remark() const;
+
   // What the Falcon's driver knows of its device; null when another input is in use.
   const FalconReport* falcon_report() const noexcept { return falcon_ != nullptr ? &falcon_report_ : nullptr; }
 
@@ -73,7 +76,6 @@ class Application {
   void go_to(const std::optional<Edited>& edited);
   void use(const InputKind& kind, std::shared_ptr<const Scene> scene, const Settings& settings);
   LoopReading loop_reading() const;
-  std::string device_remark() const;
   TickState<2> start_state();
 
   Window& window_;

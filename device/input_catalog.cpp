@@ -26,13 +26,14 @@ std::unique_ptr<Input> make_spacemouse(const Scene&, const InputOptions&) {
 }
 
 std::unique_ptr<Input> make_falcon(const Scene& scene, const InputOptions& options) {
-  return std::make_unique<FalconInput>(std::make_unique<FtdiLink>(FtdiLinkOptions{.id = options.falcon_id, .serial = {}}),
-                                       options.falcon, scene.view.center);
+  return std::make_unique<FalconInput>(
+      std::make_unique<FtdiLink>(FtdiLinkOptions{.id = options.falcon_id, .serial = {}}), options.falcon,
+      scene.view.center);
 }
 
 std::unique_ptr<Input> make_virtual_falcon(const Scene& scene, const InputOptions& options) {
   return std::make_unique<VirtualFalconInput>(options.falcon, options.misbehaviour, scene.view.center,
-                                              scene.settings.impedances.k_u);
+                                              scene.settings.impedances.k_u, options.virtual_falcon_clock);
 }
 
 constexpr std::array kinds{

@@ -10,7 +10,7 @@
 #include "device/falcon/falcon.h"
 #include "device/falcon/usb_search.h"
 #include "device/input.h"
-#include "device/virtual_falcon/misbehaviour.h"
+#include "device/virtual_falcon/virtual_link.h"
 
 namespace ghostforce {
 
@@ -19,6 +19,7 @@ struct InputOptions {
   FalconOptions falcon;
   UsbId falcon_id = falcon_usb_id;
   Misbehaviour misbehaviour;  // of the virtual Falcon
+  VirtualLink::Clock virtual_falcon_clock = VirtualLink::Clock::monotonic;
 };
 
 struct InputKind {

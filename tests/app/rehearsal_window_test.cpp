@@ -1,0 +1,156 @@
+// A whole rehearsal in the window: from nothing to motors that push and back, with the virtual Falcon behind the real
+// driver, led by the pointer. Its clock is moved by the servo's steps.
+#include <algorithm>
+
+#include "device/virtual_falcon/virtual_falcon_input.h"
+#include "tests/app/driven_window.h"
+
+namespace ghostforce {
+namespace {
+
+class RehearsalWindow : public DrivenWindow {
+ protected:
+  RehearsalWindow() {
+    ApplicationOptions options;
+    options.input = "virtual-falcon";
+    options.input_options.virtual_falcon_clock = VirtualLink::Clock::stepped;
+    open(options);
+  }
+
+  VirtualFalconInput& falcon() { return dynamic_cast<VirtualFalconInput&>(application_->servo().input()); }
+  FalconState state() { return application_->falcon_report()->state; }
+  const MotorReport& motors() { return application_->report().motors; }
+
+  // Few frames and many ticks: drawing is what takes the time.
+  static constexpr int ticks = 100;
+  static constexpr double tick_s = 0.001;
+
+  bool frames_until(double seconds, const std::function<bool()>& is_so) {
+    for (double t = 0.0; t < seconds; t += ticks * tick_s) {
+      frames(1, ticks);
+      if (is_so()) return true;
+    }
+    return false;
+  }
+  // A hand that is led there, not thrown.
+  void lead_slowly(const Vector<2>& from, const Vector<2>& to) {
+    for (int i = 1; i <= 10; ++i) {
+      session().goal = glm::mix(from, to, i / 10.0);
+      frames(1, ticks);
+    }
+    frames(10, ticks);
+  }
+  void press_motor_button() { click_at(1240.0, 23.0); }
+  void get_ready() {
+    ASSERT_TRUE(frames_until(30.0, [&] { return state() == FalconState::idle; }));
+    lead_slowly(session().goal, outside);
+  }
+  void turn_on() {
+    get_ready();
+    press_motor_button();
+    ASSERT_TRUE(frames_until(3.0, [&] { return motors().state == SafetyState::on; }));
+  }
+
+  static constexpr Vector<2> outside{-0.015, 0.015};
+  static constexpr Vector<2> inside{0.012, -0.012};
+};
+
+TEST_F(RehearsalWindow, ClimbsTheLadderAndPushes) {
+  EXPECT_EQ(motors().state, SafetyState::off);
+  turn_on();
+  lead_slowly(outside, inside);
+  EXPECT_TRUE(now().measured);
+  EXPECT_GT(glm::length(motors().sent), 0.5);
+  EXPECT_NE(falcon().link().motors(), MotorNumbers{});
+  // What is measured, estimated and only simulated beside it looks different, and what cannot be known is not drawn.
+  EXPECT_EQ(count_marks(Role::ghost_force), 0);
+  EXPECT_EQ(count_marks(Role::proxy_drift), 0);
+  press(GLFW_KEY_ESCAPE);
+  EXPECT_TRUE(frames_until(1.0, [&] { return motors().state == SafetyState::off; }));
+  EXPECT_EQ(motors().reason, OffReason::key);
+  EXPECT_EQ(falcon().link().motors(), MotorNumbers{});
+  EXPECT_FALSE(now().measured);
+}
+
+TEST_F(RehearsalWindow, EveryStepChangesThePicture) {
+  const Image at_first = picture();
+  ASSERT_TRUE(frames_until(30.0, [&] { return state() == FalconState::idle; }));
+  press(GLFW_KEY_F2);
+  EXPECT_EQ(session().dialog, Dialog::doctor);
+  const Image ladder = picture();
+  EXPECT_NE(ladder.rgb, at_first.rgb);
+  press(GLFW_KEY_F2);
+  lead_slowly(session().goal, outside);
+  const Image ready = picture();
+  press_motor_button();
+  ASSERT_TRUE(frames_until(3.0, [&] { return motors().state == SafetyState::on; }));
+  EXPECT_NE(picture().rgb, ready.rgb);
+}
+
+TEST_F(RehearsalWindow, TheMotorButtonFirstWantsTheReasonRead) {
+  turn_on();
+  press(GLFW_KEY_ESCAPE);
+  frames(5, ticks);
+  ASSERT_EQ(motors().reason, OffReason::key);
+  press_motor_button();  // read
+  frames(15, ticks);
+  EXPECT_EQ(motors().reason, OffReason::none);
+  EXPECT_EQ(motors().state, SafetyState::off);
+  press_motor_button();  // arm
+  EXPECT_TRUE(frames_until(3.0, [&] { return motors().state == SafetyState::on; }));
+  press_motor_button();  // off
+  EXPECT_TRUE(frames_until(1.0, [&] { return motors().state == SafetyState::off; }));
+}
+
+TEST_F(RehearsalWindow, EscapeTurnsOffAlsoBehindAMenuAndWhileTyping) {
+  turn_on();
+  press(GLFW_KEY_S, GLFW_MOD_CONTROL);
+  ASSERT_EQ(session().dialog, Dialog::save_scene);
+  type("name");
+  press(GLFW_KEY_ESCAPE);
+  EXPECT_TRUE(frames_until(0.5, [&] { return motors().state == SafetyState::off; }));
+}
+
+TEST_F(RehearsalWindow, PullingThePlugIsSaidAndPuttingItInDoesNotArm) {
+  turn_on();
+  lead_slowly(outside, inside);
+  Misbehaviour unplugged;
+  unplugged.link = LinkFault::unplugged;
+  falcon().misbehave(unplugged);
+  frames(1);
+  EXPECT_EQ(motors().state, SafetyState::off);
+  EXPECT_EQ(motors().reason, OffReason::unplugged);
+  EXPECT_TRUE(frames_until(1.0, [&] { return state() == FalconState::fault; }));
+  falcon().misbehave({});
+  lead_slowly(inside, outside);
+  EXPECT_TRUE(frames_until(30.0, [&] { return state() == FalconState::idle; }));
+  frames(20, ticks);
+  EXPECT_EQ(motors().state, SafetyState::off);
+  EXPECT_EQ(motors().reason, OffReason::unplugged);
+}
+
+TEST_F(RehearsalWindow, AnotherSceneOrInputNeverTakesTheForceAlong) {
+  turn_on();
+  lead_slowly(outside, inside);
+  ASSERT_GT(glm::length(motors().sent), 0.5);
+  session().wishes.open_scene = "fig1";
+  frames(5);
+  EXPECT_EQ(motors().state, SafetyState::off);
+  EXPECT_EQ(motors().sent, Vector<2>(0.0));
+  session().wishes.input = "mouse";
+  frames(5);
+  EXPECT_FALSE(motors().has_motors);
+  EXPECT_EQ(application_->falcon_report(), nullptr);
+}
+
+TEST_F(RehearsalWindow, SaysThatASceneDoesNotFitTheWorkspace) {
+  session().wishes.open_scene = "fig1";
+  frames(5);
+  EXPECT_NE(application_->device_remark().find("set scale"), std::string::npos);
+  session().wishes.open_scene = "wall45";
+  frames(5);
+  EXPECT_EQ(application_->device_remark(), "");
+}
+
+}  // namespace
+}  // namespace ghostforce
