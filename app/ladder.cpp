@@ -109,7 +109,7 @@ class Climb {
       if (state.is_current && report_.state == FalconState::fault && report_.fault != FalconFault::none) {
         const FalconFaultEntry& fault = entry_of(report_.fault);
         state.words = fmt::format("{}: {}", fault.title, fault.remedy);
-      } else if (state.is_reached || state.is_current) {
+      } else if (state.is_reached || state.is_current || is_measured_too_slow(entry.id)) {
         state.words = words(entry, state.is_reached);
       }
       states.push_back(std::move(state));
@@ -137,6 +137,11 @@ class Climb {
         return motors_ != nullptr && are_on(*motors_);
     }
     return false;
+  }
+
+  // Needs no hand, so it may fail before its turn.
+  bool is_measured_too_slow(Rung rung) const noexcept {
+    return rung == Rung::fast_enough && attainable_exchange_hz(report_) > 0.0 && !is_fast_and_even(report_);
   }
 
   std::string words(const RungEntry& entry, bool reached) const {

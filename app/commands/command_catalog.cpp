@@ -13,6 +13,7 @@ constexpr std::array catalog{
     Command{"simulate", "Play a scene's scripted hand and write every tick as CSV", attach_simulate},
     Command{"equilibrium", "Tell where everything comes to rest under a goal that is held still", attach_equilibrium},
     Command{"check", "Compare the pictures of a folder of cases with those stored there", attach_check},
+    Command{"doctor", "Tell what lies between a Falcon and its use, and what to do about it", attach_doctor},
 };
 
 }  // namespace

@@ -12,5 +12,6 @@ std::function<int()> attach_render(CLI::App& subcommand);
 std::function<int()> attach_simulate(CLI::App& subcommand);
 std::function<int()> attach_equilibrium(CLI::App& subcommand);
 std::function<int()> attach_check(CLI::App& subcommand);
+std::function<int()> attach_doctor(CLI::App& subcommand);
 
 }  // namespace ghostforce

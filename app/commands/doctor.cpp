@@ -1,0 +1,143 @@
+// ghostforce doctor: what lies between a Falcon and its use, rung by rung, and what to do about it.
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cstdio>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "app/commands/command.h"
+#include "app/commands/command_catalog.h"
+#include "app/doctor/diagnosis.h"
+#include "app/doctor/examination.h"
+#include "app/doctor/udev_rule.h"
+#include "app/failure.h"
+#include "app/falcon_setup.h"
+#include "app/interruption.h"
+#include "app/ladder.h"
+#include "app/output_file.h"
+#include "core/scene.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr double wait_on_terminal_s = 30.0;
+
+struct Options {
+  FalconSetUp falcon;
+  std::string input = "falcon";
+  std::optional<double> wait_s;  // empty: as long as somebody is probably there
+  bool json = false;
+  bool install_udev = false;
+  bool is_udev_announced = false;
+};
+
+bool is_somebody_there() {
+  return isatty(STDIN_FILENO) != 0 && isatty(STDERR_FILENO) != 0;
+}
+
+// The rung that is being climbed, as one line of the terminal that is written over.
+class LiveLine {
+ public:
+  explicit LiveLine(bool shows) : shows_(shows) {}
+  ~LiveLine() {
+    if (has_shown_) std::fputs("\r\x1b[K", stderr);
+  }
+  LiveLine(const LiveLine&) = delete;
+  LiveLine& operator=(const LiveLine&) = delete;
+
+  void show(const FalconReport& report) {
+    if (!shows_) return;
+    const auto now = std::chrono::steady_clock::now();
+    if (now < next_) return;
+    next_ = now + std::chrono::milliseconds(100);
+    const std::vector<RungState> ladder = ladder_of(report, nullptr);
+    const auto current = std::find_if(ladder.begin(), ladder.end(), [](const auto& state) { return state.is_current; });
+    if (current == ladder.end()) return;
+    const std::string line = fmt::format("{}: {}", current->title, current->words);
+    has_shown_ = true;
+    fmt::print(stderr, "\r{:.{}}\x1b[K", line, columns() - 1);
+  }
+
+ private:
+  // A line that is broken into two cannot be written over.
+  static int columns() {
+    winsize size{};
+    constexpr int usual = 80;
+    return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1 ? size.ws_col : usual;
+  }
+
+  bool shows_;
+  bool has_shown_ = false;
+  std::chrono::steady_clock::time_point next_{};
+};
+
+int doctor(const Options& options) {
+  if (options.install_udev) {
+    install_udev_rule(options.is_udev_announced);
+    return static_cast<int>(ExitCode::done);
+  }
+  Diagnosis diagnosis;
+  diagnosis.firmware = options.falcon.read_firmware_file();
+  const InputOptions input_options = options.falcon.input_options(diagnosis.firmware);
+  diagnosis.usb = list_falcons(input_options.falcon_id);
+  diagnosis.udev_rule = installed_udev_rule(udev_folders());
+  // This thread drives the device as the servo's would.
+  diagnosis.realtime = request_realtime();
+  const double wait_s = options.wait_s.value_or(is_somebody_there() ? wait_on_terminal_s : 0.0);
+  {
+    const std::unique_ptr<Input> input = find_input(options.input)->make(Scene{}, input_options);
+    LiveLine live(is_somebody_there());
+    diagnosis.report = examine(dynamic_cast<FalconInput&>(*input), wait_s, [&](const FalconReport& report) {
+      stop_if_interrupted();
+      live.show(report);
+    });
+  }
+  diagnosis.has_calibration = std::ranges::find(input_options.falcon.calibrations, diagnosis.report.serial,
+                                                &FalconCalibration::serial) != input_options.falcon.calibrations.end();
+  diagnosis.verdict = verdict_of(diagnosis.report, wait_s > 0.0);
+  OutputFile output("-");
+  output.write(options.json ? json_of(diagnosis) : text_of(diagnosis));
+  output.commit();
+  return static_cast<int>(diagnosis.verdict);
+}
+
+}  // namespace
+
+std::function<int()> attach_doctor(CLI::App& subcommand) {
+  const auto options = std::make_shared<Options>();
+  subcommand.add_flag("--json", options->json, "For programs: JSON in SI units");
+  subcommand.add_flag("--install-udev", options->install_udev,
+                      "Install the rule by which a person at this machine may use the devices; asks for root");
+  subcommand.add_flag("--udev-announced", options->is_udev_announced)->group("");
+  subcommand
+      .add_option("--wait", options->wait_s,
+                  "Wait so long for a person to home the device and move its handle; default: 30 on a terminal, else 0")
+      ->type_name("S")
+      ->check(number_between(0.0, 3600.0, "s"));
+  subcommand.add_option("--input", options->input, "falcon, or virtual-falcon to try this out; default: falcon")
+      ->type_name("NAME")
+      ->check(one_of({"falcon", "virtual-falcon"}));
+  options->falcon.attach(subcommand);
+  subcommand.footer(
+      "The ladder: plugged in, allowed, free, firmware, homed, encoders move, fast enough. The first rung that is not\n"
+      "reached says what to do. The motors stay off all the time. Where nobody is waited for, a device that is not\n"
+      "homed is no failure. Exit code 1: all is well but the speed. docs/falcon.md tells it from the beginning.\n"
+      "\n"
+      "Examples:\n"
+      "  ghostforce doctor\n"
+      "  ghostforce doctor --firmware falcon.bin --wait 60\n"
+      "  ghostforce doctor --input virtual-falcon --misbehave busy --json");
+  return [options] { return doctor(*options); };
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,135 @@
+#include "app/doctor/diagnosis.h"
+
+#include <string_view>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "app/falcon_setup.h"
+#include "app/ladder.h"
+#include "app/printable.h"
+
+namespace ghostforce {
+namespace {
+
+std::string_view mark_of(const RungState& state) {
+  if (state.is_reached) return "✓";
+  return state.is_current ? "✗" : "–";
+}
+
+std::string open_error_words(const UsbDeviceFound& device) {
+  return device.may_open ? "" : std::generic_category().message(device.open_error);
+}
+
+std::string words_about(const UsbDeviceFound& device) {
+  std::string words = fmt::format("device: {}", device.node);
+  if (!device.serial.empty()) words += fmt::format(", serial number {}", printable(device.serial));
+  if (device.has_node) words += fmt::format(", owner {}:{}, mode {:04o}", device.owner, device.group, device.mode);
+  return words + (device.may_open ? ", this user may open it"
+                                  : fmt::format(", this user may not open it: {}", open_error_words(device)));
+}
+
+std::string calibration_words(const Diagnosis& diagnosis) {
+  if (diagnosis.report.serial.text().empty()) return "calibration: not known before the device is open";
+  return diagnosis.has_calibration ? fmt::format("calibration: kept for {}", diagnosis.report.serial.text())
+                                   : fmt::format("calibration: none is kept for {}; the default values serve",
+                                                 diagnosis.report.serial.text());
+}
+
+std::string realtime_words(const RealtimeStatus& status) {
+  return fmt::format(
+      "real time: {}{}", describe(status),
+      status.priority_error == 0
+          ? ""
+          : "; allow this user a priority of 40, 'rtprio 40' in /etc/security/limits.d, and log in again");
+}
+
+}  // namespace
+
+std::string text_of(const Diagnosis& diagnosis) {
+  std::string text;
+  for (const RungState& state : ladder_of(diagnosis.report, nullptr)) {
+    text += state.words.empty() ? fmt::format("{} {}\n", mark_of(state), state.title)
+                                : fmt::format("{} {:14}  {}\n", mark_of(state), state.title, state.words);
+  }
+  text += "\n";
+  if (diagnosis.report.is_virtual) text += "device: a virtual Falcon, which is not there\n";
+  if (!diagnosis.usb.has_usb) text += "device: this system shows no USB devices to programs, as in many containers\n";
+  for (const UsbDeviceFound& device : diagnosis.usb.devices) text += words_about(device) + "\n";
+  text += diagnosis.udev_rule.empty()
+              ? "udev rule: not installed; 'ghostforce doctor --install-udev' does it\n"
+              : fmt::format("udev rule: {}\n", printable(diagnosis.udev_rule.string(), longest_path));
+  text += firmware_words(diagnosis.firmware) + "\n";
+  text += calibration_words(diagnosis) + "\n";
+  text += realtime_words(diagnosis.realtime) + "\n";
+  return text;
+}
+
+std::string json_of(const Diagnosis& diagnosis) {
+  using Json = nlohmann::ordered_json;
+  const FalconReport& report = diagnosis.report;
+  Json ladder = Json::array();
+  for (const RungState& state : ladder_of(report, nullptr)) {
+    ladder.push_back({{"rung", state.name},
+                      {"title", state.title},
+                      {"reached", state.is_reached},
+                      {"current", state.is_current},
+                      {"words", state.words}});
+  }
+  Json firmware{{"file", nullptr}, {"sha256", nullptr}, {"known_as", nullptr}, {"is_running", report.has_firmware}};
+  if (diagnosis.firmware) {
+    firmware["file"] = printable(diagnosis.firmware->path.string(), longest_path);
+    firmware["sha256"] = diagnosis.firmware->sha256;
+    if (const auto name = known_firmware(diagnosis.firmware->sha256); !name.empty()) firmware["known_as"] = name;
+  }
+  Json devices = Json::array();
+  for (const UsbDeviceFound& device : diagnosis.usb.devices) {
+    Json entry{{"bus", device.bus},
+               {"address", device.address},
+               {"node", device.node},
+               {"serial", printable(device.serial)},
+               {"may_open", device.may_open},
+               {"open_error", open_error_words(device)},
+               {"owner", nullptr},
+               {"group", nullptr},
+               {"mode", nullptr}};
+    if (device.has_node) {
+      entry["owner"] = device.owner;
+      entry["group"] = device.group;
+      entry["mode"] = fmt::format("{:04o}", device.mode);
+    }
+    devices.push_back(entry);
+  }
+  const Json udev_rule =
+      diagnosis.udev_rule.empty() ? Json() : Json(printable(diagnosis.udev_rule.string(), longest_path));
+  const Json all{
+      {"ladder", ladder},
+      {"state", name_of(report.state)},
+      {"fault", entry_of(report.fault).name},
+      {"serial", report.serial.text()},
+      {"is_virtual", report.is_virtual},
+      {"firmware", firmware},
+      {"has_homed", report.has_homed},
+      {"has_moved", report.has_moved},
+      {"encoders", report.encoders},
+      {"exchange_hz", attainable_exchange_hz(report)},
+      {"exchange_s", report.exchange_s},
+      {"worst_exchange_s", report.worst_exchange_s},
+      {"exchanges", report.exchanges},
+      {"lost_exchanges", report.lost_exchanges},
+      {"discarded_bytes", report.discarded_bytes},
+      {"line_errors", report.line_errors},
+      {"has_calibration", diagnosis.has_calibration},
+      {"has_usb", diagnosis.usb.has_usb},
+      {"devices", devices},
+      {"udev_rule", udev_rule},
+      {"real_time",
+       {{"priority", diagnosis.realtime.priority_error == 0},
+        {"memory_locked", diagnosis.realtime.memory_lock_error == 0}}},
+      {"exit_code", static_cast<int>(diagnosis.verdict)},
+  };
+  return all.dump() + "\n";
+}
+
+}  // namespace ghostforce

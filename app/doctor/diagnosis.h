@@ -1,0 +1,31 @@
+// The diagnosis: what the examination of a Falcon and a look around the machine have found, for people as text and for
+// programs as JSON. UI thread.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "app/failure.h"
+#include "device/falcon/calibration.h"
+#include "device/falcon/falcon_report.h"
+#include "device/falcon/firmware_file.h"
+#include "device/falcon/usb_search.h"
+#include "device/realtime.h"
+
+namespace ghostforce {
+
+struct Diagnosis {
+  FalconReport report;
+  ExitCode verdict = ExitCode::done;
+  std::optional<FirmwareImage> firmware;
+  bool has_calibration = false;     // one is kept for this very device
+  UsbSearch usb;                    // what is on the bus
+  std::filesystem::path udev_rule;  // empty: not installed
+  RealtimeStatus realtime;
+};
+
+std::string text_of(const Diagnosis& diagnosis);
+std::string json_of(const Diagnosis& diagnosis);
+
+}  // namespace ghostforce
