@@ -1,0 +1,185 @@
+// The doctor: its exit codes, its JSON, how it examines a Falcon in virtual time, and the udev rule.
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "app/doctor/examination.h"
+#include "app/doctor/udev_rule.h"
+#include "app/failure.h"
+#include "app/ladder.h"
+#include "core/motor_report.h"
+#include "device/virtual_falcon/virtual_falcon_input.h"
+#include "tests/support/program.h"
+#include "tests/support/temporary_folder.h"
+
+namespace ghostforce {
+namespace {
+
+Outcome doctor(std::vector<std::string> words) {
+  TemporaryFolder home;
+  ProgramCall call;
+  call.words = std::move(words);
+  call.words.insert(call.words.begin(), "doctor");
+  call.environment = {"XDG_CONFIG_HOME=" + home.path(), "GHOSTFORCE_FIRMWARE="};
+  return run_program(GHOSTFORCE_PROGRAM, call);
+}
+
+nlohmann::json json_of(const Outcome& outcome) {
+  return nlohmann::json::parse(outcome.out, nullptr, false);
+}
+
+// --- As scripts see it ---
+
+// An id that no device has, so that a Falcon on this desk does not matter.
+TEST(Doctor, TellsThatThereIsNone) {
+  const Outcome outcome = doctor({"--falcon-usb-id", "0000:0000"});
+  EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
+  EXPECT_TRUE(outcome.out.starts_with("✗ Plugged in")) << outcome.out;
+  EXPECT_NE(outcome.out.find("– Fast enough"), std::string::npos) << outcome.out;
+  for (const std::string_view words : {"udev rule: ", "firmware: ", "calibration: ", "real time: "}) {
+    EXPECT_NE(outcome.out.find(words), std::string::npos) << words;
+  }
+}
+
+TEST(Doctor, RefusedIsFour) {
+  for (const std::string fault : {"not-allowed", "busy"}) {
+    const Outcome outcome = doctor({"--input", "virtual-falcon", "--misbehave", fault, "--json"});
+    EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
+    EXPECT_EQ(json_of(outcome)["exit_code"], 4);
+  }
+}
+
+TEST(Doctor, ClimbsTheWholeLadderWithAHandThatHomes) {
+  const Outcome outcome = doctor({"--input", "virtual-falcon", "--wait", "30", "--json"});
+  const nlohmann::json json = json_of(outcome);
+  ASSERT_FALSE(json.is_discarded()) << outcome.out << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  ASSERT_EQ(json["ladder"].size(), 7U);
+  for (const auto& rung : json["ladder"]) {
+    // How fast it is depends on what else this machine does.
+    if (rung["rung"] == "fast_enough") continue;
+    EXPECT_TRUE(rung["reached"]) << rung;
+  }
+  EXPECT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 1) << outcome.exit_code;
+  EXPECT_GT(json["exchange_hz"], 0.0);
+  EXPECT_EQ(json["serial"], "VIRTUAL1");
+  EXPECT_EQ(json["is_virtual"], true);
+  EXPECT_EQ(json["firmware"]["is_running"], true);
+}
+
+TEST(Doctor, JsonHasEveryKeyEvenWithoutADevice) {
+  const nlohmann::json json = json_of(doctor({"--falcon-usb-id", "0000:0000", "--json"}));
+  for (const char* key :
+       {"ladder",    "state",          "fault",           "serial",      "is_virtual",      "firmware",
+        "has_homed", "has_moved",      "encoders",        "exchange_hz", "exchange_s",      "worst_exchange_s",
+        "exchanges", "lost_exchanges", "discarded_bytes", "line_errors", "has_calibration", "has_usb",
+        "devices",   "udev_rule",      "real_time",       "exit_code"}) {
+    EXPECT_TRUE(json.contains(key)) << key;
+  }
+  for (const char* key : {"file", "sha256", "known_as", "is_running"})
+    EXPECT_TRUE(json["firmware"].contains(key)) << key;
+  for (const char* key : {"rung", "title", "reached", "current", "words"}) {
+    EXPECT_TRUE(json["ladder"][0].contains(key)) << key;
+  }
+}
+
+TEST(Doctor, RefusesWrongWords) {
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"--input", "mouse"},
+                                                {"--wait", "soon"},
+                                                {"--wait", "-1"},
+                                                {"--misbehave", "nicely"},
+                                                {"--falcon-usb-id", "falcon"},
+                                                {"--firmware", "/nowhere/firmware.bin"},
+                                                {"wall45"}}) {
+    const Outcome outcome = doctor(words);
+    EXPECT_EQ(outcome.exit_code, 2) << words.front() << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+  }
+}
+
+// --- In virtual time ---
+
+FalconReport examined(const Misbehaviour& wrong, double wait_s, const FalconOptions& options = {}) {
+  VirtualFalconInput falcon(options, wrong, Vector<2>(0.0), 100.0, VirtualLink::Clock::stepped);
+  return examine(falcon, wait_s,
+                 [&](const FalconReport& report) { EXPECT_EQ(report.motors, (std::array<std::int16_t, 3>{})); });
+}
+
+Misbehaviour misbehaving(std::string_view name) {
+  Misbehaviour wrong;
+  find_misbehaviour(name)->add(wrong);
+  return wrong;
+}
+
+TEST(Doctor, VerdictOnAWellDevice) {
+  const FalconReport waited = examined({}, 60.0);
+  for (const RungState& state : ladder_of(waited, nullptr)) EXPECT_TRUE(state.is_reached) << state.name;
+  EXPECT_EQ(verdict_of(waited, true), ExitCode::done);
+  const FalconReport alone = examined({}, 0.0);
+  EXPECT_EQ(alone.state, FalconState::homing);
+  EXPECT_EQ(verdict_of(alone, false), ExitCode::done);
+}
+
+TEST(Doctor, VerdictsOnFaults) {
+  const auto verdict = [](std::string_view name, double wait_s) {
+    return verdict_of(examined(misbehaving(name), wait_s), wait_s > 0.0);
+  };
+  EXPECT_EQ(verdict("absent", 0.0), ExitCode::device_absent);
+  EXPECT_EQ(verdict("not-allowed", 0.0), ExitCode::device_refused);
+  EXPECT_EQ(verdict("busy", 0.0), ExitCode::device_refused);
+  EXPECT_EQ(verdict("always-corrupted-echo", 0.0), ExitCode::device_failed);
+  EXPECT_EQ(verdict("upload-stops", 0.0), ExitCode::device_failed);
+  EXPECT_EQ(verdict("power-lost", 0.0), ExitCode::device_failed);
+  EXPECT_EQ(verdict("never-homes", 5.0), ExitCode::device_failed);
+  EXPECT_EQ(verdict("never-homes", 0.0), ExitCode::done);
+  EXPECT_EQ(verdict("late-5ms", 0.0), ExitCode::answer_is_no);
+  EXPECT_EQ(verdict("corrupted-echo", 0.0), ExitCode::done) << "the second attempt succeeds";
+}
+
+TEST(Doctor, WithoutAFirmwareFileIsAFailedDevice) {
+  FalconReport report;
+  report.state = FalconState::fault;
+  report.fault = FalconFault::no_firmware;
+  EXPECT_EQ(verdict_of(report, false), ExitCode::device_failed);
+}
+
+// --- The udev rule ---
+
+TEST(Doctor, RuleIsWrittenWholeAndForAllToRead) {
+  TemporaryFolder folder;
+  const std::string place = folder / "etc/udev/rules.d";
+  const std::vector<std::string_view> places{place};
+  EXPECT_TRUE(installed_udev_rule(places).empty());
+  const mode_t usual = umask(077);
+  const std::filesystem::path rule = write_udev_rule(place);
+  umask(usual);
+  EXPECT_EQ(rule, std::filesystem::path(place) / udev_rule_name);
+  EXPECT_EQ(installed_udev_rule(places), rule);
+  EXPECT_EQ(read_whole(rule.string()), udev_rule_text());
+  EXPECT_EQ(static_cast<unsigned>(std::filesystem::status(rule).permissions()), 0644U);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(place), {}), 1);
+  write_udev_rule(place);  // again, over itself
+  EXPECT_EQ(read_whole(rule.string()), udev_rule_text());
+  EXPECT_NE(udev_rule_text().find("ATTR{idProduct}==\"cb48\""), std::string_view::npos);
+}
+
+TEST(Doctor, RuleThatCannotBeWrittenIsTold) {
+  TemporaryFolder folder;
+  write_whole(folder / "file", "");
+  try {
+    write_udev_rule(folder / "file/rules.d");
+    FAIL() << "wrote below a file";
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.code(), ExitCode::file_trouble);
+  }
+}
+
+}  // namespace
+}  // namespace ghostforce

@@ -1,0 +1,69 @@
+// docs/falcon.md is what a person has in hand when a Falcon does not do what it should. Whatever the program may say
+// about one must be found there in the same words.
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "app/falcon_calibration_file.h"
+#include "app/ladder.h"
+#include "core/safety.h"
+#include "device/falcon/falcon_report.h"
+#include "device/virtual_falcon/misbehaviour.h"
+#include "tests/support/temporary_folder.h"
+
+namespace ghostforce {
+namespace {
+
+// As rows of its tables begin and end.
+void expect_row(const std::string& doc, std::string_view first, std::string_view second) {
+  const std::string row = fmt::format("| {} | {} |", first, second);
+  EXPECT_NE(doc.find(row), std::string::npos) << "docs/falcon.md lacks the row\n" << row;
+}
+
+class FalconDoc : public testing::Test {
+ protected:
+  const std::string doc_ = read_whole(GHOSTFORCE_FALCON_DOC);
+};
+
+TEST_F(FalconDoc, TellsEveryFaultAndItsRemedy) {
+  for (const FalconFaultEntry& fault : falcon_fault_catalog()) {
+    if (fault.id != FalconFault::none) expect_row(doc_, fault.title, fault.remedy);
+  }
+}
+
+TEST_F(FalconDoc, TellsEveryReasonToTurnOffAndItsRemedy) {
+  for (const OffReasonEntry& reason : off_reason_catalog()) {
+    if (reason.id != OffReason::none) expect_row(doc_, reason.title, reason.remedy);
+  }
+}
+
+TEST_F(FalconDoc, TellsEveryRung) {
+  for (const RungEntry& rung : rung_catalog()) expect_row(doc_, rung.title, rung.remedy);
+}
+
+TEST_F(FalconDoc, TellsEveryMisbehaviour) {
+  for (const MisbehaviourKind& kind : misbehaviour_catalog()) {
+    expect_row(doc_, fmt::format("`{}`", kind.name), kind.sentence);
+  }
+}
+
+TEST_F(FalconDoc, TellsEveryKeyOfACalibration) {
+  FalconCalibration calibration;
+  calibration.serial = *FalconSerial::from("12PZ657E");
+  std::istringstream text(falcon_calibration_text(calibration));
+  int keys = 0;
+  for (std::string line; std::getline(text, line);) {
+    const std::size_t end = line.find(" = ");
+    if (end == std::string::npos) continue;
+    ++keys;
+    EXPECT_NE(doc_.find(fmt::format("| `{}` |", line.substr(0, end))), std::string::npos) << line;
+  }
+  EXPECT_GE(keys, 10);
+}
+
+}  // namespace
+}  // namespace ghostforce

@@ -1,0 +1,147 @@
+// The ladder tells of every state of a device how far it has come, and never more.
+#include "app/ladder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+
+#include "core/motor_report.h"
+#include "device/falcon/falcon_report.h"
+
+namespace ghostforce {
+namespace {
+
+FalconReport in_state(FalconState state, FalconFault fault = FalconFault::none) {
+  FalconReport report;
+  report.state = state;
+  report.fault = fault;
+  return report;
+}
+
+FalconReport well() {
+  FalconReport report = in_state(FalconState::idle);
+  report.has_firmware = true;
+  report.has_homed = report.has_moved = {true, true, true};
+  report.exchange_hz = 975.0;
+  report.exchange_s = 0.00102;
+  report.worst_exchange_s = 0.0031;
+  return report;
+}
+
+// The name of the rung that is being climbed; empty: none is left.
+std::string_view current_of(const std::vector<RungState>& ladder) {
+  const auto current = std::ranges::find(ladder, true, &RungState::is_current);
+  return current == ladder.end() ? std::string_view{} : current->name;
+}
+
+const RungState& rung_in(const std::vector<RungState>& ladder, Rung rung) {
+  return ladder.at(static_cast<std::size_t>(rung));
+}
+
+TEST(Ladder, CatalogIsInOrderAndComplete) {
+  EXPECT_EQ(rung_catalog().size(), static_cast<std::size_t>(Rung::armed) + 1);
+  for (std::size_t i = 0; i < rung_catalog().size(); ++i) {
+    const RungEntry& entry = rung_catalog()[i];
+    EXPECT_EQ(static_cast<std::size_t>(entry.id), i);
+    EXPECT_FALSE(entry.name.empty());
+    EXPECT_FALSE(entry.title.empty());
+    EXPECT_TRUE(entry.remedy.ends_with(".")) << entry.name;
+  }
+}
+
+TEST(Ladder, EveryFaultIsOneRungsAndTellsItsRemedyThere) {
+  for (const FalconFaultEntry& fault : falcon_fault_catalog()) {
+    if (fault.id == FalconFault::none) continue;
+    const auto ladder = ladder_of(in_state(FalconState::fault, fault.id), nullptr);
+    const auto current = std::ranges::find(ladder, true, &RungState::is_current);
+    ASSERT_NE(current, ladder.end()) << fault.name;
+    EXPECT_NE(current->words.find(fault.title), std::string::npos) << current->words;
+    EXPECT_NE(current->words.find(fault.remedy), std::string::npos) << current->words;
+    // All below is reached, nothing above.
+    for (const RungState& state : ladder) EXPECT_EQ(state.is_reached, state.rung < current->rung) << fault.name;
+  }
+  const auto rung_of = [](FalconFault fault) {
+    return current_of(ladder_of(in_state(FalconState::fault, fault), nullptr));
+  };
+  EXPECT_EQ(rung_of(FalconFault::unplugged), "seen");
+  EXPECT_EQ(rung_of(FalconFault::not_allowed), "allowed");
+  EXPECT_EQ(rung_of(FalconFault::busy), "free");
+  EXPECT_EQ(rung_of(FalconFault::no_firmware), "firmware");
+  EXPECT_EQ(rung_of(FalconFault::kinematics), "homed");
+}
+
+TEST(Ladder, GrowsWithTheDevice) {
+  EXPECT_EQ(current_of(ladder_of(in_state(FalconState::absent), nullptr)), "seen");
+  FalconReport report = in_state(FalconState::loading_firmware, FalconFault::echo_differs);
+  report.attempt = 2;
+  report.attempts = 10;
+  report.bytes_echoed = 3100;
+  report.firmware_size = 8492;
+  const auto loading = ladder_of(report, nullptr);
+  EXPECT_EQ(current_of(loading), "firmware");
+  EXPECT_EQ(rung_in(loading, Rung::firmware).words,
+            "loading, attempt 2 of 10, 3100 of 8492 bytes; before: upload was garbled");
+
+  report = in_state(FalconState::homing);
+  report.has_homed = {true, false, true};
+  const auto homing = ladder_of(report, nullptr);
+  EXPECT_EQ(current_of(homing), "homed");
+  EXPECT_TRUE(rung_in(homing, Rung::homed).words.starts_with("homed: motor 1, motor 3;"));
+
+  report = well();
+  report.has_moved = {false, true, false};
+  const auto moving = ladder_of(report, nullptr);
+  EXPECT_EQ(current_of(moving), "encoders_move");
+  EXPECT_TRUE(rung_in(moving, Rung::encoders_move).words.starts_with("not moved yet: motor 1, motor 3."));
+
+  const auto all = ladder_of(well(), nullptr);
+  EXPECT_EQ(current_of(all), "");
+  EXPECT_EQ(all.back().rung, Rung::fast_enough);
+  EXPECT_EQ(all.back().words, "975 exchanges/s, 1.02 ms each, worst 3.1 ms");
+}
+
+// While it is homed the driver asks about 250 times a second, by its own choice.
+TEST(Ladder, SpeedDuringHomingIsThatOfOneAnswer) {
+  FalconReport report = well();
+  report.state = FalconState::homing;
+  report.exchange_hz = 250.0;
+  EXPECT_NEAR(attainable_exchange_hz(report), 980.0, 1.0);
+  EXPECT_TRUE(is_fast_and_even(report));
+  report.exchange_s = 0.005;
+  EXPECT_FALSE(is_fast_and_even(report));
+  EXPECT_NE(ladder_of(report, nullptr).back().words, "") << "it has failed, though its turn has not come";
+  report = well();
+  report.worst_exchange_s = 0.020;
+  EXPECT_FALSE(is_fast_and_even(report)) << "would end every push as late";
+  report = well();
+  report.exchange_hz = 250.0;
+  EXPECT_FALSE(is_fast_and_even(report)) << "homed: nothing holds it back";
+}
+
+TEST(Ladder, EndsWithThePersonsWill) {
+  MotorReport motors;
+  motors.has_motors = true;
+  const auto current = [&] { return current_of(ladder_of(well(), &motors)); };
+  const auto words = [&] { return ladder_of(well(), &motors).back().words; };
+  EXPECT_EQ(current(), "outside_wall");
+  motors.is_handle_known = motors.is_outside_wall = true;
+  EXPECT_EQ(current(), "armed");
+  EXPECT_EQ(words(), entry_of(Rung::armed).remedy);
+  motors.state = SafetyState::arming;
+  motors.obstacle = ArmingObstacle::focus;
+  EXPECT_EQ(words(), entry_of(ArmingObstacle::focus).sentence);
+  motors.state = SafetyState::on;
+  motors.is_outside_wall = false;  // in contact
+  motors.limit = 6.0;
+  EXPECT_EQ(current(), "");
+  EXPECT_EQ(words(), "motors on, 6.0 N at most");
+  motors.state = SafetyState::off;
+  motors.is_outside_wall = true;
+  motors.reason = OffReason::too_fast;
+  EXPECT_EQ(current(), "armed");
+  EXPECT_NE(words().find(entry_of(OffReason::too_fast).remedy), std::string::npos);
+}
+
+}  // namespace
+}  // namespace ghostforce
