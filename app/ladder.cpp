@@ -244,4 +244,29 @@ std::vector<RungState> ladder_of(const FalconReport& report, const MotorReport* 
   return Climb(report, motors).states();
 }
 
+ExitCode exit_code_of(const FalconReport& report, bool needs_homing) {
+  for (const RungState& state : ladder_of(report, nullptr)) {
+    if (state.is_reached) continue;
+    switch (state.rung) {
+      case Rung::seen:
+        return ExitCode::device_absent;
+      case Rung::allowed:
+      case Rung::free:
+        return ExitCode::device_refused;
+      case Rung::firmware:
+        return ExitCode::device_failed;
+      case Rung::homed:
+        if (needs_homing) return ExitCode::device_failed;
+        break;
+      case Rung::fast_enough:
+        return ExitCode::answer_is_no;
+      case Rung::encoders_move:
+      case Rung::outside_wall:
+      case Rung::armed:
+        break;
+    }
+  }
+  return ExitCode::done;
+}
+
 }  // namespace ghostforce

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "app/failure.h"
+
 namespace ghostforce {
 
 // Of the device, of which what draws the ladder knows nothing else.
@@ -56,5 +58,8 @@ struct RungState {
 
 // `motors` null: nobody means to arm, and the ladder ends at fast_enough.
 std::vector<RungState> ladder_of(const FalconReport& report, const MotorReport* motors);
+
+// How a program ends that was to use this device. `needs_homing`: somebody was there to do it.
+ExitCode exit_code_of(const FalconReport& report, bool needs_homing);
 
 }  // namespace ghostforce

@@ -3,15 +3,14 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
 #include <chrono>
 #include <cstdio>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
+#include <thread>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -31,6 +30,9 @@ namespace ghostforce {
 namespace {
 
 constexpr double wait_on_terminal_s = 30.0;
+
+// Long enough for the SpaceMouse's thread to have looked once.
+constexpr std::chrono::milliseconds time_to_look{200};
 
 struct Options {
   FalconSetUp falcon;
@@ -87,6 +89,8 @@ int doctor(const Options& options) {
     return static_cast<int>(ExitCode::done);
   }
   Diagnosis diagnosis;
+  SpaceMouseInput spacemouse;  // looks for one meanwhile
+  const auto began = std::chrono::steady_clock::now();
   diagnosis.firmware = options.falcon.read_firmware_file();
   const InputOptions input_options = options.falcon.input_options(diagnosis.firmware);
   diagnosis.usb = list_falcons(input_options.falcon_id);
@@ -104,7 +108,9 @@ int doctor(const Options& options) {
   }
   diagnosis.has_calibration = std::ranges::find(input_options.falcon.calibrations, diagnosis.report.serial,
                                                 &FalconCalibration::serial) != input_options.falcon.calibrations.end();
-  diagnosis.verdict = verdict_of(diagnosis.report, wait_s > 0.0);
+  std::this_thread::sleep_until(began + time_to_look);
+  diagnosis.spacemouse = spacemouse.reading();
+  diagnosis.verdict = exit_code_of(diagnosis.report, wait_s > 0.0);
   OutputFile output("-");
   output.write(options.json ? json_of(diagnosis) : text_of(diagnosis));
   output.commit();

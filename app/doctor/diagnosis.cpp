@@ -37,6 +37,25 @@ std::string calibration_words(const Diagnosis& diagnosis) {
                                                  diagnosis.report.serial.text());
 }
 
+struct SpaceMouseWords {
+  std::string_view state;  // in JSON
+  std::string_view words;
+};
+
+SpaceMouseWords words_about(SpaceMouseReading::Trouble trouble) {
+  switch (trouble) {
+    case SpaceMouseReading::Trouble::none:
+      return {"ready", "ready"};
+    case SpaceMouseReading::Trouble::absent:
+      return {"absent", "none is plugged in"};
+    case SpaceMouseReading::Trouble::not_allowed:
+      return {"not_allowed", "this user may not open it; 'ghostforce doctor --install-udev' helps"};
+    case SpaceMouseReading::Trouble::not_opened:
+      return {"not_opened", "it cannot be opened; close the other program that has it"};
+  }
+  return {};
+}
+
 std::string realtime_words(const RealtimeStatus& status) {
   return fmt::format(
       "real time: {}{}", describe(status),
@@ -62,6 +81,7 @@ std::string text_of(const Diagnosis& diagnosis) {
               : fmt::format("udev rule: {}\n", printable(diagnosis.udev_rule.string(), longest_path));
   text += firmware_words(diagnosis.firmware) + "\n";
   text += calibration_words(diagnosis) + "\n";
+  text += fmt::format("SpaceMouse: {}\n", words_about(diagnosis.spacemouse.trouble).words);
   text += realtime_words(diagnosis.realtime) + "\n";
   return text;
 }
@@ -123,6 +143,7 @@ std::string json_of(const Diagnosis& diagnosis) {
       {"has_calibration", diagnosis.has_calibration},
       {"has_usb", diagnosis.usb.has_usb},
       {"devices", devices},
+      {"spacemouse", words_about(diagnosis.spacemouse.trouble).state},
       {"udev_rule", udev_rule},
       {"real_time",
        {{"priority", diagnosis.realtime.priority_error == 0},

@@ -12,6 +12,7 @@
 #include "device/falcon/firmware_file.h"
 #include "device/falcon/usb_search.h"
 #include "device/realtime.h"
+#include "device/spacemouse_input.h"
 
 namespace ghostforce {
 
@@ -23,6 +24,7 @@ struct Diagnosis {
   UsbSearch usb;                    // what is on the bus
   std::filesystem::path udev_rule;  // empty: not installed
   RealtimeStatus realtime;
+  SpaceMouseReading spacemouse;
 };
 
 std::string text_of(const Diagnosis& diagnosis);

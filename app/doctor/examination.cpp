@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "app/ladder.h"
-
 namespace ghostforce {
 namespace {
 
@@ -71,31 +69,6 @@ FalconReport examine(FalconInput& falcon, double wait_s, const std::function<voi
   }
   falcon.finish();
   return examination.report();
-}
-
-ExitCode verdict_of(const FalconReport& report, bool needs_homing) {
-  for (const RungState& state : ladder_of(report, nullptr)) {
-    if (state.is_reached) continue;
-    switch (state.rung) {
-      case Rung::seen:
-        return ExitCode::device_absent;
-      case Rung::allowed:
-      case Rung::free:
-        return ExitCode::device_refused;
-      case Rung::firmware:
-        return ExitCode::device_failed;
-      case Rung::homed:
-        if (needs_homing) return ExitCode::device_failed;
-        break;
-      case Rung::fast_enough:
-        return ExitCode::answer_is_no;
-      case Rung::encoders_move:
-      case Rung::outside_wall:
-      case Rung::armed:
-        break;
-    }
-  }
-  return ExitCode::done;
 }
 
 }  // namespace ghostforce

@@ -4,7 +4,6 @@
 
 #include <functional>
 
-#include "app/failure.h"
 #include "device/falcon/falcon_input.h"
 
 namespace ghostforce {
@@ -13,8 +12,5 @@ namespace ghostforce {
 // homed it and moved its handle, and measures its exchanges for a second. Ends earlier where a fault ends it. `watch`
 // sees every reading and may throw. Returns the last report before the device was let go.
 FalconReport examine(FalconInput& falcon, double wait_s, const std::function<void(const FalconReport&)>& watch);
-
-// `needs_homing`: somebody was there to do it.
-ExitCode verdict_of(const FalconReport& report, bool needs_homing);
 
 }  // namespace ghostforce

@@ -43,7 +43,7 @@ TEST(Doctor, TellsThatThereIsNone) {
   EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
   EXPECT_TRUE(outcome.out.starts_with("✗ Plugged in")) << outcome.out;
   EXPECT_NE(outcome.out.find("– Fast enough"), std::string::npos) << outcome.out;
-  for (const std::string_view words : {"udev rule: ", "firmware: ", "calibration: ", "real time: "}) {
+  for (const std::string_view words : {"udev rule: ", "firmware: ", "calibration: ", "SpaceMouse: ", "real time: "}) {
     EXPECT_NE(outcome.out.find(words), std::string::npos) << words;
   }
 }
@@ -80,7 +80,7 @@ TEST(Doctor, JsonHasEveryKeyEvenWithoutADevice) {
        {"ladder",    "state",          "fault",           "serial",      "is_virtual",      "firmware",
         "has_homed", "has_moved",      "encoders",        "exchange_hz", "exchange_s",      "worst_exchange_s",
         "exchanges", "lost_exchanges", "discarded_bytes", "line_errors", "has_calibration", "has_usb",
-        "devices",   "udev_rule",      "real_time",       "exit_code"}) {
+        "devices",   "spacemouse",     "udev_rule",       "real_time",   "exit_code"}) {
     EXPECT_TRUE(json.contains(key)) << key;
   }
   for (const char* key : {"file", "sha256", "known_as", "is_running"})
@@ -121,15 +121,15 @@ Misbehaviour misbehaving(std::string_view name) {
 TEST(Doctor, VerdictOnAWellDevice) {
   const FalconReport waited = examined({}, 60.0);
   for (const RungState& state : ladder_of(waited, nullptr)) EXPECT_TRUE(state.is_reached) << state.name;
-  EXPECT_EQ(verdict_of(waited, true), ExitCode::done);
+  EXPECT_EQ(exit_code_of(waited, true), ExitCode::done);
   const FalconReport alone = examined({}, 0.0);
   EXPECT_EQ(alone.state, FalconState::homing);
-  EXPECT_EQ(verdict_of(alone, false), ExitCode::done);
+  EXPECT_EQ(exit_code_of(alone, false), ExitCode::done);
 }
 
 TEST(Doctor, VerdictsOnFaults) {
   const auto verdict = [](std::string_view name, double wait_s) {
-    return verdict_of(examined(misbehaving(name), wait_s), wait_s > 0.0);
+    return exit_code_of(examined(misbehaving(name), wait_s), wait_s > 0.0);
   };
   EXPECT_EQ(verdict("absent", 0.0), ExitCode::device_absent);
   EXPECT_EQ(verdict("not-allowed", 0.0), ExitCode::device_refused);
@@ -147,7 +147,7 @@ TEST(Doctor, WithoutAFirmwareFileIsAFailedDevice) {
   FalconReport report;
   report.state = FalconState::fault;
   report.fault = FalconFault::no_firmware;
-  EXPECT_EQ(verdict_of(report, false), ExitCode::device_failed);
+  EXPECT_EQ(exit_code_of(report, false), ExitCode::device_failed);
 }
 
 // --- The udev rule ---
