@@ -16,6 +16,7 @@
 #include "app/failure.h"
 #include "app/falcon_setup.h"
 #include "app/interruption.h"
+#include "app/ladder.h"
 #include "app/panels/panel_catalog.h"
 #include "app/remembered.h"
 
@@ -92,7 +93,7 @@ ExitCode end_of(const Application& application) {
   if (entry_of(application.report().motors.reason).is_safety_limit) return ExitCode::safety_stop;
   const FalconReport* const falcon = application.falcon_report();
   if (falcon == nullptr || falcon->is_readable()) return ExitCode::done;
-  return ExitCode::device_absent;
+  return exit_code_of(*falcon, true);
 }
 
 int run(const Options& options) {

@@ -121,7 +121,8 @@ void Falcon::open() noexcept {
   if (fault == LinkFault::absent) {
     phase_ = Phase::absent;
     pause_s_ = look_again_s;
-    // Why it has gone stays on screen until it is back.
+    // That it was there and has gone stays on screen until it is back.
+    if (report_.fault != FalconFault::none) report_.fault = FalconFault::unplugged;
     report_.state = report_.fault == FalconFault::none ? FalconState::absent : FalconState::fault;
     attempt_ = 0;
     return;
