@@ -41,6 +41,18 @@ void prepare(const KeyBinding& binding, Session& session) {
   if (is(GLFW_KEY_F, 0)) session.shown.width = 0.5;
 }
 
+TEST(KeyTable, IsTheOneInTheReadme) {
+  const std::string readme = read_whole(GHOSTFORCE_README);
+  std::string table = "| mouse, key | what it does |\n| --- | --- |\n";
+  for (const MouseGesture& gesture : mouse_table()) {
+    table += fmt::format("| {} | {} |\n", gesture.shown, gesture.sentence);
+  }
+  for (const KeyBinding& binding : key_table()) {
+    if (!binding.shown.empty()) table += fmt::format("| {} | {} |\n", binding.shown, binding.sentence);
+  }
+  EXPECT_NE(readme.find(table), std::string::npos) << "README.md should hold\n" << table;
+}
+
 TEST_F(KeysTest, EachKeyChangesThePicture) {
   for (const KeyBinding& binding : key_table()) {
     open({});
