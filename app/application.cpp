@@ -43,6 +43,7 @@ Application::Application(Window& window, const Scene& scene, const ApplicationOp
       session_(session_with(scene, options)),
       undo_({session_.scene, session_.settings}),
       inputs_(input_choices()),
+      misbehaviours_(misbehaviour_choices()),
       input_options_(options.input_options),
       screen_(window, options.part) {
   if (!options.shader_folder.empty()) shader_watch_.emplace(options.shader_folder);
@@ -74,6 +75,7 @@ void Application::use(const InputKind& kind, std::shared_ptr<const Scene> scene,
   falcon_report_ = {};
   input_title_ = kind.title;
   session_.input = kind.name;
+  session_.misbehaviour.clear();
   session_.pointer_moves_goal = pointer_ != nullptr;
   session_.scene = std::move(scene);
   session_.settings = settings;
@@ -144,6 +146,7 @@ LoopReading Application::loop_reading() const {
           .device = falcon_ != nullptr ? fmt::format("{} {}", input_title_, falcon_report_.serial.text()) : "",
           .device_remark = device_remark(),
           .spacemouse = spacemouse_ != nullptr ? std::optional(spacemouse_->reading()) : std::nullopt,
+          .misbehaviours = virtual_falcon_ != nullptr ? misbehaviours_ : std::span<const InputChoice>(),
           .remark = describe(report_.realtime)};
 }
 
@@ -190,12 +193,20 @@ void Application::send(double interval_s) {
   if (spacemouse_ != nullptr) spacemouse_->set(session_.spacemouse);
   if (pointer_ == nullptr) return;
   pointer_->hold_with(session_.settings.impedances.k_u);
-  // Whoever drags a virtual handle holds its grip.
-  if (virtual_falcon_ != nullptr) virtual_falcon_->press(session_.drags_goal ? ReplyFrame::button_centre : 0);
+  if (virtual_falcon_ != nullptr) rehearse();
   if (session_.drags_goal || session_.goal != sent_goal_) {
     pointer_->move_to(session_.goal, interval_s * session_.speed);
     sent_goal_ = session_.goal;
   }
+}
+
+void Application::rehearse() {
+  // Whoever drags a virtual handle holds its grip.
+  virtual_falcon_->press(session_.drags_goal ? ReplyFrame::button_centre : 0);
+  if (session_.misbehaviour.empty()) return;
+  Misbehaviour wrong;
+  if (const MisbehaviourKind* const kind = find_misbehaviour(session_.misbehaviour)) kind->add(wrong);
+  virtual_falcon_->misbehave(wrong);
 }
 
 void Application::note_motors() {

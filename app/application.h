@@ -69,6 +69,7 @@ class Application {
   void take_samples();
   void send(double interval_s);
   void note_motors();
+  void rehearse();
   void grant_wishes();
   void open_scene(const std::string& name_or_path);
   void save_picture(const PictureWish& wish);
@@ -82,6 +83,7 @@ class Application {
   Session session_;
   UndoHistory undo_;
   std::vector<InputChoice> inputs_;
+  std::vector<InputChoice> misbehaviours_;
   std::string input_title_;
   History history_;
   ServoCommand command_;

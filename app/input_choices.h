@@ -14,4 +14,11 @@ inline std::vector<InputChoice> input_choices() {
   return choices;
 }
 
+// What the virtual Falcon can be asked to do wrong, after doing nothing wrong.
+inline std::vector<InputChoice> misbehaviour_choices() {
+  std::vector<InputChoice> choices{{"none", "none", "It does what a Falcon should."}};
+  for (const MisbehaviourKind& kind : misbehaviour_catalog()) choices.push_back({kind.name, kind.name, kind.sentence});
+  return choices;
+}
+
 }  // namespace ghostforce

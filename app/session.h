@@ -89,6 +89,7 @@ struct Session {
   std::uint32_t acknowledgements = 0;  // the person has read why they went off
   SafetyOptions safety;
   SpaceMouseSettings spacemouse;
+  std::string misbehaviour;         // of a virtual device, a name of loop.misbehaviours; empty: as it was started
   std::string input = "mouse";      // who moves the goal, a name of the input catalog
   bool pointer_moves_goal = true;   // that input is the mouse
   bool has_handles = false;         // there is a person who can take hold of wall and motor axis
@@ -130,6 +131,7 @@ struct LoopReading {
   std::string device{};                           // what the ladder is of; may be empty
   std::string device_remark{};                    // what else is to be known about it; may be empty
   std::optional<SpaceMouseReading> spacemouse{};  // if that is the input
+  std::span<const InputChoice> misbehaviours{};   // that a virtual device can be asked for; empty: it is none
   std::string remark{};  // what the operating system granted and refused the loop; may be empty
 };
 

@@ -1,6 +1,8 @@
 // Who moves the goal; and for a device, how far it is.
 #include <algorithm>
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "app/keys.h"
 #include "app/panels/controls.h"
@@ -9,21 +11,23 @@
 namespace ghostforce {
 namespace {
 
-void draw_choice(const PanelContext& context) {
-  Session& session = context.session;
-  const auto chosen = std::ranges::find(context.loop.inputs, session.input, &InputChoice::name);
-  const bool is_known = chosen != context.loop.inputs.end();
-  const bool is_open = ImGui::BeginCombo("##input", is_known ? chosen->title.data() : "");
+// Returns the name of the one that was chosen just now, or nothing.
+std::string_view choose(const char* id, std::span<const InputChoice> choices, std::string_view chosen_name) {
+  std::string_view picked;
+  const auto chosen = std::ranges::find(choices, chosen_name, &InputChoice::name);
+  const bool is_known = chosen != choices.end();
+  const bool is_open = ImGui::BeginCombo(id, is_known ? chosen->title.data() : "");
   if (!is_open) {
     if (is_known) explain(chosen->sentence);
-    return;
+    return picked;
   }
   close_popup_on_escape();
-  for (const InputChoice& choice : context.loop.inputs) {
-    if (ImGui::Selectable(choice.title.data(), session.input == choice.name)) session.wishes.input = choice.name;
+  for (const InputChoice& choice : choices) {
+    if (ImGui::Selectable(choice.title.data(), choice.name == chosen_name)) picked = choice.name;
     explain(choice.sentence);
   }
   ImGui::EndCombo();
+  return picked;
 }
 
 // The rung that is to be reached now, with its words; the whole ladder is a key away.
@@ -110,7 +114,13 @@ void draw_spacemouse(const PanelContext& context) {
 void draw_input(const PanelContext& context) {
   if (begin_rows("input", context)) {
     row("Goal from", "Who moves the goal of the hand.");
-    draw_choice(context);
+    const std::string_view input = choose("##input", context.loop.inputs, context.session.input);
+    if (!input.empty()) context.session.wishes.input = input;
+    if (!context.loop.misbehaviours.empty()) {
+      row("Misbehaves", "What the virtual device does wrong, to see what the program makes of it.");
+      const std::string_view wrong = choose("##misbehaviour", context.loop.misbehaviours, context.session.misbehaviour);
+      if (!wrong.empty()) context.session.misbehaviour = wrong;
+    }
     end_rows();
   }
   if (!context.loop.ladder.empty()) draw_rung(context);
