@@ -3,6 +3,7 @@
 #include <array>
 #include <atomic>
 #include <csignal>
+#include <cstdlib>
 
 #include "device/falcon/falcon_link.h"
 #include "device/falcon/frame.h"
@@ -45,6 +46,11 @@ void install() noexcept {
   action.sa_flags = static_cast<int>(SA_RESETHAND | SA_NODEFER);
   sigemptyset(&action.sa_mask);
   for (const int signal : std::array{SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL}) sigaction(signal, &action, nullptr);
+  // Jobs in the background have it ignored, and go on.
+  struct sigaction before {};
+  sigaction(SIGQUIT, nullptr, &before);
+  if (before.sa_handler != SIG_IGN) sigaction(SIGQUIT, &action, nullptr);
+  std::atexit(take);
 }
 
 }  // namespace ghostforce::last_resort

@@ -15,8 +15,10 @@ void guard(FalconLink* link) noexcept;
 void take() noexcept;
 bool is_taken() noexcept;
 
-// Makes SIGABRT (a failed assertion, an exception that nobody catches), SIGSEGV, SIGBUS, SIGFPE and SIGILL take it and
-// then end the process as they would have.
+// Makes SIGABRT (a failed assertion, an exception that nobody catches), SIGSEGV, SIGBUS, SIGFPE, SIGILL and SIGQUIT
+// (Ctrl+\) take it and then end the process as they would have; a thread must not block those of them that are its own
+// faults. exit() takes it too: libraries call it (Xlib does when its display has gone), and no destructor on a stack
+// runs.
 void install() noexcept;
 
 }  // namespace last_resort

@@ -84,10 +84,12 @@ void Servo::stop() noexcept {
 }
 
 void Servo::run() noexcept {
-  // Signals are the UI thread's matter.
-  sigset_t all;
-  sigfillset(&all);
-  pthread_sigmask(SIG_BLOCK, &all, nullptr);
+  // Signals are the UI thread's matter, but not a fault on this one: were it blocked, the process would end without
+  // its last resort.
+  sigset_t others;
+  sigfillset(&others);
+  for (const int fault : {SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL}) sigdelset(&others, fault);
+  pthread_sigmask(SIG_BLOCK, &others, nullptr);
   pthread_setname_np(pthread_self(), "servo");
   report_.realtime = request_realtime();
 

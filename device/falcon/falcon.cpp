@@ -367,7 +367,8 @@ void Falcon::finish() noexcept {
   // Three answers: the device has heard it, and not only the chip before it.
   command_ = {};
   const std::int64_t deadline_ns = link_->now_ns() + 100'000'000;
-  for (int heard = 0; heard < 3 && link_->fault() == LinkFault::none && link_->now_ns() < deadline_ns;) {
+  const int on_its_way = is_reply_due_ ? 1 : 0;  // the answer to what was said before
+  for (int heard = -on_its_way; heard < 3 && link_->fault() == LinkFault::none && link_->now_ns() < deadline_ns;) {
     if (!is_reply_due_ || since(sent_ns_) >= ask_again_s) send_command();
     link_->wait_until(std::min(deadline_ns, link_->now_ns() + 5'000'000));
     if (take_replies()) {

@@ -1,5 +1,6 @@
 // FalconChip: a whole Falcon at the far end of an emulated cable: its chip and processor, an arm, and a hand that homes
-// it when it is asked to. The virtual Falcon's parts, driven by the emulated device's clock. Any thread.
+// it when it is asked to. The virtual Falcon's parts, driven by the emulated device's clock. Any thread; lead_hand()
+// one other.
 #pragma once
 
 #include <time.h>
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <mutex>
+#include <utility>
 
 #include "device/virtual_falcon/arm.h"
 #include "device/virtual_falcon/falcon_dsp.h"
@@ -17,12 +19,36 @@ namespace ghostforce {
 
 class FalconChip final : public EmulatedChip {
  public:
-  FalconChip() : FalconChip(now_ns()) {}
+  // What motors and lights have been told.
+  struct Told {
+    MotorNumbers motors{};            // driven with now [counts]
+    std::int64_t last_force_ns = 0;   // when they were last driven with anything but 0; 0: never
+    std::uint64_t frames = 0;         // since the beginning
+    std::uint64_t silent_frames = 0;  // the newest ones in a row that asked for no force and no light
+  };
+
+  explicit FalconChip(const FalconDsp::Options& options = {}) : FalconChip(options, now_ns()) {}
+
+  void lead_hand(HandPlan plan) noexcept {
+    plan.homes_when_asked = true;
+    hand_.follow(plan);
+  }
+
+  // What is under way arrives first.
+  Told told() {
+    const std::lock_guard lock(mutex_);
+    const std::int64_t now = now_ns();
+    live_until(now);
+    dsp_.advance(now);
+    note();
+    return told_;
+  }
 
   void control(const VendorRequest& request, std::int64_t now_ns) override {
     const std::lock_guard lock(mutex_);
     live_until(now_ns);
     dsp_.control(request, now_ns);
+    note();
   }
 
   std::size_t room() const override {
@@ -34,12 +60,15 @@ class FalconChip final : public EmulatedChip {
     const std::lock_guard lock(mutex_);
     live_until(now_ns);
     dsp_.receive(bytes, now_ns);
+    note();
   }
 
   std::size_t take_packet(std::span<std::uint8_t, packet_size> into, std::int64_t now_ns) override {
     const std::lock_guard lock(mutex_);
     live_until(now_ns);
-    return dsp_.take_packet(into, now_ns);
+    const std::size_t size = dsp_.take_packet(into, now_ns);
+    note();
+    return size;
   }
 
   std::int64_t next_due_ns() const override {
@@ -73,7 +102,8 @@ class FalconChip final : public EmulatedChip {
     return plan;
   }
 
-  explicit FalconChip(std::int64_t now_ns) : lived_ns_(now_ns), dsp_({}, now_ns), arm_({}), hand_(plan(), now_ns) {
+  FalconChip(const FalconDsp::Options& options, std::int64_t now_ns)
+      : lived_ns_(now_ns), dsp_(options, now_ns), arm_({}), hand_(plan(), now_ns) {
     dsp_.set_encoders(arm_.encoders());
   }
 
@@ -81,10 +111,20 @@ class FalconChip final : public EmulatedChip {
     lived_ns_ = std::max(lived_ns_, now_ns - longest_gap_ns);
     for (; lived_ns_ + step_ns <= now_ns; lived_ns_ += step_ns) {
       dsp_.advance(lived_ns_ + step_ns);
+      note();
+      if (told_.motors != MotorNumbers{}) told_.last_force_ns = lived_ns_ + step_ns;
       hand_.advance(lived_ns_ + step_ns, dsp_.wants_homing());
       arm_.step(static_cast<double>(step_ns) * 1e-9, dsp_.motors(), hand_.goal(), hand_.stiffness());
       dsp_.set_encoders(arm_.encoders());
     }
+  }
+
+  void note() noexcept {
+    told_.motors = dsp_.motors();
+    const std::uint64_t news = dsp_.frames() - std::exchange(told_.frames, dsp_.frames());
+    if (news == 0) return;
+    const bool is_silent = dsp_.last_command().motors == MotorNumbers{} && dsp_.lights() == 0;
+    told_.silent_frames = is_silent ? told_.silent_frames + news : 0;
   }
 
   mutable std::mutex mutex_;
@@ -92,6 +132,7 @@ class FalconChip final : public EmulatedChip {
   FalconDsp dsp_;
   SimulatedArm arm_;
   SimulatedHand hand_;
+  Told told_;
 };
 
 }  // namespace ghostforce

@@ -12,6 +12,7 @@
 #include <cerrno>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 
 extern char** environ;
 
@@ -105,6 +106,14 @@ pid_t spawn(const std::string& program, const ProgramCall& call, int out, int er
   return child;
 }
 
+// As Outcome has it.
+int exit_code_of(pid_t child) {
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
 }  // namespace
 
 Outcome run_program(const std::string& program, const ProgramCall& call) {
@@ -143,11 +152,49 @@ Outcome run_program(const std::string& program, const ProgramCall& call) {
       }
     }
   }
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  outcome.exit_code = exit_code_of(child);
   return outcome;
+}
+
+RunningProgram::RunningProgram(const std::string& program, const ProgramCall& call) {
+  Pipe out;
+  child_ = spawn(program, call, out.write_end.number(), STDERR_FILENO);
+  out_ = checked(fcntl(out.read_end.number(), F_DUPFD_CLOEXEC, 0));
+}
+
+RunningProgram::~RunningProgram() {
+  if (child_ >= 0) {
+    send(SIGKILL);
+    wait_for_end();
+  }
+  close(out_);
+}
+
+std::optional<std::string> RunningProgram::next_line(std::chrono::milliseconds patience) {
+  const auto deadline = std::chrono::steady_clock::now() + patience;
+  for (;;) {
+    if (const std::size_t end = heard_.find('\n'); end != std::string::npos) {
+      const std::string line = heard_.substr(0, end);
+      heard_.erase(0, end + 1);
+      return line;
+    }
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - std::chrono::steady_clock::now());
+    pollfd wait{out_, POLLIN, 0};
+    if (left.count() <= 0 || poll(&wait, 1, static_cast<int>(left.count())) <= 0) return std::nullopt;
+    std::array<char, 4096> piece;
+    const ssize_t count = read(out_, piece.data(), piece.size());
+    if (count <= 0) return std::nullopt;
+    heard_.append(piece.data(), static_cast<std::size_t>(count));
+  }
+}
+
+void RunningProgram::send(int signal) const {
+  kill(child_, signal);
+}
+
+int RunningProgram::wait_for_end() {
+  if (child_ >= 0) exit_code_ = exit_code_of(std::exchange(child_, -1));
+  return exit_code_;
 }
 
 }  // namespace ghostforce

@@ -1,6 +1,10 @@
 // Runs a program as a person or a script would, and catches all that comes out.
 #pragma once
 
+#include <sys/types.h>
+
+#include <chrono>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,5 +36,27 @@ inline Outcome run_program(const std::string& program, std::vector<std::string> 
   call.words = std::move(words);
   return run_program(program, call);
 }
+
+// A program that runs while the test does something else: it is listened to line by line, and gets signals. What it
+// says on the standard error goes to the test's. Killed if it still runs in the end.
+class RunningProgram {
+ public:
+  RunningProgram(const std::string& program, const ProgramCall& call);
+  RunningProgram(const RunningProgram&) = delete;
+  RunningProgram& operator=(const RunningProgram&) = delete;
+  ~RunningProgram();
+
+  // The next line of the standard output; none: there is no more, or none within so long.
+  std::optional<std::string> next_line(std::chrono::milliseconds patience);
+  void send(int signal) const;
+  // As Outcome has it.
+  int wait_for_end();
+
+ private:
+  pid_t child_ = -1;  // -1: has ended
+  int out_ = -1;
+  std::string heard_;  // and not taken yet
+  int exit_code_ = -1;
+};
 
 }  // namespace ghostforce

@@ -1,0 +1,199 @@
+// Takes the Falcon, arms it, and once its motors push ends in the way that its argument names. On the way it says a
+// line at a time what it wants of the hand ("outside", "inside"), that its motors push ("pushing"), and, of what it
+// does itself, when ("ends", in ns of CLOCK_MONOTONIC).
+#undef NDEBUG  // assertions hold in every build of this program
+#include <cassert>
+
+#include <sys/mman.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <cinttypes>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <stdexcept>
+#include <string_view>
+#include <thread>
+#include <utility>
+
+#include "app/failure.h"
+#include "app/interruption.h"
+#include "device/falcon/falcon_input.h"
+#include "device/falcon/ftdi_link.h"
+#include "device/last_resort.h"
+#include "device/servo.h"
+#include "device/virtual_falcon/practice_firmware.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr double pushing_n = 1.0;
+
+void say(const char* line) {
+  std::printf("%s\n", line);
+  std::fflush(stdout);
+}
+
+void say_end() {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  std::printf("ends %" PRId64 "\n", std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec);
+  std::fflush(stdout);
+}
+
+// A real one, at an address that is mapped: a null pointer would be found by the sanitizer first.
+void touch_forbidden_memory() {
+  auto* const page = static_cast<volatile char*>(
+      mmap(nullptr, static_cast<std::size_t>(sysconf(_SC_PAGESIZE)), PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0));
+  *page = 1;
+}
+
+// In which the servo's own thread may be made to run into a bug.
+class MinedInput final : public FalconInput {
+ public:
+  using FalconInput::FalconInput;
+  using Mine = void (*)();
+
+  HandleReading read() noexcept override {
+    if (const Mine mine = mine_.load()) mine();
+    return FalconInput::read();
+  }
+  void lay(Mine mine) noexcept { mine_.store(mine); }
+
+ private:
+  std::atomic<Mine> mine_{nullptr};
+};
+
+// A floor, and a motor that pushes up from it.
+Settings floor_settings() {
+  Settings settings;
+  settings.wall_point = {0.0, -0.01};
+  settings.wall_normal_angle = settings.actuated_angle = 0.5 * std::acos(-1.0);
+  settings.mass = 0.1;
+  settings.damping = 5.0;
+  settings.rate = 1000.0;
+  settings.impedances.k_u = 100.0;
+  settings.impedances.k_r = 500.0;
+  settings.impedances.k_t = 500.0;
+  settings.impedances.k_c = 1e5;
+  settings.active = StrategyId::naive;
+  return settings;
+}
+
+// What the window is to the servo.
+class Person {
+ public:
+  Person() {
+    command_.settings = floor_settings();
+    command_.restart_state = state_at_start(Vector<2>(0.0));
+    FalconOptions options;
+    options.firmware = practice_firmware();
+    auto input = std::make_unique<MinedInput>(std::make_unique<FtdiLink>(), options, Vector<2>(0.0));
+    input_ = input.get();
+    servo_ = std::make_unique<Servo>(std::move(input), command_);
+    servo_->start();
+  }
+
+  // Until motors push; whenever they went off before, because this machine has other things to do, once again.
+  void arm_and_lean_in() {
+    while (!input_->report().is_readable()) live();
+    for (;;) {
+      say("outside");
+      ++command_.acknowledgements;
+      ++command_.arms_asked;
+      while (motors().state == SafetyState::off || motors().state == SafetyState::arming) live();
+      say("inside");
+      while (motors().state == SafetyState::ramp || motors().state == SafetyState::on) {
+        if (glm::length(motors().sent) > pushing_n) return say("pushing");
+        live();
+      }
+      while (motors().state != SafetyState::off) live();
+    }
+  }
+
+  // Throws when interrupted.
+  void live() {
+    stop_if_interrupted();
+    ++command_.heart_beats;
+    servo_->send(command_);
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+
+  const MotorReport& motors() { return servo_->newest().motors; }
+  MinedInput& input() { return *input_; }
+  Servo& servo() { return *servo_; }
+
+ private:
+  ServoCommand command_;
+  MinedInput* input_ = nullptr;
+  std::unique_ptr<Servo> servo_;
+};
+
+struct Way {
+  std::string_view name;
+  void (*go)(Person& person);
+};
+
+constexpr Way ways[] = {
+    {"return", [](Person&) {}},
+    {"stop and exit",
+     [](Person& person) {
+       person.servo().stop();
+       std::exit(0);
+     }},
+    // As libraries do, Xlib for one when it has lost its display: no destructor on any stack runs.
+    {"exit", [](Person&) { std::exit(0); }},
+    {"wait",
+     [](Person& person) {
+       for (;;) person.live();
+     }},
+    // Hears of nothing, because its main thread hangs.
+    {"hang",
+     [](Person&) {
+       for (;;) std::this_thread::sleep_for(std::chrono::seconds(1));
+     }},
+    {"stall",
+     [](Person& person) {
+       std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+       say(entry_of(person.motors().reason).name.data());
+     }},
+    {"abort", [](Person&) { std::abort(); }},
+    {"assertion", [](Person& person) { assert(glm::length(person.motors().sent) < 0.0); }},
+    {"exception", [](Person&) { throw std::runtime_error("that nobody catches"); }},
+    {"segmentation fault", [](Person&) { touch_forbidden_memory(); }},
+    {"abort on the servo's thread", [](Person& person) { person.input().lay([] { std::abort(); }); }},
+    {"segmentation fault on the servo's thread", [](Person& person) { person.input().lay(touch_forbidden_memory); }},
+};
+
+int run(std::string_view name) {
+  for (const Way& way : ways) {
+    if (way.name != name) continue;
+    Person person;
+    person.arm_and_lean_in();
+    say_end();
+    way.go(person);
+    // The servo's thread is on its way.
+    if (name.ends_with("thread")) std::this_thread::sleep_for(std::chrono::seconds(5));
+    return 0;
+  }
+  return static_cast<int>(ExitCode::wrong_call);
+}
+
+}  // namespace
+}  // namespace ghostforce
+
+int main(int argc, char** argv) {
+  using namespace ghostforce;
+  // In the order of the real main().
+  remember_interruptions();
+  last_resort::install();
+  try {
+    return run(argc > 1 ? argv[1] : "");
+  } catch (const Failure& failure) {
+    return static_cast<int>(failure.code());
+  }
+}

@@ -1,0 +1,211 @@
+// Every way out of a process that can run code ends in zero force on the device: a program that holds an armed Falcon,
+// through the real libusb, ends while the motors push, and the far end of the cable tells what it was told last.
+#include <chrono>
+#include <csignal>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "app/failure.h"
+#include "device/falcon/plane.h"
+#include "tests/emulation/emulated_usb_device.h"
+#include "tests/emulation/falcon_chip.h"
+#include "tests/support/program.h"
+
+namespace ghostforce {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr milliseconds patience{20'000};  // of a machine that is busy with other things
+
+std::int64_t now_ns() {
+  return std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
+}
+
+HandPlan hand_in_scene(const Vector<2>& place) {
+  return hand_at(FalconPlane(FalconCalibration{}, Vector<2>(0.0)).in_workspace(place), 0.3);
+}
+
+class WaysOutTest : public testing::Test {
+ protected:
+  // A device that runs and is homed, so that each test takes seconds.
+  explicit WaysOutTest(int watchdog_ms = 0)
+      : chip({.starts_with_firmware = true, .starts_homed = true, .watchdog_ms = watchdog_ms}) {
+    falcon.plug();
+  }
+
+  // Returns when its motors push.
+  void start(const std::string& way) {
+    ProgramCall call;
+    call.words = {way};
+    program = std::make_unique<RunningProgram>(ARMED_PROGRAM, call);
+    for (;;) {
+      const auto line = program->next_line(patience);
+      ASSERT_TRUE(line) << "the program has ended, or has not got so far";
+      if (*line == "outside") chip.lead_hand(hand_in_scene({0.02, 0.02}));
+      if (*line == "inside") chip.lead_hand(hand_in_scene({0.0, -0.04}));
+      if (*line == "pushing") break;
+    }
+    const auto line = program->next_line(patience);
+    ASSERT_TRUE(line && line->starts_with("ends "));
+    event_ns = std::stoll(line->substr(5));
+  }
+
+  void send(int signal) {
+    ASSERT_NE(chip.told().motors, MotorNumbers{});
+    event_ns = now_ns();
+    program->send(signal);
+  }
+
+  // What was on the way when the program ended has arrived.
+  FalconChip::Told told_in_the_end() {
+    std::this_thread::sleep_for(milliseconds(30));
+    return chip.told();
+  }
+
+  void expect_no_force(int exit_code) {
+    EXPECT_EQ(program->wait_for_end(), exit_code);
+    const FalconChip::Told told = told_in_the_end();
+    EXPECT_EQ(told.motors, MotorNumbers{});
+    EXPECT_GT(told.last_force_ns, 0);
+    const std::int64_t after_us = (told.last_force_ns - event_ns) / 1000;
+    EXPECT_LT(after_us, 1'000'000);
+    RecordProperty("last_force_us_after", std::to_string(after_us));
+  }
+
+  // There was time for a goodbye: the device has answered what it was told last, and has been heard.
+  void expect_goodbye(int exit_code) {
+    expect_no_force(exit_code);
+    EXPECT_GE(chip.told().silent_frames, 3U);
+  }
+
+  TestBed bed;
+  FalconChip chip;
+  EmulatedUsbDevice falcon{bed, chip, "12PZ657E"};
+  std::unique_ptr<RunningProgram> program;
+  std::int64_t event_ns = 0;
+};
+
+// --- With a goodbye --------------------------------------------------------------------------------------------------
+
+TEST_F(WaysOutTest, Return) {
+  ASSERT_NO_FATAL_FAILURE(start("return"));
+  expect_goodbye(0);
+}
+
+TEST_F(WaysOutTest, StopAndExit) {
+  ASSERT_NO_FATAL_FAILURE(start("stop and exit"));
+  expect_goodbye(0);
+}
+
+class WaysOutBySignalTest : public WaysOutTest, public testing::WithParamInterface<int> {};
+
+TEST_P(WaysOutBySignalTest, Interrupted) {
+  ASSERT_NO_FATAL_FAILURE(start("wait"));
+  ASSERT_NO_FATAL_FAILURE(send(GetParam()));
+  expect_goodbye(static_cast<int>(ExitCode::interrupted));
+}
+
+INSTANTIATE_TEST_SUITE_P(, WaysOutBySignalTest, testing::Values(SIGINT, SIGTERM, SIGHUP),
+                         [](const auto& run) { return sigabbrev_np(run.param); });
+
+// Without a beat of the window's heart: the process stays, and its motors do not.
+TEST_F(WaysOutTest, TheWindowStalls) {
+  ASSERT_NO_FATAL_FAILURE(start("stall"));
+  const auto reason = program->next_line(patience);
+  ASSERT_TRUE(reason);
+  EXPECT_NE(*reason, "none");
+  const FalconChip::Told told = chip.told();
+  EXPECT_EQ(told.motors, MotorNumbers{});
+  EXPECT_LT(told.last_force_ns - event_ns, 1'200'000'000) << "0.5 s, and 0.2 s to fade";
+  RecordProperty("last_force_us_after", std::to_string((told.last_force_ns - event_ns) / 1000));
+  EXPECT_EQ(program->wait_for_end(), 0);
+}
+
+// --- At once ---------------------------------------------------------------------------------------------------------
+
+TEST_F(WaysOutTest, InterruptedTwiceBecauseItHangs) {
+  ASSERT_NO_FATAL_FAILURE(start("hang"));
+  program->send(SIGINT);
+  std::this_thread::sleep_for(milliseconds(20));  // two that come at once are one
+  event_ns = now_ns();
+  program->send(SIGINT);
+  expect_no_force(128 + SIGINT);
+}
+
+TEST_F(WaysOutTest, Quit) {
+  ASSERT_NO_FATAL_FAILURE(start("wait"));
+  ASSERT_NO_FATAL_FAILURE(send(SIGQUIT));
+  expect_no_force(128 + SIGQUIT);
+}
+
+TEST_F(WaysOutTest, ExitByALibrary) {
+  ASSERT_NO_FATAL_FAILURE(start("exit"));
+  expect_no_force(0);
+}
+
+TEST_F(WaysOutTest, Abort) {
+  ASSERT_NO_FATAL_FAILURE(start("abort"));
+  expect_no_force(128 + SIGABRT);
+}
+
+TEST_F(WaysOutTest, Assertion) {
+  ASSERT_NO_FATAL_FAILURE(start("assertion"));
+  expect_no_force(128 + SIGABRT);
+}
+
+TEST_F(WaysOutTest, ExceptionThatNobodyCatches) {
+  ASSERT_NO_FATAL_FAILURE(start("exception"));
+  expect_no_force(128 + SIGABRT);
+}
+
+TEST_F(WaysOutTest, SegmentationFault) {
+  ASSERT_NO_FATAL_FAILURE(start("segmentation fault"));
+  expect_no_force(128 + SIGSEGV);
+}
+
+TEST_F(WaysOutTest, AbortOnTheServosThread) {
+  ASSERT_NO_FATAL_FAILURE(start("abort on the servo's thread"));
+  expect_no_force(128 + SIGABRT);
+}
+
+TEST_F(WaysOutTest, SegmentationFaultOnTheServosThread) {
+  ASSERT_NO_FATAL_FAILURE(start("segmentation fault on the servo's thread"));
+  expect_no_force(128 + SIGSEGV);
+}
+
+// --- No code can run -------------------------------------------------------------------------------------------------
+
+// The device is told nothing more, and goes on with what it was told last. Nothing on this side of the cable can help.
+TEST_F(WaysOutTest, KilledTheDeviceGoesOnPushing) {
+  ASSERT_NO_FATAL_FAILURE(start("wait"));
+  ASSERT_NO_FATAL_FAILURE(send(SIGKILL));
+  EXPECT_EQ(program->wait_for_end(), 128 + SIGKILL);
+  const FalconChip::Told told = told_in_the_end();
+  std::this_thread::sleep_for(milliseconds(300));
+  EXPECT_EQ(chip.told().frames, told.frames);
+  EXPECT_EQ(chip.told().motors, told.motors);
+  EXPECT_NE(told.motors, MotorNumbers{});
+}
+
+class WaysOutWithAWatchdogTest : public WaysOutTest {
+ protected:
+  WaysOutWithAWatchdogTest() : WaysOutTest(200) {}
+};
+
+// Whether a real device's firmware has one is not known.
+TEST_F(WaysOutWithAWatchdogTest, KilledTheDeviceLetsGo) {
+  ASSERT_NO_FATAL_FAILURE(start("wait"));
+  ASSERT_NO_FATAL_FAILURE(send(SIGKILL));
+  EXPECT_EQ(program->wait_for_end(), 128 + SIGKILL);
+  std::this_thread::sleep_for(milliseconds(250));
+  EXPECT_EQ(chip.told().motors, MotorNumbers{});
+}
+
+}  // namespace
+}  // namespace ghostforce
