@@ -52,6 +52,9 @@ void FalconSetUp::attach(CLI::App& subcommand) {
       .add_option("--firmware", firmware,
                   "The Falcon's firmware; default: $GHOSTFORCE_FIRMWARE, else falcon/firmware.bin among the settings")
       ->type_name("FILE");
+  subcommand
+      .add_option("--falcon-serial", serial, "Which Falcon, of several: its serial number; default: the first of them")
+      ->type_name("NUMBER");
   subcommand.add_option("--falcon-usb-id", usb_id, "Another device than 0403:cb48 is a Falcon")
       ->type_name("VVVV:PPPP")
       ->check(is_usb_id());
@@ -85,6 +88,7 @@ InputOptions FalconSetUp::input_options(const std::optional<FirmwareImage>& imag
   if (image) options.falcon.firmware = image->bytes;
   options.falcon.calibrations = recall_falcon_calibrations();
   // Both have been looked at when the command line was.
+  options.falcon_serial = serial;
   if (!usb_id.empty()) options.falcon_id = parse_usb_id(usb_id).value();
   for (const std::string& name : misbehave) find_misbehaviour(name)->add(options.misbehaviour);
   return options;

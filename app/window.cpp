@@ -208,7 +208,9 @@ bool Window::is_maximized() const {
 }
 
 bool Window::has_focus() const {
-  return !ImGui::GetIO().AppFocusLost;
+  // Without a display there is nobody to give it; what a test says about it is known to ImGui.
+  if (glfwGetPlatform() == GLFW_PLATFORM_NULL) return !ImGui::GetIO().AppFocusLost;
+  return glfwGetWindowAttrib(handle(), GLFW_FOCUSED) == GLFW_TRUE;
 }
 
 void Window::maximize() {

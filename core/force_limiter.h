@@ -54,7 +54,8 @@ class ForceLimiter {
     const double longest_change = slew * step_s * (limit < limit_ ? 0.5 : 1.0);
     limit_ = std::max(limit, limit_ - longest_change);
 
-    fade_s_ = std::min(fade_s_ + step_s, cross_fade_s);
+    // Where the new law wants nothing, as in free space, nothing of the old one is left over.
+    fade_s_ = wanted == Vector<2>(0.0) ? cross_fade_s : std::min(fade_s_ + step_s, cross_fade_s);
     wanted_ = glm::mix(from_, wanted, fade_s_ / cross_fade_s);
     Vector<2> force = wanted_ * std::clamp(gain, 0.0, 1.0);
     // Far too long a vector has a length that no number holds.

@@ -19,7 +19,7 @@ struct MotorReport {
   bool is_handle_known = false;
   bool is_outside_wall = false;  // the handle
   double handle_speed = 0.0;     // [m/s]
-  Vector<2> sent{0.0};           // force for the motors, after every limit [N]
+  Vector<2> sent{0.0};           // force at the handle, after every limit [N]
   bool is_saturated = false;     // the limit shortens it
   double limit = 0.0;            // in use: lower than asked for by what is not known of the motors [N]
   double held_k_r = 0.0;         // what k_r is held at while armed; 0: it is not [N/m]

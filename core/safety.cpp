@@ -27,7 +27,7 @@ constexpr std::array reasons{
     OffReasonEntry{OffReason::loop_late, "loop_late", "loop late",
                    "The device did not answer for 20 ms. Close what keeps the machine busy; use a USB port of the "
                    "machine itself.",
-                   false, true},
+                   true, true},
     OffReasonEntry{OffReason::window_stalled, "window_stalled", "window stalled",
                    "The window did not draw for half a second, and Esc would not have been heard.", false, true},
     OffReasonEntry{OffReason::unplugged, "unplugged", "unplugged",
@@ -97,7 +97,7 @@ void Safety::attend(const SafetyReading& reading, const SafetyOptions& options, 
   if (state_ == SafetyState::off) return;
   if (const OffReason reason = reason_to_stop(reading, options); reason != OffReason::none) {
     // What one can wait for does not end the waiting.
-    if (state_ != SafetyState::arming || entry_of(reason).at_once) turn_off(reason);
+    if (state_ != SafetyState::arming || reading.trouble != OffReason::none) turn_off(reason);
   }
   switch (state_) {
     case SafetyState::off:

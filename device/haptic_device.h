@@ -36,7 +36,11 @@ class HapticDevice {
 
   virtual HandleReading read() noexcept = 0;
 
-  // Drives the motors: the force on the hand in the plane [N]. What goes on until the next call. `is_armed` false:
+  // Newtons at the handle per newton in the scene, where ways are longer or shorter than the handle's: a wall is as
+  // stiff in the hand as it says.
+  virtual double force_at_handle() const noexcept = 0;
+
+  // Drives the motors: the force at the handle, in the plane [N]. What goes on until the next call. `is_armed` false:
   // motors off, whatever the force.
   virtual void push(const Vector<2>& force, bool is_armed) noexcept = 0;
 

@@ -27,8 +27,8 @@ std::unique_ptr<Input> make_spacemouse(const Scene&, const InputOptions&) {
 
 std::unique_ptr<Input> make_falcon(const Scene& scene, const InputOptions& options) {
   return std::make_unique<FalconInput>(
-      std::make_unique<FtdiLink>(FtdiLinkOptions{.id = options.falcon_id, .serial = {}}), options.falcon,
-      scene.view.center);
+      std::make_unique<FtdiLink>(FtdiLinkOptions{.id = options.falcon_id, .serial = options.falcon_serial}),
+      options.falcon, scene.view.center);
 }
 
 std::unique_ptr<Input> make_virtual_falcon(const Scene& scene, const InputOptions& options) {

@@ -134,10 +134,11 @@ void Servo::attend(bool tick_is_due) noexcept {
   reports_.publish(report_);
 }
 
-// What the active strategy's force would be with the device there.
+// What the active strategy's force would be with the device there, at the handle [N].
 Vector<2> Servo::force_at(const Vector<2>& handle) const noexcept {
   const auto& active = plan_.strategies[index_of(settings_.active)];
-  return active.rendering * (proxy_of(handle, plan_.wall, active.proxy_step).position - handle);
+  return device_->force_at_handle() *
+         (active.rendering * (proxy_of(handle, plan_.wall, active.proxy_step).position - handle));
 }
 
 void Servo::watch_handle() noexcept {
@@ -169,6 +170,8 @@ void Servo::drive_motors() noexcept {
   const double elapsed_s = static_cast<double>(now - std::exchange(attended_ns_, now)) * 1e-9;
   const double limit = safety_options_.force_limit / device_->force_uncertainty();
   ForceLimiter::Result result;
+  // A force for a place where the handle no longer is.
+  if (safety_.is_armed() && !handle_.is_known) safety_.turn_off(OffReason::loop_late);
   if (safety_.is_armed()) {
     result = limiter_.pass(force_at(handle_.position), safety_.gain(), limit, elapsed_s);
     if (!result.was_finite) safety_.turn_off(OffReason::fault);

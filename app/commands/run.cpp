@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -119,6 +120,8 @@ int run(const Options& options) {
                                           : panels_folded_at_first(window.restored_size().height / look.scale),
        .shader_folder = options.shader_folder});
   if (!remembered.remarks.empty()) application.tell(fmt::format("{}", fmt::join(remembered.remarks, "\n\n")), true);
+  // A process that is stopped cannot turn motors off.
+  std::signal(SIGTSTP, SIG_IGN);
   Keeper keeper(remembered.preferences, application.session());
   application.start();
 

@@ -31,6 +31,7 @@ constexpr std::array run_time{
 };
 
 constexpr std::array purge{
+    Step{.kind = Step::Kind::settle, .duration_ms = Falcon::forget_ms},
     ask_for(ftdi::forget_received),
     ask_for(ftdi::forget_unsent),
     Step{.kind = Step::Kind::forget},
@@ -200,7 +201,6 @@ void Falcon::begin_exchanging() noexcept {
   reader_.reset();
   command_ = {.motors = {}, .info = CommandFrame::homing | CommandFrame::red};
   is_command_new_ = false;
-  is_armed_ = false;
   is_reply_due_ = false;
   is_purging_ = false;
   sent_ns_ = heard_ns_ = window_began_ns_ = link_->now_ns();
@@ -222,6 +222,8 @@ void Falcon::end(FalconFault fault) noexcept {
   report_.has_moved = {};
   report_.exchange_hz = 0.0;
   report_.motors = {};
+  report_.buttons = 0;
+  position_time_ns_ = 0;
   attempt_ = 0;
   phase_ = Phase::pausing;
   phase_began_ns_ = link_->now_ns();
@@ -234,6 +236,7 @@ void Falcon::exchange() noexcept {
     is_purging_ = conversation_.attend(*link_) == Progress::running;
     if (is_purging_) return;
     reader_.reset();
+    is_reply_due_ = false;
     send_command();
   }
   take_replies();
@@ -241,13 +244,14 @@ void Falcon::exchange() noexcept {
   if (silence_s >= give_up_s) return end(FalconFault::no_replies);
   if (lost_position_ns_ != 0 && since(lost_position_ns_) >= give_up_s) return end(FalconFault::kinematics);
   if (is_reply_due_) {
-    const double waited_s = since(sent_ns_);
-    if (waited_s < ask_again_s) return;
+    if (since(sent_ns_) < ask_again_s) return;
     ++report_.lost_exchanges;
-    if (silence_s < purge_s) return send_command();
+    window_worst_s_ = std::max(window_worst_s_, since(asked_ns_));
+    // It may hear and only not be heard.
+    command_.motors = {};
+    send_command();
     conversation_ = Conversation(purge);
     is_purging_ = true;
-    sent_ns_ = link_->now_ns();
     return;
   }
   if (is_command_new_ || silence_s >= keep_alive_s) send_command();
@@ -271,7 +275,7 @@ void Falcon::take(const ReplyFrame& frame) noexcept {
   ++report_.exchanges;
   ++window_exchanges_;
   if (is_reply_due_) {
-    const double exchange_s = since(sent_ns_);
+    const double exchange_s = since(asked_ns_);
     window_sum_s_ += exchange_s;
     window_worst_s_ = std::max(window_worst_s_, exchange_s);
   }
@@ -297,12 +301,12 @@ void Falcon::follow_homing(std::uint8_t status) noexcept {
     report_.has_moved = {};
     least_ = greatest_ = report_.encoders;
     report_.position = cold_start;
+    position_time_ns_ = 0;
     lost_position_ns_ = 0;
     push(Vector<3>(0.0), false);
   } else if (report_.is_readable() && unhomed_replies_ >= replies_to_believe) {
     report_.state = FalconState::homing;
     report_.has_moved = {};
-    is_armed_ = false;
     command_ = {.motors = {}, .info = CommandFrame::homing | CommandFrame::red};
     is_command_new_ = true;
   }
@@ -320,7 +324,8 @@ void Falcon::locate(const ReplyFrame& frame) noexcept {
   const ForwardKinematics found = kinematics_.position(joint_angles(frame.encoders, calibration_), report_.position);
   if (found.has_converged) {
     report_.position = found.position;
-    position_time_ns_ = link_->now_ns();
+    // When it was asked for: the device has not looked at its encoders before.
+    position_time_ns_ = asked_ns_;
     lost_position_ns_ = 0;
   } else if (lost_position_ns_ == 0) {
     lost_position_ns_ = link_->now_ns();
@@ -329,7 +334,6 @@ void Falcon::locate(const ReplyFrame& frame) noexcept {
 
 void Falcon::push(const Vector<3>& force, bool is_armed) noexcept {
   if (!report_.is_readable()) return;
-  is_armed_ = is_armed;
   report_.state = is_armed ? FalconState::active : FalconState::idle;
   command_ = {.motors = {}, .info = is_armed ? CommandFrame::blue : CommandFrame::green};
   if (is_armed) {
@@ -346,8 +350,9 @@ void Falcon::send_command() noexcept {
   if (!link_->write(encode(command_))) return;
   report_.motors = command_.motors;
   is_command_new_ = false;
-  is_reply_due_ = true;
   sent_ns_ = link_->now_ns();
+  if (!is_reply_due_) asked_ns_ = sent_ns_;
+  is_reply_due_ = true;
 }
 
 void Falcon::measure_rate() noexcept {

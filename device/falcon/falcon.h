@@ -31,10 +31,13 @@ class Falcon {
  public:
   // To load the firmware; the first one after power-up fails more often than not.
   static constexpr int attempts = 10;
-  static constexpr double look_again_s = 0.5;     // while absent
-  static constexpr double try_again_s = 1.0;      // after a fault
-  static constexpr double ask_again_s = 0.010;    // after a command without a reply
-  static constexpr double purge_s = 0.060;        // without a reply: what is stuck on the way is thrown away
+  static constexpr double look_again_s = 0.5;  // while absent
+  static constexpr double try_again_s = 1.0;   // after a fault
+  // After a command without a reply; not sooner than motors go off for want of one (Safety::longest_exchange_s): which
+  // of two commands a reply belongs to cannot be told, and one that comes late must never look fresh.
+  static constexpr double ask_again_s = 0.020;
+  // After that: replies to commands that were given up may still come, and are thrown away for so long.
+  static constexpr int forget_ms = 60;
   static constexpr double give_up_s = 1.0;        // without a reply
   static constexpr double keep_alive_s = 0.003;   // after a reply, if nobody commands anything
   static constexpr double first_reply_s = 0.020;  // of a device that may have firmware
@@ -102,9 +105,9 @@ class Falcon {
   FrameReader<ReplyFrame> reader_;
   CommandFrame command_;
   bool is_command_new_ = false;  // not sent yet
-  bool is_armed_ = false;
   bool is_reply_due_ = false;
   std::int64_t sent_ns_ = 0;   // the last command
+  std::int64_t asked_ns_ = 0;  // the first command since the last reply
   std::int64_t heard_ns_ = 0;  // the last reply
   bool is_purging_ = false;
   int unhomed_replies_ = 0;  // in a row

@@ -33,6 +33,7 @@ class FalconInput : public Input, public HapticDevice {
   std::int64_t now_ns() const noexcept override { return falcon_.link().now_ns(); }
   void wait_until(std::int64_t deadline_ns) noexcept override;
   HandleReading read() noexcept override;
+  double force_at_handle() const noexcept override { return 1.0 / falcon_.calibration().scale; }
   void push(const Vector<2>& force, bool is_armed) noexcept override;
   double force_uncertainty() const noexcept override;
   void finish() noexcept override;

@@ -28,7 +28,7 @@ constexpr int most_failures_in_a_row = 16;
 
 constexpr unsigned send_timeout_ms = 1000;
 constexpr unsigned last_send_timeout_ms = 20;
-constexpr std::int64_t close_timeout_ns = 500'000'000;
+constexpr std::int64_t close_timeout_ns = 200'000'000;
 // While nothing comes, libusb is asked this often whether a transfer has timed out.
 constexpr std::int64_t longest_wait_ns = 20'000'000;
 
@@ -83,7 +83,6 @@ LinkFault FtdiLink::open() noexcept {
   modem_status_ = 0;
   first_ = held_ = 0;
   failures_in_a_row_ = 0;
-  in_is_halted_ = out_is_halted_ = false;
   ++counters_.library_calls;
   if (libusb_init(&context_) != LIBUSB_SUCCESS) {
     context_ = nullptr;
@@ -314,7 +313,6 @@ void FtdiLink::sent(const libusb_transfer& transfer) noexcept {
     return;
   }
   // A control endpoint that refused a request is ready for the next.
-  if (transfer.status == LIBUSB_TRANSFER_STALL && &transfer == out_transfer_) out_is_halted_ = true;
   failed(transfer.status);
 }
 
@@ -350,7 +348,6 @@ void FtdiLink::received(Receiver& receiver) noexcept {
     if (!closing_ && fault_ == LinkFault::none) post(receiver);
     return;
   }
-  if (transfer.status == LIBUSB_TRANSFER_STALL) in_is_halted_ = true;
   failed(transfer.status);
 }
 
@@ -399,22 +396,17 @@ void FtdiLink::failed(int transfer_status) noexcept {
   if (closing_) return;
   if (transfer_status == LIBUSB_TRANSFER_NO_DEVICE) {
     set_fault(LinkFault::unplugged);
+  } else if (transfer_status == LIBUSB_TRANSFER_STALL) {
+    // To clear an endpoint's halt is to wait for the device, for seconds if it pleases: it is opened anew instead.
+    set_fault(LinkFault::broken);
   } else if (++failures_in_a_row_ > most_failures_in_a_row) {
     set_fault(LinkFault::broken);
   }
 }
 
-// Not from a callback: clearing a halt waits for the device, which callbacks must not.
+// Not from a callback.
 void FtdiLink::recover() noexcept {
   if (fault_ != LinkFault::none) return;
-  if (std::exchange(in_is_halted_, false)) {
-    ++counters_.library_calls;
-    libusb_clear_halt(handle_, in_endpoint_);
-  }
-  if (std::exchange(out_is_halted_, false)) {
-    ++counters_.library_calls;
-    libusb_clear_halt(handle_, out_endpoint_);
-  }
   for (Receiver& receiver : receivers_) {
     if (!receiver.is_posted && fault_ == LinkFault::none) post(receiver);
   }

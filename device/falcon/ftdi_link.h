@@ -111,8 +111,6 @@ class FtdiLink final : public FalconLink {
   bool sending_ = false;
   bool closing_ = false;
   int failures_in_a_row_ = 0;
-  bool in_is_halted_ = false;
-  bool out_is_halted_ = false;
   bool something_happened_ = false;  // since wait_until() was called
 
   // The bytes that nobody has taken yet, from first_ on.

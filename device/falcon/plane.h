@@ -33,7 +33,7 @@ class FalconPlane {
     return center_ + from_center.x * right_ + from_center.y * up_;
   }
 
-  // A force of the scene as the handle's. A scale makes ways longer and shorter, and forces neither.
+  // A force in the plane as the handle's.
   Vector<3> on_handle(const Vector<2>& force) const noexcept { return force.x * right_ + force.y * up_; }
 
   // The smallest scale with which the handle reaches a place in the scene [1].

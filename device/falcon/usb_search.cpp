@@ -1,8 +1,12 @@
 #include "device/falcon/usb_search.h"
 
+#include <array>
 #include <cerrno>
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <exception>
+#include <span>
 
 #include <fcntl.h>
 #include <libusb.h>
@@ -57,9 +61,24 @@ std::string usb_serial_of(libusb_device_handle* handle) {
   libusb_device_descriptor descriptor{};
   if (libusb_get_device_descriptor(libusb_get_device(handle), &descriptor) != LIBUSB_SUCCESS) return {};
   if (descriptor.iSerialNumber == 0) return {};
-  unsigned char text[128];
-  const int length = libusb_get_string_descriptor_ascii(handle, descriptor.iSerialNumber, text, sizeof text);
-  return length > 0 ? std::string(text, text + length) : std::string();
+  // libusb's own function for this waits up to 2 s for a device that does not answer.
+  const auto ask = [handle](std::uint8_t index, std::uint16_t language, std::span<unsigned char> into) {
+    constexpr unsigned patience_ms = 100;
+    return libusb_control_transfer(handle, LIBUSB_ENDPOINT_IN, LIBUSB_REQUEST_GET_DESCRIPTOR,
+                                   static_cast<std::uint16_t>(LIBUSB_DT_STRING << 8U | index), language, into.data(),
+                                   static_cast<std::uint16_t>(into.size()), patience_ms);
+  };
+  // Two bytes of head, then letters of two bytes each; string 0 is the languages that there are.
+  std::array<unsigned char, 255> bytes{};
+  if (ask(0, 0, bytes) < 4) return {};
+  const auto language = static_cast<std::uint16_t>(bytes[2] | bytes[3] << 8U);
+  const int length = ask(descriptor.iSerialNumber, language, bytes);
+  std::string serial;
+  for (int i = 2; i + 1 < length; i += 2) {
+    const bool is_plain = bytes[static_cast<std::size_t>(i) + 1] == 0 && bytes[static_cast<std::size_t>(i)] < 0x80;
+    serial += is_plain ? static_cast<char>(bytes[static_cast<std::size_t>(i)]) : '?';
+  }
+  return serial;
 }
 
 UsbSearch list_falcons(const UsbId& id) noexcept {

@@ -2,6 +2,7 @@
 // person is told on the way.
 #include <gtest/gtest.h>
 
+#include <random>
 #include <string>
 #include <vector>
 
@@ -223,6 +224,80 @@ TEST(FalconDriver, EveryLossEndsTheForceAndStaysOff) {
     EXPECT_EQ(rehearsal.input().link().motors(), MotorNumbers{}) << loss.misbehaviour;
     rehearsal.turn_on();  // by a person it can be
   }
+}
+
+// Replies that come later and later: whatever asking again does to the order of things, none that is older than 20 ms
+// is ever taken for a fresh one.
+TEST(FalconDriver, RepliesThatCreepLateEndTheForceToo) {
+  Rehearsal rehearsal;
+  rehearsal.turn_on();
+  rehearsal.input().move_to({0.02, -0.02}, 0.5);
+  rehearsal.run(1.5);
+  Misbehaviour late;
+  std::int64_t off_at_ms = 0;
+  for (std::int64_t ms = 0; ms < 60 && off_at_ms == 0; ++ms) {
+    late.reply_delay_ns = ms * 1'000'000;
+    rehearsal.input().misbehave(late);
+    rehearsal.run(0.3);
+    if (rehearsal.motors().state == SafetyState::off) off_at_ms = ms;
+  }
+  EXPECT_EQ(rehearsal.motors().reason, OffReason::loop_late);
+  EXPECT_GT(off_at_ms, 5);
+  EXPECT_LE(off_at_ms, 20);
+  // Nor can it be armed so.
+  for (const std::int64_t ms : {26, 30, 48, 55}) {
+    late.reply_delay_ns = ms * 1'000'000;
+    rehearsal.input().misbehave(late);
+    rehearsal.input().move_to(Rehearsal::free_place, 0.5);
+    rehearsal.run(3.0);
+    ++rehearsal.command().acknowledgements;
+    rehearsal.run(0.1);
+    ++rehearsal.command().arms_asked;
+    rehearsal.run(3.0);
+    EXPECT_EQ(rehearsal.motors().gain, 0.0) << ms;
+  }
+}
+
+// What the motors get in truth, behind driver, cable and firmware, while everything misbehaves in turn.
+TEST(FalconDriver, MotorsNeverGetWhatTheyShouldNotWhateverHappensOnTheWay) {
+  std::mt19937_64 random{5};
+  Rehearsal rehearsal;
+  rehearsal.turn_on();
+  int pushed_ticks = 0;
+  int off_ticks = 0;
+  for (int i = 0; i < 200'000; ++i) {
+    if (random() % 500 == 0) {
+      Misbehaviour wrong;
+      const auto kinds = misbehaviour_catalog();
+      kinds[random() % kinds.size()].add(wrong);
+      rehearsal.input().misbehave(wrong);
+    }
+    if (random() % 300 == 0) rehearsal.input().misbehave({});
+    if (random() % 200 == 0) {
+      rehearsal.input().move_to(
+          {1e-4 * static_cast<double>(random() % 600) - 0.03, 1e-4 * static_cast<double>(random() % 600) - 0.03}, 0.3);
+    }
+    if (random() % 400 == 0) rehearsal.use(static_cast<StrategyId>(random() % 3));
+    if (random() % 700 == 0) ++rehearsal.command().offs_asked;
+    if (random() % 250 == 0) ++rehearsal.command().acknowledgements;
+    if (random() % 250 == 0) ++rehearsal.command().arms_asked;
+    const Vector<2> before = rehearsal.motors().sent;
+    rehearsal.step();
+    const MotorReport& motors = rehearsal.motors();
+    ASSERT_TRUE(std::isfinite(motors.sent.x) && std::isfinite(motors.sent.y)) << i;
+    ASSERT_LE(glm::length(motors.sent), motors.limit + 1e-12) << i;
+    if (motors.sent != Vector<2>(0.0)) {
+      ASSERT_LE(glm::length(motors.sent - before), ForceLimiter::slew * ForceLimiter::longest_step_s + 1e-9) << i;
+      ++pushed_ticks;
+    }
+    // An exchange that was under way is waited for, 20 ms at most, and a frame that a fault cuts short is said again.
+    off_ticks = motors.state == SafetyState::off ? off_ticks + 1 : 0;
+    if (off_ticks > 25) {
+      ASSERT_EQ(rehearsal.falcon().motors, MotorNumbers{}) << i;
+    }
+    for (const std::int16_t counts : rehearsal.input().link().motors()) ASSERT_LE(std::abs(counts), 4095) << i;
+  }
+  EXPECT_GT(pushed_ticks, 10'000);
 }
 
 TEST(FalconDriver, TheGripIsADeadMansSwitch) {
