@@ -117,6 +117,8 @@ void Application::frame(double interval_s) {
   take_samples();
   report_ = servo_->newest();
   if (falcon_ != nullptr) falcon_report_ = falcon_->report();
+  // Nobody stops the time of a real hand.
+  if (report_.snapshot.measured) session_.paused = false;
   if (report_.restarts != command_.restarts_asked || report_.snapshot.tick == 0) {
     // The servo has not seen the restart yet: show the state that it will start from.
     report_.snapshot = snapshot_of(plan_of(session_.settings), command_.restart_state);

@@ -256,11 +256,11 @@ ExitCode exit_code_of(const FalconReport& report, bool needs_homing) {
       case Rung::firmware:
         return ExitCode::device_failed;
       case Rung::homed:
+      case Rung::encoders_move:
         if (needs_homing) return ExitCode::device_failed;
         break;
       case Rung::fast_enough:
         return ExitCode::answer_is_no;
-      case Rung::encoders_move:
       case Rung::outside_wall:
       case Rung::armed:
         break;

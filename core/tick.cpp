@@ -68,14 +68,14 @@ void tick(const TickPlan<D>& plan, const Vector<D>& goal, TickState<D>& state) n
 }
 
 template <glm::length_t D>
-void tick_measured(const TickPlan<D>& plan, StrategyId active, const Vector<D>& device, double believed_k_u,
-                   TickState<D>& state) noexcept {
+void tick_measured(const TickPlan<D>& plan, StrategyId active, const Vector<D>& device, const Vector<D>& felt,
+                   double believed_k_u, TickState<D>& state) noexcept {
   ++state.tick;
   state.measured = active;
   const std::size_t measured = index_of(active);
   const Vector<D> velocity = (device - state.strategies[measured].motion.position) * plan.rate;
   move(plan, measured, {device, velocity}, device, force_of(plan, state, measured), state);
-  state.goal = device - force_of(plan, state, measured) / believed_k_u;  // in free space there is no force
+  state.goal = device - felt / believed_k_u;
   for (std::size_t i = 0; i < strategy_count; ++i) {
     if (i != measured) simulate(plan, i, state);
   }
@@ -107,12 +107,13 @@ SnapshotIn<D> snapshot_of(const TickPlan<D>& plan, const TickState<D>& state) no
   return snapshot;
 }
 
-#define GHOSTFORCE_INSTANTIATE(D)                                                                                   \
-  template TickPlan<D> plan_tick<D>(const Wall<D>&, const Actuation<D>&, const Impedances&, double, double,         \
-                                    double) noexcept;                                                               \
-  template TickState<D> state_at_start<D>(const Vector<D>&) noexcept;                                               \
-  template void tick<D>(const TickPlan<D>&, const Vector<D>&, TickState<D>&) noexcept;                              \
-  template void tick_measured<D>(const TickPlan<D>&, StrategyId, const Vector<D>&, double, TickState<D>&) noexcept; \
+#define GHOSTFORCE_INSTANTIATE(D)                                                                            \
+  template TickPlan<D> plan_tick<D>(const Wall<D>&, const Actuation<D>&, const Impedances&, double, double,  \
+                                    double) noexcept;                                                        \
+  template TickState<D> state_at_start<D>(const Vector<D>&) noexcept;                                        \
+  template void tick<D>(const TickPlan<D>&, const Vector<D>&, TickState<D>&) noexcept;                       \
+  template void tick_measured<D>(const TickPlan<D>&, StrategyId, const Vector<D>&, const Vector<D>&, double, \
+                                 TickState<D>&) noexcept;                                                    \
   template SnapshotIn<D> snapshot_of<D>(const TickPlan<D>&, const TickState<D>&) noexcept
 GHOSTFORCE_INSTANTIATE(2);
 GHOSTFORCE_INSTANTIATE(3);

@@ -68,11 +68,13 @@ void tick(const TickPlan<D>& plan, const Vector<D>& goal, TickState<D>& state) n
 // k ≥ 1 with a real device under `active`: nothing of it is simulated. q_h is
 // measured and the proxy is that of the same tick's q_h, so that free space is
 // exactly force-free; the goal is inferred from the device's equilibrium (7),
-//     q_u ≈ q_h − f_r / k̂_u in contact, q_h in free space,
-// and the other strategies are simulated under it. `believed_k_u` is k̂_u [N/m].
+//     q_u ≈ q_h − f / k̂_u,
+// with the force `felt` that the motors really make, f_r but for the limits on
+// its way to them; 0 in free space. The other strategies are simulated under
+// that goal. `believed_k_u` is k̂_u [N/m].
 template <glm::length_t D>
-void tick_measured(const TickPlan<D>& plan, StrategyId active, const Vector<D>& device, double believed_k_u,
-                   TickState<D>& state) noexcept;
+void tick_measured(const TickPlan<D>& plan, StrategyId active, const Vector<D>& device, const Vector<D>& felt,
+                   double believed_k_u, TickState<D>& state) noexcept;
 
 // f_r,k = K_r (q_p,k − q_h,k), ghost force and proxy drift of the state as it
 // stands.

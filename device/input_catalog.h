@@ -19,7 +19,7 @@ namespace ghostforce {
 struct InputOptions {
   FalconOptions falcon;
   UsbId falcon_id = falcon_usb_id;
-  std::string falcon_serial;  // empty: the first of them
+  std::string falcon_serial{};  // empty: the first of them
   Misbehaviour misbehaviour;  // of the virtual Falcon
   VirtualLink::Clock virtual_falcon_clock = VirtualLink::Clock::monotonic;
 };

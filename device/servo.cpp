@@ -121,7 +121,10 @@ void Servo::wake() noexcept {
 
 void Servo::attend(bool tick_is_due) noexcept {
   if (commands_.has_news()) take_command(commands_.latest());
-  if (device_ != nullptr) watch_handle();
+  if (device_ != nullptr) {
+    watch_handle();
+    limit_force();
+  }
   const bool is_new_state = std::exchange(is_at_start_, false) || (takes_tick(tick_is_due) && advance());
   if (device_ != nullptr) drive_motors();
   // New settings show with the next tick: the old state under new settings is a state that never was.
@@ -161,34 +164,39 @@ void Servo::watch_handle() noexcept {
   report_.motors.handle = handle_.position;
   report_.motors.is_handle_known = handle_.is_known;
   report_.motors.is_outside_wall = is_outside;
+  report_.motors.is_ready = handle_.is_ready && handle_.is_known && handle_.is_healthy;
   report_.motors.handle_speed = handle_.speed;
   report_.motors.exchange_age_s = since(handle_.time_ns);
 }
 
-void Servo::drive_motors() noexcept {
+void Servo::limit_force() noexcept {
   const std::int64_t now = device_->now_ns();
   const double elapsed_s = static_cast<double>(now - std::exchange(attended_ns_, now)) * 1e-9;
-  const double limit = safety_options_.force_limit / device_->force_uncertainty();
+  MotorReport& motors = report_.motors;
+  motors.limit = safety_options_.force_limit / device_->force_uncertainty();
   ForceLimiter::Result result;
   // A force for a place where the handle no longer is.
   if (safety_.is_armed() && !handle_.is_known) safety_.turn_off(OffReason::loop_late);
   if (safety_.is_armed()) {
-    result = limiter_.pass(force_at(handle_.position), safety_.gain(), limit, elapsed_s);
+    result = limiter_.pass(force_at(handle_.position), safety_.gain(), motors.limit, elapsed_s);
     if (!result.was_finite) safety_.turn_off(OffReason::fault);
   }
+  motors.sent = result.force;
+  motors.is_saturated = result.was_saturated;
+}
+
+void Servo::drive_motors() noexcept {
+  MotorReport& motors = report_.motors;
   if (!safety_.is_armed()) {
     limiter_.reset();
-    result = {};
+    motors.sent = Vector<2>(0.0);
+    motors.is_saturated = false;
   }
-  device_->push(result.force, safety_.is_armed());
-  MotorReport& motors = report_.motors;
+  device_->push(motors.sent, safety_.is_armed());
   motors.state = safety_.state();
   motors.reason = safety_.reason();
   motors.obstacle = safety_.obstacle();
   motors.gain = safety_.gain();
-  motors.sent = result.force;
-  motors.is_saturated = result.was_saturated;
-  motors.limit = limit;
   motors.held_k_r = settings_.impedances.k_r > safety_options_.greatest_k_r ? safety_options_.greatest_k_r : 0.0;
 }
 
@@ -277,7 +285,8 @@ bool Servo::advance() noexcept {
   if (report_.diverged) return false;
   TickState<2> next = state_;
   if (safety_.is_armed()) {
-    tick_measured(plan_, settings_.active, handle_.position, believed_user_stiffness(settings_.impedances), next);
+    tick_measured(plan_, settings_.active, handle_.position, report_.motors.sent / device_->force_at_handle(),
+                  believed_user_stiffness(settings_.impedances), next);
   } else {
     tick(plan_, input_->goal(state_.tick + 1, plan_.rate), next);
   }

@@ -123,6 +123,7 @@ class Servo {
   void run() noexcept;
   void attend(bool tick_is_due) noexcept;
   void watch_handle() noexcept;
+  void limit_force() noexcept;
   void drive_motors() noexcept;
   void heed_person(const ServoCommand& command) noexcept;
   void plan() noexcept;

@@ -1,6 +1,10 @@
 #include "app/panels/caption.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "app/panels/controls.h"
 #include "app/panels/hints.h"
@@ -29,17 +33,33 @@ std::string_view caption_of(const Settings& settings, const Vector<2>& goal) {
   return glm::length(ghost) < visible_force ? active.without_ghost : active.with_ghost;
 }
 
+namespace {
+
+// A device that is on its way says how far it is; one in the hand, what is felt.
+std::string words_of(const PanelContext& context) {
+  const MotorReport& motors = context.loop.motors;
+  const auto rung = std::ranges::find_if(context.loop.ladder, &RungState::is_current);
+  if (motors.has_motors && !motors.is_ready && rung != context.loop.ladder.end()) {
+    return fmt::format("{}: {} {}", context.loop.input_title, rung->title, rung->words);
+  }
+  if (motors.is_saturated) {
+    return fmt::format("The wall wants to push harder than the motors may: they give {:.1f} N. Press less deep.",
+                       glm::length(motors.sent));
+  }
+  const std::string words(caption_of(context.session.settings, context.snapshot.goal));
+  return context.snapshot.measured ? words + " In your hand: the goal is inferred." : words;
+}
+
+}  // namespace
+
 void draw_caption(const PanelContext& context) {
   if (context.session.hint) {
     draw_hint(context);
     return;
   }
-  const std::string_view words = context.snapshot.measured
-                                     ? "In your hand. The hollow goal is inferred from the force, with the believed "
-                                       "k_u; the others are simulated beside you."
-                                     : caption_of(context.session.settings, context.snapshot.goal);
+  const std::string words = words_of(context);
   // Large, to be read from the last row, where two lines have room for it.
-  const float needed = large * ImGui::CalcTextSize(words.data(), words.data() + words.size()).x;
+  const float needed = large * ImGui::CalcTextSize(words.c_str()).x;
   const bool fits = needed < 1.8F * ImGui::GetContentRegionAvail().x;
   ImGui::PushFont(context.fonts.regular, (fits ? large : 1.0F) * ImGui::GetStyle().FontSizeBase);
   const std::size_t i = index_of(context.session.settings.active);
@@ -49,7 +69,7 @@ void draw_caption(const PanelContext& context) {
              strategy_style(context.session.settings.active).shape, context.theme.strategy[i]);
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 1.6F * line);
   ImGui::PushTextWrapPos(0.0F);
-  ImGui::TextUnformatted(words.data(), words.data() + words.size());
+  ImGui::TextUnformatted(words.c_str());
   ImGui::PopTextWrapPos();
   ImGui::PopFont();
 }

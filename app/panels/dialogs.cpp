@@ -12,10 +12,11 @@ struct Entry {
   Dialog id;
   const char* title;
   void (*draw)(const PanelContext&);
+  bool is_at_the_side = false;
 };
 constexpr std::array dialogs{
     Entry{Dialog::help, "Help", draw_help},
-    Entry{Dialog::doctor, "The device", draw_doctor},
+    Entry{Dialog::doctor, "The device", draw_doctor, true},
     Entry{Dialog::open_scene, "Open a scene", draw_open_scene},
     Entry{Dialog::save_scene, "Save the scene", draw_save_scene},
     Entry{Dialog::save_picture, "Save a picture", draw_save_picture},
@@ -38,7 +39,12 @@ void draw_dialog(const PanelContext& context) {
   if (session.form.belongs_to != session.dialog && session.form.belongs_to != Dialog::none) session.form = {};
   const ImVec2 whole = ImGui::GetIO().DisplaySize;
   const float margin = 16.0F * context.scale;
-  ImGui::SetNextWindowPos({0.5F * whole.x, 0.5F * whole.y}, ImGuiCond_Always, {0.5F, 0.5F});
+  // The ladder speaks of what happens in the scene: it stays out of its way.
+  if (entry->is_at_the_side) {
+    ImGui::SetNextWindowPos({whole.x - margin, 54.0F * context.scale}, ImGuiCond_Always, {1.0F, 0.0F});
+  } else {
+    ImGui::SetNextWindowPos({0.5F * whole.x, 0.5F * whole.y}, ImGuiCond_Always, {0.5F, 0.5F});
+  }
   ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {whole.x - 2.0F * margin, whole.y - 2.0F * margin});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.5F * context.scale);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6.0F * context.scale);

@@ -43,7 +43,7 @@ void draw_rung(const PanelContext& context, const RungState& rung, float end) {
 }  // namespace
 
 void draw_doctor(const PanelContext& context) {
-  const float width = dialog_field_width(640.0F, context);
+  const float width = dialog_field_width(560.0F, context);
   const float end = ImGui::GetCursorPosX() + width;
   ImGui::PushTextWrapPos(end);
   if (context.loop.ladder.empty()) {

@@ -118,7 +118,9 @@ void draw_input(const PanelContext& context) {
     if (!input.empty()) context.session.wishes.input = input;
     if (!context.loop.misbehaviours.empty()) {
       row("Misbehaves", "What the virtual device does wrong, to see what the program makes of it.");
-      const std::string_view wrong = choose("##misbehaviour", context.loop.misbehaviours, context.session.misbehaviour);
+      const std::string_view wrong =
+          choose("##misbehaviour", context.loop.misbehaviours,
+                 context.session.misbehaviour.empty() ? "none" : context.session.misbehaviour);
       if (!wrong.empty()) context.session.misbehaviour = wrong;
     }
     end_rows();

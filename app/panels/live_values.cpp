@@ -97,9 +97,12 @@ double model_error(const PanelContext& context) {
 
 void draw_model_error(const PanelContext& context) {
   if (context.snapshot.measured) {
-    ImGui::TextUnformatted(fmt::format("{} measured, the others simulated under the inferred goal",
-                                       strategy(*context.snapshot.measured).letter)
-                               .c_str());
+    ImGui::TextUnformatted(
+        fmt::format("{} measured, others simulated", strategy(*context.snapshot.measured).letter).c_str());
+    explain(
+        "Forces are what each strategy wants, before any limit. The others are simulated under the inferred goal; "
+        "ghost "
+        "force and drift against that goal cannot be known.");
     return;
   }
   ImGui::BeginGroup();

@@ -13,7 +13,10 @@ namespace {
 std::string words_about(const MotorReport& motors) {
   switch (motors.state) {
     case SafetyState::off:
-      if (motors.reason == OffReason::none) return "Off. Arm them with the button at the top right.";
+      if (motors.reason == OffReason::none) {
+        return motors.is_ready ? "Off. The button at the top right arms the motors."
+                               : "Off. The device is not ready yet: F2 says what is next.";
+      }
       return fmt::format("Off: {}. {}", entry_of(motors.reason).title, entry_of(motors.reason).remedy);
     case SafetyState::arming:
       return fmt::format("Arming: {}.", entry_of(motors.obstacle).sentence);

@@ -134,13 +134,13 @@ std::string safety_words(const MotorReport& motors) {
   if (!motors.has_motors) return "no motor";
   switch (motors.state) {
     case SafetyState::off:
-      return motors.reason == OffReason::none ? "Motors: arm"
-                                              : fmt::format("OFF: {}. OK", entry_of(motors.reason).title);
+      if (motors.reason != OffReason::none) return fmt::format("OFF: {}. OK?", entry_of(motors.reason).title);
+      return motors.is_ready ? "Arm the motors" : "Motors: not ready";
     case SafetyState::arming:
-      return "Arming… Esc";
+      return "Arming… Esc: off";
     case SafetyState::ramp:
     case SafetyState::on:
-      return "MOTORS ON. Esc";
+      return "MOTORS ON. Esc: off";
     case SafetyState::fade:
       return "Going off";
   }
@@ -160,8 +160,10 @@ void draw_safety_button(const PanelContext& context, float height) {
   // With motors it is there, whatever it covers.
   ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - width);
   const bool stands_out = motors.has_motors && (motors.state != SafetyState::off || motors.reason != OffReason::none);
-  const Colour rim = motors.state == SafetyState::off ? context.theme.problem : context.theme.accent;
-  ImGui::BeginDisabled(!motors.has_motors);
+  const Colour rim = motors.state == SafetyState::off ? context.theme.accent : context.theme.problem;
+  const bool has_nothing_to_do =
+      !motors.has_motors || (motors.state == SafetyState::off && motors.reason == OffReason::none && !motors.is_ready);
+  ImGui::BeginDisabled(has_nothing_to_do);
   if (stands_out) {
     ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 2.5F * context.scale);
     ImGui::PushStyleColor(ImGuiCol_Border, unpacked(rim));
@@ -191,16 +193,21 @@ void draw_strategy_bar(const PanelContext& context) {
   ImGui::SameLine(0.0F, 14.0F * context.scale);
   draw_compare(session, height);
   ImGui::SameLine(0.0F, 14.0F * context.scale);
+  // Nobody stops the time of a real hand.
+  ImGui::BeginDisabled(context.snapshot.measured.has_value());
   if (sign_button("##pause", session.paused ? draw_play_sign : draw_pause_sign, context, height)) toggle_pause(session);
   explain(session.paused ? "Lets model time go on. Space." : "Stops model time. Space.");
   ImGui::SameLine();
   if (sign_button("##step", draw_step_sign, context, height)) single_step(session);
   explain("One tick of the loop, then pause. The key is the full stop.");
+  ImGui::EndDisabled();
   ImGui::SameLine();
   if (sign_button("##reset", draw_reset_sign, context, height)) restart(session);
   explain("Starts the motion again. Key R; Alt+R resets the settings too.");
   ImGui::SameLine();
+  ImGui::BeginDisabled(context.snapshot.measured.has_value());
   draw_speed(session, height);
+  ImGui::EndDisabled();
 
   draw_safety_button(context, height);
 }

@@ -153,7 +153,9 @@ void add_legend(const View& view, Marks& marks) {
     return Marker{Vector<2>(0.0), shape, view.points(radius), fill, rim, view.points(rim_width)};
   };
   if (view.snapshot.measured) {
-    entry(Role::goal, std::nullopt, marker(Shape::disc, 6.5, view.theme.goal.with_alpha(0), view.theme.goal_rim, 2.4),
+    entry(Role::goal, std::nullopt,
+          marker(Shape::disc, 6.5, view.theme.goal.with_alpha(0),
+                 view.theme.dark ? view.theme.goal : view.theme.goal_rim, 2.4),
           "goal: where the hand seems to pull to", view.theme.text);
   } else {
     entry(Role::goal, std::nullopt, marker(Shape::disc, 6.5, view.theme.goal, view.theme.goal_rim, 1.8),

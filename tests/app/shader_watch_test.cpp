@@ -30,7 +30,9 @@ class ShaderWatchTest : public DrivenWindow {
     frames(40, 0);
   }
   void open_watching() {
-    open({.shader_folder = folder_.path()});
+    ApplicationOptions options;
+    options.shader_folder = folder_.path();
+    open(options);
     session().paused = true;
     frames(20);
   }

@@ -29,7 +29,7 @@ TEST(MeasuredTick, FreeSpaceIsExactlyForceFree) {
   TickState<2> state = state_at_start(Vector<2>(-0.05, 0.05));
   for (int i = 1; i <= 10; ++i) {
     const Vector<2> handle(-0.05 + 0.001 * i, 0.05);  // it moves, and still
-    tick_measured(plan, StrategyId::naive, handle, 100.0, state);
+    tick_measured(plan, StrategyId::naive, handle, Vector<2>(0.0), 100.0, state);
     const Snapshot snapshot = snapshot_of(plan, state);
     const auto& naive = snapshot.strategies[index_of(StrategyId::naive)];
     EXPECT_EQ(naive.force, Vector<2>(0.0));
@@ -51,7 +51,7 @@ TEST(MeasuredTick, InfersTheGoalFromWhereTheHandleRests) {
   for (const Strategy& entry : strategy_catalog()) {
     const Equilibrium<2> rest = rest_of(entry.id, settings, goal);
     TickState<2> state = state_at_start(Vector<2>(-0.05, 0.05));
-    tick_measured(plan, entry.id, rest.device, settings.impedances.k_u, state);
+    tick_measured(plan, entry.id, rest.device, rest.force, settings.impedances.k_u, state);
     const Snapshot snapshot = snapshot_of(plan, state);
     const auto& measured = snapshot.strategies[index_of(entry.id)];
     // Sums of numbers of some centimetres and newtons, in doubles.
@@ -67,7 +67,7 @@ TEST(MeasuredTick, AWrongBeliefMisplacesTheGoal) {
   const TickPlan<2> plan = plan_of(settings);
   const Equilibrium<2> rest = rest_of(StrategyId::full, settings, Vector<2>(0.04, -0.04));
   TickState<2> state = state_at_start(rest.device);
-  tick_measured(plan, StrategyId::full, rest.device, 50.0, state);
+  tick_measured(plan, StrategyId::full, rest.device, rest.force, 50.0, state);
   EXPECT_NEAR(glm::length(state.goal - (rest.device - rest.force / 50.0)), 0.0, 1e-14);
 }
 
@@ -77,7 +77,7 @@ TEST(MeasuredTick, TheOthersAreSimulatedUnderTheInferredGoal) {
   const Vector<2> goal(0.04, -0.04);
   const Equilibrium<2> rest = rest_of(StrategyId::naive, settings, goal);
   TickState<2> state = state_at_start(rest.device);
-  for (int i = 0; i < 3000; ++i) tick_measured(plan, StrategyId::naive, rest.device, 100.0, state);
+  for (int i = 0; i < 3000; ++i) tick_measured(plan, StrategyId::naive, rest.device, rest.force, 100.0, state);
   for (const StrategyId other : {StrategyId::full, StrategyId::anisotropic}) {
     // After 3 s nothing moves any more: the slowest motion of these settings halves every 35 ms.
     EXPECT_NEAR(glm::length(state.strategies[index_of(other)].motion.position - rest_of(other, settings, goal).device),
@@ -88,18 +88,19 @@ TEST(MeasuredTick, TheOthersAreSimulatedUnderTheInferredGoal) {
 TEST(MeasuredTick, CountsTheWorkDoneOnTheRealHand) {
   const TickPlan<2> plan = plan_of(figure_settings());
   TickState<2> state = state_at_start(Vector<2>(0.02, -0.02));
-  tick_measured(plan, StrategyId::full, Vector<2>(0.02, -0.02), 100.0, state);
+  tick_measured(plan, StrategyId::full, Vector<2>(0.02, -0.02), Vector<2>(0.0), 100.0, state);
   const Vector<2> force = snapshot_of(plan, state).strategies[index_of(StrategyId::full)].force;
   ASSERT_GT(glm::length(force), 1.0);
   const double before = state.strategies[index_of(StrategyId::full)].energy;
-  tick_measured(plan, StrategyId::full, Vector<2>(0.02, -0.01), 100.0, state);
+  tick_measured(plan, StrategyId::full, Vector<2>(0.02, -0.01), Vector<2>(0.0), 100.0, state);
   EXPECT_DOUBLE_EQ(state.strategies[index_of(StrategyId::full)].energy - before, force.y * 0.01);
 }
 
 TEST(MeasuredTick, SimulationGoesOnFromWhereTheHandleWas) {
   const TickPlan<2> plan = plan_of(figure_settings());
   TickState<2> state = state_at_start(Vector<2>(-0.05, 0.05));
-  for (int i = 0; i < 100; ++i) tick_measured(plan, StrategyId::naive, Vector<2>(-0.03, 0.04), 100.0, state);
+  for (int i = 0; i < 100; ++i)
+    tick_measured(plan, StrategyId::naive, Vector<2>(-0.03, 0.04), Vector<2>(0.0), 100.0, state);
   tick(plan, Vector<2>(-0.03, 0.04), state);
   EXPECT_FALSE(state.measured);
   EXPECT_NEAR(glm::length(state.strategies[index_of(StrategyId::naive)].motion.position - Vector<2>(-0.03, 0.04)), 0.0,

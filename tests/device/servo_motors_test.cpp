@@ -228,6 +228,8 @@ TEST_F(ServoMotors, LimitCountsWithWhatIsNotKnownOfThem) {
   run(0.5);
   EXPECT_NEAR(glm::length(puppet_->pushed), SafetyOptions{}.force_limit / 2.0, 1e-12);
   EXPECT_TRUE(motors().is_saturated);
+  // What is felt is what tells of the goal, and not what was wanted.
+  EXPECT_NEAR(glm::length(report().snapshot.goal - (Vector<2>{0.03, -0.03} - puppet_->pushed / 100.0)), 0.0, 1e-12);
 }
 
 TEST_F(ServoMotors, PauseAndSlowMotionAreNotForAnArmedDevice) {
