@@ -17,7 +17,7 @@ struct MotorReport {
   double gain = 0.0;      // of ramp and fade
   Vector<2> handle{0.0};  // where it is, or was last known [m]
   bool is_handle_known = false;
-  bool is_ready = false;  // the device, but for where its handle is
+  bool is_ready = false;         // the device, but for where its handle is
   bool is_outside_wall = false;  // the handle
   double handle_speed = 0.0;     // [m/s]
   Vector<2> sent{0.0};           // force at the handle, after every limit [N]

@@ -20,7 +20,7 @@ struct InputOptions {
   FalconOptions falcon;
   UsbId falcon_id = falcon_usb_id;
   std::string falcon_serial{};  // empty: the first of them
-  Misbehaviour misbehaviour;  // of the virtual Falcon
+  Misbehaviour misbehaviour;    // of the virtual Falcon
   VirtualLink::Clock virtual_falcon_clock = VirtualLink::Clock::monotonic;
 };
 
