@@ -13,6 +13,7 @@
 #include "core/proxy.h"
 #include "core/scene.h"
 #include "core/sound_state.h"
+#include "device/monotonic_clock.h"
 #include "device/pacer.h"
 
 namespace ghostforce {
@@ -24,12 +25,6 @@ bool is_usable_speed(double speed) noexcept {
 
 bool is_usable(const SafetyOptions& options) noexcept {
   return std::isfinite(options.force_limit) && options.greatest_k_r >= 0.0;
-}
-
-std::int64_t now_ns() noexcept {
-  std::timespec now{};
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
 }
 
 void sleep_until(std::int64_t time_ns) noexcept {
@@ -94,12 +89,12 @@ void Servo::run() noexcept {
   report_.realtime = request_realtime();
 
   constexpr auto attention_ns = static_cast<std::int64_t>(attention_period_s * 1e9);
-  std::int64_t now = now_ns();
+  std::int64_t now = monotonic_ns();
   Pacer pacer(now, period_s());
   while (!stopping_.load(std::memory_order_relaxed)) {
     const std::int64_t until = is_idle() ? now + attention_ns : std::min(pacer.deadline_ns(), now + attention_ns);
     device_ != nullptr ? device_->wait_until(until) : sleep_until(until);
-    now = now_ns();
+    now = monotonic_ns();
     if (is_idle()) pacer.align(now);
     const bool tick_is_due = pacer.is_due(now);
     if (tick_is_due && device_ != nullptr) pacer.follow(now);

@@ -10,10 +10,6 @@ namespace {
 
 using Step = ConversationStep;
 
-constexpr Step ask(const VendorRequest& request) noexcept {
-  return {.kind = Step::Kind::request, .asked = request};
-}
-
 // The pause around the edge of DTR is not in any description; the edge is what starts the boot loader, and a chip that
 // is asked twice within a microsecond may not show it.
 constexpr int edge_ms = 10;

@@ -40,12 +40,11 @@ class FalconSerial {
 };
 
 // Motor counts per N·m at an upper arm. Three were published and they disagree: from captures of the vendor's driver,
-// from Martin & Hillier's measurement of the motors, and from libnifalcon's comparison with the vendor's driver. Only
-// the second was measured as a torque. A device whose true number is smaller pushes harder than it was asked to, so
-// limits of force are held with the smallest.
+// from Martin & Hillier's measurement of the motors, and from libnifalcon's comparison with the vendor's driver
+// (10000). Only the second was measured as a torque. A device whose true number is smaller pushes harder than it was
+// asked to, so limits of force are held with the smallest.
 inline constexpr double smallest_published_motor_constant = 3530.0;
 inline constexpr double measured_motor_constant = 6600.0;
-inline constexpr double largest_published_motor_constant = 10000.0;
 
 // A direction of the device: x right, y up, z out towards the user.
 enum class FalconAxis : std::uint8_t { x, minus_x, y, minus_y, z, minus_z };

@@ -28,6 +28,10 @@ struct ConversationStep {
   int duration_ms = 0;
 };
 
+constexpr ConversationStep ask(const VendorRequest& request) noexcept {
+  return {.kind = ConversationStep::Kind::request, .asked = request};
+}
+
 enum class Progress : std::uint8_t { running, done, failed };
 
 class Conversation {

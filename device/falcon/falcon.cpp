@@ -19,21 +19,21 @@ constexpr double rate_window_s = 0.5;
 
 using Step = ConversationStep;
 
-constexpr Step ask_for(const VendorRequest& request) noexcept {
-  return {.kind = Step::Kind::request, .asked = request};
-}
-
 // DTR and RTS are left as they are: a device that runs may take their edge for a reset.
 constexpr std::array run_time{
-    ask_for(ftdi::latency(1)),        ask_for(ftdi::running_rate),    ask_for(ftdi::eight_bits_no_parity_one_stop),
-    ask_for(ftdi::no_flow_control),   ask_for(ftdi::forget_received), ask_for(ftdi::forget_unsent),
+    ask(ftdi::latency(1)),
+    ask(ftdi::running_rate),
+    ask(ftdi::eight_bits_no_parity_one_stop),
+    ask(ftdi::no_flow_control),
+    ask(ftdi::forget_received),
+    ask(ftdi::forget_unsent),
     Step{.kind = Step::Kind::forget},
 };
 
 constexpr std::array purge{
     Step{.kind = Step::Kind::settle, .duration_ms = Falcon::forget_ms},
-    ask_for(ftdi::forget_received),
-    ask_for(ftdi::forget_unsent),
+    ask(ftdi::forget_received),
+    ask(ftdi::forget_unsent),
     Step{.kind = Step::Kind::forget},
 };
 

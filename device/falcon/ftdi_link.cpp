@@ -14,6 +14,8 @@
 #include <sys/stat.h>
 #include <time.h>
 
+#include "device/monotonic_clock.h"
+
 namespace ghostforce {
 namespace {
 
@@ -35,12 +37,6 @@ constexpr std::int64_t longest_wait_ns = 20'000'000;
 // Right after a device was plugged in, the kernel has shown it and not yet given it its interfaces.
 constexpr int claim_attempts = 10;
 constexpr std::int64_t claim_pause_ns = 10'000'000;
-
-std::int64_t monotonic_ns() noexcept {
-  timespec now{};
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
-}
 
 timespec timespec_of(std::int64_t ns) noexcept {
   return {ns / 1'000'000'000, ns % 1'000'000'000};

@@ -6,6 +6,8 @@
 #include <cerrno>
 #include <limits>
 
+#include "device/monotonic_clock.h"
+
 namespace ghostforce {
 namespace {
 
@@ -16,12 +18,6 @@ constexpr std::int64_t longest_sleep_ns = 100'000'000;
 constexpr std::uint64_t last_resort_taken = std::uint64_t{1} << 48U;
 
 constexpr std::uint8_t line_errors = 0x0E;  // overrun, parity, framing, of the second status byte
-
-std::int64_t monotonic_ns() noexcept {
-  timespec now{};
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return now.tv_sec * std::int64_t{1'000'000'000} + now.tv_nsec;
-}
 
 }  // namespace
 

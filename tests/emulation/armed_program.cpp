@@ -27,6 +27,7 @@
 #include "device/last_resort.h"
 #include "device/servo.h"
 #include "device/virtual_falcon/practice_firmware.h"
+#include "tests/device/motor_settings.h"
 
 namespace ghostforce {
 namespace {
@@ -70,17 +71,9 @@ class MinedInput final : public FalconInput {
 
 // A floor, and a motor that pushes up from it.
 Settings floor_settings() {
-  Settings settings;
+  Settings settings = motor_settings(StrategyId::naive);
   settings.wall_point = {0.0, -0.01};
   settings.wall_normal_angle = settings.actuated_angle = 0.5 * std::acos(-1.0);
-  settings.mass = 0.1;
-  settings.damping = 5.0;
-  settings.rate = 1000.0;
-  settings.impedances.k_u = 100.0;
-  settings.impedances.k_r = 500.0;
-  settings.impedances.k_t = 500.0;
-  settings.impedances.k_c = 1e5;
-  settings.active = StrategyId::naive;
   return settings;
 }
 

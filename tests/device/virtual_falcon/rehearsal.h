@@ -11,21 +11,14 @@
 #include "core/scene.h"
 #include "device/servo.h"
 #include "device/virtual_falcon/virtual_falcon_input.h"
+#include "tests/device/motor_settings.h"
 
 namespace ghostforce {
 
 // A 45° wall through the middle, free on the upper left; motor along x; the hand of the paper's experiment.
 inline Settings rehearsal_settings() {
-  Settings settings;
+  Settings settings = motor_settings(StrategyId::naive);
   settings.wall_normal_angle = 0.75 * std::acos(-1.0);
-  settings.mass = 0.1;
-  settings.damping = 5.0;
-  settings.rate = 1000.0;
-  settings.impedances.k_u = 100.0;
-  settings.impedances.k_r = 500.0;
-  settings.impedances.k_t = 500.0;
-  settings.impedances.k_c = 1e5;
-  settings.active = StrategyId::naive;
   return settings;
 }
 
