@@ -1,0 +1,52 @@
+// A run read back: what `simulate`, `replay` and recordings write (run_file.h). Reads as far as the file is sound, and
+// says what it had to leave out: a file that was cut, has damaged lines or numbers that are none, or comes from another
+// version, is still worth something. Not for the servo thread.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/goal_path.h"
+#include "core/scene.h"
+#include "core/strategy.h"
+
+namespace ghostforce {
+
+// One row of the file.
+struct RunRow {
+  Vector<2> device{0.0};  // q_h [m]
+  Vector<2> proxy{0.0};   // q_p [m]
+  Vector<2> force{0.0};   // f_r [N]
+};
+
+struct RunTick {
+  std::int64_t tick = 0;                      // k; t_k = k / rate
+  Vector<2> goal{0.0};                        // q_u [m]
+  std::optional<StrategyId> measured;         // whose device is a real one; the goal is then an estimate
+  PerStrategy<std::optional<RunRow>> rows{};  // empty: not in the file, or not sound
+  std::size_t settings = 0;                   // of Run::settings, those in use
+};
+
+struct Run {
+  std::string version;               // of the program that wrote it; empty: not told
+  std::optional<Scene> scene;        // empty: not told, or not readable
+  std::vector<Settings> settings;    // the scene's, then one more for each change while it ran
+  std::vector<RunTick> ticks;        // in the file's order; k may jump where rows are missing or the run was reset
+  std::vector<std::string> remarks;  // what was left out, one line each, for people
+};
+
+// `shown_path` is what remarks and messages call the file. Throws Failure(wrong_call) where the text is no run at all.
+Run read_run(std::string_view text, std::string_view shown_path);
+
+// Throws Failure: file_trouble where the file cannot be read; wrong_call as above.
+Run load_run(const std::string& path);
+
+// The hand of a run as a path that starts at 0 s: one waypoint per tick, up to where the run was reset if it was.
+// Throws Failure(wrong_call) where there is no scene or no tick.
+GoalPath goal_path_of(const Run& run);
+
+}  // namespace ghostforce
