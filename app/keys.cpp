@@ -58,6 +58,10 @@ void toggle(Session& session) {
   session.options.*option = !(session.options.*option);
 }
 
+void toggle_plots(Session& session) {
+  session.plots.is_open = !session.plots.is_open;
+}
+
 template <bool Wishes::*wish>
 void ask(Session& session) {
   session.wishes.*wish = true;
@@ -138,6 +142,7 @@ constexpr std::array bindings{
 
     KeyBinding{GLFW_KEY_F1, none, "F1", "This help", open_dialog<Dialog::help>, false, true},
     KeyBinding{GLFW_KEY_F2, none, "F2", "The device: how far it is, and what to do", open_dialog<Dialog::doctor>, false, true},
+    KeyBinding{GLFW_KEY_F3, none, "F3", "Plots: over time, over the wall's angle, over the ratio ρ", toggle_plots, false, true},
     KeyBinding{GLFW_KEY_F11, none, "F11", "Full screen, and back", ask<&Wishes::toggle_full_screen>, false, true},
     KeyBinding{GLFW_KEY_T, ctrl, "Ctrl+T", "Next theme: light, dark, projector", next_theme},
     KeyBinding{GLFW_KEY_EQUAL, ctrl, "Ctrl+ + − 0", "Letters larger, smaller, as usual", change_scale<1>, true},

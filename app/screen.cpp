@@ -13,6 +13,8 @@
 #include "app/panels/dialogs.h"
 #include "app/panels/panel_catalog.h"
 #include "app/panels/style.h"
+#include "app/plots/drawer.h"
+#include "app/plots/plot_pieces.h"
 
 namespace ghostforce {
 namespace {
@@ -66,11 +68,12 @@ Image cut_out(const Image& image, int left, int top, int width, int height) {
 
 }  // namespace
 
-// Bar on top, bar at the bottom, panels on the right, and in what remains the scene under its caption.
+// Bar on top, bar at the bottom, panels on the right, and in what remains the scene under its caption and above the
+// drawer with the plots.
 struct Screen::Layout {
-  Rect top, bottom, column, caption, scene;
+  Rect top, bottom, column, caption, scene, drawer;
 
-  Layout(Part part, ImVec2 size, float scale) {
+  Layout(Part part, ImVec2 size, float scale, bool has_drawer) {
     if (part == Part::scene) {
       scene = {{0.0F, 0.0F}, size};
       return;
@@ -85,7 +88,10 @@ struct Screen::Layout {
     const float caption_height = 62.0F * scale;
     const float scene_width = size.x - column_width;
     caption = {{0.0F, top_height}, {scene_width, caption_height}};
-    scene = {{0.0F, top_height + caption_height}, {scene_width, middle_height - caption_height}};
+    const float drawer_height = has_drawer ? std::clamp(0.4F * middle_height, 200.0F * scale, 340.0F * scale) : 0.0F;
+    const float scene_height = middle_height - caption_height - drawer_height;
+    scene = {{0.0F, top_height + caption_height}, {scene_width, scene_height}};
+    drawer = {{0.0F, scene.corner.y + scene_height}, {scene_width, drawer_height}};
   }
 };
 
@@ -119,6 +125,7 @@ void Screen::apply_look(const Look& look) {
   const float scale = static_cast<float>(look.scale) * window_.display_scale();
   if (look == styled_look_ && scale == styled_scale_) return;
   apply_style(*look.theme, scale);
+  apply_plot_style(*look.theme, scale);
   styled_look_ = look;
   styled_scale_ = scale;
 }
@@ -126,7 +133,7 @@ void Screen::apply_look(const Look& look) {
 void Screen::draw_everything(Session& session, const Snapshot& snapshot, const History& history,
                              const LoopReading& loop, Part part, bool is_live) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
-  const Layout layout(part, size, styled_scale_);
+  const Layout layout(part, size, styled_scale_, session.plots.is_open);
   const Theme& theme = *styled_look_.theme;
   const double unit = static_cast<double>(styled_scale_) * theme.thickness;
   scene_corner_ = layout.scene.corner;
@@ -159,6 +166,11 @@ void Screen::draw_everything(Session& session, const Snapshot& snapshot, const H
     begin_fixed("status", layout.bottom, ImGuiWindowFlags_NoScrollWithMouse);
     draw_status_bar(context);
     ImGui::End();
+    if (session.plots.is_open) {
+      begin_fixed("plots", layout.drawer, ImGuiWindowFlags_NoScrollWithMouse);
+      draw_plots(context, history.plots());
+      ImGui::End();
+    }
     // The one window that may hold more than it shows.
     ImGui::SetNextWindowPos(layout.column.corner);
     ImGui::SetNextWindowSize(layout.column.size);

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "app/ladder.h"
+#include "app/plots/plot_view.h"
 #include "app/theme.h"
 #include "app/view/compose.h"
 #include "core/motor_report.h"
@@ -33,7 +34,7 @@ struct Look {
 };
 
 // The window in front of the scene, if any.
-enum class Dialog : std::uint8_t { none, help, doctor, open_scene, save_scene, save_picture };
+enum class Dialog : std::uint8_t { none, help, doctor, open_scene, save_scene, save_picture, save_plots };
 
 // A picture of what is on the screen: the format is the file name's.
 struct PictureWish {
@@ -78,6 +79,7 @@ struct Session {
   bool is_editing = false;             // a control or a handle is held: its change is not complete yet
   SceneView shown;                     // the part of the world in the picture
   ViewOptions options;
+  PlotView plots;
   Look look;
   std::set<std::string, std::less<>> folded_panels;  // by title
   bool paused = false;

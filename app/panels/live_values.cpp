@@ -6,28 +6,11 @@
 
 #include "app/panels/controls.h"
 #include "app/panels/panel_catalog.h"
+#include "app/quantities.h"
 #include "core/settings.h"
 
 namespace ghostforce {
 namespace {
-
-struct Quantity {
-  const char* title;
-  const char* unit;
-  Term term;
-  double (*value)(const StrategySnapshot<2>&);
-  int decimals;
-  bool is_against_goal = false;  // and so nobody knows it where the goal is only inferred
-};
-
-constexpr Quantity quantities[] = {
-    {"force", "N", Term::force, [](const StrategySnapshot<2>& now) { return glm::length(now.force); }, 2},
-    {"ghost", "N", Term::ghost_force, [](const StrategySnapshot<2>& now) { return glm::length(now.ghost_force); }, 2,
-     true},
-    {"drift", "mm", Term::proxy_drift,
-     [](const StrategySnapshot<2>& now) { return glm::length(now.proxy_drift) * 1000.0; }, 1, true},
-    {"energy", "mJ", Term::energy, [](const StrategySnapshot<2>& now) { return now.energy * 1000.0; }, 1},
-};
 
 // Eight characters at most, whatever the number.
 std::string in_fixed_width(double value, int decimals) {
@@ -46,7 +29,7 @@ void right_aligned(std::string_view text) {
 void draw_head() {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  for (const Quantity& quantity : quantities) {
+  for (const Quantity& quantity : quantity_catalog()) {
     ImGui::TableNextColumn();
     ImGui::BeginGroup();
     right_aligned(quantity.title);
@@ -75,7 +58,7 @@ void draw_row(const PanelContext& context, const Strategy& entry) {
   ImGui::PopStyleColor();
   ImGui::PopFont();
   explain(entry.sentence);
-  for (const Quantity& quantity : quantities) {
+  for (const Quantity& quantity : quantity_catalog()) {
     ImGui::TableNextColumn();
     ImGui::PushFont(context.fonts.number, 0.0F);
     const bool is_known = !quantity.is_against_goal || !context.snapshot.measured;
@@ -118,13 +101,13 @@ void draw_model_error(const PanelContext& context) {
 }  // namespace
 
 void draw_live_values(const PanelContext& context) {
-  if (!ImGui::BeginTable("live", 1 + static_cast<int>(std::size(quantities)),
+  if (!ImGui::BeginTable("live", 1 + static_cast<int>(quantity_count),
                          ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_PadOuterX)) {
     return;
   }
   ImGui::TableSetupColumn("strategy", ImGuiTableColumnFlags_WidthFixed, 2.6F * ImGui::GetFontSize());
-  for (const Quantity& quantity : quantities)
-    ImGui::TableSetupColumn(quantity.title, ImGuiTableColumnFlags_WidthStretch);
+  for (const Quantity& quantity : quantity_catalog())
+    ImGui::TableSetupColumn(quantity.title.data(), ImGuiTableColumnFlags_WidthStretch);
   draw_head();
   for (const Strategy& entry : strategy_catalog()) draw_row(context, entry);
   ImGui::EndTable();

@@ -21,6 +21,8 @@ class Scale {
   double ratio(double place) const {
     return std::clamp(std::exp((place - 0.25) * decade_), least_ratio, greatest_ratio);
   }
+  // Of the ratio's logarithm, over the whole dial.
+  double decade() const { return decade_; }
   double place(double ratio) const { return std::clamp(0.25 + std::log(ratio) / decade_, 0.0, 1.0); }
 
  private:
@@ -28,6 +30,16 @@ class Scale {
 };
 
 }  // namespace
+
+void choose_ratio(Impedances& impedances, double ratio, double snap) {
+  const double optimal = optimal_tracking_ratio(impedances.k_r, believed_user_stiffness(impedances));
+  if (std::abs(std::log(ratio / optimal)) < snap) {
+    impedances.chosen_tracking_ratio.reset();
+  } else {
+    const bool is_naive = std::abs(std::log(ratio)) < snap;
+    impedances.chosen_tracking_ratio = is_naive ? 1.0 : std::clamp(ratio, least_ratio, greatest_ratio);
+  }
+}
 
 void draw_ratio_dial(const PanelContext& context) {
   Impedances& impedances = context.session.settings.impedances;
@@ -49,16 +61,9 @@ void draw_ratio_dial(const PanelContext& context) {
   ImGui::InvisibleButton("ratio", {width, 2.0F * line + 2.0F * radius + 8.0F * context.scale});
   if (ImGui::IsItemActive()) {
     const float pointer = ImGui::GetIO().MousePos.x;
-    const bool at_optimal = std::abs(pointer - x_of(scale.place(optimal))) < snap_points * context.scale;
-    const bool at_naive = std::abs(pointer - x_of(scale.place(1.0))) < snap_points * context.scale;
-    if (at_optimal) {
-      impedances.chosen_tracking_ratio.reset();
-    } else if (at_naive) {
-      impedances.chosen_tracking_ratio = 1.0;
-    } else {
-      impedances.chosen_tracking_ratio =
-          scale.ratio(std::clamp(static_cast<double>((pointer - left) / length), 0.0, 1.0));
-    }
+    const double place = std::clamp(static_cast<double>((pointer - left) / length), 0.0, 1.0);
+    choose_ratio(impedances, scale.ratio(place),
+                 scale.decade() * static_cast<double>(snap_points * context.scale / length));
   }
   explain(Term::tracking_ratio);
 

@@ -9,4 +9,8 @@ namespace ghostforce {
 // Edits impedances.chosen_tracking_ratio; near ρ* it snaps to "optimal", which then follows k_r and the believed k_u.
 void draw_ratio_dial(const PanelContext& context);
 
+// As a person who drags means it: near ρ* the optimal ratio from now on, near 1 exactly naïve, else this one. `snap` is
+// how near, as a difference of logarithms.
+void choose_ratio(Impedances& impedances, double ratio, double snap);
+
 }  // namespace ghostforce

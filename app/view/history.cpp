@@ -4,7 +4,13 @@
 
 namespace ghostforce {
 
+void History::clear() {
+  points_.clear();
+  plots_.clear();
+}
+
 void History::add(const Snapshot& snapshot) {
+  plots_.add(snapshot);
   HistoryPoint point{snapshot.goal, 0.0, {}, {}};
   for (std::size_t i = 0; i < strategy_count; ++i) point.device[i] = snapshot.strategies[i].device;
   if (points_.empty()) {

@@ -1,10 +1,11 @@
-// History: where goal and devices have been, thinned out to what a trail needs. Bounded: a window that runs for days
-// holds no more than one that runs for seconds. One thread.
+// History: where goal and devices have been, thinned out to what a trail needs, and what the plots show. Bounded: a
+// window that runs for days holds no more than one that runs for seconds. One thread.
 #pragma once
 
 #include <cstddef>
 #include <deque>
 
+#include "app/plots/plot_history.h"
 #include "core/snapshot.h"
 
 namespace ghostforce {
@@ -23,11 +24,13 @@ class History {
   static constexpr double spacing = 0.0004;  // [m]
 
   void add(const Snapshot& snapshot);
-  void clear() { points_.clear(); }
+  void clear();
   const std::deque<HistoryPoint>& points() const noexcept { return points_; }
+  const PlotHistory& plots() const noexcept { return plots_; }
 
  private:
   std::deque<HistoryPoint> points_;
+  PlotHistory plots_;
 };
 
 }  // namespace ghostforce

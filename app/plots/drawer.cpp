@@ -1,0 +1,69 @@
+#include "app/plots/drawer.h"
+
+#include <array>
+
+#include "app/panels/controls.h"
+#include "app/plots/rest_plots.h"
+#include "app/plots/time_plots.h"
+
+namespace ghostforce {
+namespace {
+
+struct Tab {
+  PlotTab id;
+  const char* title;
+  std::string_view sentence;
+  void (*draw)(const PanelContext& context, const PlotHistory& history);
+};
+
+constexpr std::array tabs{
+    Tab{PlotTab::time, "Over time", "What has been. The wheel chooses how long a time is in sight; drag to look back.",
+        draw_time_plots},
+    Tab{PlotTab::wall_angle, "Over wall angle",
+        "Where everything comes to rest, were the wall at another angle. Drag the line: the wall follows. Ctrl: "
+        "freely.",
+        [](const PanelContext& context, const PlotHistory&) { draw_wall_angle_plots(context); }},
+    Tab{PlotTab::ratio, "Over ratio ρ",
+        "Where everything comes to rest, were the tracking ratio another. Drag the line: the dial follows.",
+        [](const PanelContext& context, const PlotHistory&) { draw_ratio_plots(context); }},
+};
+
+void draw_buttons(const PanelContext& context) {
+  PlotView& view = context.session.plots;
+  const float pad = 2.0F * ImGui::GetStyle().FramePadding.x;
+  const float live = ImGui::CalcTextSize("Live").x + pad;
+  const float save = ImGui::CalcTextSize("Save…").x + pad;
+  const float close = ImGui::CalcTextSize("×").x + pad;
+  const float spacing = ImGui::GetStyle().ItemSpacing.x;
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - live - save - close - 2.0F * spacing);
+  ImGui::BeginDisabled(view.follows || view.tab != PlotTab::time);
+  if (ImGui::Button("Live")) view.follows = true;
+  ImGui::EndDisabled();
+  explain("The newest moment at the right edge again.");
+  ImGui::SameLine();
+  if (ImGui::Button("Save…")) context.session.dialog = Dialog::save_plots;
+  explain("What is shown, as numbers (CSV) or as a picture (PNG, SVG, PDF).");
+  ImGui::SameLine();
+  if (ImGui::Button("×")) view.is_open = false;
+  explain("Closes the plots. F3 opens them again.");
+}
+
+}  // namespace
+
+void draw_plots(const PanelContext& context, const PlotHistory& history) {
+  PlotView& view = context.session.plots;
+  for (const Tab& tab : tabs) {
+    const bool is_chosen = tab.id == view.tab;
+    ImGui::PushFont(is_chosen ? context.fonts.bold : context.fonts.regular, 0.0F);
+    if (is_chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+    if (ImGui::Button(tab.title)) view.tab = tab.id;
+    if (is_chosen) ImGui::PopStyleColor();
+    ImGui::PopFont();
+    explain(tab.sentence);
+    ImGui::SameLine();
+  }
+  draw_buttons(context);
+  tabs[static_cast<std::size_t>(view.tab)].draw(context, history);
+}
+
+}  // namespace ghostforce

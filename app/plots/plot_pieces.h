@@ -1,0 +1,44 @@
+// Pieces that several plots are made of: the house's look for ImPlot, a strategy's curve with its shape on it, a line
+// of words above a plot. Within an ImGui frame.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include <implot.h>
+
+#include "app/panels/panel.h"
+
+namespace ghostforce {
+
+// Sets ImPlot's style; together with apply_style() of panels/style.h.
+void apply_plot_style(const Theme& theme, float scale);
+
+inline constexpr ImPlotFlags quiet_plot = ImPlotFlags_CanvasOnly | ImPlotFlags_NoFrame;
+
+// A curve through these points, with the strategy's colour and, here and there, its shape: lines of plots have no
+// patterns. Within a plot.
+void draw_strategy_curve(const PanelContext& context, StrategyId id, std::span<const double> x,
+                         std::span<const double> y);
+
+// The strategy's shape at a point; hollow for what is predicted, with a bold rim. Within a plot.
+void draw_strategy_point(const PanelContext& context, StrategyId id, double x, double y, bool is_hollow);
+
+// Calls visit(id) for all strategies, the active one last, so that it ends up on top.
+template <typename Visit>
+void for_each_strategy(const PanelContext& context, Visit&& visit) {
+  const StrategyId active = context.session.settings.active;
+  for (const Strategy& entry : strategy_catalog()) {
+    if (entry.id != active) visit(entry.id);
+  }
+  visit(active);
+}
+
+// The least range that holds both and is no smaller than that, with some room at both ends.
+struct PlotRange {
+  double least;
+  double greatest;
+};
+PlotRange roomy(double least, double greatest, double smallest);
+
+}  // namespace ghostforce

@@ -1,0 +1,26 @@
+// PlotView: what of the plots a person looks at. Part of the session.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+namespace ghostforce {
+
+enum class PlotTab : std::uint8_t { time, wall_angle, ratio };
+
+struct PlotView {
+  // What fits into the plots' memory at 1 kHz [s].
+  static constexpr double longest_span_s = 65.0;
+  static constexpr double shortest_span_s = 0.02;
+
+  bool is_open = false;
+  PlotTab tab = PlotTab::time;
+  bool follows = true;  // the newest tick is at the right edge
+  double from_s = 0.0;  // the times in sight; model time
+  double to_s = 4.0;
+  std::optional<double> cursor_s{};  // the time under the pointer
+
+  double span_s() const noexcept { return to_s - from_s; }
+};
+
+}  // namespace ghostforce

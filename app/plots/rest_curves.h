@@ -1,0 +1,36 @@
+// Rest curves: where everything would come to rest if one setting were another, by closed form: what the plots over the
+// wall's angle and over the tracking ratio show. Pure, any thread.
+#pragma once
+
+#include <vector>
+
+#include "core/settings.h"
+
+namespace ghostforce {
+
+// Signed, so that a curve crosses 0 where it changes sides.
+struct RestValue {
+  double force = 0.0;  // along the motor axis [N]
+  double drift = 0.0;  // of the proxy, along the wall; + is to the left of its normal [m]
+};
+
+struct RestCurves {
+  std::vector<double> at;  // the setting's values, rising
+  PerStrategy<std::vector<RestValue>> values;
+};
+
+RestValue rest_value(StrategyId id, const Settings& settings, const Vector<2>& goal) noexcept;
+
+// The same of a tick: of a snapshot's force and drift.
+RestValue value_now(const Vector<2>& force, const Vector<2>& drift, const Settings& settings) noexcept;
+
+// Over the angle of the wall's normal, a whole turn from 0; the wall turns about its point, under the goal as it is
+// [rad]. `count` ≥ 2.
+RestCurves rest_over_wall_angle(const Settings& settings, const Vector<2>& goal, std::size_t count);
+
+// Over the tracking ratio ρ from `least` to `greatest`, in equal steps of its logarithm. Naïve rendering is the
+// anisotropic one at ρ = 1, so its curve is the same; a fully actuated device knows no ratio. `count` ≥ 2.
+RestCurves rest_over_ratio(const Settings& settings, const Vector<2>& goal, double least, double greatest,
+                           std::size_t count);
+
+}  // namespace ghostforce

@@ -1,0 +1,187 @@
+#include "app/plots/rest_plots.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "app/panels/controls.h"
+#include "app/panels/ratio_dial.h"
+#include "app/plots/plot_pieces.h"
+#include "app/plots/rest_curves.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+constexpr double whole_turn = 2.0 * std::numbers::pi;
+constexpr float snap_points = 7.0F;
+
+// What is drawn over the setting.
+struct RestQuantity {
+  const char* title;
+  std::string_view sentence;
+  double (*of)(const RestValue&);  // in the unit of the title
+  double smallest_range;
+};
+constexpr std::array quantities{
+    RestQuantity{
+        "force along the motor axis [N]",
+        "At rest, by closed form; + is the way the motor axis points. All three push as hard where there is no "
+        "ghost force.",
+        [](const RestValue& value) { return value.force; }, 1.0},
+    RestQuantity{
+        "proxy drift along the wall [mm]",
+        "At rest, by closed form: how far the proxy stands beside the goal. Where the curve crosses 0, nothing "
+        "drags the hand along the wall.",
+        [](const RestValue& value) { return 1000.0 * value.drift; }, 1.0},
+};
+
+struct RestAxis {
+  std::vector<double> at;  // on the axis, one per value of the curves
+  double now;
+  double least;
+  double greatest;
+  bool is_logarithmic;
+  std::vector<double> ticks;
+  std::vector<std::string> labels;  // of the ticks
+};
+
+// The same ring and shape on both plots, so that one sees force and drift of one moment.
+void draw_points(const PanelContext& context, const RestQuantity& quantity, const RestAxis& axis) {
+  const Settings& settings = context.session.settings;
+  for_each_strategy(context, [&](StrategyId id) {
+    // Naïve rendering is the ratio 1, wherever the dial stands.
+    const double at = axis.is_logarithmic && id == StrategyId::naive ? 1.0 : axis.now;
+    draw_strategy_point(context, id, at, quantity.of(rest_value(id, settings, context.snapshot.goal)), true);
+    if (context.snapshot.measured) return;
+    const StrategySnapshot<2>& now = context.snapshot.strategies[index_of(id)];
+    draw_strategy_point(context, id, at, quantity.of(value_now(now.force, now.proxy_drift, settings)), false);
+  });
+}
+
+// Where the person drags the operating point to, if so.
+std::optional<double> draw_operating_point(const PanelContext& context, const RestQuantity& quantity,
+                                           const RestAxis& axis) {
+  const StrategyId active = context.session.settings.active;
+  double x = axis.now;
+  double y = quantity.of(rest_value(active, context.session.settings, context.snapshot.goal));
+  const ImVec4 colour = unpacked(context.theme.accent);
+  bool is_held = false;
+  ImPlot::DragLineX(0, &x, colour, 1.5F * context.scale, ImPlotDragToolFlags_NoFit, nullptr, nullptr, &is_held);
+  if (is_held) return x;
+  ImPlot::DragPoint(1, &x, &y, colour, 4.0F * context.scale, ImPlotDragToolFlags_NoFit, nullptr, nullptr, &is_held);
+  return is_held ? std::optional(x) : std::nullopt;
+}
+
+std::optional<double> draw_rest_plot(const PanelContext& context, const RestQuantity& quantity,
+                                     const RestCurves& curves, const RestAxis& axis, ImVec2 size) {
+  std::optional<double> dragged;
+  if (!ImPlot::BeginPlot("##plot", size, quiet_plot)) return dragged;
+  PerStrategy<std::vector<double>> heights;
+  double least = 0.0;
+  double greatest = 0.0;
+  for (std::size_t i = 0; i < strategy_count; ++i) {
+    for (const RestValue& value : curves.values[i]) heights[i].push_back(quantity.of(value));
+    const auto [low, high] = std::ranges::minmax(heights[i]);
+    least = std::min(least, low);
+    greatest = std::max(greatest, high);
+  }
+  const PlotRange range = roomy(least, greatest, quantity.smallest_range);
+  constexpr ImPlotAxisFlags fixed_axis =
+      ImPlotAxisFlags_NoMenus | ImPlotAxisFlags_NoSideSwitch | ImPlotAxisFlags_NoHighlight | ImPlotAxisFlags_Lock;
+  ImPlot::SetupAxes(nullptr, nullptr, fixed_axis, fixed_axis);
+  if (axis.is_logarithmic) ImPlot::SetupAxisScale(ImAxis_X1, ImPlotScale_Log10);
+  std::vector<const char*> labels;
+  for (const std::string& label : axis.labels) labels.push_back(label.c_str());
+  ImPlot::SetupAxisTicks(ImAxis_X1, axis.ticks.data(), static_cast<int>(axis.ticks.size()), labels.data());
+  ImPlot::SetupAxesLimits(axis.least, axis.greatest, range.least, range.greatest, ImPlotCond_Always);
+  for_each_strategy(context, [&](StrategyId id) { draw_strategy_curve(context, id, axis.at, heights[index_of(id)]); });
+  dragged = draw_operating_point(context, quantity, axis);
+  draw_points(context, quantity, axis);
+  ImPlot::EndPlot();
+  return dragged;
+}
+
+// Both plots, side by side; and where the operating point is dragged to, if so.
+std::optional<double> draw_rest_plots(const PanelContext& context, const RestCurves& curves, const RestAxis& axis) {
+  std::optional<double> dragged;
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  const float spacing = ImGui::GetStyle().ItemSpacing.x;
+  const auto count = static_cast<float>(quantities.size());
+  const ImVec2 size{(room.x - spacing * (count - 1.0F)) / count, room.y - ImGui::GetTextLineHeightWithSpacing()};
+  for (const RestQuantity& quantity : quantities) {
+    if (&quantity != quantities.data()) ImGui::SameLine();
+    ImGui::BeginGroup();
+    ImGui::TextUnformatted(quantity.title);
+    explain(quantity.sentence);
+    ImGui::PushID(quantity.title);
+    if (const auto at = draw_rest_plot(context, quantity, curves, axis, size)) dragged = at;
+    ImGui::PopID();
+    ImGui::EndGroup();
+  }
+  return dragged;
+}
+
+std::size_t samples_for(float width) {
+  return std::max<std::size_t>(64, static_cast<std::size_t>(width / 4.0F));
+}
+
+}  // namespace
+
+void draw_wall_angle_plots(const PanelContext& context) {
+  Settings& settings = context.session.settings;
+  const RestCurves curves =
+      rest_over_wall_angle(settings, context.snapshot.goal, samples_for(ImGui::GetContentRegionAvail().x));
+  RestAxis axis{{}, 0.0, 0.0, 360.0, false, {}, {}};
+  for (int tick = 0; tick <= 360; tick += 45) {
+    axis.ticks.push_back(tick);
+    axis.labels.push_back(fmt::format("{}°", tick));
+  }
+  for (const double angle : curves.at) axis.at.push_back(angle / degree);
+  const double remainder = std::fmod(settings.wall_normal_angle, whole_turn);
+  axis.now = (remainder < 0.0 ? remainder + whole_turn : remainder) / degree;
+  if (const auto dragged = draw_rest_plots(context, curves, axis)) {
+    const double angle = std::clamp(*dragged, axis.least, axis.greatest);
+    settings.wall_normal_angle = (ImGui::GetIO().KeyCtrl ? angle : std::round(angle)) * degree;
+  }
+}
+
+void draw_ratio_plots(const PanelContext& context) {
+  Impedances& impedances = context.session.settings.impedances;
+  const double optimal = optimal_tracking_ratio(impedances.k_r, believed_user_stiffness(impedances));
+  const double now = tracking_ratio(impedances);
+  // Naïve at a quarter and optimal at three quarters, as on the dial; but the point in use is always in sight.
+  const double half_way = std::sqrt(std::max(optimal, 1.2));
+  const double least = std::min(1.0 / half_way, now / 1.2);
+  const double greatest = std::max(std::max(optimal, 1.2) * half_way, now * 1.2);
+  const float width = ImGui::GetContentRegionAvail().x;
+  const RestCurves curves =
+      rest_over_ratio(context.session.settings, context.snapshot.goal, least, greatest, samples_for(width));
+  RestAxis axis{curves.at, now, least, greatest, true, {1.0}, {"1 naïve"}};
+  const auto add_tick = [&](double ratio, std::string label) {
+    constexpr double too_near = 1.6;  // for two labels side by side
+    const bool has_room = std::ranges::all_of(axis.ticks, [&](double other) {
+      return std::abs(std::log(ratio / other)) > std::log(too_near) * std::log(greatest / least) / std::log(16.0);
+    });
+    if (!has_room || ratio < least || ratio > greatest) return;
+    axis.ticks.push_back(ratio);
+    axis.labels.push_back(std::move(label));
+  };
+  add_tick(optimal, fmt::format("{:.2f} ρ*", optimal));
+  for (const double ratio : {0.1, 10.0, 100.0, 1000.0, 0.2, 0.5, 2.0, 5.0, 20.0, 50.0, 200.0, 500.0}) {
+    add_tick(ratio, fmt::format("{:g}", ratio));
+  }
+  const auto dragged = draw_rest_plots(context, curves, axis);
+  if (!dragged) return;
+  const double decades_per_point = std::log(greatest / least) / (0.5 * static_cast<double>(width));
+  choose_ratio(impedances, std::clamp(*dragged, least, greatest),
+               static_cast<double>(snap_points * context.scale) * decades_per_point);
+}
+
+}  // namespace ghostforce

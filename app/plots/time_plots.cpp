@@ -1,0 +1,166 @@
+#include "app/plots/time_plots.h"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "app/panels/controls.h"
+#include "app/plots/plot_pieces.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr int rows = 2;
+constexpr int columns = 2;
+static_assert(rows * columns == quantity_count);
+// A range smaller than this would magnify what nobody can feel [unit of the quantity].
+constexpr double smallest_range = 1.0;
+
+// A bucket of several ticks is a stroke from its least to its greatest.
+struct Curve {
+  std::vector<double> x;
+  std::vector<double> y;
+};
+
+Curve curve_of(const std::vector<PlotBucket>& buckets, std::size_t quantity, std::size_t strategy) {
+  Curve curve;
+  for (const PlotBucket& bucket : buckets) {
+    const auto least = static_cast<double>(bucket.least[quantity][strategy]);
+    const auto greatest = static_cast<double>(bucket.greatest[quantity][strategy]);
+    const double middle = 0.5 * (bucket.from_s + bucket.to_s);
+    curve.x.push_back(middle);
+    curve.y.push_back(least);
+    if (least == greatest) continue;
+    curve.x.push_back(middle);
+    curve.y.push_back(greatest);
+  }
+  return curve;
+}
+
+PlotRange range_of(const std::vector<PlotBucket>& buckets, std::size_t quantity) {
+  double least = 0.0;
+  double greatest = 0.0;
+  for (const PlotBucket& bucket : buckets) {
+    for (std::size_t i = 0; i < strategy_count; ++i) {
+      least = std::min(least, static_cast<double>(bucket.least[quantity][i]));
+      greatest = std::max(greatest, static_cast<double>(bucket.greatest[quantity][i]));
+    }
+  }
+  return roomy(least, greatest, smallest_range);
+}
+
+// Name and unit, and at the right the values under the cursor.
+void draw_head(const PanelContext& context, const Quantity& quantity, std::size_t index, const PlotBucket* cursor,
+               float width) {
+  const float left = ImGui::GetCursorPosX();
+  ImGui::TextUnformatted(fmt::format("{} [{}]", quantity.title, quantity.unit).c_str());
+  explain(quantity.term);
+  if (cursor == nullptr) return;
+  std::array<std::string, strategy_count> words;
+  float needed = 0.0F;
+  ImGui::PushFont(context.fonts.number, 0.0F);
+  for (std::size_t i = 0; i < strategy_count; ++i) {
+    words[i] = fmt::format("  {}{:7.{}f}", strategy_catalog()[i].letter, cursor->greatest[index][i], quantity.decimals);
+    needed += ImGui::CalcTextSize(words[i].c_str()).x;
+  }
+  if (ImGui::GetItemRectSize().x + needed < width) {
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(left + width - needed - ImGui::GetStyle().ItemSpacing.x);
+    for (std::size_t i = 0; i < strategy_count; ++i) {
+      ImGui::PushStyleColor(ImGuiCol_Text, unpacked(context.theme.strategy_text[i]));
+      ImGui::TextUnformatted(words[i].c_str());
+      ImGui::PopStyleColor();
+      ImGui::SameLine(0.0F, 0.0F);
+    }
+    ImGui::NewLine();
+  }
+  ImGui::PopFont();
+}
+
+void draw_cursor(const PanelContext& context, double at_s) {
+  const float x = ImPlot::PlotToPixels(at_s, 0.0).x;
+  const ImVec2 corner = ImPlot::GetPlotPos();
+  if (x < corner.x || x > corner.x + ImPlot::GetPlotSize().x) return;
+  ImPlot::GetPlotDrawList()->AddLine({x, corner.y}, {x, corner.y + ImPlot::GetPlotSize().y},
+                                     packed(context.theme.accent), context.scale);
+}
+
+// One quantity; the time under the pointer, if it is there.
+std::optional<double> draw_plot(const PanelContext& context, const std::vector<PlotBucket>& buckets, std::size_t q,
+                                bool has_time_axis, ImVec2 size) {
+  PlotView& view = context.session.plots;
+  std::optional<double> cursor;
+  if (!ImPlot::BeginPlot("##plot", size, quiet_plot)) return cursor;
+  constexpr ImPlotAxisFlags quiet_axis =
+      ImPlotAxisFlags_NoMenus | ImPlotAxisFlags_NoSideSwitch | ImPlotAxisFlags_NoHighlight;
+  ImPlot::SetupAxis(ImAxis_X1, nullptr, quiet_axis | (has_time_axis ? 0 : ImPlotAxisFlags_NoTickLabels));
+  ImPlot::SetupAxis(ImAxis_Y1, nullptr, quiet_axis | ImPlotAxisFlags_Lock);
+  ImPlot::SetupAxisFormat(ImAxis_X1, "%g s");
+  ImPlot::SetupAxisLinks(ImAxis_X1, &view.from_s, &view.to_s);
+  ImPlot::SetupAxisZoomConstraints(ImAxis_X1, PlotView::shortest_span_s, PlotView::longest_span_s);
+  const PlotRange range = range_of(buckets, q);
+  ImPlot::SetupAxisLimits(ImAxis_Y1, range.least, range.greatest, ImPlotCond_Always);
+  if (quantity_catalog()[q].is_against_goal && context.snapshot.measured) {
+    ImPlot::PlotText("— cannot be known", 0.5 * (view.from_s + view.to_s), 0.5 * (range.least + range.greatest));
+  } else {
+    for_each_strategy(context, [&](StrategyId id) {
+      const Curve curve = curve_of(buckets, q, index_of(id));
+      draw_strategy_curve(context, id, curve.x, curve.y);
+    });
+  }
+  if (view.cursor_s) draw_cursor(context, *view.cursor_s);
+  if (ImPlot::IsPlotHovered()) cursor = ImPlot::GetPlotMousePos().x;
+  ImPlot::EndPlot();
+  return cursor;
+}
+
+}  // namespace
+
+void draw_time_plots(const PanelContext& context, const PlotHistory& history) {
+  PlotView& view = context.session.plots;
+  if (view.follows) {
+    const double span = view.span_s();
+    view.to_s = history.is_empty() ? span : history.newest_s();
+    view.from_s = view.to_s - span;
+  }
+  const PlotView before = view;
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  const ImVec2 spacing = ImGui::GetStyle().ItemSpacing;
+  const float width = (room.x - spacing.x * (columns - 1)) / columns;
+  const float head = ImGui::GetTextLineHeightWithSpacing();
+  const float axis = ImGui::GetTextLineHeight() + 4.0F * context.scale;  // of the lower row, with its tick labels
+  const float canvas = (room.y - axis - rows * head - (rows - 1) * spacing.y) / rows;
+
+  const std::vector<PlotBucket> buckets =
+      history.between(view.from_s, view.to_s, std::max<std::size_t>(64, static_cast<std::size_t>(width)));
+  const PlotBucket* const under_cursor = view.cursor_s ? history.at(*view.cursor_s) : nullptr;
+  std::optional<double> cursor;
+  for (std::size_t column = 0; column < columns; ++column) {
+    if (column > 0) ImGui::SameLine();
+    ImGui::BeginGroup();
+    ImGui::PushID(static_cast<int>(column));
+    // Their left edges in one line, however long the numbers at their axes are.
+    const bool is_aligned = ImPlot::BeginAlignedPlots("column");
+    for (std::size_t row = 0; row < rows; ++row) {
+      const std::size_t q = row * columns + column;
+      const bool has_time_axis = row + 1 == rows;
+      draw_head(context, quantity_catalog()[q], q, under_cursor, width);
+      ImGui::PushID(static_cast<int>(row));
+      const ImVec2 size{width, canvas + (has_time_axis ? axis : 0.0F)};
+      if (const auto at = draw_plot(context, buckets, q, has_time_axis, size)) cursor = at;
+      ImGui::PopID();
+    }
+    if (is_aligned) ImPlot::EndAlignedPlots();
+    ImGui::PopID();
+    ImGui::EndGroup();
+  }
+  view.cursor_s = cursor;
+  // The wheel chooses how long a time is in sight; whoever drags looks at a moment.
+  const bool has_moved = view.from_s != before.from_s || view.to_s != before.to_s;
+  if (has_moved && ImGui::IsMouseDragging(ImGuiMouseButton_Left)) view.follows = false;
+}
+
+}  // namespace ghostforce

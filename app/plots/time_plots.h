@@ -1,0 +1,12 @@
+// The quantities of the three strategies over time: four plots with one time axis and one cursor.
+#pragma once
+
+#include "app/panels/panel.h"
+#include "app/plots/plot_history.h"
+
+namespace ghostforce {
+
+// Fills what remains of the current ImGui window. Edits session.plots.
+void draw_time_plots(const PanelContext& context, const PlotHistory& history);
+
+}  // namespace ghostforce

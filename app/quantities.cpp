@@ -1,0 +1,23 @@
+#include "app/quantities.h"
+
+#include <glm/geometric.hpp>
+
+namespace ghostforce {
+namespace {
+
+constexpr std::array<Quantity, quantity_count> quantities{{
+    {"force", "N", "force_N", Term::force, [](const StrategySnapshot<2>& now) { return glm::length(now.force); }, 2},
+    {"ghost", "N", "ghost_force_N", Term::ghost_force,
+     [](const StrategySnapshot<2>& now) { return glm::length(now.ghost_force); }, 2, true},
+    {"drift", "mm", "proxy_drift_mm", Term::proxy_drift,
+     [](const StrategySnapshot<2>& now) { return glm::length(now.proxy_drift) * 1000.0; }, 1, true},
+    {"energy", "mJ", "energy_mJ", Term::energy, [](const StrategySnapshot<2>& now) { return now.energy * 1000.0; }, 1},
+}};
+
+}  // namespace
+
+const std::array<Quantity, quantity_count>& quantity_catalog() noexcept {
+  return quantities;
+}
+
+}  // namespace ghostforce

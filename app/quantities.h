@@ -1,0 +1,27 @@
+// The quantities that each strategy is measured by, in the units of the screen: what the live table shows, the plots
+// draw and their export writes. Immutable, any thread.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "app/glossary.h"
+#include "core/snapshot.h"
+
+namespace ghostforce {
+
+struct Quantity {
+  std::string_view title;
+  std::string_view unit;
+  std::string_view column;  // in files
+  Term term;
+  double (*value)(const StrategySnapshot<2>&);  // [unit]
+  int decimals;
+  bool is_against_goal = false;  // and so nobody knows it where the goal is only inferred
+};
+
+inline constexpr std::size_t quantity_count = 4;
+
+const std::array<Quantity, quantity_count>& quantity_catalog() noexcept;
+
+}  // namespace ghostforce
