@@ -5,6 +5,7 @@
 #include <fmt/compile.h>
 
 #include "app/scene_file.h"
+#include "app/scene_key_name.h"
 #include "ghostforce_version.h"
 
 namespace ghostforce {
@@ -23,6 +24,35 @@ std::string run_header(const Scene& scene, std::string_view further_columns) {
       "{}{}\n",
       scene_ends, run_columns, further_columns);
   return header;
+}
+
+void append_state_line(fmt::memory_buffer& rows, double time_s, const RunState& state) {
+  const auto out = std::back_inserter(rows);
+  fmt::format_to(out, FMT_COMPILE("{}{}{}"), state_begins, time_begins, time_s);
+  for (const Strategy& each : strategy_catalog()) {
+    const Vector<2>& velocity = state.velocity[index_of(each.id)];
+    fmt::format_to(out, FMT_COMPILE(" {}={},{},{}"), each.name, velocity.x, velocity.y,
+                   state.energy[index_of(each.id)]);
+  }
+  rows.push_back('\n');
+}
+
+void append_set_lines(fmt::memory_buffer& rows, double time_s, Settings& known, const Settings& wanted) {
+  Scene before;
+  Scene after;
+  before.settings = known;
+  after.settings = wanted;
+  // No file can say again that nothing is believed. To believe the user's own stiffness is the same.
+  Impedances& impedances = after.settings.impedances;
+  if (!impedances.believed_k_u && known.impedances.believed_k_u) impedances.believed_k_u = impedances.k_u;
+  for (const SceneKey& key : scene_keys()) {
+    if (!is_setting(key)) continue;
+    const std::string value = value_text(after, key);
+    if (value == value_text(before, key)) continue;
+    fmt::format_to(std::back_inserter(rows), FMT_COMPILE("{}{}{} {}={}\n"), set_begins, time_begins, time_s,
+                   dotted_name(key.table, key.name), value);
+  }
+  known = after.settings;
 }
 
 void append_run_row(fmt::memory_buffer& rows, const Snapshot& snapshot, StrategyId id) {

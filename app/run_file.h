@@ -21,9 +21,33 @@ inline constexpr std::string_view run_columns =
 inline constexpr std::string_view scene_begins = "# scene:";
 inline constexpr std::string_view scene_ends = "# end of scene";
 
+// How the lines between the rows of a recording begin, and its last line where the program was interrupted.
+//     # set t_s=T KEY=VALUE            from T on, as --set takes it
+//     # state t_s=T STRATEGY=VX,VY,W…  the rows at T do not follow from those before: velocity [m/s], energy W [J]
+//     # dropped N                      samples lost here
+inline constexpr std::string_view set_begins = "# set ";
+inline constexpr std::string_view state_begins = "# state ";
+inline constexpr std::string_view dropped_begins = "# dropped ";
+inline constexpr std::string_view interrupted_line = "# interrupted";
+// After the header of a run whose hand came from another file.
+inline constexpr std::string_view hand_begins = "# hand from ";
+// What stands before the arguments of "# set" and "# state".
+inline constexpr std::string_view time_begins = "t_s=";
+
 // All that stands before the first row. `further_columns` come after the common
 // ones: "" or ",name,name…".
 std::string run_header(const Scene& scene, std::string_view further_columns = {});
+
+// What a run cannot tell with a row for each tick.
+struct RunState {
+  PerStrategy<Vector<2>> velocity{};  // v [m/s]
+  PerStrategy<double> energy{};       // W [J]
+};
+void append_state_line(fmt::memory_buffer& rows, double time_s, const RunState& state);
+
+// A line for each key of the settings that a reader who knows `known` must hear of to know `wanted`, which must come
+// from a file or from rounded_to_file() to be known exactly. `known` becomes what the reader knows then.
+void append_set_lines(fmt::memory_buffer& rows, double time_s, Settings& known, const Settings& wanted);
 
 // One row of run_columns, without a newline, so that further values can follow.
 void append_run_row(fmt::memory_buffer& rows, const Snapshot& snapshot, StrategyId strategy);

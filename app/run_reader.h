@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/run_file.h"
 #include "core/goal_path.h"
 #include "core/scene.h"
 #include "core/strategy.h"
@@ -24,9 +25,14 @@ struct RunRow {
 };
 
 struct RunTick {
-  std::int64_t tick = 0;                      // k; t_k = k / rate
+  static constexpr std::uint32_t none = UINT32_MAX;
+
+  std::int64_t tick = 0;                      // k; t_k = k / rate. Where there is no scene: how manieth tick it is
+  double time_s = 0.0;                        // t_k, as the file has it
   Vector<2> goal{0.0};                        // q_u [m]
   std::optional<StrategyId> measured;         // whose device is a real one; the goal is then an estimate
+  bool is_sure = true;                        // false: damaged lines may have told of other settings or of a jump
+  std::uint32_t state = none;                 // of Run::states: it does not follow from the tick before; none: it does
   PerStrategy<std::optional<RunRow>> rows{};  // empty: not in the file, or not sound
   std::size_t settings = 0;                   // of Run::settings, those in use
 };
@@ -34,8 +40,11 @@ struct RunTick {
 struct Run {
   std::string version;               // of the program that wrote it; empty: not told
   std::optional<Scene> scene;        // empty: not told, or not readable
-  std::vector<Settings> settings;    // the scene's, then one more for each change while it ran
+  std::vector<Settings> settings;    // the scene's, then one more for each change while it ran; empty without a scene
+  std::vector<RunState> states;      // from which it went on where it was reset, or motors came on or went off
   std::vector<RunTick> ticks;        // in the file's order; k may jump where rows are missing or the run was reset
+  std::uint64_t dropped = 0;         // samples that were lost while it was recorded
+  bool is_interrupted = false;       // the program was, while it was recorded
   std::vector<std::string> remarks;  // what was left out, one line each, for people
 };
 

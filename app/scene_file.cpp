@@ -221,6 +221,10 @@ std::string scene_text(const Scene& scene) {
   return text;
 }
 
+std::string value_text(Scene scene, const SceneKey& key) {
+  return std::visit(TomlValue{scene}, key.value);
+}
+
 Scene rounded_to_file(Scene scene) {
   for (const SceneKey& key : scene_keys()) std::visit(Rounding{scene}, key.value);
   return scene;

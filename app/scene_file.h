@@ -29,6 +29,9 @@ Scene load_scene(const std::string& name_or_path, std::span<const std::string> o
 // file or from rounded_to_file().
 std::string scene_text(const Scene& scene);
 
+// The value of a key alone, as scene_text() writes it and --set takes it; empty: to be left out.
+std::string value_text(Scene scene, const SceneKey& key);
+
 // The nearest scene that a file can hold. Files hold mm and degrees, and not
 // every metre or radian is the quotient of some number of those: such a value
 // moves to the next one, by its last bit. Scenes that were read stay as they are.

@@ -100,6 +100,10 @@ std::span<const SceneKey> scene_keys() noexcept {
   return keys;
 }
 
+bool is_setting(const SceneKey& key) noexcept {
+  return key.table == "wall" || key.table == "device" || key.table == "user" || key.table == "rendering";
+}
+
 std::optional<SceneProblem> find_problem(const Scene& scene) {
   if (scene.goal.points.size() != scene.goal.times.size()) {
     return SceneProblem{"goal", "times_s",

@@ -102,6 +102,9 @@ struct SceneKey {
 // In the order in which a scene is written.
 std::span<const SceneKey> scene_keys() noexcept;
 
+// Whether it is one of Scene::settings, which may change while the scene runs.
+bool is_setting(const SceneKey& key) noexcept;
+
 // Positions in a scene lie within ± this [mm].
 inline constexpr double farthest_mm = 1000.0;
 
