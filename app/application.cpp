@@ -10,6 +10,7 @@
 #include "app/input_choices.h"
 #include "app/output_file.h"
 #include "app/paint/vector_painter.h"
+#include "app/plots/plot_export.h"
 #include "app/png_file.h"
 #include "app/printable.h"
 #include "app/saving.h"
@@ -244,6 +245,7 @@ void Application::grant_wishes() {
       tell(fmt::format("Saved {}", printable(*wishes.save_scene, longest_path)), false);
     }
     if (wishes.save_picture) save_picture(*wishes.save_picture);
+    if (wishes.save_plots) save_plots(*wishes.save_plots);
   } catch (const Failure& failure) {
     if (failure.code() == ExitCode::interrupted) throw;
     tell(failure.what(), true);
@@ -267,6 +269,13 @@ void Application::go_to(const std::optional<Edited>& edited) {
 void Application::save_picture(const PictureWish& wish) {
   OutputFile file(wish.path);
   file.write(picture_bytes(wish));
+  file.commit();
+  tell(fmt::format("Saved {}", printable(wish.path, longest_path)), false);
+}
+
+void Application::save_plots(const PlotWish& wish) {
+  OutputFile file(wish.path);
+  file.write(plot_file(session_, report_.snapshot, history_.plots(), wish));
   file.commit();
   tell(fmt::format("Saved {}", printable(wish.path, longest_path)), false);
 }

@@ -74,6 +74,7 @@ class Application {
   void open_scene(const std::string& name_or_path);
   void save_picture(const PictureWish& wish);
   std::string picture_bytes(const PictureWish& wish);
+  void save_plots(const PlotWish& wish);
   void go_to(const std::optional<Edited>& edited);
   void use(const InputKind& kind, std::shared_ptr<const Scene> scene, const Settings& settings);
   LoopReading loop_reading() const;

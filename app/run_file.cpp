@@ -10,7 +10,7 @@
 
 namespace ghostforce {
 
-std::string run_header(const Scene& scene, std::string_view further_columns) {
+std::string provenance(const Scene& scene) {
   std::string header = fmt::format("# ghostforce {}\n{}\n", version, scene_begins);
   const std::string text = scene_text(scene);
   for (std::string_view rest = text; !rest.empty();) {
@@ -18,12 +18,16 @@ std::string run_header(const Scene& scene, std::string_view further_columns) {
     header += line.empty() ? "#\n" : fmt::format("# {}\n", line);
     rest.remove_prefix(line.size() + 1);
   }
-  header += fmt::format(
-      "{}\n"
+  header += fmt::format("{}\n", scene_ends);
+  return header;
+}
+
+std::string run_header(const Scene& scene, std::string_view further_columns) {
+  return fmt::format(
+      "{}"
       "# One row per tick and strategy. Units: s, m, N. The force is what the device puts on the hand.\n"
       "{}{}\n",
-      scene_ends, run_columns, further_columns);
-  return header;
+      provenance(scene), run_columns, further_columns);
 }
 
 void append_state_line(fmt::memory_buffer& rows, double time_s, const RunState& state) {

@@ -34,6 +34,9 @@ inline constexpr std::string_view hand_begins = "# hand from ";
 // What stands before the arguments of "# set" and "# state".
 inline constexpr std::string_view time_begins = "t_s=";
 
+// What each file of rows begins with: the program's version and the scene, as comments.
+std::string provenance(const Scene& scene);
+
 // All that stands before the first row. `further_columns` come after the common
 // ones: "" or ",name,name…".
 std::string run_header(const Scene& scene, std::string_view further_columns = {});

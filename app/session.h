@@ -43,6 +43,12 @@ struct PictureWish {
   bool scene_alone = true;  // without bars and panels, PNG only
 };
 
+// What the plots show, as numbers (.csv) or as a picture (.png, .svg, .pdf).
+struct PlotWish {
+  std::string path;
+  bool whole_history = false;  // of the plots over time; else the times in sight
+};
+
 // What a frame asks of those who know files, window and inputs.
 struct Wishes {
   bool quit = false;
@@ -54,6 +60,7 @@ struct Wishes {
   std::optional<std::string> open_scene;
   std::optional<std::string> save_scene;
   std::optional<PictureWish> save_picture;
+  std::optional<PlotWish> save_plots;
 };
 
 // What stands in the fields of the dialog that is open.
@@ -62,6 +69,7 @@ struct Form {
   std::string path;
   int density = 2;
   bool scene_alone = false;
+  bool whole_history = false;
 };
 
 // One thing to tell the person.

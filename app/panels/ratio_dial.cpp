@@ -31,6 +31,12 @@ class Scale {
 
 }  // namespace
 
+RatioRange ratio_range(const Impedances& impedances) {
+  const double optimal = std::max(optimal_tracking_ratio(impedances.k_r, believed_user_stiffness(impedances)), 1.2);
+  const double now = tracking_ratio(impedances);
+  return {std::min(1.0 / std::sqrt(optimal), now / 1.2), std::max(optimal * std::sqrt(optimal), now * 1.2)};
+}
+
 void choose_ratio(Impedances& impedances, double ratio, double snap) {
   const double optimal = optimal_tracking_ratio(impedances.k_r, believed_user_stiffness(impedances));
   if (std::abs(std::log(ratio / optimal)) < snap) {

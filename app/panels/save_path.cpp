@@ -1,5 +1,6 @@
 #include "app/panels/save_path.h"
 
+#include <algorithm>
 #include <cctype>
 #include <filesystem>
 
@@ -29,7 +30,30 @@ Verdict judge(const std::string& path) {
   return {true, "Save", "A new file."};
 }
 
+bool has_extension(const std::string& path, std::string_view extension) {
+  if (path.size() <= extension.size() || path[path.size() - extension.size() - 1] != '.') return false;
+  return std::equal(extension.begin(), extension.end(), path.end() - static_cast<std::ptrdiff_t>(extension.size()),
+                    [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
+}
+
 }  // namespace
+
+const char* format_of(const std::string& path, std::span<const char* const> formats) {
+  const auto found = std::ranges::find_if(formats, [&](const char* format) { return has_extension(path, format); });
+  return found == formats.end() ? nullptr : *found;
+}
+
+void draw_format_choice(std::string& path, std::span<const char* const> formats) {
+  const char* const present = format_of(path, formats);
+  for (const char* const format : formats) {
+    if (format != formats.front()) ImGui::SameLine();
+    if (ImGui::RadioButton(format, present == format)) {
+      if (present != nullptr) path.resize(path.size() - std::string_view(present).size() - 1);
+      path += fmt::format(".{}", format);
+      return;
+    }
+  }
+}
 
 std::string file_stem(std::string_view title) {
   std::string stem;

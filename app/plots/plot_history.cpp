@@ -9,7 +9,7 @@ PlotBucket bucket_of(const Snapshot& snapshot) {
   PlotBucket bucket{snapshot.time_s, snapshot.time_s, {}, {}};
   for (std::size_t q = 0; q < quantity_count; ++q) {
     for (std::size_t i = 0; i < strategy_count; ++i) {
-      bucket.least[q][i] = static_cast<float>(quantity_catalog()[q].value(snapshot.strategies[i]));
+      bucket.least[q][i] = quantity_catalog()[q].value(snapshot.strategies[i]);
     }
   }
   bucket.greatest = bucket.least;

@@ -17,8 +17,8 @@ namespace ghostforce {
 struct PlotBucket {
   double from_s = 0.0;
   double to_s = 0.0;
-  std::array<PerStrategy<float>, quantity_count> least{};  // [unit of the quantity]
-  std::array<PerStrategy<float>, quantity_count> greatest{};
+  std::array<PerStrategy<double>, quantity_count> least{};  // [unit of the quantity]
+  std::array<PerStrategy<double>, quantity_count> greatest{};
 };
 
 class PlotHistory {

@@ -1,12 +1,21 @@
 // PlotView: what of the plots a person looks at. Part of the session.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 
 namespace ghostforce {
 
 enum class PlotTab : std::uint8_t { time, wall_angle, ratio };
+
+// In proposed file names.
+constexpr std::string_view plot_tab_name(PlotTab tab) noexcept {
+  constexpr std::array<std::string_view, 3> names{"over-time", "over-wall-angle", "over-ratio"};
+  return names[static_cast<std::size_t>(tab)];
+}
 
 struct PlotView {
   // What fits into the plots' memory at 1 kHz [s].

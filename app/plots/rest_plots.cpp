@@ -155,15 +155,11 @@ void draw_wall_angle_plots(const PanelContext& context) {
 void draw_ratio_plots(const PanelContext& context) {
   Impedances& impedances = context.session.settings.impedances;
   const double optimal = optimal_tracking_ratio(impedances.k_r, believed_user_stiffness(impedances));
-  const double now = tracking_ratio(impedances);
-  // Naïve at a quarter and optimal at three quarters, as on the dial; but the point in use is always in sight.
-  const double half_way = std::sqrt(std::max(optimal, 1.2));
-  const double least = std::min(1.0 / half_way, now / 1.2);
-  const double greatest = std::max(std::max(optimal, 1.2) * half_way, now * 1.2);
+  const auto [least, greatest] = ratio_range(impedances);
   const float width = ImGui::GetContentRegionAvail().x;
   const RestCurves curves =
       rest_over_ratio(context.session.settings, context.snapshot.goal, least, greatest, samples_for(width));
-  RestAxis axis{curves.at, now, least, greatest, true, {1.0}, {"1 naïve"}};
+  RestAxis axis{curves.at, tracking_ratio(impedances), least, greatest, true, {1.0}, {"1 naïve"}};
   const auto add_tick = [&](double ratio, std::string label) {
     constexpr double too_near = 1.6;  // for two labels side by side
     const bool has_room = std::ranges::all_of(axis.ticks, [&](double other) {

@@ -28,8 +28,8 @@ struct Curve {
 Curve curve_of(const std::vector<PlotBucket>& buckets, std::size_t quantity, std::size_t strategy) {
   Curve curve;
   for (const PlotBucket& bucket : buckets) {
-    const auto least = static_cast<double>(bucket.least[quantity][strategy]);
-    const auto greatest = static_cast<double>(bucket.greatest[quantity][strategy]);
+    const auto least = bucket.least[quantity][strategy];
+    const auto greatest = bucket.greatest[quantity][strategy];
     const double middle = 0.5 * (bucket.from_s + bucket.to_s);
     curve.x.push_back(middle);
     curve.y.push_back(least);
@@ -45,8 +45,8 @@ PlotRange range_of(const std::vector<PlotBucket>& buckets, std::size_t quantity)
   double greatest = 0.0;
   for (const PlotBucket& bucket : buckets) {
     for (std::size_t i = 0; i < strategy_count; ++i) {
-      least = std::min(least, static_cast<double>(bucket.least[quantity][i]));
-      greatest = std::max(greatest, static_cast<double>(bucket.greatest[quantity][i]));
+      least = std::min(least, bucket.least[quantity][i]);
+      greatest = std::max(greatest, bucket.greatest[quantity][i]);
     }
   }
   return roomy(least, greatest, smallest_range);

@@ -1,0 +1,188 @@
+#include "app/plots/plot_export.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "app/chart/chart.h"
+#include "app/csv_table.h"
+#include "app/paint/image_painter.h"
+#include "app/paint/vector_painter.h"
+#include "app/panels/ratio_dial.h"
+#include "app/panels/save_path.h"
+#include "app/plots/rest_curves.h"
+#include "app/png_file.h"
+#include "app/run_file.h"
+#include "app/saving.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+constexpr std::size_t every_tick = std::numeric_limits<std::size_t>::max();
+
+// A picture: two charts in a row, as in the drawer [points].
+constexpr Vector<2> chart_size{560.0, 340.0};
+constexpr std::size_t charts_in_a_row = 2;
+constexpr double picture_density = 2.0;
+// Points of a curve over one setting.
+constexpr std::size_t curve_points = 361;
+constexpr auto picture_columns = static_cast<std::size_t>(chart_size.x * picture_density);
+
+// One subject of the plots, both ways.
+struct Export {
+  CsvTable table;
+  std::vector<Chart> charts;
+};
+
+Series series_of(StrategyId id, const Theme& theme) {
+  const std::size_t i = index_of(id);
+  Series series;
+  series.name = fmt::format("{} {}", strategy(id).letter, strategy(id).title);
+  series.colour = theme.strategy[i];
+  series.pattern = strategy_style(id).pattern;
+  return series;
+}
+
+Export over_time(const PlotHistory& history, double from_s, double to_s, bool goal_is_inferred, const Theme& theme) {
+  Export result;
+  result.table.columns = {"t_s", "strategy"};
+  for (const Quantity& quantity : quantity_catalog()) result.table.columns.emplace_back(quantity.column);
+  const auto is_known = [&](const Quantity& quantity) { return !quantity.is_against_goal || !goal_is_inferred; };
+  for (const PlotBucket& tick : history.between(from_s, to_s, every_tick)) {
+    for (const Strategy& entry : strategy_catalog()) {
+      std::vector<CsvCell> row{tick.from_s, std::string(entry.name)};
+      for (std::size_t q = 0; q < quantity_count; ++q) {
+        row.push_back(is_known(quantity_catalog()[q]) ? CsvCell(tick.least[q][index_of(entry.id)])
+                                                      : CsvCell(std::string()));
+      }
+      result.table.rows.push_back(std::move(row));
+    }
+  }
+  const std::vector<PlotBucket> buckets = history.between(from_s, to_s, picture_columns);
+  for (std::size_t q = 0; q < quantity_count; ++q) {
+    const Quantity& quantity = quantity_catalog()[q];
+    Chart chart;
+    chart.title = glossary(quantity.term).title;
+    chart.x.title = "time [s]";
+    chart.y.title = fmt::format("{} [{}]", quantity.title, quantity.unit);
+    for (const Strategy& entry : strategy_catalog()) {
+      if (!is_known(quantity)) continue;
+      Series series = series_of(entry.id, theme);
+      for (const PlotBucket& bucket : buckets) {
+        const std::size_t i = index_of(entry.id);
+        const double middle = 0.5 * (bucket.from_s + bucket.to_s);
+        series.points.emplace_back(middle, bucket.least[q][i]);
+        if (bucket.greatest[q][i] != bucket.least[q][i]) series.points.emplace_back(middle, bucket.greatest[q][i]);
+      }
+      chart.series.push_back(std::move(series));
+    }
+    result.charts.push_back(std::move(chart));
+  }
+  return result;
+}
+
+// What is swept, as the table and the charts name it.
+struct SweptSetting {
+  std::string column;
+  std::string title;
+  bool is_logarithmic;
+  double per_si;
+  double now;  // in the column's unit
+};
+
+Export over_setting(const RestCurves& curves, const SweptSetting& setting, const Theme& theme) {
+  Export result;
+  result.table.columns = {setting.column, "strategy", "force_along_motor_axis_N", "proxy_drift_along_wall_mm"};
+  const auto chart_of = [&](std::string title, std::string quantity) {
+    Chart chart;
+    chart.title = std::move(title);
+    chart.x.title = setting.title;
+    chart.x.is_logarithmic = setting.is_logarithmic;
+    chart.y.title = std::move(quantity);
+    chart.references.push_back({setting.now, true, "now"});
+    return chart;
+  };
+  Chart force = chart_of("Force at rest", "force along the motor axis [N]");
+  Chart drift = chart_of("Proxy drift at rest", "drift along the wall [mm]");
+  for (const Strategy& entry : strategy_catalog()) {
+    Series forces = series_of(entry.id, theme);
+    Series drifts = forces;
+    for (std::size_t k = 0; k < curves.at.size(); ++k) {
+      const RestValue& value = curves.values[index_of(entry.id)][k];
+      const double at = curves.at[k] * setting.per_si;
+      result.table.rows.push_back({at, std::string(entry.name), value.force, 1000.0 * value.drift});
+      forces.points.emplace_back(at, value.force);
+      drifts.points.emplace_back(at, 1000.0 * value.drift);
+    }
+    force.series.push_back(std::move(forces));
+    drift.series.push_back(std::move(drifts));
+  }
+  result.charts = {std::move(force), std::move(drift)};
+  return result;
+}
+
+Export export_of(const Session& session, const Snapshot& snapshot, const PlotHistory& history, bool whole_history) {
+  const Theme& theme = *session.look.theme;
+  const Settings& settings = session.settings;
+  switch (session.plots.tab) {
+    case PlotTab::time:
+      return whole_history
+                 ? over_time(history, history.oldest_s(), history.newest_s(), snapshot.measured.has_value(), theme)
+                 : over_time(history, session.plots.from_s, session.plots.to_s, snapshot.measured.has_value(), theme);
+    case PlotTab::wall_angle: {
+      const double turn = std::floor(settings.wall_normal_angle / (360.0 * degree));
+      return over_setting(rest_over_wall_angle(settings, snapshot.goal, curve_points),
+                          {.column = "wall_normal_deg",
+                           .title = "angle of the wall's normal [°]",
+                           .is_logarithmic = false,
+                           .per_si = 1.0 / degree,
+                           .now = settings.wall_normal_angle / degree - 360.0 * turn},
+                          theme);
+    }
+    case PlotTab::ratio: {
+      const RatioRange range = ratio_range(settings.impedances);
+      return over_setting(rest_over_ratio(settings, snapshot.goal, range.least, range.greatest, curve_points),
+                          {.column = "tracking_ratio",
+                           .title = "tracking ratio ρ",
+                           .is_logarithmic = true,
+                           .per_si = 1.0,
+                           .now = tracking_ratio(settings.impedances)},
+                          theme);
+    }
+  }
+  return {};
+}
+
+std::string picture_of(const std::vector<Chart>& charts, const Session& session, const std::string& path) {
+  const Theme& theme = *session.look.theme;
+  const MeasureText measure = measure_vector_text;
+  std::vector<Pane> panes;
+  for (std::size_t i = 0; i < charts.size(); ++i) {
+    const Vector<2> place(static_cast<double>(i % charts_in_a_row), static_cast<double>(i / charts_in_a_row));
+    panes.push_back(chart_pane(charts[i], place * chart_size, chart_size, theme, 1.0, measure));
+  }
+  const auto rows = static_cast<double>((charts.size() + charts_in_a_row - 1) / charts_in_a_row);
+  const Vector<2> size(static_cast<double>(charts_in_a_row) * chart_size.x, rows * chart_size.y);
+  if (const auto format = vector_format_of(path)) {
+    return paint_vector(panes, theme, size, theme.thickness, *format, session.scene->title);
+  }
+  return png_bytes(paint_image(panes, theme, size, theme.thickness, picture_density));
+}
+
+}  // namespace
+
+std::string plot_file(const Session& session, const Snapshot& snapshot, const PlotHistory& history,
+                      const PlotWish& wish) {
+  const Export result = export_of(session, snapshot, history, wish.whole_history);
+  constexpr std::array numbers{"csv"};
+  if (format_of(wish.path, numbers) != nullptr) return provenance(scene_as_seen(session)) + csv_text(result.table);
+  return picture_of(result.charts, session, wish.path);
+}
+
+}  // namespace ghostforce

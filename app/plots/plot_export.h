@@ -1,0 +1,18 @@
+// What the plots show, as a file: a table with the numbers, or a picture of the same curves. Pure but for the font that
+// pictures need; UI thread.
+#pragma once
+
+#include <string>
+
+#include "app/plots/plot_history.h"
+#include "app/session.h"
+#include "core/snapshot.h"
+
+namespace ghostforce {
+
+// The file's content; the ending of `wish.path` says which format. Throws Failure(file_trouble) where the font cannot
+// be read.
+std::string plot_file(const Session& session, const Snapshot& snapshot, const PlotHistory& history,
+                      const PlotWish& wish);
+
+}  // namespace ghostforce
