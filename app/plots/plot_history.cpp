@@ -78,7 +78,8 @@ std::vector<PlotBucket> PlotHistory::between(double from_s, double to_s, std::si
   for (const Level& level : levels_) {
     range = {&level, first_ahead(level, [&](const PlotBucket& bucket) { return bucket.to_s < from_s; }),
              first_ahead(level, [&](const PlotBucket& bucket) { return bucket.from_s <= to_s; })};
-    if (range.end <= range.begin + most) break;
+    range.end = std::max(range.begin, range.end);
+    if (range.end - range.begin <= most) break;
   }
   std::vector<PlotBucket> buckets;
   if (is_empty()) return buckets;

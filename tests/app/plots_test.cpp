@@ -1,0 +1,234 @@
+// What the plots know, and what they save.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "app/plots/plot_export.h"
+#include "app/plots/plot_history.h"
+#include "app/plots/rest_curves.h"
+#include "app/scene_file.h"
+#include "core/play.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t naive = index_of(StrategyId::naive);
+
+// A force of one spike in a tick of its own, over a slow ramp.
+Snapshot snapshot_at(std::int64_t tick, double force) {
+  Snapshot snapshot;
+  snapshot.tick = tick;
+  snapshot.time_s = static_cast<double>(tick) / 1000.0;
+  snapshot.strategies[naive].force = {force, 0.0};
+  return snapshot;
+}
+
+TEST(PlotHistory, HoldsEveryTickUntilItIsFull) {
+  PlotHistory history;
+  EXPECT_TRUE(history.is_empty());
+  EXPECT_EQ(history.at(0.0), nullptr);
+  for (std::int64_t k = 0; k < 1000; ++k) history.add(snapshot_at(k, static_cast<double>(k)));
+  const auto ticks = history.between(0.0, 10.0, all);
+  ASSERT_EQ(ticks.size(), 1000U);
+  for (std::size_t k = 0; k < ticks.size(); ++k) {
+    EXPECT_EQ(ticks[k].from_s, static_cast<double>(k) / 1000.0);
+    EXPECT_EQ(ticks[k].least[0][naive], static_cast<double>(k));
+    EXPECT_EQ(ticks[k].greatest[0][naive], static_cast<double>(k));
+  }
+}
+
+TEST(PlotHistory, NoSpikeIsLostHoweverCoarseThePlot) {
+  constexpr std::int64_t spike = 31'234;
+  PlotHistory history;
+  for (std::int64_t k = 0; k < 60'000; ++k) history.add(snapshot_at(k, k == spike ? 100.0 : 1.0));
+  for (const std::size_t most : {20U, 64U, 200U, 1000U, 5000U, 100'000U}) {
+    const auto buckets = history.between(0.0, 60.0, most);
+    EXPECT_LE(buckets.size(), std::max<std::size_t>(most, 60));  // the coarsest level is the end
+    const auto found =
+        std::ranges::find_if(buckets, [](const auto& bucket) { return bucket.greatest[0][naive] > 50.0; });
+    ASSERT_NE(found, buckets.end()) << most;
+    EXPECT_LE(found->from_s, 31.234);
+    EXPECT_GE(found->to_s, 31.234);
+    for (std::size_t i = 1; i < buckets.size(); ++i) EXPECT_GT(buckets[i].from_s, buckets[i - 1].to_s);
+  }
+}
+
+TEST(PlotHistory, TheNewestTickIsInEveryPlotAtOnce) {
+  PlotHistory history;
+  for (std::int64_t k = 0; k < 4321; ++k) {
+    history.add(snapshot_at(k, 0.0));
+    for (const std::size_t most : {10U, 100U, 1000U}) {
+      ASSERT_EQ(history.between(0.0, 10.0, most).back().to_s, history.newest_s()) << k << ' ' << most;
+    }
+  }
+}
+
+TEST(PlotHistory, ForgetsTheOldestOnly) {
+  PlotHistory history;
+  const auto count = static_cast<std::int64_t>(PlotHistory::capacity) + 5000;
+  for (std::int64_t k = 0; k < count; ++k) history.add(snapshot_at(k, static_cast<double>(k)));
+  const auto ticks = history.between(0.0, 1000.0, all);
+  ASSERT_EQ(ticks.size(), PlotHistory::capacity);
+  EXPECT_EQ(ticks.front().least[0][naive], 5000.0);
+  EXPECT_EQ(ticks.back().least[0][naive], static_cast<double>(count - 1));
+  EXPECT_EQ(history.oldest_s(), ticks.front().from_s);
+  // The coarse ones reach no farther back than a few of their buckets.
+  EXPECT_NEAR(history.between(0.0, 1000.0, 300).front().from_s, history.oldest_s(), 1.1);
+}
+
+TEST(PlotHistory, ATimeInBetweenIsTheTickBefore) {
+  PlotHistory history;
+  for (std::int64_t k = 10; k < 20; ++k) history.add(snapshot_at(k, static_cast<double>(k)));
+  EXPECT_EQ(history.at(0.0099), nullptr);
+  EXPECT_EQ(history.at(0.0125)->least[0][naive], 12.0);
+  EXPECT_EQ(history.at(5.0)->least[0][naive], 19.0);
+}
+
+TEST(PlotHistory, ATickThatIsNoLaterCountsOnce) {
+  PlotHistory history;
+  history.add(snapshot_at(5, 1.0));
+  history.add(snapshot_at(5, 2.0));
+  history.add(snapshot_at(4, 3.0));
+  ASSERT_EQ(history.between(0.0, 1.0, all).size(), 1U);
+  EXPECT_EQ(history.at(1.0)->least[0][naive], 1.0);
+  history.clear();
+  EXPECT_TRUE(history.is_empty());
+  EXPECT_TRUE(history.between(0.0, 1.0, all).empty());
+}
+
+// ---- Curves ---------------------------------------------------------------------------------------------------------
+
+class RestCurvesTest : public testing::Test {
+ protected:
+  Scene scene_ = load_scene("fig3-normal");
+  Vector<2> goal_ = scene_.goal.points.back();
+};
+
+TEST_F(RestCurvesTest, PassThroughTheSettingInUse) {
+  // Section 1 of the design: naïve −6.656 N, the others −3.633 N, no drift but for the naïve one.
+  EXPECT_NEAR(rest_value(StrategyId::naive, scene_.settings, goal_).force, -6.656, 5e-4);
+  EXPECT_NEAR(rest_value(StrategyId::full, scene_.settings, goal_).force, -3.633, 5e-4);
+  const RestCurves curves = rest_over_wall_angle(scene_.settings, goal_, 9);  // every 45°
+  ASSERT_EQ(curves.at.size(), 9U);
+  EXPECT_NEAR(curves.at[3], 0.75 * std::numbers::pi, 1e-15);
+  for (const Strategy& entry : strategy_catalog()) {
+    const RestValue now = rest_value(entry.id, scene_.settings, goal_);
+    EXPECT_NEAR(curves.values[index_of(entry.id)][3].force, now.force, 1e-12);
+    EXPECT_NEAR(curves.values[index_of(entry.id)][3].drift, now.drift, 1e-15);
+  }
+}
+
+TEST_F(RestCurvesTest, AreFlatWhereTheGoalIsOutside) {
+  const RestCurves curves = rest_over_wall_angle(scene_.settings, goal_, 9);
+  for (std::size_t i = 0; i < strategy_count; ++i) EXPECT_EQ(curves.values[i][7].force, 0.0);  // 315°
+}
+
+TEST_F(RestCurvesTest, CrossTheFullyActuatedForceAndNoDriftAtTheOptimalRatio) {
+  const double optimal = optimal_tracking_ratio(1000.0, 100.0);
+  const RestCurves curves = rest_over_ratio(scene_.settings, goal_, 1.0, optimal * optimal, 3);
+  const auto& cured = curves.values[index_of(StrategyId::anisotropic)];
+  const auto& full = curves.values[index_of(StrategyId::full)];
+  EXPECT_NEAR(curves.at[1], optimal, 1e-12);
+  EXPECT_NEAR(cured[1].force, full[1].force, 1e-9);
+  EXPECT_NEAR(cured[1].drift, 0.0, 1e-12);
+  EXPECT_LT(cured[0].drift * cured[2].drift, 0.0);  // it changes sides there
+  EXPECT_NEAR(cured[0].force, rest_value(StrategyId::naive, scene_.settings, goal_).force, 1e-12);
+  EXPECT_EQ(full[0].force, full[2].force);
+}
+
+// ---- Files ----------------------------------------------------------------------------------------------------------
+
+class PlotFile : public testing::Test {
+ protected:
+  PlotFile() {
+    play(scene_, last_tick(scene_), [&](const Snapshot& snapshot) {
+      history_.add(snapshot);
+      snapshot_ = snapshot;
+    });
+    session_.plots.from_s = 1.0;
+    session_.plots.to_s = 1.5;
+  }
+
+  std::string file(const std::string& path, bool whole_history = false) const {
+    return plot_file(session_, snapshot_, history_, {path, whole_history});
+  }
+  // Without comments.
+  static std::vector<std::string> rows(const std::string& text) {
+    std::vector<std::string> rows;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+      if (!line.starts_with('#')) rows.push_back(line);
+    }
+    return rows;
+  }
+
+  Scene scene_ = load_scene("wall45");
+  Session session_ = session_of(scene_);
+  PlotHistory history_;
+  Snapshot snapshot_;
+};
+
+TEST_F(PlotFile, HoldsTheTicksInSight) {
+  const auto lines = rows(file("plots.csv"));
+  ASSERT_EQ(lines.size(), 1U + 3U * 501U);  // both ends
+  EXPECT_EQ(lines[0], "t_s,strategy,force_N,ghost_force_N,proxy_drift_mm,energy_mJ");
+  EXPECT_TRUE(lines[1].starts_with("1,full,"));
+  EXPECT_TRUE(lines.back().starts_with("1.5,anisotropic,"));
+}
+
+TEST_F(PlotFile, HoldsAllTicksAndTheirExactNumbers) {
+  const auto lines = rows(file("plots.CSV", true));
+  ASSERT_EQ(lines.size(), 1U + 3U * 3001U);
+  const StrategySnapshot<2>& last = snapshot_.strategies[naive];
+  std::istringstream row(lines[lines.size() - 2]);
+  std::vector<std::string> cells;
+  for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
+  ASSERT_EQ(cells.size(), 6U);
+  EXPECT_EQ(cells[1], "naive");
+  EXPECT_EQ(std::stod(cells[2]), glm::length(last.force));
+  EXPECT_EQ(std::stod(cells[5]), last.energy * 1000.0);
+}
+
+TEST_F(PlotFile, SaysWhereItComesFrom) {
+  session_.settings.impedances.k_r = 750.0;
+  const std::string text = file("plots.csv");
+  EXPECT_NE(text.find("# ghostforce "), std::string::npos);
+  EXPECT_NE(text.find("# k_r_N_per_m = 750"), std::string::npos);
+}
+
+TEST_F(PlotFile, LeavesOutWhatCannotBeKnownOfARealHand) {
+  snapshot_.measured = StrategyId::naive;
+  for (const std::string& line : rows(file("plots.csv"))) {
+    if (line.starts_with("t_s")) continue;
+    EXPECT_NE(line.find(",,,"), std::string::npos) << line;
+  }
+}
+
+TEST_F(PlotFile, HoldsTheCurvesOverASetting) {
+  session_.plots.tab = PlotTab::wall_angle;
+  const auto angles = rows(file("plots.csv"));
+  EXPECT_EQ(angles[0], "wall_normal_deg,strategy,force_along_motor_axis_N,proxy_drift_along_wall_mm");
+  EXPECT_EQ(angles.size(), 1U + 3U * 361U);
+  session_.plots.tab = PlotTab::ratio;
+  EXPECT_TRUE(rows(file("plots.csv"))[0].starts_with("tracking_ratio,strategy,"));
+}
+
+TEST_F(PlotFile, IsAPictureWhereTheNameSaysSo) {
+  for (const PlotTab tab : {PlotTab::time, PlotTab::wall_angle, PlotTab::ratio}) {
+    session_.plots.tab = tab;
+    EXPECT_TRUE(file("plots.png").starts_with("\x89PNG"));
+    EXPECT_TRUE(file("plots.pdf").starts_with("%PDF"));
+    EXPECT_NE(file("plots.svg").find("<svg"), std::string::npos);
+    EXPECT_EQ(file("plots.png"), file("plots.png"));
+  }
+}
+
+}  // namespace
+}  // namespace ghostforce

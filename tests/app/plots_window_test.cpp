@@ -1,0 +1,177 @@
+// The drawer with the plots, as a person uses it.
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+#include <string>
+
+#include "app/file_contents.h"
+#include "tests/app/driven_window.h"
+#include "tests/support/temporary_folder.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+
+class PlotsWindow : public DrivenWindow {
+ protected:
+  PlotsWindow() {
+    press(GLFW_KEY_F3);
+    frames(3);
+  }
+
+  const PlotView& view() { return session().plots; }
+
+  // The drawer starts where the scene ends.
+  Vector<2> in_drawer(double x, double y) const {
+    return {x, static_cast<double>(screen().scene_corner().y) + screen().scene_size().y + y};
+  }
+  void click_in_drawer(double x, double y) {
+    const Vector<2> at = in_drawer(x, y);
+    click_at(at.x, at.y);
+  }
+  void choose(PlotTab tab) {
+    session().plots.tab = tab;
+    frames(3);
+  }
+  // Where the plots on the left have something to take hold of, whatever the width of the numbers at their axes: the
+  // drag line is the only thing that a drag there can move.
+  double x_of_operating_point(double least, double greatest) {
+    for (double x = least; x < greatest; x += 5.0) {
+      point_at(in_drawer(x, 150.0));
+      frames(2);
+      if (ImGui::GetMouseCursor() == ImGuiMouseCursor_ResizeEW) return x;
+    }
+    return -1.0;
+  }
+};
+
+TEST_F(PlotsWindow, ComesAndGoesWithItsKey) {
+  EXPECT_TRUE(view().is_open);
+  const double height = screen().scene_size().y;
+  press(GLFW_KEY_F3);
+  frames(2);
+  EXPECT_FALSE(view().is_open);
+  EXPECT_GT(screen().scene_size().y, height + 150.0);
+}
+
+TEST_F(PlotsWindow, TabsChooseWhatIsShown) {
+  click_in_drawer(150.0, 20.0);
+  EXPECT_EQ(view().tab, PlotTab::wall_angle);
+  click_in_drawer(270.0, 20.0);
+  EXPECT_EQ(view().tab, PlotTab::ratio);
+  click_in_drawer(50.0, 20.0);
+  EXPECT_EQ(view().tab, PlotTab::time);
+}
+
+TEST_F(PlotsWindow, FollowsTheNewestTick) {
+  const double before = view().to_s;
+  frames(10);
+  EXPECT_NEAR(view().to_s - before, 10 * 0.016, 1e-9);
+  EXPECT_EQ(view().to_s, application_->history().plots().newest_s());
+}
+
+TEST_F(PlotsWindow, OneCursorForAllPlots) {
+  point_at(in_drawer(200.0, 100.0));
+  frames(2);
+  ASSERT_TRUE(view().cursor_s.has_value());
+  const double at = *view().cursor_s;
+  EXPECT_GT(at, view().from_s);
+  EXPECT_LT(at, view().to_s);
+  point_at(40.0, 300.0);
+  frames(2);
+  EXPECT_FALSE(view().cursor_s.has_value());
+}
+
+TEST_F(PlotsWindow, TheWheelChoosesHowMuchIsInSight) {
+  const double span = view().span_s();
+  point_at(in_drawer(200.0, 100.0));
+  frames(2);
+  for (int notch = 0; notch < 3; ++notch) scroll(1.0);
+  frames(3);
+  EXPECT_LT(view().span_s(), 0.85 * span);
+  EXPECT_TRUE(view().follows);
+  EXPECT_EQ(view().to_s, application_->history().plots().newest_s());
+}
+
+TEST_F(PlotsWindow, DraggingLooksBackUntilLiveIsPressed) {
+  drag(in_drawer(200.0, 100.0), in_drawer(320.0, 100.0));
+  EXPECT_FALSE(view().follows);
+  const double to = view().to_s;
+  EXPECT_LT(to, application_->history().plots().newest_s());
+  frames(10);
+  EXPECT_EQ(view().to_s, to);
+  // "Live" is left of "Save…" and "×".
+  click_in_drawer(713.0, 20.0);
+  EXPECT_TRUE(view().follows);
+}
+
+TEST_F(PlotsWindow, TheWallFollowsTheOperatingPoint) {
+  choose(PlotTab::wall_angle);
+  const double x = x_of_operating_point(150.0, 210.0);  // 135° of 360°
+  ASSERT_GT(x, 0.0);
+  drag(in_drawer(x, 150.0), in_drawer(x - 40.0, 150.0));
+  const double angle = session().settings.wall_normal_angle / degree;
+  EXPECT_LT(angle, 120.0);
+  EXPECT_GT(angle, 60.0);
+  EXPECT_NEAR(angle, std::round(angle), 1e-9);
+  // One step back is the whole drag.
+  press(GLFW_KEY_Z, GLFW_MOD_CONTROL);
+  EXPECT_NEAR(session().settings.wall_normal_angle / degree, 135.0, 1e-9);
+}
+
+TEST_F(PlotsWindow, TheDialFollowsTheOperatingPointAndSnapsToTheOptimum) {
+  choose(PlotTab::ratio);
+  const double x = x_of_operating_point(285.0, 360.0);
+  ASSERT_GT(x, 0.0);
+  EXPECT_FALSE(session().settings.impedances.chosen_tracking_ratio.has_value());
+  drag(in_drawer(x, 150.0), in_drawer(x - 80.0, 150.0));
+  ASSERT_TRUE(session().settings.impedances.chosen_tracking_ratio.has_value());
+  const double chosen = *session().settings.impedances.chosen_tracking_ratio;
+  EXPECT_GT(chosen, 1.0);
+  EXPECT_LT(chosen, 4.0);
+  const double now = x_of_operating_point(x - 100.0, x - 40.0);
+  ASSERT_GT(now, 0.0);
+  drag(in_drawer(now, 150.0), in_drawer(now + 80.0, 150.0));
+  EXPECT_FALSE(session().settings.impedances.chosen_tracking_ratio.has_value());  // back at ρ*
+}
+
+TEST_F(PlotsWindow, SavesWhatItShows) {
+  const TemporaryFolder folder;
+  for (const char* const name : {"plots.csv", "plots.png", "plots.svg", "plots.pdf"}) {
+    const std::string path = folder / name;
+    session().wishes.save_plots = PlotWish{path, false};
+    frames(1);
+    EXPECT_TRUE(file_contents(path).has_value()) << name;
+  }
+  session().wishes.save_plots = PlotWish{folder / "nowhere/plots.csv", false};
+  frames(1);
+  ASSERT_TRUE(session().notice.has_value());
+  EXPECT_TRUE(session().notice->is_problem);
+}
+
+TEST_F(PlotsWindow, TheButtonAsksForAName) {
+  click_in_drawer(770.0, 20.0);
+  EXPECT_EQ(session().dialog, Dialog::save_plots);
+  EXPECT_TRUE(session().form.path.ends_with("-over-time.csv"));
+}
+
+TEST_F(PlotsWindow, StaysWithinASmallWindow) {
+  open({}, "wall45", 640, 480);
+  press(GLFW_KEY_F3);
+  for (const PlotTab tab : {PlotTab::time, PlotTab::wall_angle, PlotTab::ratio}) choose(tab);
+  EXPECT_GT(screen().scene_size().y, 60.0);
+}
+
+TEST_F(PlotsWindow, AMinuteOfHistoryShowsToo) {
+  session().plots.to_s = session().plots.from_s + 60.0;
+  for (int k = 0; k < 4000; ++k) {
+    application_->servo().wake();
+    if (k % 500 == 0) frames(1, 0);
+  }
+  frames(2);
+  EXPECT_NEAR(view().span_s(), 60.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace ghostforce
