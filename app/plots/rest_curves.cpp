@@ -50,13 +50,11 @@ RestCurves rest_over_wall_angle(const Settings& settings, const Vector<2>& goal,
 
 RestCurves rest_over_ratio(const Settings& settings, const Vector<2>& goal, double least, double greatest,
                            std::size_t count) {
-  RestCurves result = curves(goal, count, [&](double share) {
+  return curves(goal, count, [&](double share) {
     Point point{least * std::pow(greatest / least, share), settings};
     point.settings.impedances.chosen_tracking_ratio = point.at;
     return point;
   });
-  result.values[index_of(StrategyId::naive)] = result.values[index_of(StrategyId::anisotropic)];
-  return result;
 }
 
 }  // namespace ghostforce

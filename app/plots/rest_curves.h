@@ -28,8 +28,8 @@ RestValue value_now(const Vector<2>& force, const Vector<2>& drift, const Settin
 // [rad]. `count` ≥ 2.
 RestCurves rest_over_wall_angle(const Settings& settings, const Vector<2>& goal, std::size_t count);
 
-// Over the tracking ratio ρ from `least` to `greatest`, in equal steps of its logarithm. Naïve rendering is the
-// anisotropic one at ρ = 1, so its curve is the same; a fully actuated device knows no ratio. `count` ≥ 2.
+// Over the tracking ratio ρ from `least` to `greatest`, in equal steps of its logarithm. Only the anisotropic strategy
+// has one: it is the naïve one at 1, and pushes like the fully actuated one at ρ*. `count` ≥ 2.
 RestCurves rest_over_ratio(const Settings& settings, const Vector<2>& goal, double least, double greatest,
                            std::size_t count);
 

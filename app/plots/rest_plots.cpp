@@ -56,12 +56,10 @@ struct RestAxis {
 void draw_points(const PanelContext& context, const RestQuantity& quantity, const RestAxis& axis) {
   const Settings& settings = context.session.settings;
   for_each_strategy(context, [&](StrategyId id) {
-    // Naïve rendering is the ratio 1, wherever the dial stands.
-    const double at = axis.is_logarithmic && id == StrategyId::naive ? 1.0 : axis.now;
-    draw_strategy_point(context, id, at, quantity.of(rest_value(id, settings, context.snapshot.goal)), true);
+    draw_strategy_point(context, id, axis.now, quantity.of(rest_value(id, settings, context.snapshot.goal)), true);
     if (context.snapshot.measured) return;
     const StrategySnapshot<2>& now = context.snapshot.strategies[index_of(id)];
-    draw_strategy_point(context, id, at, quantity.of(value_now(now.force, now.proxy_drift, settings)), false);
+    draw_strategy_point(context, id, axis.now, quantity.of(value_now(now.force, now.proxy_drift, settings)), false);
   });
 }
 
@@ -169,7 +167,7 @@ void draw_ratio_plots(const PanelContext& context) {
     axis.ticks.push_back(ratio);
     axis.labels.push_back(std::move(label));
   };
-  add_tick(optimal, fmt::format("{:.2f} ρ*", optimal));
+  add_tick(optimal, fmt::format("{:.2f} {}", optimal, impedances.believed_k_u ? "believed ρ*" : "ρ*"));
   for (const double ratio : {0.1, 10.0, 100.0, 1000.0, 0.2, 0.5, 2.0, 5.0, 20.0, 50.0, 200.0, 500.0}) {
     add_tick(ratio, fmt::format("{:g}", ratio));
   }

@@ -141,6 +141,7 @@ TEST_F(RestCurvesTest, CrossTheFullyActuatedForceAndNoDriftAtTheOptimalRatio) {
   EXPECT_LT(cured[0].drift * cured[2].drift, 0.0);  // it changes sides there
   EXPECT_NEAR(cured[0].force, rest_value(StrategyId::naive, scene_.settings, goal_).force, 1e-12);
   EXPECT_EQ(full[0].force, full[2].force);
+  EXPECT_EQ(curves.values[naive][0].force, curves.values[naive][2].force);
 }
 
 // ---- Files ----------------------------------------------------------------------------------------------------------
