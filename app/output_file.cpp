@@ -1,6 +1,8 @@
 #include "app/output_file.h"
 
 #include <fcntl.h>
+#include <limits.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -20,6 +22,9 @@ namespace ghostforce {
 namespace {
 
 constexpr std::size_t buffer_size = 1 << 16;
+
+// How long a reader may take nothing, once the program shall stop.
+constexpr int patience_ms = 1000;
 
 // Few enough to be sure that the folder, not bad luck, is the matter.
 constexpr int tries = 100;
@@ -107,16 +112,27 @@ void OutputFile::write(std::string_view text) {
 void OutputFile::flush() {
   std::string_view rest = buffer_;
   while (!rest.empty()) {
-    const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
+    const ssize_t written = write_some(rest);
     if (written >= 0) {
       rest.remove_prefix(static_cast<std::size_t>(written));
     } else if (errno == EINTR) {
-      stop_if_interrupted();
+      if (!finishes_) stop_if_interrupted();
     } else {
       fail(errno);
     }
   }
   buffer_.clear();
+}
+
+// As write(2).
+ssize_t OutputFile::write_some(std::string_view text) const {
+  if (finishes_ && interrupted()) {
+    // No further signal will end a wait. A pipe that can be written to takes this much without one.
+    pollfd wait{descriptor_, POLLOUT, 0};
+    if (poll(&wait, 1, patience_ms) == 0) stop_if_interrupted();
+    text = text.substr(0, PIPE_BUF);
+  }
+  return ::write(descriptor_, text.data(), text.size());
 }
 
 void OutputFile::commit() {

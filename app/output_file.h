@@ -8,6 +8,8 @@
 // interrupted; or done, without a word, when the reader of a pipe has gone.
 #pragma once
 
+#include <sys/types.h>
+
 #include <string>
 #include <string_view>
 
@@ -21,6 +23,10 @@ class OutputFile {
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
+  // For output whose beginning is worth something by itself: from here on an interruption does not end a write halfway.
+  // A reader who takes nothing for a second is waited for no longer, though: then `interrupted` is thrown.
+  void finish_despite_interruption() noexcept { finishes_ = true; }
+
   // Buffered: long output should come in few large pieces all the same.
   void write(std::string_view text);
 
@@ -31,6 +37,7 @@ class OutputFile {
 
  private:
   void flush();
+  ssize_t write_some(std::string_view text) const;
   [[noreturn]] void fail(int error) const;
 
   std::string shown_;      // the path, for messages
@@ -38,6 +45,7 @@ class OutputFile {
   std::string temporary_;  // what is written until then; empty: written directly
   std::string buffer_;
   int descriptor_ = -1;
+  bool finishes_ = false;
 };
 
 // Words for people about a file that cannot be read or written: errno as a

@@ -2,6 +2,8 @@
 
 #include <unistd.h>
 
+#include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <utility>
 
@@ -13,13 +15,33 @@ namespace {
 constexpr std::chrono::milliseconds first_word_after{1000};
 constexpr std::chrono::milliseconds between_words{200};
 
+constexpr std::int64_t bar_length = 20;
+
+// Coarser the longer it is: a guess needs no more.
+std::string shown(std::chrono::duration<double> time) {
+  const auto seconds = static_cast<std::int64_t>(std::ceil(time.count()));
+  if (seconds < 100) return fmt::format("{} s", seconds);
+  const std::int64_t minutes = (seconds + 59) / 60;
+  return minutes < 100 ? fmt::format("{} min", minutes) : fmt::format("{} h", (minutes + 59) / 60);
+}
+
 }  // namespace
+
+std::string progress_words(std::string_view what, std::int64_t done, std::int64_t total,
+                           std::chrono::duration<double> elapsed) {
+  const std::string bar(static_cast<std::size_t>(bar_length * done / total), '#');
+  const std::string words = fmt::format("{} [{:{}}] {:3} %", what, bar, bar_length, 100 * done / total);
+  if (done <= 0) return words;
+  const double left = static_cast<double>(total - done) / static_cast<double>(done);
+  return fmt::format("{}, {} left", words, shown(elapsed * left));
+}
 
 Progress::Progress(std::string what, std::int64_t total, bool shows)
     : what_(std::move(what)),
       total_(total),
       shows_(shows && total > 0 && isatty(STDERR_FILENO) != 0),
-      next_(std::chrono::steady_clock::now() + first_word_after) {}
+      start_(std::chrono::steady_clock::now()),
+      next_(start_ + first_word_after) {}
 
 Progress::~Progress() {
   if (has_shown_) std::fputs("\r\x1b[K", stderr);
@@ -31,7 +53,7 @@ void Progress::at(std::int64_t done) {
   if (now < next_) return;
   next_ = now + between_words;
   has_shown_ = true;
-  fmt::print(stderr, "\r{}: {} % \x1b[K", what_, 100 * done / total_);
+  fmt::print(stderr, "\r{} \x1b[K", progress_words(what_, done, total_, now - start_));
 }
 
 }  // namespace ghostforce

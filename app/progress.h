@@ -5,8 +5,13 @@
 #include <chrono>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace ghostforce {
+
+// "simulating [######              ]  31 %, 12 s left"; how long is left is told from the time that it took so far.
+std::string progress_words(std::string_view what, std::int64_t done, std::int64_t total,
+                           std::chrono::duration<double> elapsed);
 
 class Progress {
  public:
@@ -26,6 +31,7 @@ class Progress {
   std::int64_t total_;
   bool shows_;
   bool has_shown_ = false;
+  std::chrono::steady_clock::time_point start_;
   std::chrono::steady_clock::time_point next_;
 };
 

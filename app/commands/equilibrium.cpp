@@ -16,9 +16,8 @@
 #include "app/commands/command_catalog.h"
 #include "app/failure.h"
 #include "app/output_file.h"
+#include "app/predicted_rest.h"
 #include "app/printable.h"
-#include "core/equilibrium.h"
-#include "core/ghost_force.h"
 
 namespace ghostforce {
 namespace {
@@ -29,12 +28,6 @@ struct Options {
   SceneOptions scene;
   std::optional<std::string> goal_mm;  // empty: the scene's last waypoint
   bool json = false;
-};
-
-struct Rest {
-  Equilibrium<2> at;
-  Vector<2> ghost_force;  // [N]
-  Vector<2> proxy_drift;  // [m]
 };
 
 // "X,Y" in mm -> m.
@@ -57,30 +50,15 @@ std::optional<Vector<2>> parse_goal(std::string_view text) {
   return at == end ? std::optional(goal) : std::nullopt;
 }
 
-PerStrategy<Rest> find_rests(const Scene& scene, const Vector<2>& goal) {
-  const Wall<2> wall = wall_of(scene.settings);
-  const Actuation<2> actuation = actuation_of(scene.settings);
-  PerStrategy<Rest> rests;
-  for (const Strategy& strategy : strategy_catalog()) {
-    rests[index_of(strategy.id)].at = equilibrium_of(strategy, wall, actuation, scene.settings.impedances, goal);
-  }
-  const Vector<2> full_force = rests[index_of(StrategyId::full)].at.force;
-  for (Rest& rest : rests) {
-    rest.ghost_force = ghost_force(actuation, rest.at.force, full_force);
-    rest.proxy_drift = proxy_drift(wall, rest.at.proxy, goal);
-  }
-  return rests;
-}
-
 // −0 is a zero too.
 nlohmann::ordered_json as_json(const Vector<2>& vector) {
   return {vector.x + 0.0, vector.y + 0.0};
 }
 
-std::string json_text(double goal_depth, const PerStrategy<Rest>& rests) {
+std::string json_text(double goal_depth, const PerStrategy<PredictedRest>& rests) {
   nlohmann::ordered_json strategies;
   for (const Strategy& strategy : strategy_catalog()) {
-    const Rest& rest = rests[index_of(strategy.id)];
+    const PredictedRest& rest = rests[index_of(strategy.id)];
     strategies[std::string(strategy.name)] = {
         {"goal_m", as_json(rest.at.goal)},
         {"proxy_m", as_json(rest.at.proxy)},
@@ -104,20 +82,20 @@ std::string shown(const Vector<2>& vector) {
   return fmt::format("({}, {})", shown(vector.x), shown(vector.y));
 }
 
-std::string table_text(const Scene& scene, double goal_depth, const PerStrategy<Rest>& rests) {
+std::string table_text(const Scene& scene, double goal_depth, const PerStrategy<PredictedRest>& rests) {
   struct Row {
     std::string_view title;
     std::string_view unit;
     double per_si;
-    Vector<2> (*of)(const Rest&);
+    Vector<2> (*of)(const PredictedRest&);
   };
   constexpr std::array rows{
-      Row{"proxy", "mm", mm_per_m, [](const Rest& rest) { return rest.at.proxy; }},
-      Row{"device", "mm", mm_per_m, [](const Rest& rest) { return rest.at.device; }},
-      Row{"contact", "mm", mm_per_m, [](const Rest& rest) { return rest.at.contact; }},
-      Row{"force", "N", 1.0, [](const Rest& rest) { return rest.at.force; }},
-      Row{"ghost force", "N", 1.0, [](const Rest& rest) { return rest.ghost_force; }},
-      Row{"proxy drift", "mm", mm_per_m, [](const Rest& rest) { return rest.proxy_drift; }},
+      Row{"proxy", "mm", mm_per_m, [](const PredictedRest& rest) { return rest.at.proxy; }},
+      Row{"device", "mm", mm_per_m, [](const PredictedRest& rest) { return rest.at.device; }},
+      Row{"contact", "mm", mm_per_m, [](const PredictedRest& rest) { return rest.at.contact; }},
+      Row{"force", "N", 1.0, [](const PredictedRest& rest) { return rest.at.force; }},
+      Row{"ghost force", "N", 1.0, [](const PredictedRest& rest) { return rest.ghost_force; }},
+      Row{"proxy drift", "mm", mm_per_m, [](const PredictedRest& rest) { return rest.proxy_drift; }},
   };
   const bool inside = goal_depth > 0.0;
   std::string text =
@@ -130,7 +108,7 @@ std::string table_text(const Scene& scene, double goal_depth, const PerStrategy<
   text += "\n";
   for (const Row& row : rows) {
     text += fmt::format("{:12}{:4}", row.title, row.unit);
-    for (const Rest& rest : rests) text += fmt::format("  {:>22}", shown(row.per_si * row.of(rest)));
+    for (const PredictedRest& rest : rests) text += fmt::format("  {:>22}", shown(row.per_si * row.of(rest)));
     text += "\n";
   }
   return text;
@@ -150,7 +128,7 @@ int equilibrium(const Options& options) {
     goal = *given;
   }
   const double goal_depth = depth(wall_of(scene.settings), goal);
-  const PerStrategy<Rest> rests = find_rests(scene, goal);
+  const PerStrategy<PredictedRest> rests = predicted_rests(scene.settings, goal);
   OutputFile output("-");
   output.write(options.json ? json_text(goal_depth, rests) : table_text(scene, goal_depth, rests));
   output.commit();

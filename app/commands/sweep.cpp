@@ -1,0 +1,127 @@
+// ghostforce sweep: where everything comes to rest, over ranges of one or two keys of a scene.
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "app/commands/command.h"
+#include "app/commands/command_catalog.h"
+#include "app/failure.h"
+#include "app/interruption.h"
+#include "app/output_file.h"
+#include "app/progress.h"
+#include "app/sweep/rows.h"
+#include "app/sweep/sweep.h"
+
+namespace ghostforce {
+namespace {
+
+using Seconds = std::chrono::duration<double>;
+using Clock = std::chrono::steady_clock;
+
+struct Options {
+  SceneOptions scene;
+  std::vector<std::string> ranges;
+  std::string kind = "both";
+  std::string output = "-";
+};
+
+struct Spent {
+  std::chrono::nanoseconds computing{0};   // all threads together
+  std::chrono::nanoseconds formatting{0};  // likewise
+  Seconds writing{0.0};
+};
+
+void tell(const Spent& spent, std::size_t thread_count, Seconds in_all) {
+  const double threads = static_cast<double>(thread_count);
+  fmt::print(stderr, "{:.2f} s: computing {:.2f} s and making text {:.2f} s on each of {} threads; writing {:.2f} s\n",
+             in_all.count(), Seconds(spent.computing).count() / threads, Seconds(spent.formatting).count() / threads,
+             thread_count, spent.writing.count());
+}
+
+int sweep_command(const Options& options) {
+  const Scene scene = options.scene.load();
+  const Grid grid = make_grid(options.ranges, scene);
+  const RestKind& kind = *std::ranges::find(rest_kinds, options.kind, &RestKind::name);
+
+  OutputFile file(options.output);
+  file.finish_despite_interruption();
+  file.write(sweep_header(scene, grid, kind));
+  const Clock::time_point start = Clock::now();
+  const std::size_t thread_count = sweep_threads();
+  Spent spent;
+  bool is_whole = false;
+  {
+    Progress progress("sweeping", size_of(grid), !file.is_terminal());
+    is_whole = sweep({scene, grid, kind}, thread_count, [&](const SweptBlock& block) {
+      const Clock::time_point before = Clock::now();
+      file.write(block.rows);
+      spent.writing += Clock::now() - before;
+      spent.computing += block.computing;
+      spent.formatting += block.formatting;
+      progress.at(block.points);
+    });
+    if (!is_whole) file.write(interrupted_line);
+    const Clock::time_point before = Clock::now();
+    file.commit();
+    spent.writing += Clock::now() - before;
+  }
+  if (!is_whole) throw Failure(ExitCode::interrupted, "interrupted; the rows so far are whole");
+  if (!file.is_terminal() && isatty(STDERR_FILENO) != 0) tell(spent, thread_count, Clock::now() - start);
+  return static_cast<int>(ExitCode::done);
+}
+
+}  // namespace
+
+std::function<int()> attach_sweep(CLI::App& subcommand) {
+  const auto options = std::make_shared<Options>();
+  options->scene.attach(subcommand, true);
+  subcommand
+      .add_option("--over", options->ranges,
+                  "A key of the scene that holds a number, and COUNT values for it from FROM to TO, both included, in "
+                  "equal steps or, with :log, in equal ratios; once or twice")
+      ->type_name("KEY=FROM:TO:COUNT[:log]")
+      ->required()
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  std::vector<std::string_view> kinds;
+  for (const RestKind& kind : rest_kinds) kinds.push_back(kind.name);
+  subcommand
+      .add_option(
+          "--at-rest", options->kind,
+          "How to find where things come to rest: closed-form, simulated or both; default: both. The closed form "
+          "is hundreds of times faster")
+      ->type_name("HOW")
+      ->check(one_of(kinds));
+  subcommand
+      .add_option("-o,--output", options->output,
+                  "The CSV file to write; default: -, the standard output. Ctrl+C leaves whole rows and a last line "
+                  "'# interrupted'")
+      ->type_name("FILE");
+  subcommand.footer(
+      "One row per point and strategy, all three, at rest under the last waypoint of the scene's path; the second key\n"
+      "runs fastest. The columns: each swept key by its name and in the file's unit, then in SI units\n"
+      "  strategy,depth_m,device_x_m,device_y_m,proxy_x_m,proxy_y_m,force_x_N,force_y_N,ghost_force_x_N,\n"
+      "  ghost_force_y_N,proxy_drift_x_m,proxy_drift_y_m                  by closed form, and simulated\n"
+      "  simulated_device_x_m,simulated_device_y_m,simulated_proxy_x_m,simulated_proxy_y_m,simulated_force_x_N,\n"
+      "  simulated_force_y_N,settled      settled: 1, or 0 and the fields before it empty where it never comes to "
+      "rest\n"
+      "Lines that begin with # come first: the program's version, the scene and the ranges.\n"
+      "\n"
+      "Examples:\n"
+      "  ghostforce sweep fig3-normal --over wall.normal_deg=90:180:91 -o angle.csv\n"
+      "  ghostforce sweep fig3-normal --over wall.normal_deg=90:180:91 --over rendering.k_r_N_per_m=100:1e4:61:log \\\n"
+      "    --at-rest closed-form -o map.csv\n"
+      "  ghostforce sweep wall45 --over user.believed_k_u_N_per_m=20:2000:101:log --set rendering.k_c_N_per_m=inf");
+  return [options] { return sweep_command(*options); };
+}
+
+}  // namespace ghostforce

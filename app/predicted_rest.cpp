@@ -1,0 +1,22 @@
+#include "app/predicted_rest.h"
+
+#include "core/ghost_force.h"
+
+namespace ghostforce {
+
+PerStrategy<PredictedRest> predicted_rests(const Settings& settings, const Vector<2>& goal) noexcept {
+  const Wall<2> wall = wall_of(settings);
+  const Actuation<2> actuation = actuation_of(settings);
+  PerStrategy<PredictedRest> rests;
+  for (const Strategy& strategy : strategy_catalog()) {
+    rests[index_of(strategy.id)].at = equilibrium_of(strategy, wall, actuation, settings.impedances, goal);
+  }
+  const Vector<2> full_force = rests[index_of(StrategyId::full)].at.force;
+  for (PredictedRest& rest : rests) {
+    rest.ghost_force = ghost_force(actuation, rest.at.force, full_force);
+    rest.proxy_drift = proxy_drift(wall, rest.at.proxy, goal);
+  }
+  return rests;
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,38 @@
+// What a sweep knows about one point: where everything comes to rest, by closed form, by simulation or both. Pure, any
+// thread; allocates nothing.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "app/predicted_rest.h"
+#include "app/sweep/settle.h"
+#include "core/scene.h"
+
+namespace ghostforce {
+
+// How the rest is found.
+struct RestKind {
+  std::string_view name;  // on the command line
+  bool predicted;         // by closed form
+  bool simulated;
+};
+
+inline constexpr std::array rest_kinds{
+    RestKind{"closed-form", true, false},
+    RestKind{"simulated", false, true},
+    RestKind{"both", true, true},
+};
+
+struct PointAtRest {
+  double depth = 0.0;                                     // of the goal, (8) [m]
+  PerStrategy<PredictedRest> predicted{};                 // where the kind has it
+  PerStrategy<std::optional<SimulatedRest>> simulated{};  // likewise; empty: does not come to rest
+};
+
+// Under the last waypoint of the scene's path.
+PointAtRest at_rest(const Scene& scene, const RestKind& kind) noexcept;
+
+}  // namespace ghostforce

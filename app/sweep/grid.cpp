@@ -1,0 +1,84 @@
+#include "app/sweep/grid.h"
+
+#include <cstddef>
+#include <utility>
+#include <variant>
+
+#include <fmt/core.h>
+
+#include "app/failure.h"
+#include "app/printable.h"
+#include "app/scene_key_name.h"
+
+namespace ghostforce {
+namespace {
+
+[[noreturn]] void refuse(const std::string& argument, const std::string& what) {
+  throw Failure(ExitCode::wrong_call, fmt::format("--over {}: {}", printable(argument), what));
+}
+
+std::string name_of(const Range& range) {
+  return dotted_name(range.key->table, range.key->name);
+}
+
+std::string words_about(const Grid& grid, std::int64_t point) {
+  std::string words;
+  for (std::size_t i = 0; i < grid.ranges.size(); ++i) {
+    words += fmt::format("{}{}={}", i == 0 ? "" : " and ", name_of(grid.ranges[i]), value_at(grid, i, point));
+  }
+  return words;
+}
+
+// What no key can tell by itself: the other one may be swept too, or the scene's.
+void refuse_unsound_points(const Grid& grid, const std::string& last_argument, Scene scene) {
+  for (std::int64_t point = 0; point < size_of(grid); ++point) {
+    put_point(grid, point, scene);
+    if (const auto problem = find_problem(scene)) {
+      refuse(last_argument, fmt::format("with {} the key {}: {}", words_about(grid, point),
+                                        dotted_name(problem->table, problem->name), problem->what));
+    }
+  }
+}
+
+}  // namespace
+
+Grid make_grid(std::span<const std::string> arguments, const Scene& scene) {
+  Grid grid;
+  for (const std::string& argument : arguments) {
+    std::variant<Range, std::string> parsed = parse_range(argument);
+    if (const std::string* const what = std::get_if<std::string>(&parsed)) refuse(argument, *what);
+    const Range& range = std::get<Range>(parsed);
+    for (const Range& other : grid.ranges) {
+      if (other.key == range.key) {
+        refuse(argument, fmt::format("the key {} is swept already; give it one range", name_of(range)));
+      }
+    }
+    if (grid.ranges.size() == most_swept_keys) {
+      refuse(argument, fmt::format("a sweep goes over one or two keys; fix the others with --set"));
+    }
+    grid.ranges.push_back(range);
+    if (size_of(grid) > most_points) {
+      refuse(argument, fmt::format("the sweep would have {} points; {} are the most, so lower a COUNT", size_of(grid),
+                                   most_points));
+    }
+  }
+  refuse_unsound_points(grid, arguments.back(), scene);
+  return grid;
+}
+
+std::int64_t size_of(const Grid& grid) noexcept {
+  std::int64_t size = 1;
+  for (const Range& range : grid.ranges) size *= range.count;
+  return size;
+}
+
+double value_at(const Grid& grid, std::size_t which, std::int64_t point) noexcept {
+  for (std::size_t i = grid.ranges.size() - 1; i > which; --i) point /= grid.ranges[i].count;
+  return value_at(grid.ranges[which], point % grid.ranges[which].count);
+}
+
+void put_point(const Grid& grid, std::int64_t point, Scene& scene) noexcept {
+  for (std::size_t i = 0; i < grid.ranges.size(); ++i) put(grid.ranges[i], value_at(grid, i, point), scene);
+}
+
+}  // namespace ghostforce

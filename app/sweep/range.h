@@ -1,0 +1,34 @@
+// One argument of --over: a key of the scene that holds a number, and the values that it shall take. Pure, any thread.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "core/scene.h"
+
+namespace ghostforce {
+
+// Points that a sweep may have at most, over all its keys, so that a slip of the keyboard does not fill a disk.
+inline constexpr std::int64_t most_points = 10'000'000;
+
+struct Range {
+  const SceneKey* key;  // its value is a NumberKey or an OptionalNumberKey
+  double from;          // in the file's unit, as everything here
+  double to;
+  std::int64_t count;  // 1: `from` alone
+  bool logarithmic;    // the same ratio from value to value, not the same step
+};
+
+// KEY=FROM:TO:COUNT or KEY=FROM:TO:COUNT:log, blanks around each part allowed. All values lie in the key's range.
+// Returns what is wrong if something is.
+std::variant<Range, std::string> parse_range(std::string_view argument);
+
+// The value at `index` from 0; both ends are hit exactly, and no value lies beyond them.
+double value_at(const Range& range, std::int64_t index) noexcept;
+
+// Gives the scene's key this value: the same bits as --set KEY=VALUE with the shortest decimal of `value`.
+void put(const Range& range, double value, Scene& scene) noexcept;
+
+}  // namespace ghostforce

@@ -1,0 +1,95 @@
+#include "app/sweep/rows.h"
+
+#include <cstddef>
+#include <iterator>
+
+#include <fmt/compile.h>
+
+#include "app/run_file.h"
+#include "app/scene_key_name.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr std::string_view common_columns = "strategy,depth_m";
+constexpr std::string_view predicted_columns =
+    ",device_x_m,device_y_m,proxy_x_m,proxy_y_m,force_x_N,force_y_N,ghost_force_x_N,ghost_force_y_N,proxy_drift_x_m,"
+    "proxy_drift_y_m";
+constexpr std::string_view simulated_columns =
+    ",simulated_device_x_m,simulated_device_y_m,simulated_proxy_x_m,simulated_proxy_y_m,simulated_force_x_N,"
+    "simulated_force_y_N,settled";
+constexpr std::string_view not_settled = ",,,,,,,0";
+
+std::string name_of(const Range& range) {
+  return dotted_name(range.key->table, range.key->name);
+}
+
+void append(fmt::memory_buffer& rows, std::string_view text) {
+  rows.append(text.data(), text.data() + text.size());
+}
+
+// −0 is a zero too.
+void append_number(fmt::memory_buffer& rows, double number) {
+  fmt::format_to(std::back_inserter(rows), FMT_COMPILE("{}"), number + 0.0);
+}
+
+void append_vector(fmt::memory_buffer& rows, const Vector<2>& vector) {
+  fmt::format_to(std::back_inserter(rows), FMT_COMPILE(",{},{}"), vector.x + 0.0, vector.y + 0.0);
+}
+
+}  // namespace
+
+std::string sweep_header(const Scene& scene, const Grid& grid, const RestKind& kind) {
+  std::string header = provenance(scene);
+  std::string columns;
+  for (const Range& range : grid.ranges) {
+    header += fmt::format("# over {}={}:{}:{}{}\n", name_of(range), range.from, range.to, range.count,
+                          range.logarithmic ? ":log" : "");
+    columns += name_of(range) + ",";
+  }
+  return header +
+         fmt::format(
+             "# One row per point and strategy, at rest under the last waypoint. Units: as the columns' names end.\n"
+             "{}{}{}{}\n",
+             columns, common_columns, kind.predicted ? predicted_columns : "", kind.simulated ? simulated_columns : "");
+}
+
+void append_sweep_rows(fmt::memory_buffer& rows, const Grid& grid, std::int64_t point, const PointAtRest& rest,
+                       const RestKind& kind) {
+  // The same in each row of the point, so made once.
+  fmt::memory_buffer values;
+  for (std::size_t i = 0; i < grid.ranges.size(); ++i) {
+    append_number(values, value_at(grid, i, point));
+    values.push_back(',');
+  }
+  fmt::memory_buffer goal_depth;
+  append_number(goal_depth, rest.depth);
+
+  for (const Strategy& strategy : strategy_catalog()) {
+    append(rows, {values.data(), values.size()});
+    append(rows, strategy.name);
+    rows.push_back(',');
+    append(rows, {goal_depth.data(), goal_depth.size()});
+    if (kind.predicted) {
+      const PredictedRest& predicted = rest.predicted[index_of(strategy.id)];
+      append_vector(rows, predicted.at.device);
+      append_vector(rows, predicted.at.proxy);
+      append_vector(rows, predicted.at.force);
+      append_vector(rows, predicted.ghost_force);
+      append_vector(rows, predicted.proxy_drift);
+    }
+    if (kind.simulated) {
+      if (const auto& simulated = rest.simulated[index_of(strategy.id)]) {
+        append_vector(rows, simulated->device);
+        append_vector(rows, simulated->proxy);
+        append_vector(rows, simulated->force);
+        append(rows, ",1");
+      } else {
+        append(rows, not_settled);
+      }
+    }
+    rows.push_back('\n');
+  }
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,35 @@
+// Where the simulated devices come to rest: the scene's scripted hand, tick by tick, then held still until the devices
+// stand still too. Pure, any thread; allocates nothing.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "core/scene.h"
+#include "core/strategy.h"
+
+namespace ghostforce {
+
+struct SimulatedRest {
+  Vector<2> device{0.0};  // q_h [m]
+  Vector<2> proxy{0.0};   // q_p [m]
+  Vector<2> force{0.0};   // f_r [N]
+};
+
+// Ticks that the hand is held still at most while the devices come to rest: 1000 s at 1 kHz. Slower than that is only a
+// device with a thousand times the damping that a hand bears.
+inline constexpr std::int64_t most_held_ticks = 1'000'000;
+
+// The hand follows the scene's path to its end, or to the scene's duration if that is shorter, and stays at the last
+// waypoint from there.
+//
+// A device is at rest when the forces on it cancel, |k_u (q_u − q_h) + f_r| ≤ F, and it moves no more, √(k_u m) |v| ≤
+// F. Both are needed: a slow device is not yet there, and a swinging one passes through the balance. F is what the
+// hand's spring makes of a picometre, a hundred-millionth of what a Falcon's encoder can tell, and what rounding
+// leaves: the positions are known to some ulp, and the stiffnesses make forces of that.
+//
+// Empty for a strategy that does not come to rest: its loop is unstable, or goes on swinging against the wall, or takes
+// longer than most_held_ticks.
+PerStrategy<std::optional<SimulatedRest>> settle(const Scene& scene) noexcept;
+
+}  // namespace ghostforce

@@ -1,0 +1,75 @@
+#include "app/sweep/sweep.h"
+
+#include <algorithm>
+#include <thread>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "app/interruption.h"
+#include "app/sweep/in_order.h"
+#include "app/sweep/rows.h"
+
+namespace ghostforce {
+namespace {
+
+// Points of a block: enough that handing it over costs nothing beside it, few enough that the progress shows and that
+// the blocks in memory stay small (a row by closed form has some 250 letters, a simulated point may take 30 ms and
+// more).
+constexpr std::int64_t predicted_per_block = 512;
+constexpr std::int64_t simulated_per_block = 16;
+
+struct Block {
+  fmt::memory_buffer rows;
+  std::int64_t points = 0;
+  bool is_whole = true;
+  std::chrono::nanoseconds computing{0};
+  std::chrono::nanoseconds formatting{0};
+};
+
+Block make_block(const SweepPlan& plan, std::int64_t first, std::int64_t count) {
+  using Clock = std::chrono::steady_clock;
+  Block block;
+  Scene scene = plan.scene;
+  std::vector<PointAtRest> rests;
+  rests.reserve(static_cast<std::size_t>(count));
+  const Clock::time_point start = Clock::now();
+  while (block.points < count && !interrupted()) {
+    put_point(plan.grid, first + block.points, scene);
+    rests.push_back(at_rest(scene, plan.kind));
+    ++block.points;
+  }
+  const Clock::time_point computed = Clock::now();
+  for (std::int64_t i = 0; i < block.points; ++i) {
+    append_sweep_rows(block.rows, plan.grid, first + i, rests[static_cast<std::size_t>(i)], plan.kind);
+  }
+  block.is_whole = block.points == count;
+  block.computing = computed - start;
+  block.formatting = Clock::now() - computed;
+  return block;
+}
+
+}  // namespace
+
+std::size_t sweep_threads() noexcept {
+  return std::max(1U, std::thread::hardware_concurrency());
+}
+
+bool sweep(const SweepPlan& plan, std::size_t thread_count, const std::function<void(const SweptBlock&)>& take) {
+  const std::int64_t points = size_of(plan.grid);
+  const std::int64_t per_block = plan.kind.simulated ? simulated_per_block : predicted_per_block;
+  std::int64_t swept = 0;
+  InOrder<Block>::run((points + per_block - 1) / per_block, thread_count,
+                      [&](std::int64_t i) {
+                        const std::int64_t first = i * per_block;
+                        return make_block(plan, first, std::min(per_block, points - first));
+                      },
+                      [&](Block&& block) {
+                        swept += block.points;
+                        take({{block.rows.data(), block.rows.size()}, swept, block.computing, block.formatting});
+                        return block.is_whole && !interrupted();
+                      });
+  return swept == points;
+}
+
+}  // namespace ghostforce
