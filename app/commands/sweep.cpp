@@ -17,6 +17,7 @@
 #include "app/interruption.h"
 #include "app/output_file.h"
 #include "app/progress.h"
+#include "app/run_file.h"
 #include "app/sweep/rows.h"
 #include "app/sweep/sweep.h"
 
@@ -68,7 +69,7 @@ int sweep_command(const Options& options) {
       spent.formatting += block.formatting;
       progress.at(block.points);
     });
-    if (!is_whole) file.write(interrupted_line);
+    if (!is_whole) file.write(fmt::format("{}\n", interrupted_line));
     const Clock::time_point before = Clock::now();
     file.commit();
     spent.writing += Clock::now() - before;
@@ -108,12 +109,14 @@ std::function<int()> attach_sweep(CLI::App& subcommand) {
       ->type_name("FILE");
   subcommand.footer(
       "One row per point and strategy, all three, at rest under the last waypoint of the scene's path; the second key\n"
-      "runs fastest. The columns: each swept key by its name and in the file's unit, then in SI units\n"
-      "  strategy,depth_m,device_x_m,device_y_m,proxy_x_m,proxy_y_m,force_x_N,force_y_N,ghost_force_x_N,\n"
-      "  ghost_force_y_N,proxy_drift_x_m,proxy_drift_y_m                  by closed form, and simulated\n"
+      "runs fastest. The columns: each swept key by its name and in the file's unit, then\n"
+      "  strategy,depth_m\n"
+      "by closed form\n"
+      "  device_x_m,device_y_m,proxy_x_m,proxy_y_m,force_x_N,force_y_N,ghost_force_x_N,ghost_force_y_N,\n"
+      "  proxy_drift_x_m,proxy_drift_y_m\n"
+      "and simulated, where 'settled' is 1, or 0 after empty fields where the device never comes to rest\n"
       "  simulated_device_x_m,simulated_device_y_m,simulated_proxy_x_m,simulated_proxy_y_m,simulated_force_x_N,\n"
-      "  simulated_force_y_N,settled      settled: 1, or 0 and the fields before it empty where it never comes to "
-      "rest\n"
+      "  simulated_force_y_N,settled\n"
       "Lines that begin with # come first: the program's version, the scene and the ranges.\n"
       "\n"
       "Examples:\n"

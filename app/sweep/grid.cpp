@@ -47,16 +47,16 @@ Grid make_grid(std::span<const std::string> arguments, const Scene& scene) {
   for (const std::string& argument : arguments) {
     std::variant<Range, std::string> parsed = parse_range(argument);
     if (const std::string* const what = std::get_if<std::string>(&parsed)) refuse(argument, *what);
-    const Range& range = std::get<Range>(parsed);
+    Range& range = std::get<Range>(parsed);
     for (const Range& other : grid.ranges) {
       if (other.key == range.key) {
         refuse(argument, fmt::format("the key {} is swept already; give it one range", name_of(range)));
       }
     }
     if (grid.ranges.size() == most_swept_keys) {
-      refuse(argument, fmt::format("a sweep goes over one or two keys; fix the others with --set"));
+      refuse(argument, "a sweep goes over one or two keys; fix the others with --set");
     }
-    grid.ranges.push_back(range);
+    grid.ranges.push_back(std::move(range));
     if (size_of(grid) > most_points) {
       refuse(argument, fmt::format("the sweep would have {} points; {} are the most, so lower a COUNT", size_of(grid),
                                    most_points));
@@ -67,14 +67,16 @@ Grid make_grid(std::span<const std::string> arguments, const Scene& scene) {
 }
 
 std::int64_t size_of(const Grid& grid) noexcept {
-  std::int64_t size = 1;
-  for (const Range& range : grid.ranges) size *= range.count;
-  return size;
+  std::size_t size = 1;
+  for (const Range& range : grid.ranges) size *= range.values.size();
+  return static_cast<std::int64_t>(size);
 }
 
 double value_at(const Grid& grid, std::size_t which, std::int64_t point) noexcept {
-  for (std::size_t i = grid.ranges.size() - 1; i > which; --i) point /= grid.ranges[i].count;
-  return value_at(grid.ranges[which], point % grid.ranges[which].count);
+  auto index = static_cast<std::size_t>(point);
+  for (std::size_t i = grid.ranges.size() - 1; i > which; --i) index /= grid.ranges[i].values.size();
+  const std::vector<double>& values = grid.ranges[which].values;
+  return values[index % values.size()];
 }
 
 void put_point(const Grid& grid, std::int64_t point, Scene& scene) noexcept {

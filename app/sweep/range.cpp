@@ -1,6 +1,7 @@
 #include "app/sweep/range.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
@@ -8,7 +9,7 @@
 #include <system_error>
 #include <vector>
 
-#include <fmt/core.h>
+#include <fmt/compile.h>
 
 #include "app/printable.h"
 #include "app/scene_key_name.h"
@@ -102,16 +103,37 @@ std::optional<std::string> find_problem_of_end(std::string_view which, std::stri
                      unit.empty() ? "" : " ", unit);
 }
 
-std::optional<std::string> find_fraction(const Range& range) {
-  for (std::int64_t i = 0; i < range.count; ++i) {
-    const double value = value_at(range, i);
-    if (value == std::trunc(value)) continue;
+std::optional<std::string> find_fraction(const std::vector<double>& values) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (values[i] == std::trunc(values[i])) continue;
     return fmt::format(
-        "it takes whole numbers only, and number {} of {} would be {}; choose FROM, TO and COUNT so that "
-        "all are whole",
-        i + 1, range.count, value);
+        "it takes whole numbers only, and number {} of {} would be {}; choose FROM, TO and COUNT so that all are whole",
+        i + 1, values.size(), values[i]);
   }
   return std::nullopt;
+}
+
+// To 15 digits, which every double has: 0.6 and not 0.6000000000000001, as a person would write it and compare with it.
+double without_rounding_noise(double value) {
+  std::array<char, 32> digits;
+  const auto end = fmt::format_to_n(digits.data(), digits.size(), FMT_COMPILE("{:.14e}"), value).out;
+  std::from_chars(digits.data(), end, value);
+  return value;
+}
+
+std::vector<double> spaced(double from, double to, std::int64_t count, bool logarithmic) {
+  std::vector<double> values(static_cast<std::size_t>(count), from);
+  if (count == 1) return values;
+  const double first = logarithmic ? std::log10(from) : from;
+  const double last = logarithmic ? std::log10(to) : to;
+  for (std::int64_t i = 1; i < count - 1; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(count - 1);
+    const double between = std::lerp(first, last, share);
+    const double value = without_rounding_noise(logarithmic ? std::pow(10.0, between) : between);
+    values[static_cast<std::size_t>(i)] = std::clamp(value, std::min(from, to), std::max(from, to)) + 0.0;
+  }
+  values.back() = to;
+  return values;
 }
 
 }  // namespace
@@ -135,43 +157,30 @@ std::variant<Range, std::string> parse_range(std::string_view argument) {
   }
 
   const auto problem = [name](const std::string& what) { return fmt::format("the key {}: {}", name, what); };
-  Range range{key, 0.0, 0.0, 0, parts.size() == 4};
-  if (const auto what = find_problem_of_end("FROM", parts[0], name, *limits, range.from)) return problem(*what);
-  if (const auto what = find_problem_of_end("TO", parts[1], name, *limits, range.to)) return problem(*what);
+  double from = 0.0;
+  double to = 0.0;
+  if (const auto what = find_problem_of_end("FROM", parts[0], name, *limits, from)) return problem(*what);
+  if (const auto what = find_problem_of_end("TO", parts[1], name, *limits, to)) return problem(*what);
   const std::optional<std::int64_t> count = parse_number<std::int64_t>(parts[2]);
   if (!count || *count < 1 || *count > most_points) {
     return problem(fmt::format("COUNT is {}; give a whole number from 1 to {}", shown(parts[2]), most_points));
   }
-  range.count = *count;
-  if (range.logarithmic) {
+  const bool logarithmic = parts.size() == 4;
+  if (logarithmic) {
     if (parts[3] != "log") {
       return problem(
           fmt::format("the spacing is {}; write log, or leave it and its colon out for equal steps", shown(parts[3])));
     }
-    if (!(range.from > 0.0 && range.to > 0.0)) {
+    if (!(from > 0.0 && to > 0.0)) {
       return problem(fmt::format("log needs FROM and TO greater than 0, and {} is {}; leave :log out, or begin above 0",
-                                 range.from > 0.0 ? "TO" : "FROM", range.from > 0.0 ? range.to : range.from));
+                                 from > 0.0 ? "TO" : "FROM", from > 0.0 ? to : from));
     }
   }
+  Range range{key, spaced(from, to, *count, logarithmic), logarithmic};
   if (limits->whole) {
-    if (const auto what = find_fraction(range)) return problem(*what);
+    if (const auto what = find_fraction(range.values)) return problem(*what);
   }
   return range;
-}
-
-double value_at(const Range& range, std::int64_t index) noexcept {
-  const std::int64_t last = range.count - 1;
-  if (index <= 0) return range.from;
-  if (index >= last) return range.to;
-  // One division at the end: whole and short decimals come out as a person would write them (0.1:1:10 holds 0.3).
-  const auto between = [after = static_cast<double>(index), before = static_cast<double>(last - index),
-                        steps = static_cast<double>(last)](double from, double to) {
-    const double weighted = (from * before + to * after) / steps;
-    return std::isfinite(weighted) ? weighted : from * (before / steps) + to * (after / steps);
-  };
-  const double value = range.logarithmic ? std::pow(10.0, between(std::log10(range.from), std::log10(range.to)))
-                                         : between(range.from, range.to);
-  return std::clamp(value, std::min(range.from, range.to), std::max(range.from, range.to)) + 0.0;
 }
 
 void put(const Range& range, double value, Scene& scene) noexcept {

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "core/scene.h"
 
@@ -14,19 +15,15 @@ namespace ghostforce {
 inline constexpr std::int64_t most_points = 10'000'000;
 
 struct Range {
-  const SceneKey* key;  // its value is a NumberKey or an OptionalNumberKey
-  double from;          // in the file's unit, as everything here
-  double to;
-  std::int64_t count;  // 1: `from` alone
-  bool logarithmic;    // the same ratio from value to value, not the same step
+  const SceneKey* key;         // its value is a NumberKey or an OptionalNumberKey
+  std::vector<double> values;  // in the file's unit, one or more; the first and the last are FROM and TO exactly, and
+                               // no other lies beyond them
+  bool logarithmic;            // the same ratio from value to value, not the same step
 };
 
 // KEY=FROM:TO:COUNT or KEY=FROM:TO:COUNT:log, blanks around each part allowed. All values lie in the key's range.
 // Returns what is wrong if something is.
 std::variant<Range, std::string> parse_range(std::string_view argument);
-
-// The value at `index` from 0; both ends are hit exactly, and no value lies beyond them.
-double value_at(const Range& range, std::int64_t index) noexcept;
 
 // Gives the scene's key this value: the same bits as --set KEY=VALUE with the shortest decimal of `value`.
 void put(const Range& range, double value, Scene& scene) noexcept;

@@ -43,8 +43,8 @@ std::string sweep_header(const Scene& scene, const Grid& grid, const RestKind& k
   std::string header = provenance(scene);
   std::string columns;
   for (const Range& range : grid.ranges) {
-    header += fmt::format("# over {}={}:{}:{}{}\n", name_of(range), range.from, range.to, range.count,
-                          range.logarithmic ? ":log" : "");
+    header += fmt::format("# over {}={}:{}:{}{}\n", name_of(range), range.values.front(), range.values.back(),
+                          range.values.size(), range.logarithmic ? ":log" : "");
     columns += name_of(range) + ",";
   }
   return header +

@@ -16,8 +16,8 @@ struct SimulatedRest {
   Vector<2> force{0.0};   // f_r [N]
 };
 
-// Ticks that the hand is held still at most while the devices come to rest: 1000 s at 1 kHz. Slower than that is only a
-// device with a thousand times the damping that a hand bears.
+// Ticks that the hand is held still at most while the devices come to rest: 1000 s at 1 kHz. A device that creeps needs
+// some 25 times b / k_u, which is 0.05 s in the shipped scenes.
 inline constexpr std::int64_t most_held_ticks = 1'000'000;
 
 // The hand follows the scene's path to its end, or to the scene's duration if that is shorter, and stays at the last
