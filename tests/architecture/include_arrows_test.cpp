@@ -77,6 +77,8 @@ const std::vector<Room>& rooms() {
       {"app/paint/", joined(seen, gl), {}, "device/"},
       {"app/panels/", joined(seen, gl), {}, "device/"},
       {"app/figures/", joined(seen, gl), {}, "device/"},
+      {"app/chart/", joined(app, words), {}, "device/"},
+      {"app/plots/", joined(seen, gl), {}, "device/"},
   };
   return list;
 }
