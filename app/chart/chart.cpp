@@ -1,12 +1,14 @@
 #include "app/chart/chart.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstdint>
+#include <functional>
 #include <limits>
 #include <string_view>
 #include <utility>
 
+#include "app/chart/screen_box.h"
 #include "app/chart/ticks.h"
 
 namespace ghostforce {
@@ -17,8 +19,9 @@ constexpr double margin = 8.0;               // to the edge of the pane
 constexpr double line_step = 1.25;           // from line to line of words, in their heights
 constexpr double tick_length = 4.0;          // outside the plot
 constexpr double word_gap = 4.0;             // between a tick and its words
+constexpr double title_gap = 3.0;            // between those and the axis' title
 constexpr double marker_radius = 4.4;        // of a series' shapes
-constexpr double sample_length = 34.0;       // of a line in the legend
+constexpr double sample_length = 44.0;       // of a line in the legend
 constexpr double padding = 6.0;              // round the legend's entries
 constexpr double clearance = 6.0;            // between legend and curves
 constexpr double least_plot = 24.0;          // a smaller one shows nothing
@@ -27,55 +30,6 @@ constexpr double least_share_beside = 0.6;   // and as a share of the width
 
 constexpr Colour none{0, 0, 0, 0};
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-// On the screen: y down.
-struct Box {
-  Vector<2> least{0.0};
-  Vector<2> most{0.0};
-
-  Vector<2> extent() const { return most - least; }
-  Box grown(double by) const { return {least - Vector<2>(by), most + Vector<2>(by)}; }
-};
-
-double overlap(const Box& a, const Box& b) {
-  const double width = std::min(a.most.x, b.most.x) - std::max(a.least.x, b.least.x);
-  const double height = std::min(a.most.y, b.most.y) - std::max(a.least.y, b.least.y);
-  return width > 0.0 && height > 0.0 ? width * height : 0.0;
-}
-
-bool contains(const Box& box, const Vector<2>& point) {
-  return point.x >= box.least.x && point.x <= box.most.x && point.y >= box.least.y && point.y <= box.most.y;
-}
-
-struct Piece {
-  Vector<2> from{0.0};
-  Vector<2> to{0.0};
-  double start = 0.0;  // along the curve [points]
-};
-
-// What of a piece lies in the box; false where nothing does. Liang and Barsky's way.
-bool clip(const Box& box, Piece& piece) {
-  const Vector<2> way = piece.to - piece.from;
-  double first = 0.0;
-  double last = 1.0;
-  for (const glm::length_t axis : {0, 1}) {
-    const double to_least = box.least[axis] - piece.from[axis];
-    const double to_most = box.most[axis] - piece.from[axis];
-    if (way[axis] == 0.0) {
-      if (to_least > 0.0 || to_most < 0.0) return false;
-    } else {
-      first = std::max(first, std::min(to_least / way[axis], to_most / way[axis]));
-      last = std::min(last, std::max(to_least / way[axis], to_most / way[axis]));
-    }
-  }
-  if (first > last) return false;
-  const Vector<2> from = piece.from;
-  // Ends that need not move stay the same numbers: painters join pieces where they are equal.
-  if (last < 1.0) piece.to = from + last * way;
-  if (first > 0.0) piece.from = from + first * way;
-  piece.start += first * glm::length(way);
-  return true;
-}
 
 struct Range {
   double least = std::numeric_limits<double>::infinity();
@@ -141,7 +95,7 @@ class Composer {
 
   Vector<2> in_world(const Vector<2>& screen) const { return to_world(pane_.camera, screen); }
 
-  void put(Role role, Piece piece, double width, Colour colour, const LinePattern& pattern = solid_line) {
+  void put(Role role, ScreenPiece piece, double width, Colour colour, const LinePattern& pattern = solid_line) {
     LinePattern scaled = pattern;
     for (double& length : scaled) length = points(length);
     pane_.marks.push_back({role, std::nullopt,
@@ -203,7 +157,7 @@ class Composer {
     plot_.least.y = points(margin) + static_cast<double>(title_.size()) * line_step * height_of(TextSize::normal) +
                     static_cast<double>(y_title_.size()) * small + points(word_gap) + 0.5 * height_of(TextSize::small);
     plot_.most.y = size_.y - points(margin) - static_cast<double>(x_title_.size()) * small -
-                   height_of(TextSize::small) - points(tick_length + word_gap);
+                   height_of(TextSize::small) - points(tick_length + word_gap + title_gap);
     if (where == Legend::below) {
       flow_legend(Vector<2>(points(margin), 0.0), room);
       plot_.most.y -= legend_.extent().y + points(word_gap);
@@ -251,7 +205,7 @@ class Composer {
   void trace() {
     lines_.assign(chart_.series.size(), {});
     shapes_.assign(chart_.series.size(), {});
-    const Box within = plot_.grown(1e-6);  // a point on the edge is inside, whatever rounding says
+    const ScreenBox within = plot_.grown(1e-6);  // a point on the edge is inside, whatever rounding says
     for (std::size_t i = 0; i < chart_.series.size(); ++i) {
       const Series& series = chart_.series[i];
       Vector<2> before(nan);
@@ -259,7 +213,7 @@ class Composer {
       for (const Vector<2>& point : series.points) {
         const Vector<2> at = on_screen(point);
         if (!std::isnan(at.x) && !std::isnan(before.x)) {
-          Piece piece{before, at, along};
+          ScreenPiece piece{before, at, along};
           along += glm::distance(before, at);
           if (series.has_line && clip(within, piece)) lines_[i].push_back(piece);
         } else {
@@ -272,10 +226,10 @@ class Composer {
   }
 
   // How much of the box curves, points and words cover; 0 is free.
-  double crowding(const Box& box) const {
+  double crowding(const ScreenBox& box) const {
     double cost = 0.0;
     for (std::size_t i = 0; i < chart_.series.size(); ++i) {
-      for (Piece piece : lines_[i]) {
+      for (ScreenPiece piece : lines_[i]) {
         if (clip(box.grown(0.5 * points(chart_.series[i].width)), piece))
           cost += 1.0 + glm::distance(piece.from, piece.to);
       }
@@ -284,7 +238,7 @@ class Composer {
       }
     }
     constexpr double weight_of_words = 100.0;  // words over a line can still be read, words over words cannot
-    for (const Box& words : words_) cost += weight_of_words * overlap(box, words);
+    for (const ScreenBox& words : words_) cost += weight_of_words * overlap(box, words);
     return cost;
   }
 
@@ -360,7 +314,7 @@ class Composer {
     for (const double x : {1.0, 0.0, 0.5}) {
       for (const double y : {0.0, 1.0}) {
         const Vector<2> corner = plot_.least + Vector<2>(points(clearance)) + room * Vector<2>(x, y);
-        const Box box{corner, corner + extent};
+        const ScreenBox box{corner, corner + extent};
         if (crowding(box) > 0.0 || is_crossed_by_reference(box)) continue;
         stack_legend(corner);
         return true;
@@ -369,9 +323,9 @@ class Composer {
     return false;
   }
 
-  bool is_crossed_by_reference(const Box& box) const {
+  bool is_crossed_by_reference(const ScreenBox& box) const {
     return std::ranges::any_of(chart_.references, [&](const Reference& reference) {
-      Piece piece = line_of(reference);
+      ScreenPiece piece = line_of(reference);
       return !std::isnan(piece.from.x) && clip(box, piece);
     });
   }
@@ -394,7 +348,7 @@ class Composer {
   // ----------------------------------------------------------------------------------------------------
 
   // All across the plot; NaN where it lies outside.
-  Piece line_of(const Reference& reference) const {
+  ScreenPiece line_of(const Reference& reference) const {
     const Vector<2> at = on_screen(reference.is_vertical ? Vector<2>(reference.at, y_ticks_.least)
                                                          : Vector<2>(x_ticks_.least, reference.at));
     if (!contains(plot_.grown(1e-6), at)) return {Vector<2>(nan), Vector<2>(nan)};
@@ -404,20 +358,20 @@ class Composer {
 
   void add_references() {
     for (const Reference& reference : chart_.references) {
-      const Piece piece = line_of(reference);
+      const ScreenPiece piece = line_of(reference);
       if (!std::isnan(piece.from.x)) put(Role::scale, piece, 1.4, theme_.faint_text, dotted_line);
     }
   }
 
   // Beside the line, where least is covered; an empty box where the line is not to be seen.
-  Box place_reference_words(std::size_t i) const {
+  ScreenBox place_reference_words(std::size_t i) const {
     const Reference& reference = chart_.references[i];
-    const Piece piece = line_of(reference);
+    const ScreenPiece piece = line_of(reference);
     if (std::isnan(piece.from.x) || reference.word.empty()) return {};
     const Vector<2> extent = measure_(reference.word, height_of(TextSize::small));
     const double gap = points(word_gap);
     const Vector<2> room = glm::max(plot_.extent() - extent - Vector<2>(2.0 * gap), Vector<2>(0.0));
-    Box best;
+    ScreenBox best;
     double least = std::numeric_limits<double>::infinity();
     for (const double share : {0.0, 1.0, 0.07, 0.14, 0.21, 0.93, 0.86, 0.5, 0.3, 0.4, 0.6, 0.7}) {
       for (const bool is_behind : {true, false}) {
@@ -426,7 +380,7 @@ class Composer {
         // Behind a vertical line is right of it, of a horizontal one above it.
         const bool is_after = reference.is_vertical == is_behind;
         corner[across] = piece.from[across] + (is_after ? gap : -gap - extent[across]);
-        const Box box{corner, corner + extent};
+        const ScreenBox box{corner, corner + extent};
         const bool leaves = !contains(plot_.grown(1e-6), box.least) || !contains(plot_.grown(1e-6), box.most);
         const double cost = crowding(box.grown(points(1.5))) + (leaves ? 1e6 : 0.0);
         if (cost < least) {
@@ -444,7 +398,7 @@ class Composer {
     words_.clear();
     if (!entries_.empty()) words_.push_back(legend_);
     for (std::size_t i = 0; i < chart_.references.size(); ++i) {
-      const Box box = place_reference_words(i);
+      const ScreenBox box = place_reference_words(i);
       words_.push_back(box);
       if (box.extent().x <= 0.0) continue;
       write(Role::scale, box.least, chart_.references[i].word, theme_.text, TextSize::small, theme_.background);
@@ -456,7 +410,7 @@ class Composer {
 
   void add_grid() {
     const auto line = [&](double value, bool is_vertical, Colour colour) {
-      const Piece piece = line_of({value, is_vertical, {}});
+      const ScreenPiece piece = line_of({value, is_vertical, {}});
       if (!std::isnan(piece.from.x)) put(Role::grid, piece, 1.0, colour);
     };
     for (const bool is_vertical : {true, false}) {
@@ -464,7 +418,8 @@ class Composer {
       const bool is_logarithmic = is_vertical ? chart_.x.is_logarithmic : chart_.y.is_logarithmic;
       for (const double value : ticks.fine) line(value, is_vertical, mix(theme_.background, theme_.grid, 0.6));
       for (const Tick& tick : ticks.named) line(tick.value, is_vertical, theme_.grid);
-      if (!is_logarithmic && ticks.least < 0.0 && ticks.greatest > 0.0) line(0.0, is_vertical, theme_.panel_border);
+      if (!is_logarithmic && ticks.least < 0.0 && ticks.greatest > 0.0)
+        line(0.0, is_vertical, mix(theme_.background, theme_.faint_text, 0.45));
     }
   }
 
@@ -498,7 +453,7 @@ class Composer {
       write(Role::scale, at, line, theme_.faint_text);
       at.y += line_step * height_of(TextSize::small);
     }
-    at.y = plot_.most.y + points(tick_length + word_gap) + height_of(TextSize::small);
+    at.y = plot_.most.y + points(tick_length + word_gap + title_gap) + height_of(TextSize::small);
     for (const std::string& line : x_title_) {
       const double width = width_of(line);
       const double middle = 0.5 * (plot_.least.x + plot_.most.x) - 0.5 * width;
@@ -512,7 +467,7 @@ class Composer {
   // --------------------------------------------------------------------------------------------------------
 
   void add_line(const Series& series) {
-    for (const Piece& piece : lines_[static_cast<std::size_t>(&series - chart_.series.data())]) {
+    for (const ScreenPiece& piece : lines_[static_cast<std::size_t>(&series - chart_.series.data())]) {
       put(Role::trail, piece, series.width, series.colour, series.pattern);
     }
   }
@@ -531,12 +486,12 @@ class Composer {
   const Vector<2> size_;
 
   std::vector<std::string> title_, x_title_, y_title_;
-  Box plot_;
+  ScreenBox plot_;
   Ticks x_ticks_{0.0, 1.0, {}, {}}, y_ticks_{0.0, 1.0, {}, {}};
-  std::vector<std::vector<Piece>> lines_;       // per series, within the plot
-  std::vector<std::vector<Vector<2>>> shapes_;  // per series, within the plot
-  std::vector<Box> words_;                      // of references, and the legend
-  Box legend_;
+  std::vector<std::vector<ScreenPiece>> lines_;  // per series, within the plot
+  std::vector<std::vector<Vector<2>>> shapes_;   // per series, within the plot
+  std::vector<ScreenBox> words_;                 // of references, and the legend
+  ScreenBox legend_;
   std::vector<Vector<2>> entries_;  // upper left of each, in the legend
 };
 

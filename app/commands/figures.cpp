@@ -1,0 +1,90 @@
+// ghostforce figures: the paper's figures, and further ones, each with the numbers that it was drawn from.
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "app/commands/command.h"
+#include "app/commands/command_catalog.h"
+#include "app/failure.h"
+#include "app/figures/figure_catalog.h"
+#include "app/figures/figure_files.h"
+#include "app/interruption.h"
+#include "app/output_folder.h"
+#include "app/printable.h"
+#include "app/progress.h"
+
+namespace ghostforce {
+namespace {
+
+struct Options {
+  std::string folder;
+  std::vector<std::string> only;  // empty: all
+};
+
+bool is_wanted(const Options& options, std::string_view name) {
+  return options.only.empty() || std::ranges::find(options.only, name) != options.only.end();
+}
+
+int figures(const Options& options) {
+  const FigureRequest request;
+  OutputFolder folder(options.folder);
+  std::vector<NamedFile> files;
+  std::vector<std::string> lines;
+  {
+    Progress progress("drawing", static_cast<std::int64_t>(figure_catalog().size()), true);
+    std::int64_t done = 0;
+    for (const FigureEntry& entry : figure_catalog()) {
+      stop_if_interrupted();
+      if (is_wanted(options, entry.name)) {
+        const Figure figure = entry.make(request);
+        std::ranges::move(figure_files(entry.name, figure), std::back_inserter(files));
+        lines.push_back(fmt::format("{}: {}", entry.name, figure.title));
+      }
+      progress.at(++done);
+    }
+  }
+  for (const NamedFile& file : files) {
+    stop_if_interrupted();
+    folder.write(file.name, file.content);
+  }
+  folder.commit();
+  for (const std::string& line : lines) fmt::print(stderr, "{}\n", line);
+  fmt::print(stderr, "{} files in {}\n", files.size(), printable(options.folder, longest_path));
+  return static_cast<int>(ExitCode::done);
+}
+
+}  // namespace
+
+std::function<int()> attach_figures(CLI::App& subcommand) {
+  const auto options = std::make_shared<Options>();
+  subcommand.add_option("-o,--output", options->folder, "The folder for the files; made if it is not there")
+      ->type_name("DIR")
+      ->required();
+  std::vector<std::string_view> names;
+  std::string list;
+  for (const FigureEntry& entry : figure_catalog()) {
+    names.push_back(entry.name);
+    list += fmt::format("  {:28}{}\n", entry.name, entry.sentence);
+  }
+  subcommand.add_option("--only", options->only, "Make these figures alone")
+      ->type_name("NAME...")
+      ->check(one_of(names));
+  subcommand.footer("Figures:\n" + list +
+                    "\n"
+                    "Each comes as NAME.png, NAME@2x.png, NAME.svg and NAME.pdf, and the numbers that it was drawn "
+                    "from as NAME.csv.\n"
+                    "No display is needed. All files are written or none; the same call gives the same bytes.\n"
+                    "\n"
+                    "Examples:\n"
+                    "  ghostforce figures -o figures\n"
+                    "  ghostforce figures -o figures --only figure-1 proxy-drift");
+  return [options] { return figures(*options); };
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,82 @@
+#include "app/figures/curves.h"
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "app/failure.h"
+#include "app/figures/sheet.h"
+#include "core/play.h"
+#include "core/sound_state.h"
+
+namespace ghostforce {
+
+CsvTable table_of(const Curves& curves, const std::string& x_name, const std::string& y_name) {
+  CsvTable table;
+  table.columns = {"panel", "series", "source", x_name, y_name};
+  for (const CurvePoint& point : curves) {
+    table.rows.push_back(
+        {point.panel, point.series, std::string(point.is_simulated ? "simulated" : "closed form"), point.x, point.y});
+  }
+  return table;
+}
+
+void add_series(const Curves& curves, std::string_view panel, std::string_view series, const Series& style,
+                Chart& chart) {
+  Series curve = style;
+  curve.shape.reset();
+  Series points = style;
+  points.name.clear();
+  points.has_line = false;
+  for (const CurvePoint& point : curves) {
+    if (point.panel != panel || point.series != series) continue;
+    (point.is_simulated ? points : curve).points.push_back({point.x, point.y});
+  }
+  chart.series.push_back(std::move(curve));
+  chart.series.push_back(std::move(points));
+}
+
+Series style_of(StrategyId id) {
+  constexpr PerStrategy<double> widths{3.2, 2.2, 1.8};
+  return {.name = "",
+          .colour = paper().strategy[index_of(id)],
+          .points = {},
+          .pattern = strategy_style(id).pattern,
+          .width = widths[index_of(id)],
+          .shape = strategy_style(id).shape};
+}
+
+std::vector<double> evenly(double least, double greatest, int count) {
+  std::vector<double> values;
+  for (int i = 0; i < count; ++i) values.push_back(least + (greatest - least) * i / (count - 1));
+  return values;
+}
+
+std::vector<double> evenly_in_ratio(double least, double greatest, int count) {
+  std::vector<double> values;
+  for (const double exponent : evenly(std::log10(least), std::log10(greatest), count)) {
+    values.push_back(std::pow(10.0, exponent));
+  }
+  values.front() = least;  // not less by rounding
+  values.back() = greatest;
+  return values;
+}
+
+Snapshot simulated_rest(const Settings& settings, const Vector<2>& goal) {
+  const Wall<2> wall = wall_of(settings);
+  constexpr double outside = 0.010;  // where the way begins, before the wall [m]
+  constexpr double way_s = 0.5;
+  constexpr double until_s = 4.0;
+  Scene scene;
+  scene.settings = settings;
+  scene.goal = {.points = {projection(wall, goal) + outside * wall.normal, goal},
+                .times = {0.0, way_s},
+                .motion = Motion::minimum_jerk};
+  scene.duration = until_s;
+  Snapshot rest;
+  const TickState<2> state = play(scene, last_tick(scene), [&](const Snapshot& snapshot) { rest = snapshot; });
+  if (is_sound(state)) return rest;
+  throw Failure(ExitCode::bug, "a figure's sampled loop is unstable; its settings in app/figures are at fault");
+}
+
+}  // namespace ghostforce

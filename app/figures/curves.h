@@ -1,0 +1,45 @@
+// Curves: what closed forms say over a parameter, and what the simulated loop says at some of its values; for charts.
+// Pure, any thread.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/chart/chart.h"
+#include "app/csv_table.h"
+#include "core/settings.h"
+#include "core/snapshot.h"
+
+namespace ghostforce {
+
+struct CurvePoint {
+  std::string panel;
+  std::string series;  // a strategy's name, or what else the curve is of
+  bool is_simulated;   // else by closed form
+  double x;
+  double y;
+};
+
+using Curves = std::vector<CurvePoint>;
+
+// `x_name` and `y_name` with their units, as columns.
+CsvTable table_of(const Curves& curves, const std::string& x_name, const std::string& y_name);
+
+// The curve and, as another series without a name, its points.
+void add_series(const Curves& curves, std::string_view panel, std::string_view series, const Series& style,
+                Chart& chart);
+
+// A strategy's line and shape, and its letter and title as a name.
+Series style_of(StrategyId id);
+
+// `count` values from `least` to `greatest`, both included.
+std::vector<double> evenly(double least, double greatest, int count);
+std::vector<double> evenly_in_ratio(double least, double greatest, int count);
+
+// What the loop has come to, 3.5 s after the goal went straight into the wall and stopped. Throws Failure(bug) where
+// the loop is unstable.
+Snapshot simulated_rest(const Settings& settings, const Vector<2>& goal);
+
+}  // namespace ghostforce

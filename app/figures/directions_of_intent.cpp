@@ -1,0 +1,32 @@
+#include "app/figures/directions_of_intent.h"
+
+#include <utility>
+
+#include "app/figures/motion_picture.h"
+#include "app/scene_file.h"
+
+namespace ghostforce {
+
+std::vector<PlayedMotion> directions_of_intent() {
+  return {play_motion("down, where there is no motor", load_scene("fig3-nonactuated")),
+          play_motion("straight into the wall", load_scene("fig3-normal")),
+          play_motion("to the right, along the motor", load_scene("fig3-actuated"))};
+}
+
+Figure directions_of_intent_figure(const FigureRequest&) {
+  const std::vector<PlayedMotion> motions = directions_of_intent();
+  Sheet sheet("Three directions of intent", 900.0);
+  std::vector<ScenePicture> pictures;
+  for (const PlayedMotion& motion : motions) pictures.push_back(picture_of(motion, "", ""));
+  add_scenes(sheet, 290.0, std::move(pictures), 3);
+  sheet.add_legend(motion_legend());
+  return sheet.finish(
+      "The hand goes down, where the device cannot push; into the wall; and to the right, where the motor is. Along "
+      "the "
+      "motor axis A is everywhere where F is. N lags behind, and where the hand goes into the wall it ends on the "
+      "other "
+      "side of where it came in.",
+      "fig3-nonactuated, fig3-normal, fig3-actuated", table_of(motions));
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,173 @@
+#include "app/figures/energy_per_loop.h"
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "app/chart/chart.h"
+#include "app/figures/curves.h"
+#include "app/figures/sheet.h"
+#include "app/paint/vector_painter.h"
+#include "app/scene_file.h"
+#include "core/circle.h"
+#include "core/energy.h"
+#include "core/loop_meter.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr std::string_view scene_name = "wall45";
+constexpr double depth_of_center = 0.025;  // the device stays inside all the way round [m]
+constexpr double radius = 0.010;           // [m]
+constexpr double turns_per_second = 0.1;   // so slow that the loop's delay is lost in the line's width
+constexpr double greatest_ratio = 20.0;
+
+Circle circle_in(const Settings& settings, bool is_counter_clockwise) {
+  const Wall<2> wall = wall_of(settings);
+  return {.center = wall.point - depth_of_center * wall.normal,
+          .radius = radius,
+          .turns_per_second = is_counter_clockwise ? turns_per_second : -turns_per_second};
+}
+
+Settings with_ratio(Settings settings, double ratio) {
+  settings.impedances.chosen_tracking_ratio = ratio;
+  return settings;
+}
+
+// At rest the device is a linear function of the goal: its loop has the circle's area times the function's determinant.
+double area_at_rest(const Settings& settings, StrategyId id, const Circle& circle) {
+  const auto device = [&](const Vector<2>& goal) { return rest_of(id, settings, goal).device; };
+  const Vector<2> origin = device(circle.center);
+  const Vector<2> x = device(circle.center + Vector<2>(circle.radius, 0.0)) - origin;
+  const Vector<2> y = device(circle.center + Vector<2>(0.0, circle.radius)) - origin;
+  const double sense = circle.turns_per_second > 0.0 ? 1.0 : -1.0;
+  return sense * std::numbers::pi * (x.x * y.y - x.y * y.x);
+}
+
+double formula(const Settings& settings, StrategyId id, double area) {
+  if (strategy(id).has_every_motor) return 0.0;
+  const Impedances& k = settings.impedances;
+  return energy_per_loop(k.k_r, k.k_t, k.k_c, strategy(id).tracking_ratio(k),
+                         settings.actuated_angle - settings.wall_normal_angle, area);
+}
+
+// The second lap: on the first one the device still comes from where it started.
+MeasuredLoop measured_loop(const Settings& settings, StrategyId id, const Circle& circle) {
+  const TickPlan<2> plan = plan_of(settings);
+  TickState<2> state = state_at_start(position_on(circle, 0.0));
+  const auto lap = static_cast<std::int64_t>(std::llround(plan.rate / std::abs(circle.turns_per_second)));
+  const TickState<2>::StrategyState& now = state.strategies[index_of(id)];
+  std::optional<LoopMeter> meter;
+  while (state.tick < 2 * lap) {
+    tick(plan, position_on(circle, time_of(state.tick + 1, plan.rate)), state);
+    if (meter) meter->add(now.motion.position, now.energy);
+    if (state.tick == lap) meter.emplace(now.motion.position, now.energy);
+  }
+  return meter->loop();
+}
+
+void add_formula(const Settings& settings, StrategyId id, double ratio, bool sense, std::vector<EnergyOfLoop>& loops) {
+  const double area = area_at_rest(settings, id, circle_in(settings, sense));
+  loops.push_back({id, ratio, sense, false, area, formula(settings, id, area)});
+}
+
+void add_measured(const Settings& settings, StrategyId id, double ratio, bool sense, std::vector<EnergyOfLoop>& loops) {
+  const MeasuredLoop loop = measured_loop(settings, id, circle_in(settings, sense));
+  loops.push_back({id, ratio, sense, true, loop.area, loop.energy});
+}
+
+}  // namespace
+
+std::vector<EnergyOfLoop> energies_of_loops() {
+  const Settings settings = load_scene(std::string(scene_name)).settings;
+  std::vector<EnergyOfLoop> loops;
+  for (const bool sense : {false, true}) {
+    for (const double ratio : evenly_in_ratio(1.0, greatest_ratio, 81)) {
+      add_formula(with_ratio(settings, ratio), StrategyId::anisotropic, ratio, sense, loops);
+    }
+    for (const double ratio : {1.0, 1.5, 2.0, 3.0, 5.0, 7.0, 10.0, 15.0, 20.0}) {
+      add_measured(with_ratio(settings, ratio), StrategyId::anisotropic, ratio, sense, loops);
+    }
+    add_formula(settings, StrategyId::full, 1.0, sense, loops);
+    add_measured(settings, StrategyId::full, 1.0, sense, loops);
+    add_formula(settings, StrategyId::naive, 1.0, sense, loops);
+    add_measured(settings, StrategyId::naive, 1.0, sense, loops);
+  }
+  return loops;
+}
+
+namespace {
+
+constexpr double mj_per_j = 1000.0;
+
+CsvTable table_of(const std::vector<EnergyOfLoop>& loops) {
+  CsvTable table;
+  table.columns = {"series", "sense", "source", "tracking_ratio", "device_loop_area_m2", "energy_J"};
+  for (const EnergyOfLoop& loop : loops) {
+    table.rows.push_back({std::string(strategy(loop.strategy).name),
+                          std::string(loop.is_counter_clockwise ? "counter-clockwise" : "clockwise"),
+                          std::string(loop.is_simulated ? "simulated" : "closed form"), loop.ratio, loop.area,
+                          loop.energy});
+  }
+  return table;
+}
+
+Series series_of(const std::vector<EnergyOfLoop>& loops, StrategyId id, bool sense, bool is_simulated) {
+  Series series = style_of(id);
+  series.has_line = !is_simulated;
+  if (!is_simulated) series.shape.reset();
+  series.is_hollow = sense;
+  for (const EnergyOfLoop& loop : loops) {
+    if (loop.strategy == id && loop.is_counter_clockwise == sense && loop.is_simulated == is_simulated) {
+      series.points.push_back({loop.ratio, mj_per_j * loop.energy});
+    }
+  }
+  return series;
+}
+
+}  // namespace
+
+Figure energy_per_loop_figure(const FigureRequest&) {
+  const std::vector<EnergyOfLoop> loops = energies_of_loops();
+  const Impedances k = load_scene(std::string(scene_name)).settings.impedances;
+  Chart chart;
+  chart.x = {.title = "tracking ratio ρ", .is_logarithmic = true, .range = Vector<2>(1.0, greatest_ratio)};
+  chart.y = {.title = "energy given to the hand per loop [mJ]"};
+  Series zero = style_of(StrategyId::full);
+  zero.shape.reset();
+  zero.points = {{1.0, 0.0}, {greatest_ratio, 0.0}};
+  chart.series.push_back(zero);
+  for (const bool sense : {false, true}) {
+    for (const bool is_simulated : {false, true}) {
+      chart.series.push_back(series_of(loops, StrategyId::anisotropic, sense, is_simulated));
+    }
+  }
+  for (const bool sense : {false, true}) {
+    for (const StrategyId id : {StrategyId::full, StrategyId::naive}) {
+      chart.series.push_back(series_of(loops, id, sense, true));
+    }
+  }
+  chart.references = {{optimal_tracking_ratio(k.k_r, k.k_u), true, "optimal: 1 + k_r/k_u"}};
+
+  Sheet sheet("Energy per closed loop, over the tracking ratio", 520.0);
+  sheet.add_row(340.0, 1, [&](const Place& place, std::size_t) {
+    return chart_pane(chart, place.corner, place.size, paper(), 1.0, measure_vector_text);
+  });
+  std::vector<LegendEntry> legend = strategy_legend(true);
+  legend[index_of(StrategyId::naive)].has_line = false;
+  legend[index_of(StrategyId::naive)].name += " (ρ = 1)";
+  for (const auto& [name, is_hollow] :
+       {std::pair{"filled: clockwise", false}, std::pair{"hollow: counter-clockwise", true}}) {
+    legend.push_back({.name = name, .colour = paper().faint_text, .shape = Shape::disc, .is_hollow = is_hollow});
+  }
+  sheet.add_legend(legend);
+  return sheet.finish(
+      "The hand goes slowly round a circle of 10 mm inside the wall; lines: the formula; points: measured on the "
+      "simulated "
+      "loop. One sense makes energy, the other takes the same away; the larger ρ, the less of either.",
+      std::string(scene_name) + ", tracking ratio varied", table_of(loops));
+}
+
+}  // namespace ghostforce

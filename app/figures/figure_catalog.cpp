@@ -1,0 +1,36 @@
+#include "app/figures/figure_catalog.h"
+
+#include <array>
+
+#include "app/figures/directions_of_intent.h"
+#include "app/figures/energy_per_loop.h"
+#include "app/figures/force_over_stiffness_ratio.h"
+#include "app/figures/force_over_wall_angle.h"
+#include "app/figures/one_hand.h"
+#include "app/figures/one_motion.h"
+#include "app/figures/proxy_drift.h"
+#include "app/figures/stiffness_ratios.h"
+#include "app/figures/three_equilibria.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr std::array catalog{
+    FigureEntry{"figure-1", "One motion into a slanted wall, and where the devices go", one_motion_figure},
+    FigureEntry{"figure-2", "The three equilibria: goal, device, proxy and contact", three_equilibria_figure},
+    FigureEntry{"figure-3", "Three directions of intent", directions_of_intent_figure},
+    FigureEntry{"figure-4", "Stiffness ratios k_r/k_u = 1, 5, 10, 20", stiffness_ratios_figure},
+    FigureEntry{"figure-6", "One hand under the three strategies; see --hand", one_hand_figure},
+    FigureEntry{"force-over-wall-angle", "Force along the motor over the wall's angle", force_over_wall_angle_figure},
+    FigureEntry{"force-over-stiffness-ratio", "Force along the motor over k_r/k_u", force_over_stiffness_ratio_figure},
+    FigureEntry{"proxy-drift", "Proxy drift over the tracking ratio and over a wrong belief", proxy_drift_figure},
+    FigureEntry{"energy-per-loop", "Energy per closed loop over the tracking ratio", energy_per_loop_figure},
+};
+
+}  // namespace
+
+std::span<const FigureEntry> figure_catalog() noexcept {
+  return catalog;
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,41 @@
+#include "app/figures/force_along_motor.h"
+
+#include <string>
+
+#include <glm/geometric.hpp>
+
+namespace ghostforce {
+namespace {
+
+Vector<2> goal_behind(const Wall<2>& wall) {
+  return wall.point - force_goal_depth * wall.normal;
+}
+
+double along_motor(const Settings& settings, const Vector<2>& force) {
+  const Vector<2> axis = direction_at(settings.actuated_angle);
+  const bool points_away = glm::dot(axis, wall_of(settings).normal) > 0.0;
+  return glm::dot(points_away ? axis : -axis, force) + 0.0;  // −0 is a zero too
+}
+
+}  // namespace
+
+void add_closed_forms(const Settings& settings, double x, Curves& curves) {
+  const Wall<2> wall = wall_of(settings);
+  const Actuation<2> actuation = actuation_of(settings);
+  const Vector<2> goal = goal_behind(wall);
+  const PerStrategy<Equilibrium<2>> rest{equilibrium_fully_actuated(wall, settings.impedances, goal),
+                                         equilibrium_naive(wall, actuation, settings.impedances, goal),
+                                         equilibrium_anisotropic(wall, actuation, settings.impedances, goal)};
+  for (const Strategy& strategy : strategy_catalog()) {
+    curves.push_back(
+        {"", std::string(strategy.name), false, x, along_motor(settings, rest[index_of(strategy.id)].force)});
+  }
+}
+
+void add_simulated(const Settings& settings, StrategyId id, double x, Curves& curves) {
+  const Snapshot rest = simulated_rest(settings, goal_behind(wall_of(settings)));
+  curves.push_back(
+      {"", std::string(strategy(id).name), true, x, along_motor(settings, rest.strategies[index_of(id)].force)});
+}
+
+}  // namespace ghostforce

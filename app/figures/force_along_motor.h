@@ -1,0 +1,18 @@
+// Force along the motor of the strategies at rest, by (11), (15), (20) and by the simulated loop, as points of curves.
+// Pure, any thread.
+#pragma once
+
+#include "app/figures/curves.h"
+
+namespace ghostforce {
+
+inline constexpr double force_goal_depth = 0.020;  // d [m]
+
+// The goal is this deep behind the wall's point, along the normal. Forces away from the wall are positive. Closed forms
+// of all strategies at `x`.
+void add_closed_forms(const Settings& settings, double x, Curves& curves);
+
+// The simulated loop's force of one strategy at `x`.
+void add_simulated(const Settings& settings, StrategyId id, double x, Curves& curves);
+
+}  // namespace ghostforce

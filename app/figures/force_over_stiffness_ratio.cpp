@@ -1,0 +1,65 @@
+#include "app/figures/force_over_stiffness_ratio.h"
+
+#include <string_view>
+
+#include "app/figures/force_along_motor.h"
+#include "app/figures/sheet.h"
+#include "app/paint/vector_painter.h"
+#include "app/scene_file.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr std::string_view scene_name = "fig3-normal";
+constexpr double least_ratio = 0.5;
+constexpr double greatest_ratio = 50.0;
+
+// The tracking stiffness goes with the rendering stiffness, as in figure 4.
+Settings settings_at(Settings settings, double ratio) {
+  settings.impedances.k_r = ratio * settings.impedances.k_u;
+  settings.impedances.k_t = settings.impedances.k_r;
+  return settings;
+}
+
+}  // namespace
+
+Curves force_over_stiffness_ratio() {
+  const Settings settings = load_scene(std::string(scene_name)).settings;
+  Curves curves;
+  for (const double ratio : evenly_in_ratio(least_ratio, greatest_ratio, 121)) {
+    add_closed_forms(settings_at(settings, ratio), ratio, curves);
+  }
+  // F and A lie on one curve: they are simulated at ratios of their own, so that both are seen.
+  int number = 0;
+  for (const double ratio : evenly_in_ratio(least_ratio, greatest_ratio, 17)) {
+    add_simulated(settings_at(settings, ratio), number % 2 == 0 ? StrategyId::full : StrategyId::anisotropic, ratio,
+                  curves);
+    if (number % 2 == 0) add_simulated(settings_at(settings, ratio), StrategyId::naive, ratio, curves);
+    ++number;
+  }
+  return curves;
+}
+
+Figure force_over_stiffness_ratio_figure(const FigureRequest&) {
+  const Curves curves = force_over_stiffness_ratio();
+  Sheet sheet("Force along the motor, over the stiffness ratio", 520.0);
+  Chart chart;
+  chart.x = {.title = "rendering stiffness over the hand's, k_r/k_u",
+             .is_logarithmic = true,
+             .range = Vector<2>(least_ratio, greatest_ratio)};
+  chart.y = {.title = "force along the motor axis at rest [N]"};
+  for (const Strategy& strategy : strategy_catalog()) {
+    add_series(curves, "", strategy.name, style_of(strategy.id), chart);
+  }
+  sheet.add_row(340.0, 1, [&](const Place& place, std::size_t) {
+    return chart_pane(chart, place.corner, place.size, paper(), 1.0, measure_vector_text);
+  });
+  sheet.add_legend(strategy_legend(true));
+  return sheet.finish(
+      "Wall at 45° to the motor, goal 20 mm inside; lines: equations (11), (15) and (20); points: the simulated loop. "
+      "A "
+      "lies on F. What N has above them is the ghost force: it grows with the ratio.",
+      std::string(scene_name) + ", k_r = k_t varied", table_of(curves, "stiffness_ratio", "force_N"));
+}
+
+}  // namespace ghostforce

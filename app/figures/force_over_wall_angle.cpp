@@ -1,0 +1,60 @@
+#include "app/figures/force_over_wall_angle.h"
+
+#include <numbers>
+#include <string_view>
+
+#include "app/figures/force_along_motor.h"
+#include "app/figures/sheet.h"
+#include "app/paint/vector_painter.h"
+#include "app/scene_file.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr std::string_view scene_name = "fig3-normal";
+
+Settings settings_at(Settings settings, double angle_deg) {
+  // The motor pushes to the left, away from a wall at the right.
+  settings.wall_normal_angle = std::numbers::pi - angle_deg * std::numbers::pi / 180.0;
+  return settings;
+}
+
+}  // namespace
+
+Curves force_over_wall_angle() {
+  const Settings settings = load_scene(std::string(scene_name)).settings;
+  Curves curves;
+  for (const double angle : evenly(0.0, 90.0, 181)) add_closed_forms(settings_at(settings, angle), angle, curves);
+  // F and A lie on one curve: they are simulated at angles of their own, so that both are seen.
+  for (const double angle : evenly(0.0, 90.0, 10)) {
+    for (const StrategyId id : {StrategyId::full, StrategyId::naive}) {
+      add_simulated(settings_at(settings, angle), id, angle, curves);
+    }
+  }
+  for (const double angle : evenly(5.0, 85.0, 9)) {
+    add_simulated(settings_at(settings, angle), StrategyId::anisotropic, angle, curves);
+  }
+  return curves;
+}
+
+Figure force_over_wall_angle_figure(const FigureRequest&) {
+  const Curves curves = force_over_wall_angle();
+  Sheet sheet("Force along the motor, over the wall's angle", 520.0);
+  Chart chart;
+  chart.x = {.title = "angle between wall normal and motor axis [°]", .range = Vector<2>(0.0, 90.0)};
+  chart.y = {.title = "force along the motor axis at rest [N]"};
+  for (const Strategy& strategy : strategy_catalog()) {
+    add_series(curves, "", strategy.name, style_of(strategy.id), chart);
+  }
+  sheet.add_row(340.0, 1, [&](const Place& place, std::size_t) {
+    return chart_pane(chart, place.corner, place.size, paper(), 1.0, measure_vector_text);
+  });
+  sheet.add_legend(strategy_legend(true));
+  return sheet.finish(
+      "Goal 20 mm inside the wall; lines: equations (11), (15) and (20); points: the simulated loop. A lies on F at "
+      "every "
+      "angle. What N has above them is the ghost force.",
+      std::string(scene_name) + ", wall turned", table_of(curves, "wall_angle_deg", "force_N"));
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,13 @@
+// Figure 6: one and the same hand under the three strategies: a recorded one where there is one, else a simulated hand
+// with minimum-jerk motion and tremor.
+#pragma once
+
+#include "app/figures/figure.h"
+#include "app/figures/played_motion.h"
+
+namespace ghostforce {
+
+PlayedMotion one_hand(const FigureRequest& request);
+Figure one_hand_figure(const FigureRequest& request);
+
+}  // namespace ghostforce

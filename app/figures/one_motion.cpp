@@ -1,0 +1,41 @@
+#include "app/figures/one_motion.h"
+
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "app/figures/motion_picture.h"
+#include "app/scene_file.h"
+
+namespace ghostforce {
+
+PlayedMotion one_motion() {
+  return play_motion("", load_scene("fig1"));
+}
+
+Figure one_motion_figure(const FigureRequest&) {
+  const PlayedMotion motion = one_motion();
+  Sheet sheet("One motion into a slanted wall", 520.0);
+  ScenePicture picture = picture_of(motion, "A", "B");
+  std::vector<LegendEntry> legend = motion_legend();
+  // A is a place here; the paper's letter for the cure is O.
+  constexpr std::size_t cure = index_of(StrategyId::anisotropic);
+  const Vector<2> end = motion.moments.back().strategies[cure].device;
+  for (Spot& spot : picture.spots) {
+    if (spot.at == end && !spot.name.empty()) spot.name = "O";
+  }
+  legend[cure].name = fmt::format("O  {}", strategy(StrategyId::anisotropic).title);
+  add_scenes(sheet, 370.0, {std::move(picture)}, 1);
+  sheet.add_legend(legend);
+  return sheet.finish(
+      "The hand goes from A to B. The fully actuated device ends at F, the underactuated one at N under naïve "
+      "rendering: "
+      "on the left of where it came in. Anisotropic rendering leaves it at O (A in the other figures), below F: the "
+      "motor "
+      "axis feels the same wall.",
+      "fig1", table_of(std::span(&motion, 1)));
+}
+
+}  // namespace ghostforce

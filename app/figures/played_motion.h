@@ -1,0 +1,29 @@
+// PlayedMotion: a scene's hand played from beginning to end under all strategies, thinned out to what a picture needs;
+// and where theory says that it all comes to rest. What figures 1 to 6 are drawn from. Pure, any thread.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/csv_table.h"
+#include "core/equilibrium.h"
+#include "core/scene.h"
+#include "core/snapshot.h"
+
+namespace ghostforce {
+
+struct PlayedMotion {
+  std::string name;  // what sets it apart from the others of its figure
+  Scene scene;
+  std::vector<Snapshot> moments;           // every 5th tick, and the last one
+  PerStrategy<Equilibrium<2>> rest{};      // by closed form, under the last goal
+  PerStrategy<Vector<2>> ghost_at_rest{};  // likewise [N]
+};
+
+PlayedMotion play_motion(std::string name, const Scene& scene);
+
+// One row per motion, strategy and moment, and one of the closed form at rest, where t_s is nan.
+CsvTable table_of(std::span<const PlayedMotion> motions);
+
+}  // namespace ghostforce

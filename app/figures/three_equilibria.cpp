@@ -1,0 +1,101 @@
+#include "app/figures/three_equilibria.h"
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "app/figures/motion_picture.h"
+#include "app/scene_file.h"
+#include "core/ghost_force.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr std::string_view scene_name = "fig3-normal";
+// Softer than in the other figures, so that proxy and contact are seen apart.
+const std::array<std::string, 3> softer{"rendering.k_r_N_per_m=200", "rendering.k_t_N_per_m=300",
+                                        "rendering.k_c_N_per_m=1000"};
+
+ScenePicture picture_of(const ThreeEquilibria& data, const Strategy& strategy) {
+  const std::size_t i = index_of(strategy.id);
+  const Equilibrium<2>& rest = data.rest[i];
+  const Colour colour = paper().strategy[i];
+  ScenePicture picture{.title = fmt::format("{}  {}", strategy.letter, strategy.title),
+                       .settings = data.scene.settings};
+  picture.settings.active = strategy.id;
+  // Where the proxy would be without drift.
+  picture.trails.push_back({{rest.goal, projection(wall_of(data.scene.settings), rest.goal)},
+                            mix(paper().wall, paper().faint_text, 0.35),
+                            solid_line,
+                            1.0});
+  // What pulls at what: the hand at the device, the device at the proxy, the wall at the proxy.
+  picture.trails.push_back({{rest.goal, rest.device}, paper().faint_text, dotted_line, 1.8});
+  picture.trails.push_back({{rest.device, rest.proxy}, colour, solid_line, 1.8});
+  picture.trails.push_back({{rest.proxy, rest.contact}, paper().wall_edge, {4.0, 3.0, 4.0, 3.0}, 1.6});
+  picture.spots.push_back({.at = rest.contact,
+                           .fill = paper().wall_edge,
+                           .rim = paper().wall_edge,
+                           .radius = 2.6,
+                           .name = "q",
+                           .subscript = "c"});
+  picture.spots.push_back({.at = rest.proxy,
+                           .shape = strategy_style(strategy.id).shape,
+                           .fill = paper().background,
+                           .rim = colour,
+                           .radius = 6.0,
+                           .name = "q",
+                           .subscript = "p"});
+  picture.spots.push_back(device_spot(strategy.id, rest.device, "q", "h"));
+  picture.spots.push_back(goal_spot(rest.goal, "q", "u"));
+  return picture;
+}
+
+}  // namespace
+
+ThreeEquilibria three_equilibria() {
+  ThreeEquilibria data{.scene = load_scene(std::string(scene_name), softer)};
+  for (const Strategy& strategy : strategy_catalog()) {
+    data.rest[index_of(strategy.id)] = rest_of(strategy.id, data.scene.settings, data.scene.goal.points.back());
+  }
+  return data;
+}
+
+CsvTable table_of(const ThreeEquilibria& data) {
+  CsvTable table;
+  table.comments = {"One row per strategy, by closed form. Units: m, N."};
+  table.columns = {"strategy",  "goal_x_m",        "goal_y_m",       "device_x_m",  "device_y_m",
+                   "proxy_x_m", "proxy_y_m",       "contact_x_m",    "contact_y_m", "force_x_N",
+                   "force_y_N", "proxy_drift_x_m", "proxy_drift_y_m"};
+  for (const Strategy& strategy : strategy_catalog()) {
+    const Equilibrium<2>& rest = data.rest[index_of(strategy.id)];
+    const Vector<2> drift = proxy_drift(wall_of(data.scene.settings), rest.proxy, rest.goal);
+    table.rows.push_back({std::string(strategy.name), rest.goal.x, rest.goal.y, rest.device.x, rest.device.y,
+                          rest.proxy.x, rest.proxy.y, rest.contact.x, rest.contact.y, rest.force.x, rest.force.y,
+                          drift.x, drift.y});
+  }
+  return table;
+}
+
+Figure three_equilibria_figure(const FigureRequest&) {
+  const ThreeEquilibria data = three_equilibria();
+  Sheet sheet("The three equilibria", 860.0);
+  std::vector<ScenePicture> pictures;
+  for (const Strategy& strategy : strategy_catalog()) pictures.push_back(picture_of(data, strategy));
+  add_scenes(sheet, 270.0, std::move(pictures), 3);
+  sheet.add_legend(
+      {{.name = "hand's spring, k_u", .colour = paper().faint_text, .has_line = true, .pattern = dotted_line},
+       {.name = "rendering and tracking, K_r and K_t", .colour = paper().text, .has_line = true},
+       {.name = "wall's spring, k_c", .colour = paper().wall_edge, .has_line = true, .pattern = {4.0, 3.0, 4.0, 3.0}}});
+  std::string scene(scene_name);
+  for (const std::string& value : softer) scene += " --set " + value;
+  return sheet.finish(
+      "One hand that wants to be at q_u, at rest: device q_h, proxy q_p, contact q_c. Without drift the proxy lies on "
+      "the thin line from q_u normal to the wall: so it does for F and A; under naïve rendering it has drifted along "
+      "the wall, and drags the device with it.",
+      scene, table_of(data));
+}
+
+}  // namespace ghostforce

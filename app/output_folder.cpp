@@ -1,0 +1,84 @@
+#include "app/output_folder.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <system_error>
+
+#include "app/failure.h"
+#include "app/printable.h"
+
+namespace ghostforce {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const fs::path& path, const std::string& what) {
+  throw Failure(ExitCode::file_trouble, fmt::format("{}: {}", printable(path.string(), longest_path), what));
+}
+
+void remove_empty(const std::vector<fs::path>& folders) noexcept {
+  std::error_code ignored;
+  for (const fs::path& folder : folders) fs::remove(folder, ignored);
+}
+
+}  // namespace
+
+OutputFolder::OutputFolder(const std::string& path) : path_(path) {
+  if (path.empty()) refuse("''", "is no folder; name one");
+  std::error_code error;
+  // A slash at the end names the same folder.
+  fs::path innermost = path_.has_filename() ? path_ : path_.parent_path();
+  std::vector<fs::path> missing;
+  for (fs::path at = innermost; !at.empty() && !fs::exists(fs::symlink_status(at, error)); at = at.parent_path()) {
+    missing.push_back(at);
+  }
+  std::ranges::reverse(missing);
+  try {
+    for (const fs::path& folder : missing) {
+      if (fs::create_directory(folder, error)) {
+        made_.insert(made_.begin(), folder);
+      } else if (error) {
+        refuse(folder, fmt::format("the folder cannot be made: {}", reason_of(error.value())));
+      }
+    }
+    if (!fs::is_directory(path_, error)) refuse(path_, "is no folder; name another, or move away what is there");
+    if (access(path_.c_str(), W_OK | X_OK) != 0) {
+      refuse(path_, fmt::format("nothing can be written there: {}", reason_of(errno)));
+    }
+  } catch (...) {
+    remove_empty(made_);
+    throw;
+  }
+}
+
+OutputFolder::~OutputFolder() {
+  if (is_committed_) return;
+  for (File& each : files_) {
+    const bool is_there = each.file == nullptr;  // it was put in its place already
+    each.file.reset();
+    std::error_code ignored;
+    if (is_there && each.is_new) fs::remove(each.path, ignored);
+  }
+  remove_empty(made_);
+}
+
+void OutputFolder::write(const std::string& name, std::string_view content) {
+  const fs::path path = path_ / name;
+  std::error_code ignored;
+  const bool is_new = !fs::exists(fs::symlink_status(path, ignored));
+  files_.push_back({path, is_new, std::make_unique<OutputFile>(path.string())});
+  files_.back().file->write(content);
+}
+
+void OutputFolder::commit() {
+  for (File& each : files_) {
+    each.file->commit();
+    each.file.reset();
+  }
+  is_committed_ = true;
+}
+
+}  // namespace ghostforce
