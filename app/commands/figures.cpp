@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
+#include <filesystem>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -18,6 +20,7 @@
 #include "app/output_folder.h"
 #include "app/printable.h"
 #include "app/progress.h"
+#include "app/run_reader.h"
 
 namespace ghostforce {
 namespace {
@@ -25,14 +28,33 @@ namespace {
 struct Options {
   std::string folder;
   std::vector<std::string> only;  // empty: all
+  std::string hand;               // empty: simulated
 };
 
 bool is_wanted(const Options& options, std::string_view name) {
   return options.only.empty() || std::ranges::find(options.only, name) != options.only.end();
 }
 
+// A recording that no figure is made of would go unseen.
+void refuse_hand_without_figure(const Options& options) {
+  const auto shows_hand = [&](const FigureEntry& entry) { return entry.takes_hand && is_wanted(options, entry.name); };
+  if (options.hand.empty() || std::ranges::any_of(figure_catalog(), shows_hand)) return;
+  throw Failure(ExitCode::wrong_call, "--hand: only figure-6 shows a hand; add it to --only, or leave --hand out");
+}
+
+FigureRequest request_of(const Options& options) {
+  if (options.hand.empty()) return {};
+  const Run run = load_run(options.hand);
+  for (const std::string& remark : run.remarks) fmt::print(stderr, "{}\n", remark);
+  const bool is_estimated =
+      std::ranges::any_of(run.ticks, [](const RunTick& tick) { return tick.measured.has_value(); });
+  const std::string name = printable(std::filesystem::path(options.hand).filename().string());
+  return {.hand = RecordedHand{name, run.scene.value_or(Scene{}), goal_path_of(run), is_estimated}};
+}
+
 int figures(const Options& options) {
-  const FigureRequest request;
+  refuse_hand_without_figure(options);
+  const FigureRequest request = request_of(options);
   OutputFolder folder(options.folder);
   std::vector<NamedFile> files;
   std::vector<std::string> lines;
@@ -75,6 +97,10 @@ std::function<int()> attach_figures(CLI::App& subcommand) {
   subcommand.add_option("--only", options->only, "Make these figures alone")
       ->type_name("NAME...")
       ->check(one_of(names));
+  subcommand
+      .add_option("--hand", options->hand,
+                  "A recording, or a CSV of simulate: figure-6 shows its hand in place of a simulated one")
+      ->type_name("RUN.csv");
   subcommand.footer("Figures:\n" + list +
                     "\n"
                     "Each comes as NAME.png, NAME@2x.png, NAME.svg and NAME.pdf, and the numbers that it was drawn "
@@ -83,7 +109,8 @@ std::function<int()> attach_figures(CLI::App& subcommand) {
                     "\n"
                     "Examples:\n"
                     "  ghostforce figures -o figures\n"
-                    "  ghostforce figures -o figures --only figure-1 proxy-drift");
+                    "  ghostforce figures -o figures --only figure-1 proxy-drift\n"
+                    "  ghostforce figures -o figures --only figure-6 --hand run.csv");
   return [options] { return figures(*options); };
 }
 

@@ -20,9 +20,10 @@ inline constexpr std::uint64_t figure_seed = 1;
 
 // A hand that was recorded, in place of the simulated one.
 struct RecordedHand {
-  std::string name;  // of the recording, for the provenance
-  Scene scene;       // that it was recorded in
-  GoalPath path;     // q_u over time
+  std::string name;           // of the recording, for the provenance
+  Scene scene;                // that it was recorded in
+  GoalPath path;              // q_u over time
+  bool is_estimated = false;  // inferred from a device that was measured
 };
 
 struct FigureRequest {

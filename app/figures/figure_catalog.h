@@ -13,6 +13,7 @@ struct FigureEntry {
   std::string_view name;      // of its files, and on the command line
   std::string_view sentence;  // what it shows, for --help
   Figure (*make)(const FigureRequest& request);
+  bool takes_hand = false;  // a recorded one
 };
 
 std::span<const FigureEntry> figure_catalog() noexcept;

@@ -26,7 +26,7 @@ Settings settings_at(Settings settings, double ratio) {
 Curves force_over_stiffness_ratio() {
   const Settings settings = load_scene(std::string(scene_name)).settings;
   Curves curves;
-  for (const double ratio : evenly_in_ratio(least_ratio, greatest_ratio, 121)) {
+  for (const double ratio : evenly_in_ratio(least_ratio, greatest_ratio, 129)) {
     add_closed_forms(settings_at(settings, ratio), ratio, curves);
   }
   // F and A lie on one curve: they are simulated at ratios of their own, so that both are seen.

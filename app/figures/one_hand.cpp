@@ -67,10 +67,11 @@ Figure one_hand_figure(const FigureRequest& request) {
                        : chart_pane(force_chart(motion), place.corner, place.size, paper(), 1.0, measure_vector_text);
   });
   sheet.add_legend(motion_legend());
-  const std::string hand = request.hand ? "A recorded hand" : "A simulated hand (minimum jerk, tremor at 8 to 12 Hz)";
+  std::string hand = "A simulated hand (minimum jerk, tremor at 8 to 12 Hz)";
+  if (request.hand) hand = request.hand->is_estimated ? "A recorded hand, its goal inferred," : "A recorded hand";
   return sheet.finish(hand +
-                          ", and where it takes the device under each strategy. Along the motor axis A feels as F "
-                          "does; N is pulled away by a force that the wall should not have.",
+                          " and where it takes the device under each strategy. Along the motor axis A feels as F "
+                          "does at rest; N is pulled away by a force that the wall should not have.",
                       request.hand ? "of " + request.hand->name : std::string(scene_name),
                       table_of(std::span(&motion, 1)));
 }

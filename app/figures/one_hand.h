@@ -7,6 +7,7 @@
 
 namespace ghostforce {
 
+// Throws Failure(wrong_call) where the loop is unstable with the recording's settings.
 PlayedMotion one_hand(const FigureRequest& request);
 Figure one_hand_figure(const FigureRequest& request);
 

@@ -1,16 +1,20 @@
 #include "app/figures/played_motion.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <utility>
 
+#include "app/failure.h"
 #include "core/ghost_force.h"
 #include "core/play.h"
+#include "core/sound_state.h"
 
 namespace ghostforce {
 namespace {
 
 constexpr std::int64_t ticks_between_moments = 5;  // 200 Hz of a loop at 1 kHz: 16 points of the fastest tremor
+constexpr std::int64_t most_moments = 6000;        // more are finer than any picture
 
 std::vector<CsvCell> row_of(const PlayedMotion& motion, StrategyId id, std::string source, double time_s,
                             const Vector<2>& goal, const Vector<2>& device, const Vector<2>& proxy,
@@ -36,9 +40,13 @@ std::vector<CsvCell> row_of(const PlayedMotion& motion, StrategyId id, std::stri
 PlayedMotion play_motion(std::string name, const Scene& scene) {
   PlayedMotion motion{.name = std::move(name), .scene = scene, .moments = {}};
   const std::int64_t last = last_tick(scene);
-  play(scene, last, [&](const Snapshot& snapshot) {
-    if (snapshot.tick % ticks_between_moments == 0 || snapshot.tick == last) motion.moments.push_back(snapshot);
+  const std::int64_t between = std::max(ticks_between_moments, last / most_moments);
+  const TickState<2> state = play(scene, last, [&](const Snapshot& snapshot) {
+    if (snapshot.tick % between == 0 || snapshot.tick == last) motion.moments.push_back(snapshot);
   });
+  if (!is_sound(state)) {
+    throw Failure(ExitCode::wrong_call, "with these settings the sampled loop is unstable and the device runs away");
+  }
   const Vector<2> goal = motion.moments.back().goal;
   for (const Strategy& strategy : strategy_catalog()) {
     const std::size_t i = index_of(strategy.id);

@@ -16,11 +16,12 @@ namespace ghostforce {
 struct PlayedMotion {
   std::string name;  // what sets it apart from the others of its figure
   Scene scene;
-  std::vector<Snapshot> moments;           // every 5th tick, and the last one
+  std::vector<Snapshot> moments;           // every 5th tick, in long motions fewer, and the last one
   PerStrategy<Equilibrium<2>> rest{};      // by closed form, under the last goal
   PerStrategy<Vector<2>> ghost_at_rest{};  // likewise [N]
 };
 
+// Throws Failure(wrong_call) where the loop is unstable.
 PlayedMotion play_motion(std::string name, const Scene& scene);
 
 // One row per motion, strategy and moment, and one of the closed form at rest, where t_s is nan.
