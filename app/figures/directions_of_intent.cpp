@@ -8,9 +8,9 @@
 namespace ghostforce {
 
 std::vector<PlayedMotion> directions_of_intent() {
-  return {play_motion("down, where there is no motor", load_scene("fig3-nonactuated")),
+  return {play_motion("down (no motor there)", load_scene("fig3-nonactuated")),
           play_motion("straight into the wall", load_scene("fig3-normal")),
-          play_motion("to the right, along the motor", load_scene("fig3-actuated"))};
+          play_motion("to the right (along the motor)", load_scene("fig3-actuated"))};
 }
 
 Figure directions_of_intent_figure(const FigureRequest&) {
@@ -21,11 +21,10 @@ Figure directions_of_intent_figure(const FigureRequest&) {
   add_scenes(sheet, 290.0, std::move(pictures), 3);
   sheet.add_legend(motion_legend());
   return sheet.finish(
-      "The hand goes down, where the device cannot push; into the wall; and to the right, where the motor is. Along "
-      "the "
-      "motor axis A is everywhere where F is. N lags behind, and where the hand goes into the wall it ends on the "
-      "other "
-      "side of where it came in.",
+      "The hand goes down, where the device cannot push; straight into the wall; and to the right, where the motor is. "
+      "Along the motor axis A rests where F does, each time. N is dragged to the left; where the hand goes straight "
+      "in, it "
+      "ends even on the other side of where it came in.",
       "fig3-nonactuated, fig3-normal, fig3-actuated", table_of(motions));
 }
 
