@@ -94,8 +94,8 @@ std::function<int()> attach_figures(CLI::App& subcommand) {
     names.push_back(entry.name);
     list += fmt::format("  {:28}{}\n", entry.name, entry.sentence);
   }
-  subcommand.add_option("--only", options->only, "Make these figures alone")
-      ->type_name("NAME...")
+  subcommand.add_option("--only", options->only, "Make these figures alone, one or more")
+      ->type_name("NAME")
       ->check(one_of(names));
   subcommand
       .add_option("--hand", options->hand,

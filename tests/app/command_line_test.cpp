@@ -56,8 +56,9 @@ TEST(CommandLine, HelpAtEveryLevel) {
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_EQ(outcome.err, "");
     std::vector<std::string_view> told{"SCENE", "--set KEY=VALUE"};
-    if (command == "check") told = {"DIR", "--update"};    // a folder of cases names its scenes itself
-    if (command == "doctor") told = {"--json", "--wait"};  // a device needs none
+    if (command == "check") told = {"DIR", "--update"};          // a folder of cases names its scenes itself
+    if (command == "figures") told = {"-o,--output", "--hand"};  // each has scenes of its own
+    if (command == "doctor") told = {"--json", "--wait"};        // a device needs none
     for (const std::string_view words : told) {
       EXPECT_NE(outcome.out.find(words), std::string::npos) << command << words;
     }
