@@ -42,6 +42,7 @@ Servo::Servo(std::unique_ptr<Input> input, const ServoCommand& initial)
       paused_(initial.paused),
       seen_generation_(initial.settings_generation),
       seen_restarts_(initial.restarts_asked),
+      recording_(initial.recording),
       safety_options_(initial.safety),
       has_focus_(initial.has_focus),
       seen_arms_(initial.arms_asked),
@@ -98,6 +99,7 @@ void Servo::run() noexcept {
     if (is_idle()) pacer.align(now);
     const bool tick_is_due = pacer.is_due(now);
     if (tick_is_due && device_ != nullptr) pacer.follow(now);
+    woken_ns_ = now;
     report_.loop.rate_hz = pacer.rate_hz();
     report_.loop.late_ticks = pacer.late_ticks();
     report_.loop.worst_late_s = pacer.worst_late_s();
@@ -125,11 +127,27 @@ void Servo::attend(bool tick_is_due) noexcept {
   // New settings show with the next tick: the old state under new settings is a state that never was.
   if (is_new_state) {
     report_.snapshot = snapshot_of(plan_, state_);
-    if (!samples_.try_enqueue({report_.snapshot, report_.restarts, report_.motors.sent, report_.motors.is_saturated})) {
-      ++report_.loop.dropped_samples;
-    }
+    publish_sample();
   }
   reports_.publish(report_);
+}
+
+void Servo::publish_sample() noexcept {
+  const std::int64_t before_ns = std::exchange(sampled_ns_, woken_ns_);
+  const Sample sample{
+      .snapshot = report_.snapshot,
+      .velocity = {state_.strategies[0].motion.velocity, state_.strategies[1].motion.velocity,
+                   state_.strategies[2].motion.velocity},
+      .settings = planned_,
+      .serial = samples_made_++,
+      .restarts = report_.restarts,
+      .recording = recording_,
+      .loop_s = before_ns != 0 ? static_cast<double>(woken_ns_ - before_ns) * 1e-9 : 0.0,
+      .sent = report_.motors.sent,
+      .is_saturated = report_.motors.is_saturated,
+  };
+  if (!samples_.try_enqueue(sample)) ++report_.loop.dropped_samples;
+  if (recording_ != 0 && !records_.try_enqueue(sample)) ++report_.loop.dropped_records;
 }
 
 // What the active strategy's force would be with the device there, at the handle [N].
@@ -200,10 +218,10 @@ void Servo::plan() noexcept {
   // Motors that come on have no force to lead over from.
   const bool comes_on = safety_.is_armed() && !plan_is_felt_;
   plan_is_felt_ = safety_.is_armed();
-  Settings settings = settings_;
-  double& k_r = settings.impedances.k_r;
+  planned_ = settings_;
+  double& k_r = planned_.impedances.k_r;
   if (plan_is_felt_) k_r = std::min(k_r, safety_options_.greatest_k_r);
-  plan_ = plan_of(settings);
+  plan_ = plan_of(planned_);
   comes_on ? limiter_.reset() : limiter_.cross_fade();
 }
 
@@ -231,6 +249,7 @@ void Servo::take_command(const ServoCommand& command) noexcept {
     is_refused = true;
   }
   if (device_ != nullptr) heed_person(command);
+  recording_ = command.recording;
   paused_ = command.paused;
   steps_wanted_ = command.steps_asked;
   if (!paused_) steps_taken_ = steps_wanted_;

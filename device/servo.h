@@ -37,6 +37,7 @@ struct ServoCommand {
   std::uint32_t steps_asked = 0;     // single ticks asked for while paused
   std::uint32_t restarts_asked = 0;  // another number: go on from restart_state
   TickState<2> restart_state{};
+  std::uint32_t recording = 0;  // every sample goes to take_record() too, under this number; 0: none does
 
   // For devices with motors. Somebody wants them on, off, or has read why they went off.
   std::uint32_t arms_asked = 0;
@@ -54,6 +55,7 @@ struct LoopHealth {
   std::uint64_t late_ticks = 0;       // deadlines skipped, because the thread came more than a period late
   double worst_late_s = 0.0;          // behind a deadline, since start() [s]
   std::uint64_t dropped_samples = 0;  // that take_sample() was too slow for
+  std::uint64_t dropped_records = 0;  // that take_record() was too slow for
 };
 
 struct ServoReport {
@@ -70,18 +72,23 @@ struct ServoReport {
 };
 static_assert(std::is_trivially_copyable_v<ServoReport>);
 
-// One per tick, the state that a run starts from included.
+// One per tick, the state that a run starts from included: all that is needed to go on from it exactly.
 struct Sample {
   Snapshot snapshot;
+  PerStrategy<Vector<2>> velocity{};  // v of each device [m/s]
+  Settings settings;                  // in use; on motors k_r may be lower than asked for
+  std::uint64_t serial = 0;           // one more for each sample, so that a gap shows
   std::uint32_t restarts = 0;
-  Vector<2> sent{0.0};        // force for the motors, after every limit [N]
-  bool is_saturated = false;  // the limit has shortened it
+  std::uint32_t recording = 0;  // ServoCommand's
+  double loop_s = 0.0;          // real time since the sample before; 0 when stepped by hand, or the first
+  Vector<2> sent{0.0};          // force for the motors, after every limit [N]
+  bool is_saturated = false;    // the limit has shortened it
 };
 static_assert(std::is_trivially_copyable_v<Sample>);
 
 class Servo {
  public:
-  // Samples that wait for take_sample() at most; over 8 s at 1 kHz.
+  // Samples that wait for take_sample() or take_record() at most; over 8 s at 1 kHz.
   static constexpr std::size_t sample_capacity = 8192;
   // `speed` is held between these.
   static constexpr double slowest = 0.001;
@@ -107,6 +114,8 @@ class Servo {
   const ServoReport& newest() noexcept { return reports_.latest(); }
   // The oldest sample not yet taken; false when there is none.
   bool take_sample(Sample& sample) { return samples_.try_dequeue(sample); }
+  // The same for what is to be recorded. One thread at a time, and it need not be the UI's.
+  bool take_record(Sample& sample) { return records_.try_dequeue(sample); }
 
   Input& input() noexcept { return *input_; }
 
@@ -129,6 +138,7 @@ class Servo {
   void plan() noexcept;
   void take_command(const ServoCommand& command) noexcept;
   void restart_from(const TickState<2>& state, std::uint32_t restarts) noexcept;
+  void publish_sample() noexcept;
   void use(const Settings& settings, std::uint32_t generation) noexcept;
   bool takes_tick(bool tick_is_due) noexcept;
   bool advance() noexcept;
@@ -141,6 +151,7 @@ class Servo {
   LatestValue<ServoCommand> commands_;
   LatestValue<ServoReport> reports_{ServoReport{}};
   moodycamel::BlockingReaderWriterCircularBuffer<Sample> samples_{sample_capacity};  // the servo never blocks on it
+  moodycamel::BlockingReaderWriterCircularBuffer<Sample> records_{sample_capacity};  // nor on this
 
   // The UI thread's.
   std::thread thread_;
@@ -148,6 +159,7 @@ class Servo {
 
   // The servo thread's.
   Settings settings_;
+  Settings planned_;  // what the plan is made of: on motors k_r may be held lower
   TickPlan<2> plan_{};
   bool plan_is_felt_ = false;  // made for motors that are on
   TickState<2> state_;
@@ -158,6 +170,10 @@ class Servo {
   std::uint32_t steps_taken_ = 0;
   std::uint32_t seen_generation_;  // whether in use or refused
   std::uint32_t seen_restarts_;
+  std::uint32_t recording_;
+  std::uint64_t samples_made_ = 0;
+  std::int64_t woken_ns_ = 0;    // when the thread woke; 0: stepped by hand
+  std::int64_t sampled_ns_ = 0;  // when it was awake for the newest sample
   ServoReport report_;
 
   // Of the motors.

@@ -38,11 +38,14 @@ TEST(ServoHeap, IsNotTouchedByAnyInputOrStrategy) {
           if (command.paused) ++command.steps_asked;
           command.speed = round % 2 == 0 ? 1.0 : 0.1;
           if (round % 3000 == 2999) ++command.restarts_asked;
+          command.recording = round < 11'000 ? 1 : 0;
           servo.send(command);
           servo.wake();
           if (servo.newest().snapshot.strategies[index_of(strategy.id)].in_contact) ++contacts;
         }
         for (Sample sample; servo.take_sample(sample);) {
+        }
+        for (Sample sample; servo.take_record(sample);) {
         }
       }
       // A SpaceMouse that is not there leaves the goal where it was.
@@ -51,6 +54,8 @@ TEST(ServoHeap, IsNotTouchedByAnyInputOrStrategy) {
       }
       EXPECT_EQ(servo.newest().restarts, 4U);
       EXPECT_GT(servo.newest().loop.dropped_samples, 0U);
+      EXPECT_GT(servo.newest().loop.dropped_records, 0U);
+      EXPECT_LT(servo.newest().loop.dropped_records, servo.newest().loop.dropped_samples);
       EXPECT_EQ(servo.newest().refused_commands, 0U);
     }
   }

@@ -491,5 +491,65 @@ TEST(Servo, StaysFiniteWhateverItIsSent) {
   EXPECT_EQ(servo.newest().snapshot.tick, 10);
 }
 
+TEST(Servo, RecordsWhatIsNeededToGoOnExactly) {
+  const Scene scene = slanted_wall();
+  ServoCommand command = start_of(scene);
+  Servo servo(std::make_unique<ScriptedInput>(scene.goal), command);
+  const auto records = [&] {
+    std::vector<Sample> taken;
+    for (Sample sample; servo.take_record(sample);) taken.push_back(sample);
+    return taken;
+  };
+  for (int k = 0; k < 700; ++k) servo.wake();
+  EXPECT_TRUE(records().empty()) << "nobody asked";
+  command.recording = 3;
+  servo.send(command);
+  for (int k = 0; k < 50; ++k) servo.wake();
+  command.settings.impedances.k_r = 700.0;
+  ++command.settings_generation;
+  servo.send(command);
+  for (int k = 0; k < 50; ++k) servo.wake();
+  command.recording = 0;
+  servo.send(command);
+  servo.wake();
+  const std::vector<Sample> taken = records();
+  ASSERT_EQ(taken.size(), 100U);
+
+  // From the first of them, with what it holds, to the last.
+  TickState<2> state;
+  state.tick = taken[0].snapshot.tick;
+  for (std::size_t s = 0; s < strategy_count; ++s) {
+    const StrategySnapshot<2>& first = taken[0].snapshot.strategies[s];
+    state.strategies[s] = {{first.device, taken[0].velocity[s]}, first.proxy, first.energy, first.in_contact};
+  }
+  for (std::size_t i = 1; i < taken.size(); ++i) {
+    EXPECT_EQ(taken[i].serial, taken[0].serial + i);
+    EXPECT_EQ(taken[i].recording, 3U);
+    EXPECT_EQ(taken[i].settings.impedances.k_r, i < 50 ? 1000.0 : 700.0);
+    EXPECT_EQ(taken[i].loop_s, 0.0) << "stepped by hand";
+    const TickPlan<2> plan = plan_of(taken[i].settings);
+    tick(plan, taken[i].snapshot.goal, state);
+    expect_same(taken[i].snapshot, snapshot_of(plan, state));
+  }
+}
+
+TEST(Servo, CountsWhatTheRecorderWasTooSlowFor) {
+  const Scene scene = slanted_wall();
+  ServoCommand command = start_of(scene);
+  command.recording = 1;
+  Servo servo(std::make_unique<ScriptedInput>(scene.goal), command);
+  for (std::size_t i = 0; i < Servo::sample_capacity + 10; ++i) servo.wake();
+  take_samples(servo);
+  EXPECT_EQ(servo.newest().loop.dropped_records, 10U);
+  Sample sample;
+  for (std::size_t i = 0; i < Servo::sample_capacity; ++i) {
+    ASSERT_TRUE(servo.take_record(sample));
+    ASSERT_EQ(sample.serial, i);
+  }
+  servo.wake();
+  ASSERT_TRUE(servo.take_record(sample));
+  EXPECT_EQ(sample.serial, Servo::sample_capacity + 10) << "the gap shows";
+}
+
 }  // namespace
 }  // namespace ghostforce

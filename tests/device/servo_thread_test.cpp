@@ -1,9 +1,11 @@
 // The servo's real thread. That it does what it should, not how punctually: a loaded machine fails none of these. They
 // run under the thread sanitizer too.
+#include <atomic>
 #include <chrono>
 #include <memory>
 #include <random>
 #include <thread>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -118,6 +120,43 @@ TEST(ServoThread, HoldsSpeedsWithinReason) {
   const auto ticks = static_cast<double>(servo.newest().snapshot.tick - slow_tick);
   EXPECT_LE(ticks, seconds() / Servo::shortest_period_s + 1.0);
   EXPECT_EQ(servo.newest().refused_commands, 0U);
+}
+
+// The recorder's thread beside the window's: each gets every sample.
+TEST(ServoThread, HandsEverySampleToTheRecorderToo) {
+  const Scene scene = slanted_wall();
+  ServoCommand command = start_of(scene);
+  command.recording = 7;
+  Servo servo(std::make_unique<ScriptedInput>(scene.goal), command);
+  servo.start();
+  std::vector<Sample> records;
+  std::atomic<bool> has_enough{false};
+  std::thread recorder([&] {
+    while (records.size() < 300) {
+      for (Sample sample; servo.take_record(sample);) records.push_back(sample);
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    has_enough = true;
+  });
+  std::vector<Sample> samples;
+  wait_until([&] {
+    for (Sample sample; servo.take_sample(sample);) samples.push_back(sample);
+    servo.send(command);
+    return has_enough.load();
+  });
+  recorder.join();
+  servo.stop();
+  for (Sample sample; servo.take_sample(sample);) samples.push_back(sample);
+  ASSERT_LE(records.size(), samples.size());
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    ASSERT_EQ(records[i].serial, i);
+    ASSERT_EQ(records[i].recording, 7U);
+    ASSERT_EQ(records[i].snapshot.tick, samples[i].snapshot.tick);
+    ASSERT_EQ(records[i].velocity, samples[i].velocity);
+    ASSERT_EQ(records[i].settings, scene.settings);
+    ASSERT_EQ(records[i].loop_s > 0.0, i > 0) << "real time goes on";
+  }
+  EXPECT_EQ(servo.newest().loop.dropped_records, 0U);
 }
 
 TEST(ServoThread, SaysWhatRealtimeConditionsItGot) {
