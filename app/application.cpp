@@ -33,6 +33,13 @@ Session session_with(const Scene& scene, const ApplicationOptions& options) {
   return session;
 }
 
+// What runs is what a file can hold, so that a recording tells it exactly.
+Settings as_in_file(const Settings& settings) {
+  Scene scene;
+  scene.settings = settings;
+  return rounded_to_file(std::move(scene)).settings;
+}
+
 }  // namespace
 
 std::string window_title(const Scene& scene) {
@@ -49,6 +56,11 @@ Application::Application(Window& window, const Scene& scene, const ApplicationOp
       screen_(window, options.part) {
   if (!options.shader_folder.empty()) shader_watch_.emplace(options.shader_folder);
   use(*find_input(options.input), session_.scene, session_.settings);
+  if (!options.record.empty()) start_recording(options.record);
+}
+
+Application::~Application() {
+  servo_->stop();
 }
 
 void Application::start() {
@@ -68,6 +80,10 @@ void Application::use(const InputKind& kind, std::shared_ptr<const Scene> scene,
     if (is_started_) servo_->start();
     throw;
   }
+  // Its header would not be true any longer.
+  if (const std::string words = end_recording(); !words.empty()) {
+    tell(fmt::format("Another scene or input ends the recording. {}", words), !recording_problem_.empty());
+  }
   const bool is_other_scene = scene != session_.scene;
   pointer_ = dynamic_cast<PointerTarget*>(hand.get());
   spacemouse_ = dynamic_cast<SpaceMouseInput*>(hand.get());
@@ -86,7 +102,8 @@ void Application::use(const InputKind& kind, std::shared_ptr<const Scene> scene,
     window_.set_title(window_title(*session_.scene));
   }
   sent_goal_ = session_.goal;
-  command_.settings = session_.settings;
+  sent_settings_ = session_.settings;
+  command_.settings = as_in_file(session_.settings);
   command_.restarts_asked = session_.restarts_asked;
   command_.steps_asked = session_.steps_asked;
   note_motors();
@@ -117,6 +134,10 @@ void Application::frame(double interval_s) {
   clock_s_ += interval_s;
   take_samples();
   report_ = servo_->newest();
+  if (recording_) {
+    read_recording();
+    if (recording_->progress().error != 0) tell(end_recording(), true);
+  }
   if (falcon_ != nullptr) falcon_report_ = falcon_->report();
   // Nobody stops the time of a real hand.
   if (report_.snapshot.measured) session_.paused = false;
@@ -150,6 +171,7 @@ LoopReading Application::loop_reading() const {
           .device_remark = device_remark(),
           .spacemouse = spacemouse_ != nullptr ? std::optional(spacemouse_->reading()) : std::nullopt,
           .misbehaviours = virtual_falcon_ != nullptr ? misbehaviours_ : std::span<const InputChoice>(),
+          .recording = recording_reading_,
           .remark = describe(report_.realtime)};
 }
 
@@ -180,8 +202,11 @@ void Application::take_samples() {
 }
 
 void Application::send(double interval_s) {
-  if (session_.settings != command_.settings) ++command_.settings_generation;
-  command_.settings = session_.settings;
+  if (session_.settings != sent_settings_) {
+    ++command_.settings_generation;
+    sent_settings_ = session_.settings;
+    command_.settings = as_in_file(session_.settings);
+  }
   if (session_.restarts_asked != command_.restarts_asked) {
     command_.restart_state = start_state();
     sent_goal_ = session_.goal;
@@ -246,6 +271,10 @@ void Application::grant_wishes() {
     }
     if (wishes.save_picture) save_picture(*wishes.save_picture);
     if (wishes.save_plots) save_plots(*wishes.save_plots);
+    if (wishes.record) start_recording(*wishes.record);
+    if (wishes.stop_recording) {
+      if (const std::string words = end_recording(); !words.empty()) tell(words, !recording_problem_.empty());
+    }
   } catch (const Failure& failure) {
     if (failure.code() == ExitCode::interrupted) throw;
     tell(failure.what(), true);
@@ -255,6 +284,48 @@ void Application::grant_wishes() {
 void Application::open_scene(const std::string& name_or_path) {
   const auto scene = std::make_shared<const Scene>(load_scene(name_or_path));
   use(*find_input(session_.input), scene, scene->settings);
+}
+
+void Application::start_recording(const std::string& path) {
+  end_recording();
+  Scene scene = *session_.scene;
+  scene.settings = command_.settings;
+  recording_ = std::make_unique<Recording>(path, rounded_to_file(std::move(scene)), *servo_, ++recordings_);
+  recording_problem_.clear();
+  command_.recording = recordings_;
+  servo_->send(command_);
+  read_recording();
+}
+
+std::string Application::end_recording() {
+  if (!recording_) return {};
+  command_.recording = 0;
+  servo_->send(command_);
+  recording_->end();
+  read_recording();
+  const int error = recording_->progress().error;
+  recording_.reset();
+  recording_reading_.is_on = false;
+  const std::string shown = printable(recording_reading_.path, longest_path);
+  if (error != 0) {
+    recording_problem_ = fmt::format(
+        "The recording has ended after {:.1f} s: {} takes no more: {}. What is in it can "
+        "be read.",
+        recording_reading_.seconds, shown, reason_of(error));
+    return recording_problem_;
+  }
+  const std::uint64_t dropped = recording_reading_.dropped;
+  return fmt::format("Recorded {:.1f} s to {}{}", recording_reading_.seconds, shown,
+                     dropped > 0 ? fmt::format("; {} samples were lost", dropped) : "");
+}
+
+void Application::read_recording() {
+  const RecordingProgress progress = recording_->progress();
+  recording_reading_ = {.is_on = true,
+                        .path = recording_->path(),
+                        .seconds = progress.seconds,
+                        .bytes = progress.bytes,
+                        .dropped = progress.dropped};
 }
 
 void Application::go_to(const std::optional<Edited>& edited) {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "app/recording.h"
 #include "app/screen.h"
 #include "app/session.h"
 #include "app/shader_watch.h"
@@ -27,6 +28,7 @@ struct ApplicationOptions {
   Part part = Part::window;
   Look look{};
   std::string input = "mouse";  // a name of the input catalog
+  std::string record{};         // from the first tick, to a file of this name; empty: not
   InputOptions input_options{};
   bool offers_hints = false;
   std::set<std::string, std::less<>> folded_panels{};
@@ -40,6 +42,10 @@ class Application {
  public:
   // The window must outlive the application. Throws Failure.
   Application(Window& window, const Scene& scene, const ApplicationOptions& options);
+  Application(const Application&) = delete;
+  Application& operator=(const Application&) = delete;
+  // All that has been ticked is in the recording, if one is being made.
+  ~Application();
 
   // Starts the servo's thread; also after a change of the input.
   void start();
@@ -59,6 +65,11 @@ class Application {
   // Nothing would change on screen until the person does something.
   bool is_idle() const noexcept { return session_.paused && !session_.notice && !shader_watch_ && falcon_ == nullptr; }
 
+  // Returns what to tell the person; empty where nothing was being recorded.
+  std::string end_recording();
+  // Why the last recording is not complete; empty: it is.
+  const std::string& recording_problem() const noexcept { return recording_problem_; }
+
   // Whether the handle reaches what the scene is about; empty: it does, or there is none.
   std::string device_remark() const;
 
@@ -75,6 +86,8 @@ class Application {
   void save_picture(const PictureWish& wish);
   std::string picture_bytes(const PictureWish& wish);
   void save_plots(const PlotWish& wish);
+  void start_recording(const std::string& path);
+  void read_recording();
   void go_to(const std::optional<Edited>& edited);
   void use(const InputKind& kind, std::shared_ptr<const Scene> scene, const Settings& settings);
   LoopReading loop_reading() const;
@@ -88,7 +101,12 @@ class Application {
   std::string input_title_;
   History history_;
   ServoCommand command_;
+  Settings sent_settings_;  // the session's, of which those in the command are the nearest that a file can hold
   std::unique_ptr<Servo> servo_;
+  std::unique_ptr<Recording> recording_;
+  RecordingReading recording_reading_;
+  std::string recording_problem_;
+  std::uint32_t recordings_ = 0;  // begun so far
   bool is_started_ = false;
   InputOptions input_options_;
   // What the input in use is besides; each may be null.

@@ -32,6 +32,7 @@ int main(int argc, char** argv) {
   remember_interruptions();
   last_resort::install();
   std::signal(SIGPIPE, SIG_IGN);  // a reader that has gone is found when writing
+  std::signal(SIGXFSZ, SIG_IGN);  // and so is a file that may not grow
   try {
     return run_command_line(std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc));
   } catch (const Failure& failure) {

@@ -17,6 +17,10 @@ namespace ghostforce {
 inline constexpr std::string_view run_columns =
     "strategy,t_s,goal_x_m,goal_y_m,device_x_m,device_y_m,proxy_x_m,proxy_y_m,force_x_N,force_y_N";
 
+// What recordings add. sent: after the safety chain [N]; loop_s: real time since the tick before [s].
+inline constexpr std::string_view recording_columns =
+    ",active,goal_kind,device_kind,sent_x_N,sent_y_N,saturated,loop_s";
+
 // The lines between which the scene stands, each of its lines after "# ".
 inline constexpr std::string_view scene_begins = "# scene:";
 inline constexpr std::string_view scene_ends = "# end of scene";

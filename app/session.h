@@ -61,6 +61,8 @@ struct Wishes {
   std::optional<std::string> save_scene;
   std::optional<PictureWish> save_picture;
   std::optional<PlotWish> save_plots;
+  std::optional<std::string> record;  // to a file of this name
+  bool stop_recording = false;
 };
 
 // What stands in the fields of the dialog that is open.
@@ -102,6 +104,7 @@ struct Session {
   std::string misbehaviour;         // of a virtual device, a name of loop.misbehaviours; empty: as it was started
   std::string input = "mouse";      // who moves the goal, a name of the input catalog
   bool pointer_moves_goal = true;   // that input is the mouse
+  std::string recording_path;       // in the panel's field; empty: a name is proposed when recording begins
   bool has_handles = false;         // there is a person who can take hold of wall and motor axis
   std::optional<std::size_t> hint;  // offered to somebody who is new here: the number of it in hint_catalog()
   Dialog dialog = Dialog::none;
@@ -126,6 +129,15 @@ struct InputChoice {
   std::string_view sentence;
 };
 
+// The recording that is being made, or the last one.
+struct RecordingReading {
+  bool is_on = false;
+  std::string path{};         // empty: there was none
+  double seconds = 0.0;       // of model time
+  std::uint64_t bytes = 0;    // written so far
+  std::uint64_t dropped = 0;  // samples that were lost
+};
+
 // What the loop reports about itself, for the status bar.
 struct LoopReading {
   std::string_view input_title;
@@ -142,6 +154,7 @@ struct LoopReading {
   std::string device_remark{};                    // what else is to be known about it; may be empty
   std::optional<SpaceMouseReading> spacemouse{};  // if that is the input
   std::span<const InputChoice> misbehaviours{};   // that a virtual device can be asked for; empty: it is none
+  RecordingReading recording{};
   std::string remark{};  // what the operating system granted and refused the loop; may be empty
 };
 

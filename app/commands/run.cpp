@@ -30,6 +30,7 @@ struct Options {
   SceneOptions scene;
   PictureOptions picture;
   std::string input = "mouse";
+  std::string record;
   FalconSetUp falcon;
   std::string shader_folder;
   bool no_hints = false;
@@ -114,6 +115,7 @@ int run(const Options& options) {
       window, scene,
       {.look = look,
        .input = options.input,
+       .record = options.record,
        .input_options = options.falcon.input_options(firmware),
        .offers_hints = remembered.preferences.offers_hints && !options.no_hints,
        .folded_panels = remembered.layout ? layout.folded_panels
@@ -147,6 +149,10 @@ int run(const Options& options) {
     // The visit is over and went well; the window only opens in its usual size the next time.
     fmt::print(stderr, "{}\n", failure.what());
   }
+  if (const std::string words = application.end_recording(); !words.empty()) fmt::print(stderr, "{}\n", words);
+  if (!options.record.empty() && !application.recording_problem().empty()) {
+    return static_cast<int>(ExitCode::file_trouble);
+  }
   // Scripts want to know; a person has seen it on the screen.
   return static_cast<int>(options.exit_after_s ? end_of(application) : ExitCode::done);
 }
@@ -164,6 +170,10 @@ std::function<int()> attach_run(CLI::App& subcommand) {
                   "rehearsal; default: mouse")
       ->type_name("NAME")
       ->check(one_of(inputs));
+  subcommand
+      .add_option("--record", options->record,
+                  "Record every tick, from the first, to this CSV file, which must not exist yet")
+      ->type_name("FILE");
   options->picture.attach(subcommand, false);
   options->falcon.attach(subcommand);
   subcommand.add_flag("--no-hints", options->no_hints, "No hints for newcomers in this run");

@@ -32,6 +32,7 @@ struct Panel {
   void (*draw)(const PanelContext&);
   bool can_wait;                                   // folded at first where there is no room for all
   bool (*is_there)(const LoopReading&) = nullptr;  // null: always
+  bool is_extra = false;                           // folded at first wherever it is
 };
 
 }  // namespace ghostforce

@@ -17,6 +17,7 @@ constexpr std::array panels{
     Panel{"Wall and device", draw_wall_and_device, false},
     Panel{"Input", draw_input, true},
     Panel{"View", draw_view_options, true},
+    Panel{.title = "Recording", .draw = draw_recording, .can_wait = true, .is_extra = true},
 };
 
 constexpr double room_for_all = 780.0;  // height of the window [points]
@@ -30,7 +31,7 @@ std::span<const Panel> panel_catalog() noexcept {
 std::set<std::string, std::less<>> panels_folded_at_first(double height) {
   std::set<std::string, std::less<>> folded;
   for (const Panel& panel : panels) {
-    if (panel.can_wait && height < room_for_all) folded.emplace(panel.title);
+    if (panel.is_extra || (panel.can_wait && height < room_for_all)) folded.emplace(panel.title);
   }
   return folded;
 }

@@ -23,6 +23,7 @@ void draw_user(const PanelContext& context);
 void draw_wall_and_device(const PanelContext& context);
 void draw_input(const PanelContext& context);
 void draw_view_options(const PanelContext& context);
+void draw_recording(const PanelContext& context);
 
 // Above and below the scene.
 void draw_strategy_bar(const PanelContext& context);

@@ -78,6 +78,9 @@ void draw_status_bar(const PanelContext& context) {
   std::string words = fmt::format("{}   ·   t = {:8.3f} s   ·   {:5.0f} ticks/s   ·   {:3} late", loop.input_title,
                                   context.snapshot.time_s, loop.rate_hz, loop.late_ticks);
   if (loop.dropped_samples > 0) words += fmt::format("   ·   {} samples dropped", loop.dropped_samples);
+  if (loop.recording.is_on && loop.recording.dropped > 0) {
+    words += fmt::format("   ·   {} samples not recorded", loop.recording.dropped);
+  }
   if (loop.refused > 0) words += fmt::format("   ·   {} refused", loop.refused);
   if (loop.diverged) words = "Unstable: the device runs away. Change a setting, undo with Ctrl+Z, or press Alt+R.";
   const std::string remark = loop.remark.empty() ? "" : fmt::format("   ·   {}", loop.remark);

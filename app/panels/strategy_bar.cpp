@@ -9,6 +9,7 @@
 #include "app/panels/controls.h"
 #include "app/panels/hints.h"
 #include "app/panels/panel_catalog.h"
+#include "app/panels/recording.h"
 
 namespace ghostforce {
 namespace {
@@ -120,13 +121,38 @@ void draw_reset_sign(ImDrawList& draw_list, ImVec2 middle, float unit, ImU32 col
                               {end.x + 0.35F * unit, end.y + 0.6F * unit}, colour);
 }
 
-bool sign_button(const char* id, DrawSign draw_sign, const PanelContext& context, float height) {
+void draw_record_sign(ImDrawList& draw_list, ImVec2 middle, float unit, ImU32 colour) {
+  draw_list.AddCircleFilled(middle, unit, colour, 24);
+}
+
+bool sign_button(const char* id, DrawSign draw_sign, Colour colour, float height) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float width = 1.15F * height;
   const bool pressed = ImGui::Button(id, {width, height});
   draw_sign(*ImGui::GetWindowDrawList(), {corner.x + 0.5F * width, corner.y + 0.5F * height}, 0.22F * height,
-            packed(context.theme.text));
+            packed(colour));
   return pressed;
+}
+
+bool sign_button(const char* id, DrawSign draw_sign, const PanelContext& context, float height) {
+  return sign_button(id, draw_sign, context.theme.text, height);
+}
+
+void draw_record_button(const PanelContext& context, float height) {
+  const bool is_on = context.loop.recording.is_on;
+  if (is_on) {
+    ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 2.5F * context.scale);
+    ImGui::PushStyleColor(ImGuiCol_Border, unpacked(context.theme.problem));
+  }
+  if (sign_button("##record", draw_record_sign, is_on ? context.theme.problem : context.theme.text, height)) {
+    toggle_recording(context);
+  }
+  if (is_on) {
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar();
+  }
+  explain(is_on ? fmt::format("Recording: {}. Press to stop.", words_about(context.loop.recording))
+                : "Records every tick to a new file, which any spreadsheet opens and which can be replayed.");
 }
 
 // What the button of the motors says; pressed, it does what its words ask for.
@@ -208,6 +234,8 @@ void draw_strategy_bar(const PanelContext& context) {
   ImGui::BeginDisabled(context.snapshot.measured.has_value());
   draw_speed(session, height);
   ImGui::EndDisabled();
+  ImGui::SameLine();
+  draw_record_button(context, height);
 
   draw_safety_button(context, height);
 }

@@ -22,8 +22,6 @@ std::string text_of(const fmt::memory_buffer& buffer) {
   return {buffer.data(), buffer.size()};
 }
 
-constexpr std::string_view further_columns = ",active,goal_kind,device_kind,sent_x_N,sent_y_N,saturated,loop_s";
-
 // Short enough to be cut at every byte: ticks of a scripted hand, a change of two settings, a reset, a gap.
 std::string recording() {
   Scene scene = load_scene("fig3-normal");
@@ -47,7 +45,7 @@ std::string recording() {
     ++k;
   });
   rows.append(std::string_view("# interrupted\n"));
-  return run_header(scene, further_columns) + text_of(rows);
+  return run_header(scene, recording_columns) + text_of(rows);
 }
 
 bool has_remark(const Run& run, std::string_view words) {

@@ -1,0 +1,51 @@
+// The recording: to which file, how far it is, and what it has lost.
+#include "app/panels/recording.h"
+
+#include <fmt/format.h>
+
+#include "app/panels/controls.h"
+#include "app/panels/panel_catalog.h"
+#include "app/panels/save_path.h"
+
+namespace ghostforce {
+
+void toggle_recording(const PanelContext& context) {
+  Session& session = context.session;
+  if (context.loop.recording.is_on) {
+    session.wishes.stop_recording = true;
+  } else {
+    session.wishes.record =
+        session.recording_path.empty() ? proposed_path(file_stem(session.scene->title), "csv") : session.recording_path;
+    session.recording_path.clear();  // the next one is another file
+  }
+}
+
+std::string words_about(const RecordingReading& recording) {
+  std::string words =
+      fmt::format("{:.1f} s, {:.1f} MB", recording.seconds, 1e-6 * static_cast<double>(recording.bytes));
+  if (recording.dropped > 0) words += fmt::format(", {} samples lost", recording.dropped);
+  return words;
+}
+
+void draw_recording(const PanelContext& context) {
+  const RecordingReading& recording = context.loop.recording;
+  if (begin_rows("recording", context)) {
+    row("File", "A new CSV file. Left empty, a name is proposed in the folder that the program was started in.");
+    ImGui::BeginDisabled(recording.is_on);
+    std::string shown = recording.is_on ? recording.path : context.session.recording_path;
+    const bool entered = text_field("##recording", "a new name", shown);
+    if (!recording.is_on) context.session.recording_path = shown;
+    ImGui::EndDisabled();
+    if (entered) toggle_recording(context);
+    end_rows();
+  }
+  if (ImGui::Button(recording.is_on ? "Stop###record" : "Start###record")) toggle_recording(context);
+  explain("Every tick of the three strategies, as it is made, to a file.");
+  if (recording.path.empty()) return;
+  ImGui::SameLine();
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(words_about(recording).c_str());
+  explain(recording.path);
+}
+
+}  // namespace ghostforce

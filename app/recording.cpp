@@ -1,0 +1,162 @@
+#include "app/recording.h"
+
+#include <fcntl.h>
+#include <pthread.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <iterator>
+#include <string_view>
+
+#include <fmt/compile.h>
+
+#include "app/failure.h"
+#include "app/interruption.h"
+#include "app/output_file.h"
+#include "app/printable.h"
+#include "app/run_file.h"
+
+namespace ghostforce {
+namespace {
+
+void append_recording_row(fmt::memory_buffer& rows, const Sample& sample, StrategyId id) {
+  const bool is_active = id == sample.settings.active;
+  const Vector<2> sent = is_active ? sample.sent : Vector<2>(0.0);
+  append_run_row(rows, sample.snapshot, id);
+  fmt::format_to(std::back_inserter(rows), FMT_COMPILE(",{},{},{},{},{},{},{}\n"), is_active ? 1 : 0,
+                 sample.snapshot.measured ? "estimated" : "given",
+                 sample.snapshot.measured == id ? "measured" : "simulated", sent.x, sent.y,
+                 is_active && sample.is_saturated ? 1 : 0, sample.loop_s);
+}
+
+}  // namespace
+
+bool SampleText::follows(const Sample& sample) const noexcept {
+  if (!last_ || sample.serial != last_->serial + 1 || sample.restarts != last_->restarts ||
+      sample.snapshot.measured != last_->snapshot.measured) {
+    return false;
+  }
+  // As the servo goes on at another rate; more changes of it between two ticks end elsewhere.
+  const double rate = sample.settings.rate;
+  std::int64_t before = last_->snapshot.tick;
+  if (rate != last_->settings.rate) before = std::llround(time_of(before, last_->settings.rate) * rate);
+  return sample.snapshot.tick == before + 1;
+}
+
+void SampleText::append(fmt::memory_buffer& lines, const Sample& sample) {
+  const double time_s = sample.snapshot.time_s;
+  if (sample.settings != wanted_) {
+    append_set_lines(lines, time_s, known_, sample.settings);
+    wanted_ = sample.settings;
+  }
+  if (last_ && sample.serial != last_->serial + 1) {
+    const std::uint64_t lost = sample.serial - last_->serial - 1;
+    fmt::format_to(std::back_inserter(lines), FMT_COMPILE("{}{}\n"), dropped_begins, lost);
+    dropped_ += lost;
+  }
+  if (!follows(sample)) {
+    RunState state{.velocity = sample.velocity};
+    for (std::size_t i = 0; i < strategy_count; ++i) state.energy[i] = sample.snapshot.strategies[i].energy;
+    append_state_line(lines, time_s, state);
+  }
+  for (const Strategy& each : strategy_catalog()) append_recording_row(lines, sample, each.id);
+  seconds_ += 1.0 / sample.settings.rate;
+  last_ = sample;
+}
+
+Recording::Recording(const std::string& path, const Scene& scene, Servo& servo, std::uint32_t number)
+    : path_(path), servo_(servo), number_(number), text_(scene.settings) {
+  const auto fail = [&](int error) {
+    return Failure(ExitCode::file_trouble,
+                   error == EEXIST
+                       ? fmt::format("{} exists already, and a recording overwrites nothing; "
+                                     "choose another name",
+                                     printable(path, longest_path))
+                       : fmt::format("{} cannot be written: {}", printable(path, longest_path), reason_of(error)));
+  };
+  descriptor_ = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0666);
+  if (descriptor_ < 0) throw fail(errno);
+  lines_.append(run_header(scene, recording_columns));
+  if (!write_lines()) {
+    close(descriptor_);
+    unlink(path.c_str());
+    throw fail(error_);
+  }
+  thread_ = std::thread(&Recording::write_until_end, this);
+}
+
+void Recording::end() noexcept {
+  if (!thread_.joinable()) return;
+  {
+    const std::lock_guard lock(mutex_);
+    is_ending_ = true;
+  }
+  woken_.notify_one();
+  thread_.join();
+  if (interrupted()) {
+    lines_.append(interrupted_line);
+    lines_.push_back('\n');
+    write_lines();
+  }
+  close(descriptor_);
+}
+
+RecordingProgress Recording::progress() const noexcept {
+  return {.seconds = seconds_, .bytes = bytes_, .dropped = dropped_, .error = error_};
+}
+
+void Recording::write_until_end() noexcept {
+  // These are the UI thread's matter.
+  sigset_t others;
+  sigemptyset(&others);
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&others, number);
+  pthread_sigmask(SIG_BLOCK, &others, nullptr);
+  pthread_setname_np(pthread_self(), "recorder");
+  constexpr std::chrono::duration<double> period(writing_period_s);
+  std::unique_lock lock(mutex_);
+  while (!woken_.wait_for(lock, period, [this] { return is_ending_; })) {
+    lock.unlock();
+    write_samples();
+    lock.lock();
+  }
+  lock.unlock();
+  write_samples();
+}
+
+void Recording::write_samples() {
+  // No more than there can be, however fast more comes.
+  Sample sample;
+  for (std::size_t i = 0; i < Servo::sample_capacity && servo_.take_record(sample); ++i) {
+    if (sample.recording == number_ && error_ == 0) text_.append(lines_, sample);
+  }
+  write_lines();
+  seconds_ = text_.seconds();
+  dropped_ = text_.dropped();
+}
+
+// False, and no more is written from then on, where the file takes no more. What is in it stays: whole lines.
+bool Recording::write_lines() noexcept {
+  std::string_view rest(lines_.data(), lines_.size());
+  while (!rest.empty() && error_ == 0) {
+    const ssize_t count = write(descriptor_, rest.data(), rest.size());
+    if (count >= 0) {
+      rest.remove_prefix(static_cast<std::size_t>(count));
+    } else if (errno != EINTR) {
+      error_ = errno;
+    }
+  }
+  if (error_ == 0) {
+    written_ += lines_.size();
+    bytes_ = written_;
+  } else {
+    // Where even that fails, a reader leaves the half line out.
+    [[maybe_unused]] const int ignored = ftruncate(descriptor_, static_cast<off_t>(written_));
+  }
+  lines_.clear();
+  return error_ == 0;
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,98 @@
+// Recording: a run written to a file while it is made (the format: run_file.h, docs/recording.md). A thread of its own
+// takes what the servo hands out and writes it many times a second, so that neither a stalled window nor the end of the
+// process loses more than the last moment, and the servo never waits for a disk.
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "core/scene.h"
+#include "device/servo.h"
+
+namespace ghostforce {
+
+// The servo's samples as lines of a recording. One thread.
+class SampleText {
+ public:
+  // `settings` are those of the scene in the header.
+  explicit SampleText(const Settings& settings) : known_(settings), wanted_(settings) {}
+
+  // Whole lines: what has changed before this tick, where it does not follow from the one before, and its rows.
+  void append(fmt::memory_buffer& lines, const Sample& sample);
+
+  double seconds() const noexcept { return seconds_; }  // of model time
+  std::uint64_t dropped() const noexcept { return dropped_; }
+
+ private:
+  bool follows(const Sample& sample) const noexcept;
+
+  Settings known_;   // to a reader of the file
+  Settings wanted_;  // of the newest sample
+  std::optional<Sample> last_;
+  double seconds_ = 0.0;
+  std::uint64_t dropped_ = 0;
+};
+
+// How far it is. Any thread may look.
+struct RecordingProgress {
+  double seconds = 0.0;  // of model time
+  std::uint64_t bytes = 0;
+  std::uint64_t dropped = 0;  // samples lost
+  int error = 0;              // errno of what has ended it; 0: nothing has
+};
+
+// UI thread, but for the thread within.
+class Recording {
+ public:
+  // How often what there is goes to the file [s].
+  static constexpr double writing_period_s = 0.05;
+
+  // Makes the file, which must not exist, and writes its header: `scene`, which must come from a file or from
+  // rounded_to_file(), with the settings that the servo runs with. From then on takes the samples that the servo marks
+  // with `number`, and leaves out others. The servo must outlive it. Throws Failure(file_trouble).
+  Recording(const std::string& path, const Scene& scene, Servo& servo, std::uint32_t number);
+  Recording(const Recording&) = delete;
+  Recording& operator=(const Recording&) = delete;
+  ~Recording() { end(); }
+
+  // Writes what the servo has handed out so far and closes the file; if the program is interrupted the last line says
+  // so. May be called again.
+  void end() noexcept;
+
+  const std::string& path() const noexcept { return path_; }
+  RecordingProgress progress() const noexcept;
+
+ private:
+  void write_until_end() noexcept;
+  void write_samples();
+  bool write_lines() noexcept;
+
+  std::string path_;
+  Servo& servo_;
+  std::uint32_t number_;
+  int descriptor_ = -1;
+
+  // The thread's, and whoever's once it has ended.
+  SampleText text_;
+  fmt::memory_buffer lines_;
+  std::uint64_t written_ = 0;  // whole lines in the file [bytes]
+
+  std::atomic<double> seconds_{0.0};
+  std::atomic<std::uint64_t> bytes_{0};
+  std::atomic<std::uint64_t> dropped_{0};
+  std::atomic<int> error_{0};
+
+  std::mutex mutex_;
+  std::condition_variable woken_;
+  bool is_ending_ = false;  // guarded by the mutex
+  std::thread thread_;
+};
+
+}  // namespace ghostforce
