@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "app/failure.h"
 #include "app/input_choices.h"
@@ -13,6 +14,7 @@
 #include "app/plots/plot_export.h"
 #include "app/png_file.h"
 #include "app/printable.h"
+#include "app/run_reader.h"
 #include "app/saving.h"
 #include "app/scene_file.h"
 #include "core/play.h"
@@ -50,7 +52,7 @@ Application::Application(Window& window, const Scene& scene, const ApplicationOp
     : window_(window),
       session_(session_with(scene, options)),
       undo_({session_.scene, session_.settings}),
-      inputs_(input_choices()),
+      inputs_(input_choices(options.input_options.recorded_hand != nullptr)),
       misbehaviours_(misbehaviour_choices()),
       input_options_(options.input_options),
       screen_(window, options.part) {
@@ -122,7 +124,9 @@ TickState<2> Application::start_state() {
   history_.clear();
   Scene scene = *session_.scene;
   scene.settings = session_.settings;
-  const TickState<2> state = play(scene, session_.input != "script" ? last_tick(scene) : 0,
+  const InputKind& kind = *find_input(session_.input);
+  if (kind.needs_recording && input_options_.recorded_hand) scene.goal = *input_options_.recorded_hand;
+  const TickState<2> state = play(scene, kind.is_scripted ? 0 : last_tick(scene),
                                   [this](const Snapshot& snapshot) { history_.add(snapshot); });
   if (is_sound(state)) return state;
   // Unstable settings have no rest to start from: start where the hand is, and let the servo say what it finds.
@@ -262,8 +266,8 @@ void Application::grant_wishes() {
     if (wishes.input && *wishes.input != session_.input) {
       use(*find_input(*wishes.input), session_.scene, session_.settings);
     }
-    if (wishes.open_scene) open_scene(*wishes.open_scene);
-    if (!dropped.empty()) open_scene(dropped.front());
+    if (wishes.open_scene) open(*wishes.open_scene);
+    if (!dropped.empty()) open(dropped.front());
     if (dropped.size() > 1) tell("One scene at a time: the first of the files is open.", false);
     if (wishes.save_scene) {
       save_scene(session_, *wishes.save_scene);
@@ -281,9 +285,20 @@ void Application::grant_wishes() {
   }
 }
 
-void Application::open_scene(const std::string& name_or_path) {
+void Application::open(const std::string& name_or_path) {
+  if (may_be_run(name_or_path)) return replay_run(name_or_path);
   const auto scene = std::make_shared<const Scene>(load_scene(name_or_path));
   use(*find_input(session_.input), scene, scene->settings);
+}
+
+void Application::replay_run(const std::string& path) {
+  const Run run = load_run(path);
+  input_options_.recorded_hand = std::make_shared<const GoalPath>(goal_path_of(run));
+  inputs_ = input_choices(true);
+  use(*find_input("replay"), std::make_shared<const Scene>(*run.scene), run.scene->settings);
+  tell(fmt::format("Replaying {}{}{}", printable(path, longest_path), run.remarks.empty() ? "" : "\n",
+                   fmt::join(run.remarks, "\n")),
+       false);
 }
 
 void Application::start_recording(const std::string& path) {

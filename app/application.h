@@ -82,7 +82,9 @@ class Application {
   void note_motors();
   void rehearse();
   void grant_wishes();
-  void open_scene(const std::string& name_or_path);
+  // A scene, or a recording to be replayed.
+  void open(const std::string& name_or_path);
+  void replay_run(const std::string& path);
   void save_picture(const PictureWish& wish);
   std::string picture_bytes(const PictureWish& wish);
   void save_plots(const PlotWish& wish);

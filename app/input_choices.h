@@ -8,9 +8,12 @@
 
 namespace ghostforce {
 
-inline std::vector<InputChoice> input_choices() {
+// `has_recording`: one is loaded that can be replayed.
+inline std::vector<InputChoice> input_choices(bool has_recording) {
   std::vector<InputChoice> choices;
-  for (const InputKind& kind : input_catalog()) choices.push_back({kind.name, kind.title, kind.sentence});
+  for (const InputKind& kind : input_catalog()) {
+    if (has_recording || !kind.needs_recording) choices.push_back({kind.name, kind.title, kind.sentence});
+  }
   return choices;
 }
 

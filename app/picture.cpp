@@ -94,7 +94,7 @@ Drawing draw_moment(const PictureRequest& request, const Moment& moment) {
                  .offscreen = true,
                  .takes_mouse = false});
   Screen screen(window, request.part);
-  const std::vector<InputChoice> inputs = input_choices();
+  const std::vector<InputChoice> inputs = input_choices(false);
   // A panel of ImGui knows its size one frame after its content.
   constexpr int frames_to_settle = 3;
   for (int i = 0; i < frames_to_settle; ++i) {

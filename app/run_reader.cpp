@@ -467,6 +467,10 @@ std::string_view take_lines(RunReader& reader, std::string_view text) {
 
 }  // namespace
 
+bool may_be_run(std::string_view path) noexcept {
+  return path.ends_with(".csv") || path.ends_with(".CSV");
+}
+
 Run read_run(std::string_view text, std::string_view shown_path) {
   RunReader reader(shown_path);
   reader.take_end(take_lines(reader, text));

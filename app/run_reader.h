@@ -48,6 +48,9 @@ struct Run {
   std::vector<std::string> remarks;  // what was left out, one line each, for people
 };
 
+// Whether a file is rather a run than a scene: by its ending.
+bool may_be_run(std::string_view path) noexcept;
+
 // `shown_path` is what remarks and messages call the file. Throws Failure(wrong_call) where the text is no run at all.
 Run read_run(std::string_view text, std::string_view shown_path);
 

@@ -21,6 +21,10 @@ std::unique_ptr<Input> make_script(const Scene& scene, const InputOptions&) {
   return std::make_unique<ScriptedInput>(scene.goal);
 }
 
+std::unique_ptr<Input> make_replay(const Scene& scene, const InputOptions& options) {
+  return std::make_unique<ScriptedInput>(options.recorded_hand ? *options.recorded_hand : scene.goal);
+}
+
 std::unique_ptr<Input> make_spacemouse(const Scene&, const InputOptions&) {
   return std::make_unique<SpaceMouseInput>();
 }
@@ -38,7 +42,10 @@ std::unique_ptr<Input> make_virtual_falcon(const Scene& scene, const InputOption
 
 constexpr std::array kinds{
     InputKind{"mouse", "Mouse", "Drag in the scene: the goal follows the pointer.", make_mouse},
-    InputKind{"script", "Scripted hand", "The goal follows the scene's path, the same way every time.", make_script},
+    InputKind{"script", "Scripted hand", "The goal follows the scene's path, the same way every time.", make_script,
+              true},
+    InputKind{"replay", "Replay", "The goal follows the hand of a recording, the same way every time.", make_replay,
+              true, true},
     InputKind{"spacemouse", "SpaceMouse", "The goal follows the cap of a 3Dconnexion SpaceMouse.", make_spacemouse},
     InputKind{"falcon", "Falcon", "A Novint Falcon: its handle is the goal, and with its motors on it is the device.",
               make_falcon},

@@ -22,6 +22,7 @@ struct InputOptions {
   std::string falcon_serial{};  // empty: the first of them
   Misbehaviour misbehaviour;    // of the virtual Falcon
   VirtualLink::Clock virtual_falcon_clock = VirtualLink::Clock::monotonic;
+  std::shared_ptr<const GoalPath> recorded_hand{};  // what replay replays; null: none is loaded, the scene's path
 };
 
 struct InputKind {
@@ -29,6 +30,8 @@ struct InputKind {
   std::string_view title;     // on screen
   std::string_view sentence;  // what it does, for a person who hovers over it
   std::unique_ptr<Input> (*make)(const Scene&, const InputOptions&);
+  bool is_scripted = false;      // the same goal at the same tick every time: it starts where its path does
+  bool needs_recording = false;  // InputOptions::recorded_hand
 };
 
 std::span<const InputKind> input_catalog() noexcept;

@@ -1,10 +1,12 @@
 #include "app/commands/command.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include <fmt/core.h>
 
+#include "app/failure.h"
 #include "app/nearest_name.h"
 #include "app/printable.h"
 #include "app/scene_file.h"
@@ -12,14 +14,15 @@
 namespace ghostforce {
 
 void SceneOptions::attach(CLI::App& subcommand, bool scene_required) {
-  CLI::Option* const option = subcommand.add_option(
+  CLI::Option* const name = subcommand.add_option(
       "SCENE", scene, "Path of a scene file, or name of a shipped scene; 'ghostforce --help' lists those");
-  option->type_name("");
+  name->type_name("");
   if (scene_required) {
-    option->required();
+    name->required();
   } else {
-    option->default_str(scene);
+    name->default_str(scene);
   }
+  option = name;
   subcommand
       .add_option("--set", overrides,
                   "Another value for a key of the scene, e.g. rendering.k_r_N_per_m=800; may be repeated")
@@ -53,6 +56,15 @@ CLI::Validator number_between(double least, double greatest, std::string unit) {
                            unit.empty() ? "" : " ", unit);
       },
       "");
+}
+
+void stop_if_run_away(const Snapshot& snapshot, StrategyId id) {
+  const StrategySnapshot<2>& now = snapshot.strategies[index_of(id)];
+  if (std::isfinite(glm::dot(now.device, now.device)) && std::isfinite(glm::dot(now.force, now.force))) return;
+  throw Failure(ExitCode::wrong_call,
+                fmt::format("the sampled loop is unstable with these settings: the {} device has run away by t = {} s; "
+                            "lower k_r_N_per_m, or raise rate_hz, mass_kg or damping_N_s_per_m",
+                            strategy(id).name, snapshot.time_s));
 }
 
 std::vector<std::string_view> strategy_names() {

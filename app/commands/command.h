@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 
 #include "core/scene.h"
+#include "core/snapshot.h"
 
 namespace ghostforce {
 
@@ -31,8 +32,12 @@ struct SceneOptions {
   std::vector<std::string> overrides;
 
   void attach(CLI::App& subcommand, bool scene_required);
+  // Whether the person has named one.
+  bool is_named() const { return option != nullptr && option->count() > 0; }
   // Throws Failure, see scene_file.h.
   Scene load() const;
+
+  const CLI::Option* option = nullptr;  // of the scene, once attached
 };
 
 // An option's value must be one of these words; if not, the nearest is named.
@@ -41,6 +46,10 @@ CLI::Validator one_of(std::vector<std::string_view> words);
 // An option's value must be a number between these, both ends included; `unit` is for the message. Unlike CLI::Range it
 // lets no NaN through.
 CLI::Validator number_between(double least, double greatest, std::string unit);
+
+// Unstable settings let the numbers grow until they are none. That is an answer, but no data: throws
+// Failure(wrong_call).
+void stop_if_run_away(const Snapshot& snapshot, StrategyId id);
 
 // Names of the strategies, for --strategy.
 std::vector<std::string_view> strategy_names();

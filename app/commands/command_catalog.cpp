@@ -14,6 +14,7 @@ constexpr std::array catalog{
     Command{"equilibrium", "Tell where everything comes to rest under a goal that is held still", attach_equilibrium},
     Command{"figures", "Make the paper's figures and further ones, with their numbers", attach_figures},
     Command{"sweep", "Tell where everything comes to rest, over ranges of one or two keys, as CSV", attach_sweep},
+    Command{"replay", "Drive a recorded run once more, and tell whether every number repeats itself", attach_replay},
     Command{"check", "Compare the pictures of a folder of cases with those stored there", attach_check},
     Command{"doctor", "Tell what lies between a Falcon and its use, and what to do about it", attach_doctor},
 };

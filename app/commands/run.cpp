@@ -5,6 +5,8 @@
 #include <csignal>
 #include <memory>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -20,6 +22,8 @@
 #include "app/ladder.h"
 #include "app/panels/panel_catalog.h"
 #include "app/remembered.h"
+#include "app/run_reader.h"
+#include "app/scene_file.h"
 
 namespace ghostforce {
 namespace {
@@ -98,11 +102,46 @@ ExitCode end_of(const Application& application) {
   return exit_code_of(*falcon, true);
 }
 
+// Either the name of an input, or replay and the recording to be replayed.
+constexpr std::string_view replay_name = "replay";
+constexpr std::string_view replay_begins = "replay:";
+
+CLI::Validator an_input() {
+  std::vector<std::string_view> names;
+  for (const InputKind& kind : input_catalog()) {
+    if (!kind.needs_recording) names.push_back(kind.name);
+  }
+  names.push_back("replay:FILE");
+  const CLI::Validator is_name = one_of(names);
+  return CLI::Validator(
+      [is_name](std::string& word) -> std::string {
+        if (word == replay_name || word == replay_begins) return "give the recording too: --input replay:FILE";
+        return word.starts_with(replay_begins) ? std::string() : is_name(word);
+      },
+      "");
+}
+
+// The recording whose hand is to be replayed.
+std::optional<Run> load_recording(const Options& options) {
+  if (!options.input.starts_with(replay_begins)) return std::nullopt;
+  Run run = load_run(options.input.substr(replay_begins.size()));
+  for (const std::string& remark : run.remarks) fmt::print(stderr, "{}\n", remark);
+  return run;
+}
+
+Scene scene_for(const Options& options, const std::optional<Run>& recording) {
+  if (!recording || !recording->scene || options.scene.is_named()) return options.scene.load();
+  return read_scene(scene_text(*recording->scene), options.input, options.scene.overrides);
+}
+
 int run(const Options& options) {
-  Scene scene = options.scene.load();
+  const std::optional<Run> recording = load_recording(options);
+  Scene scene = scene_for(options, recording);
   options.picture.apply_strategy(scene);
   const std::optional<FirmwareImage> firmware = options.falcon.read_firmware_file();
   if (firmware) fmt::print(stderr, "{}\n", firmware_words(firmware));
+  InputOptions input_options = options.falcon.input_options(firmware);
+  if (recording) input_options.recorded_hand = std::make_shared<const GoalPath>(goal_path_of(*recording));
   Remembered remembered = recall();
   Look look = remembered.preferences.look;
   options.picture.apply_look(look);
@@ -114,9 +153,9 @@ int run(const Options& options) {
   Application application(
       window, scene,
       {.look = look,
-       .input = options.input,
+       .input = std::string(recording ? replay_name : std::string_view(options.input)),
        .record = options.record,
-       .input_options = options.falcon.input_options(firmware),
+       .input_options = input_options,
        .offers_hints = remembered.preferences.offers_hints && !options.no_hints,
        .folded_panels = remembered.layout ? layout.folded_panels
                                           : panels_folded_at_first(window.restored_size().height / look.scale),
@@ -162,14 +201,12 @@ int run(const Options& options) {
 std::function<int()> attach_run(CLI::App& subcommand) {
   const auto options = std::make_shared<Options>();
   options->scene.attach(subcommand, false);
-  std::vector<std::string_view> inputs;
-  for (const InputKind& kind : input_catalog()) inputs.push_back(kind.name);
   subcommand
       .add_option("--input", options->input,
-                  "Who moves the goal: mouse, script (the scene's), spacemouse, falcon, or virtual-falcon, a "
-                  "rehearsal; default: mouse")
+                  "Who moves the goal: mouse, script (the scene's), spacemouse, falcon, virtual-falcon, a "
+                  "rehearsal, or replay:FILE, a recording, which brings its scene unless one is named; default: mouse")
       ->type_name("NAME")
-      ->check(one_of(inputs));
+      ->check(an_input());
   subcommand
       .add_option("--record", options->record,
                   "Record every tick, from the first, to this CSV file, which must not exist yet")
@@ -191,7 +228,9 @@ std::function<int()> attach_run(CLI::App& subcommand) {
       "Examples:\n"
       "  ghostforce run\n"
       "  ghostforce run fig1 --strategy anisotropic --theme projector --scale 1.5\n"
-      "  ghostforce run my_scene.toml --input script");
+      "  ghostforce run my_scene.toml --input script\n"
+      "  ghostforce run --record visit.csv\n"
+      "  ghostforce run --input replay:visit.csv");
   return [options] { return run(*options); };
 }
 

@@ -1,5 +1,4 @@
 // ghostforce simulate: the scripted hand of a scene, every tick as a row.
-#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -29,16 +28,6 @@ struct Options {
   std::string strategy;  // empty: the scene's
   std::string output = "-";
 };
-
-// Unstable settings let the numbers grow until they are none. That is an answer, but no data.
-void stop_if_run_away(const Snapshot& snapshot, StrategyId id) {
-  const StrategySnapshot<2>& now = snapshot.strategies[index_of(id)];
-  if (std::isfinite(glm::dot(now.device, now.device)) && std::isfinite(glm::dot(now.force, now.force))) return;
-  throw Failure(ExitCode::wrong_call,
-                fmt::format("the sampled loop is unstable with these settings: the {} device has run away by t = {} s; "
-                            "lower k_r_N_per_m, or raise rate_hz, mass_kg or damping_N_s_per_m",
-                            strategy(id).name, snapshot.time_s));
-}
 
 int simulate(const Options& options) {
   Scene scene = options.scene.load();

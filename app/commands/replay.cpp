@@ -1,0 +1,189 @@
+// ghostforce replay: a recorded hand once more, bit for bit, or in another scene.
+#include <cmath>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "app/commands/command.h"
+#include "app/commands/command_catalog.h"
+#include "app/failure.h"
+#include "app/interruption.h"
+#include "app/output_file.h"
+#include "app/printable.h"
+#include "app/progress.h"
+#include "app/replay.h"
+#include "app/run_file.h"
+#include "app/run_reader.h"
+#include "app/scene_file.h"
+#include "core/play.h"
+#include "ghostforce_version.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr std::int64_t ticks_between_looks = 1024;
+
+struct Options {
+  std::string run;
+  SceneOptions scene;  // not named: the run's own
+  std::string output = "-";
+};
+
+// "1 tick", "2 ticks"
+std::string ticks(std::int64_t count) {
+  return fmt::format("{} {}", count, count == 1 ? "tick" : "ticks");
+}
+
+// --- The run as it was ---
+
+std::string verdict(const Run& run, const ReplayReport& report) {
+  std::string words;
+  if (report.compared == 0) {
+    words = "nothing can be compared: the state that the run goes on from is not known";
+  } else if (!report.first) {
+    words = fmt::format("identical bit for bit for {}", ticks(report.compared));
+  } else {
+    const Divergence& first = *report.first;
+    words = fmt::format(
+        "diverges at t = {} s: {} of {} is {} in the run and {} here, which is {:.3g} off; {} of {} differ, by {:.3g} "
+        "m "
+        "and {:.3g} N at most",
+        first.time_s, first.column, strategy(first.strategy).name, first.recorded, first.replayed,
+        std::abs(first.recorded - first.replayed), report.diverging, ticks(report.compared), report.greatest_m,
+        report.greatest_N);
+  }
+  if (report.measured > 0) {
+    words += fmt::format("\nin {} a device was measured: only the simulated ones are compared there",
+                         ticks(report.measured));
+  }
+  if (report.skipped > 0 && report.compared > 0) {
+    words += fmt::format("\n{} left out: what they follow from is missing",
+                         report.skipped == 1 ? "1 tick is" : fmt::format("{} ticks are", report.skipped));
+  }
+  if (run.dropped > 0) {
+    words += fmt::format("\n{} samples were lost in recording: the claim ends at the first and begins again after it",
+                         run.dropped);
+  }
+  if (run.version != version && report.first) {
+    words += "\nexact replay is promised for the same version only";
+  }
+  return words;
+}
+
+int replay_exactly(const Run& run, const Options& options) {
+  if (!run.scene) {
+    throw Failure(ExitCode::wrong_call,
+                  fmt::format("{}: the run does not tell its scene; name one to replay its hand in",
+                              printable(options.run, longest_path)));
+  }
+  OutputFile file(options.output);
+  file.write(run_header(*run.scene));
+  Progress progress("replaying", static_cast<std::int64_t>(run.ticks.size()), !file.is_terminal());
+  fmt::memory_buffer rows;
+  Settings known = run.scene->settings;
+  const Settings* newest = nullptr;
+  std::int64_t done = 0;
+  const ReplayReport report = replay(run, [&](const ReplayedTick& tick) {
+    if (std::exchange(newest, &tick.settings) != &tick.settings) {
+      append_set_lines(rows, tick.snapshot.time_s, known, tick.settings);
+    }
+    if (tick.state != nullptr) append_state_line(rows, tick.snapshot.time_s, *tick.state);
+    for (const Strategy& each : strategy_catalog()) {
+      if (!tick.is_known[index_of(each.id)]) continue;
+      append_run_row(rows, tick.snapshot, each.id);
+      rows.push_back('\n');
+    }
+    file.write({rows.data(), rows.size()});
+    rows.clear();
+    if (++done % ticks_between_looks == 0) {
+      stop_if_interrupted();
+      progress.at(done);
+    }
+  });
+  file.commit();
+  fmt::print(stderr, "{}: {}\n", printable(options.run, longest_path), verdict(run, report));
+  return static_cast<int>(report.first || report.compared == 0 ? ExitCode::answer_is_no : ExitCode::done);
+}
+
+// --- Its hand in another scene ---
+
+Scene other_scene(const Run& run, const Options& options) {
+  if (options.scene.is_named()) return options.scene.load();
+  if (!run.scene) {
+    throw Failure(ExitCode::wrong_call, fmt::format("{}: the run does not tell its scene; name one after it",
+                                                    printable(options.run, longest_path)));
+  }
+  return read_scene(scene_text(*run.scene), options.run, options.scene.overrides);
+}
+
+int replay_hand(const Run& run, const Options& options) {
+  const Scene scene = other_scene(run, options);
+  OutputFile file(options.output);
+  file.write(run_header(scene));
+  file.write(fmt::format("{}{}\n", hand_begins, printable(options.run, longest_path)));
+  Scene played = scene;
+  played.goal = goal_path_of(run);
+  const auto last = static_cast<std::int64_t>(std::floor(played.goal.times.back() * scene.settings.rate));
+  Progress progress("replaying", last, !file.is_terminal());
+  fmt::memory_buffer rows;
+  play(played, last, [&](const Snapshot& snapshot) {
+    for (const Strategy& each : strategy_catalog()) {
+      stop_if_run_away(snapshot, each.id);
+      append_run_row(rows, snapshot, each.id);
+      rows.push_back('\n');
+    }
+    file.write({rows.data(), rows.size()});
+    rows.clear();
+    if (snapshot.tick % ticks_between_looks == 0) {
+      stop_if_interrupted();
+      progress.at(snapshot.tick);
+    }
+  });
+  file.commit();
+  fmt::print(stderr,
+             "{}: nothing is compared: the settings are not the recorded ones. The hand was played from rest for {} s, "
+             "without what was changed live.\n",
+             printable(options.run, longest_path), played.goal.times.back());
+  return static_cast<int>(ExitCode::done);
+}
+
+int replay_run(const Options& options) {
+  const Run run = load_run(options.run);
+  for (const std::string& remark : run.remarks) fmt::print(stderr, "{}\n", remark);
+  if (run.ticks.empty()) {
+    throw Failure(ExitCode::wrong_call,
+                  fmt::format("{}: there is nothing to replay", printable(options.run, longest_path)));
+  }
+  const bool is_as_recorded = !options.scene.is_named() && options.scene.overrides.empty();
+  return is_as_recorded ? replay_exactly(run, options) : replay_hand(run, options);
+}
+
+}  // namespace
+
+std::function<int()> attach_replay(CLI::App& subcommand) {
+  const auto options = std::make_shared<Options>();
+  subcommand.add_option("RUN", options->run, "A CSV file that was recorded, simulated or replayed")
+      ->type_name("")
+      ->required();
+  options->scene.scene.clear();
+  options->scene.attach(subcommand, false);
+  subcommand
+      .add_option("-o,--output", options->output,
+                  "The CSV file to write, all or nothing; default: -, the standard output")
+      ->type_name("FILE");
+  subcommand.footer(
+      "Drives all three strategies with the hand of the run, and with what was changed while it ran, and says whether\n"
+      "every number repeats itself, bit for bit: exit code 0 if so, 1 if not. The same build of ghostforce promises "
+      "it.\n"
+      "With another scene, or with --set, the hand is played from rest in that scene, and nothing is compared.\n"
+      "\n"
+      "Examples:\n"
+      "  ghostforce replay visit.csv -o again.csv\n"
+      "  ghostforce replay visit.csv --set rendering.tracking_ratio=1 -o naive.csv");
+  return [options] { return replay_run(*options); };
+}
+
+}  // namespace ghostforce

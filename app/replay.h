@@ -1,0 +1,46 @@
+// A run driven once more through the tick: does the same build make the same numbers of the same hand and settings, bit
+// for bit? Not for the servo thread.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string_view>
+
+#include "app/run_reader.h"
+#include "core/snapshot.h"
+
+namespace ghostforce {
+
+// Where the run and its replay first part.
+struct Divergence {
+  double time_s = 0.0;
+  StrategyId strategy = StrategyId::full;
+  std::string_view column;  // of the file
+  double recorded = 0.0;    // in the column's unit
+  double replayed = 0.0;
+};
+
+struct ReplayReport {
+  std::int64_t compared = 0;   // ticks
+  std::int64_t diverging = 0;  // of these
+  std::int64_t measured = 0;   // of these: their measured device was taken over, not compared
+  std::int64_t skipped = 0;    // ticks that cannot be known: something before them is missing
+  std::int64_t resumed = 0;    // times that it went on from a recorded state
+  std::optional<Divergence> first;
+  double greatest_m = 0.0;  // difference of a goal, a device or a proxy
+  double greatest_N = 0.0;  // and of a force
+};
+
+// A tick of the replay. `state`: it goes on from there; null: from the tick before.
+struct ReplayedTick {
+  const Snapshot& snapshot;
+  const Settings& settings;
+  const RunState* state;
+  PerStrategy<bool> is_known;  // whose numbers follow from the run; others mean nothing
+};
+
+// Goes on through divergences, on its own numbers. Throws Failure(wrong_call) where there is no scene or no tick.
+ReplayReport replay(const Run& run, const std::function<void(const ReplayedTick&)>& on_tick);
+
+}  // namespace ghostforce

@@ -1,0 +1,78 @@
+// The whole program while it records, and its sudden ends.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <string>
+#include <thread>
+
+#include "app/replay.h"
+#include "app/run_reader.h"
+#include "tests/support/display.h"
+#include "tests/support/temporary_folder.h"
+
+namespace ghostforce {
+namespace {
+
+// Records until the file has grown for a while, then gets the signal; returns the exit code.
+int record_until(int signal, const std::string& path) {
+  const Display display(1024, 640);
+  BackgroundProgram program({GHOSTFORCE_PROGRAM, "run", "--input", "script", "--no-hints", "--record", path},
+                            display.environment());
+  std::size_t size = 0;
+  while (size < 500'000 && program.is_running()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    size = read_whole(path).size();
+  }
+  EXPECT_TRUE(program.is_running());
+  return program.end(signal);
+}
+
+void expect_repeats(const Run& run) {
+  const ReplayReport report = replay(run, [](const ReplayedTick&) {});
+  EXPECT_FALSE(report.first);
+  EXPECT_EQ(report.skipped, 0);
+  EXPECT_GT(report.compared, 500);
+  EXPECT_EQ(run.ticks.front().tick, 0);
+}
+
+TEST(RecordingProgram, KilledItLeavesAFileThatReads) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(record_until(SIGKILL, folder / "run.csv"), 128 + SIGKILL);
+  const auto run = load_run(folder / "run.csv");
+  EXPECT_FALSE(run.is_interrupted);
+  expect_repeats(run);
+}
+
+TEST(RecordingProgram, InterruptedItSaysSoInItsLastLine) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(record_until(signal, folder / "run.csv"), 130);
+    const std::string text = read_whole(folder / "run.csv");
+    EXPECT_TRUE(text.ends_with("\n# interrupted\n")) << text.substr(text.size() - 100);
+    const auto run = load_run(folder / "run.csv");
+    EXPECT_TRUE(run.is_interrupted);
+    EXPECT_TRUE(run.remarks.empty());
+    expect_repeats(run);
+  }
+}
+
+TEST(RecordingProgram, EndsByItselfAndOverwritesNothing) {
+  const TemporaryFolder folder;
+  const Display display(1024, 640);
+  const std::string path = folder / "run.csv";
+  const auto record = [&] {
+    BackgroundProgram program({GHOSTFORCE_PROGRAM, "run", "--exit-after", "0.3", "--record", path},
+                              display.environment());
+    while (program.is_running()) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    return program.end(0);
+  };
+  EXPECT_EQ(record(), 0);
+  const std::string text = read_whole(path);
+  EXPECT_TRUE(load_run(path).remarks.empty());
+  EXPECT_EQ(record(), 8);
+  EXPECT_EQ(read_whole(path), text);
+}
+
+}  // namespace
+}  // namespace ghostforce

@@ -1,0 +1,300 @@
+// A run written while it is made: whole lines, never over another file, readable at any moment and after any end.
+#include "app/recording.h"
+
+#include <signal.h>
+#include <sys/resource.h>
+
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "app/failure.h"
+#include "app/replay.h"
+#include "app/run_reader.h"
+#include "device/mouse_input.h"
+#include "device/scripted_input.h"
+#include "tests/app/driven_window.h"
+#include "tests/support/temporary_folder.h"
+
+namespace ghostforce {
+namespace {
+
+// Until it is so; a test that waits in vain is ended by ctest.
+template <typename Condition>
+void wait_until(Condition&& condition) {
+  while (!condition()) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+}
+
+// A servo on the scripted hand of a scene, stepped by hand, whose samples are marked 1.
+struct Stepped {
+  Scene scene = load_scene("fig3-normal");
+  ServoCommand command;
+  std::unique_ptr<Servo> servo;
+
+  Stepped() {
+    command.settings = scene.settings;
+    command.restart_state = state_at_start(goal_at(scene.goal, 0.0));
+    command.recording = 1;
+    servo = std::make_unique<Servo>(std::make_unique<ScriptedInput>(scene.goal), command);
+  }
+  void step(int ticks) {
+    for (int k = 0; k < ticks; ++k) servo->wake();
+  }
+};
+
+void expect_repeats(const std::string& path, std::int64_t ticks) {
+  const auto run = load_run(path);
+  const ReplayReport report = replay(run, [](const ReplayedTick&) {});
+  EXPECT_FALSE(report.first) << report.first->column << " at " << report.first->time_s;
+  EXPECT_EQ(report.skipped, 0);
+  EXPECT_GE(report.compared, ticks);
+}
+
+TEST(Recording, IsARunLikeSimulates) {
+  const TemporaryFolder folder;
+  Stepped stepped;
+  {
+    Recording recording(folder / "run.csv", stepped.scene, *stepped.servo, 1);
+    stepped.step(501);
+    recording.end();
+    recording.end();
+    const RecordingProgress progress = recording.progress();
+    EXPECT_NEAR(progress.seconds, 0.501, 1e-9);
+    EXPECT_EQ(progress.bytes, read_whole(folder / "run.csv").size());
+    EXPECT_EQ(progress.dropped, 0U);
+    EXPECT_EQ(progress.error, 0);
+  }
+  const std::string text = read_whole(folder / "run.csv");
+  EXPECT_NE(text.find(",force_y_N,active,goal_kind,device_kind,sent_x_N,sent_y_N,saturated,loop_s\n"),
+            std::string::npos);
+  EXPECT_NE(text.find("\nfull,0,"), std::string::npos);
+  EXPECT_NE(text.find(",0,given,simulated,0,0,0,0\nnaive,0,"), std::string::npos) << "the scene's strategy is another";
+  EXPECT_NE(text.find(",1,given,simulated,0,0,0,0\nfull,0.001,"), std::string::npos);
+  EXPECT_TRUE(text.ends_with('\n'));
+  EXPECT_EQ(text.find("# interrupted"), std::string::npos);
+  const auto run = load_run(folder / "run.csv");
+  EXPECT_TRUE(run.remarks.empty());
+  EXPECT_EQ(run.ticks.size(), 501U);
+  expect_repeats(folder / "run.csv", 501);
+}
+
+TEST(Recording, NeverOverwrites) {
+  const TemporaryFolder folder;
+  write_whole(folder / "run.csv", "precious");
+  Stepped stepped;
+  const auto words_of = [&](const std::string& path) -> std::string {
+    try {
+      const Recording recording(path, stepped.scene, *stepped.servo, 1);
+    } catch (const Failure& failure) {
+      EXPECT_EQ(failure.code(), ExitCode::file_trouble);
+      return failure.what();
+    }
+    return "";
+  };
+  EXPECT_NE(
+      words_of(folder / "run.csv").find("exists already, and a recording overwrites nothing; choose another name"),
+      std::string::npos);
+  EXPECT_EQ(read_whole(folder / "run.csv"), "precious");
+  EXPECT_NE(words_of(folder / "no/run.csv").find("create the folder"), std::string::npos);
+  EXPECT_NE(words_of(""), "");
+  EXPECT_NE(words_of(folder.path()), "");
+  EXPECT_EQ(folder.count(), 1);
+}
+
+TEST(Recording, CanBeReadWhileItIsMade) {
+  const TemporaryFolder folder;
+  Stepped stepped;
+  const Recording recording(folder / "run.csv", stepped.scene, *stepped.servo, 1);
+  for (int ticks = 100; ticks <= 300; ticks += 100) {
+    stepped.step(100);
+    wait_until([&] { return load_run(folder / "run.csv").ticks.size() == static_cast<std::size_t>(ticks); });
+    EXPECT_TRUE(load_run(folder / "run.csv").remarks.empty());
+  }
+}
+
+TEST(Recording, LeavesOutWhatBelongsToAnother) {
+  const TemporaryFolder folder;
+  Stepped stepped;
+  stepped.step(100);
+  stepped.command.recording = 2;
+  stepped.servo->send(stepped.command);
+  stepped.step(50);
+  Recording recording(folder / "run.csv", stepped.scene, *stepped.servo, 2);
+  recording.end();
+  const auto run = load_run(folder / "run.csv");
+  ASSERT_EQ(run.ticks.size(), 50U);
+  EXPECT_EQ(run.ticks[0].tick, 100);
+  EXPECT_EQ(run.dropped, 0U);
+  expect_repeats(folder / "run.csv", 50);
+}
+
+TEST(Recording, SaysWhatWasLost) {
+  const TemporaryFolder folder;
+  Stepped stepped;
+  stepped.step(static_cast<int>(Servo::sample_capacity) + 25);  // nobody takes them yet
+  Recording recording(folder / "run.csv", stepped.scene, *stepped.servo, 1);
+  wait_until([&] { return recording.progress().seconds > 8.0; });
+  stepped.step(10);
+  recording.end();
+  EXPECT_EQ(recording.progress().dropped, 25U);
+  EXPECT_NE(read_whole(folder / "run.csv").find("\n# dropped 25\n# state t_s="), std::string::npos);
+  EXPECT_EQ(load_run(folder / "run.csv").dropped, 25U);
+  expect_repeats(folder / "run.csv", static_cast<std::int64_t>(Servo::sample_capacity) + 10);
+}
+
+// A file may not grow beyond a limit: as on a disk that is full, a write ends in the middle of a line.
+TEST(Recording, EndsWithWholeLinesWhereTheFileTakesNoMore) {
+  const TemporaryFolder folder;
+  Stepped stepped;
+  Recording recording(folder / "run.csv", stepped.scene, *stepped.servo, 1);
+  stepped.step(100);
+  wait_until([&] { return recording.progress().seconds > 0.099; });
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const auto handler = signal(SIGXFSZ, SIG_IGN);
+  const rlimit small{recording.progress().bytes + 12'345, before.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &small);
+  stepped.step(1000);
+  wait_until([&] { return recording.progress().error != 0; });
+  setrlimit(RLIMIT_FSIZE, &before);
+  signal(SIGXFSZ, handler);
+  stepped.step(1000);
+  recording.end();
+  EXPECT_EQ(recording.progress().error, EFBIG);
+  const std::string text = read_whole(folder / "run.csv");
+  EXPECT_TRUE(text.ends_with('\n'));
+  EXPECT_EQ(text.size(), recording.progress().bytes);
+  EXPECT_TRUE(load_run(folder / "run.csv").remarks.empty());
+  expect_repeats(folder / "run.csv", 100);
+}
+
+TEST(Recording, TakesEverythingFromARunningServo) {
+  const TemporaryFolder folder;
+  Stepped stepped;
+  Recording recording(folder / "run.csv", stepped.scene, *stepped.servo, 1);
+  stepped.servo->start();
+  wait_until([&] { return recording.progress().seconds > 0.4; });
+  stepped.servo->stop();
+  recording.end();
+  const auto run = load_run(folder / "run.csv");
+  ASSERT_FALSE(run.ticks.empty());
+  EXPECT_EQ(run.ticks.back().tick, stepped.servo->newest().snapshot.tick);
+  expect_repeats(folder / "run.csv", 400);
+}
+
+// --- At the window ---
+
+class RecordingWindow : public DrivenWindow {
+ protected:
+  void record(const std::string& path) {
+    session().wishes.record = path;
+    frames(2);
+  }
+  void stop() {
+    session().wishes.stop_recording = true;
+    frames(2);
+  }
+  std::string notice() { return session().notice ? session().notice->words : ""; }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(RecordingWindow, RepeatsWhatAPersonDidThere) {
+  record(folder_ / "run.csv");
+  EXPECT_EQ(notice(), "");
+  drag(on_window({0.0, 0.0}), on_window({0.02, -0.03}));
+  press(GLFW_KEY_3);
+  session().settings.wall_normal_angle = 2.0 + 1e-15;  // no number of degrees is exactly that
+  session().settings.impedances.k_r = 345.678;
+  frames(5);
+  press(GLFW_KEY_Z, GLFW_MOD_CONTROL);
+  press(GLFW_KEY_SPACE);
+  press(GLFW_KEY_PERIOD);
+  frames(5);
+  press(GLFW_KEY_PERIOD);
+  press(GLFW_KEY_SPACE);
+  session().speed = 0.1;
+  frames(10, 2);
+  press(GLFW_KEY_R);
+  frames(10);
+  press(GLFW_KEY_LEFT_BRACKET);
+  press(GLFW_KEY_W);
+  frames(10);
+  press(GLFW_KEY_R, GLFW_MOD_ALT);
+  frames(10);
+  stop();
+  EXPECT_TRUE(notice().starts_with("Recorded ")) << notice();
+  EXPECT_NE(notice().find(folder_ / "run.csv"), std::string::npos) << notice();
+  EXPECT_FALSE(session().notice->is_problem);
+  const auto run = load_run(folder_ / "run.csv");
+  EXPECT_GE(run.settings.size(), 5U);
+  EXPECT_EQ(run.states.size(), 3U) << "its beginning in mid-motion, and two resets";
+  expect_repeats(folder_ / "run.csv", 500);
+}
+
+TEST_F(RecordingWindow, RecordsFromTheFirstTickWhenAskedOnTheCommandLine) {
+  open({.input = "script", .record = folder_ / "run.csv"}, "fig1");
+  frames(20);
+  stop();
+  const auto run = load_run(folder_ / "run.csv");
+  ASSERT_FALSE(run.ticks.empty());
+  EXPECT_EQ(run.ticks.front().tick, 0);
+  expect_repeats(folder_ / "run.csv", 300);
+  EXPECT_THROW(open({.record = folder_ / "run.csv"}), Failure);
+}
+
+TEST_F(RecordingWindow, AnotherSceneOrInputEndsIt) {
+  record(folder_ / "scene.csv");
+  frames(10);
+  session().wishes.open_scene = "fig1";
+  frames(2);
+  EXPECT_TRUE(notice().starts_with("Another scene or input ends the recording. Recorded ")) << notice();
+  record(folder_ / "input.csv");
+  frames(10);
+  session().wishes.input = "script";
+  frames(10);
+  EXPECT_TRUE(notice().starts_with("Another scene or input ends the recording. Recorded ")) << notice();
+  EXPECT_EQ(load_run(folder_ / "scene.csv").scene->title, load_scene("wall45").title);
+  EXPECT_EQ(load_run(folder_ / "input.csv").scene->title, load_scene("fig1").title);
+  expect_repeats(folder_ / "scene.csv", 100);
+  expect_repeats(folder_ / "input.csv", 100);
+}
+
+TEST_F(RecordingWindow, TellsWhatCannotBeWrittenAndGoesOn) {
+  write_whole(folder_ / "run.csv", "precious");
+  record(folder_ / "run.csv");
+  EXPECT_NE(notice().find("overwrites nothing"), std::string::npos) << notice();
+  EXPECT_TRUE(session().notice->is_problem);
+  EXPECT_EQ(read_whole(folder_ / "run.csv"), "precious");
+  const std::int64_t tick = now().tick;
+  frames(3);
+  EXPECT_GT(now().tick, tick);
+}
+
+TEST_F(RecordingWindow, ReplaysARecordingThatIsDropped) {
+  record(folder_ / "run.csv");
+  drag(on_window({0.0, 0.0}), on_window({-0.02, 0.03}));
+  frames(20);
+  stop();
+  const auto run = load_run(folder_ / "run.csv");
+  session().notice.reset();
+  const std::string path = folder_ / "run.csv";
+  drop({path.c_str()});
+  EXPECT_TRUE(notice().starts_with("Replaying ")) << notice();
+  EXPECT_EQ(session().input, "replay");
+  for (int i = 0; i < 10; ++i) {
+    frames(1);
+    ASSERT_EQ(now().goal, run.ticks.at(static_cast<std::size_t>(now().tick)).goal);
+  }
+  // What is none changes nothing.
+  const std::string none = folder_ / "none.csv";
+  write_whole(none, "hello");
+  drop({none.c_str()});
+  EXPECT_NE(notice().find("this is no run"), std::string::npos) << notice();
+  EXPECT_EQ(session().input, "replay");
+}
+
+}  // namespace
+}  // namespace ghostforce
