@@ -9,6 +9,11 @@ bool has_motors(const LoopReading& loop) {
   return loop.motors.has_motors;
 }
 
+// Until the button in the bar has begun one there is nothing to see, and a small window has no room for that.
+bool has_recording(const LoopReading& loop) {
+  return !loop.recording.path.empty();
+}
+
 constexpr std::array panels{
     Panel{"Live", draw_live_values, false},
     Panel{"Safety", draw_safety, false, has_motors},
@@ -17,7 +22,7 @@ constexpr std::array panels{
     Panel{"Wall and device", draw_wall_and_device, false},
     Panel{"Input", draw_input, true},
     Panel{"View", draw_view_options, true},
-    Panel{.title = "Recording", .draw = draw_recording, .can_wait = true, .is_extra = true},
+    Panel{.title = "Recording", .draw = draw_recording, .can_wait = true, .is_there = has_recording, .is_extra = true},
 };
 
 constexpr double room_for_all = 780.0;  // height of the window [points]

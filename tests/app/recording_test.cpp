@@ -5,7 +5,7 @@
 #include <sys/resource.h>
 
 #include <chrono>
-#include <cmath>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <thread>
@@ -196,6 +196,14 @@ class RecordingWindow : public DrivenWindow {
     session().wishes.stop_recording = true;
     frames(2);
   }
+  void press_record_button() { click_at(821.0, 23.0); }
+  // The sign in the button is red then.
+  bool picture_is_recording() {
+    const Image image = picture();
+    const std::size_t i = 3U * (23U * static_cast<std::size_t>(image.width) + 821U);
+    const Colour problem = session().look.theme->problem;
+    return image.rgb[i] == problem.red && image.rgb[i + 1] == problem.green && image.rgb[i + 2] == problem.blue;
+  }
   std::string notice() { return session().notice ? session().notice->words : ""; }
 
   TemporaryFolder folder_;
@@ -294,6 +302,70 @@ TEST_F(RecordingWindow, ReplaysARecordingThatIsDropped) {
   drop({none.c_str()});
   EXPECT_NE(notice().find("this is no run"), std::string::npos) << notice();
   EXPECT_EQ(session().input, "replay");
+}
+
+// A rehearsal with motors on: the wall is held softer on them, and another strategy takes over while they push.
+TEST_F(RecordingWindow, RepeatsWhatIsSimulatedBesideADeviceInTheHand) {
+  ApplicationOptions options;
+  options.input = "virtual-falcon";
+  options.input_options.virtual_falcon_clock = VirtualLink::Clock::stepped;
+  open(options);
+  session().settings.impedances.k_r = 1200.0;
+  constexpr int ticks = 100;
+  const auto frames_until = [&](const auto& is_so) {
+    for (int i = 0; i < 300 && !is_so(); ++i) frames(1, ticks);
+    return is_so();
+  };
+  ASSERT_TRUE(frames_until([&] { return application_->falcon_report()->state == FalconState::idle; }));
+  record(folder_ / "run.csv");
+  for (int i = 1; i <= 10; ++i) {
+    session().goal = glm::mix(Vector<2>(0.01, -0.01), Vector<2>(-0.015, 0.015), i / 10.0);
+    frames(1, ticks);
+  }
+  frames(10, ticks);
+  ++session().arms_asked;
+  ASSERT_TRUE(frames_until([&] { return application_->report().motors.state == SafetyState::on; }));
+  for (int i = 1; i <= 10; ++i) {
+    session().goal = glm::mix(Vector<2>(-0.015, 0.015), Vector<2>(0.012, -0.012), i / 10.0);
+    if (i == 8) session().settings.active = StrategyId::anisotropic;
+    frames(1, ticks);
+  }
+  ASSERT_TRUE(now().measured);
+  press(GLFW_KEY_ESCAPE);
+  ASSERT_TRUE(frames_until([&] { return application_->report().motors.state == SafetyState::off; }));
+  frames(2, ticks);
+  stop();
+
+  const std::string text = read_whole(folder_ / "run.csv");
+  EXPECT_NE(text.find(",1,estimated,measured,"), std::string::npos);
+  EXPECT_NE(text.find(" rendering.k_r_N_per_m=800.0\n"), std::string::npos) << "held lower while armed";
+  EXPECT_NE(text.find(" rendering.strategy=\"anisotropic\"\n"), std::string::npos);
+  EXPECT_EQ(text.find("nan"), std::string::npos);
+  const auto run = load_run(folder_ / "run.csv");
+  EXPECT_TRUE(run.remarks.empty()) << run.remarks.front();
+  EXPECT_EQ(run.states.size(), 4U) << "its beginning, motors on, another strategy, motors off";
+  const ReplayReport report = replay(run, [](const ReplayedTick&) {});
+  EXPECT_FALSE(report.first) << report.first->column << " at " << report.first->time_s;
+  EXPECT_EQ(report.skipped, 0);
+  EXPECT_GT(report.measured, 1000);
+  EXPECT_GT(report.compared, report.measured + 1000);
+}
+
+TEST_F(RecordingWindow, TheButtonInTheBarBeginsAndEnds) {
+  // A name is proposed in the folder that the program was started in.
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(folder_.path());
+  const auto is_on = [&] { return picture_is_recording(); };
+  EXPECT_FALSE(is_on());
+  press_record_button();
+  EXPECT_TRUE(is_on());
+  frames(10);
+  press_record_button();
+  EXPECT_FALSE(is_on());
+  std::filesystem::current_path(before);
+  EXPECT_TRUE(notice().starts_with("Recorded ")) << notice();
+  EXPECT_NE(notice().find(folder_ / "a-wall-at-45-degrees.csv"), std::string::npos) << notice();
+  expect_repeats(folder_ / "a-wall-at-45-degrees.csv", 100);
 }
 
 }  // namespace
