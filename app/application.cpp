@@ -11,6 +11,7 @@
 #include "app/input_choices.h"
 #include "app/output_file.h"
 #include "app/paint/vector_painter.h"
+#include "app/panels/panel_catalog.h"
 #include "app/plots/plot_export.h"
 #include "app/png_file.h"
 #include "app/printable.h"
@@ -89,12 +90,14 @@ void Application::use(const InputKind& kind, std::shared_ptr<const Scene> scene,
   const bool is_other_scene = scene != session_.scene;
   pointer_ = dynamic_cast<PointerTarget*>(hand.get());
   spacemouse_ = dynamic_cast<SpaceMouseInput*>(hand.get());
+  circle_ = dynamic_cast<CircleInput*>(hand.get());
   falcon_ = dynamic_cast<FalconInput*>(hand.get());
   virtual_falcon_ = dynamic_cast<VirtualFalconInput*>(hand.get());
   falcon_report_ = {};
   input_title_ = kind.title;
   session_.input = kind.name;
   session_.misbehaviour.clear();
+  if (circle_ != nullptr) session_.folded_panels.erase(std::string(energy_panel));
   session_.pointer_moves_goal = pointer_ != nullptr;
   session_.scene = std::move(scene);
   session_.settings = settings;
@@ -106,6 +109,8 @@ void Application::use(const InputKind& kind, std::shared_ptr<const Scene> scene,
   sent_goal_ = session_.goal;
   sent_settings_ = session_.settings;
   command_.settings = as_in_file(session_.settings);
+  sent_circle_ = {};
+  circle_meter_.start(session_.settings, sent_circle_);
   command_.restarts_asked = session_.restarts_asked;
   command_.steps_asked = session_.steps_asked;
   note_motors();
@@ -149,10 +154,11 @@ void Application::frame(double interval_s) {
     // The servo has not seen the restart yet: show the state that it will start from.
     report_.snapshot = snapshot_of(plan_of(session_.settings), command_.restart_state);
   }
+  follow_measurement(session_, report_.snapshot, report_.motors);
   if (shader_watch_) shader_watch_->look(screen_.painter(), clock_s_);
   screen_.draw(session_, report_.snapshot, history_, loop_reading(), interval_s);
   grant_wishes();
-  undo_.note({session_.scene, session_.settings}, session_.is_editing);
+  undo_.note({session_.scene, session_.settings}, session_.is_editing || is_measuring(session_));
   if (session_.notice && !session_.notice->is_problem) {
     session_.notice->age_s += interval_s;
     if (session_.notice->age_s > news_last_s) session_.notice.reset();
@@ -176,6 +182,7 @@ LoopReading Application::loop_reading() const {
           .spacemouse = spacemouse_ != nullptr ? std::optional(spacemouse_->reading()) : std::nullopt,
           .misbehaviours = virtual_falcon_ != nullptr ? misbehaviours_ : std::span<const InputChoice>(),
           .recording = recording_reading_,
+          .circle = circle_ != nullptr ? std::optional(circle_meter_.reading()) : std::nullopt,
           .remark = describe(report_.realtime)};
 }
 
@@ -201,11 +208,28 @@ void Application::take_samples() {
   Sample sample;
   while (servo_->take_sample(sample)) {
     // Samples of a run that has been reset meanwhile belong to no picture any more.
-    if (sample.restarts == command_.restarts_asked) history_.add(sample.snapshot);
+    if (sample.restarts != command_.restarts_asked) continue;
+    history_.add(sample.snapshot);
+    if (circle_ != nullptr) circle_meter_.add(sample.snapshot);
   }
 }
 
+// The circle lies in the wall as it is now. While the wall is being turned it waits.
+void Application::lead_round() {
+  const Circle circle =
+      circle_inside(wall_of(session_.settings), session_.scene->goal.points.back(), session_.circle_test.choice);
+  if (circle == sent_circle_ || session_.is_editing) return;
+  circle_->go_round(circle);
+  sent_circle_ = circle;
+  ++session_.restarts_asked;
+}
+
 void Application::send(double interval_s) {
+  if (circle_ != nullptr) lead_round();
+  Settings measured = session_.settings;
+  measured.active = sent_settings_.active;  // all strategies are measured, whichever is the active one
+  const bool is_other_run = measured != sent_settings_ || session_.restarts_asked != command_.restarts_asked;
+  if (circle_ != nullptr && is_other_run) circle_meter_.start(session_.settings, sent_circle_);
   if (session_.settings != sent_settings_) {
     ++command_.settings_generation;
     sent_settings_ = session_.settings;
@@ -259,10 +283,7 @@ void Application::grant_wishes() {
   try {
     if (wishes.quit) window_.close();
     if (wishes.toggle_full_screen) window_.toggle_full_screen();
-    // What is being changed right now is one more step to take back.
-    if (wishes.undo || wishes.redo) undo_.note({session_.scene, session_.settings}, false);
-    if (wishes.undo) go_to(undo_.undo());
-    if (wishes.redo) go_to(undo_.redo());
+    if (wishes.undo || wishes.redo) take_back(wishes.undo);
     if (wishes.input && *wishes.input != session_.input) {
       use(*find_input(*wishes.input), session_.scene, session_.settings);
     }
@@ -283,6 +304,17 @@ void Application::grant_wishes() {
     if (failure.code() == ExitCode::interrupted) throw;
     tell(failure.what(), true);
   }
+}
+
+void Application::take_back(bool undo) {
+  // What a measurement has set is its own: to take it back is to cancel it.
+  if (is_measuring(session_)) {
+    cancel_measurement(session_);
+    return;
+  }
+  // What is being changed right now is one more step to take back.
+  undo_.note({session_.scene, session_.settings}, false);
+  go_to(undo ? undo_.undo() : undo_.redo());
 }
 
 void Application::open(const std::string& name_or_path) {

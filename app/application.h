@@ -10,11 +10,13 @@
 #include <vector>
 
 #include "app/recording.h"
+#include "app/circle_meter.h"
 #include "app/screen.h"
 #include "app/session.h"
 #include "app/shader_watch.h"
 #include "app/undo.h"
 #include "app/view/history.h"
+#include "device/circle_input.h"
 #include "device/falcon/falcon_input.h"
 #include "device/input_catalog.h"
 #include "device/pointer_target.h"
@@ -81,6 +83,7 @@ class Application {
   void send(double interval_s);
   void note_motors();
   void rehearse();
+  void lead_round();
   void grant_wishes();
   // A scene, or a recording to be replayed.
   void open(const std::string& name_or_path);
@@ -90,6 +93,7 @@ class Application {
   void save_plots(const PlotWish& wish);
   void start_recording(const std::string& path);
   void read_recording();
+  void take_back(bool undo);
   void go_to(const std::optional<Edited>& edited);
   void use(const InputKind& kind, std::shared_ptr<const Scene> scene, const Settings& settings);
   LoopReading loop_reading() const;
@@ -114,10 +118,13 @@ class Application {
   // What the input in use is besides; each may be null.
   PointerTarget* pointer_ = nullptr;  // led by the pointer
   SpaceMouseInput* spacemouse_ = nullptr;
+  CircleInput* circle_ = nullptr;
   FalconInput* falcon_ = nullptr;
   VirtualFalconInput* virtual_falcon_ = nullptr;
   FalconReport falcon_report_;
   Vector<2> sent_goal_{0.0};
+  Circle sent_circle_;
+  CircleMeter circle_meter_;
   ServoReport report_;
   Screen screen_;
   std::optional<ShaderWatch> shader_watch_;

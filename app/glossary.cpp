@@ -71,6 +71,30 @@ constexpr std::array entries{
                   "believed k_u = k_u", ""},
     GlossaryEntry{Term::force_scale, "Scale", "How long the arrows are for a force, and how long the picture is in mm.",
                   "", "N, mm"},
+    GlossaryEntry{Term::target, "Target", "Where a hand that is measured shall press, straight into the wall.", "", ""},
+    GlossaryEntry{Term::drift_of_belief, "Drift of the belief",
+                  "What the anisotropic strategy still drifts along the wall: with the right belief, nothing.",
+                  "(q_p − q_u) along the wall", "mm"},
+    GlossaryEntry{Term::null_drift, "Drift to be nulled",
+                  "How far the proxy has slid along the wall from the goal. Above zero: ρ is too low.",
+                  "(λ/k_t) (1 + k_r/k_u − ρ) √(α (1 − α)),  α = nᵀP_A n", "mm"},
+    GlossaryEntry{Term::drift_from_target, "Drift to be nulled",
+                  "How far the proxy has slid along the wall from the target. Above zero: ρ is too low.",
+                  "(λ/k_t) (1 + k_r/k_u − ρ) √(α (1 − α)),  α = nᵀP_A n", "mm"},
+    GlossaryEntry{Term::null_ratio, "Ratio ρ° without drift",
+                  "Where the drift vanishes, ρ is the optimal one: it tells k_u.", "k_u = k_r / (ρ° − 1)", ""},
+    GlossaryEntry{
+        Term::loop_area, "Area of the loop",
+        "What the device, not the goal, went round on a turn, counter-clockwise above zero; mean of all turns.",
+        "S = ½ Σ q_h,k−1 × q_h,k", "mm²"},
+    GlossaryEntry{
+        Term::loop_energy, "Energy per turn",
+        "What the rendering gave to the hand on the last turn, and in the mean. Above zero it was active. The "
+        "sampled loop loses a little of it by its delay.",
+        "Σ f_r,k−1 · (q_h,k − q_h,k−1)", "mJ"},
+    GlossaryEntry{Term::loop_formula, "Energy by the formula",
+                  "For a slow loop of the same area; θ is the angle from n to the motor. Fully actuated: none.",
+                  "−k_r sinθ cosθ S / (cos²θ + ρ sin²θ + k_t/k_c)", "mJ"},
 };
 
 constexpr bool is_in_order() {
@@ -124,6 +148,8 @@ std::optional<Term> term_of(Role role) noexcept {
       return Term::wall;
     case Role::scale:
       return Term::force_scale;
+    case Role::target:
+      return Term::target;
     case Role::grid:
     case Role::legend:
       break;

@@ -37,6 +37,14 @@ enum class Term : std::uint8_t {
   believed_user_stiffness,
   right_belief,
   force_scale,
+  target,
+  drift_of_belief,
+  null_drift,
+  drift_from_target,
+  null_ratio,
+  loop_area,
+  loop_energy,
+  loop_formula,
 };
 
 struct GlossaryEntry {

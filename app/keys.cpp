@@ -53,6 +53,13 @@ void turn_wall_to_largest_drift(Session& session) {
   session.settings.wall_normal_angle = angle_of_largest_drift(session.settings);
 }
 
+// In thousandths; as many steps up as down lead back.
+template <int thousandths>
+void turn_ratio_by(Session& session) {
+  const double step = 1.0 + 0.001 * std::abs(thousandths);
+  turn_ratio(session, thousandths > 0 ? step : 1.0 / step);
+}
+
 template <bool ViewOptions::*option>
 void toggle(Session& session) {
   session.options.*option = !(session.options.*option);
@@ -127,6 +134,13 @@ constexpr std::array bindings{
     KeyBinding{GLFW_KEY_LEFT_BRACKET, shift, "", "", turn_motor_axis<1>, true},
     KeyBinding{GLFW_KEY_RIGHT_BRACKET, shift, "", "", turn_motor_axis<-1>, true},
     KeyBinding{GLFW_KEY_W, none, "W", "Turn the wall to the angle of largest naïve drift", turn_wall_to_largest_drift},
+
+    KeyBinding{GLFW_KEY_MINUS, none, "−  +", "Turn the ratio ρ 5 % down or up; Shift 1 %", turn_ratio_by<-50>, true},
+    KeyBinding{GLFW_KEY_EQUAL, none, "", "", turn_ratio_by<50>, true},
+    KeyBinding{GLFW_KEY_KP_SUBTRACT, none, "", "", turn_ratio_by<-50>, true},
+    KeyBinding{GLFW_KEY_KP_ADD, none, "", "", turn_ratio_by<50>, true},
+    KeyBinding{GLFW_KEY_MINUS, shift, "", "", turn_ratio_by<-10>, true},
+    KeyBinding{GLFW_KEY_EQUAL, shift, "", "", turn_ratio_by<10>, true},
 
     KeyBinding{GLFW_KEY_G, none, "G", "Ghost force arrows on and off", toggle<&ViewOptions::ghost_forces>},
     KeyBinding{GLFW_KEY_P, none, "P", "Prediction rings on and off", toggle<&ViewOptions::predictions>},

@@ -222,7 +222,8 @@ void Screen::compose_scene(const Session& session, const Snapshot& snapshot, con
                           .measure = measure_,
                           .has_handles = session.has_handles,
                           .hot = hot,
-                          .is_goal_hot = is_live && points_at(session, HintTarget::goal)});
+                          .is_goal_hot = is_live && points_at(session, HintTarget::goal),
+                          .target = session.measurement.target});
 }
 
 }  // namespace ghostforce

@@ -12,9 +12,11 @@
 #include <string_view>
 #include <vector>
 
+#include "app/circle_meter.h"
 #include "app/ladder.h"
 #include "app/plots/plot_view.h"
 #include "app/theme.h"
+#include "app/user_measurement_guide.h"
 #include "app/view/compose.h"
 #include "core/motor_report.h"
 #include "core/scene.h"
@@ -81,6 +83,13 @@ struct Notice {
   double age_s = 0.0;
 };
 
+// The circle test, as the person wants it.
+struct CircleTest {
+  CircleChoice choice;
+  std::string input_before = "mouse";  // to go back to
+  bool has_news = false;               // its table has just appeared; whoever draws it clears it
+};
+
 struct Session {
   std::shared_ptr<const Scene> scene;  // as loaded; never null
   Settings settings;                   // as changed since
@@ -101,6 +110,8 @@ struct Session {
   std::uint32_t acknowledgements = 0;  // the person has read why they went off
   SafetyOptions safety;
   SpaceMouseSettings spacemouse;
+  UserMeasurement measurement;
+  CircleTest circle_test;
   std::string misbehaviour;         // of a virtual device, a name of loop.misbehaviours; empty: as it was started
   std::string input = "mouse";      // who moves the goal, a name of the input catalog
   bool pointer_moves_goal = true;   // that input is the mouse
@@ -155,6 +166,7 @@ struct LoopReading {
   std::optional<SpaceMouseReading> spacemouse{};  // if that is the input
   std::span<const InputChoice> misbehaviours{};   // that a virtual device can be asked for; empty: it is none
   RecordingReading recording{};
+  std::optional<CircleReading> circle{};          // if the circle is the input
   std::string remark{};  // what the operating system granted and refused the loop; may be empty
 };
 

@@ -4,16 +4,6 @@
 #include <cstddef>
 
 namespace ghostforce {
-namespace {
-
-// Flash & Hogan's minimum-jerk profile on 0..1: no velocity and no acceleration
-// at either end.
-double minimum_jerk(double s) noexcept {
-  return s * s * s * (10.0 + s * (6.0 * s - 15.0));
-}
-
-}  // namespace
-
 Vector<2> goal_at(const GoalPath& path, double time_s) noexcept {
   const auto later = std::upper_bound(path.times.begin(), path.times.end(), time_s);
   if (later == path.times.begin()) return path.points.front();

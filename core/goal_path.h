@@ -20,6 +20,11 @@ struct GoalPath {
   Motion motion = Motion::linear;
 };
 
+// Flash & Hogan's minimum-jerk profile on 0..1: no velocity and no acceleration at either end.
+inline double minimum_jerk(double s) noexcept {
+  return s * s * s * (10.0 + s * (6.0 * s - 15.0));
+}
+
 // q_u(t) [m]. Holds the first point before, and the last one after, the path's
 // times. The path must be valid (scene.h checks it). Never allocates: the servo
 // calls it.

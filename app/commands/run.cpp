@@ -202,9 +202,11 @@ std::function<int()> attach_run(CLI::App& subcommand) {
   const auto options = std::make_shared<Options>();
   options->scene.attach(subcommand, false);
   subcommand
-      .add_option("--input", options->input,
-                  "Who moves the goal: mouse, script (the scene's), spacemouse, falcon, virtual-falcon, a "
-                  "rehearsal, or replay:FILE, a recording, which brings its scene unless one is named; default: mouse")
+      .add_option(
+          "--input", options->input,
+          "Who moves the goal: mouse, script (the scene's), circle (round it inside the wall), spacemouse, falcon, "
+          "virtual-falcon, a rehearsal, or replay:FILE, a recording, which brings its scene unless one is named; "
+          "default: mouse")
       ->type_name("NAME")
       ->check(an_input());
   subcommand

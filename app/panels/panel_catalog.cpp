@@ -19,6 +19,8 @@ constexpr std::array panels{
     Panel{"Safety", draw_safety, false, has_motors},
     Panel{"Rendering", draw_rendering, false},
     Panel{"User", draw_user, false},
+    Panel{.title = "Measure the hand", .draw = draw_measure_user, .can_wait = true, .is_extra = true},
+    Panel{.title = energy_panel, .draw = draw_energy, .can_wait = true, .is_extra = true},
     Panel{"Wall and device", draw_wall_and_device, false},
     Panel{"Input", draw_input, true},
     Panel{"View", draw_view_options, true},

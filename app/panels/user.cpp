@@ -1,8 +1,52 @@
-// The hand: how stiff it is, and how stiff the renderer believes it to be.
+// The hand: how stiff it is, how stiff the renderer believes it to be, and what a wrong belief does.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+
 #include "app/panels/controls.h"
 #include "app/panels/panel_catalog.h"
+#include "core/ghost_force.h"
 
 namespace ghostforce {
+namespace {
+
+// Five characters; what rounds to zero has no sign.
+std::string millimetres(const Vector<2>& drift) {
+  return fmt::format("{:5.1f} mm", 1000.0 * glm::length(drift));
+}
+
+// The error of the belief, where it can be seen: the drift that the anisotropic strategy is left with.
+void draw_drift_of_belief(const PanelContext& context) {
+  row("Its drift", Term::drift_of_belief);
+  ImGui::AlignTextToFramePadding();
+  const Settings& settings = context.session.settings;
+  if (context.snapshot.measured) {
+    ImGui::TextUnformatted("—");
+    explain("Cannot be known: the goal of a real hand is only inferred, with this very belief. Measure the hand.");
+    return;
+  }
+  const Vector<2> seen = context.snapshot.strategies[index_of(StrategyId::anisotropic)].proxy_drift;
+  const Equilibrium<2> rest = rest_of(StrategyId::anisotropic, settings, context.snapshot.goal);
+  const Vector<2> predicted = proxy_drift(wall_of(settings), rest.proxy, rest.goal);
+  ImGui::PushFont(context.fonts.number, 0.0F);
+  ImGui::TextUnformatted(millimetres(seen).c_str());
+  ImGui::PopFont();
+  explain(settings.impedances.chosen_tracking_ratio
+              ? "Of the anisotropic strategy, along the wall. ρ was chosen by hand: the belief has no part in it."
+              : "Of the anisotropic strategy, along the wall, as simulated.");
+  ImGui::SameLine();
+  ImGui::PushStyleColor(ImGuiCol_Text, unpacked(context.theme.faint_text));
+  ImGui::TextUnformatted("predicted");
+  ImGui::SameLine();
+  ImGui::PushFont(context.fonts.number, 0.0F);
+  ImGui::TextUnformatted(millimetres(predicted).c_str());
+  ImGui::PopFont();
+  ImGui::PopStyleColor();
+  explain("By the closed form, at rest.");
+}
+
+}  // namespace
 
 void draw_user(const PanelContext& context) {
   constexpr SliderLimits limits{10.0, 10000.0};
@@ -21,6 +65,7 @@ void draw_user(const PanelContext& context) {
     impedances.believed_k_u = right ? std::nullopt : std::optional(impedances.k_u);
   }
   explain(Term::right_belief);
+  draw_drift_of_belief(context);
   end_rows();
 }
 

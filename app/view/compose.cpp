@@ -13,6 +13,7 @@ Marks compose(const View& view) {
   add_guides(view, marks);
   if (view.options.predictions) add_predictions(view, marks);
   add_hand(view, marks);
+  add_target(view, marks);
   for_each_shown(view, [&](StrategyId id) {
     add_arrows(view, id, marks);
     add_markers(view, id, marks);
@@ -49,10 +50,10 @@ std::optional<Compare> find_compare(std::string_view name) noexcept {
 }
 
 std::string_view role_name(Role role) noexcept {
-  constexpr std::array names{"wall",          "hatching",    "grid",       "motor_axis", "trail",   "hand_spring",
-                             "tracking_link", "goal",        "device",     "proxy",      "contact", "force",
-                             "ghost_force",   "proxy_drift", "prediction", "handle",     "scale",   "legend"};
-  static_assert(names.size() == static_cast<std::size_t>(Role::legend) + 1);
+  constexpr std::array names{"wall",       "hatching", "grid",  "motor_axis", "trail", "hand_spring", "tracking_link",
+                             "goal",       "device",   "proxy", "contact",    "force", "ghost_force", "proxy_drift",
+                             "prediction", "handle",   "scale", "legend",     "target"};
+  static_assert(names.size() == static_cast<std::size_t>(Role::target) + 1);
   return names[static_cast<std::size_t>(role)];
 }
 

@@ -58,11 +58,12 @@ struct View {
   ViewOptions options;
   double scale;  // UI scale, 1 is normal
   const MeasureText& measure;
-  bool has_handles = false;   // a person can turn wall and motor axis here
-  Handle hot = Handle::none;  // the one under the pointer
-  bool is_goal_hot = false;   // a hint speaks of it
-  bool is_pane = false;       // one of several: its title says which, and no legend is needed
-  bool has_scales = true;     // of several panes, one shows the scale bars
+  bool has_handles = false;           // a person can turn wall and motor axis here
+  Handle hot = Handle::none;          // the one under the pointer
+  bool is_goal_hot = false;           // a hint speaks of it
+  bool is_pane = false;               // one of several: its title says which, and no legend is needed
+  bool has_scales = true;             // of several panes, one shows the scale bars
+  std::optional<Vector<2>> target{};  // on the wall, for a hand that is measured to aim at [m]
 
   bool shows(StrategyId id) const noexcept { return options.compare == Compare::overlay || id == settings.active; }
   bool in_front(StrategyId id) const noexcept { return id == settings.active; }

@@ -179,6 +179,10 @@ void add_labels(const View& view, Marks& marks) {
   add_letters(view, placer);
   placer.place(Role::goal, std::nullopt, view.snapshot.goal, view.points(15.0),
                view.snapshot.measured ? "goal, estimated" : "goal", TextSize::normal, view.theme.text);
+  if (view.target) {
+    placer.place(Role::target, std::nullopt, *view.target, view.points(15.0), "aim here", TextSize::normal,
+                 view.theme.text);
+  }
   for_each_shown(view, [&](StrategyId id) { add_measures(view, id, placer); });
 }
 

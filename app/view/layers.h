@@ -14,6 +14,7 @@ void add_guides(const View& view, Marks& marks);       // legend and scale bars:
 void add_arrows(const View& view, StrategyId id, Marks& marks);   // rendered force, ghost force, proxy drift
 void add_markers(const View& view, StrategyId id, Marks& marks);  // proxy, contact, device
 void add_goal(const View& view, Marks& marks);
+void add_target(const View& view, Marks& marks);   // where a hand that is measured shall press
 void add_handles(const View& view, Marks& marks);  // motor axis, wall grips
 void add_labels(const View& view, Marks& marks);   // words and numbers beside the marks above
 

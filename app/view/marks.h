@@ -36,6 +36,7 @@ enum class Role : std::uint8_t {
   handle,
   scale,
   legend,
+  target,
 };
 std::string_view role_name(Role role) noexcept;
 

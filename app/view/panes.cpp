@@ -22,7 +22,8 @@ Pane compose_pane(const PictureContent& content, const Settings& settings, const
                         .hot = content.hot,
                         .is_goal_hot = content.is_goal_hot,
                         .is_pane = is_pane,
-                        .has_scales = has_scales});
+                        .has_scales = has_scales,
+                        .target = content.target});
   return pane;
 }
 

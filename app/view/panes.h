@@ -30,6 +30,7 @@ struct PictureContent {
   bool has_handles = false;
   Handle hot = Handle::none;
   bool is_goal_hot = false;
+  std::optional<Vector<2>> target{};
 };
 
 std::vector<Pane> compose_panes(const PictureContent& content);

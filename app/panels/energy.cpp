@@ -1,0 +1,128 @@
+// The circle test: what rendering gives to a hand that goes round a closed loop inside the wall, beside the formula.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+
+#include "app/panels/controls.h"
+#include "app/panels/panel_catalog.h"
+#include "core/energy.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr std::string_view circle_input = "circle";
+
+void draw_switch(Session& session) {
+  if (session.input != circle_input) {
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextUnformatted("Round a closed loop a wall should give no energy. With one motor it does:");
+    ImGui::PopTextWrapPos();
+    if (ImGui::Button("Circle test")) {
+      session.circle_test.input_before = session.input;
+      session.circle_test.has_news = true;
+      session.wishes.input = std::string(circle_input);
+    }
+    explain("The goal goes round a circle inside the wall, and each turn is measured.");
+    return;
+  }
+  if (ImGui::Button("End the circle test")) session.wishes.input = session.circle_test.input_before;
+  explain("Gives the goal back to what moved it before.");
+}
+
+void draw_choice(const PanelContext& context, const Circle& circle) {
+  CircleChoice& choice = context.session.circle_test.choice;
+  if (!begin_rows("circle", context)) return;
+  row("Sense", "One sense of the circle makes energy, the other takes as much away.");
+  int sense = choice.is_clockwise ? 1 : 0;
+  ImGui::RadioButton("counter-clockwise", &sense, 0);
+  ImGui::SameLine();
+  ImGui::RadioButton("clockwise", &sense, 1);
+  choice.is_clockwise = sense == 1;
+  row("Radius", "Of the goal's circle. One that does not fit into the wall is moved deeper.");
+  constexpr double least_mm = 2.0;
+  constexpr double greatest_mm = 50.0;
+  double mm = 1000.0 * circle.radius;
+  if (ImGui::SliderScalar("##radius", ImGuiDataType_Double, &mm, &least_mm, &greatest_mm, "%.1f mm",
+                          ImGuiSliderFlags_AlwaysClamp)) {
+    choice.radius = 0.001 * mm;
+  }
+  end_rows();
+}
+
+void number_cell(const PanelContext& context, const std::string& text) {
+  ImGui::TableNextColumn();
+  ImGui::PushFont(context.fonts.number, 0.0F);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopFont();
+}
+
+// Seven characters, or eight from a metre's circle on.
+std::string shown(double value, int decimals) {
+  const double unit = std::pow(10.0, -decimals);
+  // + 0.0 turns the −0 that rounding leaves of a small negative number into 0.
+  return fmt::format("{:7.{}f}", std::round(value / unit) * unit + 0.0, decimals);
+}
+
+void head(const char* title, const char* unit, Term term) {
+  ImGui::TableNextColumn();
+  ImGui::BeginGroup();
+  ImGui::TextUnformatted(title);
+  ImGui::TextUnformatted(unit);
+  ImGui::EndGroup();
+  explain(term);
+}
+
+void draw_table(const PanelContext& context, const CircleReading& reading) {
+  if (!ImGui::BeginTable("turns", 5, ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_PadOuterX)) return;
+  ImGui::TableSetupColumn("strategy", ImGuiTableColumnFlags_WidthFixed, 2.6F * ImGui::GetFontSize());
+  ImGui::TableNextColumn();
+  head("area", "mm²", Term::loop_area);
+  head("last", "mJ", Term::loop_energy);
+  head("mean", "mJ", Term::loop_energy);
+  head("formula", "mJ", Term::loop_formula);
+  for (const Strategy& entry : strategy_catalog()) {
+    const std::size_t i = index_of(entry.id);
+    const CircleEnergy& energy = reading.strategies[i];
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float height = ImGui::GetTextLineHeight();
+    draw_glyph(*ImGui::GetWindowDrawList(), {corner.x + 0.6F * height, corner.y + 0.5F * height}, 0.38F * height,
+               strategy_style(entry.id).shape, context.theme.strategy[i]);
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 1.4F * height);
+    ImGui::PushStyleColor(ImGuiCol_Text, unpacked(context.theme.strategy_text[i]));
+    ImGui::Text("%c", entry.letter);
+    ImGui::PopStyleColor();
+    explain(entry.sentence);
+    if (reading.turns == 0) {
+      for (int column = 0; column < 4; ++column) number_cell(context, "      —");
+      continue;
+    }
+    number_cell(context, shown(1e6 * energy.mean.area, 2));
+    number_cell(context, shown(1e3 * energy.last.energy, 2));
+    number_cell(context, shown(1e3 * energy.mean.energy, 2));
+    number_cell(context, energy.stays_inside ? shown(1e3 * energy.predicted, 2) : "      —");
+    if (!energy.stays_inside) explain("The device left the wall on its way: the formula does not hold.");
+  }
+  ImGui::EndTable();
+}
+
+}  // namespace
+
+void draw_energy(const PanelContext& context) {
+  draw_switch(context.session);
+  if (!context.loop.circle) return;
+  const CircleReading& reading = *context.loop.circle;
+  draw_choice(context, reading.circle);
+  draw_table(context, reading);
+  ImGui::TextUnformatted(
+      fmt::format("{:3} turns measured, {:3.0f} % of the next", reading.turns, 100.0 * reading.share).c_str());
+  explain("A turn takes 4 s of model time. A change of a setting, or of the circle, begins anew.");
+  if (context.session.circle_test.has_news) {
+    ImGui::SetScrollHereY(1.0F);
+    context.session.circle_test.has_news = false;
+  }
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,202 @@
+// The guided measurement of the hand: one step at a time, the drift as a number and on a ruler, and what came out.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "app/panels/controls.h"
+#include "app/panels/panel_catalog.h"
+#include "app/user_measurement_guide.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr double ruler_reach = 0.010;  // to either side [m]
+
+void wrapped(const std::string& text) {
+  ImGui::PushTextWrapPos(0.0F);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+}
+
+void draw_invitation(Session& session) {
+  wrapped(
+      "How stiff is the hand? Turn the ratio ρ until the proxy no longer slides along the wall: that ρ tells. Five "
+      "times, and the median counts.");
+  if (ImGui::Button("Measure the hand")) start_measuring(session);
+  explain(
+      "Chooses the anisotropic strategy and a ratio that is off. Afterwards, or when it is cancelled, both are as "
+      "they were.");
+}
+
+// Two lines, so that nothing below moves when the words change.
+void draw_step(const PanelContext& context, const UserMeasurement& measurement) {
+  const float top = ImGui::GetCursorPosY();
+  ImGui::PushFont(context.fonts.bold, 0.0F);
+  const std::string words(words_for(measurement.step, measurement.target.has_value()));
+  wrapped(measurement.was_refused ? "Not taken. " + words : words);
+  ImGui::PopFont();
+  ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), top + 2.0F * ImGui::GetTextLineHeightWithSpacing()));
+}
+
+void draw_drift(const PanelContext& context, const UserMeasurement& measurement) {
+  ImGui::BeginGroup();
+  ImGui::PushFont(context.fonts.number, 2.0F * ImGui::GetStyle().FontSizeBase);
+  // + 0.0 turns the −0 that rounding leaves into 0.
+  const std::string number =
+      measurement.drift ? fmt::format("{:+7.2f}", std::round(*measurement.drift * 1e5) / 100.0 + 0.0) : "      —";
+  ImGui::TextUnformatted(fmt::format("{} mm", number).c_str());
+  ImGui::PopFont();
+  const float width = ImGui::GetContentRegionAvail().x;
+  const float line = ImGui::GetTextLineHeight();
+  const float scale = context.scale;
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float radius = 0.5F * line;
+  const float middle = corner.x + 0.5F * width;
+  const float half = 0.5F * width - radius - 10.0F * scale;
+  const float y = corner.y + radius + 4.0F * scale;
+  const auto x_of = [&](double drift) {
+    return middle + half * static_cast<float>(std::clamp(drift / ruler_reach, -1.05, 1.05));
+  };
+  ImDrawList& draw_list = *ImGui::GetWindowDrawList();
+  const ImU32 ink = packed(context.theme.text);
+  const double null = null_drift(measurement);
+  draw_list.AddRectFilled({x_of(-null) - scale, y - radius}, {x_of(null) + scale, y + radius},
+                          packed(mix(context.theme.panel, context.theme.accent, 0.35)));
+  draw_list.AddLine({x_of(-ruler_reach), y}, {x_of(ruler_reach), y}, ink, 1.5F * scale);
+  for (const int mm : {-10, -5, 0, 5, 10}) {
+    const float x = x_of(0.001 * mm);
+    draw_list.AddLine({x, y - 0.6F * radius}, {x, y + 0.6F * radius}, ink, (mm == 0 ? 2.5F : 1.5F) * scale);
+    const std::string words = mm == 0 ? "0" : fmt::format("{:+d}", mm);
+    const ImVec2 size = ImGui::CalcTextSize(words.c_str());
+    draw_list.AddText({x - 0.5F * size.x, y + radius + 2.0F * scale}, packed(context.theme.faint_text), words.c_str());
+  }
+  if (measurement.drift) {
+    draw_glyph(draw_list, {x_of(*measurement.drift), y}, 0.8F * radius, strategy_style(StrategyId::anisotropic).shape,
+               context.theme.strategy[index_of(StrategyId::anisotropic)]);
+  }
+  ImGui::Dummy({width, 2.0F * radius + line + 8.0F * scale});
+  ImGui::EndGroup();
+  explain(measurement.target ? Term::drift_from_target : Term::null_drift);
+}
+
+void draw_ratio(const PanelContext& context) {
+  Impedances& impedances = context.session.settings.impedances;
+  if (!begin_rows("measured ratio", context)) return;
+  row("Ratio ρ", Term::tracking_ratio);
+  // Round what is believed, so that it stays where it is while ρ is turned.
+  const double believed = optimal_tracking_ratio(impedances.k_r, believed_user_stiffness(impedances));
+  const double least = std::min(0.5, 0.1 * believed);
+  const double greatest = std::max(20.0, 10.0 * believed);
+  double ratio = tracking_ratio(impedances);
+  if (ImGui::SliderScalar("##ratio", ImGuiDataType_Double, &ratio, &least, &greatest, "%.2f",
+                          ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp)) {
+    impedances.chosen_tracking_ratio = ratio;
+  }
+  explain("Drag, or press − and +: 5 %, with Shift 1 %.");
+  end_rows();
+}
+
+void draw_nulling(const PanelContext& context) {
+  Session& session = context.session;
+  const UserMeasurement& measurement = session.measurement;
+  std::string head = fmt::format("Reading {} of {}", measurement.readings.size() + 1, readings_wanted);
+  if (measurement.has_begun_anew) head += ": something was changed, so it begins anew.";
+  wrapped(head);
+  draw_step(context, measurement);
+  draw_drift(context, measurement);
+  draw_ratio(context);
+  const bool is_typing = ImGui::GetIO().WantTextInput;
+  const bool wants =
+      !is_typing && (ImGui::IsKeyPressed(ImGuiKey_Enter, false) || ImGui::IsKeyPressed(ImGuiKey_KeypadEnter, false));
+  if (ImGui::Button("Take   Enter") || (wants && session.dialog == Dialog::none)) take_reading(session);
+  explain("Takes this ρ as a reading: k_u = k_r / (ρ − 1).");
+  ImGui::SameLine();
+  if (ImGui::Button("Cancel")) cancel_measurement(session);
+  explain("Ratio and strategy as they were; no reading is kept.");
+}
+
+void number_cell(const PanelContext& context, const std::string& text) {
+  ImGui::TableNextColumn();
+  ImGui::PushFont(context.fonts.number, 0.0F);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopFont();
+}
+
+void draw_readings(const PanelContext& context, const UserMeasurement& measurement) {
+  if (!ImGui::BeginTable("readings", 3, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_BordersInnerH)) return;
+  ImGui::TableSetupColumn("reading", ImGuiTableColumnFlags_WidthFixed, 128.0F * context.scale);
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted("reading");
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted("     ρ°");
+  explain(Term::null_ratio);
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted("k_u = k_r / (ρ° − 1)");
+  explain(Term::user_stiffness);
+  for (std::size_t i = 0; i < measurement.readings.size(); ++i) {
+    ImGui::TableNextColumn();
+    ImGui::Text("%zu", i + 1);
+    number_cell(context, fmt::format("{:7.2f}", measurement.readings[i].tracking_ratio));
+    number_cell(context, fmt::format("{:7.1f} N/m", measurement.readings[i].k_u));
+  }
+  ImGui::EndTable();
+}
+
+void draw_result(const PanelContext& context) {
+  Session& session = context.session;
+  const UserMeasurement& measurement = session.measurement;
+  draw_readings(context, measurement);
+  const Spread spread = spread_of(measurement);
+  ImGui::PushFont(context.fonts.bold, 0.0F);
+  ImGui::TextUnformatted(fmt::format("measured k_u  {:7.1f} N/m", spread.median).c_str());
+  ImGui::PopFont();
+  explain("The median of the readings.");
+  ImGui::TextUnformatted(
+      fmt::format("middle half of them  {:.1f} to {:.1f} N/m", spread.lower_quartile, spread.upper_quartile).c_str());
+  explain("From the lower to the upper quartile: of five readings, the second to the fourth.");
+  // Of a hand that is simulated there is a true value; it was given, not measured.
+  if (!context.loop.motors.has_motors || !context.loop.misbehaviours.empty()) {
+    ImGui::PushStyleColor(ImGuiCol_Text, unpacked(context.theme.faint_text));
+    ImGui::TextUnformatted(fmt::format("(given: {:.1f} N/m)", session.settings.impedances.k_u).c_str());
+    ImGui::PopStyleColor();
+    explain("The stiffness that the simulated hand was given.");
+  }
+  if (ImGui::Button("Believe it")) {
+    believe_measurement(session);
+    return;
+  }
+  explain("The median becomes the k_u that the renderer believes in.");
+  ImGui::SameLine();
+  if (ImGui::Button("Again")) {
+    start_measuring(session);
+    return;
+  }
+  ImGui::SameLine();
+  if (ImGui::Button("Close")) cancel_measurement(session);
+}
+
+}  // namespace
+
+void draw_measure_user(const PanelContext& context) {
+  UserMeasurement& measurement = context.session.measurement;
+  switch (measurement.stage) {
+    case UserMeasurement::Stage::off:
+      draw_invitation(context.session);
+      break;
+    case UserMeasurement::Stage::nulling:
+      draw_nulling(context);
+      break;
+    case UserMeasurement::Stage::done:
+      draw_result(context);
+      break;
+  }
+  // Seen in the frame after the one in which it appeared: only then is all of it laid out.
+  if (measurement.has_news && !ImGui::IsAnyItemActive()) {
+    ImGui::SetScrollHereY(1.0F);
+    measurement.has_news = false;
+  }
+}
+
+}  // namespace ghostforce

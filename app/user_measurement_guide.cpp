@@ -1,0 +1,233 @@
+#include "app/user_measurement_guide.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "app/session.h"
+
+namespace ghostforce {
+namespace {
+
+using Stage = UserMeasurement::Stage;
+
+// Where ρ starts, beside the value that is expected: never the same way twice, and from both sides.
+constexpr std::array<double, readings_wanted> first_ratios{2.0, 0.5, 1.6, 0.6, 1.35};
+
+constexpr double simulated_reach = 0.00002;  // [m]
+constexpr double hand_reach = 0.0015;        // a held hand trembles within this [m]
+constexpr double hold_s = 0.3;
+constexpr double hand_average_s = 0.3;  // over which the drift of a trembling hand is averaged
+constexpr double least_ratio = 1e-3;    // of the scene format
+constexpr double greatest_ratio = 1e3;
+
+// All that a reading depends on: not ρ, which is what is turned, and not what is believed or shown.
+Settings basis_of(Settings settings) {
+  settings.active = StrategyId::anisotropic;
+  settings.impedances.chosen_tracking_ratio.reset();
+  settings.impedances.believed_k_u.reset();
+  return settings;
+}
+
+double expected_ratio(const Session& session) {
+  const UserMeasurement& measurement = session.measurement;
+  const Impedances& impedances = session.settings.impedances;
+  if (measurement.readings.empty()) {
+    return optimal_tracking_ratio(impedances.k_r, believed_user_stiffness(impedances));
+  }
+  std::vector<double> ratios;
+  for (const TakenReading& reading : measurement.readings) ratios.push_back(reading.tracking_ratio);
+  return spread_of(ratios).median;
+}
+
+void set_next_ratio(Session& session) {
+  const std::size_t next = session.measurement.readings.size();
+  session.settings.impedances.chosen_tracking_ratio =
+      std::clamp(expected_ratio(session) * first_ratios[next], least_ratio, greatest_ratio);
+}
+
+void restore(Session& session) {
+  session.settings.active = session.measurement.active_before;
+  session.settings.impedances.chosen_tracking_ratio = session.measurement.ratio_before;
+}
+
+void begin_anew(Session& session) {
+  UserMeasurement& measurement = session.measurement;
+  measurement.readings.clear();
+  measurement.settings = basis_of(session.settings);
+  measurement.input = session.input;
+  set_next_ratio(session);
+}
+
+void watch_rest(UserMeasurement& measurement, const Settings& settings, const Snapshot& snapshot) {
+  const bool is_hand = snapshot.measured.has_value();
+  const double reach = is_hand ? hand_reach : simulated_reach;
+  if (measurement.seen_settings != settings) {
+    measurement.device_rest = measurement.goal_rest = RestWatch<2>(reach);
+    measurement.seen_settings = settings;
+  }
+  measurement.device_rest.see(snapshot.time_s, snapshot.strategies[index_of(StrategyId::anisotropic)].device);
+  // An inferred goal is no second thing that could rest.
+  measurement.goal_rest.see(snapshot.time_s, is_hand ? Vector<2>(0.0) : snapshot.goal);
+}
+
+void see_drift(UserMeasurement& measurement, const Vector<2>& direction, const Snapshot& snapshot) {
+  const StrategySnapshot<2>& now = snapshot.strategies[index_of(StrategyId::anisotropic)];
+  const double elapsed_s = std::max(0.0, snapshot.time_s - measurement.seen_s);
+  measurement.seen_s = snapshot.time_s;
+  const bool is_known = now.in_contact && (!measurement.target || snapshot.measured == StrategyId::anisotropic);
+  if (!is_known || direction == Vector<2>(0.0)) {
+    measurement.drift.reset();
+    return;
+  }
+  const double seen = glm::dot(direction, now.proxy - measurement.target.value_or(snapshot.goal));
+  const bool averages = measurement.target && measurement.drift;
+  const double share = averages ? 1.0 - std::exp(-elapsed_s / hand_average_s) : 1.0;
+  measurement.drift = std::lerp(measurement.drift.value_or(seen), seen, share);
+}
+
+MeasuringStep next_step(const Session& session, const Snapshot& snapshot, const MotorReport& motors, bool shows_drift) {
+  const UserMeasurement& measurement = session.measurement;
+  if (session.paused) return MeasuringStep::go_on;
+  if (session.input == "circle") return MeasuringStep::leave_circle;
+  if (session.settings.active != StrategyId::anisotropic) return MeasuringStep::choose_a;
+  if (!shows_drift) return MeasuringStep::turn_wall;
+  if (!(session.settings.impedances.k_r > 0.0)) return MeasuringStep::render;
+  if (measurement.target && !snapshot.measured) return MeasuringStep::arm;
+  if (!measurement.drift) return MeasuringStep::press;
+  if (measurement.target && motors.is_saturated) return MeasuringStep::press_less;
+  if (std::abs(*measurement.drift) > null_drift(measurement)) {
+    return *measurement.drift > 0.0 ? MeasuringStep::raise_ratio : MeasuringStep::lower_ratio;
+  }
+  if (measurement.device_rest.held_s() < hold_s || measurement.goal_rest.held_s() < hold_s) {
+    return MeasuringStep::hold_still;
+  }
+  return tracking_ratio(session.settings.impedances) > 1.0 ? MeasuringStep::take : MeasuringStep::stiffen;
+}
+
+}  // namespace
+
+bool is_measuring(const Session& session) noexcept {
+  return session.measurement.stage == Stage::nulling;
+}
+
+void start_measuring(Session& session) {
+  const Settings settings = session.settings;
+  session.measurement = {};
+  UserMeasurement& measurement = session.measurement;
+  measurement.stage = Stage::nulling;
+  measurement.has_news = true;
+  measurement.active_before = settings.active;
+  measurement.ratio_before = settings.impedances.chosen_tracking_ratio;
+  measurement.scene = session.scene.get();
+  session.settings.active = StrategyId::anisotropic;
+  begin_anew(session);
+}
+
+void follow_measurement(Session& session, const Snapshot& snapshot, const MotorReport& motors) {
+  UserMeasurement& measurement = session.measurement;
+  if (!is_measuring(session)) return;
+  if (measurement.scene != session.scene.get()) {
+    measurement = {};  // the settings are the other scene's: there is nothing to go back to
+    return;
+  }
+  if (measurement.settings != basis_of(session.settings) || measurement.input != session.input) {
+    measurement.has_begun_anew = !measurement.readings.empty();
+    begin_anew(session);
+  }
+  const Wall<2> wall = wall_of(session.settings);
+  measurement.target.reset();
+  if (motors.has_motors) measurement.target = projection(wall, session.scene->goal.points.back());
+  const bool is_held = snapshot.measured && motors.held_k_r > 0.0;
+  measurement.k_r = is_held ? motors.held_k_r : session.settings.impedances.k_r;
+
+  const Vector<2> direction = drift_direction(wall, actuation_of(session.settings));
+  watch_rest(measurement, session.settings, snapshot);
+  see_drift(measurement, direction, snapshot);
+  const MeasuringStep before = measurement.step;
+  measurement.step = next_step(session, snapshot, motors, direction != Vector<2>(0.0));
+  if (measurement.step != before) measurement.was_refused = false;
+}
+
+void take_reading(Session& session) {
+  UserMeasurement& measurement = session.measurement;
+  if (!is_measuring(session)) return;
+  if (measurement.step != MeasuringStep::take) {
+    measurement.was_refused = true;
+    return;
+  }
+  const double ratio = tracking_ratio(session.settings.impedances);
+  measurement.readings.push_back({ratio, user_stiffness_of(measurement.k_r, ratio)});
+  measurement.has_begun_anew = false;
+  if (measurement.readings.size() < readings_wanted) {
+    set_next_ratio(session);
+    // The next rest is not this one.
+    measurement.step = MeasuringStep::hold_still;
+    return;
+  }
+  restore(session);
+  measurement.stage = Stage::done;
+  measurement.has_news = true;
+}
+
+void cancel_measurement(Session& session) {
+  if (is_measuring(session)) restore(session);
+  session.measurement = {};
+}
+
+void believe_measurement(Session& session) {
+  constexpr double least_k_u = 0.1;  // of the scene format
+  constexpr double greatest_k_u = 1e6;
+  session.settings.impedances.believed_k_u = std::clamp(spread_of(session.measurement).median, least_k_u, greatest_k_u);
+  session.measurement = {};
+}
+
+Spread spread_of(const UserMeasurement& measurement) {
+  std::vector<double> readings;
+  for (const TakenReading& reading : measurement.readings) readings.push_back(reading.k_u);
+  return spread_of(std::span<const double>(readings));
+}
+
+double null_drift(const UserMeasurement& measurement) noexcept {
+  return measurement.target ? 0.001 : 0.0002;
+}
+
+std::string_view words_for(MeasuringStep step, bool has_target) noexcept {
+  switch (step) {
+    case MeasuringStep::go_on:
+      return "Time is paused: press Space.";
+    case MeasuringStep::leave_circle:
+      return "The circle never rests: choose another input.";
+    case MeasuringStep::arm:
+      return "Turn the motors on: the button at the top right.";
+    case MeasuringStep::choose_a:
+      return "Press 3: the ratio ρ acts in anisotropic rendering.";
+    case MeasuringStep::turn_wall:
+      return "Turn the wall or the motor: here the proxy never drifts.";
+    case MeasuringStep::render:
+      return "Raise k_r: nothing is rendered.";
+    case MeasuringStep::press:
+      return has_target ? "Push straight into the wall at the target, and hold."
+                        : "Drag the goal into the hatched side, and let go.";
+    case MeasuringStep::press_less:
+      return "The motors are at their limit: press less deep.";
+    case MeasuringStep::raise_ratio:
+      return "Raise ρ until the drift is gone.";
+    case MeasuringStep::lower_ratio:
+      return "Lower ρ until the drift is gone.";
+    case MeasuringStep::hold_still:
+      return "The drift is gone: hold still.";
+    case MeasuringStep::stiffen:
+      return "No hand has a ratio of 1 or less: press deeper, or raise k_r.";
+    case MeasuringStep::take:
+      return "The drift is gone: take the reading.";
+  }
+  return "";
+}
+
+void turn_ratio(Session& session, double factor) noexcept {
+  Impedances& impedances = session.settings.impedances;
+  impedances.chosen_tracking_ratio = std::clamp(tracking_ratio(impedances) * factor, least_ratio, greatest_ratio);
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,106 @@
+// The guided measurement of the user: it sets a ratio ρ that is off, the person turns ρ until the proxy no longer
+// slides along the wall, and takes that as a reading of k_u; five times, from both sides. Where the goal is given, the
+// drift is seen against it; a real hand's goal nobody can measure, so a target on the wall is drawn to aim at.
+//
+// The state is a value of the session; the functions edit the session. UI thread. SI units.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/motor_report.h"
+#include "core/settings.h"
+#include "core/snapshot.h"
+#include "core/user_measurement.h"
+
+namespace ghostforce {
+
+struct Session;
+
+inline constexpr std::size_t readings_wanted = 5;
+
+// What the person has to do next.
+enum class MeasuringStep : std::uint8_t {
+  go_on,         // time is paused
+  leave_circle,  // the input never rests
+  arm,           // the motors of the device are off
+  choose_a,      // another strategy than the anisotropic one is active
+  turn_wall,     // this wall shows no drift, whatever ρ
+  render,        // k_r is 0
+  press,         // no contact
+  press_less,    // the motors are at their limit
+  raise_ratio,   // ρ too low: the drift is positive
+  lower_ratio,
+  hold_still,
+  stiffen,  // no drift is left at a ratio that no hand has
+  take,
+};
+
+struct TakenReading {
+  double tracking_ratio = 0.0;  // ρ°
+  double k_u = 0.0;             // [N/m]
+};
+
+struct UserMeasurement {
+  enum class Stage : std::uint8_t { off, nulling, done };
+
+  Stage stage = Stage::off;
+  std::vector<TakenReading> readings;
+  std::optional<Vector<2>> target;  // on the wall, to aim at [m]; empty: the goal is given
+  MeasuringStep step = MeasuringStep::press;
+  bool was_refused = false;     // "Take" came too early; until a step is done
+  bool has_begun_anew = false;  // something was changed that the readings depended on
+  std::optional<double> drift;  // as drift_direction() in core/user_measurement.h has it; empty: not in contact [m]
+  double k_r = 0.0;             // that the readings are made with [N/m]
+  bool has_news = false;        // something to look at has appeared; whoever draws it clears it
+
+  // What a cancel goes back to.
+  StrategyId active_before = StrategyId::anisotropic;
+  std::optional<double> ratio_before;
+
+  // What the readings are of: other settings or another hand begin anew.
+  const void* scene = nullptr;
+  Settings settings;
+  std::string input;
+
+  // Since when hand and device rest.
+  Settings seen_settings;
+  RestWatch<2> device_rest{0.0};
+  RestWatch<2> goal_rest{0.0};
+  double seen_s = 0.0;
+};
+
+bool is_measuring(const Session& session) noexcept;
+
+// From the state that the session is in. An input that moves by itself is left for the mouse.
+void start_measuring(Session& session);
+
+// Once per frame, with what is seen now.
+void follow_measurement(Session& session, const Snapshot& snapshot, const MotorReport& motors);
+
+// Takes the reading, or says what to do first. The last one ends the measurement: ratio and strategy are as before.
+void take_reading(Session& session);
+
+// Ratio and strategy are as before, and no reading is left.
+void cancel_measurement(Session& session);
+
+// The median of the readings becomes the k_u that the renderer believes in.
+void believe_measurement(Session& session);
+
+// Of the readings' k_u [N/m].
+Spread spread_of(const UserMeasurement& measurement);
+
+// The step as a sentence for the person.
+std::string_view words_for(MeasuringStep step, bool has_target) noexcept;
+
+// A drift below this counts as none [m]: a hand that is measured trembles, a simulated one does not.
+double null_drift(const UserMeasurement& measurement) noexcept;
+
+// Turns the ratio of the anisotropic strategy by so much, 1.05 for 5 % more; held in the range of a scene.
+void turn_ratio(Session& session, double factor) noexcept;
+
+}  // namespace ghostforce

@@ -1,0 +1,39 @@
+// The hand as a circle: from where the run starts the goal goes to the circle, as a hand would move, and then round it
+// at constant speed. SI units.
+//
+// go_round() belongs to the UI thread, everything else to the servo thread. Neither waits, allocates or throws.
+#pragma once
+
+#include <cstdint>
+#include <type_traits>
+
+#include "core/circle.h"
+#include "core/latest_value.h"
+#include "device/input.h"
+
+namespace ghostforce {
+
+// The goal of such a run is on the circle from this time on [s].
+inline constexpr double circle_begins_s = 0.5;
+
+class CircleInput final : public Input {
+ public:
+  static_assert(std::is_trivially_copyable_v<Circle>);
+
+  explicit CircleInput(const Circle& circle) noexcept : circles_(circle), circle_(circle) {}
+
+  // Another circle, from the next restart on.
+  void go_round(const Circle& circle) noexcept { circles_.publish(circle); }
+
+  void restart(const Vector<2>& goal) noexcept override;
+  Vector<2> goal(std::int64_t tick, double rate) noexcept override;
+
+ private:
+  LatestValue<Circle> circles_;
+
+  // Servo thread's.
+  Circle circle_;
+  Vector<2> start_{0.0};
+};
+
+}  // namespace ghostforce
