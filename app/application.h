@@ -75,6 +75,11 @@ class Application {
   // Whether the handle reaches what the scene is about; empty: it does, or there is none.
   std::string device_remark() const;
 
+  // What the circle test has measured; null when another input is in use.
+  const CircleReading* circle_reading() const noexcept {
+    return circle_ != nullptr ? &circle_meter_.reading() : nullptr;
+  }
+
   // What the Falcon's driver knows of its device; null when another input is in use.
   const FalconReport* falcon_report() const noexcept { return falcon_ != nullptr ? &falcon_report_ : nullptr; }
 

@@ -1,8 +1,10 @@
 #include "app/commands/command.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <system_error>
 
 #include <fmt/core.h>
 
@@ -65,6 +67,30 @@ void stop_if_run_away(const Snapshot& snapshot, StrategyId id) {
                 fmt::format("the sampled loop is unstable with these settings: the {} device has run away by t = {} s; "
                             "lower k_r_N_per_m, or raise rate_hz, mass_kg or damping_N_s_per_m",
                             strategy(id).name, snapshot.time_s));
+}
+
+std::optional<Vector<2>> position_from_mm(std::string_view text) {
+  Vector<2> position(0.0);
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  for (const glm::length_t axis : {0, 1}) {
+    double mm = 0.0;
+    if (at != end && *at == '+') ++at;
+    const auto [after, error] = std::from_chars(at, end, mm);
+    if (error != std::errc{} || !(std::abs(mm) <= farthest_mm)) return std::nullopt;
+    position[axis] = mm / 1000.0;
+    at = after;
+    if (axis == 0) {
+      if (at == end || *at != ',') return std::nullopt;
+      ++at;
+    }
+  }
+  return at == end ? std::optional(position) : std::nullopt;
+}
+
+std::string no_position(std::string_view option, std::string_view text) {
+  return fmt::format("{0} {1}: is no position; give two numbers from {2} to {3} mm, as in {0}=-10,5", option,
+                     printable(text), -farthest_mm, farthest_mm);
 }
 
 std::vector<std::string_view> strategy_names() {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -50,6 +51,11 @@ CLI::Validator number_between(double least, double greatest, std::string unit);
 // Unstable settings let the numbers grow until they are none. That is an answer, but no data: throws
 // Failure(wrong_call).
 void stop_if_run_away(const Snapshot& snapshot, StrategyId id);
+
+// "X,Y" in mm as a position [m]; empty: it is none.
+std::optional<Vector<2>> position_from_mm(std::string_view text);
+// What to say then.
+std::string no_position(std::string_view option, std::string_view text);
 
 // Names of the strategies, for --strategy.
 std::vector<std::string_view> strategy_names();

@@ -15,6 +15,7 @@ constexpr std::array catalog{
     Command{"figures", "Make the paper's figures and further ones, with their numbers", attach_figures},
     Command{"sweep", "Tell where everything comes to rest, over ranges of one or two keys, as CSV", attach_sweep},
     Command{"replay", "Drive a recorded run once more, and tell whether every number repeats itself", attach_replay},
+    Command{"measure-user", "Tell how stiff the hand of a run was, from the proxy drift at rest", attach_measure_user},
     Command{"check", "Compare the pictures of a folder of cases with those stored there", attach_check},
     Command{"doctor", "Tell what lies between a Falcon and its use, and what to do about it", attach_doctor},
 };

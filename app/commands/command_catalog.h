@@ -14,6 +14,7 @@ std::function<int()> attach_equilibrium(CLI::App& subcommand);
 std::function<int()> attach_figures(CLI::App& subcommand);
 std::function<int()> attach_sweep(CLI::App& subcommand);
 std::function<int()> attach_replay(CLI::App& subcommand);
+std::function<int()> attach_measure_user(CLI::App& subcommand);
 std::function<int()> attach_check(CLI::App& subcommand);
 std::function<int()> attach_doctor(CLI::App& subcommand);
 

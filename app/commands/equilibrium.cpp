@@ -1,13 +1,11 @@
 // ghostforce equilibrium: where everything comes to rest, by closed form.
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <system_error>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -29,26 +27,6 @@ struct Options {
   std::optional<std::string> goal_mm;  // empty: the scene's last waypoint
   bool json = false;
 };
-
-// "X,Y" in mm -> m.
-std::optional<Vector<2>> parse_goal(std::string_view text) {
-  Vector<2> goal(0.0);
-  const char* at = text.data();
-  const char* const end = at + text.size();
-  for (const glm::length_t axis : {0, 1}) {
-    double mm = 0.0;
-    if (at != end && *at == '+') ++at;
-    const auto [after, error] = std::from_chars(at, end, mm);
-    if (error != std::errc{} || !(std::abs(mm) <= farthest_mm)) return std::nullopt;
-    goal[axis] = mm / mm_per_m;
-    at = after;
-    if (axis == 0) {
-      if (at == end || *at != ',') return std::nullopt;
-      ++at;
-    }
-  }
-  return at == end ? std::optional(goal) : std::nullopt;
-}
 
 // −0 is a zero too.
 nlohmann::ordered_json as_json(const Vector<2>& vector) {
@@ -118,12 +96,9 @@ int equilibrium(const Options& options) {
   const Scene scene = options.scene.load();
   Vector<2> goal = scene.goal.points.back();
   if (options.goal_mm) {
-    const std::optional<Vector<2>> given = parse_goal(*options.goal_mm);
+    const std::optional<Vector<2>> given = position_from_mm(*options.goal_mm);
     if (!given) {
-      throw Failure(
-          ExitCode::wrong_call,
-          fmt::format("--goal-mm {}: is no position; give two numbers from {} to {} mm, as in --goal-mm=-10,5",
-                      printable(*options.goal_mm), -farthest_mm, farthest_mm));
+      throw Failure(ExitCode::wrong_call, no_position("--goal-mm", *options.goal_mm));
     }
     goal = *given;
   }

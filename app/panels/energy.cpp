@@ -34,11 +34,7 @@ void draw_choice(const PanelContext& context, const Circle& circle) {
   CircleChoice& choice = context.session.circle_test.choice;
   if (!begin_rows("circle", context)) return;
   row("Sense", "One sense of the circle makes energy, the other takes as much away.");
-  int sense = choice.is_clockwise ? 1 : 0;
-  ImGui::RadioButton("counter-clockwise", &sense, 0);
-  ImGui::SameLine();
-  ImGui::RadioButton("clockwise", &sense, 1);
-  choice.is_clockwise = sense == 1;
+  ImGui::Checkbox("clockwise", &choice.is_clockwise);
   row("Radius", "Of the goal's circle. One that does not fit into the wall is moved deeper.");
   constexpr double least_mm = 2.0;
   constexpr double greatest_mm = 50.0;
@@ -77,10 +73,10 @@ void draw_table(const PanelContext& context, const CircleReading& reading) {
   if (!ImGui::BeginTable("turns", 5, ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_PadOuterX)) return;
   ImGui::TableSetupColumn("strategy", ImGuiTableColumnFlags_WidthFixed, 2.6F * ImGui::GetFontSize());
   ImGui::TableNextColumn();
-  head("area", "mm²", Term::loop_area);
-  head("last", "mJ", Term::loop_energy);
-  head("mean", "mJ", Term::loop_energy);
-  head("formula", "mJ", Term::loop_formula);
+  head("     area", "      mm²", Term::loop_area);
+  head("     last", "      mJ", Term::loop_energy);
+  head("     mean", "      mJ", Term::loop_energy);
+  head("formula", "      mJ", Term::loop_formula);
   for (const Strategy& entry : strategy_catalog()) {
     const std::size_t i = index_of(entry.id);
     const CircleEnergy& energy = reading.strategies[i];

@@ -24,7 +24,7 @@ void draw_invitation(Session& session) {
   wrapped(
       "How stiff is the hand? Turn the ratio ρ until the proxy no longer slides along the wall: that ρ tells. Five "
       "times, and the median counts.");
-  if (ImGui::Button("Measure the hand")) start_measuring(session);
+  if (ImGui::Button("Start measuring")) start_measuring(session);
   explain(
       "Chooses the anisotropic strategy and a ratio that is off. Afterwards, or when it is cancelled, both are as "
       "they were.");
@@ -126,15 +126,15 @@ void number_cell(const PanelContext& context, const std::string& text) {
 
 void draw_readings(const PanelContext& context, const UserMeasurement& measurement) {
   if (!ImGui::BeginTable("readings", 3, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_BordersInnerH)) return;
-  ImGui::TableSetupColumn("reading", ImGuiTableColumnFlags_WidthFixed, 128.0F * context.scale);
+  ImGui::TableSetupColumn("reading", ImGuiTableColumnFlags_WidthFixed, 70.0F * context.scale);
   ImGui::TableNextColumn();
   ImGui::TextUnformatted("reading");
   ImGui::TableNextColumn();
   ImGui::TextUnformatted("     ρ°");
   explain(Term::null_ratio);
   ImGui::TableNextColumn();
-  ImGui::TextUnformatted("k_u = k_r / (ρ° − 1)");
-  explain(Term::user_stiffness);
+  ImGui::TextUnformatted("     k_u");
+  explain("By k_u = k_r / (ρ° − 1).");
   for (std::size_t i = 0; i < measurement.readings.size(); ++i) {
     ImGui::TableNextColumn();
     ImGui::Text("%zu", i + 1);

@@ -11,9 +11,9 @@
 namespace ghostforce {
 namespace {
 
-// Five characters; what rounds to zero has no sign.
+// Four characters at least.
 std::string millimetres(const Vector<2>& drift) {
-  return fmt::format("{:5.1f} mm", 1000.0 * glm::length(drift));
+  return fmt::format("{:4.1f}", 1000.0 * glm::length(drift));
 }
 
 // The error of the belief, where it can be seen: the drift that the anisotropic strategy is left with.
@@ -37,10 +37,10 @@ void draw_drift_of_belief(const PanelContext& context) {
               : "Of the anisotropic strategy, along the wall, as simulated.");
   ImGui::SameLine();
   ImGui::PushStyleColor(ImGuiCol_Text, unpacked(context.theme.faint_text));
-  ImGui::TextUnformatted("predicted");
+  ImGui::TextUnformatted("theory");
   ImGui::SameLine();
   ImGui::PushFont(context.fonts.number, 0.0F);
-  ImGui::TextUnformatted(millimetres(predicted).c_str());
+  ImGui::TextUnformatted((millimetres(predicted) + " mm").c_str());
   ImGui::PopFont();
   ImGui::PopStyleColor();
   explain("By the closed form, at rest.");

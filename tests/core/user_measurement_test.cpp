@@ -125,7 +125,8 @@ TEST(UserMeasurementTest, TheSimulatedLoopAtRestTellsItsUser) {
         const Vector<2> goal = -0.02 * wall.normal + along(wall, Vector<2>(0.01, 0.0));
         TickState<2> state = state_at_start(goal);
         for (int i = 0; i < 4000; ++i) tick(plan, goal, state);
-        const auto& now = snapshot_of(plan, state).strategies[index_of(StrategyId::anisotropic)];
+        const Snapshot snapshot = snapshot_of(plan, state);
+        const auto& now = snapshot.strategies[index_of(StrategyId::anisotropic)];
         const UserReading reading =
             read_user(wall, actuation, RestState<2>{goal, now.device, now.proxy, now.force, ratio});
         ASSERT_EQ(reading.problem, NoReading::none);

@@ -1,0 +1,261 @@
+// ghostforce measure-user: how stiff the hand of a run was, from the proxy drift wherever it came to rest at the wall.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "app/commands/command.h"
+#include "app/commands/command_catalog.h"
+#include "app/failure.h"
+#include "app/output_file.h"
+#include "app/printable.h"
+#include "app/run_reader.h"
+#include "core/user_measurement.h"
+
+namespace ghostforce {
+namespace {
+
+// What counts as rest: within `reach` for at least `hold_s`. A hand that is held trembles.
+struct RestCriterion {
+  double reach;   // [m]
+  double hold_s;  // [s]
+};
+constexpr RestCriterion simulated_rest{0.00002, 0.25};
+constexpr RestCriterion measured_rest{0.0015, 0.5};
+
+struct Options {
+  std::string run;
+  std::optional<std::string> target_mm;
+  bool json = false;
+};
+
+// One stretch of rest of one strategy's device.
+struct Rest {
+  StrategyId strategy;
+  double from_s;
+  double to_s;
+  double tracking_ratio;  // ρ in use
+  double force;           // along the motors [N]
+  double given_k_u;       // of the simulated hand; of a measured one nobody knows it [N/m]
+  UserReading reading;
+};
+
+bool is_measured(const Run& run) {
+  return std::ranges::any_of(run.ticks, [](const RunTick& tick) { return tick.measured.has_value(); });
+}
+
+class RestFinder {
+ public:
+  RestFinder(const Run& run, const Strategy& strategy, const std::optional<Vector<2>>& target)
+      : run_(run), strategy_(strategy), target_(target), criterion_(target ? measured_rest : simulated_rest) {}
+
+  std::vector<Rest> find() {
+    RestWatch<2> device(criterion_.reach);
+    RestWatch<2> goal(criterion_.reach);
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < run_.ticks.size(); ++i) {
+      const bool goes_on = i > first && follows(i);
+      if (goes_on) {
+        see(i, device, goal);
+        if (device.held_s() > 0.0 && goal.held_s() > 0.0) continue;
+      }
+      end_stretch(first, i);
+      first = i;
+      device.forget();
+      goal.forget();
+      if (counts(i)) see(i, device, goal);
+    }
+    end_stretch(first, run_.ticks.size());
+    return std::move(rests_);
+  }
+
+ private:
+  // Of what can be read: a target is there where the device was measured, and then only what was measured counts.
+  bool counts(std::size_t i) const {
+    const RunTick& tick = run_.ticks[i];
+    if (!tick.rows[index_of(strategy_.id)] || !tick.is_sure) return false;
+    return target_ ? tick.measured == strategy_.id : !tick.measured;
+  }
+  bool follows(std::size_t i) const {
+    const RunTick& tick = run_.ticks[i];
+    const RunTick& before = run_.ticks[i - 1];
+    return counts(i) && counts(i - 1) && tick.settings == before.settings && tick.state == RunTick::none &&
+           tick.time_s > before.time_s;
+  }
+  const RunRow& row(std::size_t i) const { return *run_.ticks[i].rows[index_of(strategy_.id)]; }
+  Vector<2> aim(std::size_t i) const { return target_.value_or(run_.ticks[i].goal); }
+
+  void see(std::size_t i, RestWatch<2>& device, RestWatch<2>& goal) const {
+    device.see(run_.ticks[i].time_s, row(i).device);
+    goal.see(run_.ticks[i].time_s, aim(i));
+  }
+
+  // Of the ticks from `first` up to `end`: the mean over the second half, when the device has come nearest to rest.
+  void end_stretch(std::size_t first, std::size_t end) {
+    if (end == first || !counts(first)) return;
+    const double from_s = run_.ticks[first].time_s;
+    const double to_s = run_.ticks[end - 1].time_s;
+    if (to_s - from_s < criterion_.hold_s) return;
+    const Settings& settings = run_.settings[run_.ticks[first].settings];
+    RestState<2> mean;
+    mean.tracking_ratio = strategy_.tracking_ratio(settings.impedances);
+    const std::size_t middle = first + (end - first) / 2;
+    const double share = 1.0 / static_cast<double>(end - middle);
+    for (std::size_t i = middle; i < end; ++i) {
+      mean.aim += share * aim(i);
+      mean.device += share * row(i).device;
+      mean.proxy += share * row(i).proxy;
+      mean.force += share * row(i).force;
+    }
+    rests_.push_back({strategy_.id, from_s, to_s, mean.tracking_ratio,
+                      glm::dot(mean.force, direction_at(settings.actuated_angle)), settings.impedances.k_u,
+                      read_user(wall_of(settings), actuation_of(settings), mean)});
+  }
+
+  const Run& run_;
+  const Strategy& strategy_;
+  std::optional<Vector<2>> target_;
+  RestCriterion criterion_;
+  std::vector<Rest> rests_;
+};
+
+// In the order of time; at rest in free space there is nothing to say.
+std::vector<Rest> find_rests(const Run& run, const std::optional<Vector<2>>& target) {
+  std::vector<Rest> rests;
+  for (const Strategy& strategy : strategy_catalog()) {
+    if (strategy.has_every_motor) continue;  // it has no ratio, and no drift
+    for (Rest& rest : RestFinder(run, strategy, target).find()) rests.push_back(std::move(rest));
+  }
+  std::erase_if(rests, [](const Rest& rest) { return rest.reading.problem == NoReading::no_contact; });
+  std::ranges::stable_sort(rests, {}, &Rest::from_s);
+  return rests;
+}
+
+Spread spread_of(const std::vector<Rest>& rests) {
+  std::vector<double> readings;
+  for (const Rest& rest : rests) {
+    if (rest.reading.problem == NoReading::none) readings.push_back(rest.reading.k_u);
+  }
+  return ghostforce::spread_of(std::span<const double>(readings));
+}
+
+std::string json_text(const std::vector<Rest>& rests, std::size_t count, bool measured) {
+  nlohmann::ordered_json json;
+  json["device_kind"] = measured ? "measured" : "simulated";
+  json["readings"] = nlohmann::ordered_json::array();
+  for (const Rest& rest : rests) {
+    nlohmann::ordered_json entry{
+        {"strategy", strategy(rest.strategy).name}, {"from_s", rest.from_s},         {"to_s", rest.to_s},
+        {"tracking_ratio", rest.tracking_ratio},    {"drift_m", rest.reading.drift}, {"force_N", rest.force}};
+    if (rest.reading.problem == NoReading::none) {
+      entry["null_ratio"] = rest.reading.null_ratio;
+      entry["k_u_N_per_m"] = rest.reading.k_u;
+    } else {
+      entry["why_not"] = sentence_of(rest.reading.problem);
+    }
+    if (!measured) entry["given_k_u_N_per_m"] = rest.given_k_u;
+    json["readings"].push_back(std::move(entry));
+  }
+  json["count"] = count;
+  if (count > 0) {
+    const Spread spread = spread_of(rests);
+    json["k_u_N_per_m"] = {{"median", spread.median},
+                           {"lower_quartile", spread.lower_quartile},
+                           {"upper_quartile", spread.upper_quartile}};
+  }
+  return json.dump() + "\n";
+}
+
+std::string table_text(const std::vector<Rest>& rests, std::size_t count, bool measured) {
+  std::string text = fmt::format(
+      "{:12} {:>8} {:>8} {:>8} {:>9} {:>9} {:>8} {:>10}\n{:12} {:>8} {:>8} {:>8} {:>9} {:>9} "
+      "{:>8} {:>10}\n",
+      "strategy", "from", "to", "ρ", "drift", "force", "ρ°", "k_u", "", "s", "s", "", "mm", "N", "", "N/m");
+  for (const Rest& rest : rests) {
+    text += fmt::format("{:12} {:8.3f} {:8.3f} {:8.3f} {:9.3f} {:9.3f} ", strategy(rest.strategy).name, rest.from_s,
+                        rest.to_s, rest.tracking_ratio, 1000.0 * rest.reading.drift, rest.force);
+    text += rest.reading.problem == NoReading::none
+                ? fmt::format("{:8.3f} {:10.2f}\n", rest.reading.null_ratio, rest.reading.k_u)
+                : fmt::format("{}\n", sentence_of(rest.reading.problem));
+  }
+  const Spread spread = spread_of(rests);
+  text += fmt::format("\nmeasured k_u: median {:.2f} N/m of {} reading{}, the middle half from {:.2f} to {:.2f} N/m\n",
+                      spread.median, count, count == 1 ? "" : "s", spread.lower_quartile, spread.upper_quartile);
+  if (!measured) text += fmt::format("given to the simulated hand: {:.2f} N/m\n", rests.back().given_k_u);
+  return text;
+}
+
+// Why there is no number, for a person.
+std::string words_for_none(const std::string& path, const std::vector<Rest>& rests) {
+  std::string words = fmt::format(
+      "{}: no reading. The hand has to press into the wall with the naïve or the anisotropic strategy and hold still, "
+      "at least half a second",
+      printable(path, longest_path));
+  if (!rests.empty()) words += fmt::format("; where it did: {}", sentence_of(rests.front().reading.problem));
+  return words;
+}
+
+int measure_user(const Options& options) {
+  std::optional<Vector<2>> target;
+  if (options.target_mm) {
+    target = position_from_mm(*options.target_mm);
+    if (!target) throw Failure(ExitCode::wrong_call, no_position("--target-mm", *options.target_mm));
+  }
+  const Run run = load_run(options.run);
+  for (const std::string& remark : run.remarks) fmt::print(stderr, "{}\n", remark);
+  if (!run.scene) {
+    throw Failure(ExitCode::wrong_call, fmt::format("{}: tells no scene, so wall and motor are not known; want a file "
+                                                    "of 'simulate', 'replay' or a recording",
+                                                    printable(options.run, longest_path)));
+  }
+  const bool measured = is_measured(run);
+  if (measured && !target) {
+    throw Failure(ExitCode::wrong_call,
+                  fmt::format("{}: a real device, whose hand's goal nobody knows: give the target on the wall that the "
+                              "hand aimed at, as in --target-mm=0,0",
+                              printable(options.run, longest_path)));
+  }
+  const std::vector<Rest> rests = find_rests(run, measured ? target : std::nullopt);
+  const auto count = static_cast<std::size_t>(
+      std::ranges::count(rests, NoReading::none, [](const Rest& rest) { return rest.reading.problem; }));
+  OutputFile output("-");
+  if (options.json) output.write(json_text(rests, count, measured));
+  if (!options.json && count > 0) output.write(table_text(rests, count, measured));
+  output.commit();
+  if (count == 0) throw Failure(ExitCode::answer_is_no, words_for_none(options.run, rests));
+  return static_cast<int>(ExitCode::done);
+}
+
+}  // namespace
+
+std::function<int()> attach_measure_user(CLI::App& subcommand) {
+  const auto options = std::make_shared<Options>();
+  subcommand.add_option("RUN.csv", options->run, "What 'simulate', 'replay' or a recording has written")
+      ->type_name("")
+      ->required();
+  subcommand
+      .add_option("--target-mm", options->target_mm,
+                  "Where on the wall the hand aimed, in mm; needed, and used, where the device is a real one")
+      ->type_name("X,Y");
+  subcommand.add_flag("--json", options->json, "For programs: JSON in SI units, all digits");
+  subcommand.footer(
+      "Wherever hand and device rest at the wall, the drift of the proxy along it tells the ratio at which there "
+      "would\n"
+      "be none, and that ratio the stiffness of the hand: k_u = k_r / (ρ° − 1). A positive drift: ρ was too low.\n"
+      "Exit code 1: there was no such rest.\n"
+      "\n"
+      "Examples:\n"
+      "  ghostforce measure-user run.csv\n"
+      "  ghostforce measure-user visitor.csv --target-mm=0,0 --json");
+  return [options] { return measure_user(*options); };
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,159 @@
+// measure-user over runs, as people call it.
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "app/run_file.h"
+#include "app/scene_file.h"
+#include "core/play.h"
+#include "tests/support/program.h"
+#include "tests/support/temporary_folder.h"
+
+namespace ghostforce {
+namespace {
+
+class MeasureUser : public testing::Test {
+ protected:
+  Outcome run(const std::vector<std::string>& words) { return run_program(GHOSTFORCE_PROGRAM, words); }
+  std::string path(const std::string& name) const { return folder_.path() + "/" + name; }
+
+  std::string simulated(const std::vector<std::string>& settings) {
+    std::vector<std::string> words{"simulate", "wall45", "--strategy", "all", "-o", path("run.csv")};
+    for (const std::string& setting : settings) {
+      words.emplace_back("--set");
+      words.push_back(setting);
+    }
+    const Outcome outcome = run(words);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return path("run.csv");
+  }
+  nlohmann::json measured(const std::string& file, const std::vector<std::string>& more = {}) {
+    std::vector<std::string> words{"measure-user", file, "--json"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome outcome = run(words);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return nlohmann::json::parse(outcome.out);
+  }
+
+  // What a recording of a real device looks like, made from the model: the goal is inferred with a belief that is
+  // wrong, and the hand trembles by 0.2 mm.
+  std::string of_a_device(const Vector<2>& aim, double k_u) {
+    Scene scene = load_scene("wall45");
+    scene.settings.impedances.k_u = k_u;
+    scene.settings.impedances.believed_k_u = 500.0;
+    scene.settings.active = StrategyId::anisotropic;
+    scene.goal = {{aim}, {0.0}, Motion::linear};
+    scene.duration = 2.0;
+    fmt::memory_buffer rows;
+    play(scene, last_tick(scene), [&](Snapshot snapshot) {
+      auto& now = snapshot.strategies[index_of(StrategyId::anisotropic)];
+      const double phase = 50.0 * snapshot.time_s;
+      const Vector<2> tremor = 0.0002 * Vector<2>(std::cos(phase), std::sin(1.3 * phase));
+      snapshot.goal = now.device - now.force / 500.0;
+      now.device += tremor;
+      now.proxy += tremor;
+      append_run_row(rows, snapshot, StrategyId::anisotropic);
+      rows.append(std::string_view(",1,estimated,measured,0,0,0,0.001\n"));
+    });
+    std::ofstream(path("device.csv")) << run_header(scene,
+                                                    ",active,goal_kind,device_kind,sent_x_N,sent_y_N,saturated,loop_s")
+                                      << std::string_view(rows.data(), rows.size());
+    return path("device.csv");
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(MeasureUser, GivesBackTheStiffnessOfASimulatedHandWhateverWasBelieved) {
+  for (const std::string k_c : {"2000", "1e5", "inf"}) {
+    for (const std::string believed : {"40", "1500"}) {
+      for (const double k_u : {90.0, 350.0}) {
+        for (const std::string angle : {"120", "60"}) {
+          SCOPED_TRACE(testing::Message() << k_c << ' ' << believed << ' ' << k_u << ' ' << angle);
+          // The goal of wall45 is inside for either angle.
+          const nlohmann::json json =
+              measured(simulated({"rendering.k_c_N_per_m=" + k_c, "user.believed_k_u_N_per_m=" + believed,
+                                  fmt::format("user.k_u_N_per_m={}", k_u), "wall.normal_deg=" + angle,
+                                  "goal.path_mm=[[0, 0], [-5, -20]]"}));
+          ASSERT_EQ(json["readings"].size(), 2U) << json;
+          for (const nlohmann::json& reading : json["readings"]) {
+            // The second half of a rest of two seconds is some ten time constants from its beginning, which was within
+            // 0.02 mm: a share of 1e-6 of a drift of millimetres.
+            EXPECT_NEAR(reading["k_u_N_per_m"].get<double>(), k_u, 1e-5 * k_u) << reading;
+            EXPECT_EQ(reading["given_k_u_N_per_m"], k_u);
+          }
+          EXPECT_NEAR(json["k_u_N_per_m"]["median"].get<double>(), k_u, 1e-5 * k_u);
+        }
+      }
+    }
+  }
+}
+
+TEST_F(MeasureUser, TellsPeopleTheMedianAndTheGivenValue) {
+  const Outcome outcome = run({"measure-user", simulated({"user.believed_k_u_N_per_m=50"})});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_NE(outcome.out.find("median 200.00 N/m of 2 readings"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("given to the simulated hand: 200.00 N/m"), std::string::npos) << outcome.out;
+}
+
+TEST_F(MeasureUser, ADeviceNeedsTheTargetThatWasAimedAt) {
+  const Vector<2> aim{0.012, -0.016};
+  const std::string file = of_a_device(aim, 150.0);
+  const Outcome without = run({"measure-user", file});
+  EXPECT_EQ(without.exit_code, 2);
+  EXPECT_NE(without.err.find("--target-mm"), std::string::npos) << without.err;
+  EXPECT_EQ(without.out, "");
+
+  // Any point on the normal through the aim: its foot on the wall.
+  const nlohmann::json json = measured(file, {"--target-mm=-2,-2"});
+  EXPECT_EQ(json["device_kind"], "measured");
+  ASSERT_EQ(json["readings"].size(), 1U);
+  EXPECT_FALSE(json["readings"][0].contains("given_k_u_N_per_m"));
+  // The aim is 0 along the wall from the target; of the tremor of 0.2 mm the mean over half a second or more leaves a
+  // hundredth.
+  EXPECT_NEAR(json["k_u_N_per_m"]["median"].get<double>(), 150.0, 1.5);
+  // Somewhere else it is another hand, or none: the target matters.
+  const Outcome elsewhere = run({"measure-user", file, "--json", "--target-mm=2,2"});
+  EXPECT_EQ(elsewhere.out.find("\"median\":15"), std::string::npos) << elsewhere.out;
+}
+
+TEST_F(MeasureUser, SaysWhyThereIsNoReading) {
+  const auto expect_none = [&](const std::string& file, std::string_view why) {
+    for (const bool json : {false, true}) {
+      std::vector<std::string> words{"measure-user", file};
+      if (json) words.emplace_back("--json");
+      const Outcome outcome = run(words);
+      EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+      EXPECT_NE(outcome.err.find(why), std::string::npos) << outcome.err;
+      EXPECT_EQ(outcome.out.empty(), !json);
+      if (json) {
+        EXPECT_EQ(nlohmann::json::parse(outcome.out)["count"], 0);
+      }
+    }
+  };
+  expect_none(simulated({"wall.normal_deg=180"}), "turn one of them");
+  expect_none(simulated({"rendering.k_r_N_per_m=0"}), "raise k_r");
+  expect_none(simulated({"goal.path_mm=[[-20, 20], [-5, 5]]"}), "press into the wall");
+  expect_none(simulated({"goal.duration_s=1.1"}), "hold still");
+}
+
+TEST_F(MeasureUser, RefusesWhatItCannotRead) {
+  const Outcome absent = run({"measure-user", path("absent.csv")});
+  EXPECT_EQ(absent.exit_code, 2);
+  EXPECT_NE(absent.err.find("no such file"), std::string::npos);
+  const Outcome nothing = run({"measure-user"});
+  EXPECT_EQ(nothing.exit_code, 2);
+  const Outcome nowhere = run({"measure-user", simulated({}), "--target-mm=here"});
+  EXPECT_EQ(nowhere.exit_code, 2);
+  EXPECT_NE(nowhere.err.find("--target-mm"), std::string::npos);
+  std::ofstream(path("text.csv")) << "once upon a time\n";
+  EXPECT_EQ(run({"measure-user", path("text.csv")}).exit_code, 2);
+}
+
+}  // namespace
+}  // namespace ghostforce
