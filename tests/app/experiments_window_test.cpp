@@ -269,5 +269,58 @@ TEST_F(ExperimentsWindow, TheCircleFollowsTheWallAndBeginsAnew) {
   EXPECT_EQ(application_->circle_reading()->turns, 0);
 }
 
+// A real device's driver with a simulated arm and hand behind it: its goal is not known, so it has a target to aim at.
+TEST_F(ExperimentsWindow, AHandOnADeviceIsMeasuredAgainstATarget) {
+  ApplicationOptions options = with_panel("Measure the hand");
+  options.input = "virtual-falcon";
+  options.input_options.virtual_falcon_clock = VirtualLink::Clock::stepped;
+  open(options);
+  const auto lead_to = [&](const Vector<2>& goal) {
+    const Vector<2> from = session().goal;
+    for (int i = 1; i <= 10; ++i) {
+      session().goal = glm::mix(from, goal, i / 10.0);
+      frames(1, ticks / 2);
+    }
+    frames(10, ticks / 2);
+  };
+  for (int i = 0; i < 300 && application_->falcon_report()->state != FalconState::idle; ++i) frames(1, 100);
+  lead_to({-0.015, 0.015});
+  start_measuring(session());
+  frames(2);
+  ASSERT_TRUE(measurement().target);
+  EXPECT_LT(glm::length(*measurement().target), 1e-15) << "the foot of the scene's last waypoint";
+  EXPECT_EQ(count_marks(Role::target), 4) << "line, two rings and words";
+  EXPECT_EQ(measurement().step, MeasuringStep::arm);
+  ++session().arms_asked;
+  for (int i = 0; i < 60 && application_->report().motors.state != SafetyState::on; ++i) frames(1, 100);
+  ASSERT_EQ(application_->report().motors.state, SafetyState::on);
+  frames(2);
+  EXPECT_EQ(measurement().step, MeasuringStep::press);
+  lead_to({0.012, -0.012});
+  frames(10, ticks);
+  ASSERT_TRUE(measurement().drift);
+  EXPECT_GT(count_marks(Role::proxy_drift), 0) << "a ruler from the target";
+
+  double low = 1.0;
+  double high = 30.0;
+  for (int i = 0; i < 8; ++i) {
+    const double ratio = std::sqrt(low * high);
+    session().settings.impedances.chosen_tracking_ratio = ratio;
+    frames(8, ticks);
+    ASSERT_TRUE(measurement().drift);
+    (*measurement().drift > 0.0 ? low : high) = ratio;
+  }
+  frames(4, ticks);
+  ASSERT_EQ(measurement().step, MeasuringStep::take) << words_for(measurement().step, true);
+  take_reading(session());
+  ASSERT_EQ(measurement().readings.size(), 1U);
+  // The last of eight halvings of 1 … 30 leaves 1.3 % of ρ; encoders and the drift that averages to none, 12 mm deep, a
+  // few per cent more, times ρ/(ρ − 1).
+  const double k_u = session().settings.impedances.k_u;
+  EXPECT_NEAR(measurement().readings[0].k_u, k_u, 0.1 * k_u);
+  session().offs_asked++;
+  frames(2);
+}
+
 }  // namespace
 }  // namespace ghostforce
