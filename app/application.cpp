@@ -98,6 +98,7 @@ void Application::use(const InputKind& kind, std::shared_ptr<const Scene> scene,
   session_.input = kind.name;
   session_.misbehaviour.clear();
   if (circle_ != nullptr) session_.folded_panels.erase(std::string(energy_panel));
+  session_.circle_test.has_news = circle_ != nullptr;
   session_.pointer_moves_goal = pointer_ != nullptr;
   session_.scene = std::move(scene);
   session_.settings = settings;

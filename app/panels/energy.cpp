@@ -20,7 +20,6 @@ void draw_switch(Session& session) {
     ImGui::PopTextWrapPos();
     if (ImGui::Button("Circle test")) {
       session.circle_test.input_before = session.input;
-      session.circle_test.has_news = true;
       session.wishes.input = std::string(circle_input);
     }
     explain("The goal goes round a circle inside the wall, and each turn is measured.");
