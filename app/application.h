@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "app/recording.h"
 #include "app/circle_meter.h"
+#include "app/recording.h"
 #include "app/screen.h"
 #include "app/session.h"
 #include "app/shader_watch.h"

@@ -166,8 +166,8 @@ struct LoopReading {
   std::optional<SpaceMouseReading> spacemouse{};  // if that is the input
   std::span<const InputChoice> misbehaviours{};   // that a virtual device can be asked for; empty: it is none
   RecordingReading recording{};
-  std::optional<CircleReading> circle{};          // if the circle is the input
-  std::string remark{};  // what the operating system granted and refused the loop; may be empty
+  std::optional<CircleReading> circle{};  // if the circle is the input
+  std::string remark{};                   // what the operating system granted and refused the loop; may be empty
 };
 
 }  // namespace ghostforce
