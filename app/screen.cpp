@@ -41,7 +41,7 @@ bool draw_panel_head(const Panel& panel, const PanelContext& context) {
   const float left = ImGui::GetWindowPos().x + style.WindowPadding.x;
   const float right = ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x;
   ImGui::PushFont(context.fonts.bold, 0.0F);
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {4.0F * context.scale, 2.0F * context.scale});
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {4.0F * context.scale, 1.0F * context.scale});
   ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 0.0F);
   ImGui::PushStyleColor(ImGuiCol_Header, unpacked(context.theme.panel));
   const bool is_open = ImGui::CollapsingHeader(panel.title.data());

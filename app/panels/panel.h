@@ -30,9 +30,8 @@ struct PanelContext {
 struct Panel {
   std::string_view title;
   void (*draw)(const PanelContext&);
-  bool can_wait;                                   // folded at first where there is no room for all
+  double opens_from = 0.0;                         // folded at first in a lower window [points]
   bool (*is_there)(const LoopReading&) = nullptr;  // null: always
-  bool is_extra = false;                           // folded at first wherever it is
 };
 
 }  // namespace ghostforce

@@ -1,6 +1,7 @@
 #include "app/panels/panel_catalog.h"
 
 #include <array>
+#include <limits>
 
 namespace ghostforce {
 namespace {
@@ -14,20 +15,24 @@ bool has_recording(const LoopReading& loop) {
   return !loop.recording.path.empty();
 }
 
-constexpr std::array panels{
-    Panel{"Live", draw_live_values, false},
-    Panel{"Safety", draw_safety, false, has_motors},
-    Panel{"Rendering", draw_rendering, false},
-    Panel{"User", draw_user, false},
-    Panel{.title = "Measure the hand", .draw = draw_measure_user, .can_wait = true, .is_extra = true},
-    Panel{.title = energy_panel, .draw = draw_energy, .can_wait = true, .is_extra = true},
-    Panel{"Wall and device", draw_wall_and_device, false},
-    Panel{"Input", draw_input, true},
-    Panel{"View", draw_view_options, true},
-    Panel{.title = "Recording", .draw = draw_recording, .can_wait = true, .is_there = has_recording, .is_extra = true},
-};
+// From these heights on there is room for the panel beside all that open earlier [points].
+constexpr double room_for_the_device = 700.0;
+constexpr double room_for_the_input = 780.0;
+constexpr double room_for_the_view = 880.0;
+constexpr double when_asked = std::numeric_limits<double>::infinity();
 
-constexpr double room_for_all = 780.0;  // height of the window [points]
+constexpr std::array panels{
+    Panel{"Live", draw_live_values},
+    Panel{.title = "Safety", .draw = draw_safety, .is_there = has_motors},
+    Panel{"Rendering", draw_rendering},
+    Panel{"User", draw_user},
+    Panel{"Measure the hand", draw_measure_user, when_asked},
+    Panel{energy_panel, draw_energy, when_asked},
+    Panel{"Wall and device", draw_wall_and_device, room_for_the_device},
+    Panel{"Input", draw_input, room_for_the_input},
+    Panel{"View", draw_view_options, room_for_the_view},
+    Panel{"Recording", draw_recording, when_asked, has_recording},
+};
 
 }  // namespace
 
@@ -38,7 +43,7 @@ std::span<const Panel> panel_catalog() noexcept {
 std::set<std::string, std::less<>> panels_folded_at_first(double height) {
   std::set<std::string, std::less<>> folded;
   for (const Panel& panel : panels) {
-    if (panel.is_extra || (panel.can_wait && height < room_for_all)) folded.emplace(panel.title);
+    if (height < panel.opens_from) folded.emplace(panel.title);
   }
   return folded;
 }

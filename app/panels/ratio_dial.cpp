@@ -82,7 +82,8 @@ void draw_ratio_dial(const PanelContext& context) {
     const float x = x_of(place);
     draw_list.AddLine({x, track_y - radius}, {x, track_y + radius}, packed(colour), 2.0F * context.scale);
     const ImVec2 size = ImGui::CalcTextSize(word);
-    draw_list.AddText({x - 0.5F * size.x, corner.y}, packed(letters), word);
+    const float word_x = std::clamp(x - 0.5F * size.x, corner.x, std::max(corner.x, corner.x + width - size.x));
+    draw_list.AddText({word_x, corner.y}, packed(letters), word);
   };
   stop(scale.place(1.0), "naïve", naive, theme.strategy_text[index_of(StrategyId::naive)]);
   stop(scale.place(optimal), impedances.believed_k_u ? "believed optimal" : "optimal", cure,

@@ -65,7 +65,7 @@ void draw_user(const PanelContext& context) {
     impedances.believed_k_u = right ? std::nullopt : std::optional(impedances.k_u);
   }
   explain(Term::right_belief);
-  if (impedances.believed_k_u) draw_drift_of_belief(context);
+  draw_drift_of_belief(context);
   end_rows();
 }
 
