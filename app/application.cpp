@@ -59,7 +59,7 @@ Application::Application(Window& window, const Scene& scene, const ApplicationOp
       screen_(window, options.part) {
   if (!options.shader_folder.empty()) shader_watch_.emplace(options.shader_folder);
   use(*find_input(options.input), session_.scene, session_.settings);
-  if (!options.record.empty()) start_recording(options.record);
+  if (options.record) start_recording(*options.record);
 }
 
 Application::~Application() {

@@ -29,8 +29,8 @@ namespace ghostforce {
 struct ApplicationOptions {
   Part part = Part::window;
   Look look{};
-  std::string input = "mouse";  // a name of the input catalog
-  std::string record{};         // from the first tick, to a file of this name; empty: not
+  std::string input = "mouse";          // a name of the input catalog
+  std::optional<std::string> record{};  // from the first tick, to a file of this name
   InputOptions input_options{};
   bool offers_hints = false;
   std::set<std::string, std::less<>> folded_panels{};

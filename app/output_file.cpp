@@ -135,13 +135,17 @@ ssize_t OutputFile::write_some(std::string_view text) const {
   return ::write(descriptor_, text.data(), text.size());
 }
 
-void OutputFile::commit() {
+void OutputFile::finish() {
   flush();
-  if (descriptor_ == STDOUT_FILENO) return;
+  if (descriptor_ < 0 || descriptor_ == STDOUT_FILENO) return;
   const int descriptor = descriptor_;
   descriptor_ = -1;
   // Some file systems tell only now that the disk is full.
   if (close(descriptor) != 0 && errno != EINTR) fail(errno);
+}
+
+void OutputFile::commit() {
+  finish();
   if (temporary_.empty()) return;
   if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
   temporary_.clear();

@@ -30,6 +30,9 @@ class OutputFile {
   // Buffered: long output should come in few large pieces all the same.
   void write(std::string_view text);
 
+  // All that was written is on the disk, as far as the disk tells: what can still go wrong with commit() is the name.
+  void finish();
+
   void commit();
 
   // Whether the words on a terminal and this file would run into each other.

@@ -74,6 +74,8 @@ void OutputFolder::write(const std::string& name, std::string_view content) {
 }
 
 void OutputFolder::commit() {
+  // A full disk shows itself here, while all that was there before is still in its place.
+  for (File& each : files_) each.file->finish();
   for (File& each : files_) {
     each.file->commit();
     each.file.reset();

@@ -22,6 +22,36 @@ std::pair<std::string_view, std::string_view> split(std::string_view dotted) noe
   return {dotted.substr(0, dot), dotted.substr(dot + 1)};
 }
 
+std::vector<std::string> dotted_names() {
+  std::vector<std::string> names;
+  for (const SceneKey& key : scene_keys()) names.push_back(dotted_name(key.table, key.name));
+  return names;
+}
+
+// Dotted: of the same name in another table first, then of what is near in this one, in all, and but for the table.
+std::optional<std::string> nearest_scene_key(std::string_view table, std::string_view name) {
+  std::vector<std::string_view> here;
+  std::vector<std::string_view> names;
+  for (const SceneKey& key : scene_keys()) {
+    if (key.table == table) here.push_back(key.name);
+    names.push_back(key.name);
+  }
+  const std::vector<std::string> dotted = dotted_names();
+  const auto whole = [&](std::string_view found) {
+    return dotted[static_cast<std::size_t>(std::find(names.begin(), names.end(), found) - names.begin())];
+  };
+  if (std::find(names.begin(), names.end(), name) != names.end()) return whole(name);
+  if (const auto near = nearest_name(name, here)) return dotted_name(table, *near);
+  const std::vector<std::string_view> all(dotted.begin(), dotted.end());
+  if (const auto near = nearest_name(dotted_name(table, name), all)) return std::string(*near);
+  if (const auto near = nearest_name(name, names)) return whole(*near);
+  return std::nullopt;
+}
+
+std::string ask(std::string_view key) {
+  return fmt::format("; did you mean '{}'?", key);
+}
+
 }  // namespace
 
 std::string dotted_name(std::string_view table, std::string_view name) {
@@ -46,23 +76,10 @@ bool is_scene_table(std::string_view name) noexcept {
 }
 
 std::string suggest_scene_key(std::string_view table, std::string_view name) {
+  if (const auto near = nearest_scene_key(table, name)) return ask(*near);
   std::vector<std::string_view> here;
-  std::vector<std::string_view> names;
-  std::vector<std::string> dotted;
   for (const SceneKey& key : scene_keys()) {
     if (key.table == table) here.push_back(key.name);
-    names.push_back(key.name);
-    dotted.push_back(dotted_name(key.table, key.name));
-  }
-  const auto ask = [](std::string_view meant) { return fmt::format("; did you mean '{}'?", meant); };
-
-  const auto same = std::find(names.begin(), names.end(), name);
-  if (same != names.end()) return ask(dotted[static_cast<std::size_t>(same - names.begin())]);
-  if (const auto near = nearest_name(name, here)) return ask(dotted_name(table, *near));
-  const std::vector<std::string_view> all(dotted.begin(), dotted.end());
-  if (const auto near = nearest_name(dotted_name(table, name), all)) return ask(*near);
-  if (const auto near = nearest_name(name, names)) {
-    return ask(dotted[static_cast<std::size_t>(std::find(names.begin(), names.end(), *near) - names.begin())]);
   }
   if (here.empty()) return "";
   return fmt::format("; {} has {}", table.empty() ? "the file" : fmt::format("[{}]", table), listed(here));
@@ -70,7 +87,10 @@ std::string suggest_scene_key(std::string_view table, std::string_view name) {
 
 std::string suggest_scene_key(std::string_view dotted) {
   const auto [table, name] = split(dotted);
-  return suggest_scene_key(table, name);
+  if (!table.empty()) return suggest_scene_key(table, name);
+  if (const auto near = nearest_scene_key(table, name)) return ask(*near);
+  const std::vector<std::string> names = dotted_names();
+  return fmt::format("; the keys are {}", listed(std::vector<std::string_view>(names.begin(), names.end())));
 }
 
 std::string_view unit_of(std::string_view key_name) noexcept {

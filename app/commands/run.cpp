@@ -34,7 +34,7 @@ struct Options {
   SceneOptions scene;
   PictureOptions picture;
   std::string input = "mouse";
-  std::string record;
+  std::optional<std::string> record;
   FalconSetUp falcon;
   std::string shader_folder;
   bool no_hints = false;
@@ -121,6 +121,15 @@ CLI::Validator an_input() {
       "");
 }
 
+// A recording grows while the program runs, and words go to the terminal beside it.
+CLI::Validator a_file_of_its_own() {
+  return CLI::Validator(
+      [](const std::string& path) -> std::string {
+        return path.empty() || path == "-" ? "name a file; it must not exist yet" : "";
+      },
+      "");
+}
+
 // The recording whose hand is to be replayed.
 std::optional<Run> load_recording(const Options& options) {
   if (!options.input.starts_with(replay_begins)) return std::nullopt;
@@ -188,10 +197,13 @@ int run(const Options& options) {
     // The visit is over and went well; the window only opens in its usual size the next time.
     fmt::print(stderr, "{}\n", failure.what());
   }
-  if (const std::string words = application.end_recording(); !words.empty()) fmt::print(stderr, "{}\n", words);
-  if (!options.record.empty() && !application.recording_problem().empty()) {
-    return static_cast<int>(ExitCode::file_trouble);
+  const std::string end_of_recording = application.end_recording();
+  const std::string& problem = application.recording_problem();
+  // One that ended on the way was told in the window only.
+  if (const std::string& words = problem.empty() ? end_of_recording : problem; !words.empty()) {
+    fmt::print(stderr, "{}\n", words);
   }
+  if (options.record && !problem.empty()) return static_cast<int>(ExitCode::file_trouble);
   // Scripts want to know; a person has seen it on the screen.
   return static_cast<int>(options.exit_after_s ? end_of(application) : ExitCode::done);
 }
@@ -212,7 +224,8 @@ std::function<int()> attach_run(CLI::App& subcommand) {
   subcommand
       .add_option("--record", options->record,
                   "Record every tick, from the first, to this CSV file, which must not exist yet")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(a_file_of_its_own());
   options->picture.attach(subcommand, false);
   options->falcon.attach(subcommand);
   subcommand.add_flag("--no-hints", options->no_hints, "No hints for newcomers in this run");

@@ -15,6 +15,9 @@ constexpr std::int64_t ticks_between_looks = 32;
 
 constexpr double picometre = 1e-12;  // [m]
 
+// Far above what counts as rest, so that it must die away, and far below anything that matters.
+constexpr double nudge_m = 1e-9;
+
 // Roundings that add up in one force: those of q_h, q_p and o, of their difference and of the products.
 constexpr double roundings = 16.0;
 
@@ -46,6 +49,11 @@ Course course_of(const Settings& settings, const TickPlan<2>& plan, const TickSt
   return is_balanced && is_still ? Course::at_rest : Course::moving;
 }
 
+// A hand that comes straight at the wall excites nothing along it, and an unstable loop could stand on its edge.
+void nudge(TickState<2>& state) noexcept {
+  for (auto& strategy : state.strategies) strategy.motion.position += nudge_m * Vector<2>(0.8, 0.6);
+}
+
 }  // namespace
 
 PerStrategy<std::optional<SimulatedRest>> settle(const Scene& scene) noexcept {
@@ -56,6 +64,7 @@ PerStrategy<std::optional<SimulatedRest>> settle(const Scene& scene) noexcept {
     tick(plan, goal_at(scene.goal, time_of(state.tick + 1, plan.rate)), state);
   }
 
+  nudge(state);
   const Vector<2> goal = scene.goal.points.back();
   PerStrategy<std::optional<SimulatedRest>> rests;
   PerStrategy<bool> is_done{};

@@ -21,7 +21,7 @@ struct SimulatedRest {
 inline constexpr std::int64_t most_held_ticks = 1'000'000;
 
 // The hand follows the scene's path to its end, or to the scene's duration if that is shorter, and stays at the last
-// waypoint from there.
+// waypoint from there. There the devices are nudged by a nanometre, off both axes: what is stable forgets that.
 //
 // A device is at rest when the forces on it cancel, |k_u (q_u − q_h) + f_r| ≤ F, and it moves no more, √(k_u m) |v| ≤
 // F. Both are needed: a slow device is not yet there, and a swinging one passes through the balance. F is what the

@@ -1,11 +1,9 @@
 #include "app/output_file.h"
 
 #include <fcntl.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <csignal>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -13,6 +11,8 @@
 #include <gtest/gtest.h>
 
 #include "app/failure.h"
+#include "app/output_folder.h"
+#include "tests/support/small_files.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce {
@@ -135,27 +135,6 @@ TEST(OutputFile, SaysAtOnceWhatCanNeverBe) {
   EXPECT_EQ(folder.count(), 1) << "nothing was left behind";
 }
 
-// Files of this process can grow to so many bytes, as on a disk that is nearly
-// full.
-class SmallFiles {
- public:
-  explicit SmallFiles(rlim_t most_bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-    getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit small{most_bytes, before_.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &small);
-  }
-  ~SmallFiles() {
-    setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, handler_);
-  }
-  SmallFiles(const SmallFiles&) = delete;
-  SmallFiles& operator=(const SmallFiles&) = delete;
-
- private:
-  void (*handler_)(int);
-  rlimit before_{};
-};
-
 TEST(OutputFile, LeavesNothingWhenThereIsNoMoreRoom) {
   const TemporaryFolder folder;
   const std::string path = folder / "run.csv";
@@ -170,6 +149,22 @@ TEST(OutputFile, LeavesNothingWhenThereIsNoMoreRoom) {
     EXPECT_EQ(failure.what(), path + " cannot be written: File too large; name another");
   }
   EXPECT_EQ(folder.count(), 0);
+}
+
+TEST(OutputFolder, ReplacesNothingWhenThereIsNoMoreRoom) {
+  const TemporaryFolder folder;
+  for (const char* const name : {"a", "b", "c"}) write_whole(folder / name, "old");
+  {
+    const SmallFiles small(1000);
+    OutputFolder files(folder.path());
+    files.write("a", "new");
+    files.write("b", std::string(2000, 'x'));
+    files.write("c", "new");
+    files.write("d", "new");
+    EXPECT_THROW(files.commit(), Failure);
+  }
+  EXPECT_EQ(folder.count(), 3);
+  for (const char* const name : {"a", "b", "c"}) EXPECT_EQ(read_whole(folder / name), "old") << name;
 }
 
 }  // namespace

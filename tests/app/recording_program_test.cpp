@@ -9,6 +9,8 @@
 #include "app/replay.h"
 #include "app/run_reader.h"
 #include "tests/support/display.h"
+#include "tests/support/program.h"
+#include "tests/support/small_files.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce {
@@ -72,6 +74,26 @@ TEST(RecordingProgram, EndsByItselfAndOverwritesNothing) {
   EXPECT_TRUE(load_run(path).remarks.empty());
   EXPECT_EQ(record(), 8);
   EXPECT_EQ(read_whole(path), text);
+}
+
+TEST(RecordingProgram, SaysWhereTheFileTookNoMore) {
+  const TemporaryFolder folder;
+  const Display display(1024, 640);
+  ProgramCall call;
+  call.words = {"run", "--input", "script", "--exit-after", "2", "--record", folder / "run.csv"};
+  call.environment = display.environment();
+  const SmallFiles small(100'000);
+  const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, call);
+  EXPECT_EQ(outcome.exit_code, 8);
+  EXPECT_NE(outcome.err.find("run.csv takes no more: File too large"), std::string::npos) << outcome.err;
+}
+
+TEST(RecordingProgram, IsAskedForAFile) {
+  for (const std::string no_file : {"", "-"}) {
+    const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, {"run", "--exit-after", "0.1", "--record", no_file});
+    EXPECT_EQ(outcome.exit_code, 2) << no_file;
+    EXPECT_NE(outcome.err.find("--record: name a file"), std::string::npos) << outcome.err;
+  }
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 #include "app/recording.h"
 
 #include <signal.h>
-#include <sys/resource.h>
 
 #include <chrono>
 #include <filesystem>
@@ -16,6 +15,7 @@
 #include "device/mouse_input.h"
 #include "device/scripted_input.h"
 #include "tests/app/driven_window.h"
+#include "tests/support/small_files.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce {
@@ -151,15 +151,11 @@ TEST(Recording, EndsWithWholeLinesWhereTheFileTakesNoMore) {
   Recording recording(folder / "run.csv", stepped.scene, *stepped.servo, 1);
   stepped.step(100);
   wait_until([&] { return recording.progress().seconds > 0.099; });
-  rlimit before{};
-  getrlimit(RLIMIT_FSIZE, &before);
-  const auto handler = signal(SIGXFSZ, SIG_IGN);
-  const rlimit small{recording.progress().bytes + 12'345, before.rlim_max};
-  setrlimit(RLIMIT_FSIZE, &small);
-  stepped.step(1000);
-  wait_until([&] { return recording.progress().error != 0; });
-  setrlimit(RLIMIT_FSIZE, &before);
-  signal(SIGXFSZ, handler);
+  {
+    const SmallFiles small(recording.progress().bytes + 12'345);
+    stepped.step(1000);
+    wait_until([&] { return recording.progress().error != 0; });
+  }
   stepped.step(1000);
   recording.end();
   EXPECT_EQ(recording.progress().error, EFBIG);

@@ -448,6 +448,16 @@ TEST(Sweep, WhatNeverComesToRestIsLeftEmpty) {
   for (const Row& row : slow.rows) expect_not_settled(row);
 }
 
+TEST(Sweep, AnUnstableLoopIsFoundOutThoughTheHandDoesNotExciteIt) {
+  // The hand comes straight at the wall. Along it the fully actuated device is multiplied by (m − dt² k_r) / (m + dt b
+  // + dt² k_u) per tick: by −0.9986 at 13930 N/m, by −1.0014 at 13970.
+  const Csv edge = swept({"wall45", "--set=device.rate_hz=250", "--over=rendering.k_r_N_per_m=13930:13970:2"});
+  for (const Row& row : edge.rows) {
+    if (row.strategy() != StrategyId::full) continue;
+    EXPECT_EQ(row.text("settled"), row.number("rendering.k_r_N_per_m") == 13930.0 ? "1" : "0");
+  }
+}
+
 TEST(Sweep, ACreepingDeviceIsWaitedFor) {
   // b/k_u = 10 s: after 3 s it has barely begun to move.
   for (const Row& row : swept({"fig3-normal", "--over=device.damping_N_s_per_m=1000:1000:1"}).rows) {
