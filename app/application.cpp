@@ -128,6 +128,7 @@ void Application::use(const InputKind& kind, std::shared_ptr<const Scene> scene,
 // scene is about; the scripted hand itself starts at the beginning. A reset uses the settings of the moment.
 TickState<2> Application::start_state() {
   history_.clear();
+  session_.plots.follows = true;  // what was looked back at is gone
   Scene scene = *session_.scene;
   scene.settings = session_.settings;
   const InputKind& kind = *find_input(session_.input);

@@ -14,21 +14,35 @@
 namespace ghostforce {
 namespace {
 
-// Too narrow for titles: letters must do.
-bool is_narrow(const PanelContext& context) {
-  return ImGui::GetWindowWidth() < 930.0F * context.scale;
+// How much room there is for the same things [letter heights].
+struct BarSizes {
+  bool has_titles;  // of strategies: else their letters must do
+  float pad;        // in a strategy's button
+  float compare;
+  float speed;
+  float sign;  // width of a button with a sign, in heights of it
+  float gap;   // between groups [points]
+};
+constexpr BarSizes wide{.has_titles = true, .pad = 1.2F, .compare = 9.6F, .speed = 4.8F, .sign = 1.15F, .gap = 14.0F};
+constexpr BarSizes narrow{.has_titles = false, .pad = 0.7F, .compare = 7.6F, .speed = 4.0F, .sign = 0.9F, .gap = 6.0F};
+
+const BarSizes& bar_sizes(const PanelContext& context) {
+  // The button of the motors is one more thing to see.
+  const float needed = context.loop.motors.has_motors ? 1010.0F : 930.0F;
+  return ImGui::GetWindowWidth() < needed * context.scale ? narrow : wide;
 }
 
 void draw_strategy_button(const PanelContext& context, const Strategy& entry, float height) {
   const std::size_t i = index_of(entry.id);
   const bool active = entry.id == context.session.settings.active;
-  const std::string words = is_narrow(context) ? std::string(1, entry.letter) : std::string(entry.title);
+  const BarSizes& sizes = bar_sizes(context);
+  const std::string words = sizes.has_titles ? std::string(entry.title) : std::string(1, entry.letter);
   const float glyph = 0.4F * ImGui::GetFontSize();
   const float key_width = 1.5F * ImGui::GetFontSize();
   ImGui::PushFont(active ? context.fonts.bold : context.fonts.regular, 0.0F);
   // As wide as the bold words, so that choosing does not make the bar jump.
   const float words_width = context.fonts.bold->CalcTextSizeA(ImGui::GetFontSize(), 1e9F, 0.0F, words.c_str()).x;
-  const ImVec2 size{key_width + 2.6F * glyph + words_width + 1.2F * ImGui::GetFontSize(), height};
+  const ImVec2 size{key_width + 2.6F * glyph + words_width + sizes.pad * ImGui::GetFontSize(), height};
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImGui::PushID(static_cast<int>(i));
   if (ImGui::InvisibleButton("strategy", size)) context.session.settings.active = entry.id;
@@ -69,9 +83,9 @@ void bar_combo(const char* id, const std::string& shown, float width, float heig
   ImGui::PopStyleVar();
 }
 
-void draw_compare(Session& session, float height) {
+void draw_compare(Session& session, float width, float height) {
   const CompareMode& mode = compare_catalog()[static_cast<std::size_t>(session.options.compare)];
-  bar_combo("##compare", std::string(mode.title), 9.6F * ImGui::GetFontSize(), height, [&] {
+  bar_combo("##compare", std::string(mode.title), width * ImGui::GetFontSize(), height, [&] {
     for (const CompareMode& each : compare_catalog()) {
       if (ImGui::Selectable(each.title.data(), each.id == session.options.compare)) session.options.compare = each.id;
     }
@@ -79,9 +93,9 @@ void draw_compare(Session& session, float height) {
   explain("Compare: all strategies in one picture, a picture for each, or the active one only. Key 0.");
 }
 
-void draw_speed(Session& session, float height) {
+void draw_speed(Session& session, float width, float height) {
   constexpr std::array speeds{1.0, 0.5, 0.2, 0.1, 0.02};
-  bar_combo("##speed", fmt::format("{:g}×", session.speed), 4.8F * ImGui::GetFontSize(), height, [&] {
+  bar_combo("##speed", fmt::format("{:g}×", session.speed), width * ImGui::GetFontSize(), height, [&] {
     for (const double speed : speeds) {
       if (ImGui::Selectable(fmt::format("{:g}×", speed).c_str(), speed == session.speed)) session.speed = speed;
     }
@@ -125,9 +139,9 @@ void draw_record_sign(ImDrawList& draw_list, ImVec2 middle, float unit, ImU32 co
   draw_list.AddCircleFilled(middle, unit, colour, 24);
 }
 
-bool sign_button(const char* id, DrawSign draw_sign, Colour colour, float height) {
+bool sign_button(const char* id, DrawSign draw_sign, Colour colour, const PanelContext& context, float height) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const float width = 1.15F * height;
+  const float width = bar_sizes(context).sign * height;
   const bool pressed = ImGui::Button(id, {width, height});
   draw_sign(*ImGui::GetWindowDrawList(), {corner.x + 0.5F * width, corner.y + 0.5F * height}, 0.22F * height,
             packed(colour));
@@ -135,7 +149,7 @@ bool sign_button(const char* id, DrawSign draw_sign, Colour colour, float height
 }
 
 bool sign_button(const char* id, DrawSign draw_sign, const PanelContext& context, float height) {
-  return sign_button(id, draw_sign, context.theme.text, height);
+  return sign_button(id, draw_sign, context.theme.text, context, height);
 }
 
 void draw_record_button(const PanelContext& context, float height) {
@@ -144,7 +158,7 @@ void draw_record_button(const PanelContext& context, float height) {
     ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 2.5F * context.scale);
     ImGui::PushStyleColor(ImGuiCol_Border, unpacked(context.theme.problem));
   }
-  if (sign_button("##record", draw_record_sign, is_on ? context.theme.problem : context.theme.text, height)) {
+  if (sign_button("##record", draw_record_sign, is_on ? context.theme.problem : context.theme.text, context, height)) {
     toggle_recording(context);
   }
   if (is_on) {
@@ -216,9 +230,10 @@ void draw_strategy_bar(const PanelContext& context) {
   const float height = 30.0F * context.scale;
   for (const Strategy& entry : strategy_catalog()) draw_strategy_button(context, entry, height);
 
-  ImGui::SameLine(0.0F, 14.0F * context.scale);
-  draw_compare(session, height);
-  ImGui::SameLine(0.0F, 14.0F * context.scale);
+  const BarSizes& sizes = bar_sizes(context);
+  ImGui::SameLine(0.0F, sizes.gap * context.scale);
+  draw_compare(session, sizes.compare, height);
+  ImGui::SameLine(0.0F, sizes.gap * context.scale);
   // Nobody stops the time of a real hand.
   ImGui::BeginDisabled(context.snapshot.measured.has_value());
   if (sign_button("##pause", session.paused ? draw_play_sign : draw_pause_sign, context, height)) toggle_pause(session);
@@ -232,7 +247,7 @@ void draw_strategy_bar(const PanelContext& context) {
   explain("Starts the motion again. Key R; Alt+R resets the settings too.");
   ImGui::SameLine();
   ImGui::BeginDisabled(context.snapshot.measured.has_value());
-  draw_speed(session, height);
+  draw_speed(session, sizes.speed, height);
   ImGui::EndDisabled();
   ImGui::SameLine();
   draw_record_button(context, height);

@@ -12,19 +12,20 @@ namespace {
 struct Tab {
   PlotTab id;
   const char* title;
+  const char* short_title;  // where there is no room for all
   std::string_view sentence;
   void (*draw)(const PanelContext& context, const PlotHistory& history);
 };
 
 constexpr std::array tabs{
-    Tab{PlotTab::time, "Over time", "What has been. The wheel chooses how long a time is in sight; drag to look back.",
-        draw_time_plots},
-    Tab{PlotTab::wall_angle, "Over wall angle",
-        "Where everything comes to rest, were the wall at another angle. Drag the line: the wall follows. Ctrl: "
+    Tab{PlotTab::time, "Time", "Time",
+        "What has been. The wheel chooses how long a time is in sight; drag to look back.", draw_time_plots},
+    Tab{PlotTab::wall_angle, "Wall angle", "Angle",
+        "Where everything comes to rest, were the wall at another angle. Drag: the wall follows. Ctrl: "
         "freely.",
         [](const PanelContext& context, const PlotHistory&) { draw_wall_angle_plots(context); }},
-    Tab{PlotTab::ratio, "Over ratio ρ",
-        "Where everything comes to rest, were the tracking ratio another. Drag the line: the dial follows.",
+    Tab{PlotTab::ratio, "Ratio ρ", "ρ",
+        "Where everything comes to rest, were the tracking ratio another. Drag: the dial follows.",
         [](const PanelContext& context, const PlotHistory&) { draw_ratio_plots(context); }},
 };
 
@@ -52,11 +53,16 @@ void draw_buttons(const PanelContext& context) {
 
 void draw_plots(const PanelContext& context, const PlotHistory& history) {
   PlotView& view = context.session.plots;
+  const bool has_room = ImGui::GetContentRegionAvail().x > 29.0F * ImGui::GetFontSize();
   for (const Tab& tab : tabs) {
     const bool is_chosen = tab.id == view.tab;
+    const char* const title = has_room ? tab.title : tab.short_title;
+    // As wide as the bold words, so that choosing does not make them jump.
+    const float words = context.fonts.bold->CalcTextSizeA(ImGui::GetFontSize(), 1e9F, 0.0F, title).x;
+    const float width = words + 2.0F * ImGui::GetStyle().FramePadding.x;
     ImGui::PushFont(is_chosen ? context.fonts.bold : context.fonts.regular, 0.0F);
     if (is_chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
-    if (ImGui::Button(tab.title)) view.tab = tab.id;
+    if (ImGui::Button(title, {width, 0.0F})) view.tab = tab.id;
     if (is_chosen) ImGui::PopStyleColor();
     ImGui::PopFont();
     explain(tab.sentence);

@@ -49,17 +49,23 @@ Series series_of(StrategyId id, const Theme& theme) {
   return series;
 }
 
-Export over_time(const PlotHistory& history, double from_s, double to_s, bool goal_is_inferred, const Theme& theme) {
+// What is small shall look small, as on the screen.
+const Reference zero{0.0, false, ""};
+
+// Empty where nobody knows.
+CsvCell cell_of(double value) {
+  return std::isnan(value) ? CsvCell(std::string()) : CsvCell(value);
+}
+
+Export over_time(const PlotHistory& history, double from_s, double to_s, const Theme& theme) {
   Export result;
   result.table.columns = {"t_s", "strategy"};
   for (const Quantity& quantity : quantity_catalog()) result.table.columns.emplace_back(quantity.column);
-  const auto is_known = [&](const Quantity& quantity) { return !quantity.is_against_goal || !goal_is_inferred; };
   for (const PlotBucket& tick : history.between(from_s, to_s, every_tick)) {
     for (const Strategy& entry : strategy_catalog()) {
       std::vector<CsvCell> row{tick.from_s, std::string(entry.name)};
       for (std::size_t q = 0; q < quantity_count; ++q) {
-        row.push_back(is_known(quantity_catalog()[q]) ? CsvCell(tick.least[q][index_of(entry.id)])
-                                                      : CsvCell(std::string()));
+        row.push_back(cell_of(tick.least[q][index_of(entry.id)]));
       }
       result.table.rows.push_back(std::move(row));
     }
@@ -70,15 +76,16 @@ Export over_time(const PlotHistory& history, double from_s, double to_s, bool go
     Chart chart;
     chart.title = glossary(quantity.term).title;
     chart.x.title = "time [s]";
+    chart.x.range = Vector<2>(from_s, to_s);
     chart.y.title = fmt::format("{} [{}]", quantity.title, quantity.unit);
+    chart.references.push_back(zero);
     for (const Strategy& entry : strategy_catalog()) {
-      if (!is_known(quantity)) continue;
       Series series = series_of(entry.id, theme);
       for (const PlotBucket& bucket : buckets) {
         const std::size_t i = index_of(entry.id);
         const double middle = 0.5 * (bucket.from_s + bucket.to_s);
         series.points.emplace_back(middle, bucket.least[q][i]);
-        if (bucket.greatest[q][i] != bucket.least[q][i]) series.points.emplace_back(middle, bucket.greatest[q][i]);
+        if (bucket.greatest[q][i] > bucket.least[q][i]) series.points.emplace_back(middle, bucket.greatest[q][i]);
       }
       chart.series.push_back(std::move(series));
     }
@@ -96,7 +103,7 @@ struct SweptSetting {
   double now;  // in the column's unit
 };
 
-Export over_setting(const RestCurves& curves, const SweptSetting& setting, const Theme& theme) {
+Export over_setting(const RestCurves& curves, const SweptSetting& setting, bool goal_is_inferred, const Theme& theme) {
   Export result;
   result.table.columns = {setting.column, "strategy", "force_along_motor_axis_N", "proxy_drift_along_wall_mm"};
   const auto chart_of = [&](std::string title, std::string quantity) {
@@ -104,11 +111,13 @@ Export over_setting(const RestCurves& curves, const SweptSetting& setting, const
     chart.title = std::move(title);
     chart.x.title = setting.title;
     chart.x.is_logarithmic = setting.is_logarithmic;
+    chart.x.range = Vector<2>(curves.at.front(), curves.at.back()) * setting.per_si;
     chart.y.title = std::move(quantity);
-    chart.references.push_back({setting.now, true, "now"});
+    chart.references = {zero, {setting.now, true, "now"}};
     return chart;
   };
-  Chart force = chart_of("Force at rest", "force along the motor axis [N]");
+  Chart force = chart_of(goal_is_inferred ? "Force at rest, for the estimated goal" : "Force at rest",
+                         "force along the motor axis [N]");
   Chart drift = chart_of("Proxy drift at rest", "drift along the wall [mm]");
   for (const Strategy& entry : strategy_catalog()) {
     Series forces = series_of(entry.id, theme);
@@ -116,7 +125,7 @@ Export over_setting(const RestCurves& curves, const SweptSetting& setting, const
     for (std::size_t k = 0; k < curves.at.size(); ++k) {
       const RestValue& value = curves.values[index_of(entry.id)][k];
       const double at = curves.at[k] * setting.per_si;
-      result.table.rows.push_back({at, std::string(entry.name), value.force, 1000.0 * value.drift});
+      result.table.rows.push_back({at, std::string(entry.name), value.force, cell_of(1000.0 * value.drift)});
       forces.points.emplace_back(at, value.force);
       drifts.points.emplace_back(at, 1000.0 * value.drift);
     }
@@ -130,30 +139,30 @@ Export over_setting(const RestCurves& curves, const SweptSetting& setting, const
 Export export_of(const Session& session, const Snapshot& snapshot, const PlotHistory& history, bool whole_history) {
   const Theme& theme = *session.look.theme;
   const Settings& settings = session.settings;
+  const RestQuestion question = rest_question(settings, snapshot);
   switch (session.plots.tab) {
     case PlotTab::time:
-      return whole_history
-                 ? over_time(history, history.oldest_s(), history.newest_s(), snapshot.measured.has_value(), theme)
-                 : over_time(history, session.plots.from_s, session.plots.to_s, snapshot.measured.has_value(), theme);
+      return whole_history ? over_time(history, history.oldest_s(), history.newest_s(), theme)
+                           : over_time(history, session.plots.from_s, session.plots.to_s, theme);
     case PlotTab::wall_angle: {
       const double turn = std::floor(settings.wall_normal_angle / (360.0 * degree));
-      return over_setting(rest_over_wall_angle(settings, snapshot.goal, curve_points),
+      return over_setting(rest_over_wall_angle(question, curve_points),
                           {.column = "wall_normal_deg",
                            .title = "angle of the wall's normal [°]",
                            .is_logarithmic = false,
                            .per_si = 1.0 / degree,
                            .now = settings.wall_normal_angle / degree - 360.0 * turn},
-                          theme);
+                          question.goal_is_inferred, theme);
     }
     case PlotTab::ratio: {
       const RatioRange range = ratio_range(settings.impedances);
-      return over_setting(rest_over_ratio(settings, snapshot.goal, range.least, range.greatest, curve_points),
+      return over_setting(rest_over_ratio(question, range.least, range.greatest, curve_points),
                           {.column = "tracking_ratio",
                            .title = "tracking ratio ρ",
                            .is_logarithmic = true,
                            .per_si = 1.0,
                            .now = tracking_ratio(settings.impedances)},
-                          theme);
+                          question.goal_is_inferred, theme);
     }
   }
   return {};

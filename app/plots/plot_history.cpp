@@ -1,15 +1,20 @@
 #include "app/plots/plot_history.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace ghostforce {
 namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 PlotBucket bucket_of(const Snapshot& snapshot) {
   PlotBucket bucket{snapshot.time_s, snapshot.time_s, {}, {}};
   for (std::size_t q = 0; q < quantity_count; ++q) {
     for (std::size_t i = 0; i < strategy_count; ++i) {
-      bucket.least[q][i] = quantity_catalog()[q].value(snapshot.strategies[i]);
+      const bool is_known = !quantity_catalog()[q].is_against_goal || !snapshot.measured;
+      bucket.least[q][i] = is_known ? quantity_catalog()[q].value(snapshot.strategies[i]) : unknown;
     }
   }
   bucket.greatest = bucket.least;
@@ -20,8 +25,8 @@ void merge(const PlotBucket& later, PlotBucket& into) {
   into.to_s = later.to_s;
   for (std::size_t q = 0; q < quantity_count; ++q) {
     for (std::size_t i = 0; i < strategy_count; ++i) {
-      into.least[q][i] = std::min(into.least[q][i], later.least[q][i]);
-      into.greatest[q][i] = std::max(into.greatest[q][i], later.greatest[q][i]);
+      into.least[q][i] = std::fmin(into.least[q][i], later.least[q][i]);  // which pass over what is unknown
+      into.greatest[q][i] = std::fmax(into.greatest[q][i], later.greatest[q][i]);
     }
   }
 }
@@ -88,6 +93,7 @@ std::vector<PlotBucket> PlotHistory::between(double from_s, double to_s, std::si
 }
 
 const PlotBucket* PlotHistory::at(double time_s) const {
+  if (time_s > newest_s_) return nullptr;
   const Level& ticks = levels_.front();
   const std::size_t later = first_ahead(ticks, [&](const PlotBucket& tick) { return tick.from_s <= time_s; });
   return later == 0 ? nullptr : &ticks.at(later - 1);

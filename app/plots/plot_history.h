@@ -13,7 +13,7 @@
 
 namespace ghostforce {
 
-// Some ticks in a row: the least and the greatest of each value among them.
+// Some ticks in a row: the least and the greatest of each value among them. NaN for what nobody knew in any of them.
 struct PlotBucket {
   double from_s = 0.0;
   double to_s = 0.0;
@@ -36,7 +36,8 @@ class PlotHistory {
   // that where there are as many ticks. Where `most` is large enough, a bucket is a tick.
   std::vector<PlotBucket> between(double from_s, double to_s, std::size_t most) const;
 
-  // The newest tick that is no later; null where there is none. Good until the next add() or clear().
+  // The tick that was the newest at that time; null before the first and after the last. Good until the next add() or
+  // clear().
   const PlotBucket* at(double time_s) const;
 
  private:

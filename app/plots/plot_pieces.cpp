@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
 
+#include "app/chart/ticks.h"
 #include "app/panels/controls.h"
 
 namespace ghostforce {
@@ -50,7 +54,7 @@ void draw_strategy_curve(const PanelContext& context, StrategyId id, std::span<c
   const bool in_front = id == context.session.settings.active;
   ImPlotSpec look;
   look.LineColor = unpacked(context.theme.strategy[i]);
-  look.LineWeight = (in_front ? 2.4F : 1.5F) * context.scale;
+  look.LineWeight = (in_front ? 2.4F : 1.5F) * static_cast<float>(context.theme.thickness) * context.scale;
   ImPlot::PlotLine(strategy(id).name.data(), x.data(), y.data(), static_cast<int>(x.size()), look);
 
   // Each strategy's shapes at other places, so that curves on top of each other can still be told apart.
@@ -63,6 +67,27 @@ void draw_strategy_curve(const PanelContext& context, StrategyId id, std::span<c
     if (!std::isfinite(y[at]) || !is_inside(place)) continue;
     draw_glyph(draw_list, place, glyph_radius * context.scale, strategy_style(id).shape, context.theme.strategy[i]);
   }
+}
+
+void set_up_ticks(ImAxis axis, const PlotRange& range, float length, std::string_view unit) {
+  const bool is_horizontal = axis < ImAxis_Y1;
+  const std::function<double(std::string_view)> extent = [&](std::string_view words) {
+    const std::string whole = std::string(words) + std::string(unit);
+    const ImVec2 size = ImGui::CalcTextSize(whole.c_str());
+    return static_cast<double>(is_horizontal ? size.x : size.y);
+  };
+  const double gap = static_cast<double>(ImGui::GetFontSize()) * (is_horizontal ? 1.6 : 1.0);
+  const Ticks ticks =
+      choose_ticks({range.least, range.greatest, false, false, static_cast<double>(length), gap, extent});
+  std::vector<double> values;
+  std::vector<std::string> words;
+  std::vector<const char*> labels;
+  for (const Tick& tick : ticks.named) {
+    values.push_back(tick.value);
+    words.push_back(tick.words + std::string(unit));
+  }
+  for (const std::string& each : words) labels.push_back(each.c_str());
+  ImPlot::SetupAxisTicks(axis, values.data(), static_cast<int>(values.size()), labels.data());
 }
 
 void draw_strategy_point(const PanelContext& context, StrategyId id, double x, double y, bool is_hollow) {

@@ -16,10 +16,21 @@ void apply_plot_style(const Theme& theme, float scale);
 
 inline constexpr ImPlotFlags quiet_plot = ImPlotFlags_CanvasOnly | ImPlotFlags_NoFrame;
 
+// The least range that holds both and is no smaller than that, with some room at both ends.
+struct PlotRange {
+  double least;
+  double greatest;
+};
+PlotRange roomy(double least, double greatest, double smallest);
+
 // A curve through these points, with the strategy's colour and, here and there, its shape: lines of plots have no
-// patterns. Within a plot.
+// patterns. A NaN leaves a gap. Within a plot.
 void draw_strategy_curve(const PanelContext& context, StrategyId id, std::span<const double> x,
                          std::span<const double> y);
+
+// Marks of an axis, as many as have room on so many pixels, in the same words as those of charts. Before what is
+// plotted.
+void set_up_ticks(ImAxis axis, const PlotRange& range, float length, std::string_view unit);
 
 // The strategy's shape at a point; hollow for what is predicted, with a bold rim. Within a plot.
 void draw_strategy_point(const PanelContext& context, StrategyId id, double x, double y, bool is_hollow);
@@ -33,12 +44,5 @@ void for_each_strategy(const PanelContext& context, Visit&& visit) {
   }
   visit(active);
 }
-
-// The least range that holds both and is no smaller than that, with some room at both ends.
-struct PlotRange {
-  double least;
-  double greatest;
-};
-PlotRange roomy(double least, double greatest, double smallest);
 
 }  // namespace ghostforce

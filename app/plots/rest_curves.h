@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/settings.h"
+#include "core/snapshot.h"
 
 namespace ghostforce {
 
@@ -19,18 +20,28 @@ struct RestCurves {
   PerStrategy<std::vector<RestValue>> values;
 };
 
-RestValue rest_value(StrategyId id, const Settings& settings, const Vector<2>& goal) noexcept;
+// Under which settings and which goal things come to rest.
+struct RestQuestion {
+  Settings settings;
+  Vector<2> goal{0.0};            // [m]
+  bool goal_is_inferred = false;  // then nobody knows how far the proxy is beside it: drifts are NaN
+};
+
+// Of this moment. The goal of a real hand is inferred with the stiffness that the hand is believed to have, and so that
+// is the hand's stiffness then.
+RestQuestion rest_question(const Settings& settings, const Snapshot& snapshot) noexcept;
+
+RestValue rest_value(StrategyId id, const RestQuestion& question) noexcept;
 
 // The same of a tick: of a snapshot's force and drift.
 RestValue value_now(const Vector<2>& force, const Vector<2>& drift, const Settings& settings) noexcept;
 
 // Over the angle of the wall's normal, a whole turn from 0; the wall turns about its point, under the goal as it is
 // [rad]. `count` ≥ 2.
-RestCurves rest_over_wall_angle(const Settings& settings, const Vector<2>& goal, std::size_t count);
+RestCurves rest_over_wall_angle(const RestQuestion& question, std::size_t count);
 
 // Over the tracking ratio ρ from `least` to `greatest`, in equal steps of its logarithm. Only the anisotropic strategy
 // has one: it is the naïve one at 1, and pushes like the fully actuated one at ρ*. `count` ≥ 2.
-RestCurves rest_over_ratio(const Settings& settings, const Vector<2>& goal, double least, double greatest,
-                           std::size_t count);
+RestCurves rest_over_ratio(const RestQuestion& question, double least, double greatest, std::size_t count);
 
 }  // namespace ghostforce

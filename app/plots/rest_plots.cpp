@@ -53,32 +53,37 @@ struct RestAxis {
 };
 
 // The same ring and shape on both plots, so that one sees force and drift of one moment.
-void draw_points(const PanelContext& context, const RestQuantity& quantity, const RestAxis& axis) {
-  const Settings& settings = context.session.settings;
+void draw_points(const PanelContext& context, const RestQuantity& quantity, const RestAxis& axis,
+                 const RestQuestion& question) {
   for_each_strategy(context, [&](StrategyId id) {
-    draw_strategy_point(context, id, axis.now, quantity.of(rest_value(id, settings, context.snapshot.goal)), true);
-    if (context.snapshot.measured) return;
+    draw_strategy_point(context, id, axis.now, quantity.of(rest_value(id, question)), true);
+    if (question.goal_is_inferred) return;
     const StrategySnapshot<2>& now = context.snapshot.strategies[index_of(id)];
-    draw_strategy_point(context, id, axis.now, quantity.of(value_now(now.force, now.proxy_drift, settings)), false);
+    draw_strategy_point(context, id, axis.now, quantity.of(value_now(now.force, now.proxy_drift, question.settings)),
+                        false);
   });
 }
 
-// Where the person drags the operating point to, if so.
-std::optional<double> draw_operating_point(const PanelContext& context, const RestQuantity& quantity,
-                                           const RestAxis& axis) {
-  const StrategyId active = context.session.settings.active;
-  double x = axis.now;
-  double y = quantity.of(rest_value(active, context.session.settings, context.snapshot.goal));
-  const ImVec4 colour = unpacked(context.theme.accent);
-  bool is_held = false;
-  ImPlot::DragLineX(0, &x, colour, 1.5F * context.scale, ImPlotDragToolFlags_NoFit, nullptr, nullptr, &is_held);
-  if (is_held) return x;
-  ImPlot::DragPoint(1, &x, &y, colour, 4.0F * context.scale, ImPlotDragToolFlags_NoFit, nullptr, nullptr, &is_held);
-  return is_held ? std::optional(x) : std::nullopt;
+// Where the person drags the operating point to, if so: these plots have nothing else to take hold of, so that a drag
+// may begin anywhere in them, as in the scene.
+std::optional<double> draw_operating_point(const PanelContext& context, const RestAxis& axis) {
+  const float x = ImPlot::PlotToPixels(axis.now, 0.0).x;
+  const ImVec2 corner = ImPlot::GetPlotPos();
+  const float thickness = 1.5F * static_cast<float>(context.theme.thickness) * context.scale;
+  ImPlot::GetPlotDrawList()->AddLine({x, corner.y}, {x, corner.y + ImPlot::GetPlotSize().y},
+                                     packed(context.theme.accent), thickness);
+  bool& is_held = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("held"));
+  if (ImPlot::IsPlotHovered()) {
+    ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) is_held = true;
+  }
+  is_held = is_held && ImGui::IsMouseDown(ImGuiMouseButton_Left);
+  return is_held ? std::optional(ImPlot::GetPlotMousePos().x) : std::nullopt;
 }
 
 std::optional<double> draw_rest_plot(const PanelContext& context, const RestQuantity& quantity,
-                                     const RestCurves& curves, const RestAxis& axis, ImVec2 size) {
+                                     const RestCurves& curves, const RestAxis& axis, const RestQuestion& question,
+                                     ImVec2 size) {
   std::optional<double> dragged;
   if (!ImPlot::BeginPlot("##plot", size, quiet_plot)) return dragged;
   PerStrategy<std::vector<double>> heights;
@@ -86,9 +91,10 @@ std::optional<double> draw_rest_plot(const PanelContext& context, const RestQuan
   double greatest = 0.0;
   for (std::size_t i = 0; i < strategy_count; ++i) {
     for (const RestValue& value : curves.values[i]) heights[i].push_back(quantity.of(value));
-    const auto [low, high] = std::ranges::minmax(heights[i]);
-    least = std::min(least, low);
-    greatest = std::max(greatest, high);
+    for (const double height : heights[i]) {
+      least = std::fmin(least, height);
+      greatest = std::fmax(greatest, height);
+    }
   }
   const PlotRange range = roomy(least, greatest, quantity.smallest_range);
   constexpr ImPlotAxisFlags fixed_axis =
@@ -98,16 +104,23 @@ std::optional<double> draw_rest_plot(const PanelContext& context, const RestQuan
   std::vector<const char*> labels;
   for (const std::string& label : axis.labels) labels.push_back(label.c_str());
   ImPlot::SetupAxisTicks(ImAxis_X1, axis.ticks.data(), static_cast<int>(axis.ticks.size()), labels.data());
+  set_up_ticks(ImAxis_Y1, range, size.y - 2.0F * ImGui::GetTextLineHeight(), "");
   ImPlot::SetupAxesLimits(axis.least, axis.greatest, range.least, range.greatest, ImPlotCond_Always);
   for_each_strategy(context, [&](StrategyId id) { draw_strategy_curve(context, id, axis.at, heights[index_of(id)]); });
-  dragged = draw_operating_point(context, quantity, axis);
-  draw_points(context, quantity, axis);
+  dragged = draw_operating_point(context, axis);
+  draw_points(context, quantity, axis, question);
+  if (std::isnan(heights.front().front())) {
+    const double middle =
+        axis.is_logarithmic ? std::sqrt(axis.least * axis.greatest) : 0.5 * (axis.least + axis.greatest);
+    ImPlot::PlotText("— cannot be known", middle, 0.5 * (range.least + range.greatest));
+  }
   ImPlot::EndPlot();
   return dragged;
 }
 
 // Both plots, side by side; and where the operating point is dragged to, if so.
-std::optional<double> draw_rest_plots(const PanelContext& context, const RestCurves& curves, const RestAxis& axis) {
+std::optional<double> draw_rest_plots(const PanelContext& context, const RestCurves& curves, const RestAxis& axis,
+                                      const RestQuestion& question) {
   std::optional<double> dragged;
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
@@ -117,13 +130,22 @@ std::optional<double> draw_rest_plots(const PanelContext& context, const RestCur
     if (&quantity != quantities.data()) ImGui::SameLine();
     ImGui::BeginGroup();
     ImGui::TextUnformatted(quantity.title);
+    if (question.goal_is_inferred) {
+      ImGui::SameLine();
+      ImGui::TextUnformatted("goal estimated");
+    }
     explain(quantity.sentence);
     ImGui::PushID(quantity.title);
-    if (const auto at = draw_rest_plot(context, quantity, curves, axis, size)) dragged = at;
+    if (const auto at = draw_rest_plot(context, quantity, curves, axis, question, size)) dragged = at;
     ImGui::PopID();
     ImGui::EndGroup();
   }
   return dragged;
+}
+
+// As the panel has it: from −180° to 180°.
+std::string angle_words(int degrees) {
+  return degrees <= 180 ? fmt::format("{}°", degrees) : degrees < 360 ? fmt::format("−{}°", 360 - degrees) : "0°";
 }
 
 std::size_t samples_for(float width) {
@@ -134,17 +156,20 @@ std::size_t samples_for(float width) {
 
 void draw_wall_angle_plots(const PanelContext& context) {
   Settings& settings = context.session.settings;
-  const RestCurves curves =
-      rest_over_wall_angle(settings, context.snapshot.goal, samples_for(ImGui::GetContentRegionAvail().x));
+  const float width = ImGui::GetContentRegionAvail().x;
+  const RestQuestion question = rest_question(settings, context.snapshot);
+  const RestCurves curves = rest_over_wall_angle(question, samples_for(width));
   RestAxis axis{{}, 0.0, 0.0, 360.0, false, {}, {}};
-  for (int tick = 0; tick <= 360; tick += 45) {
+  const float widest = ImGui::CalcTextSize("−135°").x + ImGui::GetFontSize();
+  const int step = 8.0F * widest < 0.5F * width ? 45 : 90;
+  for (int tick = 0; tick <= 360; tick += step) {
     axis.ticks.push_back(tick);
-    axis.labels.push_back(fmt::format("{}°", tick));
+    axis.labels.push_back(angle_words(tick));
   }
   for (const double angle : curves.at) axis.at.push_back(angle / degree);
   const double remainder = std::fmod(settings.wall_normal_angle, whole_turn);
   axis.now = (remainder < 0.0 ? remainder + whole_turn : remainder) / degree;
-  if (const auto dragged = draw_rest_plots(context, curves, axis)) {
+  if (const auto dragged = draw_rest_plots(context, curves, axis, question)) {
     const double angle = std::clamp(*dragged, axis.least, axis.greatest);
     settings.wall_normal_angle = (ImGui::GetIO().KeyCtrl ? angle : std::round(angle)) * degree;
   }
@@ -155,15 +180,18 @@ void draw_ratio_plots(const PanelContext& context) {
   const double optimal = optimal_tracking_ratio(impedances.k_r, believed_user_stiffness(impedances));
   const auto [least, greatest] = ratio_range(impedances);
   const float width = ImGui::GetContentRegionAvail().x;
-  const RestCurves curves =
-      rest_over_ratio(context.session.settings, context.snapshot.goal, least, greatest, samples_for(width));
+  const RestQuestion question = rest_question(context.session.settings, context.snapshot);
+  const RestCurves curves = rest_over_ratio(question, least, greatest, samples_for(width));
   RestAxis axis{curves.at, tracking_ratio(impedances), least, greatest, true, {1.0}, {"1 naïve"}};
+  const double decades_per_pixel = std::log(greatest / least) / (0.45 * static_cast<double>(width));
   const auto add_tick = [&](double ratio, std::string label) {
-    constexpr double too_near = 1.6;  // for two labels side by side
-    const bool has_room = std::ranges::all_of(axis.ticks, [&](double other) {
-      return std::abs(std::log(ratio / other)) > std::log(too_near) * std::log(greatest / least) / std::log(16.0);
-    });
-    if (!has_room || ratio < least || ratio > greatest) return;
+    if (ratio < least || ratio > greatest) return;
+    for (std::size_t i = 0; i < axis.ticks.size(); ++i) {
+      const float apart = static_cast<float>(std::abs(std::log(ratio / axis.ticks[i])) / decades_per_pixel);
+      const float needed =
+          0.5F * (ImGui::CalcTextSize(label.c_str()).x + ImGui::CalcTextSize(axis.labels[i].c_str()).x);
+      if (apart < needed + 0.7F * ImGui::GetFontSize()) return;
+    }
     axis.ticks.push_back(ratio);
     axis.labels.push_back(std::move(label));
   };
@@ -171,11 +199,10 @@ void draw_ratio_plots(const PanelContext& context) {
   for (const double ratio : {0.1, 10.0, 100.0, 1000.0, 0.2, 0.5, 2.0, 5.0, 20.0, 50.0, 200.0, 500.0}) {
     add_tick(ratio, fmt::format("{:g}", ratio));
   }
-  const auto dragged = draw_rest_plots(context, curves, axis);
+  const auto dragged = draw_rest_plots(context, curves, axis, question);
   if (!dragged) return;
-  const double decades_per_point = std::log(greatest / least) / (0.5 * static_cast<double>(width));
   choose_ratio(impedances, std::clamp(*dragged, least, greatest),
-               static_cast<double>(snap_points * context.scale) * decades_per_point);
+               static_cast<double>(snap_points * context.scale) * decades_per_pixel);
 }
 
 }  // namespace ghostforce

@@ -1,6 +1,7 @@
 #include "app/plots/time_plots.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -33,7 +34,7 @@ Curve curve_of(const std::vector<PlotBucket>& buckets, std::size_t quantity, std
     const double middle = 0.5 * (bucket.from_s + bucket.to_s);
     curve.x.push_back(middle);
     curve.y.push_back(least);
-    if (least == greatest) continue;
+    if (!(least < greatest)) continue;
     curve.x.push_back(middle);
     curve.y.push_back(greatest);
   }
@@ -45,11 +46,27 @@ PlotRange range_of(const std::vector<PlotBucket>& buckets, std::size_t quantity)
   double greatest = 0.0;
   for (const PlotBucket& bucket : buckets) {
     for (std::size_t i = 0; i < strategy_count; ++i) {
-      least = std::min(least, bucket.least[quantity][i]);
-      greatest = std::max(greatest, bucket.greatest[quantity][i]);
+      least = std::fmin(least, bucket.least[quantity][i]);
+      greatest = std::fmax(greatest, bucket.greatest[quantity][i]);
     }
   }
   return roomy(least, greatest, smallest_range);
+}
+
+// The middle of the longest time in which nobody knew the quantity, if that is long enough for words.
+std::optional<double> middle_of_unknown(const std::vector<PlotBucket>& buckets, std::size_t quantity,
+                                        double shortest_s) {
+  std::optional<double> middle;
+  std::size_t begin = 0;
+  for (std::size_t end = 0; end <= buckets.size(); ++end) {
+    if (end < buckets.size() && std::isnan(buckets[end].least[quantity].front())) continue;
+    if (end > begin && buckets[end - 1].to_s - buckets[begin].from_s >= shortest_s) {
+      shortest_s = buckets[end - 1].to_s - buckets[begin].from_s;
+      middle = 0.5 * (buckets[end - 1].to_s + buckets[begin].from_s);
+    }
+    begin = end + 1;
+  }
+  return middle;
 }
 
 // Name and unit, and at the right the values under the cursor.
@@ -63,7 +80,9 @@ void draw_head(const PanelContext& context, const Quantity& quantity, std::size_
   float needed = 0.0F;
   ImGui::PushFont(context.fonts.number, 0.0F);
   for (std::size_t i = 0; i < strategy_count; ++i) {
-    words[i] = fmt::format("  {}{:7.{}f}", strategy_catalog()[i].letter, cursor->greatest[index][i], quantity.decimals);
+    const double value = cursor->greatest[index][i];
+    words[i] = std::isnan(value) ? fmt::format("  {}{:>7}", strategy_catalog()[i].letter, "—")
+                                 : fmt::format("  {}{:7.{}f}", strategy_catalog()[i].letter, value, quantity.decimals);
     needed += ImGui::CalcTextSize(words[i].c_str()).x;
   }
   if (ImGui::GetItemRectSize().x + needed < width) {
@@ -85,12 +104,13 @@ void draw_cursor(const PanelContext& context, double at_s) {
   const ImVec2 corner = ImPlot::GetPlotPos();
   if (x < corner.x || x > corner.x + ImPlot::GetPlotSize().x) return;
   ImPlot::GetPlotDrawList()->AddLine({x, corner.y}, {x, corner.y + ImPlot::GetPlotSize().y},
-                                     packed(context.theme.accent), context.scale);
+                                     packed(context.theme.accent),
+                                     static_cast<float>(context.theme.thickness) * context.scale);
 }
 
 // One quantity; the time under the pointer, if it is there.
 std::optional<double> draw_plot(const PanelContext& context, const std::vector<PlotBucket>& buckets, std::size_t q,
-                                bool has_time_axis, ImVec2 size) {
+                                bool has_time_axis, ImVec2 size, float canvas) {
   PlotView& view = context.session.plots;
   std::optional<double> cursor;
   if (!ImPlot::BeginPlot("##plot", size, quiet_plot)) return cursor;
@@ -98,18 +118,21 @@ std::optional<double> draw_plot(const PanelContext& context, const std::vector<P
       ImPlotAxisFlags_NoMenus | ImPlotAxisFlags_NoSideSwitch | ImPlotAxisFlags_NoHighlight;
   ImPlot::SetupAxis(ImAxis_X1, nullptr, quiet_axis | (has_time_axis ? 0 : ImPlotAxisFlags_NoTickLabels));
   ImPlot::SetupAxis(ImAxis_Y1, nullptr, quiet_axis | ImPlotAxisFlags_Lock);
-  ImPlot::SetupAxisFormat(ImAxis_X1, "%g s");
   ImPlot::SetupAxisLinks(ImAxis_X1, &view.from_s, &view.to_s);
   ImPlot::SetupAxisZoomConstraints(ImAxis_X1, PlotView::shortest_span_s, PlotView::longest_span_s);
   const PlotRange range = range_of(buckets, q);
   ImPlot::SetupAxisLimits(ImAxis_Y1, range.least, range.greatest, ImPlotCond_Always);
-  if (quantity_catalog()[q].is_against_goal && context.snapshot.measured) {
-    ImPlot::PlotText("— cannot be known", 0.5 * (view.from_s + view.to_s), 0.5 * (range.least + range.greatest));
-  } else {
-    for_each_strategy(context, [&](StrategyId id) {
-      const Curve curve = curve_of(buckets, q, index_of(id));
-      draw_strategy_curve(context, id, curve.x, curve.y);
-    });
+  set_up_ticks(ImAxis_X1, {view.from_s, view.to_s}, size.x - 4.0F * ImGui::GetFontSize(), " s");
+  set_up_ticks(ImAxis_Y1, range, canvas, "");
+  for_each_strategy(context, [&](StrategyId id) {
+    const Curve curve = curve_of(buckets, q, index_of(id));
+    draw_strategy_curve(context, id, curve.x, curve.y);
+  });
+  constexpr const char* unknown = "— cannot be known";
+  const double seconds_per_pixel = view.span_s() / static_cast<double>(ImPlot::GetPlotSize().x);
+  const double width_s = static_cast<double>(ImGui::CalcTextSize(unknown).x) * seconds_per_pixel;
+  if (const auto middle = middle_of_unknown(buckets, q, width_s)) {
+    ImPlot::PlotText(unknown, *middle, 0.5 * (range.least + range.greatest));
   }
   if (view.cursor_s) draw_cursor(context, *view.cursor_s);
   if (ImPlot::IsPlotHovered()) cursor = ImPlot::GetPlotMousePos().x;
@@ -150,7 +173,7 @@ void draw_time_plots(const PanelContext& context, const PlotHistory& history) {
       draw_head(context, quantity_catalog()[q], q, under_cursor, width);
       ImGui::PushID(static_cast<int>(row));
       const ImVec2 size{width, canvas + (has_time_axis ? axis : 0.0F)};
-      if (const auto at = draw_plot(context, buckets, q, has_time_axis, size)) cursor = at;
+      if (const auto at = draw_plot(context, buckets, q, has_time_axis, size, canvas)) cursor = at;
       ImGui::PopID();
     }
     if (is_aligned) ImPlot::EndAlignedPlots();

@@ -88,7 +88,28 @@ TEST(PlotHistory, ATimeInBetweenIsTheTickBefore) {
   for (std::int64_t k = 10; k < 20; ++k) history.add(snapshot_at(k, static_cast<double>(k)));
   EXPECT_EQ(history.at(0.0099), nullptr);
   EXPECT_EQ(history.at(0.0125)->least[0][naive], 12.0);
-  EXPECT_EQ(history.at(5.0)->least[0][naive], 19.0);
+  EXPECT_EQ(history.at(0.019)->least[0][naive], 19.0);
+  EXPECT_EQ(history.at(0.0191), nullptr) << "that has not been yet";
+}
+
+TEST(PlotHistory, WhatNobodyKnewIsNoNumberAndStaysOneThough) {
+  constexpr std::size_t ghost = 1;
+  ASSERT_TRUE(quantity_catalog()[ghost].is_against_goal);
+  PlotHistory history;
+  for (std::int64_t k = 0; k < 3000; ++k) {
+    Snapshot snapshot = snapshot_at(k, 1.0);
+    snapshot.strategies[naive].ghost_force = {2.0, 0.0};
+    if (k >= 1000 && k < 2000) snapshot.measured = StrategyId::naive;
+    history.add(snapshot);
+  }
+  EXPECT_EQ(history.at(0.5)->least[ghost][naive], 2.0);
+  EXPECT_TRUE(std::isnan(history.at(1.5)->least[ghost][naive]));
+  EXPECT_EQ(history.at(1.5)->least[0][naive], 1.0);
+  EXPECT_EQ(history.at(2.5)->greatest[ghost][naive], 2.0);
+  for (const PlotBucket& bucket : history.between(0.0, 3.0, 20)) {
+    const bool is_in_between = bucket.from_s >= 1.0 && bucket.to_s < 2.0;
+    EXPECT_EQ(std::isnan(bucket.greatest[ghost][naive]), is_in_between) << bucket.from_s;
+  }
 }
 
 TEST(PlotHistory, ATickThatIsNoLaterCountsOnce) {
@@ -97,7 +118,7 @@ TEST(PlotHistory, ATickThatIsNoLaterCountsOnce) {
   history.add(snapshot_at(5, 2.0));
   history.add(snapshot_at(4, 3.0));
   ASSERT_EQ(history.between(0.0, 1.0, all).size(), 1U);
-  EXPECT_EQ(history.at(1.0)->least[0][naive], 1.0);
+  EXPECT_EQ(history.at(0.005)->least[0][naive], 1.0);
   history.clear();
   EXPECT_TRUE(history.is_empty());
   EXPECT_TRUE(history.between(0.0, 1.0, all).empty());
@@ -108,40 +129,54 @@ TEST(PlotHistory, ATickThatIsNoLaterCountsOnce) {
 class RestCurvesTest : public testing::Test {
  protected:
   Scene scene_ = load_scene("fig3-normal");
-  Vector<2> goal_ = scene_.goal.points.back();
+  RestQuestion question_{scene_.settings, scene_.goal.points.back(), false};
 };
 
 TEST_F(RestCurvesTest, PassThroughTheSettingInUse) {
   // Section 1 of the design: naïve −6.656 N, the others −3.633 N, no drift but for the naïve one.
-  EXPECT_NEAR(rest_value(StrategyId::naive, scene_.settings, goal_).force, -6.656, 5e-4);
-  EXPECT_NEAR(rest_value(StrategyId::full, scene_.settings, goal_).force, -3.633, 5e-4);
-  const RestCurves curves = rest_over_wall_angle(scene_.settings, goal_, 9);  // every 45°
+  EXPECT_NEAR(rest_value(StrategyId::naive, question_).force, -6.656, 5e-4);
+  EXPECT_NEAR(rest_value(StrategyId::full, question_).force, -3.633, 5e-4);
+  const RestCurves curves = rest_over_wall_angle(question_, 9);  // every 45°
   ASSERT_EQ(curves.at.size(), 9U);
   EXPECT_NEAR(curves.at[3], 0.75 * std::numbers::pi, 1e-15);
   for (const Strategy& entry : strategy_catalog()) {
-    const RestValue now = rest_value(entry.id, scene_.settings, goal_);
+    const RestValue now = rest_value(entry.id, question_);
     EXPECT_NEAR(curves.values[index_of(entry.id)][3].force, now.force, 1e-12);
     EXPECT_NEAR(curves.values[index_of(entry.id)][3].drift, now.drift, 1e-15);
   }
 }
 
 TEST_F(RestCurvesTest, AreFlatWhereTheGoalIsOutside) {
-  const RestCurves curves = rest_over_wall_angle(scene_.settings, goal_, 9);
+  const RestCurves curves = rest_over_wall_angle(question_, 9);
   for (std::size_t i = 0; i < strategy_count; ++i) EXPECT_EQ(curves.values[i][7].force, 0.0);  // 315°
 }
 
 TEST_F(RestCurvesTest, CrossTheFullyActuatedForceAndNoDriftAtTheOptimalRatio) {
   const double optimal = optimal_tracking_ratio(1000.0, 100.0);
-  const RestCurves curves = rest_over_ratio(scene_.settings, goal_, 1.0, optimal * optimal, 3);
+  const RestCurves curves = rest_over_ratio(question_, 1.0, optimal * optimal, 3);
   const auto& cured = curves.values[index_of(StrategyId::anisotropic)];
   const auto& full = curves.values[index_of(StrategyId::full)];
   EXPECT_NEAR(curves.at[1], optimal, 1e-12);
   EXPECT_NEAR(cured[1].force, full[1].force, 1e-9);
   EXPECT_NEAR(cured[1].drift, 0.0, 1e-12);
   EXPECT_LT(cured[0].drift * cured[2].drift, 0.0);  // it changes sides there
-  EXPECT_NEAR(cured[0].force, rest_value(StrategyId::naive, scene_.settings, goal_).force, 1e-12);
+  EXPECT_NEAR(cured[0].force, rest_value(StrategyId::naive, question_).force, 1e-12);
   EXPECT_EQ(full[0].force, full[2].force);
   EXPECT_EQ(curves.values[naive][0].force, curves.values[naive][2].force);
+}
+
+TEST_F(RestCurvesTest, AskNothingThatNobodyKnowsOfARealHand) {
+  Snapshot snapshot;
+  snapshot.goal = question_.goal;
+  snapshot.measured = StrategyId::naive;
+  Settings settings = scene_.settings;
+  settings.impedances.k_u = 1e4;  // whoever set that did not know the hand
+  settings.impedances.believed_k_u = 100.0;
+  const RestQuestion question = rest_question(settings, snapshot);
+  EXPECT_TRUE(std::isnan(rest_value(StrategyId::naive, question).drift));
+  EXPECT_NEAR(rest_value(StrategyId::naive, question).force, rest_value(StrategyId::naive, question_).force, 1e-12);
+  snapshot.measured.reset();
+  EXPECT_FALSE(std::isnan(rest_value(StrategyId::naive, rest_question(settings, snapshot)).drift));
 }
 
 // ---- Files ----------------------------------------------------------------------------------------------------------
@@ -204,11 +239,29 @@ TEST_F(PlotFile, SaysWhereItComesFrom) {
   EXPECT_NE(text.find("# k_r_N_per_m = 750"), std::string::npos);
 }
 
-TEST_F(PlotFile, LeavesOutWhatCannotBeKnownOfARealHand) {
-  snapshot_.measured = StrategyId::naive;
+// A real hand from 1.2 s to 1.3 s.
+TEST_F(PlotFile, LeavesOutWhatCouldNotBeKnownOfARealHandAndNothingElse) {
+  history_.clear();
+  play(scene_, last_tick(scene_), [&](const Snapshot& snapshot) {
+    snapshot_ = snapshot;
+    if (snapshot.tick >= 1200 && snapshot.tick <= 1300) snapshot_.measured = StrategyId::naive;
+    history_.add(snapshot_);
+  });
+  std::size_t empty = 0;
   for (const std::string& line : rows(file("plots.csv"))) {
     if (line.starts_with("t_s")) continue;
-    EXPECT_NE(line.find(",,,"), std::string::npos) << line;
+    const double time_s = std::stod(line);
+    const bool is_empty = line.find(",,,") != std::string::npos;
+    EXPECT_EQ(is_empty, time_s >= 1.2 && time_s <= 1.3) << line;
+    if (is_empty) ++empty;
+  }
+  EXPECT_EQ(empty, 3U * 101U);
+  EXPECT_TRUE(file("plots.png").starts_with("\x89PNG"));
+
+  session_.plots.tab = PlotTab::ratio;
+  snapshot_.measured = StrategyId::naive;
+  for (const std::string& line : rows(file("plots.csv"))) {
+    EXPECT_TRUE(line.starts_with("tracking") || line.ends_with(",")) << line;
   }
 }
 

@@ -34,16 +34,6 @@ class PlotsWindow : public DrivenWindow {
     session().plots.tab = tab;
     frames(3);
   }
-  // Where the plots on the left have something to take hold of, whatever the width of the numbers at their axes: the
-  // drag line is the only thing that a drag there can move.
-  double x_of_operating_point(double least, double greatest) {
-    for (double x = least; x < greatest; x += 5.0) {
-      point_at(in_drawer(x, 150.0));
-      frames(2);
-      if (ImGui::GetMouseCursor() == ImGuiMouseCursor_ResizeEW) return x;
-    }
-    return -1.0;
-  }
 };
 
 TEST_F(PlotsWindow, ComesAndGoesWithItsKey) {
@@ -56,11 +46,11 @@ TEST_F(PlotsWindow, ComesAndGoesWithItsKey) {
 }
 
 TEST_F(PlotsWindow, TabsChooseWhatIsShown) {
-  click_in_drawer(150.0, 20.0);
+  click_in_drawer(110.0, 20.0);
   EXPECT_EQ(view().tab, PlotTab::wall_angle);
-  click_in_drawer(270.0, 20.0);
+  click_in_drawer(195.0, 20.0);
   EXPECT_EQ(view().tab, PlotTab::ratio);
-  click_in_drawer(50.0, 20.0);
+  click_in_drawer(30.0, 20.0);
   EXPECT_EQ(view().tab, PlotTab::time);
 }
 
@@ -106,34 +96,53 @@ TEST_F(PlotsWindow, DraggingLooksBackUntilLiveIsPressed) {
   EXPECT_TRUE(view().follows);
 }
 
-TEST_F(PlotsWindow, TheWallFollowsTheOperatingPoint) {
+// Wherever the drag begins: the operating point comes to the pointer.
+TEST_F(PlotsWindow, TheWallFollowsADragAnywhereInThePlot) {
   choose(PlotTab::wall_angle);
-  const double x = x_of_operating_point(150.0, 210.0);  // 135° of 360°
-  ASSERT_GT(x, 0.0);
-  drag(in_drawer(x, 150.0), in_drawer(x - 40.0, 150.0));
-  const double angle = session().settings.wall_normal_angle / degree;
-  EXPECT_LT(angle, 120.0);
-  EXPECT_GT(angle, 60.0);
-  EXPECT_NEAR(angle, std::round(angle), 1e-9);
-  // One step back is the whole drag.
-  press(GLFW_KEY_Z, GLFW_MOD_CONTROL);
+  for (const double from : {120.0, 330.0}) {
+    drag(in_drawer(from, 150.0), in_drawer(140.0, 150.0));
+    const double angle = session().settings.wall_normal_angle / degree;
+    EXPECT_LT(angle, 120.0);
+    EXPECT_GT(angle, 60.0);
+    EXPECT_NEAR(angle, std::round(angle), 1e-9);
+    // One step back is the whole drag.
+    press(GLFW_KEY_Z, GLFW_MOD_CONTROL);
+    EXPECT_NEAR(session().settings.wall_normal_angle / degree, 135.0, 1e-9);
+  }
+}
+
+TEST_F(PlotsWindow, TheWallStaysWhereNoPlotIsDragged) {
+  choose(PlotTab::wall_angle);
+  point_at(in_drawer(200.0, 150.0));
+  frames(3);
+  drag(in_drawer(600.0, 20.0), in_drawer(140.0, 150.0));  // from the line of the buttons
   EXPECT_NEAR(session().settings.wall_normal_angle / degree, 135.0, 1e-9);
 }
 
-TEST_F(PlotsWindow, TheDialFollowsTheOperatingPointAndSnapsToTheOptimum) {
+TEST_F(PlotsWindow, TheDialFollowsADragAndSnapsToTheOptimum) {
   choose(PlotTab::ratio);
-  const double x = x_of_operating_point(285.0, 360.0);
-  ASSERT_GT(x, 0.0);
   EXPECT_FALSE(session().settings.impedances.chosen_tracking_ratio.has_value());
-  drag(in_drawer(x, 150.0), in_drawer(x - 80.0, 150.0));
+  drag(in_drawer(390.0, 150.0), in_drawer(240.0, 150.0));
   ASSERT_TRUE(session().settings.impedances.chosen_tracking_ratio.has_value());
   const double chosen = *session().settings.impedances.chosen_tracking_ratio;
   EXPECT_GT(chosen, 1.0);
   EXPECT_LT(chosen, 4.0);
-  const double now = x_of_operating_point(x - 100.0, x - 40.0);
-  ASSERT_GT(now, 0.0);
-  drag(in_drawer(now, 150.0), in_drawer(now + 80.0, 150.0));
-  EXPECT_FALSE(session().settings.impedances.chosen_tracking_ratio.has_value());  // back at ρ*
+  // ρ* is somewhere to the right of the middle.
+  bool has_snapped = false;
+  for (double x = 250.0; x < 390.0 && !has_snapped; x += 10.0) {
+    drag(in_drawer(240.0, 150.0), in_drawer(x, 150.0));
+    has_snapped = !session().settings.impedances.chosen_tracking_ratio.has_value();
+  }
+  EXPECT_TRUE(has_snapped);
+}
+
+TEST_F(PlotsWindow, AResetBringsBackTheNewestTick) {
+  drag(in_drawer(200.0, 100.0), in_drawer(320.0, 100.0));
+  ASSERT_FALSE(view().follows);
+  press(GLFW_KEY_R);
+  frames(3);
+  EXPECT_TRUE(view().follows);
+  EXPECT_EQ(view().to_s, application_->history().plots().newest_s());
 }
 
 TEST_F(PlotsWindow, SavesWhatItShows) {
