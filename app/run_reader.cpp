@@ -4,11 +4,9 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <utility>
 
@@ -19,6 +17,8 @@
 #include "app/interruption.h"
 #include "app/output_file.h"
 #include "app/printable.h"
+#include "app/run_line.h"
+#include "app/run_remarks.h"
 #include "app/scene_file.h"
 #include "app/scene_key_name.h"
 #include "ghostforce_version.h"
@@ -36,63 +36,10 @@ constexpr std::size_t longest_line = std::size_t{1} << 24;
 constexpr double time_tolerance = 0.01;
 constexpr double last_tick_ever = 1e12;
 
-// What is read of a row, and how many numbers of it; the word of the device's kind may be missing.
-enum Column : std::size_t {
-  strategy_column,
-  time_column,
-  goal_x_column,
-  goal_y_column,
-  device_x_column,
-  device_y_column,
-  proxy_x_column,
-  proxy_y_column,
-  force_x_column,
-  force_y_column,
-  needed_columns,
-  goal_kind_column = needed_columns,
-  device_kind_column,
-  column_count,
-};
-constexpr std::array<std::string_view, column_count> column_names{
-    "strategy",  "t_s",       "goal_x_m",  "goal_y_m",  "device_x_m", "device_y_m",
-    "proxy_x_m", "proxy_y_m", "force_x_N", "force_y_N", "goal_kind",  "device_kind"};
-
-// Why a line is left out.
-enum class Fault : std::size_t { damaged, not_finite, bad_set, bad_state, not_understood, count };
-struct FaultWords {
-  std::string_view one;
-  std::string_view many;
-};
-constexpr std::array<FaultWords, static_cast<std::size_t>(Fault::count)> fault_words{{
-    {"line is damaged and left out", "lines are damaged and left out"},
-    {"row has a number that is none (NaN or infinite) and is left out",
-     "rows have numbers that are none (NaN or infinite) and are left out"},
-    {"change of a setting cannot be read: the settings are not known from there on",
-     "changes of settings cannot be read: the settings are not known from there on"},
-    {"line about a jump cannot be read", "lines about jumps cannot be read"},
-    {"comment is not understood and left out", "comments are not understood and left out"},
-}};
-
-// A finite number, and nothing but it.
-enum class Number { good, not_finite, damaged };  // from good to bad
-Number read_number(std::string_view text, double& value) noexcept {
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc{} || stop != end) return Number::damaged;
-  return std::isfinite(value) ? Number::good : Number::not_finite;
-}
-
-// The text up to the separator, which is taken off `rest` with it.
-std::string_view take_until(std::string_view& rest, char separator) noexcept {
-  const std::size_t end = rest.find(separator);
-  const std::string_view piece = rest.substr(0, end);
-  rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
-  return piece;
-}
-
 class RunReader {
  public:
-  explicit RunReader(std::string_view shown_path) : shown_path_(printable(shown_path, longest_path)) {}
+  explicit RunReader(std::string_view shown_path)
+      : shown_path_(printable(shown_path, longest_path)), remarks_(shown_path_) {}
 
   // A line without its line feed.
   void take_line(std::string_view line) {
@@ -114,13 +61,14 @@ class RunReader {
   Run finish() {
     close_tick();
     if (is_empty_) throw Failure(ExitCode::wrong_call, fmt::format("{}: the file is empty", shown_path_));
-    if (run_.version.empty() && !knows_columns_) {
+    if (run_.version.empty() && !columns_.are_known()) {
       throw Failure(
           ExitCode::wrong_call,
           fmt::format("{}: this is no run; give a CSV file that ghostforce has recorded or simulated", shown_path_));
     }
     leave_out_ticks_out_of_order();
     write_remarks();
+    run_.remarks = remarks_.take();
     return std::move(run_);
   }
 
@@ -144,21 +92,21 @@ class RunReader {
     } else if (line.starts_with(set_begins)) {
       close_tick();
       if (!take_set(line.substr(set_begins.size()))) {
-        complain(Fault::bad_set);
+        complain(RunFault::bad_set);
         knows_settings_ = false;
       }
     } else if (line.starts_with(state_begins)) {
       close_tick();
-      pending_state_ = take_state(line.substr(state_begins.size()));
-      if (!pending_state_) complain(Fault::bad_state);
+      pending_state_ = read_state(line.substr(state_begins.size()));
+      if (!pending_state_) complain(RunFault::bad_state);
       knows_state_ = pending_state_.has_value();
     } else if (line.starts_with(dropped_begins)) {
       close_tick();
       take_dropped(line.substr(dropped_begins.size()));
     } else if (line == interrupted_line) {
       run_.is_interrupted = true;
-    } else if (knows_columns_ && !line.starts_with(hand_begins)) {
-      complain(Fault::not_understood);
+    } else if (columns_.are_known() && !line.starts_with(hand_begins)) {
+      complain(RunFault::not_understood);
     }
   }
 
@@ -177,13 +125,6 @@ class RunReader {
     short_scene.goal = {{Vector<2>(0.0)}, {0.0}, Motion::linear};
     short_scene.duration = 0.0;
     settings_text_ = ghostforce::scene_text(short_scene);
-  }
-
-  static bool take_time(std::string_view& rest) noexcept {
-    if (!rest.starts_with(time_begins)) return false;
-    rest.remove_prefix(time_begins.size());
-    double time_s = 0.0;
-    return read_number(take_until(rest, ' '), time_s) == Number::good;
   }
 
   bool take_set(std::string_view rest) {
@@ -205,32 +146,11 @@ class RunReader {
     return true;
   }
 
-  static std::optional<RunState> take_state(std::string_view rest) {
-    if (!take_time(rest)) return std::nullopt;
-    RunState state;
-    PerStrategy<bool> is_told{};
-    while (!rest.empty()) {
-      std::string_view words = take_until(rest, ' ');
-      const std::optional<StrategyId> id = find_strategy(take_until(words, '='));
-      if (!id || std::exchange(is_told[index_of(*id)], true)) return std::nullopt;
-      double x = 0.0;
-      double y = 0.0;
-      if (read_number(take_until(words, ','), x) != Number::good ||
-          read_number(take_until(words, ','), y) != Number::good ||
-          read_number(words, state.energy[index_of(*id)]) != Number::good) {
-        return std::nullopt;
-      }
-      state.velocity[index_of(*id)] = {x, y};
-    }
-    if (!std::ranges::all_of(is_told, std::identity{})) return std::nullopt;
-    return state;
-  }
-
   void take_dropped(std::string_view words) {
     std::uint64_t count = 0;
     const auto [stop, error] = std::from_chars(words.data(), words.data() + words.size(), count);
     if (error != std::errc{} || stop != words.data() + words.size()) {
-      complain(Fault::damaged);
+      complain(RunFault::damaged);
     } else {
       run_.dropped += std::min(count, UINT64_MAX - run_.dropped);
     }
@@ -248,83 +168,45 @@ class RunReader {
       if (is_last) break;
     }
     if (take_columns()) return;
-    if (!knows_columns_) {
+    if (!columns_.are_known()) {
       if (run_.version.empty()) return;  // no line of it is worth a word: it may be anything
       // The line of names is damaged. That a row has the usual columns shows in its numbers.
-      if (values_.empty() || !find_strategy(values_.front())) return complain(Fault::damaged);
-      assume_usual_columns();
+      if (values_.empty() || !find_strategy(values_.front())) return complain(RunFault::damaged);
+      columns_.assume_usual(values_.size());
+      assumes_columns_ = true;
     }
     take_row();
   }
 
   bool take_columns() {
-    if (knows_columns_ || std::ranges::find(values_, column_names[time_column]) == values_.end()) return false;
-    std::vector<std::string_view> missing;
-    for (std::size_t i = 0; i < column_count; ++i) {
-      const auto found = std::ranges::find(values_, column_names[i]);
-      place_[i] = found == values_.end() ? absent : static_cast<std::size_t>(found - values_.begin());
-      if (i < needed_columns && place_[i] == absent) missing.push_back(column_names[i]);
-    }
-    if (!missing.empty()) {
-      if (!run_.version.empty()) return false;
-      throw Failure(ExitCode::wrong_call, fmt::format("{}: this is no run: there is no column {}; give a CSV file that "
-                                                      "ghostforce has recorded or simulated",
-                                                      shown_path_, listed(missing)));
-    }
-    knows_columns_ = true;
-    values_per_row_ = values_.size();
-    return true;
-  }
-
-  void assume_usual_columns() {
-    for (std::size_t i = 0; i < column_count; ++i) place_[i] = i < needed_columns ? i : absent;
-    values_per_row_ = std::max<std::size_t>(values_.size(), needed_columns);
-    knows_columns_ = true;
-    assumes_columns_ = true;
+    if (columns_.are_known() || !RunColumns::may_be_names(values_)) return false;
+    const std::vector<std::string_view> missing = columns_.find(values_);
+    if (missing.empty()) return true;
+    if (!run_.version.empty()) return false;
+    throw Failure(ExitCode::wrong_call, fmt::format("{}: this is no run: there is no column {}; give a CSV file that "
+                                                    "ghostforce has recorded or simulated",
+                                                    shown_path_, listed(missing)));
   }
 
   void take_row() {
-    if (values_.size() != values_per_row_) return complain(Fault::damaged);
-    const std::optional<StrategyId> id = find_strategy(values_[place_[strategy_column]]);
-    if (!id) return complain(Fault::damaged);
-    std::array<double, needed_columns> number{};
-    Number worst = Number::good;
-    for (std::size_t i = time_column; i < needed_columns; ++i) {
-      worst = std::max(worst, read_number(values_[place_[i]], number[i]));
-    }
-    if (worst != Number::good) return complain(worst == Number::damaged ? Fault::damaged : Fault::not_finite);
-
-    const std::string_view device_kind = word_at(device_kind_column, "simulated");
-    const std::string_view goal_kind = word_at(goal_kind_column, "given");
-    const bool is_measured = device_kind == "measured";
-    const bool is_estimated = goal_kind == "estimated";
-    if ((!is_measured && device_kind != "simulated") || (!is_estimated && goal_kind != "given")) {
-      return complain(Fault::damaged);
-    }
-
-    const double time_s = number[time_column];
-    const Vector<2> goal{number[goal_x_column], number[goal_y_column]};
+    RunLine line;
+    if (const std::optional<RunFault> fault = columns_.read(values_, line)) return complain(*fault);
     auto k = static_cast<std::int64_t>(run_.ticks.size() + (is_open_ ? 1 : 0));
     if (run_.scene) {
-      const double tick = time_s * settings_.rate;
+      const double tick = line.time_s * settings_.rate;
       // Written so that what is no tick's time is damaged, however far off.
-      if (!(tick >= -time_tolerance && tick <= last_tick_ever)) return complain(Fault::damaged);
+      if (!(tick >= -time_tolerance && tick <= last_tick_ever)) return complain(RunFault::damaged);
       k = std::llround(tick);
-      if (std::abs(tick - static_cast<double>(k)) > time_tolerance) return complain(Fault::damaged);
+      if (std::abs(tick - static_cast<double>(k)) > time_tolerance) return complain(RunFault::damaged);
     }
-    const bool is_same_tick = is_open_ && open_.time_s == time_s && !open_.rows[index_of(*id)];
-    if (is_same_tick && open_.goal != goal) return complain(Fault::damaged);
-    if (!is_same_tick) open_tick(k, time_s, goal);
-    if (is_measured) open_.measured = *id;
+    const std::size_t i = index_of(line.strategy);
+    const bool is_same_tick = is_open_ && open_.time_s == line.time_s && !open_.rows[i];
+    if (is_same_tick && open_.goal != line.goal) return complain(RunFault::damaged);
+    if (!is_same_tick) open_tick(k, line.time_s, line.goal);
+    if (line.is_measured) open_.measured = line.strategy;
     // The strategy on a real device is the active one, also where its row is lost.
-    if (is_estimated && !open_.measured && run_.scene) open_.measured = settings_.active;
-    open_.rows[index_of(*id)] = RunRow{{number[device_x_column], number[device_y_column]},
-                                       {number[proxy_x_column], number[proxy_y_column]},
-                                       {number[force_x_column], number[force_y_column]}};
-  }
-
-  std::string_view word_at(Column column, std::string_view otherwise) const {
-    return place_[column] == absent ? otherwise : values_[place_[column]];
+    if (line.is_estimated && !open_.measured && run_.scene) open_.measured = settings_.active;
+    open_.rows[i] = line.row;
   }
 
   void open_tick(std::int64_t k, double time_s, const Vector<2>& goal) {
@@ -386,46 +268,32 @@ class RunReader {
 
   // --- Telling what was left out ---
 
-  void complain(Fault fault) {
-    Complaint& complaint = complaints_[static_cast<std::size_t>(fault)];
-    if (complaint.count++ == 0) complaint.first_line = line_number_;
-  }
-
-  void remark(const std::string& words) { run_.remarks.push_back(fmt::format("{}: {}", shown_path_, words)); }
+  void complain(RunFault fault) { remarks_.complain(fault, line_number_); }
 
   void write_remarks() {
     if (run_.version.empty()) {
-      remark("which version of ghostforce wrote it is not told");
+      remarks_.add("which version of ghostforce wrote it is not told");
     } else if (run_.version != version) {
-      remark(fmt::format("written by version {}; this is version {}", printable(run_.version), version));
+      remarks_.add(fmt::format("written by version {}; this is version {}", printable(run_.version), version));
     }
     if (!scene_problem_.empty()) {
-      remark(scene_problem_);
+      remarks_.add(scene_problem_);
     } else if (!run_.scene) {
-      remark("the scene is not told, or not to its end");
+      remarks_.add("the scene is not told, or not to its end");
     }
-    if (assumes_columns_) remark("the line of column names is damaged; the usual ones are assumed");
-    for (std::size_t i = 0; i < complaints_.size(); ++i) {
-      const auto& [count, first_line] = complaints_[i];
-      if (count == 1) remark(fmt::format("1 {}: line {}", fault_words[i].one, first_line));
-      if (count > 1) remark(fmt::format("{} {}, the first is line {}", count, fault_words[i].many, first_line));
-    }
+    if (assumes_columns_) remarks_.add("the line of column names is damaged; the usual ones are assumed");
+    remarks_.add_faults();
     if (out_of_order_ > 0) {
-      remark(fmt::format("{} out of order and left out",
-                         out_of_order_ == 1 ? "1 tick is" : fmt::format("{} ticks are", out_of_order_)));
+      remarks_.add(fmt::format("{} out of order and left out",
+                               out_of_order_ == 1 ? "1 tick is" : fmt::format("{} ticks are", out_of_order_)));
     }
-    if (run_.dropped > 0) remark(fmt::format("{} samples were lost while it was recorded", run_.dropped));
-    if (is_cut_) remark("its last line is cut and left out");
-    if (run_.ticks.empty()) remark("it holds no row");
+    if (run_.dropped > 0) remarks_.add(fmt::format("{} samples were lost while it was recorded", run_.dropped));
+    if (is_cut_) remarks_.add("its last line is cut and left out");
+    if (run_.ticks.empty()) remarks_.add("it holds no row");
   }
 
-  struct Complaint {
-    std::size_t count = 0;
-    std::size_t first_line = 0;
-  };
-  static constexpr std::size_t absent = SIZE_MAX;
-
   std::string shown_path_;
+  RunRemarks remarks_;
   Run run_;
   std::size_t line_number_ = 0;
   bool is_empty_ = false;
@@ -442,16 +310,13 @@ class RunReader {
   bool knows_state_ = true;
   std::optional<RunState> pending_state_;
 
-  bool knows_columns_ = false;
+  RunColumns columns_;
   bool assumes_columns_ = false;
-  std::array<std::size_t, column_count> place_{};
-  std::size_t values_per_row_ = 0;
   std::vector<std::string_view> values_;  // of the line that is being read
 
   RunTick open_;
   bool is_open_ = false;
 
-  std::array<Complaint, static_cast<std::size_t>(Fault::count)> complaints_{};
   std::size_t out_of_order_ = 0;
 };
 
