@@ -25,11 +25,20 @@ enum Column : std::size_t {
   needed_columns,
   goal_kind_column = needed_columns,
   device_kind_column,
+  active_column,
+  saturated_column,
+  sent_x_column,
+  sent_y_column,
+  loop_column,
   all_columns,
 };
 constexpr std::array<std::string_view, all_columns> column_names{
     "strategy",  "t_s",       "goal_x_m",  "goal_y_m",  "device_x_m", "device_y_m",
-    "proxy_x_m", "proxy_y_m", "force_x_N", "force_y_N", "goal_kind",  "device_kind"};
+    "proxy_x_m", "proxy_y_m", "force_x_N", "force_y_N", "goal_kind",  "device_kind",
+    "active",    "saturated", "sent_x_N",  "sent_y_N",  "loop_s"};
+// Nothing here is made of them; where they are not sound, nobody can tell what else in the row is not.
+constexpr std::array yes_or_no_columns{active_column, saturated_column};
+constexpr std::array further_numbers{sent_x_column, sent_y_column, loop_column};
 
 constexpr std::size_t absent = SIZE_MAX;
 
@@ -108,6 +117,15 @@ std::optional<RunFault> RunColumns::read(std::span<const std::string_view> value
   Number worst = Number::good;
   for (std::size_t i = time_column; i < needed_columns; ++i) {
     worst = std::max(worst, read_number(values[place_[i]], number[i]));
+  }
+  for (const Column column : further_numbers) {
+    double ignored = 0.0;
+    if (place_[column] != absent) worst = std::max(worst, read_number(values[place_[column]], ignored));
+  }
+  for (const Column column : yes_or_no_columns) {
+    double yes = 0.0;
+    if (place_[column] != absent) worst = std::max(worst, read_number(values[place_[column]], yes));
+    if (worst == Number::good && yes != 0.0 && yes != 1.0) return RunFault::damaged;
   }
   if (worst != Number::good) return worst == Number::damaged ? RunFault::damaged : RunFault::not_finite;
 

@@ -48,7 +48,7 @@ class RunColumns {
   std::optional<RunFault> read(std::span<const std::string_view> values, RunLine& line) const;
 
  private:
-  static constexpr std::size_t column_count = 12;
+  static constexpr std::size_t column_count = 17;
 
   std::array<std::size_t, column_count> place_{};
   std::size_t values_per_row_ = 0;
