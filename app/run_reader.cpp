@@ -1,6 +1,7 @@
 #include "app/run_reader.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <new>
 #include <utility>
 
 #include <fmt/format.h>
@@ -17,6 +19,7 @@
 #include "app/interruption.h"
 #include "app/output_file.h"
 #include "app/printable.h"
+#include "app/progress.h"
 #include "app/run_line.h"
 #include "app/run_remarks.h"
 #include "app/scene_file.h"
@@ -50,6 +53,14 @@ class RunReader {
     } else if (!line.empty()) {
       take_values(line);
     }
+  }
+
+  // The whole is about so many times as long as what was taken so far: room for its ticks at once, since a vector that
+  // grows needs up to three times as much.
+  void expect(double times_as_long) {
+    constexpr double spare = 1.02;
+    const double ticks = spare * times_as_long * static_cast<double>(run_.ticks.size());
+    if (ticks < static_cast<double>(run_.ticks.max_size())) run_.ticks.reserve(static_cast<std::size_t>(ticks));
   }
 
   // What comes after the last line feed. Nobody can tell whether its last number is whole.
@@ -330,6 +341,44 @@ std::string_view take_lines(RunReader& reader, std::string_view text) {
   }
 }
 
+// The text comes in pieces, so that it never stands in the memory beside its ticks.
+Run read_pieces(int descriptor, const std::string& path, const std::string& shown) {
+  struct stat status {};
+  const std::int64_t size = fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) ? status.st_size : 0;
+  Progress progress("reading", size, true);
+  RunReader reader(path);
+  std::string text;
+  constexpr std::size_t piece = std::size_t{1} << 20;
+  std::size_t kept = 0;  // of a line that is not complete yet
+  std::int64_t done = 0;
+  while (true) {
+    text.resize(kept + piece);
+    const ssize_t count = read(descriptor, text.data() + kept, piece);
+    if (count < 0) {
+      const int error = errno;
+      stop_if_interrupted();
+      if (error == EINTR) continue;
+      throw Failure(ExitCode::file_trouble, fmt::format("{} cannot be read: {}", shown, reason_of(error)));
+    }
+    text.resize(kept + static_cast<std::size_t>(count));
+    if (count == 0) break;
+    stop_if_interrupted();
+    const std::string_view rest = take_lines(reader, text);
+    kept = rest.size();
+    if (kept > longest_line) {
+      throw Failure(
+          ExitCode::wrong_call,
+          fmt::format("{}: this is no run; give a CSV file that ghostforce has recorded or simulated", shown));
+    }
+    text.erase(0, text.size() - kept);
+    if (done == 0) reader.expect(static_cast<double>(size) / static_cast<double>(count));
+    done += count;
+    progress.at(std::min(done, size));  // it may grow while it is read
+  }
+  reader.take_end(text);
+  return reader.finish();
+}
+
 }  // namespace
 
 bool may_be_run(std::string_view path) noexcept {
@@ -360,34 +409,14 @@ Run load_run(const std::string& path) {
     ~Closer() { close(descriptor); }
   } const closer{descriptor};
 
-  // In pieces: a day of recording is larger than many a memory.
-  RunReader reader(path);
-  std::string text;
-  constexpr std::size_t piece = std::size_t{1} << 20;
-  std::size_t kept = 0;  // of a line that is not complete yet
-  while (true) {
-    text.resize(kept + piece);
-    const ssize_t count = read(descriptor, text.data() + kept, piece);
-    if (count < 0) {
-      const int error = errno;
-      stop_if_interrupted();
-      if (error == EINTR) continue;
-      throw Failure(ExitCode::file_trouble, fmt::format("{} cannot be read: {}", shown, reason_of(error)));
-    }
-    text.resize(kept + static_cast<std::size_t>(count));
-    if (count == 0) break;
-    stop_if_interrupted();
-    const std::string_view rest = take_lines(reader, text);
-    kept = rest.size();
-    if (kept > longest_line) {
-      throw Failure(
-          ExitCode::wrong_call,
-          fmt::format("{}: this is no run; give a CSV file that ghostforce has recorded or simulated", shown));
-    }
-    text.erase(0, text.size() - kept);
+  try {
+    return read_pieces(descriptor, path, shown);
+  } catch (const std::bad_alloc&) {
+    throw Failure(ExitCode::file_trouble,
+                  fmt::format("{}: the run is too long for this machine's memory; cut it, as in\n"
+                              "head -n 1000000 RUN.csv > shorter.csv",
+                              shown));
   }
-  reader.take_end(text);
-  return reader.finish();
 }
 
 GoalPath goal_path_of(const Run& run) {

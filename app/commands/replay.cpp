@@ -1,6 +1,7 @@
 // ghostforce replay: a recorded hand once more, bit for bit, or in another scene.
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -81,7 +82,8 @@ int replay_exactly(const Run& run, const Options& options) {
   }
   OutputFile file(options.output);
   file.write(run_header(*run.scene));
-  Progress progress("replaying", static_cast<std::int64_t>(run.ticks.size()), !file.is_terminal());
+  std::optional<Progress> progress(std::in_place, "replaying", static_cast<std::int64_t>(run.ticks.size()),
+                                   !file.is_terminal());
   fmt::memory_buffer rows;
   Settings known = run.scene->settings;
   const Settings* newest = nullptr;
@@ -100,10 +102,11 @@ int replay_exactly(const Run& run, const Options& options) {
     rows.clear();
     if (++done % ticks_between_looks == 0) {
       stop_if_interrupted();
-      progress.at(done);
+      progress->at(done);
     }
   });
   file.commit();
+  progress.reset();  // the line is free for words
   fmt::print(stderr, "{}: {}\n", printable(options.run, longest_path), verdict(run, report));
   return static_cast<int>(report.first || report.compared == 0 ? ExitCode::answer_is_no : ExitCode::done);
 }
@@ -127,7 +130,7 @@ int replay_hand(const Run& run, const Options& options) {
   Scene played = scene;
   played.goal = goal_path_of(run);
   const auto last = static_cast<std::int64_t>(std::floor(played.goal.times.back() * scene.settings.rate));
-  Progress progress("replaying", last, !file.is_terminal());
+  std::optional<Progress> progress(std::in_place, "replaying", last, !file.is_terminal());
   fmt::memory_buffer rows;
   play(played, last, [&](const Snapshot& snapshot) {
     for (const Strategy& each : strategy_catalog()) {
@@ -139,10 +142,11 @@ int replay_hand(const Run& run, const Options& options) {
     rows.clear();
     if (snapshot.tick % ticks_between_looks == 0) {
       stop_if_interrupted();
-      progress.at(snapshot.tick);
+      progress->at(snapshot.tick);
     }
   });
   file.commit();
+  progress.reset();  // the line is free for words
   fmt::print(stderr,
              "{}: nothing is compared: the settings are not the recorded ones. The hand was played from rest for {} s, "
              "without what was changed live.\n",

@@ -1,10 +1,21 @@
 // A run driven once more: what simulate wrote, what a servo did under every kind of live change, and what is damaged.
 #include "app/replay.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
 #include <bit>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
 #include <memory>
 #include <random>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -314,6 +325,104 @@ TEST(ReplayCommand, PlaysTheHandInAnotherSceneAndComparesNothing) {
   const Outcome named = run_ghostforce({"replay", run, "wall45", "-o", folder / "wall.csv"});
   EXPECT_EQ(named.exit_code, 0) << named.err;
   EXPECT_EQ(read_run(read_whole(folder / "wall.csv"), "f").scene->title, load_scene("wall45").title);
+}
+
+// Sanitizers take more memory than any program.
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+TEST(ReplayCommand, SaysThatARunIsTooLongForTheMemory) {
+  const TemporaryFolder folder;
+  std::string text = std::string(run_columns) + "\n";
+  for (int k = 0; k < 1'500'000; ++k) text += fmt::format("full,{},0,0,0,0,0,0,0,0\n", k);
+  write_whole(folder / "long.csv", text);
+  // A tick takes more than 200 bytes.
+  const std::string limited = fmt::format("ulimit -v 300000 && exec {} replay {} wall45 -o {}", GHOSTFORCE_PROGRAM,
+                                          folder / "long.csv", folder / "out.csv");
+  const Outcome outcome = run_program("/bin/sh", {"-c", limited});
+  EXPECT_EQ(outcome.exit_code, 8) << outcome.err;
+  EXPECT_TRUE(says(outcome, "long.csv: the run is too long for this machine's memory; cut it")) << outcome.err;
+  EXPECT_FALSE(std::filesystem::exists(folder / "out.csv"));
+}
+#endif
+
+// A terminal that a program writes to.
+class Terminal {
+ public:
+  Terminal() : descriptor_(posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK)) {
+    EXPECT_EQ(grantpt(descriptor_), 0);
+    EXPECT_EQ(unlockpt(descriptor_), 0);
+    path_ = ptsname(descriptor_);
+    // Open as long as this is, or what was written is gone when the program ends.
+    own_end_ = open(path_.c_str(), O_RDWR | O_NOCTTY);
+  }
+  Terminal(const Terminal&) = delete;
+  Terminal& operator=(const Terminal&) = delete;
+  ~Terminal() {
+    close(own_end_);
+    close(descriptor_);
+  }
+  const std::string& path() const { return path_; }
+  std::string take() const {
+    std::string text;
+    std::array<char, 4096> piece{};
+    for (ssize_t count; (count = read(descriptor_, piece.data(), piece.size())) > 0;) {
+      text.append(piece.data(), static_cast<std::size_t>(count));
+    }
+    return text;
+  }
+
+ private:
+  int descriptor_;
+  int own_end_ = -1;
+  std::string path_;
+};
+
+bool has_open(pid_t program, const std::string& path) {
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(fmt::format("/proc/{}/fd", program), ignored)) {
+    if (std::filesystem::read_symlink(entry.path(), ignored) == path) return true;
+  }
+  return false;
+}
+
+// Work is long when it takes more than a second: so the program is held up in the midst of it.
+TEST(ReplayCommand, ShowsHowFarItIsAndEndsThatLineBeforeItsWords) {
+  const TemporaryFolder folder;
+  const std::string run = std::filesystem::canonical(folder.path()) / "run.csv";
+  ASSERT_EQ(
+      run_ghostforce({"simulate", "wall45", "--strategy", "all", "--set", "goal.duration_s=100", "-o", run}).exit_code,
+      0);
+  std::filesystem::create_directory(folder / "out");
+  for (const bool is_exact : {true, false}) {
+    const Terminal terminal;
+    ProgramCall call;
+    call.words = {"-c", fmt::format("echo $$; exec {} replay {} {} -o {} 2>{}", GHOSTFORCE_PROGRAM, run,
+                                    is_exact ? "" : "--set rendering.tracking_ratio=2", folder / "out/again.csv",
+                                    terminal.path())};
+    RunningProgram program("/bin/sh", call);
+    const pid_t pid = std::stoi(program.next_line(std::chrono::seconds(20)).value_or("0"));
+    ASSERT_GT(pid, 0);
+    const auto hold_up_when = [&](const std::function<bool()>& has_come) {
+      for (int i = 0; i < 20'000 && !has_come(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      program.send(SIGSTOP);
+      std::this_thread::sleep_for(std::chrono::milliseconds(1100));
+      program.send(SIGCONT);
+    };
+    hold_up_when([&] { return has_open(pid, run); });
+    hold_up_when([&] {
+      return std::ranges::any_of(std::filesystem::directory_iterator(folder / "out"), [](const auto& entry) {
+        std::error_code has_just_gone;
+        return entry.file_size(has_just_gone) > 100'000 && !has_just_gone;
+      });
+    });
+    EXPECT_EQ(program.wait_for_end(), 0);
+    const std::string words = terminal.take();
+    EXPECT_NE(words.find("\rreading ["), std::string::npos) << words;
+    EXPECT_NE(words.find("\rreplaying ["), std::string::npos) << words;
+    const std::size_t verdict = words.rfind(run + ": " + (is_exact ? "identical" : "nothing is compared"));
+    ASSERT_NE(verdict, std::string::npos) << words;
+    EXPECT_TRUE(words.substr(0, verdict).ends_with("\r\x1b[K")) << words;
+    std::filesystem::remove(folder / "out/again.csv");
+  }
 }
 
 TEST(ReplayCommand, RefusesWhatItCannotReplay) {
