@@ -125,16 +125,20 @@ void Application::use(const InputKind& kind, std::shared_ptr<const Scene> scene,
 }
 
 // A person at the mouse starts at rest where the scripted hand ends, so that the first picture already shows what the
-// scene is about; the scripted hand itself starts at the beginning. A reset uses the settings of the moment.
+// scene is about; the scripted hand itself starts at the beginning. A recorded hand may begin in the wall: there it
+// starts at rest. A reset uses the settings of the moment.
 TickState<2> Application::start_state() {
   history_.clear();
   session_.plots.follows = true;  // what was looked back at is gone
   Scene scene = *session_.scene;
   scene.settings = session_.settings;
   const InputKind& kind = *find_input(session_.input);
-  if (kind.needs_recording && input_options_.recorded_hand) scene.goal = *input_options_.recorded_hand;
-  const TickState<2> state = play(scene, kind.is_scripted ? 0 : last_tick(scene),
-                                  [this](const Snapshot& snapshot) { history_.add(snapshot); });
+  const bool is_replay = kind.needs_recording && input_options_.recorded_hand;
+  if (is_replay) scene.goal = *input_options_.recorded_hand;
+  const Vector<2> first = goal_at(scene.goal, 0.0);
+  const TickState<2> state =
+      play_from(is_replay ? state_at_rest(scene.settings, first) : state_at_start(first), scene,
+                kind.is_scripted ? 0 : last_tick(scene), [this](const Snapshot& snapshot) { history_.add(snapshot); });
   if (is_sound(state)) return state;
   // Unstable settings have no rest to start from: start where the hand is, and let the servo say what it finds.
   history_.clear();
@@ -327,6 +331,12 @@ void Application::open(const std::string& name_or_path) {
 
 void Application::replay_run(const std::string& path) {
   const Run run = load_run(path);
+  if (!run.scene) {
+    throw Failure(ExitCode::wrong_call,
+                  fmt::format("{}: the run does not tell its scene; on the command line one can be named, as in\n"
+                              "ghostforce run wall45 --input replay:RUN.csv",
+                              printable(path, longest_path)));
+  }
   input_options_.recorded_hand = std::make_shared<const GoalPath>(goal_path_of(run));
   inputs_ = input_choices(true);
   use(*find_input("replay"), std::make_shared<const Scene>(*run.scene), run.scene->settings);

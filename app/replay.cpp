@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/failure.h"
+#include "app/run_hand.h"
 
 namespace ghostforce {
 namespace {
@@ -52,17 +53,8 @@ class Replay {
   }
 
   void resume(const RunTick& tick, const RunState& recorded) {
-    state_ = {};
-    state_.tick = tick.tick;
-    state_.goal = tick.goal;
-    state_.measured = tick.measured;
-    for (std::size_t i = 0; i < strategy_count; ++i) {
-      is_known_[i] = tick.rows[i].has_value();
-      if (!tick.rows[i]) continue;
-      const RunRow& row = *tick.rows[i];
-      state_.strategies[i] = {
-          {row.device, recorded.velocity[i]}, row.proxy, recorded.energy[i], row.proxy != row.device};
-    }
+    state_ = recorded_state(tick, recorded);
+    for (std::size_t i = 0; i < strategy_count; ++i) is_known_[i] = tick.rows[i].has_value();
   }
 
   void follow(const RunTick& now) {

@@ -420,13 +420,19 @@ Run load_run(const std::string& path) {
 }
 
 GoalPath goal_path_of(const Run& run) {
-  if (!run.scene || run.ticks.empty()) {
-    throw Failure(ExitCode::wrong_call, run.scene ? "the run holds no row: there is no hand to replay"
-                                                  : "the run does not tell its scene: there is no hand to replay");
-  }
+  if (run.ticks.empty()) throw Failure(ExitCode::wrong_call, "the run holds no row: there is no hand to replay");
   GoalPath path;
   path.points.reserve(run.ticks.size());
   path.times.reserve(run.ticks.size());
+  if (!run.scene) {  // and so no rate
+    for (const RunTick& tick : run.ticks) {
+      const double time_s = tick.time_s - run.ticks.front().time_s;
+      if (!path.times.empty() && !(time_s > path.times.back())) break;
+      path.points.push_back(tick.goal);
+      path.times.push_back(time_s);
+    }
+    return path;
+  }
   // Times from whole ticks, as the servo reckons them: the goal of a tick is then that of its row, bit for bit.
   const RunTick* begin = &run.ticks.front();  // of the stretch with the same rate
   double begin_s = 0.0;

@@ -59,7 +59,7 @@ Run read_run(std::string_view text, std::string_view shown_path);
 Run load_run(const std::string& path);
 
 // The hand of a run as a path that starts at 0 s: one waypoint per tick, up to where the run was reset if it was.
-// Throws Failure(wrong_call) where there is no scene or no tick.
+// Throws Failure(wrong_call) where there is no tick.
 GoalPath goal_path_of(const Run& run);
 
 }  // namespace ghostforce

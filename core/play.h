@@ -9,18 +9,37 @@
 
 namespace ghostforce {
 
-// Calls on_tick(const Snapshot&) for k = 0 … last and returns the state after
+// Where all strategies come to rest under a goal that is held still, as a state to go on from: k = 0, v = 0, W = 0. In
+// free space it is state_at_start().
+inline TickState<2> state_at_rest(const Settings& settings, const Vector<2>& goal) noexcept {
+  TickState<2> state = state_at_start(goal);
+  for (const Strategy& each : strategy_catalog()) {
+    const Equilibrium<2> rest = rest_of(each.id, settings, goal);
+    auto& strategy = state.strategies[index_of(each.id)];
+    strategy.motion.position = rest.device;
+    strategy.proxy = rest.proxy;
+    strategy.in_contact = rest.in_contact;
+  }
+  return state;
+}
+
+// Calls on_tick(const Snapshot&) for k = 0 … last, beginning with `state`, whose k is 0, and returns the state after
 // the last tick, from which a servo may go on.
 template <typename OnTick>
-TickState<2> play(const Scene& scene, std::int64_t last, OnTick&& on_tick) {
+TickState<2> play_from(TickState<2> state, const Scene& scene, std::int64_t last, OnTick&& on_tick) {
   const TickPlan<2> plan = plan_of(scene.settings);
-  TickState<2> state = state_at_start(goal_at(scene.goal, 0.0));
   on_tick(snapshot_of(plan, state));
   while (state.tick < last) {
     tick(plan, goal_at(scene.goal, time_of(state.tick + 1, plan.rate)), state);
     on_tick(snapshot_of(plan, state));
   }
   return state;
+}
+
+// The same from where a scene's hand begins: with the devices there too, wherever the wall is.
+template <typename OnTick>
+TickState<2> play(const Scene& scene, std::int64_t last, OnTick&& on_tick) {
+  return play_from(state_at_start(goal_at(scene.goal, 0.0)), scene, last, on_tick);
 }
 
 }  // namespace ghostforce

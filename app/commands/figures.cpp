@@ -16,6 +16,7 @@
 #include "app/failure.h"
 #include "app/figures/figure_catalog.h"
 #include "app/figures/figure_files.h"
+#include "app/figures/recorded_hand.h"
 #include "app/interruption.h"
 #include "app/output_folder.h"
 #include "app/printable.h"
@@ -46,13 +47,15 @@ FigureRequest request_of(const Options& options) {
   if (options.hand.empty()) return {};
   const Run run = load_run(options.hand);
   for (const std::string& remark : run.remarks) fmt::print(stderr, "{}\n", remark);
-  const bool is_estimated =
-      std::ranges::any_of(run.ticks, [](const RunTick& tick) { return tick.measured.has_value(); });
-  const std::string name = printable(std::filesystem::path(options.hand).filename().string());
-  return {.hand = RecordedHand{name, run.scene.value_or(Scene{}), goal_path_of(run), is_estimated}};
+  FigureRequest request{recorded_hand(run, printable(std::filesystem::path(options.hand).filename().string()))};
+  for (const std::string& words : request.hand->left_out) fmt::print(stderr, "{}: {}\n", request.hand->name, words);
+  return request;
 }
 
 int figures(const Options& options) {
+  if (options.folder.empty()) {
+    throw Failure(ExitCode::wrong_call, "-o: the name of the folder is empty; '.' is the one that you are in");
+  }
   refuse_hand_without_figure(options);
   const FigureRequest request = request_of(options);
   OutputFolder folder(options.folder);

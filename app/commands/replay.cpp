@@ -1,4 +1,5 @@
 // ghostforce replay: a recorded hand once more, bit for bit, or in another scene.
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -17,6 +18,7 @@
 #include "app/progress.h"
 #include "app/replay.h"
 #include "app/run_file.h"
+#include "app/run_hand.h"
 #include "app/run_reader.h"
 #include "app/scene_file.h"
 #include "core/play.h"
@@ -122,6 +124,22 @@ Scene other_scene(const Run& run, const Options& options) {
   return read_scene(scene_text(*run.scene), options.run, options.scene.overrides);
 }
 
+bool starts_where_hand_is(const TickState<2>& state) {
+  return std::ranges::all_of(state.strategies, [&](const TickState<2>::StrategyState& now) {
+    return now.motion.position == state.goal && now.proxy == state.goal && now.motion.velocity == Vector<2>(0.0) &&
+           now.energy == 0.0;
+  });
+}
+
+RunState run_state_of(const TickState<2>& state) {
+  RunState told;
+  for (std::size_t i = 0; i < strategy_count; ++i) {
+    told.velocity[i] = state.strategies[i].motion.velocity;
+    told.energy[i] = state.strategies[i].energy;
+  }
+  return told;
+}
+
 int replay_hand(const Run& run, const Options& options) {
   const Scene scene = other_scene(run, options);
   OutputFile file(options.output);
@@ -129,10 +147,14 @@ int replay_hand(const Run& run, const Options& options) {
   file.write(fmt::format("{}{}\n", hand_begins, printable(options.run, longest_path)));
   Scene played = scene;
   played.goal = goal_path_of(run);
-  const auto last = static_cast<std::int64_t>(std::floor(played.goal.times.back() * scene.settings.rate));
+  constexpr double rounding = 1e-6;  // of the last tick's time, in ticks
+  const auto last = static_cast<std::int64_t>(std::floor(played.goal.times.back() * scene.settings.rate + rounding));
+  const HandStart start = start_of_hand(run, scene.settings);
   std::optional<Progress> progress(std::in_place, "replaying", last, !file.is_terminal());
   fmt::memory_buffer rows;
-  play(played, last, [&](const Snapshot& snapshot) {
+  // A file without this line begins with every device where the hand is.
+  if (!starts_where_hand_is(start.state)) append_state_line(rows, 0.0, run_state_of(start.state));
+  play_from(start.state, played, last, [&](const Snapshot& snapshot) {
     for (const Strategy& each : strategy_catalog()) {
       stop_if_run_away(snapshot, each.id);
       append_run_row(rows, snapshot, each.id);
@@ -147,10 +169,12 @@ int replay_hand(const Run& run, const Options& options) {
   });
   file.commit();
   progress.reset();  // the line is free for words
-  fmt::print(stderr,
-             "{}: nothing is compared: the settings are not the recorded ones. The hand was played from rest for {} s, "
-             "without what was changed live.\n",
-             printable(options.run, longest_path), played.goal.times.back());
+  fmt::print(
+      stderr,
+      "{}: nothing is compared, since scene or settings were given. The hand was played from {} for {} s, without "
+      "what was changed live.\n",
+      printable(options.run, longest_path), start.is_recorded ? "the recorded state" : "rest",
+      played.goal.times.back());
   return static_cast<int>(ExitCode::done);
 }
 
@@ -182,7 +206,8 @@ std::function<int()> attach_replay(CLI::App& subcommand) {
       "Drives all three strategies with the hand of the run, and with what was changed while it ran, and says whether\n"
       "every number repeats itself, bit for bit: exit code 0 if so, 1 if not. The same build of ghostforce promises "
       "it.\n"
-      "With another scene, or with --set, the hand is played from rest in that scene, and nothing is compared.\n"
+      "With another scene, or with --set, the hand is played from rest in that scene, and nothing is compared. A file\n"
+      "that does not tell its scene needs one.\n"
       "\n"
       "Examples:\n"
       "  ghostforce replay visit.csv -o again.csv\n"

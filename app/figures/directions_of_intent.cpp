@@ -25,7 +25,7 @@ Figure directions_of_intent_figure(const FigureRequest&) {
       "Along the motor axis A rests where F does, each time. N is dragged to the left; where the hand goes straight "
       "in, it "
       "ends even on the other side of where it came in.",
-      "fig3-nonactuated, fig3-normal, fig3-actuated", table_of(motions));
+      provenance_of_scene("fig3-nonactuated, fig3-normal, fig3-actuated"), table_of(motions));
 }
 
 }  // namespace ghostforce

@@ -168,7 +168,7 @@ Figure energy_per_loop_figure(const FigureRequest&) {
       "the "
       "simulated "
       "loop. One sense makes energy, the other takes the same away; the larger ρ, the less of either.",
-      std::string(scene_name) + ", tracking ratio varied", table_of(loops));
+      provenance_of_scene(std::string(scene_name) + ", tracking ratio varied"), table_of(loops));
 }
 
 }  // namespace ghostforce

@@ -10,20 +10,28 @@
 
 #include "app/csv_table.h"
 #include "app/view/panes.h"
-#include "core/goal_path.h"
 #include "core/scene.h"
+#include "core/tick.h"
 
 namespace ghostforce {
 
 // Of the simulated hand's tremor.
 inline constexpr std::uint64_t figure_seed = 1;
 
+// From this time on other settings hold.
+struct SettingsChange {
+  double time_s;
+  Settings settings;
+};
+
 // A hand that was recorded, in place of the simulated one.
 struct RecordedHand {
-  std::string name;           // of the recording, for the provenance
-  Scene scene;                // that it was recorded in
-  GoalPath path;              // q_u over time
-  bool is_estimated = false;  // inferred from a device that was measured
+  std::string name;                       // of the recording
+  Scene scene;                            // that it was recorded in; its path is the hand's q_u over time
+  TickState<2> start;                     // where it begins
+  std::vector<SettingsChange> changes{};  // while it was recorded
+  bool is_estimated = false;              // inferred from a device that was measured
+  std::vector<std::string> left_out{};    // of the recording, for people: whole sentences
 };
 
 struct FigureRequest {
@@ -37,7 +45,8 @@ struct Figure {
   Vector<2> size{0.0};  // of the sheet [points]
 };
 
-// Where a figure's numbers come from, in one line: program version, scene and seed.
-std::string provenance(const std::string& scene);
+// Where a figure's numbers come from, in one line: program version, scene and seed, or the hand's recording.
+std::string provenance_of_scene(const std::string& scene);
+std::string provenance_of_hand(const std::string& recording);
 
 }  // namespace ghostforce

@@ -59,7 +59,8 @@ Figure force_over_stiffness_ratio_figure(const FigureRequest&) {
       "Wall at 45° to the motor, goal 20 mm inside; lines: equations (11), (15) and (20); points: the simulated loop. "
       "A "
       "lies on F. What N has above them is the ghost force: it grows with the ratio.",
-      std::string(scene_name) + ", k_r = k_t varied", table_of(curves, "stiffness_ratio", "force_N"));
+      provenance_of_scene(std::string(scene_name) + ", k_r = k_t varied"),
+      table_of(curves, "stiffness_ratio", "force_N"));
 }
 
 }  // namespace ghostforce

@@ -54,7 +54,7 @@ Figure force_over_wall_angle_figure(const FigureRequest&) {
       "Goal 20 mm inside the wall; lines: equations (11), (15) and (20); points: the simulated loop. A lies on F at "
       "every "
       "angle. What N has above them is the ghost force.",
-      std::string(scene_name) + ", wall turned", table_of(curves, "wall_angle_deg", "force_N"));
+      provenance_of_scene(std::string(scene_name) + ", wall turned"), table_of(curves, "wall_angle_deg", "force_N"));
 }
 
 }  // namespace ghostforce

@@ -35,7 +35,7 @@ Figure one_motion_figure(const FigureRequest&) {
       "on the left of where it came in. Anisotropic rendering leaves it at O (A in the other figures), below F: the "
       "motor "
       "axis feels the same wall.",
-      "fig1", table_of(std::span(&motion, 1)));
+      provenance_of_scene("fig1"), table_of(std::span(&motion, 1)));
 }
 
 }  // namespace ghostforce

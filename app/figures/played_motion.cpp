@@ -1,11 +1,17 @@
 #include "app/figures/played_motion.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
+#include <string_view>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "app/failure.h"
+#include "app/run_file.h"
 #include "core/ghost_force.h"
 #include "core/play.h"
 #include "core/sound_state.h"
@@ -15,6 +21,41 @@ namespace {
 
 constexpr std::int64_t ticks_between_moments = 5;  // 200 Hz of a loop at 1 kHz: 16 points of the fastest tremor
 constexpr std::int64_t most_moments = 6000;        // more are finer than any picture
+
+struct Thinned {
+  explicit Thinned(std::int64_t last_of_all)
+      : last(last_of_all), between(std::max(ticks_between_moments, last / most_moments)) {}
+  bool keeps(std::int64_t tick) const { return tick % between == 0 || tick == last; }
+
+  std::int64_t last;
+  std::int64_t between;
+};
+
+void add_rest(PlayedMotion& motion) {
+  const Vector<2> goal = motion.moments.back().goal;
+  const Settings& settings = last_settings(motion);
+  for (const Strategy& strategy : strategy_catalog()) {
+    const std::size_t i = index_of(strategy.id);
+    motion.rest[i] = rest_of(strategy.id, settings, goal);
+    motion.ghost_at_rest[i] =
+        ghost_force(actuation_of(settings), motion.rest[i].force, motion.rest[index_of(StrategyId::full)].force);
+  }
+}
+
+// What a recording says of each change.
+std::vector<std::string> change_lines(const PlayedMotion& motion) {
+  Settings known = motion.scene.settings;
+  fmt::memory_buffer text;
+  for (const SettingsChange& change : motion.changes) append_set_lines(text, change.time_s, known, change.settings);
+  std::vector<std::string> lines;
+  constexpr std::string_view comment = "# ";
+  for (std::string_view rest(text.data(), text.size()); !rest.empty();) {
+    const std::size_t end = rest.find('\n');
+    lines.emplace_back(rest.substr(comment.size(), end - comment.size()));
+    rest.remove_prefix(end + 1);
+  }
+  return lines;
+}
 
 std::vector<CsvCell> row_of(const PlayedMotion& motion, StrategyId id, std::string source, double time_s,
                             const Vector<2>& goal, const Vector<2>& device, const Vector<2>& proxy,
@@ -38,23 +79,58 @@ std::vector<CsvCell> row_of(const PlayedMotion& motion, StrategyId id, std::stri
 }  // namespace
 
 PlayedMotion play_motion(std::string name, const Scene& scene) {
-  PlayedMotion motion{.name = std::move(name), .scene = scene, .moments = {}};
-  const std::int64_t last = last_tick(scene);
-  const std::int64_t between = std::max(ticks_between_moments, last / most_moments);
-  const TickState<2> state = play(scene, last, [&](const Snapshot& snapshot) {
-    if (snapshot.tick % between == 0 || snapshot.tick == last) motion.moments.push_back(snapshot);
+  PlayedMotion motion{.name = std::move(name), .scene = scene};
+  const Thinned thinned(last_tick(scene));
+  const TickState<2> state = play(scene, thinned.last, [&](const Snapshot& snapshot) {
+    if (thinned.keeps(snapshot.tick)) motion.moments.push_back(snapshot);
   });
   if (!is_sound(state)) {
     throw Failure(ExitCode::wrong_call, "with these settings the sampled loop is unstable and the device runs away");
   }
-  const Vector<2> goal = motion.moments.back().goal;
-  for (const Strategy& strategy : strategy_catalog()) {
-    const std::size_t i = index_of(strategy.id);
-    motion.rest[i] = rest_of(strategy.id, scene.settings, goal);
-    motion.ghost_at_rest[i] =
-        ghost_force(actuation_of(scene.settings), motion.rest[i].force, motion.rest[index_of(StrategyId::full)].force);
-  }
+  add_rest(motion);
   return motion;
+}
+
+PlayedMotion play_hand(const RecordedHand& hand) {
+  PlayedMotion motion{.name = "", .scene = hand.scene, .changes = hand.changes};
+  const GoalPath& path = hand.scene.goal;
+  const Thinned thinned(last_tick(hand.scene));
+  TickPlan<2> plan = plan_of(hand.scene.settings);
+  TickState<2> state = hand.start;
+  motion.moments.push_back(snapshot_of(plan, state));
+  auto change = hand.changes.begin();
+  for (std::size_t i = 1; i < path.times.size(); ++i) {
+    for (; change != hand.changes.end() && change->time_s <= path.times[i]; ++change) plan = plan_of(change->settings);
+    const double before_s = path.times[i - 1];
+    // More than one where samples were lost.
+    const auto ticks = std::max<std::int64_t>(1, std::llround((path.times[i] - before_s) * plan.rate));
+    for (std::int64_t k = 1; k <= ticks; ++k) {
+      const double time_s = k == ticks ? path.times[i] : before_s + time_of(k, plan.rate);
+      tick(plan, goal_at(path, time_s), state);
+      const bool is_last = k == ticks && i + 1 == path.times.size();
+      if (!is_last && !thinned.keeps(state.tick)) continue;
+      motion.moments.push_back(snapshot_of(plan, state));
+      motion.moments.back().time_s = time_s;  // the rate may have been another one before
+    }
+  }
+  if (!is_sound(state)) {
+    throw Failure(ExitCode::wrong_call,
+                  fmt::format("{}: with its settings the sampled loop is unstable and the device runs away; play its "
+                              "hand with others first, and give that file, as in\n"
+                              "ghostforce replay RUN.csv --set rendering.k_r_N_per_m=500 -o calm.csv",
+                              hand.name));
+  }
+  add_rest(motion);
+  return motion;
+}
+
+const Settings& settings_at(const PlayedMotion& motion, double time_s) {
+  const auto next = std::ranges::upper_bound(motion.changes, time_s, {}, &SettingsChange::time_s);
+  return next == motion.changes.begin() ? motion.scene.settings : std::prev(next)->settings;
+}
+
+const Settings& last_settings(const PlayedMotion& motion) {
+  return motion.changes.empty() ? motion.scene.settings : motion.changes.back().settings;
 }
 
 CsvTable table_of(std::span<const PlayedMotion> motions) {
@@ -65,6 +141,7 @@ CsvTable table_of(std::span<const PlayedMotion> motions) {
       "pane",       "strategy",  "source",    "t_s",       "goal_x_m",  "goal_y_m",        "device_x_m",
       "device_y_m", "proxy_x_m", "proxy_y_m", "force_x_N", "force_y_N", "ghost_force_x_N", "ghost_force_y_N"};
   for (const PlayedMotion& motion : motions) {
+    std::ranges::move(change_lines(motion), std::back_inserter(table.comments));
     for (const Strategy& strategy : strategy_catalog()) {
       const std::size_t i = index_of(strategy.id);
       for (const Snapshot& moment : motion.moments) {

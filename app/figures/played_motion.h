@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/csv_table.h"
+#include "app/figures/figure.h"
 #include "core/equilibrium.h"
 #include "core/scene.h"
 #include "core/snapshot.h"
@@ -16,13 +17,21 @@ namespace ghostforce {
 struct PlayedMotion {
   std::string name;  // what sets it apart from the others of its figure
   Scene scene;
-  std::vector<Snapshot> moments;           // every 5th tick, in long motions fewer, and the last one
+  std::vector<SettingsChange> changes{};   // of the scene's settings
+  std::vector<Snapshot> moments{};         // every 5th tick, in long motions fewer, and the last one
   PerStrategy<Equilibrium<2>> rest{};      // by closed form, under the last goal
   PerStrategy<Vector<2>> ghost_at_rest{};  // likewise [N]
 };
 
 // Throws Failure(wrong_call) where the loop is unstable.
 PlayedMotion play_motion(std::string name, const Scene& scene);
+
+// The same of a recorded hand, with what was changed while it was recorded.
+PlayedMotion play_hand(const RecordedHand& hand);
+
+// Those in use at a time [s], and in the end.
+const Settings& settings_at(const PlayedMotion& motion, double time_s);
+const Settings& last_settings(const PlayedMotion& motion);
 
 // One row per motion, strategy and moment, and one of the closed form at rest, where t_s is nan.
 CsvTable table_of(std::span<const PlayedMotion> motions);

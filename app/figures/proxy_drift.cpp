@@ -109,7 +109,8 @@ Figure proxy_drift_figure(const FigureRequest&) {
       "at "
       "the optimal ratio, which takes the true stiffness of the hand: with a belief that is too low the proxy drifts "
       "against the naïve way, with one that is too high along it.",
-      std::string(scene_name) + ", tracking ratio and believed k_u varied", table_of(curves, "x", "drift_mm"));
+      provenance_of_scene(std::string(scene_name) + ", tracking ratio and believed k_u varied"),
+      table_of(curves, "x", "drift_mm"));
 }
 
 }  // namespace ghostforce

@@ -48,8 +48,12 @@ std::vector<std::string> broken(std::string_view text, double room, TextSize siz
 
 }  // namespace
 
-std::string provenance(const std::string& scene) {
+std::string provenance_of_scene(const std::string& scene) {
   return fmt::format("ghostforce {}; scene {}; seed {}", version, scene, figure_seed);
+}
+
+std::string provenance_of_hand(const std::string& recording) {
+  return fmt::format("ghostforce {}; hand {}", version, recording);
 }
 
 const Theme& paper() {
@@ -164,13 +168,13 @@ void Sheet::add_legend(const std::vector<LegendEntry>& entries) {
   figure_.panes.push_back(std::move(pane));
 }
 
-Figure Sheet::finish(const std::string& caption, const std::string& scene, CsvTable data) {
+Figure Sheet::finish(const std::string& caption, const std::string& provenance, CsvTable data) {
   add_words(caption, TextSize::small, paper().text);
   bottom_ += 3.0;
-  add_words(provenance(scene), TextSize::small, paper().faint_text);
+  add_words(provenance, TextSize::small, paper().faint_text);
   figure_.size.y = std::ceil(bottom_ + edge);  // whole pixels
   figure_.data = std::move(data);
-  figure_.data.comments.insert(figure_.data.comments.begin(), {provenance(scene), figure_.title + ". " + caption});
+  figure_.data.comments.insert(figure_.data.comments.begin(), {provenance, figure_.title + ". " + caption});
   return std::move(figure_);
 }
 

@@ -51,7 +51,7 @@ class Sheet {
   Vector<2> place_size(double height, std::size_t count) const;
 
   // Adds caption and provenance, and hands over the whole.
-  Figure finish(const std::string& caption, const std::string& scene, CsvTable data);
+  Figure finish(const std::string& caption, const std::string& provenance, CsvTable data);
 
  private:
   void add_words(const std::string& text, TextSize size, Colour colour);

@@ -23,6 +23,8 @@ Figure stiffness_ratios_figure(const FigureRequest&) {
   std::vector<ScenePicture> pictures;
   for (const PlayedMotion& motion : motions) {
     ScenePicture picture = picture_of(motion, "", "");
+    const Impedances& k = motion.scene.settings.impedances;
+    picture.title = fmt::format("kᵣ/kᵤ = {:g}", k.k_r / k.k_u);
     constexpr std::size_t naive = index_of(StrategyId::naive);
     const StrategySnapshot<2>& now = motion.moments.back().strategies[naive];
     picture.arrows.push_back({.tail = now.device,
@@ -39,7 +41,7 @@ Figure stiffness_ratios_figure(const FigureRequest&) {
       "The same motion into the wall at four ratios of rendering stiffness to the hand's. Hollow arrow: the ghost "
       "force "
       "at rest under naïve rendering. With anisotropic rendering there is none at any ratio.",
-      "fig4-ratio1, fig4-ratio5, fig4-ratio10, fig4-ratio20", table_of(motions));
+      provenance_of_scene("fig4-ratio1, fig4-ratio5, fig4-ratio10, fig4-ratio20"), table_of(motions));
 }
 
 }  // namespace ghostforce

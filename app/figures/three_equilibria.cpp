@@ -86,16 +86,17 @@ Figure three_equilibria_figure(const FigureRequest&) {
   for (const Strategy& strategy : strategy_catalog()) pictures.push_back(picture_of(data, strategy));
   add_scenes(sheet, 270.0, std::move(pictures), 3);
   sheet.add_legend(
-      {{.name = "hand's spring, k_u", .colour = paper().faint_text, .has_line = true, .pattern = dotted_line},
-       {.name = "rendering and tracking, K_r and K_t", .colour = paper().text, .has_line = true},
-       {.name = "wall's spring, k_c", .colour = paper().wall_edge, .has_line = true, .pattern = {4.0, 3.0, 4.0, 3.0}}});
+      {{.name = "hand's spring, kᵤ", .colour = paper().faint_text, .has_line = true, .pattern = dotted_line},
+       {.name = "rendering and tracking, Kᵣ and Kₜ", .colour = paper().text, .has_line = true},
+       {.name = "wall's spring", .colour = paper().wall_edge, .has_line = true, .pattern = {4.0, 3.0, 4.0, 3.0}}});
   std::string scene(scene_name);
   for (const std::string& value : softer) scene += " --set " + value;
   return sheet.finish(
-      "One hand that wants to be at q_u, at rest: device q_h, proxy q_p, contact q_c. Without drift the proxy lies on "
-      "the thin line from q_u normal to the wall: so it does for F and A; under naïve rendering it has drifted along "
+      "One hand that wants to be at qᵤ, at rest: device qₕ, proxy qₚ, and its contact on the wall. Without drift the "
+      "proxy lies on "
+      "the thin line from qᵤ normal to the wall: so it does for F and A; under naïve rendering it has drifted along "
       "the wall, and drags the device with it.",
-      scene, table_of(data));
+      provenance_of_scene(scene), table_of(data));
 }
 
 }  // namespace ghostforce

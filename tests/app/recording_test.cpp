@@ -290,7 +290,12 @@ TEST_F(RecordingWindow, ReplaysARecordingThatIsDropped) {
   EXPECT_EQ(session().input, "replay");
   for (int i = 0; i < 10; ++i) {
     frames(1);
-    ASSERT_EQ(now().goal, run.ticks.at(static_cast<std::size_t>(now().tick)).goal);
+    const RunTick& tick = run.ticks.at(static_cast<std::size_t>(now().tick));
+    ASSERT_EQ(now().goal, tick.goal);
+    // It began at rest in the wall, and so does this.
+    for (std::size_t s = 0; s < strategy_count; ++s) {
+      ASSERT_LT(glm::distance(now().strategies[s].device, tick.rows[s]->device), 1e-6);
+    }
   }
   // What is none changes nothing.
   const std::string none = folder_ / "none.csv";

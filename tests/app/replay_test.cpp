@@ -425,6 +425,72 @@ TEST(ReplayCommand, ShowsHowFarItIsAndEndsThatLineBeforeItsWords) {
   }
 }
 
+// From 2 s on the hand of wall45 rests 20 mm inside the wall. `state` stands before the first row.
+std::string resting_run(const std::string& state) {
+  const std::string text = run_ghostforce({"simulate", "wall45", "--strategy", "all"}).out;
+  return text.substr(0, text.find("\nfull,0,") + 1) + state + text.substr(text.find("\nfull,2,") + 1);
+}
+
+double greatest_move(const Run& run) {
+  double greatest = 0.0;
+  for (const RunTick& tick : run.ticks) {
+    for (std::size_t i = 0; i < strategy_count; ++i) {
+      greatest = std::max(greatest, glm::distance(tick.rows[i]->device, run.ticks.front().rows[i]->device));
+    }
+  }
+  return greatest;
+}
+
+TEST(ReplayCommand, BeginsAtRestWhereTheHandBeginsInTheWall) {
+  const TemporaryFolder folder;
+  write_whole(folder / "live.csv", resting_run("# state t_s=2 full=0,0,0 naive=0,0,0 anisotropic=0,0,0\n"));
+  for (const std::string_view value : {"rendering.tracking_ratio=5", "rendering.k_r_N_per_m=300"}) {
+    const Outcome outcome =
+        run_ghostforce({"replay", folder / "live.csv", "--set", std::string(value), "-o", folder / "other.csv"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_TRUE(says(outcome, "played from rest for 1 s")) << outcome.err;
+    const auto run = load_run(folder / "other.csv");
+    ASSERT_EQ(run.ticks.size(), 1001U);
+    EXPECT_LT(greatest_move(run), 1e-9) << value;
+    // And what it wrote repeats itself.
+    const Outcome again = run_ghostforce({"replay", folder / "other.csv"});
+    EXPECT_EQ(again.exit_code, 0) << again.err;
+    EXPECT_TRUE(says(again, "identical bit for bit for 1001 ticks")) << again.err;
+  }
+}
+
+TEST(ReplayCommand, GoesOnFromTheRecordedStateWhereTheSettingsAreTheSame) {
+  const TemporaryFolder folder;
+  write_whole(folder / "live.csv", resting_run("# state t_s=2 full=0.1,0,0.5 naive=0,0,0 anisotropic=0,0,0\n"));
+  const Outcome outcome = run_ghostforce({"replay", folder / "live.csv", "wall45", "-o", folder / "same.csv"});
+  EXPECT_TRUE(says(outcome, "played from the recorded state")) << outcome.err;
+  const auto run = load_run(folder / "same.csv");
+  EXPECT_EQ(run.states.at(0).velocity[0], Vector<2>(0.1, 0.0));
+  EXPECT_EQ(run.states.at(0).energy[0], 0.5);
+  EXPECT_GT(greatest_move(run), 1e-5);
+}
+
+TEST(ReplayCommand, PlaysAHandThatTellsNoSceneInTheNamedOne) {
+  const TemporaryFolder folder;
+  const std::string text = resting_run("");
+  write_whole(folder / "told.csv", text);
+  write_whole(folder / "untold.csv", text.substr(text.find("\nstrategy,") + 1));
+  const Outcome alone = run_ghostforce({"replay", folder / "untold.csv"});
+  EXPECT_EQ(alone.exit_code, 2);
+  EXPECT_TRUE(says(alone, "name one to replay its hand in")) << alone.err;
+  for (const std::string_view name : {"told", "untold"}) {
+    const Outcome outcome = run_ghostforce(
+        {"replay", folder / (std::string(name) + ".csv"), "fig3-normal", "-o", folder / (std::string(name) + "-out")});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  }
+  const std::string told = read_whole(folder / "told-out");
+  const std::string untold = read_whole(folder / "untold-out");
+  ASSERT_FALSE(told.empty());
+  // The same rows but for a file's name.
+  EXPECT_TRUE(told.substr(told.find("\n# state ")) == untold.substr(untold.find("\n# state ")));
+  EXPECT_EQ(load_run(folder / "untold-out").ticks.size(), 1001U);
+}
+
 TEST(ReplayCommand, RefusesWhatItCannotReplay) {
   const TemporaryFolder folder;
   EXPECT_EQ(run_ghostforce({"replay"}).exit_code, 2);

@@ -69,5 +69,25 @@ TEST(PlayTest, NoTicksIsTheStart) {
   EXPECT_EQ(state.tick, 0);
 }
 
+// Every strategy, in the wall and in free space, and with a wrong belief.
+TEST(PlayTest, NothingMovesFromRest) {
+  Scene scene = example();
+  scene.settings.impedances.believed_k_u = 60.0;
+  for (const Vector<2>& goal : {Vector<2>(0.04, -0.04), Vector<2>(0.0, -0.01), Vector<2>(-0.03, 0.02)}) {
+    scene.goal = {{goal}, {0.0}, Motion::linear};
+    const TickState<2> rest = state_at_rest(scene.settings, goal);
+    const bool is_inside = depth(wall_of(scene.settings), goal) > 0.0;
+    EXPECT_EQ(rest.strategies[0].in_contact, is_inside);
+    EXPECT_EQ(rest.strategies[0].motion.position == goal, !is_inside);
+    const TickState<2> later = play_from(rest, scene, 500, [&](const Snapshot& snapshot) {
+      for (std::size_t i = 0; i < strategy_count; ++i) {
+        ASSERT_LT(glm::distance(snapshot.strategies[i].device, rest.strategies[i].motion.position), 1e-12);
+        ASSERT_LT(glm::distance(snapshot.strategies[i].proxy, rest.strategies[i].proxy), 1e-12);
+      }
+    });
+    EXPECT_EQ(later.tick, 500);
+  }
+}
+
 }  // namespace
 }  // namespace ghostforce

@@ -1,0 +1,56 @@
+#include "app/figures/recorded_hand.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "app/failure.h"
+#include "app/run_hand.h"
+
+namespace ghostforce {
+
+RecordedHand recorded_hand(const Run& run, std::string name) {
+  if (!run.scene) {
+    throw Failure(ExitCode::wrong_call,
+                  fmt::format("{}: the run does not tell its scene; play its hand in one first, and give that file, as "
+                              "in\n"
+                              "ghostforce replay RUN.csv wall45 -o told.csv",
+                              name));
+  }
+  RecordedHand hand{.name = std::move(name), .scene = *run.scene, .start = {}};
+  if (!run.ticks.empty()) hand.scene.goal = goal_path_of(run);
+  const GoalPath& path = hand.scene.goal;
+  if (run.ticks.empty() || path.times.size() < 2) {
+    throw Failure(ExitCode::wrong_call,
+                  fmt::format("{}: the hand does not move: the run has no two ticks one after the other; give a longer "
+                              "one",
+                              hand.name));
+  }
+  hand.scene.duration = path.times.back();
+  hand.scene.settings = run.settings[run.ticks.front().settings];
+  hand.start = start_of_hand(run, hand.scene.settings).state;
+  const std::span ticks(run.ticks.data(), path.times.size());
+  std::int64_t jumps = 0;
+  for (std::size_t i = 1; i < ticks.size(); ++i) {
+    if (ticks[i].settings != ticks[i - 1].settings) {
+      hand.changes.push_back({path.times[i], run.settings[ticks[i].settings]});
+    }
+    if (ticks[i].state != RunTick::none) ++jumps;
+  }
+  hand.is_estimated = std::ranges::any_of(ticks, [](const RunTick& tick) { return tick.measured.has_value(); });
+  if (jumps > 0) {
+    hand.left_out.push_back(fmt::format(
+        "{} not shown (motors came on or went off, or samples were lost): the devices are simulated all the way.",
+        jumps == 1 ? "A jump of the recorded devices is" : fmt::format("{} jumps of the recorded devices are", jumps)));
+  }
+  if (ticks.size() < run.ticks.size()) {
+    hand.left_out.push_back(
+        fmt::format("The run was reset after {:.3g} s: what comes after is not shown.", path.times.back()));
+  }
+  return hand;
+}
+
+}  // namespace ghostforce
