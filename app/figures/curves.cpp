@@ -4,12 +4,22 @@
 #include <string>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "app/failure.h"
 #include "app/figures/sheet.h"
 #include "core/play.h"
 #include "core/sound_state.h"
 
 namespace ghostforce {
+namespace {
+
+constexpr double outside = 0.010;  // where the way begins, before the wall [m]
+constexpr double way_s = 0.5;
+constexpr double until_s = 4.0;
+constexpr double mm_per_m = 1000.0;
+
+}  // namespace
 
 CsvTable table_of(const Curves& curves, const std::string& x_name, const std::string& y_name) {
   CsvTable table;
@@ -19,6 +29,13 @@ CsvTable table_of(const Curves& curves, const std::string& x_name, const std::st
         {point.panel, point.series, std::string(point.is_simulated ? "simulated" : "closed form"), point.x, point.y});
   }
   return table;
+}
+
+std::string goal_comment(double depth_m) {
+  return fmt::format(
+      "goal_depth_mm={:g}: the goal is that deep behind wall.point_mm, along the normal; simulated, it comes from {:g} "
+      "mm outside in {:g} s by minimum jerk, and the row is of {:g} s.",
+      mm_per_m * depth_m, mm_per_m * outside, way_s, until_s);
 }
 
 void add_series(const Curves& curves, std::string_view panel, std::string_view series, const Series& style,
@@ -64,9 +81,6 @@ std::vector<double> evenly_in_ratio(double least, double greatest, int count) {
 
 Snapshot simulated_rest(const Settings& settings, const Vector<2>& goal) {
   const Wall<2> wall = wall_of(settings);
-  constexpr double outside = 0.010;  // where the way begins, before the wall [m]
-  constexpr double way_s = 0.5;
-  constexpr double until_s = 4.0;
   Scene scene;
   scene.settings = settings;
   scene.goal = {.points = {projection(wall, goal) + outside * wall.normal, goal},

@@ -27,6 +27,9 @@ using Curves = std::vector<CurvePoint>;
 // `x_name` and `y_name` with their units, as columns.
 CsvTable table_of(const Curves& curves, const std::string& x_name, const std::string& y_name);
 
+// Where the goal of a curve's points is, which is none of the scene's.
+std::string goal_comment(double depth_m);
+
 // The curve and, as another series without a name, its points.
 void add_series(const Curves& curves, std::string_view panel, std::string_view series, const Series& style,
                 Chart& chart);

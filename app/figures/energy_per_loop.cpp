@@ -6,6 +6,8 @@
 #include <string_view>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "app/chart/chart.h"
 #include "app/figures/curves.h"
 #include "app/figures/sheet.h"
@@ -101,9 +103,17 @@ std::vector<EnergyOfLoop> energies_of_loops() {
 namespace {
 
 constexpr double mj_per_j = 1000.0;
+constexpr double mm_per_m = 1000.0;
 
 CsvTable table_of(const std::vector<EnergyOfLoop>& loops) {
   CsvTable table;
+  table.comments = {
+      "One row per strategy, sense and tracking ratio, by the formula, and at some ratios as simulated.",
+      "energy_J: positive where the rendering gives energy to the hand. device_loop_area_m2: positive "
+      "counter-clockwise.",
+      fmt::format("circle_center_depth_mm={:g} circle_radius_mm={:g} turns_per_s={:g}: the goal's circle, its center "
+                  "that deep behind wall.point_mm, along the normal; simulated rows are of the second lap.",
+                  mm_per_m * depth_of_center, mm_per_m * radius, turns_per_second)};
   table.columns = {"series", "sense", "source", "tracking_ratio", "device_loop_area_m2", "energy_J"};
   for (const EnergyOfLoop& loop : loops) {
     table.rows.push_back({std::string(strategy(loop.strategy).name),
@@ -149,7 +159,7 @@ Figure energy_per_loop_figure(const FigureRequest&) {
       chart.series.push_back(series_of(loops, id, sense, true));
     }
   }
-  chart.references = {{optimal_tracking_ratio(k.k_r, k.k_u), true, "optimal: 1 + k_r/k_u"}};
+  chart.references = {{optimal_tracking_ratio(k.k_r, k.k_u), true, "optimal: 1 + kᵣ/kᵤ"}};
 
   Sheet sheet("Energy per closed loop, over the tracking ratio", 520.0);
   sheet.add_row(340.0, 1, [&](const Place& place, std::size_t) {

@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include <fmt/format.h>
+
 #include <glm/geometric.hpp>
 
 namespace ghostforce {
@@ -36,6 +38,17 @@ void add_simulated(const Settings& settings, StrategyId id, double x, Curves& cu
   const Snapshot rest = simulated_rest(settings, goal_behind(wall_of(settings)));
   curves.push_back(
       {"", std::string(strategy(id).name), true, x, along_motor(settings, rest.strategies[index_of(id)].force)});
+}
+
+CsvTable force_table(const Curves& curves, const std::string& x_name) {
+  CsvTable table = table_of(curves, x_name, "force_N");
+  table.comments = {
+      fmt::format("One row per strategy and {}, by closed form, and at some values as simulated.", x_name),
+      "force_N: what the device puts on the hand along the motor axis, positive away from the wall; the motor pushes "
+      "to "
+      "the left then, so that it is −force_x_N of the other figures.",
+      goal_comment(force_goal_depth)};
+  return table;
 }
 
 }  // namespace ghostforce

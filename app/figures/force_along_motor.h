@@ -15,4 +15,7 @@ void add_closed_forms(const Settings& settings, double x, Curves& curves);
 // The simulated loop's force of one strategy at `x`.
 void add_simulated(const Settings& settings, StrategyId id, double x, Curves& curves);
 
+// The curves as a table that says where the goal is and which way a force is positive.
+CsvTable force_table(const Curves& curves, const std::string& x_name);
+
 }  // namespace ghostforce

@@ -44,10 +44,10 @@ Figure force_over_stiffness_ratio_figure(const FigureRequest&) {
   const Curves curves = force_over_stiffness_ratio();
   Sheet sheet("Force along the motor, over the stiffness ratio", 520.0);
   Chart chart;
-  chart.x = {.title = "rendering stiffness over the hand's, k_r/k_u",
+  chart.x = {.title = "rendering stiffness over the hand's, kᵣ/kᵤ",
              .is_logarithmic = true,
              .range = Vector<2>(least_ratio, greatest_ratio)};
-  chart.y = {.title = "force along the motor axis at rest [N]"};
+  chart.y = {.title = "force along the motor axis at rest, away from the wall [N]"};
   for (const Strategy& strategy : strategy_catalog()) {
     add_series(curves, "", strategy.name, style_of(strategy.id), chart);
   }
@@ -59,8 +59,7 @@ Figure force_over_stiffness_ratio_figure(const FigureRequest&) {
       "Wall at 45° to the motor, goal 20 mm inside; lines: equations (11), (15) and (20); points: the simulated loop. "
       "A "
       "lies on F. What N has above them is the ghost force: it grows with the ratio.",
-      provenance_of_scene(std::string(scene_name) + ", k_r = k_t varied"),
-      table_of(curves, "stiffness_ratio", "force_N"));
+      provenance_of_scene(std::string(scene_name) + ", k_r = k_t varied"), force_table(curves, "stiffness_ratio"));
 }
 
 }  // namespace ghostforce

@@ -42,7 +42,7 @@ Figure force_over_wall_angle_figure(const FigureRequest&) {
   Sheet sheet("Force along the motor, over the wall's angle", 520.0);
   Chart chart;
   chart.x = {.title = "angle between wall normal and motor axis [°]", .range = Vector<2>(0.0, 90.0)};
-  chart.y = {.title = "force along the motor axis at rest [N]"};
+  chart.y = {.title = "force along the motor axis at rest, away from the wall [N]"};
   for (const Strategy& strategy : strategy_catalog()) {
     add_series(curves, "", strategy.name, style_of(strategy.id), chart);
   }
@@ -54,7 +54,7 @@ Figure force_over_wall_angle_figure(const FigureRequest&) {
       "Goal 20 mm inside the wall; lines: equations (11), (15) and (20); points: the simulated loop. A lies on F at "
       "every "
       "angle. What N has above them is the ghost force.",
-      provenance_of_scene(std::string(scene_name) + ", wall turned"), table_of(curves, "wall_angle_deg", "force_N"));
+      provenance_of_scene(std::string(scene_name) + ", wall turned"), force_table(curves, "wall_angle_deg"));
 }
 
 }  // namespace ghostforce

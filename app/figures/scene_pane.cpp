@@ -20,6 +20,8 @@ namespace {
 // [points]
 constexpr double room_at_sides = 30.0;  // round the scene, for letters
 constexpr double room_for_scale = 36.0;
+constexpr double scale_above_edge = 14.0;
+constexpr double dial_reach = 20.0;  // of each of its arrows
 constexpr double subscript_drop = 7.0;
 constexpr Vector<2> aside{0.0, 17.0};  // arrows, below what they are of
 
@@ -40,6 +42,13 @@ Box extent_of(const ScenePicture& picture) {
   }
   for (const Spot& spot : picture.spots) box.add(spot.at);
   return box;
+}
+
+// The motor axis' dial is as high as the axis is steep.
+double dial_above_edge(const Settings& settings) {
+  constexpr double clear = 6.0;  // half an arrow head, and a little
+  const double rise = dial_reach * std::abs(direction_at(settings.actuated_angle).y);
+  return std::max(scale_above_edge, rise + clear);
 }
 
 class Drawing {
@@ -150,23 +159,31 @@ class Drawing {
       if (step * pane_.camera.points_per_metre <= 80.0) metres = step;
     }
     const double length = metres * pane_.camera.points_per_metre;
-    const Vector<2> from{12.0, size_.y - 14.0};
+    const Vector<2> from{12.0, size_.y - scale_above_edge};
     const Vector<2> to = from + Vector<2>(length, 0.0);
     // Hatching steps back behind them.
     const std::string name = fmt::format("{:g} mm", metres * 1000.0);
     const std::string motor = "motor axis";
     const double name_width = measure_on_paper(name, TextSize::small).x;
     const double height = text_height(TextSize::small);
-    const Vector<2> dial = to + Vector<2>(name_width + 46.0, 0.0);
+    const Vector<2> dial{to.x + name_width + 46.0, size_.y - dial_above_edge(picture_.settings)};
     const Vector<2> motor_words = dial + Vector<2>(28.0, -0.55 * height);
     const double right = motor_words.x + measure_on_paper(motor, TextSize::small).x;
-    line(Role::scale, from, {right, from.y}, 22.0, paper().background.with_alpha(225));
+    const Colour backdrop = paper().background.with_alpha(225);
+    if (dial.y == from.y) {
+      line(Role::scale, from, {right, from.y}, 22.0, backdrop);
+    } else {
+      line(Role::scale, from, to + Vector<2>(7.0 + name_width, 0.0), 22.0, backdrop);
+      line(Role::scale, dial, {right, dial.y}, 22.0, backdrop);
+    }
+    const double reach_up = std::max(11.0, size_.y - dial.y);
+    taken_.push_back({{0.0, dial.y - reach_up}, {right + 11.0, size_.y}});
     line(Role::scale, from, to, 1.8, paper().text);
     for (const Vector<2>& end : {from, to}) {
       line(Role::scale, end - Vector<2>(0.0, 4.0), end + Vector<2>(0.0, 4.0), 1.8, paper().text);
     }
     words(to + Vector<2>(7.0, -0.55 * height), name, TextSize::small, paper().text);
-    const Vector<2> reach = to_screen_direction(direction_at(picture_.settings.actuated_angle)) * 20.0;
+    const Vector<2> reach = to_screen_direction(direction_at(picture_.settings.actuated_angle)) * dial_reach;
     for (const double sign : {-1.0, 1.0}) {
       pane_.marks.push_back(
           {Role::motor_axis, std::nullopt,
@@ -196,8 +213,8 @@ class Drawing {
         const Vector<2> middle = at + side * (gap + reach) + side * half;
         const Vector<2> corner = middle - 0.5 * extent;
         const bool leaves = corner.x < 3.0 || corner.y < 3.0 || corner.x > room.x || corner.y > room.y;
-        const double cost =
-            crowding({corner + Vector<2>(0.0, 0.1 * extent.y), corner + extent}) + 2.5 * reach + (leaves ? 1e5 : 0.0);
+        const double cost = crowding({corner + Vector<2>(0.0, 0.1 * extent.y), corner + extent}) + 2.5 * reach +
+                            doubt(middle, spot) + (leaves ? 1e5 : 0.0);
         if (cost < least) {
           least = cost;
           best = corner;
@@ -211,6 +228,19 @@ class Drawing {
       const double drop = extent.y - small + 0.2 * subscript_drop;
       words(best + Vector<2>(name_width + 0.5, drop), spot.subscript, TextSize::small, colour);
     }
+  }
+
+  // Whether a name in this place could be another point's: it should be nearer to its own by far.
+  double doubt(const Vector<2>& middle, const Spot& own) const {
+    const auto way_to = [&](const Spot& spot) {
+      return std::max(1.0, glm::distance(middle, on_screen(spot.at)) - spot.radius);
+    };
+    constexpr double clearly = 1.8;
+    double cost = 0.0;
+    for (const Spot& other : picture_.spots) {
+      if (&other != &own) cost += 60.0 * std::max(0.0, clearly - way_to(other) / way_to(own));
+    }
+    return cost;
   }
 
   // The strategies' own letters where the point has a strategy's colour.
@@ -245,7 +275,9 @@ Frame frame_for(std::span<const ScenePicture> pictures, const Vector<2>& size) {
   Frame frame{std::numeric_limits<double>::infinity(), {}};
   const bool has_arrows =
       std::ranges::any_of(pictures, [](const ScenePicture& picture) { return !picture.arrows.empty(); });
-  const double below = room_for_scale + (has_arrows ? aside.y : 0.0);
+  double dial = scale_above_edge;
+  for (const ScenePicture& picture : pictures) dial = std::max(dial, dial_above_edge(picture.settings));
+  const double below = room_for_scale + 2.0 * (dial - scale_above_edge) + (has_arrows ? aside.y : 0.0);
   const Vector<2> room = size - Vector<2>(2.0 * room_at_sides, room_at_sides + below);
   for (const ScenePicture& picture : pictures) {
     const Box box = extent_of(picture);

@@ -297,6 +297,38 @@ TEST(Claims, OneSenseOfALoopMakesTheEnergyThatTheOtherTakesAsTheFormulaSays) {
   EXPECT_EQ(measured, 22);
 }
 
+// As docs/figures.md says of the picture.
+TEST(Claims, TheDelayMovesTheEnergyAboveTheLineForSmallRatiosAndBelowItForLargeOnes) {
+  const std::vector<EnergyOfLoop> loops = energies_of_loops();
+  const auto line_at = [&](const EnergyOfLoop& point) {
+    const EnergyOfLoop* before = nullptr;
+    for (const EnergyOfLoop& loop : loops) {
+      if (loop.is_simulated || loop.strategy != point.strategy ||
+          loop.is_counter_clockwise != point.is_counter_clockwise) {
+        continue;
+      }
+      if (loop.ratio >= point.ratio) {
+        if (before == nullptr) return loop.energy;
+        const double share = std::log(point.ratio / before->ratio) / std::log(loop.ratio / before->ratio);
+        return before->energy + share * (loop.energy - before->energy);
+      }
+      before = &loop;
+    }
+    return before->energy;
+  };
+  int compared = 0;
+  for (const EnergyOfLoop& loop : loops) {
+    if (!loop.is_simulated || loop.strategy != StrategyId::anisotropic) continue;
+    ++compared;
+    if (loop.ratio <= 7.0) {
+      EXPECT_GT(loop.energy, line_at(loop)) << loop.ratio;
+    } else {
+      EXPECT_LT(loop.energy, line_at(loop)) << loop.ratio;
+    }
+  }
+  EXPECT_EQ(compared, 18);
+}
+
 TEST(Claims, EquilibriaAreLabelledWhereTheyAre) {
   const ThreeEquilibria data = three_equilibria();
   const Wall<2> wall = wall_of(data.scene.settings);

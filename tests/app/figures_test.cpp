@@ -8,6 +8,8 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <map>
+#include <numbers>
 #include <set>
 #include <string>
 #include <utility>
@@ -182,6 +184,24 @@ TEST_P(EachFigure, HasItsWordsOnThePaperAndApart) {
   EXPECT_TRUE(has_provenance);
 }
 
+TEST_P(EachFigure, HasATableThatSaysWhatItsRowsAre) {
+  const Figure figure = GetParam()->make({});
+  EXPECT_TRUE(std::ranges::any_of(figure.data.comments,
+                                  [](const std::string& line) { return line.starts_with("One row per "); }));
+}
+
+TEST_P(EachFigure, WritesItsSignsAsSigns) {
+  for (const Pane& pane : GetParam()->make({}).panes) {
+    for (const Mark& mark : pane.marks) {
+      const auto* label = std::get_if<Label>(&mark.form);
+      if (label == nullptr || label->text.starts_with("ghostforce ")) continue;  // keys of a scene have their names
+      for (const std::string_view raw : {"k_r", "k_u", "k_t", "k_c", "K_r", "K_t", "q_u", "q_h", "q_p", "q_c"}) {
+        EXPECT_EQ(label->text.find(raw), std::string::npos) << label->text;
+      }
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(All, EachFigure, testing::ValuesIn([] {
                            std::vector<const FigureEntry*> entries;
                            for (const FigureEntry& entry : figure_catalog()) entries.push_back(&entry);
@@ -248,6 +268,85 @@ TEST(Figures, ShowEachSimulatedPointOfTheirTable) {
   }
 }
 
+TEST(Figures, SayInTheirTablesWhereAGoalIsThatIsNotTheScenes) {
+  for (const auto& [name, key] : std::vector<std::pair<std::string, std::string>>{
+           {"figure-6", "path_mm=[[-45, 30], [10, -20], [45, 15], [10, 50], [30, -10]] times_s=[0, 1, 2, 3, 4] "},
+           {"force-over-wall-angle", "goal_depth_mm=20"},
+           {"force-over-stiffness-ratio", "goal_depth_mm=20"},
+           {"proxy-drift", "goal_depth_mm=20"},
+           {"energy-per-loop", "circle_center_depth_mm=25 circle_radius_mm=10 turns_per_s=0.1"}}) {
+    const std::vector<std::string> comments = entry_named(name).make({}).data.comments;
+    EXPECT_TRUE(std::ranges::any_of(comments, [&](const std::string& line) { return line.starts_with(key); })) << name;
+  }
+}
+
+// What a mark of a pane reaches, in points of the pane.
+struct Reach {
+  Vector<2> least, most;
+};
+
+Reach reach_of(const Pane& pane, const Arrow& arrow) {
+  const Vector<2> tail = to_screen(pane.camera, arrow.tail);
+  const Vector<2> tip = to_screen(pane.camera, arrow.tip);
+  const double head = 2.0 * arrow.width;
+  return {glm::min(tail, tip) - Vector<2>(head), glm::max(tail, tip) + Vector<2>(head)};
+}
+
+// Whichever way motor and wall stand.
+TEST(Figures, DrawNoArrowOverTheEdge) {
+  Scene scene = load_scene("wall45");
+  for (const double degrees : {0.0, 30.0, 60.0, 90.0, 135.0, 270.0}) {
+    scene.settings.actuated_angle = degrees * std::numbers::pi / 180.0;
+    const Figure figure =
+        entry_named("figure-6")
+            .make({.hand = RecordedHand{
+                       .name = "run.csv", .scene = scene, .start = state_at_start(scene.goal.points.front())}});
+    int arrows = 0;
+    for (const Pane& pane : figure.panes) {
+      for (const Mark& mark : pane.marks) {
+        const auto* arrow = std::get_if<Arrow>(&mark.form);
+        if (arrow == nullptr) continue;
+        ++arrows;
+        const Reach reach = reach_of(pane, *arrow);
+        EXPECT_GE(reach.least.x, 0.0) << degrees;
+        EXPECT_GE(reach.least.y, 0.0) << degrees;
+        EXPECT_LE(reach.most.x, pane.camera.size.x) << degrees;
+        EXPECT_LE(reach.most.y, pane.camera.size.y) << degrees;
+      }
+    }
+    EXPECT_EQ(arrows, 2) << "the motor axis";
+  }
+}
+
+// Nobody should have to guess whose a letter is.
+TEST(Figures, PutLettersNearestToTheirOwnDevices) {
+  for (const std::string_view name : {"figure-3", "figure-4", "figure-6"}) {
+    int looked_at = 0;
+    for (const Pane& pane : entry_named(name).make({}).panes) {
+      for (const Mark& mark : pane.marks) {
+        const auto* label = std::get_if<Label>(&mark.form);
+        if (label == nullptr || label->text.size() != 1) continue;
+        const Vector<2> middle =
+            to_screen(pane.camera, label->anchor) + label->offset + 0.5 * measure_on_paper(label->text, label->size);
+        double own = 1e9;
+        double other = 1e9;
+        for (const Mark& spot : pane.marks) {
+          const auto* marker = std::get_if<Marker>(&spot.form);
+          if (spot.role != Role::device || marker == nullptr) continue;
+          const auto strategy = std::ranges::find(strategy_catalog(), label->text[0], &Strategy::letter);
+          ASSERT_NE(strategy, strategy_catalog().end());
+          const double way = glm::distance(middle, to_screen(pane.camera, marker->center));
+          double& least = marker->fill == paper().strategy[index_of(strategy->id)] ? own : other;
+          least = std::min(least, way);
+        }
+        ++looked_at;
+        EXPECT_LT(own, other) << name << ' ' << label->text;
+      }
+    }
+    EXPECT_GE(looked_at, 3) << name;
+  }
+}
+
 // ---- A recorded hand ------------------------------------------------------------------------------------------------
 
 TEST(FiguresHand, IsTheRecordingsOwn) {
@@ -256,7 +355,6 @@ TEST(FiguresHand, IsTheRecordingsOwn) {
   const Outcome outcome = figures({"-o", folder / "out", "--only", "figure-6", "--hand", folder / "run.csv"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const ReadTable table = read_table(read_whole(folder / "out/figure-6.csv"));
-  EXPECT_NE(table.comments.front().find("of run.csv"), std::string::npos) << table.comments.front();
   // The same motion as figure 1's: the same devices.
   const CsvTable& expected = entry_named("figure-1").make({}).data;
   ASSERT_EQ(table.rows.size(), expected.rows.size());
@@ -281,6 +379,121 @@ TEST(FiguresHand, IsRefusedWhereItIsNoneOrGoesUnseen) {
   EXPECT_FALSE(fs::exists(folder / "out"));
 }
 
+// A run of wall45 whose hand rests 20 mm inside the wall all the time, as it was recorded from 2 s on.
+std::string resting_run(const std::string& before_rows, const std::string& in_midst = "") {
+  const std::string text = run_program(GHOSTFORCE_PROGRAM, {"simulate", "wall45", "--strategy", "all"}).out;
+  const std::size_t midst = text.find("\nfull,2.5,") + 1;
+  const std::size_t begin = text.find("\nfull,2,") + 1;
+  return text.substr(0, text.find("\nfull,0,") + 1) + before_rows + text.substr(begin, midst - begin) + in_midst +
+         text.substr(midst);
+}
+
+struct HandFigure {
+  Outcome outcome;
+  ReadTable table;
+  std::string words;  // provenance and caption
+};
+
+HandFigure hand_figure(const TemporaryFolder& folder, const std::string& run) {
+  write_whole(folder / "run.csv", run);
+  HandFigure figure;
+  figure.outcome = figures({"-o", folder / "out", "--only", "figure-6", "--hand", folder / "run.csv"});
+  if (figure.outcome.exit_code != 0) return figure;
+  figure.table = read_table(read_whole(folder / "out/figure-6.csv"));
+  figure.words = figure.table.comments.at(0) + "\n" + figure.table.comments.at(1);
+  return figure;
+}
+
+constexpr std::string_view state_at_2_s = "# state t_s=2 full=0,0,0 naive=0,0,0 anisotropic=0,0,0\n";
+
+bool contains(const std::string& text, std::string_view words) {
+  return text.find(words) != std::string::npos;
+}
+
+// How far the devices are from where they began, at most, until a time.
+double greatest_move(const ReadTable& table, double until_s) {
+  double greatest = 0.0;
+  std::map<std::string, Vector<2>> begins;
+  for (const auto& row : table.rows) {
+    if (row[2] != "simulated" || number(row[3]) > until_s) continue;
+    const Vector<2> device{number(row[6]), number(row[7])};
+    greatest = std::max(greatest, glm::distance(device, begins.try_emplace(row[1], device).first->second));
+  }
+  return greatest;
+}
+
+TEST(FiguresHand, BeginsAsItWasRecorded) {
+  const TemporaryFolder folder;
+  const HandFigure as_recorded = hand_figure(folder, resting_run(std::string(state_at_2_s)));
+  ASSERT_EQ(as_recorded.outcome.exit_code, 0) << as_recorded.outcome.err;
+  EXPECT_LT(greatest_move(as_recorded.table, 1.0), 1e-9);
+  // Without that line nobody knows how it began: at rest.
+  const HandFigure at_rest = hand_figure(folder, resting_run(""));
+  EXPECT_LT(greatest_move(at_rest.table, 1.0), 1e-9);
+  EXPECT_TRUE(at_rest.words.starts_with("# ghostforce " GHOSTFORCE_VERSION "; hand run.csv\n")) << at_rest.words;
+  EXPECT_FALSE(contains(at_rest.words, "seed"));
+}
+
+TEST(FiguresHand, TakesWhatWasChangedAndSaysWhatItLeavesOut) {
+  const TemporaryFolder folder;
+  const HandFigure changed = hand_figure(folder, resting_run(std::string(state_at_2_s),
+                                                             "# set t_s=2.5 rendering.tracking_ratio=2\n"
+                                                             "# set t_s=2.5 wall.normal_deg=120\n"));
+  ASSERT_EQ(changed.outcome.exit_code, 0) << changed.outcome.err;
+  EXPECT_LT(greatest_move(changed.table, 0.49), 1e-9);
+  EXPECT_GT(greatest_move(changed.table, 1.0), 0.001);
+  EXPECT_TRUE(contains(changed.words, "Settings were changed once while it was recorded, and are here; wall and motor"))
+      << changed.words;
+  EXPECT_NE(std::ranges::find(changed.table.comments, "# set t_s=0.5 rendering.tracking_ratio=2.0"),
+            changed.table.comments.end())
+      << testing::PrintToString(changed.table.comments);
+  // The changed ratio is not the best one.
+  EXPECT_TRUE(contains(changed.words, "A does not feel as F does at rest")) << changed.words;
+
+  const std::string run = resting_run(std::string(state_at_2_s));
+  const HandFigure reset = hand_figure(
+      folder, run + "# state t_s=0 full=0,0,0 naive=0,0,0 anisotropic=0,0,0\n" + run.substr(run.find("\nfull,2,") + 1));
+  for (const std::string& words : {reset.words, reset.outcome.err}) {
+    EXPECT_TRUE(contains(words, "The run was reset after 1 s: what comes after is not shown")) << words;
+  }
+}
+
+TEST(FiguresHand, ClaimsNoMoreThanItsDataShow) {
+  const TemporaryFolder folder;
+  const auto caption_with = [&](std::vector<std::string> set) {
+    set.insert(set.begin(), {"simulate", "wall45", "--strategy", "all"});
+    return hand_figure(folder, run_program(GHOSTFORCE_PROGRAM, std::move(set)).out).words;
+  };
+  EXPECT_TRUE(contains(caption_with({}), "Along the motor axis A feels as F does at rest; N is pulled away"));
+  EXPECT_TRUE(contains(caption_with({"--set", "rendering.tracking_ratio=1"}), "A does not feel as F does at rest"));
+  EXPECT_TRUE(contains(caption_with({"--set", "wall.normal_deg=180"}), "A feels as F does at rest; N does so too"));
+  EXPECT_TRUE(contains(caption_with({"--set", "wall.point_mm=[500, -500]"}), "The hand never goes into the wall"));
+}
+
+TEST(FiguresHand, IsRefusedWithARemedy) {
+  const TemporaryFolder folder;
+  const std::string run = resting_run(std::string(state_at_2_s));
+  const HandFigure one_tick = hand_figure(folder, run.substr(0, run.find("\nfull,2.001,") + 1));
+  EXPECT_EQ(one_tick.outcome.exit_code, 2);
+  EXPECT_TRUE(contains(one_tick.outcome.err, "run.csv: the hand does not move")) << one_tick.outcome.err;
+  const HandFigure untold = hand_figure(folder, run.substr(run.find("\nstrategy,") + 1));
+  EXPECT_EQ(untold.outcome.exit_code, 2);
+  EXPECT_TRUE(contains(untold.outcome.err, "ghostforce replay RUN.csv wall45 -o told.csv")) << untold.outcome.err;
+  std::string wild = run;
+  const std::size_t mass = wild.find("mass_kg = ");
+  wild.replace(mass, wild.find('\n', mass) - mass, "mass_kg = 0.001");
+  const std::size_t damping = wild.find("damping_N_s_per_m = ");
+  wild.replace(damping, wild.find('\n', damping) - damping, "damping_N_s_per_m = 0.0");
+  const std::size_t k_r = wild.find("k_r_N_per_m = ");
+  wild.replace(k_r, wild.find('\n', k_r) - k_r, "k_r_N_per_m = 100000.0");
+  const HandFigure unstable = hand_figure(folder, wild);
+  EXPECT_EQ(unstable.outcome.exit_code, 2);
+  EXPECT_TRUE(contains(unstable.outcome.err, "run.csv: with its settings the sampled loop is unstable"))
+      << unstable.outcome.err;
+  EXPECT_TRUE(contains(unstable.outcome.err, "--set rendering.k_r_N_per_m=")) << unstable.outcome.err;
+  EXPECT_FALSE(fs::exists(folder / "out"));
+}
+
 // ---- All or nothing -------------------------------------------------------------------------------------------------
 
 TEST(FiguresCommand, RefusesAWrongNameAndSaysTheNearest) {
@@ -289,6 +502,12 @@ TEST(FiguresCommand, RefusesAWrongNameAndSaysTheNearest) {
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_NE(outcome.err.find("did you mean 'figure-"), std::string::npos) << outcome.err;
   EXPECT_EQ(folder.count(), 0);
+}
+
+TEST(FiguresCommand, RefusesAFolderWithoutAName) {
+  const Outcome outcome = figures({"-o", "", "--only", "figure-2"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_TRUE(contains(outcome.err, "-o: the name of the folder is empty")) << outcome.err;
 }
 
 TEST(FiguresCommand, RefusesAFileAsAFolder) {
