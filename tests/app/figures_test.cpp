@@ -325,7 +325,7 @@ TEST(Figures, PutLettersNearestToTheirOwnDevices) {
     for (const Pane& pane : entry_named(name).make({}).panes) {
       for (const Mark& mark : pane.marks) {
         const auto* label = std::get_if<Label>(&mark.form);
-        if (label == nullptr || label->text.size() != 1) continue;
+        if (label == nullptr || (label->text != "F" && label->text != "N" && label->text != "A")) continue;
         const Vector<2> middle =
             to_screen(pane.camera, label->anchor) + label->offset + 0.5 * measure_on_paper(label->text, label->size);
         double own = 1e9;
