@@ -36,7 +36,7 @@ constexpr std::array<std::string_view, all_columns> column_names{
     "strategy",  "t_s",       "goal_x_m",  "goal_y_m",  "device_x_m", "device_y_m",
     "proxy_x_m", "proxy_y_m", "force_x_N", "force_y_N", "goal_kind",  "device_kind",
     "active",    "saturated", "sent_x_N",  "sent_y_N",  "loop_s"};
-// Nothing here is made of them; where they are not sound, nobody can tell what else in the row is not.
+// Where one of them is not sound, nobody can tell what else in the row is not.
 constexpr std::array yes_or_no_columns{active_column, saturated_column};
 constexpr std::array further_numbers{sent_x_column, sent_y_column, loop_column};
 
@@ -118,12 +118,12 @@ std::optional<RunFault> RunColumns::read(std::span<const std::string_view> value
   for (std::size_t i = time_column; i < needed_columns; ++i) {
     worst = std::max(worst, read_number(values[place_[i]], number[i]));
   }
+  std::array<double, all_columns> further{};
   for (const Column column : further_numbers) {
-    double ignored = 0.0;
-    if (place_[column] != absent) worst = std::max(worst, read_number(values[place_[column]], ignored));
+    if (place_[column] != absent) worst = std::max(worst, read_number(values[place_[column]], further[column]));
   }
   for (const Column column : yes_or_no_columns) {
-    double yes = 0.0;
+    double& yes = further[column];
     if (place_[column] != absent) worst = std::max(worst, read_number(values[place_[column]], yes));
     if (worst == Number::good && yes != 0.0 && yes != 1.0) return RunFault::damaged;
   }
@@ -144,7 +144,15 @@ std::optional<RunFault> RunColumns::read(std::span<const std::string_view> value
   line.goal = {number[goal_x_column], number[goal_y_column]};
   line.row = {{number[device_x_column], number[device_y_column]},
               {number[proxy_x_column], number[proxy_y_column]},
-              {number[force_x_column], number[force_y_column]}};
+              {number[force_x_column], number[force_y_column]},
+              {},
+              false};
+  // The others have no motors.
+  if (line.is_measured) {
+    const bool is_told = place_[sent_x_column] != absent && place_[sent_y_column] != absent;
+    if (is_told) line.row.sent = {further[sent_x_column], further[sent_y_column]};
+    line.row.is_saturated = further[saturated_column] != 0.0;
+  }
   return std::nullopt;
 }
 

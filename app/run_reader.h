@@ -22,6 +22,9 @@ struct RunRow {
   Vector<2> device{0.0};  // q_h [m]
   Vector<2> proxy{0.0};   // q_p [m]
   Vector<2> force{0.0};   // f_r [N]
+  // Of the strategy on a real device: what went to the motors after every limit, at the handle [N]; empty: not told.
+  std::optional<Vector<2>> sent{};
+  bool is_saturated = false;  // the limit has shortened it
 };
 
 struct RunTick {

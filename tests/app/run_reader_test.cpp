@@ -312,10 +312,16 @@ TEST(RunReader, KnowsAMeasuredDevice) {
   std::string text = recording();
   const std::size_t row = text.find("anisotropic,0.002,");
   const std::size_t kinds = text.find("given,simulated", row);
-  text.replace(kinds, 15, "estimated,measured");
+  text.replace(kinds, 21, "estimated,measured,-1.5,0.25,1");
   const auto run = read_run(text, "f");
   EXPECT_EQ(run.ticks.at(2).measured, StrategyId::anisotropic);
   EXPECT_FALSE(run.ticks.at(3).measured);
+  const RunRow& measured = *run.ticks.at(2).rows[index_of(StrategyId::anisotropic)];
+  EXPECT_EQ(measured.sent, Vector<2>(-1.5, 0.25));
+  EXPECT_TRUE(measured.is_saturated);
+  const RunRow& simulated = *run.ticks.at(2).rows[index_of(StrategyId::naive)];
+  EXPECT_EQ(simulated.sent, std::nullopt) << "it has no motors";
+  EXPECT_FALSE(simulated.is_saturated);
 }
 
 TEST(RunReader, RefusesWhatIsNoRun) {
