@@ -42,7 +42,7 @@ constexpr std::string_view more_help =
     "\n"
     "Data goes to the standard output, words go to the error output. Exit codes:\n"
     "  0  done\n"
-    "  1  ran, and the answer is no: pictures differ, a replay diverged\n"
+    "  1  ran, and the answer is no: pictures differ, a replay diverged, no reading\n"
     "  2  wrong call, or a file that says something wrong\n"
     "  3  no such device plugged in\n"
     "  4  device seen, but not allowed or busy\n"

@@ -10,7 +10,7 @@ namespace ghostforce {
 
 enum class ExitCode : int {
   done = 0,
-  answer_is_no = 1,    // ran, and the answer is no: pictures differ, a replay diverged
+  answer_is_no = 1,    // ran, and the answer is no: pictures differ, a replay diverged, no reading
   wrong_call = 2,      // wrong arguments, or a file that says something wrong
   device_absent = 3,   // no such device plugged in
   device_refused = 4,  // seen, but not allowed or busy

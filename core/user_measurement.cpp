@@ -31,6 +31,9 @@ std::string_view sentence_of(NoReading problem) noexcept {
       return "Nothing is rendered: raise k_r.";
     case NoReading::no_such_hand:
       return "No hand would drift like this: it did not aim there, or was not at rest.";
+    case NoReading::limited:
+      return "The motors gave less than was asked of them, at their limit or still coming on: press less deep, and "
+             "wait.";
   }
   return "";
 }

@@ -40,6 +40,7 @@ enum class NoReading : std::uint8_t {
   no_drift_at_all,  // n lies along or across the motors: the proxy never drifts, whatever ρ
   no_rendering,     // k_r is 0: nothing is felt
   no_such_hand,     // ρ° is not above 1: the hand was not at rest, or did not aim there
+  limited,          // the motors gave something else than f_r; read_user() cannot know, whoever reads the device does
 };
 // For a person: what is so, and what to do instead.
 std::string_view sentence_of(NoReading problem) noexcept;

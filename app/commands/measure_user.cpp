@@ -31,6 +31,9 @@ struct RestCriterion {
 constexpr RestCriterion simulated_rest{0.00002, 0.25};
 constexpr RestCriterion measured_rest{0.0015, 0.5};
 
+// By so much may differ what was sent from what was asked for [N]: far more than rounding, far less than is felt.
+constexpr double same_force = 1e-6;
+
 struct Options {
   std::string run;
   std::optional<std::string> target_mm;
@@ -44,8 +47,15 @@ struct Rest {
   double to_s;
   double tracking_ratio;  // ρ in use
   double force;           // along the motors [N]
-  double given_k_u;       // of the simulated hand; of a measured one nobody knows it [N/m]
+  // Of the simulated hand; of a measured one nobody knows it [N/m].
+  std::optional<double> given_k_u;
   UserReading reading;
+};
+
+// The readings of one hand [N/m].
+struct Hand {
+  std::optional<double> given_k_u;
+  std::vector<double> readings;
 };
 
 bool is_measured(const Run& run) {
@@ -55,7 +65,9 @@ bool is_measured(const Run& run) {
 class RestFinder {
  public:
   RestFinder(const Run& run, const Strategy& strategy, const std::optional<Vector<2>>& target)
-      : run_(run), strategy_(strategy), target_(target), criterion_(target ? measured_rest : simulated_rest) {}
+      : run_(run), strategy_(strategy), target_(target), criterion_(target ? measured_rest : simulated_rest) {
+    for (const Settings& settings : run.settings) bases_.push_back(basis_of(settings));
+  }
 
   std::vector<Rest> find() {
     RestWatch<2> device(criterion_.reach);
@@ -87,8 +99,16 @@ class RestFinder {
   bool follows(std::size_t i) const {
     const RunTick& tick = run_.ticks[i];
     const RunTick& before = run_.ticks[i - 1];
-    return counts(i) && counts(i - 1) && tick.settings == before.settings && tick.state == RunTick::none &&
-           tick.time_s > before.time_s;
+    return counts(i) && counts(i - 1) && bases_[tick.settings] == bases_[before.settings] &&
+           tick.state == RunTick::none && tick.time_s > before.time_s;
+  }
+  // All that a reading depends on: of what is believed or chosen, the ratio that this strategy makes of it.
+  Settings basis_of(Settings settings) const {
+    settings.active = strategy_.id;
+    settings.impedances.chosen_tracking_ratio = strategy_.tracking_ratio(settings.impedances);
+    settings.impedances.believed_k_u.reset();
+    if (target_) settings.impedances.k_u = 1.0;  // of the simulated hands, which are not looked at
+    return settings;
   }
   const RunRow& row(std::size_t i) const { return *run_.ticks[i].rows[index_of(strategy_.id)]; }
   Vector<2> aim(std::size_t i) const { return target_.value_or(run_.ticks[i].goal); }
@@ -115,15 +135,39 @@ class RestFinder {
       mean.proxy += share * row(i).proxy;
       mean.force += share * row(i).force;
     }
+    UserReading reading = read_user(wall_of(settings), actuation_of(settings), mean);
+    const bool would_count = reading.problem == NoReading::none || reading.problem == NoReading::no_such_hand;
+    if (would_count && is_limited(middle, end)) reading = {.problem = NoReading::limited, .drift = reading.drift};
     rests_.push_back({strategy_.id, from_s, to_s, mean.tracking_ratio,
-                      glm::dot(mean.force, direction_at(settings.actuated_angle)), settings.impedances.k_u,
-                      read_user(wall_of(settings), actuation_of(settings), mean)});
+                      glm::dot(mean.force, direction_at(settings.actuated_angle)),
+                      target_ ? std::nullopt : std::optional(settings.impedances.k_u), reading});
+  }
+
+  // Whether the motors of a real device had something else than the rendering asked for. A handle whose way is shown
+  // enlarged has a share of the force that is the same throughout; ramps, limits and fades have none.
+  bool is_limited(std::size_t begin, std::size_t end) const {
+    double asked = 0.0;
+    double sent = 0.0;
+    for (std::size_t i = begin; i < end; ++i) {
+      if (row(i).is_saturated) return true;
+      if (!row(i).sent) return false;  // simulated, or not told
+      asked += glm::dot(row(i).force, row(i).force);
+      sent += glm::dot(*row(i).sent, row(i).force);
+    }
+    if (!(asked > 0.0)) return false;
+    const double share = sent / asked;
+    if (!(share > 0.0)) return true;
+    for (std::size_t i = begin; i < end; ++i) {
+      if (!(glm::distance(*row(i).sent, share * row(i).force) <= same_force)) return true;
+    }
+    return false;
   }
 
   const Run& run_;
   const Strategy& strategy_;
   std::optional<Vector<2>> target_;
   RestCriterion criterion_;
+  std::vector<Settings> bases_;  // of run_.settings
   std::vector<Rest> rests_;
 };
 
@@ -139,15 +183,19 @@ std::vector<Rest> find_rests(const Run& run, const std::optional<Vector<2>>& tar
   return rests;
 }
 
-Spread spread_of(const std::vector<Rest>& rests) {
-  std::vector<double> readings;
+// In the order in which they came. Without a reading there is none.
+std::vector<Hand> hands_of(const std::vector<Rest>& rests) {
+  std::vector<Hand> hands;
   for (const Rest& rest : rests) {
-    if (rest.reading.problem == NoReading::none) readings.push_back(rest.reading.k_u);
+    if (rest.reading.problem != NoReading::none) continue;
+    auto hand = std::ranges::find(hands, rest.given_k_u, &Hand::given_k_u);
+    if (hand == hands.end()) hand = hands.insert(hands.end(), Hand{rest.given_k_u, {}});
+    hand->readings.push_back(rest.reading.k_u);
   }
-  return ghostforce::spread_of(std::span<const double>(readings));
+  return hands;
 }
 
-std::string json_text(const std::vector<Rest>& rests, std::size_t count, bool measured) {
+std::string json_text(const std::vector<Rest>& rests, const std::vector<Hand>& hands, bool measured) {
   nlohmann::ordered_json json;
   json["device_kind"] = measured ? "measured" : "simulated";
   json["readings"] = nlohmann::ordered_json::array();
@@ -161,44 +209,56 @@ std::string json_text(const std::vector<Rest>& rests, std::size_t count, bool me
     } else {
       entry["why_not"] = sentence_of(rest.reading.problem);
     }
-    if (!measured) entry["given_k_u_N_per_m"] = rest.given_k_u;
+    if (rest.given_k_u) entry["given_k_u_N_per_m"] = *rest.given_k_u;
     json["readings"].push_back(std::move(entry));
   }
-  json["count"] = count;
-  if (count > 0) {
-    const Spread spread = spread_of(rests);
-    json["k_u_N_per_m"] = {{"median", spread.median},
-                           {"lower_quartile", spread.lower_quartile},
-                           {"upper_quartile", spread.upper_quartile}};
+  json["hands"] = nlohmann::ordered_json::array();
+  for (const Hand& hand : hands) {
+    nlohmann::ordered_json entry;
+    if (hand.given_k_u) entry["given_k_u_N_per_m"] = *hand.given_k_u;
+    const Spread spread = spread_of(hand.readings);
+    entry["count"] = hand.readings.size();
+    entry["k_u_N_per_m"] = {{"median", spread.median},
+                            {"lower_quartile", spread.lower_quartile},
+                            {"upper_quartile", spread.upper_quartile}};
+    json["hands"].push_back(std::move(entry));
   }
   return json.dump() + "\n";
 }
 
-std::string table_text(const std::vector<Rest>& rests, std::size_t count, bool measured) {
+std::string table_text(const std::vector<Rest>& rests, const std::vector<Hand>& hands, bool measured) {
+  const std::string_view given_head = measured ? "" : "     given";
+  const std::string_view given_unit = measured ? "" : "       N/m";
   std::string text = fmt::format(
-      "{:12} {:>8} {:>8} {:>8} {:>9} {:>9} {:>8} {:>10}\n{:12} {:>8} {:>8} {:>8} {:>9} {:>9} "
+      "{:12} {:>8} {:>8} {:>8} {:>9} {:>9}{} {:>8} {:>10}\n{:12} {:>8} {:>8} {:>8} {:>9} {:>9}{} "
       "{:>8} {:>10}\n",
-      "strategy", "from", "to", "ρ", "drift", "force", "ρ°", "k_u", "", "s", "s", "", "mm", "N", "", "N/m");
+      "strategy", "from", "to", "ρ", "drift", "force", given_head, "ρ°", "k_u", "", "s", "s", "", "mm", "N", given_unit,
+      "", "N/m");
   for (const Rest& rest : rests) {
-    text += fmt::format("{:12} {:8.3f} {:8.3f} {:8.3f} {:9.3f} {:9.3f} ", strategy(rest.strategy).name, rest.from_s,
+    text += fmt::format("{:12} {:8.3f} {:8.3f} {:8.3f} {:9.3f} {:9.3f}", strategy(rest.strategy).name, rest.from_s,
                         rest.to_s, rest.tracking_ratio, 1000.0 * rest.reading.drift, rest.force);
+    if (rest.given_k_u) text += fmt::format("{:10.2f}", *rest.given_k_u);
     text += rest.reading.problem == NoReading::none
-                ? fmt::format("{:8.3f} {:10.2f}\n", rest.reading.null_ratio, rest.reading.k_u)
-                : fmt::format("{}\n", sentence_of(rest.reading.problem));
+                ? fmt::format(" {:8.3f} {:10.2f}\n", rest.reading.null_ratio, rest.reading.k_u)
+                : fmt::format(" {}\n", sentence_of(rest.reading.problem));
   }
-  const Spread spread = spread_of(rests);
-  text += fmt::format("\nmeasured k_u: median {:.2f} N/m of {} reading{}, the middle half from {:.2f} to {:.2f} N/m\n",
-                      spread.median, count, count == 1 ? "" : "s", spread.lower_quartile, spread.upper_quartile);
-  if (!measured) text += fmt::format("given to the simulated hand: {:.2f} N/m\n", rests.back().given_k_u);
+  for (const Hand& hand : hands) {
+    const Spread spread = spread_of(hand.readings);
+    const std::size_t count = hand.readings.size();
+    text +=
+        fmt::format("\nmeasured k_u: median {:.2f} N/m of {} reading{}, the middle half from {:.2f} to {:.2f} N/m\n",
+                    spread.median, count, count == 1 ? "" : "s", spread.lower_quartile, spread.upper_quartile);
+    if (hand.given_k_u) text += fmt::format("given to the simulated hand: {:.2f} N/m\n", *hand.given_k_u);
+  }
   return text;
 }
 
 // Why there is no number, for a person.
-std::string words_for_none(const std::string& path, const std::vector<Rest>& rests) {
+std::string words_for_none(const std::string& path, const std::vector<Rest>& rests, const RestCriterion& criterion) {
   std::string words = fmt::format(
       "{}: no reading. The hand has to press into the wall with the naïve or the anisotropic strategy and hold still, "
-      "at least half a second",
-      printable(path, longest_path));
+      "at least {} s",
+      printable(path, longest_path), criterion.hold_s);
   if (!rests.empty()) words += fmt::format("; where it did: {}", sentence_of(rests.front().reading.problem));
   return words;
 }
@@ -223,14 +283,20 @@ int measure_user(const Options& options) {
                               "hand aimed at, as in --target-mm=0,0",
                               printable(options.run, longest_path)));
   }
+  if (!measured && target) {
+    fmt::print(stderr, "{}: the goal of its hand is given; --target-mm is for a real device, and is not used\n",
+               printable(options.run, longest_path));
+  }
   const std::vector<Rest> rests = find_rests(run, measured ? target : std::nullopt);
-  const auto count = static_cast<std::size_t>(
-      std::ranges::count(rests, NoReading::none, [](const Rest& rest) { return rest.reading.problem; }));
+  const std::vector<Hand> hands = hands_of(rests);
   OutputFile output("-");
-  if (options.json) output.write(json_text(rests, count, measured));
-  if (!options.json && count > 0) output.write(table_text(rests, count, measured));
+  if (options.json) output.write(json_text(rests, hands, measured));
+  if (!options.json && !hands.empty()) output.write(table_text(rests, hands, measured));
   output.commit();
-  if (count == 0) throw Failure(ExitCode::answer_is_no, words_for_none(options.run, rests));
+  if (hands.empty()) {
+    throw Failure(ExitCode::answer_is_no,
+                  words_for_none(options.run, rests, measured ? measured_rest : simulated_rest));
+  }
   return static_cast<int>(ExitCode::done);
 }
 
@@ -243,14 +309,18 @@ std::function<int()> attach_measure_user(CLI::App& subcommand) {
       ->required();
   subcommand
       .add_option("--target-mm", options->target_mm,
-                  "Where on the wall the hand aimed, in mm; needed, and used, where the device is a real one")
+                  "Where the hand aimed, in mm; its foot on the wall counts. Needed, and used, where the device "
+                  "is a real one")
       ->type_name("X,Y");
   subcommand.add_flag("--json", options->json, "For programs: JSON in SI units, all digits");
   subcommand.footer(
       "Wherever hand and device rest at the wall, the drift of the proxy along it tells the ratio at which there "
       "would\n"
       "be none, and that ratio the stiffness of the hand: k_u = k_r / (ρ° − 1). A positive drift: ρ was too low.\n"
-      "Exit code 1: there was no such rest.\n"
+      "Each rest is one reading for each strategy, however long it was; the median is taken for each hand that was "
+      "given.\n"
+      "A rest in which the motors gave less than was asked of them is shown, and is no reading.\n"
+      "Exit code 1: there was no reading.\n"
       "\n"
       "Examples:\n"
       "  ghostforce measure-user run.csv\n"

@@ -64,6 +64,8 @@ TEST(CommandLine, HelpAtEveryLevel) {
       EXPECT_NE(outcome.out.find(words), std::string::npos) << command << words;
     }
   }
+  EXPECT_NE(program.out.find("a replay diverged, no reading"), std::string::npos) << "exit code 1 of measure-user";
+  EXPECT_NE(run({"measure-user", "--help"}).out.find("its foot on the wall counts"), std::string::npos);
   EXPECT_NE(run({"simulate", "--help"}).out.find("--strategy"), std::string::npos);
   EXPECT_NE(run({"equilibrium", "-h"}).out.find("--goal-mm"), std::string::npos);
 }

@@ -1,6 +1,8 @@
 // measure-user over runs, as people call it.
-#include <filesystem>
+#include <cmath>
 #include <fstream>
+#include <functional>
+#include <iterator>
 #include <string>
 
 #include <fmt/format.h>
@@ -39,9 +41,17 @@ class MeasureUser : public testing::Test {
     return nlohmann::json::parse(outcome.out);
   }
 
+  static double median_of(const nlohmann::json& json) {
+    EXPECT_EQ(json["hands"].size(), 1U) << json;
+    return json["hands"][0]["k_u_N_per_m"]["median"].get<double>();
+  }
+
   // What a recording of a real device looks like, made from the model: the goal is inferred with a belief that is
-  // wrong, and the hand trembles by 0.2 mm.
-  std::string of_a_device(const Vector<2>& aim, double k_u) {
+  // wrong, and the hand trembles by 0.2 mm. `limited_by` makes of the force and its time what the motors got.
+  using Limit = std::function<Vector<2>(const Vector<2>& force, double time_s)>;
+  static Vector<2> all_of_it(const Vector<2>& force, double /*time_s*/) { return force; }
+  std::string of_a_device(const Vector<2>& aim, double k_u, const Limit& limited_by = all_of_it,
+                          bool says_saturated = false) {
     Scene scene = load_scene("wall45");
     scene.settings.impedances.k_u = k_u;
     scene.settings.impedances.believed_k_u = 500.0;
@@ -57,7 +67,9 @@ class MeasureUser : public testing::Test {
       now.device += tremor;
       now.proxy += tremor;
       append_run_row(rows, snapshot, StrategyId::anisotropic);
-      rows.append(std::string_view(",1,estimated,measured,0,0,0,0.001\n"));
+      const Vector<2> sent = limited_by(now.force, snapshot.time_s);
+      fmt::format_to(std::back_inserter(rows), ",1,estimated,measured,{},{},{},0.001\n", sent.x, sent.y,
+                     says_saturated && sent != now.force ? 1 : 0);
     });
     std::ofstream(path("device.csv")) << run_header(scene,
                                                     ",active,goal_kind,device_kind,sent_x_N,sent_y_N,saturated,loop_s")
@@ -86,7 +98,10 @@ TEST_F(MeasureUser, GivesBackTheStiffnessOfASimulatedHandWhateverWasBelieved) {
             EXPECT_NEAR(reading["k_u_N_per_m"].get<double>(), k_u, 1e-5 * k_u) << reading;
             EXPECT_EQ(reading["given_k_u_N_per_m"], k_u);
           }
-          EXPECT_NEAR(json["k_u_N_per_m"]["median"].get<double>(), k_u, 1e-5 * k_u);
+          ASSERT_EQ(json["hands"].size(), 1U);
+          EXPECT_EQ(json["hands"][0]["given_k_u_N_per_m"], k_u);
+          EXPECT_EQ(json["hands"][0]["count"], 2) << "one for each strategy that drifts";
+          EXPECT_NEAR(json["hands"][0]["k_u_N_per_m"]["median"].get<double>(), k_u, 1e-5 * k_u);
         }
       }
     }
@@ -116,10 +131,96 @@ TEST_F(MeasureUser, ADeviceNeedsTheTargetThatWasAimedAt) {
   EXPECT_FALSE(json["readings"][0].contains("given_k_u_N_per_m"));
   // The aim is 0 along the wall from the target; of the tremor of 0.2 mm the mean over half a second or more leaves a
   // hundredth.
-  EXPECT_NEAR(json["k_u_N_per_m"]["median"].get<double>(), 150.0, 1.5);
-  // Somewhere else it is another hand, or none: the target matters.
-  const Outcome elsewhere = run({"measure-user", file, "--json", "--target-mm=2,2"});
-  EXPECT_EQ(elsewhere.out.find("\"median\":15"), std::string::npos) << elsewhere.out;
+  EXPECT_NEAR(median_of(json), 150.0, 1.5);
+  // Somewhere else it is another hand: the target matters. Aside by 2√2 mm, the drift is off by as much.
+  const nlohmann::json elsewhere = measured(file, {"--target-mm=0,0"});
+  EXPECT_NEAR(
+      std::abs(elsewhere["readings"][0]["drift_m"].get<double>() - json["readings"][0]["drift_m"].get<double>()),
+      std::sqrt(8.0) * 1e-3, 1e-9);
+  EXPECT_GT(std::abs(median_of(elsewhere) - 150.0), 15.0) << elsewhere;
+}
+
+// The drift of a force that was shortened on its way is that of another hand.
+TEST_F(MeasureUser, ForcesThatWereLimitedAreNoReading) {
+  const Vector<2> aim{0.012, -0.016};
+  const std::string words = "gave less than was asked";
+  const auto expect_limited = [&](const std::string& file) {
+    const Outcome outcome = run({"measure-user", file, "--target-mm=-2,-2"});
+    EXPECT_EQ(outcome.exit_code, 1) << outcome.out;
+    EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+  };
+  const auto at_most = [](double limit) {
+    return [limit](const Vector<2>& force, double) {
+      const double length = glm::length(force);
+      return length > limit ? force * (limit / length) : force;
+    };
+  };
+  // The force is some newtons.
+  expect_limited(of_a_device(aim, 150.0, at_most(0.5), true));
+  expect_limited(of_a_device(aim, 150.0, [](const Vector<2>&, double) { return Vector<2>(0.0); }));
+  expect_limited(of_a_device(aim, 150.0, [](const Vector<2>& force, double time_s) { return force * (time_s / 2.0); }));
+
+  // A ramp that is over before the second half of the hold, of which the mean is taken.
+  const auto ramped = [](const Vector<2>& force, double time_s) { return force * std::min(1.0, time_s / 0.5); };
+  EXPECT_NEAR(median_of(measured(of_a_device(aim, 150.0, ramped), {"--target-mm=-2,-2"})), 150.0, 1.5);
+  // A handle whose way is shown 1.5 times as large: a share that is always the same.
+  const auto scaled = [](const Vector<2>& force, double) { return force / 1.5; };
+  EXPECT_NEAR(median_of(measured(of_a_device(aim, 150.0, scaled), {"--target-mm=-2,-2"})), 150.0, 1.5);
+}
+
+// As recorded while k_u, then what is believed of it, was changed: three stretches of rest, of two hands.
+TEST_F(MeasureUser, EachHandHasItsOwnMedian) {
+  Scene scene = load_scene("wall45");
+  scene.settings.impedances.believed_k_u = 200.0;
+  scene.goal = {{{0.012, -0.016}}, {0.0}, Motion::linear};
+  scene.duration = 2.0;
+  const Settings first = scene.settings;
+  fmt::memory_buffer rows;
+  Settings known = first;
+  // Where it rests with these settings, for a second.
+  const auto rest_for_a_second = [&](const Settings& settings, int from_s) {
+    append_set_lines(rows, from_s, known, settings);
+    Scene part = scene;
+    part.settings = settings;
+    Snapshot rest;
+    play(part, last_tick(part), [&](const Snapshot& snapshot) { rest = snapshot; });
+    for (int k = 1000 * from_s; k < 1000 * (from_s + 1); ++k) {
+      rest.time_s = k / 1000.0;
+      for (const Strategy& strategy : strategy_catalog()) {
+        append_run_row(rows, rest, strategy.id);
+        rows.push_back('\n');
+      }
+    }
+  };
+  Settings settings = first;
+  rest_for_a_second(settings, 0);
+  settings.impedances.k_u = 900.0;
+  rest_for_a_second(settings, 1);
+  settings.impedances.believed_k_u = 300.0;
+  rest_for_a_second(settings, 2);
+  std::ofstream(path("hands.csv")) << run_header(scene) << std::string_view(rows.data(), rows.size());
+
+  const nlohmann::json json = measured(path("hands.csv"));
+  // N does not know what is believed: its second rest goes on. A has a ratio of its own in each.
+  ASSERT_EQ(json["readings"].size(), 5U) << json;
+  ASSERT_EQ(json["hands"].size(), 2U) << json;
+  EXPECT_EQ(json["hands"][0]["given_k_u_N_per_m"], 200.0);
+  EXPECT_EQ(json["hands"][0]["count"], 2);
+  EXPECT_NEAR(json["hands"][0]["k_u_N_per_m"]["median"].get<double>(), 200.0, 0.2);
+  EXPECT_EQ(json["hands"][1]["given_k_u_N_per_m"], 900.0);
+  EXPECT_EQ(json["hands"][1]["count"], 3);
+  EXPECT_NEAR(json["hands"][1]["k_u_N_per_m"]["median"].get<double>(), 900.0, 0.9);
+  const std::string table = run({"measure-user", path("hands.csv")}).out;
+  EXPECT_NE(table.find("given to the simulated hand: 200.00 N/m"), std::string::npos) << table;
+  EXPECT_NE(table.find("given to the simulated hand: 900.00 N/m"), std::string::npos) << table;
+}
+
+TEST_F(MeasureUser, SaysThatATargetIsOfNoUseWhereTheGoalIsGiven) {
+  const std::string file = simulated({});
+  const Outcome outcome = run({"measure-user", file, "--target-mm=0,0"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_NE(outcome.err.find("--target-mm is for a real device"), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.out, run({"measure-user", file}).out);
 }
 
 TEST_F(MeasureUser, SaysWhyThereIsNoReading) {
@@ -132,14 +233,14 @@ TEST_F(MeasureUser, SaysWhyThereIsNoReading) {
       EXPECT_NE(outcome.err.find(why), std::string::npos) << outcome.err;
       EXPECT_EQ(outcome.out.empty(), !json);
       if (json) {
-        EXPECT_EQ(nlohmann::json::parse(outcome.out)["count"], 0);
+        EXPECT_TRUE(nlohmann::json::parse(outcome.out)["hands"].empty());
       }
     }
   };
   expect_none(simulated({"wall.normal_deg=180"}), "turn one of them");
   expect_none(simulated({"rendering.k_r_N_per_m=0"}), "raise k_r");
   expect_none(simulated({"goal.path_mm=[[-20, 20], [-5, 5]]"}), "press into the wall");
-  expect_none(simulated({"goal.duration_s=1.1"}), "hold still");
+  expect_none(simulated({"goal.duration_s=1.1"}), "hold still, at least 0.25 s");
 }
 
 TEST_F(MeasureUser, RefusesWhatItCannotRead) {

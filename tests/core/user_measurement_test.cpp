@@ -163,8 +163,8 @@ TEST(UserMeasurementTest, SaysWhyThereIsNoReading) {
     EXPECT_EQ(read_user(facing, actuation, good).problem, NoReading::no_drift_at_all) << angle;
     EXPECT_EQ(drift_direction(facing, actuation), Vector<2>(0.0)) << angle;
   }
-  for (const NoReading problem :
-       {NoReading::no_contact, NoReading::no_drift_at_all, NoReading::no_rendering, NoReading::no_such_hand}) {
+  for (const NoReading problem : {NoReading::no_contact, NoReading::no_drift_at_all, NoReading::no_rendering,
+                                  NoReading::no_such_hand, NoReading::limited}) {
     EXPECT_TRUE(sentence_of(problem).ends_with('.'));
   }
 }
