@@ -4,7 +4,7 @@
 
 namespace ghostforce {
 
-int key_by_layout(int key, const char* name, int modifiers) noexcept {
+int key_by_layout(int key, const char* name) noexcept {
   const bool is_on_number_pad = key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_EQUAL;
   if (is_on_number_pad || name == nullptr || name[0] == '\0' || name[1] != '\0') return key;
   const char sign = name[0];
@@ -20,10 +20,32 @@ int key_by_layout(int key, const char* name, int modifiers) noexcept {
     case '-':
       return GLFW_KEY_MINUS;
     case '+':
-      return (modifiers & GLFW_MOD_CONTROL) != 0 ? GLFW_KEY_EQUAL : key;
+      return GLFW_KEY_EQUAL;
     default:
       return key;
   }
+}
+
+KeyPress press_by_character(KeyPress press, std::uint32_t character) noexcept {
+  switch (character) {
+    case '+':
+      press.key = GLFW_KEY_EQUAL;
+      break;
+    case '-':
+    case 0x2212:  // the sign itself
+      press.key = GLFW_KEY_MINUS;
+      break;
+    case '[':
+      press.key = GLFW_KEY_LEFT_BRACKET;
+      break;
+    case ']':
+      press.key = GLFW_KEY_RIGHT_BRACKET;
+      break;
+    default:
+      return press;
+  }
+  press.modifiers &= ~GLFW_MOD_SHIFT;
+  return press;
 }
 
 }  // namespace ghostforce

@@ -1,15 +1,23 @@
 // Which key was pressed, on whatever keyboard. Pure, any thread.
 #pragma once
 
+#include <cstdint>
+
+#include "app/key_press.h"
+
 namespace ghostforce {
 
-// `key` and `modifiers` as GLFW tells them: the key by its place on a US keyboard. `name` is what the layout has on it,
+// `key` as GLFW tells it: by its place on a US keyboard. `name` is what the layout has on it,
 // as glfwGetKeyName() tells; null: nothing.
 //
 // Returns the GLFW_KEY_… that is meant. By what is printed on the key where that is a letter, bracket, dot or minus:
 // Ctrl+Z is where the Z is. Otherwise by its place: the digits of a French keyboard, what no ASCII sign is printed on,
-// and the number pad. A plus is the key at ] of German and Spanish keyboards, and stays that; with Ctrl it is
-// GLFW_KEY_EQUAL, which makes things larger.
-int key_by_layout(int key, const char* name, int modifiers) noexcept;
+// and the number pad. A plus of its own, as at ] of German and Spanish keyboards, is GLFW_KEY_EQUAL.
+int key_by_layout(int key, const char* name) noexcept;
+
+// The press once it is known what it has typed, which layouts make with Shift or AltGr as they please: a plus, a minus
+// or a bracket is GLFW_KEY_EQUAL, GLFW_KEY_MINUS, GLFW_KEY_LEFT_BRACKET or GLFW_KEY_RIGHT_BRACKET without Shift.
+// Anything else stays the key that it is. With Ctrl or Alt nothing is typed.
+KeyPress press_by_character(KeyPress press, std::uint32_t character) noexcept;
 
 }  // namespace ghostforce

@@ -135,12 +135,15 @@ constexpr std::array bindings{
     KeyBinding{GLFW_KEY_RIGHT_BRACKET, shift, "", "", turn_motor_axis<-1>, true},
     KeyBinding{GLFW_KEY_W, none, "W", "Turn the wall to the angle of largest naïve drift", turn_wall_to_largest_drift},
 
-    KeyBinding{GLFW_KEY_MINUS, none, "−  +", "Turn the ratio ρ 5 % down or up; Shift 1 %", turn_ratio_by<-50>, true},
+    KeyBinding{GLFW_KEY_MINUS, none, "−  +", "Turn the ratio ρ 5 % down or up; Alt 1 %", turn_ratio_by<-50>, true},
     KeyBinding{GLFW_KEY_EQUAL, none, "", "", turn_ratio_by<50>, true},
     KeyBinding{GLFW_KEY_KP_SUBTRACT, none, "", "", turn_ratio_by<-50>, true},
     KeyBinding{GLFW_KEY_KP_ADD, none, "", "", turn_ratio_by<50>, true},
-    KeyBinding{GLFW_KEY_MINUS, shift, "", "", turn_ratio_by<-10>, true},
-    KeyBinding{GLFW_KEY_EQUAL, shift, "", "", turn_ratio_by<10>, true},
+    KeyBinding{GLFW_KEY_MINUS, alt, "", "", turn_ratio_by<-10>, true},
+    KeyBinding{GLFW_KEY_EQUAL, alt, "", "", turn_ratio_by<10>, true},
+    KeyBinding{GLFW_KEY_EQUAL, alt | shift, "", "", turn_ratio_by<10>, true},
+    KeyBinding{GLFW_KEY_KP_SUBTRACT, alt, "", "", turn_ratio_by<-10>, true},
+    KeyBinding{GLFW_KEY_KP_ADD, alt, "", "", turn_ratio_by<10>, true},
 
     KeyBinding{GLFW_KEY_G, none, "G", "Ghost force arrows on and off", toggle<&ViewOptions::ghost_forces>},
     KeyBinding{GLFW_KEY_P, none, "P", "Prediction rings on and off", toggle<&ViewOptions::predictions>},
@@ -156,7 +159,7 @@ constexpr std::array bindings{
 
     KeyBinding{GLFW_KEY_F1, none, "F1", "This help", open_dialog<Dialog::help>, false, true},
     KeyBinding{GLFW_KEY_F2, none, "F2", "The device: how far it is, and what to do", open_dialog<Dialog::doctor>, false, true},
-    KeyBinding{GLFW_KEY_F3, none, "F3", "Plots: over time, over the wall's angle, over the ratio ρ", toggle_plots, false, true},
+    KeyBinding{GLFW_KEY_F3, none, "F3", "Plots over time, wall angle and ratio ρ", toggle_plots, false, true},
     KeyBinding{GLFW_KEY_F11, none, "F11", "Full screen, and back", ask<&Wishes::toggle_full_screen>, false, true},
     KeyBinding{GLFW_KEY_T, ctrl, "Ctrl+T", "Next theme: light, dark, projector", next_theme},
     KeyBinding{GLFW_KEY_EQUAL, ctrl, "Ctrl+ + − 0", "Letters larger, smaller, as usual", change_scale<1>, true},

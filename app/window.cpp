@@ -134,6 +134,7 @@ Window::Window(const WindowOptions& options) : library_(options.offscreen), wind
   glfwSetWindowUserPointer(handle(), this);
   glfwSetDropCallback(handle(), on_drop);
   glfwSetKeyCallback(handle(), on_key);            // before ImGui's, which then calls it
+  glfwSetCharCallback(handle(), on_character);     // as well
   glfwSetWindowSizeCallback(handle(), on_resize);  // ImGui has none
   glfwGetWindowSize(handle(), &restored_size_.width, &restored_size_.height);
   start_imgui(options.takes_mouse);
@@ -275,8 +276,16 @@ void Window::on_key(GLFWwindow* handle, int key, int scancode, int action, int m
   if (action == GLFW_RELEASE) return;
   constexpr int that_count = GLFW_MOD_SHIFT | GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER;
   auto& window = *static_cast<Window*>(glfwGetWindowUserPointer(handle));
-  const int chosen = key_by_layout(key, glfwGetKeyName(key, scancode), modifiers);
+  const int chosen = key_by_layout(key, glfwGetKeyName(key, scancode));
   window.key_presses_.push_back({chosen, modifiers & that_count, action == GLFW_REPEAT});
+  window.awaits_character_ = true;
+}
+
+// GLFW tells it right after the key that has typed it; what an input method composes has none.
+void Window::on_character(GLFWwindow* handle, unsigned int character) {
+  auto& window = *static_cast<Window*>(glfwGetWindowUserPointer(handle));
+  if (!std::exchange(window.awaits_character_, false) || window.key_presses_.empty()) return;
+  window.key_presses_.back() = press_by_character(window.key_presses_.back(), character);
 }
 
 std::vector<KeyPress> Window::take_key_presses() {

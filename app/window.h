@@ -106,6 +106,7 @@ class Window {
 
   void start_imgui(bool takes_mouse);
   static void on_key(GLFWwindow* window, int key, int scancode, int action, int modifiers);
+  static void on_character(GLFWwindow* window, unsigned int character);
   static void on_resize(GLFWwindow* window, int width, int height);
   static void on_drop(GLFWwindow* window, int count, const char** paths);
 
@@ -120,6 +121,7 @@ class Window {
     int x = 0, y = 0;
   } restored_corner_;
   std::vector<KeyPress> key_presses_;
+  bool awaits_character_ = false;  // of the newest of them it is not known yet what it types
   std::vector<std::string> dropped_files_;
 };
 

@@ -3,6 +3,7 @@
 #include "app/keys.h"
 
 #include <fmt/format.h>
+#include <imgui_internal.h>
 
 #include <cmath>
 #include <limits>
@@ -189,6 +190,56 @@ TEST_F(KeysTest, WTurnsTheWallToTheLargestNaiveDrift) {
       << "the nearest of four";
   const double here = naive_drift_at(after, theta);
   for (const double aside : {-0.01, 0.01}) EXPECT_GT(here, naive_drift_at(after, theta + aside));
+}
+
+// By what is typed, on whatever keyboard: 5 % for a plus and a minus, 1 % with Alt, with which nothing is typed.
+TEST_F(KeysTest, PlusAndMinusTurnTheRatioByAsMuch) {
+  struct Case {
+    const char* keyboard;
+    int key;
+    int modifiers;
+    unsigned int character;
+    double factor;
+  };
+  for (const Case& c : {
+           Case{"US: Shift+=", GLFW_KEY_EQUAL, GLFW_MOD_SHIFT, '+', 1.05},
+           Case{"US: =", GLFW_KEY_EQUAL, 0, '=', 1.05},
+           Case{"-", GLFW_KEY_MINUS, 0, '-', 1.0 / 1.05},
+           Case{"German: +", GLFW_KEY_RIGHT_BRACKET, 0, '+', 1.05},
+           Case{"Swiss: Shift+1", GLFW_KEY_1, GLFW_MOD_SHIFT, '+', 1.05},
+           Case{"number pad: +", GLFW_KEY_KP_ADD, 0, '+', 1.05},
+           Case{"number pad: -", GLFW_KEY_KP_SUBTRACT, 0, '-', 1.0 / 1.05},
+           Case{"US: Alt+Shift+=", GLFW_KEY_EQUAL, GLFW_MOD_ALT | GLFW_MOD_SHIFT, 0, 1.01},
+           Case{"Alt+=", GLFW_KEY_EQUAL, GLFW_MOD_ALT, 0, 1.01},
+           Case{"Alt+-", GLFW_KEY_MINUS, GLFW_MOD_ALT, 0, 1.0 / 1.01},
+           Case{"number pad: Alt++", GLFW_KEY_KP_ADD, GLFW_MOD_ALT, 0, 1.01},
+           Case{"number pad: Alt+-", GLFW_KEY_KP_SUBTRACT, GLFW_MOD_ALT, 0, 1.0 / 1.01},
+           Case{"US: Shift+-", GLFW_KEY_MINUS, GLFW_MOD_SHIFT, '_', 1.0},
+       }) {
+    session().settings.impedances.chosen_tracking_ratio = 2.0;
+    const double motor = session().settings.actuated_angle;
+    send_key(c.key, GLFW_PRESS, c.modifiers);
+    if (c.character != 0) ImGui_ImplGlfw_CharCallback(window_->handle(), c.character);
+    send_key(c.key, GLFW_RELEASE, 0);
+    frames(2);
+    EXPECT_NEAR(session().settings.impedances.chosen_tracking_ratio.value_or(0.0), 2.0 * c.factor, 1e-12) << c.keyboard;
+    EXPECT_EQ(session().settings.actuated_angle, motor) << c.keyboard;
+  }
+  // What no key has typed is no press, and a key types once.
+  session().settings.impedances.chosen_tracking_ratio = 2.0;
+  type("+");
+  send_key(GLFW_KEY_W, GLFW_RELEASE, 0);
+  EXPECT_EQ(session().settings.impedances.chosen_tracking_ratio, 2.0);
+}
+
+TEST_F(KeysTest, TheHelpHasRoomForItsLongestLine) {
+  for (const auto& [width, height] : {std::pair{1024, 640}, std::pair{1280, 800}}) {
+    open({}, "wall45", width, height);
+    press(GLFW_KEY_F1);
+    const ImGuiWindow& help = *ImGui::FindWindowByName("Help");
+    EXPECT_LE(help.ContentSizeIdeal.x, help.InnerRect.GetWidth() - 2.0F * help.WindowPadding.x + 0.5F) << width;
+    EXPECT_EQ(help.ScrollMax.y, 0.0F);
+  }
 }
 
 TEST_F(KeysTest, GPAndTShowAndHide) {
