@@ -41,15 +41,24 @@ bool draw_panel_head(const Panel& panel, const PanelContext& context) {
   const float left = ImGui::GetWindowPos().x + style.WindowPadding.x;
   const float right = ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x;
   ImGui::PushFont(context.fonts.bold, 0.0F);
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {4.0F * context.scale, 1.0F * context.scale});
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {4.0F * context.scale, 0.0F});
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {style.ItemSpacing.x, 4.0F * context.scale});
   ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 0.0F);
   ImGui::PushStyleColor(ImGuiCol_Header, unpacked(context.theme.panel));
   const bool is_open = ImGui::CollapsingHeader(panel.title.data());
   ImGui::PopStyleColor();
-  ImGui::PopStyleVar(2);
+  ImGui::PopStyleVar(3);
   ImGui::PopFont();
   ImGui::GetWindowDrawList()->AddLine({left, y}, {right, y}, packed(context.theme.panel_border), context.scale);
   return is_open;
+}
+
+// Scrolls so that what lies between these heights of the window that is being drawn is all in sight, or else its
+// beginning.
+void bring_into_sight(float top, float bottom) {
+  const float view_top = ImGui::GetScrollY();
+  const float view_height = ImGui::GetWindowHeight();
+  if (top < view_top || bottom > view_top + view_height) ImGui::SetScrollY(top - ImGui::GetStyle().ItemSpacing.y);
 }
 
 bool is_escape(const KeyPress& press) {
@@ -171,10 +180,16 @@ void Screen::draw_everything(Session& session, const Snapshot& snapshot, const H
       draw_plots(context, history.plots());
       ImGui::End();
     }
-    // The one window that may hold more than it shows.
+    // The one window that may hold more than it shows. Its scrollbar lies in the margin, so that nothing becomes
+    // narrower where it appears.
+    const ImVec2 padding = ImGui::GetStyle().WindowPadding;
     ImGui::SetNextWindowPos(layout.column.corner);
     ImGui::SetNextWindowSize(layout.column.size);
+    ImGui::SetNextWindowContentSize({layout.column.size.x - 2.0F * padding.x, 0.0F});
+    ImGui::PushStyleVar(ImGuiStyleVar_ScrollbarSize, padding.x - 2.0F * styled_scale_);
     ImGui::Begin("panels", nullptr, fixed_window & ~ImGuiWindowFlags_NoScrollbar);
+    ImGui::PopStyleVar();
+    ImGui::SetScrollX(0.0F);  // what lies beneath the scrollbar is empty
     draw_column(context);
     ImGui::End();
   }
@@ -197,10 +212,17 @@ void Screen::draw_column(const PanelContext& context) {
     std::set<std::string, std::less<>>& folded = context.session.folded_panels;
     const bool was_folded = folded.contains(panel.title);
     ImGui::SetNextItemOpen(!was_folded);
+    // What a click makes appear is laid out in the frame after.
+    const bool has_news = panel.news != nullptr && panel.news(context.session);
+    const float top = ImGui::GetCursorPosY();
     const bool is_open = draw_panel_head(panel, context);
     if (is_open) {
       folded.erase(std::string(panel.title));
       panel.draw(context);
+      if (has_news && !ImGui::IsAnyItemActive()) {
+        bring_into_sight(top, ImGui::GetCursorPosY());
+        panel.news(context.session) = false;
+      }
     } else if (!was_folded) {
       folded.emplace(panel.title);
     }

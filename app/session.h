@@ -87,7 +87,7 @@ struct Notice {
 struct CircleTest {
   CircleChoice choice;
   std::string input_before = "mouse";  // to go back to
-  bool has_news = false;               // its table has just appeared; whoever draws it clears it
+  bool has_news = false;               // its table has just appeared; who has brought it into sight clears it
 };
 
 struct Session {

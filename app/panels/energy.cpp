@@ -114,10 +114,6 @@ void draw_energy(const PanelContext& context) {
   ImGui::TextUnformatted(
       fmt::format("{:3} turns measured, {:3.0f} % of the next", reading.turns, 100.0 * reading.share).c_str());
   explain("A turn takes 4 s of model time. A change of a setting, or of the circle, begins anew.");
-  if (context.session.circle_test.has_news) {
-    ImGui::SetScrollHereY(1.0F);
-    context.session.circle_test.has_news = false;
-  }
 }
 
 }  // namespace ghostforce

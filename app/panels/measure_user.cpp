@@ -180,7 +180,7 @@ void draw_result(const PanelContext& context) {
 }  // namespace
 
 void draw_measure_user(const PanelContext& context) {
-  UserMeasurement& measurement = context.session.measurement;
+  const UserMeasurement& measurement = context.session.measurement;
   switch (measurement.stage) {
     case UserMeasurement::Stage::off:
       draw_invitation(context.session);
@@ -191,11 +191,6 @@ void draw_measure_user(const PanelContext& context) {
     case UserMeasurement::Stage::done:
       draw_result(context);
       break;
-  }
-  // Seen in the frame after the one in which it appeared: only then is all of it laid out.
-  if (measurement.has_news && !ImGui::IsAnyItemActive()) {
-    ImGui::SetScrollHereY(1.0F);
-    measurement.has_news = false;
   }
 }
 

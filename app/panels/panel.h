@@ -32,6 +32,8 @@ struct Panel {
   void (*draw)(const PanelContext&);
   double opens_from = 0.0;                         // folded at first in a lower window [points]
   bool (*is_there)(const LoopReading&) = nullptr;  // null: always
+  // Whether something to look at has just appeared in it; cleared once it is in sight. Null: never.
+  bool& (*news)(Session&) = nullptr;
 };
 
 }  // namespace ghostforce

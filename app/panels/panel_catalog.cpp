@@ -10,9 +10,12 @@ bool has_motors(const LoopReading& loop) {
   return loop.motors.has_motors;
 }
 
-// Until the button in the bar has begun one there is nothing to see, and a small window has no room for that.
-bool has_recording(const LoopReading& loop) {
-  return !loop.recording.path.empty();
+bool& news_of_measurement(Session& session) {
+  return session.measurement.has_news;
+}
+
+bool& news_of_circle(Session& session) {
+  return session.circle_test.has_news;
 }
 
 // From these heights on there is room for the panel beside all that open earlier [points].
@@ -26,12 +29,13 @@ constexpr std::array panels{
     Panel{.title = "Safety", .draw = draw_safety, .is_there = has_motors},
     Panel{"Rendering", draw_rendering},
     Panel{"User", draw_user},
-    Panel{"Measure the hand", draw_measure_user, when_asked},
-    Panel{energy_panel, draw_energy, when_asked},
+    Panel{
+        .title = "Measure the hand", .draw = draw_measure_user, .opens_from = when_asked, .news = news_of_measurement},
+    Panel{.title = energy_panel, .draw = draw_energy, .opens_from = when_asked, .news = news_of_circle},
     Panel{"Wall and device", draw_wall_and_device, room_for_the_device},
     Panel{"Input", draw_input, room_for_the_input},
     Panel{"View", draw_view_options, room_for_the_view},
-    Panel{"Recording", draw_recording, when_asked, has_recording},
+    Panel{"Recording", draw_recording, when_asked},
 };
 
 }  // namespace

@@ -1,15 +1,20 @@
 // The experiments in the window: the guided measurement of the hand, and the circle test.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <filesystem>
 #include <numbers>
 #include <optional>
 #include <vector>
+
+#include <imgui_internal.h>
 
 #include "app/panels/panel_catalog.h"
 #include "app/user_measurement_guide.h"
 #include "core/energy.h"
 #include "core/ghost_force.h"
 #include "tests/app/driven_window.h"
+#include "tests/support/temporary_folder.h"
 
 namespace ghostforce {
 namespace {
@@ -25,16 +30,18 @@ class ExperimentsWindow : public DrivenWindow {
     return options;
   }
   // Where things are at 1280×800 with that panel alone open.
-  static constexpr Vector<2> start_button{930.0, 211.0};
-  static constexpr Vector<2> take_button{900.0, 333.0};
-  static constexpr Vector<2> cancel_button{995.0, 333.0};
-  static constexpr Vector<2> believe_button{890.0, 352.0};
-  static constexpr Vector<2> circle_button{905.0, 220.0};
-  static constexpr Vector<2> end_circle_button{930.0, 185.0};
-  static constexpr Vector<2> clockwise_box{1012.0, 217.0};
+  static constexpr Vector<2> start_button{930.0, 199.0};
+  static constexpr Vector<2> take_button{900.0, 321.0};
+  static constexpr Vector<2> cancel_button{995.0, 321.0};
+  static constexpr Vector<2> believe_button{890.0, 340.0};
+  static constexpr Vector<2> circle_button{905.0, 205.0};
+  static constexpr Vector<2> end_circle_button{930.0, 170.0};
+  static constexpr Vector<2> clockwise_box{1012.0, 202.0};
+  static constexpr float button_x = 40.0F;  // in the column
+  static constexpr double radius_y = 231.0;
   static constexpr double slider_left = 1012.0;
   static constexpr double slider_right = 1254.0;
-  static constexpr double slider_y = 302.0;
+  static constexpr double slider_y = 290.0;
 
   // Few frames and many ticks: drawing is what takes the time.
   static constexpr int ticks = 200;
@@ -44,6 +51,38 @@ class ExperimentsWindow : public DrivenWindow {
     release();
   }
   UserMeasurement& measurement() { return session().measurement; }
+  // The heights between which the first button of a row can be clicked in the column of panels; empty: nowhere.
+  std::optional<ImVec2> clickable(const char* button) {
+    ImGuiWindow& column = *ImGui::FindWindowByName("panels");
+    const ImGuiID wanted = column.GetID(button);
+    const auto is_there = [&](float y) {
+      point_at(static_cast<double>(column.Pos.x + button_x), static_cast<double>(y));
+      frames(1, 0);
+      return ImGui::GetCurrentContext()->HoveredId == wanted;
+    };
+    const float end = column.Pos.y + column.Size.y;
+    float y = column.Pos.y;
+    while (y < end && !is_there(y)) y += 10.0F;
+    if (y >= end) return std::nullopt;
+    ImVec2 range{y, y};
+    while (is_there(range.x - 1.0F)) range.x -= 1.0F;
+    while (is_there(range.y + 1.0F)) range.y += 1.0F;
+    return range;
+  }
+  void expect_all_of_it_in_sight(const char* button) {
+    const std::optional<ImVec2> found = clickable(button);
+    ASSERT_TRUE(found) << button;
+    EXPECT_GE(found->y - found->x, ImGui::GetFrameHeight() - 2.0F) << button;
+  }
+  // With the ratio that is right for the hand, known to the test.
+  void take_readings(std::size_t count) {
+    const Impedances& k = session().settings.impedances;
+    for (std::size_t i = 0; i < count; ++i) {
+      session().settings.impedances.chosen_tracking_ratio = optimal_tracking_ratio(k.k_r, k.k_u);
+      frames(5, ticks);
+      take_reading(session());
+    }
+  }
   // As a person does: drags the slider of ρ, this way and that, until the drift is gone.
   void null_the_drift() {
     double low = slider_left;
@@ -181,6 +220,40 @@ TEST_F(ExperimentsWindow, SaysWhatToDoInsteadOfTaking) {
   EXPECT_EQ(measurement().step, MeasuringStep::take);
 }
 
+// Whatever else is open, in the smallest window that the program is made for too.
+TEST_F(ExperimentsWindow, WhatIsToBePressedIsInSight) {
+  struct Case {
+    int width;
+    int height;
+    const char* input;
+  };
+  for (const Case& c : {Case{1024, 640, "mouse"}, Case{1280, 800, "mouse"}, Case{1280, 800, "virtual-falcon"}}) {
+    SCOPED_TRACE(testing::Message() << c.width << "x" << c.height << ' ' << c.input);
+    ApplicationOptions options;
+    options.folded_panels = panels_folded_at_first(c.height);
+    options.folded_panels.erase("Measure the hand");
+    options.input = c.input;
+    options.input_options.virtual_falcon_clock = VirtualLink::Clock::stepped;
+    open(options, "wall45", c.width, c.height);
+    const std::optional<ImVec2> start = clickable("Start measuring");
+    ASSERT_TRUE(start);
+    click({static_cast<double>(ImGui::FindWindowByName("panels")->Pos.x + button_x),
+           static_cast<double>(0.5F * (start->x + start->y))});
+    ASSERT_TRUE(is_measuring(session()));
+    frames(2);
+    expect_all_of_it_in_sight("Take   Enter");
+    EXPECT_FALSE(measurement().has_news);
+
+    // The last reading may be taken while the column has been scrolled elsewhere.
+    ImGui::SetScrollY(ImGui::FindWindowByName("panels"), 0.0F);
+    measurement().readings.assign(readings_wanted, {4.0, 200.0});
+    measurement().stage = UserMeasurement::Stage::done;
+    measurement().has_news = true;
+    frames(3);
+    expect_all_of_it_in_sight("Believe it");
+  }
+}
+
 TEST_F(ExperimentsWindow, ReadingsOfAnotherHandBeginAnew) {
   open(with_panel("Measure the hand"));
   start_measuring(session());
@@ -212,6 +285,29 @@ TEST_F(ExperimentsWindow, AWrongBeliefShowsAsDrift) {
   // ρ = 11 instead of 4 on a wall at 45°: d/2 · (ρ* − ρ)/((ρ* + ρ)/2), all but hard.
   EXPECT_NEAR(glm::length(seen), 0.020 * 0.5 * 7.0 / 7.5, 1e-4);
   EXPECT_NEAR(glm::length(seen), glm::length(proxy_drift(wall_of(session().settings), rest.proxy, now().goal)), 1e-9);
+}
+
+TEST_F(ExperimentsWindow, AScrollbarMakesNothingNarrower) {
+  open({.folded_panels = panels_folded_at_first(640.0)}, "wall45", 1024, 640);
+  const ImGuiWindow& column = *ImGui::FindWindowByName("panels");
+  ASSERT_FALSE(column.ScrollbarY);
+  const float width = column.WorkRect.GetWidth();
+  session().folded_panels.clear();
+  frames(3);
+  ASSERT_TRUE(column.ScrollbarY);
+  EXPECT_EQ(column.WorkRect.GetWidth(), width);
+  EXPECT_LE(column.WorkRect.Max.x, column.InnerClipRect.Max.x) << "nothing lies beneath it";
+}
+
+TEST_F(ExperimentsWindow, TheFirstRecordingCanBeNamed) {
+  const TemporaryFolder folder;
+  open(with_panel("Recording"));
+  click_at(1150.0, 237.0);
+  ASSERT_TRUE(ImGui::GetIO().WantTextInput);
+  type(folder / "mine.csv");
+  press(GLFW_KEY_ENTER);
+  frames(3);
+  EXPECT_TRUE(std::filesystem::exists(folder / "mine.csv"));
 }
 
 TEST_F(ExperimentsWindow, ACircleHasTheEnergyOfTheFormulaInEitherSense) {
