@@ -132,12 +132,16 @@ void follow_measurement(Session& session, const Snapshot& snapshot, const MotorR
     return;
   }
   if (measurement.settings != basis_of(session.settings) || measurement.input != session.input) {
-    measurement.has_begun_anew = !measurement.readings.empty();
+    // A drag changes something in every frame: after the first there is nothing left to clear.
+    measurement.has_begun_anew |= !measurement.readings.empty();
     begin_anew(session);
   }
   const Wall<2> wall = wall_of(session.settings);
   measurement.target.reset();
   if (motors.has_motors) measurement.target = projection(wall, session.scene->goal.points.back());
+  // The hand at a virtual device is as simulated as the one that the mouse leads.
+  const bool is_simulated = !motors.has_motors || session.input == "virtual-falcon";
+  measurement.given_k_u = is_simulated ? std::optional(session.settings.impedances.k_u) : std::nullopt;
   const bool is_held = snapshot.measured && motors.held_k_r > 0.0;
   measurement.k_r = is_held ? motors.held_k_r : session.settings.impedances.k_r;
 

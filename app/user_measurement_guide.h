@@ -56,7 +56,9 @@ struct UserMeasurement {
   bool has_begun_anew = false;  // something was changed that the readings depended on
   std::optional<double> drift;  // as drift_direction() in core/user_measurement.h has it; empty: not in contact [m]
   double k_r = 0.0;             // that the readings are made with [N/m]
-  bool has_news = false;        // something to look at has appeared; whoever draws it clears it
+  bool has_news = false;        // something to look at has appeared; who has brought it into sight clears it
+  // Of the hand that was measured, where it is a simulated one: what the median is to be compared with [N/m].
+  std::optional<double> given_k_u;
 
   // What a cancel goes back to.
   StrategyId active_before = StrategyId::anisotropic;
@@ -76,7 +78,7 @@ struct UserMeasurement {
 
 bool is_measuring(const Session& session) noexcept;
 
-// From the state that the session is in. An input that moves by itself is left for the mouse.
+// From the state that the session is in. The input stays: the first step says so where it never rests.
 void start_measuring(Session& session);
 
 // Once per frame, with what is seen now.

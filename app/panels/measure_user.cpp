@@ -94,7 +94,7 @@ void draw_ratio(const PanelContext& context) {
                           ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp)) {
     impedances.chosen_tracking_ratio = ratio;
   }
-  explain("Drag, or press − and +: 5 %, with Shift 1 %.");
+  explain("Drag, or press − and +: 5 %, with Alt 1 %.");
   end_rows();
 }
 
@@ -156,10 +156,10 @@ void draw_result(const PanelContext& context) {
   ImGui::TextUnformatted(
       fmt::format("middle half of them  {:.1f} to {:.1f} N/m", spread.lower_quartile, spread.upper_quartile).c_str());
   explain("From the lower to the upper quartile: of five readings, the second to the fourth.");
-  // Of a hand that is simulated there is a true value; it was given, not measured.
-  if (!context.loop.motors.has_motors || !context.loop.misbehaviours.empty()) {
+  // Of a hand that is simulated there is a true value; it was given, not measured, and may be another by now.
+  if (measurement.given_k_u) {
     ImGui::PushStyleColor(ImGuiCol_Text, unpacked(context.theme.faint_text));
-    ImGui::TextUnformatted(fmt::format("(given: {:.1f} N/m)", session.settings.impedances.k_u).c_str());
+    ImGui::TextUnformatted(fmt::format("(given: {:.1f} N/m)", *measurement.given_k_u).c_str());
     ImGui::PopStyleColor();
     explain("The stiffness that the simulated hand was given.");
   }

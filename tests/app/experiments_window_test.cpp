@@ -254,6 +254,18 @@ TEST_F(ExperimentsWindow, WhatIsToBePressedIsInSight) {
   }
 }
 
+TEST_F(ExperimentsWindow, TheResultIsComparedWithTheHandThatWasMeasured) {
+  open(with_panel("Measure the hand"));
+  start_measuring(session());
+  take_readings(readings_wanted);
+  ASSERT_EQ(measurement().stage, UserMeasurement::Stage::done);
+  EXPECT_EQ(measurement().given_k_u, 200.0);
+  session().settings.impedances.k_u = 881.0;
+  frames(3);
+  EXPECT_EQ(measurement().given_k_u, 200.0);
+  EXPECT_NEAR(spread_of(measurement()).median, 200.0, 1e-9);
+}
+
 TEST_F(ExperimentsWindow, ReadingsOfAnotherHandBeginAnew) {
   open(with_panel("Measure the hand"));
   start_measuring(session());
@@ -268,6 +280,12 @@ TEST_F(ExperimentsWindow, ReadingsOfAnotherHandBeginAnew) {
   frames(2);
   EXPECT_TRUE(measurement().readings.empty());
   EXPECT_TRUE(measurement().has_begun_anew);
+  session().settings.impedances.k_u = 310.0;  // as in the second frame of a drag
+  frames(2);
+  EXPECT_TRUE(measurement().has_begun_anew) << "it is still to be told";
+  take_readings(1);
+  ASSERT_EQ(measurement().readings.size(), 1U);
+  EXPECT_FALSE(measurement().has_begun_anew);
   session().wishes.open_scene = "fig1";
   frames(3);
   EXPECT_FALSE(is_measuring(session()));
