@@ -11,19 +11,24 @@
 namespace ghostforce {
 namespace {
 
-// Four characters at least.
+// Seven characters at least.
 std::string millimetres(const Vector<2>& drift) {
-  return fmt::format("{:4.1f}", 1000.0 * glm::length(drift));
+  return fmt::format("{:4.1f} mm", 1000.0 * glm::length(drift));
 }
 
 // The error of the belief, where it can be seen: the drift that the anisotropic strategy is left with.
 void draw_drift_of_belief(const PanelContext& context) {
-  row("Its drift", Term::drift_of_belief);
+  row("Drift of A", Term::drift_of_belief);
   ImGui::AlignTextToFramePadding();
   const Settings& settings = context.session.settings;
   if (context.snapshot.measured) {
     ImGui::TextUnformatted("—");
     explain("Cannot be known: the goal of a real hand is only inferred, with this very belief. Measure the hand.");
+    return;
+  }
+  if (settings.impedances.chosen_tracking_ratio) {
+    ImGui::TextUnformatted("—  ρ chosen by hand");
+    explain("The belief has no part in it. At the optimal ratio, a drift here is the error of the belief.");
     return;
   }
   const Vector<2> seen = context.snapshot.strategies[index_of(StrategyId::anisotropic)].proxy_drift;
@@ -32,15 +37,13 @@ void draw_drift_of_belief(const PanelContext& context) {
   ImGui::PushFont(context.fonts.number, 0.0F);
   ImGui::TextUnformatted(millimetres(seen).c_str());
   ImGui::PopFont();
-  explain(settings.impedances.chosen_tracking_ratio
-              ? "Of the anisotropic strategy, along the wall. ρ was chosen by hand: the belief has no part in it."
-              : "Of the anisotropic strategy, along the wall, as simulated.");
+  explain("Of the anisotropic strategy, along the wall, as simulated.");
   ImGui::SameLine();
   ImGui::PushStyleColor(ImGuiCol_Text, unpacked(context.theme.faint_text));
   ImGui::TextUnformatted("theory");
   ImGui::SameLine();
   ImGui::PushFont(context.fonts.number, 0.0F);
-  ImGui::TextUnformatted((millimetres(predicted) + " mm").c_str());
+  ImGui::TextUnformatted(millimetres(predicted).c_str());
   ImGui::PopFont();
   ImGui::PopStyleColor();
   explain("By the closed form, at rest.");

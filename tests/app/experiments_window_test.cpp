@@ -305,6 +305,28 @@ TEST_F(ExperimentsWindow, AWrongBeliefShowsAsDrift) {
   EXPECT_NEAR(glm::length(seen), glm::length(proxy_drift(wall_of(session().settings), rest.proxy, now().goal)), 1e-9);
 }
 
+// A ratio that was chosen by hand is no belief.
+TEST_F(ExperimentsWindow, ARatioChosenByHandShowsNoDriftOfTheBelief) {
+  open(with_panel("User"));
+  const auto column = [this] {
+    frames(5, ticks);
+    const Image whole = picture();
+    const auto left = static_cast<int>(ImGui::FindWindowByName("panels")->Pos.x);
+    std::vector<std::uint8_t> part;
+    for (int y = 46; y < 400; ++y) {
+      const auto begin = whole.rgb.begin() + 3 * (static_cast<std::ptrdiff_t>(y) * whole.width + left);
+      part.insert(part.end(), begin, begin + 3 * static_cast<std::ptrdiff_t>(whole.width - left));
+    }
+    return part;
+  };
+  const auto optimal = column();
+  session().settings.impedances.chosen_tracking_ratio = 2.0;
+  const auto chosen = column();
+  EXPECT_NE(chosen, optimal);
+  session().settings.impedances.chosen_tracking_ratio = 12.0;
+  EXPECT_EQ(column(), chosen) << "another drift, of which nothing is shown";
+}
+
 TEST_F(ExperimentsWindow, AScrollbarMakesNothingNarrower) {
   open({.folded_panels = panels_folded_at_first(640.0)}, "wall45", 1024, 640);
   const ImGuiWindow& column = *ImGui::FindWindowByName("panels");
