@@ -39,7 +39,8 @@ const Pane& pane_of(const std::vector<Pane>& panes, StrategyId id) {
 
 }  // namespace
 
-void Gestures::take(Session& session, const std::vector<Pane>& panes, const Vector<2>& size, double unit) {
+void Gestures::take(Session& session, const std::vector<Pane>& panes, const Vector<2>& size, double unit,
+                    bool is_goal_estimated) {
   ImGui::SetCursorPos({0.0F, 0.0F});
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImGui::InvisibleButton("scene", {static_cast<float>(size.x), static_cast<float>(size.y)},
@@ -60,7 +61,7 @@ void Gestures::take(Session& session, const std::vector<Pane>& panes, const Vect
     const Vector<2> inside = pointer - pane.corner;
     hot_ = handle_at(session.settings, pane.camera, unit, inside);
     if (hot_ != Handle::none) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    if (session.dialog == Dialog::none) explain_mark(pane, inside, unit);
+    if (session.dialog == Dialog::none) explain_mark(pane, inside, unit, is_goal_estimated);
   }
   if (const float wheel = ImGui::GetIO().MouseWheel; is_hovered && wheel != 0.0F) {
     const Pane& pane = pane_at(panes, pointer);
@@ -100,7 +101,8 @@ void Gestures::begin(Session& session, const Pane& pane, const Vector<2>& pointe
     grip_ = Grip::handle;
     began_angle_ = angle_of(held_, settings);
   } else {
-    grip_ = session.pointer_moves_goal ? Grip::goal : Grip::nothing;
+    const bool is_circle_test = session.input == "circle";
+    grip_ = session.pointer_moves_goal ? Grip::goal : is_circle_test ? Grip::circle : Grip::nothing;
   }
 }
 
@@ -109,12 +111,19 @@ void Gestures::go_on(Session& session, const Pane& pane, const Vector<2>& pointe
     case Grip::nothing:
       break;
     case Grip::goal: {
+      if (!session.pointer_moves_goal) break;
       // A pointer dragged out of the scene leaves the goal at its edge.
       const Vector<2> at = to_world(pane.camera, glm::clamp(pointer, Vector<2>(0.0), pane.camera.size));
       session.goal = nearest_in_scene(at);
       session.drags_goal = true;
       break;
     }
+    case Grip::circle:
+      // Whoever drags wants the goal back; a click is no drag.
+      if (glm::distance(pointer, began_at_) < first_turn * unit) break;
+      session.wishes.input = session.circle_test.input_before;
+      grip_ = Grip::goal;
+      break;
     case Grip::handle:
       ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
       turn(session, pane, pointer, unit);

@@ -1,6 +1,6 @@
 // Gestures: what the mouse does in the scene. Drag: the goal follows, or the handle that was grabbed turns (in steps of
-// 5°, with Ctrl without steps); wheel: zoom at the pointer; right drag: move the picture. Between ImGui's NewFrame and
-// Render, UI thread.
+// 5°, with Ctrl without steps); during a circle test it ends that; wheel: zoom at the pointer; right drag: move the
+// picture. Between ImGui's NewFrame and Render, UI thread.
 #pragma once
 
 #include <vector>
@@ -13,14 +13,16 @@ namespace ghostforce {
 class Gestures {
  public:
   // To be called inside an ImGui window that covers the scene. `panes` are the ones that the person sees: those of the
-  // last frame; none yet: nothing happens. `unit` is the size of a point in the scene.
-  void take(Session& session, const std::vector<Pane>& panes, const Vector<2>& size, double unit);
+  // last frame; none yet: nothing happens. `unit` is the size of a point in the scene. `is_goal_estimated`: the goal in
+  // the panes is not where anybody has put it.
+  void take(Session& session, const std::vector<Pane>& panes, const Vector<2>& size, double unit,
+            bool is_goal_estimated);
 
   // The handle under the pointer or in the hand.
   Handle hot() const noexcept { return hot_; }
 
  private:
-  enum class Grip : std::uint8_t { nothing, goal, handle, picture };
+  enum class Grip : std::uint8_t { nothing, goal, circle, handle, picture };
 
   void begin(Session& session, const Pane& pane, const Vector<2>& pointer, double unit);
   void go_on(Session& session, const Pane& pane, const Vector<2>& pointer, double unit);

@@ -95,6 +95,11 @@ constexpr std::array entries{
     GlossaryEntry{Term::loop_formula, "Energy by the formula",
                   "For a slow loop of the same area; θ is the angle from n to the motor. Fully actuated: none.",
                   "−k_r sinθ cosθ S / (cos²θ + ρ sin²θ + k_t/k_c)", "mJ"},
+    GlossaryEntry{
+        Term::estimated_goal, "Goal q_u, estimated",
+        "Where the hand seems to want the device to be: nobody can measure it. It is inferred from the force, "
+        "with the believed k_u.",
+        "q_h − f_r / believed k_u", "mm"},
 };
 
 constexpr bool is_in_order() {

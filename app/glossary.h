@@ -45,6 +45,7 @@ enum class Term : std::uint8_t {
   loop_area,
   loop_energy,
   loop_formula,
+  estimated_goal,
 };
 
 struct GlossaryEntry {
@@ -63,6 +64,11 @@ const GlossaryEntry& glossary(Term term) noexcept;
 std::optional<Term> term_of(Role role) noexcept;
 inline std::optional<Term> term_of(const Mark& mark) noexcept {
   return term_of(mark.about.value_or(mark.role));
+}
+// The same where the goal may be an estimate, which nobody can drag.
+inline std::optional<Term> term_of(const Mark& mark, bool is_goal_estimated) noexcept {
+  const std::optional<Term> term = term_of(mark);
+  return term == Term::goal && is_goal_estimated ? Term::estimated_goal : term;
 }
 
 }  // namespace ghostforce

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <string>
 
+#include <glm/common.hpp>
+
 #include "app/panels/controls.h"
 #include "app/panels/panel_catalog.h"
 #include "core/energy.h"
@@ -29,14 +31,35 @@ void draw_switch(Session& session) {
   explain("Gives the goal back to what moved it before.");
 }
 
+constexpr double least_mm = 2.0;
+constexpr double most_mm = 50.0;
+
+// Of a circle that is all in the picture, in steps of a tenth of a millimetre [m].
+double greatest_radius(const Session& session) {
+  const Wall<2> wall = wall_of(session.settings);
+  // Whatever the window's shape, this part of the world is shown.
+  const Vector<2> reach = 0.5 * session.shown.width * Vector<2>(1.0, 0.75);
+  const auto fits = [&](double mm) {
+    const Circle circle = circle_inside(wall, session.scene->goal.points.back(), {.radius = 0.001 * mm});
+    const Vector<2> farthest = glm::abs(circle.center - session.shown.center) + circle.radius;
+    return farthest.x <= reach.x && farthest.y <= reach.y;
+  };
+  long tenths = std::lround(10.0 * least_mm);
+  while (tenths < std::lround(10.0 * most_mm) && fits(0.1 * static_cast<double>(tenths + 1))) ++tenths;
+  return 1e-4 * static_cast<double>(tenths);
+}
+
 void draw_choice(const PanelContext& context, const Circle& circle) {
   CircleChoice& choice = context.session.circle_test.choice;
   if (!begin_rows("circle", context)) return;
-  row("Sense", "One sense of the circle makes energy, the other takes as much away.");
+  row("Sense",
+      "One sense makes energy, the other takes as much away for a loop of the device with the same area. Round the "
+      "same "
+      "goal circle the device's loops differ a little, and so do the energies.");
   ImGui::Checkbox("clockwise", &choice.is_clockwise);
-  row("Radius", "Of the goal's circle. One that does not fit into the wall is moved deeper.");
-  constexpr double least_mm = 2.0;
-  constexpr double greatest_mm = 50.0;
+  row("Radius",
+      "Of the goal's circle, as large as the picture holds. One that does not fit into the wall is moved deeper.");
+  const double greatest_mm = 1000.0 * greatest_radius(context.session);
   double mm = 1000.0 * circle.radius;
   if (ImGui::SliderScalar("##radius", ImGuiDataType_Double, &mm, &least_mm, &greatest_mm, "%.1f mm",
                           ImGuiSliderFlags_AlwaysClamp)) {

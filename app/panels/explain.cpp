@@ -116,11 +116,12 @@ const Mark* mark_at(const Pane& pane, const Vector<2>& pointer, double unit) {
   return nullptr;
 }
 
-void explain_mark(const Pane& pane, const Vector<2>& pointer, double unit) {
+void explain_mark(const Pane& pane, const Vector<2>& pointer, double unit, bool is_goal_estimated) {
   if (!ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip)) return;
   const Mark* const mark = mark_at(pane, pointer, unit);
   if (mark == nullptr || !begin_explanation()) return;
-  write_entry(glossary(term_of(*mark).value()), mark->strategy ? strategy(*mark->strategy).title : "");
+  write_entry(glossary(term_of(*mark, is_goal_estimated).value()),
+              mark->strategy ? strategy(*mark->strategy).title : "");
   end_explanation();
 }
 

@@ -243,6 +243,9 @@ TEST(Glossary, ExplainsEveryMarkThatMeansSomething) {
   for (const Mark& mark : picture.marks) {
     const bool is_decoration = mark.role == Role::grid || mark.role == Role::legend;
     EXPECT_TRUE(is_decoration || term_of(mark)) << role_name(mark.role);
+    EXPECT_EQ(term_of(mark, false), term_of(mark));
+    // Nobody can drag what is inferred.
+    EXPECT_EQ(term_of(mark, true), term_of(mark) == Term::goal ? Term::estimated_goal : term_of(mark));
   }
   for (const GlossaryEntry& entry : glossary()) {
     EXPECT_FALSE(entry.title.empty());

@@ -350,6 +350,34 @@ TEST_F(ExperimentsWindow, TheFirstRecordingCanBeNamed) {
   EXPECT_TRUE(std::filesystem::exists(folder / "mine.csv"));
 }
 
+TEST_F(ExperimentsWindow, TheCircleStaysInThePictureAndADragEndsIt) {
+  ApplicationOptions options = with_panel("Energy");
+  options.input = "circle";
+  open(options);
+  frames(3);
+  drag({1100.0, radius_y}, {1275.0, radius_y});
+  frames(3);
+  const Circle& circle = application_->circle_reading()->circle;
+  ASSERT_TRUE(session().circle_test.choice.radius);
+  EXPECT_GT(circle.radius, 0.010);
+  EXPECT_LT(circle.radius, 0.050);
+  const Pane& pane = screen().panes().front();
+  for (double t = 0.0; t < 4.0; t += 0.05) {
+    const Vector<2> at = to_screen(pane.camera, position_on(circle, t));
+    EXPECT_TRUE(at.x >= 0.0 && at.y >= 0.0 && at.x <= pane.camera.size.x && at.y <= pane.camera.size.y) << t;
+  }
+
+  const Vector<2> somewhere = on_window({-0.02, -0.005});
+  click(somewhere);
+  EXPECT_EQ(session().input, "circle") << "a click is no drag";
+  press_at(somewhere);
+  point_at(on_window({-0.01, -0.005}));
+  frames(4);
+  EXPECT_EQ(session().input, "mouse");
+  EXPECT_NEAR(glm::distance(session().goal, Vector<2>(-0.01, -0.005)), 0.0, 1e-3);
+  release();
+}
+
 TEST_F(ExperimentsWindow, ACircleHasTheEnergyOfTheFormulaInEitherSense) {
   open(with_panel("Energy"));
   click(circle_button);
