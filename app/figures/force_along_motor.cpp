@@ -6,6 +6,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "app/paint/vector_painter.h"
+
 namespace ghostforce {
 namespace {
 
@@ -49,6 +51,19 @@ CsvTable force_table(const Curves& curves, const std::string& x_name) {
       "the left then, so that it is −force_x_N of the other figures.",
       goal_comment(force_goal_depth)};
   return table;
+}
+
+void add_force_chart(const Curves& curves, const Axis& x, Sheet& sheet) {
+  Chart chart;
+  chart.x = x;
+  chart.y = {.title = "force along the motor axis at rest, away from the wall [N]"};
+  for (const Strategy& strategy : strategy_catalog()) {
+    add_series(curves, "", strategy.name, style_of(strategy.id), chart);
+  }
+  sheet.add_row(340.0, 1, [&](const Place& place, std::size_t) {
+    return chart_pane(chart, place.corner, place.size, paper(), 1.0, measure_vector_text);
+  });
+  sheet.add_legend(strategy_legend(true));
 }
 
 }  // namespace ghostforce

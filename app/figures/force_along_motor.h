@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/figures/curves.h"
+#include "app/figures/sheet.h"
 
 namespace ghostforce {
 
@@ -14,6 +15,9 @@ void add_closed_forms(const Settings& settings, double x, Curves& curves);
 
 // The simulated loop's force of one strategy at `x`.
 void add_simulated(const Settings& settings, StrategyId id, double x, Curves& curves);
+
+// All strategies' curves on the sheet, over `x`, with their legend.
+void add_force_chart(const Curves& curves, const Axis& x, Sheet& sheet);
 
 // The curves as a table that says where the goal is and which way a force is positive.
 CsvTable force_table(const Curves& curves, const std::string& x_name);

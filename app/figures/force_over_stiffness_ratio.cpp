@@ -3,8 +3,6 @@
 #include <string_view>
 
 #include "app/figures/force_along_motor.h"
-#include "app/figures/sheet.h"
-#include "app/paint/vector_painter.h"
 #include "app/scene_file.h"
 
 namespace ghostforce {
@@ -43,18 +41,11 @@ Curves force_over_stiffness_ratio() {
 Figure force_over_stiffness_ratio_figure(const FigureRequest&) {
   const Curves curves = force_over_stiffness_ratio();
   Sheet sheet("Force along the motor, over the stiffness ratio", 520.0);
-  Chart chart;
-  chart.x = {.title = "rendering stiffness over the hand's, kᵣ/kᵤ",
-             .is_logarithmic = true,
-             .range = Vector<2>(least_ratio, greatest_ratio)};
-  chart.y = {.title = "force along the motor axis at rest, away from the wall [N]"};
-  for (const Strategy& strategy : strategy_catalog()) {
-    add_series(curves, "", strategy.name, style_of(strategy.id), chart);
-  }
-  sheet.add_row(340.0, 1, [&](const Place& place, std::size_t) {
-    return chart_pane(chart, place.corner, place.size, paper(), 1.0, measure_vector_text);
-  });
-  sheet.add_legend(strategy_legend(true));
+  add_force_chart(curves,
+                  {.title = "rendering stiffness over the hand's, kᵣ/kᵤ",
+                   .is_logarithmic = true,
+                   .range = Vector<2>(least_ratio, greatest_ratio)},
+                  sheet);
   return sheet.finish(
       "Wall at 45° to the motor, goal 20 mm inside; lines: equations (11), (15) and (20); points: the simulated loop. "
       "A "

@@ -4,8 +4,6 @@
 #include <string_view>
 
 #include "app/figures/force_along_motor.h"
-#include "app/figures/sheet.h"
-#include "app/paint/vector_painter.h"
 #include "app/scene_file.h"
 
 namespace ghostforce {
@@ -40,16 +38,8 @@ Curves force_over_wall_angle() {
 Figure force_over_wall_angle_figure(const FigureRequest&) {
   const Curves curves = force_over_wall_angle();
   Sheet sheet("Force along the motor, over the wall's angle", 520.0);
-  Chart chart;
-  chart.x = {.title = "angle between wall normal and motor axis [°]", .range = Vector<2>(0.0, 90.0)};
-  chart.y = {.title = "force along the motor axis at rest, away from the wall [N]"};
-  for (const Strategy& strategy : strategy_catalog()) {
-    add_series(curves, "", strategy.name, style_of(strategy.id), chart);
-  }
-  sheet.add_row(340.0, 1, [&](const Place& place, std::size_t) {
-    return chart_pane(chart, place.corner, place.size, paper(), 1.0, measure_vector_text);
-  });
-  sheet.add_legend(strategy_legend(true));
+  add_force_chart(curves, {.title = "angle between wall normal and motor axis [°]", .range = Vector<2>(0.0, 90.0)},
+                  sheet);
   return sheet.finish(
       "Goal 20 mm inside the wall; lines: equations (11), (15) and (20); points: the simulated loop. A lies on F at "
       "every "

@@ -130,4 +130,26 @@ bool angle_slider(const char* id, double& radians) {
   return true;
 }
 
+void draw_strategy_name(const PanelContext& context, const Strategy& entry, ImFont* font) {
+  const std::size_t i = index_of(entry.id);
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float height = ImGui::GetTextLineHeight();
+  draw_glyph(*ImGui::GetWindowDrawList(), {corner.x + 0.6F * height, corner.y + 0.5F * height}, 0.38F * height,
+             strategy_style(entry.id).shape, context.theme.strategy[i]);
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 1.4F * height);
+  ImGui::PushFont(font, 0.0F);
+  ImGui::PushStyleColor(ImGuiCol_Text, unpacked(context.theme.strategy_text[i]));
+  ImGui::Text("%c", entry.letter);
+  ImGui::PopStyleColor();
+  ImGui::PopFont();
+  explain(entry.sentence);
+}
+
+void number_cell(const PanelContext& context, const std::string& text) {
+  ImGui::TableNextColumn();
+  ImGui::PushFont(context.fonts.number, 0.0F);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopFont();
+}
+
 }  // namespace ghostforce

@@ -41,4 +41,10 @@ bool angle_slider(const char* id, double& radians);
 // Closes the popup that is being drawn when Esc is pressed.
 void close_popup_on_escape();
 
+// A strategy in the first cell of its row: shape and letter, and its sentence for who hovers over them.
+void draw_strategy_name(const PanelContext& context, const Strategy& entry, ImFont* font);
+
+// The next cell, in digits that are all equally wide.
+void number_cell(const PanelContext& context, const std::string& text);
+
 }  // namespace ghostforce

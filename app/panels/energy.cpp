@@ -68,13 +68,6 @@ void draw_choice(const PanelContext& context, const Circle& circle) {
   end_rows();
 }
 
-void number_cell(const PanelContext& context, const std::string& text) {
-  ImGui::TableNextColumn();
-  ImGui::PushFont(context.fonts.number, 0.0F);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopFont();
-}
-
 // Seven characters, or eight from a metre's circle on.
 std::string shown(double value, int decimals) {
   const double unit = std::pow(10.0, -decimals);
@@ -104,15 +97,7 @@ void draw_table(const PanelContext& context, const CircleReading& reading) {
     const CircleEnergy& energy = reading.strategies[i];
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const float height = ImGui::GetTextLineHeight();
-    draw_glyph(*ImGui::GetWindowDrawList(), {corner.x + 0.6F * height, corner.y + 0.5F * height}, 0.38F * height,
-               strategy_style(entry.id).shape, context.theme.strategy[i]);
-    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 1.4F * height);
-    ImGui::PushStyleColor(ImGuiCol_Text, unpacked(context.theme.strategy_text[i]));
-    ImGui::Text("%c", entry.letter);
-    ImGui::PopStyleColor();
-    explain(entry.sentence);
+    draw_strategy_name(context, entry, context.fonts.regular);
     if (reading.turns == 0) {
       for (int column = 0; column < 4; ++column) number_cell(context, "      —");
       continue;

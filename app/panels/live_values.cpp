@@ -47,17 +47,7 @@ void draw_row(const PanelContext& context, const Strategy& entry) {
     ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0,
                            packed(mix(context.theme.panel, context.theme.strategy[i], active_tint)));
   ImGui::TableNextColumn();
-  const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const float height = ImGui::GetTextLineHeight();
-  draw_glyph(*ImGui::GetWindowDrawList(), {corner.x + 0.6F * height, corner.y + 0.5F * height}, 0.38F * height,
-             strategy_style(entry.id).shape, context.theme.strategy[i]);
-  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 1.4F * height);
-  ImGui::PushFont(active ? context.fonts.bold : context.fonts.regular, 0.0F);
-  ImGui::PushStyleColor(ImGuiCol_Text, unpacked(context.theme.strategy_text[i]));
-  ImGui::Text("%c", entry.letter);
-  ImGui::PopStyleColor();
-  ImGui::PopFont();
-  explain(entry.sentence);
+  draw_strategy_name(context, entry, active ? context.fonts.bold : context.fonts.regular);
   for (const Quantity& quantity : quantity_catalog()) {
     ImGui::TableNextColumn();
     ImGui::PushFont(context.fonts.number, 0.0F);

@@ -117,13 +117,6 @@ void draw_nulling(const PanelContext& context) {
   explain("Ratio and strategy as they were; no reading is kept.");
 }
 
-void number_cell(const PanelContext& context, const std::string& text) {
-  ImGui::TableNextColumn();
-  ImGui::PushFont(context.fonts.number, 0.0F);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopFont();
-}
-
 void draw_readings(const PanelContext& context, const UserMeasurement& measurement) {
   if (!ImGui::BeginTable("readings", 3, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_BordersInnerH)) return;
   ImGui::TableSetupColumn("reading", ImGuiTableColumnFlags_WidthFixed, 70.0F * context.scale);
