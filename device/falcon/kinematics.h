@@ -42,30 +42,24 @@ class FalconKinematics {
     double sine;
   };
 
-  // Where the end of a leg is, from its motor's axis [m], and how its parallelogram leans to get there.
-  struct Reach {
-    double radial;
-    double lean_cosine;  // of the angle between its long side and the tangential axis
-    double lean_sine;
-    double length;  // what is left for the plane in which the upper arm swings [m]
-  };
-
-  // One leg at a position.
+  // Where a leg ends, from its motor's axis, and what that leaves of the triangle in the plane in which the upper arm
+  // swings: arm, parallelogram, and the line from the axis to the end.
   struct Leg {
-    double angle;
-    Vector<3> direction;  // of the parallelogram's long side, a unit vector; the gradient of `angle` is this / lever
-    double lever;         // [m]
+    double radial;      // [m]
+    double tangential;  // [m]
+    double height;      // of the parallelogram, in that plane [m]
+    double length;      // of the parallelogram with its short sides, in that plane [m]
+    double cosine;      // of the corner between arm and line, times twice the product of both [m²]
+    double sine;        // and its sine, times the same: four times the triangle's area [m²]
   };
-  using Legs = std::array<Leg, 3>;
 
-  bool reach(const Vector<3>& position, const Azimuth& azimuth, Reach& reach) const noexcept;
-  bool solve(const Vector<3>& position, Legs& legs) const noexcept;
+  Leg leg_ending_at(const Vector<3>& position, const Azimuth& azimuth) const noexcept;
 
   // One leg that ends at a position while its upper arm is where an angle puts it.
   struct Gap {
-    double size;         // by which the parallelogram is too short, seen along itself [m]
+    double size;         // by which the parallelogram is too short, to first order [m]
     Vector<3> gradient;  // of that, a unit vector once the gap is closed: the parallelogram's direction
-    double bend;         // sine of the angle from upper arm to parallelogram; positive: the knee is on the outer side
+    bool is_bent_right;  // the knee is on the outer side, and the parallelogram points away from it
   };
   struct Arms {
     Vector<3> cosines;
