@@ -37,8 +37,9 @@ struct Proxy {
 template <glm::length_t D>
 Proxy<D> proxy_of(const Vector<D>& device, const Wall<D>& wall, const Vector<D>& step) noexcept {
   const double device_depth = depth(wall, device);
-  if (device_depth > 0.0) return {device + step * device_depth, true};
-  return {device, false};
+  Proxy<D> proxy{device, device_depth > 0.0};
+  if (proxy.in_contact) proxy.position += step * device_depth;
+  return proxy;
 }
 
 }  // namespace ghostforce

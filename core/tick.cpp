@@ -2,9 +2,9 @@
 
 #include <cstddef>
 
-#include "core/energy.h"
 #include "core/ghost_force.h"
 #include "core/proxy.h"
+#include "core/tick_strategy.h"
 
 namespace ghostforce {
 
@@ -30,41 +30,14 @@ TickState<D> state_at_start(const Vector<D>& goal) noexcept {
   return state;
 }
 
-namespace {
-
-// f_r of the state as it stands.
-template <glm::length_t D>
-Vector<D> force_of(const TickPlan<D>& plan, const TickState<D>& state, std::size_t i) noexcept {
-  return plan.strategies[i].rendering * (state.strategies[i].proxy - state.strategies[i].motion.position);
-}
-
-// The device has moved under the force held since the tick before, and the proxy belongs to `tracked`.
-template <glm::length_t D>
-void move(const TickPlan<D>& plan, std::size_t i, const DeviceMotion<D>& motion, const Vector<D>& tracked,
-          const Vector<D>& held_force, TickState<D>& state) noexcept {
-  auto& strategy = state.strategies[i];
-  strategy.energy += work(held_force, motion.position - strategy.motion.position);
-  strategy.motion = motion;
-  const Proxy<D> proxy = proxy_of(tracked, plan.wall, plan.strategies[i].proxy_step);
-  strategy.proxy = proxy.position;
-  strategy.in_contact = proxy.in_contact;
-}
-
-template <glm::length_t D>
-void simulate(const TickPlan<D>& plan, std::size_t i, TickState<D>& state) noexcept {
-  const DeviceMotion<D> before = state.strategies[i].motion;
-  const Vector<D> held_force = force_of(plan, state, i);
-  move(plan, i, step(plan.device, before, state.goal, held_force), before.position, held_force, state);
-}
-
-}  // namespace
-
 template <glm::length_t D>
 void tick(const TickPlan<D>& plan, const Vector<D>& goal, TickState<D>& state) noexcept {
   ++state.tick;
   state.goal = goal;
   state.measured.reset();
-  for (std::size_t i = 0; i < strategy_count; ++i) simulate(plan, i, state);
+  for (std::size_t i = 0; i < strategy_count; ++i) {
+    tick_strategy<D>(plan, plan.strategies[i], goal, state.strategies[i]);
+  }
 }
 
 template <glm::length_t D>
@@ -73,38 +46,38 @@ void tick_measured(const TickPlan<D>& plan, StrategyId active, const Vector<D>& 
   ++state.tick;
   state.measured = active;
   const std::size_t measured = index_of(active);
-  const Vector<D> velocity = (device - state.strategies[measured].motion.position) * plan.rate;
-  move(plan, measured, {device, velocity}, device, force_of(plan, state, measured), state);
+  const StrategyPlan<D>& own_plan = plan.strategies[measured];
+  StrategyState<D>& own = state.strategies[measured];
+  const Vector<D> velocity = (device - own.motion.position) * plan.rate;
+  move<D>(plan, own_plan.proxy_step, {device, velocity}, device, force_of<D>(own_plan, own), own);
   state.goal = device - felt / believed_k_u;
   for (std::size_t i = 0; i < strategy_count; ++i) {
-    if (i != measured) simulate(plan, i, state);
+    if (i != measured) tick_strategy<D>(plan, plan.strategies[i], state.goal, state.strategies[i]);
   }
 }
 
 template <glm::length_t D>
 SnapshotIn<D> snapshot_of(const TickPlan<D>& plan, const TickState<D>& state) noexcept {
-  SnapshotIn<D> snapshot;
-  snapshot.tick = state.tick;
-  snapshot.time_s = time_of(state.tick, plan.rate);
-  snapshot.goal = state.goal;
-  snapshot.measured = state.measured;
-  for (std::size_t i = 0; i < strategy_count; ++i) {
-    const auto& strategy = state.strategies[i];
-    auto& out = snapshot.strategies[i];
-    out.device = strategy.motion.position;
-    out.proxy = strategy.proxy;
-    out.contact = projection(plan.wall, strategy.proxy);
-    out.force = force_of(plan, state, i);
-    out.energy = strategy.energy;
-    out.in_contact = strategy.in_contact;
-  }
-  const Vector<D> full_force = snapshot.strategies[index_of(StrategyId::full)].force;
-  for (auto& out : snapshot.strategies) {
-    if (!out.in_contact || state.measured) continue;
-    out.ghost_force = ghost_force(plan.actuation, out.force, full_force);
-    out.proxy_drift = proxy_drift(plan.wall, out.proxy, state.goal);
-  }
-  return snapshot;
+  const auto force = [&](std::size_t i) { return force_of<D>(plan.strategies[i], state.strategies[i]); };
+  const Vector<D> full_force = force(index_of(StrategyId::full));
+  const auto strategy = [&](std::size_t i) -> StrategySnapshot<D> {
+    const StrategyState<D>& own = state.strategies[i];
+    const bool is_compared = own.in_contact && !state.measured;
+    const Vector<D> own_force = force(i);
+    return {.device = own.motion.position,
+            .proxy = own.proxy,
+            .contact = projection(plan.wall, own.proxy),
+            .force = own_force,
+            .ghost_force = is_compared ? ghost_force(plan.actuation, own_force, full_force) : Vector<D>(0.0),
+            .proxy_drift = is_compared ? proxy_drift(plan.wall, own.proxy, state.goal) : Vector<D>(0.0),
+            .energy = own.energy,
+            .in_contact = own.in_contact};
+  };
+  return {.tick = state.tick,
+          .time_s = time_of(state.tick, plan.rate),
+          .goal = state.goal,
+          .measured = state.measured,
+          .strategies = {strategy(0), strategy(1), strategy(2)}};
 }
 
 #define GHOSTFORCE_INSTANTIATE(D)                                                                            \
