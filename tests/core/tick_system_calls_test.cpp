@@ -1,0 +1,91 @@
+// A tick makes no system call: a child process that may make none but exit ticks, and a call that is not allowed kills
+// it. A program of its own, without anything that would make calls beside the tick.
+#include <cmath>
+#include <csignal>
+#include <functional>
+#include <numbers>
+
+#include <linux/seccomp.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+#include "core/latest_value.h"
+#include "core/settings.h"
+
+namespace ghostforce {
+namespace {
+
+// How a child process ended that may call read, write and the plain exit only, and did `work`; it exits with what that
+// returns.
+int end_of(const std::function<bool()>& work) {
+  const pid_t child = fork();
+  if (child == 0) {
+    if (prctl(PR_SET_SECCOMP, SECCOMP_MODE_STRICT) != 0) _exit(2);
+    const int code = work() ? 0 : 1;
+    // The C library's exit_group is not among the calls allowed.
+    syscall(SYS_exit, code);
+  }
+  int status = 0;
+  EXPECT_EQ(waitpid(child, &status, 0), child);
+  return status;
+}
+
+Settings slanted_wall() {
+  Settings settings;
+  settings.wall_normal_angle = 0.75 * std::numbers::pi;
+  settings.mass = 0.1;
+  settings.damping = 5.0;
+  settings.rate = 1000.0;
+  settings.impedances.k_u = 200.0;
+  settings.impedances.k_r = 600.0;
+  settings.impedances.k_t = 600.0;
+  settings.impedances.k_c = 1e5;
+  return settings;
+}
+
+// Plans anew, ticks, publishes and is read from, in and out of contact.
+bool live(int ticks) {
+  Settings settings = slanted_wall();
+  TickPlan<2> plan = plan_of(settings);
+  TickState<2> state = state_at_start(Vector<2>(0.0));
+  LatestValue<Snapshot> newest{Snapshot{}};
+  int contacts = 0;
+  for (int k = 1; k <= ticks; ++k) {
+    if (k % 100 == 0) {
+      settings.actuated_angle += 0.1;
+      plan = plan_of(settings);
+    }
+    const double goal = 0.02 * std::sin(0.005 * k);
+    if (k % 3 == 0) {
+      tick_measured(plan, StrategyId::naive, {goal, -goal}, Vector<2>(0.0), 200.0, state);
+    } else {
+      tick(plan, {goal, -goal}, state);
+    }
+    newest.publish(snapshot_of(plan, state));
+    if (newest.latest().strategies[0].in_contact) ++contacts;
+  }
+  return contacts > ticks / 4 && contacts < ticks;
+}
+
+TEST(TickSystemCalls, ThereAreNone) {
+  const int status = end_of([] { return live(100'000); });
+  ASSERT_TRUE(WIFEXITED(status)) << "signal " << WTERMSIG(status);
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+}
+
+TEST(TickSystemCalls, OneWouldBeSeen) {
+  const int status = end_of([] {
+    const bool is_well = live(1000);
+    syscall(SYS_getpid);
+    return is_well;
+  });
+  ASSERT_TRUE(WIFSIGNALED(status));
+  EXPECT_EQ(WTERMSIG(status), SIGKILL);
+}
+
+}  // namespace
+}  // namespace ghostforce
