@@ -1,0 +1,320 @@
+// What a tick costs, against the same equations written by hand, and what it costs to log and publish it. Writes
+// section 1 of RESULTS.md.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <exception>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <readerwriterqueue/readerwritercircularbuffer.h>
+#include <glm/geometric.hpp>
+
+#include "bench/support/contest.h"
+#include "bench/support/report.h"
+#include "core/latest_value.h"
+#include "core/tick.h"
+#include "core/tick_strategy.h"
+#include "device/servo.h"
+
+namespace ghostforce::bench {
+namespace {
+
+// Turns shorter than the time slices of a machine that others use too: most of them are interrupted by nobody.
+constexpr Contest::Length many_short_turns{.rounds = 201, .seconds_per_turn = 0.001};
+
+template <glm::length_t D>
+Vector<D> along_axes(double first, double others) {
+  Vector<D> v(others);
+  v[0] = first;
+  return v;
+}
+
+// A wall at 45°, one motor, stiffnesses as in the scene wall45.
+template <glm::length_t D>
+TickPlan<D> slanted_plan() {
+  const Wall<D> wall{Vector<D>(0.0), glm::normalize(along_axes<D>(-1.0, 1.0))};
+  Impedances impedances;
+  impedances.k_u = 200.0;
+  impedances.k_r = 600.0;
+  impedances.k_t = 600.0;
+  impedances.k_c = 1e5;
+  return plan_tick<D>(wall, actuated_along(along_axes<D>(1.0, 0.0)), impedances, 0.1, 5.0, 1000.0);
+}
+
+// Into the wall and out of it again, about once a second of model time. A power of two.
+constexpr std::size_t goal_count = 1024;
+
+template <glm::length_t D>
+std::vector<Vector<D>> goals_in_and_out() {
+  std::vector<Vector<D>> goals;
+  for (std::size_t k = 0; k < goal_count; ++k) {
+    const double depth = 0.02 * std::sin(2.0 * std::numbers::pi * static_cast<double>(k) / goal_count);
+    goals.push_back(along_axes<D>(depth, -depth));
+  }
+  return goals;
+}
+
+// One strategy on plain numbers, all that a setting decides worked out beforehand. `multiplies`: the division of (23)
+// is a multiplication by a factor worked out beforehand too, which rounds differently.
+template <std::size_t D, bool multiplies>
+class ByHand {
+ public:
+  using Numbers = std::array<double, D>;
+  struct State {
+    Numbers position{};
+    Numbers velocity{};
+    Numbers proxy{};
+    double energy = 0.0;
+  };
+
+  ByHand(const TickPlan<D>& plan, std::size_t strategy)
+      : mass_(plan.device.mass), user_stiffness_(plan.device.user_stiffness), dt_(plan.device.period) {
+    for (std::size_t i = 0; i < D; ++i) {
+      const auto row = static_cast<glm::length_t>(i);
+      point_[i] = plan.wall.point[row];
+      normal_[i] = plan.wall.normal[row];
+      proxy_step_[i] = plan.strategies[strategy].proxy_step[row];
+      for (std::size_t j = 0; j < D; ++j) {
+        rendering_[i][j] = plan.strategies[strategy].rendering[static_cast<glm::length_t>(j)][row];
+      }
+    }
+    effective_mass_ = mass_ + dt_ * plan.device.damping + dt_ * dt_ * user_stiffness_;
+    keeps_ = mass_ / effective_mass_;
+    hand_ = dt_ * user_stiffness_ / effective_mass_;
+    held_ = dt_ / effective_mass_;
+  }
+
+  void tick(const Vector<D>& goal, State& s) const {
+    double distance = 0.0;
+    Numbers force{};
+    for (std::size_t i = 0; i < D; ++i) {
+      distance += normal_[i] * (s.position[i] - point_[i]);
+      for (std::size_t j = 0; j < D; ++j) force[i] += rendering_[i][j] * (s.proxy[j] - s.position[j]);
+    }
+    double work = 0.0;
+    for (std::size_t i = 0; i < D; ++i) {
+      const double before = s.position[i];
+      const double reach = goal[static_cast<glm::length_t>(i)] - before;
+      s.velocity[i] = multiplies
+                          ? keeps_ * s.velocity[i] + hand_ * reach + held_ * force[i]
+                          : (mass_ * s.velocity[i] + dt_ * (user_stiffness_ * reach + force[i])) / effective_mass_;
+      s.position[i] = before + dt_ * s.velocity[i];
+      s.proxy[i] = distance < 0.0 ? before - proxy_step_[i] * distance : before;
+      work += force[i] * (s.position[i] - before);
+    }
+    s.energy += work;
+  }
+
+ private:
+  std::array<Numbers, D> rendering_{};
+  Numbers proxy_step_{};
+  Numbers normal_{};
+  Numbers point_{};
+  double mass_;
+  double user_stiffness_;
+  double dt_;
+  double effective_mass_ = 0.0;
+  double keeps_ = 0.0;
+  double hand_ = 0.0;
+  double held_ = 0.0;
+};
+
+std::string ns(double seconds) {
+  return fmt::format("{:.1f} ns", 1e9 * seconds);
+}
+
+// A loop over ticks of so many strategies; the state is the loop's own until it ends.
+template <std::size_t count, typename State, typename Goals, typename Tick>
+Contestant loop(std::string name, State start, const Goals& goals, Tick tick) {
+  std::array<State, count> states;
+  states.fill(start);
+  return {std::move(name), [=, &goals](std::int64_t calls) mutable {
+            std::array<State, count> own = states;
+            for (std::int64_t k = 0; k < calls; ++k) {
+              const auto& goal = goals[static_cast<std::size_t>(k) % goal_count];
+              for (std::size_t i = 0; i < count; ++i) tick(i, goal, own[i]);
+            }
+            states = own;
+            keep(&states);
+          }};
+}
+
+template <glm::length_t D>
+void compare(Report& report) {
+  constexpr auto size = static_cast<std::size_t>(D);
+  const TickPlan<D> plan = slanted_plan<D>();
+  const auto goals = goals_in_and_out<D>();
+  using Divides = ByHand<size, false>;
+  using Multiplies = ByHand<size, true>;
+  const std::array<Divides, 3> divides{{{plan, 0}, {plan, 1}, {plan, 2}}};
+  const std::array<Multiplies, 3> multiplies{{{plan, 0}, {plan, 1}, {plan, 2}}};
+  const auto one_by_hand = [=](std::size_t, const Vector<D>& goal, auto& s) { divides[2].tick(goal, s); };
+  const auto one_multiplied = [=](std::size_t, const Vector<D>& goal, auto& s) { multiplies[2].tick(goal, s); };
+  const auto all_by_hand = [=](std::size_t i, const Vector<D>& goal, auto& s) { divides[i].tick(goal, s); };
+  const auto all_multiplied = [=](std::size_t i, const Vector<D>& goal, auto& s) { multiplies[i].tick(goal, s); };
+  const auto ours = [=](std::size_t, const Vector<D>& goal, auto& s) {
+    tick_strategy<D>(plan, plan.strategies[2], goal, s);
+  };
+
+  TickState<D> state = state_at_start(Vector<D>(0.0));
+  std::array<typename Divides::State, 3> same{};
+  for (std::size_t k = 0; k < 4 * goal_count; ++k) {
+    tick(plan, goals[k % goal_count], state);
+    for (std::size_t i = 0; i < 3; ++i) divides[i].tick(goals[k % goal_count], same[i]);
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t axis = 0; axis < size; ++axis) {
+      const double there = state.strategies[i].motion.position[static_cast<glm::length_t>(axis)];
+      // glm adds four products in another order.
+      if (!(std::abs(same[i].position[axis] - there) < 1e-12)) throw std::runtime_error("the loops differ");
+    }
+  }
+
+  const Contest contest({loop<1>("one", state.strategies[2], goals, ours),
+                         loop<1>("one by hand", typename Divides::State{}, goals, one_by_hand),
+                         loop<1>("one multiplied", typename Multiplies::State{}, goals, one_multiplied),
+                         {"all",
+                          [&](std::int64_t calls) {
+                            for (std::int64_t k = 0; k < calls; ++k)
+                              tick(plan, goals[static_cast<std::size_t>(k) % goal_count], state);
+                            keep(&state);
+                          }},
+                         loop<3>("all by hand", typename Divides::State{}, goals, all_by_hand),
+                         loop<3>("all multiplied", typename Multiplies::State{}, goals, all_multiplied)},
+                        many_short_turns);
+  const auto row = [&](std::string_view what, std::string_view name, std::optional<double> limit) {
+    const double ratio = contest.ratio(name, std::string(name) + " by hand");
+    report.row(fmt::format("D = {}: {}, against {} by hand", D, what,
+                           ns(contest.median_seconds(std::string(name) + " by hand"))),
+               fmt::format("{}, {:.2f} times", ns(contest.median_seconds(name)), ratio),
+               limit ? std::optional(at_most(ratio, *limit)) : std::nullopt);
+    report.row(fmt::format("D = {}: {}, against {} by hand without division", D, what,
+                           ns(contest.median_seconds(std::string(name) + " multiplied"))),
+               fmt::format("{:.2f} times", contest.ratio(name, std::string(name) + " multiplied")));
+  };
+  row("one strategy", "one", 1.25);
+  row("all three, by tick()", "all", std::nullopt);
+}
+
+// As the servo does it at each deadline.
+void log_and_publish(Report& report) {
+  const TickPlan<2> plan = slanted_plan<2>();
+  const auto goals = goals_in_and_out<2>();
+  TickState<2> state = state_at_start(Vector<2>(0.0));
+  ServoReport newest;
+  Sample sample;
+  Sample taken;
+  LatestValue<ServoReport> reports{newest};
+  moodycamel::BlockingReaderWriterCircularBuffer<Sample> samples(Servo::sample_capacity);
+  const auto tick_once = [&](std::int64_t k) { tick(plan, goals[static_cast<std::size_t>(k) % goal_count], state); };
+  const Contest contest({{"tick and snapshot",
+                          [&](std::int64_t calls) {
+                            for (std::int64_t k = 0; k < calls; ++k) {
+                              tick_once(k);
+                              newest.snapshot = snapshot_of(plan, state);
+                              keep(&newest);
+                            }
+                          }},
+                         {"published too",
+                          [&](std::int64_t calls) {
+                            for (std::int64_t k = 0; k < calls; ++k) {
+                              tick_once(k);
+                              newest.snapshot = snapshot_of(plan, state);
+                              reports.publish(newest);
+                            }
+                          }},
+                         {"logged too",
+                          [&](std::int64_t calls) {
+                            for (std::int64_t k = 0; k < calls; ++k) {
+                              tick_once(k);
+                              newest.snapshot = snapshot_of(plan, state);
+                              sample.snapshot = newest.snapshot;
+                              samples.try_enqueue(sample);
+                              reports.publish(newest);
+                              samples.try_dequeue(taken);
+                            }
+                            keep(&taken);
+                          }}},
+                        many_short_turns);
+  report.row("D = 2: all three and their snapshot", ns(contest.median_seconds("tick and snapshot")));
+  report.row(fmt::format("and published, {} bytes", sizeof(ServoReport)), ns(contest.median_seconds("published too")));
+  const double all = contest.median_seconds("logged too");
+  report.row(
+      fmt::format("and logged, {} bytes put into the ring and taken out again by the same thread", sizeof(Sample)),
+      ns(all), at_most(1e9 * all, 60.0, "ns"));
+}
+
+void publish(Report& report) {
+  struct alignas(64) Bytes {
+    std::array<std::uint64_t, 32> numbers;
+  };
+  Bytes source{};
+  LatestValue<Bytes> value{source};
+  // Three places in turn, as the exchange has them: a copy over the last one would have to wait for it.
+  std::array<Bytes, 3> copies{};
+  const Contest contest({{"published",
+                          [&](std::int64_t calls) {
+                            for (std::int64_t k = 0; k < calls; ++k) {
+                              keep(&source);
+                              value.publish(source);
+                            }
+                          }},
+                         {"copied",
+                          [&](std::int64_t calls) {
+                            std::size_t place = 0;
+                            for (std::int64_t k = 0; k < calls; ++k) {
+                              keep(&source);
+                              copies[place] = source;
+                              keep(&copies);
+                              place = place == 2 ? 0 : place + 1;
+                            }
+                          }}},
+                        many_short_turns);
+  const double ratio = contest.ratio("published", "copied");
+  report.row(fmt::format("256 bytes published, against {} for a bare copy", ns(contest.median_seconds("copied"))),
+             fmt::format("{}, {:.2f} times", ns(contest.median_seconds("published")), ratio), at_most(ratio, 1.5));
+}
+
+int run(int argc, char** argv) {
+  Report report("1. The tick");
+  report.paragraph(
+      "Ticks under a goal that goes into the wall and out again. By hand: the same equations on plain numbers, every "
+      "matrix worked out beforehand, the state in registers; without division: the effective mass is a factor worked "
+      "out beforehand, which rounds differently, so that the program may not do it: its results are kept bit for bit. "
+      "tick() is called as the servo calls it, with its state in memory.");
+  compare<2>(report);
+  compare<3>(report);
+  compare<4>(report);
+  log_and_publish(report);
+  publish(report);
+  report.note(
+      "Log and publish is copying: the snapshot into the report, into the sample, into the ring, out of it again and "
+      "into "
+      "the triple buffer, and the ring's 8192 samples do not stay in the second-level cache. Vectors in place of g++'s "
+      "`rep movs` and values aligned to cache lines were tried and gained nothing that could be told from noise.");
+  report.note(
+      "What publishing costs beyond the copy is one atomic exchange, which is what lets neither side wait. Tests show "
+      "that "
+      "nothing is torn (core_latest_value_test, under the thread sanitizer too) and that a tick makes no system call "
+      "(core_tick_system_calls_test).");
+  return report.finish(argc, argv);
+}
+
+}  // namespace
+}  // namespace ghostforce::bench
+
+int main(int argc, char** argv) {
+  try {
+    return ghostforce::bench::run(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 70;
+  }
+}
