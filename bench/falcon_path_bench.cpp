@@ -151,7 +151,8 @@ int run(int argc, char** argv) {
       "closed "
       "form; three Newton steps it is from 1 mm away, of some 50 ns each, after three sines and cosines. Squared "
       "lengths "
-      "and no look after a last short step took a quarter off; keeping divisions out of the gradients gained nothing.");
+      "and no look after a last short step took a quarter off; keeping divisions out of the gradients gained nothing "
+      "that could be told from noise.");
   return report.finish(argc, argv);
 }
 

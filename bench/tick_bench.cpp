@@ -295,10 +295,9 @@ int run(int argc, char** argv) {
   log_and_publish(report);
   publish(report);
   report.note(
-      "Log and publish is copying: the snapshot into the report, into the sample, into the ring, out of it again and "
-      "into "
-      "the triple buffer, and the ring's 8192 samples do not stay in the second-level cache. Vectors in place of g++'s "
-      "`rep movs` and values aligned to cache lines were tried and gained nothing that could be told from noise.");
+      "Log and publish is mostly copying: the snapshot into the report, into the sample, into the ring, out of it "
+      "again and into the triple buffer; taking it out, which the servo does not do, is included. The ring's 8192 "
+      "samples do not stay in the second-level cache.");
   report.note(
       "What publishing costs beyond the copy is one atomic exchange, which is what lets neither side wait. Tests show "
       "that "
