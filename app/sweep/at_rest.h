@@ -1,11 +1,12 @@
 // What a sweep knows about one point: where everything comes to rest, by closed form, by simulation or both. Pure, any
-// thread; allocates nothing.
+// thread but the servo's.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "app/predicted_rest.h"
 #include "app/sweep/settle.h"
@@ -33,6 +34,24 @@ struct PointAtRest {
 };
 
 // Under the last waypoint of the scene's path.
-PointAtRest at_rest(const Scene& scene, const RestKind& kind) noexcept;
+PointAtRest at_rest(const Scene& scene, const RestKind& kind);
+
+// The same for points put into one scene, one after the other; simulated side by side in the end, which is several
+// times faster.
+class PointsAtRest {
+ public:
+  explicit PointsAtRest(const RestKind& kind) : kind_(kind) {}
+
+  // The scenes share one path.
+  void add(const Scene& scene);
+
+  // In the order of their coming. Once.
+  std::vector<PointAtRest> take(const GoalPath& path);
+
+ private:
+  const RestKind& kind_;
+  std::vector<PointAtRest> points_;
+  std::vector<SettledPoint> to_settle_;
+};
 
 }  // namespace ghostforce

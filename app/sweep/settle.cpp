@@ -1,86 +1,141 @@
 #include "app/sweep/settle.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 
 #include <glm/geometric.hpp>
 
+#include "core/batch.h"
+
 namespace ghostforce {
 namespace {
 
-// Ticks between two looks at whether the devices stand still: a look costs about as much as a tick.
-constexpr std::int64_t ticks_between_looks = 32;
+// Ticks between two looks at whether the devices stand still: a look costs about as much as ten ticks.
+constexpr std::int64_t ticks_between_looks = 64;
 
 constexpr double picometre = 1e-12;  // [m]
 
 // Far above what counts as rest, so that it must die away, and far below anything that matters.
-constexpr double nudge_m = 1e-9;
+const Vector<2> nudge{0.8e-9, 0.6e-9};  // [m]
 
 // Roundings that add up in one force: those of q_h, q_p and o, of their difference and of the products.
 constexpr double roundings = 16.0;
 
-// F of settle.h [N].
-double negligible_force(const Settings& settings, const TickPlan<2>& plan, std::size_t strategy,
-                        const StrategySnapshot<2>& now, const Vector<2>& goal) noexcept {
+// What tells whether a lane is at rest.
+struct Balance {
+  double k_u;             // [N/m]
+  double still;           // √(k_u m) [N·s/m]
+  double least;           // F of settle.h without the roundings [N]
+  double rounding;        // what a position's roundings make of it [N/m]
+  double farthest_given;  // the greater one of q_u² and o² [m²]
+};
+
+Balance balance_of(const Settings& settings, const TickPlan<2>& plan, std::size_t strategy,
+                   const Vector<2>& goal) noexcept {
   const Impedances& impedances = settings.impedances;
-  const double farthest =
-      std::max({glm::length(now.device), glm::length(now.proxy), glm::length(goal), glm::length(settings.wall_point)});
   const double step = glm::length(plan.strategies[strategy].proxy_step);
+  const double still = std::sqrt(impedances.k_u * settings.mass);
   // Springs make forces of positions; damping and inertia hold a device back until a tick moves it by an ulp.
-  const double stiffness = impedances.k_u + impedances.k_r * (1.0 + step) + settings.damping * settings.rate +
-                           std::sqrt(impedances.k_u * settings.mass) * settings.rate;
-  return impedances.k_u * picometre + roundings * std::numeric_limits<double>::epsilon() * farthest * stiffness;
+  const double stiffness = impedances.k_u + impedances.k_r * (1.0 + step) + (settings.damping + still) * settings.rate;
+  return {impedances.k_u, still, impedances.k_u * picometre,
+          roundings * std::numeric_limits<double>::epsilon() * stiffness,
+          std::max(glm::dot(goal, goal), glm::dot(settings.wall_point, settings.wall_point))};
 }
 
 enum class Course { moving, at_rest, run_away };
 
-Course course_of(const Settings& settings, const TickPlan<2>& plan, const TickState<2>& state, std::size_t strategy,
-                 const StrategySnapshot<2>& now) noexcept {
-  const Vector<2>& velocity = state.strategies[strategy].motion.velocity;
-  if (!std::isfinite(glm::dot(now.device, now.device)) || !std::isfinite(glm::dot(now.force, now.force))) {
-    return Course::run_away;
-  }
-  const double k_u = settings.impedances.k_u;
-  const double negligible = negligible_force(settings, plan, strategy, now, state.goal);
-  const bool is_balanced = glm::length(k_u * (state.goal - now.device) + now.force) <= negligible;
-  const bool is_still = std::sqrt(k_u * settings.mass) * glm::length(velocity) <= negligible;
+// Squares are compared where that saves a root: most looks find a device that moves.
+Course course_of(const Balance& balance, const Batch::Lane& now, const Vector<2>& goal) noexcept {
+  const double device = glm::dot(now.device, now.device);
+  if (!std::isfinite(device) || !std::isfinite(glm::dot(now.force, now.force))) return Course::run_away;
+  const double farthest = std::max({balance.farthest_given, device, glm::dot(now.proxy, now.proxy)});
+  const double negligible = balance.least + balance.rounding * std::sqrt(farthest);
+  const Vector<2> pull = balance.k_u * (goal - now.device) + now.force;
+  const Vector<2> inertia = balance.still * now.velocity;
+  const bool is_balanced = glm::dot(pull, pull) <= negligible * negligible;
+  const bool is_still = glm::dot(inertia, inertia) <= negligible * negligible;
   return is_balanced && is_still ? Course::at_rest : Course::moving;
 }
 
-// A hand that comes straight at the wall excites nothing along it, and an unstable loop could stand on its edge.
-void nudge(TickState<2>& state) noexcept {
-  for (auto& strategy : state.strategies) strategy.motion.position += nudge_m * Vector<2>(0.8, 0.6);
+// Who is in a lane.
+struct Settling {
+  std::size_t point;
+  std::size_t strategy;
+  Balance balance;
+};
+
+// All lanes follow the path as play.h and `simulate` do, a piece of it at a time.
+void follow(const GoalPath& path, double rate, std::int64_t last, Batch& batch) noexcept {
+  std::array<Vector<2>, 256> goals;
+  std::int64_t k = 0;
+  const auto is_over = [&] { return k >= last || time_of(k, rate) >= path.times.back(); };
+  while (!is_over()) {
+    std::size_t count = 0;
+    for (; count < goals.size() && !is_over(); ++count) goals[count] = goal_at(path, time_of(++k, rate));
+    batch.follow({goals.data(), count});
+  }
+}
+
+// Points that share each tick's goal, having one rate and one duration. `rests` has a place for each, empty yet.
+void settle_together(const GoalPath& path, std::span<const SettledPoint> points, std::span<SimulatedRests> rests) {
+  const Vector<2> start = goal_at(path, 0.0);
+  const Vector<2> goal = path.points.back();
+  Batch batch;
+  std::vector<Settling> lanes;
+  lanes.reserve(points.size() * strategy_count);
+  for (std::size_t point = 0; point < points.size(); ++point) {
+    const Settings& settings = points[point].settings;
+    const TickPlan<2> plan = plan_of(settings);
+    for (const Strategy& strategy : strategy_catalog()) {
+      batch.add(plan, strategy.id, start);
+      lanes.push_back({point, index_of(strategy.id), balance_of(settings, plan, index_of(strategy.id), goal)});
+    }
+  }
+
+  const double rate = points.front().settings.rate;
+  follow(path, rate, std::llround(points.front().duration * rate), batch);
+  // A hand that comes straight at the wall excites nothing along it, and an unstable loop could stand on its edge.
+  batch.displace(nudge);
+  for (std::size_t i = 0; i < lanes.size(); ++i) batch.set_goal(i, goal);
+  for (std::int64_t held = 0; held < most_held_ticks && !lanes.empty(); held += ticks_between_looks) {
+    batch.hold(ticks_between_looks);
+    // Backwards: the lane that comes in a removed one's place has been looked at.
+    for (std::size_t i = lanes.size(); i-- > 0;) {
+      const Batch::Lane now = batch[i];
+      const Course course = course_of(lanes[i].balance, now, goal);
+      if (course == Course::moving) continue;
+      if (course == Course::at_rest) {
+        rests[lanes[i].point][lanes[i].strategy] = SimulatedRest{now.device, now.proxy, now.force};
+      }
+      batch.remove(i);
+      lanes[i] = lanes.back();
+      lanes.pop_back();
+    }
+  }
 }
 
 }  // namespace
 
-PerStrategy<std::optional<SimulatedRest>> settle(const Scene& scene) noexcept {
-  const TickPlan<2> plan = plan_of(scene.settings);
-  TickState<2> state = state_at_start(goal_at(scene.goal, 0.0));
-  const std::int64_t last = last_tick(scene);
-  for (; state.tick < last && time_of(state.tick, plan.rate) < scene.goal.times.back();) {
-    tick(plan, goal_at(scene.goal, time_of(state.tick + 1, plan.rate)), state);
-  }
-
-  nudge(state);
-  const Vector<2> goal = scene.goal.points.back();
-  PerStrategy<std::optional<SimulatedRest>> rests;
-  PerStrategy<bool> is_done{};
-  for (std::int64_t held = 0; held < most_held_ticks && std::ranges::count(is_done, false) > 0;
-       held += ticks_between_looks) {
-    for (std::int64_t i = 0; i < ticks_between_looks; ++i) tick(plan, goal, state);
-    const Snapshot snapshot = snapshot_of(plan, state);
-    for (std::size_t i = 0; i < strategy_count; ++i) {
-      if (is_done[i]) continue;
-      const StrategySnapshot<2>& now = snapshot.strategies[i];
-      const Course course = course_of(scene.settings, plan, state, i, now);
-      is_done[i] = course != Course::moving;
-      if (course == Course::at_rest) rests[i] = SimulatedRest{now.device, now.proxy, now.force};
-    }
+std::vector<SimulatedRests> settle(const GoalPath& path, std::span<const SettledPoint> points) {
+  std::vector<SimulatedRests> rests(points.size());
+  const auto is_alike = [](const SettledPoint& one, const SettledPoint& other) {
+    return one.settings.rate == other.settings.rate && one.duration == other.duration;
+  };
+  for (std::size_t first = 0; first < points.size();) {
+    std::size_t count = 1;
+    while (first + count < points.size() && is_alike(points[first], points[first + count])) ++count;
+    settle_together(path, points.subspan(first, count), std::span(rests).subspan(first, count));
+    first += count;
   }
   return rests;
+}
+
+SimulatedRests settle(const Scene& scene) {
+  const SettledPoint point{scene.settings, scene.duration};
+  return settle(scene.goal, {&point, 1}).front();
 }
 
 }  // namespace ghostforce

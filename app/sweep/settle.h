@@ -1,9 +1,11 @@
 // Where the simulated devices come to rest: the scene's scripted hand, tick by tick, then held still until the devices
-// stand still too. Pure, any thread; allocates nothing.
+// stand still too. Many settings side by side (core/batch.h), on the calling thread. Pure, any thread but the servo's.
 #pragma once
 
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "core/scene.h"
 #include "core/strategy.h"
@@ -30,6 +32,16 @@ inline constexpr std::int64_t most_held_ticks = 1'000'000;
 //
 // Empty for a strategy that does not come to rest: its loop is unstable, or goes on swinging against the wall, or takes
 // longer than most_held_ticks.
-PerStrategy<std::optional<SimulatedRest>> settle(const Scene& scene) noexcept;
+using SimulatedRests = PerStrategy<std::optional<SimulatedRest>>;
+SimulatedRests settle(const Scene& scene);
+
+// What of a scene may differ between those that settle together.
+struct SettledPoint {
+  Settings settings;
+  double duration;  // of the scene [s]
+};
+
+// The same for many points under one path, several times faster; not a bit of a point's result depends on the others.
+std::vector<SimulatedRests> settle(const GoalPath& path, std::span<const SettledPoint> points);
 
 }  // namespace ghostforce

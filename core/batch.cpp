@@ -1,0 +1,162 @@
+#include "core/batch.h"
+
+#include <glm/geometric.hpp>
+
+// On other processors there are no such instructions, and widest_instructions() never names them.
+#if defined(__x86_64__)
+#define GHOSTFORCE_WITH_AVX2 [[gnu::target("avx2")]]
+#else
+#define GHOSTFORCE_WITH_AVX2
+#endif
+
+namespace ghostforce {
+
+Instructions widest_instructions() noexcept {
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("avx2")) return Instructions::avx2;
+#endif
+  return Instructions::baseline;
+}
+
+struct Batch::Kernel {
+  // All that makes a lane, each number's eight.
+  template <typename Do>
+  static void for_each_number(Block& block, const Do& what) noexcept {
+    for (Lanes* lanes : {&block.v_xx, &block.v_xy, &block.v_yy, &block.spring, &block.wall_depth, &block.depth}) {
+      what(*lanes);
+    }
+    for (Pair* pair : {&block.wall, &block.normal, &block.goal, &block.device, &block.way}) {
+      what(pair->x);
+      what(pair->y);
+    }
+  }
+
+  // The state is copied to where the compiler sees that nothing else can reach it, so that it stays in registers; the
+  // loop over the lanes becomes vector instructions by itself, the maximum too. Inlined into the functions that say
+  // which.
+  template <bool is_held>
+  [[gnu::always_inline]] static void advance(std::span<Block> blocks, std::span<const Vector<2>> goals,
+                                             std::int64_t ticks) noexcept {
+    for (Block& block : blocks) {
+      Lanes device_x = block.device.x;
+      Lanes device_y = block.device.y;
+      Lanes way_x = block.way.x;
+      Lanes way_y = block.way.y;
+      Lanes depth = block.depth;
+      for (std::int64_t k = 0; k < ticks; ++k) {
+        for (std::size_t i = 0; i < width; ++i) {
+          const double goal_x = is_held ? block.goal.x[i] : goals[static_cast<std::size_t>(k)].x;
+          const double goal_y = is_held ? block.goal.y[i] : goals[static_cast<std::size_t>(k)].y;
+          const double x = block.v_xx[i] * way_x[i] + block.v_xy[i] * way_y[i] +
+                           block.spring[i] * (goal_x - device_x[i]) + block.wall.x[i] * depth[i];
+          const double y = block.v_xy[i] * way_x[i] + block.v_yy[i] * way_y[i] +
+                           block.spring[i] * (goal_y - device_y[i]) + block.wall.y[i] * depth[i];
+          const double inside =
+              block.wall_depth[i] - (block.normal.x[i] * device_x[i] + block.normal.y[i] * device_y[i]);
+          depth[i] = inside > 0.0 ? inside : 0.0;
+          way_x[i] = x;
+          way_y[i] = y;
+          device_x[i] += x;
+          device_y[i] += y;
+        }
+      }
+      block.device = {device_x, device_y};
+      block.way = {way_x, way_y};
+      block.depth = depth;
+    }
+  }
+
+  template <bool is_held>
+  static void advance_baseline(std::span<Block> blocks, std::span<const Vector<2>> goals, std::int64_t ticks) noexcept {
+    advance<is_held>(blocks, goals, ticks);
+  }
+
+  template <bool is_held>
+  GHOSTFORCE_WITH_AVX2 static void advance_avx2(std::span<Block> blocks, std::span<const Vector<2>> goals,
+                                                std::int64_t ticks) noexcept {
+    advance<is_held>(blocks, goals, ticks);
+  }
+};
+#undef GHOSTFORCE_WITH_AVX2
+
+void Batch::add(const TickPlan<2>& plan, StrategyId strategy, const Vector<2>& goal) {
+  const std::size_t i = size() % width;
+  if (i == 0) blocks_.emplace_back();
+  const auto& [rendering, proxy_step] = plan.strategies[index_of(strategy)];
+  readings_.push_back({rendering, proxy_step, plan.rate});
+
+  const SampledDevice& device = plan.device;
+  const double dt = device.period;
+  const double effective_mass = device.mass + dt * device.damping + dt * dt * device.user_stiffness;
+  const Matrix<2> v = (Matrix<2>(device.mass) - dt * dt * rendering) / effective_mass;
+  const Vector<2> w = dt * dt * (rendering * proxy_step) / effective_mass;
+
+  Block& block = blocks_.back();
+  block.v_xx[i] = v[0][0];
+  block.v_xy[i] = v[0][1];
+  block.v_yy[i] = v[1][1];
+  block.spring[i] = dt * dt * device.user_stiffness / effective_mass;
+  block.wall.x[i] = w.x;
+  block.wall.y[i] = w.y;
+  block.normal.x[i] = plan.wall.normal.x;
+  block.normal.y[i] = plan.wall.normal.y;
+  block.wall_depth[i] = glm::dot(plan.wall.normal, plan.wall.point);
+  block.device.x[i] = goal.x;
+  block.device.y[i] = goal.y;
+  set_goal(size() - 1, goal);
+}
+
+void Batch::remove(std::size_t lane) noexcept {
+  const std::size_t last = size() - 1;
+  std::array<double, sizeof(Block) / sizeof(Lanes)> moved;
+  double* out = moved.data();
+  Kernel::for_each_number(blocks_.back(), [&](Lanes& numbers) {
+    *out++ = numbers[last % width];
+    numbers[last % width] = 0.0;
+  });
+  if (lane != last) {
+    const double* in = moved.data();
+    Kernel::for_each_number(blocks_[lane / width], [&](Lanes& numbers) { numbers[lane % width] = *in++; });
+    readings_[lane] = readings_[last];
+  }
+  readings_.pop_back();
+  if (last % width == 0) blocks_.pop_back();
+}
+
+void Batch::set_goal(std::size_t lane, const Vector<2>& goal) noexcept {
+  blocks_[lane / width].goal.x[lane % width] = goal.x;
+  blocks_[lane / width].goal.y[lane % width] = goal.y;
+}
+
+Batch::Lane Batch::operator[](std::size_t lane) const noexcept {
+  const Block& block = blocks_[lane / width];
+  const std::size_t i = lane % width;
+  const Reading& reading = readings_[lane];
+  const Vector<2> device(block.device.x[i], block.device.y[i]);
+  const Vector<2> way(block.way.x[i], block.way.y[i]);
+  const Vector<2> from_device = reading.proxy_step * block.depth[i] - way;  // q_p − q_h
+  return {device, reading.rate * way, device + from_device, reading.rendering * from_device};
+}
+
+void Batch::displace(const Vector<2>& way) noexcept {
+  for (std::size_t lane = 0; lane < size(); ++lane) {
+    Pair& device = blocks_[lane / width].device;
+    device.x[lane % width] += way.x;
+    device.y[lane % width] += way.y;
+  }
+}
+
+void Batch::hold(std::int64_t ticks) noexcept {
+  (instructions_ == Instructions::avx2 ? Kernel::advance_avx2<true> : Kernel::advance_baseline<true>)(blocks_, {},
+                                                                                                      ticks);
+}
+
+void Batch::follow(std::span<const Vector<2>> goals) noexcept {
+  if (goals.empty()) return;
+  const auto ticks = static_cast<std::int64_t>(goals.size());
+  (instructions_ == Instructions::avx2 ? Kernel::advance_avx2<false> : Kernel::advance_baseline<false>)(blocks_, goals,
+                                                                                                        ticks);
+  for (std::size_t lane = 0; lane < size(); ++lane) set_goal(lane, goals.back());
+}
+
+}  // namespace ghostforce
