@@ -13,7 +13,7 @@
 namespace ghostforce {
 namespace {
 
-// Ticks between two looks at whether the devices stand still: a look costs about as much as ten ticks.
+// Ticks between two looks at whether the devices stand still: a look costs about as much as twenty ticks of a lane.
 constexpr std::int64_t ticks_between_looks = 64;
 
 constexpr double picometre = 1e-12;  // [m]

@@ -15,7 +15,7 @@ namespace {
 
 // Points of a block: enough that handing it over costs nothing beside it, few enough that the progress shows and that
 // the blocks in memory stay small (a row by closed form has some 250 letters; points that never come to rest take some
-// 2 ms each when simulated). Those that are simulated share the longest one's time with the short ones.
+// 2 ms each). Of simulated points there are enough for vectors to be full while the slowest ones come to rest.
 constexpr std::int64_t predicted_per_block = 512;
 constexpr std::int64_t simulated_per_block = 32;
 

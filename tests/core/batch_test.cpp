@@ -186,11 +186,16 @@ TEST(Batch, TheLastLaneTakesTheRemovedOnesPlace) {
   ASSERT_EQ(batch.size(), left.size());
   for (std::size_t i = 0; i < left.size(); ++i) expect_same(batch[i], whole[left[i]]);
 
-  while (batch.size() > 0) batch.remove(0);
-  batch.add(loops[5].plan, loops[5].strategy, loops[5].start);
-  batch.set_goal(0, loops[5].goal);
-  batch.hold(200);
-  expect_same(batch[0], whole[5]);
+  // A new one where there has been another, and in a batch that has become empty.
+  while (true) {
+    const std::size_t lane = batch.size();
+    batch.add(loops[5].plan, loops[5].strategy, loops[5].start);
+    batch.set_goal(lane, loops[5].goal);
+    batch.hold(200);
+    expect_same(batch[lane], whole[5]);
+    if (lane == 0) break;
+    while (batch.size() > 0) batch.remove(0);
+  }
 }
 
 }  // namespace
