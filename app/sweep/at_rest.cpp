@@ -1,9 +1,13 @@
 #include "app/sweep/at_rest.h"
 
-#include <cstddef>
 #include <utility>
 
 namespace ghostforce {
+
+PointsAtRest::PointsAtRest(const RestKind& kind, std::size_t expected) : kind_(kind) {
+  points_.reserve(expected);
+  if (kind.simulated) to_settle_.reserve(expected);
+}
 
 void PointsAtRest::add(const Scene& scene) {
   const Vector<2>& goal = scene.goal.points.back();
@@ -20,7 +24,7 @@ std::vector<PointAtRest> PointsAtRest::take(const GoalPath& path) {
 }
 
 PointAtRest at_rest(const Scene& scene, const RestKind& kind) {
-  PointsAtRest points(kind);
+  PointsAtRest points(kind, 1);
   points.add(scene);
   return points.take(scene.goal).front();
 }

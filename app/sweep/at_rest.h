@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -40,7 +41,8 @@ PointAtRest at_rest(const Scene& scene, const RestKind& kind);
 // times faster.
 class PointsAtRest {
  public:
-  explicit PointsAtRest(const RestKind& kind) : kind_(kind) {}
+  // Has room for `expected` points.
+  PointsAtRest(const RestKind& kind, std::size_t expected);
 
   // The scenes share one path.
   void add(const Scene& scene);

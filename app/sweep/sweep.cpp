@@ -31,7 +31,7 @@ Block make_block(const SweepPlan& plan, std::int64_t first, std::int64_t count) 
   using Clock = std::chrono::steady_clock;
   Block block;
   Scene scene = plan.scene;
-  PointsAtRest points(plan.kind);
+  PointsAtRest points(plan.kind, static_cast<std::size_t>(count));
   const Clock::time_point start = Clock::now();
   while (block.points < count && !interrupted()) {
     put_point(plan.grid, first + block.points, scene);
