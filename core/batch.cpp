@@ -1,5 +1,7 @@
 #include "core/batch.h"
 
+#include <cstring>
+
 #include <glm/geometric.hpp>
 
 // On other processors there are no such instructions, and widest_instructions() never names them.
@@ -18,6 +20,14 @@ Instructions widest_instructions() noexcept {
   return Instructions::baseline;
 }
 
+namespace {
+
+// Registers, as g++ and clang++ know them; each operation is done number by number.
+typedef double TwoDoubles __attribute__((vector_size(16)));
+typedef double FourDoubles __attribute__((vector_size(32)));
+
+}  // namespace
+
 struct Batch::Kernel {
   // All that makes a lane, each number's eight.
   template <typename Do>
@@ -31,50 +41,76 @@ struct Batch::Kernel {
     }
   }
 
-  // The state is copied to where the compiler sees that nothing else can reach it, so that it stays in registers; the
-  // loop over the lanes becomes vector instructions by itself, the maximum too. Inlined into the functions that say
-  // which.
-  template <bool is_held>
+  // Two registers at a time: the sums of one are made while those of the other are waited for, and the state of more
+  // would not stay in the 16 registers that there are. Inlined into the functions that say with which instructions.
+  template <bool is_held, typename Register>
   [[gnu::always_inline]] static void advance(std::span<Block> blocks, std::span<const Vector<2>> goals,
                                              std::int64_t ticks) noexcept {
+    constexpr std::size_t pair = 2;
+    constexpr std::size_t in_register = sizeof(Register) / sizeof(double);
+    static_assert(width % (pair * in_register) == 0);
+    using Registers = Register[pair];
     for (Block& block : blocks) {
-      Lanes device_x = block.device.x;
-      Lanes device_y = block.device.y;
-      Lanes way_x = block.way.x;
-      Lanes way_y = block.way.y;
-      Lanes depth = block.depth;
-      for (std::int64_t k = 0; k < ticks; ++k) {
-        for (std::size_t i = 0; i < width; ++i) {
-          const double goal_x = is_held ? block.goal.x[i] : goals[static_cast<std::size_t>(k)].x;
-          const double goal_y = is_held ? block.goal.y[i] : goals[static_cast<std::size_t>(k)].y;
-          const double x = block.v_xx[i] * way_x[i] + block.v_xy[i] * way_y[i] +
-                           block.spring[i] * (goal_x - device_x[i]) + block.wall.x[i] * depth[i];
-          const double y = block.v_xy[i] * way_x[i] + block.v_yy[i] * way_y[i] +
-                           block.spring[i] * (goal_y - device_y[i]) + block.wall.y[i] * depth[i];
-          const double inside =
-              block.wall_depth[i] - (block.normal.x[i] * device_x[i] + block.normal.y[i] * device_y[i]);
-          depth[i] = inside > 0.0 ? inside : 0.0;
-          way_x[i] = x;
-          way_y[i] = y;
-          device_x[i] += x;
-          device_y[i] += y;
+      for (std::size_t first = 0; first < width; first += pair * in_register) {
+        const auto load = [first](const Lanes& from, Registers& to) { std::memcpy(&to, &from[first], sizeof to); };
+        const auto store = [first](const Registers& from, Lanes& to) { std::memcpy(&to[first], &from, sizeof from); };
+        Registers v_xx, v_xy, v_yy, spring, wall_x, wall_y, normal_x, normal_y, wall_depth, goal_x, goal_y;
+        load(block.v_xx, v_xx);
+        load(block.v_xy, v_xy);
+        load(block.v_yy, v_yy);
+        load(block.spring, spring);
+        load(block.wall.x, wall_x);
+        load(block.wall.y, wall_y);
+        load(block.normal.x, normal_x);
+        load(block.normal.y, normal_y);
+        load(block.wall_depth, wall_depth);
+        load(block.goal.x, goal_x);
+        load(block.goal.y, goal_y);
+        Registers device_x, device_y, way_x, way_y, depth;
+        load(block.device.x, device_x);
+        load(block.device.y, device_y);
+        load(block.way.x, way_x);
+        load(block.way.y, way_y);
+        load(block.depth, depth);
+        for (std::int64_t k = 0; k < ticks; ++k) {
+          for (std::size_t i = 0; i < pair; ++i) {
+            Register to_goal_x;
+            Register to_goal_y;
+            if constexpr (is_held) {
+              to_goal_x = goal_x[i] - device_x[i];
+              to_goal_y = goal_y[i] - device_y[i];
+            } else {
+              to_goal_x = goals[static_cast<std::size_t>(k)].x - device_x[i];
+              to_goal_y = goals[static_cast<std::size_t>(k)].y - device_y[i];
+            }
+            const Register x = v_xx[i] * way_x[i] + v_xy[i] * way_y[i] + spring[i] * to_goal_x + wall_x[i] * depth[i];
+            const Register y = v_xy[i] * way_x[i] + v_yy[i] * way_y[i] + spring[i] * to_goal_y + wall_y[i] * depth[i];
+            const Register inside = wall_depth[i] - (normal_x[i] * device_x[i] + normal_y[i] * device_y[i]);
+            depth[i] = inside > 0.0 ? inside : Register{};
+            way_x[i] = x;
+            way_y[i] = y;
+            device_x[i] += x;
+            device_y[i] += y;
+          }
         }
+        store(device_x, block.device.x);
+        store(device_y, block.device.y);
+        store(way_x, block.way.x);
+        store(way_y, block.way.y);
+        store(depth, block.depth);
       }
-      block.device = {device_x, device_y};
-      block.way = {way_x, way_y};
-      block.depth = depth;
     }
   }
 
   template <bool is_held>
   static void advance_baseline(std::span<Block> blocks, std::span<const Vector<2>> goals, std::int64_t ticks) noexcept {
-    advance<is_held>(blocks, goals, ticks);
+    advance<is_held, TwoDoubles>(blocks, goals, ticks);
   }
 
   template <bool is_held>
   GHOSTFORCE_WITH_AVX2 static void advance_avx2(std::span<Block> blocks, std::span<const Vector<2>> goals,
                                                 std::int64_t ticks) noexcept {
-    advance<is_held>(blocks, goals, ticks);
+    advance<is_held, FourDoubles>(blocks, goals, ticks);
   }
 };
 #undef GHOSTFORCE_WITH_AVX2

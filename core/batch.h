@@ -70,7 +70,7 @@ class Batch {
   Lane operator[](std::size_t lane) const noexcept;
 
  private:
-  static constexpr std::size_t width = 8;  // two registers of 4, or four of 2: enough to hide how long one sum takes
+  static constexpr std::size_t width = 8;  // two registers of 4, or four of 2
   using Lanes = std::array<double, width>;
   struct Pair {
     Lanes x{};
