@@ -8,11 +8,20 @@
 namespace ghostforce {
 
 struct SampledDevice {
-  double mass;            // m, device and hand together [kg]
-  double damping;         // b, device and hand together [N·s/m]
-  double user_stiffness;  // k_u [N/m]
-  double period;          // dt [s]
+  double mass;                // m, device and hand together [kg]
+  double damping;             // b, device and hand together [N·s/m]
+  double user_stiffness;      // k_u [N/m]
+  double period;              // dt [s]
+  double velocity_kept;       // m / (m + dt b + dt² k_u), of one tick to the next [1]
+  double velocity_per_force;  // dt / (m + dt b + dt² k_u) [m/s/N]
 };
+
+// What the other four decide is worked out here, once per change of a setting: a division takes longer than all the
+// rest of a tick.
+constexpr SampledDevice sampled_device(double mass, double damping, double user_stiffness, double period) noexcept {
+  const double effective_mass = mass + period * damping + period * period * user_stiffness;
+  return {mass, damping, user_stiffness, period, mass / effective_mass, period / effective_mass};
+}
 
 template <glm::length_t D>
 struct DeviceMotion {
@@ -26,11 +35,10 @@ struct DeviceMotion {
 template <glm::length_t D>
 DeviceMotion<D> step(const SampledDevice& device, const DeviceMotion<D>& before, const Vector<D>& goal,
                      const Vector<D>& held_force) noexcept {
-  const double dt = device.period;
-  const double effective_mass = device.mass + dt * device.damping + dt * dt * device.user_stiffness;
   const Vector<D> hand_force = device.user_stiffness * (goal - before.position);  // (1)
-  const Vector<D> velocity = (device.mass * before.velocity + dt * (hand_force + held_force)) / effective_mass;
-  return {before.position + dt * velocity, velocity};
+  const Vector<D> velocity =
+      device.velocity_kept * before.velocity + device.velocity_per_force * (hand_force + held_force);
+  return {before.position + device.period * velocity, velocity};
 }
 
 }  // namespace ghostforce

@@ -11,7 +11,7 @@ namespace ghostforce {
 template <glm::length_t D>
 TickPlan<D> plan_tick(const Wall<D>& wall, const Actuation<D>& actuation, const Impedances& impedances, double mass,
                       double damping, double rate) noexcept {
-  TickPlan<D> plan{wall, actuation, {mass, damping, impedances.k_u, 1.0 / rate}, rate, {}};
+  TickPlan<D> plan{wall, actuation, sampled_device(mass, damping, impedances.k_u, 1.0 / rate), rate, {}};
   for (const Strategy& strategy : strategy_catalog()) {
     const Coupling<D> coupling = make_coupling(strategy, impedances, actuation);
     plan.strategies[index_of(strategy.id)] = {coupling.rendering, proxy_step(wall.normal, coupling, impedances.k_c)};

@@ -26,8 +26,10 @@ TYPED_TEST(SampledDeviceTest, IsOneImplicitStep) {
   Random random(1);
   for (int i = 0; i < 1000; ++i) {
     SCOPED_TRACE(i);
-    const SampledDevice device{random.over_decades(0.001, 100.0), random.over_decades(0.01, 1e3),
-                               random.over_decades(0.1, 1e4), 1.0 / random.over_decades(10.0, 2e4)};
+    const double mass = random.over_decades(0.001, 100.0);
+    const double damping = random.over_decades(0.01, 1e3);
+    const double user_stiffness = random.over_decades(0.1, 1e4);
+    const SampledDevice device = sampled_device(mass, damping, user_stiffness, 1.0 / random.over_decades(10.0, 2e4));
     const DeviceMotion<D> before{random.in_box<D>(0.1), random.in_box<D>(1.0)};
     const Vector<D> goal = random.in_box<D>(0.1);
     const Vector<D> held_force = random.in_box<D>(10.0);
@@ -49,7 +51,7 @@ TYPED_TEST(SampledDeviceTest, IsOneImplicitStep) {
 
 TYPED_TEST(SampledDeviceTest, RestsWhereHandAndRenderingBalance) {
   constexpr glm::length_t D = TypeParam::value;
-  const SampledDevice device{0.1, 5.0, 128.0, 0.001};  // powers of two: the balance is exact
+  const SampledDevice device = sampled_device(0.1, 5.0, 128.0, 0.001);  // powers of two: the balance is exact
   const Vector<D> goal(0.25);
   const Vector<D> force(-16.0);
   const DeviceMotion<D> rest{goal + force / 128.0, Vector<D>(0.0)};
@@ -76,7 +78,7 @@ struct Oscillator {
 
 // Greatest error over one second at a period.
 double greatest_error(const Oscillator& o, double period) {
-  const SampledDevice device{o.mass, o.damping, o.stiffness, period};
+  const SampledDevice device = sampled_device(o.mass, o.damping, o.stiffness, period);
   const Vector<2> goal{0.02, -0.01};
   const Vector<2> force{1.0, 0.5};
   DeviceMotion<2> motion{{-0.03, 0.02}, {0.1, 0.2}};
@@ -115,8 +117,8 @@ TEST(SampledDevice, StaysBoundedAtAnyPeriod) {
   Random random(2);
   for (int i = 0; i < 1000; ++i) {
     SCOPED_TRACE(i);
-    const SampledDevice device{random.over_decades(0.001, 100.0), random.over_decades(1e-3, 1e4),
-                               random.over_decades(0.1, 1e6), 1.0 / random.over_decades(10.0, 2e4)};
+    const SampledDevice device = sampled_device(random.over_decades(0.001, 100.0), random.over_decades(1e-3, 1e4),
+                                                random.over_decades(0.1, 1e6), 1.0 / random.over_decades(10.0, 2e4));
     DeviceMotion<2> motion{{0.1, -0.1}, {0.0, 0.0}};
     for (int k = 0; k < 2000; ++k) {
       motion = step(device, motion, Vector<2>(0.0), Vector<2>(0.0));
