@@ -138,42 +138,42 @@ std::string words_about_extra(const CLI::App& app, const CLI::App* command, cons
   throw Failure(ExitCode::wrong_call, fmt::format("{}; '{}' tells more", what, help_call(command)));
 }
 
-void print(std::string_view text) {
+int print(std::string_view text) {
   OutputFile output("-");
   output.write(text);
   output.commit();
+  return static_cast<int>(ExitCode::done);
 }
 
 }  // namespace
 
-int run_command_line(std::vector<std::string> words) {
+std::function<int()> parse_command_line(std::vector<std::string> words) {
   insert_default_command(words);
 
-  CLI::App app{std::string(description), std::string(program)};
-  app.set_help_flag("-h,--help", "Print this and exit");
-  app.set_version_flag("--version", fmt::format("{} {}", program, version), "Print the program's version and exit");
-  app.require_subcommand(1);
-  app.footer(fmt::format(more_help, listed(shipped_scene_names())));
+  // Commands look at their options once more when they run.
+  const auto app = std::make_shared<CLI::App>(std::string(description), std::string(program));
+  app->set_help_flag("-h,--help", "Print this and exit");
+  app->set_version_flag("--version", fmt::format("{} {}", program, version), "Print the program's version and exit");
+  app->require_subcommand(1);
+  app->footer(fmt::format(more_help, listed(shipped_scene_names())));
   std::map<const CLI::App*, std::function<int()>> actions;
   for (const Command& command : command_catalog()) {
-    CLI::App* const subcommand = app.add_subcommand(std::string(command.name), std::string(command.sentence));
+    CLI::App* const subcommand = app->add_subcommand(std::string(command.name), std::string(command.sentence));
     actions.emplace(subcommand, command.attach(*subcommand));
   }
 
   std::reverse(words.begin(), words.end());  // as CLI11 wants them
   try {
-    app.parse(words);
+    app->parse(words);
   } catch (const CLI::CallForHelp&) {
-    const CLI::App* const command = named_command(app);
-    print(command == nullptr ? app.help() : command->help(std::string(program)));
-    return static_cast<int>(ExitCode::done);
+    const CLI::App* const command = named_command(*app);
+    return [text = command == nullptr ? app->help() : command->help(std::string(program))] { return print(text); };
   } catch (const CLI::CallForVersion& asked) {
-    print(fmt::format("{}\n", asked.what()));
-    return static_cast<int>(ExitCode::done);
+    return [text = fmt::format("{}\n", asked.what())] { return print(text); };
   } catch (const CLI::ParseError& error) {
-    refuse(app, error);
+    refuse(*app, error);
   }
-  return actions.at(named_command(app))();
+  return [app, act = actions.at(named_command(*app))] { return act(); };
 }
 
 }  // namespace ghostforce

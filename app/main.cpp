@@ -34,7 +34,7 @@ int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);  // a reader that has gone is found when writing
   std::signal(SIGXFSZ, SIG_IGN);  // and so is a file that may not grow
   try {
-    return run_command_line(std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc));
+    return parse_command_line(std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc))();
   } catch (const Failure& failure) {
     if (*failure.what() != '\0') std::fprintf(stderr, "%s\n", failure.what());
     return static_cast<int>(failure.code());

@@ -12,16 +12,23 @@ endif()
 set(CMAKE_CXX_EXTENSIONS OFF)
 
 # Sanitizers come before any target: a program that mixes instrumented and plain objects reports nonsense.
-set(GHOSTFORCE_SANITIZE "" CACHE STRING "Sanitizers: empty, address (with undefined behaviour) or thread")
-set_property(CACHE GHOSTFORCE_SANITIZE PROPERTY STRINGS "" address thread)
+set(GHOSTFORCE_SANITIZE "" CACHE STRING
+  "Sanitizers: empty, address (with undefined behaviour), thread, or fuzzer (address, and clang's libFuzzer)")
+set_property(CACHE GHOSTFORCE_SANITIZE PROPERTY STRINGS "" address thread fuzzer)
 if(GHOSTFORCE_SANITIZE STREQUAL "address")
   # Two checks of pointers are left out: g++ takes twice as long with them. An access through a null pointer the address
   # sanitizer sees too, and casts to what needs a stricter alignment are warned of.
   set(sanitize -fsanitize=address,undefined -fno-sanitize=null,alignment -fno-sanitize-recover=all)
 elseif(GHOSTFORCE_SANITIZE STREQUAL "thread")
   set(sanitize -fsanitize=thread)
+elseif(GHOSTFORCE_SANITIZE STREQUAL "fuzzer")
+  if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    message(FATAL_ERROR "libFuzzer is clang's: use the preset fuzz, or set CMAKE_CXX_COMPILER.")
+  endif()
+  # Only the programs in tests/fuzz have libFuzzer's main(); all code tells it where it has been.
+  set(sanitize -fsanitize=fuzzer-no-link,address,undefined,float-cast-overflow -fno-sanitize-recover=all)
 elseif(NOT GHOSTFORCE_SANITIZE STREQUAL "")
-  message(FATAL_ERROR "GHOSTFORCE_SANITIZE is \"${GHOSTFORCE_SANITIZE}\"; it can be empty, address or thread.")
+  message(FATAL_ERROR "GHOSTFORCE_SANITIZE is \"${GHOSTFORCE_SANITIZE}\"; it can be empty, address, thread or fuzzer.")
 endif()
 if(GHOSTFORCE_SANITIZE)
   add_compile_options(${sanitize} -fno-omit-frame-pointer)
