@@ -1,73 +1,220 @@
-// Somebody who presses and drags whatever there is, in any order: nothing breaks, and every value stays one that a
-// scene may have.
+// Somebody who presses, drags and types whatever there is, in any order, with every panel open and whoever moves the
+// goal: nothing breaks, every value stays one that a scene may have, and no number on screen is none. ImGui's own
+// assertions watch too: they end the program.
+//
+// As many events as GHOSTFORCE_MONKEY_EVENTS says, from the seed GHOSTFORCE_MONKEY_SEED.
+#include <array>
+#include <cctype>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <random>
+#include <string_view>
+#include <variant>
+
+#include <glad/gl.h>
+#include <imgui_internal.h>
 
 #include "app/gestures.h"
 #include "app/keys.h"
 #include "app/saving.h"
 #include "tests/app/driven_window.h"
+#include "tests/device/servo_scenes.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce {
 namespace {
 
+int number_from_environment(const char* name, int otherwise) {
+  const char* const text = std::getenv(name);
+  return text == nullptr ? otherwise : std::stoi(text);
+}
+
+// A word that C prints for what is no number; empty: there is none.
+std::string_view no_number_in(std::string_view text) {
+  for (const std::string_view word : {"nan", "inf"}) {
+    for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
+      const auto is_letter = [&](std::size_t i) {
+        return i < text.size() && (std::isalpha(static_cast<unsigned char>(text[i])) || (text[i] & 0x80) != 0);
+      };
+      if (!is_letter(at + word.size()) && (at == 0 || !is_letter(at - 1))) {
+        const std::size_t begin = at < 40 ? 0 : at - 40;
+        return text.substr(begin, at + word.size() - begin);
+      }
+    }
+  }
+  return {};
+}
+
+TEST(NoNumber, IsFoundAmidWords) {
+  EXPECT_EQ(no_number_in("force -nan N"), "force -nan");
+  EXPECT_EQ(no_number_in("x = inf"), "x = inf");
+  EXPECT_EQ(no_number_in("financial information, nano, κinf"), "");
+}
+
+// Of a mark: it is somewhere, and says no number that is none.
+struct IsSound {
+  static bool at(const Vector<2>& place) { return std::isfinite(place.x) && std::isfinite(place.y); }
+  bool operator()(const HalfPlane& plane) const { return at(plane.point) && at(plane.normal); }
+  bool operator()(const Line& line) const { return at(line.from) && at(line.to) && std::isfinite(line.pattern_start); }
+  bool operator()(const Marker& marker) const { return at(marker.center) && at(marker.offset); }
+  bool operator()(const Arrow& arrow) const { return at(arrow.tail) && at(arrow.tip); }
+  bool operator()(const Label& label) const {
+    return at(label.anchor) && at(label.offset) && no_number_in(label.text).empty();
+  }
+};
+
 class MonkeyTest : public DrivenWindow {
  protected:
-  MonkeyTest() { std::filesystem::current_path(folder_.path()); }
+  // High enough for every panel at once.
+  static constexpr int width = 1280;
+  static constexpr int height = 2400;
+
+  MonkeyTest() {
+    std::filesystem::current_path(folder_.path());
+    ApplicationOptions options;
+    options.input_options.virtual_falcon_clock = VirtualLink::Clock::stepped;
+    options.input_options.falcon_id = {0xFFFF, 0xFFFF};  // nobody's: no monkey drives a real one
+    open(options, "wall45", width, height);
+    // All is drawn, and nothing is filled in, which would take most of the time.
+    glEnable(GL_RASTERIZER_DISCARD);
+    // ImGui can write what it draws to the clipboard, from the beginning of a frame to its end.
+    ImGui::GetPlatformIO().Platform_SetClipboardTextFn = [](ImGuiContext*, const char* text) { words_ = text; };
+    ImGuiContextHook hook;
+    hook.Type = ImGuiContextHookType_NewFramePost;
+    hook.Callback = [](ImGuiContext*, ImGuiContextHook*) { ImGui::LogToClipboard(0); };
+    ImGui::AddContextHook(ImGui::GetCurrentContext(), &hook);
+  }
   ~MonkeyTest() override { std::filesystem::current_path(before_); }
 
   int any(int count) { return std::uniform_int_distribution<int>(0, count - 1)(random_); }
-  Vector<2> anywhere() { return {static_cast<double>(any(1300) - 10), static_cast<double>(any(820) - 10)}; }
-
-  void do_something() {
-    switch (any(8)) {
-      case 0:
-      case 1:
-      case 2: {
-        const KeyBinding& binding = key_table()[static_cast<std::size_t>(any(static_cast<int>(key_table().size())))];
-        if (binding.key != GLFW_KEY_Q) send_key(binding.key, any(4) == 0 ? GLFW_REPEAT : GLFW_PRESS, binding.modifiers);
-        break;
-      }
-      case 3:
-        drag(anywhere(), anywhere(), any(3) == 0 ? GLFW_MOUSE_BUTTON_RIGHT : GLFW_MOUSE_BUTTON_LEFT);
-        break;
-      case 4:
-        click_at(anywhere().x, anywhere().y);
-        break;
-      case 5:
-        point_at(anywhere());
-        scroll(any(20) - 10);
-        break;
-      case 6:
-        type(any(2) == 0 ? "1e5" : ".x");
-        send_key(GLFW_KEY_ENTER, GLFW_PRESS, 0);
-        break;
-      case 7:
-        session().wishes.open_scene = shipped_scene_names()[static_cast<std::size_t>(any(9))];
-        session().wishes.input = any(2) == 0 ? "mouse" : "script";
-        break;
-    }
-    frames(1, any(30));
+  template <typename Choices>
+  auto any_of(const Choices& choices) {
+    return choices[static_cast<std::size_t>(any(static_cast<int>(std::size(choices))))];
+  }
+  // Also beside the window; most often on the panels, in the bars or in the scene's upper part.
+  Vector<2> anywhere() {
+    if (any(2) == 0) return {static_cast<double>(width - any(330)), static_cast<double>(any(height))};
+    if (any(3) == 0)
+      return {static_cast<double>(any(width)), static_cast<double>(any(2) == 0 ? any(60) : height - any(300))};
+    return {static_cast<double>(any(width + 20) - 10), static_cast<double>(any(height + 20) - 10)};
+  }
+  void frame() { frames(1, any(8) == 0 ? any(100) : any(4)); }
+  void press_button(const Vector<2>& at, int which) {
+    point_at(at);
+    frame();
+    button(GLFW_PRESS, which);
+    frame();
   }
 
-  std::mt19937 random_{20200417};
+  void do_something() {
+    switch (any(11)) {
+      case 0:
+      case 1: {
+        const KeyBinding binding = any_of(key_table());
+        if (binding.key != GLFW_KEY_Q) {
+          send_key(binding.key, any(4) == 0 ? GLFW_REPEAT : GLFW_PRESS, binding.modifiers);
+          send_key(binding.key, GLFW_RELEASE, 0);
+        }
+        break;
+      }
+      case 2:
+      case 3: {
+        const int which = any(4) == 0 ? GLFW_MOUSE_BUTTON_RIGHT : GLFW_MOUSE_BUTTON_LEFT;
+        const Vector<2> from = anywhere();
+        press_button(from, which);
+        point_at(any(2) == 0 ? anywhere() : from + Vector<2>{any(40) - 20, any(40) - 20});
+        frame();
+        button(GLFW_RELEASE, which);
+        break;
+      }
+      case 4:
+      case 5:
+      case 6: {
+        const bool is_control = any(3) == 0;  // a slider becomes a field
+        hold_control(is_control);
+        press_button(anywhere(), GLFW_MOUSE_BUTTON_LEFT);
+        button(GLFW_RELEASE);
+        frame();
+        hold_control(false);
+        if (is_control) type_something();
+        break;
+      }
+      case 7:
+        point_at(anywhere());
+        ImGui_ImplGlfw_ScrollCallback(window_->handle(), 0.0, any(20) - 10);
+        break;
+      case 8:
+        type_something();
+        break;
+      case 9:
+        send_key(any_of(std::array{GLFW_KEY_ESCAPE, GLFW_KEY_TAB, GLFW_KEY_ENTER, GLFW_KEY_UP, GLFW_KEY_BACKSPACE}),
+                 GLFW_PRESS, 0);
+        break;
+      case 10:
+        if (any(3) == 0) session().wishes.open_scene = any_of(shipped_scene_names());
+        if (any(3) == 0) {
+          session().wishes.input = any_of(std::array{"mouse", "script", "circle", "virtual-falcon", "virtual-falcon"});
+        }
+        if (any(4) == 0) session().wishes.record = any_of(std::array{"a.csv", "b.csv", "no/such/folder.csv"});
+        if (any(8) == 0) session().wishes.open_scene = any_of(std::array{"a.csv", "b.csv", "broken.toml"});
+        break;
+    }
+    frame();
+  }
+  void type_something() {
+    for (const char c : std::string_view(any_of(std::array{"1e5", ".x", "-", "nan", "inf", "0", "1e400", "%s%n",
+                                                           "a.png", "b.toml", "c.csv", "d.svg", "-90", "0.001"}))) {
+      ImGui_ImplGlfw_CharCallback(window_->handle(), static_cast<unsigned char>(c));
+    }
+    frame();
+    if (any(4) != 0) send_key(GLFW_KEY_ENTER, GLFW_PRESS, 0);
+  }
+
+  // A real device, or a thread that looks for one, has no place here for long.
+  void lead_back() {
+    session().folded_panels.clear();
+    if (any(20) == 0) session().plots.is_open = true;
+    if (session().input == "falcon" || session().input == "spacemouse") session().wishes.input = "virtual-falcon";
+    // Motors that push want somebody who gets up the whole ladder, and that takes its time.
+    if (any(60) == 0 && session().input == "virtual-falcon") {
+      session().goal = {-0.02, 0.02};
+      frames(20, 400);
+      ++session().acknowledgements;
+      ++session().arms_asked;
+      frames(5, 400);
+    }
+    pushes_ += application_->report().motors.sent != Vector<2>(0.0) ? 1 : 0;
+  }
+
+  static inline std::string words_;  // of the last frame
+  std::mt19937 random_{static_cast<unsigned>(number_from_environment("GHOSTFORCE_MONKEY_SEED", 20200417))};
   TemporaryFolder folder_;
   std::filesystem::path before_ = std::filesystem::current_path();
+  int pushes_ = 0;
 };
 
 TEST_F(MonkeyTest, BreaksNothing) {
-  for (int i = 0; i < 150; ++i) {
+  const int events = number_from_environment("GHOSTFORCE_MONKEY_EVENTS", 1500);
+  session().wishes.record = "a.csv";
+  for (int i = 0; i < events; ++i) {
+    lead_back();
     do_something();
     ASSERT_TRUE(is_in_range(session().settings)) << i;
+    ASSERT_TRUE(is_finite(now())) << i;
     ASSERT_LE(std::max(std::abs(session().goal.x), std::abs(session().goal.y)), farthest_mm / 1000.0) << i;
     const SceneView nearest = within_scene_limits(session().shown);
     ASSERT_EQ(nearest.width, session().shown.width) << i;
     ASSERT_EQ(nearest.center, session().shown.center) << i;
     ASSERT_GE(session().look.scale, Look::least_scale) << i;
     ASSERT_LE(session().look.scale, Look::greatest_scale) << i;
+    ASSERT_FALSE(words_.empty()) << i;
+    ASSERT_EQ(no_number_in(words_), "") << i;
+    for (const Pane& pane : screen().panes()) {
+      for (const Mark& mark : pane.marks) ASSERT_TRUE(std::visit(IsSound(), mark.form)) << i;
+    }
   }
+  EXPECT_GT(pushes_, 0);  // motors were on
   // And at the end all is as it was at the beginning for who asks for it.
   press(GLFW_KEY_ESCAPE);
   press(GLFW_KEY_ESCAPE);
