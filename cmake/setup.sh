@@ -1,5 +1,5 @@
-# What ./demo, ./check and .ci/run share; sourced by them, never run. Needs bash and Debian's essential packages only.
-# All it says goes to stderr, because stdout belongs to the program; what it runs speaks into build/*.log.
+# What ./demo, ./check, .ci/run and .ci/long share; sourced by them, never run. Needs bash and Debian's essential packages
+# only. All it says goes to stderr, because stdout belongs to the program; what it runs speaks into build/*.log.
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)
 
@@ -7,6 +7,10 @@ say() { printf '%s\n' "$*" >&2; }
 fail() { say "$*"; exit 1; }
 
 log_of() { printf '%s' "$root/build/$1.log"; }
+
+# Each step of .ci says what it is when it starts and how long it took when it ends.
+begin() { step=$1 started=$SECONDS && say "== $step"; }
+end() { say "== $step: $((SECONDS - started)) s"; }
 
 # logged NAME COMMAND...: runs it with its words in a log and nothing to read; returns its status.
 logged() {
@@ -67,6 +71,12 @@ and start this again."
 }
 
 # ---- Build -----------------------------------------------------------------------------------------------------------
+
+use_ccache() {
+  if command -v ccache >/dev/null; then
+    export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
+  fi
+}
 
 # build PRESET TARGET [-DNAME=VALUE...]: builds, in at most one process at a time. Configures, with these values, only
 # where there is no usable build tree: when nothing changed, this is one ninja that finds nothing to do.
@@ -138,4 +148,13 @@ run_ninja() {
 # run_tests PRESET [ARGUMENTS of ctest]
 run_tests() {
   ctest --test-dir "$root/build/$1" --parallel "$(nproc)" --output-on-failure --no-tests=error "${@:2}"
+}
+
+# tidy REGEX: clang-tidy over the sources that match, as the preset fuzz compiles them, which must have been built: it
+# is clang's, and makes the headers that others include.
+tidy() {
+  logged tidy run-clang-tidy-16 -quiet -p "$root/build/fuzz" -j "$(nproc)" "$1" || {
+    grep --after-context=3 ': \(error\|warning\): ' "$(log_of tidy)" | head -n 100 >&2
+    fail "clang-tidy has something to say. All of it is in $(log_of tidy)."
+  }
 }

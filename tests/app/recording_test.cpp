@@ -166,20 +166,6 @@ TEST(Recording, EndsWithWholeLinesWhereTheFileTakesNoMore) {
   expect_repeats(folder / "run.csv", 100);
 }
 
-TEST(Recording, TakesEverythingFromARunningServo) {
-  const TemporaryFolder folder;
-  Stepped stepped;
-  Recording recording(folder / "run.csv", stepped.scene, *stepped.servo, 1);
-  stepped.servo->start();
-  wait_until([&] { return recording.progress().seconds > 0.4; });
-  stepped.servo->stop();
-  recording.end();
-  const auto run = load_run(folder / "run.csv");
-  ASSERT_FALSE(run.ticks.empty());
-  EXPECT_EQ(run.ticks.back().tick, stepped.servo->newest().snapshot.tick);
-  expect_repeats(folder / "run.csv", 400);
-}
-
 // --- At the window ---
 
 class RecordingWindow : public DrivenWindow {
