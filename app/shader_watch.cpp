@@ -24,7 +24,8 @@ std::string contents_of(const fs::path& file) {
 
 }  // namespace
 
-ShaderWatch::ShaderWatch(std::string folder) : files_{fs::path(folder) / "mark.vert", fs::path(folder) / "mark.frag"} {
+ShaderWatch::ShaderWatch(const std::string& folder)
+    : files_{fs::path(folder) / "mark.vert", fs::path(folder) / "mark.frag"} {
   for (const fs::path& file : files_) {
     std::error_code error;
     if (fs::is_regular_file(file, error)) continue;

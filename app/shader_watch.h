@@ -13,7 +13,7 @@ namespace ghostforce {
 class ShaderWatch {
  public:
   // Throws Failure(wrong_call) where the folder does not hold the shaders.
-  explicit ShaderWatch(std::string folder);
+  explicit ShaderWatch(const std::string& folder);
 
   // Often; looks at the files four times a second. `now_s`: seconds on any clock that only goes forward.
   void look(GlPainter& painter, double now_s);

@@ -415,7 +415,7 @@ std::int64_t FtdiLink::now_ns() const noexcept {
 }
 
 void FtdiLink::handle_events(int timeout_ms) noexcept {
-  timeval timeout{0, timeout_ms * 1000};
+  timeval timeout{0, timeout_ms * 1000L};
   ++counters_.library_calls;
   libusb_handle_events_timeout_completed(context_, &timeout, nullptr);
 }

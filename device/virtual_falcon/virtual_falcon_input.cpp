@@ -38,7 +38,7 @@ VirtualFalconInput::VirtualFalconInput(FalconOptions options, const Misbehaviour
                                        const Vector<2>& view_center, double k_u, Clock clock)
     : VirtualFalconInput(make_link(misbehaviour, k_u, clock), completed(std::move(options)), view_center, k_u) {}
 
-VirtualFalconInput::VirtualFalconInput(std::unique_ptr<VirtualLink> link, FalconOptions options,
+VirtualFalconInput::VirtualFalconInput(std::unique_ptr<VirtualLink> link, const FalconOptions& options,
                                        const Vector<2>& view_center, double k_u)
     : FalconInput(std::move(link), options, view_center),
       link_(static_cast<VirtualLink&>(falcon().link())),

@@ -30,7 +30,7 @@ class VirtualFalconInput final : public FalconInput, public PointerTarget {
   const VirtualLink& link() const noexcept { return link_; }
 
  private:
-  VirtualFalconInput(std::unique_ptr<VirtualLink> link, FalconOptions options, const Vector<2>& view_center,
+  VirtualFalconInput(std::unique_ptr<VirtualLink> link, const FalconOptions& options, const Vector<2>& view_center,
                      double k_u);
   void lead() noexcept;
 
