@@ -189,7 +189,7 @@ LoopReading Application::loop_reading() const {
           .misbehaviours = virtual_falcon_ != nullptr ? misbehaviours_ : std::span<const InputChoice>(),
           .recording = recording_reading_,
           .circle = circle_ != nullptr ? std::optional(circle_meter_.reading()) : std::nullopt,
-          .remark = describe(report_.realtime)};
+          .remark = mode_of(report_.realtime)};
 }
 
 std::string Application::device_remark() const {

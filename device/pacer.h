@@ -18,6 +18,7 @@ class Pacer {
   Pacer(std::int64_t now_ns, double period_s) noexcept : period_ns_(period_s * 1e9) { align(now_ns); }
 
   std::int64_t deadline_ns() const noexcept { return on_grid(next_); }
+  std::int64_t period_ns() const noexcept { return std::llround(period_ns_); }
 
   // Whether a tick is due: true once per deadline that is kept. Coming late by more than a period skips the deadlines
   // that have passed meanwhile, counts them and stays on the grid: ticks never come in a burst.

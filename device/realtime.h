@@ -7,16 +7,21 @@
 
 namespace ghostforce {
 
-// Trivially copyable: it crosses threads whole. Each is 0 when granted, else the error number that says why not.
+// Trivially copyable: it crosses threads whole. Each error is 0 when granted, else the number that says why not.
 struct RealtimeStatus {
   int priority_error = 0;
   int memory_lock_error = 0;
+  bool has_short_slice = false;  // instead of the priority: ordinary threads make room soon when this one wakes
 };
 
 // On the thread that wants it. Sets the thread's scheduling and timer slack, and locks the memory of the process.
 RealtimeStatus request_realtime() noexcept;
 
-// One line for a person. Not for the servo thread (it allocates).
+// How the thread keeps time, in a few words for the status bar: "real-time priority, memory locked". Not for the servo
+// thread, nor is the next.
+std::string mode_of(const RealtimeStatus& status);
+
+// The same in one line that also says why it is no better.
 std::string describe(const RealtimeStatus& status);
 
 }  // namespace ghostforce

@@ -15,6 +15,7 @@
 #include "core/sound_state.h"
 #include "device/monotonic_clock.h"
 #include "device/pacer.h"
+#include "device/punctual_sleep.h"
 
 namespace ghostforce {
 namespace {
@@ -27,10 +28,13 @@ bool is_usable(const SafetyOptions& options) noexcept {
   return std::isfinite(options.force_limit) && options.greatest_k_r >= 0.0;
 }
 
-void sleep_until(std::int64_t time_ns) noexcept {
-  const std::timespec time{time_ns / 1'000'000'000, time_ns % 1'000'000'000};
-  clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &time, nullptr);  // waking too soon does no harm
-}
+struct SystemClock {
+  static std::int64_t now_ns() noexcept { return monotonic_ns(); }
+  static void sleep_until(std::int64_t time_ns) noexcept {
+    const std::timespec time{time_ns / 1'000'000'000, time_ns % 1'000'000'000};
+    clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &time, nullptr);  // waking too soon does no harm
+  }
+};
 
 }  // namespace
 
@@ -92,12 +96,24 @@ void Servo::run() noexcept {
   constexpr auto attention_ns = static_cast<std::int64_t>(attention_period_s * 1e9);
   std::int64_t now = monotonic_ns();
   Pacer pacer(now, period_s());
+  PunctualSleep sleep(pacer.period_ns());
+  lateness_ = {};
   while (!stopping_.load(std::memory_order_relaxed)) {
-    const std::int64_t until = is_idle() ? now + attention_ns : std::min(pacer.deadline_ns(), now + attention_ns);
-    device_ != nullptr ? device_->wait_until(until) : sleep_until(until);
-    now = monotonic_ns();
+    const std::int64_t deadline = pacer.deadline_ns();
+    const bool heeds_first = is_idle() || deadline > now + attention_ns;
+    const std::int64_t until = heeds_first ? now + attention_ns : deadline;
+    if (device_ != nullptr) {
+      device_->wait_until(until);
+      now = monotonic_ns();
+    } else if (heeds_first || report_.realtime.priority_error != 0) {
+      SystemClock::sleep_until(until);
+      now = monotonic_ns();
+    } else {
+      now = sleep.until(until, SystemClock{});
+    }
     if (is_idle()) pacer.align(now);
     const bool tick_is_due = pacer.is_due(now);
+    if (tick_is_due) lateness_.add(now - deadline);
     if (tick_is_due && device_ != nullptr) pacer.follow(now);
     woken_ns_ = now;
     report_.loop.rate_hz = pacer.rate_hz();
@@ -105,6 +121,7 @@ void Servo::run() noexcept {
     report_.loop.worst_late_s = pacer.worst_late_s();
     attend(tick_is_due);
     pacer.set_period(period_s(), now);
+    sleep.set_period(pacer.period_ns());
   }
   if (device_ == nullptr) return;
   safety_.turn_off(OffReason::program_ending);

@@ -2,7 +2,8 @@
 //
 // It and the window exchange whole values, each with one writer and one reader: the newest command goes in, the newest
 // report and every tick's sample come out. On its thread our code never allocates, locks, logs, throws, opens files or
-// frees. It starts no sooner than start() is called; tests call wake() by hand instead and need no time to pass.
+// frees. It starts no sooner than start() is called; tests call wake() by hand instead and need no time to pass. With
+// real-time priority it spins through what is left before a deadline (punctual_sleep.h); a device paces it instead.
 // SI units. Functions without a word about threads belong to the UI thread.
 #pragma once
 
@@ -23,6 +24,7 @@
 #include "core/snapshot.h"
 #include "core/tick.h"
 #include "device/input.h"
+#include "device/lateness.h"
 #include "device/realtime.h"
 
 namespace ghostforce {
@@ -117,6 +119,9 @@ class Servo {
   // The same for what is to be recorded. One thread at a time, and it need not be the UI's.
   bool take_record(Sample& sample) { return records_.try_dequeue(sample); }
 
+  // How late the ticks came since start(). While the thread is stopped.
+  const Lateness& lateness() const noexcept { return lateness_; }
+
   Input& input() noexcept { return *input_; }
 
   // Servo thread, or whoever steps a servo that was not started: what happens at each deadline. Takes the newest
@@ -174,6 +179,7 @@ class Servo {
   std::uint64_t samples_made_ = 0;
   std::int64_t woken_ns_ = 0;    // when the thread woke; 0: stepped by hand
   std::int64_t sampled_ns_ = 0;  // when it was awake for the newest sample
+  Lateness lateness_;
   ServoReport report_;
 
   // Of the motors.

@@ -108,6 +108,7 @@ void draw_status_bar(const PanelContext& context) {
     ImGui::PushStyleColor(ImGuiCol_Text, unpacked(context.theme.faint_text));
     ImGui::TextUnformatted(remark.c_str());
     ImGui::PopStyleColor();
+    explain("What the system grants the loop, so that its ticks come in time; ghostforce doctor says why not more.");
   }
   ImGui::SameLine(scene_x);
   if (ImGui::Button((caption + "###scene").c_str())) ImGui::OpenPopup("scenes");

@@ -1,11 +1,62 @@
 #include "device/realtime.h"
 
 #include <cerrno>
+#include <cstdio>
+#include <thread>
 
 #include <gtest/gtest.h>
+#include <sched.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <sys/utsname.h>
+#include <unistd.h>
 
 namespace ghostforce {
 namespace {
+
+// From Linux 6.12 on threads have slices of their own.
+bool system_has_slices() {
+  utsname system{};
+  int major = 0;
+  int minor = 0;
+  uname(&system);
+  return std::sscanf(system.release, "%d.%d", &major, &minor) == 2 && (major > 6 || (major == 6 && minor >= 12));
+}
+
+TEST(Realtime, SaysWhatTheThreadHasGot) {
+  std::thread([] {
+    const RealtimeStatus status = request_realtime();
+    EXPECT_EQ(status.priority_error == 0, sched_getscheduler(0) == SCHED_FIFO);
+    EXPECT_EQ(status.has_short_slice, status.priority_error != 0 && system_has_slices());
+  }).join();
+  munlockall();
+}
+
+TEST(Realtime, GivesAnOrdinaryUserShortSlices) {
+  rlimit limit{};
+  getrlimit(RLIMIT_RTPRIO, &limit);
+  if (limit.rlim_cur > 0) GTEST_SKIP() << "this user may have the priority";
+  std::thread([] {
+    // The system call, unlike the function, is about this thread alone.
+    constexpr int nobody = 65534;
+    if (geteuid() == 0) {
+      ASSERT_EQ(syscall(SYS_setresuid, nobody, nobody, nobody), 0);
+    }
+    const RealtimeStatus status = request_realtime();
+    EXPECT_EQ(status.priority_error, EPERM);
+    EXPECT_EQ(status.has_short_slice, system_has_slices());
+    EXPECT_EQ(sched_getscheduler(0), SCHED_OTHER);
+  }).join();
+  munlockall();
+}
+
+TEST(Realtime, NamesTheModeInAFewWords) {
+  EXPECT_EQ(mode_of({0, 0}), "real-time priority, memory locked");
+  EXPECT_EQ(mode_of({0, ENOMEM}), "real-time priority, memory not locked");
+  EXPECT_EQ(mode_of({EPERM, EPERM, true}), "no real-time priority, short time slices");
+  EXPECT_EQ(mode_of({EPERM, 0}), "no real-time priority");
+}
 
 TEST(Realtime, SaysWhatWasGranted) {
   EXPECT_EQ(describe({0, 0}), "real-time priority, memory locked");
@@ -15,6 +66,8 @@ TEST(Realtime, SaysWhatWasNotAndWhy) {
   EXPECT_EQ(describe({EPERM, EPERM}),
             "no real-time priority (Operation not permitted), memory not locked (Operation not permitted)");
   EXPECT_EQ(describe({0, ENOMEM}), "real-time priority, memory not locked (Cannot allocate memory)");
+  EXPECT_EQ(describe({EPERM, 0, true}),
+            "no real-time priority (Operation not permitted), short time slices, memory locked");
 }
 
 }  // namespace
