@@ -1,6 +1,7 @@
 #include "device/realtime.h"
 
 #include <cerrno>
+#include <cstddef>
 #include <cstdint>
 #include <system_error>
 
@@ -50,6 +51,10 @@ bool request_short_slice() noexcept {
   return attributes.runtime_ns == shortest_slice_ns;
 }
 
+// What the process may run on, where drawing leaves some of it; written before there is a servo to read it.
+cpu_set_t all_processors;
+bool is_one_left = false;
+
 // Locking future memory under a limit would make every later allocation of the whole process fail once the limit is
 // reached, and what is locked now would keep stacks from growing. So memory is locked only where there is no limit, or
 // where we may lift it. MCL_ONFAULT: pages stay once they are touched, instead of all that is mapped being read in.
@@ -64,8 +69,24 @@ int request_memory_lock() noexcept {
 
 }  // namespace
 
+void leave_processor_to_servo() noexcept {
+  cpu_set_t processors;
+  if (is_one_left || sched_getaffinity(0, sizeof processors, &processors) != 0 || CPU_COUNT(&processors) < 2) return;
+  if (request_priority() == 0) {
+    const sched_param ordinary{};
+    pthread_setschedparam(pthread_self(), SCHED_OTHER, &ordinary);
+    return;
+  }
+  all_processors = processors;
+  std::size_t last = CPU_SETSIZE - 1;
+  while (!CPU_ISSET(last, &processors)) --last;
+  CPU_CLR(last, &processors);
+  is_one_left = sched_setaffinity(0, sizeof processors, &processors) == 0;
+}
+
 RealtimeStatus request_realtime() noexcept {
   prctl(PR_SET_TIMERSLACK, 1UL, 0UL, 0UL, 0UL);  // [ns]; always granted
+  if (is_one_left) sched_setaffinity(0, sizeof all_processors, &all_processors);
   RealtimeStatus status;
   status.priority_error = request_priority();
   status.has_short_slice = status.priority_error != 0 && request_short_slice();

@@ -17,6 +17,11 @@ struct RealtimeStatus {
 // On the thread that wants it. Sets the thread's scheduling and timer slack, and locks the memory of the process.
 RealtimeStatus request_realtime() noexcept;
 
+// On the thread that draws, before it makes others: a graphics driver's threads draw too, and go where theirs goes.
+// Where the servo would not be granted its priority, drawing leaves the last processor of two or more to it;
+// request_realtime() gives its own thread back all of them. Once, before request_realtime().
+void leave_processor_to_servo() noexcept;
+
 // How the thread keeps time, in a few words for the status bar: "real-time priority, memory locked". Not for the servo
 // thread, nor is the next.
 std::string mode_of(const RealtimeStatus& status);

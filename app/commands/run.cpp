@@ -24,6 +24,7 @@
 #include "app/remembered.h"
 #include "app/run_reader.h"
 #include "app/scene_file.h"
+#include "device/realtime.h"
 
 namespace ghostforce {
 namespace {
@@ -157,6 +158,7 @@ int run(const Options& options) {
   const auto scaled = [&](int points) { return static_cast<int>(std::lround(points * look.scale)); };
   const WindowLayout layout = remembered.layout.value_or(
       WindowLayout{.width = scaled(1280), .height = scaled(800), .is_maximized = false, .folded_panels = {}});
+  leave_processor_to_servo();
   Window window({.title = window_title(scene), .width = layout.width, .height = layout.height, .fits_monitor = true});
   if (layout.is_maximized) window.maximize();
   Application application(

@@ -51,6 +51,49 @@ TEST(Realtime, GivesAnOrdinaryUserShortSlices) {
   munlockall();
 }
 
+int processors_of_thread() {
+  cpu_set_t processors;
+  return sched_getaffinity(0, sizeof processors, &processors) == 0 ? CPU_COUNT(&processors) : 0;
+}
+
+TEST(Realtime, LeavesNoProcessorToAServoWithPriority) {
+  std::thread([] {
+    const int before = processors_of_thread();
+    const int policy = sched_getscheduler(0);
+    if (request_realtime().priority_error != 0) GTEST_SKIP() << "this user may not have the priority";
+    leave_processor_to_servo();
+    EXPECT_EQ(processors_of_thread(), before);
+    EXPECT_EQ(sched_getscheduler(0), policy);
+  }).join();
+  munlockall();
+}
+
+// Last of those that ask: what it does holds for the rest of the process.
+TEST(Realtime, DrawingLeavesAProcessorToAnOrdinaryUsersServo) {
+  rlimit limit{};
+  getrlimit(RLIMIT_RTPRIO, &limit);
+  if (limit.rlim_cur > 0) GTEST_SKIP() << "this user may have the priority";
+  if (processors_of_thread() < 2) GTEST_SKIP() << "there is only one";
+  std::thread([] {
+    constexpr int nobody = 65534;
+    if (geteuid() == 0) {
+      ASSERT_EQ(syscall(SYS_setresuid, nobody, nobody, nobody), 0);
+    }
+    const int all = processors_of_thread();
+    leave_processor_to_servo();
+    EXPECT_EQ(processors_of_thread(), all - 1);
+    leave_processor_to_servo();
+    EXPECT_EQ(processors_of_thread(), all - 1) << "once";
+    std::thread([all] {
+      EXPECT_EQ(processors_of_thread(), all - 1) << "as a graphics driver's";
+      request_realtime();
+      EXPECT_EQ(processors_of_thread(), all);
+    }).join();
+    EXPECT_EQ(processors_of_thread(), all - 1);
+  }).join();
+  munlockall();
+}
+
 TEST(Realtime, NamesTheModeInAFewWords) {
   EXPECT_EQ(mode_of({0, 0}), "real-time priority, memory locked");
   EXPECT_EQ(mode_of({0, ENOMEM}), "real-time priority, memory not locked");
