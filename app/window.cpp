@@ -7,6 +7,7 @@
 #include <imgui_impl_glfw.h>
 #include <imgui_impl_opengl3.h>
 #include <implot.h>
+#include <sched.h>
 
 #include <algorithm>
 #include <cfloat>
@@ -75,6 +76,14 @@ WindowSize fitted(WindowSize size) {
   return {std::min(size.width, before_scaling(width)), std::min(size.height, before_scaling(height))};
 }
 
+// Mesa's software renderer draws with as many threads as there are processors, but with none of its own where this
+// thread may use only one: then a frame takes three times as long.
+void give_renderer_threads() {
+  cpu_set_t processors;
+  if (sched_getaffinity(0, sizeof processors, &processors) != 0 || CPU_COUNT(&processors) > 1) return;
+  setenv("LP_NUM_THREADS", "1", 0);
+}
+
 GLFWwindow* create_window(const WindowOptions& options) {
   glfwDefaultWindowHints();
   if (options.offscreen) glfwWindowHint(GLFW_CONTEXT_CREATION_API, GLFW_OSMESA_CONTEXT_API);
@@ -103,6 +112,7 @@ GLFWwindow* create_window(const WindowOptions& options) {
 }  // namespace
 
 Window::Library::Library(bool offscreen) {
+  give_renderer_threads();
   // Asking for Wayland where there is none makes its library complain on stderr.
   const int on_display = std::getenv("WAYLAND_DISPLAY") != nullptr ? GLFW_ANY_PLATFORM : GLFW_PLATFORM_X11;
   glfwInitHint(GLFW_PLATFORM, offscreen ? GLFW_PLATFORM_NULL : on_display);
