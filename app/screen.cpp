@@ -245,7 +245,8 @@ void Screen::compose_scene(const Session& session, const Snapshot& snapshot, con
                           .has_handles = session.has_handles,
                           .hot = hot,
                           .is_goal_hot = is_live && points_at(session, HintTarget::goal),
-                          .target = session.measurement.target});
+                          .target = session.measurement.target},
+                         std::move(panes_));
 }
 
 }  // namespace ghostforce

@@ -88,6 +88,7 @@ std::vector<PlotBucket> PlotHistory::between(double from_s, double to_s, std::si
   }
   std::vector<PlotBucket> buckets;
   if (is_empty()) return buckets;
+  buckets.reserve(range.end - range.begin);
   for (std::size_t i = range.begin; i < range.end; ++i) buckets.push_back(range.level->at(i));
   return buckets;
 }

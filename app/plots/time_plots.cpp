@@ -28,6 +28,8 @@ struct Curve {
 
 Curve curve_of(const std::vector<PlotBucket>& buckets, std::size_t quantity, std::size_t strategy) {
   Curve curve;
+  curve.x.reserve(2 * buckets.size());
+  curve.y.reserve(2 * buckets.size());
   for (const PlotBucket& bucket : buckets) {
     const auto least = bucket.least[quantity][strategy];
     const auto greatest = bucket.greatest[quantity][strategy];

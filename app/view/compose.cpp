@@ -1,13 +1,15 @@
 #include "app/view/compose.h"
 
 #include <array>
+#include <utility>
 
 #include "app/view/layers.h"
 
 namespace ghostforce {
 
-Marks compose(const View& view) {
-  Marks marks;
+Marks compose(const View& view, Marks earlier) {
+  Marks marks = std::move(earlier);
+  marks.clear();
   add_wall(view, marks);
   if (view.options.trails) add_trails(view, marks);
   add_guides(view, marks);

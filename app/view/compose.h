@@ -75,7 +75,9 @@ struct View {
   double metres(double size) const noexcept { return size * scale * theme.thickness / camera.points_per_metre; }
 };
 
-Marks compose(const View& view);
+// `earlier`: marks of an earlier picture, to be thrown away; the new ones take their room, which a screen that is drawn
+// sixty times a second need not ask the system for each time.
+Marks compose(const View& view, Marks earlier = {});
 
 // Calls visit(id) for the shown strategies, the active one last, so that it ends up on top.
 template <typename Visit>

@@ -51,7 +51,7 @@ class LabelPlacer {
     for (const double reach : {1.0, 1.8, 3.0, 5.0, 8.0}) {
       for (const Vector<2>& side : sides) {
         const Vector<2> corner = inside(at + side * (Vector<2>(gap * reach) + 0.5 * extent) - 0.5 * extent, extent);
-        const double cost = crowding({corner - breath, corner + extent + breath});
+        const double cost = crowding({corner - breath, corner + extent + breath}, least);
         if (least < 0.0 || cost < least) {
           least = cost;
           best = corner;
@@ -85,9 +85,13 @@ class LabelPlacer {
     return glm::max(glm::min(corner, view_.camera.size - extent - margin), margin);
   }
 
-  double crowding(const Box& box) const {
+  // Counts no further than `enough`, where that is not negative: a place as crowded as that is not taken anyway.
+  double crowding(const Box& box, double enough) const {
     double cost = 0.0;
-    for (const Obstacle& other : taken_) cost += other.weight * overlap(box, other.box);
+    for (const Obstacle& other : taken_) {
+      cost += other.weight * overlap(box, other.box);
+      if (enough >= 0.0 && cost >= enough) break;
+    }
     return cost;
   }
 

@@ -33,7 +33,8 @@ struct PictureContent {
   std::optional<Vector<2>> target{};
 };
 
-std::vector<Pane> compose_panes(const PictureContent& content);
+// `earlier`: panes to be thrown away, as compose() has it.
+std::vector<Pane> compose_panes(const PictureContent& content, std::vector<Pane> earlier = {});
 
 // The pane that holds a point of the rectangle; the nearest one for a point outside. `panes` is not empty.
 const Pane& pane_at(const std::vector<Pane>& panes, const Vector<2>& point);
