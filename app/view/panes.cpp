@@ -37,7 +37,8 @@ std::vector<Pane> compose_panes(const PictureContent& content, std::vector<Pane>
     return place < earlier.size() ? std::move(earlier[place].marks) : Marks();
   };
   if (content.options.compare != Compare::side_by_side) {
-    panes.push_back(compose_pane(content, content.settings, Vector<2>(0.0), content.size, false, true, marks_of_earlier(0)));
+    panes.push_back(
+        compose_pane(content, content.settings, Vector<2>(0.0), content.size, false, true, marks_of_earlier(0)));
     return panes;
   }
   const double between = gap * content.scale;
