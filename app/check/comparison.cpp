@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdlib>
+#include <cstring>
 
 #include <fmt/format.h>
 
@@ -78,7 +79,10 @@ Comparison compare_pictures(const Image& expected, const Image& actual, const To
   if (expected.rgb == actual.rgb) return result;
   result.left = actual.width;
   result.top = actual.height;
+  const std::size_t row = place_of(actual, 0, 1);
   for (int y = 0; y < actual.height; ++y) {
+    const std::size_t begin = place_of(actual, 0, y);
+    if (std::memcmp(&expected.rgb[begin], &actual.rgb[begin], row) == 0) continue;  // most are
     for (int x = 0; x < actual.width; ++x) {
       const int difference = difference_at(expected, actual, x, y);
       result.greatest = std::max(result.greatest, difference);

@@ -130,7 +130,7 @@ Display::Display(int width, int height, int dots_per_inch) {
 
 Image Display::picture() const {
   // The format of xwd: a header of big-endian words, a colour table, then rows of four bytes a pixel.
-  const std::string file = read_whole(folder_ / "Xvfb_screen0");
+  const std::string file = read_whole(memory_file());
   const std::uint32_t header = big_endian(file, 0);
   const std::uint32_t row = big_endian(file, 12);
   const std::size_t pixels = header + 12U * big_endian(file, 19);

@@ -24,6 +24,8 @@ class BackgroundProgram {
   BackgroundProgram& operator=(const BackgroundProgram&) = delete;
 
   bool is_running();
+  // While it runs.
+  pid_t pid() const noexcept { return pid_; }
   // Sends the signal and waits for the end; the exit code, or 128 + N when signal N ended it.
   int end(int signal);
 
@@ -44,6 +46,8 @@ class Display {
   }
   std::string layout_file() const { return folder_ / "state/ghostforce/layout.toml"; }
   std::string preferences_file() const { return folder_ / "config/ghostforce/preferences.toml"; }
+  // The server's own memory, in the format of xwd.
+  std::string memory_file() const { return folder_ / "Xvfb_screen0"; }
   // What is on the screen now.
   Image picture() const;
   // xdotool with these words, to its end.

@@ -1,0 +1,339 @@
+// What a frame costs: the whole screen against an empty ImGui frame and against what ImGui and ImPlot show of
+// themselves, drawn in software into memory; and what a window costs in which nothing moves.
+#include <glad/gl.h>
+
+#include <fmt/format.h>
+#include <imgui_internal.h>
+#include <implot.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <ctime>
+#include <fstream>
+#include <functional>
+#include <numbers>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "app/input_choices.h"
+#include "app/panels/panel_catalog.h"
+#include "app/scene_file.h"
+#include "app/screen.h"
+#include "bench/support/contest.h"
+#include "bench/support/report.h"
+#include "core/play.h"
+#include "tests/support/display.h"
+
+namespace ghostforce::bench {
+namespace {
+
+constexpr double frame_s = 1.0 / 60.0;
+constexpr int width = 1280;
+constexpr int height = 720;
+constexpr std::string_view empty_frame = "an empty ImGui frame";
+constexpr std::string_view demo_frame = "a window as ImGui's and ImPlot's demos";
+constexpr std::string_view screen_frame = "the whole screen";
+
+// ---- What a demo shows ----------------------------------------------------------------------------------------------
+
+struct DemoCurves {
+  static constexpr int count = 1001;
+  std::vector<double> x, slow, quick, noise;
+
+  DemoCurves() {
+    for (int i = 0; i < count; ++i) {
+      x.push_back(0.001 * i);
+      slow.push_back(0.5 + 0.5 * std::sin(50.0 * (x.back() + 0.1)));
+      quick.push_back(x.back() * x.back());
+      noise.push_back(0.5 + 0.25 * std::sin(35.0 * x.back()) + 0.05 * std::sin(1234.5 * i * i));
+    }
+  }
+};
+
+void draw_demo_plots(const DemoCurves& curves) {
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  const ImVec2 size{0.5F * (room.x - ImGui::GetStyle().ItemSpacing.x),
+                    0.5F * (room.y - ImGui::GetStyle().ItemSpacing.y)};
+  constexpr int count = DemoCurves::count;
+  if (ImPlot::BeginPlot("Line plots", size)) {
+    ImPlot::SetupAxes("x", "y");
+    ImPlot::PlotLine("f(x)", curves.x.data(), curves.slow.data(), count);
+    ImPlot::PlotLine("g(x)", curves.x.data(), curves.quick.data(), count);
+    ImPlot::EndPlot();
+  }
+  ImGui::SameLine();
+  if (ImPlot::BeginPlot("Shaded plots", size)) {
+    ImPlot::SetupAxes("days", "price");
+    ImPlot::PlotShaded("stock", curves.x.data(), curves.noise.data(), count);
+    ImPlot::PlotLine("stock", curves.x.data(), curves.noise.data(), count);
+    ImPlot::EndPlot();
+  }
+  if (ImPlot::BeginPlot("Scatter plots", size)) {
+    ImPlot::PlotScatter("data 1", curves.x.data(), curves.noise.data(), count / 10);
+    ImPlot::PlotScatter("data 2", curves.x.data(), curves.slow.data(), count / 20);
+    ImPlot::EndPlot();
+  }
+  ImGui::SameLine();
+  if (ImPlot::BeginPlot("Bar plots", size)) {
+    constexpr std::array heights{1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0};
+    ImPlot::PlotBars("vertical", heights.data(), static_cast<int>(heights.size()), 0.7, 1.0);
+    ImPlot::EndPlot();
+  }
+}
+
+void draw_demo_widgets() {
+  static std::array<float, 4> colour{0.4F, 0.7F, 0.0F, 0.5F};
+  static std::array<char, 32> words{"Hello, world!"};
+  static bool is_checked = true;
+  static int choice = 0;
+  static int whole = 123;
+  static float number = 0.001F;
+  static float angle = 0.0F;
+  if (ImGui::CollapsingHeader("Basic", ImGuiTreeNodeFlags_DefaultOpen)) {
+    for (const char* const name : {"Button", "Another", "A third"}) {
+      ImGui::Button(name);
+      ImGui::SameLine();
+    }
+    ImGui::Checkbox("checkbox", &is_checked);
+    for (int i = 0; i < 3; ++i) {
+      if (i > 0) ImGui::SameLine();
+      ImGui::RadioButton(fmt::format("radio {}", i).c_str(), &choice, i);
+    }
+    ImGui::InputText("input text", words.data(), words.size());
+    ImGui::InputInt("input int", &whole);
+    ImGui::DragFloat("drag float", &number, 0.005F);
+    ImGui::SliderInt("slider int", &whole, -1, 300);
+    ImGui::SliderFloat("slider float", &number, 0.0F, 1.0F, "ratio = %.3f");
+    ImGui::SliderAngle("slider angle", &angle);
+    ImGui::ColorEdit4("colour", colour.data());
+    ImGui::Combo("combo", &choice, "AAAA\0BBBB\0CCCC\0");
+    ImGui::ProgressBar(0.4F);
+  }
+  if (ImGui::CollapsingHeader("Tables", ImGuiTreeNodeFlags_DefaultOpen) &&
+      ImGui::BeginTable("table", 4, ImGuiTableFlags_Borders | ImGuiTableFlags_RowBg)) {
+    for (int row = 0; row < 8; ++row) {
+      ImGui::TableNextRow();
+      for (int column = 0; column < 4; ++column) {
+        ImGui::TableSetColumnIndex(column);
+        ImGui::Text("Hello %d,%d", column, row);
+      }
+    }
+    ImGui::EndTable();
+  }
+  if (ImGui::CollapsingHeader("Text", ImGuiTreeNodeFlags_DefaultOpen)) {
+    ImGui::TextWrapped("This text should automatically wrap on the edge of the window. The current implementation for "
+                       "text wrapping follows simple rules suitable for English and possibly other languages.");
+    for (int i = 0; i < 6; ++i) ImGui::BulletText("Bullet point %d", i);
+  }
+}
+
+void draw_demo(const DemoCurves& curves) {
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  const float middle = 0.665F * size.x;  // where the screen's own column of panels begins
+  ImGui::SetNextWindowPos({0.0F, 0.0F});
+  ImGui::SetNextWindowSize({middle, size.y});
+  ImGui::Begin("ImPlot demo", nullptr, ImGuiWindowFlags_NoSavedSettings);
+  draw_demo_plots(curves);
+  ImGui::End();
+  ImGui::SetNextWindowPos({middle, 0.0F});
+  ImGui::SetNextWindowSize({size.x - middle, size.y});
+  ImGui::Begin("ImGui demo", nullptr, ImGuiWindowFlags_NoSavedSettings);
+  draw_demo_widgets();
+  ImGui::End();
+}
+
+// ---- What the program shows -----------------------------------------------------------------------------------------
+
+// A hand that has gone to and fro across the wall for so long, and what is to be seen of it.
+struct Shown {
+  Session session;
+  Snapshot snapshot;
+  History history;
+
+  Shown(double seconds, double period_s) {
+    Scene scene = load_scene("wall45");
+    const std::vector<Vector<2>> ends = scene.goal.points;
+    scene.goal = {{}, {}};
+    for (int turn = 0; turn <= static_cast<int>(std::lround(seconds / period_s * 16.0)); ++turn) {
+      const double phase = turn * std::numbers::pi / 8.0;
+      const Vector<2> reach = 0.5 * (ends.back() - ends.front());
+      scene.goal.points.push_back(0.5 * (ends.front() + ends.back()) + reach * std::cos(phase) +
+                                  Vector<2>(-reach.y, reach.x) * std::sin(phase));
+      scene.goal.times.push_back(turn * period_s / 16.0);
+    }
+    scene.duration = seconds;
+    play(scene, last_tick(scene), [this](const Snapshot& tick) {
+      history.add(tick);
+      snapshot = tick;
+    });
+    session = session_of(scene);
+    session.plots.is_open = true;
+    session.plots.to_s = seconds;
+    session.has_handles = true;
+    session.folded_panels = panels_folded_at_first(height);
+  }
+};
+
+// Counts the time of this thread's processor between ImGui's NewFrame and its EndFrame: what the program itself does
+// for a frame.
+class BuildClock {
+ public:
+  BuildClock() {
+    add(ImGuiContextHookType_NewFramePost, [](ImGuiContext*, ImGuiContextHook* hook) {
+      static_cast<BuildClock*>(hook->UserData)->began_s_ = processor_s();
+    });
+    add(ImGuiContextHookType_EndFramePre, [](ImGuiContext*, ImGuiContextHook* hook) {
+      auto& clock = *static_cast<BuildClock*>(hook->UserData);
+      clock.frames_s_.push_back(processor_s() - clock.began_s_);
+    });
+  }
+  BuildClock(const BuildClock&) = delete;
+  BuildClock& operator=(const BuildClock&) = delete;
+  ~BuildClock() {
+    for (const ImGuiID id : hooks_) ImGui::RemoveContextHook(ImGui::GetCurrentContext(), id);
+  }
+
+  // Of the frames since the last call.
+  std::vector<double> take_frames() { return std::exchange(frames_s_, {}); }
+
+ private:
+  static double processor_s() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+  }
+  void add(ImGuiContextHookType type, ImGuiContextHookCallback callback) {
+    ImGuiContextHook hook;
+    hook.Type = type;
+    hook.Callback = callback;
+    hook.UserData = this;
+    hooks_.push_back(ImGui::AddContextHook(ImGui::GetCurrentContext(), &hook));
+  }
+
+  std::vector<ImGuiID> hooks_;
+  double began_s_ = 0.0;
+  std::vector<double> frames_s_;
+};
+
+// The scene's marks go to OpenGL between NewFrame and EndFrame, where a software renderer begins with them at once.
+// While this lives it is told of them and draws none.
+class NothingDrawn {
+ public:
+  NothingDrawn() {
+    glad_glDrawArraysInstanced = [](GLenum, GLint, GLsizei, GLsizei) {};
+    glad_glClear = [](GLbitfield) {};
+  }
+  NothingDrawn(const NothingDrawn&) = delete;
+  NothingDrawn& operator=(const NothingDrawn&) = delete;
+  ~NothingDrawn() {
+    glad_glDrawArraysInstanced = draw_;
+    glad_glClear = clear_;
+  }
+
+ private:
+  PFNGLDRAWARRAYSINSTANCEDPROC draw_ = glad_glDrawArraysInstanced;
+  PFNGLCLEARPROC clear_ = glad_glClear;
+};
+
+class Frames {
+ public:
+  Frames()
+      : window_({.title = "bench", .width = width, .height = height, .offscreen = true, .takes_mouse = false}),
+        screen_(window_, Part::window),
+        inputs_(input_choices(false)) {}
+
+  // All draw the same number of pixels, to the last of them.
+  Contestant empty() {
+    return frames(empty_frame, [this] {
+      window_.frame(frame_s, [] {
+        glClearColor(1.0F, 1.0F, 1.0F, 1.0F);
+        glClear(GL_COLOR_BUFFER_BIT);
+      });
+    });
+  }
+  Contestant demo() {
+    return frames(demo_frame, [this] {
+      window_.frame(frame_s, [this] {
+        glClearColor(1.0F, 1.0F, 1.0F, 1.0F);
+        glClear(GL_COLOR_BUFFER_BIT);
+        draw_demo(curves_);
+      });
+    });
+  }
+  Contestant screen(std::string_view name, Shown& shown) {
+    return frames(name, [this, &shown] { draw(shown); });
+  }
+  void draw(Shown& shown) {
+    screen_.draw(shown.session, shown.snapshot, shown.history,
+                 {.input_title = "mouse", .rate_hz = 1000.0, .inputs = inputs_}, frame_s);
+  }
+  void write_png(const std::string& path);
+
+  // The program's own share of a frame, each frame [s].
+  std::vector<double> build_times(Shown& shown, int count) {
+    const NothingDrawn nothing_drawn;
+    BuildClock clock;
+    for (int i = 0; i < count; ++i) draw(shown);
+    glFinish();
+    return clock.take_frames();
+  }
+
+ private:
+  static Contestant frames(std::string_view name, const std::function<void()>& draw_one) {
+    return {std::string(name), [draw_one](std::int64_t calls) {
+              for (std::int64_t i = 0; i < calls; ++i) {
+                draw_one();
+                glFinish();
+              }
+            }};
+  }
+
+  Window window_;
+  Screen screen_;
+  std::vector<InputChoice> inputs_;
+  DemoCurves curves_;
+};
+
+void add_frames(Report& report) {
+  Frames frames;
+  constexpr double quick_s = 1.0;
+  constexpr double slow_s = 4.0;
+  Shown shown(8.0, quick_s), quick_short(2.0, quick_s), quick_long(60.0, quick_s), slow_short(2.0, slow_s), slow_long(60.0, slow_s);
+  const Contest contest({frames.empty(), frames.demo(), frames.screen(screen_frame, shown),
+                         frames.screen("quick, 2 s", quick_short), frames.screen("quick, 60 s", quick_long),
+                         frames.screen("slow, 2 s", slow_short), frames.screen("slow, 60 s", slow_long)},
+                        {.rounds = 41, .seconds_per_turn = 0.02});
+  for (const std::string_view name : {empty_frame, demo_frame, screen_frame}) {
+    report.row(fmt::format("{}", name), fmt::format("{:.2f} ms", 1e3 * contest.median_seconds(name)));
+  }
+  const double to_demo = contest.ratio(screen_frame, demo_frame);
+  report.row("the whole screen, plots open, against the demos' window", fmt::format("{:.2f}", to_demo),
+             at_most(to_demo, 2.0));
+  report.row("… against an empty frame", fmt::format("{:.2f}", contest.ratio(screen_frame, empty_frame)));
+  const double build = 1e3 * median(frames.build_times(shown, 301));
+  report.row("the program's own code for it, one processor's time, without drawing", fmt::format("{:.3f} ms", build),
+             at_most(build, 0.5, "ms"));
+  for (const std::string_view hand : {"quick", "slow"}) {
+    const double ratio = contest.ratio(fmt::format("{}, 60 s", hand), fmt::format("{}, 2 s", hand));
+    report.row(fmt::format("a history of 60 s against one of 2 s, both in sight, {} hand", hand), fmt::format("{:.2f}", ratio),
+               at_most(ratio, 1.1));
+  }
+  report.row("… 60 s, quick: own code", fmt::format("{:.3f} ms", 1e3 * median(frames.build_times(quick_long, 301))));
+  report.row("… 2 s, quick: own code", fmt::format("{:.3f} ms", 1e3 * median(frames.build_times(quick_short, 301))));
+}
+
+}  // namespace
+}  // namespace ghostforce::bench
+
+int main(int argc, char** argv) {
+  using namespace ghostforce::bench;
+  Report report("4. Frames");
+  add_frames(report);
+  return report.finish(argc, argv);
+}
