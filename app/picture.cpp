@@ -95,9 +95,10 @@ Drawing draw_moment(const PictureRequest& request, const Moment& moment) {
                  .takes_mouse = false});
   Screen screen(window, request.part);
   const std::vector<InputChoice> inputs = input_choices(false);
-  // A panel of ImGui knows its size one frame after its content.
+  // A panel of ImGui knows its size one frame after its content. Nobody sees the frames before the last.
   constexpr int frames_to_settle = 3;
   for (int i = 0; i < frames_to_settle; ++i) {
+    window.set_visible_drawing(i + 1 == frames_to_settle);
     screen.draw(session, moment.snapshot, moment.history,
                 {.input_title = hand.title, .rate_hz = session.settings.rate, .inputs = inputs}, 0.0);
   }

@@ -335,6 +335,10 @@ void Window::frame(double interval_s, const std::function<void()>& draw) {
   glfwSwapBuffers(handle());
 }
 
+void Window::set_visible_drawing(bool is_on) {
+  (is_on ? glDisable : glEnable)(GL_RASTERIZER_DISCARD);
+}
+
 Image Window::picture() const {
   Image image{pixel_width(), pixel_height(), {}};
   const std::size_t row = 3U * static_cast<std::size_t>(image.width);

@@ -79,6 +79,9 @@ class Window {
   // machine is.
   void frame(double interval_s, const std::function<void()>& draw);
 
+  // False: frames run to their end, only that no pixel is touched; on a software renderer that is most of the work.
+  void set_visible_drawing(bool is_on);
+
   // What the last frame() drew.
   Image picture() const;
 

@@ -7,7 +7,6 @@
 
 #include <array>
 #include <chrono>
-#include <csignal>
 #include <cstdint>
 #include <exception>
 #include <stdexcept>
@@ -35,7 +34,7 @@ class Glass {
   explicit Glass(const std::string& path) {
     const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (file < 0) throw std::runtime_error("the display's memory is not there");
-    struct stat known{};
+    struct stat known {};
     fstat(file, &known);
     size_ = static_cast<std::size_t>(known.st_size);
     void* const memory = mmap(nullptr, size_, PROT_READ, MAP_SHARED, file, 0);
@@ -52,7 +51,8 @@ class Glass {
 
  private:
   // One in each corner.
-  static constexpr std::array<std::pair<int, int>, 4> spots{{{4, 4}, {width - 5, 4}, {4, height - 5}, {width - 5, height - 5}}};
+  static constexpr std::array<std::pair<int, int>, 4> spots{
+      {{4, 4}, {width - 5, 4}, {4, height - 5}, {width - 5, height - 5}}};
 
   std::size_t count_lit() const {
     // As Display::picture() reads it: a header of big-endian words, a colour table, then rows of four bytes a pixel.
@@ -90,7 +90,6 @@ double seconds_to_picture(const std::vector<std::string>& words, const Display& 
   BackgroundProgram program(words, display.environment());
   wait_for([&] { return glass.is_lit_everywhere(); });
   const double taken = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-  program.end(SIGTERM);
   return taken;
 }
 
@@ -128,7 +127,8 @@ void add_offscreen(Report& report) {
   const Contest contest({program("render", {GHOSTFORCE_PROGRAM, "render", "wall45", "-o", folder / "picture.png"}),
                          program("empty", {MINIMAL_OFFSCREEN})},
                         {.rounds = 15, .seconds_per_turn = 0.1});
-  report.row("`ghostforce render wall45 -o F.png`, to its end", fmt::format("{:.0f} ms", 1e3 * contest.median_seconds("render")));
+  report.row("`ghostforce render wall45 -o F.png`, to its end",
+             fmt::format("{:.0f} ms", 1e3 * contest.median_seconds("render")));
   report.row("an empty OSMesa start, read once", fmt::format("{:.0f} ms", 1e3 * contest.median_seconds("empty")));
   const double ratio = contest.ratio("render", "empty");
   report.row("`render` against it", fmt::format("{:.2f}", ratio), at_most(ratio, 2.0));
