@@ -279,6 +279,12 @@ void Application::note_motors() {
   command_.has_focus = window_.has_focus();
 }
 
+void Application::beat() {
+  note_motors();
+  ++command_.heart_beats;
+  servo_->send(command_);
+}
+
 void Application::tell(std::string words, bool is_problem) {
   session_.notice = Notice{std::move(words), is_problem, 0.0};
 }

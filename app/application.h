@@ -61,6 +61,9 @@ class Application {
   // One frame. `interval_s`: real time since the frame before.
   void frame(double interval_s);
 
+  // Instead of a frame, where nothing is to be drawn: the servo learns that the window is alive.
+  void beat();
+
   // Tells the person something at the next frame.
   void tell(std::string words, bool is_problem);
 

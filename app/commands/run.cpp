@@ -55,16 +55,28 @@ class FramePacer {
     const double wait_s = std::max(0.0, interval_s - seconds(Clock::now() - frame_began));
     const Clock::time_point before = Clock::now();
     window.poll(wait_s);
-    const bool something_happened = seconds(Clock::now() - before) < 0.9 * wait_s;
+    const Clock::time_point now = Clock::now();
+    const bool something_happened = seconds(now - before) < 0.9 * wait_s;
     frames_to_settle_ = something_happened ? settling_frames : std::max(0, frames_to_settle_ - 1);
+    if (something_happened || !idle) last_stir_ = now;
+  }
+
+  // Nothing has happened for so long that even what waits for a pointer to rest has come, and what is on the screen is
+  // not old: there is nothing to draw.
+  bool may_sleep(Clock::time_point last_drawn) const {
+    const Clock::time_point now = Clock::now();
+    return seconds(now - last_stir_) > stirred_s && seconds(now - last_drawn) < oldest_s;
   }
 
  private:
   static constexpr double frame_s = 1.0 / 60.0;
   static constexpr double idle_s = 0.25;
+  static constexpr double stirred_s = 1.5;  // until a word of explanation is there
+  static constexpr double oldest_s = 5.0;   // of the status bar
   // ImGui takes what comes in at once apart, one event a frame.
   static constexpr int settling_frames = 6;
   int frames_to_settle_ = settling_frames;
+  Clock::time_point last_stir_ = Clock::now();
 };
 
 // Keeps what shall be remembered up to date. What the command line asked for holds for this run only.
@@ -184,6 +196,12 @@ int run(const Options& options) {
     stop_if_interrupted();
     const Clock::time_point now = Clock::now();
     if (options.exit_after_s && seconds(now - began) >= *options.exit_after_s) break;
+    // A caret blinks while somebody writes.
+    if (application.is_idle() && !application.session().is_editing && pacer.may_sleep(last)) {
+      application.beat();
+      pacer.wait(window, true, now);
+      continue;
+    }
     application.frame(seconds(now - last));
     last = now;
     try {
