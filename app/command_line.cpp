@@ -13,6 +13,7 @@
 #include <fmt/core.h>
 #include <CLI/CLI.hpp>
 
+#include "app/command_options.h"
 #include "app/commands/command.h"
 #include "app/failure.h"
 #include "app/nearest_name.h"
@@ -159,7 +160,7 @@ std::function<int()> parse_command_line(std::vector<std::string> words) {
   std::map<const CLI::App*, std::function<int()>> actions;
   for (const Command& command : command_catalog()) {
     CLI::App* const subcommand = app->add_subcommand(std::string(command.name), std::string(command.sentence));
-    actions.emplace(subcommand, command.attach(*subcommand));
+    actions.emplace(subcommand, command.attach(CommandOptions(*subcommand)));
   }
 
   std::reverse(words.begin(), words.end());  // as CLI11 wants them

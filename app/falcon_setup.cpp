@@ -33,42 +33,38 @@ std::optional<UsbId> parse_usb_id(std::string_view text) {
   return UsbId{*vendor, *product};
 }
 
-CLI::Validator is_usb_id() {
-  return CLI::Validator(
-      [](std::string& text) -> std::string {
-        if (parse_usb_id(text)) return {};
-        return fmt::format(
-            "'{}' is no USB id; give vendor and product as lsusb shows them, four hex digits each: "
-            "{:04x}:{:04x}",
-            printable(text), falcon_usb_id.vendor, falcon_usb_id.product);
-      },
-      "");
+WordCheck is_usb_id() {
+  return [](const std::string& text) -> std::string {
+    if (parse_usb_id(text)) return {};
+    return fmt::format(
+        "'{}' is no USB id; give vendor and product as lsusb shows them, four hex digits each: "
+        "{:04x}:{:04x}",
+        printable(text), falcon_usb_id.vendor, falcon_usb_id.product);
+  };
 }
 
 }  // namespace
 
-void FalconSetUp::attach(CLI::App& subcommand) {
+void FalconSetUp::attach(CommandOptions subcommand) {
   subcommand
       .add_option("--firmware", firmware,
                   "The Falcon's firmware; default: $GHOSTFORCE_FIRMWARE, else falcon/firmware.bin among the settings")
-      ->type_name("FILE");
+      .type_name("FILE");
   subcommand
       .add_option("--falcon-serial", serial, "Which Falcon, of several: its serial number; default: the first of them")
-      ->type_name("NUMBER");
+      .type_name("NUMBER");
   subcommand.add_option("--falcon-usb-id", usb_id, "Another device than 0403:cb48 is a Falcon")
-      ->type_name("VVVV:PPPP")
-      ->check(is_usb_id());
+      .type_name("VVVV:PPPP")
+      .check(is_usb_id());
   std::vector<std::string_view> names;
   for (const MisbehaviourKind& kind : misbehaviour_catalog()) names.push_back(kind.name);
   subcommand
       .add_option("--misbehave", misbehave,
                   fmt::format("With --input virtual-falcon: what goes wrong with it. {}", listed(names)))
-      ->type_name("NAME[,NAME]")
-      ->delimiter(',')
-      ->expected(1)
-      ->allow_extra_args(false)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-      ->check(one_of(names));
+      .type_name("NAME[,NAME]")
+      .divided_by(',')
+      .repeatable()
+      .check(one_of(names));
 }
 
 std::optional<FirmwareImage> FalconSetUp::read_firmware_file() const {

@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
+#include "app/command_options.h"
 #include "device/falcon/firmware_file.h"
 #include "device/input_catalog.h"
 
@@ -19,7 +18,7 @@ struct FalconSetUp {
   std::string serial;                  // of the one that is meant; empty: the first, in their order
   std::vector<std::string> misbehave;  // names of misbehaviour_catalog()
 
-  void attach(CLI::App& subcommand);
+  void attach(CommandOptions subcommand);
 
   // Empty: no file is named and none is in the usual place. Throws Failure where there is one and it cannot be taken.
   std::optional<FirmwareImage> read_firmware_file() const;

@@ -114,25 +114,25 @@ int check(const Options& options) {
 
 }  // namespace
 
-std::function<int()> attach_check(CLI::App& subcommand) {
+std::function<int()> attach_check(CommandOptions subcommand) {
   const auto options = std::make_shared<Options>();
   subcommand.add_option("DIR", options->folder, "The folder with the cases, NAME.toml each and its golden NAME.png")
-      ->type_name("")
-      ->required();
-  CLI::Option* const only =
-      subcommand.add_option("--only", options->only, "Check these cases, not all")->type_name("NAME...");
-  CLI::Option* const update_option =
+      .type_name("")
+      .required();
+  const CommandOption only =
+      subcommand.add_option("--only", options->only, "Check these cases, not all").type_name("NAME...");
+  const CommandOption update_option =
       subcommand
           .add_option("--update", options->update,
                       "Store these cases' pictures as they are drawn now, and check nothing")
-          ->type_name("NAME...")
-          ->excludes(only);
+          .type_name("NAME...")
+          .excludes(only);
   subcommand
       .add_option("--report", options->report,
                   "Write report.html, junit.xml and the pictures of cases that fail into this folder")
-      ->type_name("DIR")
-      ->check([](const std::string& folder) { return std::string(folder.empty() ? "name a folder" : ""); })
-      ->excludes(update_option);
+      .type_name("DIR")
+      .check([](const std::string& folder) { return std::string(folder.empty() ? "name a folder" : ""); })
+      .excludes(update_option);
   subcommand.footer(
       "A case, NAME.toml (only scene is required):\n"
       "  scene = \"wall45\"            # a shipped scene, or a path relative to this file\n"

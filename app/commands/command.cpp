@@ -15,49 +15,43 @@
 
 namespace ghostforce {
 
-void SceneOptions::attach(CLI::App& subcommand, bool scene_required) {
-  CLI::Option* const name = subcommand.add_option(
+void SceneOptions::attach(CommandOptions subcommand, bool scene_required) {
+  const CommandOption name = subcommand.add_option(
       "SCENE", scene, "Path of a scene file, or name of a shipped scene; 'ghostforce --help' lists those");
-  name->type_name("");
+  name.type_name("");
   if (scene_required) {
-    name->required();
+    name.required();
   } else {
-    name->default_str(scene);
+    name.default_text(scene);
   }
   option = name;
   subcommand
       .add_option("--set", overrides,
                   "Another value for a key of the scene, e.g. rendering.k_r_N_per_m=800; may be repeated")
-      ->type_name("KEY=VALUE")
-      ->expected(1)
-      ->allow_extra_args(false)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+      .type_name("KEY=VALUE")
+      .repeatable();
 }
 
 Scene SceneOptions::load() const {
   return load_scene(scene, overrides);
 }
 
-CLI::Validator one_of(std::vector<std::string_view> words) {
+WordCheck one_of(std::vector<std::string_view> words) {
   const std::string all = listed(words);
-  return CLI::Validator(
-      [words = std::move(words), all](std::string& word) -> std::string {
-        if (std::find(words.begin(), words.end(), word) != words.end()) return {};
-        return fmt::format("'{}' is none of {}{}", printable(word), all, did_you_mean(word, words));
-      },
-      "");
+  return [words = std::move(words), all](const std::string& word) -> std::string {
+    if (std::find(words.begin(), words.end(), word) != words.end()) return {};
+    return fmt::format("'{}' is none of {}{}", printable(word), all, did_you_mean(word, words));
+  };
 }
 
-CLI::Validator number_between(double least, double greatest, std::string unit) {
-  return CLI::Validator(
-      [least, greatest, unit = std::move(unit)](std::string& text) -> std::string {
-        char* end = nullptr;
-        const double value = std::strtod(text.c_str(), &end);
-        if (!text.empty() && *end == '\0' && value >= least && value <= greatest) return {};
-        return fmt::format("'{}' is not a number from {:g} to {:g}{}{}", printable(text), least, greatest,
-                           unit.empty() ? "" : " ", unit);
-      },
-      "");
+WordCheck number_between(double least, double greatest, std::string unit) {
+  return [least, greatest, unit = std::move(unit)](const std::string& text) -> std::string {
+    char* end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    if (!text.empty() && *end == '\0' && value >= least && value <= greatest) return {};
+    return fmt::format("'{}' is not a number from {:g} to {:g}{}{}", printable(text), least, greatest,
+                       unit.empty() ? "" : " ", unit);
+  };
 }
 
 void stop_if_run_away(const Snapshot& snapshot, StrategyId id) {

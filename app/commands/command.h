@@ -9,8 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
+#include "app/command_options.h"
 #include "core/scene.h"
 #include "core/snapshot.h"
 
@@ -21,7 +20,7 @@ struct Command {
   std::string_view sentence;  // what it does, for the list of commands
   // Adds options, and returns what runs once they are parsed; that returns an
   // exit code or throws Failure.
-  std::function<int()> (*attach)(CLI::App& subcommand);
+  std::function<int()> (*attach)(CommandOptions subcommand);
 };
 
 // In the order in which --help lists them.
@@ -32,21 +31,21 @@ struct SceneOptions {
   std::string scene = "wall45";
   std::vector<std::string> overrides;
 
-  void attach(CLI::App& subcommand, bool scene_required);
+  void attach(CommandOptions subcommand, bool scene_required);
   // Whether the person has named one.
-  bool is_named() const { return option != nullptr && option->count() > 0; }
+  bool is_named() const { return option && option->is_given(); }
   // Throws Failure, see scene_file.h.
   Scene load() const;
 
-  const CLI::Option* option = nullptr;  // of the scene, once attached
+  std::optional<CommandOption> option;  // of the scene, once attached
 };
 
 // An option's value must be one of these words; if not, the nearest is named.
-CLI::Validator one_of(std::vector<std::string_view> words);
+WordCheck one_of(std::vector<std::string_view> words);
 
-// An option's value must be a number between these, both ends included; `unit` is for the message. Unlike CLI::Range it
-// lets no NaN through.
-CLI::Validator number_between(double least, double greatest, std::string unit);
+// An option's value must be a number between these, both ends included; `unit` is for the message. It lets
+// no NaN through.
+WordCheck number_between(double least, double greatest, std::string unit);
 
 // Unstable settings let the numbers grow until they are none. That is an answer, but no data: throws
 // Failure(wrong_call).

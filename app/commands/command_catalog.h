@@ -3,19 +3,19 @@
 
 #include <functional>
 
-#include <CLI/CLI.hpp>
+#include "app/command_options.h"
 
 namespace ghostforce {
 
-std::function<int()> attach_run(CLI::App& subcommand);
-std::function<int()> attach_render(CLI::App& subcommand);
-std::function<int()> attach_simulate(CLI::App& subcommand);
-std::function<int()> attach_equilibrium(CLI::App& subcommand);
-std::function<int()> attach_figures(CLI::App& subcommand);
-std::function<int()> attach_sweep(CLI::App& subcommand);
-std::function<int()> attach_replay(CLI::App& subcommand);
-std::function<int()> attach_measure_user(CLI::App& subcommand);
-std::function<int()> attach_check(CLI::App& subcommand);
-std::function<int()> attach_doctor(CLI::App& subcommand);
+std::function<int()> attach_run(CommandOptions subcommand);
+std::function<int()> attach_render(CommandOptions subcommand);
+std::function<int()> attach_simulate(CommandOptions subcommand);
+std::function<int()> attach_equilibrium(CommandOptions subcommand);
+std::function<int()> attach_figures(CommandOptions subcommand);
+std::function<int()> attach_sweep(CommandOptions subcommand);
+std::function<int()> attach_replay(CommandOptions subcommand);
+std::function<int()> attach_measure_user(CommandOptions subcommand);
+std::function<int()> attach_check(CommandOptions subcommand);
+std::function<int()> attach_doctor(CommandOptions subcommand);
 
 }  // namespace ghostforce

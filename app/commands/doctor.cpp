@@ -119,20 +119,20 @@ int doctor(const Options& options) {
 
 }  // namespace
 
-std::function<int()> attach_doctor(CLI::App& subcommand) {
+std::function<int()> attach_doctor(CommandOptions subcommand) {
   const auto options = std::make_shared<Options>();
   subcommand.add_flag("--json", options->json, "For programs: JSON in SI units");
   subcommand.add_flag("--install-udev", options->install_udev,
                       "Install the rule by which a person at this machine may use the devices; asks for root");
-  subcommand.add_flag("--udev-announced", options->is_udev_announced)->group("");
+  subcommand.add_flag("--udev-announced", options->is_udev_announced, "").hidden();
   subcommand
       .add_option("--wait", options->wait_s,
                   "Wait so long for a person to home the device and move its handle; default: 30 on a terminal, else 0")
-      ->type_name("S")
-      ->check(number_between(0.0, 3600.0, "s"));
+      .type_name("S")
+      .check(number_between(0.0, 3600.0, "s"));
   subcommand.add_option("--input", options->input, "falcon, or virtual-falcon to try this out; default: falcon")
-      ->type_name("NAME")
-      ->check(one_of({"falcon", "virtual-falcon"}));
+      .type_name("NAME")
+      .check(one_of({"falcon", "virtual-falcon"}));
   options->falcon.attach(subcommand);
   subcommand.footer(
       "The ladder: plugged in, allowed, free, firmware, homed, encoders move, fast enough. The first rung that is not\n"

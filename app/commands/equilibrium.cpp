@@ -112,13 +112,13 @@ int equilibrium(const Options& options) {
 
 }  // namespace
 
-std::function<int()> attach_equilibrium(CLI::App& subcommand) {
+std::function<int()> attach_equilibrium(CommandOptions subcommand) {
   const auto options = std::make_shared<Options>();
   options->scene.attach(subcommand, true);
   subcommand
       .add_option("--goal-mm", options->goal_mm,
                   "Where the hand wants to be, in mm; default: the scene's last waypoint")
-      ->type_name("X,Y");
+      .type_name("X,Y");
   subcommand.add_flag("--json", options->json, "For programs: JSON in SI units, all digits");
   subcommand.footer(
       "The anisotropic strategy is computed with the scene's tracking ratio, so that a wrong belief about the hand\n"

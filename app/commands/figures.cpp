@@ -86,11 +86,11 @@ int figures(const Options& options) {
 
 }  // namespace
 
-std::function<int()> attach_figures(CLI::App& subcommand) {
+std::function<int()> attach_figures(CommandOptions subcommand) {
   const auto options = std::make_shared<Options>();
   subcommand.add_option("-o,--output", options->folder, "The folder for the files; made if it is not there")
-      ->type_name("DIR")
-      ->required();
+      .type_name("DIR")
+      .required();
   std::vector<std::string_view> names;
   std::string list;
   for (const FigureEntry& entry : figure_catalog()) {
@@ -98,12 +98,12 @@ std::function<int()> attach_figures(CLI::App& subcommand) {
     list += fmt::format("  {:28}{}\n", entry.name, entry.sentence);
   }
   subcommand.add_option("--only", options->only, "Make these figures alone, one or more")
-      ->type_name("NAME")
-      ->check(one_of(names));
+      .type_name("NAME")
+      .check(one_of(names));
   subcommand
       .add_option("--hand", options->hand,
                   "A recording, or a CSV of simulate: figure-6 shows its hand in place of a simulated one")
-      ->type_name("RUN.csv");
+      .type_name("RUN.csv");
   subcommand.footer("Figures:\n" + list +
                     "\n"
                     "Each comes as NAME.png, NAME@2x.png, NAME.svg and NAME.pdf, and the numbers that it was drawn "

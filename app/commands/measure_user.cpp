@@ -302,16 +302,16 @@ int measure_user(const Options& options) {
 
 }  // namespace
 
-std::function<int()> attach_measure_user(CLI::App& subcommand) {
+std::function<int()> attach_measure_user(CommandOptions subcommand) {
   const auto options = std::make_shared<Options>();
   subcommand.add_option("RUN.csv", options->run, "What 'simulate', 'replay' or a recording has written")
-      ->type_name("")
-      ->required();
+      .type_name("")
+      .required();
   subcommand
       .add_option("--target-mm", options->target_mm,
                   "Where the hand aimed, in mm; its foot on the wall counts. Needed, and used, where the device "
                   "is a real one")
-      ->type_name("X,Y");
+      .type_name("X,Y");
   subcommand.add_flag("--json", options->json, "For programs: JSON in SI units, all digits");
   subcommand.footer(
       "Wherever hand and device rest at the wall, the drift of the proxy along it tells the ratio at which there "

@@ -4,8 +4,7 @@
 #include <optional>
 #include <string>
 
-#include <CLI/CLI.hpp>
-
+#include "app/command_options.h"
 #include "app/session.h"
 #include "core/scene.h"
 
@@ -17,7 +16,7 @@ struct PictureOptions {
   std::optional<double> scale;
 
   // `with_all`: "all" shows every strategy in one picture.
-  void attach(CLI::App& subcommand, bool with_all);
+  void attach(CommandOptions subcommand, bool with_all);
   void apply_strategy(Scene& scene) const;
   // What was not asked for stays as it is.
   void apply_look(Look& look) const;

@@ -118,35 +118,35 @@ int render(const Options& options) {
 
 }  // namespace
 
-std::function<int()> attach_render(CLI::App& subcommand) {
+std::function<int()> attach_render(CommandOptions subcommand) {
   const auto options = std::make_shared<Options>();
   options->scene.attach(subcommand, true);
   subcommand
       .add_option("-o,--output", options->output,
                   "The file to write, all or nothing: .svg and .pdf hold vectors, any other name a PNG; - is the "
                   "standard output")
-      ->type_name("FILE")
-      ->required();
+      .type_name("FILE")
+      .required();
   subcommand.add_option("--at", options->at_s, "The moment to show [s]; default: the scene's duration")
-      ->type_name("T")
-      ->check(number_between(0.0, 1e6, "s"));
+      .type_name("T")
+      .check(number_between(0.0, 1e6, "s"));
   subcommand
       .add_option("--size", options->size, "Pixels, or points of an SVG or PDF, 64 to 4096 each way; default: 1280x800")
-      ->type_name("WxH");
+      .type_name("WxH");
   subcommand
       .add_option("--part", options->part,
                   "window: scene, panels and bars; scene: the scene alone; default: window, and scene for SVG and PDF")
-      ->type_name("PART")
-      ->check(one_of({"window", "scene"}));
+      .type_name("PART")
+      .check(one_of({"window", "scene"}));
   options->picture.attach(subcommand, true);
   std::vector<std::string_view> modes;
   for (const CompareMode& mode : compare_catalog()) modes.push_back(mode.name);
   subcommand
       .add_option("--compare", options->compare,
                   "overlay, side-by-side or active-only; default: overlay with --strategy all, else active-only")
-      ->type_name("MODE")
-      ->check(one_of(modes));
-  subcommand.add_option("--json", options->json, "Also write what was drawn, as JSON")->type_name("FILE");
+      .type_name("MODE")
+      .check(one_of(modes));
+  subcommand.add_option("--json", options->json, "Also write what was drawn, as JSON").type_name("FILE");
   subcommand.footer(
       "Drawn offscreen: no display is needed, and the same call gives the same bytes.\n"
       "\n"

@@ -119,28 +119,24 @@ ExitCode end_of(const Application& application) {
 constexpr std::string_view replay_name = "replay";
 constexpr std::string_view replay_begins = "replay:";
 
-CLI::Validator an_input() {
+WordCheck an_input() {
   std::vector<std::string_view> names;
   for (const InputKind& kind : input_catalog()) {
     if (!kind.needs_recording) names.push_back(kind.name);
   }
   names.push_back("replay:FILE");
-  const CLI::Validator is_name = one_of(names);
-  return CLI::Validator(
-      [is_name](std::string& word) -> std::string {
-        if (word == replay_name || word == replay_begins) return "give the recording too: --input replay:FILE";
-        return word.starts_with(replay_begins) ? std::string() : is_name(word);
-      },
-      "");
+  const WordCheck is_name = one_of(names);
+  return [is_name](const std::string& word) -> std::string {
+    if (word == replay_name || word == replay_begins) return "give the recording too: --input replay:FILE";
+    return word.starts_with(replay_begins) ? std::string() : is_name(word);
+  };
 }
 
 // A recording grows while the program runs, and words go to the terminal beside it.
-CLI::Validator a_file_of_its_own() {
-  return CLI::Validator(
-      [](const std::string& path) -> std::string {
-        return path.empty() || path == "-" ? "name a file; it must not exist yet" : "";
-      },
-      "");
+WordCheck a_file_of_its_own() {
+  return [](const std::string& path) -> std::string {
+    return path.empty() || path == "-" ? "name a file; it must not exist yet" : "";
+  };
 }
 
 // The recording whose hand is to be replayed.
@@ -230,7 +226,7 @@ int run(const Options& options) {
 
 }  // namespace
 
-std::function<int()> attach_run(CLI::App& subcommand) {
+std::function<int()> attach_run(CommandOptions subcommand) {
   const auto options = std::make_shared<Options>();
   options->scene.attach(subcommand, false);
   subcommand
@@ -239,23 +235,23 @@ std::function<int()> attach_run(CLI::App& subcommand) {
           "Who moves the goal: mouse, script (the scene's), circle (round it inside the wall), spacemouse, falcon, "
           "virtual-falcon, a rehearsal, or replay:FILE, a recording, which brings its scene unless one is named; "
           "default: mouse")
-      ->type_name("NAME")
-      ->check(an_input());
+      .type_name("NAME")
+      .check(an_input());
   subcommand
       .add_option("--record", options->record,
                   "Record every tick, from the first, to this CSV file, which must not exist yet")
-      ->type_name("FILE")
-      ->check(a_file_of_its_own());
+      .type_name("FILE")
+      .check(a_file_of_its_own());
   options->picture.attach(subcommand, false);
   options->falcon.attach(subcommand);
   subcommand.add_flag("--no-hints", options->no_hints, "No hints for newcomers in this run");
   subcommand
       .add_option("--shader-dir", options->shader_folder,
                   "Take the shaders from this folder, and again whenever one of them changes")
-      ->type_name("DIR");
+      .type_name("DIR");
   subcommand.add_option("--exit-after", options->exit_after_s, "Close the window by itself after so many seconds")
-      ->type_name("S")
-      ->check(number_between(0.0, 1e6, "s"));
+      .type_name("S")
+      .check(number_between(0.0, 1e6, "s"));
   subcommand.footer(
       "Drag anywhere in the scene: the goal of your hand follows.\n"
       "Keys: 1 2 3 strategy, 0 compare, Space pause, F1 all others.\n"

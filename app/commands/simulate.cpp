@@ -64,18 +64,18 @@ int simulate(const Options& options) {
 
 }  // namespace
 
-std::function<int()> attach_simulate(CLI::App& subcommand) {
+std::function<int()> attach_simulate(CommandOptions subcommand) {
   const auto options = std::make_shared<Options>();
   options->scene.attach(subcommand, true);
   std::vector<std::string_view> strategies = strategy_names();
   strategies.push_back(every_strategy);
   subcommand.add_option("--strategy", options->strategy, "full, naive, anisotropic or all; default: the scene's own")
-      ->type_name("NAME")
-      ->check(one_of(strategies));
+      .type_name("NAME")
+      .check(one_of(strategies));
   subcommand
       .add_option("-o,--output", options->output,
                   "The CSV file to write, all or nothing; default: -, the standard output")
-      ->type_name("FILE");
+      .type_name("FILE");
   subcommand.footer(
       "One row per tick and strategy, from t = 0 to the scene's duration, both included:\n"
       "  strategy,t_s,goal_x_m,goal_y_m,device_x_m,device_y_m,proxy_x_m,proxy_y_m,force_x_N,force_y_N\n"

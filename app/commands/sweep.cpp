@@ -81,18 +81,16 @@ int sweep_command(const Options& options) {
 
 }  // namespace
 
-std::function<int()> attach_sweep(CLI::App& subcommand) {
+std::function<int()> attach_sweep(CommandOptions subcommand) {
   const auto options = std::make_shared<Options>();
   options->scene.attach(subcommand, true);
   subcommand
       .add_option("--over", options->ranges,
                   "A key of the scene that holds a number, and COUNT values for it from FROM to TO, both included, in "
                   "equal steps or, with :log, in equal ratios; once or twice")
-      ->type_name("KEY=FROM:TO:COUNT[:log]")
-      ->required()
-      ->expected(1)
-      ->allow_extra_args(false)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+      .type_name("KEY=FROM:TO:COUNT[:log]")
+      .required()
+      .repeatable();
   std::vector<std::string_view> kinds;
   for (const RestKind& kind : rest_kinds) kinds.push_back(kind.name);
   subcommand
@@ -100,13 +98,13 @@ std::function<int()> attach_sweep(CLI::App& subcommand) {
           "--at-rest", options->kind,
           "How to find where things come to rest: closed-form, simulated or both; default: both. The closed form "
           "is hundreds of times faster")
-      ->type_name("HOW")
-      ->check(one_of(kinds));
+      .type_name("HOW")
+      .check(one_of(kinds));
   subcommand
       .add_option("-o,--output", options->output,
                   "The CSV file to write; default: -, the standard output. Ctrl+C leaves whole rows and a last line "
                   "'# interrupted'")
-      ->type_name("FILE");
+      .type_name("FILE");
   subcommand.footer(
       "One row per point and strategy, all three, at rest under the last waypoint of the scene's path; the second key\n"
       "runs fastest. The columns: each swept key by its name and in the file's unit, then\n"

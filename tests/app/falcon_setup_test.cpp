@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <string>
 
+#include <CLI/CLI.hpp>
+
 #include "app/failure.h"
 #include "device/virtual_falcon/practice_firmware.h"
 #include "tests/support/temporary_folder.h"
@@ -20,7 +22,7 @@ class FalconSetUpTest : public testing::Test {
     setenv("XDG_CONFIG_HOME", folder_.path().c_str(), 1);
     unsetenv("GHOSTFORCE_FIRMWARE");
     std::filesystem::create_directories(folder_ / "ghostforce/falcon");
-    set_up_.attach(app_);
+    set_up_.attach(CommandOptions(app_));
   }
   ~FalconSetUpTest() override { unsetenv("GHOSTFORCE_FIRMWARE"); }
 
