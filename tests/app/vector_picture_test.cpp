@@ -1,54 +1,26 @@
-// Vector pictures: the same marks as OpenGL draws, measured against it pixel by pixel, in files that are whole, the
-// same every time, and need neither display nor OpenGL.
+// Vector pictures: the same marks as OpenGL draws, measured against it pixel by pixel.
 #include <cairo.h>
-#include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdlib>
-#include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
-#include <nlohmann/json.hpp>
+#include <gtest/gtest.h>
 
-#include "app/application.h"
 #include "app/paint/label_painter.h"
 #include "app/paint/scene_painter.h"
 #include "app/paint/vector_painter.h"
-#include "app/picture.h"
-#include "app/scene_file.h"
 #include "app/window.h"
-#include "tests/support/program.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/app/vector_panes.h"
 
 namespace ghostforce {
 namespace {
-
-constexpr int width = 904;  // of the pictures that are compared [px]; three panes of whole pixels and their gaps
-constexpr int height = 600;
-constexpr Vector<2> size{static_cast<double>(width), static_cast<double>(height)};
-const Theme& light = *find_theme("light");
-
-Outcome render(std::vector<std::string> words) {
-  words.insert(words.begin(), "render");
-  return run_program(GHOSTFORCE_PROGRAM, std::move(words));
-}
-
-std::vector<Pane> panes_of(std::string_view scene, Compare compare, const Theme& theme, bool has_trails = true) {
-  PictureRequest request;
-  request.scene = load_scene(std::string(scene));
-  request.options.compare = compare;
-  request.options.trails = has_trails;
-  request.look.theme = &theme;
-  return compose_moment(request, play_to_moment(request), size, measure_vector_text);
-}
-
-std::string vector_file(VectorFormat format, std::string_view title = "A title") {
-  return paint_vector(panes_of("fig1", Compare::overlay, light), light, size, 1.0, format, title);
-}
 
 // ---- Both painters --------------------------------------------------------------------------------------------------
 
@@ -289,244 +261,6 @@ TEST(VectorPicture, SetsLettersAndTheirHaloWhereTheScreenDoes) {
       EXPECT_FALSE(are_close(drawn(Vector<2>(0.0), other), expected));
     }
   }
-}
-
-// ---- Files ----------------------------------------------------------------------------------------------------------
-
-// Opened tags are closed, in turn; what a reader of XML refuses first. Empty where all is well.
-std::string fault_in(const std::string& xml) {
-  std::vector<std::string> open;
-  for (std::size_t at = xml.find('<'); at != std::string::npos; at = xml.find('<', at + 1)) {
-    const std::size_t end = xml.find('>', at);
-    if (end == std::string::npos) return "a tag without an end";
-    const std::string tag = xml.substr(at + 1, end - at - 1);
-    if (tag.starts_with('?') || tag.ends_with('/')) continue;
-    const std::string name = tag.substr(0, tag.find_first_of(" \n"));
-    if (!name.starts_with('/')) {
-      open.push_back(name);
-    } else if (open.empty() || open.back() != name.substr(1)) {
-      return name;
-    } else {
-      open.pop_back();
-    }
-  }
-  return open.empty() ? "" : open.back() + " is not closed";
-}
-
-TEST(VectorFile, IsAWellFormedSvgOfTheSizeAskedFor) {
-  const std::string file = vector_file(VectorFormat::svg, "a <b> & \"c\"\x01");
-  EXPECT_TRUE(file.starts_with("<?xml")) << file.substr(0, 80);
-  EXPECT_EQ(fault_in(file), "");
-  EXPECT_NE(fault_in("<a><b></a></b>"), "");
-  EXPECT_NE(file.find("width=\"904pt\" height=\"600pt\" viewBox=\"0 0 904 600\""), std::string::npos);
-  EXPECT_NE(file.find("<title>a &lt;b&gt; &amp; &quot;c&quot;\\x01</title>"), std::string::npos) << file.substr(0, 400);
-}
-
-TEST(VectorFile, HoldsNothingThatXmlForbidsWhateverTheTitleIs) {
-  for (const std::string forbidden : {"\xEF\xBF\xBE", "\xEF\xBF\xBF", "\x01", "\x1B", "\xFF", "\xED\xA0\x80"}) {
-    const std::string file = vector_file(VectorFormat::svg, "a " + forbidden + " b");
-    EXPECT_EQ(file.find(forbidden), std::string::npos);
-    EXPECT_EQ(fault_in(file), "");
-    EXPECT_NE(file.find("<title>a "), std::string::npos);
-  }
-}
-
-TEST(VectorFile, IsAPdfWithItsTitleAndWithWords) {
-  const std::string file = vector_file(VectorFormat::pdf, "A wall");
-  EXPECT_TRUE(file.starts_with("%PDF-"));
-  EXPECT_TRUE(file.ends_with("%%EOF\n"));
-  EXPECT_NE(file.find("/Title (A wall)"), std::string::npos);
-  EXPECT_NE(file.find("[ 0 0 904 600 ]"), std::string::npos);
-  // Letters that a search understands, of the program's own font.
-  EXPECT_NE(file.find("/ToUnicode"), std::string::npos);
-  EXPECT_NE(file.find("+DejaVuSans"), std::string::npos);
-}
-
-TEST(VectorFile, HasTheSameBytesOnEveryCallAndNoDate) {
-  for (const VectorFormat format : {VectorFormat::svg, VectorFormat::pdf}) {
-    const std::string first = vector_file(format);
-    EXPECT_EQ(vector_file(format), first);
-    EXPECT_EQ(first.find("Date"), std::string::npos);
-  }
-}
-
-// As Cairo writes them: up to six digits behind the point.
-std::string digits(double number) {
-  std::string text = fmt::format("{:.6f}", number);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.ends_with('.')) text.pop_back();
-  return text;
-}
-
-std::string svg_colour(Colour colour) {
-  const auto percent = [](std::uint8_t channel) { return digits(static_cast<double>(channel) / 2.55) + '%'; };
-  return fmt::format("rgb({},{},{})", percent(colour.red), percent(colour.green), percent(colour.blue));
-}
-
-TEST(VectorFile, HoldsEachStrategysColourAndDashes) {
-  std::string file = vector_file(VectorFormat::svg);
-  std::erase(file, ' ');  // newer versions of Cairo write some
-  for (const Strategy& each : strategy_catalog()) {
-    const std::string colour = svg_colour(light.strategy[index_of(each.id)]);
-    EXPECT_NE(file.find(colour), std::string::npos) << each.name << ' ' << colour;
-    const LinePattern& pattern = strategy_style(each.id).pattern;
-    if (pattern == solid_line) continue;
-    const std::string dashes = fmt::format("{},{},{},{}", pattern[0], pattern[1], pattern[2], pattern[3]);
-    EXPECT_NE(file.find(dashes), std::string::npos) << each.name << ' ' << dashes;
-  }
-}
-
-TEST(VectorFile, IsToldByItsEnding) {
-  EXPECT_EQ(vector_format_of("a.svg"), VectorFormat::svg);
-  EXPECT_EQ(vector_format_of("folder.svg/a.PDF"), VectorFormat::pdf);
-  for (const char* other : {"a.png", "a", "a.svg.png", "folder.svg/a", "-", "", "svg", "a.svgz"}) {
-    EXPECT_FALSE(vector_format_of(other)) << other;
-  }
-}
-
-// ---- The program ----------------------------------------------------------------------------------------------------
-
-TEST(RenderVectors, NeedsNoOpenGlAndGivesTheSameBytesOnEveryRun) {
-  const TemporaryFolder folder;
-  for (const char* ending : {"svg", "pdf"}) {
-    std::vector<std::string> files;
-    for (const char* name : {"a.", "b."}) {
-      ProgramCall call;
-      call.words = {"render", "fig1", "--strategy", "all", "-o", folder / std::string(name).append(ending)};
-      call.environment = {"MESA_GL_VERSION_OVERRIDE=2.1", "DISPLAY=", "WAYLAND_DISPLAY="};
-      const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, call);
-      ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-      EXPECT_EQ(outcome.out + outcome.err, "");
-      files.push_back(read_whole(call.words.back()));
-    }
-    EXPECT_EQ(files[0], files[1]) << ending;
-  }
-  EXPECT_EQ(folder.count(), 4);
-}
-
-TEST(RenderVectors, HeedsEveryOptionOfAPicture) {
-  const TemporaryFolder folder;
-  std::vector<std::string> pictures;
-  for (std::vector<std::string> words : std::vector<std::vector<std::string>>{{"--part", "scene"},
-                                                                              {"--scale", "2"},
-                                                                              {"--theme", "dark"},
-                                                                              {"--compare", "side-by-side"},
-                                                                              {"--strategy", "full"},
-                                                                              {"--at", "0.5"},
-                                                                              {"--size", "640x480"}}) {
-    words.insert(words.end(), {"wall45", "-o", folder / "picture.svg"});
-    const Outcome outcome = render(words);
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    pictures.push_back(read_whole(folder / "picture.svg"));
-    for (std::size_t i = 0; i + 1 < pictures.size(); ++i) EXPECT_NE(pictures[i], pictures.back()) << words[0];
-  }
-}
-
-TEST(RenderVectors, DescribesWhatItDrewAsJson) {
-  const TemporaryFolder folder;
-  ASSERT_EQ(render({"wall45", "-o", folder / "a.svg", "--json", folder / "a.json"}).exit_code, 0);
-  const auto picture = nlohmann::json::parse(read_whole(folder / "a.json"));
-  EXPECT_EQ(picture["camera"]["size"], nlohmann::json::parse("[1280.0, 800.0]"));
-  EXPECT_EQ(picture["camera"]["corner"], nlohmann::json::parse("[0.0, 0.0]"));
-  EXPECT_GT(picture["marks"].size(), 50U);
-}
-
-TEST(RenderVectors, RefusesTheWindowAndLeavesNothingBehind) {
-  const TemporaryFolder folder;
-  for (const char* name : {"a.svg", "a.PDF"}) {
-    const Outcome outcome = render({"wall45", "--part", "window", "-o", folder / name});
-    EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_NE(outcome.err.find("--part"), std::string::npos) << outcome.err;
-  }
-  EXPECT_EQ(folder.count(), 0);
-}
-
-TEST(RenderVectors, RefusesTwoOutputsOfOneName) {
-  const TemporaryFolder folder;
-  std::filesystem::create_directory_symlink(".", folder / "same");
-  const auto refused = [&](const std::string& picture, const std::string& json) {
-    ProgramCall call;
-    call.words = {"render", "wall45", "-o", picture, "--json", json};
-    call.folder = folder.path();
-    const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, call);
-    EXPECT_EQ(outcome.out, "");
-    return outcome.exit_code == 2 && outcome.err.find("the picture goes there already") != std::string::npos;
-  };
-  EXPECT_TRUE(refused("x.pdf", "./x.pdf"));
-  EXPECT_TRUE(refused("x.pdf", "none/../x.pdf"));
-  EXPECT_TRUE(refused("same/x.pdf", folder / "x.pdf"));
-  EXPECT_TRUE(refused("-", "-"));
-  EXPECT_TRUE(refused("-", "/dev/stdout"));
-  EXPECT_EQ(folder.count(), 1);
-  write_whole(folder / "-", "");
-  EXPECT_FALSE(refused("x.pdf", "./-")) << "a file of this name is not the standard output";
-  EXPECT_EQ(folder.count(), 3);
-}
-
-TEST(RenderVectors, WritesJsonIntoAPipe) {
-  const TemporaryFolder folder;
-  const Outcome outcome = render({"wall45", "-o", folder / "x.pdf", "--json", "/dev/stdout"});
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_TRUE(nlohmann::json::accept(outcome.out));
-  EXPECT_EQ(folder.count(), 1);
-}
-
-TEST(RenderVectors, SaysThatALinkLeadsToItself) {
-  const TemporaryFolder folder;
-  std::filesystem::create_symlink("loop", folder / "loop");
-  const Outcome outcome = render({"wall45", "-o", folder / "x.pdf", "--json", folder / "loop"});
-  EXPECT_EQ(outcome.exit_code, 8);
-  EXPECT_NE(outcome.err.find("loop cannot be written"), std::string::npos) << outcome.err;
-  EXPECT_EQ(folder.count(), 1);
-}
-
-TEST(RenderVectors, SaysWhereItCannotWrite) {
-  const Outcome outcome = render({"wall45", "-o", "/nonexistent/folder/picture.pdf"});
-  EXPECT_EQ(outcome.exit_code, 8);
-  EXPECT_NE(outcome.err.find("/nonexistent/folder"), std::string::npos) << outcome.err;
-}
-
-TEST(RenderVectors, SaysWhichFontItMissesAndLeavesNothingBehind) {
-  const TemporaryFolder folder;
-  const TemporaryFolder elsewhere;
-  const std::string program = elsewhere / "ghostforce";
-  std::filesystem::copy_file(GHOSTFORCE_PROGRAM, program);
-  const auto call = [&] { return run_program(program, {"render", "wall45", "-o", folder / "a.svg"}); };
-  Outcome outcome = call();
-  EXPECT_EQ(outcome.exit_code, 8);
-  EXPECT_NE(outcome.err.find("DejaVuSans.ttf"), std::string::npos) << outcome.err;
-  std::filesystem::create_directory(elsewhere / "fonts");
-  write_whole(elsewhere / "fonts/DejaVuSans.ttf", "no font");
-  outcome = call();
-  EXPECT_EQ(outcome.exit_code, 8);
-  EXPECT_NE(outcome.err.find("DejaVuSans.ttf cannot be read"), std::string::npos) << outcome.err;
-  EXPECT_EQ(folder.count(), 0);
-}
-
-TEST(SavePicture, WritesVectorsWhereTheNameSaysSo) {
-  const TemporaryFolder folder;
-  Window window({.title = "test", .width = 1280, .height = 800, .offscreen = true, .takes_mouse = false});
-  Application application(window, load_scene("wall45"), {});
-  application.frame(0.016);
-  const auto save = [&](const char* name) {
-    application.session().wishes.save_picture = PictureWish{.path = folder / name};
-    application.frame(0.016);
-    EXPECT_FALSE(application.session().notice->is_problem) << application.session().notice->words;
-    return read_whole(folder / name);
-  };
-  EXPECT_TRUE(save("a.pdf").ends_with("%%EOF\n"));
-  const std::string naive = save("a.svg");
-  EXPECT_EQ(fault_in(naive), "");
-  const Vector<2> scene = application.screen().scene_size();
-  EXPECT_NE(naive.find(fmt::format("viewBox=\"0 0 {} {}\"", digits(scene.x), digits(scene.y))), std::string::npos)
-      << naive.substr(0, 300);
-  // The session's own: strategy and theme.
-  application.session().settings.active = StrategyId::full;
-  EXPECT_NE(save("b.svg"), naive);
-  application.session().look.theme = find_theme("dark");
-  const std::string dark = save("c.svg");
-  EXPECT_NE(dark.find(svg_colour(find_theme("dark")->background)), std::string::npos);
-  EXPECT_TRUE(save("a.png").substr(1).starts_with("PNG"));
 }
 
 }  // namespace

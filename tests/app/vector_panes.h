@@ -1,0 +1,28 @@
+// What the vector pictures of the tests show: scenes as they are composed without OpenGL. For tests.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/paint/vector_painter.h"
+#include "app/picture.h"
+#include "app/scene_file.h"
+
+namespace ghostforce {
+
+inline constexpr int width = 904;  // of the pictures that are compared [px]; three panes of whole pixels and their gaps
+inline constexpr int height = 600;
+inline constexpr Vector<2> size{static_cast<double>(width), static_cast<double>(height)};
+inline const Theme& light = *find_theme("light");
+
+inline std::vector<Pane> panes_of(std::string_view scene, Compare compare, const Theme& theme, bool has_trails = true) {
+  PictureRequest request;
+  request.scene = load_scene(std::string(scene));
+  request.options.compare = compare;
+  request.options.trails = has_trails;
+  request.look.theme = &theme;
+  return compose_moment(request, play_to_moment(request), size, measure_vector_text);
+}
+
+}  // namespace ghostforce
