@@ -1,0 +1,307 @@
+// `replay` as its users have it: what it repeats, what it says, and what it leaves when it cannot go on.
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <csignal>
+#include <cstddef>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "app/run_file.h"
+#include "app/run_reader.h"
+#include "app/scene_file.h"
+#include "tests/app/recorded_by_dice.h"
+#include "tests/support/program.h"
+#include "tests/support/temporary_folder.h"
+
+namespace ghostforce {
+namespace {
+
+Outcome run_ghostforce(std::vector<std::string> words) {
+  return run_program(GHOSTFORCE_PROGRAM, std::move(words));
+}
+
+bool says(const Outcome& outcome, std::string_view words) {
+  return outcome.err.find(words) != std::string::npos;
+}
+
+TEST(ReplayCommand, RepeatsSimulateAndItself) {
+  const TemporaryFolder folder;
+  const std::string run = folder / "run.csv";
+  const std::string again = folder / "again.csv";
+  ASSERT_EQ(run_ghostforce({"simulate", "fig1", "--strategy", "all", "-o", run}).exit_code, 0);
+  const Outcome outcome = run_ghostforce({"replay", run, "-o", again});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(says(outcome, "run.csv: identical bit for bit for 3001 ticks")) << outcome.err;
+  EXPECT_EQ(read_whole(again), read_whole(run));
+  const Outcome to_pipe = run_ghostforce({"replay", again});
+  EXPECT_EQ(to_pipe.out, read_whole(run));
+
+  ASSERT_EQ(run_ghostforce({"simulate", "fig1", "--strategy", "naive", "-o", run}).exit_code, 0);
+  EXPECT_EQ(run_ghostforce({"replay", run, "-o", again}).exit_code, 0);
+  EXPECT_EQ(read_whole(again).find("# state"), std::string::npos);
+}
+
+TEST(ReplayCommand, RepeatsARecordingAndWritesOneThatRepeatsToo) {
+  const TemporaryFolder folder;
+  write_whole(folder / "run.csv", recorded_by_dice(6, 100));
+  const Outcome first = run_ghostforce({"replay", folder / "run.csv", "-o", folder / "again.csv"});
+  EXPECT_EQ(first.exit_code, 0) << first.err;
+  const Outcome second = run_ghostforce({"replay", folder / "again.csv", "-o", folder / "third.csv"});
+  EXPECT_EQ(second.exit_code, 0) << second.err;
+  EXPECT_EQ(read_whole(folder / "third.csv"), read_whole(folder / "again.csv"));
+}
+
+TEST(ReplayCommand, SaysWhereARunDiverges) {
+  const TemporaryFolder folder;
+  const std::string run = folder / "run.csv";
+  ASSERT_EQ(run_ghostforce({"simulate", "fig1", "-o", run}).exit_code, 0);
+  std::string text = read_whole(run);
+  const std::size_t row = text.find("\nanisotropic,1.5,") + 1;
+  const std::size_t end = text.find('\n', row);
+  text.replace(text.rfind(',', end) + 1, end - text.rfind(',', end) - 1, "0.125");
+  write_whole(run, text);
+  const Outcome outcome = run_ghostforce({"replay", run, "-o", folder / "again.csv"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_TRUE(says(outcome, "diverges at t = 1.5 s: force_y_N of anisotropic is 0.125 in the run")) << outcome.err;
+  EXPECT_TRUE(says(outcome, "1 of 3001 ticks differ")) << outcome.err;
+
+  write_whole(run, text.replace(0, text.find('\n'), "# ghostforce 0.0.1"));
+  const Outcome older = run_ghostforce({"replay", run});
+  EXPECT_TRUE(says(older, "written by version 0.0.1")) << older.err;
+  EXPECT_TRUE(says(older, "for the same version only")) << older.err;
+}
+
+TEST(ReplayCommand, PlaysTheHandInAnotherSceneAndComparesNothing) {
+  const TemporaryFolder folder;
+  const std::string run = folder / "run.csv";
+  ASSERT_EQ(run_ghostforce({"simulate", "fig1", "--strategy", "all", "-o", run}).exit_code, 0);
+  const std::vector<std::string> other{"rendering.tracking_ratio=3"};
+  const Outcome set = run_ghostforce({"replay", run, "--set", other[0], "-o", folder / "set.csv"});
+  EXPECT_EQ(set.exit_code, 0) << set.err;
+  EXPECT_TRUE(says(set, "nothing is compared")) << set.err;
+  const Scene scene = load_scene("fig1", other);
+  const auto wanted = run_ghostforce({"simulate", "fig1", "--strategy", "all", "--set", other[0]});
+  // The recorded hand is that of the scene: so are all rows.
+  const std::string found = read_whole(folder / "set.csv");
+  EXPECT_EQ(found.substr(found.find("\nfull,0,")), wanted.out.substr(wanted.out.find("\nfull,0,")));
+  EXPECT_TRUE(read_run(found, "set.csv").remarks.empty());
+
+  const Outcome named = run_ghostforce({"replay", run, "wall45", "-o", folder / "wall.csv"});
+  EXPECT_EQ(named.exit_code, 0) << named.err;
+  EXPECT_EQ(read_run(read_whole(folder / "wall.csv"), "f").scene->title, load_scene("wall45").title);
+}
+
+// Sanitizers take more memory than any program.
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+TEST(ReplayCommand, SaysThatARunIsTooLongForTheMemory) {
+  const TemporaryFolder folder;
+  std::string text = std::string(run_columns) + "\n";
+  for (int k = 0; k < 1'500'000; ++k) text += fmt::format("full,{},0,0,0,0,0,0,0,0\n", k);
+  write_whole(folder / "long.csv", text);
+  // A tick takes more than 200 bytes.
+  const std::string limited = fmt::format("ulimit -v 300000 && exec {} replay {} wall45 -o {}", GHOSTFORCE_PROGRAM,
+                                          folder / "long.csv", folder / "out.csv");
+  const Outcome outcome = run_program("/bin/sh", {"-c", limited});
+  EXPECT_EQ(outcome.exit_code, 8) << outcome.err;
+  EXPECT_TRUE(says(outcome, "long.csv: the run is too long for this machine's memory; cut it")) << outcome.err;
+  EXPECT_FALSE(std::filesystem::exists(folder / "out.csv"));
+}
+#endif
+
+// A terminal that a program writes to.
+class Terminal {
+ public:
+  Terminal() : descriptor_(posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK)) {
+    EXPECT_EQ(grantpt(descriptor_), 0);
+    EXPECT_EQ(unlockpt(descriptor_), 0);
+    path_ = ptsname(descriptor_);
+    // Open as long as this is, or what was written is gone when the program ends.
+    own_end_ = open(path_.c_str(), O_RDWR | O_NOCTTY);
+  }
+  Terminal(const Terminal&) = delete;
+  Terminal& operator=(const Terminal&) = delete;
+  ~Terminal() {
+    close(own_end_);
+    close(descriptor_);
+  }
+  const std::string& path() const { return path_; }
+  std::string take() const {
+    std::string text;
+    std::array<char, 4096> piece{};
+    for (ssize_t count; (count = read(descriptor_, piece.data(), piece.size())) > 0;) {
+      text.append(piece.data(), static_cast<std::size_t>(count));
+    }
+    return text;
+  }
+
+ private:
+  int descriptor_;
+  int own_end_ = -1;
+  std::string path_;
+};
+
+bool has_open(pid_t program, const std::string& path) {
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(fmt::format("/proc/{}/fd", program), ignored)) {
+    if (std::filesystem::read_symlink(entry.path(), ignored) == path) return true;
+  }
+  return false;
+}
+
+// Work is long when it takes more than a second: so the program is held up in the midst of it.
+TEST(ReplayCommand, ShowsHowFarItIsAndEndsThatLineBeforeItsWords) {
+  const TemporaryFolder folder;
+  const std::string run = std::filesystem::canonical(folder.path()) / "run.csv";
+  ASSERT_EQ(
+      run_ghostforce({"simulate", "wall45", "--strategy", "all", "--set", "goal.duration_s=100", "-o", run}).exit_code,
+      0);
+  std::filesystem::create_directory(folder / "out");
+  for (const bool is_exact : {true, false}) {
+    const Terminal terminal;
+    ProgramCall call;
+    call.words = {"-c", fmt::format("echo $$; exec {} replay {} {} -o {} 2>{}", GHOSTFORCE_PROGRAM, run,
+                                    is_exact ? "" : "--set rendering.tracking_ratio=2", folder / "out/again.csv",
+                                    terminal.path())};
+    RunningProgram program("/bin/sh", call);
+    const pid_t pid = std::stoi(program.next_line(std::chrono::seconds(20)).value_or("0"));
+    ASSERT_GT(pid, 0);
+    const auto hold_up_when = [&](const std::function<bool()>& has_come) {
+      for (int i = 0; i < 20'000 && !has_come(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      program.send(SIGSTOP);
+      std::this_thread::sleep_for(std::chrono::milliseconds(1100));
+      program.send(SIGCONT);
+    };
+    hold_up_when([&] { return has_open(pid, run); });
+    hold_up_when([&] {
+      return std::ranges::any_of(std::filesystem::directory_iterator(folder / "out"), [](const auto& entry) {
+        std::error_code has_just_gone;
+        return entry.file_size(has_just_gone) > 100'000 && !has_just_gone;
+      });
+    });
+    EXPECT_EQ(program.wait_for_end(), 0);
+    const std::string words = terminal.take();
+    EXPECT_NE(words.find("\rreading ["), std::string::npos) << words;
+    EXPECT_NE(words.find("\rreplaying ["), std::string::npos) << words;
+    const std::size_t verdict = words.rfind(run + ": " + (is_exact ? "identical" : "nothing is compared"));
+    ASSERT_NE(verdict, std::string::npos) << words;
+    EXPECT_TRUE(words.substr(0, verdict).ends_with("\r\x1b[K")) << words;
+    std::filesystem::remove(folder / "out/again.csv");
+  }
+}
+
+// From 2 s on the hand of wall45 rests 20 mm inside the wall. `state` stands before the first row.
+std::string resting_run(const std::string& state) {
+  const std::string text = run_ghostforce({"simulate", "wall45", "--strategy", "all"}).out;
+  return text.substr(0, text.find("\nfull,0,") + 1) + state + text.substr(text.find("\nfull,2,") + 1);
+}
+
+double greatest_move(const Run& run) {
+  double greatest = 0.0;
+  for (const RunTick& tick : run.ticks) {
+    for (std::size_t i = 0; i < strategy_count; ++i) {
+      greatest = std::max(greatest, glm::distance(tick.rows[i]->device, run.ticks.front().rows[i]->device));
+    }
+  }
+  return greatest;
+}
+
+TEST(ReplayCommand, BeginsAtRestWhereTheHandBeginsInTheWall) {
+  const TemporaryFolder folder;
+  write_whole(folder / "live.csv", resting_run("# state t_s=2 full=0,0,0 naive=0,0,0 anisotropic=0,0,0\n"));
+  for (const std::string_view value : {"rendering.tracking_ratio=5", "rendering.k_r_N_per_m=300"}) {
+    const Outcome outcome =
+        run_ghostforce({"replay", folder / "live.csv", "--set", std::string(value), "-o", folder / "other.csv"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_TRUE(says(outcome, "played from rest for 1 s")) << outcome.err;
+    const auto run = load_run(folder / "other.csv");
+    ASSERT_EQ(run.ticks.size(), 1001U);
+    EXPECT_LT(greatest_move(run), 1e-9) << value;
+    // And what it wrote repeats itself.
+    const Outcome again = run_ghostforce({"replay", folder / "other.csv"});
+    EXPECT_EQ(again.exit_code, 0) << again.err;
+    EXPECT_TRUE(says(again, "identical bit for bit for 1001 ticks")) << again.err;
+  }
+}
+
+TEST(ReplayCommand, GoesOnFromTheRecordedStateWhereTheSettingsAreTheSame) {
+  const TemporaryFolder folder;
+  write_whole(folder / "live.csv", resting_run("# state t_s=2 full=0.1,0,0.5 naive=0,0,0 anisotropic=0,0,0\n"));
+  const Outcome outcome = run_ghostforce({"replay", folder / "live.csv", "wall45", "-o", folder / "same.csv"});
+  EXPECT_TRUE(says(outcome, "played from the recorded state")) << outcome.err;
+  const auto run = load_run(folder / "same.csv");
+  EXPECT_EQ(run.states.at(0).velocity[0], Vector<2>(0.1, 0.0));
+  EXPECT_EQ(run.states.at(0).energy[0], 0.5);
+  EXPECT_GT(greatest_move(run), 1e-5);
+}
+
+TEST(ReplayCommand, PlaysAHandThatTellsNoSceneInTheNamedOne) {
+  const TemporaryFolder folder;
+  const std::string text = resting_run("");
+  write_whole(folder / "told.csv", text);
+  write_whole(folder / "untold.csv", text.substr(text.find("\nstrategy,") + 1));
+  const Outcome alone = run_ghostforce({"replay", folder / "untold.csv"});
+  EXPECT_EQ(alone.exit_code, 2);
+  EXPECT_TRUE(says(alone, "name one to replay its hand in")) << alone.err;
+  for (const std::string_view name : {"told", "untold"}) {
+    const Outcome outcome = run_ghostforce(
+        {"replay", folder / (std::string(name) + ".csv"), "fig3-normal", "-o", folder / (std::string(name) + "-out")});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  }
+  const std::string told = read_whole(folder / "told-out");
+  const std::string untold = read_whole(folder / "untold-out");
+  ASSERT_FALSE(told.empty());
+  // The same rows but for a file's name.
+  EXPECT_TRUE(told.substr(told.find("\n# state ")) == untold.substr(untold.find("\n# state ")));
+  EXPECT_EQ(load_run(folder / "untold-out").ticks.size(), 1001U);
+}
+
+TEST(ReplayCommand, RefusesWhatItCannotReplay) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(run_ghostforce({"replay"}).exit_code, 2);
+  EXPECT_EQ(run_ghostforce({"replay", folder / "none.csv"}).exit_code, 2);
+  EXPECT_EQ(run_ghostforce({"replay", folder.path()}).exit_code, 2);
+  write_whole(folder / "text.csv", "hello\n");
+  EXPECT_EQ(run_ghostforce({"replay", folder / "text.csv"}).exit_code, 2);
+  write_whole(folder / "header.csv", run_header(load_scene("fig1")));
+  EXPECT_EQ(run_ghostforce({"replay", folder / "header.csv"}).exit_code, 2);
+  ASSERT_EQ(run_ghostforce({"simulate", "fig1", "-o", folder / "run.csv"}).exit_code, 0);
+  EXPECT_EQ(run_ghostforce({"replay", folder / "run.csv", "--set", "rendering.k_q=1"}).exit_code, 2);
+  EXPECT_EQ(run_ghostforce({"replay", folder / "run.csv", "-o", folder / "no/where.csv"}).exit_code, 8);
+  EXPECT_EQ(run_ghostforce({"run", "--input", "replay"}).exit_code, 2);
+  EXPECT_EQ(run_ghostforce({"run", "--input", "replay:" + folder / "none.csv"}).exit_code, 2);
+  EXPECT_EQ(folder.count(), 3) << "nothing half-done is left";
+}
+
+TEST(ReplayCommand, LeavesNothingWhenInterrupted) {
+  const TemporaryFolder folder;
+  const TemporaryFolder results;
+  ASSERT_EQ(
+      run_ghostforce({"simulate", "fig1", "--strategy", "all", "--set", "goal.duration_s=60", "-o", folder / "run.csv"})
+          .exit_code,
+      0);
+  const Outcome outcome =
+      run_program(GHOSTFORCE_PROGRAM, {.words = {"replay", folder / "run.csv", "-o", results / "again.csv"},
+                                       .environment = {},
+                                       .folder = {},
+                                       .out_to = {},
+                                       .signal_when_created_in = results.path(),
+                                       .signal = SIGINT});
+  EXPECT_EQ(outcome.exit_code, 130);
+  EXPECT_EQ(results.count(), 0);
+}
+
+}  // namespace
+}  // namespace ghostforce
