@@ -1,0 +1,22 @@
+// A servo on a scene's own path, stepped by hand. For tests.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "core/scene.h"
+#include "device/input.h"
+#include "device/scripted_input.h"
+#include "device/servo.h"
+
+namespace ghostforce {
+
+inline std::unique_ptr<Input> script_of(const Scene& scene) {
+  return std::make_unique<ScriptedInput>(scene.goal);
+}
+
+inline void wake(Servo& servo, std::int64_t times) {
+  for (std::int64_t i = 0; i < times; ++i) servo.wake();
+}
+
+}  // namespace ghostforce
