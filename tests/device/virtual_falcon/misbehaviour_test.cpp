@@ -1,0 +1,177 @@
+// The far end of the cable with each of its faults.
+#include "device/virtual_falcon/misbehaviour.h"
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include <gtest/gtest.h>
+
+#include "device/virtual_falcon/practice_firmware.h"
+#include "tests/device/virtual_falcon/dsp_host.h"
+
+namespace ghostforce {
+namespace {
+
+TEST(Misbehaviour, HasOneNameEachAndDoesSomething) {
+  for (const MisbehaviourKind& kind : misbehaviour_catalog()) {
+    EXPECT_EQ(find_misbehaviour(kind.name), &kind);
+    EXPECT_NE(misbehaviour(kind.name), Misbehaviour{}) << kind.name;
+    EXPECT_TRUE(kind.sentence.ends_with('.')) << kind.name;
+  }
+  EXPECT_EQ(find_misbehaviour("nonsense"), nullptr);
+}
+
+TEST(Misbehaviour, FirstAnswersAreLost) {
+  Host host;
+  host.dsp.misbehave(misbehaviour("lost-first-replies"));
+  host.begin_hand_shake();
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(host.ask().empty());
+  EXPECT_EQ(host.ask(), answer);
+}
+
+TEST(Misbehaviour, BytesComeBeforeTheAnswers) {
+  Host host;
+  Misbehaviour both = misbehaviour("leading-00");
+  find_misbehaviour("leading-13")->add(both);
+  host.dsp.misbehave(both);
+  host.begin_hand_shake();
+  EXPECT_EQ(host.ask(), (Bytes{0x00, 0x0A, 0x44, 0x2C, 0x0D}));
+  host.request(dtr_low);
+  host.request(boot_baud);
+  host.write({'A'});
+  EXPECT_EQ(host.listen(50 * ms), (Bytes{0x13, 'A'}));
+  EXPECT_EQ(host.upload(practice_firmware()), practice_firmware());
+}
+
+TEST(Misbehaviour, NeverClearToSend) {
+  Host host;
+  host.dsp.misbehave(misbehaviour("no-cts"));
+  host.begin_upload();
+  host.listen(200 * ms);
+  EXPECT_EQ(host.status, 0x01);
+}
+
+// Of the echo of a whole upload, with this fault.
+Bytes echo_of(Host& host) {
+  host.begin_upload();
+  host.write({'A'});
+  EXPECT_EQ(host.listen(20 * ms), Bytes{'A'});
+  return host.upload(practice_firmware());
+}
+
+TEST(Misbehaviour, TheEchoIsWrong) {
+  const Bytes firmware = practice_firmware();
+  Bytes changed = firmware;
+  changed[44] ^= 0x04U;
+  Bytes shorter = firmware;
+  shorter.erase(shorter.begin() + 44);
+
+  Host once;
+  once.dsp.misbehave(misbehaviour("corrupted-echo"));
+  EXPECT_EQ(echo_of(once), changed);
+  EXPECT_EQ(echo_of(once), firmware);
+
+  Host always;
+  always.dsp.misbehave(misbehaviour("always-corrupted-echo"));
+  EXPECT_EQ(echo_of(always), changed);
+  EXPECT_EQ(echo_of(always), changed);
+
+  Host lost;
+  lost.dsp.misbehave(misbehaviour("lost-echo"));
+  EXPECT_EQ(echo_of(lost), shorter);
+  EXPECT_EQ(echo_of(lost), firmware);
+
+  Host stops;
+  stops.dsp.misbehave(misbehaviour("upload-stops"));
+  EXPECT_EQ(echo_of(stops), Bytes(firmware.begin(), firmware.begin() + 100));
+  EXPECT_FALSE(stops.dsp.runs_firmware());
+}
+
+Host running(std::string_view fault) {
+  Host host({.starts_with_firmware = true, .starts_homed = true});
+  host.run();
+  host.listen(10 * ms);
+  host.dsp.misbehave(misbehaviour(fault));
+  return host;
+}
+
+TEST(Misbehaviour, PacketsAreSplitOrJoined) {
+  Host split = running("split-packets");
+  split.largest = 0;
+  for (int i = 0; i < 10; ++i) EXPECT_TRUE(split.exchange({}));
+  EXPECT_EQ(split.largest, 7U);
+  EXPECT_EQ(split.reader.discarded_bytes(), 0U);
+
+  Host joined = running("joined-packets");
+  const FrameBytes frame = encode(CommandFrame{});
+  joined.largest = 0;
+  for (int i = 0; i < 40; ++i) {
+    joined.write({frame.begin(), frame.end()});
+    joined.reader.take(joined.listen(1 * ms));
+  }
+  EXPECT_GE(joined.largest, 2U + 48U);
+  EXPECT_EQ(joined.reader.discarded_bytes(), 0U);
+}
+
+TEST(Misbehaviour, FramesAreShortOrHaveGarbageBetween) {
+  Host shorter = running("short-frames");
+  int good = 0;
+  for (int i = 0; i < 40; ++i) good += shorter.exchange({}) ? 1 : 0;
+  EXPECT_EQ(good, 30);
+  EXPECT_GT(shorter.reader.discarded_bytes(), 0U);
+
+  Host garbage = running("garbage");
+  for (int i = 0; i < 40; ++i) EXPECT_TRUE(garbage.exchange({}));
+  EXPECT_EQ(garbage.reader.discarded_bytes(), 40U * 5U);
+}
+
+TEST(Misbehaviour, SilenceCanEnd) {
+  Host host = running("silence");
+  EXPECT_FALSE(host.exchange({}, 100 * ms));
+  EXPECT_EQ(host.line_status, 0x60);
+  host.dsp.misbehave({});
+  EXPECT_TRUE(host.exchange({}));
+}
+
+TEST(Misbehaviour, EncodersFreeze) {
+  Host host({.starts_with_firmware = true, .starts_homed = true});
+  host.run();
+  host.dsp.set_encoders({1, 2, 3});
+  host.exchange({});
+  host.dsp.misbehave(misbehaviour("frozen-encoders"));
+  host.dsp.set_encoders({100, 200, 300});
+  EXPECT_EQ(host.exchange({})->encoders, (std::array<std::int16_t, 3>{1, 2, 3}));
+}
+
+TEST(Misbehaviour, AnswersComeLate) {
+  Host host = running("late-5ms");
+  EXPECT_FALSE(host.exchange({}, 5 * ms));
+  EXPECT_TRUE(host.reader.take(host.listen(2 * ms)));
+  host.dsp.misbehave(misbehaviour("late-50ms"));
+  EXPECT_FALSE(host.exchange({}, 50 * ms));
+  EXPECT_TRUE(host.reader.take(host.listen(2 * ms)));
+}
+
+TEST(Misbehaviour, NeverHomes) {
+  Host host({.starts_with_firmware = true});
+  host.run();
+  host.dsp.misbehave(misbehaviour("never-homes"));
+  host.dsp.set_encoders({-1400, -1400, -1400});
+  for (int i = 0; i < 50; ++i) EXPECT_EQ(host.exchange({{}, CommandFrame::homing})->status, 0);
+}
+
+TEST(Misbehaviour, WithoutPowerAllIsForgotten) {
+  Host host = running("power-lost");
+  EXPECT_FALSE(host.exchange({}));
+  host.begin_hand_shake();
+  EXPECT_TRUE(host.ask().empty());
+  host.dsp.misbehave({});
+  EXPECT_FALSE(host.dsp.runs_firmware());
+  EXPECT_EQ(host.dsp.homed(), 0);
+  EXPECT_EQ(echo_of(host), practice_firmware());
+  EXPECT_TRUE(host.dsp.runs_firmware());
+}
+
+}  // namespace
+}  // namespace ghostforce
