@@ -1,98 +1,36 @@
 #include "app/chart/chart.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <functional>
-#include <limits>
-#include <string_view>
-#include <utility>
+#include <optional>
 
-#include "app/chart/screen_box.h"
-#include "app/chart/ticks.h"
+#include "app/chart/chart_layout.h"
 
 namespace ghostforce {
 namespace {
 
-// Sizes in points before scale and thickness.
-constexpr double margin = 8.0;               // to the edge of the pane
-constexpr double line_step = 1.25;           // from line to line of words, in their heights
-constexpr double tick_length = 4.0;          // outside the plot
-constexpr double word_gap = 4.0;             // between a tick and its words
-constexpr double title_gap = 3.0;            // between those and the axis' title
-constexpr double marker_radius = 4.4;        // of a series' shapes
-constexpr double sample_length = 44.0;       // of a line in the legend
-constexpr double padding = 6.0;              // round the legend's entries
-constexpr double clearance = 6.0;            // between legend and curves
-constexpr double least_plot = 24.0;          // a smaller one shows nothing
-constexpr double least_plot_beside = 220.0;  // what a legend at the right must leave,
-constexpr double least_share_beside = 0.6;   // and as a share of the width
-
 constexpr Colour none{0, 0, 0, 0};
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-struct Range {
-  double least = std::numeric_limits<double>::infinity();
-  double greatest = -std::numeric_limits<double>::infinity();
-
-  void add(double value, bool is_logarithmic) {
-    if (!std::isfinite(value) || (is_logarithmic && value <= 0.0)) return;
-    least = std::min(least, value);
-    greatest = std::max(greatest, value);
-  }
-};
-
-Range range_of(const Chart& chart, glm::length_t component) {
-  const Axis& axis = component == 0 ? chart.x : chart.y;
-  if (axis.range && axis.range->x < axis.range->y && (!axis.is_logarithmic || axis.range->x > 0.0)) {
-    return {axis.range->x, axis.range->y};
-  }
-  Range range;
-  for (const Series& series : chart.series) {
-    for (const Vector<2>& point : series.points) {
-      if (std::isfinite(point[1 - component])) range.add(point[component], axis.is_logarithmic);
-    }
-  }
-  for (const Reference& reference : chart.references) {
-    if (reference.is_vertical == (component == 0)) range.add(reference.at, axis.is_logarithmic);
-  }
-  if (range.least > range.greatest) return {axis.is_logarithmic ? 1.0 : 0.0, axis.is_logarithmic ? 10.0 : 1.0};
-  return range;
-}
-
-class Composer {
+class Painter {
  public:
-  Composer(const Chart& chart, const Theme& theme, double unit, const MeasureText& measure, Pane& pane)
-      : chart_(chart), theme_(theme), unit_(unit), measure_(measure), pane_(pane), size_(pane.camera.size) {}
+  Painter(const Chart& chart, const ChartLayout& layout, const Theme& theme, double unit, Pane& pane)
+      : chart_(chart), layout_(layout), theme_(theme), unit_(unit), pane_(pane) {}
 
-  void compose() {
-    for (const Legend where : {Legend::inside, Legend::right, Legend::below}) {
-      lay_out(where);
-      if (!has_legend() || find_place_for_legend(where)) break;
+  // What lies behind comes first.
+  void paint() {
+    paint_grid();
+    for (const ScreenPiece& piece : layout_.references) put(Role::scale, piece, 1.4, theme_.faint_text, dotted_line);
+    paint_axes();
+    paint_series();
+    for (const ChartLayout::Words& line : layout_.title) write(Role::legend, line, theme_.text, TextSize::normal);
+    for (const ChartLayout::Words& line : layout_.y_title) write(Role::scale, line, theme_.faint_text);
+    for (const ChartLayout::Words& line : layout_.x_title) write(Role::scale, line, theme_.faint_text);
+    for (const ChartLayout::Words& words : layout_.reference_words) {
+      write(Role::scale, words, theme_.text, TextSize::small, theme_.background);
     }
-    if (!(plot_.extent().x >= points(least_plot) && plot_.extent().y >= points(least_plot))) return;
-    add_grid();
-    add_references();
-    add_axes();
-    for (const Series& series : chart_.series) add_line(series);
-    for (const Series& series : chart_.series) add_shapes(series);
-    add_titles();
-    add_reference_words();
-    add_legend();
+    paint_legend();
   }
 
  private:
-  enum class Legend : std::uint8_t { inside, right, below };
-
   double points(double size) const { return size * unit_; }
-  double height_of(TextSize size) const { return points(text_height(size)); }
-  double width_of(std::string_view words, TextSize size = TextSize::small) const {
-    return measure_(words, height_of(size)).x;
-  }
-
-  // ---- Marks
-  // ---------------------------------------------------------------------------------------------------------
-
   Vector<2> in_world(const Vector<2>& screen) const { return to_world(pane_.camera, screen); }
 
   void put(Role role, ScreenPiece piece, double width, Colour colour, const LinePattern& pattern = solid_line) {
@@ -102,397 +40,77 @@ class Composer {
                            Line{in_world(piece.from), in_world(piece.to), points(width), colour, scaled, piece.start}});
   }
 
-  void write(Role role, const Vector<2>& upper_left, std::string words, Colour colour, TextSize size = TextSize::small,
+  void write(Role role, const ChartLayout::Words& words, Colour colour, TextSize size = TextSize::small,
              Colour halo = none) {
     pane_.marks.push_back(
-        {role, std::nullopt, Label{in_world(upper_left), Vector<2>(0.0), std::move(words), size, colour, halo}});
+        {role, std::nullopt, Label{in_world(words.upper_left), Vector<2>(0.0), words.text, size, colour, halo}});
   }
 
   void put_shape(Role role, const Vector<2>& at, const Series& series) {
     const bool is_hollow = series.is_hollow;
     pane_.marks.push_back(
         {role, std::nullopt,
-         Marker{in_world(at), *series.shape, points(marker_radius), is_hollow ? theme_.background : series.colour,
+         Marker{in_world(at), *series.shape, points(chart_marker_radius), is_hollow ? theme_.background : series.colour,
                 is_hollow ? series.colour : theme_.background, points(is_hollow ? 1.6 : 0.8)}});
   }
 
-  // ---- Words -------------------------------------------------------------------------------------------------------
-
-  // Broken where there is a blank, in two lines at most; what has no room in them is cut.
-  std::vector<std::string> broken(std::string_view text, double room, TextSize size) const {
-    std::string first;
-    while (!text.empty()) {
-      const std::size_t end = std::min(text.find(' ', 1), text.size());
-      const std::string joined = first + std::string(text.substr(0, end));
-      if (!first.empty() && width_of(joined, size) > room) break;
-      first = joined;
-      text.remove_prefix(end);
+  void paint_grid() {
+    for (const ChartLayout::GridLine& line : layout_.grid) {
+      switch (line.kind) {
+        case ChartLayout::GridLine::Kind::fine:
+          put(Role::grid, line.piece, 1.0, mix(theme_.background, theme_.grid, 0.6));
+          break;
+        case ChartLayout::GridLine::Kind::named:
+          put(Role::grid, line.piece, 1.0, theme_.grid);
+          break;
+        case ChartLayout::GridLine::Kind::zero:
+          put(Role::grid, line.piece, 1.0, mix(theme_.background, theme_.faint_text, 0.45));
+          break;
+      }
     }
-    std::vector<std::string> lines;
-    if (!first.empty()) lines.push_back(shortened(first, room, size));
-    if (!text.empty()) lines.push_back(shortened(std::string(text.substr(1)), room, size));
-    return lines;
   }
 
-  std::string shortened(std::string text, double room, TextSize size) const {
-    if (width_of(text, size) <= room) return text;
-    const auto is_within_letter = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };
-    while (!text.empty() && width_of(text + "…", size) > room) {
-      while (text.size() > 1 && is_within_letter(text.back())) text.pop_back();
-      text.pop_back();
+  void paint_axes() {
+    const ScreenBox& plot = layout_.plot;
+    const Vector<2> origin{plot.least.x, plot.most.y};
+    put(Role::scale, {plot.least, origin}, 1.2, theme_.text);
+    put(Role::scale, {origin, plot.most}, 1.2, theme_.text);
+    for (const auto* ticks : {&layout_.x_ticks, &layout_.y_ticks}) {
+      for (const ChartLayout::AxisTick& tick : *ticks) {
+        put(Role::scale, tick.line, 1.2, theme_.text);
+        write(Role::scale, tick.words, theme_.text);
+      }
     }
-    return text + "…";
   }
 
-  // ---- Layout
-  // --------------------------------------------------------------------------------------------------------
-
-  void lay_out(Legend where) {
-    const double room = size_.x - 2.0 * points(margin);
-    const double small = line_step * height_of(TextSize::small);
-    title_ = broken(chart_.title, room, TextSize::normal);
-    y_title_ = broken(chart_.y.title, room, TextSize::small);
-    x_title_ = broken(chart_.x.title, room, TextSize::small);
-
-    plot_.least.y = points(margin) + static_cast<double>(title_.size()) * line_step * height_of(TextSize::normal) +
-                    static_cast<double>(y_title_.size()) * small + points(word_gap) + 0.5 * height_of(TextSize::small);
-    plot_.most.y = size_.y - points(margin) - static_cast<double>(x_title_.size()) * small -
-                   height_of(TextSize::small) - points(tick_length + word_gap + title_gap);
-    if (where == Legend::below) {
-      flow_legend(Vector<2>(points(margin), 0.0), room);
-      plot_.most.y -= legend_.extent().y + points(word_gap);
-    }
-
-    const Range y = range_of(chart_, 1);
-    const std::function<double(std::string_view)> line_height = [&](std::string_view) {
-      return height_of(TextSize::small);
-    };
-    y_ticks_ = choose_ticks({y.least, y.greatest, chart_.y.is_logarithmic, !chart_.y.range, plot_.extent().y,
-                             1.1 * height_of(TextSize::small), line_height});
-    double widest = 0.0;
-    for (const Tick& tick : y_ticks_.named) widest = std::max(widest, width_of(tick.words));
-    plot_.least.x = points(margin) + widest + points(word_gap + tick_length);
-
-    const Range x = range_of(chart_, 0);
-    const std::function<double(std::string_view)> width = [&](std::string_view words) { return width_of(words); };
-    plot_.most.x = size_.x - points(2.0 * margin);
-    if (where == Legend::right) plot_.most.x -= column_extent().x + points(clearance);
-    // The words of the last tick may reach beyond the axis.
-    for (int pass = 0; pass < 2; ++pass) {
-      x_ticks_ = choose_ticks({x.least, x.greatest, chart_.x.is_logarithmic, !chart_.x.range, plot_.extent().x,
-                               1.6 * height_of(TextSize::small), width});
-      if (x_ticks_.named.empty()) break;
-      const Tick& last = x_ticks_.named.back();
-      const double end = on_screen({last.value, y_ticks_.least}).x + 0.5 * width_of(last.words);
-      const double beyond = end - (where == Legend::right ? plot_.most.x + points(margin) : size_.x - points(margin));
-      if (beyond <= 0.0) break;
-      plot_.most.x -= beyond;
-    }
-    trace();
-  }
-
-  Vector<2> on_screen(const Vector<2>& point) const {
-    // Far outside of the picture it does not matter how far.
-    constexpr double farthest = 1e6;
-    const double x = place_on_axis(point.x, x_ticks_.least, x_ticks_.greatest, chart_.x.is_logarithmic);
-    const double y = place_on_axis(point.y, y_ticks_.least, y_ticks_.greatest, chart_.y.is_logarithmic);
-    if (std::isnan(x) || std::isnan(y)) return Vector<2>(nan);
-    return {std::clamp(plot_.least.x + x * plot_.extent().x, -farthest, farthest),
-            std::clamp(plot_.most.y - y * plot_.extent().y, -farthest, farthest)};
-  }
-
-  // What of the series is to be seen.
-  void trace() {
-    lines_.assign(chart_.series.size(), {});
-    shapes_.assign(chart_.series.size(), {});
-    const ScreenBox within = plot_.grown(1e-6);  // a point on the edge is inside, whatever rounding says
+  // All shapes over all lines.
+  void paint_series() {
     for (std::size_t i = 0; i < chart_.series.size(); ++i) {
       const Series& series = chart_.series[i];
-      Vector<2> before(nan);
-      double along = 0.0;
-      for (const Vector<2>& point : series.points) {
-        const Vector<2> at = on_screen(point);
-        if (!std::isnan(at.x) && !std::isnan(before.x)) {
-          ScreenPiece piece{before, at, along};
-          along += glm::distance(before, at);
-          if (series.has_line && clip(within, piece)) lines_[i].push_back(piece);
-        } else {
-          along = 0.0;
-        }
-        if (series.shape && contains(within, at)) shapes_[i].push_back(at);
-        before = at;
+      for (const ScreenPiece& piece : layout_.series[i].line) {
+        put(Role::trail, piece, series.width, series.colour, series.pattern);
       }
     }
-  }
-
-  // How much of the box curves, points and words cover; 0 is free.
-  double crowding(const ScreenBox& box) const {
-    double cost = 0.0;
     for (std::size_t i = 0; i < chart_.series.size(); ++i) {
-      for (ScreenPiece piece : lines_[i]) {
-        if (clip(box.grown(0.5 * points(chart_.series[i].width)), piece))
-          cost += 1.0 + glm::distance(piece.from, piece.to);
-      }
-      for (const Vector<2>& at : shapes_[i]) {
-        if (contains(box.grown(points(marker_radius)), at)) cost += points(2.0 * marker_radius);
-      }
-    }
-    constexpr double weight_of_words = 100.0;  // words over a line can still be read, words over words cannot
-    for (const ScreenBox& words : words_) cost += weight_of_words * overlap(box, words);
-    return cost;
-  }
-
-  // ---- Legend
-  // --------------------------------------------------------------------------------------------------------
-
-  bool has_legend() const {
-    return std::ranges::any_of(chart_.series, [](const Series& series) { return !series.name.empty(); });
-  }
-
-  double row_height() const { return 1.3 * height_of(TextSize::small); }
-  double name_left() const { return points(sample_length + 7.0); }
-  std::string name_of(const Series& series) const {
-    return shortened(series.name, size_.x - 2.0 * points(margin + padding) - name_left(), TextSize::small);
-  }
-
-  Vector<2> column_extent() const {
-    Vector<2> extent(0.0);
-    for (const Series& series : chart_.series) {
-      if (series.name.empty()) continue;
-      extent = {std::max(extent.x, name_left() + width_of(name_of(series))), extent.y + row_height()};
-    }
-    return extent + Vector<2>(2.0 * points(padding));
-  }
-
-  // Entries in a column.
-  void stack_legend(const Vector<2>& corner) {
-    legend_ = {corner, corner + column_extent()};
-    entries_.clear();
-    Vector<2> at = corner + Vector<2>(points(padding));
-    for (const Series& series : chart_.series) {
-      if (series.name.empty()) continue;
-      entries_.push_back(at);
-      at.y += row_height();
+      for (const Vector<2>& at : layout_.series[i].shapes) put_shape(Role::device, at, chart_.series[i]);
     }
   }
 
-  // Entries in rows, as many side by side as have room.
-  void flow_legend(const Vector<2>& corner, double room) {
-    entries_.clear();
-    Vector<2> at = corner;
-    for (const Series& series : chart_.series) {
-      if (series.name.empty()) continue;
-      const double width = name_left() + width_of(name_of(series));
-      if (at.x > corner.x && at.x + width > corner.x + room) at = {corner.x, at.y + row_height()};
-      entries_.push_back(at);
-      at.x += width + points(18.0);
-    }
-    legend_ = {corner, {corner.x + room, at.y + (entries_.empty() ? 0.0 : row_height())}};
-  }
-
-  bool find_place_for_legend(Legend where) {
-    switch (where) {
-      case Legend::inside:
-        return find_free_corner();
-      case Legend::right:
-        stack_legend({size_.x - points(margin) - column_extent().x, plot_.least.y - points(padding)});
-        return plot_.extent().x >= std::max(points(least_plot_beside), least_share_beside * size_.x) &&
-               legend_.most.y <= size_.y;
-      case Legend::below:
-        flow_legend({points(margin), size_.y - points(margin) - legend_.extent().y}, size_.x - 2.0 * points(margin));
-        return true;
-    }
-    return true;
-  }
-
-  bool find_free_corner() {
-    const Vector<2> extent = column_extent();
-    const Vector<2> room = plot_.extent() - extent - Vector<2>(2.0 * points(clearance));
-    if (room.x < 0.0 || room.y < 0.0) return false;
-    words_.clear();
-    for (std::size_t i = 0; i < chart_.references.size(); ++i) words_.push_back(place_reference_words(i));
-    for (const double x : {1.0, 0.0, 0.5}) {
-      for (const double y : {0.0, 1.0}) {
-        const Vector<2> corner = plot_.least + Vector<2>(points(clearance)) + room * Vector<2>(x, y);
-        const ScreenBox box{corner, corner + extent};
-        if (crowding(box) > 0.0 || is_crossed_by_reference(box)) continue;
-        stack_legend(corner);
-        return true;
-      }
-    }
-    return false;
-  }
-
-  bool is_crossed_by_reference(const ScreenBox& box) const {
-    return std::ranges::any_of(chart_.references, [&](const Reference& reference) {
-      ScreenPiece piece = line_of(reference);
-      return !std::isnan(piece.from.x) && clip(box, piece);
-    });
-  }
-
-  void add_legend() {
-    std::size_t entry = 0;
-    for (const Series& series : chart_.series) {
-      if (series.name.empty()) continue;
-      const Vector<2> at = entries_[entry++];
-      const Vector<2> middle = at + Vector<2>(0.0, 0.5 * row_height());
-      const Vector<2> end = middle + Vector<2>(points(sample_length), 0.0);
-      if (series.has_line) put(Role::legend, {middle, end}, series.width, series.colour, series.pattern);
-      if (series.shape) put_shape(Role::legend, 0.5 * (middle + end), series);
-      write(Role::legend, at + Vector<2>(name_left(), 0.5 * (row_height() - height_of(TextSize::small))),
-            name_of(series), theme_.text);
-    }
-  }
-
-  // ---- References
-  // ----------------------------------------------------------------------------------------------------
-
-  // All across the plot; NaN where it lies outside.
-  ScreenPiece line_of(const Reference& reference) const {
-    const Vector<2> at = on_screen(reference.is_vertical ? Vector<2>(reference.at, y_ticks_.least)
-                                                         : Vector<2>(x_ticks_.least, reference.at));
-    if (!contains(plot_.grown(1e-6), at)) return {Vector<2>(nan), Vector<2>(nan)};
-    if (reference.is_vertical) return {{at.x, plot_.most.y}, {at.x, plot_.least.y}};
-    return {{plot_.least.x, at.y}, {plot_.most.x, at.y}};
-  }
-
-  void add_references() {
-    for (const Reference& reference : chart_.references) {
-      const ScreenPiece piece = line_of(reference);
-      if (!std::isnan(piece.from.x)) put(Role::scale, piece, 1.4, theme_.faint_text, dotted_line);
-    }
-  }
-
-  // Beside the line, where least is covered; an empty box where the line is not to be seen.
-  ScreenBox place_reference_words(std::size_t i) const {
-    const Reference& reference = chart_.references[i];
-    const ScreenPiece piece = line_of(reference);
-    if (std::isnan(piece.from.x) || reference.word.empty()) return {};
-    const Vector<2> extent = measure_(reference.word, height_of(TextSize::small));
-    const double gap = points(word_gap);
-    const Vector<2> room = glm::max(plot_.extent() - extent - Vector<2>(2.0 * gap), Vector<2>(0.0));
-    ScreenBox best;
-    double least = std::numeric_limits<double>::infinity();
-    for (const double share : {0.0, 1.0, 0.07, 0.14, 0.21, 0.93, 0.86, 0.5, 0.3, 0.4, 0.6, 0.7}) {
-      for (const bool is_behind : {true, false}) {
-        Vector<2> corner = plot_.least + Vector<2>(gap) + room * (reference.is_vertical ? share : 1.0 - share);
-        const glm::length_t across = reference.is_vertical ? 0 : 1;
-        // Behind a vertical line is right of it, of a horizontal one above it.
-        const bool is_after = reference.is_vertical == is_behind;
-        corner[across] = piece.from[across] + (is_after ? gap : -gap - extent[across]);
-        const ScreenBox box{corner, corner + extent};
-        const bool leaves = !contains(plot_.grown(1e-6), box.least) || !contains(plot_.grown(1e-6), box.most);
-        const double cost = crowding(box.grown(points(1.5))) + (leaves ? 1e6 : 0.0);
-        if (cost < least) {
-          least = cost;
-          best = box;
-        }
-      }
-    }
-    // Wider than the plot: at least within the pane.
-    const Vector<2> corner = glm::max(glm::min(best.least, size_ - extent), Vector<2>(0.0));
-    return {corner, corner + extent};
-  }
-
-  void add_reference_words() {
-    words_.clear();
-    if (!entries_.empty()) words_.push_back(legend_);
-    for (std::size_t i = 0; i < chart_.references.size(); ++i) {
-      const ScreenBox box = place_reference_words(i);
-      words_.push_back(box);
-      if (box.extent().x <= 0.0) continue;
-      write(Role::scale, box.least, chart_.references[i].word, theme_.text, TextSize::small, theme_.background);
-    }
-  }
-
-  // ---- Axes
-  // ----------------------------------------------------------------------------------------------------------
-
-  void add_grid() {
-    const auto line = [&](double value, bool is_vertical, Colour colour) {
-      const ScreenPiece piece = line_of({value, is_vertical, {}});
-      if (!std::isnan(piece.from.x)) put(Role::grid, piece, 1.0, colour);
-    };
-    for (const bool is_vertical : {true, false}) {
-      const Ticks& ticks = is_vertical ? x_ticks_ : y_ticks_;
-      const bool is_logarithmic = is_vertical ? chart_.x.is_logarithmic : chart_.y.is_logarithmic;
-      for (const double value : ticks.fine) line(value, is_vertical, mix(theme_.background, theme_.grid, 0.6));
-      for (const Tick& tick : ticks.named) line(tick.value, is_vertical, theme_.grid);
-      if (!is_logarithmic && ticks.least < 0.0 && ticks.greatest > 0.0)
-        line(0.0, is_vertical, mix(theme_.background, theme_.faint_text, 0.45));
-    }
-  }
-
-  void add_axes() {
-    const Vector<2> origin{plot_.least.x, plot_.most.y};
-    put(Role::scale, {plot_.least, origin}, 1.2, theme_.text);
-    put(Role::scale, {origin, plot_.most}, 1.2, theme_.text);
-    const double height = height_of(TextSize::small);
-    for (const Tick& tick : x_ticks_.named) {
-      const Vector<2> at = on_screen({tick.value, y_ticks_.least});
-      const Vector<2> end = at + Vector<2>(0.0, points(tick_length));
-      put(Role::scale, {at, end}, 1.2, theme_.text);
-      write(Role::scale, end + Vector<2>(-0.5 * width_of(tick.words), points(word_gap)), tick.words, theme_.text);
-    }
-    for (const Tick& tick : y_ticks_.named) {
-      const Vector<2> at = on_screen({x_ticks_.least, tick.value});
-      const Vector<2> end = at - Vector<2>(points(tick_length), 0.0);
-      put(Role::scale, {at, end}, 1.2, theme_.text);
-      write(Role::scale, end - Vector<2>(points(word_gap) + width_of(tick.words), 0.5 * height), tick.words,
-            theme_.text);
-    }
-  }
-
-  void add_titles() {
-    Vector<2> at(points(margin));
-    for (const std::string& line : title_) {
-      write(Role::legend, at, line, theme_.text, TextSize::normal);
-      at.y += line_step * height_of(TextSize::normal);
-    }
-    for (const std::string& line : y_title_) {
-      write(Role::scale, at, line, theme_.faint_text);
-      at.y += line_step * height_of(TextSize::small);
-    }
-    at.y = plot_.most.y + points(tick_length + word_gap + title_gap) + height_of(TextSize::small);
-    for (const std::string& line : x_title_) {
-      const double width = width_of(line);
-      const double middle = 0.5 * (plot_.least.x + plot_.most.x) - 0.5 * width;
-      at.x = std::clamp(middle, points(margin), std::max(points(margin), size_.x - points(margin) - width));
-      write(Role::scale, at, line, theme_.faint_text);
-      at.y += line_step * height_of(TextSize::small);
-    }
-  }
-
-  // ---- Series
-  // --------------------------------------------------------------------------------------------------------
-
-  void add_line(const Series& series) {
-    for (const ScreenPiece& piece : lines_[static_cast<std::size_t>(&series - chart_.series.data())]) {
-      put(Role::trail, piece, series.width, series.colour, series.pattern);
-    }
-  }
-
-  void add_shapes(const Series& series) {
-    for (const Vector<2>& at : shapes_[static_cast<std::size_t>(&series - chart_.series.data())]) {
-      put_shape(Role::device, at, series);
+  void paint_legend() {
+    for (const ChartLayout::LegendEntry& entry : layout_.legend) {
+      const Series& series = chart_.series[entry.series];
+      const ScreenPiece& sample = entry.sample;
+      if (series.has_line) put(Role::legend, sample, series.width, series.colour, series.pattern);
+      if (series.shape) put_shape(Role::legend, 0.5 * (sample.from + sample.to), series);
+      write(Role::legend, entry.name, theme_.text);
     }
   }
 
   const Chart& chart_;
+  const ChartLayout& layout_;
   const Theme& theme_;
-  const double unit_;  // of the sizes above [points]
-  const MeasureText& measure_;
+  const double unit_;  // of the sizes here [points]
   Pane& pane_;
-  const Vector<2> size_;
-
-  std::vector<std::string> title_, x_title_, y_title_;
-  ScreenBox plot_;
-  Ticks x_ticks_{0.0, 1.0, {}, {}}, y_ticks_{0.0, 1.0, {}, {}};
-  std::vector<std::vector<ScreenPiece>> lines_;  // per series, within the plot
-  std::vector<std::vector<Vector<2>>> shapes_;   // per series, within the plot
-  std::vector<ScreenBox> words_;                 // of references, and the legend
-  ScreenBox legend_;
-  std::vector<Vector<2>> entries_;  // upper left of each, in the legend
 };
 
 }  // namespace
@@ -500,7 +118,9 @@ class Composer {
 Pane chart_pane(const Chart& chart, const Vector<2>& corner, const Vector<2>& size, const Theme& theme, double scale,
                 const MeasureText& measure) {
   Pane pane{corner, Camera{0.5 * size, 1.0, size}, StrategyId::full, {}};
-  Composer(chart, theme, scale * theme.thickness, measure, pane).compose();
+  const double unit = scale * theme.thickness;
+  const std::optional<ChartLayout> layout = lay_out(chart, size, unit, measure);
+  if (layout) Painter(chart, *layout, theme, unit, pane).paint();
   return pane;
 }
 
