@@ -52,7 +52,8 @@ std::vector<std::regex> joined(std::vector<std::regex> a, const std::vector<std:
 const std::vector<Room>& rooms() {
   const std::vector<std::regex> pure = {standard, std::regex("\"core/.+\""), std::regex("<glm/.+>")};
   const std::vector<std::regex> words = regexes({"<fmt/.+>"});
-  const std::vector<std::regex> files = regexes({"<toml\\+\\+/.+>", "<CLI/.+>", "<nlohmann/.+>", "<png\\.h>", "<stb/.+>"});
+  const std::vector<std::regex> files =
+      regexes({"<toml\\+\\+/.+>", "<CLI/.+>", "<nlohmann/.+>", "<png\\.h>", "<stb/.+>"});
   const std::vector<std::regex> gl = regexes({"<glad/gl\\.h>", "<GLFW/.+>"});
   const std::vector<std::regex> gui = regexes({"<imgui.*\\.h>", "<implot.*\\.h>"});
   const std::vector<std::regex> vector_pictures = regexes({"<cairo(/cairo)?[a-z-]*\\.h>", "<freetype/.+>"});
