@@ -156,7 +156,7 @@ TEST(UserMeasurementTest, SaysWhyThereIsNoReading) {
   // A hand that aimed a hand's breadth aside: the drift goes the wrong way.
   rest.aim += 0.1 * drift_direction(wall, actuation);
   EXPECT_EQ(read_user(wall, actuation, rest).problem, NoReading::no_such_hand);
-  rest.aim.x = NAN;
+  rest.aim.x = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(read_user(wall, actuation, rest).problem, NoReading::no_such_hand);
   for (const double angle : {0.0, 0.08, 1.6, -1.53, 3.1}) {
     const Wall<2> facing{{0.0, 0.0}, direction_at(angle)};

@@ -1,4 +1,5 @@
 // What happens at a deadline, and what the window does with the servo while it runs, never touches the heap.
+#include <limits>
 #include <memory>
 
 #include <gtest/gtest.h>
@@ -78,8 +79,8 @@ TEST(ServoHeap, IsNotTouchedByWhatIsRefusedOrUnstable) {
     for (int round = 0; round < 1000; ++round) servo.wake();
     command.settings.rate = 0.0;
     ++command.settings_generation;
-    command.speed = NAN;
-    command.restart_state.goal.x = NAN;
+    command.speed = std::numeric_limits<double>::quiet_NaN();
+    command.restart_state.goal.x = std::numeric_limits<double>::quiet_NaN();
     ++command.restarts_asked;
     servo.send(command);
     servo.wake();

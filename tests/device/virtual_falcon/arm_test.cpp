@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <random>
 
 namespace ghostforce {
@@ -81,7 +82,7 @@ TEST(SimulatedArm, EnergyNeverGrowsWithoutMotors) {
     // Many of these lie outside the stops.
     const Vector<3> goal{any(random), any(random), 0.12 + any(random)};
     constexpr double stiffness = 1000.0;
-    double energy = INFINITY;
+    double energy = std::numeric_limits<double>::infinity();
     for (int step = 0; step < 2000; ++step) {
       arm.step(dt, no_motors, goal, stiffness);
       const Vector<3> stretch = goal - arm.position();
