@@ -33,12 +33,20 @@ struct Proxy {
 };
 
 // (3)(22)(25)  q_p = q_h + step · n·(o − q_h) where n·(q_h − o) < 0; in free
-// space the proxy is the device.
+// space the proxy is the device. Puts it into `proxy`, axis by axis: see
+// tick_strategy.h. True: the wall acts.
+template <glm::length_t D>
+bool place_proxy(const Vector<D>& device, const Wall<D>& wall, const Vector<D>& step, Vector<D>& proxy) noexcept {
+  const double device_depth = depth(wall, device);
+  const bool in_contact = device_depth > 0.0;
+  for (glm::length_t i = 0; i < D; ++i) proxy[i] = in_contact ? device[i] + step[i] * device_depth : device[i];
+  return in_contact;
+}
+
 template <glm::length_t D>
 Proxy<D> proxy_of(const Vector<D>& device, const Wall<D>& wall, const Vector<D>& step) noexcept {
-  const double device_depth = depth(wall, device);
-  Proxy<D> proxy{device, device_depth > 0.0};
-  if (proxy.in_contact) proxy.position += step * device_depth;
+  Proxy<D> proxy{device, false};
+  proxy.in_contact = place_proxy(device, wall, step, proxy.position);
   return proxy;
 }
 

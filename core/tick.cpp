@@ -30,8 +30,9 @@ TickState<D> state_at_start(const Vector<D>& goal) noexcept {
   return state;
 }
 
+// Flattened: all of a strategy's vectors in registers, from its state and back into it.
 template <glm::length_t D>
-void tick(const TickPlan<D>& plan, const Vector<D>& goal, TickState<D>& state) noexcept {
+[[gnu::flatten]] void tick(const TickPlan<D>& plan, const Vector<D>& goal, TickState<D>& state) noexcept {
   ++state.tick;
   state.goal = goal;
   state.measured.reset();
@@ -41,8 +42,8 @@ void tick(const TickPlan<D>& plan, const Vector<D>& goal, TickState<D>& state) n
 }
 
 template <glm::length_t D>
-void tick_measured(const TickPlan<D>& plan, StrategyId active, const Vector<D>& device, const Vector<D>& felt,
-                   double believed_k_u, TickState<D>& state) noexcept {
+[[gnu::flatten]] void tick_measured(const TickPlan<D>& plan, StrategyId active, const Vector<D>& device,
+                                    const Vector<D>& felt, double believed_k_u, TickState<D>& state) noexcept {
   ++state.tick;
   state.measured = active;
   const std::size_t measured = index_of(active);

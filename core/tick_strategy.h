@@ -1,5 +1,9 @@
 // What a tick does for one strategy; core/tick.h does it for all of them. Inline, so that a loop over ticks can keep
 // the state in registers. noexcept, allocates nothing, takes no lock, reads no clock. Any thread.
+//
+// The state is written axis by axis: a vector that is copied as one is read back in other pieces than it was written
+// in, and for that the processor waits. For the same reason what includes this is compiled without gcc's pairing of
+// scalars (-fno-tree-slp-vectorize). The numbers are the same either way, to the last bit.
 #pragma once
 
 #include "core/energy.h"
@@ -24,13 +28,11 @@ template <glm::length_t D>
 void move(const TickPlan<D>& plan, const Vector<D>& proxy_step, const DeviceMotion<D>& motion, const Vector<D>& tracked,
           const Vector<D>& held_force, StrategyState<D>& state) noexcept {
   state.energy += work(held_force, motion.position - state.motion.position);
-  // Vector by vector: a motion that is copied as one is read back in other pieces than it was written in, and for that
-  // the processor waits.
-  state.motion.position = motion.position;
-  state.motion.velocity = motion.velocity;
-  const Proxy<D> proxy = proxy_of(tracked, plan.wall, proxy_step);
-  state.proxy = proxy.position;
-  state.in_contact = proxy.in_contact;
+  for (glm::length_t i = 0; i < D; ++i) {
+    state.motion.position[i] = motion.position[i];
+    state.motion.velocity[i] = motion.velocity[i];
+  }
+  state.in_contact = place_proxy(tracked, plan.wall, proxy_step, state.proxy);
 }
 
 // (23) (24) with the force held from the tick before, then the proxy (25) of the device of the tick before.

@@ -9,6 +9,7 @@ namespace ghostforce::bench {
 namespace {
 
 double seconds_for(const Contestant& contestant, std::int64_t calls) {
+  contestant.before();
   const auto began = std::chrono::steady_clock::now();
   contestant.run(calls);
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
@@ -16,7 +17,7 @@ double seconds_for(const Contestant& contestant, std::int64_t calls) {
 
 // The first call warms up and may take any time; the number grows until it fills a good part of the turn.
 std::int64_t calls_for(const Contestant& contestant, double seconds_per_turn) {
-  contestant.run(1);
+  seconds_for(contestant, 1);
   std::int64_t calls = 1;
   for (;;) {
     const double took = seconds_for(contestant, calls);

@@ -15,6 +15,7 @@ namespace ghostforce::bench {
 struct Contestant {
   std::string name;
   std::function<void(std::int64_t calls)> run;
+  std::function<void()> before = [] {};  // each run, outside of the time: clears away what the last one left
 };
 
 // The middle of the sorted values, or the mean of the two in the middle. At least one value.
