@@ -1,7 +1,7 @@
 # Everything that comes from outside, found in this one file: what it is, why we use it, how it gets here.
 # "apt" means a Debian package listed in packages.txt, which ./demo and ./check install.
 #
-# Who may link what (design: core -> glm; device -> core, Threads, readerwriterqueue, libusb, hidapi, libcrypto; app -> all but Eigen and gtest;
+# Who may link what (design: core -> glm; device -> core, Threads, libusb, hidapi, libcrypto; app -> all but Eigen and gtest;
 # tests -> all) is kept by a test that reads the include lines.
 
 # ---- The model -------------------------------------------------------------------------------------------------------
@@ -14,12 +14,6 @@ find_package(glm CONFIG REQUIRED)
 # Threads: the servo's. Part of the C library.
 set(THREADS_PREFER_PTHREAD_FLAG ON)
 find_package(Threads REQUIRED)
-
-# readerwriterqueue: wait-free single-producer single-consumer ring, servo -> window. Headers only.
-# apt: libreaderwriterqueue-dev.
-find_path(READERWRITERQUEUE_INCLUDE_DIR readerwriterqueue/readerwriterqueue.h REQUIRED)
-add_library(ghostforce::readerwriterqueue INTERFACE IMPORTED)
-target_include_directories(ghostforce::readerwriterqueue INTERFACE ${READERWRITERQUEUE_INCLUDE_DIR})
 
 # ---- Devices ---------------------------------------------------------------------------------------------------------
 

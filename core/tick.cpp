@@ -59,26 +59,34 @@ template <glm::length_t D>
 
 template <glm::length_t D>
 SnapshotIn<D> snapshot_of(const TickPlan<D>& plan, const TickState<D>& state) noexcept {
-  const auto force = [&](std::size_t i) { return force_of<D>(plan.strategies[i], state.strategies[i]); };
-  const Vector<D> full_force = force(index_of(StrategyId::full));
-  const auto strategy = [&](std::size_t i) -> StrategySnapshot<D> {
+  SnapshotIn<D> snapshot;
+  take_snapshot(plan, state, snapshot);
+  return snapshot;
+}
+
+template <glm::length_t D>
+[[gnu::flatten]] void take_snapshot(const TickPlan<D>& plan, const TickState<D>& state,
+                                    SnapshotIn<D>& snapshot) noexcept {
+  snapshot.tick = state.tick;
+  snapshot.time_s = time_of(state.tick, plan.rate);
+  snapshot.goal = state.goal;
+  snapshot.measured = state.measured;
+  PerStrategy<Vector<D>> forces;
+  for (std::size_t i = 0; i < strategy_count; ++i) forces[i] = force_of<D>(plan.strategies[i], state.strategies[i]);
+  for (std::size_t i = 0; i < strategy_count; ++i) {
     const StrategyState<D>& own = state.strategies[i];
     const bool is_compared = own.in_contact && !state.measured;
-    const Vector<D> own_force = force(i);
-    return {.device = own.motion.position,
-            .proxy = own.proxy,
-            .contact = projection(plan.wall, own.proxy),
-            .force = own_force,
-            .ghost_force = is_compared ? ghost_force(plan.actuation, own_force, full_force) : Vector<D>(0.0),
-            .proxy_drift = is_compared ? proxy_drift(plan.wall, own.proxy, state.goal) : Vector<D>(0.0),
-            .energy = own.energy,
-            .in_contact = own.in_contact};
-  };
-  return {.tick = state.tick,
-          .time_s = time_of(state.tick, plan.rate),
-          .goal = state.goal,
-          .measured = state.measured,
-          .strategies = {strategy(0), strategy(1), strategy(2)}};
+    StrategySnapshot<D>& shown = snapshot.strategies[i];
+    shown.device = own.motion.position;
+    shown.proxy = own.proxy;
+    shown.contact = projection(plan.wall, own.proxy);
+    shown.force = forces[i];
+    shown.ghost_force =
+        is_compared ? ghost_force(plan.actuation, forces[i], forces[index_of(StrategyId::full)]) : Vector<D>(0.0);
+    shown.proxy_drift = is_compared ? proxy_drift(plan.wall, own.proxy, state.goal) : Vector<D>(0.0);
+    shown.energy = own.energy;
+    shown.in_contact = own.in_contact;
+  }
 }
 
 #define GHOSTFORCE_INSTANTIATE(D)                                                                            \
@@ -88,7 +96,8 @@ SnapshotIn<D> snapshot_of(const TickPlan<D>& plan, const TickState<D>& state) no
   template void tick<D>(const TickPlan<D>&, const Vector<D>&, TickState<D>&) noexcept;                       \
   template void tick_measured<D>(const TickPlan<D>&, StrategyId, const Vector<D>&, const Vector<D>&, double, \
                                  TickState<D>&) noexcept;                                                    \
-  template SnapshotIn<D> snapshot_of<D>(const TickPlan<D>&, const TickState<D>&) noexcept
+  template SnapshotIn<D> snapshot_of<D>(const TickPlan<D>&, const TickState<D>&) noexcept;                   \
+  template void take_snapshot<D>(const TickPlan<D>&, const TickState<D>&, SnapshotIn<D>&) noexcept
 GHOSTFORCE_INSTANTIATE(2);
 GHOSTFORCE_INSTANTIATE(3);
 GHOSTFORCE_INSTANTIATE(4);

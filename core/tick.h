@@ -81,4 +81,8 @@ void tick_measured(const TickPlan<D>& plan, StrategyId active, const Vector<D>& 
 template <glm::length_t D>
 SnapshotIn<D> snapshot_of(const TickPlan<D>& plan, const TickState<D>& state) noexcept;
 
+// The same, written to where it is wanted.
+template <glm::length_t D>
+void take_snapshot(const TickPlan<D>& plan, const TickState<D>& state, SnapshotIn<D>& snapshot) noexcept;
+
 }  // namespace ghostforce

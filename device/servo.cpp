@@ -143,7 +143,7 @@ void Servo::attend(bool tick_is_due) noexcept {
   if (device_ != nullptr) drive_motors();
   // New settings show with the next tick: the old state under new settings is a state that never was.
   if (is_new_state) {
-    report_.snapshot = snapshot_of(plan_, state_);
+    take_snapshot(plan_, state_, report_.snapshot);
     publish_sample();
   }
   reports_.publish(report_);
@@ -151,20 +151,27 @@ void Servo::attend(bool tick_is_due) noexcept {
 
 void Servo::publish_sample() noexcept {
   const std::int64_t before_ns = std::exchange(sampled_ns_, woken_ns_);
-  const Sample sample{
-      .snapshot = report_.snapshot,
-      .velocity = {state_.strategies[0].motion.velocity, state_.strategies[1].motion.velocity,
-                   state_.strategies[2].motion.velocity},
-      .settings = planned_,
-      .serial = samples_made_++,
-      .restarts = report_.restarts,
-      .recording = recording_,
-      .loop_s = before_ns != 0 ? static_cast<double>(woken_ns_ - before_ns) * 1e-9 : 0.0,
-      .sent = report_.motors.sent,
-      .is_saturated = report_.motors.is_saturated,
-  };
-  if (!samples_.try_enqueue(sample)) ++report_.loop.dropped_samples;
-  if (recording_ != 0 && !records_.try_enqueue(sample)) ++report_.loop.dropped_records;
+  const double loop_s = before_ns != 0 ? static_cast<double>(woken_ns_ - before_ns) * 1e-9 : 0.0;
+  if (!put_sample(loop_s, samples_)) ++report_.loop.dropped_samples;
+  if (recording_ != 0 && !put_sample(loop_s, records_)) ++report_.loop.dropped_records;
+  ++samples_made_;
+}
+
+// Every member is written: what the ring has there is an older sample.
+bool Servo::put_sample(double loop_s, SampleRing& ring) const noexcept {
+  Sample* const sample = ring.slot();
+  if (sample == nullptr) return false;
+  copy_whole(report_.snapshot, sample->snapshot);
+  for (std::size_t i = 0; i < strategy_count; ++i) sample->velocity[i] = state_.strategies[i].motion.velocity;
+  sample->settings = planned_;
+  sample->serial = samples_made_;
+  sample->restarts = report_.restarts;
+  sample->recording = recording_;
+  sample->loop_s = loop_s;
+  sample->sent = report_.motors.sent;
+  sample->is_saturated = report_.motors.is_saturated;
+  ring.put();
+  return true;
 }
 
 // What the active strategy's force would be with the device there, at the handle [N].

@@ -14,11 +14,10 @@
 #include <thread>
 #include <type_traits>
 
-#include <readerwriterqueue/readerwritercircularbuffer.h>
-
 #include "core/force_limiter.h"
 #include "core/latest_value.h"
 #include "core/motor_report.h"
+#include "core/ring.h"
 #include "core/safety.h"
 #include "core/settings.h"
 #include "core/snapshot.h"
@@ -115,9 +114,9 @@ class Servo {
   // The reference stays good until the next call.
   const ServoReport& newest() noexcept { return reports_.latest(); }
   // The oldest sample not yet taken; false when there is none.
-  bool take_sample(Sample& sample) { return samples_.try_dequeue(sample); }
+  bool take_sample(Sample& sample) noexcept { return samples_.take(sample); }
   // The same for what is to be recorded. One thread at a time, and it need not be the UI's.
-  bool take_record(Sample& sample) { return records_.try_dequeue(sample); }
+  bool take_record(Sample& sample) noexcept { return records_.take(sample); }
 
   // How late the ticks came since start(). While the thread is stopped.
   const Lateness& lateness() const noexcept { return lateness_; }
@@ -134,6 +133,8 @@ class Servo {
   void wake() noexcept;
 
  private:
+  using SampleRing = Ring<Sample, sample_capacity>;
+
   void run() noexcept;
   void attend(bool tick_is_due) noexcept;
   void watch_handle() noexcept;
@@ -144,6 +145,7 @@ class Servo {
   void take_command(const ServoCommand& command) noexcept;
   void restart_from(const TickState<2>& state, std::uint32_t restarts) noexcept;
   void publish_sample() noexcept;
+  bool put_sample(double loop_s, SampleRing& ring) const noexcept;
   void use(const Settings& settings, std::uint32_t generation) noexcept;
   bool takes_tick(bool tick_is_due) noexcept;
   bool advance() noexcept;
@@ -155,8 +157,8 @@ class Servo {
   HapticDevice* device_;  // the input's motors; may be null
   LatestValue<ServoCommand> commands_;
   LatestValue<ServoReport> reports_{ServoReport{}};
-  moodycamel::BlockingReaderWriterCircularBuffer<Sample> samples_{sample_capacity};  // the servo never blocks on it
-  moodycamel::BlockingReaderWriterCircularBuffer<Sample> records_{sample_capacity};  // nor on this
+  SampleRing samples_;
+  SampleRing records_;
 
   // The UI thread's.
   std::thread thread_;

@@ -67,7 +67,7 @@ const std::vector<Room>& rooms() {
                 "<(chrono|ctime)>", "<(fstream|iostream|istream|ostream|sstream|syncstream|filesystem|cstdio)>"}),
        {}},
       {"device/",
-       joined(pure, {std::regex("\"device/.+\""), posix, std::regex("<readerwriterqueue/.+>"),
+       joined(pure, {std::regex("\"device/.+\""), posix,
                      std::regex("<libusb(-1\\.0)?(/libusb)?\\.h>"), std::regex("<libusb-1\\.0/libusb\\.h>"),
                      std::regex("<hidapi(/hidapi)?\\.h>"), std::regex("<openssl/.+>")}),
        {},
@@ -255,7 +255,7 @@ TEST(IncludeArrowsSelfTest, LetsThroughWhatEachRoomNeeds) {
       {"device/a.cpp",
        "#include <thread>\n#include <pthread.h>\n#include <sys/mman.h>\n#include <libusb-1.0/libusb.h>\n"
        "#include <libusb.h>\n#include <linux/usbdevice_fs.h>\n#include <hidapi.h>\n"
-       "#include <hidapi/hidapi.h>\n#include <openssl/sha.h>\n#include <readerwriterqueue/readerwriterqueue.h>\n"
+       "#include <hidapi/hidapi.h>\n#include <openssl/sha.h>\n"
        "#include \"core/b.h\"\n#include \"device/b.h\"\n"},
       {"app/a.cpp",
        "#include <unistd.h>\n#include <GLFW/glfw3.h>\n#include <glad/gl.h>\n#include <imgui_impl_glfw.h>\n"

@@ -1,0 +1,71 @@
+// Ring: a queue of fixed length from one writing to one reading thread, for what must not be lost as long as there is
+// room. A value is written where it stays until it is read, so that a large one is not copied on its way in.
+//
+// One thread calls slot() and put(), one thread calls take(); neither ever waits. Only the constructor allocates. Plain
+// acquire and release, no fences, so that ThreadSanitizer can check it.
+#pragma once
+
+#include <atomic>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <type_traits>
+
+#include "core/copy_whole.h"
+
+namespace ghostforce {
+
+template <typename T, std::size_t capacity>
+class Ring {
+  static_assert(std::is_trivially_copyable_v<T>, "a value that crosses threads is copied whole, byte for byte");
+  static_assert(std::has_single_bit(capacity), "so that a serial number's place is its last bits");
+
+ public:
+  // Memory that nobody has written to yet costs nothing. Throws std::bad_alloc.
+  Ring() : memory_(std::make_unique_for_overwrite<Slot[]>(capacity)) {}
+
+  // Writer only. Where the next value goes, with whatever was there before; null while the ring is full.
+  T* slot() noexcept {
+    const std::uint64_t put = put_.load(std::memory_order_relaxed);
+    if (put - taken_as_seen_ == capacity) {
+      // Acquire: the reader has done with what it took.
+      taken_as_seen_ = taken_.load(std::memory_order_acquire);
+      if (put - taken_as_seen_ == capacity) return nullptr;
+    }
+    return at(put);
+  }
+
+  // Writer only, after a slot() that was not null: its value is complete, and the reader's from now on.
+  void put() noexcept {
+    const std::uint64_t next = put_.load(std::memory_order_relaxed) + 1;
+    put_.store(next, std::memory_order_release);
+    // A ring larger than the caches: the next slot is on its way until the next value comes.
+    const auto* ahead = reinterpret_cast<const std::byte*>(at(next));
+    for (std::size_t line = 0; line < sizeof(T); line += 64) __builtin_prefetch(ahead + line, 1);
+  }
+
+  // Reader only. Takes the oldest value out; false if there is none.
+  bool take(T& value) noexcept {
+    const std::uint64_t taken = taken_.load(std::memory_order_relaxed);
+    if (taken == put_.load(std::memory_order_acquire)) return false;
+    copy_whole(*at(taken), value);
+    taken_.store(taken + 1, std::memory_order_release);
+    return true;
+  }
+
+ private:
+  struct Slot {
+    alignas(T) std::byte bytes[sizeof(T)];
+  };
+
+  T* at(std::uint64_t serial) noexcept { return reinterpret_cast<T*>(memory_[serial % capacity].bytes); }
+
+  std::unique_ptr<Slot[]> memory_;
+  // A cache line each, so that writer and reader do not slow each other down.
+  alignas(64) std::atomic<std::uint64_t> put_{0};    // so many values were put in
+  std::uint64_t taken_as_seen_ = 0;                  // the writer's: at least so many were taken out
+  alignas(64) std::atomic<std::uint64_t> taken_{0};  // so many values were taken out
+};
+
+}  // namespace ghostforce
