@@ -15,9 +15,11 @@ constexpr double longest_step = 0.030;  // [m]
 // Of a gap. Far above rounding (1e-16 m); as an angle at most 1e-10 rad where a leg is bent by more than 1°, while an
 // encoder's count is 6e-4 rad.
 constexpr double gap_tolerance = 1e-13;  // [m]
-// A step so short leaves gaps below that tolerance: they bend by less than 10 per metre, so that what a step leaves is
-// less than five times its square. Nobody has to look again.
-constexpr double last_step = 1e-7;  // [m]
+// A step so short leaves gaps of about that tolerance: they bend by less than 10 per metre, so that what a step leaves
+// is less than five times its square. Nobody has to look again.
+constexpr double last_step = 3e-7;  // [m]
+// Steps up to here allow for how the gaps bend on their way: they leave the cube of their length instead of its square.
+constexpr double bent_step = 0.005;  // [m]
 // From the cold start 8 suffice wherever a handle can be.
 constexpr int most_iterations = 15;
 // 2⁻²⁰ of a step moves nothing that matters.
@@ -31,10 +33,6 @@ bool is_finite(const Vector<3>& v) noexcept {
 
 double greatest(const Vector<3>& v) noexcept {
   return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
-
-double triple_product(const Vector<3>& a, const Vector<3>& b, const Vector<3>& c) noexcept {
-  return glm::dot(a, glm::cross(b, c));
 }
 
 // From a leg's own axes, radial, tangential and z, to everybody's.
@@ -110,7 +108,9 @@ std::optional<Matrix<3>> FalconKinematics::jacobian(const Vector<3>& position) c
   return glm::transpose(Matrix<3>(rows[0], rows[1], rows[2]));
 }
 
-ForwardKinematics FalconKinematics::position(const Vector<3>& angles, const Vector<3>& start) const noexcept {
+// Flattened: the search is called here only, and what it measures stays in registers.
+[[gnu::flatten]] ForwardKinematics FalconKinematics::position(const Vector<3>& angles,
+                                                              const Vector<3>& start) const noexcept {
   if (!is_finite(angles)) return {.position = start};
   const Arms arms{{std::cos(angles.x), std::cos(angles.y), std::cos(angles.z)},
                   {std::sin(angles.x), std::sin(angles.y), std::sin(angles.z)}};
@@ -122,68 +122,98 @@ ForwardKinematics FalconKinematics::position(const Vector<3>& angles, const Vect
 }
 
 // The parallelogram's long side reaches from the knee, past the short sides, to the leg's end. Its length enters
-// squared: that costs one root and one division per leg, and exists wherever a long step may lead.
+// squared: that costs one root per leg and no division, and exists wherever a long step may lead.
 bool FalconKinematics::measure(const Vector<3>& position, const Arms& arms, Gaps& gaps) const noexcept {
   const FalconGeometry& g = geometry_;
-  const double links = g.near_link + g.far_link;
-  const double per_parallelogram = 1.0 / g.parallelogram;
   for (std::size_t i = 0; i < gaps.size(); ++i) {
     const auto axis = static_cast<glm::length_t>(i);
     const Azimuth& azimuth = azimuths_[i];
+    Gap& gap = gaps[i];
+    const double knee_radial = g.base_radial - g.effector_radial + g.upper_arm * arms.cosines[axis];
+    gap.radial = azimuth.cosine * position.x + azimuth.sine * position.y - knee_radial;
     const double tangential =
-        azimuth.cosine * position.y - azimuth.sine * position.x - g.base_tangential + g.effector_tangential;
-    const double radial = azimuth.cosine * position.x + azimuth.sine * position.y - g.base_radial + g.effector_radial -
-                          g.upper_arm * arms.cosines[axis];
-    const double z = position.z - g.upper_arm * arms.sines[axis];
-    const double length = std::sqrt(radial * radial + z * z);
-    const double height = length - links;
-    const double share = height / length * per_parallelogram;
-    gaps[i].size =
-        0.5 * per_parallelogram * (height * height + tangential * tangential - g.parallelogram * g.parallelogram);
+        azimuth.cosine * position.y - azimuth.sine * position.x - (g.base_tangential - g.effector_tangential);
+    gap.z = position.z - g.upper_arm * arms.sines[axis];
+    gap.length = std::sqrt(gap.radial * gap.radial + gap.z * gap.z);
+    gap.height = gap.length - (g.near_link + g.far_link);
+    gap.size = 0.5 * (gap.height * gap.height + tangential * tangential - g.parallelogram * g.parallelogram);
     // Not finite, or the end in the knee.
-    if (!std::isfinite(gaps[i].size) || !std::isfinite(share)) return false;
-    gaps[i].gradient = turned(azimuth.cosine, azimuth.sine, radial * share, tangential * per_parallelogram, z * share);
-    gaps[i].is_bent_right = height >= 0.0 && z * arms.cosines[axis] >= radial * arms.sines[axis];
+    if (!std::isfinite(gap.size) || !(gap.length > 0.0)) return false;
+    gap.gradient =
+        turned(azimuth.cosine, azimuth.sine, gap.radial * gap.height, tangential * gap.length, gap.z * gap.height);
+    gap.is_bent_right = gap.height >= 0.0 && gap.z * arms.cosines[axis] >= gap.radial * arms.sines[axis];
   }
   return true;
 }
 
-// Newton's method on the gaps of the three legs. On the angles' differences it would be the same near the solution, but
-// those do not exist beyond a leg's reach, where a long step may well lead on its way; a gap can be measured there.
+// What the gaps grow by on a step beyond what their gradients say, to second order, times `length` [m³].
+Vector<3> FalconKinematics::bends(const Gaps& gaps, const Vector<3>& step) const noexcept {
+  Vector<3> bends;
+  for (std::size_t i = 0; i < gaps.size(); ++i) {
+    const Gap& gap = gaps[i];
+    const Azimuth& azimuth = azimuths_[i];
+    const double radial = azimuth.cosine * step.x + azimuth.sine * step.y;
+    const double tangential = azimuth.cosine * step.y - azimuth.sine * step.x;
+    const double along = (gap.radial * radial + gap.z * step.z) / gap.length;
+    bends[static_cast<glm::length_t>(i)] =
+        0.5 * (gap.height * (radial * radial + step.z * step.z) + (gap.length - gap.height) * along * along +
+               gap.length * tangential * tangential);
+  }
+  return bends;
+}
+
+// Newton's method on the gaps of the three legs, and Chebyshev's for short steps. On the angles' differences it would
+// be the same near the solution, but those do not exist beyond a leg's reach, where a long step may well lead on its
+// way; a gap can be measured there.
 ForwardKinematics FalconKinematics::search(const Arms& arms, const Vector<3>& start) const noexcept {
   ForwardKinematics found{.position = start};
+  const double parallelogram = geometry_.parallelogram;
+  const double cubed_parallelogram = parallelogram * parallelogram * parallelogram;
   Gaps gaps;
   if (!measure(start, arms, gaps)) return found;
+  const auto greatest_gap = [&] { return greatest({gaps[0].size, gaps[1].size, gaps[2].size}); };
   for (;;) {
-    const Vector<3> sizes(gaps[0].size, gaps[1].size, gaps[2].size);
-    const double volume = triple_product(gaps[0].gradient, gaps[1].gradient, gaps[2].gradient);
+    // Each row of the equations is multiplied by its leg's length, which changes nothing of what solves them.
+    const Vector<3> first = glm::cross(gaps[1].gradient, gaps[2].gradient);
+    const Vector<3> second = glm::cross(gaps[2].gradient, gaps[0].gradient);
+    const Vector<3> third = glm::cross(gaps[0].gradient, gaps[1].gradient);
+    const double volume = glm::dot(gaps[0].gradient, first);
+    const double lengths = gaps[0].length * gaps[1].length * gaps[2].length;
     const auto is_right_way_round = [&] {
       return volume * handedness_ > 0.0 && gaps[0].is_bent_right && gaps[1].is_bent_right && gaps[2].is_bent_right;
     };
-    if (greatest(sizes) < gap_tolerance) {
+    const double before = greatest_gap();
+    if (before < gap_tolerance * parallelogram) {
       found.has_converged = is_right_way_round();
       return found;
     }
-    if (found.iterations == most_iterations || !(std::abs(volume) > least_volume)) return found;
+    if (found.iterations == most_iterations) return found;
+    if (!(std::abs(volume) > least_volume * lengths * cubed_parallelogram)) return found;
     ++found.iterations;
     // By Cramer's rule.
-    Vector<3> step = (sizes[0] * glm::cross(gaps[1].gradient, gaps[2].gradient) +
-                      sizes[1] * glm::cross(gaps[2].gradient, gaps[0].gradient) +
-                      sizes[2] * glm::cross(gaps[0].gradient, gaps[1].gradient)) /
-                     -volume;
-    const double length = glm::length(step);
-    if (length > longest_step) step *= longest_step / length;
-    if (length < last_step) {
+    const double per_volume = 1.0 / volume;
+    const auto solved = [&](double a, double b, double c) {
+      return (a * first + b * second + c * third) * -per_volume;
+    };
+    Vector<3> step =
+        solved(gaps[0].size * gaps[0].length, gaps[1].size * gaps[1].length, gaps[2].size * gaps[2].length);
+    const double squared_length = glm::dot(step, step);
+    if (squared_length < last_step * last_step) {
       found.position += step;
       found.has_converged = is_right_way_round();
       return found;
     }
+    if (squared_length < bent_step * bent_step) {
+      const Vector<3> bent = bends(gaps, step);
+      step += solved(bent[0], bent[1], bent[2]);
+    } else if (squared_length > longest_step * longest_step) {
+      step *= longest_step / std::sqrt(squared_length);
+    }
 
-    const double before = greatest(sizes);
     bool is_better = false;
     for (int halvings = 0; !is_better && halvings <= most_halvings; ++halvings, step *= 0.5) {
       if (!measure(found.position + step, arms, gaps)) continue;
-      if (!(greatest({gaps[0].size, gaps[1].size, gaps[2].size}) < before)) continue;
+      if (!(greatest_gap() < before)) continue;
       is_better = true;
       found.position += step;
     }

@@ -17,7 +17,7 @@ inline constexpr Vector<3> cold_start{0.0, 0.0, 0.11};
 
 struct ForwardKinematics {
   Vector<3> position;          // the nearest that was found if it has not converged
-  int iterations = 0;          // Newton steps
+  int iterations = 0;          // steps of the search
   bool has_converged = false;  // false: no position of the handle has these angles, or none could be found
 };
 
@@ -55,10 +55,14 @@ class FalconKinematics {
 
   Leg leg_ending_at(const Vector<3>& position, const Azimuth& azimuth) const noexcept;
 
-  // One leg that ends at a position while its upper arm is where an angle puts it.
+  // One leg that ends at a position while its upper arm is where an angle puts it: from the knee to its end.
   struct Gap {
-    double size;         // by which the parallelogram is too short, to first order [m]
-    Vector<3> gradient;  // of that, a unit vector once the gap is closed: the parallelogram's direction
+    double radial;       // [m]
+    double height;       // of the parallelogram, in the plane in which the upper arm swings [m]
+    double length;       // of the same with its short sides [m]
+    double z;            // [m]
+    double size;         // by which the parallelogram is too short, to first order, times its long side [m²]
+    Vector<3> gradient;  // of that, times `length`: the parallelogram's direction, once the gap is closed [m²]
     bool is_bent_right;  // the knee is on the outer side, and the parallelogram points away from it
   };
   struct Arms {
@@ -68,6 +72,7 @@ class FalconKinematics {
   using Gaps = std::array<Gap, 3>;
 
   bool measure(const Vector<3>& position, const Arms& arms, Gaps& gaps) const noexcept;
+  Vector<3> bends(const Gaps& gaps, const Vector<3>& step) const noexcept;
   ForwardKinematics search(const Arms& arms, const Vector<3>& start) const noexcept;
 
   FalconGeometry geometry_;
