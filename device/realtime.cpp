@@ -51,8 +51,8 @@ bool request_short_slice() noexcept {
   return attributes.runtime_ns == shortest_slice_ns;
 }
 
-// What the process may run on, where drawing leaves some of it; written before there is a servo to read it.
-cpu_set_t all_processors;
+// The processor that drawing leaves, where it leaves one; written before there is a servo to read it.
+cpu_set_t servos_processor;
 bool is_one_left = false;
 
 // Locking future memory under a limit would make every later allocation of the whole process fail once the limit is
@@ -77,16 +77,17 @@ void leave_processor_to_servo() noexcept {
     pthread_setschedparam(pthread_self(), SCHED_OTHER, &ordinary);
     return;
   }
-  all_processors = processors;
   std::size_t last = CPU_SETSIZE - 1;
   while (!CPU_ISSET(last, &processors)) --last;
   CPU_CLR(last, &processors);
+  CPU_ZERO(&servos_processor);
+  CPU_SET(last, &servos_processor);
   is_one_left = sched_setaffinity(0, sizeof processors, &processors) == 0;
 }
 
 RealtimeStatus request_realtime() noexcept {
   prctl(PR_SET_TIMERSLACK, 1UL, 0UL, 0UL, 0UL);  // [ns]; always granted
-  if (is_one_left) sched_setaffinity(0, sizeof all_processors, &all_processors);
+  if (is_one_left) sched_setaffinity(0, sizeof servos_processor, &servos_processor);
   RealtimeStatus status;
   status.priority_error = request_priority();
   status.has_short_slice = status.priority_error != 0 && request_short_slice();

@@ -18,8 +18,9 @@ struct RealtimeStatus {
 RealtimeStatus request_realtime() noexcept;
 
 // On the thread that draws, before it makes others: a graphics driver's threads draw too, and go where theirs goes.
-// Where the servo would not be granted its priority, drawing leaves the last processor of two or more to it;
-// request_realtime() gives its own thread back all of them. Once, before request_realtime().
+// Where the servo would not be granted its priority, drawing leaves the last processor of two or more to it, and
+// request_realtime() keeps its own thread there: beside other programs it was seen to wait far longer where drawing
+// runs, too. Once, before request_realtime().
 void leave_processor_to_servo() noexcept;
 
 // How the thread keeps time, in a few words for the status bar: "real-time priority, memory locked". Not for the servo

@@ -157,19 +157,20 @@ void Servo::publish_sample() noexcept {
   ++samples_made_;
 }
 
-// Every member is written: what the ring has there is an older sample.
 bool Servo::put_sample(double loop_s, SampleRing& ring) const noexcept {
-  Sample* const sample = ring.slot();
-  if (sample == nullptr) return false;
-  copy_whole(report_.snapshot, sample->snapshot);
-  for (std::size_t i = 0; i < strategy_count; ++i) sample->velocity[i] = state_.strategies[i].motion.velocity;
-  sample->settings = planned_;
-  sample->serial = samples_made_;
-  sample->restarts = report_.restarts;
-  sample->recording = recording_;
-  sample->loop_s = loop_s;
-  sample->sent = report_.motors.sent;
-  sample->is_saturated = report_.motors.is_saturated;
+  Sample* const slot = ring.slot();
+  if (slot == nullptr) return false;
+  // All of them, by name: what the ring has there is an older sample.
+  auto& [snapshot, velocity, settings, serial, restarts, recording, since_before_s, sent, is_saturated] = *slot;
+  copy_whole(report_.snapshot, snapshot);
+  for (std::size_t i = 0; i < strategy_count; ++i) velocity[i] = state_.strategies[i].motion.velocity;
+  settings = planned_;
+  serial = samples_made_;
+  restarts = report_.restarts;
+  recording = recording_;
+  since_before_s = loop_s;
+  sent = report_.motors.sent;
+  is_saturated = report_.motors.is_saturated;
   ring.put();
   return true;
 }

@@ -51,9 +51,17 @@ TEST(Realtime, GivesAnOrdinaryUserShortSlices) {
   munlockall();
 }
 
-int processors_of_thread() {
+// That the thread may run on.
+cpu_set_t processors() {
   cpu_set_t processors;
-  return sched_getaffinity(0, sizeof processors, &processors) == 0 ? CPU_COUNT(&processors) : 0;
+  CPU_ZERO(&processors);
+  sched_getaffinity(0, sizeof processors, &processors);
+  return processors;
+}
+
+int processors_of_thread() {
+  const cpu_set_t all = processors();
+  return CPU_COUNT(&all);
 }
 
 TEST(Realtime, LeavesNoProcessorToAServoWithPriority) {
@@ -86,8 +94,13 @@ TEST(Realtime, DrawingLeavesAProcessorToAnOrdinaryUsersServo) {
     EXPECT_EQ(processors_of_thread(), all - 1) << "once";
     std::thread([all] {
       EXPECT_EQ(processors_of_thread(), all - 1) << "as a graphics driver's";
+      const cpu_set_t of_drawing = processors();
       request_realtime();
-      EXPECT_EQ(processors_of_thread(), all);
+      cpu_set_t shared;
+      const cpu_set_t of_servo = processors();
+      CPU_AND(&shared, &of_drawing, &of_servo);
+      EXPECT_EQ(processors_of_thread(), 1);
+      EXPECT_EQ(CPU_COUNT(&shared), 0) << "not where drawing is";
     }).join();
     EXPECT_EQ(processors_of_thread(), all - 1);
   }).join();
