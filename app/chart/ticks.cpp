@@ -77,14 +77,26 @@ Ticks linear_ticks(const TickRequest& request, int step, int exponent) {
   return ticks;
 }
 
-// From a hundredth of the axis to all of it.
-std::vector<Ticks> linear_candidates(const TickRequest& request) {
-  std::vector<Ticks> candidates;
+// Neighbours so near to each other that not even the gap between their words has room. Words cost too much to be made
+// for such. (Rounding out only brings them nearer.)
+bool are_crowded(const TickRequest& request, double step) {
+  const double range = request.greatest - request.least;
+  return 2.0 * step <= range && request.length * step < (1.0 - round_off) * request.gap * range;
+}
+
+// Steps from a hundredth of the axis to all of it.
+Ticks choose_linear_ticks(const TickRequest& request) {
+  Ticks ticks{};
   const int finest = static_cast<int>(std::floor(std::log10((request.greatest - request.least) / 100.0)));
   for (int exponent = finest; exponent <= finest + 3; ++exponent) {
-    for (const int step : {1, 2, 5}) candidates.push_back(linear_ticks(request, step, exponent));
+    for (const int step : {1, 2, 5}) {
+      if (are_crowded(request, times_power(step, exponent))) continue;
+      ticks = linear_ticks(request, step, exponent);
+      if (have_room(ticks, request)) return ticks;
+    }
   }
-  return candidates;
+  ticks.named.clear();
+  return ticks;
 }
 
 // The given multiples of every `stride`th power of ten; 1 is among them.
@@ -124,13 +136,16 @@ Ticks logarithmic_ticks(const TickRequest& request, const std::vector<int>& mult
   return ticks;
 }
 
-std::vector<Ticks> logarithmic_candidates(const TickRequest& request) {
+Ticks choose_logarithmic_ticks(const TickRequest& request) {
   // Within a third of a decade there may be no such number: evenly spaced ones take over.
-  if (request.greatest / request.least < 2.0) return linear_candidates(request);
-  std::vector<Ticks> candidates;
-  candidates.push_back(logarithmic_ticks(request, {1, 2, 5}, 1));
-  for (const int stride : {1, 2, 5, 10, 50, 100}) candidates.push_back(logarithmic_ticks(request, {1}, stride));
-  return candidates;
+  if (request.greatest / request.least < 2.0) return choose_linear_ticks(request);
+  Ticks ticks = logarithmic_ticks(request, {1, 2, 5}, 1);
+  for (const int stride : {1, 2, 5, 10, 50, 100}) {
+    if (have_room(ticks, request)) return ticks;
+    ticks = logarithmic_ticks(request, {1}, stride);
+  }
+  if (!have_room(ticks, request)) ticks.named.clear();
+  return ticks;
 }
 
 // An axis needs two different ends.
@@ -158,13 +173,7 @@ double place_on_axis(double value, double least, double greatest, bool is_logari
 
 Ticks choose_ticks(const TickRequest& request) {
   const TickRequest wide = with_width(request);
-  std::vector<Ticks> candidates = wide.is_logarithmic ? logarithmic_candidates(wide) : linear_candidates(wide);
-  for (Ticks& candidate : candidates) {
-    if (have_room(candidate, wide)) return std::move(candidate);
-  }
-  Ticks& sparsest = candidates.back();
-  sparsest.named.clear();
-  return std::move(sparsest);
+  return wide.is_logarithmic ? choose_logarithmic_ticks(wide) : choose_linear_ticks(wide);
 }
 
 }  // namespace ghostforce
