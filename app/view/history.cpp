@@ -1,8 +1,28 @@
 #include "app/view/history.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace ghostforce {
+namespace {
+
+bool is_straight(const Vector<2>& before, const Vector<2>& point, const Vector<2>& after) {
+  const Vector<2> piece = after - before;
+  const double length = glm::length(piece);
+  if (length > History::longest_piece) return false;
+  const double share = length > 0.0 ? glm::clamp(glm::dot(point - before, piece) / (length * length), 0.0, 1.0) : 0.0;
+  return glm::distance(point, before + share * piece) <= History::straightness;
+}
+
+bool is_straight(const HistoryPoint& before, const HistoryPoint& point, const HistoryPoint& after) {
+  bool result = is_straight(before.goal, point.goal, after.goal);
+  for (std::size_t i = 0; i < strategy_count; ++i) {
+    result = result && is_straight(before.device[i], point.device[i], after.device[i]);
+  }
+  return result;
+}
+
+}  // namespace
 
 void History::clear() {
   points_.clear();
@@ -28,7 +48,15 @@ void History::add(const Snapshot& snapshot) {
   }
   if (!moved) return;
   points_.push_back(point);
+  thin_out();
   if (points_.size() > most_points) points_.pop_front();
+}
+
+// Looks at the one point that has just become old.
+void History::thin_out() {
+  if (points_.size() < dense_points + 2) return;
+  const auto aging = points_.end() - static_cast<std::ptrdiff_t>(dense_points) - 1;
+  if (is_straight(*(aging - 1), *aging, *(aging + 1))) points_.erase(aging);
 }
 
 }  // namespace ghostforce

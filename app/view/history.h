@@ -19,9 +19,14 @@ struct HistoryPoint {
 
 class History {
  public:
-  // A trail is a chain of this many points at most, each at least `spacing` from the one before.
-  static constexpr std::size_t most_points = 600;
-  static constexpr double spacing = 0.0004;  // [m]
+  // A trail is a chain of this many points at most, each at least `spacing` from the one before. Only the newest
+  // `dense_points` are all there: of the older ones those are left out that lie on a straight line between their
+  // neighbours, to `straightness`, as long as pieces do not become longer than `longest_piece`.
+  static constexpr std::size_t most_points = 375;
+  static constexpr std::size_t dense_points = 300;
+  static constexpr double spacing = 0.0004;        // [m]
+  static constexpr double straightness = 0.00003;  // [m], an eighth of a pixel in the view that scenes open with
+  static constexpr double longest_piece = 4.0 * spacing;
 
   void add(const Snapshot& snapshot);
   void clear();
@@ -29,6 +34,8 @@ class History {
   const PlotHistory& plots() const noexcept { return plots_; }
 
  private:
+  void thin_out();
+
   std::deque<HistoryPoint> points_;
   PlotHistory plots_;
 };
