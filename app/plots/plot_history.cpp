@@ -25,8 +25,11 @@ void merge(const PlotBucket& later, PlotBucket& into) {
   into.to_s = later.to_s;
   for (std::size_t q = 0; q < quantity_count; ++q) {
     for (std::size_t i = 0; i < strategy_count; ++i) {
-      into.least[q][i] = std::fmin(into.least[q][i], later.least[q][i]);  // which pass over what is unknown
-      into.greatest[q][i] = std::fmax(into.greatest[q][i], later.greatest[q][i]);
+      // As std::fmin and std::fmax, which pass over what is unknown, but without calls.
+      double& least = into.least[q][i];
+      double& greatest = into.greatest[q][i];
+      if (later.least[q][i] < least || std::isnan(least)) least = later.least[q][i];
+      if (later.greatest[q][i] > greatest || std::isnan(greatest)) greatest = later.greatest[q][i];
     }
   }
 }

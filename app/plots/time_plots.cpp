@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -20,7 +21,8 @@ static_assert(rows * columns == quantity_count);
 // A range smaller than this would magnify what nobody can feel [unit of the quantity].
 constexpr double smallest_range = 1.0;
 
-// A bucket of several ticks is a stroke from its least to its greatest.
+// A bucket of several ticks is a stroke between its least and its greatest. It begins with the one nearer to where the
+// last ended: less of a way for the line to go is less to draw.
 struct Curve {
   std::vector<double> x;
   std::vector<double> y;
@@ -31,14 +33,18 @@ Curve curve_of(const std::vector<PlotBucket>& buckets, std::size_t quantity, std
   curve.x.reserve(2 * buckets.size());
   curve.y.reserve(2 * buckets.size());
   for (const PlotBucket& bucket : buckets) {
-    const auto least = bucket.least[quantity][strategy];
-    const auto greatest = bucket.greatest[quantity][strategy];
+    double first = bucket.least[quantity][strategy];
+    double second = bucket.greatest[quantity][strategy];
+    const bool is_stroke = first < second;
+    if (!curve.y.empty() && std::abs(second - curve.y.back()) < std::abs(first - curve.y.back())) {
+      std::swap(first, second);
+    }
     const double middle = 0.5 * (bucket.from_s + bucket.to_s);
     curve.x.push_back(middle);
-    curve.y.push_back(least);
-    if (!(least < greatest)) continue;
+    curve.y.push_back(first);
+    if (!is_stroke) continue;
     curve.x.push_back(middle);
-    curve.y.push_back(greatest);
+    curve.y.push_back(second);
   }
   return curve;
 }
