@@ -341,14 +341,14 @@ void Window::set_visible_drawing(bool is_on) {
 
 Image Window::picture() const {
   Image image{pixel_width(), pixel_height(), {}};
-  const std::size_t row = 3U * static_cast<std::size_t>(image.width);
-  std::vector<std::uint8_t> from_below(row * static_cast<std::size_t>(image.height));
+  const std::ptrdiff_t row = 3 * std::ptrdiff_t{image.width};
+  image.rgb.resize(static_cast<std::size_t>(row) * static_cast<std::size_t>(image.height));
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, image.width, image.height, GL_RGB, GL_UNSIGNED_BYTE, from_below.data());
-  image.rgb.reserve(from_below.size());
-  for (int y = image.height - 1; y >= 0; --y) {
-    const auto begin = from_below.begin() + static_cast<std::ptrdiff_t>(row * static_cast<std::size_t>(y));
-    image.rgb.insert(image.rgb.end(), begin, begin + static_cast<std::ptrdiff_t>(row));
+  glReadPixels(0, 0, image.width, image.height, GL_RGB, GL_UNSIGNED_BYTE, image.rgb.data());
+  // OpenGL counts rows from below.
+  for (int y = 0; y < image.height / 2; ++y) {
+    const auto upper = image.rgb.begin() + row * y;
+    std::swap_ranges(upper, upper + row, image.rgb.end() - row * (y + 1));
   }
   return image;
 }
