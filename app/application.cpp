@@ -154,6 +154,7 @@ void Application::frame(double interval_s) {
     if (recording_->progress().error != 0) tell(end_recording(), true);
   }
   if (falcon_ != nullptr) falcon_report_ = falcon_->report();
+  if (spacemouse_ != nullptr) spacemouse_reading_ = spacemouse_->reading();
   // Nobody stops the time of a real hand.
   if (report_.snapshot.measured) session_.paused = false;
   if (report_.restarts != command_.restarts_asked || report_.snapshot.tick == 0) {
@@ -185,7 +186,7 @@ LoopReading Application::loop_reading() const {
           .ladder = falcon_ != nullptr ? ladder_of(falcon_report_, &report_.motors) : std::vector<RungState>(),
           .device = falcon_ != nullptr ? fmt::format("{} {}", input_title_, falcon_report_.serial.text()) : "",
           .device_remark = device_remark(),
-          .spacemouse = spacemouse_ != nullptr ? std::optional(spacemouse_->reading()) : std::nullopt,
+          .spacemouse = spacemouse_ != nullptr ? std::optional(spacemouse_reading_) : std::nullopt,
           .misbehaviours = virtual_falcon_ != nullptr ? misbehaviours_ : std::span<const InputChoice>(),
           .recording = recording_reading_,
           .circle = circle_ != nullptr ? std::optional(circle_meter_.reading()) : std::nullopt,
@@ -283,6 +284,18 @@ void Application::beat() {
   note_motors();
   ++command_.heart_beats;
   servo_->send(command_);
+}
+
+bool Application::has_news() {
+  if (spacemouse_ != nullptr) {
+    const SpaceMouseReading& now = spacemouse_->reading();
+    const SpaceMouseReading& shown = spacemouse_reading_;
+    if (now.trouble != shown.trouble || now.connection != shown.connection || now.reports != shown.reports) return true;
+  }
+  const ServoReport& now = servo_->newest();
+  return now.snapshot.tick != report_.snapshot.tick || now.restarts != report_.restarts ||
+         now.refused_commands != report_.refused_commands || now.diverged != report_.diverged ||
+         mode_of(now.realtime) != mode_of(report_.realtime);
 }
 
 void Application::tell(std::string words, bool is_problem) {

@@ -68,7 +68,12 @@ class Application {
   void tell(std::string words, bool is_problem);
 
   // Nothing would change on screen until the person does something.
+  // (What a haptic device reports changes all the time.)
   bool is_idle() const noexcept { return session_.paused && !session_.notice && !shader_watch_ && falcon_ == nullptr; }
+
+  // The servo or its input reports something else than what the last frame showed. Its counts of ticks that came late
+  // and of ticks per second are no news: they can wait.
+  bool has_news();
 
   // Returns what to tell the person; empty where nothing was being recorded.
   std::string end_recording();
@@ -130,6 +135,7 @@ class Application {
   FalconInput* falcon_ = nullptr;
   VirtualFalconInput* virtual_falcon_ = nullptr;
   FalconReport falcon_report_;
+  SpaceMouseReading spacemouse_reading_;
   Vector<2> sent_goal_{0.0};
   Circle sent_circle_;
   CircleMeter circle_meter_;

@@ -70,9 +70,9 @@ class FramePacer {
 
  private:
   static constexpr double frame_s = 1.0 / 60.0;
-  static constexpr double idle_s = 0.25;
+  static constexpr double idle_s = 0.1;     // how long news waits at most
   static constexpr double stirred_s = 1.5;  // until a word of explanation is there
-  static constexpr double oldest_s = 5.0;   // of the status bar
+  static constexpr double oldest_s = 5.0;   // of the status bar's counts
   // ImGui takes what comes in at once apart, one event a frame.
   static constexpr int settling_frames = 6;
   int frames_to_settle_ = settling_frames;
@@ -193,7 +193,8 @@ int run(const Options& options) {
     const Clock::time_point now = Clock::now();
     if (options.exit_after_s && seconds(now - began) >= *options.exit_after_s) break;
     // A caret blinks while somebody writes.
-    if (application.is_idle() && !application.session().is_editing && pacer.may_sleep(last)) {
+    if (application.is_idle() && !application.session().is_editing && pacer.may_sleep(last) &&
+        !application.has_news()) {
       application.beat();
       pacer.wait(window, true, now);
       continue;
