@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <vector>
 
 #include "app/view/layers.h"
@@ -46,9 +47,16 @@ class LabelPlacer {
     // What is far outside the picture is not there to be named.
     const Vector<2> nearest = glm::clamp(at, Vector<2>(0.0), view_.camera.size);
     if (glm::distance(at, nearest) > view_.points(farthest_outside)) return;
+    // Most of what is taken lies farther away than any place that is tried.
+    const Vector<2> farthest = Vector<2>(gap * reaches.back()) + 0.5 * extent;
+    const Box tried{inside(at - farthest - 0.5 * extent, extent) - breath,
+                    inside(at + farthest - 0.5 * extent, extent) + extent + breath};
+    near_.clear();
+    std::ranges::copy_if(taken_, std::back_inserter(near_),
+                         [&](const Obstacle& other) { return overlap(tried, other.box) > 0.0; });
     Vector<2> best = at;
     double least = -1.0;
-    for (const double reach : {1.0, 1.8, 3.0, 5.0, 8.0}) {
+    for (const double reach : reaches) {
       for (const Vector<2>& side : sides) {
         const Vector<2> corner = inside(at + side * (Vector<2>(gap * reach) + 0.5 * extent) - 0.5 * extent, extent);
         const double cost = crowding({corner - breath, corner + extent + breath}, least);
@@ -73,7 +81,8 @@ class LabelPlacer {
     double weight;
   };
 
-  static constexpr Vector<2> margin{4.0, 4.0};  // to the picture's edge [points]
+  static constexpr std::array reaches{1.0, 1.8, 3.0, 5.0, 8.0};  // distances that are tried, in those asked for
+  static constexpr Vector<2> margin{4.0, 4.0};                   // to the picture's edge [points]
   // Between two labels, or a word ends where the next begins [points].
   static constexpr Vector<2> breath{3.0, 1.0};
   // Right first, as one reads; then above and below, then left.
@@ -88,7 +97,7 @@ class LabelPlacer {
   // Counts no further than `enough`, where that is not negative: a place as crowded as that is not taken anyway.
   double crowding(const Box& box, double enough) const {
     double cost = 0.0;
-    for (const Obstacle& other : taken_) {
+    for (const Obstacle& other : near_) {
       cost += other.weight * overlap(box, other.box);
       if (enough >= 0.0 && cost >= enough) break;
     }
@@ -98,6 +107,7 @@ class LabelPlacer {
   const View& view_;
   Marks& marks_;
   std::vector<Obstacle> taken_;
+  std::vector<Obstacle> near_;  // of these, what the label that is being placed may meet
 };
 
 // Marks at the edge and on the scene that no label may cover.
