@@ -19,12 +19,14 @@
 namespace ghostforce {
 namespace {
 
+constexpr int cannot_be_forbidden = 2;  // an exit code
+
 // How a child process ended that may call read, write and the plain exit only, and did `work`; it exits with what that
 // returns.
 int end_of(const std::function<bool()>& work) {
   const pid_t child = fork();
   if (child == 0) {
-    if (prctl(PR_SET_SECCOMP, SECCOMP_MODE_STRICT) != 0) _exit(2);
+    if (prctl(PR_SET_SECCOMP, SECCOMP_MODE_STRICT) != 0) _exit(cannot_be_forbidden);
     const int code = work() ? 0 : 1;
     // The C library's exit_group is not among the calls allowed.
     syscall(SYS_exit, code);
@@ -32,6 +34,10 @@ int end_of(const std::function<bool()>& work) {
   int status = 0;
   EXPECT_EQ(waitpid(child, &status, 0), child);
   return status;
+}
+
+bool is_forbidden(int status) {
+  return !WIFEXITED(status) || WEXITSTATUS(status) != cannot_be_forbidden;
 }
 
 Settings slanted_wall() {
@@ -73,6 +79,7 @@ bool live(int ticks) {
 
 TEST(TickSystemCalls, ThereAreNone) {
   const int status = end_of([] { return live(100'000); });
+  if (!is_forbidden(status)) GTEST_SKIP() << "this kernel or container has no seccomp";
   ASSERT_TRUE(WIFEXITED(status)) << "signal " << WTERMSIG(status);
   EXPECT_EQ(WEXITSTATUS(status), 0);
 }
@@ -83,6 +90,7 @@ TEST(TickSystemCalls, OneWouldBeSeen) {
     syscall(SYS_getpid);
     return is_well;
   });
+  if (!is_forbidden(status)) GTEST_SKIP() << "this kernel or container has no seccomp";
   ASSERT_TRUE(WIFSIGNALED(status));
   EXPECT_EQ(WTERMSIG(status), SIGKILL);
 }
