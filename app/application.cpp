@@ -287,6 +287,7 @@ void Application::beat() {
 }
 
 bool Application::has_news() {
+  if (recording_ && recording_->progress().error != 0) return true;
   if (spacemouse_ != nullptr) {
     const SpaceMouseReading& now = spacemouse_->reading();
     const SpaceMouseReading& shown = spacemouse_reading_;

@@ -142,6 +142,14 @@ Window::Window(const WindowOptions& options) : library_(options.offscreen), wind
     glfwSetWindowSizeLimits(handle(), least_window_width, least_window_height, GLFW_DONT_CARE, GLFW_DONT_CARE);
   }
   glfwSetWindowUserPointer(handle(), this);
+  glfwSetCursorPosCallback(handle(), on_anything);  // these before ImGui's, which then call them
+  glfwSetCursorEnterCallback(handle(), on_anything);
+  glfwSetMouseButtonCallback(handle(), on_anything);
+  glfwSetScrollCallback(handle(), on_anything);
+  glfwSetWindowFocusCallback(handle(), on_anything);
+  glfwSetWindowRefreshCallback(handle(), on_anything);  // ImGui has none for this and the next two
+  glfwSetWindowIconifyCallback(handle(), on_anything);
+  glfwSetFramebufferSizeCallback(handle(), on_anything);
   glfwSetDropCallback(handle(), on_drop);
   glfwSetKeyCallback(handle(), on_key);            // before ImGui's, which then calls it
   glfwSetCharCallback(handle(), on_character);     // as well
@@ -282,7 +290,13 @@ void Window::toggle_full_screen() {
   glfwSetWindowMonitor(handle(), monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
 
+template <typename... What>
+void Window::on_anything(GLFWwindow* handle, What...) {
+  static_cast<Window*>(glfwGetWindowUserPointer(handle))->is_stirred_ = true;
+}
+
 void Window::on_key(GLFWwindow* handle, int key, int scancode, int action, int modifiers) {
+  on_anything(handle);
   if (action == GLFW_RELEASE) return;
   constexpr int that_count = GLFW_MOD_SHIFT | GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER;
   auto& window = *static_cast<Window*>(glfwGetWindowUserPointer(handle));
@@ -293,6 +307,7 @@ void Window::on_key(GLFWwindow* handle, int key, int scancode, int action, int m
 
 // GLFW tells it right after the key that has typed it; what an input method composes has none.
 void Window::on_character(GLFWwindow* handle, unsigned int character) {
+  on_anything(handle);
   auto& window = *static_cast<Window*>(glfwGetWindowUserPointer(handle));
   if (!std::exchange(window.awaits_character_, false) || window.key_presses_.empty()) return;
   window.key_presses_.back() = press_by_character(window.key_presses_.back(), character);
@@ -308,6 +323,7 @@ void Window::on_resize(GLFWwindow* handle, int width, int height) {
 }
 
 void Window::on_drop(GLFWwindow* handle, int count, const char** paths) {
+  on_anything(handle);
   auto& window = *static_cast<Window*>(glfwGetWindowUserPointer(handle));
   window.dropped_files_.insert(window.dropped_files_.end(), paths, paths + count);
 }
@@ -316,12 +332,13 @@ std::vector<std::string> Window::take_dropped_files() {
   return std::exchange(dropped_files_, {});
 }
 
-void Window::poll(double wait_s) {
+bool Window::poll(double wait_s) {
   if (wait_s > 0.0) {
     glfwWaitEventsTimeout(wait_s);
   } else {
     glfwPollEvents();
   }
+  return std::exchange(is_stirred_, false);
 }
 
 void Window::frame(double interval_s, const std::function<void()>& draw) {

@@ -71,8 +71,9 @@ class Window {
   // Files that were dropped on the window since the last call.
   std::vector<std::string> take_dropped_files();
 
-  // Takes what keyboard and mouse did, waiting at most that long for something to happen [s].
-  void poll(double wait_s);
+  // Takes what keyboard and mouse did, waiting at most that long for something to happen [s]. True: something did, by
+  // the person or the desktop.
+  bool poll(double wait_s);
 
   // One frame: `draw` runs between ImGui's NewFrame and Render; then everything is shown. `interval_s` is the time
   // since the frame before: the screen reads no clock, so that what a double click is does not depend on how busy a
@@ -108,6 +109,8 @@ class Window {
   };
 
   void start_imgui(bool takes_mouse);
+  template <typename... What>
+  static void on_anything(GLFWwindow* window, What... what);
   static void on_key(GLFWwindow* window, int key, int scancode, int action, int modifiers);
   static void on_character(GLFWwindow* window, unsigned int character);
   static void on_resize(GLFWwindow* window, int width, int height);
@@ -126,6 +129,7 @@ class Window {
   std::vector<KeyPress> key_presses_;
   bool awaits_character_ = false;  // of the newest of them it is not known yet what it types
   std::vector<std::string> dropped_files_;
+  bool is_stirred_ = false;  // since the last poll
 };
 
 }  // namespace ghostforce

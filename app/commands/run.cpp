@@ -1,5 +1,4 @@
 // ghostforce run: the window, live.
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <csignal>
@@ -18,6 +17,7 @@
 #include "app/commands/picture_options.h"
 #include "app/failure.h"
 #include "app/falcon_setup.h"
+#include "app/frame_pacer.h"
 #include "app/interruption.h"
 #include "app/ladder.h"
 #include "app/panels/panel_catalog.h"
@@ -45,39 +45,6 @@ struct Options {
 double seconds(Clock::duration duration) {
   return std::chrono::duration<double>(duration).count();
 }
-
-// Decides how long to wait for the person before the next frame. Displays without vertical sync would otherwise draw as
-// fast as they can; a paused window has nothing to show and looks up only now and then.
-class FramePacer {
- public:
-  void wait(Window& window, bool idle, Clock::time_point frame_began) {
-    const double interval_s = idle && frames_to_settle_ == 0 ? idle_s : frame_s;
-    const double wait_s = std::max(0.0, interval_s - seconds(Clock::now() - frame_began));
-    const Clock::time_point before = Clock::now();
-    window.poll(wait_s);
-    const Clock::time_point now = Clock::now();
-    const bool something_happened = seconds(now - before) < 0.9 * wait_s;
-    frames_to_settle_ = something_happened ? settling_frames : std::max(0, frames_to_settle_ - 1);
-    if (something_happened || !idle) last_stir_ = now;
-  }
-
-  // Nothing has happened for so long that even what waits for a pointer to rest has come, and what is on the screen is
-  // not old: there is nothing to draw.
-  bool may_sleep(Clock::time_point last_drawn) const {
-    const Clock::time_point now = Clock::now();
-    return seconds(now - last_stir_) > stirred_s && seconds(now - last_drawn) < oldest_s;
-  }
-
- private:
-  static constexpr double frame_s = 1.0 / 60.0;
-  static constexpr double idle_s = 0.1;     // how long news waits at most
-  static constexpr double stirred_s = 1.5;  // until a word of explanation is there
-  static constexpr double oldest_s = 5.0;   // of the status bar's counts
-  // ImGui takes what comes in at once apart, one event a frame.
-  static constexpr int settling_frames = 6;
-  int frames_to_settle_ = settling_frames;
-  Clock::time_point last_stir_ = Clock::now();
-};
 
 // Keeps what shall be remembered up to date. What the command line asked for holds for this run only.
 class Keeper {
@@ -185,28 +152,36 @@ int run(const Options& options) {
   Keeper keeper(remembered.preferences, application.session());
   application.start();
 
-  FramePacer pacer;
   const Clock::time_point began = Clock::now();
-  Clock::time_point last = began;
+  const auto clock_s = [began] { return seconds(Clock::now() - began); };
+  FramePacer pacer(0.0);
+  const auto wait_for_person = [&](double frame_began_s) {
+    const bool idle = application.is_idle();
+    const bool stirred = window.poll(pacer.wait_s(idle, frame_began_s, clock_s()));
+    pacer.waited(stirred, idle, clock_s());
+  };
+  double last_s = 0.0;  // frame, or look around
+  double last_drawn_s = 0.0;
   while (!window.should_close()) {
     stop_if_interrupted();
-    const Clock::time_point now = Clock::now();
-    if (options.exit_after_s && seconds(now - began) >= *options.exit_after_s) break;
+    const double now_s = clock_s();
+    if (options.exit_after_s && now_s >= *options.exit_after_s) break;
+    const double interval_s = now_s - std::exchange(last_s, now_s);
     // A caret blinks while somebody writes.
-    if (application.is_idle() && !application.session().is_editing && pacer.may_sleep(last) &&
+    if (application.is_idle() && !application.session().is_editing && pacer.may_sleep(last_drawn_s, now_s) &&
         !application.has_news()) {
       application.beat();
-      pacer.wait(window, true, now);
+      wait_for_person(now_s);
       continue;
     }
-    application.frame(seconds(now - last));
-    last = now;
+    application.frame(interval_s);
+    last_drawn_s = now_s;
     try {
       keeper.keep(application.session());
     } catch (const Failure& failure) {
       application.tell(failure.what(), true);
     }
-    pacer.wait(window, application.is_idle(), now);
+    wait_for_person(now_s);
   }
   try {
     remember(layout_of(window, application.session()));
