@@ -39,9 +39,18 @@ bool write_rows(png_structp png, png_infop info, const Image& image) {
 }
 
 // Called by libpng, through which no exception may fly.
-void append(png_structp png, png_bytep data, std::size_t size) noexcept {
-  static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(data), size);
+void append(png_structp png, png_bytep data, std::size_t size) {
+  bool has_room = true;
+  try {
+    static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(data), size);
+  } catch (const std::bad_alloc&) {
+    has_room = false;
+  }
+  if (!has_room) png_error(png, "out of memory");
 }
+
+// libpng's own would take the string for a file.
+void flush(png_structp) {}
 
 }  // namespace
 
@@ -50,7 +59,7 @@ std::string png_bytes(const Image& image) {
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
   if (png == nullptr) throw std::bad_alloc();
   png_infop info = png_create_info_struct(png);
-  png_set_write_fn(png, &bytes, append, nullptr);
+  png_set_write_fn(png, &bytes, append, flush);
   const bool is_written = info != nullptr && write_rows(png, info, image);
   png_destroy_write_struct(&png, &info);
   if (!is_written) throw std::bad_alloc();  // its sizes are right: it was that
