@@ -14,7 +14,9 @@
 #include <gtest/gtest.h>
 
 #include "core/latest_value.h"
+#include "core/ring.h"
 #include "core/settings.h"
+#include "core/tick.h"
 
 namespace ghostforce {
 namespace {
@@ -36,7 +38,7 @@ int end_of(const std::function<bool()>& work) {
   return status;
 }
 
-bool is_forbidden(int status) {
+bool could_forbid(int status) {
   return !WIFEXITED(status) || WEXITSTATUS(status) != cannot_be_forbidden;
 }
 
@@ -53,8 +55,10 @@ Settings slanted_wall() {
   return settings;
 }
 
-// Plans anew, ticks, publishes and is read from, in and out of contact.
-bool live(int ticks) {
+using Log = Ring<Snapshot, 64>;
+
+// Plans anew, ticks, publishes, logs and is read from, in and out of contact.
+bool live(int ticks, Log& log) {
   Settings settings = slanted_wall();
   TickPlan<2> plan = plan_of(settings);
   TickState<2> state = state_at_start(Vector<2>(0.0));
@@ -72,25 +76,35 @@ bool live(int ticks) {
       tick(plan, {goal, -goal}, state);
     }
     newest.publish(snapshot_of(plan, state));
+    if (Snapshot* const slot = log.slot(); slot != nullptr) {
+      take_snapshot(plan, state, *slot);
+      log.put();
+    }
+    if (k % 100 == 0) {
+      for (Snapshot taken; log.take(taken);) {
+      }
+    }
     if (newest.latest().strategies[0].in_contact) ++contacts;
   }
   return contacts > ticks / 4 && contacts < ticks;
 }
 
 TEST(TickSystemCalls, ThereAreNone) {
-  const int status = end_of([] { return live(100'000); });
-  if (!is_forbidden(status)) GTEST_SKIP() << "this kernel or container has no seccomp";
+  Log log;
+  const int status = end_of([&] { return live(100'000, log); });
+  if (!could_forbid(status)) GTEST_SKIP() << "this kernel or container has no seccomp";
   ASSERT_TRUE(WIFEXITED(status)) << "signal " << WTERMSIG(status);
   EXPECT_EQ(WEXITSTATUS(status), 0);
 }
 
 TEST(TickSystemCalls, OneWouldBeSeen) {
-  const int status = end_of([] {
-    const bool is_well = live(1000);
+  Log log;
+  const int status = end_of([&] {
+    const bool is_well = live(1000, log);
     syscall(SYS_getpid);
     return is_well;
   });
-  if (!is_forbidden(status)) GTEST_SKIP() << "this kernel or container has no seccomp";
+  if (!could_forbid(status)) GTEST_SKIP() << "this kernel or container has no seccomp";
   ASSERT_TRUE(WIFSIGNALED(status));
   EXPECT_EQ(WTERMSIG(status), SIGKILL);
 }
