@@ -1,7 +1,7 @@
 """The loop of (23)(24)(25) in NumPy, for batch_bench, which starts this as a child: settings come in on the standard
 input, then requests; what is asked for goes out on the standard output, as doubles.
 
-A setting is 14 doubles: wall point x y, wall normal x y, actuated direction x y, m, b, rate, k_u, k_r, k_t, k_c, rho;
+A setting is 18 doubles: wall point x y, wall normal x y, actuated direction x y, m, b, rate, k_u, k_r, k_t, k_c, rho;
 then start x y and goal x y. A request is a line: how many settings, ticks, and "vectorised" or "straight". The answer is
 device x y and force x y of each setting.
 """

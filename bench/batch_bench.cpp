@@ -341,11 +341,10 @@ int run(int argc, char** argv) {
   Report report("3. Batch");
   report.paragraph(fmt::format(
       "`batch_bench`: {} settings of anisotropic rendering, {} ticks each under a goal that is held, from k = 0; a "
-      "step is "
-      "one tick of one setting. The loop by hand is the same recurrence in vector types, the state in registers. "
-      "NumPy computes (23) to (25): vectorised with a number per array and what the settings fix computed beforehand, "
-      "straight with 2×2 matrices, one setting at a time. All of them end within {:.0e} of the setting's extent where "
-      "tick() does (1e-9 asked, else the bench fails).",
+      "step is one tick of one setting. The loop by hand is the same recurrence in vector types, the state in "
+      "registers. NumPy computes (23) to (25): vectorised with a number per array and what the settings fix computed "
+      "beforehand, straight with 2×2 matrices, one setting at a time. All of them end within {:.0e} of the setting's "
+      "extent where tick() does (1e-9 asked, else the bench fails).",
       setting_count, ticks, greatest));
   if (has_avx2) {
     const Contest with_avx2 = against_hand(batch, hand_avx2);
@@ -398,8 +397,7 @@ int run(int argc, char** argv) {
              fmt::format("{:.0f} ms", 1e3 * sweeps.median_seconds("sweep")));
   report.note(
       "Where other programs keep all cores busy, a second thread brings no second core: the processor time tells what "
-      "it "
-      "would bring on a core of its own.");
+      "it would bring on a core of its own.");
   return report.finish(argc, argv);
 }
 

@@ -139,8 +139,7 @@ int run(int argc, char** argv) {
   Report report("7. The Falcon path");
   report.paragraph(
       "Random poses inside the workspace, 1024 of them in turn for the times, 15,000 for the errors, which are the "
-      "worst "
-      "and are told against a second formulation with numeric derivatives.");
+      "worst and are told against a second formulation with numeric derivatives.");
   time_them(report, kinematics);
   const double error = position_error(kinematics, geometry);
   report.row("position error, in errors of the encoders' resolution", fmt::format("{:.3f} times", error),
@@ -151,18 +150,15 @@ int run(int argc, char** argv) {
   report.row("force direction, 1 N", fmt::format("{:.3f}°", weak), at_most(weak, 0.1, "°"));
   report.note(
       "Motor numbers are whole: rounding them adds up to 5 mN across a force, however small that is, and so turns 1 N "
-      "by "
-      "more than 0.1°. Tried: of the eight whole numbers around, those of the truest direction turn it by up to 0.13°, "
-      "with twice the error of the magnitude (7 instead of 3 mN); scaling the force by up to a percent before "
-      "rounding, "
-      "by 0.12°. Both miss 0.1°, and need more than the time that torques have left, so plain rounding stays.");
+      "by more than 0.1°. Tried: of the eight whole numbers around, those of the truest direction turn it by up to "
+      "0.13°, with twice the error of the magnitude (7 instead of 3 mN); scaling the force by up to a percent before "
+      "rounding, by 0.12°. Both miss 0.1°, and need more than the time that torques have left, so plain rounding "
+      "stays.");
   report.note(
       "Forward: the parallelogram's short sides make each leg's surface a torus, not a sphere, so that there is no "
-      "closed "
-      "form. From wherever a handle can come from in a tick, up to 1 mm, it takes two steps of some 50 ns, after three "
-      "sines and cosines of 30 ns: the first allows for how the legs' surfaces bend, which leaves the cube of its "
-      "length "
-      "instead of its square and makes the third step of Newton's method needless.");
+      "closed form. From wherever a handle can come from in a tick, up to 1 mm, it takes two steps of some 50 ns, "
+      "after three sines and cosines of 30 ns: the first allows for how the legs' surfaces bend, which leaves the cube "
+      "of its length instead of its square and makes the third step of Newton's method needless.");
   return report.finish(argc, argv);
 }
 

@@ -286,13 +286,13 @@ int measure(int argc, char** argv) {
   }
 
   Report report("2. The loop");
-  report.paragraph(fmt::format(
-      "How late ticks come behind their deadlines, {:.0f} s per contestant in {} turns, each turn a process that draws "
-      "the program's window at 60 Hz beside the loop (offscreen, in software, on the same processors). Percentiles are "
-      "medians over the turns, ratios medians of those within a round. `servo` is the program's own thread, "
-      "`cyclictest` "
-      "`-p80 -m` (µs), `sleep_until` a loop around `std::this_thread::sleep_until` that does nothing else.",
-      seconds * rounds, rounds));
+  report.paragraph(
+      fmt::format("How late ticks come behind their deadlines, {:.0f} s per contestant in {} turns, each turn a "
+                  "process that draws the program's window at 60 Hz beside the loop (offscreen, in software, on the "
+                  "same processors). Percentiles are medians over the turns, ratios medians of those within a round. "
+                  "`servo` is the program's own thread, `cyclictest` `-p80 -m` (µs), `sleep_until` a loop around "
+                  "`std::this_thread::sleep_until` that does nothing else.",
+                  seconds * rounds, rounds));
   for (const Contestant* contestant : all) tell(report, *contestant);
   if (servo.turns.front().realtime.priority_error == 0) {
     compare(report, servo, cyclictest, 0.5, "p50", 0.05);
@@ -326,21 +326,16 @@ int measure(int argc, char** argv) {
   report.note(
       "An ordinary user's servo has short time slices and a processor that drawing leaves to it. It stays there: seen "
       "beside other programs that kept both processors busy, that lost 165 ticks of 5000 instead of 923 with the "
-      "choice "
-      "of both (a loop around sleep_until: 624), p99 1.1 instead of 4.0 ms. Tried beside it: a long slice and "
-      "SCHED_BATCH "
-      "for drawing (252 of 5000, against 228 without, and 1138 against 813 with the choice of both processors), and "
-      "nice "
-      "19 for drawing (155, against 165), from which an ordinary user's thread cannot come back, as it must before "
-      "motors "
-      "are armed. Nothing that needs no privilege was found against the rest of what other programs take.");
+      "choice of both (a loop around sleep_until: 624), p99 1.1 instead of 4.0 ms. Tried beside it: a long slice and "
+      "SCHED_BATCH for drawing (252 of 5000, against 228 without, and 1138 against 813 with the choice of both "
+      "processors), and nice 19 for drawing (155, against 165), from which an ordinary user's thread cannot come back, "
+      "as it must before motors are armed. Nothing that needs no privilege was found against the rest of what other "
+      "programs take.");
   report.note(
       "Drawing in the idle class is not used: Linux refuses to let an ordinary user's thread out of it again (EPERM), "
       "also those that it creates, and beside other programs it drew 3 frames a second. Nor is spinning without "
-      "real-time "
-      "priority: seen, it doubled the ticks lost. On a machine with nothing else to do 0.02 is out of reach where "
-      "waking "
-      "from sleep alone takes longer than that share of the naive loop's p99 (p50).");
+      "real-time priority: seen, it doubled the ticks lost. On a machine with nothing else to do 0.02 is out of reach "
+      "where waking from sleep alone takes longer than that share of the naive loop's p99 (p50).");
   return report.finish(argc, argv);
 }
 

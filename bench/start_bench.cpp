@@ -116,10 +116,10 @@ void add_window(Report& report) {
   report.note(
       "Where the processor's time of `run` goes, seen by time stamps, 130 ms in all: 6 ms until main (30 shared "
       "libraries; Cairo's 1.6 and OpenSSL's 1.0 of it), 75 for the display and its context, 6 to compile its shader "
-      "(ImGui's, which comes after it, takes 0.6), 2 to play the scene, 8 and 8 for the first use of its shader and "
-      "of ImGui's, 20 to draw 1280×800 pixels; widgets and marks take 1. Mesa keeps compiled shaders in a cache; "
-      "without it, as at the first start ever, those 8 and 8 are 51 and 43. Between runs on a shared machine the "
-      "ratio was seen from 1.2 to 1.6.");
+      "(ImGui's, which comes after it, takes 0.6), 2 to play the scene, 8 and 8 for the first use of its shader and of "
+      "ImGui's, 20 to draw 1280×800 pixels; widgets and marks take 1. Mesa keeps compiled shaders in a cache; without "
+      "it, as at the first start ever, those 8 and 8 are 51 and 43. Between runs on a shared machine the ratio was "
+      "seen from 1.2 to 1.6.");
 }
 
 void add_offscreen(Report& report) {
@@ -142,11 +142,11 @@ void add_offscreen(Report& report) {
   report.note(
       "`render` was 4.4 times the empty start before its first two frames, which only settle the panels, left the "
       "pixels alone, and before libpng wrote its file. What some 100 ms of processor's time hold, by time stamps: 5 "
-      "until main, 2 to play the scene, 30 for the context, 2 for ImGui and its fonts, 6 to compile its shader, 7 "
-      "and 4 for the first use of its shader and of ImGui's (from Mesa's cache; 51 and 43 without), 3 for the frame "
-      "that is seen, 17 to draw its pixels, 7 for the PNG file, 5 to let go of the context. Tried and not kept: "
-      "zlib's level 1 instead of 3 (0.5 ms), other thresholds of malloc (nothing), less arithmetic for arrows in "
-      "the shader (1 ms, and single pixels of pictures change).");
+      "until main, 2 to play the scene, 30 for the context, 2 for ImGui and its fonts, 6 to compile its shader, 7 and "
+      "4 for the first use of its shader and of ImGui's (from Mesa's cache; 51 and 43 without), 3 for the frame that "
+      "is seen, 17 to draw its pixels, 7 for the PNG file, 5 to let go of the context. Tried and not kept: zlib's "
+      "level 1 instead of 3 (0.5 ms), other thresholds of malloc (nothing), less arithmetic for arrows in the shader "
+      "(1 ms, and single pixels of pictures change).");
 }
 
 }  // namespace

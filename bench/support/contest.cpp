@@ -37,12 +37,6 @@ double median(std::vector<double> values) {
   return values.size() % 2 == 1 ? values.at(middle) : 0.5 * (values.at(middle - 1) + values.at(middle));
 }
 
-double percentile(std::vector<double> values, double share) {
-  std::sort(values.begin(), values.end());
-  const auto rank = static_cast<std::ptrdiff_t>(std::ceil(share * static_cast<double>(values.size()))) - 1;
-  return values.at(static_cast<std::size_t>(std::max<std::ptrdiff_t>(rank, 0)));
-}
-
 Contest::Contest(std::vector<Contestant> contestants, Length length) : seconds_(contestants.size()) {
   std::vector<std::int64_t> calls;
   for (const Contestant& contestant : contestants) {

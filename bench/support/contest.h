@@ -21,9 +21,6 @@ struct Contestant {
 // The middle of the sorted values, or the mean of the two in the middle. At least one value.
 double median(std::vector<double> values);
 
-// The value that a share of the sorted values does not exceed: share 0.5, 0.99 … At least one value.
-double percentile(std::vector<double> values, double share);
-
 class Contest {
  public:
   struct Length {
