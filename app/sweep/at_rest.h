@@ -34,10 +34,7 @@ struct PointAtRest {
   PerStrategy<std::optional<SimulatedRest>> simulated{};  // likewise; empty: does not come to rest
 };
 
-// Under the last waypoint of the scene's path.
-PointAtRest at_rest(const Scene& scene, const RestKind& kind);
-
-// The same for points put into one scene, one after the other; simulated side by side in the end, which is several
+// Points put into one scene, one after the other, under the last waypoint of its path; simulated side by side in the end, which is several
 // times faster.
 class PointsAtRest {
  public:

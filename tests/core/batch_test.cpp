@@ -68,7 +68,7 @@ Ticked ticked(const Loop& loop, TickState<2> state, const std::vector<Vector<2>>
 }
 
 // Each tick rounds by some ulp of the extent, and the slowest motion remembers some hundred ticks: 1e-13 of the extent,
-// times the stiffnesses' ratio in proxy and force. The issue asks for 1e-9.
+// times the stiffnesses' ratio in proxy and force. No use of it needs more than 1e-9.
 void expect_near(const Loop& loop, const Batch::Lane& lane, const Ticked& expected) {
   const double extent = glm::length(loop.start) + glm::length(loop.goal) + glm::length(loop.plan.wall.point);
   const double distance = 1e-11 * extent;
