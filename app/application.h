@@ -71,8 +71,8 @@ class Application {
   // (What a haptic device reports changes all the time.)
   bool is_idle() const noexcept { return session_.paused && !session_.notice && !shader_watch_ && falcon_ == nullptr; }
 
-  // The servo or its input reports something else than what the last frame showed, or a recording ended. The servo's counts of ticks that came late
-  // and of ticks per second are no news: they can wait.
+  // The servo or its input reports something else than what the last frame showed, or a recording ended. The servo's
+  // counts of ticks that came late and of ticks per second are no news: they can wait.
   bool has_news();
 
   // Returns what to tell the person; empty where nothing was being recorded.

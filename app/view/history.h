@@ -25,7 +25,7 @@ class History {
   // where the hand curves all the way, 0.24 m where it goes straight.
   static constexpr std::size_t most_points = 375;
   static constexpr std::size_t dense_points = 300;
-  static constexpr double spacing = 0.0004;        // [m]
+  static constexpr double spacing = 0.0004;  // [m]
   // [m], an eighth of a pixel in the view that scenes open with; up to three times that as pieces are joined again.
   static constexpr double straightness = 0.00003;
   static constexpr double longest_piece = 4.0 * spacing;
