@@ -20,7 +20,9 @@ RealtimeStatus request_realtime() noexcept;
 // On the thread that draws, before it makes others: a graphics driver's threads draw too, and go where theirs goes.
 // Where the servo would not be granted its priority, drawing leaves the last processor of two or more to it, and
 // request_realtime() keeps its own thread there: beside other programs it was seen to wait far longer where drawing
-// runs, too. Once, before request_realtime().
+// runs, too. What programs the process starts draw no more on that processor either. The idle class, in which drawing
+// would stand back everywhere, is none for it: Linux lets an ordinary user's thread go there but not come back, as it
+// must before motors are armed. Once, before request_realtime().
 void leave_processor_to_servo() noexcept;
 
 // How the thread keeps time, in a few words for the status bar: "real-time priority, memory locked". Not for the servo
