@@ -23,4 +23,10 @@ std::vector<PointAtRest> PointsAtRest::take(const GoalPath& path) {
   return std::move(points_);
 }
 
+PointAtRest at_rest(const Scene& scene, const RestKind& kind) {
+  PointsAtRest points(kind, 1);
+  points.add(scene);
+  return points.take(scene.goal).front();
+}
+
 }  // namespace ghostforce

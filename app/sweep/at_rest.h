@@ -34,8 +34,11 @@ struct PointAtRest {
   PerStrategy<std::optional<SimulatedRest>> simulated{};  // likewise; empty: does not come to rest
 };
 
-// Points put into one scene, one after the other, under the last waypoint of its path; simulated side by side in the
-// end, which is several times faster.
+// Under the last waypoint of the scene's path.
+PointAtRest at_rest(const Scene& scene, const RestKind& kind);
+
+// The same for points put into one scene, one after the other; simulated side by side in the end, which is several
+// times faster.
 class PointsAtRest {
  public:
   // Has room for `expected` points.

@@ -326,9 +326,7 @@ TEST(Sweep, AsManyThreadsAsOneLikes) {
         fmt::memory_buffer rows;
         Scene at = scene;
         put_point(grid, point, at);
-        PointsAtRest alone(kind, 1);
-        alone.add(at);
-        append_sweep_rows(rows, grid, point, alone.take(at.goal).front(), kind);
+        append_sweep_rows(rows, grid, point, at_rest(at, kind), kind);
         expected.append(rows.data(), rows.size());
       }
       for (const std::size_t threads : {1U, 2U, 5U}) {
