@@ -12,7 +12,8 @@
 #include "app/theme.h"
 #include "app/view/panes.h"
 
-using cairo_t = struct _cairo;  // Cairo's own name for what it draws on
+// Cairo's own names for what it draws on.
+using cairo_t = struct _cairo;  // NOLINT(readability-identifier-naming,bugprone-reserved-identifier)
 
 namespace ghostforce {
 
