@@ -229,7 +229,7 @@ CallResult EmulatedUsbDevice::claim(File& file, int not_ready) {
 }
 
 CallResult EmulatedUsbDevice::submit(File& file, const CallerMemory& memory, std::uintptr_t address) {
-  usbdevfs_urb raw{};
+  usbdevfs_urb raw;  // ends in an array without a length, which clang has no braces for
   if (!memory.fetch(address, &raw, sizeof raw) || raw.buffer_length < 0) return CallResult::failure(EFAULT);
   Urb urb;
   urb.file = &file;
