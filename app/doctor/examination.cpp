@@ -16,6 +16,7 @@ constexpr double first_replies_s = 0.1;
 constexpr double measuring_s = 1.1;
 
 bool has_ended(const FalconReport& report) noexcept {
+  if (!report.has_looked) return false;
   return report.state == FalconState::absent || report.state == FalconState::fault;
 }
 

@@ -77,7 +77,7 @@ Progress BootLoader::attend(FalconLink& link) noexcept {
       break;
     case Progress::failed:
       if (stage_ == Stage::baud) return fail(BootFault::no_baud_answer);
-      if (--handshakes_left_ == 0) return fail(BootFault::no_handshake);
+      if (stage_ == Stage::set_up || --handshakes_left_ == 0) return fail(BootFault::no_handshake);
       enter(Stage::handshake);
       break;
   }

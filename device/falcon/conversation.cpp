@@ -1,6 +1,6 @@
 #include "device/falcon/conversation.h"
 
-#include <utility>
+#include <array>
 
 namespace ghostforce {
 namespace {
@@ -27,32 +27,44 @@ Progress Conversation::attend(FalconLink& link) noexcept {
       began_ns_ = link.now_ns();
       heard_ = 0;
     }
-    if (!finishes(step, link)) {
-      const bool is_over = link.now_ns() - began_ns_ >= std::int64_t{step.duration_ms} * 1'000'000;
-      return step.kind == ConversationStep::Kind::hear && is_over ? Progress::failed : Progress::running;
-    }
+    const Progress progress = pursue(step, link);
+    if (progress != Progress::done) return progress;
     has_begun_ = false;
+    attempts_ = 0;
     ++at_;
   }
   return Progress::done;
 }
 
-bool Conversation::finishes(const ConversationStep& step, FalconLink& link) noexcept {
+Progress Conversation::pursue(const ConversationStep& step, FalconLink& link) noexcept {
   const bool is_over = link.now_ns() - began_ns_ >= std::int64_t{step.duration_ms} * 1'000'000;
+  const auto done_if = [](bool is_done) { return is_done ? Progress::done : Progress::running; };
   switch (step.kind) {
     case ConversationStep::Kind::request:
+      return link.is_sending() ? Progress::running : pursue_request(link);
     case ConversationStep::Kind::say:
-      return !link.is_sending();
+      return done_if(!link.is_sending());
     case ConversationStep::Kind::hear:
-      return hears(step.bytes, link);
+      return hears(step.bytes, link) ? Progress::done : is_over ? Progress::failed : Progress::running;
     case ConversationStep::Kind::settle:
-      return is_over;
+      return done_if(is_over);
     case ConversationStep::Kind::await_clear_to_send:
-      return is_over || (link.modem_status() & clear_to_send) != 0;
+      return done_if(is_over || (link.modem_status() & clear_to_send) != 0);
     case ConversationStep::Kind::forget:
-      return true;
+      return Progress::done;
   }
-  return true;
+  return Progress::done;
+}
+
+Progress Conversation::pursue_request(const FalconLink& link) noexcept {
+  const RequestOutcome outcome = link.request_outcome();
+  if (outcome == RequestOutcome::done) return Progress::done;
+  if (++attempts_ < request_attempts) {
+    has_begun_ = false;
+    return Progress::running;
+  }
+  was_refused_ |= outcome == RequestOutcome::refused;
+  return outcome == RequestOutcome::refused ? Progress::done : Progress::failed;
 }
 
 // None of the answers that there are repeats its own beginning before its end, so that a byte that does not fit can

@@ -39,16 +39,25 @@ class Conversation {
   Conversation() = default;
   explicit Conversation(std::span<const ConversationStep> steps) noexcept : steps_(steps) {}
 
-  // failed: an answer did not come. The fault of a link is the caller's to look at.
+  // A request that the chip refuses or does not answer is asked this often.
+  static constexpr int request_attempts = 3;
+
+  // failed: an answer did not come, to a request least of all. The fault of a link is the caller's to look at.
   Progress attend(FalconLink& link) noexcept;
 
+  // The chip has refused a request, each time that it was asked; the rest has been gone through without it.
+  bool was_refused() const noexcept { return was_refused_; }
+
  private:
-  bool finishes(const ConversationStep& step, FalconLink& link) noexcept;
+  Progress pursue(const ConversationStep& step, FalconLink& link) noexcept;
+  Progress pursue_request(const FalconLink& link) noexcept;
   bool hears(std::string_view bytes, FalconLink& link) noexcept;
 
   std::span<const ConversationStep> steps_;
   std::size_t at_ = 0;
-  bool has_begun_ = false;     // the step
+  bool has_begun_ = false;  // the step
+  int attempts_ = 0;        // at a request
+  bool was_refused_ = false;
   std::int64_t began_ns_ = 0;  // the step
   std::size_t heard_ = 0;      // of its bytes
 };

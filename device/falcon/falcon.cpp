@@ -1,6 +1,8 @@
 #include "device/falcon/falcon.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdlib>
 #include <utility>
 
 #include "device/falcon/ftdi_requests.h"
@@ -13,8 +15,12 @@ namespace {
 constexpr int moved_counts = 20;
 // One odd reply is no loss of the zero, and no proof of it.
 constexpr int replies_to_believe = 3;
-// The encoders must tell a position again within this time [s].
-constexpr double longest_lost_s = 0.020;
+// The encoders must tell a position again within this time [s]: sooner than an old one ends the force anyway.
+constexpr double longest_lost_s = 0.010;
+// What no hand does: an arm turns by less, between two replies and per millisecond. At 1 m/s, where motors go off, it
+// is 63 counts even where the geometry is worst [counts].
+constexpr int greatest_leap = 100;
+constexpr double greatest_leap_per_s = 100e3;
 constexpr double rate_window_s = 0.5;
 
 using Step = ConversationStep;
@@ -72,14 +78,30 @@ FalconFault fault_of(BootFault fault) noexcept {
   return FalconFault::broken;
 }
 
+// A frame that was cut short would swallow the beginning of the next one: the second is whole for certain.
+std::array<std::uint8_t, 2 * frame_size> stop_bytes() noexcept {
+  const FrameBytes zero = encode(CommandFrame{});
+  std::array<std::uint8_t, 2 * frame_size> bytes{};
+  std::ranges::copy(zero, bytes.begin());
+  std::ranges::copy(zero, bytes.begin() + frame_size);
+  return bytes;
+}
+
+bool is_near(const MotorNumbers& a, const MotorNumbers& b, double counts) noexcept {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (std::abs(a[i] - b[i]) > counts) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 Falcon::Falcon(std::unique_ptr<FalconLink> link, FalconOptions options)
-    : link_(std::move(link)),
+    : opener_(std::move(link)),
       options_(std::move(options)),
       kinematics_(calibration_.geometry),
       // What is looked for is looked for at once.
-      phase_began_ns_(link_->now_ns()) {
+      phase_began_ns_(opener_.link().now_ns()) {
   report_.is_virtual = options_.is_virtual;
   report_.has_firmware_file = !options_.firmware.empty();
   report_.firmware_size = static_cast<std::uint32_t>(options_.firmware.size());
@@ -92,18 +114,23 @@ Falcon::~Falcon() {
 }
 
 double Falcon::since(std::int64_t then_ns) const noexcept {
-  return static_cast<double>(link_->now_ns() - then_ns) * 1e-9;
+  return static_cast<double>(link().now_ns() - then_ns) * 1e-9;
 }
 
 void Falcon::attend() noexcept {
-  if (phase_ != Phase::absent && phase_ != Phase::pausing) {
-    link_->wait_until(link_->now_ns());  // lets transfers make progress
-    if (link_->fault() != LinkFault::none) return end(fault_of(link_->fault()));
+  if (opener_.is_busy()) return;
+  if (phase_ == Phase::pausing) {
+    follow_stop();
+    if (since(phase_began_ns_) < pause_s_) return;
+    look();
+    if (opener_.is_busy()) return;
   }
+  if (phase_ == Phase::opening) return opened(link().fault());
+  link().wait_until(link().now_ns());  // lets transfers make progress
+  if (link().fault() != LinkFault::none) return end(fault_of(link().fault()));
   switch (phase_) {
-    case Phase::absent:
     case Phase::pausing:
-      if (since(phase_began_ns_) >= pause_s_) open();
+    case Phase::opening:
       return;
     case Phase::configuring:
       return configure();
@@ -116,12 +143,19 @@ void Falcon::attend() noexcept {
   }
 }
 
-void Falcon::open() noexcept {
-  const LinkFault fault = link_->open();
-  phase_began_ns_ = link_->now_ns();
+void Falcon::look() noexcept {
+  opener_.open();
+  phase_ = Phase::opening;
+}
+
+void Falcon::opened(LinkFault fault) noexcept {
+  follow_stop();
+  report_.has_looked = true;
+  phase_began_ns_ = link().now_ns();
   if (fault == LinkFault::absent) {
-    phase_ = Phase::absent;
+    phase_ = Phase::pausing;
     pause_s_ = look_again_s;
+    has_answered_ = false;
     // That it was there and has gone stays on screen until it is back.
     if (report_.fault != FalconFault::none) report_.fault = FalconFault::unplugged;
     report_.state = report_.fault == FalconFault::none ? FalconState::absent : FalconState::fault;
@@ -129,8 +163,8 @@ void Falcon::open() noexcept {
     return;
   }
   if (fault != LinkFault::none) return end(fault_of(fault));
-  last_resort::guard(link_.get());
-  const std::string_view serial = link_->serial();
+  last_resort::guard(&link());
+  const std::string_view serial = link().serial();
   report_.serial = FalconSerial::from(serial).value_or(FalconSerial());
   const auto known = std::ranges::find(options_.calibrations, report_.serial, &FalconCalibration::serial);
   calibration_ = known == options_.calibrations.end() ? FalconCalibration{} : *known;
@@ -148,24 +182,31 @@ void Falcon::open() noexcept {
 }
 
 void Falcon::configure() noexcept {
-  if (conversation_.attend(*link_) == Progress::running) return;
-  questions_left_ = first_questions;
+  const Progress progress = conversation_.attend(link());
+  if (progress == Progress::running) return;
+  if (progress == Progress::failed) return end(FalconFault::broken);
+  questions_left_ = has_answered_ ? patient_questions : first_questions;
+  packets_before_ = link().counters().packets_in;
   begin_exchanging();
   phase_ = Phase::asking;
 }
 
-// A device that has firmware answers; one that has none is silent.
+// A device that has firmware answers; one that has none is silent, and its chip alone speaks. What cannot be told is
+// never taken for silence: loading firmware makes a device forget its home.
 void Falcon::ask() noexcept {
   if (take_replies()) {
-    report_.has_firmware = true;
+    report_.has_firmware = has_answered_ = true;
     attempt_ = 0;
     phase_ = Phase::exchanging;
     report_.state = FalconState::homing;
     return;
   }
-  if (is_reply_due_ && since(sent_ns_) < first_reply_s) return;
+  if (replies_.is_waiting() && since(sent_ns_) < first_reply_s) return;
   if (questions_left_-- > 0) return send_command();
   if (!may_have_firmware_) return try_loading_again(FalconFault::firmware_silent);
+  if (conversation_.was_refused()) return end(FalconFault::broken);
+  if (link().counters().packets_in == packets_before_) return end(FalconFault::no_replies);
+  has_answered_ = false;
   report_.has_firmware = false;
   if (options_.firmware.empty()) return end(FalconFault::no_firmware);
   attempt_ = 1;
@@ -178,7 +219,7 @@ void Falcon::ask() noexcept {
 }
 
 void Falcon::load() noexcept {
-  const Progress progress = boot_loader_.attend(*link_);
+  const Progress progress = boot_loader_.attend(link());
   report_.bytes_echoed = static_cast<std::uint32_t>(boot_loader_.bytes_echoed());
   if (progress == Progress::failed) return try_loading_again(fault_of(boot_loader_.fault()));
   if (progress == Progress::running) return;
@@ -199,11 +240,13 @@ void Falcon::try_loading_again(FalconFault fault) noexcept {
 
 void Falcon::begin_exchanging() noexcept {
   reader_.reset();
+  replies_.reset();
   command_ = {.motors = {}, .info = CommandFrame::homing | CommandFrame::red};
   is_command_new_ = false;
-  is_reply_due_ = false;
   is_purging_ = false;
-  sent_ns_ = heard_ns_ = window_began_ns_ = link_->now_ns();
+  has_home_ = false;
+  lost_position_ns_ = 0;
+  sent_ns_ = heard_ns_ = window_began_ns_ = link().now_ns();
   window_exchanges_ = 0;
   window_sum_s_ = window_worst_s_ = 0.0;
   report_.exchange_hz = 0.0;
@@ -213,7 +256,10 @@ void Falcon::begin_exchanging() noexcept {
 }
 
 void Falcon::end(FalconFault fault) noexcept {
-  link_->close();
+  // Also through a link that hears no more: it may still be heard, and closing it insists.
+  if (phase_ == Phase::exchanging) stop_motors();
+  opener_.close();
+  if (fault == FalconFault::unplugged) has_answered_ = false;
   report_.state = FalconState::fault;
   report_.fault = fault;
   ++report_.faults;
@@ -226,41 +272,44 @@ void Falcon::end(FalconFault fault) noexcept {
   position_time_ns_ = 0;
   attempt_ = 0;
   phase_ = Phase::pausing;
-  phase_began_ns_ = link_->now_ns();
+  phase_began_ns_ = link().now_ns();
   // Somebody who plugs a device in again is not made to wait.
   pause_s_ = fault == FalconFault::unplugged ? 0.1 : try_again_s;
 }
 
 void Falcon::exchange() noexcept {
-  if (is_purging_) {
-    is_purging_ = conversation_.attend(*link_) == Progress::running;
-    if (is_purging_) return;
-    reader_.reset();
-    is_reply_due_ = false;
-    send_command();
-  }
-  take_replies();
+  if (!is_purging_) take_replies();
   const double silence_s = since(heard_ns_);
   if (silence_s >= give_up_s) return end(FalconFault::no_replies);
-  if (lost_position_ns_ != 0 && since(lost_position_ns_) >= give_up_s) return end(FalconFault::kinematics);
-  if (is_reply_due_) {
-    if (since(sent_ns_) < ask_again_s) return;
+  if (is_purging_) {
+    follow_stop();
+    if (link().owes_stop() && !link().is_sending()) stop_motors();
+    is_purging_ = conversation_.attend(link()) == Progress::running;
+    if (is_purging_) return;
+    reader_.reset();
+    replies_.reset();
+    return send_command();
+  }
+  const std::int64_t now_ns = link().now_ns();
+  if (replies_.is_waiting() && since(asked_ns_) >= stop_s) {
     ++report_.lost_exchanges;
     window_worst_s_ = std::max(window_worst_s_, since(asked_ns_));
-    // It may hear and only not be heard.
     command_.motors = {};
-    send_command();
+    stop_motors();
     conversation_ = Conversation(purge);
     is_purging_ = true;
-    return;
+  } else if (replies_.may_ask_again(now_ns)) {
+    ++report_.lost_exchanges;
+    send_command();
+  } else if ((is_command_new_ || silence_s >= keep_alive_s) && replies_.may_send(now_ns)) {
+    send_command();
   }
-  if (is_command_new_ || silence_s >= keep_alive_s) send_command();
 }
 
 bool Falcon::take_replies() noexcept {
   std::array<std::uint8_t, 64> bytes;
   bool has_come = false;
-  while (const std::size_t count = link_->read(bytes)) {
+  while (const std::size_t count = link().read(bytes)) {
     const auto frame = reader_.take(std::span(bytes).first(count));
     if (!frame) continue;
     has_come = true;
@@ -271,22 +320,22 @@ bool Falcon::take_replies() noexcept {
 }
 
 void Falcon::take(const ReplyFrame& frame) noexcept {
-  heard_ns_ = link_->now_ns();
+  const auto asked_ns = replies_.replied(link().now_ns());
+  if (!asked_ns) return;  // a reply that came twice is no news
+  heard_ns_ = link().now_ns();
+  if (!replies_.is_waiting() && report_.motors == MotorNumbers{}) may_push_ = report_.may_still_push = false;
   ++report_.exchanges;
   ++window_exchanges_;
-  if (is_reply_due_) {
-    const double exchange_s = since(asked_ns_);
-    window_sum_s_ += exchange_s;
-    window_worst_s_ = std::max(window_worst_s_, exchange_s);
-  }
-  is_reply_due_ = false;
+  const double exchange_s = since(*asked_ns);
+  window_sum_s_ += exchange_s;
+  window_worst_s_ = std::max(window_worst_s_, exchange_s);
   measure_rate();
   report_.encoders = frame.encoders;
   report_.buttons = frame.status & 0x0F;
   follow_homing(frame.status);
-  if (report_.is_readable()) {
-    follow_encoders(frame);
-    locate(frame);
+  if (has_home_ && believes(frame.encoders)) {
+    follow_encoders(frame.encoders);
+    locate(frame.encoders, *asked_ns);
   }
 }
 
@@ -295,7 +344,8 @@ void Falcon::follow_homing(std::uint8_t status) noexcept {
   const bool is_homed = report_.is_homed();
   unhomed_replies_ = is_homed ? 0 : unhomed_replies_ + 1;
   homed_replies_ = is_homed ? homed_replies_ + 1 : 0;
-  if (!report_.is_readable() && homed_replies_ >= replies_to_believe) {
+  if (!has_home_ && homed_replies_ >= replies_to_believe) {
+    has_home_ = true;
     report_.state = FalconState::idle;
     report_.fault = FalconFault::none;
     report_.has_moved = {};
@@ -303,8 +353,10 @@ void Falcon::follow_homing(std::uint8_t status) noexcept {
     report_.position = cold_start;
     position_time_ns_ = 0;
     lost_position_ns_ = 0;
+    believed_ns_ = 0;
     push(Vector<3>(0.0), false);
-  } else if (report_.is_readable() && unhomed_replies_ >= replies_to_believe) {
+  } else if (has_home_ && unhomed_replies_ >= replies_to_believe) {
+    has_home_ = false;
     report_.state = FalconState::homing;
     report_.has_moved = {};
     command_ = {.motors = {}, .info = CommandFrame::homing | CommandFrame::red};
@@ -312,23 +364,47 @@ void Falcon::follow_homing(std::uint8_t status) noexcept {
   }
 }
 
-void Falcon::follow_encoders(const ReplyFrame& frame) noexcept {
+bool Falcon::believes(const MotorNumbers& encoders) noexcept {
+  const double reach = greatest_leap + greatest_leap_per_s * since(believed_ns_);
+  if (believed_ns_ != 0 && !is_near(encoders, believed_, reach)) {
+    odd_replies_ = odd_replies_ > 0 && is_near(encoders, odd_, greatest_leap) ? odd_replies_ + 1 : 1;
+    odd_ = encoders;
+    if (odd_replies_ < replies_to_believe) return false;
+  }
+  odd_replies_ = 0;
+  believed_ = encoders;
+  believed_ns_ = heard_ns_;
+  return true;
+}
+
+void Falcon::follow_encoders(const MotorNumbers& encoders) noexcept {
   for (std::size_t i = 0; i < 3; ++i) {
-    least_[i] = std::min(least_[i], frame.encoders[i]);
-    greatest_[i] = std::max(greatest_[i], frame.encoders[i]);
+    least_[i] = std::min(least_[i], encoders[i]);
+    greatest_[i] = std::max(greatest_[i], encoders[i]);
     if (greatest_[i] - least_[i] >= moved_counts) report_.has_moved[i] = true;
   }
 }
 
-void Falcon::locate(const ReplyFrame& frame) noexcept {
-  const ForwardKinematics found = kinematics_.position(joint_angles(frame.encoders, calibration_), report_.position);
+// `asked_ns`: when the device was asked, for it has not looked at its encoders before.
+void Falcon::locate(const MotorNumbers& encoders, std::int64_t asked_ns) noexcept {
+  const ForwardKinematics found = kinematics_.position(joint_angles(encoders, calibration_), report_.position);
   if (found.has_converged) {
     report_.position = found.position;
-    // When it was asked for: the device has not looked at its encoders before.
-    position_time_ns_ = asked_ns_;
+    position_time_ns_ = asked_ns;
     lost_position_ns_ = 0;
+    if (report_.is_readable()) return;
+    report_.state = FalconState::idle;
+    report_.fault = FalconFault::none;
+    push(Vector<3>(0.0), false);
   } else if (lost_position_ns_ == 0) {
-    lost_position_ns_ = link_->now_ns();
+    lost_position_ns_ = link().now_ns();
+  } else if (report_.is_readable() && since(lost_position_ns_) >= longest_lost_s) {
+    // The device itself is well: it is listened to until its encoders make sense again.
+    report_.state = FalconState::fault;
+    report_.fault = FalconFault::kinematics;
+    ++report_.faults;
+    command_ = {.motors = {}, .info = CommandFrame::red};
+    is_command_new_ = true;
   }
 }
 
@@ -341,18 +417,33 @@ void Falcon::push(const Vector<3>& force, bool is_armed) noexcept {
     if (jacobian) command_.motors = motor_counts(force, *jacobian, calibration_.counts_per_newton_metre).counts;
   }
   is_command_new_ = true;
-  if (!is_reply_due_ && !is_purging_) send_command();
+  if (!is_purging_ && replies_.may_send(link().now_ns())) send_command();
 }
 
 void Falcon::send_command() noexcept {
   // Whoever waits too long for a reply does not go on pushing.
-  if (since(heard_ns_) > longest_lost_s || last_resort::is_taken()) command_.motors = {};
-  if (!link_->write(encode(command_))) return;
+  if (since(heard_ns_) > stop_s || last_resort::is_taken()) command_.motors = {};
+  if (!link().write(encode(command_))) return;
   report_.motors = command_.motors;
+  may_push_ |= command_.motors != MotorNumbers{};
   is_command_new_ = false;
-  sent_ns_ = link_->now_ns();
-  if (!is_reply_due_) asked_ns_ = sent_ns_;
-  is_reply_due_ = true;
+  sent_ns_ = link().now_ns();
+  if (!replies_.is_waiting()) asked_ns_ = sent_ns_;
+  replies_.sent(sent_ns_);
+}
+
+void Falcon::stop_motors() noexcept {
+  link().stop(stop_bytes());
+  report_.motors = {};
+  report_.may_still_push = may_push_;
+}
+
+// Whether the stop has arrived by now.
+void Falcon::follow_stop() noexcept {
+  if (report_.may_still_push && !link().owes_stop() && link().fault() != LinkFault::unplugged &&
+      link().fault() != LinkFault::absent) {
+    may_push_ = report_.may_still_push = false;
+  }
 }
 
 void Falcon::measure_rate() noexcept {
@@ -361,33 +452,40 @@ void Falcon::measure_rate() noexcept {
   report_.exchange_hz = window_exchanges_ / window_s;
   report_.exchange_s = window_exchanges_ > 0 ? window_sum_s_ / window_exchanges_ : 0.0;
   report_.worst_exchange_s = window_worst_s_;
-  report_.line_errors = link_->counters().line_errors;
-  window_began_ns_ = link_->now_ns();
+  report_.line_errors = link().counters().line_errors;
+  window_began_ns_ = link().now_ns();
   window_exchanges_ = 0;
   window_sum_s_ = window_worst_s_ = 0.0;
 }
 
 void Falcon::finish() noexcept {
-  if (!is_exchanging()) return link_->close();
-  // Three answers: the device has heard it, and not only the chip before it.
+  if (opener_.is_busy()) return;
+  if (is_exchanging()) {
+    say_goodbye();
+    report_.state = FalconState::absent;
+    report_.motors = {};
+  }
+  opener_.close();
+  phase_ = Phase::pausing;
+  phase_began_ns_ = link().now_ns();
+  pause_s_ = try_again_s;
+}
+
+// Until three answers have come: the device has heard it, and not only the chip before it.
+void Falcon::say_goodbye() noexcept {
   command_ = {};
-  const std::int64_t deadline_ns = link_->now_ns() + 100'000'000;
-  const int on_its_way = is_reply_due_ ? 1 : 0;  // the answer to what was said before
-  for (int heard = -on_its_way; heard < 3 && link_->fault() == LinkFault::none && link_->now_ns() < deadline_ns;) {
-    if (!is_reply_due_ || since(sent_ns_) >= ask_again_s) send_command();
-    link_->wait_until(std::min(deadline_ns, link_->now_ns() + 5'000'000));
+  const std::int64_t deadline_ns = link().now_ns() + 100'000'000;
+  const int on_its_way = replies_.is_waiting() ? 1 : 0;  // the answer to what was said before
+  int heard = -on_its_way;
+  while (heard < 3 && link().fault() == LinkFault::none && link().now_ns() < deadline_ns) {
+    if (replies_.may_send(link().now_ns()) || since(sent_ns_) >= stop_s) send_command();
+    link().wait_until(std::min(deadline_ns, link().now_ns() + 5'000'000));
     if (take_replies()) {
       ++heard;
       command_ = {};
     }
   }
-  link_->close();
-  last_resort::guard(nullptr);
-  phase_ = Phase::pausing;
-  phase_began_ns_ = link_->now_ns();
-  pause_s_ = try_again_s;
-  report_.state = FalconState::absent;
-  report_.motors = {};
+  if (heard < 3) stop_motors();
 }
 
 }  // namespace ghostforce

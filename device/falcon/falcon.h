@@ -3,7 +3,12 @@
 // it again when it was lost. Frame: x right, y up, z out of the device towards the user, from the middle of its base;
 // m and N.
 //
-// One thread. attend() does what can be done now: it never waits, throws or allocates (the link may, in opening).
+// One thread. attend() does what can be done now: it never waits, throws or allocates. What takes a while, opening and
+// closing, is done by a thread of its own (link_opener.h).
+//
+// A reply that is lost or garbled costs nothing but 6 ms: the command is asked again (reply_matcher.h). After 20 ms
+// without one the motors are told to stop. Encoders that leap farther than a hand can move are not believed until three
+// replies in a row say so.
 #pragma once
 
 #include <array>
@@ -18,6 +23,8 @@
 #include "device/falcon/falcon_report.h"
 #include "device/falcon/frame.h"
 #include "device/falcon/kinematics.h"
+#include "device/falcon/link_opener.h"
+#include "device/falcon/reply_matcher.h"
 
 namespace ghostforce {
 
@@ -33,15 +40,16 @@ class Falcon {
   static constexpr int attempts = 10;
   static constexpr double look_again_s = 0.5;  // while absent
   static constexpr double try_again_s = 1.0;   // after a fault
-  // After a command without a reply; not sooner than motors go off for want of one (Safety::longest_exchange_s): which
-  // of two commands a reply belongs to cannot be told, and one that comes late must never look fresh.
-  static constexpr double ask_again_s = 0.020;
+  // Without a reply: motors are told to stop. Replies that come later still must never look fresh.
+  static constexpr double stop_s = 0.020;
   // After that: replies to commands that were given up may still come, and are thrown away for so long.
   static constexpr int forget_ms = 60;
   static constexpr double give_up_s = 1.0;        // without a reply
   static constexpr double keep_alive_s = 0.003;   // after a reply, if nobody commands anything
   static constexpr double first_reply_s = 0.020;  // of a device that may have firmware
-  static constexpr int first_questions = 5;
+  static constexpr int first_questions = 25;
+  // Of one that has answered before: it is not taken for one without firmware, and reset, because it is slow.
+  static constexpr int patient_questions = 50;
 
   Falcon(std::unique_ptr<FalconLink> link, FalconOptions options);
   ~Falcon();
@@ -61,16 +69,19 @@ class Falcon {
   const FalconCalibration& calibration() const noexcept { return calibration_; }
   // Of the newest reply that told a position; 0 before the first.
   std::int64_t position_time_ns() const noexcept { return position_time_ns_; }
-  bool is_waiting_for_reply() const noexcept { return is_exchanging() && is_reply_due_; }
-  FalconLink& link() const noexcept { return *link_; }
+  bool is_waiting_for_reply() const noexcept { return is_exchanging() && replies_.is_waiting(); }
+  // Lets the device work until then; returns sooner when something has happened.
+  void wait_until(std::int64_t deadline_ns) noexcept { opener_.wait_until(deadline_ns); }
+  FalconLink& link() const noexcept { return opener_.link(); }
 
  private:
-  enum class Phase : std::uint8_t { absent, configuring, asking, loading, exchanging, pausing };
+  enum class Phase : std::uint8_t { pausing, opening, configuring, asking, loading, exchanging };
 
   bool is_exchanging() const noexcept { return phase_ == Phase::asking || phase_ == Phase::exchanging; }
   double since(std::int64_t then_ns) const noexcept;
 
-  void open() noexcept;
+  void look() noexcept;
+  void opened(LinkFault fault) noexcept;
   void configure() noexcept;
   void ask() noexcept;
   void load() noexcept;
@@ -82,18 +93,22 @@ class Falcon {
   bool take_replies() noexcept;
   void take(const ReplyFrame& frame) noexcept;
   void follow_homing(std::uint8_t status) noexcept;
-  void follow_encoders(const ReplyFrame& frame) noexcept;
-  void locate(const ReplyFrame& frame) noexcept;
+  bool believes(const MotorNumbers& encoders) noexcept;
+  void follow_encoders(const MotorNumbers& encoders) noexcept;
+  void locate(const MotorNumbers& encoders, std::int64_t asked_ns) noexcept;
   void send_command() noexcept;
+  void stop_motors() noexcept;
+  void follow_stop() noexcept;
+  void say_goodbye() noexcept;
   void measure_rate() noexcept;
 
-  std::unique_ptr<FalconLink> link_;
+  LinkOpener opener_;
   FalconOptions options_;
   FalconCalibration calibration_;
   FalconKinematics kinematics_;
   FalconReport report_;
 
-  Phase phase_ = Phase::absent;
+  Phase phase_ = Phase::pausing;
   std::int64_t phase_began_ns_ = 0;
   double pause_s_ = 0.0;  // until the next look
   int attempt_ = 0;       // to load the firmware
@@ -101,19 +116,27 @@ class Falcon {
   Conversation conversation_;
   BootLoader boot_loader_;
   int questions_left_ = 0;
+  bool has_answered_ = false;         // since it was plugged in
+  std::uint64_t packets_before_ = 0;  // of the chip, before the first question
 
   FrameReader<ReplyFrame> reader_;
   CommandFrame command_;
   bool is_command_new_ = false;  // not sent yet
-  bool is_reply_due_ = false;
+  bool may_push_ = false;        // a force was asked for, and no zero that the device has heard since
+  ReplyMatcher replies_;
   std::int64_t sent_ns_ = 0;   // the last command
   std::int64_t asked_ns_ = 0;  // the first command since the last reply
   std::int64_t heard_ns_ = 0;  // the last reply
   bool is_purging_ = false;
   int unhomed_replies_ = 0;  // in a row
   int homed_replies_ = 0;    // in a row
+  bool has_home_ = false;    // believed
   MotorNumbers least_{};     // of the encoders, since homing
   MotorNumbers greatest_{};
+  MotorNumbers believed_{};       // the newest encoders that were believed
+  MotorNumbers odd_{};            // and the newest that were not
+  int odd_replies_ = 0;           // like these, in a row
+  std::int64_t believed_ns_ = 0;  // 0: none yet
   std::int64_t position_time_ns_ = 0;
   std::int64_t lost_position_ns_ = 0;  // since when no position could be found; 0: it is known
 

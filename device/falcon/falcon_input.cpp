@@ -62,7 +62,7 @@ void FalconInput::wait_until(std::int64_t deadline_ns) noexcept {
     const std::int64_t now = now_ns();
     const bool is_worth_waiting = falcon_.is_waiting_for_reply() && now < deadline_ns + patience_ns;
     if (now >= deadline_ns && !is_worth_waiting) return;
-    falcon_.link().wait_until(now < deadline_ns ? deadline_ns : deadline_ns + patience_ns);
+    falcon_.wait_until(now < deadline_ns ? deadline_ns : deadline_ns + patience_ns);
   }
 }
 

@@ -2,8 +2,8 @@
 // set the chip up, bytes out, bytes in. The real one is libusb's (ftdi_link.h), the other one is this program's own end
 // of the protocol (device/virtual_falcon/virtual_link.h). The driver above cannot tell them apart.
 //
-// All functions but send_at_once() belong to the one thread that drives the device. None throws, and none waits except
-// wait_until(), open() and close(). Times in ns.
+// All functions but now_ns() and send_at_once() belong to one thread at a time: link_opener.h says which. None throws,
+// and none waits except wait_until(), open() and close(). Times in ns.
 #pragma once
 
 #include <cstddef>
@@ -33,11 +33,19 @@ enum class LinkFault : std::uint8_t {
   broken,       // transfers fail for another reason
 };
 
+// What became of a request.
+enum class RequestOutcome : std::uint8_t {
+  done,
+  refused,     // the chip does not know it, or not now
+  unanswered,  // in all the time that it had
+};
+
 // Since open(); for the diagnosis on screen.
 struct LinkCounters {
   std::uint64_t library_calls = 0;  // into the USB library, which allocates as it likes
   std::uint64_t bytes_in = 0;       // without the chip's status bytes
   std::uint64_t bytes_out = 0;
+  std::uint64_t packets_in = 0;
   std::uint64_t status_packets = 0;   // with nothing but status: the chip was there and had nothing to say
   std::uint64_t line_errors = 0;      // overrun, parity or framing, as the chip reports them
   std::uint64_t discarded_bytes = 0;  // that came while nobody took them
@@ -50,11 +58,15 @@ class FalconLink {
   FalconLink& operator=(const FalconLink&) = delete;
   virtual ~FalconLink() = default;  // closes
 
-  // Looks for the device and takes it; from then on bytes come in by themselves. May take some ms and allocate.
+  // Whether open() and close() wait for a system or a device and allocate, so that they need a thread of their own.
+  virtual bool waits_to_open() const noexcept = 0;
+
+  // Looks for the device, takes it and clears what an earlier fault has left; from then on bytes come in by themselves.
   // Returns fault().
   virtual LinkFault open() noexcept = 0;
 
-  // Ends what is under way and gives the device back, within 1 s. Also after a fault. Nothing if it is not open.
+  // Sends what owes_stop() speaks of, ends what is under way and gives the device back. Also after a fault. Nothing if
+  // it is not open.
   virtual void close() noexcept = 0;
 
   // none: open and well. Stays what it is until the next open().
@@ -66,8 +78,16 @@ class FalconLink {
   // Starts to send; false, and nothing happens, while something else is still being sent (is_sending()) or the link is
   // not open. At most 64 bytes.
   virtual bool request(const VendorRequest& request) noexcept = 0;
+  // Of the newest request, once nothing is being sent any more.
+  virtual RequestOutcome request_outcome() const noexcept = 0;
   virtual bool write(std::span<const std::uint8_t> bytes) noexcept = 0;
   virtual bool is_sending() const noexcept = 0;
+
+  // The motors' zero, ahead of everything: what is being written is taken back, and these bytes go out in its place,
+  // also after any fault but that of a device that has gone. At most 64 bytes. Returns at once; whether they have
+  // arrived tells owes_stop(): what is still owed, close() and the next open() insist on.
+  virtual void stop(std::span<const std::uint8_t> bytes) noexcept = 0;
+  virtual bool owes_stop() const noexcept = 0;
 
   // Takes the bytes that have come in, oldest first, without the chip's status bytes; returns how many.
   virtual std::size_t read(std::span<std::uint8_t> into) noexcept = 0;

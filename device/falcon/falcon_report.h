@@ -63,6 +63,8 @@ struct FalconReport {
   FalconFault fault = FalconFault::none;  // in the state fault; else the one before, while it is tried again
   FalconSerial serial;
   bool is_virtual = false;
+  bool has_looked = false;      // for a device, once at least
+  bool may_still_push = false;  // it was told to stop and has not heard it: only its power plug helps
 
   bool has_firmware_file = false;
   bool has_firmware = false;  // the device answers frames

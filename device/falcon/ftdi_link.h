@@ -9,7 +9,6 @@
 #include <poll.h>
 
 #include <array>
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -18,11 +17,9 @@
 #include <utility>
 
 #include "device/falcon/falcon_link.h"
+#include "device/falcon/usb_connection.h"
 #include "device/falcon/usb_search.h"
 
-struct libusb_context;
-struct libusb_device;
-struct libusb_device_handle;
 struct libusb_transfer;
 
 namespace ghostforce {
@@ -37,14 +34,19 @@ class FtdiLink final : public FalconLink {
   explicit FtdiLink(FtdiLinkOptions options = {}) : options_(std::move(options)) {}
   ~FtdiLink() override { close(); }
 
+  bool waits_to_open() const noexcept override { return true; }
   LinkFault open() noexcept override;
   void close() noexcept override;
   LinkFault fault() const noexcept override { return fault_; }
-  std::string_view serial() const noexcept override { return serial_; }
+  std::string_view serial() const noexcept override { return usb_.serial(); }
 
   bool request(const VendorRequest& request) noexcept override;
+  RequestOutcome request_outcome() const noexcept override { return request_outcome_; }
   bool write(std::span<const std::uint8_t> bytes) noexcept override;
-  bool is_sending() const noexcept override { return sending_; }
+  bool is_sending() const noexcept override;
+
+  void stop(std::span<const std::uint8_t> bytes) noexcept override;
+  bool owes_stop() const noexcept override { return owed_size_ > 0; }
 
   std::size_t read(std::span<std::uint8_t> into) noexcept override;
   std::uint8_t modem_status() const noexcept override { return modem_status_; }
@@ -56,9 +58,8 @@ class FtdiLink final : public FalconLink {
 
  private:
   static constexpr std::size_t in_transfers = 4;
-  static constexpr std::size_t in_size = 512;   // several packets: a chip that has more than was asked for is an error
-  static constexpr std::size_t out_size = 64;   // the contract's
-  static constexpr std::size_t setup_size = 8;  // a control transfer without data
+  static constexpr std::size_t in_size = 512;  // several packets: a chip that has more than was asked for is an error
+  static constexpr std::size_t out_size = 64;  // the contract's; a control transfer's setup is shorter
   static constexpr std::size_t ring_size = 16384;  // 0.1 s of the chip's fastest stream
 
   // One of the posted transfers and what it fills.
@@ -69,17 +70,22 @@ class FtdiLink final : public FalconLink {
     alignas(8) std::array<std::uint8_t, in_size> buffer{};
   };
 
+  // A transfer to the device and what it sends.
+  struct Sender {
+    libusb_transfer* transfer = nullptr;
+    bool is_posted = false;
+    alignas(8) std::array<std::uint8_t, out_size> buffer{};
+  };
+
   struct Callbacks;  // libusb's way into this object
 
-  LinkFault find_and_take();
-  LinkFault take(libusb_device_handle* handle);
-  LinkFault find_endpoints();
   bool make_transfers();
-  void find_descriptor();
   void find_poll_descriptors();
+  void free_transfers() noexcept;
 
+  bool is_usable() const noexcept { return usb_.handle() != nullptr && fault_ == LinkFault::none; }
   void post(Receiver& receiver) noexcept;
-  bool send(libusb_transfer* transfer) noexcept;
+  bool post(Sender& sender) noexcept;
   void received(Receiver& receiver) noexcept;
   void sent(const libusb_transfer& transfer) noexcept;
   void take_packets(std::span<const std::uint8_t> bytes) noexcept;
@@ -91,27 +97,23 @@ class FtdiLink final : public FalconLink {
   void set_fault(LinkFault fault) noexcept;
 
   FtdiLinkOptions options_;
+  UsbConnection usb_;
   LinkFault fault_ = LinkFault::absent;
-  std::string serial_;
   LinkCounters counters_;
   std::uint8_t modem_status_ = 0;
 
-  libusb_context* context_ = nullptr;
-  libusb_device_handle* handle_ = nullptr;
-  bool is_claimed_ = false;
-  std::uint8_t in_endpoint_ = 0;
-  std::uint8_t out_endpoint_ = 0;
-  std::size_t packet_size_ = 0;  // each packet that comes in begins with status bytes
-
   std::array<Receiver, in_transfers> receivers_{};
-  libusb_transfer* out_transfer_ = nullptr;
-  alignas(8) std::array<std::uint8_t, out_size> out_buffer_{};
-  libusb_transfer* control_transfer_ = nullptr;
-  alignas(8) std::array<std::uint8_t, setup_size> setup_buffer_{};
-  bool sending_ = false;
+  Sender out_;
+  Sender control_;
+  Sender stop_;
+  RequestOutcome request_outcome_ = RequestOutcome::done;
   bool closing_ = false;
   int failures_in_a_row_ = 0;
   bool something_happened_ = false;  // since wait_until() was called
+
+  // The stop that the device has not taken yet; stays through closing, for the next time that it is open.
+  std::array<std::uint8_t, out_size> owed_{};
+  std::size_t owed_size_ = 0;
 
   // The bytes that nobody has taken yet, from first_ on.
   std::array<std::uint8_t, ring_size> ring_{};
@@ -121,9 +123,6 @@ class FtdiLink final : public FalconLink {
   // What libusb waits for, so that we can wait with a finer clock than its milliseconds.
   std::array<pollfd, 8> poll_descriptors_{};
   nfds_t poll_count_ = 0;
-
-  // The file behind the handle, for send_at_once(); -1: not known.
-  std::atomic<int> descriptor_{-1};
 };
 
 }  // namespace ghostforce

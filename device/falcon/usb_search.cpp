@@ -42,7 +42,7 @@ UsbDeviceFound describe(libusb_device* device) {
   try_to_open(found);
   libusb_device_handle* handle = nullptr;
   if (found.may_open && libusb_open(device, &handle) == LIBUSB_SUCCESS) {
-    found.serial = usb_serial_of(handle);
+    found.serial = usb_serial_of(handle).value_or("");
     libusb_close(handle);
   }
   return found;
@@ -57,10 +57,10 @@ std::string usb_node_of(libusb_device* device) {
   return node;
 }
 
-std::string usb_serial_of(libusb_device_handle* handle) {
+std::optional<std::string> usb_serial_of(libusb_device_handle* handle) {
   libusb_device_descriptor descriptor{};
   if (libusb_get_device_descriptor(libusb_get_device(handle), &descriptor) != LIBUSB_SUCCESS) return {};
-  if (descriptor.iSerialNumber == 0) return {};
+  if (descriptor.iSerialNumber == 0) return "";
   // libusb's own function for this waits up to 2 s for a device that does not answer.
   const auto ask = [handle](std::uint8_t index, std::uint16_t language, std::span<unsigned char> into) {
     constexpr unsigned patience_ms = 100;
@@ -70,9 +70,9 @@ std::string usb_serial_of(libusb_device_handle* handle) {
   };
   // Two bytes of head, then letters of two bytes each; string 0 is the languages that there are.
   std::array<unsigned char, 255> bytes{};
-  if (ask(0, 0, bytes) < 4) return {};
-  const auto language = static_cast<std::uint16_t>(bytes[2] | bytes[3] << 8U);
-  const int length = ask(descriptor.iSerialNumber, language, bytes);
+  int length = ask(0, 0, bytes);
+  if (length >= 4) length = ask(descriptor.iSerialNumber, static_cast<std::uint16_t>(bytes[2] | bytes[3] << 8U), bytes);
+  if (length < 0 && length != LIBUSB_ERROR_PIPE) return {};
   std::string serial;
   for (int i = 2; i + 1 < length; i += 2) {
     const bool is_plain = bytes[static_cast<std::size_t>(i) + 1] == 0 && bytes[static_cast<std::size_t>(i)] < 0x80;

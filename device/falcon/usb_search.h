@@ -6,6 +6,7 @@
 #include <sys/types.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,7 +48,7 @@ UsbSearch list_falcons(const UsbId& id) noexcept;
 // /dev/bus/usb/BBB/DDD
 std::string usb_node_of(libusb_device* device);
 
-// Empty: none, or it did not answer.
-std::string usb_serial_of(libusb_device_handle* handle);
+// Empty: the device has none, or keeps it to itself. Nothing: it does not answer now.
+std::optional<std::string> usb_serial_of(libusb_device_handle* handle);
 
 }  // namespace ghostforce

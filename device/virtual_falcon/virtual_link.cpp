@@ -48,6 +48,8 @@ LinkFault VirtualLink::open() noexcept {
 }
 
 void VirtualLink::close() noexcept {
+  if (is_live() && owes_stop_) dsp_.receive(std::span{outgoing_}.first(outgoing_size_), now_ns());
+  owes_stop_ = false;
   is_open_ = false;
   sending_ = Sending::nothing;
 }
@@ -67,6 +69,12 @@ bool VirtualLink::write(std::span<const std::uint8_t> bytes) noexcept {
   sending_ = Sending::bytes;
   delivery_ns_ = now_ns() + transfer_ns;
   return true;
+}
+
+void VirtualLink::stop(std::span<const std::uint8_t> bytes) noexcept {
+  if (!is_live()) return;
+  sending_ = Sending::nothing;
+  owes_stop_ = write(bytes);
 }
 
 std::size_t VirtualLink::read(std::span<std::uint8_t> into) noexcept {
@@ -158,6 +166,7 @@ bool VirtualLink::deliver(std::int64_t at_ns) noexcept {
     counters_.bytes_out += outgoing_size_;
   }
   sending_ = Sending::nothing;
+  owes_stop_ = false;
   return true;
 }
 
@@ -165,6 +174,7 @@ bool VirtualLink::take_packet(std::int64_t at_ns) noexcept {
   std::array<std::uint8_t, FalconDsp::packet_size> packet{};
   const std::size_t size = dsp_.take_packet(packet, at_ns);
   if (size == 0) return false;
+  ++counters_.packets_in;
   modem_status_ = packet[0];
   if ((packet[1] & line_errors) != 0) ++counters_.line_errors;
   const auto payload = std::span{packet}.first(size).subspan(FalconDsp::status_size);

@@ -49,14 +49,19 @@ class VirtualLink final : public FalconLink {
   explicit VirtualLink(const Options& options) noexcept;
   ~VirtualLink() override { close(); }
 
+  bool waits_to_open() const noexcept override { return false; }
   LinkFault open() noexcept override;
   void close() noexcept override;
   LinkFault fault() const noexcept override { return fault_; }
   std::string_view serial() const noexcept override { return was_open_ ? serial_number : std::string_view{}; }
 
   bool request(const VendorRequest& request) noexcept override;
+  RequestOutcome request_outcome() const noexcept override { return RequestOutcome::done; }
   bool write(std::span<const std::uint8_t> bytes) noexcept override;
   bool is_sending() const noexcept override { return sending_ != Sending::nothing; }
+
+  void stop(std::span<const std::uint8_t> bytes) noexcept override;
+  bool owes_stop() const noexcept override { return owes_stop_; }
 
   std::size_t read(std::span<std::uint8_t> into) noexcept override;
   std::uint8_t modem_status() const noexcept override { return modem_status_; }
@@ -113,6 +118,7 @@ class VirtualLink final : public FalconLink {
   VendorRequest request_;
   std::array<std::uint8_t, FalconDsp::packet_size> outgoing_{};
   std::size_t outgoing_size_ = 0;
+  bool owes_stop_ = false;  // it is what is going out
   FixedQueue<std::uint8_t, 16384> incoming_;
 
   // Motors of a last command past the line: three numbers, and above them whether there was one.

@@ -23,11 +23,18 @@ class FuzzedLink final : public FalconLink {
  public:
   FuzzedLink(Bytes& bytes, const bool& is_armed) : bytes_(bytes), is_armed_(is_armed) {}
 
+  bool waits_to_open() const noexcept override { return false; }
   LinkFault open() noexcept override { return fault_ = LinkFault::none; }
   void close() noexcept override {}
   LinkFault fault() const noexcept override { return fault_; }
   std::string_view serial() const noexcept override { return "FUZZED"; }
   bool request(const VendorRequest& /*request*/) noexcept override { return !is_sending_; }
+  RequestOutcome request_outcome() const noexcept override { return RequestOutcome::done; }
+  void stop(std::span<const std::uint8_t> bytes) noexcept override {
+    is_sending_ = false;
+    write(bytes);
+  }
+  bool owes_stop() const noexcept override { return is_sending_; }
   bool write(std::span<const std::uint8_t> bytes) noexcept override {
     if (is_sending_) return false;
     require(bytes.size() <= 64, "no more is written at once than a link takes");
@@ -48,10 +55,11 @@ class FuzzedLink final : public FalconLink {
     return count;
   }
   std::uint8_t modem_status() const noexcept override { return modem_status_; }
-  LinkCounters counters() const noexcept override { return {}; }
+  LinkCounters counters() const noexcept override { return {.packets_in = packets_}; }
   std::int64_t now_ns() const noexcept override { return now_ns_; }
   void wait_until(std::int64_t deadline_ns) noexcept override {
     is_sending_ = false;
+    ++packets_;
     std::int64_t wait_ns = ms / 4;
     switch (const std::uint8_t what = bytes_.next(); what % 16) {
       case 0:
@@ -105,6 +113,7 @@ class FuzzedLink final : public FalconLink {
   FrameReader<CommandFrame> commands_;
   std::uint8_t modem_status_ = 0;
   bool is_sending_ = false;
+  std::uint64_t packets_ = 0;
   std::int64_t now_ns_ = 1000 * ms;
 };
 

@@ -1,0 +1,58 @@
+#include "device/falcon/link_opener.h"
+
+#include <cerrno>
+#include <csignal>
+#include <utility>
+
+#include <pthread.h>
+#include <time.h>
+
+namespace ghostforce {
+
+LinkOpener::LinkOpener(std::unique_ptr<FalconLink> link) : link_(std::move(link)) {
+  if (link_->waits_to_open()) thread_ = std::thread(&LinkOpener::run, this);
+}
+
+LinkOpener::~LinkOpener() {
+  if (!thread_.joinable()) return;
+  ask(Task::end);
+  thread_.join();
+}
+
+void LinkOpener::ask(Task task) noexcept {
+  if (!thread_.joinable()) return carry_out(task);
+  task_.store(task, std::memory_order_release);
+  asked_.release();
+}
+
+void LinkOpener::run() noexcept {
+  pthread_setname_np(pthread_self(), "falcon opener");
+  for (;;) {
+    asked_.acquire();
+    Task task = task_.load(std::memory_order_acquire);
+    // Only the newest counts: an earlier one that was overtaken finds nothing to do.
+    if (task == Task::none) continue;
+    if (task == Task::end) return link_->close();
+    carry_out(task);
+    // Unless something else has been asked for meanwhile, the link is the driver's again.
+    task_.compare_exchange_strong(task, Task::none, std::memory_order_acq_rel);
+  }
+}
+
+void LinkOpener::carry_out(Task task) noexcept {
+  if (task == Task::open) {
+    link_->open();
+  } else {
+    link_->close();
+  }
+}
+
+void LinkOpener::wait_until(std::int64_t deadline_ns) noexcept {
+  if (!is_busy()) return link_->wait_until(deadline_ns);
+  if (deadline_ns <= 0) return;
+  const timespec deadline{deadline_ns / 1'000'000'000, deadline_ns % 1'000'000'000};
+  while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &deadline, nullptr) == EINTR) {
+  }
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,53 @@
+// LinkOpener: has a FalconLink opened and closed on a thread of its own, because both wait for the system and for the
+// device, seconds if these please, and allocate. The driver asks, goes on with its ticks, and is given an open link
+// whole. A link that never waits (FalconLink::waits_to_open) needs no thread: it is opened and closed as it is asked
+// for.
+//
+// The link belongs to one thread at a time: to the opener's while is_busy(), else to the driver's. Its now_ns() and
+// send_at_once() belong to everybody. All functions here belong to the driver's thread; none but the constructor
+// allocates, throws or waits, and none but the destructor waits for the thread.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <semaphore>
+#include <thread>
+
+#include "device/falcon/falcon_link.h"
+
+namespace ghostforce {
+
+class LinkOpener {
+ public:
+  // Throws std::system_error if there can be no thread.
+  explicit LinkOpener(std::unique_ptr<FalconLink> link);
+  LinkOpener(const LinkOpener&) = delete;
+  LinkOpener& operator=(const LinkOpener&) = delete;
+  // Waits for what is under way.
+  ~LinkOpener();
+
+  // What is asked for while the opener is busy is done next; of several, the last.
+  void open() noexcept { ask(Task::open); }
+  void close() noexcept { ask(Task::close); }
+  bool is_busy() const noexcept { return task_.load(std::memory_order_acquire) != Task::none; }
+
+  FalconLink& link() const noexcept { return *link_; }
+
+  // As the link's, also while the link is not the driver's: then until the deadline.
+  void wait_until(std::int64_t deadline_ns) noexcept;
+
+ private:
+  enum class Task : std::uint8_t { none, open, close, end };
+
+  void ask(Task task) noexcept;
+  void run() noexcept;
+  void carry_out(Task task) noexcept;
+
+  std::unique_ptr<FalconLink> link_;
+  std::atomic<Task> task_{Task::none};
+  std::counting_semaphore<> asked_{0};
+  std::thread thread_;
+};
+
+}  // namespace ghostforce

@@ -1,0 +1,73 @@
+// UsbConnection: a USB device that was found, opened and claimed through libusb: its handle, its two bulk endpoints and
+// the file behind them. Whatever waits for the system or for the device is here, for seconds if these please, and it
+// allocates: never on the servo's thread. One thread at a time; emergency code may read descriptor() on any.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "device/falcon/falcon_link.h"
+#include "device/falcon/usb_search.h"
+
+struct libusb_context;
+struct libusb_device_handle;
+
+namespace ghostforce {
+
+class UsbConnection {
+ public:
+  UsbConnection() = default;
+  UsbConnection(const UsbConnection&) = delete;
+  UsbConnection& operator=(const UsbConnection&) = delete;
+  ~UsbConnection() { close(); }
+
+  // Takes the first device with these ids, in the order of their serial numbers, that can be had; `serial` empty: any.
+  // Clears the halt of both endpoints: a device that another driver or an earlier fault has left halted works again.
+  LinkFault open(const UsbId& id, const std::string& serial) noexcept;
+
+  // Gives the device back: what is still under way on it ends. Transfers are freed after that, and before close().
+  void release_device() noexcept;
+
+  // That, and leaves libusb.
+  void close() noexcept;
+
+  // Sends bytes and waits, clearing the halt of the endpoint where there is one, until the device has taken them or
+  // `longest_ns` have passed. False: it has not.
+  bool send_at_any_cost(std::span<const std::uint8_t> bytes, std::int64_t longest_ns) noexcept;
+
+  // Null while it is not open.
+  libusb_context* context() const noexcept { return context_; }
+  libusb_device_handle* handle() const noexcept { return handle_; }
+
+  std::uint8_t in_endpoint() const noexcept { return in_endpoint_; }
+  std::uint8_t out_endpoint() const noexcept { return out_endpoint_; }
+  std::size_t packet_size() const noexcept { return packet_size_; }  // of the IN endpoint [bytes]
+  // Of the device that is open or was.
+  std::string_view serial() const noexcept { return serial_; }
+  // The file behind the handle; -1: not open, or not known.
+  int descriptor() const noexcept { return descriptor_.load(std::memory_order_relaxed); }
+
+ private:
+  LinkFault find_and_take(const UsbId& id, const std::string& serial);
+  LinkFault take(libusb_device_handle* handle);
+  LinkFault find_endpoints(libusb_device_handle* handle);
+  LinkFault clear_halts(libusb_device_handle* handle) const noexcept;
+  void find_descriptor();
+
+  libusb_context* context_ = nullptr;
+  libusb_device_handle* handle_ = nullptr;
+  std::uint8_t in_endpoint_ = 0;
+  std::uint8_t out_endpoint_ = 0;
+  std::size_t packet_size_ = 0;
+  std::string serial_;
+  std::atomic<int> descriptor_{-1};
+};
+
+// What libusb's error means for a link.
+LinkFault link_fault_of(int libusb_error) noexcept;
+
+}  // namespace ghostforce
