@@ -18,6 +18,7 @@
 #include "app/output_file.h"
 #include "app/printable.h"
 #include "app/run_file.h"
+#include "device/alternate_stack.h"
 
 namespace ghostforce {
 namespace {
@@ -109,6 +110,7 @@ RecordingProgress Recording::progress() const noexcept {
 }
 
 void Recording::write_until_end() noexcept {
+  const AlternateStack alternate_stack;
   // These are the UI thread's matter.
   sigset_t others;
   sigemptyset(&others);

@@ -1,24 +1,53 @@
 #include "device/last_resort.h"
 
+#include <poll.h>
+#include <unistd.h>
+
+#include <algorithm>
 #include <array>
 #include <atomic>
+#include <cerrno>
 #include <csignal>
 #include <cstdlib>
 
+#include "device/alternate_stack.h"
 #include "device/falcon/falcon_link.h"
 #include "device/falcon/frame.h"
 
 namespace ghostforce::last_resort {
 namespace {
 
-std::atomic<FalconLink*> guarded{nullptr};
-std::atomic<bool> taken{false};
-static_assert(std::atomic<FalconLink*>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
+// A thread's own doing. The process ends of them even where they are ignored or blocked.
+constexpr std::array faults{SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGSYS};
 
-extern "C" void on_fatal_signal(int signal) {
+// Of these the process does not end, or nobody can do anything about it.
+constexpr std::array others{SIGCHLD, SIGCONT, SIGTSTP, SIGTTIN, SIGTTOU, SIGURG, SIGWINCH, SIGSTOP, SIGKILL};
+
+// Another thread's sending takes no longer, unless it hangs for good.
+constexpr int patience_ms = 200;
+
+std::atomic<FalconLink*> guarded{nullptr};
+std::atomic<pid_t> taker{0};  // the thread that took it first; 0: nobody has
+std::atomic<bool> is_sent{false};
+static_assert(std::atomic<FalconLink*>::is_always_lock_free && std::atomic<pid_t>::is_always_lock_free &&
+              std::atomic<bool>::is_always_lock_free);
+
+void wait_ms(int duration) noexcept {
+  poll(nullptr, 0, duration);
+}
+
+extern "C" void on_deadly_signal(int signal) {
+  const int error_before = errno;
   take();
-  // SA_RESETHAND has put the default action back: this time it ends the process.
+  std::signal(signal, SIG_DFL);
   std::raise(signal);
+  // It has been blocked while it is handled. This ends the process, unless that is the system's first, which no signal
+  // of its own ends.
+  sigset_t own;
+  sigemptyset(&own);
+  sigaddset(&own, signal);
+  pthread_sigmask(SIG_UNBLOCK, &own, nullptr);
+  errno = error_before;
 }
 
 }  // namespace
@@ -28,29 +57,57 @@ void guard(FalconLink* link) noexcept {
 }
 
 void take() noexcept {
-  if (taken.exchange(true)) return;
-  FalconLink* const link = guarded.load();
-  if (link == nullptr) return;
-  // A frame that was cut short would swallow the beginning of the next one: the second is whole for certain.
-  const FrameBytes zero = encode(CommandFrame{});
-  for (int i = 0; i < 2; ++i) link->send_at_once(zero);
+  const pid_t self = gettid();
+  pid_t first = 0;
+  if (!taker.compare_exchange_strong(first, self)) {
+    // Whoever returns from here may end the process.
+    if (first == self) return;
+    for (int waited_ms = 0; !is_sent.load() && waited_ms < patience_ms; ++waited_ms) wait_ms(1);
+    return;
+  }
+  if (FalconLink* const link = guarded.load()) {
+    // A frame that was cut short would swallow the beginning of the next one, and a driver may be just about to send
+    // one that it made before this: the second is whole and the last for certain.
+    const FrameBytes zero = encode(CommandFrame{});
+    link->send_at_once(zero);
+    wait_ms(1);
+    link->send_at_once(zero);
+  }
+  is_sent.store(true);
 }
 
 bool is_taken() noexcept {
-  return taken.load(std::memory_order_relaxed);
+  return taker.load(std::memory_order_relaxed) != 0;
 }
 
 void install() noexcept {
+  static const AlternateStack of_this_thread;
   struct sigaction action {};
-  action.sa_handler = on_fatal_signal;
-  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_NODEFER);
-  sigemptyset(&action.sa_mask);
-  for (const int signal : std::array{SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL}) sigaction(signal, &action, nullptr);
-  // Jobs in the background have it ignored, and go on.
-  struct sigaction before {};
-  sigaction(SIGQUIT, nullptr, &before);
-  if (before.sa_handler != SIG_IGN) sigaction(SIGQUIT, &action, nullptr);
+  action.sa_handler = on_deadly_signal;
+  action.sa_flags = SA_ONSTACK;
+  // A second signal waits until the first has been dealt with.
+  sigfillset(&action.sa_mask);
+  for (int signal = 1; signal <= SIGRTMAX; ++signal) {
+    struct sigaction before {};
+    // The C library keeps two for itself.
+    if (std::ranges::count(others, signal) != 0 || sigaction(signal, nullptr, &before) != 0) continue;
+    const bool ends_process = before.sa_handler == SIG_DFL || std::ranges::count(faults, signal) != 0;
+    if (ends_process) sigaction(signal, &action, nullptr);
+  }
+  // Whoever started this program may have had them blocked.
+  sigset_t own;
+  sigemptyset(&own);
+  for (const int fault : faults) sigaddset(&own, fault);
+  pthread_sigmask(SIG_UNBLOCK, &own, nullptr);
   std::atexit(take);
+}
+
+void leave_process_signals() noexcept {
+  sigset_t blocked;
+  sigfillset(&blocked);
+  for (const int fault : faults) sigdelset(&blocked, fault);
+  sigdelset(&blocked, SIGXCPU);
+  pthread_sigmask(SIG_SETMASK, &blocked, nullptr);
 }
 
 }  // namespace ghostforce::last_resort

@@ -1,5 +1,6 @@
-// The last resort: when the process is about to die of a bug, motors are told to stop by the signal handler itself,
-// because nobody else will. One link per process has motors. Everything here is async-signal-safe, on any thread.
+// The last resort: when the process is about to die, motors are told to stop by the signal handler itself, because
+// nobody else will. One link per process has motors. Everything here is async-signal-safe, on any thread, but for
+// install() and leave_process_signals().
 #pragma once
 
 namespace ghostforce {
@@ -11,15 +12,20 @@ namespace last_resort {
 // The link whose motors are to be stopped; null: none. A link must be taken out before it goes.
 void guard(FalconLink* link) noexcept;
 
-// Sends zero force, at once, to the link that is guarded. From then on is_taken(), and no driver may ask for a force.
+// Sends zero force, at once, to the link that is guarded; returns when it has been sent, by whichever thread came
+// first. From then on is_taken(), and no driver may ask for a force.
 void take() noexcept;
 bool is_taken() noexcept;
 
-// Makes SIGABRT (a failed assertion, an exception that nobody catches), SIGSEGV, SIGBUS, SIGFPE, SIGILL and SIGQUIT
-// (Ctrl+\) take it and then end the process as they would have; a thread must not block those of them that are its own
-// faults. exit() takes it too: libraries call it (Xlib does when its display has gone), and no destructor on a stack
-// runs.
+// Makes every signal that would end the process take it first, and then end the process as it would have. Not those
+// that cannot be caught (SIGKILL), that are ignored (faults cannot be), or that somebody handles already. exit() takes
+// it too: libraries call it, and no destructor on a stack runs. The calling thread gets an AlternateStack; every other
+// thread needs one itself.
 void install() noexcept;
+
+// Leaves the signals that the process gets to other threads; the calling one keeps its own, which are faults and the
+// end of its time as a real-time thread. Were these blocked, the kernel would end the process without asking.
+void leave_process_signals() noexcept;
 
 }  // namespace last_resort
 }  // namespace ghostforce

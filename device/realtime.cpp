@@ -67,6 +67,16 @@ int request_memory_lock() noexcept {
   return mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) == 0 ? 0 : errno;
 }
 
+// A real-time thread that never pauses is told so by a signal once it reaches the lower limit, and there is time for a
+// last word; at the upper one the process is killed, without any. Where both are one, the lower gives way.
+void put_signal_before_kill() noexcept {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_RTTIME, &limit) != 0 || limit.rlim_max == RLIM_INFINITY || limit.rlim_cur < limit.rlim_max)
+    return;
+  limit.rlim_cur = limit.rlim_max / 2;
+  setrlimit(RLIMIT_RTTIME, &limit);
+}
+
 }  // namespace
 
 void leave_processor_to_servo() noexcept {
@@ -88,6 +98,7 @@ void leave_processor_to_servo() noexcept {
 RealtimeStatus request_realtime() noexcept {
   prctl(PR_SET_TIMERSLACK, 1UL, 0UL, 0UL, 0UL);  // [ns]; always granted
   if (is_one_left) sched_setaffinity(0, sizeof servos_processor, &servos_processor);
+  put_signal_before_kill();
   RealtimeStatus status;
   status.priority_error = request_priority();
   status.has_short_slice = status.priority_error != 0 && request_short_slice();

@@ -14,7 +14,8 @@ struct RealtimeStatus {
   bool has_short_slice = false;  // instead of the priority: ordinary threads make room soon when this one wakes
 };
 
-// On the thread that wants it. Sets the thread's scheduling and timer slack, and locks the memory of the process.
+// On the thread that wants it. Sets the thread's scheduling and timer slack, and locks the memory of the process. Where
+// real-time threads may run only for so long without a pause (RLIMIT_RTTIME), SIGXCPU comes before the kill.
 RealtimeStatus request_realtime() noexcept;
 
 // On the thread that draws, before it makes others: a graphics driver's threads draw too, and go where theirs goes.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <csignal>
 #include <cstdint>
 #include <ctime>
 #include <stdexcept>
@@ -13,6 +12,8 @@
 #include "core/proxy.h"
 #include "core/scene.h"
 #include "core/sound_state.h"
+#include "device/alternate_stack.h"
+#include "device/last_resort.h"
 #include "device/monotonic_clock.h"
 #include "device/pacer.h"
 #include "device/punctual_sleep.h"
@@ -84,12 +85,8 @@ void Servo::stop() noexcept {
 }
 
 void Servo::run() noexcept {
-  // Signals are the UI thread's matter, but not a fault on this one: were it blocked, the process would end without
-  // its last resort.
-  sigset_t others;
-  sigfillset(&others);
-  for (const int fault : {SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL}) sigdelset(&others, fault);
-  pthread_sigmask(SIG_BLOCK, &others, nullptr);
+  const AlternateStack alternate_stack;
+  last_resort::leave_process_signals();
   pthread_setname_np(pthread_self(), "servo");
   report_.realtime = request_realtime();
 

@@ -11,8 +11,10 @@
 
 #include <fcntl.h>
 #include <hidapi.h>
+#include <pthread.h>
 #include <unistd.h>
 
+#include "device/alternate_stack.h"
 #include "device/spacemouse_report.h"
 
 namespace ghostforce {
@@ -116,6 +118,8 @@ void SpaceMouseInput::publish(const SpaceMouseReading& reading) noexcept {
 }
 
 void SpaceMouseInput::read(const std::stop_token& stop) {
+  const AlternateStack alternate_stack;
+  pthread_setname_np(pthread_self(), "spacemouse");
   std::mutex mutex;
   std::condition_variable_any stopped;
   SpaceMouseReading reading;

@@ -14,6 +14,8 @@
 #include <utility>
 #include <vector>
 
+#include "device/alternate_stack.h"
+
 namespace ghostforce {
 
 template <typename Piece>
@@ -59,6 +61,7 @@ class InOrder {
   std::optional<Piece>& slot(std::int64_t piece) { return ready_[static_cast<std::size_t>(piece) % ready_.size()]; }
 
   void make_pieces() {
+    const AlternateStack alternate_stack;
     for (;;) {
       std::unique_lock lock(mutex_);
       room_.wait(lock, [this] {

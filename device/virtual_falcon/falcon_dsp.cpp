@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace ghostforce {
 namespace {
@@ -29,6 +30,11 @@ constexpr std::int64_t split_gap_ns = 100'000;
 constexpr int joined_latencies = 4;
 // A '<' among them, for whom that is enough.
 constexpr std::array<std::uint8_t, 5> garbage_bytes{0x00, '<', 'A', 0x13, 0xFF};
+
+// Of an answer: what is changed in it. The numbers are beyond what any arm can reach.
+constexpr std::array<std::int16_t, 3> impossible_encoders{16000, -16000, 16000};
+constexpr int wrong_bit = 0x0100;
+constexpr std::size_t malformed_byte = 6;
 
 namespace chip_code {
 constexpr std::uint8_t reset = 0x00;
@@ -144,7 +150,10 @@ void FalconDsp::misbehave(const Misbehaviour& wrong) noexcept {
   wrong_ = wrong;
   replies_to_lose_ = wrong.lost_replies;
   echo_is_to_fail_ = wrong.echo != EchoFault::none;
-  if (wrong.power_lost || wrong.is_off_the_cable()) reset(Stage::idle);
+  replies_ = 0;
+  noise_to_come_ = wrong.noise_bytes;
+  if (wrong.forgets_home) homed_ = 0;
+  if (wrong.power_lost || wrong.power_blinks || wrong.is_off_the_cable()) reset(Stage::idle);
   if (wrong.is_off_the_cable()) {
     chip_ = {};
     to_dsp_.clear();
@@ -339,16 +348,40 @@ void FalconDsp::hear_frame(const CommandFrame& frame, std::int64_t at_ns) noexce
                                                     std::numeric_limits<std::int16_t>::max()));
     }
   }
-  const std::int64_t answer_ns = at_ns + wrong_.reply_delay_ns;
-  const FrameBytes bytes = encode(ReplyFrame{reported_, static_cast<std::uint8_t>(homed_ | buttons_)});
-  const bool is_short = wrong_.short_frames != 0 && commands_.frames() % wrong_.short_frames == 0;
+  reply(at_ns);
+}
+
+void FalconDsp::reply(std::int64_t at_ns) noexcept {
+  const ReplyFault fault = fault_of_reply();
+  const std::int64_t answer_ns = at_ns + wrong_.reply_delay_ns + replies_ * wrong_.reply_creep_ns;
+  ReplyFrame frame{reported_, static_cast<std::uint8_t>(homed_ | buttons_)};
+  if (fault == ReplyFault::impossible) frame.encoders = impossible_encoders;
+  if (fault == ReplyFault::wrong) frame.encoders[0] = static_cast<std::int16_t>(frame.encoders[0] ^ wrong_bit);
+  FrameBytes bytes = encode(frame);
+  if (fault == ReplyFault::malformed) bytes[malformed_byte] ^= 0x20U;
+  for (; noise_to_come_ > 0; --noise_to_come_) {
+    say(garbage_bytes[static_cast<std::size_t>(noise_to_come_) % garbage_bytes.size()], answer_ns);
+  }
   if (wrong_.garbage) {
     for (const std::uint8_t byte : garbage_bytes) say(byte, answer_ns);
   }
-  for (std::size_t i = 0; i < bytes.size(); ++i) {
-    // From the middle, so that it still has both ends.
-    if (!is_short || (i != 5 && i != 6)) say(bytes[i], answer_ns);
+  if (fault == ReplyFault::lost) return;
+  const bool is_short = wrong_.short_frames != 0 && commands_.frames() % wrong_.short_frames == 0;
+  for (int copies = wrong_.duplicated_replies ? 2 : 1; copies > 0; --copies) {
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+      // From the middle, so that it still has both ends.
+      if (!is_short || (i != 5 && i != 6)) say(bytes[i], answer_ns);
+    }
   }
+}
+
+// Of the one that comes next.
+ReplyFault FalconDsp::fault_of_reply() noexcept {
+  ++replies_;
+  const unsigned interval = wrong_.reply_interval;
+  const bool is_its_turn = replies_ % interval == 0;
+  const bool are_over = wrong_.faulty_replies > 0 && std::cmp_greater(replies_ / interval, wrong_.faulty_replies);
+  return is_its_turn && !are_over ? wrong_.reply : ReplyFault::none;
 }
 
 void FalconDsp::home(std::int64_t now_ns) noexcept {

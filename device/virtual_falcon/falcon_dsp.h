@@ -118,6 +118,8 @@ class FalconDsp {
   void hear_boot_table(std::uint8_t byte, std::int64_t at_ns) noexcept;
   void hear_frame(const CommandFrame& frame, std::int64_t at_ns) noexcept;
   void home(std::int64_t now_ns) noexcept;
+  void reply(std::int64_t at_ns) noexcept;
+  ReplyFault fault_of_reply() noexcept;
   void say(std::uint8_t byte, std::int64_t now_ns) noexcept;
 
   std::size_t payload_limit() const noexcept;
@@ -127,6 +129,8 @@ class FalconDsp {
   Misbehaviour wrong_;
   int replies_to_lose_ = 0;
   bool echo_is_to_fail_ = false;
+  unsigned replies_ = 0;  // since the fault was asked for
+  int noise_to_come_ = 0;
 
   // The chip, as it is when it gets current.
   struct Settings {

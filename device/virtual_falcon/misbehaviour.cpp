@@ -6,6 +6,17 @@
 namespace ghostforce {
 namespace {
 
+constexpr void fail_always(Misbehaviour& wrong, ReplyFault fault) noexcept {
+  wrong.reply = fault;
+  wrong.reply_interval = 1;
+  wrong.faulty_replies = 0;
+}
+
+constexpr void fail_once(Misbehaviour& wrong, ReplyFault fault) noexcept {
+  fail_always(wrong, fault);
+  wrong.faulty_replies = 1;
+}
+
 constexpr std::array kinds{
     MisbehaviourKind{"absent", "No Falcon is plugged in.",
                      [](Misbehaviour& wrong) noexcept { wrong.link = LinkFault::absent; }},
@@ -17,6 +28,8 @@ constexpr std::array kinds{
                      [](Misbehaviour& wrong) noexcept { wrong.link = LinkFault::unplugged; }},
     MisbehaviourKind{"power-lost", "The Falcon has no current: it is silent, and has forgotten firmware and home.",
                      [](Misbehaviour& wrong) noexcept { wrong.power_lost = true; }},
+    MisbehaviourKind{"power-blink", "The current fails for a moment: firmware and home are forgotten.",
+                     [](Misbehaviour& wrong) noexcept { wrong.power_blinks = true; }},
     MisbehaviourKind{"lost-first-replies", "The first three answers of the hand-shake never come.",
                      [](Misbehaviour& wrong) noexcept { wrong.lost_replies = 3; }},
     MisbehaviourKind{"leading-00", "A byte 00 comes before each answer of the hand-shake.",
@@ -49,6 +62,31 @@ constexpr std::array kinds{
                      [](Misbehaviour& wrong) noexcept { wrong.reply_delay_ns = 5'000'000; }},
     MisbehaviourKind{"late-50ms", "Each answer comes 50 ms late.",
                      [](Misbehaviour& wrong) noexcept { wrong.reply_delay_ns = 50'000'000; }},
+    MisbehaviourKind{"late-creeping", "Each answer comes 0.02 ms later than the one before.",
+                     [](Misbehaviour& wrong) noexcept { wrong.reply_creep_ns = 20'000; }},
+    MisbehaviourKind{"lost-reply", "One answer never comes.",
+                     [](Misbehaviour& wrong) noexcept { fail_once(wrong, ReplyFault::lost); }},
+    MisbehaviourKind{"lost-replies", "Every tenth answer never comes.",
+                     [](Misbehaviour& wrong) noexcept {
+                       fail_always(wrong, ReplyFault::lost);
+                       wrong.reply_interval = 10;
+                     }},
+    MisbehaviourKind{"mute", "The device obeys, and stops answering.",
+                     [](Misbehaviour& wrong) noexcept { fail_always(wrong, ReplyFault::lost); }},
+    MisbehaviourKind{"malformed-reply", "One byte of one answer comes changed, so that it is no answer.",
+                     [](Misbehaviour& wrong) noexcept { fail_once(wrong, ReplyFault::malformed); }},
+    MisbehaviourKind{"wrong-reply", "One byte of one answer comes changed, so that it tells of another place.",
+                     [](Misbehaviour& wrong) noexcept { fail_once(wrong, ReplyFault::wrong); }},
+    MisbehaviourKind{"encoder-glitch", "One answer tells of a place where the arms cannot be.",
+                     [](Misbehaviour& wrong) noexcept { fail_once(wrong, ReplyFault::impossible); }},
+    MisbehaviourKind{"impossible-encoders", "All answers tell of a place where the arms cannot be.",
+                     [](Misbehaviour& wrong) noexcept { fail_always(wrong, ReplyFault::impossible); }},
+    MisbehaviourKind{"duplicated-replies", "Each answer comes twice.",
+                     [](Misbehaviour& wrong) noexcept { wrong.duplicated_replies = true; }},
+    MisbehaviourKind{"line-noise", "A burst of 100 bytes that mean nothing comes before an answer, once.",
+                     [](Misbehaviour& wrong) noexcept { wrong.noise_bytes = 100; }},
+    MisbehaviourKind{"forgets-home", "The device has forgotten its home position, once.",
+                     [](Misbehaviour& wrong) noexcept { wrong.forgets_home = true; }},
     MisbehaviourKind{"never-homes", "The device never finds its home position.",
                      [](Misbehaviour& wrong) noexcept { wrong.never_homes = true; }},
 };

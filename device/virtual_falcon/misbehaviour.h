@@ -19,6 +19,14 @@ enum class EchoFault : std::uint8_t {
   lost_once,
 };
 
+enum class ReplyFault : std::uint8_t {
+  none,
+  lost,
+  malformed,   // one of its bytes can be in no frame
+  wrong,       // well-formed; one arm is said to be elsewhere
+  impossible,  // well-formed; the arms are said to be where no arms can be
+};
+
 // As it is made: none.
 struct Misbehaviour {
   // The link: not_allowed and busy keep it from opening; absent and unplugged do too, and end one that is open. A
@@ -45,10 +53,18 @@ struct Misbehaviour {
   bool silence = false;       // takes everything and answers nothing
   bool frozen_encoders = false;
   bool never_homes = false;
+  bool forgets_home = false;  // once, when the fault is asked for
   std::int64_t reply_delay_ns = 0;
+  std::int64_t reply_creep_ns = 0;  // each answer comes so much later than the one before
+  bool duplicated_replies = false;
+  int noise_bytes = 0;  // so many come before one answer, once
+  ReplyFault reply = ReplyFault::none;
+  unsigned reply_interval = 1;  // of each so many answers the last one has this fault
+  int faulty_replies = 0;       // so many of them, since the fault was asked for; 0: all
 
   // No current in the device behind the USB chip: silence, and what was loaded and homed is forgotten.
   bool power_lost = false;
+  bool power_blinks = false;  // once, when the fault is asked for: forgets as well, and is there again
 
   friend bool operator==(const Misbehaviour&, const Misbehaviour&) = default;
 };

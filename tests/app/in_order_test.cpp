@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <csignal>
 #include <cstdint>
 #include <stdexcept>
 #include <thread>
@@ -51,6 +52,21 @@ TEST(InOrder, RunsNeverFarAheadOfTheTaker) {
       });
   EXPECT_EQ(taken, 200);
   EXPECT_LE(farthest, 8 + 2);  // four pieces a thread that wait, and one a thread that may have begun meanwhile
+}
+
+// Without one a thread that has used up its own stack ends the process before any handler runs.
+TEST(InOrder, EachThreadHasAStackForSignals) {
+  InOrder<int>::run(
+      8, 3,
+      [](std::int64_t) {
+        stack_t stack{};
+        sigaltstack(nullptr, &stack);
+        return stack.ss_flags;
+      },
+      [](int&& flags) {
+        EXPECT_EQ(flags & SS_DISABLE, 0);
+        return true;
+      });
 }
 
 TEST(InOrder, StopsWhenTheTakerHasEnough) {

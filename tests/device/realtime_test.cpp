@@ -1,5 +1,6 @@
 #include "device/realtime.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <thread>
@@ -49,6 +50,22 @@ TEST(Realtime, GivesAnOrdinaryUserShortSlices) {
     EXPECT_EQ(sched_getscheduler(0), SCHED_OTHER);
   }).join();
   munlockall();
+}
+
+// The kernel kills a thread that runs for too long without a pause, at once where both limits are one.
+TEST(Realtime, ASignalComesBeforeTheKill) {
+  const auto look = [] {
+    rlimit limit{};
+    getrlimit(RLIMIT_RTTIME, &limit);
+    limit.rlim_max = std::min<rlim_t>(limit.rlim_max, 10'000'000);
+    limit.rlim_cur = limit.rlim_max;
+    setrlimit(RLIMIT_RTTIME, &limit);
+    request_realtime();
+    rlimit now{};
+    getrlimit(RLIMIT_RTTIME, &now);
+    _exit(now.rlim_max == limit.rlim_max && now.rlim_cur < limit.rlim_cur && now.rlim_cur > 0 ? 0 : 1);
+  };
+  EXPECT_EXIT(look(), testing::ExitedWithCode(0), "");
 }
 
 // That the thread may run on.

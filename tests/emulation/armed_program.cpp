@@ -1,10 +1,12 @@
 // Takes the Falcon, arms it, and once its motors push ends in the way that its argument names. On the way it says a
 // line at a time what it wants of the hand ("outside", "inside"), that its motors push ("pushing"), and, of what it
-// does itself, when ("ends", in ns of CLOCK_MONOTONIC).
+// does itself, when ("ends", in ns of CLOCK_MONOTONIC). Some ways take a second argument: a signal's number, or the
+// name of a thread.
 #undef NDEBUG  // assertions hold in every build of this program
 #include <cassert>
 
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -12,20 +14,27 @@
 #include <chrono>
 #include <cinttypes>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <memory>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 #include <thread>
 #include <utility>
 
 #include "app/failure.h"
 #include "app/interruption.h"
+#include "app/recording.h"
+#include "app/scene_file.h"
 #include "device/falcon/falcon_input.h"
 #include "device/falcon/ftdi_link.h"
 #include "device/last_resort.h"
 #include "device/servo.h"
+#include "device/spacemouse_input.h"
 #include "device/virtual_falcon/practice_firmware.h"
 #include "tests/device/motor_settings.h"
 
@@ -51,6 +60,39 @@ void touch_forbidden_memory() {
   auto* const page = static_cast<volatile char*>(
       mmap(nullptr, static_cast<std::size_t>(sysconf(_SC_PAGESIZE)), PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0));
   *page = 1;
+}
+
+// Until the stack of the thread that calls it is used up.
+int go_deeper(int depth) {
+  volatile char room[1024];
+  room[0] = static_cast<char>(depth);
+  return depth < 0 ? 0 : go_deeper(depth + 1) + room[0];
+}
+
+void overflow_stack() {
+  // Wherever this program was started: the main thread's stack grows up to this limit, which may be none.
+  rlimit limit{};
+  getrlimit(RLIMIT_STACK, &limit);
+  limit.rlim_cur = std::min<rlim_t>(limit.rlim_cur, 8 << 20);
+  setrlimit(RLIMIT_STACK, &limit);
+  go_deeper(1);
+}
+
+// Threads show their names here.
+pid_t thread_named(std::string_view name) {
+  for (const auto& task : std::filesystem::directory_iterator("/proc/self/task")) {
+    std::string line;
+    std::getline(std::ifstream(task.path() / "comm"), line);
+    if (line == name) return std::stoi(task.path().filename());
+  }
+  return 0;
+}
+
+// The second argument.
+std::string_view detail;
+
+void raise_signal() {
+  std::raise(std::stoi(std::string(detail)));
 }
 
 // In which the servo's own thread may be made to run into a bug.
@@ -158,6 +200,27 @@ constexpr Way ways[] = {
     {"assertion", [](Person& person) { assert(glm::length(person.motors().sent) < 0.0); }},
     {"exception", [](Person&) { throw std::runtime_error("that nobody catches"); }},
     {"segmentation fault", [](Person&) { touch_forbidden_memory(); }},
+    {"stack overflow", [](Person&) { overflow_stack(); }},
+    // On one that has no place of its own to run into a bug: it gets a signal that nothing else uses.
+    {"stack overflow on another thread",
+     [](Person& person) {
+       Recording recording("run.csv", load_scene("wall45"), person.servo(), 1);
+       const SpaceMouseInput space_mouse;
+       struct sigaction action {};
+       action.sa_handler = [](int) { overflow_stack(); };
+       sigaction(SIGURG, &action, nullptr);
+       pid_t thread = 0;
+       while ((thread = thread_named(detail)) == 0) person.live();
+       tgkill(getpid(), thread, SIGURG);
+       std::this_thread::sleep_for(std::chrono::seconds(5));
+     }},
+    {"segmentation faults on two threads",
+     [](Person& person) {
+       person.input().lay(touch_forbidden_memory);
+       touch_forbidden_memory();
+     }},
+    {"signal on the servo's thread", [](Person& person) { person.input().lay(raise_signal); }},
+    {"stack overflow on the servo's thread", [](Person& person) { person.input().lay(overflow_stack); }},
     {"abort on the servo's thread", [](Person& person) { person.input().lay([] { std::abort(); }); }},
     {"segmentation fault on the servo's thread", [](Person& person) { person.input().lay(touch_forbidden_memory); }},
 };
@@ -185,6 +248,7 @@ int main(int argc, char** argv) {
   remember_interruptions();
   last_resort::install();
   try {
+    if (argc > 2) detail = argv[2];
     return run(argc > 1 ? argv[1] : "");
   } catch (const Failure& failure) {
     return static_cast<int>(failure.code());

@@ -1,8 +1,10 @@
 // EmulatedUsbDevice: what the kernel's usbfs shows of a device with one interface, a bulk endpoint each way and a
 // serial chip behind them. It answers the ioctls of libusb as the kernel does, keeps its queues of transfers and its
-// time, and can be pulled out and plugged in again. plug(), unplug() and the like on the test's thread.
+// time, can be pulled out and plugged in again, and goes wrong when asked to. plug(), unplug(), misbehave() and the
+// like on the test's thread; what only tells on any.
 #pragma once
 
+#include <array>
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
@@ -17,6 +19,7 @@
 #include "device/falcon/usb_search.h"
 #include "tests/emulation/emulated_chip.h"
 #include "tests/emulation/test_bed.h"
+#include "tests/emulation/usb_misbehaviour.h"
 
 namespace ghostforce {
 
@@ -35,11 +38,21 @@ class EmulatedUsbDevice {
   const std::string& node() const { return file_.path; }
   void set_mode(mode_t mode) { bed_.set_mode(node(), mode); }
 
+  // All that was asked for before ends, but for a halt, which only the host ends.
+  void misbehave(const UsbMisbehaviour& wrong);
   // The next so many transfers from the device fail, with an errno as a URB's status has it (EPIPE is a stall).
   void fail_in(int count, int error);
   // Claiming the interface fails so often: the kernel has not set the device up yet.
   void delay_claims(int count);
 
+  // What a program has tried to send last, whether or not it could be.
+  struct OutAttempt {
+    std::vector<std::uint8_t> bytes;
+    std::int64_t at_ns = 0;  // of CLOCK_MONOTONIC; 0: never
+  };
+  OutAttempt last_out() const;
+
+  std::uint64_t times_taken() const;  // how often a program has claimed the interface
   std::uint64_t halts_cleared() const;
   std::uint64_t transfers_pending() const;
   // Of the transfers from the device that have come back well: how many packets the fullest one carried.
@@ -57,14 +70,39 @@ class EmulatedUsbDevice {
     std::vector<std::uint8_t> data;  // outwards: to be sent; inwards: come so far
     std::size_t packets = 0;
   };
+  struct ControlUrb {
+    Urb urb;
+    std::array<std::uint8_t, 8> setup;
+  };
+  struct Endpoint {
+    std::deque<Urb> queue;
+    int failures_to_come = 0;
+    int error = 0;
+    bool is_halted = false;
+    std::int64_t naks_until_ns = 0;
 
+    void misbehave(const EndpointFaults& wrong);
+    bool naks() const;
+    int next_failure();  // an errno; 0: none
+  };
+
+  static std::int64_t end_of(int duration_ms);
+
+  // Of the device, as the kernel has it: held by one call at a time, even while that waits for the device.
+  std::unique_lock<std::mutex> lock_device();
   CallResult submit(File& file, const CallerMemory& memory, std::uintptr_t address);
   CallResult reap(File& file, const CallerMemory& memory, std::uintptr_t into);
   CallResult discard(std::uintptr_t address);
+  void end_transfers_of(const File& file);
   CallResult claim(File& file, int not_ready);
-  CallResult send_now(const CallerMemory& memory, std::uintptr_t argument);
-  int answer_control(Urb& urb, const std::uint8_t (&setup)[8]);
+  CallResult send_now(File& file, const CallerMemory& memory, std::uintptr_t argument);
+  CallResult clear_halt(File& file, const CallerMemory& memory, std::uintptr_t argument);
+  CallResult reset(File& file);
+  int ask_device(File& file, std::unique_lock<std::mutex>& lock, int answer_ms);
+  int answer_control(Urb& urb, const std::array<std::uint8_t, 8>& setup);
+  void note_attempt(const std::vector<std::uint8_t>& bytes);
   void complete(const Urb& urb, int status, bool inwards);
+  bool has_turn(Endpoint& endpoint);
   void move_packets();
   void keep_time();
   void show_completions();
@@ -84,11 +122,15 @@ class EmulatedUsbDevice {
   bool is_ending_ = false;
   File* owner_ = nullptr;  // of the interface
   std::vector<File*> files_;
-  std::deque<Urb> in_;
-  std::deque<Urb> out_;
-  int failures_to_come_ = 0;
-  int failure_ = 0;
+  bool is_waiting_for_device_ = false;  // a call is, which holds the lock meanwhile
+  Endpoint in_;
+  Endpoint out_;
+  std::deque<ControlUrb> control_;
+  UsbMisbehaviour wrong_;  // with what is left of the counts
+  std::int64_t control_naks_until_ns_ = 0;
+  OutAttempt last_out_;
   int claims_to_delay_ = 0;
+  std::uint64_t times_taken_ = 0;
   std::uint64_t halts_cleared_ = 0;
   std::size_t most_packets_ = 0;
   std::thread clock_;

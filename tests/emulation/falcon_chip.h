@@ -34,6 +34,14 @@ class FalconChip final : public EmulatedChip {
     hand_.follow(plan);
   }
 
+  // Of the serial line and what is behind it; see EmulatedUsbDevice::misbehave() for the cable.
+  void misbehave(const Misbehaviour& wrong) {
+    const std::lock_guard lock(mutex_);
+    live_until(now_ns());
+    dsp_.misbehave(wrong);
+    note();
+  }
+
   // What is under way arrives first.
   Told told() {
     const std::lock_guard lock(mutex_);

@@ -15,6 +15,7 @@
 #include "tests/emulation/emulated_usb_device.h"
 #include "tests/emulation/falcon_chip.h"
 #include "tests/support/program.h"
+#include "tests/support/temporary_folder.h"
 
 namespace ghostforce {
 namespace {
@@ -40,9 +41,10 @@ class WaysOutTest : public testing::Test {
   }
 
   // Returns when its motors push.
-  void start(const std::string& way) {
+  void start(const std::string& way, const std::string& detail = "") {
     ProgramCall call;
-    call.words = {way};
+    call.words = {way, detail};
+    call.folder = folder.path();
     program = std::make_unique<RunningProgram>(ARMED_PROGRAM, call);
     for (;;) {
       const auto line = program->next_line(patience);
@@ -84,6 +86,7 @@ class WaysOutTest : public testing::Test {
     EXPECT_GE(chip.told().silent_frames, 3U);
   }
 
+  TemporaryFolder folder;
   TestBed bed;
   FalconChip chip;
   EmulatedUsbDevice falcon{bed, chip, "12PZ657E"};
@@ -138,10 +141,58 @@ TEST_F(WaysOutTest, InterruptedTwiceBecauseItHangs) {
   expect_no_force(128 + SIGINT);
 }
 
-TEST_F(WaysOutTest, Quit) {
+// Every signal that ends a process unless it is told otherwise, but for SIGKILL and those above.
+class WaysOutByDeadlySignalTest : public WaysOutBySignalTest {};
+
+TEST_P(WaysOutByDeadlySignalTest, WhileItRuns) {
   ASSERT_NO_FATAL_FAILURE(start("wait"));
-  ASSERT_NO_FATAL_FAILURE(send(SIGQUIT));
-  expect_no_force(128 + SIGQUIT);
+  ASSERT_NO_FATAL_FAILURE(send(GetParam()));
+  expect_no_force(128 + GetParam());
+}
+
+TEST_P(WaysOutByDeadlySignalTest, WhileItHangs) {
+  ASSERT_NO_FATAL_FAILURE(start("hang"));
+  ASSERT_NO_FATAL_FAILURE(send(GetParam()));
+  expect_no_force(128 + GetParam());
+}
+
+std::string signal_name(const testing::TestParamInfo<int>& run) {
+  if (run.param >= SIGRTMIN) return "RTMIN_" + std::to_string(run.param - SIGRTMIN);
+  return sigabbrev_np(run.param);
+}
+
+INSTANTIATE_TEST_SUITE_P(, WaysOutByDeadlySignalTest,
+                         testing::Values(SIGQUIT, SIGILL, SIGTRAP, SIGABRT, SIGBUS, SIGFPE, SIGUSR1, SIGSEGV, SIGUSR2,
+                                         SIGPIPE, SIGALRM, SIGSTKFLT, SIGXCPU, SIGXFSZ, SIGVTALRM, SIGPROF, SIGPOLL,
+                                         SIGPWR, SIGSYS, SIGRTMIN, SIGRTMIN + 1, SIGRTMAX - 1, SIGRTMAX),
+                         signal_name);
+
+// Those that go to the very thread that is at fault, or has used up its time.
+class WaysOutByTheServosSignalTest : public WaysOutBySignalTest {};
+
+TEST_P(WaysOutByTheServosSignalTest, OnItsThread) {
+  ASSERT_NO_FATAL_FAILURE(start("signal on the servo's thread", std::to_string(GetParam())));
+  expect_no_force(128 + GetParam());
+}
+
+INSTANTIATE_TEST_SUITE_P(, WaysOutByTheServosSignalTest,
+                         testing::Values(SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGSYS, SIGXCPU),
+                         signal_name);
+
+// The second must not end it before the first has turned motors off.
+TEST_F(WaysOutTest, TwoSignalsAtOnce) {
+  ASSERT_NO_FATAL_FAILURE(start("wait"));
+  ASSERT_NE(chip.told().motors, MotorNumbers{});
+  program->send(SIGSTOP);
+  event_ns = now_ns();
+  for (int i = 0; i < 2; ++i) program->send(SIGRTMIN);  // real-time signals are queued, each of them
+  program->send(SIGCONT);
+  expect_no_force(128 + SIGRTMIN);
+}
+
+TEST_F(WaysOutTest, TwoThreadsAtOnce) {
+  ASSERT_NO_FATAL_FAILURE(start("segmentation faults on two threads"));
+  expect_no_force(128 + SIGSEGV);
 }
 
 TEST_F(WaysOutTest, ExitByALibrary) {
@@ -166,6 +217,26 @@ TEST_F(WaysOutTest, ExceptionThatNobodyCatches) {
 
 TEST_F(WaysOutTest, SegmentationFault) {
   ASSERT_NO_FATAL_FAILURE(start("segmentation fault"));
+  expect_no_force(128 + SIGSEGV);
+}
+
+TEST_F(WaysOutTest, StackOverflow) {
+  ASSERT_NO_FATAL_FAILURE(start("stack overflow"));
+  expect_no_force(128 + SIGSEGV);
+}
+
+TEST_F(WaysOutTest, StackOverflowOnTheServosThread) {
+  ASSERT_NO_FATAL_FAILURE(start("stack overflow on the servo's thread"));
+  expect_no_force(128 + SIGSEGV);
+}
+
+TEST_F(WaysOutTest, StackOverflowOnTheRecordersThread) {
+  ASSERT_NO_FATAL_FAILURE(start("stack overflow on another thread", "recorder"));
+  expect_no_force(128 + SIGSEGV);
+}
+
+TEST_F(WaysOutTest, StackOverflowOnTheSpaceMousesThread) {
+  ASSERT_NO_FATAL_FAILURE(start("stack overflow on another thread", "spacemouse"));
   expect_no_force(128 + SIGSEGV);
 }
 

@@ -87,8 +87,7 @@ pid_t spawn(const std::string& program, const ProgramCall& call, int out, int er
 
   // Whoever started this test may have had signals ignored or blocked.
   sigset_t by_default;
-  sigemptyset(&by_default);
-  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) sigaddset(&by_default, number);
+  sigfillset(&by_default);
   sigset_t blocked;
   sigemptyset(&blocked);
   posix_spawnattr_t attributes;

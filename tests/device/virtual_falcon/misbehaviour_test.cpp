@@ -3,7 +3,9 @@
 
 #include <array>
 #include <cstdint>
+#include <cstdlib>
 #include <string_view>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -153,6 +155,90 @@ TEST(Misbehaviour, AnswersComeLate) {
   EXPECT_TRUE(host.reader.take(host.listen(2 * ms)));
 }
 
+TEST(Misbehaviour, AnswersComeLaterAndLater) {
+  Host host = running("late-creeping");
+  for (int i = 0; i < 100; ++i) EXPECT_TRUE(host.exchange({})) << i;
+  for (int i = 0; i < 100; ++i) host.exchange({});
+  // Two hundred times 0.02 ms.
+  EXPECT_FALSE(host.exchange({}, 4 * ms));
+  EXPECT_TRUE(host.reader.take(host.listen(2 * ms)));
+  host.dsp.misbehave({});
+  EXPECT_TRUE(host.exchange({}, 2 * ms));
+}
+
+// Which of the next 40 answers come.
+std::vector<int> lost_of_forty(std::string_view fault) {
+  Host host = running(fault);
+  std::vector<int> lost;
+  for (int i = 1; i <= 40; ++i) {
+    if (!host.exchange({{}, CommandFrame::blue})) lost.push_back(i);
+  }
+  EXPECT_EQ(host.dsp.lights(), CommandFrame::blue) << "all are obeyed";
+  host.dsp.misbehave({});
+  EXPECT_TRUE(host.exchange({}));
+  return lost;
+}
+
+TEST(Misbehaviour, AnswersAreLost) {
+  EXPECT_EQ(lost_of_forty("lost-reply"), (std::vector{1}));
+  EXPECT_EQ(lost_of_forty("lost-replies"), (std::vector{10, 20, 30, 40}));
+  EXPECT_EQ(lost_of_forty("mute").size(), 40U);
+  EXPECT_EQ(lost_of_forty("malformed-reply"), (std::vector{1})) << "it is no frame";
+}
+
+TEST(Misbehaviour, OneAnswerIsLostEachTimeItIsAskedFor) {
+  Host host = running("lost-reply");
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_FALSE(host.exchange({}));
+    EXPECT_TRUE(host.exchange({}));
+    host.dsp.misbehave({});
+    EXPECT_TRUE(host.exchange({}));
+    host.dsp.misbehave(misbehaviour("lost-reply"));
+  }
+}
+
+TEST(Misbehaviour, AnswersTellOfAnotherPlace) {
+  using Encoders = std::array<std::int16_t, 3>;
+  const auto asked = [](Host& host) { return host.exchange({})->encoders; };
+
+  Host wrong = running("wrong-reply");
+  wrong.dsp.set_encoders({10, 20, 30});
+  EXPECT_EQ(asked(wrong), (Encoders{266, 20, 30}));
+  EXPECT_EQ(asked(wrong), (Encoders{10, 20, 30}));
+
+  Host glitch = running("encoder-glitch");
+  glitch.dsp.set_encoders({10, 20, 30});
+  EXPECT_GT(std::abs(asked(glitch)[0]), 10'000);
+  EXPECT_EQ(asked(glitch), (Encoders{10, 20, 30}));
+
+  Host impossible = running("impossible-encoders");
+  for (int i = 0; i < 100; ++i) EXPECT_GT(std::abs(asked(impossible)[0]), 10'000);
+  impossible.dsp.misbehave({});
+  EXPECT_EQ(asked(impossible), (Encoders{0, 0, 0}));
+}
+
+TEST(Misbehaviour, AnswersComeTwice) {
+  Host host = running("duplicated-replies");
+  for (int i = 0; i < 10; ++i) EXPECT_TRUE(host.exchange({}));
+  EXPECT_EQ(host.reader.frames(), 2U * 10U);
+  EXPECT_EQ(host.reader.discarded_bytes(), 0U);
+}
+
+TEST(Misbehaviour, NoiseComesOnce) {
+  Host host = running("line-noise");
+  for (int i = 0; i < 10; ++i) EXPECT_TRUE(host.exchange({})) << i;
+  EXPECT_EQ(host.reader.discarded_bytes(), 100U);
+}
+
+TEST(Misbehaviour, HomeIsForgottenAndFoundAgain) {
+  Host host = running("forgets-home");
+  EXPECT_EQ(host.exchange({})->status, 0);
+  EXPECT_TRUE(host.dsp.runs_firmware());
+  host.dsp.set_encoders({-1400, -1400, -1400});
+  for (int i = 0; i < 50; ++i) host.exchange({{}, CommandFrame::homing});
+  EXPECT_EQ(host.exchange({})->status, ReplyFrame::homed);
+}
+
 TEST(Misbehaviour, NeverHomes) {
   Host host({.starts_with_firmware = true});
   host.run();
@@ -171,6 +257,16 @@ TEST(Misbehaviour, WithoutPowerAllIsForgotten) {
   EXPECT_EQ(host.dsp.homed(), 0);
   EXPECT_EQ(echo_of(host), practice_firmware());
   EXPECT_TRUE(host.dsp.runs_firmware());
+}
+
+TEST(Misbehaviour, PowerBlinks) {
+  Host host = running("power-blink");
+  EXPECT_FALSE(host.exchange({}));
+  EXPECT_FALSE(host.dsp.runs_firmware());
+  EXPECT_EQ(host.dsp.motors(), (std::array<std::int16_t, 3>{}));
+  EXPECT_EQ(echo_of(host), practice_firmware());
+  host.run();
+  EXPECT_EQ(host.exchange({})->status, 0);
 }
 
 }  // namespace
