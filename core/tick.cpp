@@ -44,11 +44,13 @@ template <glm::length_t D>
 template <glm::length_t D>
 [[gnu::flatten]] void tick_measured(const TickPlan<D>& plan, StrategyId active, const Vector<D>& device,
                                     const Vector<D>& felt, double believed_k_u, TickState<D>& state) noexcept {
-  ++state.tick;
-  state.measured = active;
   const std::size_t measured = index_of(active);
   const StrategyPlan<D>& own_plan = plan.strategies[measured];
   StrategyState<D>& own = state.strategies[measured];
+  // What was there before was simulated: from there to the real device is no way that anything has moved.
+  if (state.measured != active) own.motion.position = device;
+  ++state.tick;
+  state.measured = active;
   const Vector<D> velocity = (device - own.motion.position) * plan.rate;
   move<D>(plan, own_plan.proxy_step, {device, velocity}, device, force_of<D>(own_plan, own), own);
   state.goal = device - felt / believed_k_u;

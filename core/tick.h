@@ -71,7 +71,9 @@ void tick(const TickPlan<D>& plan, const Vector<D>& goal, TickState<D>& state) n
 //     q_u ≈ q_h − f / k̂_u,
 // with the force `felt` that the motors really make, f_r but for the limits on
 // its way to them; 0 in free space. The other strategies are simulated under
-// that goal. `believed_k_u` is k̂_u [N/m].
+// that goal. `believed_k_u` is k̂_u [N/m]. Work is counted, and a velocity known,
+// from the second tick in a row that measures the device under `active`; after
+// a gap in the measurements, reset state.measured.
 template <glm::length_t D>
 void tick_measured(const TickPlan<D>& plan, StrategyId active, const Vector<D>& device, const Vector<D>& felt,
                    double believed_k_u, TickState<D>& state) noexcept;

@@ -321,6 +321,8 @@ bool Servo::advance() noexcept {
   if (report_.diverged) return false;
   TickState<2> next = state_;
   if (safety_.is_armed()) {
+    const std::int64_t gap_ns = handle_.time_ns - std::exchange(measured_ns_, handle_.time_ns);
+    if (static_cast<double>(gap_ns) * 1e-9 > Safety::longest_exchange_s) next.measured.reset();
     tick_measured(plan_, settings_.active, handle_.position, report_.motors.sent / device_->force_at_handle(),
                   believed_user_stiffness(settings_.impedances), next);
   } else {

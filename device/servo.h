@@ -196,6 +196,7 @@ class Servo {
   std::uint32_t seen_heart_beats_;
   std::int64_t heart_beat_ns_ = 0;
   std::int64_t attended_ns_ = 0;
+  std::int64_t measured_ns_ = 0;  // of the newest reading that a tick has measured the device by
 };
 
 }  // namespace ghostforce

@@ -1,11 +1,13 @@
 #include "device/falcon/link_opener.h"
 
 #include <cerrno>
-#include <csignal>
 #include <utility>
 
 #include <pthread.h>
 #include <time.h>
+
+#include "device/alternate_stack.h"
+#include "device/last_resort.h"
 
 namespace ghostforce {
 
@@ -26,6 +28,8 @@ void LinkOpener::ask(Task task) noexcept {
 }
 
 void LinkOpener::run() noexcept {
+  const AlternateStack alternate_stack;
+  last_resort::leave_process_signals();
   pthread_setname_np(pthread_self(), "falcon opener");
   for (;;) {
     asked_.acquire();

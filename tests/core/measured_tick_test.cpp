@@ -96,6 +96,29 @@ TEST(MeasuredTick, CountsTheWorkDoneOnTheRealHand) {
   EXPECT_DOUBLE_EQ(state.strategies[index_of(StrategyId::full)].energy - before, force.y * 0.01);
 }
 
+// Arming, another strategy or a gap in the measurements: the device has not gone from where a simulation had it to
+// where it is, and certainly not in one tick.
+TEST(MeasuredTick, ALeapFromSimulationToTheRealHandIsNoWork) {
+  const TickPlan<2> plan = plan_of(figure_settings());
+  TickState<2> state = state_at_start(Vector<2>(0.03, -0.03));
+  for (int i = 0; i < 50; ++i) tick(plan, Vector<2>(0.03, -0.03), state);
+  for (const StrategyId active : {StrategyId::naive, StrategyId::full, StrategyId::anisotropic, StrategyId::naive}) {
+    const auto& own = state.strategies[index_of(active)];
+    const double before = own.energy;
+    ASSERT_GT(glm::length(snapshot_of(plan, state).strategies[index_of(active)].force), 0.05) << "a leap would count";
+    tick_measured(plan, active, Vector<2>(0.01, -0.02), Vector<2>(0.0), 100.0, state);
+    EXPECT_EQ(own.energy, before);
+    EXPECT_EQ(own.motion.velocity, Vector<2>(0.0));
+    tick_measured(plan, active, Vector<2>(0.011, -0.02), Vector<2>(0.0), 100.0, state);
+    EXPECT_NE(own.energy, before) << "and from here on it counts";
+    EXPECT_NEAR(own.motion.velocity.x, 1.0, 1e-9);  // 1 mm in 1 ms
+  }
+  const double before = state.strategies[index_of(StrategyId::naive)].energy;
+  state.measured.reset();
+  tick_measured(plan, StrategyId::naive, Vector<2>(-0.01, -0.03), Vector<2>(0.0), 100.0, state);
+  EXPECT_EQ(state.strategies[index_of(StrategyId::naive)].energy, before);
+}
+
 TEST(MeasuredTick, SimulationGoesOnFromWhereTheHandleWas) {
   const TickPlan<2> plan = plan_of(figure_settings());
   TickState<2> state = state_at_start(Vector<2>(-0.05, 0.05));

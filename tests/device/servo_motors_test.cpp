@@ -137,6 +137,34 @@ TEST_F(ServoMotors, EveryStrategyPushesAsItsOwn) {
   }
 }
 
+// Between two times that the motors are on, the hand goes where it likes, and the simulated devices too.
+TEST_F(ServoMotors, ArmingAgainAndSwitchingStrategiesDoNoWork) {
+  const auto energy = [this] { return report().snapshot.strategies[index_of(command_.settings.active)].energy; };
+  turn_on();
+  puppet_->reading.position = inside;
+  run(0.3);
+  command_.paused = true;  // armed there is no pause; later no tick happens until the motors are on again
+  ++command_.offs_asked;
+  run(0.3);
+  const double before = energy();
+  puppet_->reading.position = outside;
+  run(0.1);
+  ++command_.acknowledgements;
+  turn_on();
+  EXPECT_EQ(energy(), before);
+  puppet_->reading.position = inside;
+  run(0.3);
+  for (const Strategy& entry : strategy_catalog()) {
+    command_.settings.active = entry.id;
+    ++command_.settings_generation;
+    const double others = report().snapshot.strategies[index_of(entry.id)].energy;
+    step();
+    ASSERT_EQ(report().snapshot.measured, entry.id);
+    EXPECT_EQ(energy(), others) << entry.name;
+    run(0.2);
+  }
+}
+
 TEST_F(ServoMotors, ForceComesInOverASecond) {
   arm();
   step();
