@@ -29,6 +29,10 @@ constexpr std::array rungs{
     RungEntry{Rung::armed, "armed", "Armed", "Hold the handle and press the safety button."},
 };
 
+// The wire to the device is dead, and what it was told last was a force.
+constexpr std::string_view still_pushing =
+    "The motors may still push, and nothing from here reaches them: pull the plug of the device's power supply. ";
+
 constexpr std::array<std::string_view, 3> motor_names{"motor 1", "motor 2", "motor 3"};
 
 // The motors of which `is_so` is `wanted`: "motor 1, motor 3".
@@ -108,7 +112,7 @@ class Climb {
       is_below_current = is_below_current && state.is_reached;
       if (state.is_current && report_.state == FalconState::fault && report_.fault != FalconFault::none) {
         const FalconFaultEntry& fault = entry_of(report_.fault);
-        state.words = fmt::format("{}: {}", fault.title, fault.remedy);
+        state.words = fmt::format("{}{}: {}", report_.may_still_push ? still_pushing : "", fault.title, fault.remedy);
       } else if (state.is_reached || state.is_current || is_measured_too_slow(entry.id)) {
         state.words = words(entry, state.is_reached);
       }

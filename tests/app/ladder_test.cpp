@@ -71,6 +71,14 @@ TEST(Ladder, EveryFaultIsOneRungsAndTellsItsRemedyThere) {
   EXPECT_EQ(rung_of(FalconFault::kinematics), "homed");
 }
 
+// What nobody can reach any more has to be said where everybody looks.
+TEST(Ladder, SaysThatTheMotorsMayStillPush) {
+  FalconReport report = in_state(FalconState::fault, FalconFault::broken);
+  EXPECT_EQ(ladder_of(report, nullptr)[3].words.find("pull the plug"), std::string::npos);
+  report.may_still_push = true;
+  EXPECT_NE(ladder_of(report, nullptr)[3].words.find("pull the plug"), std::string::npos);
+}
+
 TEST(Ladder, GrowsWithTheDevice) {
   EXPECT_EQ(current_of(ladder_of(in_state(FalconState::absent), nullptr)), "seen");
   FalconReport report = in_state(FalconState::loading_firmware, FalconFault::echo_differs);

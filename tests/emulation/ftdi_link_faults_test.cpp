@@ -1,0 +1,166 @@
+// The Falcon's link with the real libusb, when endpoints halt, stall and do not listen: the motors' zero gets through,
+// ahead of all that waits, or it is still owed when the device listens again.
+#include "device/falcon/ftdi_link.h"
+
+#include <functional>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/emulation/emulated_usb_device.h"
+#include "tests/emulation/recording_chip.h"
+
+namespace ghostforce {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+constexpr std::int64_t ms = 1'000'000;
+
+class FtdiLinkFaultsTest : public testing::Test {
+ protected:
+  void open() {
+    falcon.plug();
+    chip.set_echo(false);
+    ASSERT_EQ(link.open(), LinkFault::none);
+  }
+  // False: it did not become so, however busy this machine may be.
+  bool wait_for(const std::function<bool()>& condition) {
+    const std::int64_t end_ns = link.now_ns() + 30'000 * ms;
+    while (!condition()) {
+      if (link.now_ns() > end_ns) return false;
+      link.wait_until(link.now_ns() + 5 * ms);
+    }
+    return true;
+  }
+  Bytes arrived_since(std::size_t count) {
+    Bytes bytes = chip.received();
+    bytes.erase(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(count));
+    return bytes;
+  }
+  bool wait_until_sent() {
+    return wait_for([this] { return !link.is_sending(); });
+  }
+
+  TestBed bed;
+  RecordingChip chip;
+  EmulatedUsbDevice falcon{bed, chip, "12PZ657E"};
+  FtdiLink link;
+};
+
+TEST_F(FtdiLinkFaultsTest, ClearsTheHaltsThatItFinds) {
+  falcon.plug();
+  for (const char* name : {"in-halt", "out-halt", "both-halt"}) {
+    falcon.misbehave(usb_misbehaviour(name));
+    chip.set_echo(true);
+    ASSERT_EQ(link.open(), LinkFault::none) << name;
+    ASSERT_TRUE(link.write(Bytes{1, 2, 3}));
+    Bytes bytes(3);
+    EXPECT_TRUE(wait_for([&] { return link.read(bytes) == 3; })) << name;
+    EXPECT_EQ(link.fault(), LinkFault::none) << name;
+    link.close();
+  }
+}
+
+TEST_F(FtdiLinkFaultsTest, AStopTakesThePlaceOfWhatWaits) {
+  open();
+  chip.set_stuck(true);
+  ASSERT_TRUE(link.write(Bytes{1, 2, 3}));
+  link.stop(Bytes{7, 8});
+  EXPECT_TRUE(link.owes_stop());
+  chip.set_stuck(false);
+  ASSERT_TRUE(wait_until_sent());
+  EXPECT_FALSE(link.owes_stop());
+  EXPECT_EQ(chip.received(), (Bytes{7, 8}));
+  EXPECT_EQ(link.fault(), LinkFault::none) << "and the link goes on";
+  ASSERT_TRUE(link.write(Bytes{4}));
+  ASSERT_TRUE(wait_until_sent());
+  EXPECT_EQ(chip.received(), (Bytes{7, 8, 4}));
+}
+
+TEST_F(FtdiLinkFaultsTest, AStopGoesOutThroughALinkThatHearsNoMore) {
+  for (const char* name : {"in-stall", "in-halt", "in-errors-200"}) {
+    SCOPED_TRACE(name);
+    open();
+    const std::size_t before = chip.received().size();
+    falcon.misbehave(usb_misbehaviour(name));
+    ASSERT_TRUE(wait_for([this] { return link.fault() == LinkFault::broken; }));
+    EXPECT_FALSE(link.write(Bytes{1}));
+    link.stop(Bytes{7});
+    link.close();
+    EXPECT_EQ(arrived_since(before), (Bytes{7}));
+    EXPECT_FALSE(link.owes_stop());
+    falcon.misbehave({});
+  }
+}
+
+TEST_F(FtdiLinkFaultsTest, ClosingInsistsOnTheStopThroughAHaltedEndpoint) {
+  for (const char* name : {"out-stall", "out-halt", "both-halt", "out-errors-40"}) {
+    SCOPED_TRACE(name);
+    open();
+    const std::size_t before = chip.received().size();
+    falcon.misbehave(usb_misbehaviour(name));
+    link.stop(Bytes{7});
+    link.close();
+    EXPECT_EQ(arrived_since(before), (Bytes{7}));
+    EXPECT_FALSE(link.owes_stop());
+    falcon.misbehave({});
+  }
+}
+
+TEST_F(FtdiLinkFaultsTest, AStopThatCannotArriveIsTheLastThingTriedAndIsOwed) {
+  open();
+  falcon.misbehave(usb_misbehaviour("out-nak"));
+  ASSERT_TRUE(link.write(Bytes{1, 2, 3}));
+  link.wait_until(link.now_ns() + 5 * ms);
+  link.stop(Bytes{7, 8});
+  link.close();
+  EXPECT_TRUE(link.owes_stop());
+  EXPECT_EQ(falcon.last_out().bytes, (Bytes{7, 8}));
+  EXPECT_TRUE(chip.received().empty());
+  falcon.misbehave({});
+  ASSERT_EQ(link.open(), LinkFault::none);
+  EXPECT_FALSE(link.owes_stop());
+  EXPECT_EQ(chip.received(), (Bytes{7, 8}));
+}
+
+TEST_F(FtdiLinkFaultsTest, ADeviceThatWasAwayIsOwedNothing) {
+  open();
+  falcon.misbehave(usb_misbehaviour("out-nak"));
+  link.stop(Bytes{7, 8});
+  link.close();
+  ASSERT_TRUE(link.owes_stop());
+  falcon.unplug();
+  EXPECT_EQ(link.open(), LinkFault::absent);
+  EXPECT_FALSE(link.owes_stop());
+}
+
+TEST_F(FtdiLinkFaultsTest, TellsWhatBecameOfARequest) {
+  open();
+  const VendorRequest latency{0x09, 1, 0};
+  falcon.misbehave(usb_misbehaviour("latency-refused"));
+  ASSERT_TRUE(link.request(latency));
+  ASSERT_TRUE(wait_until_sent());
+  EXPECT_EQ(link.request_outcome(), RequestOutcome::refused);
+  ASSERT_TRUE(link.request(latency)) << "a control endpoint that has refused one takes the next";
+  ASSERT_TRUE(wait_until_sent());
+  EXPECT_EQ(link.request_outcome(), RequestOutcome::done);
+  EXPECT_EQ(chip.requests(), (std::vector{latency}));
+  falcon.misbehave(usb_misbehaviour("control-nak-3s"));
+  ASSERT_TRUE(link.request(latency));
+  ASSERT_TRUE(wait_until_sent());
+  EXPECT_EQ(link.request_outcome(), RequestOutcome::unanswered);
+  EXPECT_EQ(link.fault(), LinkFault::none);
+}
+
+// Its calibration goes by the serial number: a device that does not tell it now is not taken for one without.
+TEST_F(FtdiLinkFaultsTest, WaitsForTheSerialNumber) {
+  falcon.plug();
+  falcon.misbehave(usb_misbehaviour("control-nak-3s"));
+  EXPECT_EQ(link.open(), LinkFault::broken);
+  falcon.misbehave({});
+  EXPECT_EQ(link.open(), LinkFault::none);
+  EXPECT_EQ(link.serial(), "12PZ657E");
+}
+
+}  // namespace
+}  // namespace ghostforce
