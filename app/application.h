@@ -91,6 +91,11 @@ class Application {
   // What the Falcon's driver knows of its device; null when another input is in use.
   const FalconReport* falcon_report() const noexcept { return falcon_ != nullptr ? &falcon_report_ : nullptr; }
 
+  // What is known of the SpaceMouse; null when another input is in use.
+  const SpaceMouseReading* spacemouse_reading() const noexcept {
+    return spacemouse_ != nullptr ? &spacemouse_reading_ : nullptr;
+  }
+
  private:
   void take_samples();
   void send(double interval_s);

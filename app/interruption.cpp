@@ -1,8 +1,10 @@
 #include "app/interruption.h"
 
+#include <fcntl.h>
 #include <signal.h>
 
 #include <atomic>
+#include <cerrno>
 
 #include "app/failure.h"
 #include "device/last_resort.h"
@@ -39,8 +41,20 @@ bool interrupted() noexcept {
   return is_interrupted.load(std::memory_order_relaxed);
 }
 
+void interrupt() noexcept {
+  is_interrupted.store(true, std::memory_order_relaxed);
+}
+
 void stop_if_interrupted() {
   if (interrupted()) throw Failure(ExitCode::interrupted, "interrupted");
+}
+
+int open_unless_interrupted(const char* path, int flags) {
+  for (;;) {
+    stop_if_interrupted();
+    const int descriptor = open(path, flags);
+    if (descriptor >= 0 || errno != EINTR) return descriptor;
+  }
 }
 
 }  // namespace ghostforce

@@ -13,7 +13,13 @@ void remember_interruptions() noexcept;
 
 bool interrupted() noexcept;
 
+// As a signal would have done it.
+void interrupt() noexcept;
+
 // Throws Failure(ExitCode::interrupted) if so.
 void stop_if_interrupted();
+
+// open(2), which waits where a pipe has nobody at its other end: that ends when interrupted, as above.
+int open_unless_interrupted(const char* path, int flags);
 
 }  // namespace ghostforce

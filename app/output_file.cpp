@@ -76,7 +76,7 @@ OutputFile::OutputFile(const std::string& path) : shown_(path) {
   if (exists && S_ISDIR(status.st_mode)) fail(EISDIR);
   if (exists && !S_ISREG(status.st_mode)) {
     // A pipe or a device: nothing to put in its place.
-    descriptor_ = open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    descriptor_ = open_unless_interrupted(path.c_str(), O_WRONLY | O_CLOEXEC);
     if (descriptor_ < 0) fail(errno);
     return;
   }

@@ -396,7 +396,7 @@ Run load_run(const std::string& path) {
   if (const std::string_view kind = kind_instead_of_file(path); kind == "a folder") {
     throw Failure(ExitCode::wrong_call, fmt::format("{}: is a folder; name a recording in it", shown));
   }
-  const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const int descriptor = open_unless_interrupted(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) {
     const int error = errno;
     if (error == ENOENT || error == ENOTDIR || error == ENAMETOOLONG) {

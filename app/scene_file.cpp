@@ -72,7 +72,7 @@ std::string read_file(const std::string& path) {
   const auto fail = [&](ExitCode code, const std::string& what) -> Failure {
     return {code, fmt::format("{}: {}", printable(path, longest_path), what)};
   };
-  const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const int descriptor = open_unless_interrupted(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) {
     const int error = errno;
     if (error == ENOENT || error == ENOTDIR || error == ENAMETOOLONG || path.empty()) {

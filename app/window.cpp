@@ -15,6 +15,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "app/display_loss.h"
 #include "app/failure.h"
 #include "app/font_file.h"
 #include "app/key_layout.h"
@@ -116,7 +117,10 @@ Window::Library::Library(bool offscreen) {
   // Asking for Wayland where there is none makes its library complain on stderr.
   const int on_display = std::getenv("WAYLAND_DISPLAY") != nullptr ? GLFW_ANY_PLATFORM : GLFW_PLATFORM_X11;
   glfwInitHint(GLFW_PLATFORM, offscreen ? GLFW_PLATFORM_NULL : on_display);
-  if (glfwInit() == GLFW_TRUE) return;
+  if (glfwInit() == GLFW_TRUE) {
+    watch_display();
+    return;
+  }
   const std::string reason = last_glfw_error();
   glfwTerminate();
   throw Failure(ExitCode::no_display,
@@ -338,6 +342,7 @@ bool Window::poll(double wait_s) {
   } else {
     glfwPollEvents();
   }
+  end_if_display_is_lost();
   return std::exchange(is_stirred_, false);
 }
 

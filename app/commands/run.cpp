@@ -15,11 +15,12 @@
 #include "app/commands/command.h"
 #include "app/commands/command_catalog.h"
 #include "app/commands/picture_options.h"
+#include "app/display_loss.h"
+#include "app/end_of_visit.h"
 #include "app/failure.h"
 #include "app/falcon_setup.h"
 #include "app/frame_pacer.h"
 #include "app/interruption.h"
-#include "app/ladder.h"
 #include "app/panels/panel_catalog.h"
 #include "app/remembered.h"
 #include "app/run_reader.h"
@@ -72,14 +73,6 @@ class Keeper {
 WindowLayout layout_of(const Window& window, const Session& session) {
   const WindowSize size = window.restored_size();
   return {size.width, size.height, window.is_maximized(), session.folded_panels};
-}
-
-// How the visit ended, as far as devices are concerned.
-ExitCode end_of(const Application& application) {
-  if (entry_of(application.report().motors.reason).is_safety_limit) return ExitCode::safety_stop;
-  const FalconReport* const falcon = application.falcon_report();
-  if (falcon == nullptr || falcon->is_readable()) return ExitCode::done;
-  return exit_code_of(*falcon, true);
 }
 
 // Either the name of an input, or replay and the recording to be replayed.
@@ -151,6 +144,11 @@ int run(const Options& options) {
   std::signal(SIGTSTP, SIG_IGN);
   Keeper keeper(remembered.preferences, application.session());
   application.start();
+  const BeforeDisplayLoss before_display_loss([&application] {
+    application.servo().stop();
+    interrupt();
+    if (const std::string words = application.end_recording(); !words.empty()) fmt::print(stderr, "{}\n", words);
+  });
 
   const Clock::time_point began = Clock::now();
   const auto clock_s = [began] { return seconds(Clock::now() - began); };
@@ -196,8 +194,12 @@ int run(const Options& options) {
     fmt::print(stderr, "{}\n", words);
   }
   if (options.record && !problem.empty()) return static_cast<int>(ExitCode::file_trouble);
+  if (!options.exit_after_s) return static_cast<int>(ExitCode::done);
   // Scripts want to know; a person has seen it on the screen.
-  return static_cast<int>(options.exit_after_s ? end_of(application) : ExitCode::done);
+  const EndOfVisit end =
+      end_of_visit(application.report().motors, application.falcon_report(), application.spacemouse_reading());
+  if (!end.words.empty()) fmt::print(stderr, "{}\n", end.words);
+  return static_cast<int>(end.code);
 }
 
 }  // namespace

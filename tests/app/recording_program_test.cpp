@@ -59,6 +59,29 @@ TEST(RecordingProgram, InterruptedItSaysSoInItsLastLine) {
   }
 }
 
+TEST(RecordingProgram, TheDisplayGoesItSaysSoAndClosesTheFile) {
+  const TemporaryFolder folder;
+  const Display display(1024, 640);
+  const std::string path = folder / "run.csv";
+  std::jthread crash([&](const std::stop_token& stop) {
+    while (read_whole(path).size() < 500'000 && !stop.stop_requested()) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    display.lose();
+  });
+  ProgramCall call;
+  call.words = {"run", "--input", "script", "--no-hints", "--record", path};
+  call.environment = display.environment();
+  const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, call);
+  EXPECT_EQ(outcome.exit_code, 6);
+  EXPECT_NE(outcome.err.find("the display is gone: "), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("run.csv"), std::string::npos) << outcome.err;
+  EXPECT_TRUE(read_whole(path).ends_with("\n# interrupted\n"));
+  const auto run = load_run(path);
+  EXPECT_TRUE(run.is_interrupted);
+  expect_repeats(run);
+}
+
 TEST(RecordingProgram, EndsByItselfAndOverwritesNothing) {
   const TemporaryFolder folder;
   const Display display(1024, 640);

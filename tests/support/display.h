@@ -4,6 +4,7 @@
 
 #include <sys/types.h>
 
+#include <csignal>
 #include <functional>
 #include <memory>
 #include <string>
@@ -50,6 +51,8 @@ class Display {
   std::string memory_file() const { return folder_ / "Xvfb_screen0"; }
   // What is on the screen now.
   Image picture() const;
+  // As when the server crashes.
+  void lose() const { server_->end(SIGKILL); }
   // xdotool with these words, to its end.
   void act(const std::vector<std::string>& words) const;
   // Looks at the screen until it is as wanted; false if that takes too long.

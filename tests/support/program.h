@@ -49,6 +49,8 @@ class RunningProgram {
   // The next line of the standard output; none: there is no more, or none within so long.
   std::optional<std::string> next_line(std::chrono::milliseconds patience);
   void send(int signal) const;
+  // While it has not been waited for.
+  pid_t pid() const noexcept { return child_; }
   // As Outcome has it.
   int wait_for_end();
 

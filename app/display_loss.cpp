@@ -1,0 +1,72 @@
+#include "app/display_loss.h"
+
+#include <dlfcn.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cstdio>
+#include <cstdlib>
+#include <utility>
+
+#include "app/failure.h"
+
+#define GLFW_EXPOSE_NATIVE_WAYLAND
+#define GLFW_NATIVE_INCLUDE_NONE  // nothing of Wayland is needed to build
+#include <GLFW/glfw3.h>
+#include <GLFW/glfw3native.h>
+
+namespace ghostforce {
+namespace {
+
+std::function<void()> put_everything_in_order;
+
+// The libraries are GLFW's: it opens them when it looks for a display.
+template <typename Function>
+Function* find_function(const char* library, const char* name) {
+  void* const handle = dlopen(library, RTLD_LAZY | RTLD_NOLOAD);
+  return handle != nullptr ? reinterpret_cast<Function*>(dlsym(handle, name)) : nullptr;
+}
+
+[[noreturn]] void end_without_display() {
+  static std::atomic_flag has_begun;
+  // A thread of the graphics driver may find it out too, and does not come back either.
+  while (has_begun.test_and_set()) pause();
+  if (put_everything_in_order) put_everything_in_order();
+  std::fputs(
+      "the display is gone: its server has ended, or the connection to it broke; start the program again when "
+      "there is one\n",
+      stderr);
+  // No destructor and no library's last call: they would talk to the server, and never return.
+  std::fflush(nullptr);
+  std::_Exit(static_cast<int>(ExitCode::no_display));
+}
+
+extern "C" int on_x11_loss(void* /*display*/) {
+  end_without_display();
+}
+
+}  // namespace
+
+void watch_display() {
+  if (glfwGetPlatform() != GLFW_PLATFORM_X11) return;
+  using Handler = int(void*);
+  if (auto* const set_handler = find_function<Handler*(Handler*)>("libX11.so.6", "XSetIOErrorHandler")) {
+    set_handler(on_x11_loss);
+  }
+}
+
+void end_if_display_is_lost() {
+  if (glfwGetPlatform() != GLFW_PLATFORM_WAYLAND) return;
+  static auto* const get_error = find_function<int(wl_display*)>("libwayland-client.so.0", "wl_display_get_error");
+  if (get_error != nullptr && get_error(glfwGetWaylandDisplay()) != 0) end_without_display();
+}
+
+BeforeDisplayLoss::BeforeDisplayLoss(std::function<void()> put_in_order) {
+  put_everything_in_order = std::move(put_in_order);
+}
+
+BeforeDisplayLoss::~BeforeDisplayLoss() {
+  put_everything_in_order = nullptr;
+}
+
+}  // namespace ghostforce

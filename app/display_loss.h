@@ -1,0 +1,25 @@
+// The display server goes away while the window is open: it has crashed, or the session has ended. The X library lets
+// nobody return from that, so the program ends from within, with words and ExitCode::no_display, once what must not be
+// lost has been put in order. UI thread.
+#pragma once
+
+#include <functional>
+
+namespace ghostforce {
+
+// From now on. Once GLFW has been initialised, with a display.
+void watch_display();
+
+// For displays whose loss only shows when they are asked (Wayland): ends the program if so.
+void end_if_display_is_lost();
+
+// What is to be done before the program ends, for as long as this lives. It may not touch the window. One at a time.
+class BeforeDisplayLoss {
+ public:
+  explicit BeforeDisplayLoss(std::function<void()> put_in_order);
+  ~BeforeDisplayLoss();
+  BeforeDisplayLoss(const BeforeDisplayLoss&) = delete;
+  BeforeDisplayLoss& operator=(const BeforeDisplayLoss&) = delete;
+};
+
+}  // namespace ghostforce

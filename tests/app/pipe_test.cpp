@@ -1,0 +1,63 @@
+// Pipes in place of files, with nobody at their other end: Ctrl+C is heard all the same.
+#include <sys/stat.h>
+
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/program.h"
+#include "tests/support/temporary_folder.h"
+
+namespace ghostforce {
+namespace {
+
+// It has got so far that Ctrl+C is something it handles itself.
+bool handles_interruption(pid_t process) {
+  std::ifstream status("/proc/" + std::to_string(process) + "/status");
+  for (std::string word; status >> word;) {
+    if (word != "SigCgt:") continue;
+    status >> word;
+    return (std::stoull(word, nullptr, 16) >> (SIGINT - 1) & 1) != 0;
+  }
+  return false;
+}
+
+class PipeTest : public testing::TestWithParam<std::vector<std::string>> {};
+
+TEST_P(PipeTest, InterruptedWhileItWaitsForSomebody) {
+  const TemporaryFolder folder;
+  for (const char* const name : {"pipe", "pipe.toml", "pipe.csv", "pipe.png"}) {
+    ASSERT_EQ(mkfifo((folder / name).c_str(), 0666), 0);
+  }
+  ProgramCall call;
+  call.words = GetParam();
+  call.folder = folder.path();
+  RunningProgram program(GHOSTFORCE_PROGRAM, call);
+  const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  while (!handles_interruption(program.pid()) && std::chrono::steady_clock::now() < until) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  // To where it opens the pipe. Should it not be there yet, it hears of it before.
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  program.send(SIGINT);
+  EXPECT_EQ(program.wait_for_end(), 130);
+}
+
+INSTANTIATE_TEST_SUITE_P(, PipeTest,
+                         testing::Values(std::vector<std::string>{"simulate", "wall45", "-o", "pipe"},
+                                         std::vector<std::string>{"simulate", "pipe.toml"},
+                                         std::vector<std::string>{"equilibrium", "pipe.toml"},
+                                         std::vector<std::string>{"render", "pipe.toml", "-o", "picture.png"},
+                                         std::vector<std::string>{"render", "wall45", "-o", "pipe.png"},
+                                         std::vector<std::string>{"replay", "pipe.csv"},
+                                         std::vector<std::string>{"figures", "--hand", "pipe.csv", "-o", "figures"},
+                                         std::vector<std::string>{"measure-user", "pipe.csv"},
+                                         std::vector<std::string>{"run", "--input", "replay:pipe.csv"}));
+
+}  // namespace
+}  // namespace ghostforce
