@@ -22,6 +22,7 @@
 #include "app/ladder.h"
 #include "app/panels/panel_catalog.h"
 #include "app/remembered.h"
+#include "app/run_hand.h"
 #include "app/run_reader.h"
 #include "app/scene_file.h"
 #include "device/realtime.h"
@@ -126,7 +127,9 @@ int run(const Options& options) {
   const std::optional<FirmwareImage> firmware = options.falcon.read_firmware_file();
   if (firmware) fmt::print(stderr, "{}\n", firmware_words(firmware));
   InputOptions input_options = options.falcon.input_options(firmware);
-  if (recording) input_options.recorded_hand = std::make_shared<const GoalPath>(goal_path_of(*recording));
+  if (recording) {
+    input_options.recorded_hand = std::make_shared<const GoalPath>(goal_path_of(*recording, scene.settings.rate));
+  }
   Remembered remembered = recall();
   Look look = remembered.preferences.look;
   options.picture.apply_look(look);
