@@ -243,13 +243,15 @@ std::function<int()> attach_replay(CommandOptions subcommand) {
   const auto options = std::make_shared<Options>();
   subcommand.add_option("RUN", options->run, "A CSV file that was recorded, simulated or replayed")
       .type_name("")
-      .required();
+      .required()
+      .reads();
   options->scene.scene.clear();
   options->scene.attach(subcommand, false);
   subcommand
       .add_option("-o,--output", options->output,
                   "The CSV file to write, all or nothing; default: -, the standard output")
-      .type_name("FILE");
+      .type_name("FILE")
+      .writes();
   subcommand.footer(
       "Drives all three strategies with the hand of the run, and with what was changed while it ran, and says whether\n"
       "every number repeats itself, bit for bit: exit code 0 if so, 1 if not. The same build of ghostforce promises "

@@ -215,12 +215,17 @@ std::function<int()> attach_run(CommandOptions subcommand) {
           "virtual-falcon, a rehearsal, or replay:FILE, a recording, which brings its scene unless one is named; "
           "default: mouse")
       .type_name("NAME")
-      .check(an_input());
+      .check(an_input())
+      .reads([](const std::string& word) {
+        return word.starts_with(replay_begins) ? std::vector{word.substr(replay_begins.size())}
+                                               : std::vector<std::string>{};
+      });
   subcommand
       .add_option("--record", options->record,
                   "Record every tick, from the first, to this CSV file, which must not exist yet")
       .type_name("FILE")
-      .check(a_file_of_its_own());
+      .check(a_file_of_its_own())
+      .writes();
   options->picture.attach(subcommand, false);
   options->falcon.attach(subcommand);
   subcommand.add_flag("--no-hints", options->no_hints, "No hints for newcomers in this run");

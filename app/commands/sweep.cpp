@@ -104,7 +104,8 @@ std::function<int()> attach_sweep(CommandOptions subcommand) {
       .add_option("-o,--output", options->output,
                   "The CSV file to write; default: -, the standard output. Ctrl+C leaves whole rows and a last line "
                   "'# interrupted'")
-      .type_name("FILE");
+      .type_name("FILE")
+      .writes();
   subcommand.footer(
       "One row per point and strategy, all three, at rest under the last waypoint of the scene's path; the second key\n"
       "runs fastest. The columns: each swept key by its name and in the file's unit, then\n"
