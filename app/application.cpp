@@ -15,6 +15,7 @@
 #include "app/plots/plot_export.h"
 #include "app/png_file.h"
 #include "app/printable.h"
+#include "app/run_hand.h"
 #include "app/run_reader.h"
 #include "app/saving.h"
 #include "app/scene_file.h"

@@ -18,6 +18,7 @@
 #include "app/failure.h"
 #include "app/nearest_name.h"
 #include "app/output_file.h"
+#include "app/own_inputs.h"
 #include "app/printable.h"
 #include "app/scene_file.h"
 #include "ghostforce_version.h"
@@ -157,10 +158,15 @@ std::function<int()> parse_command_line(std::vector<std::string> words) {
   app->set_version_flag("--version", fmt::format("{} {}", program, version), "Print the program's version and exit");
   app->require_subcommand(1);
   app->footer(fmt::format(more_help, listed(shipped_scene_names())));
-  std::map<const CLI::App*, std::function<int()>> actions;
+  struct Action {
+    CommandOptions options;
+    std::function<int()> act;
+  };
+  std::map<const CLI::App*, Action> actions;
   for (const Command& command : command_catalog()) {
     CLI::App* const subcommand = app->add_subcommand(std::string(command.name), std::string(command.sentence));
-    actions.emplace(subcommand, command.attach(CommandOptions(*subcommand)));
+    const CommandOptions options(*subcommand);
+    actions.emplace(subcommand, Action{options, command.attach(options)});
   }
 
   std::reverse(words.begin(), words.end());  // as CLI11 wants them
@@ -174,7 +180,10 @@ std::function<int()> parse_command_line(std::vector<std::string> words) {
   } catch (const CLI::ParseError& error) {
     refuse(*app, error);
   }
-  return [app, act = actions.at(named_command(*app))] { return act(); };
+  return [app, action = actions.at(named_command(*app))] {
+    refuse_own_inputs(action.options.files());
+    return action.act();
+  };
 }
 
 }  // namespace ghostforce

@@ -3,9 +3,12 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "app/own_inputs.h"
 
 namespace CLI {
 class App;
@@ -17,10 +20,13 @@ namespace ghostforce {
 // What is wrong with a word that a person typed, as a sentence; empty: nothing.
 using WordCheck = std::function<std::string(const std::string& word)>;
 
+// The files that a word means.
+using FilesOf = std::function<std::vector<std::string>(const std::string& word)>;
+
 // One option or argument, to be described further. A handle: copies are the same option.
 class CommandOption {
  public:
-  explicit CommandOption(CLI::Option& option) : option_(&option) {}
+  CommandOption(CLI::Option& option, std::vector<FileOption>& files) : option_(&option), files_(&files) {}
 
   // What --help calls its value.
   CommandOption type_name(std::string name) const;
@@ -34,12 +40,18 @@ class CommandOption {
   CommandOption excludes(CommandOption other) const;
   // Not in --help.
   CommandOption hidden() const;
+  // Its value is the path of a file, or means files, that the command reads, or writes: what it reads it never writes.
+  CommandOption reads(FilesOf files = nullptr) const;
+  CommandOption writes(FilesOf files = nullptr) const;
 
   // Once the command line was parsed.
   bool is_given() const;
 
  private:
+  CommandOption names(FileOption::Use use, FilesOf files) const;
+
   CLI::Option* option_;
+  std::vector<FileOption>* files_;  // of the command
 };
 
 // A command's options and arguments, in the order in which --help lists them. What they are parsed into must outlive
@@ -57,8 +69,12 @@ class CommandOptions {
   // Below the options in --help.
   void footer(std::string text) const;
 
+  // The options that name files.
+  const std::vector<FileOption>& files() const { return *files_; }
+
  private:
   CLI::App* command_;
+  std::shared_ptr<std::vector<FileOption>> files_ = std::make_shared<std::vector<FileOption>>();
 };
 
 }  // namespace ghostforce

@@ -49,7 +49,8 @@ void FalconSetUp::attach(CommandOptions subcommand) {
   subcommand
       .add_option("--firmware", firmware,
                   "The Falcon's firmware; default: $GHOSTFORCE_FIRMWARE, else falcon/firmware.bin among the settings")
-      .type_name("FILE");
+      .type_name("FILE")
+      .reads();
   subcommand
       .add_option("--falcon-serial", serial, "Which Falcon, of several: its serial number; default: the first of them")
       .type_name("NUMBER");

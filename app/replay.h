@@ -6,9 +6,11 @@
 #include <functional>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "app/run_reader.h"
 #include "core/snapshot.h"
+#include "core/tick.h"
 
 namespace ghostforce {
 
@@ -40,7 +42,34 @@ struct ReplayedTick {
   PerStrategy<bool> is_known;  // whose numbers follow from the run; others mean nothing
 };
 
-// Goes on through divergences, on its own numbers. Throws Failure(wrong_call) where there is no scene or no tick.
+// Takes a run tick by tick, so that its length does not matter. Goes on through divergences, on its own numbers.
+class Replay {
+ public:
+  explicit Replay(std::function<void(const ReplayedTick&)> on_tick) : on_tick_(std::move(on_tick)) {}
+
+  // In the file's order. The run must tell its scene.
+  void take(const RunFacts& run, const RunTick& tick);
+
+  const ReplayReport& report() const noexcept { return report_; }
+
+ private:
+  bool go_to(const RunTick& tick, const Settings& settings, const RunState* state);
+  void use(const Settings& settings);
+  void resume(const RunTick& tick, const RunState& recorded);
+  void follow(const RunTick& now);
+  bool is_any_known() const noexcept;
+  bool compare_row(const RunTick& tick, const Snapshot& snapshot, StrategyId id);
+
+  std::function<void(const ReplayedTick&)> on_tick_;
+  ReplayReport report_;
+  std::optional<Settings> settings_;  // of the plan
+  TickPlan<2> plan_{};
+  TickState<2> state_;
+  PerStrategy<bool> is_known_{};
+  bool is_first_ = true;
+};
+
+// A whole run. Throws Failure(wrong_call) where there is no scene or no tick.
 ReplayReport replay(const Run& run, const std::function<void(const ReplayedTick&)>& on_tick);
 
 }  // namespace ghostforce

@@ -2,9 +2,49 @@
 
 #include <algorithm>
 
+#include "app/failure.h"
+#include "app/run_length.h"
 #include "core/play.h"
 
 namespace ghostforce {
+
+void HandPath::reserve(std::size_t ticks) {
+  path_.points.reserve(ticks);
+  path_.times.reserve(ticks);
+}
+
+void HandPath::take(const RunFacts& run, const RunTick& tick) {
+  if (is_over_) return;
+  const double time_s = time_of_tick(run, tick);
+  is_over_ = !path_.times.empty() && !(time_s > path_.times.back());
+  if (is_over_) return;
+  if (time_s * rate_ > most_ticks) throw too_long(run, tick);
+  path_.points.push_back(tick.goal);
+  path_.times.push_back(time_s);
+}
+
+// From whole ticks, as the servo reckons them: the goal of a tick is then that of its row, bit for bit.
+double HandPath::time_of_tick(const RunFacts& run, const RunTick& tick) {
+  if (!run.scene) {  // and so no rate
+    if (path_.times.empty()) first_s_ = tick.time_s;
+    return tick.time_s - first_s_;
+  }
+  const double rate = run.settings[tick.settings].rate;
+  if (rate != stretch_rate_) {
+    begin_ = tick.tick;
+    begin_s_ = path_.times.empty() ? 0.0 : path_.times.back() + 1.0 / rate;
+    stretch_rate_ = rate;
+  }
+  return begin_s_ + time_of(tick.tick - begin_, rate);
+}
+
+GoalPath goal_path_of(const Run& run, double rate) {
+  if (run.ticks.empty()) throw Failure(ExitCode::wrong_call, "the run holds no row: there is no hand to replay");
+  HandPath path(rate);
+  path.reserve(run.ticks.size());
+  for (const RunTick& tick : run.ticks) path.take(run, tick);
+  return path.take_path();
+}
 
 TickState<2> recorded_state(const RunTick& tick, const RunState& state) {
   TickState<2> whole;
@@ -19,8 +59,7 @@ TickState<2> recorded_state(const RunTick& tick, const RunState& state) {
   return whole;
 }
 
-HandStart start_of_hand(const Run& run, const Settings& settings) {
-  const RunTick& first = run.ticks.front();
+HandStart start_of_hand(const RunFacts& run, const RunTick& first, const Settings& settings) {
   const bool has_same_settings = run.scene && first.is_sure && run.settings[first.settings] == settings;
   if (has_same_settings && !first.measured) {
     const bool is_whole = std::ranges::all_of(first.rows, [](const auto& row) { return row.has_value(); });

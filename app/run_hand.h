@@ -1,21 +1,56 @@
-// Where a run's hand begins when it is played once more: from the state that was recorded, where that holds, else at
-// rest. Pure, any thread.
+// The hand of a run, played once more: the way that it went, and where it begins, from the state that was recorded,
+// where that holds, else at rest. Pure, any thread.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
 #include "app/run_reader.h"
+#include "core/goal_path.h"
 #include "core/tick.h"
 
 namespace ghostforce {
+
+// The hand as a path that starts at 0 s, made while the run is read: one waypoint per tick, up to where the run was
+// reset if it was.
+class HandPath {
+ public:
+  // `rate`: that of the loop that shall play it [Hz]; 0: the run's own, with which its length was looked at already.
+  explicit HandPath(double rate) : rate_(rate) {}
+
+  void reserve(std::size_t ticks);
+  // In the file's order. Throws Failure(wrong_call) where the path gets longer than a scene may be (most_ticks).
+  void take(const RunFacts& run, const RunTick& tick);
+
+  // What it is so far; gives it away.
+  GoalPath take_path() { return std::move(path_); }
+
+ private:
+  double time_of_tick(const RunFacts& run, const RunTick& tick);
+
+  double rate_;
+  GoalPath path_;
+  bool is_over_ = false;
+  // Where the stretch with the same rate begins.
+  double stretch_rate_ = 0.0;  // 0: no tick yet
+  std::int64_t begin_ = 0;     // k
+  double begin_s_ = 0.0;       // on the path
+  double first_s_ = 0.0;       // of the run, where there is no rate
+};
+
+// The path of a whole run. Throws Failure(wrong_call) as HandPath does, and where there is no tick.
+GoalPath goal_path_of(const Run& run, double rate = 0.0);
 
 // The state of a tick that has one. Strategies without a row stay at 0.
 TickState<2> recorded_state(const RunTick& tick, const RunState& state);
 
 // k = 0. `settings`: those that it will be played with; a state that was recorded under others is of no use to them,
-// nor is a real device's to a simulated one. The run must have a tick.
+// nor is a real device's to a simulated one. `first`: the run's first tick.
 struct HandStart {
   TickState<2> state;
   bool is_recorded;  // else at rest
 };
-HandStart start_of_hand(const Run& run, const Settings& settings);
+HandStart start_of_hand(const RunFacts& run, const RunTick& first, const Settings& settings);
 
 }  // namespace ghostforce

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <new>
 #include <utility>
@@ -20,10 +21,12 @@
 #include "app/output_file.h"
 #include "app/printable.h"
 #include "app/progress.h"
+#include "app/run_length.h"
 #include "app/run_line.h"
 #include "app/run_remarks.h"
 #include "app/scene_file.h"
 #include "app/scene_key_name.h"
+#include "app/tick_order.h"
 #include "ghostforce_version.h"
 
 namespace ghostforce {
@@ -41,8 +44,10 @@ constexpr double last_tick_ever = 1e12;
 
 class RunReader {
  public:
-  explicit RunReader(std::string_view shown_path)
-      : shown_path_(printable(shown_path, longest_path)), remarks_(shown_path_) {}
+  RunReader(std::string_view shown_path, const TakeTick& take)
+      : take_(take), shown_path_(printable(shown_path, longest_path)), remarks_(shown_path_) {
+    run_.name = shown_path_;
+  }
 
   // A line without its line feed.
   void take_line(std::string_view line) {
@@ -55,29 +60,21 @@ class RunReader {
     }
   }
 
-  // The whole is about so many times as long as what was taken so far: room for its ticks at once, since a vector that
-  // grows needs up to three times as much.
-  void expect(double times_as_long) {
-    constexpr double spare = 1.02;
-    const double ticks = spare * times_as_long * static_cast<double>(run_.ticks.size());
-    if (ticks < static_cast<double>(run_.ticks.max_size())) run_.ticks.reserve(static_cast<std::size_t>(ticks));
-  }
-
   // What comes after the last line feed. Nobody can tell whether its last number is whole.
   void take_end(std::string_view rest) {
     is_empty_ = line_number_ == 0 && rest.empty();
     is_cut_ = !rest.empty();
   }
 
-  Run finish() {
+  RunFacts finish() {
     close_tick();
+    order_.end();
     if (is_empty_) throw Failure(ExitCode::wrong_call, fmt::format("{}: the file is empty", shown_path_));
     if (run_.version.empty() && !columns_.are_known()) {
       throw Failure(
           ExitCode::wrong_call,
           fmt::format("{}: this is no run; give a CSV file that ghostforce has recorded or simulated", shown_path_));
     }
-    leave_out_ticks_out_of_order();
     write_remarks();
     run_.remarks = remarks_.take();
     return std::move(run_);
@@ -97,7 +94,7 @@ class RunReader {
       }
     } else if (line.starts_with(version_begins) && run_.version.empty()) {
       run_.version = line.substr(version_begins.size());
-    } else if (line == scene_begins && !run_.scene) {
+    } else if (line == scene_begins && !run_.scene && tick_count_ == 0) {
       is_within_scene_ = true;
       scene_text_.clear();
     } else if (line.starts_with(set_begins)) {
@@ -202,7 +199,7 @@ class RunReader {
   void take_row() {
     RunLine line;
     if (const std::optional<RunFault> fault = columns_.read(values_, line)) return complain(*fault);
-    auto k = static_cast<std::int64_t>(run_.ticks.size() + (is_open_ ? 1 : 0));
+    std::int64_t k = tick_count_;
     if (run_.scene) {
       const double tick = line.time_s * settings_.rate;
       // Written so that what is no tick's time is damaged, however far off.
@@ -223,7 +220,9 @@ class RunReader {
   void open_tick(std::int64_t k, double time_s, const Vector<2>& goal) {
     close_tick();
     is_open_ = true;
+    ++tick_count_;
     open_ = {};
+    open_.line = line_number_;
     open_.tick = k;
     open_.time_s = time_s;
     open_.goal = goal;
@@ -237,44 +236,18 @@ class RunReader {
   }
 
   void close_tick() {
-    if (std::exchange(is_open_, false)) run_.ticks.push_back(open_);
+    if (!std::exchange(is_open_, false)) return;
+    // Without a scene nobody knows what order is.
+    if (run_.scene) {
+      order_.take(open_);
+    } else {
+      take_(run_, open_);
+    }
   }
 
-  // A damaged time makes a tick of its own, in the midst of others that go on without it.
-  void leave_out_ticks_out_of_order() {
-    std::vector<RunTick>& ticks = run_.ticks;
-    if (!run_.scene) return;
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < ticks.size(); ++i) {
-      if (kept > 0 && ticks[i].state == RunTick::none) {
-        RunTick& last = ticks[kept - 1];
-        const RunTick* const next =
-            i + 1 < ticks.size() && ticks[i + 1].state == RunTick::none ? &ticks[i + 1] : nullptr;
-        if (next != nullptr && last.time_s <= next->time_s &&
-            (ticks[i].time_s < last.time_s || ticks[i].time_s > next->time_s)) {
-          ++out_of_order_;
-          continue;
-        }
-        if (can_join(last, ticks[i])) {
-          for (std::size_t s = 0; s < strategy_count; ++s) {
-            if (ticks[i].rows[s]) last.rows[s] = ticks[i].rows[s];
-          }
-          if (ticks[i].measured) last.measured = ticks[i].measured;
-          continue;
-        }
-      }
-      if (kept != i) ticks[kept] = ticks[i];
-      ++kept;
-    }
-    ticks.resize(kept);
-  }
-
-  static bool can_join(const RunTick& a, const RunTick& b) noexcept {
-    if (a.time_s != b.time_s || a.goal != b.goal || a.settings != b.settings) return false;
-    for (std::size_t s = 0; s < strategy_count; ++s) {
-      if (a.rows[s] && b.rows[s]) return false;
-    }
-    return true;
+  void hand_on(const RunTick& tick) {
+    if (!length_.takes(tick.tick, run_.settings[tick.settings].rate)) throw too_long(run_, tick);
+    take_(run_, tick);
   }
 
   // --- Telling what was left out ---
@@ -294,18 +267,19 @@ class RunReader {
     }
     if (assumes_columns_) remarks_.add("the line of column names is damaged; the usual ones are assumed");
     remarks_.add_faults();
-    if (out_of_order_ > 0) {
-      remarks_.add(fmt::format("{} out of order and left out",
-                               out_of_order_ == 1 ? "1 tick is" : fmt::format("{} ticks are", out_of_order_)));
+    if (const std::size_t count = order_.left_out(); count > 0) {
+      remarks_.add(
+          fmt::format("{} out of order and left out", count == 1 ? "1 tick is" : fmt::format("{} ticks are", count)));
     }
     if (run_.dropped > 0) remarks_.add(fmt::format("{} samples were lost while it was recorded", run_.dropped));
     if (is_cut_) remarks_.add("its last line is cut and left out");
-    if (run_.ticks.empty()) remarks_.add("it holds no row");
+    if (tick_count_ == 0) remarks_.add("it holds no row");
   }
 
+  const TakeTick& take_;
   std::string shown_path_;
   RunRemarks remarks_;
-  Run run_;
+  RunFacts run_;
   std::size_t line_number_ = 0;
   bool is_empty_ = false;
   bool is_cut_ = false;
@@ -327,8 +301,9 @@ class RunReader {
 
   RunTick open_;
   bool is_open_ = false;
-
-  std::size_t out_of_order_ = 0;
+  std::int64_t tick_count_ = 0;  // the open one included
+  TickOrder order_{[this](const RunTick& tick) { hand_on(tick); }};
+  RunLength length_;
 };
 
 // Takes the whole lines; what is left has no line feed.
@@ -341,12 +316,16 @@ std::string_view take_lines(RunReader& reader, std::string_view text) {
   }
 }
 
-// The text comes in pieces, so that it never stands in the memory beside its ticks.
-Run read_pieces(int descriptor, const std::string& path, const std::string& shown) {
-  struct stat status {};
-  const std::int64_t size = fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) ? status.st_size : 0;
-  Progress progress("reading", size, true);
-  RunReader reader(path);
+struct Closer {
+  int descriptor;
+  ~Closer() { close(descriptor); }
+};
+
+// `expect` is told once about how many times as many ticks there are as were taken so far.
+RunFacts read_pieces(const std::string& path, Progress& progress, std::int64_t size, int descriptor,
+                     const TakeTick& take, const std::function<void(double times_as_many)>& expect) {
+  const std::string shown = printable(path, longest_path);
+  RunReader reader(path, take);
   std::string text;
   constexpr std::size_t piece = std::size_t{1} << 20;
   std::size_t kept = 0;  // of a line that is not complete yet
@@ -371,7 +350,7 @@ Run read_pieces(int descriptor, const std::string& path, const std::string& show
           fmt::format("{}: this is no run; give a CSV file that ghostforce has recorded or simulated", shown));
     }
     text.erase(0, text.size() - kept);
-    if (done == 0) reader.expect(static_cast<double>(size) / static_cast<double>(count));
+    if (done == 0) expect(static_cast<double>(size) / static_cast<double>(count));
     done += count;
     progress.at(std::min(done, size));  // it may grow while it is read
   }
@@ -379,19 +358,8 @@ Run read_pieces(int descriptor, const std::string& path, const std::string& show
   return reader.finish();
 }
 
-}  // namespace
-
-bool may_be_run(std::string_view path) noexcept {
-  return path.ends_with(".csv") || path.ends_with(".CSV");
-}
-
-Run read_run(std::string_view text, std::string_view shown_path) {
-  RunReader reader(shown_path);
-  reader.take_end(take_lines(reader, text));
-  return reader.finish();
-}
-
-Run load_run(const std::string& path) {
+RunFacts read_file(const std::string& path, std::string_view doing, bool shows_progress, const TakeTick& take,
+                   const std::function<void(double times_as_many)>& expect) {
   const std::string shown = printable(path, longest_path);
   if (const std::string_view kind = kind_instead_of_file(path); kind == "a folder") {
     throw Failure(ExitCode::wrong_call, fmt::format("{}: is a folder; name a recording in it", shown));
@@ -404,13 +372,12 @@ Run load_run(const std::string& path) {
     }
     throw Failure(ExitCode::file_trouble, fmt::format("{} cannot be read: {}", shown, reason_of(error)));
   }
-  struct Closer {
-    int descriptor;
-    ~Closer() { close(descriptor); }
-  } const closer{descriptor};
-
+  const Closer closer{descriptor};
+  struct stat status {};
+  const std::int64_t size = fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) ? status.st_size : 0;
+  Progress progress(std::string(doing), size, shows_progress);
   try {
-    return read_pieces(descriptor, path, shown);
+    return read_pieces(path, progress, size, descriptor, take, expect);
   } catch (const std::bad_alloc&) {
     throw Failure(ExitCode::file_trouble,
                   fmt::format("{}: the run is too long for this machine's memory; cut it, as in\n"
@@ -419,36 +386,35 @@ Run load_run(const std::string& path) {
   }
 }
 
-GoalPath goal_path_of(const Run& run) {
-  if (run.ticks.empty()) throw Failure(ExitCode::wrong_call, "the run holds no row: there is no hand to replay");
-  GoalPath path;
-  path.points.reserve(run.ticks.size());
-  path.times.reserve(run.ticks.size());
-  if (!run.scene) {  // and so no rate
-    for (const RunTick& tick : run.ticks) {
-      const double time_s = tick.time_s - run.ticks.front().time_s;
-      if (!path.times.empty() && !(time_s > path.times.back())) break;
-      path.points.push_back(tick.goal);
-      path.times.push_back(time_s);
-    }
-    return path;
-  }
-  // Times from whole ticks, as the servo reckons them: the goal of a tick is then that of its row, bit for bit.
-  const RunTick* begin = &run.ticks.front();  // of the stretch with the same rate
-  double begin_s = 0.0;
-  for (const RunTick& tick : run.ticks) {
-    const double rate = run.settings[tick.settings].rate;
-    double time_s = begin_s + time_of(tick.tick - begin->tick, rate);
-    if (rate != run.settings[begin->settings].rate) {
-      const double before_s = path.times.back();
-      begin = &tick;
-      begin_s = time_s = before_s + 1.0 / rate;
-    }
-    if (!path.times.empty() && !(time_s > path.times.back())) break;
-    path.points.push_back(tick.goal);
-    path.times.push_back(time_s);
-  }
-  return path;
+}  // namespace
+
+bool may_be_run(std::string_view path) noexcept {
+  return path.ends_with(".csv") || path.ends_with(".CSV");
+}
+
+Run read_run(std::string_view text, std::string_view shown_path) {
+  std::vector<RunTick> ticks;
+  const TakeTick take = [&](const RunFacts&, const RunTick& tick) { ticks.push_back(tick); };
+  RunReader reader(shown_path, take);
+  reader.take_end(take_lines(reader, text));
+  return {reader.finish(), std::move(ticks)};
+}
+
+Run load_run(const std::string& path) {
+  std::vector<RunTick> ticks;
+  RunFacts facts = read_file(
+      path, "reading", true, [&](const RunFacts&, const RunTick& tick) { ticks.push_back(tick); },
+      [&](double times_as_many) {
+        // At once: a vector that grows needs up to three times as much.
+        constexpr double spare = 1.02;
+        const double count = spare * times_as_many * static_cast<double>(ticks.size());
+        if (count < static_cast<double>(ticks.max_size())) ticks.reserve(static_cast<std::size_t>(count));
+      });
+  return {std::move(facts), std::move(ticks)};
+}
+
+RunFacts stream_run(const std::string& path, std::string_view doing, bool shows_progress, const TakeTick& take) {
+  return read_file(path, doing, shows_progress, take, [](double) {});
 }
 
 }  // namespace ghostforce

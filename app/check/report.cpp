@@ -34,6 +34,9 @@ img { width: 100%; border: 1px solid var(--line); box-sizing: border-box; }
 @media (max-width: 60rem) { .pictures { grid-template-columns: 1fr; } }
 )";
 
+constexpr std::string_view page_name = "report.html";
+constexpr std::string_view junit_name = "junit.xml";
+
 struct PictureKind {
   std::string_view ending;
   std::string_view caption;
@@ -144,7 +147,13 @@ std::string report_as_junit(const std::vector<Verdict>& verdicts, std::string_vi
 }
 
 Report::Report(const std::string& to_folder)
-    : to_folder_(made(to_folder)), html_(path_of("report.html")), junit_(path_of("junit.xml")) {}
+    : to_folder_(made(to_folder)), html_(path_of(page_name)), junit_(path_of(junit_name)) {}
+
+bool Report::may_write(std::string_view path) {
+  const std::string_view name = path.substr(path.rfind('/') + 1);
+  return name == page_name || name == junit_name ||
+         std::ranges::any_of(picture_kinds, [&](const PictureKind& kind) { return name.ends_with(kind.ending); });
+}
 
 std::string Report::path_of(std::string_view name) const {
   return (std::filesystem::path(to_folder_) / name).string();

@@ -26,6 +26,9 @@ class Report {
   // that passes, these three are removed. Nothing else in the folder is touched. `folder` is that of the cases.
   void write(const std::vector<Verdict>& verdicts, std::string_view folder);
 
+  // Whether a file in the folder is called as if it were one of these.
+  static bool may_write(std::string_view path);
+
  private:
   std::string path_of(std::string_view name) const;
   void remove_picture(const std::string& path) const;

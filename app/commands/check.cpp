@@ -54,6 +54,13 @@ class Lines {
   bool is_read_ = true;
 };
 
+std::vector<std::string> files_in(const std::string& folder) {
+  std::vector<std::string> files;
+  std::error_code error;  // where it cannot be read, that is said later
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) files.push_back(entry.path().string());
+  return files;
+}
+
 // The report's pictures would lie among the goldens.
 void refuse_report_among_cases(const Options& options) {
   std::error_code error;
@@ -118,7 +125,8 @@ std::function<int()> attach_check(CommandOptions subcommand) {
   const auto options = std::make_shared<Options>();
   subcommand.add_option("DIR", options->folder, "The folder with the cases, NAME.toml each and its golden NAME.png")
       .type_name("")
-      .required();
+      .required()
+      .reads(files_in);
   const CommandOption only =
       subcommand.add_option("--only", options->only, "Check these cases, not all").type_name("NAME...");
   const CommandOption update_option =
@@ -132,6 +140,11 @@ std::function<int()> attach_check(CommandOptions subcommand) {
                   "Write report.html, junit.xml and the pictures of cases that fail into this folder")
       .type_name("DIR")
       .check([](const std::string& folder) { return std::string(folder.empty() ? "name a folder" : ""); })
+      .writes([](const std::string& folder) {
+        std::vector<std::string> files = files_in(folder);
+        std::erase_if(files, [](const std::string& file) { return !Report::may_write(file); });
+        return files;
+      })
       .excludes(update_option);
   subcommand.footer(
       "A case, NAME.toml (only scene is required):\n"

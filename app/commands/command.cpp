@@ -18,7 +18,11 @@ namespace ghostforce {
 void SceneOptions::attach(CommandOptions subcommand, bool scene_required) {
   const CommandOption name = subcommand.add_option(
       "SCENE", scene, "Path of a scene file, or name of a shipped scene; 'ghostforce --help' lists those");
-  name.type_name("");
+  name.type_name("").reads([](const std::string& word) {
+    const std::vector<std::string_view> shipped = shipped_scene_names();
+    const bool is_shipped = std::ranges::find(shipped, word) != shipped.end();
+    return is_shipped ? std::vector<std::string>{} : std::vector{word};
+  });
   if (scene_required) {
     name.required();
   } else {

@@ -90,7 +90,16 @@ std::function<int()> attach_figures(CommandOptions subcommand) {
   const auto options = std::make_shared<Options>();
   subcommand.add_option("-o,--output", options->folder, "The folder for the files; made if it is not there")
       .type_name("DIR")
-      .required();
+      .required()
+      .writes([](const std::string& folder) {
+        std::vector<std::string> files;
+        for (const FigureEntry& entry : figure_catalog()) {
+          for (const std::string_view ending : figure_file_endings) {
+            files.push_back(fmt::format("{}/{}{}", folder, entry.name, ending));
+          }
+        }
+        return files;
+      });
   std::vector<std::string_view> names;
   std::string list;
   for (const FigureEntry& entry : figure_catalog()) {
@@ -103,7 +112,8 @@ std::function<int()> attach_figures(CommandOptions subcommand) {
   subcommand
       .add_option("--hand", options->hand,
                   "A recording, or a CSV of simulate: figure-6 shows its hand in place of a simulated one")
-      .type_name("RUN.csv");
+      .type_name("RUN.csv")
+      .reads();
   subcommand.footer("Figures:\n" + list +
                     "\n"
                     "Each comes as NAME.png, NAME@2x.png, NAME.svg and NAME.pdf, and the numbers that it was drawn "

@@ -306,7 +306,8 @@ std::function<int()> attach_measure_user(CommandOptions subcommand) {
   const auto options = std::make_shared<Options>();
   subcommand.add_option("RUN.csv", options->run, "What 'simulate', 'replay' or a recording has written")
       .type_name("")
-      .required();
+      .required()
+      .reads();
   subcommand
       .add_option("--target-mm", options->target_mm,
                   "Where the hand aimed, in mm; its foot on the wall counts. Needed, and used, where the device "

@@ -126,7 +126,8 @@ std::function<int()> attach_render(CommandOptions subcommand) {
                   "The file to write, all or nothing: .svg and .pdf hold vectors, any other name a PNG; - is the "
                   "standard output")
       .type_name("FILE")
-      .required();
+      .required()
+      .writes();
   subcommand.add_option("--at", options->at_s, "The moment to show [s]; default: the scene's duration")
       .type_name("T")
       .check(number_between(0.0, 1e6, "s"));
@@ -146,7 +147,7 @@ std::function<int()> attach_render(CommandOptions subcommand) {
                   "overlay, side-by-side or active-only; default: overlay with --strategy all, else active-only")
       .type_name("MODE")
       .check(one_of(modes));
-  subcommand.add_option("--json", options->json, "Also write what was drawn, as JSON").type_name("FILE");
+  subcommand.add_option("--json", options->json, "Also write what was drawn, as JSON").type_name("FILE").writes();
   subcommand.footer(
       "Drawn offscreen: no display is needed, and the same call gives the same bytes.\n"
       "\n"

@@ -42,7 +42,7 @@ std::string ticks(std::int64_t count) {
 
 // --- The run as it was ---
 
-std::string verdict(const Run& run, const ReplayReport& report) {
+std::string verdict(const RunFacts& run, const ReplayReport& report) {
   std::string words;
   if (report.compared == 0) {
     words = "nothing can be compared: the state that the run goes on from is not known";
@@ -76,52 +76,110 @@ std::string verdict(const Run& run, const ReplayReport& report) {
   return words;
 }
 
-int replay_exactly(const Run& run, const Options& options) {
-  if (!run.scene) {
-    throw Failure(ExitCode::wrong_call,
-                  fmt::format("{}: the run does not tell its scene; name one to replay its hand in",
-                              printable(options.run, longest_path)));
+// Rows on their way to a file, and how far it is.
+class Rows {
+ public:
+  explicit Rows(const std::string& path) : file_(path) {}
+
+  OutputFile& file() { return file_; }
+  fmt::memory_buffer& buffer() { return buffer_; }
+  void add(const Snapshot& snapshot, StrategyId id) {
+    append_run_row(buffer_, snapshot, id);
+    buffer_.push_back('\n');
   }
-  OutputFile file(options.output);
-  file.write(run_header(*run.scene));
-  std::optional<Progress> progress(std::in_place, "replaying", static_cast<std::int64_t>(run.ticks.size()),
-                                   !file.is_terminal());
-  fmt::memory_buffer rows;
-  Settings known = run.scene->settings;
-  const Settings* newest = nullptr;
-  std::int64_t done = 0;
-  const ReplayReport report = replay(run, [&](const ReplayedTick& tick) {
-    if (std::exchange(newest, &tick.settings) != &tick.settings) {
-      append_set_lines(rows, tick.snapshot.time_s, known, tick.settings);
+  void write() {
+    file_.write({buffer_.data(), buffer_.size()});
+    buffer_.clear();
+  }
+
+ private:
+  OutputFile file_;
+  fmt::memory_buffer buffer_;
+};
+
+// What was left out comes before any verdict.
+void tell_remarks(const RunFacts& run) {
+  for (const std::string& remark : run.remarks) fmt::print(stderr, "{}\n", remark);
+}
+
+[[noreturn]] void refuse_without_scene(const Options& options) {
+  throw Failure(ExitCode::wrong_call, fmt::format("{}: the run does not tell its scene; name one to replay its hand in",
+                                                  printable(options.run, longest_path)));
+}
+
+[[noreturn]] void refuse_without_tick(const Options& options) {
+  throw Failure(ExitCode::wrong_call,
+                fmt::format("{}: there is nothing to replay", printable(options.run, longest_path)));
+}
+
+int replay_exactly(const Options& options) {
+  Rows rows(options.output);
+  Settings known;
+  std::optional<Settings> newest;
+  Replay replay([&](const ReplayedTick& tick) {
+    if (newest != tick.settings) {
+      append_set_lines(rows.buffer(), tick.snapshot.time_s, known, tick.settings);
+      newest = tick.settings;
     }
-    if (tick.state != nullptr) append_state_line(rows, tick.snapshot.time_s, *tick.state);
+    if (tick.state != nullptr) append_state_line(rows.buffer(), tick.snapshot.time_s, *tick.state);
     for (const Strategy& each : strategy_catalog()) {
-      if (!tick.is_known[index_of(each.id)]) continue;
-      append_run_row(rows, tick.snapshot, each.id);
-      rows.push_back('\n');
+      if (tick.is_known[index_of(each.id)]) rows.add(tick.snapshot, each.id);
     }
-    file.write({rows.data(), rows.size()});
-    rows.clear();
-    if (++done % ticks_between_looks == 0) {
-      stop_if_interrupted();
-      progress->at(done);
-    }
+    rows.write();
   });
-  file.commit();
-  progress.reset();  // the line is free for words
+  bool is_begun = false;
+  const RunFacts run = stream_run(options.run, "replaying", !rows.file().is_terminal(),
+                                  [&](const RunFacts& so_far, const RunTick& tick) {
+                                    if (!so_far.scene) return;  // said below, after why
+                                    if (!std::exchange(is_begun, true)) {
+                                      rows.file().write(run_header(*so_far.scene));
+                                      known = so_far.scene->settings;
+                                    }
+                                    replay.take(so_far, tick);
+                                  });
+  tell_remarks(run);
+  if (!run.scene) refuse_without_scene(options);
+  if (!is_begun) refuse_without_tick(options);
+  rows.file().commit();
+  const ReplayReport& report = replay.report();
   fmt::print(stderr, "{}: {}\n", printable(options.run, longest_path), verdict(run, report));
   return static_cast<int>(report.first || report.compared == 0 ? ExitCode::answer_is_no : ExitCode::done);
 }
 
 // --- Its hand in another scene ---
 
-Scene other_scene(const Run& run, const Options& options) {
+// The run's own is known once its first tick comes. None: it tells none.
+std::optional<Scene> other_scene(const RunFacts& run, const Options& options) {
   if (options.scene.is_named()) return options.scene.load();
-  if (!run.scene) {
-    throw Failure(ExitCode::wrong_call, fmt::format("{}: the run does not tell its scene; name one after it",
-                                                    printable(options.run, longest_path)));
-  }
+  if (!run.scene) return std::nullopt;
   return read_scene(scene_text(*run.scene), options.run, options.scene.overrides);
+}
+
+// All that is needed of a run to play its hand: of its ticks the goals alone.
+struct Hand {
+  Scene scene;  // that it is played in
+  HandStart start;
+  GoalPath path;
+};
+
+Hand load_hand(const Options& options) {
+  std::optional<Hand> hand;
+  std::optional<HandPath> path;
+  bool is_empty = true;
+  const RunFacts run = stream_run(options.run, "reading", true, [&](const RunFacts& so_far, const RunTick& tick) {
+    if (std::exchange(is_empty, false)) {
+      if (const std::optional<Scene> scene = other_scene(so_far, options)) {
+        hand = Hand{*scene, start_of_hand(so_far, tick, scene->settings), {}};
+        path.emplace(scene->settings.rate);
+      }
+    }
+    if (path) path->take(so_far, tick);
+  });
+  tell_remarks(run);
+  if (is_empty) refuse_without_tick(options);
+  if (!hand) refuse_without_scene(options);
+  hand->path = path->take_path();
+  return *std::move(hand);
 }
 
 bool starts_where_hand_is(const TickState<2>& state) {
@@ -140,53 +198,43 @@ RunState run_state_of(const TickState<2>& state) {
   return told;
 }
 
-int replay_hand(const Run& run, const Options& options) {
-  const Scene scene = other_scene(run, options);
-  OutputFile file(options.output);
-  file.write(run_header(scene));
-  file.write(fmt::format("{}{}\n", hand_begins, printable(options.run, longest_path)));
-  Scene played = scene;
-  played.goal = goal_path_of(run);
+int replay_hand(const Options& options) {
+  Rows rows(options.output);
+  Hand hand = load_hand(options);
+  rows.file().write(run_header(hand.scene));
+  rows.file().write(fmt::format("{}{}\n", hand_begins, printable(options.run, longest_path)));
+  Scene played = std::move(hand.scene);
+  played.goal = std::move(hand.path);
+  const double end_s = played.goal.times.back();
   constexpr double rounding = 1e-6;  // of the last tick's time, in ticks
-  const auto last = static_cast<std::int64_t>(std::floor(played.goal.times.back() * scene.settings.rate + rounding));
-  const HandStart start = start_of_hand(run, scene.settings);
-  std::optional<Progress> progress(std::in_place, "replaying", last, !file.is_terminal());
-  fmt::memory_buffer rows;
+  const auto last = static_cast<std::int64_t>(std::floor(end_s * played.settings.rate + rounding));
+  std::optional<Progress> progress(std::in_place, "replaying", last, !rows.file().is_terminal());
   // A file without this line begins with every device where the hand is.
-  if (!starts_where_hand_is(start.state)) append_state_line(rows, 0.0, run_state_of(start.state));
-  play_from(start.state, played, last, [&](const Snapshot& snapshot) {
+  if (!starts_where_hand_is(hand.start.state)) append_state_line(rows.buffer(), 0.0, run_state_of(hand.start.state));
+  play_from(hand.start.state, played, last, [&](const Snapshot& snapshot) {
     for (const Strategy& each : strategy_catalog()) {
       stop_if_run_away(snapshot, each.id);
-      append_run_row(rows, snapshot, each.id);
-      rows.push_back('\n');
+      rows.add(snapshot, each.id);
     }
-    file.write({rows.data(), rows.size()});
-    rows.clear();
+    rows.write();
     if (snapshot.tick % ticks_between_looks == 0) {
       stop_if_interrupted();
       progress->at(snapshot.tick);
     }
   });
-  file.commit();
+  rows.file().commit();
   progress.reset();  // the line is free for words
   fmt::print(
       stderr,
       "{}: nothing is compared, since scene or settings were given. The hand was played from {} for {} s, without "
       "what was changed live.\n",
-      printable(options.run, longest_path), start.is_recorded ? "the recorded state" : "rest",
-      played.goal.times.back());
+      printable(options.run, longest_path), hand.start.is_recorded ? "the recorded state" : "rest", end_s);
   return static_cast<int>(ExitCode::done);
 }
 
 int replay_run(const Options& options) {
-  const Run run = load_run(options.run);
-  for (const std::string& remark : run.remarks) fmt::print(stderr, "{}\n", remark);
-  if (run.ticks.empty()) {
-    throw Failure(ExitCode::wrong_call,
-                  fmt::format("{}: there is nothing to replay", printable(options.run, longest_path)));
-  }
   const bool is_as_recorded = !options.scene.is_named() && options.scene.overrides.empty();
-  return is_as_recorded ? replay_exactly(run, options) : replay_hand(run, options);
+  return is_as_recorded ? replay_exactly(options) : replay_hand(options);
 }
 
 }  // namespace
@@ -195,13 +243,15 @@ std::function<int()> attach_replay(CommandOptions subcommand) {
   const auto options = std::make_shared<Options>();
   subcommand.add_option("RUN", options->run, "A CSV file that was recorded, simulated or replayed")
       .type_name("")
-      .required();
+      .required()
+      .reads();
   options->scene.scene.clear();
   options->scene.attach(subcommand, false);
   subcommand
       .add_option("-o,--output", options->output,
                   "The CSV file to write, all or nothing; default: -, the standard output")
-      .type_name("FILE");
+      .type_name("FILE")
+      .writes();
   subcommand.footer(
       "Drives all three strategies with the hand of the run, and with what was changed while it ran, and says whether\n"
       "every number repeats itself, bit for bit: exit code 0 if so, 1 if not. The same build of ghostforce promises "

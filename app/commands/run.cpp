@@ -23,6 +23,7 @@
 #include "app/interruption.h"
 #include "app/panels/panel_catalog.h"
 #include "app/remembered.h"
+#include "app/run_hand.h"
 #include "app/run_reader.h"
 #include "app/scene_file.h"
 #include "device/realtime.h"
@@ -119,7 +120,9 @@ int run(const Options& options) {
   const std::optional<FirmwareImage> firmware = options.falcon.read_firmware_file();
   if (firmware) fmt::print(stderr, "{}\n", firmware_words(firmware));
   InputOptions input_options = options.falcon.input_options(firmware);
-  if (recording) input_options.recorded_hand = std::make_shared<const GoalPath>(goal_path_of(*recording));
+  if (recording) {
+    input_options.recorded_hand = std::make_shared<const GoalPath>(goal_path_of(*recording, scene.settings.rate));
+  }
   Remembered remembered = recall();
   Look look = remembered.preferences.look;
   options.picture.apply_look(look);
@@ -214,12 +217,17 @@ std::function<int()> attach_run(CommandOptions subcommand) {
           "virtual-falcon, a rehearsal, or replay:FILE, a recording, which brings its scene unless one is named; "
           "default: mouse")
       .type_name("NAME")
-      .check(an_input());
+      .check(an_input())
+      .reads([](const std::string& word) {
+        return word.starts_with(replay_begins) ? std::vector{word.substr(replay_begins.size())}
+                                               : std::vector<std::string>{};
+      });
   subcommand
       .add_option("--record", options->record,
                   "Record every tick, from the first, to this CSV file, which must not exist yet")
       .type_name("FILE")
-      .check(a_file_of_its_own());
+      .check(a_file_of_its_own())
+      .writes();
   options->picture.attach(subcommand, false);
   options->falcon.attach(subcommand);
   subcommand.add_flag("--no-hints", options->no_hints, "No hints for newcomers in this run");

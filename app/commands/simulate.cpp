@@ -75,7 +75,8 @@ std::function<int()> attach_simulate(CommandOptions subcommand) {
   subcommand
       .add_option("-o,--output", options->output,
                   "The CSV file to write, all or nothing; default: -, the standard output")
-      .type_name("FILE");
+      .type_name("FILE")
+      .writes();
   subcommand.footer(
       "One row per tick and strategy, from t = 0 to the scene's duration, both included:\n"
       "  strategy,t_s,goal_x_m,goal_y_m,device_x_m,device_y_m,proxy_x_m,proxy_y_m,force_x_N,force_y_N\n"

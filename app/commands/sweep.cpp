@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/core.h>
@@ -54,21 +55,24 @@ int sweep_command(const Options& options) {
 
   OutputFile file(options.output);
   file.finish_despite_interruption();
-  file.write(sweep_header(scene, grid, kind));
   const Clock::time_point start = Clock::now();
   const std::size_t thread_count = sweep_threads();
   Spent spent;
   bool is_whole = false;
+  bool has_rows = false;
   {
     Progress progress("sweeping", size_of(grid), !file.is_terminal());
     is_whole = sweep({scene, grid, kind}, thread_count, [&](const SweptBlock& block) {
       const Clock::time_point before = Clock::now();
+      if (!block.rows.empty() && !std::exchange(has_rows, true)) file.write(sweep_header(scene, grid, kind));
       file.write(block.rows);
       spent.writing += Clock::now() - before;
       spent.computing += block.computing;
       spent.formatting += block.formatting;
       progress.at(block.points);
     });
+    // A header alone is worth nothing, and what it would replace may be.
+    if (!has_rows) throw Failure(ExitCode::interrupted, "interrupted before the first row; nothing was written");
     if (!is_whole) file.write(fmt::format("{}\n", interrupted_line));
     const Clock::time_point before = Clock::now();
     file.commit();
@@ -104,7 +108,8 @@ std::function<int()> attach_sweep(CommandOptions subcommand) {
       .add_option("-o,--output", options->output,
                   "The CSV file to write; default: -, the standard output. Ctrl+C leaves whole rows and a last line "
                   "'# interrupted'")
-      .type_name("FILE");
+      .type_name("FILE")
+      .writes();
   subcommand.footer(
       "One row per point and strategy, all three, at rest under the last waypoint of the scene's path; the second key\n"
       "runs fastest. The columns: each swept key by its name and in the file's unit, then\n"

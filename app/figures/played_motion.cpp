@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "app/failure.h"
+#include "app/interruption.h"
 #include "app/run_file.h"
 #include "core/ghost_force.h"
 #include "core/play.h"
@@ -19,8 +20,9 @@
 namespace ghostforce {
 namespace {
 
-constexpr std::int64_t ticks_between_moments = 5;  // 200 Hz of a loop at 1 kHz: 16 points of the fastest tremor
-constexpr std::int64_t most_moments = 6000;        // more are finer than any picture
+constexpr std::int64_t ticks_between_moments = 5;   // 200 Hz of a loop at 1 kHz: 16 points of the fastest tremor
+constexpr std::int64_t ticks_between_looks = 1024;  // at interruptions
+constexpr std::int64_t most_moments = 6000;         // more are finer than any picture
 
 struct Thinned {
   explicit Thinned(std::int64_t last_of_all)
@@ -83,6 +85,7 @@ PlayedMotion play_motion(std::string name, const Scene& scene) {
   const Thinned thinned(last_tick(scene));
   const TickState<2> state = play(scene, thinned.last, [&](const Snapshot& snapshot) {
     if (thinned.keeps(snapshot.tick)) motion.moments.push_back(snapshot);
+    if (snapshot.tick % ticks_between_looks == 0) stop_if_interrupted();
   });
   if (!is_sound(state)) {
     throw Failure(ExitCode::wrong_call, "with these settings the sampled loop is unstable and the device runs away");
@@ -107,6 +110,7 @@ PlayedMotion play_hand(const RecordedHand& hand) {
     for (std::int64_t k = 1; k <= ticks; ++k) {
       const double time_s = k == ticks ? path.times[i] : before_s + time_of(k, plan.rate);
       tick(plan, goal_at(path, time_s), state);
+      if (state.tick % ticks_between_looks == 0) stop_if_interrupted();
       const bool is_last = k == ticks && i + 1 == path.times.size();
       if (!is_last && !thinned.keeps(state.tick)) continue;
       motion.moments.push_back(snapshot_of(plan, state));

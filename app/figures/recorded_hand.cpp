@@ -31,7 +31,7 @@ RecordedHand recorded_hand(const Run& run, std::string name) {
   }
   hand.scene.duration = path.times.back();
   hand.scene.settings = run.settings[run.ticks.front().settings];
-  hand.start = start_of_hand(run, hand.scene.settings).state;
+  hand.start = start_of_hand(run, run.ticks.front(), hand.scene.settings).state;
   const std::span ticks(run.ticks.data(), path.times.size());
   std::int64_t jumps = 0;
   for (std::size_t i = 1; i < ticks.size(); ++i) {

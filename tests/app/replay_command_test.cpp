@@ -106,20 +106,70 @@ TEST(ReplayCommand, PlaysTheHandInAnotherSceneAndComparesNothing) {
 
 // Sanitizers take more memory than any program.
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+// Held whole, 100 001 ticks would take more than 30 MB.
+TEST(ReplayCommand, HoldsNoRunWhole) {
+  const TemporaryFolder folder;
+  const std::string run = folder / "run.csv";
+  ASSERT_EQ(
+      run_ghostforce({"simulate", "wall45", "--strategy", "all", "--set", "goal.duration_s=100", "-o", run}).exit_code,
+      0);
+  for (const std::string_view how : {"", "--set rendering.tracking_ratio=2"}) {
+    const Outcome outcome = run_program("/bin/sh", {"-c", fmt::format("ulimit -d 20000; exec {} replay {} {} -o {}",
+                                                                      GHOSTFORCE_PROGRAM, run, how, folder / "out")});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  }
+}
+
 TEST(ReplayCommand, SaysThatARunIsTooLongForTheMemory) {
   const TemporaryFolder folder;
   std::string text = std::string(run_columns) + "\n";
   for (int k = 0; k < 1'500'000; ++k) text += fmt::format("full,{},0,0,0,0,0,0,0,0\n", k);
   write_whole(folder / "long.csv", text);
   // A tick takes more than 200 bytes.
-  const std::string limited = fmt::format("ulimit -v 300000 && exec {} replay {} wall45 -o {}", GHOSTFORCE_PROGRAM,
-                                          folder / "long.csv", folder / "out.csv");
+  const std::string limited =
+      fmt::format("ulimit -v 300000 && exec {} measure-user {}", GHOSTFORCE_PROGRAM, folder / "long.csv");
   const Outcome outcome = run_program("/bin/sh", {"-c", limited});
   EXPECT_EQ(outcome.exit_code, 8) << outcome.err;
   EXPECT_TRUE(says(outcome, "long.csv: the run is too long for this machine's memory; cut it")) << outcome.err;
-  EXPECT_FALSE(std::filesystem::exists(folder / "out.csv"));
 }
 #endif
+
+// The limits end a program that would write or compute without end.
+TEST(ReplayCommand, AndEveryOtherThatTakesARunRefusesOneWithAnEndlessTime) {
+  const TemporaryFolder folder;
+  const std::string run = folder / "run.csv";
+  ASSERT_EQ(run_ghostforce({"simulate", "wall45", "--strategy", "all", "-o", run}).exit_code, 0);
+  std::string text = read_whole(run);
+  const std::size_t row = text.rfind("\nanisotropic,3,");
+  ASSERT_NE(row, std::string::npos);
+  write_whole(run, text.replace(row, 15, "\nanisotropic,3e7,"));
+  const std::string line = fmt::format("line {}: ", std::count(text.begin(), text.end(), '\n'));
+  for (const std::string_view words :
+       {"replay RUN -o OUT", "replay RUN --set rendering.k_r_N_per_m=500 -o OUT", "replay RUN fig1 -o OUT",
+        "figures --only figure-6 --hand RUN -o OUT", "measure-user RUN", "run --exit-after 1 --input replay:RUN"}) {
+    std::string call(words);
+    call.replace(call.find("RUN"), 3, run);
+    if (const std::size_t out = call.find("OUT"); out != std::string::npos) call.replace(out, 3, folder / "out");
+    const Outcome outcome = run_program(
+        "/bin/sh", {"-c", fmt::format("ulimit -t 60; ulimit -f 100000; exec {} {}", GHOSTFORCE_PROGRAM, call)});
+    EXPECT_EQ(outcome.exit_code, 2) << words << outcome.err;
+    EXPECT_TRUE(says(outcome, line)) << words << outcome.err;
+    EXPECT_EQ(folder.count(), 1) << words;
+  }
+}
+
+TEST(ReplayCommand, RefusesALengthThatAnotherRateMakesTooMuch) {
+  const TemporaryFolder folder;
+  const std::string run = folder / "run.csv";
+  write_whole(run,
+              run_header(load_scene("wall45")) + "anisotropic,0,0,0,0,0,0,0,0,0\nanisotropic,600,0,0,0,0,0,0,0,0\n");
+  const Outcome outcome = run_program(
+      "/bin/sh",
+      {"-c", fmt::format("ulimit -t 60; ulimit -f 100000; exec {} replay {} --set device.rate_hz=20000 -o {}",
+                         GHOSTFORCE_PROGRAM, run, folder / "out.csv")});
+  EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+  EXPECT_TRUE(says(outcome, "with t_s = 600 there the run is longer than 10000000 ticks")) << outcome.err;
+}
 
 // A terminal that a program writes to.
 class Terminal {
@@ -166,7 +216,7 @@ TEST(ReplayCommand, ShowsHowFarItIsAndEndsThatLineBeforeItsWords) {
   const TemporaryFolder folder;
   const std::string run = std::filesystem::canonical(folder.path()) / "run.csv";
   ASSERT_EQ(
-      run_ghostforce({"simulate", "wall45", "--strategy", "all", "--set", "goal.duration_s=100", "-o", run}).exit_code,
+      run_ghostforce({"simulate", "wall45", "--strategy", "all", "--set", "goal.duration_s=300", "-o", run}).exit_code,
       0);
   std::filesystem::create_directory(folder / "out");
   for (const bool is_exact : {true, false}) {
@@ -193,7 +243,8 @@ TEST(ReplayCommand, ShowsHowFarItIsAndEndsThatLineBeforeItsWords) {
     });
     EXPECT_EQ(program.wait_for_end(), 0);
     const std::string words = terminal.take();
-    EXPECT_NE(words.find("\rreading ["), std::string::npos) << words;
+    // As it was recorded, it is not held whole: reading and replaying are one.
+    EXPECT_EQ(words.find("\rreading [") == std::string::npos, is_exact) << words;
     EXPECT_NE(words.find("\rreplaying ["), std::string::npos) << words;
     const std::size_t verdict = words.rfind(run + ": " + (is_exact ? "identical" : "nothing is compared"));
     ASSERT_NE(verdict, std::string::npos) << words;

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "app/failure.h"
+#include "app/run_hand.h"
 #include "app/scene_file.h"
 #include "core/play.h"
 #include "ghostforce_version.h"
@@ -271,6 +272,43 @@ TEST(RunReader, IsNotSureAfterADamagedChangeOrJump) {
   EXPECT_TRUE(has_remark(run, "1 line about a jump cannot be read"));
   EXPECT_TRUE(run.ticks.at(4).is_sure);
   EXPECT_FALSE(run.ticks.at(5).is_sure);
+}
+
+std::string words_of_refusal(const std::string& text) {
+  try {
+    const Run run = read_run(text, "run.csv");
+    goal_path_of(run, 1000.0);
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.code(), ExitCode::wrong_call);
+    return failure.what();
+  }
+  return "";
+}
+
+// What is made of a run has every tick up to its last, so one damaged time is work without end.
+TEST(RunReader, RefusesWhatADamagedTimeMakesTooLong) {
+  std::string text = recording();
+  text.erase(text.find("# interrupted"));
+  const std::string last = replaced(text, "anisotropic,0.008,", "anisotropic,3e7,");
+  const std::string line = std::to_string(std::count(text.begin(), text.end(), '\n'));
+  const std::string words = words_of_refusal(last);
+  EXPECT_TRUE(words.starts_with("run.csv: line " + line + ": with t_s = 30000000 there")) << words;
+  // In the midst others go on without it; after a jump they do not.
+  EXPECT_EQ(words_of_refusal(replaced(text, "naive,0.002,", "naive,3e7,")), "");
+  EXPECT_NE(words_of_refusal(replaced(text, "\nfull,0.005,", "\nfull,3e7,")), "");
+  // A recording begins when it likes, and is as long as its rows say.
+  std::string rows = text.substr(0, text.find("\nfull,0,") + 1);
+  const std::string row = ",0,0,0,0,0,0,0,0,0,given,simulated,0,0,0,0.001\n";
+  EXPECT_EQ(words_of_refusal(rows + "full,90000" + row + "full,100000" + row), "") << "1e7 ticks";
+  EXPECT_NE(words_of_refusal(rows + "full,90000" + row + "full,100000.001" + row), "") << "one more";
+  EXPECT_EQ(words_of_refusal(rows + "full,90000" + row + "full,3" + row + "full,10003" + row), "") << "reset";
+  rows += "full,90000" + row;
+  EXPECT_EQ(words_of_refusal(rows + "# set t_s=1 device.rate_hz=10\nfull,1000000" + row), "");
+  EXPECT_NE(words_of_refusal(rows + "# set t_s=1 device.rate_hz=10\nfull,100000" + row + "full,1100001" + row), "");
+  // Without a scene it depends on the loop that plays it.
+  const std::string bare = std::string(run_columns) + "\nfull,5,0,0,0,0,0,0,0,0\nfull,";
+  EXPECT_EQ(words_of_refusal(bare + "10005,0,0,0,0,0,0,0,0\n"), "");
+  EXPECT_TRUE(words_of_refusal(bare + "10006,0,0,0,0,0,0,0,0\n").starts_with("run.csv: line 3: with t_s = 10006"));
 }
 
 TEST(RunReader, TakesWhatOtherProgramsMakeOfTheFile) {

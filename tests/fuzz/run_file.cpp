@@ -4,6 +4,7 @@
 
 #include "app/failure.h"
 #include "app/replay.h"
+#include "app/run_hand.h"
 #include "app/run_reader.h"
 #include "tests/fuzz/fuzz.h"
 

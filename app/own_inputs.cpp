@@ -1,0 +1,63 @@
+#include "app/own_inputs.h"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "app/failure.h"
+#include "app/printable.h"
+
+namespace ghostforce {
+namespace {
+
+struct Input {
+  std::string option;
+  std::string path;
+  dev_t device;
+  ino_t number;
+};
+
+// Pipes and devices hold nothing that could be lost.
+bool is_plain_file(const std::string& path, struct stat& status) {
+  return stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);
+}
+
+}  // namespace
+
+void refuse_own_inputs(std::span<const FileOption> options) {
+  struct stat status {};
+  std::vector<Input> inputs;
+  for (const FileOption& option : options) {
+    if (option.use != FileOption::Use::input) continue;
+    for (const std::string& path : option.paths()) {
+      if (is_plain_file(path, status)) inputs.push_back({option.name, path, status.st_dev, status.st_ino});
+    }
+  }
+  const auto input_at = [&] {
+    return std::ranges::find_if(
+        inputs, [&](const Input& input) { return input.device == status.st_dev && input.number == status.st_ino; });
+  };
+  for (const FileOption& option : options) {
+    if (option.use != FileOption::Use::output) continue;
+    for (const std::string& path : option.paths()) {
+      if (!is_plain_file(path, status)) continue;
+      const auto input = input_at();
+      if (input == inputs.end()) continue;
+      throw Failure(
+          ExitCode::wrong_call,
+          fmt::format("{} {}: is the file {} that is read as {}, and would be lost; name another", option.name,
+                      printable(path, longest_path), printable(input->path, longest_path), input->option));
+    }
+  }
+  if (fstat(STDOUT_FILENO, &status) != 0 || !S_ISREG(status.st_mode)) return;
+  if (const auto input = input_at(); input != inputs.end()) {
+    throw Failure(ExitCode::wrong_call, fmt::format("the standard output goes into {}, which is read as {}; send it "
+                                                    "elsewhere",
+                                                    printable(input->path, longest_path), input->option));
+  }
+}
+
+}  // namespace ghostforce

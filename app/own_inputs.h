@@ -1,0 +1,24 @@
+// No command writes over what it reads: its outputs are looked at once, before any work, whatever they are called and
+// whichever links lead there. Not for the servo thread.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace ghostforce {
+
+// An option or argument that names files, as it was given.
+struct FileOption {
+  enum class Use { input, output };
+  Use use;
+  std::string name;  // of the option, for messages
+  std::function<std::vector<std::string>()> paths;
+};
+
+// The standard output counts as an output of every command. Throws Failure(wrong_call) where an output is a plain file
+// that is an input too.
+void refuse_own_inputs(std::span<const FileOption> options);
+
+}  // namespace ghostforce

@@ -1,0 +1,109 @@
+// What a command reads it does not write over, whatever the file is called and wherever links lead.
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "app/scene_file.h"
+#include "tests/support/program.h"
+#include "tests/support/temporary_folder.h"
+
+namespace ghostforce {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A folder with a scene and a run, and an output that leads to one of them by another name.
+class OwnInputs : public testing::Test {
+ protected:
+  OwnInputs() {
+    write_whole(folder_ / "scene.toml", scene_text(load_scene("wall45")));
+    EXPECT_EQ(run_program(GHOSTFORCE_PROGRAM, {"simulate", "fig1", "-o", folder_ / "run.csv"}).exit_code, 0);
+  }
+
+  // Words are divided by spaces; they run in the folder.
+  Outcome in_folder(const std::string& words) {
+    ProgramCall call;
+    call.words = {"-c", fmt::format("exec {} {}", GHOSTFORCE_PROGRAM, words)};
+    call.folder = folder_.path();
+    return run_program("/bin/sh", call);
+  }
+
+  void expect_refused(const std::string& words, const std::string& input) {
+    SCOPED_TRACE(words);
+    const std::string before = read_whole(folder_ / input);
+    const std::ptrdiff_t files = folder_.count();
+    const Outcome outcome = in_folder(words);
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+    EXPECT_NE(outcome.err.find(input), std::string::npos) << outcome.err;
+    EXPECT_TRUE(read_whole(folder_ / input) == before);
+    EXPECT_EQ(folder_.count(), files);
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(OwnInputs, AreRefusedAsOutputsOfEveryCommand) {
+  fs::create_hard_link(folder_ / "run.csv", folder_ / "figure-6.csv");
+  fs::create_hard_link(folder_ / "scene.toml", folder_ / "visit.csv");
+  for (const std::string_view words :
+       {"simulate scene.toml -o scene.toml", "sweep scene.toml --over wall.normal_deg=90:180:3 -o scene.toml",
+        "render scene.toml -o scene.toml", "render scene.toml -o picture.png --json scene.toml",
+        "replay run.csv scene.toml -o scene.toml", "run scene.toml --record visit.csv", "scene.toml --record visit.csv",
+        "equilibrium scene.toml >> scene.toml", "simulate scene.toml >> scene.toml"}) {
+    expect_refused(std::string(words), "scene.toml");
+  }
+  for (const std::string_view words :
+       {"replay run.csv -o run.csv", "replay run.csv --set rendering.tracking_ratio=2 -o run.csv",
+        "figures --only figure-6 --hand run.csv -o .", "run --input replay:run.csv --record run.csv",
+        "measure-user run.csv >> run.csv", "replay run.csv >> run.csv"}) {
+    expect_refused(std::string(words), "run.csv");
+  }
+}
+
+TEST_F(OwnInputs, AreKnownByEveryName) {
+  fs::create_symlink("run.csv", folder_ / "link.csv");
+  fs::create_symlink(folder_ / "link.csv", folder_ / "long.csv");
+  fs::create_hard_link(folder_ / "run.csv", folder_ / "hard.csv");
+  fs::create_directory_symlink(".", folder_ / "here");
+  for (const std::string_view output : {"./run.csv", "link.csv", "long.csv", "hard.csv", "here/run.csv"}) {
+    expect_refused(fmt::format("replay run.csv -o {}", output), "run.csv");
+    expect_refused(fmt::format("replay {} -o run.csv", output), "run.csv");
+  }
+  expect_refused("replay /dev/stdin -o run.csv < run.csv", "run.csv");
+  const Outcome outcome = in_folder("replay run.csv -o link.csv");
+  EXPECT_EQ(outcome.err,
+            "--output link.csv: is the file run.csv that is read as RUN, and would be lost; name another\n");
+}
+
+TEST_F(OwnInputs, AreRefusedWhereAReportWouldBe) {
+  fs::create_directory(folder_ / "report");
+  write_whole(folder_ / "a.toml", "scene = \"wall45\"\n");
+  write_whole(folder_ / "a.png", "precious");
+  fs::create_symlink("../a.png", folder_ / "report/a.actual.png");
+  expect_refused("check . --report report", "a.png");
+  fs::remove(folder_ / "report/a.actual.png");
+  fs::create_hard_link(folder_ / "a.toml", folder_ / "report/report.html");
+  expect_refused("check . --report report", "a.toml");
+}
+
+// What is no file, or another one, is no input.
+TEST_F(OwnInputs, NothingElseIsRefused) {
+  fs::create_symlink("run.csv", folder_ / "link.csv");
+  EXPECT_EQ(in_folder("replay link.csv -o again.csv").exit_code, 0);
+  EXPECT_EQ(in_folder("replay run.csv -o again.csv").exit_code, 0) << "once more";
+  EXPECT_EQ(in_folder("replay run.csv -o /dev/null").exit_code, 0);
+  EXPECT_EQ(in_folder("replay run.csv > other.csv").exit_code, 0);
+  EXPECT_EQ(in_folder("simulate wall45 -o wall45").exit_code, 0);
+  EXPECT_EQ(in_folder("simulate wall45 -o wall45").exit_code, 0) << "the shipped scene is no file";
+  EXPECT_EQ(in_folder("figures --only figure-6 --hand run.csv -o .").exit_code, 0);
+}
+
+}  // namespace
+}  // namespace ghostforce
