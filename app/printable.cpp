@@ -1,6 +1,10 @@
 #include "app/printable.h"
 
+#include <algorithm>
+
 #include <fmt/core.h>
+
+#include "app/unicode.h"
 
 namespace ghostforce {
 namespace {
@@ -20,13 +24,15 @@ std::string printable(std::string_view text, std::size_t longest) {
     text = text.substr(0, end);
   }
   std::string result;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x20 || byte == 0x7F) {
-      result += fmt::format("\\x{:02X}", byte);
+  while (!text.empty()) {
+    const auto [code, length] = first_character(text);
+    const std::string_view bytes = text.substr(0, std::max<std::size_t>(length, 1));
+    if (length > 0 && !is_control(code) && !is_noncharacter(code)) {
+      result += bytes;
     } else {
-      result += c;
+      for (const char c : bytes) result += fmt::format("\\x{:02X}", static_cast<unsigned char>(c));
     }
+    text.remove_prefix(bytes.size());
   }
   return is_cut ? result + "…" : result;
 }

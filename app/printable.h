@@ -12,8 +12,8 @@ namespace ghostforce {
 inline constexpr std::size_t longest_quote = 80;
 inline constexpr std::size_t longest_path = 4096;  // Linux opens no longer one
 
-// Control characters become \xNN; what is longer than `longest` bytes ends in
-// "…".
+// Control characters, what Unicode calls no character and bytes that are no UTF-8 become \xNN; what is longer than
+// `longest` bytes ends in "…".
 std::string printable(std::string_view text, std::size_t longest = longest_quote);
 
 // "full, naive, anisotropic"

@@ -19,6 +19,7 @@
 #include "app/scene_key_name.h"
 #include "app/scene_override.h"
 #include "app/toml_text.h"
+#include "app/unicode.h"
 
 namespace ghostforce {
 namespace {
@@ -313,7 +314,12 @@ class SceneReader {
   }
 
   void read_value(const TextKey& key) {
-    if (auto text = read_text(*given_.node, "a text in quotes")) key.in(scene_) = std::move(*text);
+    auto text = read_text(*given_.node, "a text in quotes");
+    if (!text) return;
+    if (const auto what = unshowable_in(*text, key.may_have_lines)) {
+      complain_at(*given_.node, fmt::format("holds {}; remove it", *what));
+    }
+    key.in(scene_) = std::move(*text);
   }
 
   void read_value(const ChoiceKey& key) {

@@ -19,7 +19,7 @@ constexpr std::array<std::string_view, 2> motion_words{"linear", "minimum-jerk"}
 // clang-format off
 const std::array keys{
     SceneKey{"", "title", true, TextKey{[](Scene& s) -> auto& { return s.title; }}},
-    SceneKey{"", "about", true, TextKey{[](Scene& s) -> auto& { return s.about; }}},
+    SceneKey{"", "about", true, TextKey{[](Scene& s) -> auto& { return s.about; }, true}},
 
     SceneKey{"wall", "point_mm", true, PointKey{[](Scene& s) -> auto& { return s.settings.wall_point; }}},
     SceneKey{"wall", "normal_deg", true,

@@ -66,8 +66,10 @@ struct OptionalNumberKey {
   std::string_view word_for_empty;
 };
 
+// A text that people read.
 struct TextKey {
   std::string& (*in)(Scene&);
+  bool may_have_lines = false;
 };
 
 // One word of a short list.

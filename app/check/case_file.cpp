@@ -14,6 +14,7 @@
 #include "app/printable.h"
 #include "app/scene_file.h"
 #include "app/toml_text.h"
+#include "app/unicode.h"
 
 namespace ghostforce {
 namespace {
@@ -171,9 +172,16 @@ class CaseReader {
   std::optional<std::string> text(std::string_view table, std::string_view name) {
     const toml::node* const node = find(table, name);
     if (node == nullptr) return std::nullopt;
-    if (const auto* const value = node->as_string()) return value->get();
-    complain(*node, dotted(table, name), fmt::format("is {}; give a text in quotes", type_words(node->type())));
-    return std::nullopt;
+    const auto* const value = node->as_string();
+    if (value == nullptr) {
+      complain(*node, dotted(table, name), fmt::format("is {}; give a text in quotes", type_words(node->type())));
+      return std::nullopt;
+    }
+    if (const auto what = unshowable_in(value->get(), false)) {
+      complain(*node, dotted(table, name), fmt::format("holds {}; remove it", *what));
+      return std::nullopt;
+    }
+    return value->get();
   }
 
   std::optional<std::string> word(std::string_view name, const std::vector<std::string_view>& words) {

@@ -16,6 +16,7 @@
 #include "app/nearest_name.h"
 #include "app/output_file.h"
 #include "app/printable.h"
+#include "app/unicode.h"
 
 namespace ghostforce {
 namespace {
@@ -84,10 +85,12 @@ std::string read_text(const fs::path& path) {
 }
 
 bool has_control_character(std::string_view name) {
-  return std::any_of(name.begin(), name.end(), [](char c) {
-    const auto byte = static_cast<unsigned char>(c);
-    return byte < 0x20 || byte == 0x7F;
-  });
+  while (!name.empty()) {
+    const auto [code, length] = first_character(name);
+    if (length > 0 && is_control(code)) return true;
+    name.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  return false;
 }
 
 // What no case can tell alone.

@@ -102,8 +102,8 @@ int check(const Options& options) {
       stop_if_interrupted();
       verdicts.push_back(judge(*each, gallery, options.folder, report.has_value()));
       const Verdict& verdict = verdicts.back();
-      lines.write(verdict.passes ? fmt::format("pass {}", verdict.name)
-                                 : fmt::format("FAIL {}  {}", verdict.name, verdict.reason));
+      const std::string name = printable(verdict.name, longest_path);
+      lines.write(verdict.passes ? fmt::format("pass {}", name) : fmt::format("FAIL {}  {}", name, verdict.reason));
       if (!verdict.passes) ++failed;
       if (!verdict.passes && end == ExitCode::done) end = ExitCode::answer_is_no;
       if (verdict.is_file_trouble) end = ExitCode::file_trouble;

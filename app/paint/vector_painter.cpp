@@ -37,6 +37,11 @@ using ScaledFont = std::unique_ptr<cairo_scaled_font_t, Destroy<cairo_scaled_fon
 using FontLibrary = std::unique_ptr<FT_LibraryRec_, Destroy<FT_Done_FreeType>>;
 using FontOutlines = std::unique_ptr<FT_FaceRec_, Destroy<FT_Done_Face>>;
 
+// Words may come from a file's name, and Cairo takes nothing but UTF-8 without any of what Unicode calls no character.
+std::string drawable(std::string_view words) {
+  return printable(words, words.size());
+}
+
 // ---- Letters --------------------------------------------------------------------------------------------------------
 
 // Sizes follow the screen's convention: a height is that of a line of text, from the highest to the lowest letter.
@@ -67,9 +72,9 @@ class Font {
     measured_.reset(cairo_scaled_font_create(face_.get(), &size, &upright, options_.get()));
   }
 
-  double width(const std::string& text, double height) const {
+  double width(std::string_view text, double height) const {
     cairo_text_extents_t extents;
-    cairo_scaled_font_text_extents(measured_.get(), text.c_str(), &extents);
+    cairo_scaled_font_text_extents(measured_.get(), drawable(text).c_str(), &extents);
     return extents.x_advance / measured_em * em_ * height;
   }
   // Of the baseline below the upper edge of the line.
@@ -309,11 +314,12 @@ class MarkPainter {
   void paint_label(const Label& label) const {
     const double height = text_height(label.size) * text_scale_;
     const Vector<2> at = on_screen(label.anchor, label.offset) + Vector<2>(0.0, font().ascent(height));
+    const std::string words = drawable(label.text);
     font().choose_on(target_, height);
     if (label.halo.alpha > 0) {
       // An outline round the letters, not more letters: a search in a PDF should find each word once.
       cairo_move_to(target_, at.x, at.y);
-      cairo_text_path(target_, label.text.c_str());
+      cairo_text_path(target_, words.c_str());
       choose(label.halo);
       cairo_set_line_join(target_, CAIRO_LINE_JOIN_ROUND);
       cairo_set_line_width(target_, 2.0 * halo_reach * height);
@@ -321,7 +327,7 @@ class MarkPainter {
     }
     choose(label.colour);
     cairo_move_to(target_, at.x, at.y);
-    cairo_show_text(target_, label.text.c_str());
+    cairo_show_text(target_, words.c_str());
   }
 
   static constexpr double halo_reach = 0.1;  // of the text's height, as in label_painter.cpp
@@ -356,7 +362,7 @@ Surface surface_for(VectorFormat format, const Vector<2>& size, std::string_view
     return surface;
   }
   Surface surface(cairo_pdf_surface_create_for_stream(append, &file, size.x, size.y));
-  cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, std::string(title).c_str());
+  cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, drawable(title).c_str());
   cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATOR,
                                  fmt::format("ghostforce {}", version).c_str());
   cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "");  // else the time of day
@@ -371,7 +377,7 @@ void tidy_svg(std::string& file, std::string_view title) {
     file.erase(number, file.find('"', number) - number);
   }
   const std::size_t root = file.find('>', file.find("<svg"));
-  const std::string words = xml_text(printable(title, title.size()));
+  const std::string words = xml_text(drawable(title));
   if (root != std::string::npos) file.insert(root + 1, "\n<title>" + words + "</title>");
 }
 
@@ -394,7 +400,7 @@ std::optional<VectorFormat> vector_format_of(std::string_view path) {
 }
 
 Vector<2> measure_vector_text(std::string_view text, double height) {
-  return {font().width(std::string(text), height), height};
+  return {font().width(text, height), height};
 }
 
 void paint_panes(const std::vector<Pane>& panes, const Theme& theme, const Vector<2>& size, double text_scale,

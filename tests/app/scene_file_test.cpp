@@ -74,7 +74,7 @@ class RandomScene {
     if (coin()) key.in(scene) = number(key.least, key.greatest);
   }
   void fill(const TextKey& key, Scene& scene) {
-    constexpr std::string_view letters = "aZ \"\\\n\t\r\x01\x1f\x7f#='";
+    const std::string_view letters = key.may_have_lines ? "aZ \"\\\n\t#='" : "aZ \"\\#='";
     for (int i = 0; i < 12; ++i) {
       key.in(scene) += letters[std::uniform_int_distribution<std::size_t>(0, letters.size() - 1)(random_)];
     }
