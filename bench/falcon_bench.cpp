@@ -69,7 +69,7 @@ void exchange(Results& results, const std::string& what, std::unique_ptr<FalconL
     const std::int64_t deadline_ns = falcon.link().now_ns() + 5'000'000'000;
     while (!is_so() && falcon.link().now_ns() < deadline_ns) {
       falcon.attend();
-      if (!is_so()) falcon.link().wait_until(falcon.link().now_ns() + 1'000'000);
+      if (!is_so()) falcon.wait_until(falcon.link().now_ns() + 1'000'000);
     }
     if (!is_so()) throw std::runtime_error(what + ": no exchange");
   };
