@@ -384,9 +384,17 @@ std::string Application::end_recording() {
   recording_->end();
   read_recording();
   const int error = recording_->progress().error;
+  const std::string found_at = recording_->found_at();
   recording_.reset();
   recording_reading_.is_on = false;
-  const std::string shown = printable(recording_reading_.path, longest_path);
+  const std::string shown = printable(found_at.empty() ? recording_reading_.path : found_at, longest_path);
+  if (found_at.empty()) {
+    recording_problem_ = fmt::format(
+        "The recording is lost, {:.1f} s of it: {} was removed while it was written. Record again, to a folder that "
+        "stays.",
+        recording_reading_.seconds, shown);
+    return recording_problem_;
+  }
   if (error != 0) {
     recording_problem_ = fmt::format(
         "The recording has ended after {:.1f} s: {} takes no more: {}. What is in it can "
@@ -395,8 +403,12 @@ std::string Application::end_recording() {
     return recording_problem_;
   }
   const std::uint64_t dropped = recording_reading_.dropped;
-  return fmt::format("Recorded {:.1f} s to {}{}", recording_reading_.seconds, shown,
-                     dropped > 0 ? fmt::format("; {} samples were lost", dropped) : "");
+  const std::string words = fmt::format("Recorded {:.1f} s to {}{}", recording_reading_.seconds, shown,
+                                        dropped > 0 ? fmt::format("; {} samples were lost", dropped) : "");
+  if (found_at == recording_reading_.path) return words;
+  recording_problem_ = fmt::format("{}. It was moved there while it was written: {} is not it any more.", words,
+                                   printable(recording_reading_.path, longest_path));
+  return recording_problem_;
 }
 
 void Application::read_recording() {

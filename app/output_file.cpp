@@ -14,8 +14,10 @@
 
 #include <fmt/core.h>
 
+#include "app/disk_sync.h"
 #include "app/failure.h"
 #include "app/interruption.h"
+#include "app/part_file.h"
 #include "app/printable.h"
 
 namespace ghostforce {
@@ -25,9 +27,6 @@ constexpr std::size_t buffer_size = 1 << 16;
 
 // How long a reader may take nothing, once the program shall stop.
 constexpr int patience_ms = 1000;
-
-// Few enough to be sure that the folder, not bad luck, is the matter.
-constexpr int tries = 100;
 
 // Where a chain of links ends, whether or not anything is there yet.
 std::filesystem::path end_of_links(std::filesystem::path path) {
@@ -84,23 +83,31 @@ OutputFile::OutputFile(const std::string& path) : shown_(path) {
 
   const std::filesystem::path target = end_of_links(path);
   if (target.filename().empty()) fail(path.empty() ? ENOENT : EISDIR);
-  for (int i = 0; descriptor_ < 0; ++i) {
-    // A short name of its own: the file's name with something added may be too
-    // long.
-    temporary_ = target.parent_path() / fmt::format(".ghostforce-{}-{}.part", getpid(), i);
-    descriptor_ = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor_ < 0 && (errno != EEXIST || i == tries)) {
-      temporary_.clear();
-      fail(errno);
-    }
-  }
+  remove_dead_part_files(target.parent_path());
+  const PartFile part = make_part_file(target.parent_path());
+  if (part.descriptor < 0) fail(errno);
+  descriptor_ = part.descriptor;
+  temporary_ = part.path;
   if (exists) fchmod(descriptor_, status.st_mode & 07777);  // as far as that is allowed
   target_ = target;
 }
 
 OutputFile::~OutputFile() {
+  if (is_in_place_) {
+    if (temporary_.empty()) {
+      unlink(target_.c_str());
+    } else {
+      renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE);
+    }
+  }
+  remove_temporary();
+  // Last: the lock on the temporary file goes with it.
   if (descriptor_ >= 0 && descriptor_ != STDOUT_FILENO) close(descriptor_);
+}
+
+void OutputFile::remove_temporary() noexcept {
   if (!temporary_.empty()) unlink(temporary_.c_str());
+  temporary_.clear();
 }
 
 void OutputFile::write(std::string_view text) {
@@ -137,18 +144,38 @@ ssize_t OutputFile::write_some(std::string_view text) const {
 
 void OutputFile::finish() {
   flush();
-  if (descriptor_ < 0 || descriptor_ == STDOUT_FILENO) return;
-  const int descriptor = descriptor_;
-  descriptor_ = -1;
-  // Some file systems tell only now that the disk is full.
-  if (close(descriptor) != 0 && errno != EINTR) fail(errno);
+  if (descriptor_ == STDOUT_FILENO) return;
+  if (const int error = sync_file(descriptor_); error != 0) fail(error);
+  // Some file systems tell only at a close that the disk is full. The lock stays with the descriptor itself.
+  if (const int copy = fcntl(descriptor_, F_DUPFD_CLOEXEC, 0); copy >= 0 && close(copy) != 0 && errno != EINTR) {
+    fail(errno);
+  }
+}
+
+void OutputFile::put_in_place() {
+  if (temporary_.empty()) return;
+  struct stat status {};
+  const bool is_new = lstat(target_.c_str(), &status) != 0;
+  if (!is_new && S_ISDIR(status.st_mode)) fail(EISDIR);
+  is_in_place_ = renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) == 0;
+  if (is_in_place_) return;
+  // Nothing is there yet, or names cannot be exchanged here.
+  if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
+  temporary_.clear();
+  is_in_place_ = is_new;
+}
+
+void OutputFile::keep() noexcept {
+  is_in_place_ = false;
+  remove_temporary();
 }
 
 void OutputFile::commit() {
   finish();
   if (temporary_.empty()) return;
-  if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
-  temporary_.clear();
+  put_in_place();
+  if (const int error = sync_folder(std::filesystem::path(target_).parent_path()); error != 0) fail(error);
+  keep();
 }
 
 bool OutputFile::is_terminal() const noexcept {

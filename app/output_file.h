@@ -1,8 +1,8 @@
 // A file that is written whole or not at all: what is written goes to a
-// temporary file in the same folder, and commit() puts it in place of the old
-// one. Without commit() nothing is left behind. "-" is the standard output;
-// it, pipes and devices take what is written as it comes. Not for the servo
-// thread.
+// temporary file in the same folder (part_file.h), and commit() puts it in place
+// of the old one, so that even a power cut leaves the old one or the new one.
+// Without commit() nothing is left behind. "-" is the standard output; it, pipes
+// and devices take what is written as it comes. Not for the servo thread.
 //
 // Every function may throw Failure: file_trouble with path, reason and remedy;
 // interrupted; or done, without a word, when the reader of a pipe has gone.
@@ -30,25 +30,32 @@ class OutputFile {
   // Buffered: long output should come in few large pieces all the same.
   void write(std::string_view text);
 
-  // All that was written is on the disk, as far as the disk tells: what can still go wrong with commit() is the name.
-  void finish();
-
   void commit();
+
+  // The steps of commit(), for several files of which all or none shall be there. Without keep() the file is put back
+  // as it was, where the file system can exchange two names (RENAME_EXCHANGE: ext4, XFS, Btrfs, tmpfs).
+  // All that was written is on the disk, as far as the disk tells: what can still go wrong is the name.
+  void finish();
+  void put_in_place();
+  // The folder, whose new names then outlast a power cut, is the caller's matter.
+  void keep() noexcept;
 
   // Whether the words on a terminal and this file would run into each other.
   bool is_terminal() const noexcept;
 
  private:
   void flush();
+  void remove_temporary() noexcept;
   ssize_t write_some(std::string_view text) const;
   [[noreturn]] void fail(int error) const;
 
   std::string shown_;      // the path, for messages
   std::string target_;     // where the file shall be; empty: written directly
-  std::string temporary_;  // what is written until then; empty: written directly
+  std::string temporary_;  // what is written until then, and the old file after; empty: there is none
   std::string buffer_;
   int descriptor_ = -1;
   bool finishes_ = false;
+  bool is_in_place_ = false;  // and not kept yet
 };
 
 // Words for people about a file that cannot be read or written: errno as a

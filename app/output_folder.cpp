@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <system_error>
 
+#include "app/disk_sync.h"
 #include "app/failure.h"
 #include "app/printable.h"
 
@@ -17,6 +18,11 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void refuse(const fs::path& path, const std::string& what) {
   throw Failure(ExitCode::file_trouble, fmt::format("{}: {}", printable(path.string(), longest_path), what));
+}
+
+void sync_or_refuse(const fs::path& folder) {
+  const int error = sync_folder(folder);
+  if (error != 0) refuse(folder, fmt::format("nothing can be written there: {}", reason_of(error)));
 }
 
 void remove_empty(const std::vector<fs::path>& folders) noexcept {
@@ -55,31 +61,22 @@ OutputFolder::OutputFolder(const std::string& path) : path_(path) {
 }
 
 OutputFolder::~OutputFolder() {
-  if (is_committed_) return;
-  for (File& each : files_) {
-    const bool is_there = each.file == nullptr;  // it was put in its place already
-    each.file.reset();
-    std::error_code ignored;
-    if (is_there && each.is_new) fs::remove(each.path, ignored);
-  }
-  remove_empty(made_);
+  files_.clear();
+  if (!is_committed_) remove_empty(made_);
 }
 
 void OutputFolder::write(const std::string& name, std::string_view content) {
-  const fs::path path = path_ / name;
-  std::error_code ignored;
-  const bool is_new = !fs::exists(fs::symlink_status(path, ignored));
-  files_.push_back({path, is_new, std::make_unique<OutputFile>(path.string())});
-  files_.back().file->write(content);
+  files_.push_back(std::make_unique<OutputFile>((path_ / name).string()));
+  files_.back()->write(content);
 }
 
 void OutputFolder::commit() {
   // A full disk shows itself here, while all that was there before is still in its place.
-  for (File& each : files_) each.file->finish();
-  for (File& each : files_) {
-    each.file->commit();
-    each.file.reset();
-  }
+  for (const auto& file : files_) file->finish();
+  for (const auto& file : files_) file->put_in_place();
+  sync_or_refuse(path_);
+  for (const fs::path& folder : made_) sync_or_refuse(folder.parent_path());
+  for (const auto& file : files_) file->keep();
   is_committed_ = true;
 }
 

@@ -1,5 +1,6 @@
 // A folder of files that are written all or not at all: until commit() there are temporary files in it, and without
-// commit() nothing is left behind, not even the folder if it was not there before. Not for the servo thread.
+// commit(), or where that fails half-way, everything is as it was (output_file.h says where that cannot be); not even
+// the folder is left behind if it was not there before. Not for the servo thread.
 //
 // Every function may throw Failure: file_trouble with path, reason and remedy; interrupted.
 #pragma once
@@ -28,15 +29,9 @@ class OutputFolder {
   void commit();
 
  private:
-  struct File {
-    std::filesystem::path path;
-    bool is_new;  // nothing was there
-    std::unique_ptr<OutputFile> file;
-  };
-
   std::filesystem::path path_;
   std::vector<std::filesystem::path> made_;  // folders, the innermost first
-  std::vector<File> files_;
+  std::vector<std::unique_ptr<OutputFile>> files_;
   bool is_committed_ = false;
 };
 

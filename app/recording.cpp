@@ -2,17 +2,21 @@
 
 #include <fcntl.h>
 #include <pthread.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <chrono>
 #include <cmath>
 #include <csignal>
+#include <filesystem>
 #include <iterator>
 #include <string_view>
+#include <system_error>
 
 #include <fmt/compile.h>
 
+#include "app/disk_sync.h"
 #include "app/failure.h"
 #include "app/interruption.h"
 #include "app/output_file.h"
@@ -102,7 +106,21 @@ void Recording::end() noexcept {
     lines_.push_back('\n');
     write_lines();
   }
-  close(descriptor_);
+  sync();  // whoever ends it has waited for the disk already
+  found_at_ = where_it_is();
+  // Some file systems tell only now that the disk is full.
+  if (close(descriptor_) != 0 && errno != EINTR) fail(errno);
+}
+
+// Empty: nowhere. A file that was moved is as good as it was, but not where it will be looked for.
+std::string Recording::where_it_is() const {
+  struct stat opened {};
+  struct stat named {};
+  if (fstat(descriptor_, &opened) != 0 || opened.st_nlink == 0) return {};
+  const bool is_there = stat(path_.c_str(), &named) == 0;
+  if (is_there && named.st_dev == opened.st_dev && named.st_ino == opened.st_ino) return path_;
+  std::error_code error;
+  return std::filesystem::read_symlink(fmt::format("/proc/self/fd/{}", descriptor_), error).string();
 }
 
 RecordingProgress Recording::progress() const noexcept {
@@ -119,9 +137,10 @@ void Recording::write_until_end() noexcept {
   pthread_setname_np(pthread_self(), "recorder");
   constexpr std::chrono::duration<double> period(writing_period_s);
   std::unique_lock lock(mutex_);
-  while (!woken_.wait_for(lock, period, [this] { return is_ending_; })) {
+  for (int writes = 0; !woken_.wait_for(lock, period, [this] { return is_ending_; });) {
     lock.unlock();
     write_samples();
+    if (++writes % writes_per_sync == 0) sync();
     lock.lock();
   }
   lock.unlock();
@@ -147,7 +166,7 @@ bool Recording::write_lines() noexcept {
     if (count >= 0) {
       rest.remove_prefix(static_cast<std::size_t>(count));
     } else if (errno != EINTR) {
-      error_ = errno;
+      fail(errno);
     }
   }
   if (error_ == 0) {
@@ -159,6 +178,21 @@ bool Recording::write_lines() noexcept {
   }
   lines_.clear();
   return error_ == 0;
+}
+
+// The recording ends where the disk fails, or where the file has no name any more: more of it would be lost too.
+void Recording::sync() noexcept {
+  if (error_ != 0) return;
+  fail(sync_data(descriptor_));
+  if (!is_named_) fail(sync_folder(std::filesystem::path(path_).parent_path()));
+  is_named_ = true;
+  struct stat status {};
+  if (fstat(descriptor_, &status) == 0 && status.st_nlink == 0) fail(ENOENT);
+}
+
+// The first reason counts; 0: there is none.
+void Recording::fail(int error) noexcept {
+  if (error_ == 0) error_ = error;
 }
 
 }  // namespace ghostforce

@@ -1,6 +1,7 @@
 // Recording: a run written to a file while it is made (the format: run_file.h, docs/recording.md). A thread of its own
 // takes what the servo hands out and writes it many times a second, so that neither a stalled window nor the end of the
-// process loses more than the last moment, and the servo never waits for a disk.
+// process loses more than the last moment, and the servo never waits for a disk. Twice a second it waits for the disk
+// itself, so that a power cut loses no more than that either.
 #pragma once
 
 #include <atomic>
@@ -51,8 +52,9 @@ struct RecordingProgress {
 // UI thread, but for the thread within.
 class Recording {
  public:
-  // How often what there is goes to the file [s].
+  // How often what there is goes to the file [s], and how many times until the disk must have it: 0.5 s at most.
   static constexpr double writing_period_s = 0.05;
+  static constexpr int writes_per_sync = 9;
 
   // Makes the file, which must not exist, and writes its header: `scene`, which must come from a file or from
   // rounded_to_file(), with the settings that the servo runs with. From then on takes the samples that the servo marks
@@ -67,12 +69,17 @@ class Recording {
   void end() noexcept;
 
   const std::string& path() const noexcept { return path_; }
+  // Where the file was when it ended: path(), or where it was moved to meanwhile; empty: it was removed.
+  const std::string& found_at() const noexcept { return found_at_; }
   RecordingProgress progress() const noexcept;
 
  private:
   void write_until_end() noexcept;
   void write_samples();
   bool write_lines() noexcept;
+  void sync() noexcept;
+  void fail(int error) noexcept;
+  std::string where_it_is() const;
 
   std::string path_;
   Servo& servo_;
@@ -83,6 +90,8 @@ class Recording {
   SampleText text_;
   fmt::memory_buffer lines_;
   std::uint64_t written_ = 0;  // whole lines in the file [bytes]
+  bool is_named_ = false;      // the folder has its name, also after a power cut
+  std::string found_at_;
 
   std::atomic<double> seconds_{0.0};
   std::atomic<std::uint64_t> bytes_{0};

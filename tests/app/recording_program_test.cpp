@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <filesystem>
 #include <string>
 #include <thread>
 
@@ -109,6 +110,21 @@ TEST(RecordingProgram, SaysWhereTheFileTookNoMore) {
   const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, call);
   EXPECT_EQ(outcome.exit_code, 8);
   EXPECT_NE(outcome.err.find("run.csv takes no more: File too large"), std::string::npos) << outcome.err;
+}
+
+TEST(RecordingProgram, SaysThatTheFolderHasVanished) {
+  const TemporaryFolder folder;
+  const Display display(1024, 640);
+  std::filesystem::create_directory(folder / "gone");
+  ProgramCall call;
+  call.words = {"-c", std::string(GHOSTFORCE_PROGRAM) + " run --input script --exit-after 3 --record gone/run.csv & " +
+                          "until test -s gone/run.csv; do sleep 0.1; done; rm -r gone; wait $!"};
+  call.environment = display.environment();
+  call.folder = folder.path();
+  const Outcome outcome = run_program("/bin/sh", call);
+  EXPECT_EQ(outcome.exit_code, 8);
+  EXPECT_NE(outcome.err.find("The recording is lost, "), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("gone/run.csv was removed while it was written"), std::string::npos) << outcome.err;
 }
 
 TEST(RecordingProgram, IsAskedForAFile) {

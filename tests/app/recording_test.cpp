@@ -15,6 +15,7 @@
 #include "device/mouse_input.h"
 #include "device/scripted_input.h"
 #include "tests/app/driven_window.h"
+#include "tests/support/file_calls.h"
 #include "tests/support/small_files.h"
 #include "tests/support/temporary_folder.h"
 
@@ -166,6 +167,69 @@ TEST(Recording, EndsWithWholeLinesWhereTheFileTakesNoMore) {
   expect_repeats(folder / "run.csv", 100);
 }
 
+TEST(Recording, IsOnTheDiskTwiceASecondAndInTheEnd) {
+  const TemporaryFolder folder;
+  const std::string real = std::filesystem::canonical(folder.path());
+  const std::string path = real + "/run.csv";
+  FileCalls calls;
+  Stepped stepped;
+  const auto synced_bytes = [&] { return calls.last("fdatasync", path).bytes; };
+  Recording recording(path, stepped.scene, *stepped.servo, 1);
+  for (int i = 0; i < 2; ++i) {
+    stepped.step(100);
+    wait_until([&] { return recording.progress().seconds > 0.1 * i + 0.099; });
+    wait_until([&] { return synced_bytes() == recording.progress().bytes; });
+  }
+  EXPECT_EQ(calls.count("fsync", real), 1) << "its name";
+  EXPECT_FALSE(calls.was_made_by_this_thread("fdatasync")) << "whoever steps the servo waits for no disk";
+  stepped.step(100);
+  recording.end();
+  EXPECT_EQ(synced_bytes(), recording.progress().bytes);
+  EXPECT_EQ(synced_bytes(), read_whole(path).size());
+  EXPECT_LE((Recording::writes_per_sync + 1) * Recording::writing_period_s, 0.5);
+}
+
+TEST(Recording, EndsWhereTheDiskFails) {
+  const TemporaryFolder folder;
+  FileCalls calls;
+  Stepped stepped;
+  Recording recording(folder / "run.csv", stepped.scene, *stepped.servo, 1);
+  calls.fail("fdatasync", EIO);
+  wait_until([&] { return recording.progress().error != 0; });
+  recording.end();
+  EXPECT_EQ(recording.progress().error, EIO);
+  for (const int harmless : {EINVAL, EROFS}) {
+    calls.fail("fdatasync", harmless);
+    Recording another(folder / std::to_string(harmless), stepped.scene, *stepped.servo, 1);
+    another.end();
+    EXPECT_EQ(another.progress().error, 0);
+  }
+}
+
+TEST(Recording, KnowsWhereItIs) {
+  const TemporaryFolder folder;
+  const std::string real = std::filesystem::canonical(folder.path());
+  Stepped stepped;
+  const auto end_after = [&](auto&& change) {
+    std::filesystem::create_directory(real + "/in");
+    Recording recording(real + "/in/run.csv", stepped.scene, *stepped.servo, 1);
+    change();
+    recording.end();
+    std::filesystem::remove_all(real + "/in");
+    return recording.found_at();
+  };
+  EXPECT_EQ(end_after([] {}), real + "/in/run.csv");
+  EXPECT_EQ(end_after([&] { std::filesystem::remove_all(real + "/in"); }), "");
+  EXPECT_EQ(end_after([&] { std::filesystem::rename(real + "/in/run.csv", real + "/in/other.csv"); }),
+            real + "/in/other.csv");
+  EXPECT_EQ(end_after([&] { std::filesystem::rename(real + "/in", real + "/out"); }), real + "/out/run.csv");
+  EXPECT_EQ(end_after([&] {
+              std::filesystem::remove(real + "/in/run.csv");
+              write_whole(real + "/in/run.csv", "another's");
+            }),
+            "");
+}
+
 // --- At the window ---
 
 class RecordingWindow : public DrivenWindow {
@@ -261,6 +325,31 @@ TEST_F(RecordingWindow, TellsWhatCannotBeWrittenAndGoesOn) {
   const std::int64_t tick = now().tick;
   frames(3);
   EXPECT_GT(now().tick, tick);
+}
+
+TEST_F(RecordingWindow, SaysSoWhenWhatItRecordsIsGone) {
+  std::filesystem::create_directory(folder_ / "gone");
+  record(folder_ / "gone/run.csv");
+  frames(10);
+  std::filesystem::remove_all(folder_ / "gone");
+  // It does not wait for the person to end it.
+  wait_until([&] {
+    frames(1);
+    return !notice().empty();
+  });
+  EXPECT_TRUE(session().notice->is_problem);
+  EXPECT_TRUE(notice().starts_with("The recording is lost, ")) << notice();
+  EXPECT_NE(notice().find(folder_ / "gone/run.csv was removed"), std::string::npos) << notice();
+  EXPECT_EQ(application_->recording_problem(), notice());
+
+  session().notice.reset();
+  record(folder_ / "here.csv");
+  frames(10);
+  std::filesystem::rename(folder_ / "here.csv", folder_ / "there.csv");
+  stop();
+  EXPECT_TRUE(session().notice->is_problem);
+  EXPECT_NE(notice().find("there.csv. It was moved there while it was written: "), std::string::npos) << notice();
+  EXPECT_TRUE(load_run(folder_ / "there.csv").remarks.empty());
 }
 
 TEST_F(RecordingWindow, ReplaysARecordingThatIsDropped) {

@@ -1,0 +1,23 @@
+// The temporary files that output goes to until it is whole: ".ghostforce-PID-N.part", each with a lock on it while its
+// process lives. A killed process leaves its own behind without a lock, and the next one that writes into the folder
+// removes them. A lock tells the living from the dead where a process id does not: ids are used again, and other
+// containers and machines have their own. Not for the servo thread.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace ghostforce {
+
+struct PartFile {
+  std::string path;
+  int descriptor = -1;  // open for writing and locked; negative: errno says why there is none
+};
+
+// A new one, with the permissions that any new file has.
+PartFile make_part_file(const std::filesystem::path& folder);
+
+// Removes those that nobody writes any more; what cannot be looked at or removed stays.
+void remove_dead_part_files(const std::filesystem::path& folder) noexcept;
+
+}  // namespace ghostforce
