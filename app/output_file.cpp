@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <climits>
 #include <cstdio>
@@ -84,10 +85,12 @@ OutputFile::OutputFile(const std::string& path) : shown_(path) {
 
   const std::filesystem::path target = end_of_links(path);
   if (target.filename().empty()) fail(path.empty() ? ENOENT : EISDIR);
+  // Files that are not committed yet may be many.
+  static std::atomic<int> number = 0;
   for (int i = 0; descriptor_ < 0; ++i) {
     // A short name of its own: the file's name with something added may be too
     // long.
-    temporary_ = target.parent_path() / fmt::format(".ghostforce-{}-{}.part", getpid(), i);
+    temporary_ = target.parent_path() / fmt::format(".ghostforce-{}-{}.part", getpid(), number++);
     descriptor_ = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor_ < 0 && (errno != EEXIST || i == tries)) {
       temporary_.clear();
@@ -137,6 +140,7 @@ ssize_t OutputFile::write_some(std::string_view text) const {
 
 void OutputFile::finish() {
   flush();
+  buffer_.shrink_to_fit();
   if (descriptor_ < 0 || descriptor_ == STDOUT_FILENO) return;
   const int descriptor = descriptor_;
   descriptor_ = -1;
