@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cstdint>
 #include <iterator>
 #include <optional>
@@ -11,11 +10,13 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <toml++/toml.h>
 
 #include "app/failure.h"
 #include "app/file_contents.h"
 #include "app/file_kind.h"
+#include "app/first_problems.h"
 #include "app/nearest_name.h"
 #include "app/output_file.h"
 #include "app/printable.h"
@@ -79,23 +80,22 @@ class CalibrationReader {
  private:
   // --- Telling what is wrong ---
 
-  void complain(toml::source_position position, const std::string& what) { problems_.emplace_back(position, what); }
+  // `what` is a text, or a function that makes it.
+  template <typename Words>
+  void complain(toml::source_position position, Words what) {
+    problems_.add(position, std::move(what));
+  }
 
   void complain(const toml::node& node, std::string_view key, const std::string& what) {
     complain(node.source().begin, fmt::format("the key {}: {}", key, what));
   }
 
-  // In the order in which a person reads.
   [[noreturn]] void tell() {
-    std::stable_sort(problems_.begin(), problems_.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
-    std::string words;
-    for (const auto& [position, what] : problems_) {
-      words += fmt::format("{}{}:{}:{}: {}", words.empty() ? "" : "\n", shown_path_,
-                           std::max<toml::source_index>(position.line, 1),
-                           std::max<toml::source_index>(position.column, 1), what);
-    }
-    throw Failure(ExitCode::wrong_call, words);
+    const auto lines = problems_.lines([this](const toml::source_position& position) {
+      return fmt::format("{}:{}:{}", shown_path_, std::max<toml::source_index>(position.line, 1),
+                         std::max<toml::source_index>(position.column, 1));
+    });
+    throw Failure(ExitCode::wrong_call, fmt::format("{}", fmt::join(lines, "\n")));
   }
 
   // --- What is there ---
@@ -121,9 +121,11 @@ class CalibrationReader {
     for (const auto& [key, node] : file_) {
       const std::string_view name = key.str();
       if (std::find(known_keys.begin(), known_keys.end(), name) != known_keys.end()) continue;
-      const std::string near = did_you_mean(name, known_keys);
-      complain(key.source().begin, fmt::format("the key {} is unknown{}", printable(name),
-                                               near.empty() ? fmt::format("; there is {}", listed(known_keys)) : near));
+      complain(key.source().begin, [name] {
+        const std::string near = did_you_mean(name, known_keys);
+        return fmt::format("the key {} is unknown{}", printable(name),
+                           near.empty() ? fmt::format("; there is {}", listed(known_keys)) : near);
+      });
     }
   }
 
@@ -246,7 +248,7 @@ class CalibrationReader {
 
   std::string shown_path_;
   toml::table file_;
-  std::vector<std::pair<toml::source_position, std::string>> problems_;
+  FirstProblems<toml::source_position> problems_;
   FalconCalibration calibration_;
 };
 
@@ -292,13 +294,12 @@ std::vector<CalibrationFile> read_all() {
       add_problem(fmt::format("{} is {}, and calibrations are files; remove it", shown, kind));
       continue;
     }
-    const std::optional<std::string> text = file_contents(path);
-    if (!text) {
-      const int why = errno;
-      throw Failure(ExitCode::file_trouble, fmt::format("{} cannot be read: {}", shown, reason_of(why)));
+    const FileContents file = file_contents(path);
+    if (file.error != 0) {
+      throw Failure(ExitCode::file_trouble, fmt::format("{} cannot be read: {}", shown, reason_of(file.error)));
     }
     try {
-      files.push_back({path, read_falcon_calibration(*text, path.string())});
+      files.push_back({path, read_falcon_calibration(file.text, path.string())});
     } catch (const Failure& failure) {
       add_problem(failure.what());
       continue;

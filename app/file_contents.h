@@ -1,22 +1,23 @@
-// A small file as text. Not for the servo thread.
+// A file as one text: scenes, cases, preferences, calibrations, shaders. Opening and reading go wrong in one way. Not
+// for the servo thread.
 #pragma once
 
-#include <cerrno>
+#include <cstddef>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <optional>
 #include <string>
 
 namespace ghostforce {
 
-// All of a file, which should be a plain one (file_kind.h). Empty: it cannot be read, and errno may say why.
-inline std::optional<std::string> file_contents(const std::filesystem::path& path) {
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (!file.is_open() || file.bad()) return std::nullopt;
-  return text;
-}
+// A hundred thousand waypoints take a few million bytes; what is larger than this is some other file, or a device that
+// never ends.
+inline constexpr std::size_t largest_text_file = 1 << 24;
+
+struct FileContents {
+  std::string text;
+  int error = 0;  // as errno has it; EFBIG: the file is larger than largest_text_file. 0: `text` is all of it
+};
+
+// Waits where a pipe has no other end yet. Throws Failure(interrupted).
+FileContents file_contents(const std::filesystem::path& path);
 
 }  // namespace ghostforce

@@ -144,6 +144,7 @@ ssize_t OutputFile::write_some(std::string_view text) const {
 
 void OutputFile::finish() {
   flush();
+  buffer_.shrink_to_fit();
   if (descriptor_ == STDOUT_FILENO) return;
   if (const int error = sync_file(descriptor_); error != 0) fail(error);
   // Some file systems tell only at a close that the disk is full. The lock stays with the descriptor itself.

@@ -3,11 +3,15 @@
 #include <dirent.h>
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <memory>
+#include <mutex>
+#include <set>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -48,13 +52,23 @@ void remove_if_dead(const std::string& path) noexcept {
   close(descriptor);
 }
 
+// Many files may wait for the same commit, each open for the sake of its lock. False: that is all that the system allows.
+bool allow_more_files() noexcept {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur >= limit.rlim_max) return false;
+  limit.rlim_cur = limit.rlim_max;
+  return setrlimit(RLIMIT_NOFILE, &limit) == 0;
+}
+
 }  // namespace
 
 PartFile make_part_file(const std::filesystem::path& folder) {
+  static std::atomic<int> number = 0;
   for (int i = 0;; ++i) {
     // A short name of its own: the file's name with something added may be too long.
-    PartFile part{folder / fmt::format("{}{}-{}{}", begin, getpid(), i, end), -1};
+    PartFile part{folder / fmt::format("{}{}-{}{}", begin, getpid(), number++, end), -1};
     part.descriptor = open(part.path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (part.descriptor < 0 && errno == EMFILE && allow_more_files()) continue;
     if (part.descriptor < 0 && (errno != EEXIST || i == tries)) return part;
     if (part.descriptor < 0) continue;
     // Another process may have seen it before it was locked, and taken it for a dead one.
@@ -67,7 +81,14 @@ PartFile make_part_file(const std::filesystem::path& folder) {
   }
 }
 
-void remove_dead_part_files(const std::filesystem::path& folder) noexcept {
+void remove_dead_part_files(const std::filesystem::path& folder) {
+  // Once for each folder: who writes a thousand files need not look a thousand times.
+  static std::mutex mutex;
+  static std::set<std::filesystem::path> cleaned;
+  {
+    const std::lock_guard lock(mutex);
+    if (!cleaned.insert(folder).second) return;
+  }
   const std::unique_ptr<DIR, int (*)(DIR*)> names(opendir(folder.empty() ? "." : folder.c_str()), closedir);
   if (!names) return;
   while (const dirent* const entry = readdir(names.get())) {

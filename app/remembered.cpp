@@ -1,6 +1,7 @@
 #include "app/remembered.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
@@ -132,13 +133,14 @@ std::optional<Value> recall_from(const fs::path& file, std::vector<std::string>&
     remarks.push_back(fmt::format("{} is no file; the usual values are used", shown));
     return std::nullopt;
   }
-  const std::optional<std::string> text = file_contents(file);
-  if (!text) {
-    remarks.push_back(fmt::format("{} cannot be read; the usual values are used", shown));
+  const FileContents contents = file_contents(file);
+  if (contents.error != 0) {
+    remarks.push_back(fmt::format("{} cannot be read ({}); the usual values are used, and the file stays as it is",
+                                  shown, std::generic_category().message(contents.error)));
     return std::nullopt;
   }
   try {
-    const ParsedToml parsed = parse_toml(*text);
+    const ParsedToml parsed = parse_toml(contents.text);
     if (parsed.problem) throw Damaged{fmt::format("line {}: {}", parsed.problem->position.line, parsed.problem->what)};
     Value value;
     read(parsed.table, value);
@@ -167,6 +169,15 @@ void write(const fs::path& file, const std::string& text, std::string_view what)
   if (const std::string_view kind = kind_instead_of_file(file); !kind.empty() && fs::exists(file, error)) {
     throw Failure(ExitCode::file_trouble, fmt::format("{} is {}, and {} kept in a file of this name; remove it",
                                                       printable(file.string(), longest_path), kind, what));
+  }
+  // What cannot be read may be worth much all the same.
+  const FileContents old = file_contents(file);
+  if (old.error != 0 && old.error != ENOENT) {
+    throw Failure(
+        ExitCode::file_trouble,
+        fmt::format("{} cannot be read ({}) and stays as it is, and {} kept in a file of this name; repair or "
+                    "remove it",
+                    printable(file.string(), longest_path), std::generic_category().message(old.error), what));
   }
   OutputFile output(file.string());
   output.write(text);

@@ -1,6 +1,6 @@
 // What the program remembers from one run to the next: preferences in the XDG config folder, the layout of the window
-// in the XDG state folder, a small TOML file each. A damaged file is set aside under another name, never overwritten
-// and never a reason not to start. UI thread.
+// in the XDG state folder, a small TOML file each. A damaged file is set aside under another name; one that cannot be
+// read stays where it is. Neither is overwritten, and neither is a reason not to start. UI thread.
 #pragma once
 
 #include <functional>

@@ -1,11 +1,8 @@
 #include "app/scene_file.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
@@ -13,12 +10,13 @@
 #include <filesystem>
 #include <optional>
 #include <system_error>
+#include <utility>
 #include <variant>
 
 #include <fmt/format.h>
 
 #include "app/failure.h"
-#include "app/interruption.h"
+#include "app/file_contents.h"
 #include "app/nearest_name.h"
 #include "app/output_file.h"
 #include "app/printable.h"
@@ -29,10 +27,6 @@ namespace ghostforce {
 namespace {
 
 constexpr std::string_view extension = ".toml";
-
-// A hundred thousand waypoints take a few million bytes; what is larger than
-// this is some other file, or a device that never ends.
-constexpr std::size_t largest_file = 1 << 24;
 
 std::string_view name_of(const EmbeddedText& scene) noexcept {
   return scene.name.substr(0, scene.name.size() - extension.size());
@@ -69,44 +63,25 @@ std::string hint_for(const std::filesystem::path& path) {
 }
 
 std::string read_file(const std::string& path) {
+  FileContents file = file_contents(path);
   const auto fail = [&](ExitCode code, const std::string& what) -> Failure {
     return {code, fmt::format("{}: {}", printable(path, longest_path), what)};
   };
-  const int descriptor = open_unless_interrupted(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) {
-    const int error = errno;
-    if (error == ENOENT || error == ENOTDIR || error == ENAMETOOLONG || path.empty()) {
+  switch (path.empty() ? ENOENT : file.error) {
+    case 0:
+      return std::move(file.text);
+    case ENOENT:
+    case ENOTDIR:
+    case ENAMETOOLONG:
       throw Failure(ExitCode::wrong_call,
                     fmt::format("no scene named '{}'{}", printable(path, longest_path), hint_for(path)));
-    }
-    throw fail(ExitCode::file_trouble, fmt::format("cannot be read: {}", reason_of(error)));
-  }
-  struct Closer {
-    int descriptor;
-    ~Closer() { close(descriptor); }
-  } const closer{descriptor};
-
-  std::string text;
-  std::array<char, 1 << 16> piece;
-  while (true) {
-    const ssize_t count = read(descriptor, piece.data(), piece.size());
-    if (count == 0) return text;
-    if (count < 0) {
-      const int error = errno;
-      if (error == EINTR) {
-        stop_if_interrupted();
-        continue;
-      }
-      if (error == EISDIR) {
-        throw fail(ExitCode::wrong_call, "is a folder; name a scene file in it");
-      }
-      throw fail(ExitCode::file_trouble, fmt::format("cannot be read: {}", reason_of(error)));
-    }
-    text.append(piece.data(), static_cast<std::size_t>(count));
-    if (text.size() > largest_file) {
+    case EISDIR:
+      throw fail(ExitCode::wrong_call, "is a folder; name a scene file in it");
+    case EFBIG:
       throw fail(ExitCode::wrong_call,
-                 fmt::format("is larger than {} MiB, which no scene is; name a scene file", largest_file >> 20));
-    }
+                 fmt::format("is larger than {} MiB, which no scene is; name a scene file", largest_text_file >> 20));
+    default:
+      throw fail(ExitCode::file_trouble, fmt::format("cannot be read: {}", reason_of(file.error)));
   }
 }
 

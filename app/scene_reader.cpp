@@ -10,10 +10,12 @@
 #include <variant>
 #include <vector>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <toml++/toml.h>
 
 #include "app/failure.h"
+#include "app/first_problems.h"
 #include "app/nearest_name.h"
 #include "app/printable.h"
 #include "app/scene_key_name.h"
@@ -26,9 +28,6 @@ namespace {
 
 constexpr std::int64_t known_format = 1;
 constexpr std::string_view format_name = "format";
-
-// A file that is wrong from end to end is best read from its beginning.
-constexpr std::size_t most_problems_told = 20;
 
 // Where something is wrong; sorts as a person reads.
 struct Place {
@@ -97,7 +96,11 @@ class SceneReader {
  private:
   // --- Telling what is wrong ---
 
-  void complain(Place place, const std::string& what) { problems_.emplace_back(place, what); }
+  // `what` is a text, or a function that makes it.
+  template <typename Words>
+  void complain(Place place, Words what) {
+    problems_.add(place, std::move(what));
+  }
 
   // About the key that is being read, at `node`, which is its value or part of
   // it.
@@ -125,16 +128,8 @@ class SceneReader {
 
   Scene finish() {
     if (problems_.empty()) return std::move(scene_);
-    std::stable_sort(problems_.begin(), problems_.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
-    std::string words;
-    for (std::size_t i = 0; i < std::min(problems_.size(), most_problems_told); ++i) {
-      words += fmt::format("{}{}: {}", i == 0 ? "" : "\n", shown(problems_[i].first), problems_[i].second);
-    }
-    if (problems_.size() > most_problems_told) {
-      words += fmt::format("\n… and {} more", problems_.size() - most_problems_told);
-    }
-    throw Failure(ExitCode::wrong_call, words);
+    const auto lines = problems_.lines([this](const Place& place) { return shown(place); });
+    throw Failure(ExitCode::wrong_call, fmt::format("{}", fmt::join(lines, "\n")));
   }
 
   // --- The file and --set as TOML ---
@@ -197,20 +192,27 @@ class SceneReader {
                                       type_words(node.type()), name));
         }
       } else if (node.is_table()) {
-        std::vector<std::string_view> tables;
-        for (const SceneKey& known : scene_keys()) tables.push_back(known.table);
-        complain(place, fmt::format("the table [{}] is unknown{}", printable(name), did_you_mean(name, tables)));
+        complain(place, [name] {
+          std::vector<std::string_view> tables;
+          for (const SceneKey& known : scene_keys()) tables.push_back(known.table);
+          return fmt::format("the table [{}] is unknown{}", printable(name), did_you_mean(name, tables));
+        });
       } else if (name != format_name && find_scene_key("", name) == nullptr) {
-        complain(place, fmt::format("the key {} is unknown{}", printable(name), suggest_scene_key("", name)));
+        complain(place, [name] {
+          return fmt::format("the key {} is unknown{}", printable(name), suggest_scene_key("", name));
+        });
       }
     }
   }
 
   void find_unknown_in(std::string_view table_name, const toml::table& table) {
     for (const auto& [key, node] : table) {
-      if (find_scene_key(table_name, key.str()) != nullptr) continue;
-      complain(place_of(key.source().begin), fmt::format("the key {}.{} is unknown{}", table_name, printable(key.str()),
-                                                         suggest_scene_key(table_name, key.str())));
+      const std::string_view name = key.str();
+      if (find_scene_key(table_name, name) != nullptr) continue;
+      complain(place_of(key.source().begin), [table_name, name] {
+        return fmt::format("the key {}.{} is unknown{}", table_name, printable(name),
+                           suggest_scene_key(table_name, name));
+      });
     }
   }
 
@@ -369,7 +371,7 @@ class SceneReader {
   std::span<const std::string> overrides_;
   toml::table file_;
   std::vector<std::pair<std::size_t, SceneOverride>> overriding_;  // how manieth --set, and what it says
-  std::vector<std::pair<Place, std::string>> problems_;
+  FirstProblems<Place> problems_;
   Scene scene_;
   const SceneKey* key_ = nullptr;  // being read
   Given given_;                    // its value

@@ -18,8 +18,10 @@ namespace fs = std::filesystem;
 constexpr double interval_s = 0.25;
 
 std::string contents_of(const fs::path& file) {
-  if (auto text = file_contents(file)) return *std::move(text);
-  throw gl::ShaderError(fmt::format("{} cannot be read", file.string()));
+  FileContents contents = file_contents(file);
+  if (contents.error == 0) return std::move(contents.text);
+  throw gl::ShaderError(
+      fmt::format("{} cannot be read: {}", file.string(), std::generic_category().message(contents.error)));
 }
 
 }  // namespace

@@ -44,14 +44,9 @@ find_package(CLI11 REQUIRED)
 # nlohmann-json: JSON output. Headers only. apt: nlohmann-json3-dev.
 find_package(nlohmann_json REQUIRED)
 
-# libpng: writes PNG files, several times faster than stb does, and smaller ones. Cairo brings it along anyway.
+# libpng: reads PNG files whoever wrote them, checksums and all, and writes them. Cairo brings it along anyway.
 # apt: libpng-dev.
 find_package(PNG REQUIRED)
-
-# stb: reads PNG files whoever wrote them, <stb/stb_image.h>. apt: libstb-dev.
-find_path(STB_INCLUDE_DIR stb/stb_image.h REQUIRED)
-add_library(ghostforce::stb INTERFACE IMPORTED)
-target_include_directories(ghostforce::stb INTERFACE ${STB_INCLUDE_DIR})
 
 # Cairo: SVG and PDF files. Its way from a font file to letters leads through FreeType, so that the machine's own choice
 # of fonts (fontconfig) has no say in a picture. apt: libcairo2-dev, libfreetype-dev.

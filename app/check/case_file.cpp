@@ -2,15 +2,21 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <filesystem>
+#include <iterator>
 #include <sstream>
 #include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "app/failure.h"
+#include "app/file_contents.h"
+#include "app/first_problems.h"
 #include "app/nearest_name.h"
+#include "app/output_file.h"
 #include "app/printable.h"
 #include "app/scene_file.h"
 #include "app/toml_text.h"
@@ -91,10 +97,11 @@ std::string scene_hint(const std::filesystem::path& name, const std::filesystem:
 
 class CaseReader {
  public:
-  CaseReader(Case& into, std::vector<std::string>& problems) : case_(into), problems_(problems) {}
+  CaseReader(ReadCase& into, std::vector<std::string>& problems)
+      : case_(into.summary), text_(into.content.text), request_(into.content.request), problems_(problems) {}
 
   void read() {
-    ParsedToml parsed = parse_toml(case_.text);
+    ParsedToml parsed = parse_toml(text_);
     if (parsed.problem) {
       complain(parsed.problem->position, parsed.problem->what);
       tell();
@@ -123,16 +130,19 @@ class CaseReader {
                        std::max<toml::source_index>(position.column, 1));
   }
 
-  void complain(toml::source_position position, const std::string& what) { found_.emplace_back(position, what); }
+  // `what` is a text, or a function that makes it.
+  template <typename Words>
+  void complain(toml::source_position position, Words what) {
+    found_.add(position, std::move(what));
+  }
 
   void complain(const toml::node& node, std::string_view key, const std::string& what) {
     complain(node.source().begin, fmt::format("the key {}: {}", key, what));
   }
 
-  // In the order in which a person reads.
   void tell() {
-    std::stable_sort(found_.begin(), found_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    for (const auto& [position, what] : found_) problems_.push_back(fmt::format("{}: {}", shown(position), what));
+    std::vector<std::string> lines = found_.lines([this](toml::source_position position) { return shown(position); });
+    problems_.insert(problems_.end(), std::make_move_iterator(lines.begin()), std::make_move_iterator(lines.end()));
   }
 
   // --- What is there ---
@@ -158,8 +168,9 @@ class CaseReader {
   }
 
   void complain_unknown(std::string_view table, const toml::key& key) {
-    complain(key.source().begin,
-             fmt::format("the key {} is unknown{}", dotted(table, printable(key.str())), suggestion(table, key.str())));
+    complain(key.source().begin, [table, name = key.str()] {
+      return fmt::format("the key {} is unknown{}", dotted(table, printable(name)), suggestion(table, name));
+    });
   }
 
   const toml::node* find(std::string_view table, std::string_view name) const {
@@ -240,7 +251,7 @@ class CaseReader {
       return;
     }
     try {
-      case_.request.scene = load_scene(is_shipped ? *scene : beside.string(), overrides);
+      request_.scene = load_scene(is_shipped ? *scene : beside.string(), overrides);
     } catch (const Failure& failure) {
       if (failure.code() != ExitCode::wrong_call) {
         throw Failure(failure.code(),
@@ -279,6 +290,11 @@ class CaseReader {
       complain(*node, "set", fmt::format("is {}; {}", type_words(node->type()), need));
       return {};
     }
+    constexpr std::size_t most = 1000;  // a scene has some thirty keys
+    if (array->size() > most) {
+      complain(*node, "set", fmt::format("holds {} texts; give {} at most", array->size(), most));
+      return {};
+    }
     std::vector<std::string> overrides;
     for (const toml::node& element : *array) {
       const auto* const value = element.as_string();
@@ -292,29 +308,28 @@ class CaseReader {
   }
 
   void read_picture() {
-    PictureRequest& request = case_.request;
-    request.at_s = number("", "at_s", {0.0, latest_s, "s"});
-    if (request.at_s && *request.at_s * request.scene.settings.rate > most_ticks) {
+    request_.at_s = number("", "at_s", {0.0, latest_s, "s"});
+    if (request_.at_s && *request_.at_s * request_.scene.settings.rate > most_ticks) {
       complain(*find("", "at_s"), "at_s",
-               fmt::format("{} s is out of range; give 0 to {} s, which is {} ticks", *request.at_s,
-                           most_ticks / request.scene.settings.rate, most_ticks));
+               fmt::format("{} s is out of range; give 0 to {} s, which is {} ticks", *request_.at_s,
+                           most_ticks / request_.scene.settings.rate, most_ticks));
     }
     read_size();
     if (const auto part = word("part", {"window", "scene"})) {
-      request.part = *part == "scene" ? Part::scene : Part::window;
+      request_.part = *part == "scene" ? Part::scene : Part::window;
     }
     std::vector<std::string_view> strategies;
     for (const Strategy& strategy : strategy_catalog()) strategies.push_back(strategy.name);
     strategies.push_back(every_strategy);
-    if (const auto strategy = word("strategy", strategies)) apply_strategy_word(*strategy, request);
+    if (const auto strategy = word("strategy", strategies)) apply_strategy_word(*strategy, request_);
     std::vector<std::string_view> modes;
     for (const CompareMode& mode : compare_catalog()) modes.push_back(mode.name);
-    if (const auto compare = word("compare", modes)) request.options.compare = find_compare(*compare).value();
+    if (const auto compare = word("compare", modes)) request_.options.compare = find_compare(*compare).value();
     std::vector<std::string_view> themes;
     for (const Theme& theme : theme_catalog()) themes.push_back(theme.name);
-    if (const auto theme = word("theme", themes)) request.look.theme = find_theme(*theme);
+    if (const auto theme = word("theme", themes)) request_.look.theme = find_theme(*theme);
     if (const auto scale = number("", "scale", {Look::least_scale, Look::greatest_scale, ""})) {
-      request.look.scale = *scale;
+      request_.look.scale = *scale;
     }
   }
 
@@ -332,8 +347,8 @@ class CaseReader {
     const auto width = whole((*lengths)[0], "size", smallest_picture, largest_picture);
     const auto height = whole((*lengths)[1], "size", smallest_picture, largest_picture);
     if (!width || !height) return;
-    case_.request.width = *width;
-    case_.request.height = *height;
+    request_.width = *width;
+    request_.height = *height;
   }
 
   void read_expectation() {
@@ -372,8 +387,10 @@ class CaseReader {
   }
 
   Case& case_;
+  const std::string& text_;
+  PictureRequest& request_;
   std::vector<std::string>& problems_;
-  std::vector<std::pair<toml::source_position, std::string>> found_;
+  FirstProblems<toml::source_position> found_;
   toml::table file_;
 };
 
@@ -383,13 +400,31 @@ std::string Case::golden_path() const {
   return std::filesystem::path(path).replace_extension(".png").string();
 }
 
-Case read_case(const std::string& path, std::string text, std::vector<std::string>& problems) {
-  Case result;
-  result.name = std::filesystem::path(path).stem().string();
-  result.path = path;
-  result.text = std::move(text);
-  CaseReader(result, problems).read();
+ReadCase read_case(const std::string& path, std::vector<std::string>& problems) {
+  ReadCase result;
+  result.summary.name = std::filesystem::path(path).stem().string();
+  result.summary.path = path;
+  FileContents file = file_contents(path);
+  if (file.error == EFBIG) {
+    problems.push_back(fmt::format("{}: is larger than {} MiB, which no case is; rename it, or remove it",
+                                   printable(path, longest_path), largest_text_file >> 20));
+  } else if (file.error != 0) {
+    throw Failure(ExitCode::file_trouble,
+                  fmt::format("{} cannot be read: {}", printable(path, longest_path), reason_of(file.error)));
+  } else {
+    result.content.text = std::move(file.text);
+    CaseReader(result, problems).read();
+  }
+  result.summary.width = result.content.request.width;
+  result.summary.height = result.content.request.height;
   return result;
+}
+
+CaseContent content_of(const Case& described) {
+  std::vector<std::string> problems;
+  ReadCase read = read_case(described.path, problems);
+  if (!problems.empty()) throw Failure(ExitCode::wrong_call, fmt::format("{}", fmt::join(problems, "\n")));
+  return std::move(read.content);
 }
 
 std::string_view wanted_name(Wanted wanted) noexcept {

@@ -23,8 +23,8 @@ enum class Wanted : std::uint8_t {
 struct Case {
   std::string name;  // the file's, without .toml
   std::string path;  // of the file
-  std::string text;  // in the file
-  PictureRequest request;
+  int width = 0;     // of the picture [px]
+  int height = 0;
   Wanted wanted = Wanted::golden;
   std::string other;        // name of the case that `wanted` speaks of
   std::string other_place;  // where it is named, FILE:LINE:COLUMN
@@ -34,10 +34,23 @@ struct Case {
   std::string golden_path() const;
 };
 
+// What can be long, and is read again each time it is needed: a folder may hold any number of cases.
+struct CaseContent {
+  std::string text;  // in the file
+  PictureRequest request;
+};
+
 // Loads the scene too; its path is relative to the case's file. Whatever is wrong is added to `problems`, a line each:
 //     FILE:LINE:COLUMN: the key KEY: what is wrong; what to do
-// Throws Failure(file_trouble) where a scene is there and cannot be read.
-Case read_case(const std::string& path, std::string text, std::vector<std::string>& problems);
+// Throws Failure: file_trouble where the case or its scene is there and cannot be read; interrupted.
+struct ReadCase {
+  Case summary;
+  CaseContent content;
+};
+ReadCase read_case(const std::string& path, std::vector<std::string>& problems);
+
+// As above; throws Failure(wrong_call) too, where the file has been changed and is wrong now.
+CaseContent content_of(const Case& described);
 
 // "match" or "mismatch", as in the file.
 std::string_view wanted_name(Wanted wanted) noexcept;

@@ -1,7 +1,6 @@
 #include "app/check/case_folder.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -10,7 +9,6 @@
 #include <fmt/ranges.h>
 
 #include "app/failure.h"
-#include "app/file_contents.h"
 #include "app/file_kind.h"
 #include "app/interruption.h"
 #include "app/nearest_name.h"
@@ -79,11 +77,6 @@ std::vector<fs::path> case_paths(const std::string& folder) {
   return paths;
 }
 
-std::string read_text(const fs::path& path) {
-  if (auto text = file_contents(path)) return *std::move(text);
-  fail_to_read(path, errno);
-}
-
 bool has_control_character(std::string_view name) {
   while (!name.empty()) {
     const auto [code, length] = first_character(name);
@@ -104,10 +97,9 @@ void find_problems_between(const std::vector<Case>& cases, std::vector<std::stri
     if (other == nullptr) {
       problems.push_back(fmt::format("{}: there is no case '{}' in this folder{}", at, printable(each.other),
                                      did_you_mean(each.other, names)));
-    } else if (other->request.width != each.request.width || other->request.height != each.request.height) {
+    } else if (other->width != each.width || other->height != each.height) {
       problems.push_back(fmt::format("{}: this picture has {}x{} pixels and that of '{}' {}x{}; give both one size", at,
-                                     each.request.width, each.request.height, printable(each.other),
-                                     other->request.width, other->request.height));
+                                     each.width, each.height, printable(each.other), other->width, other->height));
     }
   }
 }
@@ -133,7 +125,7 @@ std::vector<Case> read_case_folder(const std::string& folder) {
       problems.push_back(fmt::format("{}: is {}, and a case is a file; rename it, or remove it", shown(path), kind));
       continue;
     }
-    cases.push_back(read_case(path.string(), read_text(path), problems));
+    cases.push_back(read_case(path.string(), problems).summary);
   }
   find_problems_between(cases, problems);
   if (!problems.empty()) throw Failure(ExitCode::wrong_call, fmt::format("{}", fmt::join(problems, "\n")));

@@ -27,11 +27,15 @@ bool has(const Image& image, int x, int y) {
   return x < image.width && y < image.height;
 }
 
-// The greatest of its three channels.
+int alpha_at(const Image& image, std::size_t place) {
+  return image.alpha.empty() ? 255 : int{image.alpha[place / 3]};
+}
+
+// The greatest of its four channels.
 int difference_at(const Image& a, const Image& b, int x, int y) {
   const std::size_t in_a = place_of(a, x, y);
   const std::size_t in_b = place_of(b, x, y);
-  int greatest = 0;
+  int greatest = std::abs(alpha_at(a, in_a) - alpha_at(b, in_b));
   for (std::size_t i = 0; i < 3; ++i)
     greatest = std::max(greatest, std::abs(int{a.rgb[in_a + i]} - int{b.rgb[in_b + i]}));
   return greatest;
@@ -76,13 +80,14 @@ Comparison compare_pictures(const Image& expected, const Image& actual, const To
   result.has_one_size = expected.width == actual.width && expected.height == actual.height;
   if (!result.has_one_size) return result;
   result.pixels = std::int64_t{actual.width} * actual.height;
-  if (expected.rgb == actual.rgb) return result;
+  if (expected == actual) return result;
+  const bool are_opaque = expected.alpha.empty() && actual.alpha.empty();
   result.left = actual.width;
   result.top = actual.height;
   const std::size_t row = place_of(actual, 0, 1);
   for (int y = 0; y < actual.height; ++y) {
     const std::size_t begin = place_of(actual, 0, y);
-    if (std::memcmp(&expected.rgb[begin], &actual.rgb[begin], row) == 0) continue;  // most are
+    if (are_opaque && std::memcmp(&expected.rgb[begin], &actual.rgb[begin], row) == 0) continue;  // most are
     for (int x = 0; x < actual.width; ++x) {
       const int difference = difference_at(expected, actual, x, y);
       result.greatest = std::max(result.greatest, difference);
@@ -99,10 +104,6 @@ Comparison compare_pictures(const Image& expected, const Image& actual, const To
 
 bool is_within(const Comparison& comparison, const Tolerance& tolerance) noexcept {
   return comparison.has_one_size && comparison.share() <= tolerance.share;
-}
-
-std::string size_words(const Image& image) {
-  return fmt::format("{}x{}", image.width, image.height);
 }
 
 std::string difference_words(const Comparison& comparison, const Tolerance& tolerance) {

@@ -10,7 +10,7 @@ namespace ghostforce {
 
 // What counts as the same picture; the default is each pixel alike.
 struct Tolerance {
-  int channel = 0;     // greatest difference of a red, green or blue that counts as none, 0-255
+  int channel = 0;     // greatest difference of a red, green, blue or alpha that counts as none, 0-255
   double share = 0.0;  // of the pixels that may differ by more, 0-1
 };
 
@@ -31,9 +31,6 @@ struct Comparison {
 Comparison compare_pictures(const Image& expected, const Image& actual, const Tolerance& tolerance);
 
 bool is_within(const Comparison& comparison, const Tolerance& tolerance) noexcept;
-
-// "640x480"
-std::string size_words(const Image& image);
 
 // "512 of 307200 pixels (0.167 %) differ by more than 2 of 255, by up to 90, all of them in 31x40 pixels at x 12, y 20"
 std::string difference_words(const Comparison& comparison, const Tolerance& tolerance);

@@ -1,5 +1,7 @@
 #include "app/check/gallery.h"
 
+#include <utility>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -8,33 +10,53 @@
 #include "app/printable.h"
 
 namespace ghostforce {
+namespace {
+
+// Twenty pictures of the usual size. What finds no room is drawn again, and is the same then.
+constexpr std::size_t most_kept_bytes = std::size_t{64} << 20;
+
+}  // namespace
 
 Gallery::Gallery(const std::vector<Case>& all, const std::vector<const Case*>& chosen) {
+  const auto want = [&](const Case* wanted) {
+    Entry& entry = entries_[wanted->name];
+    entry.described = wanted;
+    ++entry.times_wanted;
+  };
   for (const Case* const each : chosen) {
-    prepared_[each->name].described = each;
-    if (each->other.empty()) continue;
-    prepared_[each->other].described = find_case(all, each->other);
-    wanted_again_.insert(each->other);
+    want(each);
+    if (!each->other.empty()) want(find_case(all, each->other));
   }
   std::vector<std::string> problems;
-  for (auto& [name, prepared] : prepared_) {
+  for (const auto& [name, entry] : entries_) {
     try {
-      prepared.moment = play_to_moment(prepared.described->request);
+      play_to_moment(content_of(*entry.described).request);
     } catch (const Failure& failure) {
       if (failure.code() != ExitCode::wrong_call) throw;
-      problems.push_back(fmt::format("{}: {}", printable(prepared.described->path, longest_path), failure.what()));
+      problems.push_back(fmt::format("{}: {}", printable(entry.described->path, longest_path), failure.what()));
     }
   }
   if (!problems.empty()) throw Failure(ExitCode::wrong_call, fmt::format("{}", fmt::join(problems, "\n")));
 }
 
 DrawnCase Gallery::draw(const std::string& name) {
-  if (const auto kept = kept_.find(name); kept != kept_.end()) return kept->second;
-  const Prepared& prepared = prepared_.at(name);
+  Entry& entry = entries_.at(name);
+  const bool is_wanted_again = --entry.times_wanted > 0;
+  if (const auto kept = kept_.find(name); kept != kept_.end()) {
+    if (is_wanted_again) return kept->second;
+    DrawnCase drawn = std::move(kept->second);
+    kept_.erase(kept);
+    kept_bytes_ -= drawn.image.rgb.size();
+    return drawn;
+  }
+  const PictureRequest request = content_of(*entry.described).request;
   // A window of its own for each: what is drawn cannot depend on what was drawn before.
-  Drawing drawing = draw_moment(prepared.described->request, prepared.moment);
+  Drawing drawing = draw_moment(request, play_to_moment(request));
   DrawnCase drawn{std::move(drawing.image), present_origin(drawing.graphics)};
-  if (wanted_again_.contains(name)) kept_.emplace(name, drawn);
+  if (is_wanted_again && kept_bytes_ + drawn.image.rgb.size() <= most_kept_bytes) {
+    kept_bytes_ += drawn.image.rgb.size();
+    kept_.emplace(name, drawn);
+  }
   return drawn;
 }
 

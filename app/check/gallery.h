@@ -1,10 +1,10 @@
-// Gallery: the pictures of cases, each drawn when it is asked for, and kept only where another case will ask for it
-// again. Main thread only (OpenGL offscreen).
+// Gallery: the pictures of cases, each drawn when it is asked for, and kept only as long as another case will ask for
+// it again. Main thread only (OpenGL offscreen).
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -24,18 +24,19 @@ class Gallery {
   // wrong_call with all the scenes that cannot be drawn, a line each; interrupted. `all` must outlive the gallery.
   Gallery(const std::vector<Case>& all, const std::vector<const Case*>& chosen);
 
-  // `name` is one of the chosen, or one that such a case is compared with. Throws Failure: no_display, interrupted.
+  // `name` is one of the chosen, or one that such a case is compared with; once for each. Throws Failure: no_display,
+  // interrupted; what reading the case does.
   DrawnCase draw(const std::string& name);
 
  private:
-  struct Prepared {
+  struct Entry {
     const Case* described = nullptr;
-    Moment moment;
+    std::size_t times_wanted = 0;  // from now on
   };
 
-  std::map<std::string, Prepared, std::less<>> prepared_;
-  std::set<std::string, std::less<>> wanted_again_;
+  std::map<std::string, Entry, std::less<>> entries_;
   std::map<std::string, DrawnCase, std::less<>> kept_;
+  std::size_t kept_bytes_ = 0;
 };
 
 }  // namespace ghostforce

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -40,7 +41,7 @@ constexpr std::string_view junit_name = "junit.xml";
 struct PictureKind {
   std::string_view ending;
   std::string_view caption;
-  std::string VerdictPictures::*bytes;
+  std::optional<std::string> VerdictPictures::*bytes;
 };
 constexpr std::array<PictureKind, 3> picture_kinds{{
     {"expected.png", "expected", &VerdictPictures::expected},
@@ -81,7 +82,7 @@ std::string section_about(const Verdict& verdict, std::size_t number) {
   }
   html += "<div class=\"pictures\">\n";
   for (const PictureKind& kind : picture_kinds) {
-    if ((verdict.pictures.*kind.bytes).empty()) continue;
+    if (!(verdict.pictures.*kind.bytes).has_value()) continue;
     const std::string link = link_to(picture_name(verdict, kind));
     html += fmt::format(
         "<figure><figcaption>{}</figcaption><a href=\"{}\"><img src=\"{}\" alt=\"{} picture of {}\">"
@@ -168,16 +169,23 @@ void Report::remove_picture(const std::string& path) const {
                 fmt::format("{} cannot be removed: {}", printable(path, longest_path), reason_of(error.value())));
 }
 
+void Report::take_pictures(Verdict& verdict) {
+  for (const PictureKind& kind : picture_kinds) {
+    std::optional<std::string>& bytes = verdict.pictures.*kind.bytes;
+    if (!bytes) continue;
+    OutputFile& file = pictures_.emplace_back(path_of(picture_name(verdict, kind)));
+    file.write(*bytes);
+    file.finish();
+    bytes.emplace();
+  }
+}
+
 void Report::write(const std::vector<Verdict>& verdicts, std::string_view folder) {
   // The pages come last: they never show a picture that is not there.
+  for (OutputFile& picture : pictures_) picture.commit();
   for (const Verdict& verdict : verdicts) {
     for (const PictureKind& kind : picture_kinds) {
       if (verdict.passes) remove_picture(path_of(picture_name(verdict, kind)));
-      const std::string& bytes = verdict.pictures.*kind.bytes;
-      if (bytes.empty()) continue;
-      OutputFile file(path_of(picture_name(verdict, kind)));
-      file.write(bytes);
-      file.commit();
     }
   }
   html_.write(report_as_html(verdicts, folder));

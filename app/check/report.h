@@ -2,6 +2,7 @@
 // thread.
 #pragma once
 
+#include <deque>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,8 +23,12 @@ class Report {
   // Makes the folder where there is none. Throws Failure(file_trouble) now where nothing can be written there.
   explicit Report(const std::string& to_folder);
 
-  // report.html, junit.xml, and of each case that fails NAME.expected.png, NAME.actual.png and NAME.diff.png; of a case
-  // that passes, these three are removed. Nothing else in the folder is touched. `folder` is that of the cases.
+  // Of a case that fails, NAME.expected.png, NAME.actual.png and NAME.diff.png. They are written beside what is there,
+  // and put in its place by write(). Their bytes are not kept until then: those of the verdict are empty afterwards.
+  void take_pictures(Verdict& verdict);
+
+  // Those pictures, report.html and junit.xml; of a case that passes, the three pictures are removed. Nothing else in
+  // the folder is touched. `folder` is that of the cases.
   void write(const std::vector<Verdict>& verdicts, std::string_view folder);
 
   // Whether a file in the folder is called as if it were one of these.
@@ -36,6 +41,7 @@ class Report {
   std::string to_folder_;
   OutputFile html_;
   OutputFile junit_;
+  std::deque<OutputFile> pictures_;
 };
 
 }  // namespace ghostforce

@@ -1,7 +1,9 @@
 #include "app/check/update.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -35,14 +37,32 @@ void refuse_cases_without_golden(const std::vector<const Case*>& chosen) {
   if (!problems.empty()) throw Failure(ExitCode::wrong_call, fmt::format("{}", fmt::join(problems, "\n")));
 }
 
-// Drawing takes long, and a pipe would take what is drawn for ever.
-void refuse_goldens_that_are_no_files(const std::vector<const Case*>& chosen) {
+// Whether what is written to the path would come to lie outside the folder in which the path is.
+bool leads_out(const std::filesystem::path& path) {
+  std::error_code error;
+  const std::filesystem::path folder = std::filesystem::weakly_canonical(path.parent_path() / ".", error);
+  const std::filesystem::path end = std::filesystem::weakly_canonical(path, error);
+  return std::mismatch(folder.begin(), folder.end(), end.begin(), end.end()).first != folder.end();
+}
+
+// Drawing takes long, a pipe would take what is drawn for ever, and who sends a folder of cases with a link in it could
+// have any file overwritten.
+void refuse_what_cannot_be_written(const std::vector<const Case*>& chosen) {
   std::vector<std::string> problems;
   for (const Case* const each : chosen) {
-    const std::string path = each->golden_path();
-    const std::string_view kind = kind_instead_of_file(path);
-    if (kind.empty()) continue;
-    problems.push_back(fmt::format("{} cannot be written: it is {}; remove it", printable(path, longest_path), kind));
+    const std::string golden = each->golden_path();
+    if (const std::string_view kind = kind_instead_of_file(golden); !kind.empty()) {
+      problems.push_back(
+          fmt::format("{} cannot be written: it is {}; remove it", printable(golden, longest_path), kind));
+      continue;
+    }
+    for (const std::string& path : {golden, each->path}) {
+      if (!leads_out(path)) continue;
+      problems.push_back(
+          fmt::format("{} cannot be written: it is a link that leads out of its folder; put the file "
+                      "itself there",
+                      printable(path, longest_path)));
+    }
   }
   if (!problems.empty()) throw Failure(ExitCode::file_trouble, fmt::format("{}", fmt::join(problems, "\n")));
 }
@@ -51,10 +71,18 @@ bool is_stored(const Case& each, const Image& image) {
   std::error_code unknown;
   if (!std::filesystem::exists(each.golden_path(), unknown)) return false;
   try {
-    return read_png(each.golden_path()) == image;
+    PngFile golden(each.golden_path());
+    return golden.width() == image.width && golden.height() == image.height && golden.read() == image;
   } catch (const Failure&) {
     return false;  // what cannot be read is to be replaced
   }
+}
+
+// Empty: it stays as it is.
+std::string changed_text(const Case& each, const GoldenOrigin& origin) {
+  const std::string before = content_of(each).text;
+  std::string after = with_origin(before, origin, each.path);
+  return after == before ? std::string() : after;
 }
 
 void write_whole(const std::string& path, const std::string& content) {
@@ -67,7 +95,7 @@ void write_whole(const std::string& path, const std::string& content) {
 
 std::vector<std::string> update_goldens(const std::vector<Case>& all, const std::vector<const Case*>& chosen) {
   refuse_cases_without_golden(chosen);
-  refuse_goldens_that_are_no_files(chosen);
+  refuse_what_cannot_be_written(chosen);
   Gallery gallery(all, chosen);
   std::vector<Change> changes;
   Progress progress("drawing", static_cast<std::int64_t>(chosen.size()), true);
@@ -77,7 +105,7 @@ std::vector<std::string> update_goldens(const std::vector<Case>& all, const std:
     Change change{each, {}, {}};
     const bool is_equal = is_stored(*each, drawn.image);
     if (!is_equal) change.golden = png_bytes(drawn.image);
-    if (!is_equal || !each->origin) change.text = with_origin(each->text, drawn.origin, each->path);
+    if (!is_equal || !each->origin) change.text = changed_text(*each, drawn.origin);
     changes.push_back(std::move(change));
     progress.at(static_cast<std::int64_t>(changes.size()));
   }
@@ -92,7 +120,7 @@ std::vector<std::string> update_goldens(const std::vector<Case>& all, const std:
     } else {
       lines.push_back(fmt::format("{} is equal already and stays as it is", path));
     }
-    if (!change.text.empty() && change.text != change.changed->text) write_whole(change.changed->path, change.text);
+    if (!change.text.empty()) write_whole(change.changed->path, change.text);
   }
   return lines;
 }

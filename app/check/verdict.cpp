@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <system_error>
 
@@ -16,44 +17,59 @@
 namespace ghostforce {
 namespace {
 
-// What the case's picture is held against: the golden, or the other case's picture. Empty: there is none, and `verdict`
-// says why.
-std::optional<Image> counterpart(const Case& judged, Gallery& gallery, Verdict& verdict) {
-  if (judged.wanted != Wanted::golden) return gallery.draw(judged.other).image;
+// The golden, of which only the size has been read. Empty: there is none, and `verdict` says why.
+std::unique_ptr<PngFile> open_golden(const Case& judged, Verdict& verdict) {
   const std::string path = judged.golden_path();
   if (const std::string_view kind = kind_instead_of_file(path); !kind.empty()) {
     verdict.reason = fmt::format("the golden {} is {}, no picture; remove it", printable(path, longest_path), kind);
     verdict.is_file_trouble = true;
-    return std::nullopt;
+    return nullptr;
   }
   std::error_code unknown;
   if (std::filesystem::symlink_status(path, unknown).type() == std::filesystem::file_type::not_found) {
     verdict.reason = fmt::format("there is no golden {}", printable(path, longest_path));
-    return std::nullopt;
+    return nullptr;
   }
+  return std::make_unique<PngFile>(path);
+}
+
+bool is_of_size(const PngFile& golden, const Case& judged) {
+  return golden.width() == judged.width && golden.height() == judged.height;
+}
+
+// What the case's picture is held against: the golden, or the other case's picture. Empty: there is none, or it is of
+// another size and nobody wants to see it, and `verdict` says so.
+std::optional<Image> counterpart(const Case& judged, Gallery& gallery, Verdict& verdict, bool wants_pictures) {
+  if (judged.wanted != Wanted::golden) return gallery.draw(judged.other).image;
   try {
-    return read_png(path);
+    const std::unique_ptr<PngFile> golden = open_golden(judged, verdict);
+    if (golden == nullptr) return std::nullopt;
+    if (is_of_size(*golden, judged)) return golden->read();
+    verdict.reason = fmt::format("the picture has {}x{} pixels and the golden {}x{}", judged.width, judged.height,
+                                 golden->width(), golden->height());
+    const bool can_be_shown = golden->width() <= largest_picture && golden->height() <= largest_picture;
+    if (wants_pictures && can_be_shown) return golden->read();
   } catch (const Failure& failure) {
     verdict.reason = failure.what();
     verdict.is_file_trouble = true;
-    return std::nullopt;
   }
+  return std::nullopt;
 }
 
-std::string words_about(const Case& judged, const Image& expected, const Image& actual, const Comparison& comparison) {
-  if (!comparison.has_one_size) {
-    return fmt::format("the picture has {} pixels and the golden {}", size_words(actual), size_words(expected));
-  }
+std::string words_about(const Case& judged, const Comparison& comparison) {
   const std::string words = difference_words(comparison, judged.tolerance);
   if (judged.wanted == Wanted::golden) return words;
   return fmt::format("against the picture of {}, which it must {}be equal to: {}", printable(judged.other),
                      judged.wanted == Wanted::match ? "" : "not ", words);
 }
 
-void compare(const Case& judged, const Image& expected, const Image& actual, Verdict& verdict) {
-  const Comparison comparison = compare_pictures(expected, actual, judged.tolerance);
+void compare(const Case& judged, const Image& expected, const DrawnCase& drawn, Verdict& verdict) {
+  const Comparison comparison = compare_pictures(expected, drawn.image, judged.tolerance);
+  if (!comparison.has_one_size) return;  // which was said
   verdict.passes = is_within(comparison, judged.tolerance) == (judged.wanted != Wanted::mismatch);
-  verdict.reason = words_about(judged, expected, actual, comparison);
+  verdict.reason = words_about(judged, comparison);
+  // No renderer changes a picture's size.
+  if (!verdict.passes && judged.origin) verdict.remark = other_renderer_words(*judged.origin, drawn.origin);
 }
 
 }  // namespace
@@ -63,13 +79,12 @@ Verdict judge(const Case& judged, Gallery& gallery, std::string_view folder, boo
   Verdict verdict;
   verdict.name = judged.name;
   const DrawnCase drawn = gallery.draw(judged.name);
-  const std::optional<Image> expected = counterpart(judged, gallery, verdict);
-  if (expected) compare(judged, *expected, drawn.image, verdict);
+  const std::optional<Image> expected = counterpart(judged, gallery, verdict, wants_pictures);
+  if (expected) compare(judged, *expected, drawn, verdict);
   if (!verdict.passes) {
     if (judged.wanted == Wanted::golden && kind_instead_of_file(judged.golden_path()).empty()) {
       verdict.remedy = update_command(folder, judged.name);
     }
-    if (expected && judged.origin) verdict.remark = other_renderer_words(*judged.origin, drawn.origin);
     if (wants_pictures) {
       verdict.pictures.actual = png_bytes(drawn.image);
       if (expected) {

@@ -1,6 +1,7 @@
 // Verdict: whether a case passes, and what a person needs to know where it does not. Main thread only (it draws).
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -11,9 +12,9 @@ namespace ghostforce {
 
 // Of a case that fails, as PNG files; empty where there is none.
 struct VerdictPictures {
-  std::string expected;
-  std::string actual;
-  std::string difference;
+  std::optional<std::string> expected;
+  std::optional<std::string> actual;
+  std::optional<std::string> difference;
 };
 
 struct Verdict {

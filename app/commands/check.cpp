@@ -101,7 +101,8 @@ int check(const Options& options) {
     for (const Case* const each : chosen) {
       stop_if_interrupted();
       verdicts.push_back(judge(*each, gallery, options.folder, report.has_value()));
-      const Verdict& verdict = verdicts.back();
+      Verdict& verdict = verdicts.back();
+      if (report) report->take_pictures(verdict);
       const std::string name = printable(verdict.name, longest_path);
       lines.write(verdict.passes ? fmt::format("pass {}", name) : fmt::format("FAIL {}  {}", name, verdict.reason));
       if (!verdict.passes) ++failed;

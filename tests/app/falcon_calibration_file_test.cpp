@@ -185,6 +185,19 @@ TEST_F(FalconCalibrationFolderTest, TellsOfEveryFileThatIsWrong) {
   }
 }
 
+// Nothing lies at the beginning of a process's memory: a true error of reading, EIO.
+TEST_F(FalconCalibrationFolderTest, TellsWhatCannotBeRead) {
+  write("a.toml", least);
+  std::filesystem::create_symlink("/proc/self/mem", folder_ / "ghostforce/falcon/b.toml");
+  try {
+    recall_falcon_calibrations();
+    FAIL();
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.code(), ExitCode::file_trouble);
+    EXPECT_NE(std::string(failure.what()).find("b.toml cannot be read: "), std::string::npos) << failure.what();
+  }
+}
+
 TEST_F(FalconCalibrationFolderTest, KeepsNothingThatHasNoName) {
   EXPECT_THROW(remember_falcon_calibration(calibration_of("")), Failure);
   EXPECT_THROW(remember_falcon_calibration(calibration_of("../a")), Failure);

@@ -151,7 +151,7 @@ TEST_F(PlotsWindow, SavesWhatItShows) {
     const std::string path = folder / name;
     session().wishes.save_plots = PlotWish{path, false};
     frames(1);
-    EXPECT_TRUE(file_contents(path).has_value()) << name;
+    EXPECT_EQ(file_contents(path).error, 0) << name;
   }
   session().wishes.save_plots = PlotWish{folder / "nowhere/plots.csv", false};
   frames(1);

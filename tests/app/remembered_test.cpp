@@ -6,6 +6,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
 #include <string>
 
 #include "app/failure.h"
@@ -158,6 +159,27 @@ TEST_F(RememberedTest, ALinkToAFileIsAFile) {
   }
   EXPECT_TRUE(std::filesystem::is_symlink(layout()));
   EXPECT_TRUE(std::filesystem::is_regular_file(folder_ / "kept.toml"));
+}
+
+// Nothing lies at the beginning of a process's memory: a true error of reading, EIO.
+TEST_F(RememberedTest, WhatCannotBeReadIsSaidAndStaysAsItIs) {
+  std::filesystem::create_directories(folder_ / "config/ghostforce");
+  std::filesystem::create_directories(folder_ / "state/ghostforce");
+  for (const std::string& file : {preferences(), layout()}) std::filesystem::create_symlink("/proc/self/mem", file);
+  const Remembered remembered = recall();
+  EXPECT_EQ(remembered.preferences, Preferences{});
+  EXPECT_FALSE(remembered.layout);
+  ASSERT_EQ(remembered.remarks.size(), 2U);
+  EXPECT_TRUE(remembered.remarks[0].starts_with(preferences() + " cannot be read (")) << remembered.remarks[0];
+  EXPECT_TRUE(remembered.remarks[0].ends_with("; the usual values are used, and the file stays as it is"));
+  for (const std::string& trouble : {trouble_with(Preferences{}), trouble_with(WindowLayout{})}) {
+    EXPECT_NE(trouble.find(" stays as it is"), std::string::npos) << trouble;
+    EXPECT_NE(trouble.find("repair or remove it"), std::string::npos) << trouble;
+  }
+  for (const std::string& file : {preferences(), layout()}) {
+    EXPECT_EQ(std::filesystem::read_symlink(file), "/proc/self/mem");
+  }
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_ / "config/ghostforce"), {}), 1);
 }
 
 }  // namespace

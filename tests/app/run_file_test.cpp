@@ -41,7 +41,7 @@ double number(const std::string& text) {
 
 TEST(RunFile, HeaderTellsVersionSceneAndColumns) {
   Scene scene = load_scene("fig3-normal");
-  scene.title = "# end of scene\n# scene:";  // must not be taken for what it is not
+  scene.about = "# end of scene\n# scene:";  // must not be taken for what it is not
   const std::vector<std::string> lines = split(run_header(scene), '\n');
   EXPECT_EQ(lines.front(), "# ghostforce " + std::string(version));
   EXPECT_EQ(lines.back(), "") << "the header ends with a newline";

@@ -52,8 +52,7 @@ std::vector<std::regex> joined(std::vector<std::regex> a, const std::vector<std:
 const std::vector<Room>& rooms() {
   const std::vector<std::regex> pure = {standard, std::regex("\"core/.+\""), std::regex("<glm/.+>")};
   const std::vector<std::regex> words = regexes({"<fmt/.+>"});
-  const std::vector<std::regex> files =
-      regexes({"<toml\\+\\+/.+>", "<CLI/.+>", "<nlohmann/.+>", "<png\\.h>", "<stb/.+>"});
+  const std::vector<std::regex> files = regexes({"<toml\\+\\+/.+>", "<CLI/.+>", "<nlohmann/.+>", "<png\\.h>"});
   const std::vector<std::regex> gl = regexes({"<glad/gl\\.h>", "<GLFW/.+>"});
   const std::vector<std::regex> gui = regexes({"<imgui.*\\.h>", "<implot.*\\.h>"});
   const std::vector<std::regex> vector_pictures = regexes({"<cairo(/cairo)?[a-z-]*\\.h>", "<freetype/.+>"});
@@ -260,7 +259,7 @@ TEST(IncludeArrowsSelfTest, LetsThroughWhatEachRoomNeeds) {
       {"app/a.cpp",
        "#include <unistd.h>\n#include <GLFW/glfw3.h>\n#include <glad/gl.h>\n#include <imgui_impl_glfw.h>\n"
        "#include <implot.h>\n#include <toml++/toml.h>\n#include <CLI/CLI.hpp>\n#include <fmt/core.h>\n"
-       "#include <nlohmann/json.hpp>\n#include <png.h>\n#include <stb/stb_image.h>\n#include \"device/servo.h\"\n"
+       "#include <nlohmann/json.hpp>\n#include <png.h>\n#include \"device/servo.h\"\n"
        "#include \"embedded_shaders.h\"\n#include \"ghostforce_version.h\"\n"},
       {"app/view/a.cpp", "#include \"core/snapshot.h\"\n#include \"app/theme.h\"\n#include <fmt/format.h>\n"},
       {"app/paint/a.cpp",
