@@ -19,6 +19,7 @@
 #include "app/failure.h"
 #include "app/font_file.h"
 #include "app/key_layout.h"
+#include "app/offscreen_driver.h"
 #include "app/paint/gl/handle.h"
 
 // ImGui's OpenGL backend has a loader of its own that looks into libGL, where it finds nothing under OSMesa. This is
@@ -113,6 +114,7 @@ GLFWwindow* create_window(const WindowOptions& options) {
 }  // namespace
 
 Window::Library::Library(bool offscreen) {
+  if (offscreen) choose_offscreen_driver();
   give_renderer_threads();
   // Asking for Wayland where there is none makes its library complain on stderr.
   const int on_display = std::getenv("WAYLAND_DISPLAY") != nullptr ? GLFW_ANY_PLATFORM : GLFW_PLATFORM_X11;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "app/png_file.h"
+#include "tests/support/no_opengl.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
@@ -144,15 +145,45 @@ TEST(Render, LeavesNothingBehindWhenInterrupted) {
   EXPECT_EQ(folder.count(), 0);
 }
 
-TEST(Render, SaysWhichOpenGlThereIsWhenItIsTooOld) {
+// Left over from another program, or from another machine.
+TEST(Render, ChoosesItsOwnDriverAndSaysSo) {
   const TemporaryFolder folder;
+  const auto render = [&](const std::string& name, std::vector<std::string> environment) {
+    ProgramCall call;
+    call.words = {"render", "wall45", "--size", "640x400", "-o", folder / name};
+    call.environment = std::move(environment);
+    return run_program(GHOSTFORCE_PROGRAM, call);
+  };
+  ASSERT_EQ(render("plain.png", {}).exit_code, 0);
+  const std::string plain = read_whole(folder / "plain.png");
+  for (const std::string variable :
+       {"GALLIUM_DRIVER=d3d12", "GALLIUM_DRIVER=zink", "GALLIUM_DRIVER=softpipe", "GALLIUM_DRIVER=llvmpype",
+        "LIBGL_ALWAYS_SOFTWARE=0", "MESA_LOADER_DRIVER_OVERRIDE=zink", "MESA_GL_VERSION_OVERRIDE=2.1",
+        "MESA_GLSL_VERSION_OVERRIDE=110", "MESA_GLES_VERSION_OVERRIDE=1.0",
+        "MESA_EXTENSION_OVERRIDE=-GL_ARB_framebuffer_object", "LP_NATIVE_VECTOR_WIDTH=128", "LP_PERF=no_blend"}) {
+    const Outcome outcome = render("picture.png", {variable});
+    EXPECT_EQ(outcome.exit_code, 0) << variable << '\n' << outcome.err;
+    EXPECT_TRUE(read_whole(folder / "picture.png") == plain) << variable;
+    EXPECT_NE(outcome.err.find("Drawing offscreen with Mesa's own software renderer"), std::string::npos);
+    EXPECT_NE(outcome.err.find(variable.substr(0, variable.find('='))), std::string::npos) << outcome.err;
+  }
+  const Outcome two = render("picture.png", {"MESA_GL_VERSION_OVERRIDE=2.1", "GALLIUM_DRIVER=zink"});
+  EXPECT_TRUE(read_whole(folder / "picture.png") == plain);
+  EXPECT_NE(two.err.find("GALLIUM_DRIVER, "), std::string::npos) << two.err;
+  EXPECT_NE(two.err.find("MESA_GL_VERSION_OVERRIDE are not heeded"), std::string::npos) << two.err;
+  EXPECT_EQ(render("picture.png", {"LP_NUM_THREADS=1"}).err.find("LP_NUM_THREADS"), std::string::npos);
+}
+
+TEST(Render, SaysWhatIsMissingWhereThereIsNoOpenGl) {
+  const TemporaryFolder folder;
+  const NoOpenGl no_opengl;
   ProgramCall call;
   call.words = {"render", "wall45", "-o", folder / "picture.png"};
-  call.environment = {"MESA_GL_VERSION_OVERRIDE=2.1"};
+  call.environment = {no_opengl.variable()};
   const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, call);
   EXPECT_EQ(outcome.exit_code, 6);
-  EXPECT_NE(outcome.err.find("OpenGL 2.1"), std::string::npos) << outcome.err;
-  EXPECT_NE(outcome.err.find("llvmpipe"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("no OpenGL at all"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("libosmesa6"), std::string::npos) << outcome.err;
   EXPECT_EQ(folder.count(), 0);
 }
 

@@ -7,6 +7,7 @@
 
 #include "app/theme.h"
 #include "tests/support/display.h"
+#include "tests/support/program.h"
 
 namespace ghostforce {
 namespace {
@@ -135,6 +136,17 @@ TEST(RealWindow, IsTwiceAsLargeOnADenseScreenAndStaysSo) {
   }
   const std::string layout = read_whole(display.layout_file());
   EXPECT_NE(layout.find("width = 1280\nheight = 800"), std::string::npos) << layout;
+}
+
+TEST(RealWindow, SaysWhichOpenGlThereIsWhenItIsTooOld) {
+  const Display display(1280, 800);
+  ProgramCall call;
+  call.words = {"run"};
+  call.environment = display.environment();
+  call.environment.push_back("MESA_GL_VERSION_OVERRIDE=2.1");
+  const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, call);
+  EXPECT_EQ(outcome.exit_code, 6);
+  EXPECT_NE(outcome.err.find("OpenGL 2.1"), std::string::npos) << outcome.err;
 }
 
 TEST(RealWindow, ClosesByItselfWhenAsked) {

@@ -17,6 +17,7 @@
 #include "app/scene_file.h"
 #include "app/window.h"
 #include "tests/app/vector_panes.h"
+#include "tests/support/no_opengl.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
@@ -128,13 +129,14 @@ TEST(VectorFile, IsToldByItsEnding) {
 // ---- The program ----------------------------------------------------------------------------------------------------
 
 TEST(RenderVectors, NeedsNoOpenGlAndGivesTheSameBytesOnEveryRun) {
+  const NoOpenGl no_opengl;
   const TemporaryFolder folder;
   for (const char* ending : {"svg", "pdf"}) {
     std::vector<std::string> files;
     for (const char* name : {"a.", "b."}) {
       ProgramCall call;
       call.words = {"render", "fig1", "--strategy", "all", "-o", folder / std::string(name).append(ending)};
-      call.environment = {"MESA_GL_VERSION_OVERRIDE=2.1", "DISPLAY=", "WAYLAND_DISPLAY="};
+      call.environment = {no_opengl.variable(), "DISPLAY=", "WAYLAND_DISPLAY="};
       const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, call);
       ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
       EXPECT_EQ(outcome.out + outcome.err, "");

@@ -1,0 +1,45 @@
+#include "app/offscreen_driver.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace ghostforce {
+namespace {
+
+// Every variable that Mesa reads begins with one of these.
+constexpr std::array<std::string_view, 11> begins{"DRAW_", "EGL_", "GALLIUM_",  "GALLIVM_", "LIBGL_", "LP_",
+                                                  "MESA_", "NIR_", "SOFTPIPE_", "ST_",      "TGSI_"};
+
+// These change no picture: how many threads draw, and where compiled shaders are kept.
+constexpr std::array<std::string_view, 2> harmless{"LP_NUM_THREADS", "MESA_SHADER_CACHE_"};
+
+bool is_for_mesa(std::string_view name) {
+  const auto begins_name = [name](std::string_view begin) { return name.starts_with(begin); };
+  return std::ranges::any_of(begins, begins_name) && std::ranges::none_of(harmless, begins_name);
+}
+
+}  // namespace
+
+void choose_offscreen_driver() {
+  std::vector<std::string> names;
+  for (char** variable = environ; variable != nullptr && *variable != nullptr; ++variable) {
+    const std::string_view text = *variable;
+    if (const std::string_view name = text.substr(0, text.find('=')); is_for_mesa(name)) names.emplace_back(name);
+  }
+  if (names.empty()) return;
+  for (const std::string& name : names) unsetenv(name.c_str());
+  std::ranges::sort(names);
+  fmt::print(stderr, "Drawing offscreen with Mesa's own software renderer; {} {} not heeded for that.\n",
+             fmt::join(names, ", "), names.size() == 1 ? "is" : "are");
+}
+
+}  // namespace ghostforce
