@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <exception>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "app/command_line.h"
@@ -39,6 +40,9 @@ int main(int argc, char** argv) {
     if (*failure.what() != '\0') std::fprintf(stderr, "%s\n", failure.what());
     return static_cast<int>(failure.code());
   } catch (const std::exception& error) {
+    // Words for a reader who has gone, "2>&1 | head" for one, are not missed.
+    const auto* const trouble = dynamic_cast<const std::system_error*>(&error);
+    if (trouble != nullptr && trouble->code() == std::errc::broken_pipe) return static_cast<int>(ExitCode::done);
     std::fprintf(stderr,
                  "This is a bug in ghostforce: %s. Please report it, with the command line and the files used.\n",
                  error.what());

@@ -1,6 +1,7 @@
 #include "app/output_file.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -251,8 +252,10 @@ TEST(OutputFolder, IsOnTheDiskWithAllItsNames) {
 // As one leaves them that is killed: without a lock.
 TEST(OutputFile, RemovesWhatTheDeadLeftAndNothingElse) {
   const TemporaryFolder folder;
-  OutputFile alive(folder / "alive.csv");
-  alive.write("x");
+  const std::string alive = folder / ".ghostforce-1-1.part";
+  write_whole(alive, "x");
+  const int lock = open(alive.c_str(), O_RDONLY | O_CLOEXEC);
+  ASSERT_EQ(flock(lock, LOCK_EX | LOCK_NB), 0);
   const std::string dead = folder / ".ghostforce-1-0.part";  // process 1 lives
   write_whole(dead, "half");
   const std::vector<std::string> others{".ghostforce-notes.part", ".ghostforce-1-0.part.txt", "ghostforce-1-0.part"};
@@ -265,8 +268,8 @@ TEST(OutputFile, RemovesWhatTheDeadLeftAndNothingElse) {
   EXPECT_FALSE(std::filesystem::exists(dead));
   EXPECT_EQ(folder.count(), before - 1);
   for (const std::string& name : others) EXPECT_EQ(read_whole(folder / name), "mine") << name;
-  alive.commit();
-  EXPECT_EQ(read_whole(folder / "alive.csv"), "x");
+  EXPECT_EQ(read_whole(alive), "x");
+  close(lock);
 }
 
 TEST(OutputFile, OfAKilledProgramGoesWithTheNextStart) {
