@@ -116,9 +116,10 @@ void Recording::end() noexcept {
 std::string Recording::where_it_is() const {
   struct stat opened {};
   struct stat named {};
-  if (fstat(descriptor_, &opened) != 0 || opened.st_nlink == 0) return {};
+  if (fstat(descriptor_, &opened) != 0) return {};
   const bool is_there = stat(path_.c_str(), &named) == 0;
   if (is_there && named.st_dev == opened.st_dev && named.st_ino == opened.st_ino) return path_;
+  if (opened.st_nlink == 0) return {};
   std::error_code error;
   return std::filesystem::read_symlink(fmt::format("/proc/self/fd/{}", descriptor_), error).string();
 }
@@ -186,8 +187,7 @@ void Recording::sync() noexcept {
   fail(sync_data(descriptor_));
   if (!is_named_) fail(sync_folder(std::filesystem::path(path_).parent_path()));
   is_named_ = true;
-  struct stat status {};
-  if (fstat(descriptor_, &status) == 0 && status.st_nlink == 0) fail(ENOENT);
+  if (where_it_is().empty()) fail(ENOENT);
 }
 
 // The first reason counts; 0: there is none.

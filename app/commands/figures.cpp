@@ -91,9 +91,10 @@ std::function<int()> attach_figures(CommandOptions subcommand) {
   subcommand.add_option("-o,--output", options->folder, "The folder for the files; made if it is not there")
       .type_name("DIR")
       .required()
-      .writes([](const std::string& folder) {
+      .writes([options = options.get()](const std::string& folder) {
         std::vector<std::string> files;
         for (const FigureEntry& entry : figure_catalog()) {
+          if (!is_wanted(*options, entry.name)) continue;
           for (const std::string_view ending : figure_file_endings) {
             files.push_back(fmt::format("{}/{}{}", folder, entry.name, ending));
           }

@@ -103,6 +103,8 @@ TEST_F(OwnInputs, NothingElseIsRefused) {
   EXPECT_EQ(in_folder("simulate wall45 -o wall45").exit_code, 0);
   EXPECT_EQ(in_folder("simulate wall45 -o wall45").exit_code, 0) << "the shipped scene is no file";
   EXPECT_EQ(in_folder("figures --only figure-6 --hand run.csv -o .").exit_code, 0);
+  fs::rename(folder_ / "run.csv", folder_ / "figure-1.csv");
+  EXPECT_EQ(in_folder("figures --only figure-6 --hand figure-1.csv -o .").exit_code, 0) << "figure 1 is not made";
 }
 
 }  // namespace
