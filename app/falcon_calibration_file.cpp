@@ -296,7 +296,8 @@ std::vector<CalibrationFile> read_all() {
     }
     const FileContents file = file_contents(path);
     if (file.error != 0) {
-      throw Failure(ExitCode::file_trouble, fmt::format("{} cannot be read: {}", shown, reason_of(file.error)));
+      throw Failure(ExitCode::file_trouble, fmt::format("{} cannot be read: {}; repair or remove it", shown,
+                                                        std::generic_category().message(file.error)));
     }
     try {
       files.push_back({path, read_falcon_calibration(file.text, path.string())});

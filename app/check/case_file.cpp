@@ -16,7 +16,6 @@
 #include "app/file_contents.h"
 #include "app/first_problems.h"
 #include "app/nearest_name.h"
-#include "app/output_file.h"
 #include "app/printable.h"
 #include "app/scene_file.h"
 #include "app/toml_text.h"
@@ -410,7 +409,8 @@ ReadCase read_case(const std::string& path, std::vector<std::string>& problems) 
                                    printable(path, longest_path), largest_text_file >> 20));
   } else if (file.error != 0) {
     throw Failure(ExitCode::file_trouble,
-                  fmt::format("{} cannot be read: {}", printable(path, longest_path), reason_of(file.error)));
+                  fmt::format("{} cannot be read: {}; repair or remove it", printable(path, longest_path),
+                              std::generic_category().message(file.error)));
   } else {
     result.content.text = std::move(file.text);
     CaseReader(result, problems).read();

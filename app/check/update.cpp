@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 #include <system_error>
 #include <utility>
 
@@ -20,11 +21,11 @@
 namespace ghostforce {
 namespace {
 
-// A file to be written; empty content: it stays as it is.
+// What shall be put in place of a case's files in the end, and is on the disk already; null: the file stays as it is.
 struct Change {
   const Case* changed = nullptr;
-  std::string golden;
-  std::string text;
+  std::unique_ptr<OutputFile> golden;
+  std::unique_ptr<OutputFile> text;
 };
 
 void refuse_cases_without_golden(const std::vector<const Case*>& chosen) {
@@ -85,10 +86,11 @@ std::string changed_text(const Case& each, const GoldenOrigin& origin) {
   return after == before ? std::string() : after;
 }
 
-void write_whole(const std::string& path, const std::string& content) {
-  OutputFile file(path);
-  file.write(content);
-  file.commit();
+std::unique_ptr<OutputFile> finished(const std::string& path, const std::string& content) {
+  auto file = std::make_unique<OutputFile>(path);
+  file->write(content);
+  file->finish();
+  return file;
 }
 
 }  // namespace
@@ -102,25 +104,28 @@ std::vector<std::string> update_goldens(const std::vector<Case>& all, const std:
   for (const Case* const each : chosen) {
     stop_if_interrupted();
     const DrawnCase drawn = gallery.draw(each->name);
-    Change change{each, {}, {}};
+    Change change{each, nullptr, nullptr};
     const bool is_equal = is_stored(*each, drawn.image);
-    if (!is_equal) change.golden = png_bytes(drawn.image);
-    if (!is_equal || !each->origin) change.text = changed_text(*each, drawn.origin);
+    if (!is_equal) change.golden = finished(each->golden_path(), png_bytes(drawn.image));
+    if (!is_equal || !each->origin) {
+      const std::string text = changed_text(*each, drawn.origin);
+      if (!text.empty()) change.text = finished(each->path, text);
+    }
     changes.push_back(std::move(change));
     progress.at(static_cast<std::int64_t>(changes.size()));
   }
   stop_if_interrupted();
   // Only now, so that an interruption or a case that cannot be changed leaves the whole folder as it was.
   std::vector<std::string> lines;
-  for (const Change& change : changes) {
+  for (Change& change : changes) {
     const std::string path = printable(change.changed->golden_path(), longest_path);
-    if (!change.golden.empty()) {
-      write_whole(change.changed->golden_path(), change.golden);
+    if (change.golden) {
+      change.golden->commit();
       lines.push_back(fmt::format("wrote {}; look at it before you commit it", path));
     } else {
       lines.push_back(fmt::format("{} is equal already and stays as it is", path));
     }
-    if (!change.text.empty()) write_whole(change.changed->path, change.text);
+    if (change.text) change.text->commit();
   }
   return lines;
 }
