@@ -4,7 +4,9 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <new>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "app/command_line.h"
@@ -24,6 +26,12 @@ void fill_standard_streams() noexcept {
   if (descriptor >= 0) close(descriptor);
 }
 
+int say_bug(const char* what) noexcept {
+  std::fprintf(stderr, "This is a bug in ghostforce: %s. Please report it, with the command line and the files used.\n",
+               what);
+  return static_cast<int>(ghostforce::ExitCode::bug);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -38,12 +46,20 @@ int main(int argc, char** argv) {
   } catch (const Failure& failure) {
     if (*failure.what() != '\0') std::fprintf(stderr, "%s\n", failure.what());
     return static_cast<int>(failure.code());
+  } catch (const std::bad_alloc&) {
+    std::fputs("There is not enough memory for this. Close other programs, or raise this one's limit (ulimit -v).\n",
+               stderr);
+    return static_cast<int>(ExitCode::file_trouble);
+  } catch (const std::system_error& error) {
+    if (error.code() != std::errc::resource_unavailable_try_again) return say_bug(error.what());
+    std::fputs(
+        "The system lets this program start no further thread. Close other programs, or raise this one's limits "
+        "(ulimit -u, ulimit -v).\n",
+        stderr);
+    return static_cast<int>(ExitCode::file_trouble);
   } catch (const std::exception& error) {
-    std::fprintf(stderr,
-                 "This is a bug in ghostforce: %s. Please report it, with the command line and the files used.\n",
-                 error.what());
+    return say_bug(error.what());
   } catch (...) {
-    std::fputs("This is a bug in ghostforce. Please report it, with the command line and the files used.\n", stderr);
+    return say_bug("something unknown was thrown");
   }
-  return static_cast<int>(ExitCode::bug);
 }
