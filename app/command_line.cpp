@@ -51,7 +51,7 @@ constexpr std::string_view more_help =
     "  5  firmware or homing failed\n"
     "  6  no display, or no usable OpenGL\n"
     "  7  stopped by a safety limit\n"
-    "  8  a file cannot be read or written\n"
+    "  8  a file cannot be read or written, or memory is short\n"
     " 70  a bug of this program: please report it\n"
     "130  interrupted\n"
     "\n"

@@ -17,7 +17,7 @@ enum class ExitCode : int {
   device_failed = 5,   // firmware or homing failed
   no_display = 6,      // no display, or no usable OpenGL
   safety_stop = 7,     // stopped by a safety limit
-  file_trouble = 8,    // a file cannot be read or written
+  file_trouble = 8,    // a file cannot be read or written, or memory is short
   bug = 70,
   interrupted = 130,
 };

@@ -4,6 +4,7 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <new>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -25,6 +26,12 @@ void fill_standard_streams() noexcept {
   if (descriptor >= 0) close(descriptor);
 }
 
+int say_bug(const char* what) noexcept {
+  std::fprintf(stderr, "This is a bug in ghostforce: %s. Please report it, with the command line and the files used.\n",
+               what);
+  return static_cast<int>(ghostforce::ExitCode::bug);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -39,15 +46,22 @@ int main(int argc, char** argv) {
   } catch (const Failure& failure) {
     if (*failure.what() != '\0') std::fprintf(stderr, "%s\n", failure.what());
     return static_cast<int>(failure.code());
-  } catch (const std::exception& error) {
+  } catch (const std::bad_alloc&) {
+    std::fputs("There is not enough memory for this. Close other programs, or raise this one's limit (ulimit -v).\n",
+               stderr);
+    return static_cast<int>(ExitCode::file_trouble);
+  } catch (const std::system_error& error) {
     // Words for a reader who has gone, "2>&1 | head" for one, are not missed.
-    const auto* const trouble = dynamic_cast<const std::system_error*>(&error);
-    if (trouble != nullptr && trouble->code() == std::errc::broken_pipe) return static_cast<int>(ExitCode::done);
-    std::fprintf(stderr,
-                 "This is a bug in ghostforce: %s. Please report it, with the command line and the files used.\n",
-                 error.what());
+    if (error.code() == std::errc::broken_pipe) return static_cast<int>(ExitCode::done);
+    if (error.code() != std::errc::resource_unavailable_try_again) return say_bug(error.what());
+    std::fputs(
+        "The system lets this program start no further thread. Close other programs, or raise this one's limits "
+        "(ulimit -u, ulimit -v).\n",
+        stderr);
+    return static_cast<int>(ExitCode::file_trouble);
+  } catch (const std::exception& error) {
+    return say_bug(error.what());
   } catch (...) {
-    std::fputs("This is a bug in ghostforce. Please report it, with the command line and the files used.\n", stderr);
+    return say_bug("something unknown was thrown");
   }
-  return static_cast<int>(ExitCode::bug);
 }

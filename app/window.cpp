@@ -7,7 +7,6 @@
 #include <imgui_impl_glfw.h>
 #include <imgui_impl_opengl3.h>
 #include <implot.h>
-#include <sched.h>
 
 #include <algorithm>
 #include <cfloat>
@@ -16,6 +15,7 @@
 #include <utility>
 
 #include "app/display_loss.h"
+#include "app/drawing_memory.h"
 #include "app/failure.h"
 #include "app/font_file.h"
 #include "app/key_layout.h"
@@ -78,14 +78,6 @@ WindowSize fitted(WindowSize size) {
   return {std::min(size.width, before_scaling(width)), std::min(size.height, before_scaling(height))};
 }
 
-// Mesa's software renderer draws with as many threads as there are processors, but with none of its own where this
-// thread may use only one: then a frame takes three times as long.
-void give_renderer_threads() {
-  cpu_set_t processors;
-  if (sched_getaffinity(0, sizeof processors, &processors) != 0 || CPU_COUNT(&processors) > 1) return;
-  setenv("LP_NUM_THREADS", "1", 0);
-}
-
 GLFWwindow* create_window(const WindowOptions& options) {
   glfwDefaultWindowHints();
   if (options.offscreen) glfwWindowHint(GLFW_CONTEXT_CREATION_API, GLFW_OSMESA_CONTEXT_API);
@@ -113,9 +105,10 @@ GLFWwindow* create_window(const WindowOptions& options) {
 
 }  // namespace
 
-Window::Library::Library(bool offscreen) {
+Window::Library::Library(const WindowOptions& options) {
+  const bool offscreen = options.offscreen;
   if (offscreen) choose_offscreen_driver();
-  give_renderer_threads();
+  make_room_for_drawing(options.width, options.height);
   // Asking for Wayland where there is none makes its library complain on stderr.
   const int on_display = std::getenv("WAYLAND_DISPLAY") != nullptr ? GLFW_ANY_PLATFORM : GLFW_PLATFORM_X11;
   glfwInitHint(GLFW_PLATFORM, offscreen ? GLFW_PLATFORM_NULL : on_display);
@@ -137,7 +130,7 @@ void Window::Destroy::operator()(GLFWwindow* window) const {
   glfwDestroyWindow(window);
 }
 
-Window::Window(const WindowOptions& options) : library_(options.offscreen), window_(create_window(options)) {
+Window::Window(const WindowOptions& options) : library_(options), window_(create_window(options)) {
   glfwMakeContextCurrent(handle());
   if (gladLoadGL(glfwGetProcAddress) < GLAD_MAKE_VERSION(3, 3)) {
     throw Failure(ExitCode::no_display,

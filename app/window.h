@@ -99,7 +99,7 @@ class Window {
 
  private:
   struct Library {  // glfwInit … glfwTerminate
-    explicit Library(bool offscreen);
+    explicit Library(const WindowOptions& options);
     ~Library();
     Library(const Library&) = delete;
     Library& operator=(const Library&) = delete;

@@ -1,0 +1,69 @@
+// Where the program may not have the memory it needs it says so, and neither crashes nor takes that for a bug.
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/program.h"
+#include "tests/support/temporary_folder.h"
+
+namespace ghostforce {
+namespace {
+
+class MemoryLimit : public testing::Test {
+ protected:
+  void SetUp() override {
+#ifdef __SANITIZE_ADDRESS__
+    GTEST_SKIP() << "the sanitizer itself needs terabytes of address space";
+#endif
+  }
+
+  Outcome run_under(int limit_kb, const std::vector<std::string>& words) {
+    ProgramCall call;
+    call.words = {"-c", "ulimit -c 0; ulimit -v " + std::to_string(limit_kb) + "; exec \"$@\"", "sh",
+                  GHOSTFORCE_PROGRAM};
+    call.words.insert(call.words.end(), words.begin(), words.end());
+    call.environment = {"DISPLAY=", "WAYLAND_DISPLAY="};
+    call.folder = folder.path();
+    return run_program("/bin/sh", call);
+  }
+
+  TemporaryFolder folder;
+};
+
+TEST_F(MemoryLimit, ASmallPictureIsMadeOrRefusedAndALargeOneRefused) {
+  // Between too little for anything and enough for threads of the renderer.
+  for (int limit_kb = 100'000; limit_kb <= 1'200'000; limit_kb += 100'000) {
+    const Outcome outcome = run_under(limit_kb, {"render", "wall45", "--size", "640x400", "-o", "picture.png"});
+    EXPECT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 8)
+        << limit_kb << ": " << outcome.exit_code << ' ' << outcome.err;
+    EXPECT_EQ(outcome.exit_code == 8, outcome.err.find("ulimit -v") != std::string::npos) << outcome.err;
+  }
+  const Outcome large = run_under(300'000, {"render", "wall45", "--size", "4096x4096", "-o", "large.png"});
+  EXPECT_EQ(large.exit_code, 8);
+  EXPECT_NE(large.err.find("drawing needs about 768 MB more memory"), std::string::npos) << large.err;
+}
+
+TEST_F(MemoryLimit, NoCommandCrashesUnderIt) {
+  ASSERT_EQ(run_program(GHOSTFORCE_PROGRAM, {"simulate", "wall45", "-o", folder / "run.csv"}).exit_code, 0);
+  write_whole(folder / "case.toml", "scene = \"wall45\"\nsize = [4096, 4096]\n");
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+           {"simulate", "wall45", "-o", "again.csv"},
+           {"equilibrium", "wall45"},
+           {"figures", "-o", "figures"},
+           {"check", "."},
+           {"sweep", "fig3-normal", "--over", "wall.normal_deg=90:180:91", "-o", "sweep.csv"},
+           {"replay", "run.csv"},
+           {"measure-user", "run.csv"},
+           {"render", "wall45", "-o", "picture.svg"},
+           {"run", "--exit-after", "0.1"}}) {
+    for (const int limit_kb : {100'000, 300'000}) {
+      const Outcome outcome = run_under(limit_kb, words);
+      EXPECT_LE(outcome.exit_code, 8) << words[0] << " under " << limit_kb << '\n' << outcome.err;
+      EXPECT_EQ(outcome.err.find("bug"), std::string::npos) << outcome.err;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ghostforce
