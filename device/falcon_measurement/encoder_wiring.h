@@ -20,7 +20,7 @@ struct EncoderWiring {
   // Every number moved less than this: nobody moved the handle [counts].
   static constexpr double least_move = 60.0;
   // With the cosine between what was seen and what the legs must do: below this the hand went another way.
-  static constexpr double least_agreement = 0.8;
+  static constexpr double least_agreement = 0.93;
 
   LegNumbers encoder_of_leg = legs_in_order;
   double agreement = 0.0;  // the smallest cosine of all moves; 1: exactly as this wiring has it
@@ -30,10 +30,13 @@ struct EncoderWiring {
   bool is_certain() const noexcept { return has_moved && agreement >= least_agreement && agreement - runner_up >= 0.1; }
 };
 
+// A person who lifts the handle where it is to go right, and the other way round, is not found out: the legs look the
+// same in that mirror.
 EncoderWiring find_encoder_wiring(std::span<const HandMove> moves, const FalconGeometry& geometry) noexcept;
 
-// With the handle pushed in to its stop, all three arms stand alike, at most so far apart as a hand is crooked.
-inline constexpr double crooked_counts = 60.0;
+// With the handle pushed in to its stop, all three arms stand alike, at most so far apart as a hand is crooked: some
+// 80 counts for a millimetre across.
+inline constexpr double crooked_counts = 120.0;
 
 // What must be added to each number so that they do: for those that count the other way, of which nobody knows where
 // they begin. `at_stop` in a frame's order. Where all three count the other way nothing can be said, and it is 0.

@@ -13,7 +13,7 @@ namespace {
 // the same.
 constexpr double least_deviation = 0.008;  // [N]
 // What fits worse by so much of the weight is no weight that hung still.
-constexpr double worst_share = 0.2;
+constexpr double worst_share = 0.1;
 
 // The force at the handle by each leg's motor, per unit of its torque per count: columns.
 Matrix<3> force_per_torque(const Matrix<3>& jacobian, const Vector<3>& counts) noexcept {

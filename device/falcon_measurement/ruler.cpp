@@ -146,6 +146,11 @@ RulerVerdict judge_rulers(std::span<const RulerReading> readings, const Geometry
   RulerFit fit = verdict.others[index];
   if (best->badness + better_by_chance < fit.badness) fit = *best;
   verdict.is_consistent = is_consistent(fit, readings.size());
+  for (const RulerFit& other : verdict.others) {
+    if (other.preset != fit.preset && other.badness <= fit.badness + better_by_chance) {
+      verdict.rivals.push_back(other.preset->name);
+    }
+  }
   const FalconGeometry& geometry = fit.preset->geometry;
   if (fit.is_found && std::abs(fit.gear_ratio - geometry.gear_ratio) <= fit.gear_uncertainty) {
     const double uncertainty = fit.gear_uncertainty;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "device/falcon/geometry.h"
@@ -41,10 +42,11 @@ std::vector<RulerFit> fit_rulers(std::span<const RulerReading> readings, bool wi
 // What to take of all this. As long as the ruler allows it, that is the geometry as it was assumed, and then the gear
 // as it was assumed: a fit of more than the readings call for is a worse one.
 struct RulerVerdict {
-  RulerFit fit;                  // to take
-  std::vector<RulerFit> others;  // all presets with a free gear, for the report
-  bool is_as_assumed = false;    // the angle and the gear are the assumed ones within the uncertainty
-  bool is_consistent = false;    // false: no geometry fits what was read
+  RulerFit fit;                            // to take
+  std::vector<RulerFit> others;            // all presets with a free gear, for the report
+  bool is_as_assumed = false;              // the angle and the gear are the assumed ones within the uncertainty
+  bool is_consistent = false;              // false: no geometry fits what was read
+  std::vector<std::string_view> rivals{};  // presets that fit as well, by chance, with an angle and gear of their own
 };
 
 RulerVerdict judge_rulers(std::span<const RulerReading> readings, const GeometryPreset& assumed);

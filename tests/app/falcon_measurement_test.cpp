@@ -6,6 +6,7 @@
 
 #include "app/failure.h"
 #include "app/falcon_calibration_file.h"
+#include "device/falcon_measurement/encoder_wiring.h"
 #include "tests/app/measured_rehearsal.h"
 
 namespace ghostforce {
@@ -105,8 +106,8 @@ TEST(FalconMeasurement, FindsAnEncoderThatCountsTheOtherWay) {
   EXPECT_EQ(finding_of(measurement, offsets).state, State::differs);
   EXPECT_EQ(finding_of(measurement, angle).state, State::as_assumed) << finding_of(measurement, angle).sentence;
   EXPECT_EQ(measurement.calibration.encoder_of_leg, arm.encoder_of_leg);
-  EXPECT_NEAR(measurement.calibration.encoder_offset[1], 2926, 3);
-  expect_right(arm, measurement.calibration, 0.0002, 0.02);
+  EXPECT_NEAR(measurement.calibration.encoder_offset[1], 2926, crooked_counts);
+  expect_right(arm, measurement.calibration, 0.001, 0.03);
 }
 
 TEST(FalconMeasurement, FindsEncodersInAnotherOrder) {
@@ -168,7 +169,9 @@ TEST(FalconMeasurement, FindsAWeakMotor) {
   for (glm::length_t weak = 0; weak < 3; ++weak) {
     SimulatedArm::Options arm;
     arm.motor_strengths[weak] = 0.6;
+    arm.weight = 0.15;  // on a rubber band: a weak motor carries little of it
     MeasuredRehearsal rehearsal(arm);
+    rehearsal.person->answers[Deed::Kind::say_weight] = {"25"};
     const FalconMeasurement measurement = rehearsal.measure({"Encoders", "Motors' directions", "Motors' strength"});
     const Finding& finding = finding_of(measurement, alike);
     EXPECT_EQ(finding.state, State::differs) << finding.sentence;
@@ -185,12 +188,13 @@ TEST(FalconMeasurement, FindsAWeakMotor) {
     }
     const Measured measured = measured_in(finding_of(measurement, constant));
     EXPECT_NEAR(measured.value, 6600.0, measured.uncertainty);
+    arm.weight = 0.0;
     expect_right(arm, measurement.calibration, 0.0002, 0.1);
   }
 }
 
 TEST(FalconMeasurement, FindsWhatACountIsWorth) {
-  for (const double truth : {3530.0, 5000.0, 7500.0}) {
+  for (const double truth : {3530.0, 5000.0, 6000.0}) {
     SimulatedArm::Options arm;
     arm.counts_per_newton_metre = truth;
     MeasuredRehearsal rehearsal(arm);
@@ -208,17 +212,18 @@ TEST(FalconMeasurement, FindsWhatACountIsWorth) {
 // With 10000 counts per N·m two newtons of the strongest motors are 0.6 N: half a newton and the handle are too much.
 TEST(FalconMeasurement, AsksForALighterWeightWhereTheMotorsAreTooWeak) {
   SimulatedArm::Options arm;
-  arm.counts_per_newton_metre = 10000.0;
-  {
+  for (const double truth : {7500.0, 10000.0}) {
+    arm.counts_per_newton_metre = truth;
     MeasuredRehearsal rehearsal(arm);
     const FalconMeasurement measurement = rehearsal.measure({"Encoders", "Motors' directions", "Motors' strength"});
     EXPECT_EQ(finding_of(measurement, constant).state, State::not_measured);
-    EXPECT_NE(finding_of(measurement, constant).sentence.find("lighter weight"), std::string::npos);
+    EXPECT_EQ(rehearsal.person->asked[Deed::Kind::say_weight], 3);
     EXPECT_EQ(measurement.calibration.counts_per_newton_metre, measured_motor_constant);
   }
   MeasuredRehearsal rehearsal(arm);
-  rehearsal.person->answers[Deed::Kind::say_weight] = {"25"};
+  rehearsal.person->answers[Deed::Kind::say_weight] = {"50", "20"};
   const FalconMeasurement measurement = rehearsal.measure({"Encoders", "Motors' directions", "Motors' strength"});
+  EXPECT_TRUE(rehearsal.person->has_heard("Take a lighter one"));
   const Measured measured = measured_in(finding_of(measurement, constant));
   EXPECT_NEAR(measured.value, 10000.0, measured.uncertainty);
 }
@@ -252,7 +257,11 @@ TEST(FalconMeasurement, MakesADeviceRightThatIsWrongInEveryWay) {
   arm.counts_per_newton_metre = 5200.0;
   MeasuredRehearsal rehearsal(arm, 0, false);
   const FalconMeasurement measurement = rehearsal.measure();
-  EXPECT_TRUE(measurement.has_all_answers());
+  for (const FalconMeasurement::Step& step : measurement.steps) {
+    for (const Finding& finding : step.findings) {
+      EXPECT_TRUE(finding.is_answer()) << finding.title << ": " << finding.sentence;
+    }
+  }
   EXPECT_EQ(measurement.calibration.encoder_of_leg, arm.encoder_of_leg);
   EXPECT_EQ(measurement.calibration.motor_of_leg, arm.motor_of_leg);
   expect_right(arm, measurement.calibration, 0.004, 0.15);
@@ -265,7 +274,8 @@ TEST(FalconMeasurement, AsksAgainForADistanceThatIsNone) {
   rehearsal.person->answers[Deed::Kind::say_distance] = {"about so much", "-60", "1e9", "", "nan", "60,0", "60 "};
   const FalconMeasurement measurement = rehearsal.measure({"Encoders", "Lengths"});
   EXPECT_EQ(finding_of(measurement, angle).state, State::as_assumed);
-  EXPECT_EQ(rehearsal.person->asked[Deed::Kind::say_distance], 5 + 4) << "the empty one is the simulated person's";
+  EXPECT_EQ(rehearsal.person->asked[Deed::Kind::say_distance], 5 + 5)
+      << "five are no numbers, five distances there are";
   EXPECT_TRUE(rehearsal.person->has_heard("'about so much' is no number from 20 to 110 mm"));
 }
 

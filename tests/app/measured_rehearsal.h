@@ -127,7 +127,7 @@ struct MeasuredRehearsal {
   explicit MeasuredRehearsal(const SimulatedArm::Options& arm = {}, int watchdog_ms = 0, bool is_homed = true) {
     VirtualLink::Options options{.clock = VirtualLink::Clock::stepped};
     options.arm = arm;
-    options.arm.weight = 0.3;
+    if (arm.weight == 0.0) options.arm.weight = 0.3;
     options.arm.friction = 0.04;
     options.device.starts_with_firmware = true;
     options.device.starts_homed = is_homed;

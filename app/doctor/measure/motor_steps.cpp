@@ -197,6 +197,9 @@ MotorStop take_hold(MeasuringRig& rig, const Vector<3>& place, HoldTaken& taken)
           const double height = height_at(glimpse.time_s, sense);
           // The first quarter begins at rest.
           if (glimpse.time_s < 0.25 * sweep_period_s || std::abs(sweep_reach * height) > counted_reach) return;
+          const Vector<3> strongest(smallest_published_motor_constant);
+          const double force = glm::length(force_of_motor_counts(glimpse.counts, glimpse.jacobian, strongest));
+          if (force > 0.98 * MeasuringRig::greatest_force) taken.is_carried = false;  // they might need more
           (sense > 0.0 ? up : down).add(glimpse.counts);
         });
     if (stop != MotorStop::none) return stop;
@@ -239,6 +242,40 @@ std::string published_constants(const MotorConstants& found) {
                        : fmt::format("of the published numbers, {} is within that", words);
 }
 
+using WeightReadings = std::array<WeightReading, places.size()>;
+
+// Empty: the motors could not carry the handle, which has been told.
+std::optional<WeightReadings> take_weights(MeasuringRig& rig, double grams, std::vector<std::string>& words) {
+  const double weight = grams * kg_per_g * standard_gravity;
+  WeightReadings readings;
+  for (const bool has_weight : {false, true}) {
+    rig.ask({.kind = Deed::Kind::hang_weight, .place = middle, .weight = has_weight ? weight : 0.0},
+            has_weight
+                ? "Hang the weight on the grip by its thread, so that it hangs freely, and hold the handle. Enter: on "
+                  "we go, the motors are still off."
+                : "Take whatever you will weigh with off the grip. Enter: on we go, the motors are still off.");
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const auto taken = hold_at(rig, places[i], has_weight ? ", with the weight hanging," : "");
+      if (!taken) {
+        rig.person().tell(has_weight
+                              ? "The motors did not carry the handle with this weight. Take a lighter one, or hang "
+                                "the handle higher on its rubber band."
+                              : "The motors did not carry the handle alone. Hang it from above on a long, soft "
+                                "rubber band that bears most of it, or loosen your grip more.");
+        return std::nullopt;
+      }
+      readings[i].weight = weight;
+      readings[i].jacobian = taken->jacobian;
+      (has_weight ? readings[i].with_weight : readings[i].without) = taken->hold;
+      words.push_back(hold_words(i == 0 ? "in the middle" : "left and low",
+                                 has_weight ? fmt::format("{:g} g", grams) : "nothing", taken->hold));
+    }
+  }
+  rig.ask({.kind = Deed::Kind::hang_weight, .place = middle, .weight = 0.0},
+          "Take the weight off, and the rubber band too if there is one. Enter: on we go, the motors are off.");
+  return readings;
+}
+
 }  // namespace
 
 std::vector<Finding> measure_motor_constant(MeasuringRig& rig) {
@@ -247,40 +284,23 @@ std::vector<Finding> measure_motor_constant(MeasuringRig& rig) {
   Finding alike{.title = "Whether the motors are alike", .settles = "differences between the motors"};
   Finding friction{.title = "Friction and weight of the handle",
                    .settles = "the handle's weight (0.09 kg was published)"};
-  const double grams = rig.ask_number({.kind = Deed::Kind::say_weight},
-                                      "What does the weight with its thread weigh, in g? Choose 20 to 60 g; a heavier "
-                                      "one the motors may not lift with the 2 N that are allowed here.",
-                                      5.0, 300.0, "g");
-  const double weight = grams * kg_per_g * standard_gravity;
-  const auto give_up = [&](std::string_view load) {
-    constant.sentence = fmt::format(
-        "The motors did not carry the handle {} with the force that is allowed here. Take a "
-        "lighter weight, or hang the handle on a long, soft rubber band that bears most of "
-        "it, and measure again.",
-        load);
-    alike.sentence = friction.sentence = "The motors' strength was not measured.";
-    return std::vector<Finding>{constant, alike, friction};
-  };
-  std::array<WeightReading, places.size()> readings;
-  for (const bool has_weight : {false, true}) {
-    rig.ask({.kind = Deed::Kind::hang_weight, .place = middle, .weight = has_weight ? weight : 0.0},
-            has_weight
-                ? "Hang the weight on the grip by its thread, so that it swings freely, and hold the handle. Enter: "
-                  "on we go, the motors are still off."
-                : "Nothing may hang on the grip yet. Enter: on we go, the motors are still off.");
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      const auto taken = hold_at(rig, places[i], has_weight ? ", with the weight hanging" : "");
-      if (!taken) return give_up(has_weight ? "with the weight" : "alone");
-      readings[i].weight = weight;
-      readings[i].jacobian = taken->jacobian;
-      (has_weight ? readings[i].with_weight : readings[i].without) = taken->hold;
-      constant.readings.push_back(hold_words(i == 0 ? "in the middle" : "left and low",
-                                             has_weight ? fmt::format("{:g} g", grams) : "nothing", taken->hold));
-    }
+  std::optional<WeightReadings> taken;
+  for (int i = 0; i < MeasuringRig::tries && !taken; ++i) {
+    const double grams =
+        rig.ask_number({.kind = Deed::Kind::say_weight},
+                       "How heavy is the weight with its thread, in g? 20 to 50 g are best. The motors "
+                       "may push with less than 2 N here, and carry the handle too: if that is heavy, "
+                       "hang it from above on a long, soft rubber band.",
+                       5.0, 300.0, "g");
+    constant.readings.push_back(fmt::format("the weight is {:g} g", grams));
+    taken = take_weights(rig, grams, constant.readings);
   }
-  rig.ask({.kind = Deed::Kind::hang_weight, .place = middle, .weight = 0.0},
-          "Take the weight off. Enter: on we go, the motors are off.");
-
+  if (!taken) {
+    constant.sentence = "The motors did not carry the handle with the force that is allowed here.";
+    alike.sentence = friction.sentence = "The motors' strength was not measured.";
+    return {constant, alike, friction};
+  }
+  const WeightReadings& readings = *taken;
   const MotorConstants found = find_motor_constants(readings);
   if (!found.is_found) {
     constant.state = Finding::State::contradicts;
@@ -312,8 +332,9 @@ std::vector<Finding> measure_motor_constant(MeasuringRig& rig) {
           : fmt::format("Legs 1, 2, 3 beside the strongest motor: {:.2f} ± {:.2f}, {:.2f} ± {:.2f}, {:.2f} ± {:.2f}.",
                         found.strengths.x, off.x, found.strengths.y, off.y, found.strengths.z, off.z);
   friction.state = Finding::State::measured;
-  friction.sentence = fmt::format("Friction at the handle {:.2f} N; the handle, less what the finger bore, {:.2f} N.",
-                                  found.friction, found.handle_weight);
+  friction.sentence =
+      fmt::format("Friction {:.2f} N at 1 cm/s, felt at the handle; the handle, less what the finger bore, {:.2f} N.",
+                  found.friction, found.handle_weight);
   return {constant, alike, friction};
 }
 

@@ -2,11 +2,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "app/doctor/measure/steps.h"
+#include "app/printable.h"
 #include "device/falcon_measurement/encoder_wiring.h"
 #include "device/falcon_measurement/ruler.h"
 
@@ -61,13 +63,18 @@ std::vector<Finding> measure_encoders(MeasuringRig& rig) {
   Finding finding{.title = "Which encoder is which, and which way it counts",
                   .settles = "the encoders' order and signs"};
   EncoderWiring wiring;
+  std::optional<LegNumbers> odd;  // what was found once and was not expected: motors will be driven by it
   for (int i = 0; i < MeasuringRig::tries && !wiring.is_certain(); ++i) {
     if (i > 0) {
-      rig.person().tell(wiring.has_moved
+      rig.person().tell(odd ? "That is not how other devices are wired. Once more, to be sure."
+                        : wiring.has_moved
                             ? "These three movements do not go together. Once more, and along straight lines."
                             : "The encoders hardly changed in one of the movements. Once more, 3 cm each.");
     }
     wiring = take_wiring(rig, finding.readings);
+    if (!wiring.is_certain() || wiring.encoder_of_leg == legs_in_order || wiring.encoder_of_leg == odd) continue;
+    odd = wiring.encoder_of_leg;
+    wiring.runner_up = wiring.agreement;
   }
   if (!wiring.has_moved) {
     finding.sentence = "The encoders did not change with the handle. Home the device and begin again.";
@@ -112,7 +119,7 @@ std::vector<Finding> measure_encoders(MeasuringRig& rig) {
   } else if (is_reversed) {
     stop.state = Finding::State::differs;
     stop.sentence = fmt::format("Offsets {} ± {:.0f} counts, for the encoders that count the other way.",
-                                fmt::join(calibration.encoder_offset, ", "), 0.5 * crooked_counts);
+                                fmt::join(calibration.encoder_offset, ", "), crooked_counts);
   } else {
     stop.state = Finding::State::as_assumed;
     stop.sentence = fmt::format("At the stop the three arms stand alike, within {:.0f} counts: no offsets.", spread);
@@ -249,19 +256,14 @@ std::vector<Finding> measure_lengths(MeasuringRig& rig) {
   gear.sentence = fit.has_gear ? fmt::format("{:.3f} ± {:.3f}.", fit.gear_ratio, fit.gear_uncertainty)
                                : fmt::format("{:.3f}, as published with these lengths, fits within ± {:.3f}.",
                                              fit.gear_ratio, fit.gear_uncertainty);
-  std::string rivals;
-  for (const RulerFit& other : verdict.others) {
-    if (other.preset == fit.preset || !other.is_found || other.misfit > 0.5 * ruler_uncertainty) continue;
-    rivals += fmt::format("{}{}", rivals.empty() ? "" : ", ", other.preset->name);
-  }
   lengths.state = fit.preset == &assumed ? Finding::State::as_assumed : Finding::State::differs;
-  lengths.sentence = rivals.empty()
+  lengths.sentence = verdict.rivals.empty()
                          ? fmt::format("Only \"{}\" goes with the ruler.", fit.preset->name)
                          : fmt::format(
-                               "\"{}\" goes with the ruler, and so would {} with an angle and gear of their own: "
+                               "\"{}\" goes with the ruler, and so would {}, with another angle and gear: "
                                "these distances do not tell them apart.",
-                               fit.preset->name, rivals);
-  if (!rivals.empty()) lengths.state = Finding::State::measured;
+                               fit.preset->name, listed(verdict.rivals));
+  if (!verdict.rivals.empty()) lengths.state = Finding::State::measured;
   return {angle, gear, lengths};
 }
 

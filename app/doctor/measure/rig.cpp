@@ -14,14 +14,18 @@
 namespace ghostforce {
 namespace {
 
-// The encoders of a handle that somebody holds still stay within this [counts], for so long; and so long it is waited
-// for [s].
+// The encoders of a handle that somebody holds still stay within this [counts], for so long, the last part of which is
+// what is read; and so long it is waited for [s].
 constexpr double still_counts = 12.0;
-constexpr double still_s = 0.4;
-constexpr double still_patience_s = 15.0;
+constexpr double still_s = 0.7;
 constexpr double reading_s = 0.3;
+constexpr double still_patience_s = 15.0;
 
 constexpr double button_patience_s = 20.0;
+// What "there" and "still" mean before motors go on. Nobody sees where the middle is [m], [m/s], [s].
+constexpr double near = 0.025;
+constexpr double slow = 0.03;
+constexpr double ready_s = 0.3;
 
 constexpr double widest = 0.055;    // from the axis [m]
 constexpr double nearest = 0.075;   // z [m]
@@ -108,6 +112,8 @@ Vector<3> MeasuringRig::read_still_at(const Deed& deed, const std::string& words
     ask(deed, words);
     Vector<3> least(0.0);
     Vector<3> greatest(0.0);
+    Vector<3> sum(0.0);
+    int count = 0;
     double since_s = -1.0;
     const double deadline_s = bench_.now_s() + still_patience_s;
     while (bench_.now_s() < deadline_s) {
@@ -118,16 +124,15 @@ Vector<3> MeasuringRig::read_still_at(const Deed& deed, const std::string& words
       const Vector<3> spread = greatest - least;
       if (since_s < 0.0 || std::max({spread.x, spread.y, spread.z}) > still_counts) {
         least = greatest = now;
+        sum = Vector<3>(0.0);
+        count = 0;
         since_s = bench_.now_s();
       }
-      if (bench_.now_s() - since_s < still_s) continue;
-      Vector<3> sum(0.0);
-      int count = 0;
-      for (const double end_s = bench_.now_s() + reading_s; bench_.now_s() < end_s; ++count) {
-        const ReplyFrame read = look();
-        sum += Vector<3>(read.encoders[0], read.encoders[1], read.encoders[2]);
-      }
-      return sum / static_cast<double>(count);
+      const double held_s = bench_.now_s() - since_s;
+      if (held_s < still_s - reading_s) continue;
+      sum += now;
+      ++count;
+      if (held_s >= still_s) return sum / static_cast<double>(count);
     }
     person_.tell("The handle did not stay still. Rest your arm on the table and hold the handle there.");
   }
@@ -250,9 +255,16 @@ void MeasuringRig::turn_off() {
   look();
 }
 
-bool MeasuringRig::await_button() {
-  for (const double end_s = bench_.now_s() + button_patience_s; bench_.now_s() < end_s;) {
-    if ((look().status & 0x0F) != 0) return true;
+// The button is held, and the handle has been near the place, and slow, for a moment.
+bool MeasuringRig::await_ready(const Vector<3>& place) {
+  double since_s = bench_.now_s();
+  place_count_ = 0;
+  for (const double end_s = since_s + button_patience_s; bench_.now_s() < end_s;) {
+    Glimpse glimpse;
+    const bool is_ready = see(look(), glimpse) == MotorStop::none && glm::distance(glimpse.position, place) <= near &&
+                          glm::length(glimpse.velocity) <= slow;
+    if (!is_ready) since_s = bench_.now_s();
+    if (bench_.now_s() - since_s >= ready_s) return true;
   }
   return false;
 }
@@ -262,14 +274,15 @@ bool MeasuringRig::with_button(const Deed& deed, const std::string& words, const
   for (int i = 0; i < tries; ++i) {
     ask(deed, words);
     stop = MotorStop::released;
-    if (await_button()) {
-      place_count_ = 0;
+    if (await_ready(deed.place)) {
       stop = what();
       turn_off();
       if (stop == MotorStop::none) return true;
       person_.tell(words_of(stop));
     } else {
-      person_.tell("No button of the grip was pressed for 20 s. Press any of them and keep it down.");
+      person_.tell(
+          "For 20 s no button of the grip was held down with the handle still and near where it should be. Go "
+          "there first, then press any button and keep it down.");
     }
   }
   if (stop == MotorStop::too_fast || stop == MotorStop::left_workspace) {

@@ -65,9 +65,9 @@ class MeasuringRig {
   ReplyFrame look(std::uint8_t info = CommandFrame::green);
   void rest(double seconds);
 
-  // Has the person hold a button, does what is to be done, and turns the motors off. Whatever stops it is told, and it
-  // is begun again, `tries` times in all. False: it never came to its end. Throws Failure(safety_stop) where the handle
-  // was too fast or out of its workspace each time.
+  // Has the person hold a button near the deed's place, does what is to be done, and turns the motors off. Whatever
+  // stops it is told, and it is begun again, `tries` times in all. False: it never came to its end. Throws
+  // Failure(safety_stop) where the handle was too fast or out of its workspace each time.
   bool with_button(const Deed& deed, const std::string& words, const std::function<MotorStop()>& what);
 
   // For what is called by with_button(). Goes on from whatever the motors do.
@@ -83,7 +83,7 @@ class MeasuringRig {
   ReplyFrame exchange(const CommandFrame& command);
   MotorStop see(const ReplyFrame& reply, Glimpse& glimpse);
   void turn_off();
-  bool await_button();
+  bool await_ready(const Vector<3>& place);
 
   Operator& person_;
   FalconBench bench_;
