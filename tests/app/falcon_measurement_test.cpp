@@ -106,7 +106,8 @@ TEST(FalconMeasurement, FindsAnEncoderThatCountsTheOtherWay) {
   EXPECT_EQ(finding_of(measurement, offsets).state, State::differs);
   EXPECT_EQ(finding_of(measurement, angle).state, State::as_assumed) << finding_of(measurement, angle).sentence;
   EXPECT_EQ(measurement.calibration.encoder_of_leg, arm.encoder_of_leg);
-  EXPECT_NEAR(measurement.calibration.encoder_offset[1], 2926, crooked_counts);
+  const SimulatedArm pushed_in({.start = {0.0, 0.0, SimulatedArm::nearest}});
+  EXPECT_NEAR(measurement.calibration.encoder_offset[1], -2 * pushed_in.encoders()[1], crooked_counts);
   expect_right(arm, measurement.calibration, 0.001, 0.03);
 }
 

@@ -47,7 +47,6 @@ class WatchedLink final : public FalconLink {
   double greatest_force = 0.0;           // [N]
   double longest_on_without_button = 0;  // [s]
   double fastest_with_motors = 0.0;      // [m/s]
-  bool was_silent = false;               // a force was left on for longer than an exchange takes, on purpose
   int drives = 0;                        // times the motors went on
 
  private:

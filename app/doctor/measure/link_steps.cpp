@@ -20,7 +20,7 @@ constexpr Vector<3> middle{0.0, 0.0, 0.125};
 // --- Silence ---
 
 constexpr std::array silences_s{0.02, 0.05, 0.1, 0.2, 0.5, 1.0};
-constexpr int rounds = 2;
+constexpr std::size_t rounds = 2;
 constexpr double push_force = 0.9;  // towards the person, of the strongest published motors [N]
 
 MotorStop take_silence(MeasuringRig& rig, double silence_s, SilenceReading& reading) {
@@ -59,29 +59,34 @@ MotorStop take_silence(MeasuringRig& rig, double silence_s, SilenceReading& read
 std::vector<Finding> measure_silence(MeasuringRig& rig) {
   Finding finding{.title = "Does the firmware drop a force by itself", .settles = "the firmware's watchdog"};
   std::vector<SilenceReading> readings;
-  for (const double silence_s : silences_s) {
-    for (int round = 0; round < rounds; ++round) {
+  // What has been read stays where the button is let go of in between.
+  const auto take_all = [&] {
+    while (readings.size() < rounds * silences_s.size()) {
+      const bool ends_round = readings.size() % rounds == 0;
+      if (ends_round && judge_silences(readings).outcome == SilenceOutcome::drops) break;
       SilenceReading reading;
-      const bool is_done = rig.with_button(
-          {.kind = Deed::Kind::hold_button, .place = middle},
-          fmt::format(
-              "Hold the handle softly in the middle of its space and keep a button of the grip down. After Enter "
-              "it is pushed towards you with less than 1 N, and then the program says nothing to the device for "
-              "{:.0f} ms. In that time it cannot hear the button: the push goes on however long that is. Hold "
-              "your hand as it is.",
-              silence_s / ms),
-          [&] { return take_silence(rig, silence_s, reading); });
-      if (!is_done) {
-        finding.sentence = "The step was interrupted each time.";
-        return {finding};
-      }
-      finding.readings.push_back(
-          fmt::format("silent for {:.0f} ms: pushed {:.2f} mm before, {:.2f} mm after; the hand "
-                      "wandered by {:.2f} mm",
-                      silence_s / ms, reading.held / ms, reading.after / ms, reading.tremor / ms));
+      const MotorStop stop = take_silence(rig, silences_s[readings.size() / rounds], reading);
+      if (stop != MotorStop::none) return stop;
       readings.push_back(reading);
     }
-    if (judge_silences(readings).outcome == SilenceOutcome::drops) break;
+    return MotorStop::none;
+  };
+  const bool is_done = rig.with_button(
+      {.kind = Deed::Kind::hold_button, .place = middle},
+      "Hold the handle softly in the middle of its space and keep a button of the grip down. After Enter come up to "
+      "twelve pushes towards you of less than 1 N, half a minute in all. In each the program says nothing to the "
+      "device "
+      "for a while, from 20 ms to one second, and cannot hear the button until it is over. Let yourself be pushed, and "
+      "keep your hand as it is.",
+      take_all);
+  for (const SilenceReading& reading : readings) {
+    finding.readings.push_back(
+        fmt::format("silent for {:.0f} ms: pushed {:.2f} mm before, {:.2f} mm after; the hand wandered by {:.2f} mm",
+                    reading.silence_s / ms, reading.held / ms, reading.after / ms, reading.tremor / ms));
+  }
+  if (!is_done) {
+    finding.sentence = "The step was interrupted each time.";
+    return {finding};
   }
   const SilenceVerdict verdict = judge_silences(readings);
   switch (verdict.outcome) {

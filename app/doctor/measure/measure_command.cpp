@@ -65,19 +65,18 @@ bool says_yes(Operator& person, const std::string& words) {
   return line && (line->starts_with('y') || line->starts_with('Y'));
 }
 
-void write_calibration(const MeasureCall& call, const FalconCalibration& calibration, bool is_kept, Operator& person) {
-  if (call.calibration) {
+void write_calibration(const MeasureCall& call, std::optional<OutputFile>& file, bool is_there,
+                       const FalconCalibration& calibration, bool is_kept, Operator& person) {
+  if (file) {
     const std::string shown = printable(*call.calibration, longest_path);
-    std::error_code error;
-    if (std::filesystem::exists(*call.calibration, error) &&
+    if (is_there &&
         !says_yes(person,
                   fmt::format("{} is there already. Write the new calibration in its place? Type y or n.", shown))) {
       person.tell("It was left as it is; the report has the calibration too.");
       return;
     }
-    OutputFile output(*call.calibration);
-    output.write(falcon_calibration_text(calibration));
-    output.commit();
+    file->write(falcon_calibration_text(calibration));
+    file->commit();
     person.tell(fmt::format("The calibration is in {}.", shown));
     return;
   }
@@ -118,6 +117,10 @@ int measure_with_doctor(const MeasureCall& call) {
   request_realtime();
   // Before anybody has worked for ten minutes.
   OutputFile report(call.report);
+  std::optional<OutputFile> calibration_file;
+  std::error_code error;
+  const bool is_there = call.calibration && std::filesystem::exists(*call.calibration, error);
+  if (call.calibration) calibration_file.emplace(*call.calibration);
   Falcon falcon(std::move(link), options.falcon);
   TerminalOperator person(simulated.get());
   person.tell(welcome);
@@ -137,7 +140,7 @@ int measure_with_doctor(const MeasureCall& call) {
   report.commit();
   if (call.report != "-") person.tell(fmt::format("The report is in {}.", printable(call.report, longest_path)));
   if (!call.is_virtual) person.tell("Please open an issue with it attached where you got this program from.");
-  write_calibration(call, measurement.calibration, is_kept, person);
+  write_calibration(call, calibration_file, is_there, measurement.calibration, is_kept, person);
   return static_cast<int>(measurement.has_all_answers() ? ExitCode::done : ExitCode::answer_is_no);
 }
 

@@ -14,6 +14,8 @@ namespace ghostforce {
 namespace {
 
 constexpr double homing_patience_s = 300.0;
+// A device is looked for twice a second.
+constexpr double absent_patience_s = 1.2;
 
 std::string_view words_of(FalconState state) {
   switch (state) {
@@ -55,11 +57,11 @@ void await_homed(Falcon& falcon, Operator& person) {
     falcon.attend();
     const FalconReport& report = falcon.report();
     if (report.is_readable()) return;
-    const bool has_ended = report.state == FalconState::fault || report.state == FalconState::absent;
-    if (has_ended && report.state == FalconState::absent) {
+    const double waited_s = static_cast<double>(link.now_ns() - began_ns) * 1e-9;
+    if (report.state == FalconState::absent && waited_s > absent_patience_s) {
       throw Failure(ExitCode::device_absent, "No Falcon is plugged in. Plug in its power supply, then its USB cable.");
     }
-    if (has_ended) {
+    if (report.state == FalconState::fault) {
       const FalconFaultEntry& fault = entry_of(report.fault);
       throw Failure(exit_code_of(report, true), fmt::format("The Falcon: {}. {}", fault.title, fault.remedy));
     }
@@ -67,7 +69,7 @@ void await_homed(Falcon& falcon, Operator& person) {
       told = report.state;
       if (const std::string_view words = words_of(told); !words.empty()) person.tell(words);
     }
-    if (static_cast<double>(link.now_ns() - began_ns) * 1e-9 > homing_patience_s) {
+    if (waited_s > homing_patience_s) {
       throw Failure(ExitCode::device_failed,
                     "The Falcon was not homed within five minutes. Is its power supply plugged in? Then begin again.");
     }

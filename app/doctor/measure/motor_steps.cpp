@@ -184,7 +184,6 @@ MotorStop take_hold(MeasuringRig& rig, const Vector<3>& place, HoldTaken& taken)
       sense = turn < 0.25 || turn >= 0.75 ? 1.0 : -1.0;
       return turn < 0.25 ? 4.0 * turn : turn < 0.75 ? 2.0 - 4.0 * turn : 4.0 * turn - 4.0;
     };
-    Vector<3> mean_position{0.0};
     stop = rig.drive(
         sweeps * sweep_period_s,
         [&](const Glimpse& glimpse) {

@@ -30,7 +30,6 @@ constexpr double ready_s = 0.3;
 constexpr double widest = 0.055;    // from the axis [m]
 constexpr double nearest = 0.075;   // z [m]
 constexpr double farthest = 0.172;  // z [m]
-constexpr int most_lost = 12;       // replies: about a second
 constexpr int unhomed_to_believe = 3;
 
 std::string trimmed(std::string_view text) {

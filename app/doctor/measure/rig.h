@@ -90,7 +90,6 @@ class MeasuringRig {
   FalconCalibration calibration_;
   FalconKinematics kinematics_;
   Vector<3> sent_{0.0};  // the motors' counts, by leg
-  int lost_ = 0;         // replies, in a row
   int unhomed_ = 0;
   bool was_lost_ = false;  // since it was last looked at
   Glimpse last_;
