@@ -17,7 +17,7 @@ struct Deed {
     loosen,        // until one fingertip on the button is left
     take_again,    // hold the handle firmly at `place` again, no button
     hang_weight,   // of `weight` on the handle, which is held at `place`; 0: take it off
-    press,         // `buttons`, for a second, and let go
+    press,         // `buttons`, for a moment, and let go
     say_distance,  // what the ruler says between the last two places, in mm
     say_weight,    // what hangs on the handle later, in g
     say_light,     // what colour the light has

@@ -58,7 +58,8 @@ std::string MeasuredPerson::act(const Deed& deed) {
     case Deed::Kind::press: {
       HandPlan plan = hand_at(place_, 0.0);
       plan.waypoints[0].buttons = deed.buttons;
-      plan.add({.time = 1.0, .goal = place_});
+      // Longer than a link may leave out that nobody has looked at.
+      plan.add({.time = 2.5, .goal = place_});
       plan.stiffness = habits_.grip;
       plan.load = load_;
       link_.lead_hand(plan);

@@ -1,11 +1,14 @@
 // A measurement finds what is wrong with a Falcon: on virtual ones that are wrong in one way each, and in all.
 #include <gtest/gtest.h>
 
+#include <csignal>
+#include <cstdlib>
 #include <string>
 #include <string_view>
 
 #include "app/failure.h"
 #include "app/falcon_calibration_file.h"
+#include "app/interruption.h"
 #include "device/falcon_measurement/encoder_wiring.h"
 #include "tests/app/measured_rehearsal.h"
 
@@ -109,6 +112,17 @@ TEST(FalconMeasurement, FindsAnEncoderThatCountsTheOtherWay) {
   const SimulatedArm pushed_in({.start = {0.0, 0.0, SimulatedArm::nearest}});
   EXPECT_NEAR(measurement.calibration.encoder_offset[1], -2 * pushed_in.encoders()[1], crooked_counts);
   expect_right(arm, measurement.calibration, 0.001, 0.03);
+}
+
+// Then the stop tells nothing, and the angle at count zero is where they begin.
+TEST(FalconMeasurement, FindsEncodersThatAllCountTheOtherWay) {
+  SimulatedArm::Options arm;
+  arm.encoder_of_leg = {-1, -2, -3};
+  MeasuredRehearsal rehearsal(arm);
+  const FalconMeasurement measurement = rehearsal.measure({"Encoders", "Lengths"});
+  EXPECT_EQ(measurement.calibration.encoder_of_leg, arm.encoder_of_leg);
+  EXPECT_EQ(finding_of(measurement, angle).state, State::differs) << finding_of(measurement, angle).sentence;
+  expect_right(arm, measurement.calibration, 0.003, 0.06);
 }
 
 TEST(FalconMeasurement, FindsEncodersInAnotherOrder) {
@@ -316,25 +330,52 @@ TEST(FalconMeasurement, GivesUpAStepThatIsLetGoOfAgainAndAgain) {
   EXPECT_EQ(finding_of(measurement, "Motors' strength").sentence, "It builds on a step before it that has no result.");
 }
 
-TEST(FalconMeasurement, EndsWhereTheHandleIsPulledOutOfItsWorkspaceEachTime) {
-  MeasuredRehearsal rehearsal;
-  rehearsal.person->hook = [](const Deed& deed, VirtualLink& link) {
-    if (deed.kind != Deed::Kind::hold_button) return;
-    HandPlan plan = hand_at(deed.place);
-    plan.waypoints[0].buttons = ReplyFrame::button_centre;
-    plan.add({.time = 0.5, .goal = deed.place, .buttons = ReplyFrame::button_centre});
-    plan.add({.time = 0.55, .goal = {0.05, 0.05, 0.125}, .buttons = ReplyFrame::button_centre});
-    plan.stiffness = 400.0;
-    link.lead_hand(plan);
+TEST(FalconMeasurement, EndsWhereTheHandleIsTooFastOrPulledOutOfItsWorkspaceEachTime) {
+  struct Jerk {
+    Vector<3> goal;
+    double time;  // that it takes [s]
+    std::string_view words;
   };
-  try {
-    rehearsal.measure({"Encoders", "Motors' directions"});
-    FAIL();
-  } catch (const Failure& failure) {
-    EXPECT_EQ(failure.code(), ExitCode::safety_stop) << failure.what();
+  for (const Jerk& jerk : {Jerk{{0.03, 0.0, 0.125}, 0.01, "moved faster than 0.3 m/s"},
+                           Jerk{{0.0, 0.0, 0.2}, 0.6, "left its workspace"}}) {
+    MeasuredRehearsal rehearsal;
+    rehearsal.person->hook = [&](const Deed& deed, VirtualLink& link) {
+      if (deed.kind != Deed::Kind::hold_button) return;
+      HandPlan plan = hand_at(deed.place, 0.0);
+      plan.waypoints[0].buttons = ReplyFrame::button_centre;
+      plan.add({.time = 1.2, .goal = deed.place, .buttons = ReplyFrame::button_centre});
+      plan.add({.time = 1.2 + jerk.time, .goal = jerk.goal, .buttons = ReplyFrame::button_centre});
+      plan.stiffness = 600.0;
+      link.lead_hand(plan);
+    };
+    try {
+      rehearsal.measure({"Encoders", "Motors' directions"});
+      FAIL();
+    } catch (const Failure& failure) {
+      EXPECT_EQ(failure.code(), ExitCode::safety_stop) << failure.what();
+      EXPECT_NE(std::string_view(failure.what()).find(jerk.words), std::string_view::npos) << failure.what();
+    }
+    EXPECT_GE(rehearsal.link->drives, 3);
+    EXPECT_EQ(rehearsal.link->link.motors(), MotorNumbers{});
+    EXPECT_LT(rehearsal.link->greatest_force, 2.0);
   }
-  EXPECT_EQ(rehearsal.link->link.motors(), MotorNumbers{});
-  EXPECT_LT(rehearsal.link->greatest_force, 2.0);
+}
+
+// Ctrl+C while a motor pushes. What remembers it is for a whole process, and so is this one.
+TEST(FalconMeasurementDeathTest, InterruptedMotorsAreOff) {
+  const auto interrupted = [] {
+    remember_interruptions();
+    MeasuredRehearsal rehearsal;
+    rehearsal.link->on_drive = [] { std::raise(SIGINT); };
+    try {
+      rehearsal.measure({"Encoders", "Motors' directions"});
+    } catch (const Failure& failure) {
+      const bool is_well = rehearsal.link->link.motors() == MotorNumbers{} && rehearsal.link->drives == 1;
+      std::exit(is_well ? static_cast<int>(failure.code()) : 1);
+    }
+    std::exit(2);
+  };
+  EXPECT_EXIT(interrupted(), testing::ExitedWithCode(130), "");
 }
 
 TEST(FalconMeasurement, LeavesWithOrWithoutAReport) {
@@ -364,6 +405,23 @@ TEST(FalconMeasurement, EndsWhereTheDeviceGoes) {
   } catch (const Failure& failure) {
     EXPECT_EQ(failure.code(), ExitCode::device_absent) << failure.what();
   }
+}
+
+TEST(FalconMeasurement, LeavesHowTheWallLies) {
+  MeasuredRehearsal rehearsal;
+  rehearsal.person->only = {"Encoders"};
+  FalconCalibration before;
+  before.up_axis = FalconAxis::minus_z;
+  before.scale = 2.0;
+  before.center = {0.0, 0.01, 0.12};
+  before.counts_per_newton_metre = 5000.0;
+  before.motor_of_leg = {3, 2, 1};
+  await_homed(*rehearsal.falcon, *rehearsal.person);
+  FalconCalibration expected = before;
+  expected.serial = *FalconSerial::from(VirtualLink::serial_number);
+  expected.counts_per_newton_metre = measured_motor_constant;
+  expected.motor_of_leg = legs_in_order;
+  EXPECT_EQ(measure_falcon(*rehearsal.falcon, *rehearsal.person, before).calibration, expected);
 }
 
 TEST(FalconMeasurement, ReportHasEveryReadingAndTheCalibration) {

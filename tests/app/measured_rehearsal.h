@@ -47,13 +47,18 @@ class WatchedLink final : public FalconLink {
   double greatest_force = 0.0;           // [N]
   double longest_on_without_button = 0;  // [s]
   double fastest_with_motors = 0.0;      // [m/s]
+  double greatest_step = 0.0;            // by which the force grew from one look to the next [N]
+  std::function<void()> on_drive;        // when motors go on
   int drives = 0;                        // times the motors went on
 
  private:
-  void look() noexcept {
+  void look() {
     const MotorNumbers numbers = link.motors();
     const bool is_on = numbers != MotorNumbers{};
-    if (is_on && !was_on_) ++drives;
+    if (is_on && !was_on_) {
+      ++drives;
+      if (on_drive) on_drive();
+    }
     was_on_ = is_on;
     Vector<3> of_legs;
     for (std::size_t leg = 0; leg < 3; ++leg) {
@@ -63,7 +68,10 @@ class WatchedLink final : public FalconLink {
     const auto jacobian = FalconKinematics(arm_.geometry).jacobian(link.arm().position());
     if (jacobian) {
       const Vector<3> strongest(smallest_published_motor_constant);
-      greatest_force = std::max(greatest_force, glm::length(force_of_motor_counts(of_legs, *jacobian, strongest)));
+      const double force = glm::length(force_of_motor_counts(of_legs, *jacobian, strongest));
+      greatest_force = std::max(greatest_force, force);
+      greatest_step = std::max(greatest_step, force - force_before_);
+      force_before_ = force;
     }
     if (is_on) fastest_with_motors = std::max(fastest_with_motors, glm::length(link.arm().velocity()));
     if (link.hand().buttons() != 0) let_go_ns_ = link.now_ns();
@@ -76,6 +84,7 @@ class WatchedLink final : public FalconLink {
   SimulatedArm::Options arm_;
   std::int64_t let_go_ns_ = 0;
   bool was_on_ = false;
+  double force_before_ = 0.0;
 };
 
 class RehearsedOperator final : public Operator {
@@ -149,6 +158,7 @@ struct MeasuredRehearsal {
 
   void expect_safe() const {
     EXPECT_LT(link->greatest_force, 2.0);
+    EXPECT_LT(link->greatest_step, 0.025);
     EXPECT_LT(link->longest_on_without_button, 0.005);
     EXPECT_LT(link->fastest_with_motors, 0.35);
   }

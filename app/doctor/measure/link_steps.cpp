@@ -49,9 +49,7 @@ MotorStop take_silence(MeasuringRig& rig, double silence_s, SilenceReading& read
   });
   if (stop != MotorStop::none) return stop;
   reading = {.silence_s = silence_s, .held = held / count - without, .tremor = greatest - least};
-  stop = rig.be_silent(silence_s, [&](const Glimpse& glimpse) { reading.after = glimpse.position.z - without; });
-  if (stop != MotorStop::none) return stop;
-  return rig.let_go(0.2);
+  return rig.be_silent(silence_s, [&](const Glimpse& glimpse) { reading.after = glimpse.position.z - without; });
 }
 
 }  // namespace
@@ -73,11 +71,12 @@ std::vector<Finding> measure_silence(MeasuringRig& rig) {
   };
   const bool is_done = rig.with_button(
       {.kind = Deed::Kind::hold_button, .place = middle},
-      "Hold the handle softly in the middle of its space and keep a button of the grip down. After Enter come up to "
-      "twelve pushes towards you of less than 1 N, half a minute in all. In each the program says nothing to the "
-      "device "
-      "for a while, from 20 ms to one second, and cannot hear the button until it is over. Let yourself be pushed, and "
-      "keep your hand as it is.",
+      "Hold the handle softly in the middle of its space and keep a button of the grip down. After Enter you feel up "
+      "to "
+      "twelve pushes towards you, each below 1 N, for half a minute in all. In each, the program says nothing to the "
+      "device for 20 ms to one second, and hears your button again only after that. Let yourself be pushed, and keep "
+      "your "
+      "hand as it is.",
       take_all);
   for (const SilenceReading& reading : readings) {
     finding.readings.push_back(

@@ -22,8 +22,8 @@ std::string_view words_of(FalconState state) {
     case FalconState::loading_firmware:
       return "The firmware is being loaded; that takes some seconds.";
     case FalconState::homing:
-      return "Home the device: pull the handle all the way out, then push it straight in until it stops. It goes on by "
-             "itself then.";
+      return "Home the device: pull the handle all the way out, then push it straight in until it stops. Then the "
+             "program goes on by itself.";
     default:
       return {};
   }

@@ -250,9 +250,10 @@ std::optional<WeightReadings> take_weights(MeasuringRig& rig, double grams, std:
   for (const bool has_weight : {false, true}) {
     rig.ask({.kind = Deed::Kind::hang_weight, .place = middle, .weight = has_weight ? weight : 0.0},
             has_weight
-                ? "Hang the weight on the grip by its thread, so that it hangs freely, and hold the handle. Enter: on "
-                  "we go, the motors are still off."
-                : "Take whatever you will weigh with off the grip. Enter: on we go, the motors are still off.");
+                ? "Hang the weight on the grip by its thread, so that it hangs freely, and hold the handle. Enter: "
+                  "go on, the motors are still off."
+                : "No weight hangs on the grip yet; a rubber band may bear the handle, and then it stays until the end "
+                  "of this step. Enter: go on, the motors are still off.");
     for (std::size_t i = 0; i < places.size(); ++i) {
       const auto taken = hold_at(rig, places[i], has_weight ? ", with the weight hanging," : "");
       if (!taken) {
@@ -271,7 +272,7 @@ std::optional<WeightReadings> take_weights(MeasuringRig& rig, double grams, std:
     }
   }
   rig.ask({.kind = Deed::Kind::hang_weight, .place = middle, .weight = 0.0},
-          "Take the weight off, and the rubber band too if there is one. Enter: on we go, the motors are off.");
+          "Take the weight off, and the rubber band too if there is one. Enter: go on, the motors are off.");
   return readings;
 }
 

@@ -243,9 +243,10 @@ MotorStop MeasuringRig::be_silent(double seconds, const Watch& after) {
     bench_.be_silent(std::min(piece_s, left_s));
     stop_if_interrupted();
   }
+  sent_ = Vector<3>(0.0);
   place_count_ = 0;  // a speed across the silence would be none
   return drive(
-      0.0, [this](const Glimpse&) { return sent_; }, after);
+      0.0, [](const Glimpse&) { return Vector<3>(0.0); }, after);
 }
 
 void MeasuringRig::turn_off() {

@@ -73,7 +73,8 @@ class MeasuringRig {
   // For what is called by with_button(). Goes on from whatever the motors do.
   MotorStop drive(double seconds, const Law& law, const Watch& watch = {});
   MotorStop let_go(double seconds);
-  // Says nothing to the device, and then once more what was said last.
+  // Says nothing to the device, and then looks with a command of zeros: the reply tells where the handle was when that
+  // came, and a button that was let go of meanwhile waits no longer.
   MotorStop be_silent(double seconds, const Watch& after);
 
   // The motor counts, by leg, with which the strongest published motors make this force; weaker ones make less.

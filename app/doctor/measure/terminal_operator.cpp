@@ -49,6 +49,7 @@ void TerminalOperator::tell(std::string_view words) {
 }
 
 std::optional<std::string> TerminalOperator::ask(const Deed& deed, std::string_view words) {
+  fmt::print(stderr, "\n");
   tell(words);
   const std::string answer = simulated_ == nullptr ? "" : simulated_->act(deed);
   if (!answer.empty()) {
