@@ -31,16 +31,13 @@ namespace fs = std::filesystem;
 constexpr std::int64_t known_format = 1;
 constexpr double mm_per_m = 1000.0;
 
-constexpr std::array<std::string_view, 10> known_keys{"format",
-                                                      "serial",
-                                                      "geometry",
-                                                      "motor_constant_counts_per_N_m",
-                                                      "angle_at_zero_count_deg",
-                                                      "encoder_offset_counts",
-                                                      "center_mm",
-                                                      "right_axis",
-                                                      "up_axis",
-                                                      "scale"};
+constexpr std::array<std::string_view, 14> known_keys{"format",          "serial",
+                                                      "geometry",        "motor_constant_counts_per_N_m",
+                                                      "motor_strengths", "motor_of_leg",
+                                                      "encoder_of_leg",  "angle_at_zero_count_deg",
+                                                      "gear_ratio",      "encoder_offset_counts",
+                                                      "center_mm",       "right_axis",
+                                                      "up_axis",         "scale"};
 
 // In the order of FalconAxis.
 constexpr std::array<std::string_view, 6> axis_words{"x", "-x", "y", "-y", "z", "-z"};
@@ -196,6 +193,20 @@ class CalibrationReader {
     return is_good ? std::optional(numbers) : std::nullopt;
   }
 
+  std::optional<LegNumbers> leg_numbers(std::string_view key) {
+    const auto numbers = three_numbers(key, {-3.0, 3.0, ""}, true);
+    if (!numbers) return std::nullopt;
+    LegNumbers of_leg{};
+    for (glm::length_t i = 0; i < 3; ++i) {
+      of_leg[static_cast<std::size_t>(i)] = static_cast<std::int8_t>((*numbers)[i]);
+    }
+    if (are_leg_numbers(of_leg)) return of_leg;
+    complain(*file_.get(key), key,
+             "does not have 1, 2 and 3 once each; give them in some order, with a minus where one counts the other "
+             "way, as [1, -3, 2]");
+    return std::nullopt;
+  }
+
   // --- Their meaning ---
 
   void read_device() {
@@ -219,6 +230,12 @@ class CalibrationReader {
     if (const auto angle = number("angle_at_zero_count_deg", {-90.0, 90.0, "degrees"})) {
       calibration_.geometry.angle_at_zero_count = *angle * radians_per_degree;
     }
+    if (const auto gear = number("gear_ratio", {6.0, 10.0, ""})) calibration_.geometry.gear_ratio = *gear;
+    if (const auto strengths = three_numbers("motor_strengths", {0.2, 2.0, ""}, false)) {
+      calibration_.motor_strengths = *strengths;
+    }
+    if (const auto of_leg = leg_numbers("motor_of_leg")) calibration_.motor_of_leg = *of_leg;
+    if (const auto of_leg = leg_numbers("encoder_of_leg")) calibration_.encoder_of_leg = *of_leg;
     if (const auto offset = three_numbers("encoder_offset_counts", {-4096.0, 4096.0, "counts"}, true)) {
       for (glm::length_t i = 0; i < 3; ++i) {
         calibration_.encoder_offset[static_cast<std::size_t>(i)] = static_cast<std::int16_t>((*offset)[i]);
@@ -252,10 +269,11 @@ class CalibrationReader {
   FalconCalibration calibration_;
 };
 
-// The catalog's, whatever the angle at count zero. Null: none of them.
+// The catalog's, whatever the angle at count zero and the gear. Null: none of them.
 const GeometryPreset* preset_of(FalconGeometry geometry) {
   for (const GeometryPreset& preset : geometry_catalog()) {
     geometry.angle_at_zero_count = preset.geometry.angle_at_zero_count;
+    geometry.gear_ratio = preset.geometry.gear_ratio;
     if (geometry == preset.geometry) return &preset;
   }
   return nullptr;
@@ -327,14 +345,17 @@ std::string falcon_calibration_text(const FalconCalibration& calibration) {
   const GeometryPreset* const preset = preset_of(calibration.geometry);
   if (preset == nullptr) throw Failure(ExitCode::bug, "a calibration has a geometry that no file can name");
   const Vector<3> center_mm = calibration.center * mm_per_m;
-  const MotorNumbers& offset = calibration.encoder_offset;
+  const Vector<3>& strengths = calibration.motor_strengths;
   return fmt::format(
       "# Written by ghostforce.\nformat = {}\nserial = {}\ngeometry = {}\nmotor_constant_counts_per_N_m = {}\n"
-      "angle_at_zero_count_deg = {}\nencoder_offset_counts = [{}, {}, {}]\ncenter_mm = [{}, {}, {}]\n"
-      "right_axis = {}\nup_axis = {}\nscale = {}\n",
+      "motor_strengths = [{}, {}, {}]\nmotor_of_leg = [{}]\nencoder_of_leg = [{}]\nangle_at_zero_count_deg = {}\n"
+      "gear_ratio = {}\nencoder_offset_counts = [{}]\ncenter_mm = [{}, {}, {}]\nright_axis = {}\nup_axis = {}\n"
+      "scale = {}\n",
       known_format, toml_string(calibration.serial.text()), toml_string(preset->name),
-      calibration.counts_per_newton_metre, calibration.geometry.angle_at_zero_count / radians_per_degree, offset[0],
-      offset[1], offset[2], center_mm.x, center_mm.y, center_mm.z,
+      calibration.counts_per_newton_metre, strengths.x, strengths.y, strengths.z,
+      fmt::join(calibration.motor_of_leg, ", "), fmt::join(calibration.encoder_of_leg, ", "),
+      calibration.geometry.angle_at_zero_count / radians_per_degree, calibration.geometry.gear_ratio,
+      fmt::join(calibration.encoder_offset, ", "), center_mm.x, center_mm.y, center_mm.z,
       toml_string(axis_words[static_cast<std::size_t>(calibration.right_axis)]),
       toml_string(axis_words[static_cast<std::size_t>(calibration.up_axis)]), calibration.scale);
 }

@@ -6,7 +6,11 @@
 //     serial = "12PZ657E"                        # all else is optional
 //     geometry = "libnifalcon"                   # a name of geometry_catalog()
 //     motor_constant_counts_per_N_m = 6600.0     # 1000 to 100000
+//     motor_strengths = [1.0, 1.0, 1.0]          # 0.2 to 2 each, leg by leg
+//     motor_of_leg = [1, 2, 3]                   # each of 1, 2, 3 once, each with a minus or not
+//     encoder_of_leg = [1, 2, 3]                 # the same
 //     angle_at_zero_count_deg = 35.0             # -90 to 90; else the geometry's
+//     gear_ratio = 7.719                         # 6 to 10; else the geometry's
 //     encoder_offset_counts = [0, 0, 0]          # whole, -4096 to 4096 each
 //     center_mm = [0.0, 0.0, 125.0]              # -200 to 200 each
 //     right_axis = "x"                           # x, -x, y, -y, z, -z
@@ -28,7 +32,7 @@ namespace ghostforce {
 FalconCalibration read_falcon_calibration(std::string_view text, std::string_view shown_path);
 
 // The calibration as a file. Reads back to the same values but for the last digit of an angle or a length. The geometry
-// must be one of the catalog, whatever its angle at count zero; else Failure(bug).
+// must be one of the catalog, whatever its angle at count zero and its gear; else Failure(bug).
 std::string falcon_calibration_text(const FalconCalibration& calibration);
 
 // All of them, in the order of their files' names. Where there is no folder there are none. Throws Failure: wrong_call

@@ -18,6 +18,7 @@
 #include "app/commands/command_catalog.h"
 #include "app/doctor/diagnosis.h"
 #include "app/doctor/examination.h"
+#include "app/doctor/measure/measure_command.h"
 #include "app/doctor/udev_rule.h"
 #include "app/failure.h"
 #include "app/falcon_setup.h"
@@ -41,6 +42,9 @@ struct Options {
   bool json = false;
   bool install_udev = false;
   bool is_udev_announced = false;
+  bool measure = false;
+  std::string report = "-";
+  std::optional<std::string> calibration;
 };
 
 bool is_somebody_there() {
@@ -88,6 +92,15 @@ int doctor(const Options& options) {
     install_udev_rule(options.is_udev_announced);
     return static_cast<int>(ExitCode::done);
   }
+  if (options.measure) {
+    return measure_with_doctor({.falcon = options.falcon,
+                                .is_virtual = options.input == "virtual-falcon",
+                                .report = options.report,
+                                .calibration = options.calibration});
+  }
+  if (options.calibration || options.report != "-") {
+    throw Failure(ExitCode::wrong_call, "-o and --calibration are for a measurement; add --measure");
+  }
   Diagnosis diagnosis;
   SpaceMouseInput spacemouse;  // looks for one meanwhile
   const auto began = std::chrono::steady_clock::now();
@@ -121,18 +134,31 @@ int doctor(const Options& options) {
 
 std::function<int()> attach_doctor(CommandOptions subcommand) {
   const auto options = std::make_shared<Options>();
-  subcommand.add_flag("--json", options->json, "For programs: JSON in SI units");
-  subcommand.add_flag("--install-udev", options->install_udev,
-                      "Install the rule by which a person at this machine may use the devices; asks for root");
+  const CommandOption json = subcommand.add_flag("--json", options->json, "For programs: JSON in SI units");
+  const CommandOption install =
+      subcommand.add_flag("--install-udev", options->install_udev,
+                          "Install the rule by which a person at this machine may use the devices; asks for root");
   subcommand.add_flag("--udev-announced", options->is_udev_announced, "").hidden();
-  subcommand
-      .add_option("--wait", options->wait_s,
-                  "Wait so long for a person to home the device and move its handle; default: 30 on a terminal, else 0")
-      .type_name("S")
-      .check(number_between(0.0, 3600.0, "s"));
+  const CommandOption wait =
+      subcommand
+          .add_option(
+              "--wait", options->wait_s,
+              "Wait so long for a person to home the device and move its handle; default: 30 on a terminal, else 0")
+          .type_name("S")
+          .check(number_between(0.0, 3600.0, "s"));
   subcommand.add_option("--input", options->input, "falcon, or virtual-falcon to try this out; default: falcon")
       .type_name("NAME")
       .check(one_of({"falcon", "virtual-falcon"}));
+  const CommandOption measure = subcommand.add_flag(
+      "--measure", options->measure,
+      "Measure the device with a ruler and a weight, ten minutes, motors below 2 N; see docs/falcon.md");
+  measure.excludes(json).excludes(install).excludes(wait);
+  subcommand.add_option("-o,--output", options->report, "With --measure: where the report goes; default: -")
+      .type_name("REPORT.md");
+  subcommand
+      .add_option("--calibration", options->calibration,
+                  "With --measure: where the calibration goes; default: among the settings, after asking")
+      .type_name("FILE.toml");
   options->falcon.attach(subcommand);
   subcommand.footer(
       "The ladder: plugged in, allowed, free, firmware, homed, encoders move, fast enough. The first rung that is not\n"
@@ -142,7 +168,8 @@ std::function<int()> attach_doctor(CommandOptions subcommand) {
       "Examples:\n"
       "  ghostforce doctor\n"
       "  ghostforce doctor --firmware falcon.bin --wait 60\n"
-      "  ghostforce doctor --input virtual-falcon --misbehave busy --json");
+      "  ghostforce doctor --input virtual-falcon --misbehave busy --json\n"
+      "  ghostforce doctor --measure -o report.md");
   return [options] { return doctor(*options); };
 }
 

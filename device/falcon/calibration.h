@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "core/conventions.h"
-#include "device/falcon/geometry.h"
+#include "device/falcon/kinematics.h"
 
 namespace ghostforce {
 
@@ -61,11 +61,36 @@ constexpr bool are_parallel(FalconAxis a, FalconAxis b) noexcept {
   return static_cast<std::uint8_t>(a) / 2 == static_cast<std::uint8_t>(b) / 2;
 }
 
+// Which of a frame's three numbers belongs to the first, second and third leg, counted from 1; below 0: that number
+// counts, or pulls, the other way. Legs are those of the geometry's azimuths.
+using LegNumbers = std::array<std::int8_t, 3>;
+inline constexpr LegNumbers legs_in_order{1, 2, 3};
+
+// Each of the three once.
+constexpr bool are_leg_numbers(const LegNumbers& numbers) noexcept {
+  unsigned seen = 0;
+  for (const int number : numbers) {
+    if (number < -3 || number > 3) return false;
+    seen |= 1U << static_cast<unsigned>(number < 0 ? -number : number);
+  }
+  return seen == 0b1110U;
+}
+
+constexpr std::size_t place_in_frame(std::int8_t number) noexcept {
+  return static_cast<std::size_t>(number < 0 ? -number : number) - 1;
+}
+constexpr int sign_of(std::int8_t number) noexcept {
+  return number < 0 ? -1 : 1;
+}
+
 struct FalconCalibration {
   FalconSerial serial;  // empty: of any device
   FalconGeometry geometry;
   double counts_per_newton_metre = measured_motor_constant;
-  MotorNumbers encoder_offset{};          // added to what the encoders say [counts]
+  Vector<3> motor_strengths{1.0};  // of each leg's motor: its torque per count beside that of the constant above
+  LegNumbers motor_of_leg = legs_in_order;
+  LegNumbers encoder_of_leg = legs_in_order;
+  MotorNumbers encoder_offset{};          // added to what the encoders say, in a frame's order [counts]
   Vector<3> center{0.0, 0.0, 0.125};      // of the workspace; the middle of the wall's plane [m]
   FalconAxis right_axis = FalconAxis::x;  // right and up on the wall; the third axis is free
   FalconAxis up_axis = FalconAxis::y;
@@ -74,13 +99,40 @@ struct FalconCalibration {
   friend bool operator==(const FalconCalibration&, const FalconCalibration&) = default;
 };
 
+// Leg by leg, from the geometry's zero, from what the encoders say in a frame.
+inline Vector<3> leg_counts(const MotorNumbers& encoders, const FalconCalibration& calibration) noexcept {
+  Vector<3> counts;
+  for (std::size_t leg = 0; leg < encoders.size(); ++leg) {
+    const std::int8_t number = calibration.encoder_of_leg[leg];
+    const std::size_t place = place_in_frame(number);
+    counts[static_cast<glm::length_t>(leg)] = sign_of(number) * (encoders[place] + calibration.encoder_offset[place]);
+  }
+  return counts;
+}
+
 // Of the upper arms, from what the encoders say.
 inline Vector<3> joint_angles(const MotorNumbers& encoders, const FalconCalibration& calibration) noexcept {
-  Vector<3> counts;
-  for (std::size_t i = 0; i < encoders.size(); ++i) {
-    counts[static_cast<glm::length_t>(i)] = encoders[i] + calibration.encoder_offset[i];
+  return angles_of_counts(leg_counts(encoders, calibration), calibration.geometry);
+}
+
+// As a frame carries them, from motor counts leg by leg.
+constexpr MotorNumbers in_frame_order(const MotorNumbers& of_legs, const LegNumbers& motor_of_leg) noexcept {
+  MotorNumbers frame{};
+  for (std::size_t leg = 0; leg < of_legs.size(); ++leg) {
+    frame[place_in_frame(motor_of_leg[leg])] = static_cast<std::int16_t>(sign_of(motor_of_leg[leg]) * of_legs[leg]);
   }
-  return angles_of_counts(counts, calibration.geometry);
+  return frame;
+}
+
+// Of each leg's motor [counts per N·m].
+inline Vector<3> motor_constants(const FalconCalibration& calibration) noexcept {
+  return calibration.counts_per_newton_metre / calibration.motor_strengths;
+}
+
+// What a frame must carry so that the handle pushes with `force`, as motor_counts() has it; zeros where it cannot.
+inline MotorNumbers motor_numbers(const Vector<3>& force, const Matrix<3>& jacobian,
+                                  const FalconCalibration& calibration) noexcept {
+  return in_frame_order(motor_counts(force, jacobian, motor_constants(calibration)).counts, calibration.motor_of_leg);
 }
 
 }  // namespace ghostforce

@@ -414,7 +414,7 @@ void Falcon::push(const Vector<3>& force, bool is_armed) noexcept {
   command_ = {.motors = {}, .info = is_armed ? CommandFrame::blue : CommandFrame::green};
   if (is_armed) {
     const auto jacobian = kinematics_.jacobian(report_.position);
-    if (jacobian) command_.motors = motor_counts(force, *jacobian, calibration_.counts_per_newton_metre).counts;
+    if (jacobian) command_.motors = motor_numbers(force, *jacobian, calibration_);
   }
   is_command_new_ = true;
   if (!is_purging_ && replies_.may_send(link().now_ns())) send_command();

@@ -106,7 +106,8 @@ void FalconInput::push(const Vector<2>& force, bool is_armed) noexcept {
 }
 
 double FalconInput::force_uncertainty() const noexcept {
-  const double used = falcon_.calibration().counts_per_newton_metre;
+  const Vector<3> constants = motor_constants(falcon_.calibration());
+  const double used = std::max({constants.x, constants.y, constants.z});
   return used / std::min(used, smallest_published_motor_constant);
 }
 

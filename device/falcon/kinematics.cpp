@@ -238,6 +238,11 @@ std::optional<Vector<3>> joint_torques(const Vector<3>& force, const Matrix<3>& 
 }
 
 MotorCommand motor_counts(const Vector<3>& force, const Matrix<3>& jacobian, double counts_per_newton_metre) noexcept {
+  return motor_counts(force, jacobian, Vector<3>(counts_per_newton_metre));
+}
+
+MotorCommand motor_counts(const Vector<3>& force, const Matrix<3>& jacobian,
+                          const Vector<3>& counts_per_newton_metre) noexcept {
   const std::optional<Vector<3>> torques = joint_torques(force, jacobian);
   if (!torques) return {};
   Vector<3> counts = -counts_per_newton_metre * *torques;
@@ -255,8 +260,13 @@ MotorCommand motor_counts(const Vector<3>& force, const Matrix<3>& jacobian, dou
 
 Vector<3> force_of_motor_counts(const MotorNumbers& counts, const Matrix<3>& jacobian,
                                 double counts_per_newton_metre) noexcept {
-  const Vector<3> torques = -Vector<3>(counts[0], counts[1], counts[2]) / counts_per_newton_metre;
-  return torques * jacobian;  // a row times A: Aᵀτ
+  return force_of_motor_counts(Vector<3>(counts[0], counts[1], counts[2]), jacobian,
+                               Vector<3>(counts_per_newton_metre));
+}
+
+Vector<3> force_of_motor_counts(const Vector<3>& counts, const Matrix<3>& jacobian,
+                                const Vector<3>& counts_per_newton_metre) noexcept {
+  return (-counts / counts_per_newton_metre) * jacobian;  // a row times A: Aᵀτ
 }
 
 }  // namespace ghostforce

@@ -98,8 +98,16 @@ struct MotorCommand {
 // Rounding cannot do better without changing the force's magnitude.
 MotorCommand motor_counts(const Vector<3>& force, const Matrix<3>& jacobian, double counts_per_newton_metre) noexcept;
 
+// The same for motors that are not alike: a motor constant for each.
+MotorCommand motor_counts(const Vector<3>& force, const Matrix<3>& jacobian,
+                          const Vector<3>& counts_per_newton_metre) noexcept;
+
 // The force at the handle that these numbers make: what a simulated device answers.
 Vector<3> force_of_motor_counts(const MotorNumbers& counts, const Matrix<3>& jacobian,
                                 double counts_per_newton_metre) noexcept;
+
+// The same with numbers that need not be whole, and motors that are not alike.
+Vector<3> force_of_motor_counts(const Vector<3>& counts, const Matrix<3>& jacobian,
+                                const Vector<3>& counts_per_newton_metre) noexcept;
 
 }  // namespace ghostforce

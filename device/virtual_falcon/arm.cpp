@@ -8,6 +8,8 @@
 namespace ghostforce {
 namespace {
 
+constexpr double standard_gravity = 9.80665;  // [m/s²]
+
 // In the half plane of a distance from the axis and a z: the stops' outline, from axis to axis.
 using Corner = Vector<2>;
 constexpr std::array<Corner, 5> outline{
@@ -56,13 +58,26 @@ Vector<3> held_by_stops(const Vector<3>& position) noexcept {
 }  // namespace
 
 SimulatedArm::SimulatedArm(const Options& options) noexcept : kinematics_(options.geometry), options_(options) {
+  if (const auto angles = kinematics_.angles({0.0, 0.0, nearest})) {
+    pushed_in_ = static_cast<int>(std::lround(counts_of_angles(*angles, options.geometry).x));
+  }
   if (!move_to(held_by_stops(options.start))) move_to(cold_start);
 }
 
-void SimulatedArm::step(double duration, const MotorNumbers& motors, const Vector<3>& goal, double stiffness) noexcept {
-  force_ = force_of_motor_counts(motors, jacobian_, options_.counts_per_newton_metre);
-  const double mass = options_.mass;
-  const Vector<3> momentum = mass * velocity_ + duration * (stiffness * (goal - position_) + force_);
+void SimulatedArm::step(double duration, const MotorNumbers& motors, const Vector<3>& goal, double stiffness,
+                        double load) noexcept {
+  Vector<3> of_legs;
+  for (std::size_t leg = 0; leg < motors.size(); ++leg) {
+    const std::int8_t number = options_.motor_of_leg[leg];
+    of_legs[static_cast<glm::length_t>(leg)] = sign_of(number) * motors[place_in_frame(number)];
+  }
+  force_ = force_of_motor_counts(of_legs, jacobian_, options_.counts_per_newton_metre / options_.motor_strengths);
+  const double mass = options_.mass + load / standard_gravity;
+  const Vector<3> down(0.0, -options_.weight - load, 0.0);
+  Vector<3> momentum = mass * velocity_ + duration * (stiffness * (goal - position_) + force_ + down);
+  // Friction takes what it can of the motion, and never more.
+  const double most = glm::length(momentum);
+  if (most > 0.0) momentum *= std::max(0.0, 1.0 - duration * options_.friction / most);
   const double inertia = mass + duration * options_.damping + duration * duration * stiffness;
   const Vector<3> before = position_;
   if (move_to(held_by_stops(before + duration / inertia * momentum))) {
@@ -80,8 +95,10 @@ bool SimulatedArm::move_to(const Vector<3>& position) noexcept {
   position_ = position;
   jacobian_ = *jacobian;
   const Vector<3> counts = counts_of_angles(*angles, options_.geometry);
-  for (glm::length_t i = 0; i < 3; ++i) {
-    encoders_[static_cast<std::size_t>(i)] = static_cast<int>(std::lround(counts[i]));
+  for (std::size_t leg = 0; leg < encoders_.size(); ++leg) {
+    const std::int8_t number = options_.encoder_of_leg[leg];
+    const int count = static_cast<int>(std::lround(counts[static_cast<glm::length_t>(leg)]));
+    encoders_[place_in_frame(number)] = number > 0 ? count : 2 * pushed_in_ - count;
   }
   return true;
 }

@@ -11,7 +11,7 @@
 #include <cstdint>
 
 #include "core/conventions.h"
-#include "device/falcon/kinematics.h"
+#include "device/falcon/calibration.h"
 
 namespace ghostforce {
 
@@ -20,8 +20,15 @@ class SimulatedArm {
   struct Options {
     FalconGeometry geometry{};
     double counts_per_newton_metre = 6600.0;
-    double mass = 0.1;     // of handle and hand [kg]
-    double damping = 5.0;  // [N·s/m]
+    // How the device really is, in the words of a calibration (falcon/calibration.h). An encoder that counts the other
+    // way does so from where its arm stands when the handle is pushed in: there homing finds it either way.
+    Vector<3> motor_strengths{1.0};
+    LegNumbers motor_of_leg = legs_in_order;
+    LegNumbers encoder_of_leg = legs_in_order;
+    double mass = 0.1;      // of handle and hand [kg]
+    double damping = 5.0;   // [N·s/m]
+    double weight = 0.0;    // of the handle [N]
+    double friction = 0.0;  // of the joints, felt at the handle [N]
     Vector<3> start{0.0, 0.0, 0.11};
   };
 
@@ -35,15 +42,16 @@ class SimulatedArm {
   // A start outside the stops is moved to where they are.
   explicit SimulatedArm(const Options& options) noexcept;
 
-  // Lets so much time pass [s] while the motors have these numbers and a hand pulls the handle to `goal`, with a
-  // stiffness of 0 or more [N/m].
-  void step(double duration, const MotorNumbers& motors, const Vector<3>& goal, double stiffness) noexcept;
+  // Lets so much time pass [s] while the motors have these numbers, a hand pulls the handle to `goal`, with a stiffness
+  // of 0 or more [N/m], and `load` hangs on it [N].
+  void step(double duration, const MotorNumbers& motors, const Vector<3>& goal, double stiffness,
+            double load = 0.0) noexcept;
 
   const Vector<3>& position() const noexcept { return position_; }  // [m]
   const Vector<3>& velocity() const noexcept { return velocity_; }  // [m/s]
   const Vector<3>& force() const noexcept { return force_; }        // the motors', on the handle, in the last step [N]
 
-  // From the geometry's zero, whole counts.
+  // As a frame has them; with encoders as assumed, from the geometry's zero. Whole counts.
   const std::array<int, 3>& encoders() const noexcept { return encoders_; }
 
  private:
@@ -51,6 +59,7 @@ class SimulatedArm {
 
   FalconKinematics kinematics_;
   Options options_;
+  int pushed_in_ = 0;  // where every arm then stands [counts]
   Vector<3> position_{};
   Vector<3> velocity_{};
   Vector<3> force_{};

@@ -32,6 +32,7 @@ struct HandPlan {
   std::array<Waypoint, 16> waypoints{Waypoint{.goal = centre}};
   std::size_t count = 1;
   double stiffness = 100.0;  // k_u; 0 lets go [N/m]
+  double load = 0.0;         // a weight that it has hung on the handle [N]
   // A device that asks to be homed gets that first; then the plan begins anew.
   bool homes_when_asked = false;
 
@@ -61,6 +62,7 @@ class SimulatedHand {
 
   const Vector<3>& goal() const noexcept { return goal_; }  // q_u
   double stiffness() const noexcept;                        // k_u
+  double load() const noexcept { return course_.plan.load; }
   std::uint8_t buttons() const noexcept { return buttons_; }
   bool is_homing() const noexcept { return homing_.has_value(); }  // because the device has asked
 

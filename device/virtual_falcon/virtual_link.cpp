@@ -197,7 +197,8 @@ void VirtualLink::step_to(std::int64_t at_ns) noexcept {
   constexpr double seconds_per_ns = 1e-9;
   dsp_.advance(at_ns);
   hand_.advance(at_ns, dsp_.wants_homing());
-  arm_.step(static_cast<double>(at_ns - lived_ns_) * seconds_per_ns, motors(), hand_.goal(), hand_.stiffness());
+  arm_.step(static_cast<double>(at_ns - lived_ns_) * seconds_per_ns, motors(), hand_.goal(), hand_.stiffness(),
+            hand_.load());
   dsp_.set_encoders(arm_.encoders());
   dsp_.set_buttons(hand_.buttons());
   lived_ns_ = at_ns;

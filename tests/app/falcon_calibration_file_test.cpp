@@ -46,9 +46,11 @@ TEST(FalconCalibrationFile, SaysEverything) {
   const FalconCalibration calibration = read(
       "format = 1\nserial = \"12PZ657E\"\nmotor_constant_counts_per_N_m = 3530\ngeometry = \"martin-hillier\"\n"
       "angle_at_zero_count_deg = 50.0\nencoder_offset_counts = [1, -2, 3]\ncenter_mm = [1, -2.5, 110]\n"
-      "right_axis = \"-z\"\nup_axis = \"-x\"\nscale = 2\n");
+      "right_axis = \"-z\"\nup_axis = \"-x\"\nscale = 2\ngear_ratio = 7.5\nmotor_strengths = [1, 0.6, 2]\n"
+      "motor_of_leg = [1, -3, 2]\nencoder_of_leg = [-2, 1, 3]\n");
   FalconGeometry geometry = find_geometry("martin-hillier")->geometry;
   geometry.angle_at_zero_count = 50.0 * radians_per_degree;
+  geometry.gear_ratio = 7.5;
   EXPECT_EQ(calibration.serial.text(), "12PZ657E");
   EXPECT_EQ(calibration.geometry, geometry);
   EXPECT_EQ(calibration.counts_per_newton_metre, 3530.0);
@@ -57,6 +59,9 @@ TEST(FalconCalibrationFile, SaysEverything) {
   EXPECT_EQ(calibration.right_axis, FalconAxis::minus_z);
   EXPECT_EQ(calibration.up_axis, FalconAxis::minus_x);
   EXPECT_EQ(calibration.scale, 2.0);
+  EXPECT_EQ(calibration.motor_strengths, Vector<3>(1.0, 0.6, 2.0));
+  EXPECT_EQ(calibration.motor_of_leg, (LegNumbers{1, -3, 2}));
+  EXPECT_EQ(calibration.encoder_of_leg, (LegNumbers{-2, 1, 3}));
 }
 
 TEST(FalconCalibrationFile, SaysWhereWhatIsWrongAndWhatToDo) {
@@ -74,12 +79,17 @@ TEST(FalconCalibrationFile, SaysWhereWhatIsWrongAndWhatToDo) {
   EXPECT_EQ(refusal_of_line("up_axis = \"-x\""),
             "f.toml:3:11: the key up_axis: right_axis is 'x' and up_axis '-x', and a plane needs two different ones; "
             "change one");
+  EXPECT_EQ(
+      refusal_of_line("motor_of_leg = [1, -1, 3]"),
+      "f.toml:3:16: the key motor_of_leg: does not have 1, 2 and 3 once each; give them in some order, with a minus "
+      "where one counts the other way, as [1, -3, 2]");
   EXPECT_NE(refusal_of_line("right_axis = \"w\"\nup_axis = \"x\""), "");
   for (const std::string_view line :
        {"motor_constant_counts_per_N_m = 0", "motor_constant_counts_per_N_m = inf", "angle_at_zero_count_deg = 91",
         "angle_at_zero_count_deg = [1]", "encoder_offset_counts = 1", "encoder_offset_counts = [0, 0, 5000]",
         "center_mm = [0, 0, 201]", "center_mm = [0, 0, \"a\"]", "right_axis = 1", "right_axis = \"y\"", "[scale]",
-        "geometry = 1"}) {
+        "geometry = 1", "gear_ratio = 5.9", "gear_ratio = 11", "motor_strengths = [1, 1]",
+        "motor_strengths = [1, 0.1, 1]", "motor_of_leg = [1, 2, 4]", "encoder_of_leg = [1, 2.0, 3]"}) {
     EXPECT_EQ(refusal_of_line(line).find("f.toml:3:"), 0U) << line;
   }
 }
@@ -132,6 +142,10 @@ TEST_F(FalconCalibrationFolderTest, ReadsBackWhatItWrote) {
   FalconCalibration written = calibration_of("FTPNM0FB");
   written.geometry = find_geometry("libnifalcon-2008")->geometry;
   written.geometry.angle_at_zero_count = 41.25 * radians_per_degree;
+  written.geometry.gear_ratio = 7.9;
+  written.motor_strengths = {1.0, 0.75, 0.5};
+  written.motor_of_leg = {-1, 3, 2};
+  written.encoder_of_leg = {2, 3, -1};
   written.counts_per_newton_metre = 10000.0;
   written.encoder_offset = {-7, 0, 4096};
   written.center = {0.001, 0.0, 0.1};
@@ -144,6 +158,9 @@ TEST_F(FalconCalibrationFolderTest, ReadsBackWhatItWrote) {
   EXPECT_EQ(read[0].serial, written.serial);
   EXPECT_EQ(read[0].counts_per_newton_metre, written.counts_per_newton_metre);
   EXPECT_EQ(read[0].encoder_offset, written.encoder_offset);
+  EXPECT_EQ(read[0].motor_strengths, written.motor_strengths);
+  EXPECT_EQ(read[0].motor_of_leg, written.motor_of_leg);
+  EXPECT_EQ(read[0].encoder_of_leg, written.encoder_of_leg);
   EXPECT_EQ(read[0].right_axis, written.right_axis);
   EXPECT_EQ(read[0].up_axis, written.up_axis);
   EXPECT_EQ(read[0].scale, written.scale);

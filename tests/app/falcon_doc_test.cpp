@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "app/doctor/measure/steps.h"
 #include "app/falcon_calibration_file.h"
 #include "app/ladder.h"
 #include "core/safety.h"
@@ -51,6 +52,10 @@ TEST_F(FalconDoc, TellsEveryMisbehaviour) {
   }
 }
 
+TEST_F(FalconDoc, TellsEveryMeasurement) {
+  for (const MeasureStep& step : measure_step_catalog()) expect_row(doc_, step.title, step.outline);
+}
+
 TEST_F(FalconDoc, TellsEveryKeyOfACalibration) {
   FalconCalibration calibration;
   calibration.serial = *FalconSerial::from("12PZ657E");
@@ -62,7 +67,7 @@ TEST_F(FalconDoc, TellsEveryKeyOfACalibration) {
     ++keys;
     EXPECT_NE(doc_.find(fmt::format("| `{}` |", line.substr(0, end))), std::string::npos) << line;
   }
-  EXPECT_GE(keys, 10);
+  EXPECT_GE(keys, 14);
 }
 
 }  // namespace

@@ -126,6 +126,56 @@ TEST(SimulatedArm, StandsAtTheStopsAndComesBack) {
   EXPECT_LT(glm::length(arm.position() - Vector<3>{0.0, 0.0, 0.12}), 1e-9);
 }
 
+// A weight and what hangs on it pull down; friction holds what is not pulled enough, and slows what is.
+TEST(SimulatedArm, HasAWeightAndJointsThatRub) {
+  constexpr Vector<3> goal{0.0, 0.0, 0.12};
+  constexpr double stiffness = 100.0;
+  SimulatedArm arm({.weight = 0.5, .start = goal});
+  for (int i = 0; i < 20'000; ++i) arm.step(dt, no_motors, goal, stiffness, 0.3);
+  EXPECT_NEAR(arm.position().y, -0.8 / stiffness, 1e-9);
+  EXPECT_NEAR(arm.position().x, 0.0, 1e-9);
+  SimulatedArm stuck({.friction = 0.2, .start = goal});
+  rest(stuck, no_motors, goal + Vector<3>(0.0019, 0.0, 0.0), stiffness);
+  EXPECT_EQ(stuck.position(), goal) << "0.19 N do not move it";
+  rest(stuck, no_motors, goal + Vector<3>(0.01, 0.0, 0.0), stiffness);
+  EXPECT_GT(stuck.position().x, 0.005);
+  EXPECT_EQ(stuck.velocity(), Vector<3>(0.0));
+  EXPECT_LE(std::abs(0.01 - stuck.position().x) * stiffness, 0.2 + 1e-9);
+}
+
+TEST(SimulatedArm, TakesNoEnergyFromItsFriction) {
+  std::mt19937 random{3};
+  std::uniform_real_distribution<double> any(-0.05, 0.05);
+  for (int i = 0; i < 20; ++i) {
+    SimulatedArm arm({.damping = 0.0, .friction = 0.3, .start = {any(random), any(random), 0.12}});
+    const Vector<3> goal{any(random), any(random), 0.12};
+    double energy = std::numeric_limits<double>::infinity();
+    for (int step = 0; step < 40'000; ++step) {
+      arm.step(dt, no_motors, goal, 500.0);
+      const Vector<3> stretch = goal - arm.position();
+      const double now = 0.05 * glm::dot(arm.velocity(), arm.velocity()) + 250.0 * glm::dot(stretch, stretch);
+      ASSERT_LE(now, energy * (1.0 + 1e-12));
+      energy = now;
+    }
+    EXPECT_EQ(arm.velocity(), Vector<3>(0.0)) << "it ends";
+  }
+}
+
+TEST(SimulatedArm, CanBeWiredOtherwise) {
+  constexpr Vector<3> place{0.01, -0.015, 0.12};
+  const SimulatedArm usual({.start = place});
+  const SimulatedArm wired({.encoder_of_leg = {3, -1, 2}, .start = place});
+  EXPECT_EQ(wired.encoders()[2], usual.encoders()[0]);
+  EXPECT_EQ(wired.encoders()[1], usual.encoders()[2]);
+  const SimulatedArm pushed_in({.start = {0.0, 0.0, SimulatedArm::nearest}});
+  EXPECT_EQ(wired.encoders()[0] + usual.encoders()[1], 2 * pushed_in.encoders()[0]) << "mirrored at the stop";
+  SimulatedArm pushed({.motor_strengths = {1.0, 0.5, 1.0}, .motor_of_leg = {2, -1, 3}, .start = place});
+  pushed.step(dt, {-400, 300, 200}, place, 0.0);
+  SimulatedArm same({.start = place});
+  same.step(dt, {300, 200, 200}, place, 0.0);
+  EXPECT_LT(glm::length(pushed.force() - same.force()), 1e-12);
+}
+
 // The legs' reach ends inside the stops with some of the published lengths: it waits there, and can leave.
 TEST(SimulatedArm, WorksWithEachGeometry) {
   for (const GeometryPreset& preset : geometry_catalog()) {

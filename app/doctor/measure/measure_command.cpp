@@ -1,0 +1,150 @@
+#include "app/doctor/measure/measure_command.h"
+
+#include <time.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "app/doctor/measure/measurement.h"
+#include "app/doctor/measure/terminal_operator.h"
+#include "app/failure.h"
+#include "app/falcon_calibration_file.h"
+#include "app/output_file.h"
+#include "app/printable.h"
+#include "device/falcon/ftdi_link.h"
+#include "device/realtime.h"
+#include "device/virtual_falcon/practice_firmware.h"
+#include "device/virtual_falcon/virtual_link.h"
+#include "ghostforce_version.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr unsigned practice_words = 4000;
+
+constexpr std::string_view welcome =
+    "This measures a Falcon and takes about ten minutes. You need: a table for the device to stand on, a ruler of 10 "
+    "cm or "
+    "more, a weight of 20 to 50 g that you know to a gram, half a metre of thread to hang it by, and a long, soft "
+    "rubber "
+    "band. One hand holds the handle, the other one is for the keyboard.\n";
+constexpr std::string_view safety =
+    "Motors push with less than 2 N, and only as long as you hold a button of the grip down: letting go turns them "
+    "off. "
+    "They go off too when the handle moves faster than 0.3 m/s or leaves the middle of its space. Keep the power plug "
+    "within reach, and face and fingers away from the arms.\n";
+constexpr std::string_view keys =
+    "Enter: it is done, go on. s: skip this step. q: end, with or without a report. Ctrl+C: end at once, nothing is "
+    "written.\n";
+
+std::string now_in_words() {
+  const time_t now = time(nullptr);
+  tm parts{};
+  gmtime_r(&now, &parts);
+  std::array<char, 32> text{};
+  strftime(text.data(), text.size(), "%Y-%m-%d %H:%M UTC", &parts);
+  return text.data();
+}
+
+// A handle that has a weight, and joints that rub: as a real one.
+VirtualLink::Options rehearsal(const InputOptions& options) {
+  VirtualLink::Options rehearsal;
+  // Where nobody watches, time need not pass.
+  rehearsal.clock = isatty(STDIN_FILENO) != 0 ? VirtualLink::Clock::monotonic : VirtualLink::Clock::stepped;
+  rehearsal.arm.weight = 0.3;
+  rehearsal.arm.friction = 0.04;
+  rehearsal.hand.homes_when_asked = true;
+  rehearsal.misbehaviour = options.misbehaviour;
+  return rehearsal;
+}
+
+bool says_yes(Operator& person, const std::string& words) {
+  const auto line = person.ask({.kind = Deed::Kind::say_yes_or_no}, words);
+  return line && (line->starts_with('y') || line->starts_with('Y'));
+}
+
+void write_calibration(const MeasureCall& call, std::optional<OutputFile>& file, bool is_there,
+                       const FalconCalibration& calibration, bool is_kept, Operator& person) {
+  if (file) {
+    const std::string shown = printable(*call.calibration, longest_path);
+    if (is_there &&
+        !says_yes(person,
+                  fmt::format("{} is there already. Write the new calibration in its place? Type y or n.", shown))) {
+      person.tell("It was left as it is; the report has the calibration too.");
+      return;
+    }
+    file->write(falcon_calibration_text(calibration));
+    file->commit();
+    person.tell(fmt::format("The calibration is in {}.", shown));
+    return;
+  }
+  if (call.is_virtual) {
+    person.tell(
+        "The calibration is in the report. Nothing is kept for a device that is not there; --calibration FILE "
+        "writes it to a file.");
+    return;
+  }
+  const bool wants =
+      says_yes(person, is_kept ? "A calibration is kept for this Falcon already. Keep the new one in its "
+                                 "place, for every later start? Type y or n."
+                               : "Keep this calibration for this Falcon, for every later start? Type y or n.");
+  if (!wants) {
+    person.tell("It was not kept; the report has it.");
+    return;
+  }
+  const std::filesystem::path path = remember_falcon_calibration(calibration);
+  person.tell(fmt::format("The calibration is in {}.", printable(path.string(), longest_path)));
+}
+
+}  // namespace
+
+int measure_with_doctor(const MeasureCall& call) {
+  const std::optional<FirmwareImage> image = call.falcon.read_firmware_file();
+  InputOptions options = call.falcon.input_options(image);
+  std::unique_ptr<FalconLink> link;
+  std::unique_ptr<MeasuredPerson> simulated;
+  if (call.is_virtual) {
+    auto there = std::make_unique<VirtualLink>(rehearsal(options));
+    simulated = std::make_unique<MeasuredPerson>(*there, MeasuredPerson::Habits{});
+    link = std::move(there);
+    if (options.falcon.firmware.empty()) options.falcon.firmware = practice_firmware(practice_words);
+    options.falcon.is_virtual = true;
+  } else {
+    link = std::make_unique<FtdiLink>(FtdiLinkOptions{.id = options.falcon_id, .serial = options.falcon_serial});
+  }
+  request_realtime();
+  // Before anybody has worked for ten minutes.
+  OutputFile report(call.report);
+  std::optional<OutputFile> calibration_file;
+  std::error_code error;
+  const bool is_there = call.calibration && std::filesystem::exists(*call.calibration, error);
+  if (call.calibration) calibration_file.emplace(*call.calibration);
+  Falcon falcon(std::move(link), options.falcon);
+  TerminalOperator person(simulated.get());
+  person.tell(welcome);
+  person.tell(safety);
+  person.tell(keys);
+  await_homed(falcon, person);
+
+  const auto known = std::ranges::find(options.falcon.calibrations, falcon.report().serial, &FalconCalibration::serial);
+  const bool is_kept = known != options.falcon.calibrations.end();
+  const FalconMeasurement measurement = measure_falcon(falcon, person, is_kept ? *known : FalconCalibration{});
+  falcon.finish();
+
+  report.write(report_of(measurement, {.version = std::string(version),
+                                       .when = now_in_words(),
+                                       .firmware = call.is_virtual ? "firmware: a practice one" : firmware_words(image),
+                                       .is_virtual = call.is_virtual}));
+  report.commit();
+  if (call.report != "-") person.tell(fmt::format("The report is in {}.", printable(call.report, longest_path)));
+  if (!call.is_virtual) person.tell("Please open an issue with it attached where you got this program from.");
+  write_calibration(call, calibration_file, is_there, measurement.calibration, is_kept, person);
+  return static_cast<int>(measurement.has_all_answers() ? ExitCode::done : ExitCode::answer_is_no);
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,157 @@
+#include "app/doctor/measure/measurement.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "app/doctor/measure/steps.h"
+#include "app/failure.h"
+#include "app/falcon_calibration_file.h"
+#include "app/interruption.h"
+#include "app/ladder.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr double homing_patience_s = 300.0;
+// A device is looked for twice a second.
+constexpr double absent_patience_s = 1.2;
+
+std::string_view words_of(FalconState state) {
+  switch (state) {
+    case FalconState::loading_firmware:
+      return "The firmware is being loaded; that takes some seconds.";
+    case FalconState::homing:
+      return "Home the device: pull the handle all the way out, then push it straight in until it stops. Then the "
+             "program goes on by itself.";
+    default:
+      return {};
+  }
+}
+
+Finding unmeasured(std::string_view title, std::string_view why) {
+  return {.title = std::string(title), .sentence = std::string(why)};
+}
+
+bool wants_report(Operator& person) {
+  const auto line = person.ask({.kind = Deed::Kind::say_yes_or_no},
+                               "The motors are off. Write a report of what was measured so far? Type y or n.");
+  return line && (line->starts_with('y') || line->starts_with('Y'));
+}
+
+}  // namespace
+
+bool FalconMeasurement::has_all_answers() const {
+  return is_complete && std::ranges::all_of(steps, [](const Step& step) {
+           return std::ranges::all_of(step.findings, &Finding::is_answer);
+         });
+}
+
+void await_homed(Falcon& falcon, Operator& person) {
+  constexpr std::int64_t tick_ns = 1'000'000;
+  FalconLink& link = falcon.link();
+  const std::int64_t began_ns = link.now_ns();
+  FalconState told = FalconState::absent;
+  for (;;) {
+    stop_if_interrupted();
+    falcon.attend();
+    const FalconReport& report = falcon.report();
+    if (report.is_readable()) return;
+    const double waited_s = static_cast<double>(link.now_ns() - began_ns) * 1e-9;
+    if (report.state == FalconState::absent && waited_s > absent_patience_s) {
+      throw Failure(ExitCode::device_absent, "No Falcon is plugged in. Plug in its power supply, then its USB cable.");
+    }
+    if (report.state == FalconState::fault) {
+      const FalconFaultEntry& fault = entry_of(report.fault);
+      throw Failure(exit_code_of(report, true), fmt::format("The Falcon: {}. {}", fault.title, fault.remedy));
+    }
+    if (report.state != told) {
+      told = report.state;
+      if (const std::string_view words = words_of(told); !words.empty()) person.tell(words);
+    }
+    if (waited_s > homing_patience_s) {
+      throw Failure(ExitCode::device_failed,
+                    "The Falcon was not homed within five minutes. Is its power supply plugged in? Then begin again.");
+    }
+    link.wait_until(link.now_ns() + tick_ns);
+  }
+}
+
+FalconMeasurement measure_falcon(Falcon& falcon, Operator& person, const FalconCalibration& before) {
+  FalconCalibration begin;
+  begin.serial = falcon.report().serial;
+  begin.center = before.center;
+  begin.right_axis = before.right_axis;
+  begin.up_axis = before.up_axis;
+  begin.scale = before.scale;
+
+  FalconMeasurement measurement;
+  MeasuringRig rig(person, falcon.link(), begin);
+  bool has_encoders = false;
+  bool has_motors = false;
+  const auto catalog = measure_step_catalog();
+  try {
+    for (std::size_t i = 0; i < catalog.size(); ++i) {
+      const MeasureStep& step = catalog[i];
+      person.tell(fmt::format("\nStep {} of {}: {}. {}", i + 1, catalog.size(), step.title, step.outline));
+      std::vector<Finding> findings;
+      const bool is_possible = step.needs == MeasureStep::Needs::nothing ||
+                               (step.needs == MeasureStep::Needs::encoders ? has_encoders : has_motors);
+      if (!is_possible) {
+        findings = {unmeasured(step.title, "It builds on a step before it that has no result.")};
+      } else {
+        try {
+          findings = step.take(rig);
+        } catch (const SkipMeasurement&) {
+          rig.rest(0.0);
+          findings = {unmeasured(step.title, "Skipped.")};
+        }
+      }
+      const bool is_answered = findings.front().is_answer();
+      has_encoders = has_encoders || (step.gives == MeasureStep::Needs::encoders && is_answered);
+      has_motors = has_motors || (step.gives == MeasureStep::Needs::motors && is_answered);
+      for (const Finding& finding : findings) {
+        person.tell(fmt::format("  {}: {}. {}", finding.title, words_of(finding.state), finding.sentence));
+      }
+      measurement.steps.push_back({step.title, std::move(findings)});
+    }
+    measurement.is_complete = true;
+  } catch (const LeaveMeasurement&) {
+    if (!wants_report(person)) throw Failure(ExitCode::answer_is_no, "The measurement was ended; nothing was written.");
+  }
+  measurement.calibration = rig.calibration();
+  return measurement;
+}
+
+std::string report_of(const FalconMeasurement& measurement, const MeasurementOrigin& origin) {
+  std::string text =
+      fmt::format("# Measurement of a Novint Falcon\n\n- Program: ghostforce {}\n- When: {}\n- Device: {}{}\n- {}\n",
+                  origin.version, origin.when, measurement.calibration.serial.text(),
+                  origin.is_virtual ? " (a rehearsal: this device is not there)" : "", origin.firmware);
+  if (!measurement.is_complete) text += "- Ended by the person before the last step.\n";
+  text +=
+      "\nUncertainties are two standard deviations. Please open an issue with this file attached where you got this "
+      "program from.\n\n## Results\n\n| What | | Result | Settles |\n|---|---|---|---|\n";
+  for (const FalconMeasurement::Step& step : measurement.steps) {
+    for (const Finding& finding : step.findings) {
+      text += fmt::format("| {} | {} | {} | {} |\n", finding.title, words_of(finding.state), finding.sentence,
+                          finding.is_answer() ? finding.settles : "nothing");
+    }
+  }
+  text += "\n## Readings\n";
+  for (const FalconMeasurement::Step& step : measurement.steps) {
+    text += fmt::format("\n### {}\n\n", step.title);
+    bool is_empty = true;
+    for (const Finding& finding : step.findings) {
+      for (const std::string& reading : finding.readings) {
+        text += fmt::format("- {}\n", reading);
+        is_empty = false;
+      }
+    }
+    if (is_empty) text += "None.\n";
+  }
+  text += fmt::format("\n## Calibration file\n\n```toml\n{}```\n", falcon_calibration_text(measurement.calibration));
+  return text;
+}
+
+}  // namespace ghostforce

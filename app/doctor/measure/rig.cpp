@@ -1,0 +1,301 @@
+#include "app/doctor/measure/rig.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include "app/failure.h"
+#include "app/interruption.h"
+#include "app/printable.h"
+
+namespace ghostforce {
+namespace {
+
+// The encoders of a handle that somebody holds still stay within this [counts], for so long, the last part of which is
+// what is read; and so long it is waited for [s].
+constexpr double still_counts = 12.0;
+constexpr double still_s = 0.7;
+constexpr double reading_s = 0.3;
+constexpr double still_patience_s = 15.0;
+
+constexpr double button_patience_s = 20.0;
+// What "there" and "still" mean before motors go on. Nobody sees where the middle is [m], [m/s], [s].
+constexpr double near = 0.025;
+constexpr double slow = 0.03;
+constexpr double ready_s = 0.3;
+
+constexpr double widest = 0.055;    // from the axis [m]
+constexpr double nearest = 0.075;   // z [m]
+constexpr double farthest = 0.172;  // z [m]
+constexpr int unhomed_to_believe = 3;
+
+std::string trimmed(std::string_view text) {
+  const auto begin = text.find_first_not_of(" \t\r\n");
+  if (begin == std::string_view::npos) return {};
+  return std::string(text.substr(begin, text.find_last_not_of(" \t\r\n") - begin + 1));
+}
+
+std::optional<double> number_in(std::string text) {
+  std::ranges::replace(text, ',', '.');
+  double value = 0.0;
+  const auto [after, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || after != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+std::string_view words_of(MotorStop stop) {
+  switch (stop) {
+    case MotorStop::none:
+      return {};
+    case MotorStop::released:
+      return "The button was let go of, so the motors are off. This step begins again.";
+    case MotorStop::too_fast:
+      return "The handle moved faster than 0.3 m/s, so the motors are off. Hold it more firmly; this step begins "
+             "again.";
+    case MotorStop::left_workspace:
+      return "The handle left the middle of its workspace, so the motors are off. This step begins again.";
+    case MotorStop::no_reply:
+      return "The device left a command unanswered for 20 ms, so the motors are off. Close what keeps this machine "
+             "busy; "
+             "this step begins again.";
+  }
+  return {};
+}
+
+}  // namespace
+
+MeasuringRig::MeasuringRig(Operator& person, FalconLink& link, const FalconCalibration& calibration)
+    : person_(person), bench_(link), calibration_(calibration), kinematics_(calibration.geometry) {}
+
+void MeasuringRig::use(const FalconCalibration& calibration) {
+  calibration_ = calibration;
+  kinematics_ = FalconKinematics(calibration.geometry);
+  last_ = {};
+  place_count_ = 0;
+}
+
+// --- The person ---
+
+std::string MeasuringRig::ask(const Deed& deed, const std::string& words) {
+  const std::optional<std::string> line = person_.ask(deed, words);
+  stop_if_interrupted();
+  if (!line) {
+    throw Failure(
+        ExitCode::answer_is_no,
+        "The input ended before the measurement did; nothing was written. Give every answer, or type q to end "
+        "with a report of what was measured until then.");
+  }
+  std::string answer = trimmed(*line);
+  if (answer == "q") throw LeaveMeasurement{};
+  if (answer == "s") throw SkipMeasurement{};
+  return answer;
+}
+
+double MeasuringRig::ask_number(const Deed& deed, const std::string& words, double least, double greatest,
+                                std::string_view unit) {
+  for (;;) {
+    const std::string answer = ask(deed, words);
+    const std::optional<double> value = number_in(answer);
+    // Written so that NaN is asked again too.
+    if (value && *value >= least && *value <= greatest) return *value;
+    person_.tell(fmt::format("'{}' is no number from {} to {} {}. Type the number alone, such as {}.",
+                             printable(answer), least, greatest, unit, std::sqrt(least * greatest) > 10.0 ? 60 : 5));
+  }
+}
+
+Vector<3> MeasuringRig::read_still_at(const Deed& deed, const std::string& words) {
+  for (;;) {
+    ask(deed, words);
+    Vector<3> least(0.0);
+    Vector<3> greatest(0.0);
+    Vector<3> sum(0.0);
+    int count = 0;
+    double since_s = -1.0;
+    const double deadline_s = bench_.now_s() + still_patience_s;
+    while (bench_.now_s() < deadline_s) {
+      const ReplyFrame reply = look();
+      const Vector<3> now(reply.encoders[0], reply.encoders[1], reply.encoders[2]);
+      least = glm::min(least, now);
+      greatest = glm::max(greatest, now);
+      const Vector<3> spread = greatest - least;
+      if (since_s < 0.0 || std::max({spread.x, spread.y, spread.z}) > still_counts) {
+        least = greatest = now;
+        sum = Vector<3>(0.0);
+        count = 0;
+        since_s = bench_.now_s();
+      }
+      const double held_s = bench_.now_s() - since_s;
+      if (held_s < still_s - reading_s) continue;
+      sum += now;
+      ++count;
+      if (held_s >= still_s) return sum / static_cast<double>(count);
+    }
+    person_.tell("The handle did not stay still. Rest your arm on the table and hold the handle there.");
+  }
+}
+
+// --- The device ---
+
+ReplyFrame MeasuringRig::exchange(const CommandFrame& command) {
+  const double began_s = bench_.now_s();
+  for (CommandFrame next = command;; next.motors = {}) {
+    stop_if_interrupted();
+    const auto reply = bench_.exchange(next);
+    if (!reply) {
+      sent_ = Vector<3>(0.0);
+      was_lost_ = true;
+      const LinkFault fault = bench_.fault();
+      if (fault == LinkFault::unplugged || fault == LinkFault::absent) {
+        throw Failure(ExitCode::device_absent,
+                      "The Falcon has gone: its USB cable was unplugged. Plug it in and begin again.");
+      }
+      if (fault != LinkFault::none || bench_.now_s() - began_s > 1.0) {
+        throw Failure(
+            ExitCode::device_failed,
+            "The Falcon stopped answering. Is its power supply plugged in? Unplug both cables, wait 5 s, plug "
+            "power in first, and begin again.");
+      }
+      continue;
+    }
+    unhomed_ = (reply->status & ReplyFrame::homed) == ReplyFrame::homed ? 0 : unhomed_ + 1;
+    if (unhomed_ >= unhomed_to_believe) {
+      throw Failure(ExitCode::device_failed,
+                    "The Falcon has forgotten where home is, as after a loss of power. Home it and begin again.");
+    }
+    return *reply;
+  }
+}
+
+ReplyFrame MeasuringRig::look(std::uint8_t info) {
+  sent_ = Vector<3>(0.0);
+  return exchange({.motors = {}, .info = info});
+}
+
+void MeasuringRig::rest(double seconds) {
+  for (const double end_s = bench_.now_s() + seconds; bench_.now_s() < end_s;) look();
+}
+
+MotorStop MeasuringRig::see(const ReplyFrame& reply, Glimpse& glimpse) {
+  if ((reply.status & 0x0F) == 0) return MotorStop::released;
+  const Vector<3> start = place_count_ > 0 ? last_.position : cold_start;
+  glimpse.legs = leg_counts(reply.encoders, calibration_);
+  const ForwardKinematics found = kinematics_.position(angles_of_counts(glimpse.legs, calibration_.geometry), start);
+  const auto jacobian = kinematics_.jacobian(found.position);
+  if (!found.has_converged || !jacobian || std::hypot(found.position.x, found.position.y) > widest ||
+      found.position.z < nearest || found.position.z > farthest) {
+    return MotorStop::left_workspace;
+  }
+  glimpse.position = found.position;
+  glimpse.jacobian = *jacobian;
+  glimpse.counts = sent_;
+  const std::size_t at = place_count_ % places_.size();
+  if (place_count_ >= places_.size()) {
+    glimpse.velocity = (found.position - places_[at]) / (FalconBench::period_s * static_cast<double>(places_.size()));
+  }
+  places_[at] = found.position;
+  ++place_count_;
+  last_ = glimpse;
+  return glm::length(glimpse.velocity) > fastest ? MotorStop::too_fast : MotorStop::none;
+}
+
+MotorStop MeasuringRig::drive(double seconds, const Law& law, const Watch& watch) {
+  const double began_s = bench_.now_s();
+  const Vector<3> strongest(smallest_published_motor_constant);
+  for (;;) {
+    MotorNumbers numbers{};
+    for (glm::length_t leg = 0; leg < 3; ++leg) {
+      numbers[static_cast<std::size_t>(leg)] = static_cast<std::int16_t>(std::lround(sent_[leg]));
+    }
+    was_lost_ = false;
+    const ReplyFrame reply =
+        exchange({.motors = in_frame_order(numbers, calibration_.motor_of_leg), .info = CommandFrame::blue});
+    Glimpse glimpse;
+    const MotorStop stop = was_lost_ ? MotorStop::no_reply : see(reply, glimpse);
+    if (stop != MotorStop::none) {
+      turn_off();
+      return stop;
+    }
+    glimpse.time_s = bench_.now_s() - began_s;
+    if (watch) watch(glimpse);
+    if (glimpse.time_s >= seconds) return MotorStop::none;
+    Vector<3> wanted = law(glimpse);
+    const double force = glm::length(force_of_motor_counts(wanted, glimpse.jacobian, strongest));
+    if (!(force <= greatest_force)) wanted = force > 0.0 ? wanted * (greatest_force / force) : Vector<3>(0.0);
+    const Vector<3> change = wanted - sent_;
+    const double step = glm::length(force_of_motor_counts(change, glimpse.jacobian, strongest));
+    const double most = steepest * FalconBench::period_s;
+    sent_ += step > most ? change * (most / step) : change;
+  }
+}
+
+MotorStop MeasuringRig::let_go(double seconds) {
+  const Vector<3> from = sent_;
+  return drive(seconds, [&](const Glimpse& glimpse) { return from * std::max(0.0, 1.0 - glimpse.time_s / seconds); });
+}
+
+MotorStop MeasuringRig::be_silent(double seconds, const Watch& after) {
+  // In small pieces, so that an interruption is heard.
+  constexpr double piece_s = 0.005;
+  for (double left_s = seconds; left_s > 0.0; left_s -= piece_s) {
+    bench_.be_silent(std::min(piece_s, left_s));
+    stop_if_interrupted();
+  }
+  sent_ = Vector<3>(0.0);
+  place_count_ = 0;  // a speed across the silence would be none
+  return drive(
+      0.0, [](const Glimpse&) { return Vector<3>(0.0); }, after);
+}
+
+void MeasuringRig::turn_off() {
+  sent_ = Vector<3>(0.0);
+  place_count_ = 0;
+  look();
+}
+
+// The button is held, and the handle has been near the place, and slow, for a moment.
+bool MeasuringRig::await_ready(const Vector<3>& place) {
+  double since_s = bench_.now_s();
+  place_count_ = 0;
+  for (const double end_s = since_s + button_patience_s; bench_.now_s() < end_s;) {
+    Glimpse glimpse;
+    const bool is_ready = see(look(), glimpse) == MotorStop::none && glm::distance(glimpse.position, place) <= near &&
+                          glm::length(glimpse.velocity) <= slow;
+    if (!is_ready) since_s = bench_.now_s();
+    if (bench_.now_s() - since_s >= ready_s) return true;
+  }
+  return false;
+}
+
+bool MeasuringRig::with_button(const Deed& deed, const std::string& words, const std::function<MotorStop()>& what) {
+  MotorStop stop = MotorStop::none;
+  for (int i = 0; i < tries; ++i) {
+    ask(deed, words);
+    stop = MotorStop::released;
+    if (await_ready(deed.place)) {
+      stop = what();
+      turn_off();
+      if (stop == MotorStop::none) return true;
+      person_.tell(words_of(stop));
+    } else {
+      person_.tell(
+          "For 20 s no button of the grip was held down with the handle still and near where it should be. Go "
+          "there first, then press any button and keep it down.");
+    }
+  }
+  if (stop == MotorStop::too_fast || stop == MotorStop::left_workspace) {
+    throw Failure(ExitCode::safety_stop,
+                  fmt::format("{} times the handle {}, and the motors were turned off. Nothing was written. Hold the "
+                              "handle in the middle of its workspace, more firmly, and begin again.",
+                              tries, stop == MotorStop::too_fast ? "moved faster than 0.3 m/s" : "left its workspace"));
+  }
+  return false;
+}
+
+Vector<3> MeasuringRig::counts_for(const Vector<3>& force, const Matrix<3>& jacobian) noexcept {
+  return -smallest_published_motor_constant * joint_torques(force, jacobian).value_or(Vector<3>(0.0));
+}
+
+}  // namespace ghostforce

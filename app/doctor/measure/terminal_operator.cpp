@@ -1,0 +1,89 @@
+#include "app/doctor/measure/terminal_operator.h"
+
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+
+#include <fmt/format.h>
+
+#include "app/interruption.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr std::size_t widest_line = 78;
+
+// Broken between words; what begins with spaces goes on with as many.
+std::string wrapped(std::string_view words) {
+  std::string text;
+  const std::size_t begin = std::min(words.find_first_not_of("\n "), words.size());
+  const std::string indent(words.substr(0, begin).find_last_of('\n') == std::string_view::npos
+                               ? begin
+                               : begin - words.substr(0, begin).find_last_of('\n') - 1,
+                           ' ');
+  text = words.substr(0, begin);
+  std::size_t column = indent.size();
+  for (std::size_t at = begin; at < words.size();) {
+    const std::size_t end = std::min(words.find(' ', at), words.size());
+    const std::string_view word = words.substr(at, end - at);
+    if (column > indent.size() && column + 1 + word.size() > widest_line) {
+      text += "\n" + indent;
+      column = indent.size();
+    } else if (at > begin) {
+      text += ' ';
+      ++column;
+    }
+    text += word;
+    column += word.size();
+    at = end + 1;
+  }
+  return text;
+}
+
+}  // namespace
+
+void TerminalOperator::tell(std::string_view words) {
+  fmt::print(stderr, "{}\n", wrapped(words));
+}
+
+std::optional<std::string> TerminalOperator::ask(const Deed& deed, std::string_view words) {
+  fmt::print(stderr, "\n");
+  tell(words);
+  const std::string answer = simulated_ == nullptr ? "" : simulated_->act(deed);
+  if (!answer.empty()) {
+    tell(fmt::format("(Rehearsal: Enter alone answers {}.)", answer));
+  } else if (simulated_ != nullptr) {
+    tell("(Rehearsal: the simulated hand does it.)");
+  }
+  fmt::print(stderr, "> ");
+  std::fflush(stderr);
+  std::optional<std::string> line = read_line();
+  if (line && line->empty()) line = answer;
+  return line;
+}
+
+void TerminalOperator::cue(const Deed& deed) {
+  if (simulated_ != nullptr) simulated_->act(deed);
+}
+
+std::optional<std::string> TerminalOperator::read_line() {
+  for (;;) {
+    if (const std::size_t end = typed_.find('\n'); end != std::string::npos) {
+      std::string line = typed_.substr(0, end);
+      typed_.erase(0, end + 1);
+      return line;
+    }
+    std::array<char, 4096> piece;
+    const ssize_t count = read(STDIN_FILENO, piece.data(), piece.size());
+    stop_if_interrupted();
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return std::nullopt;
+    typed_.append(piece.data(), static_cast<std::size_t>(count));
+    constexpr std::size_t longest_answer = 65536;
+    if (typed_.size() > longest_answer) return std::nullopt;
+  }
+}
+
+}  // namespace ghostforce

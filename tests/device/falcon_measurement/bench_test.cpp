@@ -1,0 +1,82 @@
+// Single frames with a Falcon: on time, as they are, and zeros whatever goes wrong.
+#include "device/falcon_measurement/bench.h"
+
+#include <memory>
+
+#include <gtest/gtest.h>
+
+#include "device/virtual_falcon/virtual_link.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr CommandFrame push{.motors = {100, -50, 25}, .info = CommandFrame::blue};
+
+std::unique_ptr<VirtualLink> running_link() {
+  VirtualLink::Options options{.clock = VirtualLink::Clock::stepped};
+  options.device.starts_with_firmware = true;
+  options.device.starts_homed = true;
+  auto link = std::make_unique<VirtualLink>(options);
+  EXPECT_EQ(link->open(), LinkFault::none);
+  // As the driver leaves it.
+  for (const VendorRequest& request : {VendorRequest{0x09, 1, 0}, VendorRequest{0x03, 2, 0}}) {
+    while (!link->request(request)) link->wait_until(link->now_ns() + 1'000'000);
+    while (link->is_sending()) link->wait_until(link->now_ns() + 1'000'000);
+  }
+  return link;
+}
+
+TEST(FalconBench, ExchangesOnceAMillisecond) {
+  const auto link = running_link();
+  FalconBench bench(*link);
+  const std::int64_t began_ns = link->now_ns();
+  for (int i = 0; i < 500; ++i) {
+    const auto reply = bench.exchange(push);
+    ASSERT_TRUE(reply) << i;
+    EXPECT_EQ(reply->status & ReplyFrame::homed, ReplyFrame::homed);
+  }
+  EXPECT_EQ(link->motors(), push.motors);
+  EXPECT_NEAR(static_cast<double>(link->now_ns() - began_ns) * 1e-9, 0.5, 0.3);
+  EXPECT_GT(bench.last_exchange_s(), 0.0);
+}
+
+TEST(FalconBench, SaysNothingInASilence) {
+  const auto link = running_link();
+  FalconBench bench(*link);
+  ASSERT_TRUE(bench.exchange(push));
+  const std::uint64_t frames = link->device().frames();
+  const std::int64_t began_ns = link->now_ns();
+  bench.be_silent(0.3);
+  EXPECT_EQ(link->device().frames(), frames);
+  EXPECT_GE(link->now_ns() - began_ns, 300'000'000);
+  EXPECT_EQ(link->motors(), push.motors) << "this device has no watchdog";
+}
+
+TEST(FalconBench, EndsWithZeros) {
+  const auto link = running_link();
+  {
+    FalconBench bench(*link);
+    ASSERT_TRUE(bench.exchange(push));
+    EXPECT_EQ(link->motors(), push.motors);
+  }
+  EXPECT_EQ(link->motors(), MotorNumbers{});
+}
+
+TEST(FalconBench, ALostReplyIsFollowedByZeros) {
+  const auto link = running_link();
+  FalconBench bench(*link);
+  ASSERT_TRUE(bench.exchange(push));
+  // It hears and is not heard.
+  link->misbehave({.reply_delay_ns = 40'000'000});
+  EXPECT_FALSE(bench.exchange(push));
+  EXPECT_EQ(link->motors(), MotorNumbers{});
+  link->misbehave({});
+  EXPECT_TRUE(bench.exchange(CommandFrame{}));
+  link->misbehave({.link = LinkFault::unplugged});
+  EXPECT_FALSE(bench.exchange(push));
+  EXPECT_EQ(bench.fault(), LinkFault::unplugged);
+  EXPECT_FALSE(bench.stop());
+}
+
+}  // namespace
+}  // namespace ghostforce
