@@ -37,6 +37,7 @@
 #include "device/spacemouse_input.h"
 #include "device/virtual_falcon/practice_firmware.h"
 #include "tests/device/motor_settings.h"
+#include "tests/emulation/orders.h"
 
 namespace ghostforce {
 namespace {
@@ -159,6 +160,7 @@ class Person {
   }
 
   const MotorReport& motors() { return servo_->newest().motors; }
+  ServoCommand& command() { return command_; }
   MinedInput& input() { return *input_; }
   Servo& servo() { return *servo_; }
 
@@ -186,6 +188,7 @@ constexpr Way ways[] = {
      [](Person& person) {
        for (;;) person.live();
      }},
+    {"obey", [](Person& person) { obey_orders(person); }},
     // Hears of nothing, because its main thread hangs.
     {"hang",
      [](Person&) {

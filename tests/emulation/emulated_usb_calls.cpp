@@ -203,7 +203,7 @@ CallResult EmulatedUsbDevice::clear_halt(File& file, const CallerMemory& memory,
   auto lock = lock_device();
   if (const int error = ask_device(file, lock, wrong_.clear_halt_ms); error != 0) return CallResult::failure(error);
   ++halts_cleared_;
-  (number == bulk_in ? in_ : out_).is_halted = false;
+  (number == bulk_in ? in_ : out_).is_halted = (number == bulk_in ? wrong_.in : wrong_.out).halts_again;
   return {};
 }
 

@@ -175,6 +175,18 @@ TEST_F(EmulatedUsbDeviceTest, AHaltStaysUntilItIsCleared) {
   EXPECT_EQ(clear_halt(0x05), ENOENT);
 }
 
+TEST_F(EmulatedUsbDeviceTest, AnEndpointHaltsAgainAndAgain) {
+  falcon.misbehave(usb_misbehaviour("in-halts-again"));
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(clear_halt(0x81), 0);
+    EXPECT_EQ(status_of(listen()), EPIPE);
+  }
+  falcon.misbehave({});
+  EXPECT_EQ(status_of(listen()), EPIPE);
+  EXPECT_EQ(clear_halt(0x81), 0);
+  EXPECT_EQ(status_of(listen()), 0);
+}
+
 TEST_F(EmulatedUsbDeviceTest, AHaltEndsWithTheCableOrAReset) {
   falcon.misbehave(usb_misbehaviour("in-halt"));
   falcon.unplug();

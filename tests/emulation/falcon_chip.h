@@ -21,10 +21,12 @@ class FalconChip final : public EmulatedChip {
  public:
   // What motors and lights have been told.
   struct Told {
-    MotorNumbers motors{};            // driven with now [counts]
-    std::int64_t last_force_ns = 0;   // when they were last driven with anything but 0; 0: never
-    std::uint64_t frames = 0;         // since the beginning
-    std::uint64_t silent_frames = 0;  // the newest ones in a row that asked for no force and no light
+    MotorNumbers motors{};             // driven with now [counts]
+    std::int64_t last_force_ns = 0;    // when they were last driven with anything but 0; 0: never
+    std::int64_t longest_hold_ns = 0;  // that a force stood without a new command, since watch()
+    std::uint64_t frames = 0;          // since the beginning
+    std::uint64_t silent_frames = 0;   // the newest ones in a row that asked for no force and no light
+    bool is_homed = false;
   };
 
   explicit FalconChip(const FalconDsp::Options& options = {}) : FalconChip(options, now_ns()) {}
@@ -40,6 +42,11 @@ class FalconChip final : public EmulatedChip {
     live_until(now_ns());
     dsp_.misbehave(wrong);
     note();
+  }
+
+  void watch() {
+    const std::lock_guard lock(mutex_);
+    told_.longest_hold_ns = 0;
   }
 
   // What is under way arrives first.
@@ -120,7 +127,10 @@ class FalconChip final : public EmulatedChip {
     for (; lived_ns_ + step_ns <= now_ns; lived_ns_ += step_ns) {
       dsp_.advance(lived_ns_ + step_ns);
       note();
-      if (told_.motors != MotorNumbers{}) told_.last_force_ns = lived_ns_ + step_ns;
+      if (told_.motors != MotorNumbers{}) {
+        told_.last_force_ns = lived_ns_ + step_ns;
+        told_.longest_hold_ns = std::max(told_.longest_hold_ns, told_.last_force_ns - commanded_ns_);
+      }
       hand_.advance(lived_ns_ + step_ns, dsp_.wants_homing());
       arm_.step(static_cast<double>(step_ns) * 1e-9, dsp_.motors(), hand_.goal(), hand_.stiffness());
       dsp_.set_encoders(arm_.encoders());
@@ -129,8 +139,10 @@ class FalconChip final : public EmulatedChip {
 
   void note() noexcept {
     told_.motors = dsp_.motors();
+    told_.is_homed = dsp_.homed() == ReplyFrame::homed;
     const std::uint64_t news = dsp_.frames() - std::exchange(told_.frames, dsp_.frames());
     if (news == 0) return;
+    commanded_ns_ = lived_ns_;
     const bool is_silent = dsp_.last_command().motors == MotorNumbers{} && dsp_.lights() == 0;
     told_.silent_frames = is_silent ? told_.silent_frames + news : 0;
   }
@@ -141,6 +153,7 @@ class FalconChip final : public EmulatedChip {
   SimulatedArm arm_;
   SimulatedHand hand_;
   Told told_;
+  std::int64_t commanded_ns_ = 0;  // when the newest command came, to a step
 };
 
 }  // namespace ghostforce

@@ -71,6 +71,12 @@ void TestBed::remove(const std::string& syspath) {
   const std::string path = "/sys" + syspath;
   umockdev_testbed_uevent(testbed_, path.c_str(), "remove");
   umockdev_testbed_remove_device(testbed_, path.c_str());
+  // umockdev leaves the link by the device's number, which the next device may have again.
+  const std::filesystem::path links = root_ + "/sys/dev/char";
+  if (!std::filesystem::exists(links)) return;
+  for (const auto& link : std::filesystem::directory_iterator(links)) {
+    if (!std::filesystem::exists(link.path())) std::filesystem::remove(link.path());
+  }
 }
 
 std::string hex_of(const std::string& bytes) {

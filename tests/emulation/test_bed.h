@@ -46,8 +46,8 @@ class TestBed {
   // Programs are told, then it is gone from /sys. Children first.
   void remove(const std::string& syspath);
 
-  // The next address on the emulated bus.
-  int next_address() { return ++last_address_; }
+  // The next address on the emulated bus, which has 127.
+  int next_address() { return last_address_ = last_address_ < 127 ? last_address_ + 1 : 2; }
   // Where usb devices hang.
   static constexpr const char* hub = "/devices/pci0000:00/0000:00:14.0/usb1";
 

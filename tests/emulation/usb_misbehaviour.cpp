@@ -68,8 +68,19 @@ constexpr std::array kinds{
                           wrong.refused_request = reset_request;
                           wrong.refusals = 1;
                         }},
-    UsbMisbehaviourKind{"slow-clear-halt", "Clearing a halt takes 1 s.",
-                        [](UsbMisbehaviour& wrong) noexcept { wrong.clear_halt_ms = 1000; }},
+    UsbMisbehaviourKind{"in-halt-slow-clear", "As in-halt, and clearing it takes 1 s.",
+                        [](UsbMisbehaviour& wrong) noexcept {
+                          wrong.in.halts = true;
+                          wrong.clear_halt_ms = 1000;
+                        }},
+    UsbMisbehaviourKind{"in-halts-again", "As in-halt, and as soon as it is cleared it halts again.",
+                        [](UsbMisbehaviour& wrong) noexcept { wrong.in.halts = wrong.in.halts_again = true; }},
+    UsbMisbehaviourKind{"in-halt-no-clear",
+                        "As in-halt, and the device answers no request, so that it cannot be cleared.",
+                        [](UsbMisbehaviour& wrong) noexcept {
+                          wrong.in.halts = true;
+                          wrong.control_nak_ms = EndpointFaults::for_ever;
+                        }},
     UsbMisbehaviourKind{"unplugged", "The cable is pulled out.",
                         [](UsbMisbehaviour& wrong) noexcept { wrong.is_unplugged = true; }},
 };

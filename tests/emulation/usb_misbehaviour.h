@@ -19,7 +19,8 @@ struct EndpointFaults {
   int failures = 0;    // so many transfers fail
   int error = 0;       // with this errno, as the status of a URB has it; EPIPE is a stall
   bool halts = false;  // all transfers fail with EPIPE until the host clears the halt: what asked for it may be gone
-  int nak_ms = 0;      // so long no transfer gets anywhere, and none fails; or for_ever
+  bool halts_again = false;  // as soon as the halt is cleared, as long as this is asked for
+  int nak_ms = 0;            // so long no transfer gets anywhere, and none fails; or for_ever
 
   friend bool operator==(const EndpointFaults&, const EndpointFaults&) = default;
 };

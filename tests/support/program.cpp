@@ -8,8 +8,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdint>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -61,7 +63,8 @@ std::vector<char*> pointers_to(std::vector<std::string>& words) {
   return pointers;
 }
 
-pid_t spawn(const std::string& program, const ProgramCall& call, int out, int err) {
+// `in` -1: nothing to read.
+pid_t spawn(const std::string& program, const ProgramCall& call, int in, int out, int err) {
   std::vector<std::string> words{program};
   words.insert(words.end(), call.words.begin(), call.words.end());
   std::vector<std::string> environment;
@@ -76,7 +79,11 @@ pid_t spawn(const std::string& program, const ProgramCall& call, int out, int er
 
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  if (in >= 0) {
+    posix_spawn_file_actions_adddup2(&actions, in, STDIN_FILENO);
+  } else {
+    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  }
   if (call.out_to.empty()) {
     posix_spawn_file_actions_adddup2(&actions, out, STDOUT_FILENO);
   } else {
@@ -106,11 +113,15 @@ pid_t spawn(const std::string& program, const ProgramCall& call, int out, int er
 }
 
 // As Outcome has it.
+int exit_code_from(int status) {
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
 int exit_code_of(pid_t child) {
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  return exit_code_from(status);
 }
 
 }  // namespace
@@ -123,7 +134,7 @@ Outcome run_program(const std::string& program, const ProgramCall& call) {
   }
   Pipe out;
   Pipe err;
-  const pid_t child = spawn(program, call, out.write_end.number(), err.write_end.number());
+  const pid_t child = spawn(program, call, -1, out.write_end.number(), err.write_end.number());
   out.write_end.reset();
   err.write_end.reset();
 
@@ -156,8 +167,10 @@ Outcome run_program(const std::string& program, const ProgramCall& call) {
 }
 
 RunningProgram::RunningProgram(const std::string& program, const ProgramCall& call) {
+  Pipe in;
   Pipe out;
-  child_ = spawn(program, call, out.write_end.number(), STDERR_FILENO);
+  child_ = spawn(program, call, call.takes_orders ? in.read_end.number() : -1, out.write_end.number(), STDERR_FILENO);
+  in_ = checked(fcntl(in.write_end.number(), F_DUPFD_CLOEXEC, 0));
   out_ = checked(fcntl(out.read_end.number(), F_DUPFD_CLOEXEC, 0));
 }
 
@@ -166,6 +179,7 @@ RunningProgram::~RunningProgram() {
     send(SIGKILL);
     wait_for_end();
   }
+  close(in_);
   close(out_);
 }
 
@@ -179,7 +193,7 @@ std::optional<std::string> RunningProgram::next_line(std::chrono::milliseconds p
     }
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - std::chrono::steady_clock::now());
     pollfd wait{out_, POLLIN, 0};
-    if (left.count() <= 0 || poll(&wait, 1, static_cast<int>(left.count())) <= 0) return std::nullopt;
+    if (poll(&wait, 1, static_cast<int>(std::max<std::int64_t>(left.count(), 0))) <= 0) return std::nullopt;
     std::array<char, 4096> piece;
     const ssize_t count = read(out_, piece.data(), piece.size());
     if (count <= 0) return std::nullopt;
@@ -189,6 +203,23 @@ std::optional<std::string> RunningProgram::next_line(std::chrono::milliseconds p
 
 void RunningProgram::send(int signal) const {
   kill(child_, signal);
+}
+
+void RunningProgram::order(const std::string& line) const {
+  // Nobody may be there to read it.
+  signal(SIGPIPE, SIG_IGN);
+  const std::string text = line + '\n';
+  if (write(in_, text.data(), text.size()) < 0 && errno != EPIPE)
+    throw std::system_error(errno, std::generic_category());
+}
+
+bool RunningProgram::has_ended() {
+  int status = 0;
+  if (child_ >= 0 && waitpid(child_, &status, WNOHANG) == child_) {
+    child_ = -1;
+    exit_code_ = exit_code_from(status);
+  }
+  return child_ < 0;
 }
 
 int RunningProgram::wait_for_end() {

@@ -25,6 +25,7 @@ struct ProgramCall {
   std::string signal_when_created_in;    // a folder: as soon as anything is created there, send `signal`
   int signal = 0;
   bool close_after_first_piece = false;  // read a little of the standard output, then close it
+  bool takes_orders = false;             // a RunningProgram's standard input is what order() says; else there is none
 };
 
 // Starts `program` with signals as a terminal would have them, and waits for
@@ -49,6 +50,9 @@ class RunningProgram {
   // The next line of the standard output; none: there is no more, or none within so long.
   std::optional<std::string> next_line(std::chrono::milliseconds patience);
   void send(int signal) const;
+  // A line of the standard input. After its end: nothing.
+  void order(const std::string& line) const;
+  bool has_ended();
   // While it has not been waited for.
   pid_t pid() const noexcept { return child_; }
   // As Outcome has it.
@@ -56,6 +60,7 @@ class RunningProgram {
 
  private:
   pid_t child_ = -1;  // -1: has ended
+  int in_ = -1;
   int out_ = -1;
   std::string heard_;  // and not taken yet
   int exit_code_ = -1;

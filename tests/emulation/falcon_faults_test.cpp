@@ -1,0 +1,54 @@
+// Each fault of the catalog while the motors push: the force ends, and not because the device was opened anew; where
+// the wire is dead a zero was tried last; and once the fault has gone the device is there again, with its motors off.
+// How soon is no test's business on a machine that does other things as well: fault_table measures it.
+#include <chrono>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/emulation/fault_trial.h"
+#include "tests/support/temporary_folder.h"
+
+namespace ghostforce {
+
+void PrintTo(const Fault& fault, std::ostream* out) {
+  *out << fault.title;
+}
+
+namespace {
+
+constexpr std::chrono::milliseconds patience{20'000};
+
+std::vector<Fault> quick_faults() {
+  std::vector<Fault> quick;
+  for (const Fault& fault : fault_catalog()) {
+    if (fault.is_quick) quick.push_back(fault);
+  }
+  return quick;
+}
+
+class FalconFaultsTest : public testing::TestWithParam<Fault> {};
+
+TEST_P(FalconFaultsTest, EndsTheForceAndComesBack) {
+  TestBed bed;
+  const FaultOutcome outcome = try_fault(bed, GetParam(), patience);
+  EXPECT_EQ(broken_promise(GetParam(), outcome, false), "")
+      << "says: " << outcome.words() << "; zero after "
+      << (outcome.zero_ns ? std::to_string(*outcome.zero_ns / 1'000'000) + " ms" : "never");
+}
+
+INSTANTIATE_TEST_SUITE_P(, FalconFaultsTest, testing::ValuesIn(quick_faults()),
+                         [](const auto& run) { return std::string(run.param.name); });
+
+TEST(FaultCatalog, IsToldInTheDocumentation) {
+  const std::string doc = read_whole(GHOSTFORCE_FALCON_DOC);
+  for (const Fault& fault : fault_catalog()) {
+    EXPECT_NE(doc.find("| " + std::string(fault.title) + " | "), std::string::npos)
+        << "docs/falcon.md does not tell of: " << fault.title;
+  }
+}
+
+}  // namespace
+}  // namespace ghostforce

@@ -1,0 +1,42 @@
+// FaultTrial: armed_program, armed and pushing through the real libusb, meets one fault of the catalog; and what was
+// seen of it at the far end of the cable. The fault's own thread; the test bed's.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "core/safety.h"
+#include "device/falcon/falcon_report.h"
+#include "tests/emulation/fault_catalog.h"
+#include "tests/emulation/test_bed.h"
+
+namespace ghostforce {
+
+// Times since the fault, in ns.
+struct FaultOutcome {
+  std::optional<std::int64_t> zero_ns;      // on the wire, for good; none: the force stayed
+  std::optional<std::int64_t> zero_try_ns;  // the last thing tried before the fault was taken away was a zero: when
+  bool was_taken_anew = false;              // the device was, before the force had ended
+  bool went_on = false;                     // the motors stayed armed, and got new commands
+  std::int64_t longest_hold_ns = 0;         // of a force without a new command
+  bool lost_home = false;
+  OffReason reason = OffReason::none;            // by which the motors went off, as the program says
+  FalconFault device_fault = FalconFault::none;  // what it says of the device
+  std::optional<int> exit_code;                  // none: it goes on
+  bool came_back = false;                        // the device can be read again, and the motors are off
+  std::int64_t back_ns = 0;                      // since the fault was taken away
+  std::int64_t late_ns = 0;                      // so late was the machine, at worst, while the force ended
+
+  std::string words() const;  // what the program says
+};
+
+// Tries until a fault meets motors that push: they may go off before, because the machine has other things to do.
+// `patience`: for a force to end.
+FaultOutcome try_fault(TestBed& bed, const Fault& fault, std::chrono::milliseconds patience);
+
+// How the promise was broken; empty: it was kept. `timed`: its times count too, of a machine that does little else.
+std::string broken_promise(const Fault& fault, const FaultOutcome& outcome, bool timed);
+
+}  // namespace ghostforce

@@ -1,0 +1,84 @@
+// What armed_program does when it is told to obey: it goes on as a window does, tells each change of its motors' and
+// its device's state in a line, and takes orders on its standard input, a line each. Its main thread.
+#pragma once
+
+#include <poll.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cinttypes>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <thread>
+
+#include "core/safety.h"
+#include "device/falcon/falcon_report.h"
+#include "device/monotonic_clock.h"
+
+namespace ghostforce {
+
+class Orders {
+ public:
+  // The next one, if there is one; "end" when nobody can give any more.
+  std::optional<std::string> next() {
+    pollfd wait{STDIN_FILENO, POLLIN, 0};
+    if (heard_.find('\n') == std::string::npos && poll(&wait, 1, 0) > 0) {
+      char piece[256];
+      const ssize_t count = ::read(STDIN_FILENO, piece, sizeof piece);
+      if (count <= 0) return "end";
+      heard_.append(piece, static_cast<std::size_t>(count));
+    }
+    const std::size_t end = heard_.find('\n');
+    if (end == std::string::npos) return std::nullopt;
+    const std::string order = heard_.substr(0, end);
+    heard_.erase(0, end + 1);
+    return order;
+  }
+
+ private:
+  std::string heard_;
+};
+
+// As a line: "state", the time in ns of CLOCK_MONOTONIC, then SafetyState, OffReason, FalconState and FalconFault by
+// name.
+class ToldState {
+ public:
+  void tell(SafetyState motors, OffReason reason, FalconState device, FalconFault fault) {
+    std::string state;
+    for (const std::string_view word :
+         {name_of(motors), entry_of(reason).name, name_of(device), entry_of(fault).name}) {
+      state += '\t';
+      state += word;
+    }
+    if (state == told_) return;
+    told_ = state;
+    std::printf("state\t%" PRId64 "%s\n", monotonic_ns(), state.c_str());
+    std::fflush(stdout);
+  }
+
+ private:
+  std::string told_;
+};
+
+// Returns when it is told to end; throws when interrupted.
+template <typename Person>
+void obey_orders(Person& person) {
+  Orders orders;
+  ToldState told;
+  for (;;) {
+    person.live();
+    const FalconReport& report = person.input().report();
+    told.tell(person.motors().state, person.motors().reason, report.state, report.fault);
+    const std::optional<std::string> order = orders.next();
+    if (!order) continue;
+    if (*order == "end") return;
+    if (*order == "off") ++person.command().offs_asked;  // as Esc does
+    if (*order == "focus lost") person.command().has_focus = false;
+    if (*order == "focus") person.command().has_focus = true;
+    if (*order == "hang") std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+  }
+}
+
+}  // namespace ghostforce
