@@ -47,6 +47,7 @@ class WatchedLink final : public FalconLink {
   double greatest_force = 0.0;           // [N]
   double longest_on_without_button = 0;  // [s]
   double fastest_with_motors = 0.0;      // [m/s]
+  double longest_on = 0.0;               // [s]
   double greatest_step = 0.0;            // by which the force grew from one look to the next [N]
   std::function<void()> on_drive;        // when motors go on
   int drives = 0;                        // times the motors went on
@@ -60,6 +61,8 @@ class WatchedLink final : public FalconLink {
       if (on_drive) on_drive();
     }
     was_on_ = is_on;
+    if (!is_on) off_ns_ = link.now_ns();
+    longest_on = std::max(longest_on, static_cast<double>(link.now_ns() - off_ns_) * 1e-9);
     Vector<3> of_legs;
     for (std::size_t leg = 0; leg < 3; ++leg) {
       of_legs[static_cast<glm::length_t>(leg)] =
@@ -84,6 +87,7 @@ class WatchedLink final : public FalconLink {
   SimulatedArm::Options arm_;
   std::int64_t let_go_ns_ = 0;
   bool was_on_ = false;
+  std::int64_t off_ns_ = 0;
   double force_before_ = 0.0;
 };
 
@@ -159,6 +163,7 @@ struct MeasuredRehearsal {
   void expect_safe() const {
     EXPECT_LT(link->greatest_force, 2.0);
     EXPECT_LT(link->greatest_step, 0.025);
+    EXPECT_LT(link->longest_on, 12.0);
     EXPECT_LT(link->longest_on_without_button, 0.005);
     EXPECT_LT(link->fastest_with_motors, 0.35);
   }

@@ -94,5 +94,17 @@ TEST(ClosedLoop, TheForceOnTheHandHasTheDirectionThatWasAskedFor) {
   EXPECT_NEAR(force.z, 0.0, 0.01 * glm::length(wanted));  // the third axis is held by nothing
 }
 
+// A weak motor gets more counts. Were it not weak, it would push so much harder: the limit of force holds for that too.
+TEST(ClosedLoop, LimitHoldsForAMotorThatIsTakenForWeak) {
+  FalconCalibration calibration;
+  calibration.serial = *FalconSerial::from(VirtualLink::serial_number);
+  calibration.motor_strengths = {1.0, 0.5, 0.8};
+  FalconOptions options;
+  options.calibrations = {calibration};
+  Rehearsal rehearsal({}, options);
+  ASSERT_TRUE(rehearsal.run_until_state(FalconState::idle));
+  EXPECT_DOUBLE_EQ(rehearsal.input().force_uncertainty(), 2.0 * 6600.0 / smallest_published_motor_constant);
+}
+
 }  // namespace
 }  // namespace ghostforce
