@@ -17,10 +17,11 @@ constexpr int moved_counts = 20;
 constexpr int replies_to_believe = 3;
 // The encoders must tell a position again within this time [s]: sooner than an old one ends the force anyway.
 constexpr double longest_lost_s = 0.010;
-// What no hand does: an arm turns by less, between two replies and per millisecond. At 1 m/s, where motors go off, it
-// is 63 counts even where the geometry is worst [counts].
-constexpr int greatest_leap = 100;
-constexpr double greatest_leap_per_s = 100e3;
+// What no hand does: an arm turns by less. At 1 m/s, where motors go off, it is 63 counts per millisecond where the
+// geometry is worst. After a gap more would be possible than can be told from a mistake; then three replies tell.
+constexpr double greatest_leap_per_s = 65e3;
+constexpr double least_reach = 40.0;      // [counts]
+constexpr double greatest_reach = 250.0;  // less than what a wrong digit of the third place makes [counts]
 constexpr double rate_window_s = 0.5;
 
 using Step = ConversationStep;
@@ -365,9 +366,9 @@ void Falcon::follow_homing(std::uint8_t status) noexcept {
 }
 
 bool Falcon::believes(const MotorNumbers& encoders) noexcept {
-  const double reach = greatest_leap + greatest_leap_per_s * since(believed_ns_);
+  const double reach = std::min(least_reach + greatest_leap_per_s * since(believed_ns_), greatest_reach);
   if (believed_ns_ != 0 && !is_near(encoders, believed_, reach)) {
-    odd_replies_ = odd_replies_ > 0 && is_near(encoders, odd_, greatest_leap) ? odd_replies_ + 1 : 1;
+    odd_replies_ = odd_replies_ > 0 && is_near(encoders, odd_, greatest_reach) ? odd_replies_ + 1 : 1;
     odd_ = encoders;
     if (odd_replies_ < replies_to_believe) return false;
   }

@@ -21,6 +21,8 @@ constexpr std::uint8_t vendor_request_type = 0x40;  // to the device, of the mak
 // A transfer may fail once; a cable that is being pulled makes several fail before the system says that it is
 // unplugged. All posted transfers fail together, so that this stands for a few incidents.
 constexpr int most_failures_in_a_row = 16;
+// A command that fails is sent again at once, and the link is given up sooner: what has failed may have been a zero.
+constexpr int most_errors_out_in_a_row = 3;
 
 constexpr unsigned send_timeout_ms = 1000;
 constexpr unsigned request_timeout_ms = 300;
@@ -55,7 +57,7 @@ LinkFault FtdiLink::open() noexcept {
   counters_ = {};
   modem_status_ = 0;
   first_ = held_ = 0;
-  failures_in_a_row_ = 0;
+  failures_in_a_row_ = errors_out_in_a_row_ = 0;
   fault_ = usb_.open(options_.id, options_.serial);
   // One that was away has lost its force with its current, and may be another.
   if (fault_ == LinkFault::absent) owed_size_ = 0;
@@ -158,7 +160,7 @@ bool FtdiLink::write(std::span<const std::uint8_t> bytes) noexcept {
 }
 
 void FtdiLink::stop(std::span<const std::uint8_t> bytes) noexcept {
-  if (usb_.handle() == nullptr || fault_ == LinkFault::unplugged || bytes.size() > out_size) return;
+  if (usb_.handle() == nullptr || bytes.size() > out_size) return;
   std::ranges::copy(bytes, owed_.begin());
   owed_size_ = bytes.size();
   // What waits in vain must not go out after the stop, should the device listen again.
@@ -194,11 +196,22 @@ void FtdiLink::sent(const libusb_transfer& transfer) noexcept {
   const bool was_stop = &transfer == stop_.transfer;
   (was_stop ? stop_ : out_).is_posted = false;
   if (is_done) {
+    errors_out_in_a_row_ = 0;
     counters_.bytes_out += static_cast<std::uint64_t>(transfer.actual_length);
     if (was_stop) owed_size_ = 0;
+  } else if (!was_stop && transfer.status == LIBUSB_TRANSFER_ERROR && may_send_again()) {
+    // The device goes on with the force of before, so that there is no time to lose.
+    post(out_);
   } else if (transfer.status != LIBUSB_TRANSFER_CANCELLED) {
     failed(transfer.status);
   }
+}
+
+bool FtdiLink::may_send_again() noexcept {
+  if (closing_ || owes_stop() || fault_ != LinkFault::none) return false;
+  if (++errors_out_in_a_row_ < most_errors_out_in_a_row) return true;
+  set_fault(LinkFault::broken);
+  return false;
 }
 
 void FtdiLink::send_at_once(std::span<const std::uint8_t> bytes) noexcept {

@@ -90,6 +90,7 @@ class FtdiLink final : public FalconLink {
   void sent(const libusb_transfer& transfer) noexcept;
   void take_packets(std::span<const std::uint8_t> bytes) noexcept;
   void keep(std::span<const std::uint8_t> payload) noexcept;
+  bool may_send_again() noexcept;
   void failed(int transfer_status) noexcept;
   void recover() noexcept;
   void handle_events(int timeout_ms) noexcept;
@@ -109,6 +110,7 @@ class FtdiLink final : public FalconLink {
   RequestOutcome request_outcome_ = RequestOutcome::done;
   bool closing_ = false;
   int failures_in_a_row_ = 0;
+  int errors_out_in_a_row_ = 0;
   bool something_happened_ = false;  // since wait_until() was called
 
   // The stop that the device has not taken yet; stays through closing, for the next time that it is open.

@@ -27,7 +27,7 @@ constexpr std::int64_t claim_pause_ns = 10'000'000;
 
 // Of send_at_any_cost(): one attempt, and the pause before the next.
 constexpr unsigned attempt_ms = 20;
-constexpr std::int64_t attempt_pause_ns = 1'000'000;
+constexpr std::int64_t attempt_pause_ns = 100'000;
 
 void pause(std::int64_t ns) noexcept {
   const timespec time{ns / 1'000'000'000, ns % 1'000'000'000};
