@@ -79,15 +79,6 @@ FalconFault fault_of(BootFault fault) noexcept {
   return FalconFault::broken;
 }
 
-// A frame that was cut short would swallow the beginning of the next one: the second is whole for certain.
-std::array<std::uint8_t, 2 * frame_size> stop_bytes() noexcept {
-  const FrameBytes zero = encode(CommandFrame{});
-  std::array<std::uint8_t, 2 * frame_size> bytes{};
-  std::ranges::copy(zero, bytes.begin());
-  std::ranges::copy(zero, bytes.begin() + frame_size);
-  return bytes;
-}
-
 bool is_near(const MotorNumbers& a, const MotorNumbers& b, double counts) noexcept {
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (std::abs(a[i] - b[i]) > counts) return false;
@@ -434,7 +425,7 @@ void Falcon::send_command() noexcept {
 }
 
 void Falcon::stop_motors() noexcept {
-  link().stop(stop_bytes());
+  link().stop(stop_frames());
   report_.motors = {};
   report_.may_still_push = may_push_;
 }

@@ -65,6 +65,14 @@ FrameBytes encode(const CommandFrame& frame) noexcept {
   return encode(frame.motors, frame.info);
 }
 
+std::array<std::uint8_t, 2 * frame_size> stop_frames() noexcept {
+  const FrameBytes frame = encode(CommandFrame{});
+  std::array<std::uint8_t, 2 * frame_size> frames{};
+  std::ranges::copy(frame, frames.begin());
+  std::ranges::copy(frame, frames.begin() + frame_size);
+  return frames;
+}
+
 FrameBytes encode(const ReplyFrame& frame) noexcept {
   return encode(frame.encoders, frame.status);
 }

@@ -44,6 +44,8 @@ struct ReplyFrame {
 };
 
 FrameBytes encode(const CommandFrame& frame) noexcept;
+// Motors and lights off, twice: a frame that was cut short before would swallow the beginning of the first one.
+std::array<std::uint8_t, 2 * frame_size> stop_frames() noexcept;
 FrameBytes encode(const ReplyFrame& frame) noexcept;
 
 // Takes frames of one kind out of a stream of bytes, whatever lies between them: a frame begins with '<', has '>' 15

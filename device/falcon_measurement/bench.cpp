@@ -60,7 +60,7 @@ std::optional<ReplyFrame> FalconBench::exchange(const CommandFrame& command) noe
   const auto reply = ask(command);
   if (!reply) {
     // It may hear and only not be heard.
-    link_.write(encode(CommandFrame{}));
+    link_.stop(stop_frames());
     forget_replies();
     next_ns_ = link_.now_ns();
     return std::nullopt;
@@ -77,6 +77,7 @@ bool FalconBench::stop() noexcept {
   for (int i = 0; i < tries && heard < enough && link_.fault() == LinkFault::none; ++i) {
     if (ask(CommandFrame{})) ++heard;
   }
+  if (heard < enough) link_.stop(stop_frames());
   next_ns_ = link_.now_ns();
   return heard == enough;
 }

@@ -26,13 +26,17 @@ class WatchedLink final : public FalconLink {
  public:
   explicit WatchedLink(const VirtualLink::Options& options) : link(options), arm_(options.arm) {}
 
+  bool waits_to_open() const noexcept override { return false; }
   LinkFault open() noexcept override { return link.open(); }
   void close() noexcept override { link.close(); }
   LinkFault fault() const noexcept override { return link.fault(); }
   std::string_view serial() const noexcept override { return link.serial(); }
   bool request(const VendorRequest& request) noexcept override { return link.request(request); }
+  RequestOutcome request_outcome() const noexcept override { return link.request_outcome(); }
   bool write(std::span<const std::uint8_t> bytes) noexcept override { return link.write(bytes); }
   bool is_sending() const noexcept override { return link.is_sending(); }
+  void stop(std::span<const std::uint8_t> bytes) noexcept override { link.stop(bytes); }
+  bool owes_stop() const noexcept override { return link.owes_stop(); }
   std::size_t read(std::span<std::uint8_t> into) noexcept override { return link.read(into); }
   std::uint8_t modem_status() const noexcept override { return link.modem_status(); }
   LinkCounters counters() const noexcept override { return link.counters(); }
