@@ -17,8 +17,8 @@ struct PartFile {
 // A new one, with the permissions that any new file has.
 PartFile make_part_file(const std::filesystem::path& folder);
 
-// Removes those that nobody writes any more, the first time that it is asked to for a folder; what cannot be looked at or
-// removed stays.
+// Removes those that nobody writes any more, the first time that it is asked to for a folder; what cannot be looked at
+// or removed stays.
 void remove_dead_part_files(const std::filesystem::path& folder);
 
 }  // namespace ghostforce
