@@ -20,7 +20,7 @@ namespace {
 // A thread's own doing. The process ends of them even where they are ignored or blocked.
 constexpr std::array faults{SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGSYS};
 
-// Of these the process does not end, or nobody can do anything about it.
+// Of these the process does not end (refuse_to_be_stopped() is for some), or nobody can do anything about it.
 constexpr std::array others{SIGCHLD, SIGCONT, SIGTSTP, SIGTTIN, SIGTTOU, SIGURG, SIGWINCH, SIGSTOP, SIGKILL};
 
 // Another thread's sending takes no longer, unless it hangs for good.
@@ -100,6 +100,10 @@ void install() noexcept {
   for (const int fault : faults) sigaddset(&own, fault);
   pthread_sigmask(SIG_UNBLOCK, &own, nullptr);
   std::atexit(take);
+}
+
+void refuse_to_be_stopped() noexcept {
+  for (const int signal : {SIGTSTP, SIGTTIN, SIGTTOU}) std::signal(signal, SIG_IGN);
 }
 
 void leave_process_signals() noexcept {

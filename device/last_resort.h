@@ -23,6 +23,10 @@ bool is_taken() noexcept;
 // thread needs one itself.
 void install() noexcept;
 
+// From here on this process does not heed what would stop it for a while (Ctrl+Z): stopped, it could not turn motors
+// off. Nobody can refuse SIGSTOP.
+void refuse_to_be_stopped() noexcept;
+
 // Leaves the signals that the process gets to other threads; the calling one keeps its own, which are faults and the
 // end of its time as a real-time thread. Were these blocked, the kernel would end the process without asking.
 void leave_process_signals() noexcept;

@@ -1,7 +1,6 @@
 // ghostforce run: the window, live.
 #include <chrono>
 #include <cmath>
-#include <csignal>
 #include <memory>
 #include <optional>
 #include <string>
@@ -26,6 +25,7 @@
 #include "app/run_hand.h"
 #include "app/run_reader.h"
 #include "app/scene_file.h"
+#include "device/last_resort.h"
 #include "device/realtime.h"
 
 namespace ghostforce {
@@ -143,8 +143,7 @@ int run(const Options& options) {
                                           : panels_folded_at_first(window.restored_size().height / look.scale),
        .shader_folder = options.shader_folder});
   if (!remembered.remarks.empty()) application.tell(fmt::format("{}", fmt::join(remembered.remarks, "\n\n")), true);
-  // A process that is stopped cannot turn motors off.
-  std::signal(SIGTSTP, SIG_IGN);
+  last_resort::refuse_to_be_stopped();
   Keeper keeper(remembered.preferences, application.session());
   application.start();
   const BeforeDisplayLoss before_display_loss([&application] {

@@ -102,6 +102,7 @@ Falcon::Falcon(std::unique_ptr<FalconLink> link, FalconOptions options)
 
 Falcon::~Falcon() {
   finish();
+  opener_.end();  // until then an emergency still finds the link
   last_resort::guard(nullptr);
 }
 
@@ -194,7 +195,15 @@ void Falcon::ask() noexcept {
     return;
   }
   if (replies_.is_waiting() && since(sent_ns_) < first_reply_s) return;
-  if (questions_left_-- > 0) return send_command();
+  if (link().is_sending()) {
+    // A question that nobody takes is none.
+    if (since(sent_ns_) >= give_up_s) end(FalconFault::no_replies);
+    return;
+  }
+  if (questions_left_ > 0) {
+    if (send_command()) --questions_left_;
+    return;
+  }
   if (!may_have_firmware_) return try_loading_again(FalconFault::firmware_silent);
   if (conversation_.was_refused()) return end(FalconFault::broken);
   if (link().counters().packets_in == packets_before_) return end(FalconFault::no_replies);
@@ -280,10 +289,11 @@ void Falcon::exchange() noexcept {
     if (is_purging_) return;
     reader_.reset();
     replies_.reset();
-    return send_command();
+    send_command();
+    return;
   }
   const std::int64_t now_ns = link().now_ns();
-  if (replies_.is_waiting() && since(asked_ns_) >= stop_s) {
+  if (replies_.is_waiting() && since(std::max(asked_ns_, heard_ns_)) >= stop_s) {
     ++report_.lost_exchanges;
     window_worst_s_ = std::max(window_worst_s_, since(asked_ns_));
     command_.motors = {};
@@ -291,8 +301,7 @@ void Falcon::exchange() noexcept {
     conversation_ = Conversation(purge);
     is_purging_ = true;
   } else if (replies_.may_ask_again(now_ns)) {
-    ++report_.lost_exchanges;
-    send_command();
+    if (send_command()) ++report_.lost_exchanges;
   } else if ((is_command_new_ || silence_s >= keep_alive_s) && replies_.may_send(now_ns)) {
     send_command();
   }
@@ -383,6 +392,7 @@ void Falcon::locate(const MotorNumbers& encoders, std::int64_t asked_ns) noexcep
   if (found.has_converged) {
     report_.position = found.position;
     position_time_ns_ = asked_ns;
+    position_heard_ns_ = heard_ns_;
     lost_position_ns_ = 0;
     if (report_.is_readable()) return;
     report_.state = FalconState::idle;
@@ -409,19 +419,23 @@ void Falcon::push(const Vector<3>& force, bool is_armed) noexcept {
     if (jacobian) command_.motors = motor_numbers(force, *jacobian, calibration_);
   }
   is_command_new_ = true;
-  if (!is_purging_ && replies_.may_send(link().now_ns())) send_command();
+  if (is_purging_) return;
+  // Off does not wait for a reply.
+  const bool is_off_now = !is_armed && report_.motors != MotorNumbers{};
+  if (replies_.may_send(link().now_ns()) || is_off_now) send_command();
 }
 
-void Falcon::send_command() noexcept {
+bool Falcon::send_command() noexcept {
   // Whoever waits too long for a reply does not go on pushing.
   if (since(heard_ns_) > stop_s || last_resort::is_taken()) command_.motors = {};
-  if (!link().write(encode(command_))) return;
+  if (!link().write(encode(command_))) return false;
   report_.motors = command_.motors;
   may_push_ |= command_.motors != MotorNumbers{};
   is_command_new_ = false;
   sent_ns_ = link().now_ns();
   if (!replies_.is_waiting()) asked_ns_ = sent_ns_;
   replies_.sent(sent_ns_);
+  return true;
 }
 
 void Falcon::stop_motors() noexcept {
@@ -432,10 +446,7 @@ void Falcon::stop_motors() noexcept {
 
 // Whether the stop has arrived by now.
 void Falcon::follow_stop() noexcept {
-  if (report_.may_still_push && !link().owes_stop() && link().fault() != LinkFault::unplugged &&
-      link().fault() != LinkFault::absent) {
-    may_push_ = report_.may_still_push = false;
-  }
+  if (report_.may_still_push && !link().owes_stop()) may_push_ = report_.may_still_push = false;
 }
 
 void Falcon::measure_rate() noexcept {

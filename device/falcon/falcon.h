@@ -6,9 +6,9 @@
 // One thread. attend() does what can be done now: it never waits, throws or allocates. What takes a while, opening and
 // closing, is done by a thread of its own (link_opener.h).
 //
-// A reply that is lost or garbled costs nothing but 6 ms: the command is asked again (reply_matcher.h). After 20 ms
-// without one the motors are told to stop. Encoders that leap farther than a hand can move are not believed until three
-// replies in a row say so.
+// A reply that is lost or garbled is asked for again after 6 ms, and for up to 18 ms no new force goes out
+// (reply_matcher.h). After 20 ms without a reply the motors are told to stop. Encoders that leap farther than a hand
+// can move are not believed until three replies in a row say so.
 #pragma once
 
 #include <array>
@@ -69,6 +69,8 @@ class Falcon {
   const FalconCalibration& calibration() const noexcept { return calibration_; }
   // Of the newest reply that told a position; 0 before the first.
   std::int64_t position_time_ns() const noexcept { return position_time_ns_; }
+  // When that reply came: after a loss the time above may be that of an earlier command.
+  std::int64_t position_heard_ns() const noexcept { return position_heard_ns_; }
   bool is_waiting_for_reply() const noexcept { return is_exchanging() && replies_.is_waiting(); }
   // Lets the device work until then; returns sooner when something has happened.
   void wait_until(std::int64_t deadline_ns) noexcept { opener_.wait_until(deadline_ns); }
@@ -96,7 +98,7 @@ class Falcon {
   bool believes(const MotorNumbers& encoders) noexcept;
   void follow_encoders(const MotorNumbers& encoders) noexcept;
   void locate(const MotorNumbers& encoders, std::int64_t asked_ns) noexcept;
-  void send_command() noexcept;
+  bool send_command() noexcept;
   void stop_motors() noexcept;
   void follow_stop() noexcept;
   void say_goodbye() noexcept;
@@ -138,6 +140,7 @@ class Falcon {
   int odd_replies_ = 0;           // like these, in a row
   std::int64_t believed_ns_ = 0;  // 0: none yet
   std::int64_t position_time_ns_ = 0;
+  std::int64_t position_heard_ns_ = 0;
   std::int64_t lost_position_ns_ = 0;  // since when no position could be found; 0: it is known
 
   // Of the half second that is being measured.

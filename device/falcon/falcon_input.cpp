@@ -72,7 +72,7 @@ HandleReading FalconInput::read() noexcept {
   reading_.is_known = report.is_readable() && age_s <= longest_known_s;
   reading_.time_ns = falcon_.position_time_ns();
   if (reading_.is_known) {
-    note({report.position, falcon_.position_time_ns()});
+    note({report.position, falcon_.position_heard_ns()});
     reading_.position = plane().in_scene(report.position);
   } else {
     place_count_ = 0;

@@ -9,6 +9,7 @@
 #include <sys/ioctl.h>
 #include <time.h>
 
+#include "device/last_resort.h"
 #include "device/monotonic_clock.h"
 
 namespace ghostforce {
@@ -31,6 +32,8 @@ constexpr std::int64_t close_timeout_ns = 200'000'000;
 // In closing, a stop that is under way gets so long; then it is sent anew, for so long at most.
 constexpr std::int64_t stop_timeout_ns = 20'000'000;
 constexpr std::int64_t insist_ns = 500'000'000;
+// Letters that a USB string can hold.
+constexpr std::size_t longest_serial = 126;
 // While nothing comes, libusb is asked this often whether a transfer has timed out.
 constexpr std::int64_t longest_wait_ns = 20'000'000;
 
@@ -58,13 +61,13 @@ LinkFault FtdiLink::open() noexcept {
   modem_status_ = 0;
   first_ = held_ = 0;
   failures_in_a_row_ = errors_out_in_a_row_ = 0;
-  fault_ = usb_.open(options_.id, options_.serial);
-  // One that was away has lost its force with its current, and may be another.
-  if (fault_ == LinkFault::absent) owed_size_ = 0;
-  if (fault_ == LinkFault::none && owes_stop() &&
-      usb_.send_at_any_cost(std::span(owed_).first(owed_size_), insist_ns)) {
-    owed_size_ = 0;
-  }
+  owed_serial_.reserve(longest_serial);  // stop() may not allocate
+  // A device that is owed a stop comes first: its motors have a supply of their own, so that it may push although its
+  // cable was out.
+  const auto owed = std::span<const std::uint8_t>(owed_).first(owed_size_);
+  fault_ = owes_stop() ? usb_.open(options_.id, owed_serial_, owed) : LinkFault::absent;
+  if (fault_ == LinkFault::none && usb_.has_taken_first_bytes()) owed_size_ = 0;
+  if (fault_ == LinkFault::absent) fault_ = usb_.open(options_.id, options_.serial);
   if (fault_ == LinkFault::none && !make_transfers()) fault_ = LinkFault::broken;
   if (fault_ == LinkFault::none) find_poll_descriptors();
   for (Receiver& receiver : receivers_) {
@@ -123,7 +126,8 @@ void FtdiLink::close() noexcept {
   }
   deadline_ns = monotonic_ns() + close_timeout_ns;
   while (is_anything_posted() && monotonic_ns() < deadline_ns) handle_events(10);
-  if (owes_stop() && usb_.send_at_any_cost(std::span(owed_).first(owed_size_), insist_ns)) owed_size_ = 0;
+  const bool is_owed_here = owes_stop() && usb_.serial() == owed_serial_;
+  if (is_owed_here && usb_.send_at_any_cost(std::span(owed_).first(owed_size_), insist_ns)) owed_size_ = 0;
   usb_.release_device();
   // A transfer that did not come back in time was libusb's until now.
   free_transfers();
@@ -163,6 +167,7 @@ void FtdiLink::stop(std::span<const std::uint8_t> bytes) noexcept {
   if (usb_.handle() == nullptr || bytes.size() > out_size) return;
   std::ranges::copy(bytes, owed_.begin());
   owed_size_ = bytes.size();
+  owed_serial_ = usb_.serial();
   // What waits in vain must not go out after the stop, should the device listen again.
   if (out_.is_posted) libusb_cancel_transfer(out_.transfer);
   if (stop_.is_posted) return;
@@ -208,7 +213,7 @@ void FtdiLink::sent(const libusb_transfer& transfer) noexcept {
 }
 
 bool FtdiLink::may_send_again() noexcept {
-  if (closing_ || owes_stop() || fault_ != LinkFault::none) return false;
+  if (closing_ || owes_stop() || fault_ != LinkFault::none || last_resort::is_taken()) return false;
   if (++errors_out_in_a_row_ < most_errors_out_in_a_row) return true;
   set_fault(LinkFault::broken);
   return false;

@@ -116,6 +116,7 @@ class FtdiLink final : public FalconLink {
   // The stop that the device has not taken yet; stays through closing, for the next time that it is open.
   std::array<std::uint8_t, out_size> owed_{};
   std::size_t owed_size_ = 0;
+  std::string owed_serial_;
 
   // The bytes that nobody has taken yet, from first_ on.
   std::array<std::uint8_t, ring_size> ring_{};

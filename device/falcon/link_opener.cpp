@@ -1,5 +1,6 @@
 #include "device/falcon/link_opener.h"
 
+#include <cassert>
 #include <cerrno>
 #include <utility>
 
@@ -15,13 +16,16 @@ LinkOpener::LinkOpener(std::unique_ptr<FalconLink> link) : link_(std::move(link)
   if (link_->waits_to_open()) thread_ = std::thread(&LinkOpener::run, this);
 }
 
-LinkOpener::~LinkOpener() {
-  if (!thread_.joinable()) return;
-  ask(Task::end);
+void LinkOpener::end() noexcept {
+  if (!thread_.joinable()) return link_->close();
+  task_.store(Task::end, std::memory_order_release);
+  asked_.release();
   thread_.join();
+  task_.store(Task::none, std::memory_order_release);
 }
 
 void LinkOpener::ask(Task task) noexcept {
+  assert(!is_busy());
   if (!thread_.joinable()) return carry_out(task);
   task_.store(task, std::memory_order_release);
   asked_.release();
@@ -34,11 +38,12 @@ void LinkOpener::run() noexcept {
   for (;;) {
     asked_.acquire();
     Task task = task_.load(std::memory_order_acquire);
-    // Only the newest counts: an earlier one that was overtaken finds nothing to do.
-    if (task == Task::none) continue;
-    if (task == Task::end) return link_->close();
+    if (task == Task::end) {
+      if (link_->owes_stop()) link_->open();
+      return link_->close();
+    }
     carry_out(task);
-    // Unless something else has been asked for meanwhile, the link is the driver's again.
+    // The link is the driver's again, unless the end has been asked for meanwhile.
     task_.compare_exchange_strong(task, Task::none, std::memory_order_acq_rel);
   }
 }

@@ -5,7 +5,7 @@
 //
 // The link belongs to one thread at a time: to the opener's while is_busy(), else to the driver's. Its now_ns() and
 // send_at_once() belong to everybody. All functions here belong to the driver's thread; none but the constructor
-// allocates, throws or waits, and none but the destructor waits for the thread.
+// allocates or throws, and only end() and wait_until() wait.
 #pragma once
 
 #include <atomic>
@@ -24,12 +24,14 @@ class LinkOpener {
   explicit LinkOpener(std::unique_ptr<FalconLink> link);
   LinkOpener(const LinkOpener&) = delete;
   LinkOpener& operator=(const LinkOpener&) = delete;
-  // Waits for what is under way.
-  ~LinkOpener();
+  ~LinkOpener() { end(); }
 
-  // What is asked for while the opener is busy is done next; of several, the last.
+  // Not while it is busy.
   void open() noexcept { ask(Task::open); }
   void close() noexcept { ask(Task::close); }
+  // For good: ends the thread with the link closed, and with a last attempt at a stop that the link still owes. Waits
+  // for what is under way: seconds, if the device pleases.
+  void end() noexcept;
   bool is_busy() const noexcept { return task_.load(std::memory_order_acquire) != Task::none; }
 
   FalconLink& link() const noexcept { return *link_; }

@@ -1,8 +1,8 @@
 // ReplyMatcher: which command a reply belongs to. The device answers each frame with one frame, and a reply carries no
 // number: when one is lost, the next could be taken for it, and a late one for a fresh one. So replies are matched with
-// commands in their order, and a command that is given up keeps its place: its reply may still come. A reply then never
-// looks younger than it is; after a loss it looks one exchange older. Once replies are fresh again, a pause shows
-// whether the one that was given up comes after all.
+// commands in their order, and a command that is given up keeps its place: its reply may still come. A reply that is
+// late then never looks younger than it is; after a loss it looks one exchange older. Once replies are fresh again, a
+// pause shows whether the one that was given up comes after all.
 //
 // A plain value; times in ns on one clock; the driver's thread; never allocates, throws or waits.
 #pragma once

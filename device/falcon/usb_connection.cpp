@@ -27,6 +27,7 @@ constexpr std::int64_t claim_pause_ns = 10'000'000;
 
 // Of send_at_any_cost(): one attempt, and the pause before the next.
 constexpr unsigned attempt_ms = 20;
+constexpr std::int64_t insist_ns = 500'000'000;
 constexpr std::int64_t attempt_pause_ns = 100'000;
 
 void pause(std::int64_t ns) noexcept {
@@ -53,8 +54,11 @@ LinkFault link_fault_of(int libusb_error) noexcept {
   }
 }
 
-LinkFault UsbConnection::open(const UsbId& id, const std::string& serial) noexcept {
+LinkFault UsbConnection::open(const UsbId& id, const std::string& serial,
+                              std::span<const std::uint8_t> first_bytes) noexcept {
   close();
+  first_bytes_ = first_bytes;
+  has_taken_first_bytes_ = false;
   if (libusb_init(&context_) != LIBUSB_SUCCESS) {
     context_ = nullptr;
     return LinkFault::unsupported;
@@ -130,10 +134,13 @@ LinkFault UsbConnection::take(libusb_device_handle* handle) {
   }
   if (error != LIBUSB_SUCCESS) return link_fault_of(error);
   LinkFault fault = find_endpoints(handle);
-  if (fault == LinkFault::none) fault = clear_halts(handle);
   if (fault == LinkFault::none) {
     handle_ = handle;
-  } else {
+    has_taken_first_bytes_ = !first_bytes_.empty() && send_at_any_cost(first_bytes_, insist_ns);
+    fault = clear_halts(handle);
+  }
+  if (fault != LinkFault::none) {
+    handle_ = nullptr;
     libusb_release_interface(handle, interface_number);
   }
   return fault;

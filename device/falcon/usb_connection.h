@@ -27,7 +27,9 @@ class UsbConnection {
 
   // Takes the first device with these ids, in the order of their serial numbers, that can be had; `serial` empty: any.
   // Clears the halt of both endpoints: a device that another driver or an earlier fault has left halted works again.
-  LinkFault open(const UsbId& id, const std::string& serial) noexcept;
+  // `first_bytes` are sent before anything else is asked of the device, and insisted on.
+  LinkFault open(const UsbId& id, const std::string& serial, std::span<const std::uint8_t> first_bytes = {}) noexcept;
+  bool has_taken_first_bytes() const noexcept { return has_taken_first_bytes_; }
 
   // Gives the device back: what is still under way on it ends. Transfers are freed after that, and before close().
   void release_device() noexcept;
@@ -64,6 +66,8 @@ class UsbConnection {
   std::uint8_t out_endpoint_ = 0;
   std::size_t packet_size_ = 0;
   std::string serial_;
+  std::span<const std::uint8_t> first_bytes_;  // during open()
+  bool has_taken_first_bytes_ = false;
   std::atomic<int> descriptor_{-1};
 };
 

@@ -44,12 +44,12 @@ LinkFault VirtualLink::open() noexcept {
   incoming_.clear();
   was_open_ = true;
   is_open_ = true;
+  settle_stop();
   return fault_;
 }
 
 void VirtualLink::close() noexcept {
-  if (is_live() && owes_stop_) dsp_.receive(std::span{outgoing_}.first(outgoing_size_), now_ns());
-  owes_stop_ = false;
+  settle_stop();
   is_open_ = false;
   sending_ = Sending::nothing;
 }
@@ -72,9 +72,20 @@ bool VirtualLink::write(std::span<const std::uint8_t> bytes) noexcept {
 }
 
 void VirtualLink::stop(std::span<const std::uint8_t> bytes) noexcept {
+  if (bytes.size() > outgoing_.size()) return;
+  std::ranges::copy(bytes, outgoing_.begin());
+  outgoing_size_ = bytes.size();
+  owes_stop_ = true;
   if (!is_live()) return;
-  sending_ = Sending::nothing;
-  owes_stop_ = write(bytes);
+  sending_ = Sending::bytes;
+  delivery_ns_ = now_ns() + transfer_ns;
+}
+
+// What waits for a live link arrives with it.
+void VirtualLink::settle_stop() noexcept {
+  if (!is_live() || !owes_stop_) return;
+  dsp_.receive(std::span{outgoing_}.first(outgoing_size_), now_ns());
+  owes_stop_ = false;
 }
 
 std::size_t VirtualLink::read(std::span<std::uint8_t> into) noexcept {

@@ -93,6 +93,7 @@ class VirtualLink final : public FalconLink {
   bool exchange_until(std::int64_t at_ns) noexcept;
   bool deliver(std::int64_t at_ns) noexcept;
   bool take_packet(std::int64_t at_ns) noexcept;
+  void settle_stop() noexcept;
   void step_to(std::int64_t at_ns) noexcept;
   std::int64_t next_event_ns() const noexcept;
   void sleep_until(std::int64_t at_ns) noexcept;
@@ -118,7 +119,7 @@ class VirtualLink final : public FalconLink {
   VendorRequest request_;
   std::array<std::uint8_t, FalconDsp::packet_size> outgoing_{};
   std::size_t outgoing_size_ = 0;
-  bool owes_stop_ = false;  // it is what is going out
+  bool owes_stop_ = false;  // it is what is going out, or will when there is a link
   FixedQueue<std::uint8_t, 16384> incoming_;
 
   // Motors of a last command past the line: three numbers, and above them whether there was one.

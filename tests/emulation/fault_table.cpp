@@ -11,6 +11,7 @@
 #include <iostream>
 #include <map>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -167,7 +168,8 @@ int run(int runs, bool quick, const std::string& only, const std::string& to) {
   if (to == "-") {
     std::cout << table << std::flush;
   } else {
-    std::ofstream(to) << table;
+    std::ofstream file(to);
+    if (!(file << table << std::flush)) throw std::runtime_error(to + " cannot be written");
   }
   if (broken > 0) fmt::print(stderr, "{} promises were broken.\n", broken);
   return broken > 0 ? 1 : 0;

@@ -289,7 +289,9 @@ std::string broken_promise(const Fault& fault, const FaultOutcome& outcome, bool
   const auto over = [&](std::optional<std::int64_t> time_ns, std::int64_t limit_ns) {
     return timed && time_ns && *time_ns > limit_ns;
   };
-  const bool is_ended_by_fault = !fault.order.starts_with("end") && outcome.exit_code.has_value();
+  // What goes wrong with cable, device or window ends no program.
+  const bool is_to_end = fault.signal != 0 || fault.way != "obey";
+  if (!is_to_end && outcome.exit_code) return "the program ended, with " + std::to_string(*outcome.exit_code);
   switch (fault.promise) {
     case Promise::none:
       return "";
@@ -322,7 +324,7 @@ std::string broken_promise(const Fault& fault, const FaultOutcome& outcome, bool
       break;
   }
   if (outcome.lost_home && !fault.forgets_home) return "the device was taken for one without firmware";
-  if (!is_ended_by_fault && !outcome.came_back) return "the device does not come back by itself";
+  if (!is_to_end && !outcome.came_back) return "the device does not come back by itself";
   return "";
 }
 

@@ -123,7 +123,8 @@ TEST_F(FtdiLinkFaultsTest, AStopThatCannotArriveIsTheLastThingTriedAndIsOwed) {
   EXPECT_EQ(chip.received(), (Bytes{7, 8}));
 }
 
-TEST_F(FtdiLinkFaultsTest, ADeviceThatWasAwayIsOwedNothing) {
+// Its motors have a supply of their own.
+TEST_F(FtdiLinkFaultsTest, AStopIsStillOwedToADeviceThatWasAway) {
   open();
   falcon.misbehave(usb_misbehaviour("out-nak"));
   link.stop(Bytes{7, 8});
@@ -131,7 +132,19 @@ TEST_F(FtdiLinkFaultsTest, ADeviceThatWasAwayIsOwedNothing) {
   ASSERT_TRUE(link.owes_stop());
   falcon.unplug();
   EXPECT_EQ(link.open(), LinkFault::absent);
+  EXPECT_TRUE(link.owes_stop());
+  falcon.misbehave({});
+  RecordingChip other_chip;
+  EmulatedUsbDevice other(bed, other_chip, "00FIRST0");
+  other.plug();
+  ASSERT_EQ(link.open(), LinkFault::none);
+  EXPECT_TRUE(link.owes_stop()) << "it is not this one that is owed";
+  EXPECT_TRUE(other_chip.received().empty());
+  falcon.plug();
+  ASSERT_EQ(link.open(), LinkFault::none);
+  EXPECT_EQ(link.serial(), "12PZ657E");
   EXPECT_FALSE(link.owes_stop());
+  EXPECT_EQ(chip.received(), (Bytes{7, 8}));
 }
 
 TEST_F(FtdiLinkFaultsTest, TellsWhatBecameOfARequest) {

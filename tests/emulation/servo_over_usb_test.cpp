@@ -38,6 +38,7 @@ struct Watch {
   std::uint64_t own_uses = 0;      // of the heap, by our code
   std::uint64_t library_uses = 0;  // and by libusb, which allocates as it likes
   std::uint64_t library_calls = 0;
+  std::uint64_t waiting_calls = 0;
   bool is_in_library = false;
 
   template <typename Call>
@@ -77,6 +78,18 @@ int LIBUSB_CALL libusb_submit_transfer(libusb_transfer* transfer) {
 int LIBUSB_CALL libusb_cancel_transfer(libusb_transfer* transfer) {
   static auto* const real = ghostforce::in_libusb<decltype(libusb_cancel_transfer)>("libusb_cancel_transfer");
   return ghostforce::suspended([&] { return real(transfer); });
+}
+// These wait for the device.
+int LIBUSB_CALL libusb_clear_halt(libusb_device_handle* handle, unsigned char endpoint) {
+  static auto* const real = ghostforce::in_libusb<decltype(libusb_clear_halt)>("libusb_clear_halt");
+  if (ghostforce::watch != nullptr) ++ghostforce::watch->waiting_calls;
+  return real(handle, endpoint);
+}
+int LIBUSB_CALL libusb_bulk_transfer(libusb_device_handle* handle, unsigned char endpoint, unsigned char* bytes,
+                                     int length, int* sent, unsigned timeout_ms) {
+  static auto* const real = ghostforce::in_libusb<decltype(libusb_bulk_transfer)>("libusb_bulk_transfer");
+  if (ghostforce::watch != nullptr) ++ghostforce::watch->waiting_calls;
+  return real(handle, endpoint, bytes, length, sent, timeout_ms);
 }
 // Our callbacks run in here and are counted with the library: ftdi_link_test has shown that they only post again.
 int LIBUSB_CALL libusb_handle_events_timeout_completed(libusb_context* context, timeval* timeout, int* completed) {
@@ -207,6 +220,7 @@ TEST_F(ServoOverUsbTest, NeitherHeapNorForbiddenCallsWhateverBecomesOfTheDevice)
   servo->stop();
   EXPECT_EQ(input->watched.own_uses, 0U);
   EXPECT_GT(input->watched.library_calls, 0U);
+  EXPECT_EQ(input->watched.waiting_calls, 0U);
   RecordProperty("uses_of_the_heap_by_libusb", std::to_string(input->watched.library_uses));
   if (!input->can_forbid) GTEST_SKIP() << "this kernel or container has no seccomp";
   EXPECT_EQ(forbidden_calls(), std::vector<int>{});

@@ -17,6 +17,7 @@
 #include "app/output_file.h"
 #include "app/printable.h"
 #include "device/falcon/ftdi_link.h"
+#include "device/last_resort.h"
 #include "device/realtime.h"
 #include "device/virtual_falcon/practice_firmware.h"
 #include "device/virtual_falcon/virtual_link.h"
@@ -104,6 +105,7 @@ void write_calibration(const MeasureCall& call, std::optional<OutputFile>& file,
 }  // namespace
 
 int measure_with_doctor(const MeasureCall& call) {
+  last_resort::refuse_to_be_stopped();
   const std::optional<FirmwareImage> image = call.falcon.read_firmware_file();
   InputOptions options = call.falcon.input_options(image);
   std::unique_ptr<FalconLink> link;

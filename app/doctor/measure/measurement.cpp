@@ -49,16 +49,16 @@ bool FalconMeasurement::has_all_answers() const {
 
 void await_homed(Falcon& falcon, Operator& person) {
   constexpr std::int64_t tick_ns = 1'000'000;
-  FalconLink& link = falcon.link();
-  const std::int64_t began_ns = link.now_ns();
+  const auto now_ns = [&falcon] { return falcon.link().now_ns(); };
+  const std::int64_t began_ns = now_ns();
   FalconState told = FalconState::absent;
   for (;;) {
     stop_if_interrupted();
     falcon.attend();
     const FalconReport& report = falcon.report();
     if (report.is_readable()) return;
-    const double waited_s = static_cast<double>(link.now_ns() - began_ns) * 1e-9;
-    if (report.state == FalconState::absent && waited_s > absent_patience_s) {
+    const double waited_s = static_cast<double>(now_ns() - began_ns) * 1e-9;
+    if (report.has_looked && report.state == FalconState::absent && waited_s > absent_patience_s) {
       throw Failure(ExitCode::device_absent, "No Falcon is plugged in. Plug in its power supply, then its USB cable.");
     }
     if (report.state == FalconState::fault) {
@@ -73,7 +73,7 @@ void await_homed(Falcon& falcon, Operator& person) {
       throw Failure(ExitCode::device_failed,
                     "The Falcon was not homed within five minutes. Is its power supply plugged in? Then begin again.");
     }
-    link.wait_until(link.now_ns() + tick_ns);
+    falcon.wait_until(now_ns() + tick_ns);
   }
 }
 
