@@ -54,6 +54,15 @@ TEST(ReplayCommand, RepeatsSimulateAndItself) {
   EXPECT_EQ(read_whole(again).find("# state"), std::string::npos);
 }
 
+TEST(ReplayCommand, IsIdenticalAlsoWhereItsWordsGoNowhere) {
+  const TemporaryFolder folder;
+  write_whole(folder / "run.csv", recorded_by_dice(6, 100));
+  ProgramCall call;
+  call.words = {"-c", "exec \"$0\" replay run.csv 2>/dev/full", GHOSTFORCE_PROGRAM};
+  call.folder = folder.path();
+  EXPECT_EQ(run_program("/bin/sh", call).exit_code, 0);
+}
+
 TEST(ReplayCommand, RepeatsARecordingAndWritesOneThatRepeatsToo) {
   const TemporaryFolder folder;
   write_whole(folder / "run.csv", recorded_by_dice(6, 100));
