@@ -74,6 +74,17 @@ TEST(CheckGolden, OfAnotherSizeIsNotDecoded) {
   EXPECT_EQ(cases.check().exit_code, 0);
 }
 
+// Whether or not there is a report.
+TEST(CheckGolden, OfAnotherSizeMayBeDamagedToo) {
+  const Cases cases({{"wall", std::string(small_case)}});
+  write_whole(cases / "wall.png", png_of(300, 200, 8, 2, "damaged"));
+  for (const std::vector<std::string>& more : {std::vector<std::string>{}, {"--report", cases.beside("report")}}) {
+    const Outcome outcome = cases.check(more);
+    EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+    EXPECT_TRUE(contains(outcome.out, "FAIL wall  the picture has 320x240 pixels and the golden 300x200"));
+  }
+}
+
 TEST(CheckGolden, OfAnotherRendererIsSaidBesideTheDifference) {
   const Cases cases({{"wall", std::string(small_case) + "strategy = \"full\"\n"}});
   cases.update("wall");
@@ -137,12 +148,14 @@ TEST(Check, TellsACaseThatCannotBeRead) {
   fs::create_symlink("/proc/self/mem", cases / "bad.toml");
   const Outcome outcome = cases.check();
   EXPECT_EQ(outcome.exit_code, 8);
-  EXPECT_TRUE(contains(outcome.err, cases / "bad.toml cannot be read: "));
+  EXPECT_TRUE(contains(outcome.err, cases / "bad.toml cannot be read: Input/output error; check the disk"));
   fs::remove(cases / "bad.toml");
   fs::create_directory(cases / "scenes");
   fs::create_symlink("/proc/self/mem", cases / "scenes/bad.toml");
   write_whole(cases / "good.toml", "scene = \"scenes/bad.toml\"\n");
-  EXPECT_EQ(cases.check().exit_code, 8);
+  const Outcome bad_scene = cases.check();
+  EXPECT_EQ(bad_scene.exit_code, 8);
+  EXPECT_TRUE(contains(bad_scene.err, "bad.toml: cannot be read: Input/output error; check the disk"));
 }
 
 TEST(Check, RefusesACaseThatIsTooLarge) {
