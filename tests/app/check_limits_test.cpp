@@ -18,6 +18,7 @@
 #include "app/png_file.h"
 #include "tests/app/check_cases.h"
 #include "tests/app/png_pieces.h"
+#include "tests/support/sanitized.h"
 
 namespace ghostforce {
 namespace {
@@ -204,7 +205,7 @@ double peak_memory_mb(const Cases& cases, const std::vector<std::string>& more =
 }
 
 bool can_measure_memory() {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef GHOSTFORCE_SANITIZED
   return false;
 #else
   return true;

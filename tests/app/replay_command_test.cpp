@@ -24,6 +24,7 @@
 #include "app/scene_file.h"
 #include "tests/app/recorded_by_dice.h"
 #include "tests/support/program.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce {
@@ -114,7 +115,7 @@ TEST(ReplayCommand, PlaysTheHandInAnotherSceneAndComparesNothing) {
 }
 
 // Sanitizers take more memory than any program.
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#ifndef GHOSTFORCE_SANITIZED
 // Held whole, 100 001 ticks would take more than 30 MB.
 TEST(ReplayCommand, HoldsNoRunWhole) {
   const TemporaryFolder folder;
