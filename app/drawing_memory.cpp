@@ -51,7 +51,7 @@ void choose_threads(std::size_t needed) {
 
 }  // namespace
 
-void make_room_for_drawing(int width, int height) {
+void make_room_for_drawing(int width, int height, std::string_view remedy) {
   static bool are_libraries_there = false;
   const std::size_t pixels = each_pixel * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   const std::size_t needed = pixels + (are_libraries_there ? each_later_window : libraries);
@@ -62,8 +62,8 @@ void make_room_for_drawing(int width, int height) {
   }
   throw Failure(ExitCode::file_trouble,
                 fmt::format("drawing needs about {} MB more memory, and this program may not have so much; raise its "
-                            "limit (ulimit -v), or make the picture smaller, or an .svg or .pdf",
-                            needed >> 20));
+                            "limit (ulimit -v), or {}",
+                            needed >> 20, remedy));
 }
 
 }  // namespace ghostforce

@@ -314,8 +314,7 @@ std::vector<CalibrationFile> read_all() {
     }
     const FileContents file = file_contents(path);
     if (file.error != 0) {
-      throw Failure(ExitCode::file_trouble, fmt::format("{} cannot be read: {}; repair or remove it", shown,
-                                                        std::generic_category().message(file.error)));
+      throw Failure(ExitCode::file_trouble, fmt::format("{} cannot be read: {}", shown, unreadable_words(file.error)));
     }
     try {
       files.push_back({path, read_falcon_calibration(file.text, path.string())});

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cerrno>
+#include <system_error>
 
 #include "app/interruption.h"
 
@@ -30,6 +31,22 @@ FileContents file_contents(const std::filesystem::path& path) {
     }
     contents.text.append(piece.data(), static_cast<std::size_t>(count));
     if (contents.text.size() > largest_text_file) return {{}, EFBIG};
+  }
+}
+
+std::string unreadable_words(int error) {
+  const std::string reason = std::generic_category().message(error);
+  switch (error) {
+    case EACCES:
+    case EPERM:
+      return reason + "; change its permissions";
+    case EIO:
+      return reason + "; check the disk, or name another";
+    case EMFILE:
+    case ENFILE:
+      return reason + "; close other programs, or raise the limit of open files (ulimit -n)";
+    default:
+      return reason + "; name another";
   }
 }
 

@@ -20,4 +20,8 @@ struct FileContents {
 // Waits where a pipe has no other end yet. Throws Failure(interrupted).
 FileContents file_contents(const std::filesystem::path& path);
 
+// Words for people about a file that cannot be read: errno as a reason, and what to do about it. None of them costs a
+// sound file.
+std::string unreadable_words(int error);
+
 }  // namespace ghostforce

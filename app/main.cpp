@@ -51,8 +51,6 @@ int main(int argc, char** argv) {
                stderr);
     return static_cast<int>(ExitCode::file_trouble);
   } catch (const std::system_error& error) {
-    // Words for a reader who has gone, "2>&1 | head" for one, are not missed.
-    if (error.code() == std::errc::broken_pipe) return static_cast<int>(ExitCode::done);
     if (error.code() != std::errc::resource_unavailable_try_again) return say_bug(error.what());
     std::fputs(
         "The system lets this program start no further thread. Close other programs, or raise this one's limits "

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
 #include <climits>
 #include <cstdio>
 #include <cstring>
@@ -27,6 +28,18 @@ constexpr std::size_t buffer_size = 1 << 16;
 
 // How long a reader may take nothing, once the program shall stop.
 constexpr int patience_ms = 1000;
+
+// What is open already is written on as it was opened, and no other file takes its place. -1: no such name.
+int descriptor_named(std::string_view path) {
+  for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
+    if (!path.starts_with(folder)) continue;
+    int descriptor = -1;
+    const std::string_view number = path.substr(folder.size());
+    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), descriptor);
+    if (error == std::errc() && end == number.data() + number.size()) return descriptor;
+  }
+  return -1;
+}
 
 // Where a chain of links ends, whether or not anything is there yet.
 std::filesystem::path end_of_links(std::filesystem::path path) {
@@ -58,15 +71,23 @@ std::string reason_of(int error) {
       return reason + "; make room, or name another";
     case ENAMETOOLONG:
       return reason + "; choose a shorter one";
+    case EMFILE:
+    case ENFILE:
+      return reason + "; close other programs, or raise the limit of open files (ulimit -n)";
     default:
       return reason + "; name another";
   }
 }
 
 OutputFile::OutputFile(const std::string& path) : shown_(path) {
-  if (path == "-") {
+  if (path == "-" || path == "/dev/stdout") {
     shown_ = "the standard output";
     descriptor_ = STDOUT_FILENO;
+    return;
+  }
+  if (const int open = descriptor_named(path); open >= 0) {
+    descriptor_ = fcntl(open, F_DUPFD_CLOEXEC, 0);
+    if (descriptor_ < 0) fail(errno);
     return;
   }
   struct stat status {};

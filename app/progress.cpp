@@ -9,6 +9,8 @@
 
 #include <fmt/core.h>
 
+#include "app/words.h"
+
 namespace ghostforce {
 namespace {
 
@@ -53,7 +55,7 @@ void Progress::at(std::int64_t done) {
   if (now < next_) return;
   next_ = now + between_words;
   has_shown_ = true;
-  fmt::print(stderr, "\r{} \x1b[K", progress_words(what_, done, total_, now - start_));
+  say("\r{} \x1b[K", progress_words(what_, done, total_, now - start_));
 }
 
 }  // namespace ghostforce

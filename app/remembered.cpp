@@ -136,7 +136,7 @@ std::optional<Value> recall_from(const fs::path& file, std::vector<std::string>&
   const FileContents contents = file_contents(file);
   if (contents.error != 0) {
     remarks.push_back(fmt::format("{} cannot be read ({}); the usual values are used, and the file stays as it is",
-                                  shown, std::generic_category().message(contents.error)));
+                                  shown, unreadable_words(contents.error)));
     return std::nullopt;
   }
   try {

@@ -16,9 +16,9 @@
 #include <fmt/format.h>
 
 #include "app/failure.h"
+#include "app/file_contents.h"
 #include "app/file_kind.h"
 #include "app/interruption.h"
-#include "app/output_file.h"
 #include "app/printable.h"
 #include "app/progress.h"
 #include "app/run_length.h"
@@ -337,7 +337,7 @@ RunFacts read_pieces(const std::string& path, Progress& progress, std::int64_t s
       const int error = errno;
       stop_if_interrupted();
       if (error == EINTR) continue;
-      throw Failure(ExitCode::file_trouble, fmt::format("{} cannot be read: {}", shown, reason_of(error)));
+      throw Failure(ExitCode::file_trouble, fmt::format("{} cannot be read: {}", shown, unreadable_words(error)));
     }
     text.resize(kept + static_cast<std::size_t>(count));
     if (count == 0) break;
@@ -370,7 +370,7 @@ RunFacts read_file(const std::string& path, std::string_view doing, bool shows_p
     if (error == ENOENT || error == ENOTDIR || error == ENAMETOOLONG) {
       throw Failure(ExitCode::wrong_call, fmt::format("{}: there is no such file; name a recording", shown));
     }
-    throw Failure(ExitCode::file_trouble, fmt::format("{} cannot be read: {}", shown, reason_of(error)));
+    throw Failure(ExitCode::file_trouble, fmt::format("{} cannot be read: {}", shown, unreadable_words(error)));
   }
   const Closer closer{descriptor};
   struct stat status {};

@@ -18,7 +18,6 @@
 #include "app/failure.h"
 #include "app/file_contents.h"
 #include "app/nearest_name.h"
-#include "app/output_file.h"
 #include "app/printable.h"
 #include "app/toml_text.h"
 #include "embedded_scenes.h"
@@ -81,7 +80,7 @@ std::string read_file(const std::string& path) {
       throw fail(ExitCode::wrong_call,
                  fmt::format("is larger than {} MiB, which no scene is; name a scene file", largest_text_file >> 20));
     default:
-      throw fail(ExitCode::file_trouble, fmt::format("cannot be read: {}", reason_of(file.error)));
+      throw fail(ExitCode::file_trouble, fmt::format("cannot be read: {}", unreadable_words(file.error)));
   }
 }
 

@@ -108,7 +108,8 @@ GLFWwindow* create_window(const WindowOptions& options) {
 Window::Library::Library(const WindowOptions& options) {
   const bool offscreen = options.offscreen;
   if (offscreen) choose_offscreen_driver();
-  make_room_for_drawing(options.width, options.height);
+  make_room_for_drawing(options.width, options.height,
+                        offscreen ? "make the picture smaller, or an .svg or .pdf" : "close other programs");
   // Asking for Wayland where there is none makes its library complain on stderr.
   const int on_display = std::getenv("WAYLAND_DISPLAY") != nullptr ? GLFW_ANY_PLATFORM : GLFW_PLATFORM_X11;
   glfwInitHint(GLFW_PLATFORM, offscreen ? GLFW_PLATFORM_NULL : on_display);

@@ -409,8 +409,7 @@ ReadCase read_case(const std::string& path, std::vector<std::string>& problems) 
                                    printable(path, longest_path), largest_text_file >> 20));
   } else if (file.error != 0) {
     throw Failure(ExitCode::file_trouble,
-                  fmt::format("{} cannot be read: {}; repair or remove it", printable(path, longest_path),
-                              std::generic_category().message(file.error)));
+                  fmt::format("{} cannot be read: {}", printable(path, longest_path), unreadable_words(file.error)));
   } else {
     result.content.text = std::move(file.text);
     CaseReader(result, problems).read();

@@ -57,6 +57,11 @@ void refuse_what_cannot_be_written(const std::vector<const Case*>& chosen) {
           fmt::format("{} cannot be written: it is {}; remove it", printable(golden, longest_path), kind));
       continue;
     }
+    std::error_code unknown;
+    if (std::filesystem::weakly_canonical(golden, unknown).extension() != ".png") {
+      problems.push_back(fmt::format("{} cannot be written: it is a link to a file that is no picture; remove it",
+                                     printable(golden, longest_path)));
+    }
     for (const std::string& path : {golden, each->path}) {
       if (!leads_out(path)) continue;
       problems.push_back(

@@ -38,8 +38,8 @@ bool is_of_size(const PngFile& golden, const Case& judged) {
 }
 
 // What the case's picture is held against: the golden, or the other case's picture. Empty: there is none, or it is of
-// another size and nobody wants to see it, and `verdict` says so.
-std::optional<Image> counterpart(const Case& judged, Gallery& gallery, Verdict& verdict, bool wants_pictures) {
+// another size, and `verdict` says so.
+std::optional<Image> counterpart(const Case& judged, Gallery& gallery, Verdict& verdict) {
   if (judged.wanted != Wanted::golden) return gallery.draw(judged.other).image;
   try {
     const std::unique_ptr<PngFile> golden = open_golden(judged, verdict);
@@ -47,8 +47,6 @@ std::optional<Image> counterpart(const Case& judged, Gallery& gallery, Verdict& 
     if (is_of_size(*golden, judged)) return golden->read();
     verdict.reason = fmt::format("the picture has {}x{} pixels and the golden {}x{}", judged.width, judged.height,
                                  golden->width(), golden->height());
-    const bool can_be_shown = golden->width() <= largest_picture && golden->height() <= largest_picture;
-    if (wants_pictures && can_be_shown) return golden->read();
   } catch (const Failure& failure) {
     verdict.reason = failure.what();
     verdict.is_file_trouble = true;
@@ -65,7 +63,6 @@ std::string words_about(const Case& judged, const Comparison& comparison) {
 
 void compare(const Case& judged, const Image& expected, const DrawnCase& drawn, Verdict& verdict) {
   const Comparison comparison = compare_pictures(expected, drawn.image, judged.tolerance);
-  if (!comparison.has_one_size) return;  // which was said
   verdict.passes = is_within(comparison, judged.tolerance) == (judged.wanted != Wanted::mismatch);
   verdict.reason = words_about(judged, comparison);
   // No renderer changes a picture's size.
@@ -79,7 +76,7 @@ Verdict judge(const Case& judged, Gallery& gallery, std::string_view folder, boo
   Verdict verdict;
   verdict.name = judged.name;
   const DrawnCase drawn = gallery.draw(judged.name);
-  const std::optional<Image> expected = counterpart(judged, gallery, verdict, wants_pictures);
+  const std::optional<Image> expected = counterpart(judged, gallery, verdict);
   if (expected) compare(judged, *expected, drawn, verdict);
   if (!verdict.passes) {
     if (judged.wanted == Wanted::golden && kind_instead_of_file(judged.golden_path()).empty()) {

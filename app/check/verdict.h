@@ -10,7 +10,7 @@
 
 namespace ghostforce {
 
-// Of a case that fails, as PNG files; empty where there is none.
+// Of a case that fails, as PNG files; no value where there is none.
 struct VerdictPictures {
   std::optional<std::string> expected;
   std::optional<std::string> actual;

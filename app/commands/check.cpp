@@ -23,6 +23,7 @@
 #include "app/output_file.h"
 #include "app/printable.h"
 #include "app/progress.h"
+#include "app/words.h"
 
 namespace ghostforce {
 namespace {
@@ -57,8 +58,21 @@ class Lines {
 std::vector<std::string> files_in(const std::string& folder) {
   std::vector<std::string> files;
   std::error_code error;  // where it cannot be read, that is said later
-  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) files.push_back(entry.path().string());
+  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    files.push_back(entry->path().string());
+  }
   return files;
+}
+
+// The cases and the goldens beside them: all that is read there.
+std::vector<std::string> cases_and_goldens_in(const std::string& folder) {
+  std::vector<std::string> read;
+  for (const std::filesystem::path path : files_in(folder)) {
+    if (path.extension() != ".toml") continue;
+    read.push_back(path.string());
+    read.push_back(std::filesystem::path(path).replace_extension(".png").string());
+  }
+  return read;
 }
 
 // The report's pictures would lie among the goldens.
@@ -70,9 +84,9 @@ void refuse_report_among_cases(const Options& options) {
 }
 
 void tell_of_failure(const Verdict& verdict) {
-  fmt::print(stderr, "{}: {}\n", printable(verdict.name), verdict.reason);
-  if (!verdict.remark.empty()) fmt::print(stderr, "  {}\n", verdict.remark);
-  if (!verdict.remedy.empty()) fmt::print(stderr, "  if the new picture is right: {}\n", verdict.remedy);
+  say("{}: {}\n", printable(verdict.name), verdict.reason);
+  if (!verdict.remark.empty()) say("  {}\n", verdict.remark);
+  if (!verdict.remedy.empty()) say("  if the new picture is right: {}\n", verdict.remedy);
 }
 
 int update(const Options& options) {
@@ -127,7 +141,7 @@ std::function<int()> attach_check(CommandOptions subcommand) {
   subcommand.add_option("DIR", options->folder, "The folder with the cases, NAME.toml each and its golden NAME.png")
       .type_name("")
       .required()
-      .reads(files_in);
+      .reads(cases_and_goldens_in);
   const CommandOption only =
       subcommand.add_option("--only", options->only, "Check these cases, not all").type_name("NAME...");
   const CommandOption update_option =

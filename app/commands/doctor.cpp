@@ -25,6 +25,7 @@
 #include "app/interruption.h"
 #include "app/ladder.h"
 #include "app/output_file.h"
+#include "app/words.h"
 #include "core/scene.h"
 
 namespace ghostforce {
@@ -71,7 +72,7 @@ class LiveLine {
     if (current == ladder.end()) return;
     const std::string line = fmt::format("{}: {}", current->title, current->words);
     has_shown_ = true;
-    fmt::print(stderr, "\r{:.{}}\x1b[K", line, columns() - 1);
+    say("\r{:.{}}\x1b[K", line, columns() - 1);
   }
 
  private:

@@ -22,6 +22,7 @@
 #include "app/printable.h"
 #include "app/progress.h"
 #include "app/run_reader.h"
+#include "app/words.h"
 
 namespace ghostforce {
 namespace {
@@ -46,9 +47,9 @@ void refuse_hand_without_figure(const Options& options) {
 FigureRequest request_of(const Options& options) {
   if (options.hand.empty()) return {};
   const Run run = load_run(options.hand);
-  for (const std::string& remark : run.remarks) fmt::print(stderr, "{}\n", remark);
+  for (const std::string& remark : run.remarks) say("{}\n", remark);
   FigureRequest request{recorded_hand(run, printable(std::filesystem::path(options.hand).filename().string()))};
-  for (const std::string& words : request.hand->left_out) fmt::print(stderr, "{}: {}\n", request.hand->name, words);
+  for (const std::string& words : request.hand->left_out) say("{}: {}\n", request.hand->name, words);
   return request;
 }
 
@@ -79,8 +80,8 @@ int figures(const Options& options) {
     folder.write(file.name, file.content);
   }
   folder.commit();
-  for (const std::string& line : lines) fmt::print(stderr, "{}\n", line);
-  fmt::print(stderr, "{} files in {}\n", files.size(), printable(options.folder, longest_path));
+  for (const std::string& line : lines) say("{}\n", line);
+  say("{} files in {}\n", files.size(), printable(options.folder, longest_path));
   return static_cast<int>(ExitCode::done);
 }
 

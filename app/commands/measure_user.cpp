@@ -19,6 +19,7 @@
 #include "app/output_file.h"
 #include "app/printable.h"
 #include "app/run_reader.h"
+#include "app/words.h"
 #include "core/user_measurement.h"
 
 namespace ghostforce {
@@ -274,7 +275,7 @@ int measure_user(const Options& options) {
     if (!target) throw Failure(ExitCode::wrong_call, no_position("--target-mm", *options.target_mm));
   }
   const Run run = load_run(options.run);
-  for (const std::string& remark : run.remarks) fmt::print(stderr, "{}\n", remark);
+  for (const std::string& remark : run.remarks) say("{}\n", remark);
   if (!run.scene) {
     throw Failure(ExitCode::wrong_call, fmt::format("{}: tells no scene, so wall and motor are not known; want a file "
                                                     "of 'simulate', 'replay' or a recording",
@@ -288,8 +289,8 @@ int measure_user(const Options& options) {
                               printable(options.run, longest_path)));
   }
   if (!measured && target) {
-    fmt::print(stderr, "{}: the goal of its hand is given; --target-mm is for a real device, and is not used\n",
-               printable(options.run, longest_path));
+    say("{}: the goal of its hand is given; --target-mm is for a real device, and is not used\n",
+        printable(options.run, longest_path));
   }
   const std::vector<Rest> rests = find_rests(run, measured ? target : std::nullopt);
   const std::vector<Hand> hands = hands_of(rests);

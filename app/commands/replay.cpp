@@ -21,6 +21,7 @@
 #include "app/run_hand.h"
 #include "app/run_reader.h"
 #include "app/scene_file.h"
+#include "app/words.h"
 #include "core/play.h"
 #include "ghostforce_version.h"
 
@@ -99,7 +100,7 @@ class Rows {
 
 // What was left out comes before any verdict.
 void tell_remarks(const RunFacts& run) {
-  for (const std::string& remark : run.remarks) fmt::print(stderr, "{}\n", remark);
+  for (const std::string& remark : run.remarks) say("{}\n", remark);
 }
 
 [[noreturn]] void refuse_without_scene(const Options& options) {
@@ -142,7 +143,7 @@ int replay_exactly(const Options& options) {
   if (!is_begun) refuse_without_tick(options);
   rows.file().commit();
   const ReplayReport& report = replay.report();
-  fmt::print(stderr, "{}: {}\n", printable(options.run, longest_path), verdict(run, report));
+  say("{}: {}\n", printable(options.run, longest_path), verdict(run, report));
   return static_cast<int>(report.first || report.compared == 0 ? ExitCode::answer_is_no : ExitCode::done);
 }
 
@@ -224,9 +225,7 @@ int replay_hand(const Options& options) {
   });
   rows.file().commit();
   progress.reset();  // the line is free for words
-  fmt::print(
-      stderr,
-      "{}: nothing is compared, since scene or settings were given. The hand was played from {} for {} s, without "
+  say("{}: nothing is compared, since scene or settings were given. The hand was played from {} for {} s, without "
       "what was changed live.\n",
       printable(options.run, longest_path), hand.start.is_recorded ? "the recorded state" : "rest", end_s);
   return static_cast<int>(ExitCode::done);

@@ -25,6 +25,7 @@
 #include "app/run_hand.h"
 #include "app/run_reader.h"
 #include "app/scene_file.h"
+#include "app/words.h"
 #include "device/last_resort.h"
 #include "device/realtime.h"
 
@@ -104,7 +105,7 @@ WordCheck a_file_of_its_own() {
 std::optional<Run> load_recording(const Options& options) {
   if (!options.input.starts_with(replay_begins)) return std::nullopt;
   Run run = load_run(options.input.substr(replay_begins.size()));
-  for (const std::string& remark : run.remarks) fmt::print(stderr, "{}\n", remark);
+  for (const std::string& remark : run.remarks) say("{}\n", remark);
   return run;
 }
 
@@ -118,7 +119,7 @@ int run(const Options& options) {
   Scene scene = scene_for(options, recording);
   options.picture.apply_strategy(scene);
   const std::optional<FirmwareImage> firmware = options.falcon.read_firmware_file();
-  if (firmware) fmt::print(stderr, "{}\n", firmware_words(firmware));
+  if (firmware) say("{}\n", firmware_words(firmware));
   InputOptions input_options = options.falcon.input_options(firmware);
   if (recording) {
     input_options.recorded_hand = std::make_shared<const GoalPath>(goal_path_of(*recording, scene.settings.rate));
@@ -149,7 +150,7 @@ int run(const Options& options) {
   const BeforeDisplayLoss before_display_loss([&application] {
     application.servo().stop();
     interrupt();
-    if (const std::string words = application.end_recording(); !words.empty()) fmt::print(stderr, "{}\n", words);
+    if (const std::string words = application.end_recording(); !words.empty()) say("{}\n", words);
   });
 
   const Clock::time_point began = Clock::now();
@@ -187,20 +188,20 @@ int run(const Options& options) {
     remember(layout_of(window, application.session()));
   } catch (const Failure& failure) {
     // The visit is over and went well; the window only opens in its usual size the next time.
-    fmt::print(stderr, "{}\n", failure.what());
+    say("{}\n", failure.what());
   }
   const std::string end_of_recording = application.end_recording();
   const std::string& problem = application.recording_problem();
   // One that ended on the way was told in the window only.
   if (const std::string& words = problem.empty() ? end_of_recording : problem; !words.empty()) {
-    fmt::print(stderr, "{}\n", words);
+    say("{}\n", words);
   }
   if (options.record && !problem.empty()) return static_cast<int>(ExitCode::file_trouble);
   if (!options.exit_after_s) return static_cast<int>(ExitCode::done);
   // Scripts want to know; a person has seen it on the screen.
   const EndOfVisit end =
       end_of_visit(application.report().motors, application.falcon_report(), application.spacemouse_reading());
-  if (!end.words.empty()) fmt::print(stderr, "{}\n", end.words);
+  if (!end.words.empty()) say("{}\n", end.words);
   return static_cast<int>(end.code);
 }
 

@@ -21,6 +21,7 @@
 #include "app/run_file.h"
 #include "app/sweep/rows.h"
 #include "app/sweep/sweep.h"
+#include "app/words.h"
 
 namespace ghostforce {
 namespace {
@@ -43,9 +44,9 @@ struct Spent {
 
 void tell(const Spent& spent, std::size_t thread_count, Seconds in_all) {
   const double threads = static_cast<double>(thread_count);
-  fmt::print(stderr, "{:.2f} s: computing {:.2f} s and making text {:.2f} s on each of {} threads; writing {:.2f} s\n",
-             in_all.count(), Seconds(spent.computing).count() / threads, Seconds(spent.formatting).count() / threads,
-             thread_count, spent.writing.count());
+  say("{:.2f} s: computing {:.2f} s and making text {:.2f} s on each of {} threads; writing {:.2f} s\n", in_all.count(),
+      Seconds(spent.computing).count() / threads, Seconds(spent.formatting).count() / threads, thread_count,
+      spent.writing.count());
 }
 
 int sweep_command(const Options& options) {

@@ -367,6 +367,18 @@ TEST(Check, KeepsItsExitCodeWhenNobodyReadsOn) {
   EXPECT_EQ(run_program(GHOSTFORCE_PROGRAM, call).exit_code, 1);
 }
 
+// Words are lost on a reader who has gone, or on a full disk; the answer is not.
+TEST(Check, KeepsItsExitCodeWhenNobodyReadsItsWords) {
+  const Cases cases({{"new", std::string(small_case)}});
+  const std::string check = fmt::format("{} check {}", GHOSTFORCE_PROGRAM, cases.path());
+  const std::string pipe = cases.beside("pipe");
+  // A pipe that nobody reads any more.
+  const std::string to_nobody = fmt::format("mkfifo {0}; exec 3<>{0} 4>{0} 3<&-; {1} 2>&4", pipe, check);
+  for (const std::string& words : {to_nobody, check + " 2>/dev/full", check + " 2>&-"}) {
+    EXPECT_EQ(run_program("/bin/sh", {"-c", words}).exit_code, 1) << words;
+  }
+}
+
 TEST(Check, LeavesNothingBehindWhenInterrupted) {
   std::map<std::string, std::string> texts;
   for (int i = 0; i < 60; ++i) texts.emplace(fmt::format("case{}", i), small_case);

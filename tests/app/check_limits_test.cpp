@@ -18,6 +18,7 @@
 #include "app/png_file.h"
 #include "tests/app/check_cases.h"
 #include "tests/app/png_pieces.h"
+#include "tests/support/sanitized.h"
 
 namespace ghostforce {
 namespace {
@@ -72,6 +73,17 @@ TEST(CheckGolden, OfAnotherSizeIsNotDecoded) {
   EXPECT_TRUE(fs::exists(cases.beside("report/wall.actual.png")));
   cases.update("wall");
   EXPECT_EQ(cases.check().exit_code, 0);
+}
+
+// Whether or not there is a report.
+TEST(CheckGolden, OfAnotherSizeMayBeDamagedToo) {
+  const Cases cases({{"wall", std::string(small_case)}});
+  write_whole(cases / "wall.png", png_of(300, 200, 8, 2, "damaged"));
+  for (const std::vector<std::string>& more : {std::vector<std::string>{}, {"--report", cases.beside("report")}}) {
+    const Outcome outcome = cases.check(more);
+    EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+    EXPECT_TRUE(contains(outcome.out, "FAIL wall  the picture has 320x240 pixels and the golden 300x200"));
+  }
 }
 
 TEST(CheckGolden, OfAnotherRendererIsSaidBesideTheDifference) {
@@ -137,12 +149,14 @@ TEST(Check, TellsACaseThatCannotBeRead) {
   fs::create_symlink("/proc/self/mem", cases / "bad.toml");
   const Outcome outcome = cases.check();
   EXPECT_EQ(outcome.exit_code, 8);
-  EXPECT_TRUE(contains(outcome.err, cases / "bad.toml cannot be read: "));
+  EXPECT_TRUE(contains(outcome.err, cases / "bad.toml cannot be read: Input/output error; check the disk"));
   fs::remove(cases / "bad.toml");
   fs::create_directory(cases / "scenes");
   fs::create_symlink("/proc/self/mem", cases / "scenes/bad.toml");
   write_whole(cases / "good.toml", "scene = \"scenes/bad.toml\"\n");
-  EXPECT_EQ(cases.check().exit_code, 8);
+  const Outcome bad_scene = cases.check();
+  EXPECT_EQ(bad_scene.exit_code, 8);
+  EXPECT_TRUE(contains(bad_scene.err, "bad.toml: cannot be read: Input/output error; check the disk"));
 }
 
 TEST(Check, RefusesACaseThatIsTooLarge) {
@@ -191,7 +205,7 @@ double peak_memory_mb(const Cases& cases, const std::vector<std::string>& more =
 }
 
 bool can_measure_memory() {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef GHOSTFORCE_SANITIZED
   return false;
 #else
   return true;

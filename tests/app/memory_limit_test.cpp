@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/program.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce {
@@ -13,7 +14,7 @@ namespace {
 class MemoryLimit : public testing::Test {
  protected:
   void SetUp() override {
-#ifdef __SANITIZE_ADDRESS__
+#ifdef GHOSTFORCE_ADDRESS_SANITIZED
     GTEST_SKIP() << "the sanitizer itself needs terabytes of address space";
 #endif
   }
@@ -42,6 +43,13 @@ TEST_F(MemoryLimit, ASmallPictureIsMadeOrRefusedAndALargeOneRefused) {
   const Outcome large = run_under(300'000, {"render", "wall45", "--size", "4096x4096", "-o", "large.png"});
   EXPECT_EQ(large.exit_code, 8);
   EXPECT_NE(large.err.find("drawing needs about 768 MB more memory"), std::string::npos) << large.err;
+}
+
+TEST_F(MemoryLimit, AdvisesNoSmallerPictureWhereThereIsNone) {
+  const Outcome outcome = run_under(150'000, {"run", "--exit-after", "0.1"});
+  EXPECT_EQ(outcome.exit_code, 8);
+  EXPECT_NE(outcome.err.find("ulimit -v"), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err.find("picture"), std::string::npos) << outcome.err;
 }
 
 TEST_F(MemoryLimit, NoCommandCrashesUnderIt) {

@@ -247,6 +247,22 @@ TEST(OutputFolder, IsOnTheDiskWithAllItsNames) {
   }
 }
 
+// As in `simulate -o /dev/fd/3 3>>log`: what the shell has opened is written on.
+TEST(OutputFile, WritesOnWhatIsOpenAlready) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "log";
+  write_whole(path, "before ");
+  const int log = open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+  ASSERT_GE(log, 0);
+  for (const std::string place : {"/dev/fd/", "/proc/self/fd/"}) {
+    OutputFile file(place + std::to_string(log));
+    file.write("after ");
+    file.commit();
+  }
+  close(log);
+  EXPECT_EQ(read_whole(path), "before after after ");
+}
+
 // --- What others left ---
 
 // As one leaves them that is killed: without a lock.

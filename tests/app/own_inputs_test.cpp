@@ -93,6 +93,18 @@ TEST_F(OwnInputs, AreRefusedWhereAReportWouldBe) {
   expect_refused("check . --report report", "a.toml");
 }
 
+// Its cases and their goldens are read, and nothing else.
+TEST_F(OwnInputs, OfACheckAreItsCasesAndGoldens) {
+  fs::create_directory(folder_ / "cases");
+  write_whole(folder_ / "cases/a.toml", "scene = \"wall45\"\nsize = [320, 240]\n");
+  EXPECT_EQ(in_folder("check cases --update a").exit_code, 0);
+  for (const char* const log : {"log.txt", "other.png"}) {
+    EXPECT_EQ(in_folder(fmt::format("check cases > cases/{}", log)).exit_code, 0) << log;
+  }
+  expect_refused("check cases >> cases/a.toml", "cases/a.toml");
+  expect_refused("check cases >> cases/a.png", "cases/a.png");
+}
+
 // What is no file, or another one, is no input.
 TEST_F(OwnInputs, NothingElseIsRefused) {
   fs::create_symlink("run.csv", folder_ / "link.csv");

@@ -24,6 +24,7 @@
 #include "app/scene_file.h"
 #include "tests/app/recorded_by_dice.h"
 #include "tests/support/program.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce {
@@ -52,6 +53,15 @@ TEST(ReplayCommand, RepeatsSimulateAndItself) {
   ASSERT_EQ(run_ghostforce({"simulate", "fig1", "--strategy", "naive", "-o", run}).exit_code, 0);
   EXPECT_EQ(run_ghostforce({"replay", run, "-o", again}).exit_code, 0);
   EXPECT_EQ(read_whole(again).find("# state"), std::string::npos);
+}
+
+TEST(ReplayCommand, IsIdenticalAlsoWhereItsWordsGoNowhere) {
+  const TemporaryFolder folder;
+  write_whole(folder / "run.csv", recorded_by_dice(6, 100));
+  ProgramCall call;
+  call.words = {"-c", "exec \"$0\" replay run.csv 2>/dev/full", GHOSTFORCE_PROGRAM};
+  call.folder = folder.path();
+  EXPECT_EQ(run_program("/bin/sh", call).exit_code, 0);
 }
 
 TEST(ReplayCommand, RepeatsARecordingAndWritesOneThatRepeatsToo) {
@@ -105,7 +115,7 @@ TEST(ReplayCommand, PlaysTheHandInAnotherSceneAndComparesNothing) {
 }
 
 // Sanitizers take more memory than any program.
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#ifndef GHOSTFORCE_SANITIZED
 // Held whole, 100 001 ticks would take more than 30 MB.
 TEST(ReplayCommand, HoldsNoRunWhole) {
   const TemporaryFolder folder;

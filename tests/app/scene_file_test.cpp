@@ -1,6 +1,7 @@
 #include "app/scene_file.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <filesystem>
 #include <iterator>
@@ -16,6 +17,7 @@
 #include <gtest/gtest.h>
 
 #include "app/failure.h"
+#include "app/file_contents.h"
 #include "embedded_scenes.h"
 #include "tests/support/scene_values.h"
 #include "tests/support/temporary_folder.h"
@@ -226,7 +228,8 @@ TEST(SceneFile, TellsWhatIsNoReadableFile) {
   expect("/dev/zero", ExitCode::wrong_call, "/dev/zero: is larger than 16 MiB");
   expect("/dev/null", ExitCode::wrong_call, "/dev/null:1:1: the file is empty");
   // A file that opens but does not read, whoever asks.
-  expect("/proc/self/mem", ExitCode::file_trouble, "/proc/self/mem: cannot be read: Input/output error");
+  expect("/proc/self/mem", ExitCode::file_trouble,
+         "/proc/self/mem: cannot be read: Input/output error; check the disk");
 }
 
 TEST(SceneFile, ShippedTextsAreWhatTheFolderHolds) {
@@ -236,6 +239,16 @@ TEST(SceneFile, ShippedTextsAreWhatTheFolderHolds) {
   EXPECT_EQ(static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(GHOSTFORCE_SCENES), {})),
             embedded_scenes.size())
       << "a scene in assets/scenes is not listed in app/CMakeLists.txt";
+}
+
+// It is sound: nobody removes it, nor looks for another.
+TEST(UnreadableWords, AdviseAHigherLimitWhereTooManyFilesAreOpen) {
+  for (const int error : {EMFILE, ENFILE}) {
+    const std::string words = unreadable_words(error);
+    EXPECT_NE(words.find("ulimit -n"), std::string::npos) << words;
+    EXPECT_EQ(words.find("another"), std::string::npos) << words;
+    EXPECT_EQ(words.find("remove"), std::string::npos) << words;
+  }
 }
 
 }  // namespace

@@ -5,13 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define GHOSTFORCE_SANITIZED
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define GHOSTFORCE_SANITIZED
-#endif
-#endif
+#include "tests/support/sanitized.h"
 
 namespace {
 

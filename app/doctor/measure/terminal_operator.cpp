@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "app/interruption.h"
+#include "app/words.h"
 
 namespace ghostforce {
 namespace {
@@ -45,11 +46,11 @@ std::string wrapped(std::string_view words) {
 }  // namespace
 
 void TerminalOperator::tell(std::string_view words) {
-  fmt::print(stderr, "{}\n", wrapped(words));
+  say("{}\n", wrapped(words));
 }
 
 std::optional<std::string> TerminalOperator::ask(const Deed& deed, std::string_view words) {
-  fmt::print(stderr, "\n");
+  say("\n");
   tell(words);
   const std::string answer = simulated_ == nullptr ? "" : simulated_->act(deed);
   if (!answer.empty()) {
@@ -57,7 +58,7 @@ std::optional<std::string> TerminalOperator::ask(const Deed& deed, std::string_v
   } else if (simulated_ != nullptr) {
     tell("(Rehearsal: the simulated hand does it.)");
   }
-  fmt::print(stderr, "> ");
+  say("> ");
   std::fflush(stderr);
   std::optional<std::string> line = read_line();
   if (line && line->empty()) line = answer;
