@@ -1,6 +1,7 @@
 #include "app/application.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <utility>
 
@@ -393,6 +394,14 @@ std::string Application::end_recording() {
         "The recording is lost, {:.1f} s of it: {} was removed while it was written. Record again, to a folder that "
         "stays.",
         recording_reading_.seconds, shown);
+    return recording_problem_;
+  }
+  if (error == EOVERFLOW) {
+    recording_problem_ = fmt::format(
+        "The recording has ended after {:.1f} s: {} is as long as a run may be, {:.0f} ticks. It is whole; record "
+        "again, "
+        "to another file, for what comes.",
+        recording_reading_.seconds, shown, most_ticks);
     return recording_problem_;
   }
   if (error != 0) {

@@ -1,5 +1,5 @@
 // What was written, made to outlast a power cut. Waits for the disk: not for the servo thread, and for the UI thread
-// only where a person waits for a file anyway.
+// only where a person waits for a file anyway, or while motors are off.
 #pragma once
 
 #include <filesystem>

@@ -4,8 +4,10 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <thread>
 #include <utility>
 
 #include "app/failure.h"
@@ -20,6 +22,12 @@ namespace {
 
 std::function<void()> put_everything_in_order;
 
+std::thread::id ui_thread;
+std::atomic<bool> is_lost = false;  // another thread has found it out
+
+// A frame takes far less.
+constexpr std::chrono::seconds patience(2);
+
 // The libraries are GLFW's: it opens them when it looks for a display.
 template <typename Function>
 Function* find_function(const char* library, const char* name) {
@@ -29,7 +37,13 @@ Function* find_function(const char* library, const char* name) {
 
 [[noreturn]] void end_without_display() {
   static std::atomic_flag has_begun;
-  // A thread of the graphics driver may find it out too, and does not come back either.
+  if (std::this_thread::get_id() != ui_thread) {
+    // A thread of the graphics driver: the UI thread may be in the midst of a frame, and what it is to put in order is
+    // its own. It ends the program, unless it waits for this thread.
+    is_lost = true;
+    std::this_thread::sleep_for(patience);
+  }
+  // Who comes second does not come back either.
   while (has_begun.test_and_set()) pause();
   if (put_everything_in_order) put_everything_in_order();
   std::fputs(
@@ -48,6 +62,7 @@ extern "C" int on_x11_loss(void* /*display*/) {
 }  // namespace
 
 void watch_display() {
+  ui_thread = std::this_thread::get_id();
   if (glfwGetPlatform() != GLFW_PLATFORM_X11) return;
   using Handler = int(void*);
   if (auto* const set_handler = find_function<Handler*(Handler*)>("libX11.so.6", "XSetIOErrorHandler")) {
@@ -56,6 +71,7 @@ void watch_display() {
 }
 
 void end_if_display_is_lost() {
+  if (is_lost) end_without_display();
   if (glfwGetPlatform() != GLFW_PLATFORM_WAYLAND) return;
   static auto* const get_error = find_function<int(wl_display*)>("libwayland-client.so.0", "wl_display_get_error");
   if (get_error != nullptr && get_error(glfwGetWaylandDisplay()) != 0) end_without_display();

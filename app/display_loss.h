@@ -10,7 +10,8 @@ namespace ghostforce {
 // From now on. Once GLFW has been initialised, with a display.
 void watch_display();
 
-// For displays whose loss only shows when they are asked (Wayland): ends the program if so.
+// Ends the program if another thread has found the loss, or, for displays whose loss only shows when they are asked
+// (Wayland), if this one finds it now. Between frames.
 void end_if_display_is_lost();
 
 // What is to be done before the program ends, for as long as this lives. It may not touch the window. One at a time.

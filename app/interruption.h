@@ -20,6 +20,7 @@ void interrupt() noexcept;
 void stop_if_interrupted();
 
 // open(2), which waits where a pipe has nobody at its other end: that ends when interrupted, as above.
+// A first signal in the moment before it waits does not end the wait; the second one ends the process, as always.
 int open_unless_interrupted(const char* path, int flags);
 
 }  // namespace ghostforce

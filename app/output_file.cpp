@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -12,6 +13,7 @@
 #include <cstring>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -179,7 +181,11 @@ void OutputFile::put_in_place() {
   struct stat status {};
   const bool is_new = lstat(target_.c_str(), &status) != 0;
   if (!is_new && S_ISDIR(status.st_mode)) fail(EISDIR);
+  // The old file gets the temporary name, and needs the lock that goes with it: another process might remove it.
+  const int old = open(target_.c_str(), O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  if (old >= 0) flock(old, LOCK_EX | LOCK_NB);
   is_in_place_ = renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) == 0;
+  if (old >= 0) close(is_in_place_ ? std::exchange(descriptor_, old) : old);
   if (is_in_place_) return;
   // Nothing is there yet, or names cannot be exchanged here.
   if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);

@@ -4,6 +4,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <map>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -25,9 +28,32 @@ bool is_plain_file(const std::string& path, struct stat& status) {
   return stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);
 }
 
+// Where an output goes, in one way of writing; what cannot be followed (a pipe, links in a circle) by its name.
+std::filesystem::path destination(const std::string& output) {
+  std::error_code error;
+  const std::filesystem::path path = std::filesystem::absolute(output == "-" ? "/dev/stdout" : output, error);
+  std::filesystem::path resolved = std::filesystem::weakly_canonical(path, error);
+  return error ? path.lexically_normal() : resolved.lexically_normal();
+}
+
+// Two outputs in one place would be one, and the other lost.
+void refuse_equal_outputs(std::span<const FileOption> options) {
+  std::map<std::filesystem::path, std::string> written;  // and by which option
+  for (const FileOption& option : options) {
+    if (option.use != FileOption::Use::output) continue;
+    for (const std::string& path : option.paths()) {
+      const auto [other, is_first] = written.emplace(destination(path), option.name);
+      if (is_first) continue;
+      throw Failure(ExitCode::wrong_call, fmt::format("{} {}: what {} writes goes there already; name another file",
+                                                      option.name, printable(path, longest_path), other->second));
+    }
+  }
+}
+
 }  // namespace
 
 void refuse_own_inputs(std::span<const FileOption> options) {
+  refuse_equal_outputs(options);
   struct stat status {};
   std::vector<Input> inputs;
   for (const FileOption& option : options) {

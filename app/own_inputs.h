@@ -1,5 +1,5 @@
-// No command writes over what it reads: its outputs are looked at once, before any work, whatever they are called and
-// whichever links lead there. Not for the servo thread.
+// No command writes over what it reads, or over another output of its own: its outputs are looked at once, before any
+// work, whatever they are called and whichever links lead there. Not for the servo thread.
 #pragma once
 
 #include <functional>
@@ -18,7 +18,7 @@ struct FileOption {
 };
 
 // The standard output counts as an output of every command. Throws Failure(wrong_call) where an output is a plain file
-// that is an input too.
+// that is an input or another output too.
 void refuse_own_inputs(std::span<const FileOption> options);
 
 }  // namespace ghostforce

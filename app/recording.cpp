@@ -11,6 +11,7 @@
 #include <csignal>
 #include <filesystem>
 #include <iterator>
+#include <new>
 #include <string_view>
 #include <system_error>
 
@@ -51,7 +52,8 @@ bool SampleText::follows(const Sample& sample) const noexcept {
   return sample.snapshot.tick == before + 1;
 }
 
-void SampleText::append(fmt::memory_buffer& lines, const Sample& sample) {
+bool SampleText::append(fmt::memory_buffer& lines, const Sample& sample) {
+  if (!length_.takes(sample.snapshot.tick, sample.settings.rate)) return false;
   const double time_s = sample.snapshot.time_s;
   if (sample.settings != wanted_) {
     append_set_lines(lines, time_s, known_, sample.settings);
@@ -70,10 +72,11 @@ void SampleText::append(fmt::memory_buffer& lines, const Sample& sample) {
   for (const Strategy& each : strategy_catalog()) append_recording_row(lines, sample, each.id);
   seconds_ += 1.0 / sample.settings.rate;
   last_ = sample;
+  return true;
 }
 
 Recording::Recording(const std::string& path, const Scene& scene, Servo& servo, std::uint32_t number)
-    : path_(path), servo_(servo), number_(number), text_(scene.settings) {
+    : path_(path), servo_(servo), number_(number), text_(scene.settings), found_at_(path) {
   const auto fail = [&](int error) {
     return Failure(ExitCode::file_trouble,
                    error == EEXIST
@@ -101,13 +104,15 @@ void Recording::end() noexcept {
   }
   woken_.notify_one();
   thread_.join();
-  if (interrupted()) {
-    lines_.append(interrupted_line);
-    lines_.push_back('\n');
-    write_lines();
-  }
-  sync();  // whoever ends it has waited for the disk already
-  found_at_ = where_it_is();
+  attempt([this] {
+    if (interrupted()) {
+      lines_.append(interrupted_line);
+      lines_.push_back('\n');
+      write_lines();
+    }
+    sync();  // whoever ends it has waited for the disk already
+    found_at_ = where_it_is();
+  });
   // Some file systems tell only now that the disk is full.
   if (close(descriptor_) != 0 && errno != EINTR) fail(errno);
 }
@@ -115,13 +120,16 @@ void Recording::end() noexcept {
 // Empty: nowhere. A file that was moved is as good as it was, but not where it will be looked for.
 std::string Recording::where_it_is() const {
   struct stat opened {};
-  struct stat named {};
   if (fstat(descriptor_, &opened) != 0) return {};
-  const bool is_there = stat(path_.c_str(), &named) == 0;
-  if (is_there && named.st_dev == opened.st_dev && named.st_ino == opened.st_ino) return path_;
-  if (opened.st_nlink == 0) return {};
+  const auto leads_to_it = [&](const std::string& path) {
+    struct stat named {};
+    return stat(path.c_str(), &named) == 0 && named.st_dev == opened.st_dev && named.st_ino == opened.st_ino;
+  };
+  if (leads_to_it(path_)) return path_;
   std::error_code error;
-  return std::filesystem::read_symlink(fmt::format("/proc/self/fd/{}", descriptor_), error).string();
+  // The name that was removed, where it was, although the file may have another one that nobody knows.
+  const std::string moved = std::filesystem::read_symlink(fmt::format("/proc/self/fd/{}", descriptor_), error).string();
+  return leads_to_it(moved) ? moved : std::string();
 }
 
 RecordingProgress Recording::progress() const noexcept {
@@ -140,21 +148,35 @@ void Recording::write_until_end() noexcept {
   std::unique_lock lock(mutex_);
   for (int writes = 0; !woken_.wait_for(lock, period, [this] { return is_ending_; });) {
     lock.unlock();
-    write_samples();
-    if (++writes % writes_per_sync == 0) sync();
+    attempt([&] {
+      write_samples();
+      if (++writes % writes_per_sync == 0) sync();
+    });
     lock.lock();
   }
   lock.unlock();
-  write_samples();
+  attempt([this] { write_samples(); });
+}
+
+template <typename Work>
+void Recording::attempt(Work&& work) noexcept {
+  try {
+    work();
+  } catch (const std::bad_alloc&) {
+    fail(ENOMEM);
+  }
 }
 
 void Recording::write_samples() {
   // No more than there can be, however fast more comes.
   Sample sample;
+  bool is_too_long = false;
   for (std::size_t i = 0; i < Servo::sample_capacity && servo_.take_record(sample); ++i) {
-    if (sample.recording == number_ && error_ == 0) text_.append(lines_, sample);
+    if (sample.recording != number_ || error_ != 0 || is_too_long) continue;
+    is_too_long = !text_.append(lines_, sample);
   }
   write_lines();
+  if (is_too_long) fail(EOVERFLOW);
   seconds_ = text_.seconds();
   dropped_ = text_.dropped();
 }
@@ -182,7 +204,7 @@ bool Recording::write_lines() noexcept {
 }
 
 // The recording ends where the disk fails, or where the file has no name any more: more of it would be lost too.
-void Recording::sync() noexcept {
+void Recording::sync() {
   if (error_ != 0) return;
   fail(sync_data(descriptor_));
   if (!is_named_) fail(sync_folder(std::filesystem::path(path_).parent_path()));

@@ -14,6 +14,7 @@
 
 #include <fmt/format.h>
 
+#include "app/run_length.h"
 #include "core/scene.h"
 #include "device/servo.h"
 
@@ -25,8 +26,9 @@ class SampleText {
   // `settings` are those of the scene in the header.
   explicit SampleText(const Settings& settings) : known_(settings), wanted_(settings) {}
 
-  // Whole lines: what has changed before this tick, where it does not follow from the one before, and its rows.
-  void append(fmt::memory_buffer& lines, const Sample& sample);
+  // Whole lines: what has changed before this tick, where it does not follow from the one before, and its rows. False,
+  // and nothing is appended: with it the run would be longer than a reader takes (run_length.h).
+  bool append(fmt::memory_buffer& lines, const Sample& sample);
 
   double seconds() const noexcept { return seconds_; }  // of model time
   std::uint64_t dropped() const noexcept { return dropped_; }
@@ -37,6 +39,7 @@ class SampleText {
   Settings known_;   // to a reader of the file
   Settings wanted_;  // of the newest sample
   std::optional<Sample> last_;
+  RunLength length_;
   double seconds_ = 0.0;
   std::uint64_t dropped_ = 0;
 };
@@ -46,7 +49,7 @@ struct RecordingProgress {
   double seconds = 0.0;  // of model time
   std::uint64_t bytes = 0;
   std::uint64_t dropped = 0;  // samples lost
-  int error = 0;              // errno of what has ended it; 0: nothing has
+  int error = 0;              // errno of what has ended it; EOVERFLOW: it is as long as may be; 0: nothing has
 };
 
 // UI thread, but for the thread within.
@@ -75,9 +78,12 @@ class Recording {
 
  private:
   void write_until_end() noexcept;
+  // Ends the recording where there is no memory for the work.
+  template <typename Work>
+  void attempt(Work&& work) noexcept;
   void write_samples();
   bool write_lines() noexcept;
-  void sync() noexcept;
+  void sync();
   void fail(int error) noexcept;
   std::string where_it_is() const;
 

@@ -21,8 +21,8 @@ bool RunLength::takes(std::int64_t tick, double rate) noexcept {
 
 Failure too_long(const RunFacts& run, const RunTick& tick) {
   return {ExitCode::wrong_call,
-          fmt::format("{}: line {}: with t_s = {} there the run is longer than {:.0f} ticks, which is the most; mend "
-                      "that line, or leave out all from there on, as in\n"
+          fmt::format("{}: line {}: with t_s = {} there the run is longer than {:.0f} ticks, which is the most. If "
+                      "that time is wrong, mend the line; if the run is simply that long, cut it before there:\n"
                       "head -n {} RUN.csv > shorter.csv",
                       run.name, tick.line, tick.time_s, most_ticks, tick.line - 1)};
 }

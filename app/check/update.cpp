@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -10,6 +11,7 @@
 #include <fmt/ranges.h>
 
 #include "app/check/gallery.h"
+#include "app/disk_sync.h"
 #include "app/failure.h"
 #include "app/file_kind.h"
 #include "app/interruption.h"
@@ -26,6 +28,12 @@ struct Change {
   const Case* changed = nullptr;
   std::unique_ptr<OutputFile> golden;
   std::unique_ptr<OutputFile> text;
+
+  std::vector<OutputFile*> files() const {
+    std::vector<OutputFile*> changed_files{golden.get(), text.get()};
+    std::erase(changed_files, nullptr);
+    return changed_files;
+  }
 };
 
 void refuse_cases_without_golden(const std::vector<const Case*>& chosen) {
@@ -98,6 +106,30 @@ std::unique_ptr<OutputFile> finished(const std::string& path, const std::string&
   return file;
 }
 
+// All of them or none: an interruption, or a file that cannot be changed, leaves the whole folder as it was.
+void put_in_place(const std::vector<Change>& changes) {
+  for (const Change& change : changes) {
+    for (OutputFile* const file : change.files()) file->put_in_place();
+  }
+  // A link may lead into a folder within.
+  std::set<std::filesystem::path> folders;
+  for (const Change& change : changes) {
+    for (const std::string& path : {change.changed->golden_path(), change.changed->path}) {
+      std::error_code unknown;
+      folders.insert(std::filesystem::weakly_canonical(path, unknown).parent_path());
+    }
+  }
+  for (const std::filesystem::path& folder : folders) {
+    if (const int error = sync_folder(folder); error != 0) {
+      throw Failure(ExitCode::file_trouble, fmt::format("nothing can be written to {}: {}",
+                                                        printable(folder.string(), longest_path), reason_of(error)));
+    }
+  }
+  for (const Change& change : changes) {
+    for (OutputFile* const file : change.files()) file->keep();
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> update_goldens(const std::vector<Case>& all, const std::vector<const Case*>& chosen) {
@@ -120,17 +152,12 @@ std::vector<std::string> update_goldens(const std::vector<Case>& all, const std:
     progress.at(static_cast<std::int64_t>(changes.size()));
   }
   stop_if_interrupted();
-  // Only now, so that an interruption or a case that cannot be changed leaves the whole folder as it was.
+  put_in_place(changes);
   std::vector<std::string> lines;
-  for (Change& change : changes) {
+  for (const Change& change : changes) {
     const std::string path = printable(change.changed->golden_path(), longest_path);
-    if (change.golden) {
-      change.golden->commit();
-      lines.push_back(fmt::format("wrote {}; look at it before you commit it", path));
-    } else {
-      lines.push_back(fmt::format("{} is equal already and stays as it is", path));
-    }
-    if (change.text) change.text->commit();
+    lines.push_back(change.golden ? fmt::format("wrote {}; look at it before you commit it", path)
+                                  : fmt::format("{} is equal already and stays as it is", path));
   }
   return lines;
 }

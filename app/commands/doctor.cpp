@@ -155,11 +155,13 @@ std::function<int()> attach_doctor(CommandOptions subcommand) {
       "Measure the device with a ruler and a weight, ten minutes, motors below 2 N; see docs/falcon.md");
   measure.excludes(json).excludes(install).excludes(wait);
   subcommand.add_option("-o,--output", options->report, "With --measure: where the report goes; default: -")
-      .type_name("REPORT.md");
+      .type_name("REPORT.md")
+      .writes();
   subcommand
       .add_option("--calibration", options->calibration,
                   "With --measure: where the calibration goes; default: among the settings, after asking")
-      .type_name("FILE.toml");
+      .type_name("FILE.toml")
+      .writes();
   options->falcon.attach(subcommand);
   subcommand.footer(
       "The ladder: plugged in, allowed, free, firmware, homed, encoders move, fast enough. The first rung that is not\n"

@@ -1,9 +1,7 @@
 // ghostforce render: the picture of a scene at one moment, drawn offscreen by the same screen as the window's.
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <optional>
-#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -64,21 +62,6 @@ void refuse_window_as_vectors(const Options& options) {
                             printable(options.output, longest_path)));
 }
 
-// Where an output goes, in one way of writing; what cannot be followed (a pipe, links in a circle) by its name.
-std::filesystem::path destination(const std::string& output) {
-  std::error_code error;
-  const std::filesystem::path path = std::filesystem::absolute(output == "-" ? "/dev/stdout" : output, error);
-  std::filesystem::path resolved = std::filesystem::weakly_canonical(path, error);
-  return error ? path.lexically_normal() : resolved.lexically_normal();
-}
-
-// Two outputs in one place would be one, and the picture lost.
-void refuse_equal_outputs(const Options& options) {
-  if (options.json.empty() || destination(options.json) != destination(options.output)) return;
-  throw Failure(ExitCode::wrong_call,
-                fmt::format("--json {}: the picture goes there already; name another file", printable(options.json)));
-}
-
 struct Rendering {
   std::string file;
   std::vector<Pane> panes;
@@ -100,7 +83,6 @@ Rendering paint_moment(const PictureRequest& request, const Moment& moment, cons
 }
 
 int render(const Options& options) {
-  refuse_equal_outputs(options);
   refuse_window_as_vectors(options);
   const PictureRequest request = request_of(options);
   OutputFile picture_file(options.output);

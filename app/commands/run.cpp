@@ -26,6 +26,7 @@
 #include "app/run_reader.h"
 #include "app/scene_file.h"
 #include "app/words.h"
+#include "core/safety.h"
 #include "device/last_resort.h"
 #include "device/realtime.h"
 
@@ -178,13 +179,15 @@ int run(const Options& options) {
     application.frame(interval_s);
     last_drawn_s = now_s;
     try {
-      keeper.keep(application.session());
+      // A slow disk keeps this thread, and motors that are on go off without its heartbeat.
+      if (application.report().motors.state == SafetyState::off) keeper.keep(application.session());
     } catch (const Failure& failure) {
       application.tell(failure.what(), true);
     }
     wait_for_person(now_s);
   }
   try {
+    keeper.keep(application.session());
     remember(layout_of(window, application.session()));
   } catch (const Failure& failure) {
     // The visit is over and went well; the window only opens in its usual size the next time.

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <csignal>
 #include <filesystem>
 #include <map>
@@ -15,9 +16,13 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "app/check/case_folder.h"
 #include "app/check/golden_origin.h"
 #include "app/check/shell_word.h"
+#include "app/check/update.h"
+#include "app/failure.h"
 #include "tests/app/check_cases.h"
+#include "tests/support/file_calls.h"
 #include "tests/support/no_opengl.h"
 
 namespace ghostforce {
@@ -184,6 +189,18 @@ TEST(CheckUpdate, SaysWhereItCannotWrite) {
   EXPECT_EQ(outcome.exit_code, 8);
   EXPECT_TRUE(contains(outcome.err, "wall.png cannot be written"));
   EXPECT_EQ(read_whole(cases / "wall.toml"), small_case);
+}
+
+TEST(CheckUpdate, LeavesAllAsItWasWhereOneFileCannotBePutInPlace) {
+  const Cases cases({{"a", std::string(small_case)}, {"b", std::string(small_case)}});
+  write_whole(cases / "a.png", "old");
+  const std::vector<Case> all = read_case_folder(cases.path());
+  FileCalls calls;
+  calls.fail("rename", EIO);  // of b.png, which is new; a.png is exchanged before
+  EXPECT_THROW(update_goldens(all, chosen_cases(all, {"a", "b"}, "--update")), Failure);
+  EXPECT_TRUE(read_whole(cases / "a.png") == "old");
+  EXPECT_EQ(read_whole(cases / "a.toml"), small_case);
+  EXPECT_EQ(cases.files().size(), 3U);
 }
 
 TEST(CheckUpdate, SaysWhereTheFolderMayOnlyBeRead) {

@@ -359,6 +359,23 @@ TEST(OutputFolder, PutsBackWhatWasThereWhenTheDiskFailsInTheEnd) {
   EXPECT_EQ(folder.count(), 1);
 }
 
+// While the others come in, the old file has the temporary name, and another process may clean the folder.
+TEST(OutputFile, GuardsTheOldFileUntilTheNewOneIsKept) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "run.csv";
+  write_whole(path, "old");
+  {
+    OutputFile file(path);
+    file.write("new");
+    file.finish();
+    file.put_in_place();
+    EXPECT_EQ(run_program(GHOSTFORCE_PROGRAM, {"simulate", "fig1", "-o", folder / "other.csv"}).exit_code, 0);
+    EXPECT_EQ(read_whole(path), "new");
+  }
+  EXPECT_EQ(read_whole(path), "old");
+  EXPECT_EQ(folder.count(), 2);
+}
+
 // Where names cannot be exchanged the new ones come in all the same.
 TEST(OutputFolder, NeedsNoExchange) {
   const TemporaryFolder folder;

@@ -105,6 +105,39 @@ TEST_F(OwnInputs, OfACheckAreItsCasesAndGoldens) {
   expect_refused("check cases >> cases/a.png", "cases/a.png");
 }
 
+TEST_F(OwnInputs, AreRefusedToAMeasurement) {
+  for (const std::string_view option : {"-o", "--calibration"}) {
+    write_whole(folder_ / "firmware.bin", "precious");
+    const std::string words = fmt::format(
+        "doctor --measure --input virtual-falcon --firmware firmware.bin {} firmware.bin < /dev/null", option);
+    expect_refused(words, "firmware.bin");
+    const Outcome outcome = in_folder(words);
+    EXPECT_NE(outcome.err.find("is the file firmware.bin that is read as --firmware, and would be lost"),
+              std::string::npos)
+        << outcome.err;
+  }
+}
+
+TEST_F(OwnInputs, TwoOutputsAreTwoFiles) {
+  fs::create_directory_symlink(".", folder_ / "here");
+  const auto expect_both_refused = [&](const std::string& words) {
+    const std::ptrdiff_t files = folder_.count();
+    const Outcome outcome = in_folder(words);
+    EXPECT_EQ(outcome.exit_code, 2) << words << "\n" << outcome.err;
+    EXPECT_NE(outcome.err.find("what --output writes goes there already; name another file"), std::string::npos)
+        << outcome.err;
+    EXPECT_EQ(folder_.count(), files) << words;
+  };
+  for (const std::string_view other : {"both.png", "./both.png", "here/both.png"}) {
+    expect_both_refused(fmt::format("render wall45 -o both.png --json {}", other));
+    expect_both_refused(
+        fmt::format("doctor --measure --input virtual-falcon -o both.png --calibration {} < /dev/null", other));
+  }
+  write_whole(folder_ / "both.png", "old");
+  expect_both_refused("render wall45 -o both.png --json here/both.png");
+  EXPECT_EQ(read_whole(folder_ / "both.png"), "old");
+}
+
 // What is no file, or another one, is no input.
 TEST_F(OwnInputs, NothingElseIsRefused) {
   fs::create_symlink("run.csv", folder_ / "link.csv");

@@ -5,6 +5,7 @@
 #include <csignal>
 #include <filesystem>
 #include <string>
+#include <system_error>
 #include <thread>
 
 #include "app/replay.h"
@@ -112,19 +113,36 @@ TEST(RecordingProgram, SaysWhereTheFileTookNoMore) {
   EXPECT_NE(outcome.err.find("run.csv takes no more: File too large"), std::string::npos) << outcome.err;
 }
 
+bool has_open(pid_t process, const std::string& path) {
+  std::error_code has_just_gone;
+  for (const auto& entry :
+       std::filesystem::directory_iterator("/proc/" + std::to_string(process) + "/fd", has_just_gone)) {
+    if (std::filesystem::read_symlink(entry, has_just_gone).string().starts_with(path)) return true;
+  }
+  return false;
+}
+
 TEST(RecordingProgram, SaysThatTheFolderHasVanished) {
   const TemporaryFolder folder;
   const Display display(1024, 640);
-  std::filesystem::create_directory(folder / "gone");
-  ProgramCall call;
-  call.words = {"-c", std::string(GHOSTFORCE_PROGRAM) + " run --input script --exit-after 3 --record gone/run.csv & " +
-                          "until test -s gone/run.csv; do sleep 0.1; done; rm -r gone; wait $!"};
-  call.environment = display.environment();
-  call.folder = folder.path();
-  const Outcome outcome = run_program("/bin/sh", call);
-  EXPECT_EQ(outcome.exit_code, 8);
-  EXPECT_NE(outcome.err.find("The recording is lost, "), std::string::npos) << outcome.err;
-  EXPECT_NE(outcome.err.find("gone/run.csv was removed while it was written"), std::string::npos) << outcome.err;
+  const std::string gone = std::filesystem::canonical(folder.path()) / "gone";
+  std::filesystem::create_directory(gone);
+  const std::string command =
+      std::string("exec " GHOSTFORCE_PROGRAM " run --input script --no-hints --record ") + gone + "/run.csv";
+  BackgroundProgram program({"/bin/sh", "-c", command + " 2> " + (folder / "words")}, display.environment());
+  const auto wait = [] { std::this_thread::sleep_for(std::chrono::milliseconds(50)); };
+  while (read_whole(gone + "/run.csv").empty() && program.is_running()) wait();
+  std::filesystem::remove_all(gone);
+  // The end of the recording closes the file.
+  while (program.is_running() && has_open(program.pid(), gone)) wait();
+  while (program.is_running()) {
+    display.act({"key", "ctrl+q"});
+    wait();
+  }
+  EXPECT_EQ(program.end(0), 8);
+  const std::string words = read_whole(folder / "words");
+  EXPECT_NE(words.find("The recording is lost, "), std::string::npos) << words;
+  EXPECT_NE(words.find("gone/run.csv was removed while it was written"), std::string::npos) << words;
 }
 
 TEST(RecordingProgram, IsAskedForAFile) {

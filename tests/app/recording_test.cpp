@@ -131,6 +131,24 @@ TEST(Recording, LeavesOutWhatBelongsToAnother) {
   expect_repeats(folder / "run.csv", 50);
 }
 
+TEST(Recording, EndsWhereAReaderWouldTakeNoMore) {
+  const Stepped stepped;
+  SampleText text(stepped.scene.settings);
+  fmt::memory_buffer lines;
+  Sample sample;
+  sample.settings = stepped.scene.settings;
+  const auto takes = [&](double tick) {
+    sample.snapshot.tick = static_cast<std::int64_t>(tick);
+    return text.append(lines, sample);
+  };
+  EXPECT_TRUE(takes(5.0));
+  EXPECT_TRUE(takes(most_ticks + 5.0));
+  const std::size_t size = lines.size();
+  EXPECT_FALSE(takes(most_ticks + 6.0));
+  EXPECT_EQ(lines.size(), size);
+  EXPECT_TRUE(takes(0.0)) << "reset";
+}
+
 TEST(Recording, SaysWhatWasLost) {
   const TemporaryFolder folder;
   Stepped stepped;
@@ -228,6 +246,12 @@ TEST(Recording, KnowsWhereItIs) {
               write_whole(real + "/in/run.csv", "another's");
             }),
             "");
+  EXPECT_EQ(end_after([&] {
+              std::filesystem::create_hard_link(real + "/in/run.csv", real + "/second");
+              std::filesystem::remove(real + "/in/run.csv");
+            }),
+            "")
+      << "nobody knows its other name";
 }
 
 // --- At the window ---

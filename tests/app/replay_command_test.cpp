@@ -179,6 +179,7 @@ TEST(ReplayCommand, RefusesALengthThatAnotherRateMakesTooMuch) {
                          GHOSTFORCE_PROGRAM, run, folder / "out.csv")});
   EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
   EXPECT_TRUE(says(outcome, "with t_s = 600 there the run is longer than 10000000 ticks")) << outcome.err;
+  EXPECT_TRUE(says(outcome, "if the run is simply that long, cut it before there:\nhead -n ")) << outcome.err;
 }
 
 // A terminal that a program writes to.
