@@ -52,7 +52,8 @@ void remove_if_dead(const std::string& path) noexcept {
   close(descriptor);
 }
 
-// Many files may wait for the same commit, each open for the sake of its lock. False: that is all that the system allows.
+// Many files may wait for the same commit, each open for the sake of its lock. False: that is all that the system
+// allows.
 bool allow_more_files() noexcept {
   rlimit limit{};
   if (getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur >= limit.rlim_max) return false;
