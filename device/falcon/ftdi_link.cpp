@@ -29,9 +29,8 @@ constexpr unsigned send_timeout_ms = 1000;
 constexpr unsigned request_timeout_ms = 300;
 constexpr unsigned last_send_timeout_ms = 20;
 constexpr std::int64_t close_timeout_ns = 200'000'000;
-// In closing, a stop that is under way gets so long; then it is sent anew, for so long at most.
+// In closing, a stop that is under way gets so long; then it is sent anew.
 constexpr std::int64_t stop_timeout_ns = 20'000'000;
-constexpr std::int64_t insist_ns = 500'000'000;
 // Letters that a USB string can hold.
 constexpr std::size_t longest_serial = 126;
 // While nothing comes, libusb is asked this often whether a transfer has timed out.
@@ -64,8 +63,7 @@ LinkFault FtdiLink::open() noexcept {
   owed_serial_.reserve(longest_serial);  // stop() may not allocate
   // A device that is owed a stop comes first: its motors have a supply of their own, so that it may push although its
   // cable was out.
-  const auto owed = std::span<const std::uint8_t>(owed_).first(owed_size_);
-  fault_ = owes_stop() ? usb_.open(options_.id, owed_serial_, owed) : LinkFault::absent;
+  fault_ = owes_stop() ? usb_.open(options_.id, owed_serial_, owed()) : LinkFault::absent;
   if (fault_ == LinkFault::none && usb_.has_taken_first_bytes()) owed_size_ = 0;
   if (fault_ == LinkFault::absent) fault_ = usb_.open(options_.id, options_.serial);
   if (fault_ == LinkFault::none && !make_transfers()) fault_ = LinkFault::broken;
@@ -127,7 +125,7 @@ void FtdiLink::close() noexcept {
   deadline_ns = monotonic_ns() + close_timeout_ns;
   while (is_anything_posted() && monotonic_ns() < deadline_ns) handle_events(10);
   const bool is_owed_here = owes_stop() && usb_.serial() == owed_serial_;
-  if (is_owed_here && usb_.send_at_any_cost(std::span(owed_).first(owed_size_), insist_ns)) owed_size_ = 0;
+  if (is_owed_here && usb_.send_at_any_cost(owed())) owed_size_ = 0;
   usb_.release_device();
   // A transfer that did not come back in time was libusb's until now.
   free_transfers();
@@ -165,13 +163,12 @@ bool FtdiLink::write(std::span<const std::uint8_t> bytes) noexcept {
 
 void FtdiLink::stop(std::span<const std::uint8_t> bytes) noexcept {
   if (usb_.handle() == nullptr || bytes.size() > out_size) return;
-  std::ranges::copy(bytes, owed_.begin());
-  owed_size_ = bytes.size();
-  owed_serial_ = usb_.serial();
   // What waits in vain must not go out after the stop, should the device listen again.
   if (out_.is_posted) libusb_cancel_transfer(out_.transfer);
   if (stop_.is_posted) return;
   std::ranges::copy(bytes, stop_.buffer.begin());
+  owed_size_ = bytes.size();
+  owed_serial_ = usb_.serial();
   libusb_fill_bulk_transfer(stop_.transfer, usb_.handle(), usb_.out_endpoint(), stop_.buffer.data(),
                             static_cast<int>(bytes.size()), &Callbacks::sent, this, send_timeout_ms);
   post(stop_);

@@ -83,6 +83,7 @@ class FtdiLink final : public FalconLink {
   void find_poll_descriptors();
   void free_transfers() noexcept;
 
+  std::span<const std::uint8_t> owed() const noexcept { return std::span(stop_.buffer).first(owed_size_); }
   bool is_usable() const noexcept { return usb_.handle() != nullptr && fault_ == LinkFault::none; }
   void post(Receiver& receiver) noexcept;
   bool post(Sender& sender) noexcept;
@@ -113,8 +114,8 @@ class FtdiLink final : public FalconLink {
   int errors_out_in_a_row_ = 0;
   bool something_happened_ = false;  // since wait_until() was called
 
-  // The stop that the device has not taken yet; stays through closing, for the next time that it is open.
-  std::array<std::uint8_t, out_size> owed_{};
+  // The stop in stop_'s buffer that the device has not taken yet; stays through closing, for the next time that it is
+  // open. 0: it has.
   std::size_t owed_size_ = 0;
   std::string owed_serial_;
 

@@ -136,7 +136,7 @@ LinkFault UsbConnection::take(libusb_device_handle* handle) {
   LinkFault fault = find_endpoints(handle);
   if (fault == LinkFault::none) {
     handle_ = handle;
-    has_taken_first_bytes_ = !first_bytes_.empty() && send_at_any_cost(first_bytes_, insist_ns);
+    has_taken_first_bytes_ = !first_bytes_.empty() && send_at_any_cost(first_bytes_);
     fault = clear_halts(handle);
   }
   if (fault != LinkFault::none) {
@@ -196,9 +196,9 @@ void UsbConnection::find_descriptor() {
   closedir(folder);
 }
 
-bool UsbConnection::send_at_any_cost(std::span<const std::uint8_t> bytes, std::int64_t longest_ns) noexcept {
+bool UsbConnection::send_at_any_cost(std::span<const std::uint8_t> bytes) noexcept {
   if (handle_ == nullptr) return false;
-  const std::int64_t deadline_ns = monotonic_ns() + longest_ns;
+  const std::int64_t deadline_ns = monotonic_ns() + insist_ns;
   for (;;) {
     int sent = 0;
     // Outwards: libusb reads it.

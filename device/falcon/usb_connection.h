@@ -38,8 +38,8 @@ class UsbConnection {
   void close() noexcept;
 
   // Sends bytes and waits, clearing the halt of the endpoint where there is one, until the device has taken them or
-  // `longest_ns` have passed. False: it has not.
-  bool send_at_any_cost(std::span<const std::uint8_t> bytes, std::int64_t longest_ns) noexcept;
+  // half a second has passed. False: it has not.
+  bool send_at_any_cost(std::span<const std::uint8_t> bytes) noexcept;
 
   // Null while it is not open.
   libusb_context* context() const noexcept { return context_; }
