@@ -1,6 +1,7 @@
 // The clock of everything here that happens in real time: CLOCK_MONOTONIC, in ns. Any thread, signal handlers too.
 #pragma once
 
+#include <cerrno>
 #include <cstdint>
 #include <ctime>
 
@@ -10,6 +11,14 @@ inline std::int64_t monotonic_ns() noexcept {
   std::timespec now{};
   clock_gettime(CLOCK_MONOTONIC, &now);
   return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
+}
+
+// Signals do not cut it short; a time that has passed is not waited for.
+inline void sleep_until_monotonic(std::int64_t time_ns) noexcept {
+  if (time_ns <= 0) return;
+  const std::timespec time{time_ns / 1'000'000'000, time_ns % 1'000'000'000};
+  while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &time, nullptr) == EINTR) {
+  }
 }
 
 }  // namespace ghostforce

@@ -36,10 +36,6 @@ constexpr std::size_t longest_serial = 126;
 // While nothing comes, libusb is asked this often whether a transfer has timed out.
 constexpr std::int64_t longest_wait_ns = 20'000'000;
 
-timespec timespec_of(std::int64_t ns) noexcept {
-  return {ns / 1'000'000'000, ns % 1'000'000'000};
-}
-
 }  // namespace
 
 struct FtdiLink::Callbacks {
@@ -330,18 +326,13 @@ void FtdiLink::handle_events(int timeout_ms) noexcept {
 // and the waiting is done here.
 void FtdiLink::wait_until(std::int64_t deadline_ns) noexcept {
   something_happened_ = false;
-  if (!is_usable()) {  // nothing but the deadline will come
-    const timespec deadline = timespec_of(std::max<std::int64_t>(deadline_ns, 0));
-    while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &deadline, nullptr) == EINTR) {
-    }
-    return;
-  }
+  if (!is_usable()) return sleep_until_monotonic(deadline_ns);  // nothing but the deadline will come
   for (;;) {
     handle_events(0);
     recover();
     const std::int64_t left_ns = deadline_ns - monotonic_ns();
     if (something_happened_ || left_ns <= 0) return;
-    const timespec wait = timespec_of(std::min(left_ns, longest_wait_ns));
+    const timespec wait{0, std::min(left_ns, longest_wait_ns)};  // far less than a second
     ppoll(poll_descriptors_.data(), poll_count_, &wait, nullptr);
   }
 }

@@ -1,14 +1,13 @@
 #include "device/falcon/link_opener.h"
 
 #include <cassert>
-#include <cerrno>
 #include <utility>
 
 #include <pthread.h>
-#include <time.h>
 
 #include "device/alternate_stack.h"
 #include "device/last_resort.h"
+#include "device/monotonic_clock.h"
 
 namespace ghostforce {
 
@@ -58,10 +57,7 @@ void LinkOpener::carry_out(Task task) noexcept {
 
 void LinkOpener::wait_until(std::int64_t deadline_ns) noexcept {
   if (!is_busy()) return link_->wait_until(deadline_ns);
-  if (deadline_ns <= 0) return;
-  const timespec deadline{deadline_ns / 1'000'000'000, deadline_ns % 1'000'000'000};
-  while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &deadline, nullptr) == EINTR) {
-  }
+  sleep_until_monotonic(deadline_ns);
 }
 
 }  // namespace ghostforce

@@ -14,7 +14,7 @@ constexpr std::int64_t ns_of(double seconds) noexcept {
 }
 
 // After this, replies to what was given up no longer come.
-constexpr double forget_s = 0.060;
+constexpr double forget_s = 1e-3 * Falcon::forget_ms;
 
 }  // namespace
 

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "device/falcon/falcon.h"
 #include "device/falcon/falcon_link.h"
 #include "device/falcon/frame.h"
 
@@ -16,7 +17,7 @@ namespace ghostforce {
 class FalconBench {
  public:
   static constexpr double period_s = 0.001;
-  static constexpr double longest_exchange_s = 0.020;  // as the driver has it
+  static constexpr double longest_exchange_s = Falcon::stop_s;
 
   // Throws away what is still on its way to the driver.
   explicit FalconBench(FalconLink& link) noexcept;

@@ -1,9 +1,6 @@
 #include "device/virtual_falcon/virtual_link.h"
 
-#include <time.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <limits>
 
 #include "device/monotonic_clock.h"
@@ -225,9 +222,7 @@ void VirtualLink::sleep_until(std::int64_t at_ns) noexcept {
     stepped_ns_ = std::max(stepped_ns_, at_ns);
     return;
   }
-  const timespec at{.tv_sec = at_ns / 1'000'000'000, .tv_nsec = at_ns % 1'000'000'000};
-  while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &at, nullptr) == EINTR) {
-  }
+  sleep_until_monotonic(at_ns);
 }
 
 }  // namespace ghostforce
