@@ -9,13 +9,13 @@
 #include <string>
 #include <vector>
 
-#include "app/circle_meter.h"
 #include "app/recording.h"
 #include "app/screen.h"
 #include "app/session.h"
 #include "app/shader_watch.h"
 #include "app/undo.h"
 #include "app/view/history.h"
+#include "core/circle_meter.h"
 #include "device/circle_input.h"
 #include "device/falcon/falcon_input.h"
 #include "device/input_catalog.h"

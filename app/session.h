@@ -12,12 +12,12 @@
 #include <string_view>
 #include <vector>
 
-#include "app/circle_meter.h"
 #include "app/ladder.h"
 #include "app/plots/plot_view.h"
 #include "app/theme.h"
 #include "app/user_measurement_guide.h"
 #include "app/view/compose.h"
+#include "core/circle_meter.h"
 #include "core/motor_report.h"
 #include "core/scene.h"
 #include "core/spacemouse.h"

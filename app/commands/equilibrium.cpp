@@ -14,8 +14,8 @@
 #include "app/commands/command_catalog.h"
 #include "app/failure.h"
 #include "app/output_file.h"
-#include "app/predicted_rest.h"
 #include "app/printable.h"
+#include "core/prediction.h"
 
 namespace ghostforce {
 namespace {

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "app/predicted_rest.h"
 #include "app/sweep/settle.h"
+#include "core/prediction.h"
 #include "core/scene.h"
 
 namespace ghostforce {

@@ -1,4 +1,4 @@
-#include "app/circle_meter.h"
+#include "core/circle_meter.h"
 
 #include <algorithm>
 #include <cmath>

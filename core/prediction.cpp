@@ -1,4 +1,4 @@
-#include "app/predicted_rest.h"
+#include "core/prediction.h"
 
 #include "core/ghost_force.h"
 
