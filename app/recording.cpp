@@ -23,7 +23,7 @@
 #include "app/output_file.h"
 #include "app/printable.h"
 #include "app/run_file.h"
-#include "device/alternate_stack.h"
+#include "device/input/alternate_stack.h"
 
 namespace ghostforce {
 namespace {

@@ -28,8 +28,8 @@
 #include "app/scene_file.h"
 #include "bench/support/contest.h"
 #include "bench/support/report.h"
+#include "device/input/monotonic_clock.h"
 #include "device/lateness.h"
-#include "device/monotonic_clock.h"
 #include "device/realtime.h"
 
 namespace ghostforce::bench {

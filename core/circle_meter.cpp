@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/energy.h"
-#include "device/circle_input.h"
+#include "device/input/circle_input.h"
 
 namespace ghostforce {
 namespace {

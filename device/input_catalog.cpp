@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 
-#include "device/circle_input.h"
 #include "device/falcon/falcon_input.h"
 #include "device/falcon/ftdi_link.h"
-#include "device/mouse_input.h"
-#include "device/scripted_input.h"
+#include "device/input/circle_input.h"
+#include "device/input/mouse_input.h"
+#include "device/input/scripted_input.h"
 #include "device/spacemouse_input.h"
 #include "device/virtual_falcon/virtual_falcon_input.h"
 

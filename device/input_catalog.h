@@ -10,7 +10,7 @@
 #include "core/scene.h"
 #include "device/falcon/falcon.h"
 #include "device/falcon/usb_search.h"
-#include "device/input.h"
+#include "device/input/input.h"
 #include "device/virtual_falcon/virtual_link.h"
 
 namespace ghostforce {

@@ -10,9 +10,9 @@
 #include <csignal>
 #include <cstdlib>
 
-#include "device/alternate_stack.h"
 #include "device/falcon/falcon_link.h"
 #include "device/falcon/frame.h"
+#include "device/input/alternate_stack.h"
 
 namespace ghostforce::last_resort {
 namespace {

@@ -22,7 +22,7 @@
 #include "core/settings.h"
 #include "core/snapshot.h"
 #include "core/tick.h"
-#include "device/input.h"
+#include "device/input/input.h"
 #include "device/lateness.h"
 #include "device/realtime.h"
 

@@ -14,7 +14,7 @@
 #include <pthread.h>
 #include <unistd.h>
 
-#include "device/alternate_stack.h"
+#include "device/input/alternate_stack.h"
 #include "device/spacemouse_report.h"
 
 namespace ghostforce {

@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "core/latest_value.h"
-#include "device/input.h"
+#include "device/input/input.h"
 #include "device/spacemouse_motion.h"
 
 namespace ghostforce {

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "device/alternate_stack.h"
+#include "device/input/alternate_stack.h"
 
 namespace ghostforce {
 

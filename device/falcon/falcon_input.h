@@ -11,8 +11,8 @@
 #include "core/latest_value.h"
 #include "device/falcon/falcon.h"
 #include "device/falcon/plane.h"
-#include "device/haptic_device.h"
-#include "device/input.h"
+#include "device/input/haptic_device.h"
+#include "device/input/input.h"
 
 namespace ghostforce {
 

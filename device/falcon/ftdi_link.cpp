@@ -9,8 +9,8 @@
 #include <sys/ioctl.h>
 #include <time.h>
 
+#include "device/input/monotonic_clock.h"
 #include "device/last_resort.h"
-#include "device/monotonic_clock.h"
 
 namespace ghostforce {
 namespace {

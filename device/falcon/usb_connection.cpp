@@ -12,7 +12,7 @@
 #include <sys/stat.h>
 #include <time.h>
 
-#include "device/monotonic_clock.h"
+#include "device/input/monotonic_clock.h"
 
 namespace ghostforce {
 namespace {

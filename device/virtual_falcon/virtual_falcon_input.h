@@ -6,7 +6,7 @@
 #pragma once
 
 #include "device/falcon/falcon_input.h"
-#include "device/pointer_target.h"
+#include "device/input/pointer_target.h"
 #include "device/virtual_falcon/virtual_link.h"
 
 namespace ghostforce {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "device/monotonic_clock.h"
+#include "device/input/monotonic_clock.h"
 
 namespace ghostforce {
 namespace {

@@ -14,7 +14,7 @@
 #include "app/recording.h"
 #include "app/scene_file.h"
 #include "core/play.h"
-#include "device/mouse_input.h"
+#include "device/input/mouse_input.h"
 #include "device/servo.h"
 
 namespace ghostforce {

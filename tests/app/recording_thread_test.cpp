@@ -9,7 +9,7 @@
 #include "app/replay.h"
 #include "app/run_reader.h"
 #include "app/scene_file.h"
-#include "device/scripted_input.h"
+#include "device/input/scripted_input.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce {

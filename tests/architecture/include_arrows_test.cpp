@@ -240,7 +240,7 @@ TEST(IncludeArrowsSelfTest, RefusesWhatEachRoomMayNotSee) {
       {"app/view/a.cpp", "#include <unistd.h>"},
       {"app/paint/gl/a.cpp", "#include \"device/servo.h\""},
       {"app/panels/a.cpp", "#include \"device/servo.h\""},
-      {"app/figures/a.cpp", "#include \"device/input.h\""},
+      {"app/figures/a.cpp", "#include \"device/input/input.h\""},
   };
   for (const auto& [path, line] : forbidden) {
     const std::vector<std::string> found = forbidden_arrows({{path, "#pragma once\n" + line + "\n"}});

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "device/input/mouse_input.h"
 #include "device/input_catalog.h"
-#include "device/mouse_input.h"
 #include "device/servo.h"
 #include "tests/device/servo_scenes.h"
 #include "tests/support/heap_guard.h"

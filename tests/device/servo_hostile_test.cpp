@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "core/play.h"
-#include "device/mouse_input.h"
+#include "device/input/mouse_input.h"
 #include "device/servo.h"
 #include "tests/device/servo_scenes.h"
 #include "tests/device/servo_steps.h"

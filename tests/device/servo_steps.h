@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "core/scene.h"
-#include "device/input.h"
-#include "device/scripted_input.h"
+#include "device/input/input.h"
+#include "device/input/scripted_input.h"
 #include "device/servo.h"
 
 namespace ghostforce {

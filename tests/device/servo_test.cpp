@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "core/play.h"
-#include "device/mouse_input.h"
-#include "device/scripted_input.h"
+#include "device/input/mouse_input.h"
+#include "device/input/scripted_input.h"
 #include "tests/device/servo_scenes.h"
 #include "tests/device/servo_steps.h"
 

@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "device/mouse_input.h"
-#include "device/scripted_input.h"
+#include "device/input/mouse_input.h"
+#include "device/input/scripted_input.h"
 #include "device/servo.h"
 #include "tests/device/servo_scenes.h"
 

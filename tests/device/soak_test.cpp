@@ -17,7 +17,7 @@
 #include <string>
 
 #include "core/scene.h"
-#include "device/mouse_input.h"
+#include "device/input/mouse_input.h"
 #include "device/servo.h"
 #include "device/virtual_falcon/virtual_falcon_input.h"
 #include "tests/core/random_setting.h"

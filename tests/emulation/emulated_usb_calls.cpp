@@ -9,7 +9,7 @@
 #include <linux/usbdevice_fs.h>
 #include <sys/ioctl.h>
 
-#include "device/monotonic_clock.h"
+#include "device/input/monotonic_clock.h"
 #include "tests/emulation/emulated_usb_file.h"
 
 namespace ghostforce {

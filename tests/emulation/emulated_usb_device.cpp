@@ -8,7 +8,7 @@
 #include <limits>
 #include <utility>
 
-#include "device/monotonic_clock.h"
+#include "device/input/monotonic_clock.h"
 #include "tests/emulation/emulated_usb_file.h"
 
 namespace ghostforce {

@@ -21,7 +21,7 @@
 
 #include <gtest/gtest.h>
 
-#include "device/monotonic_clock.h"
+#include "device/input/monotonic_clock.h"
 #include "tests/emulation/recording_chip.h"
 
 namespace ghostforce {

@@ -10,7 +10,7 @@
 #include "core/safety.h"
 #include "device/falcon/falcon_report.h"
 #include "device/falcon/plane.h"
-#include "device/monotonic_clock.h"
+#include "device/input/monotonic_clock.h"
 #include "tests/emulation/emulated_usb_device.h"
 #include "tests/emulation/falcon_chip.h"
 #include "tests/support/program.h"

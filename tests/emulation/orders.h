@@ -15,7 +15,7 @@
 
 #include "core/safety.h"
 #include "device/falcon/falcon_report.h"
-#include "device/monotonic_clock.h"
+#include "device/input/monotonic_clock.h"
 
 namespace ghostforce {
 

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "device/monotonic_clock.h"
+#include "device/input/monotonic_clock.h"
 
 namespace ghostforce {
 namespace {

@@ -1,4 +1,4 @@
-#include "device/scripted_input.h"
+#include "device/input/scripted_input.h"
 
 #include <gtest/gtest.h>
 

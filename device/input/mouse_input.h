@@ -8,8 +8,8 @@
 #include <cstdint>
 
 #include "core/latest_value.h"
-#include "device/input.h"
-#include "device/pointer_target.h"
+#include "device/input/input.h"
+#include "device/input/pointer_target.h"
 
 namespace ghostforce {
 

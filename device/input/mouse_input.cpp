@@ -1,4 +1,4 @@
-#include "device/mouse_input.h"
+#include "device/input/mouse_input.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 #include <cstdint>
 
 #include "core/conventions.h"
-#include "device/haptic_device.h"
+#include "device/input/haptic_device.h"
 
 namespace ghostforce {
 

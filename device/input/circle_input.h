@@ -9,7 +9,7 @@
 
 #include "core/circle.h"
 #include "core/latest_value.h"
-#include "device/input.h"
+#include "device/input/input.h"
 
 namespace ghostforce {
 

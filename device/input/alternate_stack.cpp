@@ -1,4 +1,4 @@
-#include "device/alternate_stack.h"
+#include "device/input/alternate_stack.h"
 
 #include <sys/mman.h>
 #include <unistd.h>

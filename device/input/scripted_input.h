@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/goal_path.h"
-#include "device/input.h"
+#include "device/input/input.h"
 
 namespace ghostforce {
 

@@ -1,4 +1,4 @@
-#include "device/circle_input.h"
+#include "device/input/circle_input.h"
 
 #include <gtest/gtest.h>
 
