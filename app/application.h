@@ -20,7 +20,7 @@
 #include "device/input/circle_input.h"
 #include "device/input/pointer_target.h"
 #include "device/input_catalog.h"
-#include "device/servo.h"
+#include "device/servo/servo.h"
 #include "device/spacemouse_input.h"
 #include "device/virtual_falcon/virtual_falcon_input.h"
 

@@ -16,7 +16,7 @@
 
 #include "app/run_length.h"
 #include "core/scene.h"
-#include "device/servo.h"
+#include "device/servo/servo.h"
 
 namespace ghostforce {
 

@@ -29,8 +29,8 @@
 #include "bench/support/contest.h"
 #include "bench/support/report.h"
 #include "device/input/monotonic_clock.h"
-#include "device/lateness.h"
-#include "device/realtime.h"
+#include "device/servo/latency_histogram.h"
+#include "device/servo/realtime.h"
 
 namespace ghostforce::bench {
 namespace {

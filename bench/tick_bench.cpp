@@ -21,7 +21,7 @@
 #include "core/ring.h"
 #include "core/tick.h"
 #include "core/tick_strategy.h"
-#include "device/servo.h"
+#include "device/servo/servo.h"
 
 namespace ghostforce::bench {
 namespace {

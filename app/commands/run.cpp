@@ -28,7 +28,7 @@
 #include "app/words.h"
 #include "core/safety.h"
 #include "device/last_resort.h"
-#include "device/realtime.h"
+#include "device/servo/realtime.h"
 
 namespace ghostforce {
 namespace {

@@ -11,7 +11,7 @@
 #include "device/falcon/falcon_report.h"
 #include "device/falcon/firmware_file.h"
 #include "device/falcon/usb_search.h"
-#include "device/realtime.h"
+#include "device/servo/realtime.h"
 #include "device/spacemouse_input.h"
 
 namespace ghostforce {

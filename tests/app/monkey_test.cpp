@@ -19,7 +19,7 @@
 #include "app/keys.h"
 #include "app/saving.h"
 #include "tests/app/driven_window.h"
-#include "tests/device/servo_scenes.h"
+#include "tests/device/servo/servo_scenes.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce {

@@ -15,7 +15,7 @@
 #include "app/scene_file.h"
 #include "core/play.h"
 #include "device/input/mouse_input.h"
-#include "device/servo.h"
+#include "device/servo/servo.h"
 
 namespace ghostforce {
 

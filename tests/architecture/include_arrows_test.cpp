@@ -217,7 +217,7 @@ TEST(IncludeArrowsSelfTest, RefusesWhatEachRoomMayNotSee) {
       {"core/a.h", "#include <chrono>"},
       {"core/a.h", "#include <fstream>"},
       {"core/a.h", "#include <unistd.h>"},
-      {"core/a.h", "#include \"device/servo.h\""},
+      {"core/a.h", "#include \"device/servo/servo.h\""},
       {"core/a.h", "#include \"app/window.h\""},
       {"core/a.h", "#include \"wall.h\""},
       {"core/a.h", "#include \"../device/servo.h\""},
@@ -235,11 +235,11 @@ TEST(IncludeArrowsSelfTest, RefusesWhatEachRoomMayNotSee) {
       {"app/a.cpp", "#include <Eigen/Dense>"},
       {"app/a.cpp", "#include <gtest/gtest.h>"},
       {"app/a.cpp", "#include \"tests/support/program.h\""},
-      {"app/view/a.cpp", "#include \"device/servo.h\""},
+      {"app/view/a.cpp", "#include \"device/servo/servo.h\""},
       {"app/view/a.cpp", "#include <imgui.h>"},
       {"app/view/a.cpp", "#include <unistd.h>"},
-      {"app/paint/gl/a.cpp", "#include \"device/servo.h\""},
-      {"app/panels/a.cpp", "#include \"device/servo.h\""},
+      {"app/paint/gl/a.cpp", "#include \"device/servo/servo.h\""},
+      {"app/panels/a.cpp", "#include \"device/servo/servo.h\""},
       {"app/figures/a.cpp", "#include \"device/input/input.h\""},
   };
   for (const auto& [path, line] : forbidden) {
@@ -260,7 +260,7 @@ TEST(IncludeArrowsSelfTest, LetsThroughWhatEachRoomNeeds) {
       {"app/a.cpp",
        "#include <unistd.h>\n#include <GLFW/glfw3.h>\n#include <glad/gl.h>\n#include <imgui_impl_glfw.h>\n"
        "#include <implot.h>\n#include <toml++/toml.h>\n#include <CLI/CLI.hpp>\n#include <fmt/core.h>\n"
-       "#include <nlohmann/json.hpp>\n#include <png.h>\n#include \"device/servo.h\"\n"
+       "#include <nlohmann/json.hpp>\n#include <png.h>\n#include \"device/servo/servo.h\"\n"
        "#include \"embedded_shaders.h\"\n#include \"ghostforce_version.h\"\n"},
       {"app/view/a.cpp", "#include \"core/snapshot.h\"\n#include \"app/theme.h\"\n#include <fmt/format.h>\n"},
       {"app/paint/a.cpp",
@@ -278,12 +278,13 @@ TEST(IncludeArrowsSelfTest, FollowsChainsFromThePictureToTheDevice) {
   const Tree detour{
       {"app/panels/panel.h", "#include \"app/session.h\"\n"},
       {"app/session.h", "#include \"app/hub.h\"\n"},
-      {"app/hub.h", "#include \"device/servo.h\"\n"},
-      {"device/servo.h", "\n"},
+      {"app/hub.h", "#include \"device/servo/servo.h\"\n"},
+      {"device/servo/servo.h", "\n"},
   };
   const std::vector<std::string> found = forbidden_arrows(detour);
   ASSERT_EQ(found.size(), 1U) << listed(found);
-  EXPECT_TRUE(found[0].starts_with("app/panels/panel.h -> app/session.h -> app/hub.h -> device/servo.h")) << found[0];
+  EXPECT_TRUE(found[0].starts_with("app/panels/panel.h -> app/session.h -> app/hub.h -> device/servo/servo.h"))
+      << found[0];
 }
 
 TEST(IncludeArrowsSelfTest, SaysWhere) {

@@ -18,7 +18,7 @@
 #include "app/printable.h"
 #include "device/falcon/ftdi_link.h"
 #include "device/last_resort.h"
-#include "device/realtime.h"
+#include "device/servo/realtime.h"
 #include "device/virtual_falcon/practice_firmware.h"
 #include "device/virtual_falcon/virtual_link.h"
 #include "ghostforce_version.h"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/device/servo_scenes.h"
+#include "tests/device/servo/servo_scenes.h"
 
 namespace ghostforce {
 namespace {

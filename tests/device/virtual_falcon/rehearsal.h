@@ -9,9 +9,9 @@
 #include <gtest/gtest.h>
 
 #include "core/scene.h"
-#include "device/servo.h"
+#include "device/servo/servo.h"
 #include "device/virtual_falcon/virtual_falcon_input.h"
-#include "tests/device/motor_settings.h"
+#include "tests/device/servo/motor_settings.h"
 
 namespace ghostforce {
 

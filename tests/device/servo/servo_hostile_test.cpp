@@ -12,9 +12,9 @@
 
 #include "core/play.h"
 #include "device/input/mouse_input.h"
-#include "device/servo.h"
-#include "tests/device/servo_scenes.h"
-#include "tests/device/servo_steps.h"
+#include "device/servo/servo.h"
+#include "tests/device/servo/servo_scenes.h"
+#include "tests/device/servo/servo_steps.h"
 
 namespace ghostforce {
 namespace {

@@ -7,7 +7,7 @@
 #include "core/scene.h"
 #include "device/input/input.h"
 #include "device/input/scripted_input.h"
-#include "device/servo.h"
+#include "device/servo/servo.h"
 
 namespace ghostforce {
 

@@ -9,7 +9,7 @@
 
 #include "core/scene.h"
 #include "core/tick.h"
-#include "device/servo.h"
+#include "device/servo/servo.h"
 
 namespace ghostforce {
 

@@ -1,4 +1,4 @@
-#include "device/pacer.h"
+#include "device/servo/pacer.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "device/realtime.h"
+#include "device/servo/realtime.h"
 
 #include <algorithm>
 #include <cerrno>

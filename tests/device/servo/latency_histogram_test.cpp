@@ -1,4 +1,4 @@
-#include "device/lateness.h"
+#include "device/servo/latency_histogram.h"
 
 #include <gtest/gtest.h>
 

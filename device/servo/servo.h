@@ -23,8 +23,8 @@
 #include "core/snapshot.h"
 #include "core/tick.h"
 #include "device/input/input.h"
-#include "device/lateness.h"
-#include "device/realtime.h"
+#include "device/servo/latency_histogram.h"
+#include "device/servo/realtime.h"
 
 namespace ghostforce {
 

@@ -18,10 +18,10 @@
 
 #include "core/scene.h"
 #include "device/input/mouse_input.h"
-#include "device/servo.h"
+#include "device/servo/servo.h"
 #include "device/virtual_falcon/virtual_falcon_input.h"
 #include "tests/core/random_setting.h"
-#include "tests/device/servo_scenes.h"
+#include "tests/device/servo/servo_scenes.h"
 #include "tests/support/heap_guard.h"
 
 namespace ghostforce {

@@ -1,6 +1,6 @@
 // The servo with motors, stepped by hand on a device that does exactly as it is told: when do they push, with what, and
 // what makes them stop.
-#include "device/servo.h"
+#include "device/servo/servo.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "core/proxy.h"
-#include "tests/device/motor_settings.h"
+#include "tests/device/servo/motor_settings.h"
 
 namespace ghostforce {
 namespace {

@@ -1,5 +1,5 @@
 // The servo stepped by hand: one wake() is one deadline.
-#include "device/servo.h"
+#include "device/servo/servo.h"
 
 #include <limits>
 #include <memory>
@@ -9,8 +9,8 @@
 #include "core/play.h"
 #include "device/input/mouse_input.h"
 #include "device/input/scripted_input.h"
-#include "tests/device/servo_scenes.h"
-#include "tests/device/servo_steps.h"
+#include "tests/device/servo/servo_scenes.h"
+#include "tests/device/servo/servo_steps.h"
 
 namespace ghostforce {
 namespace {

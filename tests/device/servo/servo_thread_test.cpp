@@ -11,8 +11,8 @@
 
 #include "device/input/mouse_input.h"
 #include "device/input/scripted_input.h"
-#include "device/servo.h"
-#include "tests/device/servo_scenes.h"
+#include "device/servo/servo.h"
+#include "tests/device/servo/servo_scenes.h"
 
 namespace ghostforce {
 namespace {

@@ -1,4 +1,4 @@
-#include "device/servo.h"
+#include "device/servo/servo.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +15,8 @@
 #include "device/input/alternate_stack.h"
 #include "device/input/monotonic_clock.h"
 #include "device/last_resort.h"
-#include "device/pacer.h"
-#include "device/punctual_sleep.h"
+#include "device/servo/hybrid_sleep.h"
+#include "device/servo/pacer.h"
 
 namespace ghostforce {
 namespace {

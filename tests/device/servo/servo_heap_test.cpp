@@ -6,8 +6,8 @@
 
 #include "device/input/mouse_input.h"
 #include "device/input_catalog.h"
-#include "device/servo.h"
-#include "tests/device/servo_scenes.h"
+#include "device/servo/servo.h"
+#include "tests/device/servo/servo_scenes.h"
 #include "tests/support/heap_guard.h"
 
 namespace ghostforce {

@@ -1,4 +1,4 @@
-#include "device/punctual_sleep.h"
+#include "device/servo/hybrid_sleep.h"
 
 #include <algorithm>
 #include <cstdint>
