@@ -21,7 +21,7 @@
 #include "device/input/pointer_target.h"
 #include "device/input_catalog.h"
 #include "device/servo/servo.h"
-#include "device/spacemouse_input.h"
+#include "device/spacemouse/spacemouse_input.h"
 #include "device/virtual_falcon/virtual_falcon_input.h"
 
 namespace ghostforce {

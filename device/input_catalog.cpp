@@ -8,7 +8,7 @@
 #include "device/input/circle_input.h"
 #include "device/input/mouse_input.h"
 #include "device/input/scripted_input.h"
-#include "device/spacemouse_input.h"
+#include "device/spacemouse/spacemouse_input.h"
 #include "device/virtual_falcon/virtual_falcon_input.h"
 
 namespace ghostforce {

@@ -12,7 +12,7 @@
 #include "device/falcon/firmware_file.h"
 #include "device/falcon/usb_search.h"
 #include "device/servo/realtime.h"
-#include "device/spacemouse_input.h"
+#include "device/spacemouse/spacemouse_input.h"
 
 namespace ghostforce {
 

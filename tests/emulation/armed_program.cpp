@@ -34,7 +34,7 @@
 #include "device/falcon/ftdi_link.h"
 #include "device/last_resort.h"
 #include "device/servo/servo.h"
-#include "device/spacemouse_input.h"
+#include "device/spacemouse/spacemouse_input.h"
 #include "device/virtual_falcon/practice_firmware.h"
 #include "tests/device/servo/motor_settings.h"
 #include "tests/emulation/orders.h"

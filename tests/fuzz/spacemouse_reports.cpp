@@ -4,8 +4,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "device/spacemouse_motion.h"
-#include "device/spacemouse_report.h"
+#include "device/spacemouse/spacemouse_motion.h"
+#include "device/spacemouse/spacemouse_report.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace ghostforce;

@@ -1,4 +1,4 @@
-#include "device/spacemouse_motion.h"
+#include "device/spacemouse/spacemouse_motion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "device/spacemouse_report.h"
+#include "device/spacemouse/spacemouse_report.h"
 
 namespace ghostforce {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "core/latest_value.h"
 #include "device/input/input.h"
-#include "device/spacemouse_motion.h"
+#include "device/spacemouse/spacemouse_motion.h"
 
 namespace ghostforce {
 

@@ -1,4 +1,4 @@
-#include "device/spacemouse_input.h"
+#include "device/spacemouse/spacemouse_input.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -15,7 +15,7 @@
 #include <unistd.h>
 
 #include "device/input/alternate_stack.h"
-#include "device/spacemouse_report.h"
+#include "device/spacemouse/spacemouse_report.h"
 
 namespace ghostforce {
 namespace {

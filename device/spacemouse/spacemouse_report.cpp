@@ -1,4 +1,4 @@
-#include "device/spacemouse_report.h"
+#include "device/spacemouse/spacemouse_report.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "device/spacemouse_input.h"
+#include "device/spacemouse/spacemouse_input.h"
 
 namespace ghostforce {
 namespace {
