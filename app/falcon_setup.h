@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/command_options.h"
-#include "device/falcon/firmware_file.h"
+#include "device/falcon_usb/firmware_file.h"
 #include "device/input_catalog.h"
 
 namespace ghostforce {

@@ -7,7 +7,7 @@
 #include <cerrno>
 
 #include "app/failure.h"
-#include "device/last_resort.h"
+#include "device/falcon/emergency_stop.h"
 
 namespace ghostforce {
 namespace {

@@ -12,7 +12,7 @@
 #include "app/command_line.h"
 #include "app/failure.h"
 #include "app/interruption.h"
-#include "device/last_resort.h"
+#include "device/falcon/emergency_stop.h"
 
 namespace {
 

@@ -19,7 +19,7 @@
 
 #include "bench/prompt_chip.h"
 #include "device/falcon/falcon_input.h"
-#include "device/falcon/ftdi_link.h"
+#include "device/falcon_usb/ftdi_link.h"
 #include "device/input/mouse_input.h"
 #include "device/virtual_falcon/virtual_falcon_input.h"
 #include "tests/device/virtual_falcon/rehearsal.h"

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "device/falcon/falcon_input.h"
-#include "device/falcon/ftdi_link.h"
+#include "device/falcon_usb/ftdi_link.h"
 #include "device/input/circle_input.h"
 #include "device/input/mouse_input.h"
 #include "device/input/scripted_input.h"

@@ -9,7 +9,7 @@
 
 #include "core/scene.h"
 #include "device/falcon/falcon.h"
-#include "device/falcon/usb_search.h"
+#include "device/falcon_usb/usb_search.h"
 #include "device/input/input.h"
 #include "device/virtual_falcon/virtual_link.h"
 

@@ -27,7 +27,7 @@
 #include "app/scene_file.h"
 #include "app/words.h"
 #include "core/safety.h"
-#include "device/last_resort.h"
+#include "device/falcon/emergency_stop.h"
 #include "device/servo/realtime.h"
 
 namespace ghostforce {

@@ -9,8 +9,8 @@
 #include "app/failure.h"
 #include "device/falcon/calibration.h"
 #include "device/falcon/falcon_report.h"
-#include "device/falcon/firmware_file.h"
-#include "device/falcon/usb_search.h"
+#include "device/falcon_usb/firmware_file.h"
+#include "device/falcon_usb/usb_search.h"
 #include "device/servo/realtime.h"
 #include "device/spacemouse/spacemouse_input.h"
 

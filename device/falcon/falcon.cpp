@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <utility>
 
+#include "device/falcon/emergency_stop.h"
 #include "device/falcon/ftdi_requests.h"
-#include "device/last_resort.h"
 
 namespace ghostforce {
 namespace {

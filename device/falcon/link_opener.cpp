@@ -5,9 +5,9 @@
 
 #include <pthread.h>
 
+#include "device/falcon/emergency_stop.h"
 #include "device/input/alternate_stack.h"
 #include "device/input/monotonic_clock.h"
-#include "device/last_resort.h"
 
 namespace ghostforce {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <span>
 
-#include "device/last_resort.h"
+#include "device/falcon/emergency_stop.h"
 
 namespace ghostforce {
 namespace {

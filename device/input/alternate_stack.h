@@ -1,6 +1,6 @@
 // A stack for signal handlers, beside the one of the thread: where a thread has used up its own, a handler has room
-// nowhere else, and the process would end without emergency measures (device/last_resort.h). Each thread needs one
-// itself; threads that others make get none from the thread that made them.
+// nowhere else, and the process would end without emergency measures (device/falcon/emergency_stop.h). Each thread
+// needs one itself; threads that others make get none from the thread that made them.
 #pragma once
 
 #include <csignal>

@@ -12,9 +12,9 @@
 #include "core/proxy.h"
 #include "core/scene.h"
 #include "core/sound_state.h"
+#include "device/falcon/emergency_stop.h"
 #include "device/input/alternate_stack.h"
 #include "device/input/monotonic_clock.h"
-#include "device/last_resort.h"
 #include "device/servo/hybrid_sleep.h"
 #include "device/servo/pacer.h"
 

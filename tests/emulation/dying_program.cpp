@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "device/falcon/ftdi_link.h"
+#include "device/falcon_usb/ftdi_link.h"
 
 namespace {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "device/falcon/usb_search.h"
+#include "device/falcon_usb/usb_search.h"
 #include "tests/emulation/test_bed.h"
 
 namespace ghostforce {

@@ -16,7 +16,7 @@
 #include <thread>
 #include <vector>
 
-#include "device/falcon/usb_search.h"
+#include "device/falcon_usb/usb_search.h"
 #include "tests/emulation/emulated_chip.h"
 #include "tests/emulation/test_bed.h"
 #include "tests/emulation/usb_misbehaviour.h"

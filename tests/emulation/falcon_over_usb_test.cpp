@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "device/falcon/falcon_input.h"
-#include "device/falcon/ftdi_link.h"
+#include "device/falcon_usb/ftdi_link.h"
 #include "device/virtual_falcon/practice_firmware.h"
 #include "tests/emulation/emulated_usb_device.h"
 #include "tests/emulation/falcon_chip.h"

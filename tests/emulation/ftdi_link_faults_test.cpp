@@ -1,6 +1,6 @@
 // The Falcon's link with the real libusb, when endpoints halt, stall and do not listen: the motors' zero gets through,
 // ahead of all that waits, or it is still owed when the device listens again.
-#include "device/falcon/ftdi_link.h"
+#include "device/falcon_usb/ftdi_link.h"
 
 #include <functional>
 #include <vector>

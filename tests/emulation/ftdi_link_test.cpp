@@ -1,5 +1,5 @@
 // The Falcon's link with the real libusb, against devices that exist only at the kernel's boundary.
-#include "device/falcon/ftdi_link.h"
+#include "device/falcon_usb/ftdi_link.h"
 
 #include <cerrno>
 #include <chrono>

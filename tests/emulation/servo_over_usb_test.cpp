@@ -18,8 +18,8 @@
 #include <gtest/gtest.h>
 
 #include "device/falcon/falcon_input.h"
-#include "device/falcon/ftdi_link.h"
 #include "device/falcon/plane.h"
+#include "device/falcon_usb/ftdi_link.h"
 #include "device/servo/servo.h"
 #include "tests/device/servo/motor_settings.h"
 #include "tests/emulation/emulated_usb_device.h"

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "device/falcon/boot_loader.h"
-#include "device/falcon/firmware_file.h"
+#include "device/falcon_usb/firmware_file.h"
 #include "device/virtual_falcon/virtual_link.h"
 #include "tests/fuzz/fuzz.h"
 

@@ -1,5 +1,5 @@
 // Boot tables that are made here, whole and broken in every way.
-#include "device/falcon/firmware_file.h"
+#include "device/falcon_usb/firmware_file.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

@@ -1,4 +1,4 @@
-#include "device/falcon/firmware_file.h"
+#include "device/falcon_usb/firmware_file.h"
 
 #include <openssl/evp.h>
 

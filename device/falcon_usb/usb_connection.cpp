@@ -1,4 +1,4 @@
-#include "device/falcon/usb_connection.h"
+#include "device/falcon_usb/usb_connection.h"
 
 #include <algorithm>
 #include <cstdlib>

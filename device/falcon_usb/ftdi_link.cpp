@@ -1,4 +1,4 @@
-#include "device/falcon/ftdi_link.h"
+#include "device/falcon_usb/ftdi_link.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -9,8 +9,8 @@
 #include <sys/ioctl.h>
 #include <time.h>
 
+#include "device/falcon/emergency_stop.h"
 #include "device/input/monotonic_clock.h"
-#include "device/last_resort.h"
 
 namespace ghostforce {
 namespace {

@@ -17,8 +17,8 @@
 #include <utility>
 
 #include "device/falcon/falcon_link.h"
-#include "device/falcon/usb_connection.h"
-#include "device/falcon/usb_search.h"
+#include "device/falcon_usb/usb_connection.h"
+#include "device/falcon_usb/usb_search.h"
 
 struct libusb_transfer;
 

@@ -1,4 +1,4 @@
-#include "device/last_resort.h"
+#include "device/falcon/emergency_stop.h"
 
 #include <poll.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-#include "device/falcon/usb_search.h"
+#include "device/falcon_usb/usb_search.h"
 
 #include <array>
 #include <cerrno>

@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "device/falcon/falcon_link.h"
-#include "device/falcon/usb_search.h"
+#include "device/falcon_usb/usb_search.h"
 
 struct libusb_context;
 struct libusb_device_handle;
