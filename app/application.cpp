@@ -8,14 +8,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "app/failure.h"
+#include "app/console/failure.h"
+#include "app/console/quoted.h"
 #include "app/input_choices.h"
 #include "app/output_file.h"
 #include "app/paint/vector_painter.h"
 #include "app/panels/panel_catalog.h"
 #include "app/plots/plot_export.h"
 #include "app/png_file.h"
-#include "app/printable.h"
 #include "app/run_hand.h"
 #include "app/run_reader.h"
 #include "app/saving.h"

@@ -15,11 +15,11 @@
 
 #include "app/command_options.h"
 #include "app/commands/command.h"
-#include "app/failure.h"
-#include "app/nearest_name.h"
+#include "app/console/did_you_mean.h"
+#include "app/console/failure.h"
+#include "app/console/quoted.h"
 #include "app/output_file.h"
 #include "app/own_inputs.h"
-#include "app/printable.h"
 #include "app/scene_file.h"
 #include "ghostforce_version.h"
 

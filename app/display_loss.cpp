@@ -10,7 +10,7 @@
 #include <thread>
 #include <utility>
 
-#include "app/failure.h"
+#include "app/console/failure.h"
 
 #define GLFW_EXPOSE_NATIVE_WAYLAND
 #define GLFW_NATIVE_INCLUDE_NONE  // nothing of Wayland is needed to build

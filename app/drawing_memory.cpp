@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "app/failure.h"
+#include "app/console/failure.h"
 
 namespace ghostforce {
 namespace {

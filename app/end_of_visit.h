@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "app/failure.h"
+#include "app/console/failure.h"
 #include "core/motor_report.h"
 #include "core/spacemouse.h"
 #include "device/falcon/falcon_report.h"

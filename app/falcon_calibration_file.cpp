@@ -13,13 +13,13 @@
 #include <fmt/ranges.h>
 #include <toml++/toml.h>
 
-#include "app/failure.h"
+#include "app/console/did_you_mean.h"
+#include "app/console/failure.h"
+#include "app/console/quoted.h"
 #include "app/file_contents.h"
 #include "app/file_kind.h"
 #include "app/first_problems.h"
-#include "app/nearest_name.h"
 #include "app/output_file.h"
-#include "app/printable.h"
 #include "app/toml_text.h"
 #include "device/config_folder.h"
 

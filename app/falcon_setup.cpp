@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 
 #include "app/commands/command.h"
-#include "app/failure.h"
+#include "app/console/failure.h"
+#include "app/console/quoted.h"
 #include "app/falcon_calibration_file.h"
-#include "app/printable.h"
 #include "device/virtual_falcon/misbehaviour.h"
 
 namespace ghostforce {

@@ -7,7 +7,7 @@
 #include <cerrno>
 #include <system_error>
 
-#include "app/interruption.h"
+#include "app/console/interruption.h"
 
 namespace ghostforce {
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <system_error>
 
-#include "app/failure.h"
+#include "app/console/failure.h"
 #include "ghostforce_paths.h"
 
 namespace ghostforce {

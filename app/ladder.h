@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/failure.h"
+#include "app/console/failure.h"
 
 namespace ghostforce {
 

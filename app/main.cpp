@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "app/command_line.h"
-#include "app/failure.h"
-#include "app/interruption.h"
+#include "app/console/failure.h"
+#include "app/console/interruption.h"
 #include "device/falcon/emergency_stop.h"
 
 namespace {

@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "app/words.h"
+#include "app/console/words.h"
 
 namespace ghostforce {
 namespace {

@@ -17,11 +17,11 @@
 
 #include <fmt/core.h>
 
+#include "app/console/failure.h"
+#include "app/console/interruption.h"
+#include "app/console/quoted.h"
 #include "app/disk_sync.h"
-#include "app/failure.h"
-#include "app/interruption.h"
 #include "app/part_file.h"
-#include "app/printable.h"
 
 namespace ghostforce {
 namespace {

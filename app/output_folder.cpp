@@ -7,9 +7,9 @@
 #include <cerrno>
 #include <system_error>
 
+#include "app/console/failure.h"
+#include "app/console/quoted.h"
 #include "app/disk_sync.h"
-#include "app/failure.h"
-#include "app/printable.h"
 
 namespace ghostforce {
 namespace {

@@ -10,8 +10,8 @@
 
 #include <fmt/format.h>
 
-#include "app/failure.h"
-#include "app/printable.h"
+#include "app/console/failure.h"
+#include "app/console/quoted.h"
 
 namespace ghostforce {
 namespace {

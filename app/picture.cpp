@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "app/failure.h"
+#include "app/console/failure.h"
+#include "app/console/interruption.h"
 #include "app/input_choices.h"
-#include "app/interruption.h"
 #include "app/paint/json_painter.h"
 #include "app/panels/panel_catalog.h"
 #include "app/window.h"

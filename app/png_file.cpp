@@ -13,8 +13,8 @@
 #include <new>
 #include <vector>
 
-#include "app/failure.h"
-#include "app/printable.h"
+#include "app/console/failure.h"
+#include "app/console/quoted.h"
 
 namespace ghostforce {
 namespace {

@@ -17,11 +17,11 @@
 
 #include <fmt/compile.h>
 
+#include "app/console/failure.h"
+#include "app/console/interruption.h"
+#include "app/console/quoted.h"
 #include "app/disk_sync.h"
-#include "app/failure.h"
-#include "app/interruption.h"
 #include "app/output_file.h"
-#include "app/printable.h"
 #include "app/run_file.h"
 #include "device/input/alternate_stack.h"
 

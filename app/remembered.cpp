@@ -10,11 +10,11 @@
 
 #include <fmt/format.h>
 
-#include "app/failure.h"
+#include "app/console/failure.h"
+#include "app/console/quoted.h"
 #include "app/file_contents.h"
 #include "app/file_kind.h"
 #include "app/output_file.h"
-#include "app/printable.h"
 #include "app/toml_text.h"
 #include "app/window.h"
 #include "device/config_folder.h"

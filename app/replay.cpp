@@ -5,7 +5,7 @@
 #include <bit>
 #include <cmath>
 
-#include "app/failure.h"
+#include "app/console/failure.h"
 #include "app/run_hand.h"
 
 namespace ghostforce {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/failure.h"
+#include "app/console/failure.h"
 #include "app/run_length.h"
 #include "core/play.h"
 

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "app/failure.h"
+#include "app/console/failure.h"
 #include "app/run_reader.h"
 
 namespace ghostforce {

@@ -15,12 +15,12 @@
 
 #include <fmt/format.h>
 
-#include "app/failure.h"
+#include "app/console/failure.h"
+#include "app/console/interruption.h"
+#include "app/console/progress.h"
+#include "app/console/quoted.h"
 #include "app/file_contents.h"
 #include "app/file_kind.h"
-#include "app/interruption.h"
-#include "app/printable.h"
-#include "app/progress.h"
 #include "app/run_length.h"
 #include "app/run_line.h"
 #include "app/run_remarks.h"

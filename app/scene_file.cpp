@@ -15,10 +15,10 @@
 
 #include <fmt/format.h>
 
-#include "app/failure.h"
+#include "app/console/did_you_mean.h"
+#include "app/console/failure.h"
+#include "app/console/quoted.h"
 #include "app/file_contents.h"
-#include "app/nearest_name.h"
-#include "app/printable.h"
 #include "app/toml_text.h"
 #include "embedded_scenes.h"
 

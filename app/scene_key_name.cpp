@@ -9,8 +9,8 @@
 
 #include <fmt/core.h>
 
-#include "app/nearest_name.h"
-#include "app/printable.h"
+#include "app/console/did_you_mean.h"
+#include "app/console/quoted.h"
 
 namespace ghostforce {
 namespace {

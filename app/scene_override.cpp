@@ -7,7 +7,7 @@
 
 #include <fmt/core.h>
 
-#include "app/printable.h"
+#include "app/console/quoted.h"
 #include "app/scene_key_name.h"
 #include "app/toml_text.h"
 

@@ -5,10 +5,10 @@
 #include <system_error>
 #include <utility>
 
-#include "app/failure.h"
+#include "app/console/failure.h"
+#include "app/console/quoted.h"
 #include "app/file_contents.h"
 #include "app/paint/gl/shader_program.h"
-#include "app/printable.h"
 
 namespace ghostforce {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <fmt/core.h>
 
-#include "app/printable.h"
+#include "app/console/quoted.h"
 
 namespace ghostforce {
 namespace {

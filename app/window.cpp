@@ -14,9 +14,9 @@
 #include <cstdlib>
 #include <utility>
 
+#include "app/console/failure.h"
 #include "app/display_loss.h"
 #include "app/drawing_memory.h"
-#include "app/failure.h"
 #include "app/font_file.h"
 #include "app/key_layout.h"
 #include "app/offscreen_driver.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "app/unicode.h"
+#include "app/console/unicode.h"
 
 namespace ghostforce {
 namespace {

@@ -12,14 +12,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "app/failure.h"
+#include "app/console/did_you_mean.h"
+#include "app/console/failure.h"
+#include "app/console/quoted.h"
+#include "app/console/unicode.h"
 #include "app/file_contents.h"
 #include "app/first_problems.h"
-#include "app/nearest_name.h"
-#include "app/printable.h"
 #include "app/scene_file.h"
 #include "app/toml_text.h"
-#include "app/unicode.h"
 
 namespace ghostforce {
 namespace {

@@ -8,13 +8,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "app/failure.h"
+#include "app/console/did_you_mean.h"
+#include "app/console/failure.h"
+#include "app/console/interruption.h"
+#include "app/console/quoted.h"
+#include "app/console/unicode.h"
 #include "app/file_kind.h"
-#include "app/interruption.h"
-#include "app/nearest_name.h"
 #include "app/output_file.h"
-#include "app/printable.h"
-#include "app/unicode.h"
 
 namespace ghostforce {
 namespace {

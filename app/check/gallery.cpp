@@ -6,8 +6,8 @@
 #include <fmt/ranges.h>
 
 #include "app/check/case_folder.h"
-#include "app/failure.h"
-#include "app/printable.h"
+#include "app/console/failure.h"
+#include "app/console/quoted.h"
 
 namespace ghostforce {
 namespace {

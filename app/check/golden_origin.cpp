@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "app/failure.h"
-#include "app/printable.h"
+#include "app/console/failure.h"
+#include "app/console/quoted.h"
 #include "app/toml_text.h"
 #include "ghostforce_version.h"
 

@@ -11,14 +11,14 @@
 #include <fmt/ranges.h>
 
 #include "app/check/gallery.h"
+#include "app/console/failure.h"
+#include "app/console/interruption.h"
+#include "app/console/progress.h"
+#include "app/console/quoted.h"
 #include "app/disk_sync.h"
-#include "app/failure.h"
 #include "app/file_kind.h"
-#include "app/interruption.h"
 #include "app/output_file.h"
 #include "app/png_file.h"
-#include "app/printable.h"
-#include "app/progress.h"
 
 namespace ghostforce {
 namespace {

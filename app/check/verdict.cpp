@@ -9,10 +9,10 @@
 #include <fmt/format.h>
 
 #include "app/check/shell_word.h"
-#include "app/failure.h"
+#include "app/console/failure.h"
+#include "app/console/quoted.h"
 #include "app/file_kind.h"
 #include "app/png_file.h"
-#include "app/printable.h"
 
 namespace ghostforce {
 namespace {

@@ -18,12 +18,12 @@
 #include "app/check/verdict.h"
 #include "app/commands/command.h"
 #include "app/commands/command_catalog.h"
-#include "app/failure.h"
-#include "app/interruption.h"
+#include "app/console/failure.h"
+#include "app/console/interruption.h"
+#include "app/console/progress.h"
+#include "app/console/quoted.h"
+#include "app/console/words.h"
 #include "app/output_file.h"
-#include "app/printable.h"
-#include "app/progress.h"
-#include "app/words.h"
 
 namespace ghostforce {
 namespace {

@@ -8,9 +8,9 @@
 
 #include <fmt/core.h>
 
-#include "app/failure.h"
-#include "app/nearest_name.h"
-#include "app/printable.h"
+#include "app/console/did_you_mean.h"
+#include "app/console/failure.h"
+#include "app/console/quoted.h"
 #include "app/scene_file.h"
 
 namespace ghostforce {

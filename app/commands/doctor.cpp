@@ -16,16 +16,16 @@
 
 #include "app/commands/command.h"
 #include "app/commands/command_catalog.h"
+#include "app/console/failure.h"
+#include "app/console/interruption.h"
+#include "app/console/words.h"
 #include "app/doctor/diagnosis.h"
 #include "app/doctor/examination.h"
 #include "app/doctor/measure/measure_command.h"
 #include "app/doctor/udev_rule.h"
-#include "app/failure.h"
 #include "app/falcon_setup.h"
-#include "app/interruption.h"
 #include "app/ladder.h"
 #include "app/output_file.h"
-#include "app/words.h"
 #include "core/scene.h"
 
 namespace ghostforce {

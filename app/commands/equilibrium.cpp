@@ -12,9 +12,9 @@
 
 #include "app/commands/command.h"
 #include "app/commands/command_catalog.h"
-#include "app/failure.h"
+#include "app/console/failure.h"
+#include "app/console/quoted.h"
 #include "app/output_file.h"
-#include "app/printable.h"
 #include "core/prediction.h"
 
 namespace ghostforce {

@@ -13,16 +13,16 @@
 
 #include "app/commands/command.h"
 #include "app/commands/command_catalog.h"
-#include "app/failure.h"
+#include "app/console/failure.h"
+#include "app/console/interruption.h"
+#include "app/console/progress.h"
+#include "app/console/quoted.h"
+#include "app/console/words.h"
 #include "app/figures/figure_catalog.h"
 #include "app/figures/figure_files.h"
 #include "app/figures/recorded_hand.h"
-#include "app/interruption.h"
 #include "app/output_folder.h"
-#include "app/printable.h"
-#include "app/progress.h"
 #include "app/run_reader.h"
-#include "app/words.h"
 
 namespace ghostforce {
 namespace {

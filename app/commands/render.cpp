@@ -10,12 +10,12 @@
 #include "app/commands/command.h"
 #include "app/commands/command_catalog.h"
 #include "app/commands/picture_options.h"
-#include "app/failure.h"
+#include "app/console/failure.h"
+#include "app/console/quoted.h"
 #include "app/output_file.h"
 #include "app/paint/vector_painter.h"
 #include "app/picture.h"
 #include "app/png_file.h"
-#include "app/printable.h"
 
 namespace ghostforce {
 namespace {

@@ -9,10 +9,10 @@
 
 #include "app/commands/command.h"
 #include "app/commands/command_catalog.h"
-#include "app/failure.h"
-#include "app/interruption.h"
+#include "app/console/failure.h"
+#include "app/console/interruption.h"
+#include "app/console/progress.h"
 #include "app/output_file.h"
-#include "app/progress.h"
 #include "app/run_file.h"
 #include "core/play.h"
 

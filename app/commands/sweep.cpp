@@ -14,14 +14,14 @@
 
 #include "app/commands/command.h"
 #include "app/commands/command_catalog.h"
-#include "app/failure.h"
-#include "app/interruption.h"
+#include "app/console/failure.h"
+#include "app/console/interruption.h"
+#include "app/console/progress.h"
+#include "app/console/words.h"
 #include "app/output_file.h"
-#include "app/progress.h"
 #include "app/run_file.h"
 #include "app/sweep/rows.h"
 #include "app/sweep/sweep.h"
-#include "app/words.h"
 
 namespace ghostforce {
 namespace {

@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/console/quoted.h"
 #include "app/falcon_setup.h"
 #include "app/ladder.h"
-#include "app/printable.h"
 
 namespace ghostforce {
 namespace {

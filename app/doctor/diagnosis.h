@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "app/failure.h"
+#include "app/console/failure.h"
 #include "device/falcon/calibration.h"
 #include "device/falcon/falcon_report.h"
 #include "device/falcon_usb/firmware_file.h"

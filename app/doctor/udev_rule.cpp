@@ -14,9 +14,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "app/failure.h"
+#include "app/console/failure.h"
+#include "app/console/quoted.h"
 #include "app/output_file.h"
-#include "app/printable.h"
 #include "embedded_udev_rule.h"
 
 namespace ghostforce {

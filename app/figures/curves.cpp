@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "app/failure.h"
+#include "app/console/failure.h"
 #include "app/figures/sheet.h"
 #include "core/play.h"
 #include "core/sound_state.h"

@@ -1,7 +1,7 @@
 #include "app/figures/figure_files.h"
 
+#include "app/console/interruption.h"
 #include "app/figures/sheet.h"
-#include "app/interruption.h"
 #include "app/paint/image_painter.h"
 #include "app/paint/vector_painter.h"
 #include "app/png_file.h"

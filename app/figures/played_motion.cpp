@@ -10,8 +10,8 @@
 
 #include <fmt/format.h>
 
-#include "app/failure.h"
-#include "app/interruption.h"
+#include "app/console/failure.h"
+#include "app/console/interruption.h"
 #include "app/run_file.h"
 #include "core/ghost_force.h"
 #include "core/play.h"

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "app/failure.h"
+#include "app/console/failure.h"
 #include "app/run_hand.h"
 
 namespace ghostforce {

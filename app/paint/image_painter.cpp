@@ -9,7 +9,7 @@
 #include <cstring>
 #include <memory>
 
-#include "app/failure.h"
+#include "app/console/failure.h"
 #include "app/paint/vector_painter.h"
 
 namespace ghostforce {

@@ -16,9 +16,9 @@
 #include <numbers>
 #include <span>
 
-#include "app/failure.h"
+#include "app/console/failure.h"
+#include "app/console/quoted.h"
 #include "app/font_file.h"
-#include "app/printable.h"
 #include "app/xml_text.h"
 #include "ghostforce_version.h"
 

@@ -6,8 +6,8 @@
 
 #include <fmt/core.h>
 
-#include "app/failure.h"
-#include "app/printable.h"
+#include "app/console/failure.h"
+#include "app/console/quoted.h"
 #include "app/scene_key_name.h"
 
 namespace ghostforce {

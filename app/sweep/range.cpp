@@ -11,7 +11,7 @@
 
 #include <fmt/compile.h>
 
-#include "app/printable.h"
+#include "app/console/quoted.h"
 #include "app/scene_key_name.h"
 
 namespace ghostforce {

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "app/interruption.h"
+#include "app/console/interruption.h"
 #include "app/sweep/in_order.h"
 #include "app/sweep/rows.h"
 

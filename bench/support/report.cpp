@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "app/failure.h"
+#include "app/console/failure.h"
 #include "app/output_file.h"
 
 namespace ghostforce::bench {

@@ -10,9 +10,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/console/failure.h"
 #include "app/doctor/examination.h"
 #include "app/doctor/udev_rule.h"
-#include "app/failure.h"
 #include "app/ladder.h"
 #include "core/motor_report.h"
 #include "device/virtual_falcon/virtual_falcon_input.h"

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/failure.h"
+#include "app/console/failure.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce {

@@ -6,9 +6,9 @@
 #include <string>
 #include <string_view>
 
-#include "app/failure.h"
+#include "app/console/failure.h"
+#include "app/console/interruption.h"
 #include "app/falcon_calibration_file.h"
-#include "app/interruption.h"
 #include "device/falcon_measurement/encoder_wiring.h"
 #include "tests/app/measured_rehearsal.h"
 

@@ -9,7 +9,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/failure.h"
+#include "app/console/failure.h"
 #include "device/virtual_falcon/practice_firmware.h"
 #include "tests/support/temporary_folder.h"
 

@@ -8,12 +8,12 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "app/failure.h"
+#include "app/console/failure.h"
+#include "app/console/unicode.h"
 #include "app/paint/vector_painter.h"
 #include "app/scene_file.h"
 #include "app/scene_reader.h"
 #include "app/theme.h"
-#include "app/unicode.h"
 #include "tests/app/vector_panes.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"

@@ -17,7 +17,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/failure.h"
+#include "app/console/failure.h"
 #include "app/output_folder.h"
 #include "tests/support/file_calls.h"
 #include "tests/support/program.h"

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/failure.h"
+#include "app/console/failure.h"
 #include "tests/app/png_pieces.h"
 #include "tests/support/temporary_folder.h"
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <thread>
 
-#include "app/failure.h"
+#include "app/console/failure.h"
 #include "app/replay.h"
 #include "app/run_reader.h"
 #include "device/input/mouse_input.h"

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/failure.h"
+#include "app/console/failure.h"
 #include "app/run_hand.h"
 #include "app/scene_file.h"
 #include "core/play.h"

@@ -16,7 +16,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/failure.h"
+#include "app/console/failure.h"
 #include "app/file_contents.h"
 #include "embedded_scenes.h"
 #include "tests/support/scene_values.h"

@@ -13,8 +13,8 @@
 
 #include <gtest/gtest.h>
 
-#include "app/failure.h"
-#include "app/printable.h"
+#include "app/console/failure.h"
+#include "app/console/quoted.h"
 #include "tests/support/scene_values.h"
 
 namespace ghostforce {

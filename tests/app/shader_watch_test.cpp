@@ -5,7 +5,7 @@
 #include <chrono>
 #include <filesystem>
 
-#include "app/failure.h"
+#include "app/console/failure.h"
 #include "embedded_shaders.h"
 #include "tests/app/driven_window.h"
 #include "tests/support/temporary_folder.h"

@@ -23,7 +23,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "app/progress.h"
+#include "app/console/progress.h"
 #include "app/run_file.h"
 #include "app/scene_file.h"
 #include "app/scene_key_name.h"

@@ -26,8 +26,8 @@
 #include <thread>
 #include <utility>
 
-#include "app/failure.h"
-#include "app/interruption.h"
+#include "app/console/failure.h"
+#include "app/console/interruption.h"
 #include "app/recording.h"
 #include "app/scene_file.h"
 #include "device/falcon/emergency_stop.h"

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/failure.h"
+#include "app/console/failure.h"
 #include "device/falcon/plane.h"
 #include "tests/emulation/emulated_usb_device.h"
 #include "tests/emulation/falcon_chip.h"

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "app/command_line.h"
-#include "app/failure.h"
+#include "app/console/failure.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace ghostforce;

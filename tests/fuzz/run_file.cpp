@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/failure.h"
+#include "app/console/failure.h"
 #include "app/replay.h"
 #include "app/run_hand.h"
 #include "app/run_reader.h"

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "app/failure.h"
+#include "app/console/failure.h"
 #include "app/scene_file.h"
 #include "tests/fuzz/fuzz.h"
 #include "tests/support/scene_values.h"

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "app/console/quoted.h"
 #include "app/doctor/measure/steps.h"
-#include "app/printable.h"
 #include "device/falcon/falcon_report.h"
 #include "device/falcon_measurement/silence.h"
 

@@ -10,12 +10,12 @@
 
 #include <fmt/format.h>
 
+#include "app/console/failure.h"
+#include "app/console/quoted.h"
 #include "app/doctor/measure/measurement.h"
 #include "app/doctor/measure/terminal_operator.h"
-#include "app/failure.h"
 #include "app/falcon_calibration_file.h"
 #include "app/output_file.h"
-#include "app/printable.h"
 #include "device/falcon/emergency_stop.h"
 #include "device/falcon_usb/ftdi_link.h"
 #include "device/servo/realtime.h"

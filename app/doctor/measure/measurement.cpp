@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 
+#include "app/console/failure.h"
+#include "app/console/interruption.h"
 #include "app/doctor/measure/steps.h"
-#include "app/failure.h"
 #include "app/falcon_calibration_file.h"
-#include "app/interruption.h"
 #include "app/ladder.h"
 
 namespace ghostforce {

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "app/console/quoted.h"
 #include "app/doctor/measure/steps.h"
-#include "app/printable.h"
 #include "device/falcon_measurement/encoder_wiring.h"
 #include "device/falcon_measurement/ruler.h"
 

@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
-#include "app/failure.h"
-#include "app/interruption.h"
-#include "app/printable.h"
+#include "app/console/failure.h"
+#include "app/console/interruption.h"
+#include "app/console/quoted.h"
 
 namespace ghostforce {
 namespace {

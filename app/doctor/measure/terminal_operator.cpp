@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "app/interruption.h"
-#include "app/words.h"
+#include "app/console/interruption.h"
+#include "app/console/words.h"
 
 namespace ghostforce {
 namespace {

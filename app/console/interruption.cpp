@@ -1,4 +1,4 @@
-#include "app/interruption.h"
+#include "app/console/interruption.h"
 
 #include <fcntl.h>
 #include <signal.h>
@@ -6,7 +6,7 @@
 #include <atomic>
 #include <cerrno>
 
-#include "app/failure.h"
+#include "app/console/failure.h"
 #include "device/falcon/emergency_stop.h"
 
 namespace ghostforce {

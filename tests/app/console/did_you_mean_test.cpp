@@ -1,4 +1,4 @@
-#include "app/nearest_name.h"
+#include "app/console/did_you_mean.h"
 
 #include <array>
 #include <optional>

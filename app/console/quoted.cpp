@@ -1,10 +1,10 @@
-#include "app/printable.h"
+#include "app/console/quoted.h"
 
 #include <algorithm>
 
 #include <fmt/core.h>
 
-#include "app/unicode.h"
+#include "app/console/unicode.h"
 
 namespace ghostforce {
 namespace {

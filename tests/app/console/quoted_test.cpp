@@ -1,4 +1,4 @@
-#include "app/printable.h"
+#include "app/console/quoted.h"
 
 #include <array>
 #include <string>

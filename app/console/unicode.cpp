@@ -1,4 +1,4 @@
-#include "app/unicode.h"
+#include "app/console/unicode.h"
 
 #include <fmt/core.h>
 

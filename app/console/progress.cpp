@@ -1,4 +1,4 @@
-#include "app/progress.h"
+#include "app/console/progress.h"
 
 #include <unistd.h>
 
@@ -9,7 +9,7 @@
 
 #include <fmt/core.h>
 
-#include "app/words.h"
+#include "app/console/words.h"
 
 namespace ghostforce {
 namespace {
