@@ -18,9 +18,9 @@
 #include "app/console/did_you_mean.h"
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
-#include "app/output_file.h"
+#include "app/files/output_file.h"
+#include "app/files/scene_file.h"
 #include "app/own_inputs.h"
-#include "app/scene_file.h"
 #include "ghostforce_version.h"
 
 namespace ghostforce {

@@ -10,7 +10,7 @@
 #include "app/commands/command.h"
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
-#include "app/falcon_calibration_file.h"
+#include "app/files/falcon_calibration_file.h"
 #include "device/virtual_falcon/misbehaviour.h"
 
 namespace ghostforce {

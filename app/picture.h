@@ -9,7 +9,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "app/image.h"
+#include "app/files/image.h"
 #include "app/screen.h"
 #include "app/view/history.h"
 #include "app/view/panes.h"

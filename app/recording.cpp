@@ -20,9 +20,9 @@
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
 #include "app/console/quoted.h"
-#include "app/disk_sync.h"
-#include "app/output_file.h"
-#include "app/run_file.h"
+#include "app/files/disk_sync.h"
+#include "app/files/output_file.h"
+#include "app/files/run_file.h"
 #include "device/input/alternate_stack.h"
 
 namespace ghostforce {

@@ -14,7 +14,7 @@
 
 #include <fmt/format.h>
 
-#include "app/run_length.h"
+#include "app/files/run_length.h"
 #include "core/scene.h"
 #include "device/servo/servo.h"
 

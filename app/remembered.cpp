@@ -12,12 +12,12 @@
 
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
-#include "app/file_contents.h"
-#include "app/file_kind.h"
-#include "app/output_file.h"
-#include "app/toml_text.h"
+#include "app/files/config_folder.h"
+#include "app/files/file_kind.h"
+#include "app/files/input_file.h"
+#include "app/files/output_file.h"
+#include "app/files/toml_text.h"
 #include "app/window.h"
-#include "device/config_folder.h"
 
 namespace ghostforce {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/console/failure.h"
-#include "app/run_length.h"
+#include "app/files/run_length.h"
 #include "core/play.h"
 
 namespace ghostforce {

@@ -1,7 +1,7 @@
 #include "app/saving.h"
 
-#include "app/output_file.h"
-#include "app/scene_file.h"
+#include "app/files/output_file.h"
+#include "app/files/scene_file.h"
 
 namespace ghostforce {
 

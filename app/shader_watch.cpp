@@ -7,7 +7,7 @@
 
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
-#include "app/file_contents.h"
+#include "app/files/input_file.h"
 #include "app/paint/gl/shader_program.h"
 
 namespace ghostforce {

@@ -10,7 +10,7 @@
 
 #include <imgui.h>
 
-#include "app/image.h"
+#include "app/files/image.h"
 #include "app/key_press.h"
 
 struct GLFWwindow;

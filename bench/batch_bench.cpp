@@ -22,7 +22,7 @@
 
 #include <fmt/format.h>
 
-#include "app/scene_file.h"
+#include "app/files/scene_file.h"
 #include "app/sweep/sweep.h"
 #include "bench/batch_by_hand.h"
 #include "bench/support/contest.h"

@@ -23,9 +23,9 @@
 #include <utility>
 #include <vector>
 
+#include "app/files/scene_file.h"
 #include "app/input_choices.h"
 #include "app/panels/panel_catalog.h"
-#include "app/scene_file.h"
 #include "app/screen.h"
 #include "bench/support/contest.h"
 #include "bench/support/report.h"

@@ -25,7 +25,7 @@
 #include <vector>
 
 #include "app/application.h"
-#include "app/scene_file.h"
+#include "app/files/scene_file.h"
 #include "bench/support/contest.h"
 #include "bench/support/report.h"
 #include "device/input/monotonic_clock.h"

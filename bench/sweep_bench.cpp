@@ -7,7 +7,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "app/scene_file.h"
+#include "app/files/scene_file.h"
 #include "app/sweep/settle.h"
 #include "app/sweep/sweep.h"
 

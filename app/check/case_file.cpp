@@ -16,10 +16,10 @@
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
 #include "app/console/unicode.h"
-#include "app/file_contents.h"
-#include "app/first_problems.h"
-#include "app/scene_file.h"
-#include "app/toml_text.h"
+#include "app/files/first_problems.h"
+#include "app/files/input_file.h"
+#include "app/files/scene_file.h"
+#include "app/files/toml_text.h"
 
 namespace ghostforce {
 namespace {

@@ -13,8 +13,8 @@
 #include "app/console/interruption.h"
 #include "app/console/quoted.h"
 #include "app/console/unicode.h"
-#include "app/file_kind.h"
-#include "app/output_file.h"
+#include "app/files/file_kind.h"
+#include "app/files/output_file.h"
 
 namespace ghostforce {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "app/image.h"
+#include "app/files/image.h"
 
 namespace ghostforce {
 

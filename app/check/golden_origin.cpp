@@ -10,7 +10,7 @@
 
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
-#include "app/toml_text.h"
+#include "app/files/toml_text.h"
 #include "ghostforce_version.h"
 
 namespace ghostforce {

@@ -11,7 +11,7 @@
 
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
-#include "app/xml_text.h"
+#include "app/files/xml_text.h"
 #include "ghostforce_version.h"
 
 namespace ghostforce {

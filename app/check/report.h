@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/check/verdict.h"
-#include "app/output_file.h"
+#include "app/files/output_file.h"
 
 namespace ghostforce {
 

@@ -15,10 +15,10 @@
 #include "app/console/interruption.h"
 #include "app/console/progress.h"
 #include "app/console/quoted.h"
-#include "app/disk_sync.h"
-#include "app/file_kind.h"
-#include "app/output_file.h"
-#include "app/png_file.h"
+#include "app/files/disk_sync.h"
+#include "app/files/file_kind.h"
+#include "app/files/output_file.h"
+#include "app/files/png_file.h"
 
 namespace ghostforce {
 namespace {

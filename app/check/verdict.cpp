@@ -11,8 +11,8 @@
 #include "app/check/shell_word.h"
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
-#include "app/file_kind.h"
-#include "app/png_file.h"
+#include "app/files/file_kind.h"
+#include "app/files/png_file.h"
 
 namespace ghostforce {
 namespace {

@@ -23,7 +23,7 @@
 #include "app/console/progress.h"
 #include "app/console/quoted.h"
 #include "app/console/words.h"
-#include "app/output_file.h"
+#include "app/files/output_file.h"
 
 namespace ghostforce {
 namespace {

@@ -11,7 +11,7 @@
 #include "app/console/did_you_mean.h"
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
-#include "app/scene_file.h"
+#include "app/files/scene_file.h"
 
 namespace ghostforce {
 

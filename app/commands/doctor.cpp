@@ -24,8 +24,8 @@
 #include "app/doctor/measure/measure_command.h"
 #include "app/doctor/udev_rule.h"
 #include "app/falcon_setup.h"
+#include "app/files/output_file.h"
 #include "app/ladder.h"
-#include "app/output_file.h"
 #include "core/scene.h"
 
 namespace ghostforce {

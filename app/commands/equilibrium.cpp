@@ -14,7 +14,7 @@
 #include "app/commands/command_catalog.h"
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
-#include "app/output_file.h"
+#include "app/files/output_file.h"
 #include "core/prediction.h"
 
 namespace ghostforce {

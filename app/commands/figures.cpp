@@ -21,8 +21,8 @@
 #include "app/figures/figure_catalog.h"
 #include "app/figures/figure_files.h"
 #include "app/figures/recorded_hand.h"
-#include "app/output_folder.h"
-#include "app/run_reader.h"
+#include "app/files/output_folder.h"
+#include "app/files/run_reader.h"
 
 namespace ghostforce {
 namespace {

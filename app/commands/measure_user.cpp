@@ -18,8 +18,8 @@
 #include "app/console/interruption.h"
 #include "app/console/quoted.h"
 #include "app/console/words.h"
-#include "app/output_file.h"
-#include "app/run_reader.h"
+#include "app/files/output_file.h"
+#include "app/files/run_reader.h"
 #include "core/user_measurement.h"
 
 namespace ghostforce {

@@ -12,10 +12,10 @@
 #include "app/commands/picture_options.h"
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
-#include "app/output_file.h"
+#include "app/files/output_file.h"
+#include "app/files/png_file.h"
 #include "app/paint/vector_painter.h"
 #include "app/picture.h"
-#include "app/png_file.h"
 
 namespace ghostforce {
 namespace {

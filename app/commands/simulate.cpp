@@ -12,8 +12,8 @@
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
 #include "app/console/progress.h"
-#include "app/output_file.h"
-#include "app/run_file.h"
+#include "app/files/output_file.h"
+#include "app/files/run_file.h"
 #include "core/play.h"
 
 namespace ghostforce {

@@ -18,8 +18,8 @@
 #include "app/console/interruption.h"
 #include "app/console/progress.h"
 #include "app/console/words.h"
-#include "app/output_file.h"
-#include "app/run_file.h"
+#include "app/files/output_file.h"
+#include "app/files/run_file.h"
 #include "app/sweep/rows.h"
 #include "app/sweep/sweep.h"
 

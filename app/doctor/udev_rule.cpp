@@ -16,7 +16,7 @@
 
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
-#include "app/output_file.h"
+#include "app/files/output_file.h"
 #include "embedded_udev_rule.h"
 
 namespace ghostforce {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/chart/chart.h"
-#include "app/csv_table.h"
+#include "app/files/csv_table.h"
 #include "core/settings.h"
 #include "core/snapshot.h"
 

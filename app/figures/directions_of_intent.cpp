@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "app/figures/motion_picture.h"
-#include "app/scene_file.h"
+#include "app/files/scene_file.h"
 
 namespace ghostforce {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/csv_table.h"
+#include "app/files/csv_table.h"
 #include "app/view/panes.h"
 #include "core/scene.h"
 #include "core/tick.h"

@@ -2,9 +2,9 @@
 
 #include "app/console/interruption.h"
 #include "app/figures/sheet.h"
+#include "app/files/png_file.h"
 #include "app/paint/image_painter.h"
 #include "app/paint/vector_painter.h"
-#include "app/png_file.h"
 
 namespace ghostforce {
 namespace {

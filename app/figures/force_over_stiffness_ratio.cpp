@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "app/figures/force_along_motor.h"
-#include "app/scene_file.h"
+#include "app/files/scene_file.h"
 
 namespace ghostforce {
 namespace {

@@ -11,8 +11,8 @@
 
 #include "app/chart/chart.h"
 #include "app/figures/motion_picture.h"
+#include "app/files/scene_file.h"
 #include "app/paint/vector_painter.h"
-#include "app/scene_file.h"
 #include "core/simulated_hand.h"
 
 namespace ghostforce {

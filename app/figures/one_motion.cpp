@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "app/figures/motion_picture.h"
-#include "app/scene_file.h"
+#include "app/files/scene_file.h"
 
 namespace ghostforce {
 

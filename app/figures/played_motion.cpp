@@ -12,7 +12,7 @@
 
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
-#include "app/run_file.h"
+#include "app/files/run_file.h"
 #include "core/ghost_force.h"
 #include "core/play.h"
 #include "core/sound_state.h"

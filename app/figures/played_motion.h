@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "app/csv_table.h"
 #include "app/figures/figure.h"
+#include "app/files/csv_table.h"
 #include "core/equilibrium.h"
 #include "core/scene.h"
 #include "core/snapshot.h"

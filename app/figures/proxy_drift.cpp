@@ -4,8 +4,8 @@
 #include <string>
 
 #include "app/figures/sheet.h"
+#include "app/files/scene_file.h"
 #include "app/paint/vector_painter.h"
-#include "app/scene_file.h"
 #include "core/ghost_force.h"
 
 namespace ghostforce {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "app/image.h"
+#include "app/files/image.h"
 #include "app/theme.h"
 #include "app/view/panes.h"
 

@@ -18,8 +18,8 @@
 
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
+#include "app/files/xml_text.h"
 #include "app/font_file.h"
-#include "app/xml_text.h"
 #include "ghostforce_version.h"
 
 namespace ghostforce {

@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include "app/files/scene_file.h"
 #include "app/keys.h"
 #include "app/panels/controls.h"
 #include "app/panels/panel_catalog.h"
-#include "app/scene_file.h"
 
 namespace ghostforce {
 namespace {

@@ -10,14 +10,14 @@
 #include <fmt/format.h>
 
 #include "app/chart/chart.h"
-#include "app/csv_table.h"
+#include "app/files/csv_table.h"
+#include "app/files/png_file.h"
+#include "app/files/run_file.h"
 #include "app/paint/image_painter.h"
 #include "app/paint/vector_painter.h"
 #include "app/panels/ratio_dial.h"
 #include "app/panels/save_path.h"
 #include "app/plots/rest_curves.h"
-#include "app/png_file.h"
-#include "app/run_file.h"
 #include "app/saving.h"
 
 namespace ghostforce {

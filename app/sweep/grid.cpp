@@ -8,7 +8,7 @@
 
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
-#include "app/scene_key_name.h"
+#include "app/files/scene_keys.h"
 
 namespace ghostforce {
 namespace {

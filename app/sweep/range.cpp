@@ -12,7 +12,7 @@
 #include <fmt/compile.h>
 
 #include "app/console/quoted.h"
-#include "app/scene_key_name.h"
+#include "app/files/scene_keys.h"
 
 namespace ghostforce {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <fmt/compile.h>
 
-#include "app/run_file.h"
-#include "app/scene_key_name.h"
+#include "app/files/run_file.h"
+#include "app/files/scene_keys.h"
 
 namespace ghostforce {
 namespace {

@@ -14,7 +14,7 @@
 #include <thread>
 
 #include "app/console/failure.h"
-#include "app/output_file.h"
+#include "app/files/output_file.h"
 
 namespace ghostforce::bench {
 namespace {

@@ -11,7 +11,7 @@
 #include <system_error>
 #include <utility>
 
-#include "device/config_folder.h"
+#include "app/files/config_folder.h"
 
 namespace ghostforce {
 namespace {

@@ -15,9 +15,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "app/png_file.h"
+#include "app/files/png_file.h"
 #include "tests/app/check_cases.h"
-#include "tests/app/png_pieces.h"
+#include "tests/app/files/png_pieces.h"
 #include "tests/support/sanitized.h"
 
 namespace ghostforce {

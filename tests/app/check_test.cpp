@@ -23,12 +23,12 @@
 #include <gtest/gtest.h>
 
 #include "app/check/comparison.h"
+#include "app/files/png_file.h"
+#include "app/files/scene_file.h"
 #include "app/paint/label_painter.h"
 #include "app/paint/scene_painter.h"
 #include "app/panels/style.h"
 #include "app/picture.h"
-#include "app/png_file.h"
-#include "app/scene_file.h"
 #include "app/window.h"
 #include "tests/app/check_cases.h"
 

@@ -18,7 +18,7 @@
 #include "app/figures/proxy_drift.h"
 #include "app/figures/stiffness_ratios.h"
 #include "app/figures/three_equilibria.h"
-#include "app/scene_file.h"
+#include "app/files/scene_file.h"
 #include "core/energy.h"
 #include "core/ghost_force.h"
 

@@ -13,8 +13,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/command.h"
-#include "app/run_file.h"
-#include "app/scene_file.h"
+#include "app/files/run_file.h"
+#include "app/files/scene_file.h"
 #include "core/equilibrium.h"
 #include "core/ghost_force.h"
 #include "core/play.h"

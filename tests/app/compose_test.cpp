@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "app/files/scene_file.h"
 #include "app/glossary.h"
-#include "app/scene_file.h"
 #include "app/view/layers.h"
 #include "app/view/panes.h"
 #include "core/play.h"

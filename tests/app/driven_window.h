@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "app/scene_file.h"
+#include "app/files/scene_file.h"
 
 namespace ghostforce {
 

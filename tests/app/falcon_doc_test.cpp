@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "app/doctor/measure/steps.h"
-#include "app/falcon_calibration_file.h"
+#include "app/files/falcon_calibration_file.h"
 #include "app/ladder.h"
 #include "core/safety.h"
 #include "device/falcon/falcon_report.h"

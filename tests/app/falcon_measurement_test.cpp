@@ -8,7 +8,7 @@
 
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
-#include "app/falcon_calibration_file.h"
+#include "app/files/falcon_calibration_file.h"
 #include "device/falcon_measurement/encoder_wiring.h"
 #include "tests/app/measured_rehearsal.h"
 

@@ -13,8 +13,8 @@
 
 #include <gtest/gtest.h>
 
-#include "app/csv_table.h"
 #include "app/figures/figure_catalog.h"
+#include "app/files/csv_table.h"
 #include "tests/support/program.h"
 
 namespace ghostforce {

@@ -15,9 +15,9 @@
 #include "app/figures/figure_catalog.h"
 #include "app/figures/figure_files.h"
 #include "app/figures/sheet.h"
+#include "app/files/png_file.h"
+#include "app/files/scene_file.h"
 #include "app/paint/vector_painter.h"
-#include "app/png_file.h"
-#include "app/scene_file.h"
 #include "tests/app/figure_tables.h"
 #include "tests/support/temporary_folder.h"
 

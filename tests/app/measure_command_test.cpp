@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-#include "app/falcon_calibration_file.h"
+#include "app/files/falcon_calibration_file.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 

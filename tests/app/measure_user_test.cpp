@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/run_file.h"
-#include "app/scene_file.h"
+#include "app/files/run_file.h"
+#include "app/files/scene_file.h"
 #include "core/play.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"

@@ -10,9 +10,9 @@
 
 #include "app/console/failure.h"
 #include "app/console/unicode.h"
+#include "app/files/scene_file.h"
+#include "app/files/scene_reader.h"
 #include "app/paint/vector_painter.h"
-#include "app/scene_file.h"
-#include "app/scene_reader.h"
 #include "app/theme.h"
 #include "tests/app/vector_panes.h"
 #include "tests/support/program.h"

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "app/scene_file.h"
+#include "app/files/scene_file.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 

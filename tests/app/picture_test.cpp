@@ -1,6 +1,6 @@
 // Pictures as users make them, by the program's own `render`: the same bytes every time, and a clear word where a
 // picture cannot be made. The stored pictures are in snapshots_test.cpp.
-#include "app/image.h"
+#include "app/files/image.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "app/png_file.h"
+#include "app/files/png_file.h"
 #include "tests/support/no_opengl.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"

@@ -9,10 +9,10 @@
 
 #include <gtest/gtest.h>
 
+#include "app/files/scene_file.h"
 #include "app/plots/plot_export.h"
 #include "app/plots/plot_history.h"
 #include "app/plots/rest_curves.h"
-#include "app/scene_file.h"
 #include "core/play.h"
 
 namespace ghostforce {

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <string>
 
-#include "app/file_contents.h"
+#include "app/files/input_file.h"
 #include "tests/app/driven_window.h"
 #include "tests/support/temporary_folder.h"
 

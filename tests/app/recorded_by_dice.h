@@ -11,8 +11,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "app/files/scene_file.h"
 #include "app/recording.h"
-#include "app/scene_file.h"
 #include "core/play.h"
 #include "device/input/mouse_input.h"
 #include "device/servo/servo.h"

@@ -8,8 +8,8 @@
 #include <system_error>
 #include <thread>
 
+#include "app/files/run_reader.h"
 #include "app/replay.h"
-#include "app/run_reader.h"
 #include "tests/support/display.h"
 #include "tests/support/program.h"
 #include "tests/support/small_files.h"

@@ -10,8 +10,8 @@
 #include <thread>
 
 #include "app/console/failure.h"
+#include "app/files/run_reader.h"
 #include "app/replay.h"
-#include "app/run_reader.h"
 #include "device/input/mouse_input.h"
 #include "device/input/scripted_input.h"
 #include "tests/app/driven_window.h"

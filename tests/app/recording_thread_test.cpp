@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include "app/files/run_reader.h"
+#include "app/files/scene_file.h"
 #include "app/recording.h"
 #include "app/replay.h"
-#include "app/run_reader.h"
-#include "app/scene_file.h"
 #include "device/input/scripted_input.h"
 #include "tests/support/temporary_folder.h"
 

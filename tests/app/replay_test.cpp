@@ -9,10 +9,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "app/files/run_file.h"
+#include "app/files/run_reader.h"
+#include "app/files/scene_file.h"
 #include "app/recording.h"
-#include "app/run_file.h"
-#include "app/run_reader.h"
-#include "app/scene_file.h"
 #include "core/play.h"
 #include "tests/app/recorded_by_dice.h"
 

@@ -7,11 +7,11 @@
 #include <numbers>
 #include <string_view>
 
+#include "app/files/png_file.h"
 #include "app/panels/caption.h"
 #include "app/panels/hints.h"
 #include "app/panels/panel_catalog.h"
 #include "app/panels/save_path.h"
-#include "app/png_file.h"
 #include "app/saving.h"
 #include "app/view/handles.h"
 #include "tests/app/driven_window.h"

@@ -16,8 +16,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/run_file.h"
-#include "app/scene_file.h"
+#include "app/files/run_file.h"
+#include "app/files/scene_file.h"
 #include "app/sweep/rows.h"
 #include "app/sweep/sweep.h"
 #include "core/equilibrium.h"

@@ -24,9 +24,9 @@
 #include <gtest/gtest.h>
 
 #include "app/console/progress.h"
-#include "app/run_file.h"
-#include "app/scene_file.h"
-#include "app/scene_key_name.h"
+#include "app/files/run_file.h"
+#include "app/files/scene_file.h"
+#include "app/files/scene_keys.h"
 #include "app/sweep/rows.h"
 #include "app/sweep/sweep.h"
 #include "tests/support/program.h"

@@ -13,8 +13,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/application.h"
+#include "app/files/scene_file.h"
 #include "app/paint/vector_painter.h"
-#include "app/scene_file.h"
 #include "app/window.h"
 #include "tests/app/vector_panes.h"
 #include "tests/support/no_opengl.h"

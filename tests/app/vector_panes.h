@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
+#include "app/files/scene_file.h"
 #include "app/paint/vector_painter.h"
 #include "app/picture.h"
-#include "app/scene_file.h"
 
 namespace ghostforce {
 

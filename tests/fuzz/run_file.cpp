@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "app/console/failure.h"
+#include "app/files/run_reader.h"
 #include "app/replay.h"
 #include "app/run_hand.h"
-#include "app/run_reader.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace ghostforce;

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "app/console/failure.h"
-#include "app/scene_file.h"
+#include "app/files/scene_file.h"
 #include "tests/fuzz/fuzz.h"
 #include "tests/support/scene_values.h"
 

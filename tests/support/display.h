@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "app/image.h"
+#include "app/files/image.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce {

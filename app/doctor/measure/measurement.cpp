@@ -7,7 +7,7 @@
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
 #include "app/doctor/measure/steps.h"
-#include "app/falcon_calibration_file.h"
+#include "app/files/falcon_calibration_file.h"
 #include "app/ladder.h"
 
 namespace ghostforce {

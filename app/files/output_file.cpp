@@ -1,0 +1,220 @@
+#include "app/files/output_file.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
+#include <climits>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "app/console/failure.h"
+#include "app/console/interruption.h"
+#include "app/console/quoted.h"
+#include "app/files/disk_sync.h"
+#include "app/files/part_file.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr std::size_t buffer_size = 1 << 16;
+
+// How long a reader may take nothing, once the program shall stop.
+constexpr int patience_ms = 1000;
+
+// What is open already is written on as it was opened, and no other file takes its place. -1: no such name.
+int descriptor_named(std::string_view path) {
+  for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
+    if (!path.starts_with(folder)) continue;
+    int descriptor = -1;
+    const std::string_view number = path.substr(folder.size());
+    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), descriptor);
+    if (error == std::errc() && end == number.data() + number.size()) return descriptor;
+  }
+  return -1;
+}
+
+// Where a chain of links ends, whether or not anything is there yet.
+std::filesystem::path end_of_links(std::filesystem::path path) {
+  constexpr int longest_chain = 40;  // as Linux has it
+  std::error_code no_link;
+  for (int i = 0; i < longest_chain; ++i) {
+    const std::filesystem::path next = std::filesystem::read_symlink(path, no_link);
+    if (no_link) break;
+    path = next.is_absolute() ? next : path.parent_path() / next;
+  }
+  return path;
+}
+
+}  // namespace
+
+std::string reason_of(int error) {
+  const std::string reason = std::generic_category().message(error);
+  switch (error) {
+    case ENOENT:
+      return reason + "; create the folder, or name another";
+    case EACCES:
+    case EPERM:
+    case EROFS:
+      return reason + "; change its permissions, or name another";
+    case EISDIR:
+      return reason + "; name a file in it";
+    case ENOSPC:
+    case EDQUOT:
+      return reason + "; make room, or name another";
+    case ENAMETOOLONG:
+      return reason + "; choose a shorter one";
+    case EMFILE:
+    case ENFILE:
+      return reason + "; close other programs, or raise the limit of open files (ulimit -n)";
+    default:
+      return reason + "; name another";
+  }
+}
+
+OutputFile::OutputFile(const std::string& path) : shown_(path) {
+  if (path == "-" || path == "/dev/stdout") {
+    shown_ = "the standard output";
+    descriptor_ = STDOUT_FILENO;
+    return;
+  }
+  if (const int open = descriptor_named(path); open >= 0) {
+    descriptor_ = fcntl(open, F_DUPFD_CLOEXEC, 0);
+    if (descriptor_ < 0) fail(errno);
+    return;
+  }
+  struct stat status {};
+  const bool exists = stat(path.c_str(), &status) == 0;
+  if (!exists && errno != ENOENT) fail(errno);
+  if (exists && S_ISDIR(status.st_mode)) fail(EISDIR);
+  if (exists && !S_ISREG(status.st_mode)) {
+    // A pipe or a device: nothing to put in its place.
+    descriptor_ = open_unless_interrupted(path.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor_ < 0) fail(errno);
+    return;
+  }
+  if (exists && access(path.c_str(), W_OK) != 0) fail(errno);
+
+  const std::filesystem::path target = end_of_links(path);
+  if (target.filename().empty()) fail(path.empty() ? ENOENT : EISDIR);
+  remove_dead_part_files(target.parent_path());
+  const PartFile part = make_part_file(target.parent_path());
+  if (part.descriptor < 0) fail(errno);
+  descriptor_ = part.descriptor;
+  temporary_ = part.path;
+  if (exists) fchmod(descriptor_, status.st_mode & 07777);  // as far as that is allowed
+  target_ = target;
+}
+
+OutputFile::~OutputFile() {
+  if (is_in_place_) {
+    if (temporary_.empty()) {
+      unlink(target_.c_str());
+    } else {
+      renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE);
+    }
+  }
+  remove_temporary();
+  // Last: the lock on the temporary file goes with it.
+  if (descriptor_ >= 0 && descriptor_ != STDOUT_FILENO) close(descriptor_);
+}
+
+void OutputFile::remove_temporary() noexcept {
+  if (!temporary_.empty()) unlink(temporary_.c_str());
+  temporary_.clear();
+}
+
+void OutputFile::write(std::string_view text) {
+  if (buffer_.size() + text.size() > buffer_size) flush();
+  buffer_ += text;
+  if (buffer_.size() >= buffer_size) flush();
+}
+
+void OutputFile::flush() {
+  std::string_view rest = buffer_;
+  while (!rest.empty()) {
+    const ssize_t written = write_some(rest);
+    if (written >= 0) {
+      rest.remove_prefix(static_cast<std::size_t>(written));
+    } else if (errno == EINTR) {
+      if (!finishes_) stop_if_interrupted();
+    } else {
+      fail(errno);
+    }
+  }
+  buffer_.clear();
+}
+
+// As write(2).
+ssize_t OutputFile::write_some(std::string_view text) const {
+  if (finishes_ && interrupted()) {
+    // No further signal will end a wait. A pipe that can be written to takes this much without one.
+    pollfd wait{descriptor_, POLLOUT, 0};
+    if (poll(&wait, 1, patience_ms) == 0) stop_if_interrupted();
+    text = text.substr(0, PIPE_BUF);
+  }
+  return ::write(descriptor_, text.data(), text.size());
+}
+
+void OutputFile::finish() {
+  flush();
+  buffer_.shrink_to_fit();
+  if (descriptor_ == STDOUT_FILENO) return;
+  if (const int error = sync_file(descriptor_); error != 0) fail(error);
+  // Some file systems tell only at a close that the disk is full. The lock stays with the descriptor itself.
+  if (const int copy = fcntl(descriptor_, F_DUPFD_CLOEXEC, 0); copy >= 0 && close(copy) != 0 && errno != EINTR) {
+    fail(errno);
+  }
+}
+
+void OutputFile::put_in_place() {
+  if (temporary_.empty()) return;
+  struct stat status {};
+  const bool is_new = lstat(target_.c_str(), &status) != 0;
+  if (!is_new && S_ISDIR(status.st_mode)) fail(EISDIR);
+  // The old file gets the temporary name, and needs the lock that goes with it: another process might remove it.
+  const int old = open(target_.c_str(), O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  if (old >= 0) flock(old, LOCK_EX | LOCK_NB);
+  is_in_place_ = renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) == 0;
+  if (old >= 0) close(is_in_place_ ? std::exchange(descriptor_, old) : old);
+  if (is_in_place_) return;
+  // Nothing is there yet, or names cannot be exchanged here.
+  if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
+  temporary_.clear();
+  is_in_place_ = is_new;
+}
+
+void OutputFile::keep() noexcept {
+  is_in_place_ = false;
+  remove_temporary();
+}
+
+void OutputFile::commit() {
+  finish();
+  if (temporary_.empty()) return;
+  put_in_place();
+  if (const int error = sync_folder(std::filesystem::path(target_).parent_path()); error != 0) fail(error);
+  keep();
+}
+
+bool OutputFile::is_terminal() const noexcept {
+  return isatty(descriptor_) != 0;
+}
+
+void OutputFile::fail(int error) const {
+  if (error == EINTR) stop_if_interrupted();
+  if (error == EPIPE) throw Failure(ExitCode::done, "");
+  throw Failure(ExitCode::file_trouble,
+                fmt::format("{} cannot be written: {}", printable(shown_, longest_path), reason_of(error)));
+}
+
+}  // namespace ghostforce

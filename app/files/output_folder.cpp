@@ -1,0 +1,83 @@
+#include "app/files/output_folder.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <system_error>
+
+#include "app/console/failure.h"
+#include "app/console/quoted.h"
+#include "app/files/disk_sync.h"
+
+namespace ghostforce {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const fs::path& path, const std::string& what) {
+  throw Failure(ExitCode::file_trouble, fmt::format("{}: {}", printable(path.string(), longest_path), what));
+}
+
+void sync_or_refuse(const fs::path& folder) {
+  const int error = sync_folder(folder);
+  if (error != 0) refuse(folder, fmt::format("nothing can be written there: {}", reason_of(error)));
+}
+
+void remove_empty(const std::vector<fs::path>& folders) noexcept {
+  std::error_code ignored;
+  for (const fs::path& folder : folders) fs::remove(folder, ignored);
+}
+
+}  // namespace
+
+OutputFolder::OutputFolder(const std::string& path) : path_(path) {
+  if (path.empty()) refuse("''", "is no folder; name one");
+  std::error_code error;
+  // A slash at the end names the same folder.
+  fs::path innermost = path_.has_filename() ? path_ : path_.parent_path();
+  std::vector<fs::path> missing;
+  for (fs::path at = innermost; !at.empty() && !fs::exists(fs::symlink_status(at, error)); at = at.parent_path()) {
+    missing.push_back(at);
+  }
+  std::ranges::reverse(missing);
+  try {
+    for (const fs::path& folder : missing) {
+      if (fs::create_directory(folder, error)) {
+        made_.insert(made_.begin(), folder);
+      } else if (error) {
+        refuse(folder, fmt::format("the folder cannot be made: {}", reason_of(error.value())));
+      }
+    }
+    if (!fs::is_directory(path_, error)) refuse(path_, "is no folder; name another, or move away what is there");
+    if (access(path_.c_str(), W_OK | X_OK) != 0) {
+      refuse(path_, fmt::format("nothing can be written there: {}", reason_of(errno)));
+    }
+  } catch (...) {
+    remove_empty(made_);
+    throw;
+  }
+}
+
+OutputFolder::~OutputFolder() {
+  files_.clear();
+  if (!is_committed_) remove_empty(made_);
+}
+
+void OutputFolder::write(const std::string& name, std::string_view content) {
+  files_.push_back(std::make_unique<OutputFile>((path_ / name).string()));
+  files_.back()->write(content);
+}
+
+void OutputFolder::commit() {
+  // A full disk shows itself here, while all that was there before is still in its place.
+  for (const auto& file : files_) file->finish();
+  for (const auto& file : files_) file->put_in_place();
+  sync_or_refuse(path_);
+  for (const fs::path& folder : made_) sync_or_refuse(folder.parent_path());
+  for (const auto& file : files_) file->keep();
+  is_committed_ = true;
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,207 @@
+#include "app/files/scene_file.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <system_error>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "app/console/did_you_mean.h"
+#include "app/console/failure.h"
+#include "app/console/quoted.h"
+#include "app/files/input_file.h"
+#include "app/files/toml_text.h"
+#include "embedded_scenes.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr std::string_view extension = ".toml";
+
+std::string_view name_of(const EmbeddedText& scene) noexcept {
+  return scene.name.substr(0, scene.name.size() - extension.size());
+}
+
+const EmbeddedText* find_shipped(std::string_view name) noexcept {
+  for (const EmbeddedText& scene : embedded_scenes) {
+    if (name_of(scene) == name) return &scene;
+  }
+  return nullptr;
+}
+
+// What the person may have meant by a name that is nothing: a shipped scene, or
+// a file nearby.
+std::string hint_for(const std::filesystem::path& path) {
+  const std::string stem = path.extension() == extension ? path.stem().string() : path.filename().string();
+  const std::vector<std::string_view> shipped = shipped_scene_names();
+  std::vector<std::string> files;
+  std::error_code error;
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  constexpr std::size_t most_files = 1000;
+  for (std::filesystem::directory_iterator file(folder, error), end; !error && file != end; file.increment(error)) {
+    if (file->path().extension() == extension) files.push_back(file->path().stem().string());
+    if (files.size() == most_files) break;
+  }
+  std::sort(files.begin(), files.end());
+  const std::vector<std::string_view> file_names(files.begin(), files.end());
+  if (const auto near = nearest_name(stem, file_names)) {
+    const std::string found = std::string(*near) + std::string(extension);
+    return fmt::format("; did you mean '{}'?", printable(path.has_parent_path() ? (folder / found).string() : found));
+  }
+  if (std::string words = did_you_mean(stem, shipped); !words.empty()) return words;
+  return fmt::format("; give the path of a file, or one of {}", listed(shipped));
+}
+
+std::string read_file(const std::string& path) {
+  FileContents file = file_contents(path);
+  const auto fail = [&](ExitCode code, const std::string& what) -> Failure {
+    return {code, fmt::format("{}: {}", printable(path, longest_path), what)};
+  };
+  switch (path.empty() ? ENOENT : file.error) {
+    case 0:
+      return std::move(file.text);
+    case ENOENT:
+    case ENOTDIR:
+    case ENAMETOOLONG:
+      throw Failure(ExitCode::wrong_call,
+                    fmt::format("no scene named '{}'{}", printable(path, longest_path), hint_for(path)));
+    case EISDIR:
+      throw fail(ExitCode::wrong_call, "is a folder; name a scene file in it");
+    case EFBIG:
+      throw fail(ExitCode::wrong_call,
+                 fmt::format("is larger than {} MiB, which no scene is; name a scene file", largest_text_file >> 20));
+    default:
+      throw fail(ExitCode::file_trouble, fmt::format("cannot be read: {}", unreadable_words(file.error)));
+  }
+}
+
+// The number of file units from which the reader makes exactly this SI value, in
+// as few digits as possible; the nearest one where there is none.
+double file_value(double si, double per_si) {
+  if (per_si == 1.0 || !std::isfinite(si)) return si;
+  const double exact = si * per_si;
+  for (int digits = 1; digits <= 17; ++digits) {
+    const std::string text = fmt::format("{:.{}g}", exact, digits);
+    double candidate = 0.0;
+    std::from_chars(text.data(), text.data() + text.size(), candidate);
+    if (candidate / per_si == si) return candidate;
+  }
+  return exact;
+}
+
+constexpr double mm_per_m = 1000.0;
+
+// A real number as TOML has it: what looks like an integer loses the sign of
+// zero.
+std::string toml_number(double value) {
+  std::string text = fmt::format("{}", value);
+  return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
+}
+
+std::string toml_point(const Vector<2>& point) {
+  return fmt::format("[{}, {}]", toml_number(file_value(point.x, mm_per_m)),
+                     toml_number(file_value(point.y, mm_per_m)));
+}
+
+template <typename Values, typename Words>
+std::string toml_array(const Values& values, Words&& words_of) {
+  std::string text;
+  for (const auto& value : values) text += (text.empty() ? "" : ", ") + words_of(value);
+  return "[" + text + "]";
+}
+
+// The value of a key as TOML; empty: left out.
+struct TomlValue {
+  Scene& scene;
+
+  std::string operator()(const NumberKey& key) const {
+    const double value = file_value(key.in(scene), key.per_si);
+    return key.whole ? fmt::format("{:.0f}", value) : toml_number(value);
+  }
+  std::string operator()(const OptionalNumberKey& key) const {
+    if (const std::optional<double>& value = key.in(scene)) return toml_number(*value);
+    return key.word_for_empty.empty() ? "" : toml_string(key.word_for_empty);
+  }
+  std::string operator()(const TextKey& key) const { return toml_string(key.in(scene)); }
+  std::string operator()(const ChoiceKey& key) const { return toml_string(key.words[key.get(scene)]); }
+  std::string operator()(const PointKey& key) const { return toml_point(key.in(scene)); }
+  std::string operator()(const PointsKey& key) const { return toml_array(key.in(scene), toml_point); }
+  std::string operator()(const TimesKey& key) const { return toml_array(key.in(scene), toml_number); }
+};
+
+// Replaces each value of a key by what reading its text gives.
+struct Rounding {
+  Scene& scene;
+
+  static void round(double& si, double per_si) { si = file_value(si, per_si) / per_si; }
+  static void round(Vector<2>& point) {
+    round(point.x, mm_per_m);
+    round(point.y, mm_per_m);
+  }
+  void operator()(const NumberKey& key) const { round(key.in(scene), key.per_si); }
+  void operator()(const PointKey& key) const { round(key.in(scene)); }
+  void operator()(const PointsKey& key) const {
+    for (Vector<2>& point : key.in(scene)) round(point);
+  }
+  void operator()(const OptionalNumberKey&) const {}
+  void operator()(const TextKey&) const {}
+  void operator()(const ChoiceKey&) const {}
+  void operator()(const TimesKey&) const {}
+};
+
+}  // namespace
+
+std::vector<std::string_view> shipped_scene_names() {
+  std::vector<std::string_view> names;
+  for (const EmbeddedText& scene : embedded_scenes) names.push_back(name_of(scene));
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+bool may_be_scene(const std::string& name_or_path) {
+  return find_shipped(name_or_path) != nullptr || name_or_path.find('/') != std::string::npos ||
+         name_or_path.ends_with(extension) || access(name_or_path.c_str(), F_OK) == 0;
+}
+
+Scene load_scene(const std::string& name_or_path, std::span<const std::string> overrides) {
+  if (const EmbeddedText* const scene = find_shipped(name_or_path)) {
+    return read_scene(scene->contents, name_or_path, overrides);
+  }
+  return read_scene(read_file(name_or_path), name_or_path, overrides);
+}
+
+std::string scene_text(const Scene& scene) {
+  Scene copy = scene;  // the catalog gives access to members, not views of them
+  std::string text = "format = 1\n";
+  std::string_view table;
+  for (const SceneKey& key : scene_keys()) {
+    const std::string value = std::visit(TomlValue{copy}, key.value);
+    if (value.empty()) continue;
+    if (key.table != table) {
+      table = key.table;
+      text += fmt::format("\n[{}]\n", table);
+    }
+    text += fmt::format("{} = {}\n", key.name, value);
+  }
+  return text;
+}
+
+std::string value_text(Scene scene, const SceneKey& key) {
+  return std::visit(TomlValue{scene}, key.value);
+}
+
+Scene rounded_to_file(Scene scene) {
+  for (const SceneKey& key : scene_keys()) std::visit(Rounding{scene}, key.value);
+  return scene;
+}
+
+}  // namespace ghostforce

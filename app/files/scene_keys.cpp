@@ -1,0 +1,112 @@
+#include "app/files/scene_keys.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "app/console/did_you_mean.h"
+#include "app/console/quoted.h"
+
+namespace ghostforce {
+namespace {
+
+// "table.name" → table and name.
+std::pair<std::string_view, std::string_view> split(std::string_view dotted) noexcept {
+  const std::size_t dot = dotted.find('.');
+  if (dot == std::string_view::npos) return {{}, dotted};
+  return {dotted.substr(0, dot), dotted.substr(dot + 1)};
+}
+
+std::vector<std::string> dotted_names() {
+  std::vector<std::string> names;
+  for (const SceneKey& key : scene_keys()) names.push_back(dotted_name(key.table, key.name));
+  return names;
+}
+
+// Dotted: of the same name in another table first, then of what is near in this one, in all, and but for the table.
+std::optional<std::string> nearest_scene_key(std::string_view table, std::string_view name) {
+  std::vector<std::string_view> here;
+  std::vector<std::string_view> names;
+  for (const SceneKey& key : scene_keys()) {
+    if (key.table == table) here.push_back(key.name);
+    names.push_back(key.name);
+  }
+  const std::vector<std::string> dotted = dotted_names();
+  const auto whole = [&](std::string_view found) {
+    return dotted[static_cast<std::size_t>(std::find(names.begin(), names.end(), found) - names.begin())];
+  };
+  if (std::find(names.begin(), names.end(), name) != names.end()) return whole(name);
+  if (const auto near = nearest_name(name, here)) return dotted_name(table, *near);
+  const std::vector<std::string_view> all(dotted.begin(), dotted.end());
+  if (const auto near = nearest_name(dotted_name(table, name), all)) return std::string(*near);
+  if (const auto near = nearest_name(name, names)) return whole(*near);
+  return std::nullopt;
+}
+
+std::string ask(std::string_view key) {
+  return fmt::format("; did you mean '{}'?", key);
+}
+
+}  // namespace
+
+std::string dotted_name(std::string_view table, std::string_view name) {
+  return table.empty() ? std::string(name) : fmt::format("{}.{}", table, name);
+}
+
+const SceneKey* find_scene_key(std::string_view table, std::string_view name) noexcept {
+  for (const SceneKey& key : scene_keys()) {
+    if (key.table == table && key.name == name) return &key;
+  }
+  return nullptr;
+}
+
+const SceneKey* find_scene_key(std::string_view dotted) noexcept {
+  const auto [table, name] = split(dotted);
+  return find_scene_key(table, name);
+}
+
+bool is_scene_table(std::string_view name) noexcept {
+  return !name.empty() &&
+         std::any_of(scene_keys().begin(), scene_keys().end(), [&](const SceneKey& key) { return key.table == name; });
+}
+
+std::string suggest_scene_key(std::string_view table, std::string_view name) {
+  if (const auto near = nearest_scene_key(table, name)) return ask(*near);
+  std::vector<std::string_view> here;
+  for (const SceneKey& key : scene_keys()) {
+    if (key.table == table) here.push_back(key.name);
+  }
+  if (here.empty()) return "";
+  return fmt::format("; {} has {}", table.empty() ? "the file" : fmt::format("[{}]", table), listed(here));
+}
+
+std::string suggest_scene_key(std::string_view dotted) {
+  const auto [table, name] = split(dotted);
+  if (!table.empty()) return suggest_scene_key(table, name);
+  if (const auto near = nearest_scene_key(table, name)) return ask(*near);
+  const std::vector<std::string> names = dotted_names();
+  return fmt::format("; the keys are {}", listed(std::vector<std::string_view>(names.begin(), names.end())));
+}
+
+std::string_view unit_of(std::string_view key_name) noexcept {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 7> units{{
+      {"_N_s_per_m", "N·s/m"},
+      {"_N_per_m", "N/m"},
+      {"_mm", "mm"},
+      {"_deg", "degrees"},
+      {"_kg", "kg"},
+      {"_hz", "Hz"},
+      {"_s", "s"},
+  }};
+  for (const auto& [end, unit] : units) {
+    if (key_name.ends_with(end)) return unit;
+  }
+  return {};
+}
+
+}  // namespace ghostforce

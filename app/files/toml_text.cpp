@@ -1,0 +1,116 @@
+#include "app/files/toml_text.h"
+
+#include <algorithm>
+
+#include <fmt/core.h>
+
+#include "app/console/quoted.h"
+
+namespace ghostforce {
+namespace {
+
+// toml++ builds and destroys a name a.b.c… of any length by recursion, one call
+// per dot, and would run out of stack. Nobody needs a name of this many.
+constexpr int most_dots = 256;
+
+constexpr std::size_t longest_description = 400;
+
+// Looks at each line for itself: a name never spans lines. What it takes for a
+// name inside a text of several lines is none, and would need as many dots.
+std::optional<TomlProblem> find_too_many_dots(std::string_view text) {
+  toml::source_position position{1, 1};
+  int dots = 0;
+  char quote = 0;  // that is open
+  bool is_comment = false;
+  bool is_escaped = false;
+  for (const char c : text) {
+    if (c == '\n') {
+      ++position.line;
+      position.column = 0;
+      dots = 0;
+      quote = 0;
+      is_comment = false;
+      is_escaped = false;
+    } else if (quote != 0) {
+      if (!is_escaped && c == quote) quote = 0;
+      is_escaped = !is_escaped && c == '\\' && quote == '"';
+    } else if (c == '"' || c == '\'') {
+      quote = is_comment ? '\0' : c;
+    } else if (c == '#') {
+      is_comment = true;
+    } else if (c == ',' || c == '=') {
+      dots = 0;
+    } else if (c == '.' && !is_comment && ++dots > most_dots) {
+      return TomlProblem{position, "there are too many dots in this name"};
+    }
+    ++position.column;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+ParsedToml parse_toml(std::string_view text) {
+  if (auto problem = find_too_many_dots(text)) return {{}, std::move(problem)};
+  try {
+    return {toml::parse(text), std::nullopt};
+  } catch (const toml::parse_error& error) {
+    toml::source_position position = error.source().begin;
+    position.line = std::max<toml::source_index>(position.line, 1);
+    position.column = std::max<toml::source_index>(position.column, 1);
+    return {{}, TomlProblem{position, printable(error.description(), longest_description)}};
+  }
+}
+
+std::string_view type_words(toml::node_type type) noexcept {
+  switch (type) {
+    case toml::node_type::string:
+      return "a text";
+    case toml::node_type::integer:
+    case toml::node_type::floating_point:
+      return "a number";
+    case toml::node_type::boolean:
+      return "true or false";
+    case toml::node_type::array:
+      return "an array";
+    case toml::node_type::table:
+      return "a table";
+    case toml::node_type::none:
+      return "nothing";
+    default:
+      return "a date or time";
+  }
+}
+
+std::string toml_string(std::string_view text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    switch (c) {
+      case '"':
+        result += "\\\"";
+        break;
+      case '\\':
+        result += "\\\\";
+        break;
+      case '\n':
+        result += "\\n";
+        break;
+      case '\t':
+        result += "\\t";
+        break;
+      case '\r':
+        result += "\\r";
+        break;
+      default:
+        if (byte < 0x20 || byte == 0x7F) {
+          result += fmt::format("\\u{:04X}", byte);
+        } else {
+          result += c;
+        }
+    }
+  }
+  return result + '"';
+}
+
+}  // namespace ghostforce
