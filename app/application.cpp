@@ -18,7 +18,7 @@
 #include "app/paint/vector_painter.h"
 #include "app/panels/panel_catalog.h"
 #include "app/plots/plot_export.h"
-#include "app/run_hand.h"
+#include "app/runs/run_hand.h"
 #include "app/saving.h"
 #include "core/play.h"
 #include "core/sound_state.h"

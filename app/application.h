@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "app/recording.h"
+#include "app/runs/recording.h"
 #include "app/screen.h"
 #include "app/session.h"
 #include "app/shader_watch.h"

@@ -20,8 +20,8 @@
 #include "app/files/run_file.h"
 #include "app/files/run_reader.h"
 #include "app/files/scene_file.h"
-#include "app/replay.h"
-#include "app/run_hand.h"
+#include "app/runs/replay.h"
+#include "app/runs/run_hand.h"
 #include "core/play.h"
 #include "ghostforce_version.h"
 

@@ -25,7 +25,7 @@
 #include "app/frame_pacer.h"
 #include "app/panels/panel_catalog.h"
 #include "app/remembered.h"
-#include "app/run_hand.h"
+#include "app/runs/run_hand.h"
 #include "core/safety.h"
 #include "device/falcon/emergency_stop.h"
 #include "device/servo/realtime.h"

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "app/console/failure.h"
-#include "app/run_hand.h"
+#include "app/runs/run_hand.h"
 
 namespace ghostforce {
 

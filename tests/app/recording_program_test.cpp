@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "app/files/run_reader.h"
-#include "app/replay.h"
+#include "app/runs/replay.h"
 #include "tests/support/display.h"
 #include "tests/support/program.h"
 #include "tests/support/small_files.h"

@@ -22,7 +22,7 @@
 #include "app/files/run_file.h"
 #include "app/files/run_reader.h"
 #include "app/files/scene_file.h"
-#include "tests/app/recorded_by_dice.h"
+#include "tests/app/runs/recorded_by_dice.h"
 #include "tests/support/program.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/temporary_folder.h"

@@ -29,7 +29,7 @@
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
 #include "app/files/scene_file.h"
-#include "app/recording.h"
+#include "app/runs/recording.h"
 #include "device/falcon/emergency_stop.h"
 #include "device/falcon/falcon_input.h"
 #include "device/falcon_usb/ftdi_link.h"

@@ -4,8 +4,8 @@
 
 #include "app/console/failure.h"
 #include "app/files/run_reader.h"
-#include "app/replay.h"
-#include "app/run_hand.h"
+#include "app/runs/replay.h"
+#include "app/runs/run_hand.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace ghostforce;

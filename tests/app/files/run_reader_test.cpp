@@ -10,7 +10,7 @@
 
 #include "app/console/failure.h"
 #include "app/files/scene_file.h"
-#include "app/run_hand.h"
+#include "app/runs/run_hand.h"
 #include "core/play.h"
 #include "ghostforce_version.h"
 #include "tests/support/scene_values.h"

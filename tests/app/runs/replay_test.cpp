@@ -1,5 +1,5 @@
 // A run driven once more: what simulate wrote, what a servo did under every kind of live change, and what is damaged.
-#include "app/replay.h"
+#include "app/runs/replay.h"
 
 #include <cmath>
 #include <cstdint>
@@ -12,9 +12,9 @@
 #include "app/files/run_file.h"
 #include "app/files/run_reader.h"
 #include "app/files/scene_file.h"
-#include "app/recording.h"
+#include "app/runs/recording.h"
 #include "core/play.h"
-#include "tests/app/recorded_by_dice.h"
+#include "tests/app/runs/recorded_by_dice.h"
 
 namespace ghostforce {
 namespace {

@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "app/files/scene_file.h"
-#include "app/recording.h"
+#include "app/runs/recording.h"
 #include "core/play.h"
 #include "device/input/mouse_input.h"
 #include "device/servo/servo.h"

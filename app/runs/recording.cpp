@@ -1,4 +1,4 @@
-#include "app/recording.h"
+#include "app/runs/recording.h"
 
 #include <fcntl.h>
 #include <pthread.h>

@@ -1,4 +1,4 @@
-#include "app/replay.h"
+#include "app/runs/replay.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "app/console/failure.h"
-#include "app/run_hand.h"
+#include "app/runs/run_hand.h"
 
 namespace ghostforce {
 namespace {

@@ -1,5 +1,5 @@
 // A run written while it is made: whole lines, never over another file, readable at any moment and after any end.
-#include "app/recording.h"
+#include "app/runs/recording.h"
 
 #include <signal.h>
 
@@ -11,7 +11,7 @@
 
 #include "app/console/failure.h"
 #include "app/files/run_reader.h"
-#include "app/replay.h"
+#include "app/runs/replay.h"
 #include "device/input/mouse_input.h"
 #include "device/input/scripted_input.h"
 #include "tests/app/driven_window.h"

@@ -1,4 +1,4 @@
-#include "app/run_hand.h"
+#include "app/runs/run_hand.h"
 
 #include <algorithm>
 

@@ -7,8 +7,8 @@
 
 #include "app/files/run_reader.h"
 #include "app/files/scene_file.h"
-#include "app/recording.h"
-#include "app/replay.h"
+#include "app/runs/recording.h"
+#include "app/runs/replay.h"
 #include "device/input/scripted_input.h"
 #include "tests/support/temporary_folder.h"
 
