@@ -14,7 +14,7 @@
 #include "app/session.h"
 #include "app/shader_watch.h"
 #include "app/undo.h"
-#include "app/view/history.h"
+#include "app/view/trail_history.h"
 #include "core/circle_meter.h"
 #include "device/falcon/falcon_input.h"
 #include "device/input/circle_input.h"

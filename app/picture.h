@@ -11,8 +11,8 @@
 
 #include "app/files/image.h"
 #include "app/screen.h"
-#include "app/view/history.h"
 #include "app/view/panes.h"
+#include "app/view/trail_history.h"
 #include "core/scene.h"
 
 namespace ghostforce {

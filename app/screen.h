@@ -10,8 +10,8 @@
 #include "app/panels/hints.h"
 #include "app/panels/panel.h"
 #include "app/session.h"
-#include "app/view/history.h"
 #include "app/view/panes.h"
+#include "app/view/trail_history.h"
 #include "app/window.h"
 
 namespace ghostforce {

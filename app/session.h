@@ -14,9 +14,9 @@
 
 #include "app/ladder.h"
 #include "app/plots/plot_view.h"
-#include "app/theme.h"
 #include "app/user_measurement_guide.h"
 #include "app/view/compose.h"
+#include "app/view/theme.h"
 #include "core/circle_meter.h"
 #include "core/motor_report.h"
 #include "core/scene.h"

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "app/theme.h"
 #include "app/view/compose.h"
 #include "app/view/panes.h"
+#include "app/view/theme.h"
 
 namespace ghostforce {
 

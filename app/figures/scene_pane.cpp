@@ -11,8 +11,8 @@
 
 #include "app/chart/screen_box.h"
 #include "app/paint/vector_painter.h"
-#include "app/view/history.h"
 #include "app/view/layers.h"
+#include "app/view/trail_history.h"
 
 namespace ghostforce {
 namespace {

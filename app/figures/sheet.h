@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/figures/figure.h"
-#include "app/theme.h"
+#include "app/view/theme.h"
 
 namespace ghostforce {
 

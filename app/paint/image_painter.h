@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "app/files/image.h"
-#include "app/theme.h"
 #include "app/view/panes.h"
+#include "app/view/theme.h"
 
 namespace ghostforce {
 

@@ -7,8 +7,8 @@
 #include <imgui.h>
 
 #include "app/paint/gl_painter.h"
-#include "app/theme.h"
 #include "app/view/panes.h"
+#include "app/view/theme.h"
 
 namespace ghostforce {
 

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "app/theme.h"
 #include "app/view/panes.h"
+#include "app/view/theme.h"
 
 // Cairo's own names for what it draws on.
 using cairo_t = struct _cairo;  // NOLINT(readability-identifier-naming,bugprone-reserved-identifier)

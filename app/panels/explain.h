@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "app/glossary.h"
+#include "app/view/glossary.h"
 #include "app/view/panes.h"
 
 namespace ghostforce {

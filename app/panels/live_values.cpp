@@ -6,7 +6,7 @@
 
 #include "app/panels/controls.h"
 #include "app/panels/panel_catalog.h"
-#include "app/quantities.h"
+#include "app/view/quantities.h"
 #include "core/settings.h"
 
 namespace ghostforce {

@@ -7,7 +7,7 @@
 #include <imgui.h>
 
 #include "app/session.h"
-#include "app/theme.h"
+#include "app/view/theme.h"
 #include "core/snapshot.h"
 
 namespace ghostforce {

@@ -1,7 +1,7 @@
 // Dresses Dear ImGui in a theme at a UI scale.
 #pragma once
 
-#include "app/theme.h"
+#include "app/view/theme.h"
 
 namespace ghostforce {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/panels/panel.h"
-#include "app/plots/plot_history.h"
+#include "app/view/plot_history.h"
 
 namespace ghostforce {
 

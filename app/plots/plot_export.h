@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "app/plots/plot_history.h"
 #include "app/session.h"
+#include "app/view/plot_history.h"
 #include "core/snapshot.h"
 
 namespace ghostforce {

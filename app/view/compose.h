@@ -8,10 +8,10 @@
 #include <span>
 #include <string_view>
 
-#include "app/theme.h"
 #include "app/view/camera.h"
-#include "app/view/history.h"
 #include "app/view/marks.h"
+#include "app/view/theme.h"
+#include "app/view/trail_history.h"
 #include "core/settings.h"
 #include "core/snapshot.h"
 

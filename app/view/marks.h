@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "app/theme.h"
+#include "app/view/theme.h"
 #include "core/conventions.h"
 #include "core/strategy.h"
 

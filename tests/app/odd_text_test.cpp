@@ -13,7 +13,7 @@
 #include "app/files/scene_file.h"
 #include "app/files/scene_reader.h"
 #include "app/paint/vector_painter.h"
-#include "app/theme.h"
+#include "app/view/theme.h"
 #include "tests/app/vector_panes.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"

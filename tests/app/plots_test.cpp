@@ -11,8 +11,8 @@
 
 #include "app/files/scene_file.h"
 #include "app/plots/plot_export.h"
-#include "app/plots/plot_history.h"
 #include "app/plots/rest_curves.h"
+#include "app/view/plot_history.h"
 #include "core/play.h"
 
 namespace ghostforce {

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "app/theme.h"
+#include "app/view/theme.h"
 #include "tests/support/display.h"
 #include "tests/support/program.h"
 

@@ -262,7 +262,7 @@ TEST(IncludeArrowsSelfTest, LetsThroughWhatEachRoomNeeds) {
        "#include <implot.h>\n#include <toml++/toml.h>\n#include <CLI/CLI.hpp>\n#include <fmt/core.h>\n"
        "#include <nlohmann/json.hpp>\n#include <png.h>\n#include \"device/servo/servo.h\"\n"
        "#include \"embedded_shaders.h\"\n#include \"ghostforce_version.h\"\n"},
-      {"app/view/a.cpp", "#include \"core/snapshot.h\"\n#include \"app/theme.h\"\n#include <fmt/format.h>\n"},
+      {"app/view/a.cpp", "#include \"core/snapshot.h\"\n#include \"app/view/theme.h\"\n#include <fmt/format.h>\n"},
       {"app/paint/a.cpp",
        "#include <cairo/cairo-svg.h>\n#include <cairo.h>\n#include <freetype/freetype.h>\n"
        "#include <glad/gl.h>\n"},

@@ -1,4 +1,4 @@
-#include "app/view/history.h"
+#include "app/view/trail_history.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/files/scene_file.h"
-#include "app/glossary.h"
+#include "app/view/glossary.h"
 #include "app/view/layers.h"
 #include "app/view/panes.h"
 #include "core/play.h"

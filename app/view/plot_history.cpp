@@ -1,4 +1,4 @@
-#include "app/plots/plot_history.h"
+#include "app/view/plot_history.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <array>
 #include <string_view>
 
-#include "app/glossary.h"
+#include "app/view/glossary.h"
 #include "core/snapshot.h"
 
 namespace ghostforce {

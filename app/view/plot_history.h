@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "app/quantities.h"
+#include "app/view/quantities.h"
 #include "core/snapshot.h"
 
 namespace ghostforce {

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/theme.h"
+#include "app/view/theme.h"
 
 namespace ghostforce {
 namespace {

@@ -1,4 +1,4 @@
-#include "app/theme.h"
+#include "app/view/theme.h"
 
 namespace ghostforce {
 namespace {

@@ -1,4 +1,4 @@
-#include "app/quantities.h"
+#include "app/view/quantities.h"
 
 #include <glm/geometric.hpp>
 

@@ -1,4 +1,4 @@
-#include "app/glossary.h"
+#include "app/view/glossary.h"
 
 #include <array>
 

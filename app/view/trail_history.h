@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <deque>
 
-#include "app/plots/plot_history.h"
+#include "app/view/plot_history.h"
 #include "core/snapshot.h"
 
 namespace ghostforce {
