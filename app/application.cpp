@@ -15,7 +15,7 @@
 #include "app/files/run_reader.h"
 #include "app/files/scene_file.h"
 #include "app/input_choices.h"
-#include "app/paint/vector_painter.h"
+#include "app/paint/vector/vector_painter.h"
 #include "app/panels/panel_catalog.h"
 #include "app/plots/plot_export.h"
 #include "app/runs/run_hand.h"

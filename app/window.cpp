@@ -17,9 +17,9 @@
 #include "app/console/failure.h"
 #include "app/display_loss.h"
 #include "app/drawing_memory.h"
-#include "app/font_file.h"
 #include "app/key_layout.h"
 #include "app/offscreen_driver.h"
+#include "app/paint/font_file.h"
 #include "app/paint/gl/handle.h"
 
 // ImGui's OpenGL backend has a loader of its own that looks into libGL, where it finds nothing under OSMesa. This is

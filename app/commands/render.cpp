@@ -14,7 +14,7 @@
 #include "app/console/quoted.h"
 #include "app/files/output_file.h"
 #include "app/files/png_file.h"
-#include "app/paint/vector_painter.h"
+#include "app/paint/vector/vector_painter.h"
 #include "app/picture.h"
 
 namespace ghostforce {

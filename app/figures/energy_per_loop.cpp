@@ -12,7 +12,7 @@
 #include "app/figures/curves.h"
 #include "app/figures/sheet.h"
 #include "app/files/scene_file.h"
-#include "app/paint/vector_painter.h"
+#include "app/paint/vector/vector_painter.h"
 #include "core/circle.h"
 #include "core/energy.h"
 #include "core/loop_meter.h"

@@ -4,7 +4,7 @@
 #include "app/figures/sheet.h"
 #include "app/files/png_file.h"
 #include "app/paint/image_painter.h"
-#include "app/paint/vector_painter.h"
+#include "app/paint/vector/vector_painter.h"
 
 namespace ghostforce {
 namespace {

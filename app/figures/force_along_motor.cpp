@@ -6,7 +6,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/paint/vector_painter.h"
+#include "app/paint/vector/vector_painter.h"
 
 namespace ghostforce {
 namespace {

@@ -12,7 +12,7 @@
 #include "app/chart/chart.h"
 #include "app/figures/motion_picture.h"
 #include "app/files/scene_file.h"
-#include "app/paint/vector_painter.h"
+#include "app/paint/vector/vector_painter.h"
 #include "core/simulated_hand.h"
 
 namespace ghostforce {

@@ -5,7 +5,7 @@
 
 #include "app/figures/sheet.h"
 #include "app/files/scene_file.h"
-#include "app/paint/vector_painter.h"
+#include "app/paint/vector/vector_painter.h"
 #include "core/ghost_force.h"
 
 namespace ghostforce {

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "app/chart/screen_box.h"
-#include "app/paint/vector_painter.h"
+#include "app/paint/vector/vector_painter.h"
 #include "app/view/layers.h"
 #include "app/view/trail_history.h"
 

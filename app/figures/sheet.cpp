@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "app/paint/vector_painter.h"
+#include "app/paint/vector/vector_painter.h"
 #include "ghostforce_version.h"
 
 namespace ghostforce {

@@ -10,7 +10,7 @@
 #include <memory>
 
 #include "app/console/failure.h"
-#include "app/paint/vector_painter.h"
+#include "app/paint/vector/vector_painter.h"
 
 namespace ghostforce {
 namespace {

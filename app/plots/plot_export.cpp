@@ -14,7 +14,7 @@
 #include "app/files/png_file.h"
 #include "app/files/run_file.h"
 #include "app/paint/image_painter.h"
-#include "app/paint/vector_painter.h"
+#include "app/paint/vector/vector_painter.h"
 #include "app/panels/ratio_dial.h"
 #include "app/panels/save_path.h"
 #include "app/plots/rest_curves.h"

@@ -17,7 +17,7 @@
 #include "app/figures/sheet.h"
 #include "app/files/png_file.h"
 #include "app/files/scene_file.h"
-#include "app/paint/vector_painter.h"
+#include "app/paint/vector/vector_painter.h"
 #include "tests/app/figure_tables.h"
 #include "tests/support/temporary_folder.h"
 

@@ -12,9 +12,9 @@
 #include "app/console/unicode.h"
 #include "app/files/scene_file.h"
 #include "app/files/scene_reader.h"
-#include "app/paint/vector_painter.h"
+#include "app/paint/vector/vector_painter.h"
 #include "app/view/theme.h"
-#include "tests/app/vector_panes.h"
+#include "tests/app/paint/vector/vector_panes.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 

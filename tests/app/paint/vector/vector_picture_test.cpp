@@ -15,9 +15,9 @@
 
 #include "app/paint/label_painter.h"
 #include "app/paint/scene_painter.h"
-#include "app/paint/vector_painter.h"
+#include "app/paint/vector/vector_painter.h"
 #include "app/window.h"
-#include "tests/app/vector_panes.h"
+#include "tests/app/paint/vector/vector_panes.h"
 
 namespace ghostforce {
 namespace {

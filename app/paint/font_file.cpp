@@ -1,4 +1,4 @@
-#include "app/font_file.h"
+#include "app/paint/font_file.h"
 
 #include <fmt/format.h>
 

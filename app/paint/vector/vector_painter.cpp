@@ -1,4 +1,4 @@
-#include "app/paint/vector_painter.h"
+#include "app/paint/vector/vector_painter.h"
 
 #include <cairo-ft.h>
 #include <cairo-pdf.h>
@@ -19,7 +19,7 @@
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
 #include "app/files/xml_text.h"
-#include "app/font_file.h"
+#include "app/paint/font_file.h"
 #include "ghostforce_version.h"
 
 namespace ghostforce {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/files/scene_file.h"
-#include "app/paint/vector_painter.h"
+#include "app/paint/vector/vector_painter.h"
 #include "app/picture.h"
 
 namespace ghostforce {
