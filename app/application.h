@@ -11,9 +11,9 @@
 
 #include "app/runs/recording.h"
 #include "app/screen.h"
-#include "app/session.h"
+#include "app/session/session.h"
+#include "app/session/undo.h"
 #include "app/shader_watch.h"
-#include "app/undo.h"
 #include "app/view/trail_history.h"
 #include "core/circle_meter.h"
 #include "device/falcon/falcon_input.h"

@@ -7,9 +7,9 @@
 
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
-#include "app/input_choices.h"
 #include "app/paint/json_painter.h"
 #include "app/panels/panel_catalog.h"
+#include "app/session/input_choices.h"
 #include "app/window.h"
 #include "core/play.h"
 #include "core/sound_state.h"

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include "app/keys.h"
 #include "app/paint/label_painter.h"
 #include "app/panels/caption.h"
 #include "app/panels/controls.h"
@@ -15,6 +14,7 @@
 #include "app/panels/style.h"
 #include "app/plots/drawer.h"
 #include "app/plots/plot_pieces.h"
+#include "app/session/keys.h"
 
 namespace ghostforce {
 namespace {

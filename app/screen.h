@@ -9,7 +9,7 @@
 #include "app/paint/scene_painter.h"
 #include "app/panels/hints.h"
 #include "app/panels/panel.h"
-#include "app/session.h"
+#include "app/session/session.h"
 #include "app/view/panes.h"
 #include "app/view/trail_history.h"
 #include "app/window.h"

@@ -11,7 +11,7 @@
 #include <imgui.h>
 
 #include "app/files/image.h"
-#include "app/key_press.h"
+#include "app/session/key_press.h"
 
 struct GLFWwindow;
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/command_options.h"
-#include "app/session.h"
+#include "app/session/session.h"
 #include "core/scene.h"
 
 namespace ghostforce {

@@ -4,9 +4,9 @@
 #include <string>
 #include <string_view>
 
-#include "app/keys.h"
 #include "app/panels/controls.h"
 #include "app/panels/panel_catalog.h"
+#include "app/session/keys.h"
 
 namespace ghostforce {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "app/panels/controls.h"
 #include "app/panels/panel_catalog.h"
-#include "app/user_measurement_guide.h"
+#include "app/session/measurement_guide.h"
 
 namespace ghostforce {
 namespace {

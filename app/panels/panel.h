@@ -6,7 +6,7 @@
 
 #include <imgui.h>
 
-#include "app/session.h"
+#include "app/session/session.h"
 #include "app/view/theme.h"
 #include "core/snapshot.h"
 

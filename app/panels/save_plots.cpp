@@ -7,7 +7,7 @@
 #include "app/panels/controls.h"
 #include "app/panels/dialogs.h"
 #include "app/panels/save_path.h"
-#include "app/plots/plot_view.h"
+#include "app/session/plot_view.h"
 
 namespace ghostforce {
 namespace {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "app/files/scene_file.h"
-#include "app/keys.h"
 #include "app/panels/controls.h"
 #include "app/panels/panel_catalog.h"
+#include "app/session/keys.h"
 
 namespace ghostforce {
 namespace {

@@ -18,7 +18,7 @@
 #include "app/panels/ratio_dial.h"
 #include "app/panels/save_path.h"
 #include "app/plots/rest_curves.h"
-#include "app/saving.h"
+#include "app/session/scene_as_seen.h"
 
 namespace ghostforce {
 namespace {

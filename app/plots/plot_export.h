@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "app/session.h"
+#include "app/session/session.h"
 #include "app/view/plot_history.h"
 #include "core/snapshot.h"
 

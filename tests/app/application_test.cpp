@@ -1,5 +1,5 @@
 // What the window does with the servo: starting at rest, dragging, pausing, resetting, minimising.
-#include "app/keys.h"
+#include "app/session/keys.h"
 #include "tests/app/driven_window.h"
 
 namespace ghostforce {

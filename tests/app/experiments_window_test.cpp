@@ -10,7 +10,7 @@
 #include <imgui_internal.h>
 
 #include "app/panels/panel_catalog.h"
-#include "app/user_measurement_guide.h"
+#include "app/session/measurement_guide.h"
 #include "core/energy.h"
 #include "core/ghost_force.h"
 #include "tests/app/driven_window.h"

@@ -16,8 +16,8 @@
 #include <imgui_internal.h>
 
 #include "app/gestures.h"
-#include "app/keys.h"
-#include "app/saving.h"
+#include "app/session/keys.h"
+#include "app/session/scene_as_seen.h"
 #include "tests/app/driven_window.h"
 #include "tests/device/servo/servo_scenes.h"
 #include "tests/support/temporary_folder.h"

@@ -12,7 +12,7 @@
 #include "app/panels/hints.h"
 #include "app/panels/panel_catalog.h"
 #include "app/panels/save_path.h"
-#include "app/saving.h"
+#include "app/session/scene_as_seen.h"
 #include "app/view/handles.h"
 #include "tests/app/driven_window.h"
 #include "tests/support/temporary_folder.h"

@@ -5,8 +5,8 @@
 #include <span>
 #include <string_view>
 
-#include "app/key_press.h"
-#include "app/session.h"
+#include "app/session/key_press.h"
+#include "app/session/session.h"
 
 namespace ghostforce {
 

@@ -1,4 +1,4 @@
-#include "app/keys.h"
+#include "app/session/keys.h"
 
 #include <GLFW/glfw3.h>
 

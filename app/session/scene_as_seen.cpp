@@ -1,4 +1,4 @@
-#include "app/saving.h"
+#include "app/session/scene_as_seen.h"
 
 #include "app/files/output_file.h"
 #include "app/files/scene_file.h"

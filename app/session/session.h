@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "app/ladder.h"
-#include "app/plots/plot_view.h"
-#include "app/user_measurement_guide.h"
+#include "app/session/measurement_guide.h"
+#include "app/session/plot_view.h"
 #include "app/view/compose.h"
 #include "app/view/theme.h"
 #include "core/circle_meter.h"

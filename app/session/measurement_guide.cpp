@@ -1,10 +1,10 @@
-#include "app/user_measurement_guide.h"
+#include "app/session/measurement_guide.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "app/session.h"
+#include "app/session/session.h"
 
 namespace ghostforce {
 namespace {

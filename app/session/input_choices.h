@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "app/session.h"
+#include "app/session/session.h"
 #include "device/input_catalog.h"
 
 namespace ghostforce {
