@@ -7,7 +7,7 @@
 
 #include <imgui.h>
 
-#include "app/panels/explain.h"
+#include "app/ui/widgets/tooltips.h"
 #include "app/view/handles.h"
 #include "core/scene.h"
 

@@ -8,13 +8,13 @@
 
 #include "app/paint/label_painter.h"
 #include "app/panels/caption.h"
-#include "app/panels/controls.h"
 #include "app/panels/dialogs.h"
 #include "app/panels/panel_catalog.h"
-#include "app/panels/style.h"
 #include "app/plots/drawer.h"
 #include "app/plots/plot_pieces.h"
 #include "app/session/keys.h"
+#include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/style.h"
 
 namespace ghostforce {
 namespace {

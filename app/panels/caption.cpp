@@ -6,8 +6,8 @@
 #include <cmath>
 #include <string>
 
-#include "app/panels/controls.h"
 #include "app/panels/hints.h"
+#include "app/ui/widgets/controls.h"
 #include "core/ghost_force.h"
 
 namespace ghostforce {

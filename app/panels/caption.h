@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "app/panels/panel.h"
+#include "app/ui/widgets/panel_context.h"
 
 namespace ghostforce {
 

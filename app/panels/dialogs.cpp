@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "app/panels/controls.h"
+#include "app/ui/widgets/controls.h"
 
 namespace ghostforce {
 namespace {

@@ -2,7 +2,7 @@
 // fields, and in the end leaves a wish in the session.
 #pragma once
 
-#include "app/panels/panel.h"
+#include "app/ui/widgets/panel_context.h"
 
 namespace ghostforce {
 

@@ -6,8 +6,8 @@
 
 #include <glm/common.hpp>
 
-#include "app/panels/controls.h"
 #include "app/panels/panel_catalog.h"
+#include "app/ui/widgets/controls.h"
 #include "core/energy.h"
 
 namespace ghostforce {

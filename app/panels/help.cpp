@@ -4,9 +4,9 @@
 #include <string_view>
 #include <vector>
 
-#include "app/panels/controls.h"
 #include "app/panels/dialogs.h"
 #include "app/session/keys.h"
+#include "app/ui/widgets/controls.h"
 
 namespace ghostforce {
 namespace {

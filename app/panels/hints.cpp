@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "app/panels/controls.h"
+#include "app/ui/widgets/controls.h"
 
 namespace ghostforce {
 namespace {

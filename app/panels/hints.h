@@ -8,7 +8,7 @@
 #include <span>
 #include <string_view>
 
-#include "app/panels/panel.h"
+#include "app/ui/widgets/panel_context.h"
 
 namespace ghostforce {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <string_view>
 
-#include "app/panels/controls.h"
 #include "app/panels/panel_catalog.h"
 #include "app/session/keys.h"
+#include "app/ui/widgets/controls.h"
 
 namespace ghostforce {
 namespace {

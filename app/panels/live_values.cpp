@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/panels/controls.h"
 #include "app/panels/panel_catalog.h"
+#include "app/ui/widgets/controls.h"
 #include "app/view/quantities.h"
 #include "core/settings.h"
 

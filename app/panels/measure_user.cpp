@@ -5,9 +5,9 @@
 #include <cmath>
 #include <string>
 
-#include "app/panels/controls.h"
 #include "app/panels/panel_catalog.h"
 #include "app/session/measurement_guide.h"
+#include "app/ui/widgets/controls.h"
 
 namespace ghostforce {
 namespace {

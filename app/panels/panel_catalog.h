@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "app/panels/panel.h"
+#include "app/ui/widgets/panel_context.h"
 
 namespace ghostforce {
 

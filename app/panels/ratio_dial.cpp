@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/panels/controls.h"
+#include "app/ui/widgets/controls.h"
 
 namespace ghostforce {
 namespace {

@@ -2,7 +2,7 @@
 // ends of this one dial.
 #pragma once
 
-#include "app/panels/panel.h"
+#include "app/ui/widgets/panel_context.h"
 
 namespace ghostforce {
 

@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "app/panels/controls.h"
 #include "app/panels/panel_catalog.h"
-#include "app/panels/save_path.h"
+#include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/save_path.h"
 
 namespace ghostforce {
 

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <limits>
 
-#include "app/panels/controls.h"
 #include "app/panels/panel_catalog.h"
 #include "app/panels/ratio_dial.h"
+#include "app/ui/widgets/controls.h"
 
 namespace ghostforce {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "app/panels/controls.h"
 #include "app/panels/panel_catalog.h"
+#include "app/ui/widgets/controls.h"
 #include "core/force_limiter.h"
 
 namespace ghostforce {

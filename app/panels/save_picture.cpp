@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "app/panels/controls.h"
 #include "app/panels/dialogs.h"
-#include "app/panels/save_path.h"
+#include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/save_path.h"
 
 namespace ghostforce {
 namespace {

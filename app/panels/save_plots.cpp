@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 
-#include "app/panels/controls.h"
 #include "app/panels/dialogs.h"
-#include "app/panels/save_path.h"
 #include "app/session/plot_view.h"
+#include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/save_path.h"
 
 namespace ghostforce {
 namespace {

@@ -1,6 +1,6 @@
 // Ctrl+S: the scene with its settings as they are now.
 #include "app/panels/dialogs.h"
-#include "app/panels/save_path.h"
+#include "app/ui/widgets/save_path.h"
 
 namespace ghostforce {
 

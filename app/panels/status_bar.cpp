@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "app/files/scene_file.h"
-#include "app/panels/controls.h"
 #include "app/panels/panel_catalog.h"
 #include "app/session/keys.h"
+#include "app/ui/widgets/controls.h"
 
 namespace ghostforce {
 namespace {

@@ -5,11 +5,11 @@
 #include <array>
 #include <string>
 
-#include "app/panels/controls.h"
 #include "app/panels/hints.h"
 #include "app/panels/panel_catalog.h"
 #include "app/panels/recording.h"
 #include "app/session/keys.h"
+#include "app/ui/widgets/controls.h"
 
 namespace ghostforce {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 
-#include "app/panels/controls.h"
 #include "app/panels/panel_catalog.h"
+#include "app/ui/widgets/controls.h"
 #include "core/ghost_force.h"
 
 namespace ghostforce {

@@ -1,6 +1,6 @@
 // Which way the wall faces, and which way the device can push.
-#include "app/panels/controls.h"
 #include "app/panels/panel_catalog.h"
+#include "app/ui/widgets/controls.h"
 
 namespace ghostforce {
 

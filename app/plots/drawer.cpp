@@ -2,9 +2,9 @@
 
 #include <array>
 
-#include "app/panels/controls.h"
 #include "app/plots/rest_plots.h"
 #include "app/plots/time_plots.h"
+#include "app/ui/widgets/controls.h"
 
 namespace ghostforce {
 namespace {

@@ -1,7 +1,7 @@
 // The drawer at the bottom with the plots, key F3.
 #pragma once
 
-#include "app/panels/panel.h"
+#include "app/ui/widgets/panel_context.h"
 #include "app/view/plot_history.h"
 
 namespace ghostforce {

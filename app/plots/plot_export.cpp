@@ -16,9 +16,9 @@
 #include "app/paint/image_painter.h"
 #include "app/paint/vector/vector_painter.h"
 #include "app/panels/ratio_dial.h"
-#include "app/panels/save_path.h"
 #include "app/plots/rest_curves.h"
 #include "app/session/scene_as_seen.h"
+#include "app/ui/widgets/save_path.h"
 
 namespace ghostforce {
 namespace {

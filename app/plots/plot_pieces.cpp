@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/chart/ticks.h"
-#include "app/panels/controls.h"
+#include "app/ui/widgets/controls.h"
 
 namespace ghostforce {
 namespace {

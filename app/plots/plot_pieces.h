@@ -7,7 +7,7 @@
 
 #include <implot.h>
 
-#include "app/panels/panel.h"
+#include "app/ui/widgets/panel_context.h"
 
 namespace ghostforce {
 

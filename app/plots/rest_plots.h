@@ -3,7 +3,7 @@
 // the scene follows.
 #pragma once
 
-#include "app/panels/panel.h"
+#include "app/ui/widgets/panel_context.h"
 
 namespace ghostforce {
 

@@ -9,8 +9,8 @@
 
 #include <fmt/format.h>
 
-#include "app/panels/controls.h"
 #include "app/plots/plot_pieces.h"
+#include "app/ui/widgets/controls.h"
 
 namespace ghostforce {
 namespace {

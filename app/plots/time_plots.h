@@ -1,7 +1,7 @@
 // The quantities of the three strategies over time: four plots with one time axis and one cursor.
 #pragma once
 
-#include "app/panels/panel.h"
+#include "app/ui/widgets/panel_context.h"
 #include "app/view/plot_history.h"
 
 namespace ghostforce {

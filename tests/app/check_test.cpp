@@ -27,8 +27,8 @@
 #include "app/files/scene_file.h"
 #include "app/paint/label_painter.h"
 #include "app/paint/scene_painter.h"
-#include "app/panels/style.h"
 #include "app/picture.h"
+#include "app/ui/widgets/style.h"
 #include "app/window.h"
 #include "tests/app/check_cases.h"
 

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "app/panels/explain.h"
+#include "app/ui/widgets/tooltips.h"
 #include "app/view/handles.h"
 #include "tests/app/driven_window.h"
 

@@ -1,8 +1,8 @@
-#include "app/panels/style.h"
+#include "app/ui/widgets/style.h"
 
 #include <imgui.h>
 
-#include "app/panels/controls.h"
+#include "app/ui/widgets/controls.h"
 
 namespace ghostforce {
 

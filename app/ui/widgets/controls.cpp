@@ -1,4 +1,4 @@
-#include "app/panels/controls.h"
+#include "app/ui/widgets/controls.h"
 
 #include <fmt/format.h>
 

@@ -7,8 +7,8 @@
 
 #include <imgui.h>
 
-#include "app/panels/explain.h"
-#include "app/panels/panel.h"
+#include "app/ui/widgets/panel_context.h"
+#include "app/ui/widgets/tooltips.h"
 
 namespace ghostforce {
 

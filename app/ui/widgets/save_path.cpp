@@ -1,4 +1,4 @@
-#include "app/panels/save_path.h"
+#include "app/ui/widgets/save_path.h"
 
 #include <algorithm>
 #include <cctype>
@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "app/panels/controls.h"
 #include "app/panels/dialogs.h"
+#include "app/ui/widgets/controls.h"
 
 namespace ghostforce {
 namespace {

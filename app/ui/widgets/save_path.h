@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/panels/panel.h"
+#include "app/ui/widgets/panel_context.h"
 
 namespace ghostforce {
 

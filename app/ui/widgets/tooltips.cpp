@@ -1,4 +1,4 @@
-#include "app/panels/explain.h"
+#include "app/ui/widgets/tooltips.h"
 
 #include <algorithm>
 #include <cmath>
