@@ -7,8 +7,8 @@
 
 #include "app/gestures.h"
 #include "app/paint/scene_painter.h"
-#include "app/panels/hints.h"
 #include "app/session/session.h"
+#include "app/ui/panels/hints.h"
 #include "app/ui/widgets/panel_context.h"
 #include "app/view/panes.h"
 #include "app/view/trail_history.h"

@@ -10,9 +10,9 @@
 
 #include <fmt/format.h>
 
-#include "app/panels/ratio_dial.h"
 #include "app/plots/plot_pieces.h"
 #include "app/plots/rest_curves.h"
+#include "app/ui/panels/ratio_dial.h"
 #include "app/ui/widgets/controls.h"
 
 namespace ghostforce {

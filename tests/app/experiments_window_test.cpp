@@ -9,8 +9,8 @@
 
 #include <imgui_internal.h>
 
-#include "app/panels/panel_catalog.h"
 #include "app/session/measurement_guide.h"
+#include "app/ui/panels/panel_catalog.h"
 #include "core/energy.h"
 #include "core/ghost_force.h"
 #include "tests/app/driven_window.h"

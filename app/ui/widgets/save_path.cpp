@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "app/panels/dialogs.h"
+#include "app/ui/panels/dialogs.h"
 #include "app/ui/widgets/controls.h"
 
 namespace ghostforce {

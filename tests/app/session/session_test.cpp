@@ -8,10 +8,10 @@
 #include <string_view>
 
 #include "app/files/png_file.h"
-#include "app/panels/caption.h"
-#include "app/panels/hints.h"
-#include "app/panels/panel_catalog.h"
 #include "app/session/scene_as_seen.h"
+#include "app/ui/panels/caption.h"
+#include "app/ui/panels/hints.h"
+#include "app/ui/panels/panel_catalog.h"
 #include "app/ui/widgets/save_path.h"
 #include "app/view/handles.h"
 #include "tests/app/driven_window.h"

@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include "app/panels/dialogs.h"
 #include "app/session/keys.h"
+#include "app/ui/panels/dialogs.h"
 #include "app/ui/widgets/controls.h"
 
 namespace ghostforce {

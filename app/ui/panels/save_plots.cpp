@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "app/panels/dialogs.h"
 #include "app/session/plot_view.h"
+#include "app/ui/panels/dialogs.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/save_path.h"
 

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <limits>
 
-#include "app/panels/panel_catalog.h"
-#include "app/panels/ratio_dial.h"
+#include "app/ui/panels/panel_catalog.h"
+#include "app/ui/panels/ratio_dial.h"
 #include "app/ui/widgets/controls.h"
 
 namespace ghostforce {

@@ -1,5 +1,5 @@
 // F2: the ladder of the device, from nothing to motors that push: what is reached, what is next, and what to do.
-#include "app/panels/dialogs.h"
+#include "app/ui/panels/dialogs.h"
 #include "app/ui/widgets/controls.h"
 
 namespace ghostforce {

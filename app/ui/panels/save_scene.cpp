@@ -1,5 +1,5 @@
 // Ctrl+S: the scene with its settings as they are now.
-#include "app/panels/dialogs.h"
+#include "app/ui/panels/dialogs.h"
 #include "app/ui/widgets/save_path.h"
 
 namespace ghostforce {

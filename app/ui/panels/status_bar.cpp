@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "app/files/scene_file.h"
-#include "app/panels/panel_catalog.h"
 #include "app/session/keys.h"
+#include "app/ui/panels/panel_catalog.h"
 #include "app/ui/widgets/controls.h"
 
 namespace ghostforce {

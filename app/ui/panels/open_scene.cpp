@@ -1,5 +1,5 @@
 // Ctrl+O: a scene by its path. The shipped ones are in the menu of the status bar.
-#include "app/panels/dialogs.h"
+#include "app/ui/panels/dialogs.h"
 #include "app/ui/widgets/controls.h"
 
 namespace ghostforce {

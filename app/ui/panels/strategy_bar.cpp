@@ -5,10 +5,10 @@
 #include <array>
 #include <string>
 
-#include "app/panels/hints.h"
-#include "app/panels/panel_catalog.h"
-#include "app/panels/recording.h"
 #include "app/session/keys.h"
+#include "app/ui/panels/hints.h"
+#include "app/ui/panels/panel_catalog.h"
+#include "app/ui/panels/recording.h"
 #include "app/ui/widgets/controls.h"
 
 namespace ghostforce {

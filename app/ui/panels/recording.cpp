@@ -1,9 +1,9 @@
 // The recording: to which file, how far it is, and what it has lost.
-#include "app/panels/recording.h"
+#include "app/ui/panels/recording.h"
 
 #include <fmt/format.h>
 
-#include "app/panels/panel_catalog.h"
+#include "app/ui/panels/panel_catalog.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/save_path.h"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/panels/panel_catalog.h"
+#include "app/ui/panels/panel_catalog.h"
 #include "app/ui/widgets/controls.h"
 
 namespace ghostforce {

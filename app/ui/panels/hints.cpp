@@ -1,4 +1,4 @@
-#include "app/panels/hints.h"
+#include "app/ui/panels/hints.h"
 
 #include <array>
 

@@ -1,4 +1,4 @@
-#include "app/panels/ratio_dial.h"
+#include "app/ui/panels/ratio_dial.h"
 
 #include <fmt/format.h>
 

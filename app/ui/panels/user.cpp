@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "app/panels/panel_catalog.h"
+#include "app/ui/panels/panel_catalog.h"
 #include "app/ui/widgets/controls.h"
 #include "core/ghost_force.h"
 

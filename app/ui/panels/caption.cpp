@@ -1,4 +1,4 @@
-#include "app/panels/caption.h"
+#include "app/ui/panels/caption.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "app/panels/hints.h"
+#include "app/ui/panels/hints.h"
 #include "app/ui/widgets/controls.h"
 #include "core/ghost_force.h"
 

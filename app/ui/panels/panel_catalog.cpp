@@ -1,4 +1,4 @@
-#include "app/panels/panel_catalog.h"
+#include "app/ui/panels/panel_catalog.h"
 
 #include <array>
 #include <limits>

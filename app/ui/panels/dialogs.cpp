@@ -1,4 +1,4 @@
-#include "app/panels/dialogs.h"
+#include "app/ui/panels/dialogs.h"
 
 #include <algorithm>
 #include <array>

@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "app/panels/panel_catalog.h"
 #include "app/session/keys.h"
+#include "app/ui/panels/panel_catalog.h"
 #include "app/ui/widgets/controls.h"
 
 namespace ghostforce {

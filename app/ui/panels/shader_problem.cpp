@@ -1,5 +1,5 @@
 // What an author of shaders needs to see: what the driver said, and which line it meant.
-#include "app/panels/dialogs.h"
+#include "app/ui/panels/dialogs.h"
 #include "app/ui/widgets/controls.h"
 
 namespace ghostforce {

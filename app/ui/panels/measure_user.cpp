@@ -5,8 +5,8 @@
 #include <cmath>
 #include <string>
 
-#include "app/panels/panel_catalog.h"
 #include "app/session/measurement_guide.h"
+#include "app/ui/panels/panel_catalog.h"
 #include "app/ui/widgets/controls.h"
 
 namespace ghostforce {

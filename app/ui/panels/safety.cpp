@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "app/panels/panel_catalog.h"
+#include "app/ui/panels/panel_catalog.h"
 #include "app/ui/widgets/controls.h"
 #include "core/force_limiter.h"
 

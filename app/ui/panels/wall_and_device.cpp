@@ -1,5 +1,5 @@
 // Which way the wall faces, and which way the device can push.
-#include "app/panels/panel_catalog.h"
+#include "app/ui/panels/panel_catalog.h"
 #include "app/ui/widgets/controls.h"
 
 namespace ghostforce {

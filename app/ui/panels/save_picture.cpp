@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "app/panels/dialogs.h"
+#include "app/ui/panels/dialogs.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/save_path.h"
 

@@ -6,7 +6,7 @@
 
 #include <glm/common.hpp>
 
-#include "app/panels/panel_catalog.h"
+#include "app/ui/panels/panel_catalog.h"
 #include "app/ui/widgets/controls.h"
 #include "core/energy.h"
 
