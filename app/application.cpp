@@ -15,11 +15,11 @@
 #include "app/files/run_reader.h"
 #include "app/files/scene_file.h"
 #include "app/paint/vector/vector_painter.h"
-#include "app/plots/plot_export.h"
 #include "app/runs/run_hand.h"
 #include "app/session/input_choices.h"
 #include "app/session/scene_as_seen.h"
 #include "app/ui/panels/panel_catalog.h"
+#include "app/ui/plots/plot_export.h"
 #include "core/play.h"
 #include "core/sound_state.h"
 

@@ -7,12 +7,12 @@
 #include <utility>
 
 #include "app/paint/label_painter.h"
-#include "app/plots/drawer.h"
-#include "app/plots/plot_pieces.h"
 #include "app/session/keys.h"
 #include "app/ui/panels/caption.h"
 #include "app/ui/panels/dialogs.h"
 #include "app/ui/panels/panel_catalog.h"
+#include "app/ui/plots/drawer.h"
+#include "app/ui/plots/plot_pieces.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/style.h"
 

@@ -1,4 +1,4 @@
-#include "app/plots/rest_curves.h"
+#include "app/ui/plots/rest_curves.h"
 
 #include <cmath>
 #include <limits>

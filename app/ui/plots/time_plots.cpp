@@ -1,4 +1,4 @@
-#include "app/plots/time_plots.h"
+#include "app/ui/plots/time_plots.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "app/plots/plot_pieces.h"
+#include "app/ui/plots/plot_pieces.h"
 #include "app/ui/widgets/controls.h"
 
 namespace ghostforce {

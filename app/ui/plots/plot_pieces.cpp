@@ -1,4 +1,4 @@
-#include "app/plots/plot_pieces.h"
+#include "app/ui/plots/plot_pieces.h"
 
 #include <algorithm>
 #include <cmath>

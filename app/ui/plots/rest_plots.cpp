@@ -1,4 +1,4 @@
-#include "app/plots/rest_plots.h"
+#include "app/ui/plots/rest_plots.h"
 
 #include <algorithm>
 #include <array>
@@ -10,9 +10,9 @@
 
 #include <fmt/format.h>
 
-#include "app/plots/plot_pieces.h"
-#include "app/plots/rest_curves.h"
 #include "app/ui/panels/ratio_dial.h"
+#include "app/ui/plots/plot_pieces.h"
+#include "app/ui/plots/rest_curves.h"
 #include "app/ui/widgets/controls.h"
 
 namespace ghostforce {

@@ -1,4 +1,4 @@
-#include "app/plots/plot_export.h"
+#include "app/ui/plots/plot_export.h"
 
 #include <array>
 #include <cmath>
@@ -15,9 +15,9 @@
 #include "app/files/run_file.h"
 #include "app/paint/image_painter.h"
 #include "app/paint/vector/vector_painter.h"
-#include "app/plots/rest_curves.h"
 #include "app/session/scene_as_seen.h"
 #include "app/ui/panels/ratio_dial.h"
+#include "app/ui/plots/rest_curves.h"
 #include "app/ui/widgets/save_path.h"
 
 namespace ghostforce {

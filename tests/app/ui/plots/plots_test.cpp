@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "app/files/scene_file.h"
-#include "app/plots/plot_export.h"
-#include "app/plots/rest_curves.h"
+#include "app/ui/plots/plot_export.h"
+#include "app/ui/plots/rest_curves.h"
 #include "app/view/plot_history.h"
 #include "core/play.h"
 

@@ -1,9 +1,9 @@
-#include "app/plots/drawer.h"
+#include "app/ui/plots/drawer.h"
 
 #include <array>
 
-#include "app/plots/rest_plots.h"
-#include "app/plots/time_plots.h"
+#include "app/ui/plots/rest_plots.h"
+#include "app/ui/plots/time_plots.h"
 #include "app/ui/widgets/controls.h"
 
 namespace ghostforce {
