@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "app/runs/recording.h"
-#include "app/screen.h"
 #include "app/session/session.h"
 #include "app/session/undo.h"
-#include "app/shader_watch.h"
+#include "app/ui/screen.h"
+#include "app/ui/shader_watch.h"
 #include "app/view/trail_history.h"
 #include "core/circle_meter.h"
 #include "device/falcon/falcon_input.h"

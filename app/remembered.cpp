@@ -17,7 +17,7 @@
 #include "app/files/input_file.h"
 #include "app/files/output_file.h"
 #include "app/files/toml_text.h"
-#include "app/window.h"
+#include "app/ui/window.h"
 
 namespace ghostforce {
 namespace {

@@ -24,9 +24,9 @@
 #include <vector>
 
 #include "app/files/scene_file.h"
-#include "app/screen.h"
 #include "app/session/input_choices.h"
 #include "app/ui/panels/panel_catalog.h"
+#include "app/ui/screen.h"
 #include "bench/support/contest.h"
 #include "bench/support/report.h"
 #include "core/play.h"

@@ -10,7 +10,7 @@
 
 #include "app/check/comparison.h"
 #include "app/check/golden_origin.h"
-#include "app/picture.h"
+#include "app/ui/offscreen.h"
 
 namespace ghostforce {
 

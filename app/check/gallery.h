@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/check/case_file.h"
-#include "app/picture.h"
+#include "app/ui/offscreen.h"
 
 namespace ghostforce {
 

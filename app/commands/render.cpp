@@ -15,7 +15,7 @@
 #include "app/files/output_file.h"
 #include "app/files/png_file.h"
 #include "app/paint/vector/vector_painter.h"
-#include "app/picture.h"
+#include "app/ui/offscreen.h"
 
 namespace ghostforce {
 namespace {

@@ -27,9 +27,9 @@
 #include "app/files/scene_file.h"
 #include "app/paint/label_painter.h"
 #include "app/paint/scene_painter.h"
-#include "app/picture.h"
+#include "app/ui/offscreen.h"
 #include "app/ui/widgets/style.h"
-#include "app/window.h"
+#include "app/ui/window.h"
 #include "tests/app/check_cases.h"
 
 namespace ghostforce {

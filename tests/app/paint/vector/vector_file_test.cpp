@@ -15,7 +15,7 @@
 #include "app/application.h"
 #include "app/files/scene_file.h"
 #include "app/paint/vector/vector_painter.h"
-#include "app/window.h"
+#include "app/ui/window.h"
 #include "tests/app/paint/vector/vector_panes.h"
 #include "tests/support/no_opengl.h"
 #include "tests/support/program.h"

@@ -7,7 +7,7 @@
 
 #include "app/files/scene_file.h"
 #include "app/paint/vector/vector_painter.h"
-#include "app/picture.h"
+#include "app/ui/offscreen.h"
 
 namespace ghostforce {
 

@@ -16,7 +16,7 @@
 #include "app/paint/label_painter.h"
 #include "app/paint/scene_painter.h"
 #include "app/paint/vector/vector_painter.h"
-#include "app/window.h"
+#include "app/ui/window.h"
 #include "tests/app/paint/vector/vector_panes.h"
 
 namespace ghostforce {

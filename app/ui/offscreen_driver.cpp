@@ -1,4 +1,4 @@
-#include "app/offscreen_driver.h"
+#include "app/ui/offscreen_driver.h"
 
 #include <unistd.h>
 

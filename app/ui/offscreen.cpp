@@ -1,4 +1,4 @@
-#include "app/picture.h"
+#include "app/ui/offscreen.h"
 
 #include <cmath>
 
@@ -10,7 +10,7 @@
 #include "app/paint/json_painter.h"
 #include "app/session/input_choices.h"
 #include "app/ui/panels/panel_catalog.h"
-#include "app/window.h"
+#include "app/ui/window.h"
 #include "core/play.h"
 #include "core/sound_state.h"
 #include "ghostforce_version.h"

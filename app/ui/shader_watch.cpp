@@ -1,4 +1,4 @@
-#include "app/shader_watch.h"
+#include "app/ui/shader_watch.h"
 
 #include <fmt/format.h>
 

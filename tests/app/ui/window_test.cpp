@@ -1,5 +1,5 @@
 // The window itself, offscreen: what of it is remembered.
-#include "app/window.h"
+#include "app/ui/window.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/drawing_memory.h"
+#include "app/ui/drawing_memory.h"
 
 #include <malloc.h>
 #include <sched.h>

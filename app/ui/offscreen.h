@@ -10,7 +10,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "app/files/image.h"
-#include "app/screen.h"
+#include "app/ui/screen.h"
 #include "app/view/panes.h"
 #include "app/view/trail_history.h"
 #include "core/scene.h"

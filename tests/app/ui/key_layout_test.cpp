@@ -1,5 +1,5 @@
 // Which key is meant, on keyboards of several countries.
-#include "app/key_layout.h"
+#include "app/ui/key_layout.h"
 
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>

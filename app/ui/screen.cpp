@@ -1,4 +1,4 @@
-#include "app/screen.h"
+#include "app/ui/screen.h"
 
 #include <GLFW/glfw3.h>
 

@@ -1,5 +1,5 @@
 // Shaders that change while the program runs.
-#include "app/shader_watch.h"
+#include "app/ui/shader_watch.h"
 
 #include <algorithm>
 #include <chrono>

@@ -1,4 +1,4 @@
-#include "app/display_loss.h"
+#include "app/ui/display_loss.h"
 
 #include <dlfcn.h>
 #include <unistd.h>

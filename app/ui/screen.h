@@ -5,14 +5,14 @@
 #include <cstdint>
 #include <vector>
 
-#include "app/gestures.h"
 #include "app/paint/scene_painter.h"
 #include "app/session/session.h"
+#include "app/ui/gestures.h"
 #include "app/ui/panels/hints.h"
 #include "app/ui/widgets/panel_context.h"
+#include "app/ui/window.h"
 #include "app/view/panes.h"
 #include "app/view/trail_history.h"
-#include "app/window.h"
 
 namespace ghostforce {
 

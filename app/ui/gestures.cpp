@@ -1,4 +1,4 @@
-#include "app/gestures.h"
+#include "app/ui/gestures.h"
 
 #include <algorithm>
 #include <cmath>

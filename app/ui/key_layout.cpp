@@ -1,4 +1,4 @@
-#include "app/key_layout.h"
+#include "app/ui/key_layout.h"
 
 #include <GLFW/glfw3.h>
 

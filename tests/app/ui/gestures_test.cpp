@@ -1,5 +1,5 @@
 // Every gesture of the mouse in the scene, through the backend's callbacks.
-#include "app/gestures.h"
+#include "app/ui/gestures.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "app/window.h"
+#include "app/ui/window.h"
 
 #include <glad/gl.h>
 
@@ -15,12 +15,12 @@
 #include <utility>
 
 #include "app/console/failure.h"
-#include "app/display_loss.h"
-#include "app/drawing_memory.h"
-#include "app/key_layout.h"
-#include "app/offscreen_driver.h"
 #include "app/paint/font_file.h"
 #include "app/paint/gl/handle.h"
+#include "app/ui/display_loss.h"
+#include "app/ui/drawing_memory.h"
+#include "app/ui/key_layout.h"
+#include "app/ui/offscreen_driver.h"
 
 // ImGui's OpenGL backend has a loader of its own that looks into libGL, where it finds nothing under OSMesa. This is
 // its entry for a loader that knows better.
