@@ -24,8 +24,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/application.h"
 #include "app/files/scene_file.h"
+#include "app/live/application.h"
 #include "bench/support/contest.h"
 #include "bench/support/report.h"
 #include "device/input/monotonic_clock.h"

@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "app/application.h"
 #include "app/commands/command.h"
 #include "app/commands/command_catalog.h"
 #include "app/commands/picture_options.h"
@@ -21,8 +20,9 @@
 #include "app/falcon_setup.h"
 #include "app/files/run_reader.h"
 #include "app/files/scene_file.h"
-#include "app/frame_pacer.h"
-#include "app/remembered.h"
+#include "app/live/application.h"
+#include "app/live/frame_pacer.h"
+#include "app/live/preferences.h"
 #include "app/runs/run_hand.h"
 #include "app/ui/display_loss.h"
 #include "app/ui/panels/panel_catalog.h"

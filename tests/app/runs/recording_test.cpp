@@ -14,7 +14,7 @@
 #include "app/runs/replay.h"
 #include "device/input/mouse_input.h"
 #include "device/input/scripted_input.h"
-#include "tests/app/driven_window.h"
+#include "tests/app/live/driven_window.h"
 #include "tests/support/file_calls.h"
 #include "tests/support/small_files.h"
 #include "tests/support/temporary_folder.h"

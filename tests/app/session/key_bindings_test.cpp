@@ -11,7 +11,7 @@
 #include <string>
 
 #include "app/view/handles.h"
-#include "tests/app/driven_window.h"
+#include "tests/app/live/driven_window.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce {

@@ -14,7 +14,7 @@
 #include "app/ui/panels/panel_catalog.h"
 #include "app/ui/widgets/save_path.h"
 #include "app/view/handles.h"
-#include "tests/app/driven_window.h"
+#include "tests/app/live/driven_window.h"
 #include "tests/support/temporary_folder.h"
 
 #include <imgui_internal.h>

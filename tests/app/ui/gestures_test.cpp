@@ -8,7 +8,7 @@
 
 #include "app/ui/widgets/tooltips.h"
 #include "app/view/handles.h"
-#include "tests/app/driven_window.h"
+#include "tests/app/live/driven_window.h"
 
 #include <imgui_internal.h>
 

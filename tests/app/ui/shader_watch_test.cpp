@@ -7,7 +7,7 @@
 
 #include "app/console/failure.h"
 #include "embedded_shaders.h"
-#include "tests/app/driven_window.h"
+#include "tests/app/live/driven_window.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce {

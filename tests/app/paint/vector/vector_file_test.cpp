@@ -12,8 +12,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/application.h"
 #include "app/files/scene_file.h"
+#include "app/live/application.h"
 #include "app/paint/vector/vector_painter.h"
 #include "app/ui/window.h"
 #include "tests/app/paint/vector/vector_panes.h"

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/files/input_file.h"
-#include "tests/app/driven_window.h"
+#include "tests/app/live/driven_window.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce {

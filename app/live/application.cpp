@@ -1,4 +1,4 @@
-#include "app/application.h"
+#include "app/live/application.h"
 
 #include <algorithm>
 #include <cerrno>

@@ -2,7 +2,7 @@
 // display would drive them, with the servo stepped by hand.
 #pragma once
 
-#include "app/application.h"
+#include "app/live/application.h"
 
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>

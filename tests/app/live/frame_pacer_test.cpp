@@ -1,5 +1,5 @@
 // When a window draws again, told every time by hand.
-#include "app/frame_pacer.h"
+#include "app/live/frame_pacer.h"
 
 #include <algorithm>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "app/remembered.h"
+#include "app/live/preferences.h"
 
 #include <algorithm>
 #include <cerrno>

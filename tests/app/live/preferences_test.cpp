@@ -1,5 +1,5 @@
 // What is remembered from run to run, and that no damaged file stands in the way.
-#include "app/remembered.h"
+#include "app/live/preferences.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

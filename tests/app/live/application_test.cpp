@@ -1,6 +1,6 @@
 // What the window does with the servo: starting at rest, dragging, pausing, resetting, minimising.
 #include "app/session/keys.h"
-#include "tests/app/driven_window.h"
+#include "tests/app/live/driven_window.h"
 
 namespace ghostforce {
 namespace {

@@ -13,7 +13,7 @@
 #include "app/ui/panels/panel_catalog.h"
 #include "core/energy.h"
 #include "core/ghost_force.h"
-#include "tests/app/driven_window.h"
+#include "tests/app/live/driven_window.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce {

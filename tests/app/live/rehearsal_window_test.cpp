@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "device/virtual_falcon/virtual_falcon_input.h"
-#include "tests/app/driven_window.h"
+#include "tests/app/live/driven_window.h"
 
 namespace ghostforce {
 namespace {

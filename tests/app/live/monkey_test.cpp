@@ -18,7 +18,7 @@
 #include "app/session/keys.h"
 #include "app/session/scene_as_seen.h"
 #include "app/ui/gestures.h"
-#include "tests/app/driven_window.h"
+#include "tests/app/live/driven_window.h"
 #include "tests/device/servo/servo_scenes.h"
 #include "tests/support/temporary_folder.h"
 
