@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "app/ladder.h"
+#include "app/doctor/readiness.h"
 #include "core/safety.h"
 
 namespace ghostforce {

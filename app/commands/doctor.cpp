@@ -22,10 +22,10 @@
 #include "app/doctor/diagnosis.h"
 #include "app/doctor/examination.h"
 #include "app/doctor/measure/measure_command.h"
+#include "app/doctor/readiness.h"
 #include "app/doctor/udev_rule.h"
 #include "app/falcon_setup.h"
 #include "app/files/output_file.h"
-#include "app/ladder.h"
 #include "core/scene.h"
 
 namespace ghostforce {

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/console/quoted.h"
+#include "app/doctor/readiness.h"
 #include "app/falcon_setup.h"
-#include "app/ladder.h"
 
 namespace ghostforce {
 namespace {

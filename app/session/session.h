@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/ladder.h"
+#include "app/doctor/readiness.h"
 #include "app/session/measurement_guide.h"
 #include "app/session/plot_view.h"
 #include "app/view/compose.h"

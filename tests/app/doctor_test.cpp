@@ -12,8 +12,8 @@
 
 #include "app/console/failure.h"
 #include "app/doctor/examination.h"
+#include "app/doctor/readiness.h"
 #include "app/doctor/udev_rule.h"
-#include "app/ladder.h"
 #include "core/motor_report.h"
 #include "device/virtual_falcon/virtual_falcon_input.h"
 #include "tests/support/program.h"

@@ -7,8 +7,8 @@
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
 #include "app/doctor/measure/steps.h"
+#include "app/doctor/readiness.h"
 #include "app/files/falcon_calibration_file.h"
-#include "app/ladder.h"
 
 namespace ghostforce {
 namespace {

@@ -1,4 +1,4 @@
-#include "app/ladder.h"
+#include "app/doctor/readiness.h"
 
 #include <array>
 #include <cstddef>

@@ -10,7 +10,7 @@
 #include "app/console/interruption.h"
 #include "app/files/falcon_calibration_file.h"
 #include "device/falcon_measurement/encoder_wiring.h"
-#include "tests/app/measured_rehearsal.h"
+#include "tests/app/doctor/measured_rehearsal.h"
 
 namespace ghostforce {
 namespace {

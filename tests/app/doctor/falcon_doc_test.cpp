@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 
 #include "app/doctor/measure/steps.h"
+#include "app/doctor/readiness.h"
 #include "app/files/falcon_calibration_file.h"
-#include "app/ladder.h"
 #include "core/safety.h"
 #include "device/falcon/falcon_report.h"
 #include "device/virtual_falcon/misbehaviour.h"

@@ -1,5 +1,5 @@
 // The ladder tells of every state of a device how far it has come, and never more.
-#include "app/ladder.h"
+#include "app/doctor/readiness.h"
 
 #include <gtest/gtest.h>
 
