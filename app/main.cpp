@@ -9,7 +9,7 @@
 #include <system_error>
 #include <vector>
 
-#include "app/command_line.h"
+#include "app/cli/command_line.h"
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
 #include "device/falcon/emergency_stop.h"

@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/falcon_options.h"
 #include "app/console/quoted.h"
 #include "app/doctor/readiness.h"
-#include "app/falcon_setup.h"
 
 namespace ghostforce {
 namespace {

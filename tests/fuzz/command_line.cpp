@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "app/command_line.h"
+#include "app/cli/command_line.h"
 #include "app/console/failure.h"
 #include "tests/fuzz/fuzz.h"
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "app/falcon_setup.h"
+#include "app/cli/falcon_options.h"
 
 namespace ghostforce {
 

@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "app/commands/command.h"
-#include "app/commands/command_catalog.h"
-#include "app/commands/picture_options.h"
+#include "app/cli/command.h"
+#include "app/cli/command_catalog.h"
+#include "app/cli/picture_options.h"
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
 #include "app/files/output_file.h"

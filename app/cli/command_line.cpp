@@ -1,4 +1,4 @@
-#include "app/command_line.h"
+#include "app/cli/command_line.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -13,14 +13,14 @@
 #include <fmt/core.h>
 #include <CLI/CLI.hpp>
 
-#include "app/command_options.h"
-#include "app/commands/command.h"
+#include "app/cli/command.h"
+#include "app/cli/command_options.h"
+#include "app/cli/own_inputs.h"
 #include "app/console/did_you_mean.h"
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
 #include "app/files/output_file.h"
 #include "app/files/scene_file.h"
-#include "app/own_inputs.h"
 #include "ghostforce_version.h"
 
 namespace ghostforce {

@@ -1,8 +1,8 @@
-#include "app/commands/command_catalog.h"
+#include "app/cli/command_catalog.h"
 
 #include <array>
 
-#include "app/commands/command.h"
+#include "app/cli/command.h"
 
 namespace ghostforce {
 namespace {

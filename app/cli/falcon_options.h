@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/command_options.h"
+#include "app/cli/command_options.h"
 #include "device/falcon_usb/firmware_file.h"
 #include "device/input_catalog.h"
 

@@ -14,8 +14,9 @@
 
 #include <fmt/format.h>
 
-#include "app/commands/command.h"
-#include "app/commands/command_catalog.h"
+#include "app/cli/command.h"
+#include "app/cli/command_catalog.h"
+#include "app/cli/falcon_options.h"
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
 #include "app/console/words.h"
@@ -24,7 +25,6 @@
 #include "app/doctor/measure/measure_command.h"
 #include "app/doctor/readiness.h"
 #include "app/doctor/udev_rule.h"
-#include "app/falcon_setup.h"
 #include "app/files/output_file.h"
 #include "core/scene.h"
 

@@ -1,5 +1,5 @@
 // What the command line says about a Falcon, and what is made of the files that it needs.
-#include "app/falcon_setup.h"
+#include "app/cli/falcon_options.h"
 
 #include <gtest/gtest.h>
 

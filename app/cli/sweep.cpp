@@ -12,8 +12,8 @@
 
 #include <fmt/core.h>
 
-#include "app/commands/command.h"
-#include "app/commands/command_catalog.h"
+#include "app/cli/command.h"
+#include "app/cli/command_catalog.h"
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
 #include "app/console/progress.h"

@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/commands/command.h"
+#include "app/cli/command.h"
 #include "app/files/run_file.h"
 #include "app/files/scene_file.h"
 #include "core/equilibrium.h"

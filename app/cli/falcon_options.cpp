@@ -1,4 +1,4 @@
-#include "app/falcon_setup.h"
+#include "app/cli/falcon_options.h"
 
 #include <charconv>
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "app/commands/command.h"
+#include "app/cli/command.h"
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
 #include "app/files/falcon_calibration_file.h"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "app/command_options.h"
+#include "app/cli/command_options.h"
 #include "app/session/session.h"
 #include "core/scene.h"
 

@@ -1,4 +1,4 @@
-#include "app/end_of_visit.h"
+#include "app/cli/end_of_visit.h"
 
 #include <algorithm>
 #include <vector>

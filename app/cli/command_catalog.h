@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "app/command_options.h"
+#include "app/cli/command_options.h"
 
 namespace ghostforce {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/own_inputs.h"
+#include "app/cli/own_inputs.h"
 
 namespace CLI {
 class App;

@@ -10,14 +10,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "app/commands/command.h"
-#include "app/commands/command_catalog.h"
-#include "app/commands/picture_options.h"
+#include "app/cli/command.h"
+#include "app/cli/command_catalog.h"
+#include "app/cli/end_of_visit.h"
+#include "app/cli/falcon_options.h"
+#include "app/cli/picture_options.h"
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
 #include "app/console/words.h"
-#include "app/end_of_visit.h"
-#include "app/falcon_setup.h"
 #include "app/files/run_reader.h"
 #include "app/files/scene_file.h"
 #include "app/live/application.h"

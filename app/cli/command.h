@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/command_options.h"
+#include "app/cli/command_options.h"
 #include "core/scene.h"
 #include "core/snapshot.h"
 

@@ -1,4 +1,4 @@
-#include "app/commands/command.h"
+#include "app/cli/command.h"
 
 #include <algorithm>
 #include <charconv>

@@ -1,4 +1,4 @@
-#include "app/own_inputs.h"
+#include "app/cli/own_inputs.h"
 
 #include <sys/stat.h>
 #include <unistd.h>

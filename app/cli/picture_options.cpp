@@ -1,6 +1,6 @@
-#include "app/commands/picture_options.h"
+#include "app/cli/picture_options.h"
 
-#include "app/commands/command.h"
+#include "app/cli/command.h"
 
 namespace ghostforce {
 
