@@ -18,7 +18,7 @@
 #include "app/files/png_file.h"
 #include "app/files/scene_file.h"
 #include "app/paint/vector/vector_painter.h"
-#include "tests/app/figure_tables.h"
+#include "tests/app/figures/figure_tables.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce {

@@ -30,7 +30,7 @@
 #include "app/ui/offscreen.h"
 #include "app/ui/widgets/style.h"
 #include "app/ui/window.h"
-#include "tests/app/check_cases.h"
+#include "tests/app/check/check_cases.h"
 
 namespace ghostforce {
 namespace {

@@ -14,7 +14,7 @@
 #include <gtest/gtest.h>
 
 #include "app/figures/figure_files.h"
-#include "tests/app/figure_tables.h"
+#include "tests/app/figures/figure_tables.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 

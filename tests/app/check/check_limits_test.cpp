@@ -16,7 +16,7 @@
 #include <gtest/gtest.h>
 
 #include "app/files/png_file.h"
-#include "tests/app/check_cases.h"
+#include "tests/app/check/check_cases.h"
 #include "tests/app/files/png_pieces.h"
 #include "tests/support/sanitized.h"
 

@@ -21,7 +21,7 @@
 #include "app/check/shell_word.h"
 #include "app/check/update.h"
 #include "app/console/failure.h"
-#include "tests/app/check_cases.h"
+#include "tests/app/check/check_cases.h"
 #include "tests/support/file_calls.h"
 #include "tests/support/no_opengl.h"
 
