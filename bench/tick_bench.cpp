@@ -20,7 +20,6 @@
 #include "core/latest_value.h"
 #include "core/ring.h"
 #include "core/tick.h"
-#include "core/tick_strategy.h"
 #include "device/servo/servo.h"
 
 namespace ghostforce::bench {

@@ -34,7 +34,7 @@ struct Proxy {
 
 // (3)(22)(25)  q_p = q_h + step · n·(o − q_h) where n·(q_h − o) < 0; in free
 // space the proxy is the device. Puts it into `proxy`, axis by axis: see
-// tick_strategy.h. True: the wall acts.
+// tick.h. True: the wall acts.
 template <glm::length_t D>
 bool place_proxy(const Vector<D>& device, const Wall<D>& wall, const Vector<D>& step, Vector<D>& proxy) noexcept {
   const double device_depth = depth(wall, device);

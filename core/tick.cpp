@@ -3,8 +3,6 @@
 #include <cstddef>
 
 #include "core/ghost_force.h"
-#include "core/proxy.h"
-#include "core/tick_strategy.h"
 
 namespace ghostforce {
 

@@ -1,14 +1,12 @@
-// Chart: curves and points over two axes, as a value; and its picture as marks, so that the painters that draw scenes
-// draw charts too. For the figures, and for what the plots in the window save. Pure, any thread.
+// Chart: curves and points over two axes, as a value. For the figures, and for what the plots in the window save. Pure,
+// any thread.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "app/view/compose.h"
-#include "app/view/panes.h"
-#include "app/view/theme.h"
+#include "app/view/marks.h"
 
 namespace ghostforce {
 
@@ -43,10 +41,5 @@ struct Chart {
   std::vector<Series> series;
   std::vector<Reference> references{};
 };
-
-// The chart as a pane of its own: in its camera one metre is one point, y up. `corner` and `size` in points, `scale` as
-// for scenes.
-Pane chart_pane(const Chart& chart, const Vector<2>& corner, const Vector<2>& size, const Theme& theme, double scale,
-                const MeasureText& measure);
 
 }  // namespace ghostforce

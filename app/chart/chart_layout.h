@@ -1,6 +1,6 @@
 // Where everything of a chart stands in its pane: titles, axes with their ticks, what of its series is to be seen, a
-// legend that covers no curve, words beside their references. In points of the pane, y down; chart.cpp draws it. Pure,
-// any thread.
+// legend that covers no curve, words beside their references. In points of the pane, y down; chart_pane.cpp draws it.
+// Pure, any thread.
 #pragma once
 
 #include <cstddef>
@@ -11,6 +11,7 @@
 
 #include "app/chart/chart.h"
 #include "app/chart/screen_box.h"
+#include "app/view/view.h"
 
 namespace ghostforce {
 

@@ -94,7 +94,9 @@ int doctor(const Options& options) {
     return static_cast<int>(ExitCode::done);
   }
   if (options.measure) {
-    return measure_with_doctor({.falcon = options.falcon,
+    const std::optional<FirmwareImage> firmware = options.falcon.read_firmware_file();
+    return measure_with_doctor({.firmware = firmware,
+                                .input = options.falcon.input_options(firmware),
                                 .is_virtual = options.input == "virtual-falcon",
                                 .report = options.report,
                                 .calibration = options.calibration});

@@ -10,6 +10,7 @@
 #include "app/cli/command.h"
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
+#include "app/files/config_folder.h"
 #include "app/files/falcon_calibration_file.h"
 #include "device/virtual_falcon/misbehaviour.h"
 
@@ -89,13 +90,6 @@ InputOptions FalconSetUp::input_options(const std::optional<FirmwareImage>& imag
   if (!usb_id.empty()) options.falcon_id = parse_usb_id(usb_id).value();
   for (const std::string& name : misbehave) find_misbehaviour(name)->add(options.misbehaviour);
   return options;
-}
-
-std::string firmware_words(const std::optional<FirmwareImage>& image) {
-  if (!image) return "firmware: no file; see docs/falcon.md for where to get one and where to put it";
-  const std::string_view name = known_firmware(image->sha256);
-  return fmt::format("firmware: {}, SHA-256 {}, {}", printable(image->path.string(), longest_path), image->sha256,
-                     name.empty() ? "none of the published ones" : fmt::format("known as {}", name));
 }
 
 }  // namespace ghostforce

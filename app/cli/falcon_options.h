@@ -27,7 +27,4 @@ struct FalconSetUp {
   InputOptions input_options(const std::optional<FirmwareImage>& image) const;
 };
 
-// One line for a person: which file, its SHA-256, and what that is commonly called.
-std::string firmware_words(const std::optional<FirmwareImage>& image);
-
 }  // namespace ghostforce

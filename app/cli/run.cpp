@@ -18,6 +18,7 @@
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
 #include "app/console/words.h"
+#include "app/doctor/diagnosis.h"
 #include "app/files/run_reader.h"
 #include "app/files/scene_file.h"
 #include "app/live/application.h"

@@ -7,25 +7,26 @@
 #include <cerrno>
 
 #include "app/console/failure.h"
-#include "device/falcon/emergency_stop.h"
 
 namespace ghostforce {
 namespace {
 
 std::atomic<bool> is_interrupted{false};
+void (*before_the_end)() noexcept = nullptr;  // set before any handler
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may touch nothing else");
 
 extern "C" void remember(int number) {
   if (!is_interrupted.exchange(true, std::memory_order_relaxed)) return;
   // A second one does not wait, and nobody comes after it to turn motors off.
-  last_resort::take();
+  before_the_end();
   signal(number, SIG_DFL);
   raise(number);
 }
 
 }  // namespace
 
-void remember_interruptions() noexcept {
+void remember_interruptions(void (*stop_motors)() noexcept) noexcept {
+  before_the_end = stop_motors;
   for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction action {};
     sigaction(number, nullptr, &action);

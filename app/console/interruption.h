@@ -5,11 +5,10 @@
 
 namespace ghostforce {
 
-// From here on the first SIGINT, SIGTERM or SIGHUP is only remembered; a second
-// one turns motors off and ends the process at once. Signals that were ignored when
-// the program started (nohup, background jobs) stay ignored. Called once, by
-// main().
-void remember_interruptions() noexcept;
+// From here on the first SIGINT, SIGTERM or SIGHUP is only remembered; a second one calls `stop_motors`, which must be
+// async-signal-safe, and ends the process at once. Signals that were ignored when the program started (nohup,
+// background jobs) stay ignored. Called once, by main().
+void remember_interruptions(void (*stop_motors)() noexcept) noexcept;
 
 bool interrupted() noexcept;
 

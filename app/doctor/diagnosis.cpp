@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "app/cli/falcon_options.h"
 #include "app/console/quoted.h"
 #include "app/doctor/readiness.h"
 
@@ -65,6 +64,13 @@ std::string realtime_words(const RealtimeStatus& status) {
 }
 
 }  // namespace
+
+std::string firmware_words(const std::optional<FirmwareImage>& image) {
+  if (!image) return "firmware: no file; see docs/falcon.md for where to get one and where to put it";
+  const std::string_view name = known_firmware(image->sha256);
+  return fmt::format("firmware: {}, SHA-256 {}, {}", printable(image->path.string(), longest_path), image->sha256,
+                     name.empty() ? "none of the published ones" : fmt::format("known as {}", name));
+}
 
 std::string text_of(const Diagnosis& diagnosis) {
   std::string text;

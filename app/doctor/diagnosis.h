@@ -27,6 +27,9 @@ struct Diagnosis {
   SpaceMouseReading spacemouse;
 };
 
+// One line for a person: which file, its SHA-256, and what that is commonly called.
+std::string firmware_words(const std::optional<FirmwareImage>& image);
+
 std::string text_of(const Diagnosis& diagnosis);
 std::string json_of(const Diagnosis& diagnosis);
 

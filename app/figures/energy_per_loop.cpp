@@ -9,13 +9,13 @@
 #include <fmt/format.h>
 
 #include "app/chart/chart.h"
+#include "app/chart/chart_pane.h"
 #include "app/figures/curves.h"
 #include "app/figures/sheet.h"
 #include "app/files/scene_file.h"
 #include "app/paint/vector/vector_painter.h"
-#include "core/circle.h"
 #include "core/energy.h"
-#include "core/loop_meter.h"
+#include "core/loop_energy.h"
 
 namespace ghostforce {
 namespace {

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "app/chart/chart.h"
+#include "app/chart/chart_pane.h"
 #include "app/figures/motion_picture.h"
 #include "app/files/scene_file.h"
 #include "app/paint/vector/vector_painter.h"

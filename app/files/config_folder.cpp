@@ -13,4 +13,16 @@ std::filesystem::path config_folder() {
   return {};
 }
 
+std::optional<std::filesystem::path> firmware_path(const std::optional<std::filesystem::path>& asked_for) {
+  if (asked_for) return asked_for;
+  const char* const named = std::getenv("GHOSTFORCE_FIRMWARE");
+  if (named != nullptr && *named != '\0') return std::filesystem::path(named);
+  const std::filesystem::path folder = config_folder();
+  if (folder.empty()) return std::nullopt;
+  std::error_code error;
+  std::filesystem::path usual = folder / "falcon/firmware.bin";
+  if (!std::filesystem::exists(usual, error)) return std::nullopt;
+  return usual;
+}
+
 }  // namespace ghostforce

@@ -2,11 +2,16 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 namespace ghostforce {
 
 // $XDG_CONFIG_HOME/ghostforce, or ~/.config/ghostforce; relative paths are ignored, as the specification wants it.
 // Empty: nowhere. Whether the folder exists is another question.
 std::filesystem::path config_folder();
+
+// The Falcon's firmware to take: the one asked for, else $GHOSTFORCE_FIRMWARE, whether or not those exist; else
+// falcon/firmware.bin in the settings' folder if that does. Empty: nothing is known.
+std::optional<std::filesystem::path> firmware_path(const std::optional<std::filesystem::path>& asked_for);
 
 }  // namespace ghostforce

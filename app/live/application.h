@@ -15,7 +15,7 @@
 #include "app/ui/screen.h"
 #include "app/ui/shader_watch.h"
 #include "app/view/trail_history.h"
-#include "core/circle_meter.h"
+#include "core/loop_energy.h"
 #include "device/falcon/falcon_input.h"
 #include "device/input/circle_input.h"
 #include "device/input/pointer_target.h"

@@ -5,8 +5,8 @@
 #include <imgui.h>
 
 #include "app/view/camera.h"
-#include "app/view/compose.h"
 #include "app/view/marks.h"
+#include "app/view/view.h"
 
 namespace ghostforce {
 

@@ -23,7 +23,7 @@
 #include "app/files/disk_sync.h"
 #include "app/files/output_file.h"
 #include "app/files/run_file.h"
-#include "device/input/alternate_stack.h"
+#include "device/input/thread_signals.h"
 
 namespace ghostforce {
 namespace {

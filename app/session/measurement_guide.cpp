@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "app/session/session.h"
-
 namespace ghostforce {
 namespace {
 

@@ -13,11 +13,11 @@
 #include <vector>
 
 #include "app/doctor/readiness.h"
-#include "app/session/measurement_guide.h"
+#include "app/session/measurement.h"
 #include "app/session/plot_view.h"
-#include "app/view/compose.h"
 #include "app/view/theme.h"
-#include "core/circle_meter.h"
+#include "app/view/view.h"
+#include "core/loop_energy.h"
 #include "core/motor_report.h"
 #include "core/scene.h"
 #include "core/spacemouse.h"

@@ -14,8 +14,6 @@
 #include <utility>
 #include <vector>
 
-#include "device/input/alternate_stack.h"
-
 namespace ghostforce {
 
 template <typename Piece>
@@ -61,7 +59,6 @@ class InOrder {
   std::optional<Piece>& slot(std::int64_t piece) { return ready_[static_cast<std::size_t>(piece) % ready_.size()]; }
 
   void make_pieces() {
-    const AlternateStack alternate_stack;
     for (;;) {
       std::unique_lock lock(mutex_);
       room_.wait(lock, [this] {

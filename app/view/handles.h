@@ -6,7 +6,7 @@
 #include <array>
 #include <optional>
 
-#include "app/view/compose.h"
+#include "app/view/view.h"
 
 namespace ghostforce {
 

@@ -1,7 +1,8 @@
 // The layers of the picture, back to front; each appends its marks.
 #pragma once
 
-#include "app/view/compose.h"
+#include "app/view/marks.h"
+#include "app/view/view.h"
 
 namespace ghostforce {
 

@@ -12,13 +12,10 @@
 
 #include "device/falcon/falcon_link.h"
 #include "device/falcon/frame.h"
-#include "device/input/alternate_stack.h"
+#include "device/input/thread_signals.h"
 
 namespace ghostforce::last_resort {
 namespace {
-
-// A thread's own doing. The process ends of them even where they are ignored or blocked.
-constexpr std::array faults{SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGSYS};
 
 // Of these the process does not end (refuse_to_be_stopped() is for some), or nobody can do anything about it.
 constexpr std::array others{SIGCHLD, SIGCONT, SIGTSTP, SIGTTIN, SIGTTOU, SIGURG, SIGWINCH, SIGSTOP, SIGKILL};
@@ -91,27 +88,19 @@ void install() noexcept {
     struct sigaction before {};
     // The C library keeps two for itself.
     if (std::ranges::count(others, signal) != 0 || sigaction(signal, nullptr, &before) != 0) continue;
-    const bool ends_process = before.sa_handler == SIG_DFL || std::ranges::count(faults, signal) != 0;
+    const bool ends_process = before.sa_handler == SIG_DFL || std::ranges::count(fault_signals, signal) != 0;
     if (ends_process) sigaction(signal, &action, nullptr);
   }
   // Whoever started this program may have had them blocked.
   sigset_t own;
   sigemptyset(&own);
-  for (const int fault : faults) sigaddset(&own, fault);
+  for (const int fault : fault_signals) sigaddset(&own, fault);
   pthread_sigmask(SIG_UNBLOCK, &own, nullptr);
   std::atexit(take);
 }
 
 void refuse_to_be_stopped() noexcept {
   for (const int signal : {SIGTSTP, SIGTTIN, SIGTTOU}) std::signal(signal, SIG_IGN);
-}
-
-void leave_process_signals() noexcept {
-  sigset_t blocked;
-  sigfillset(&blocked);
-  for (const int fault : faults) sigdelset(&blocked, fault);
-  sigdelset(&blocked, SIGXCPU);
-  pthread_sigmask(SIG_SETMASK, &blocked, nullptr);
 }
 
 }  // namespace ghostforce::last_resort

@@ -1,6 +1,6 @@
 // The last resort: when the process is about to die, motors are told to stop by the signal handler itself, because
 // nobody else will. One link per process has motors. Everything here is async-signal-safe, on any thread, but for
-// install() and leave_process_signals().
+// install().
 #pragma once
 
 namespace ghostforce {
@@ -26,10 +26,6 @@ void install() noexcept;
 // From here on this process does not heed what would stop it for a while (Ctrl+Z): stopped, it could not turn motors
 // off. Nobody can refuse SIGSTOP.
 void refuse_to_be_stopped() noexcept;
-
-// Leaves the signals that the process gets to other threads; the calling one keeps its own, which are faults and the
-// end of its time as a real-time thread. Were these blocked, the kernel would end the process without asking.
-void leave_process_signals() noexcept;
 
 }  // namespace last_resort
 }  // namespace ghostforce

@@ -5,9 +5,8 @@
 
 #include <pthread.h>
 
-#include "device/falcon/emergency_stop.h"
-#include "device/input/alternate_stack.h"
 #include "device/input/monotonic_clock.h"
+#include "device/input/thread_signals.h"
 
 namespace ghostforce {
 
@@ -32,7 +31,7 @@ void LinkOpener::ask(Task task) noexcept {
 
 void LinkOpener::run() noexcept {
   const AlternateStack alternate_stack;
-  last_resort::leave_process_signals();
+  leave_process_signals();
   pthread_setname_np(pthread_self(), "falcon opener");
   for (;;) {
     asked_.acquire();

@@ -11,8 +11,6 @@
 #include <system_error>
 #include <utility>
 
-#include "app/files/config_folder.h"
-
 namespace ghostforce {
 namespace {
 
@@ -191,18 +189,6 @@ std::string_view known_firmware(std::string_view sha256) noexcept {
     if (sum == sha256) return name;
   }
   return {};
-}
-
-std::optional<fs::path> firmware_path(const std::optional<fs::path>& asked_for) {
-  if (asked_for) return asked_for;
-  const char* const named = std::getenv("GHOSTFORCE_FIRMWARE");
-  if (named != nullptr && *named != '\0') return fs::path(named);
-  const fs::path folder = config_folder();
-  if (folder.empty()) return std::nullopt;
-  std::error_code error;
-  fs::path usual = folder / "falcon/firmware.bin";
-  if (!fs::exists(usual, error)) return std::nullopt;
-  return usual;
 }
 
 }  // namespace ghostforce

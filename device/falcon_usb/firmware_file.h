@@ -63,8 +63,4 @@ FirmwareImage read_firmware(const std::filesystem::path& path);
 // to compare; any well-formed file is taken.
 std::string_view known_firmware(std::string_view sha256) noexcept;
 
-// The file to take: the one asked for, else $GHOSTFORCE_FIRMWARE, whether or not those exist; else falcon/firmware.bin
-// in the settings' folder (config_folder.h) if that does. Empty: nothing is known.
-std::optional<std::filesystem::path> firmware_path(const std::optional<std::filesystem::path>& asked_for);
-
 }  // namespace ghostforce

@@ -7,14 +7,11 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "core/circle.h"
 #include "core/latest_value.h"
+#include "core/loop_energy.h"
 #include "device/input/input.h"
 
 namespace ghostforce {
-
-// The goal of such a run is on the circle from this time on [s].
-inline constexpr double circle_begins_s = 0.5;
 
 class CircleInput final : public Input {
  public:

@@ -12,9 +12,8 @@
 #include "core/proxy.h"
 #include "core/scene.h"
 #include "core/sound_state.h"
-#include "device/falcon/emergency_stop.h"
-#include "device/input/alternate_stack.h"
 #include "device/input/monotonic_clock.h"
+#include "device/input/thread_signals.h"
 #include "device/servo/hybrid_sleep.h"
 #include "device/servo/pacer.h"
 
@@ -86,7 +85,7 @@ void Servo::stop() noexcept {
 
 void Servo::run() noexcept {
   const AlternateStack alternate_stack;
-  last_resort::leave_process_signals();
+  leave_process_signals();
   pthread_setname_np(pthread_self(), "servo");
   report_.realtime = request_realtime();
 

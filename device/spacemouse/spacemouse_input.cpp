@@ -14,7 +14,7 @@
 #include <pthread.h>
 #include <unistd.h>
 
-#include "device/input/alternate_stack.h"
+#include "device/input/thread_signals.h"
 #include "device/spacemouse/spacemouse_report.h"
 
 namespace ghostforce {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "device/falcon_measurement/deed.h"
+#include "device/virtual_falcon/deed.h"
 #include "device/virtual_falcon/virtual_link.h"
 
 namespace ghostforce {

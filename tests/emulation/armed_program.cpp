@@ -248,7 +248,7 @@ int run(std::string_view name) {
 int main(int argc, char** argv) {
   using namespace ghostforce;
   // In the order of the real main().
-  remember_interruptions();
+  remember_interruptions(last_resort::take);
   last_resort::install();
   try {
     if (argc > 2) detail = argv[2];

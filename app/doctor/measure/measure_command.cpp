@@ -12,6 +12,7 @@
 
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
+#include "app/doctor/diagnosis.h"
 #include "app/doctor/measure/measurement.h"
 #include "app/doctor/measure/terminal_operator.h"
 #include "app/files/falcon_calibration_file.h"
@@ -106,8 +107,7 @@ void write_calibration(const MeasureCall& call, std::optional<OutputFile>& file,
 
 int measure_with_doctor(const MeasureCall& call) {
   last_resort::refuse_to_be_stopped();
-  const std::optional<FirmwareImage> image = call.falcon.read_firmware_file();
-  InputOptions options = call.falcon.input_options(image);
+  InputOptions options = call.input;
   std::unique_ptr<FalconLink> link;
   std::unique_ptr<MeasuredPerson> simulated;
   if (call.is_virtual) {
@@ -138,10 +138,11 @@ int measure_with_doctor(const MeasureCall& call) {
   const FalconMeasurement measurement = measure_falcon(falcon, person, is_kept ? *known : FalconCalibration{});
   falcon.finish();
 
-  report.write(report_of(measurement, {.version = std::string(version),
-                                       .when = now_in_words(),
-                                       .firmware = call.is_virtual ? "firmware: a practice one" : firmware_words(image),
-                                       .is_virtual = call.is_virtual}));
+  report.write(
+      report_of(measurement, {.version = std::string(version),
+                              .when = now_in_words(),
+                              .firmware = call.is_virtual ? "firmware: a practice one" : firmware_words(call.firmware),
+                              .is_virtual = call.is_virtual}));
   report.commit();
   if (call.report != "-") person.tell(fmt::format("The report is in {}.", printable(call.report, longest_path)));
   if (!call.is_virtual) person.tell("Please open an issue with it attached where you got this program from.");

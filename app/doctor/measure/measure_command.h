@@ -4,12 +4,14 @@
 #include <optional>
 #include <string>
 
-#include "app/cli/falcon_options.h"
+#include "device/falcon_usb/firmware_file.h"
+#include "device/input_catalog.h"
 
 namespace ghostforce {
 
 struct MeasureCall {
-  FalconSetUp falcon;
+  std::optional<FirmwareImage> firmware;
+  InputOptions input;
   bool is_virtual = false;
   std::string report = "-";                // path; -: the standard output
   std::optional<std::string> calibration;  // path; none: where calibrations are kept, if the person wants that

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "device/falcon_measurement/deed.h"
+#include "device/virtual_falcon/deed.h"
 
 namespace ghostforce {
 

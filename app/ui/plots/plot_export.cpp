@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "app/chart/chart.h"
+#include "app/chart/chart_pane.h"
 #include "app/files/csv_table.h"
 #include "app/files/png_file.h"
 #include "app/files/run_file.h"

@@ -1,6 +1,7 @@
 // Charts: whatever is on them, at any size, words stand apart and inside, curves stay in the plot, and the legend
 // covers none of them.
 #include "app/chart/chart.h"
+#include "app/chart/chart_pane.h"
 
 #include <gtest/gtest.h>
 

@@ -11,8 +11,8 @@
 #include <gtest/gtest.h>
 
 #include "app/files/scene_file.h"
-#include "app/view/compose.h"
 #include "app/view/theme.h"
+#include "app/view/view.h"
 #include "tests/support/program.h"
 
 namespace ghostforce {

@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/console/failure.h"
+#include "app/doctor/diagnosis.h"
 #include "device/virtual_falcon/practice_firmware.h"
 #include "tests/support/temporary_folder.h"
 

@@ -364,7 +364,7 @@ TEST(FalconMeasurement, EndsWhereTheHandleIsTooFastOrPulledOutOfItsWorkspaceEach
 // Ctrl+C while a motor pushes. What remembers it is for a whole process, and so is this one.
 TEST(FalconMeasurementDeathTest, InterruptedMotorsAreOff) {
   const auto interrupted = [] {
-    remember_interruptions();
+    remember_interruptions(last_resort::take);
     MeasuredRehearsal rehearsal;
     rehearsal.link->on_drive = [] { std::raise(SIGINT); };
     try {

@@ -1,10 +1,9 @@
-#include "core/circle_meter.h"
+#include "core/loop_energy.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/energy.h"
-#include "device/input/circle_input.h"
 
 namespace ghostforce {
 namespace {

@@ -1,4 +1,4 @@
-#include "device/input/alternate_stack.h"
+#include "device/input/thread_signals.h"
 
 #include <sys/mman.h>
 #include <unistd.h>
@@ -35,6 +35,14 @@ AlternateStack::~AlternateStack() {
   if (memory_ == MAP_FAILED) return;
   sigaltstack(&before_, nullptr);
   munmap(memory_, page_ + size_);
+}
+
+void leave_process_signals() noexcept {
+  sigset_t blocked;
+  sigfillset(&blocked);
+  for (const int fault : fault_signals) sigdelset(&blocked, fault);
+  sigdelset(&blocked, SIGXCPU);
+  pthread_sigmask(SIG_SETMASK, &blocked, nullptr);
 }
 
 }  // namespace ghostforce

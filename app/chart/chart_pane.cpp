@@ -1,4 +1,4 @@
-#include "app/chart/chart.h"
+#include "app/chart/chart_pane.h"
 
 #include <optional>
 

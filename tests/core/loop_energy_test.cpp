@@ -1,10 +1,9 @@
-#include "core/circle.h"
+#include "core/loop_energy.h"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "core/loop_meter.h"
 #include "tests/core/random_setting.h"
 
 namespace ghostforce {

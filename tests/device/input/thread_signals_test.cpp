@@ -1,4 +1,4 @@
-#include "device/input/alternate_stack.h"
+#include "device/input/thread_signals.h"
 
 #include <csignal>
 #include <cstdint>
