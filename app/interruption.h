@@ -1,14 +1,12 @@
-// Ctrl+C, SIGTERM and a closed terminal: long work asks now and then whether it
-// should stop, and unwinds, so that nothing half-done stays behind. Asking is a
-// plain atomic load, any thread.
+// Ctrl+C, SIGTERM and a closed terminal: long work asks now and then whether it should stop, and unwinds, so that
+// nothing half-done stays behind. Asking is a plain atomic load, any thread.
 #pragma once
 
 namespace ghostforce {
 
-// From here on the first SIGINT, SIGTERM or SIGHUP is only remembered; a second
-// one turns motors off and ends the process at once. Signals that were ignored when
-// the program started (nohup, background jobs) stay ignored. Called once, by
-// main().
+// From here on the first SIGINT, SIGTERM or SIGHUP is only remembered; a second one turns motors off and ends the
+// process at once. Signals that were ignored when the program started (nohup, background jobs) stay ignored. Called
+// once, by main().
 void remember_interruptions() noexcept;
 
 bool interrupted() noexcept;

@@ -204,8 +204,7 @@ TEST(IncludeArrowsTest, QuotedIncludesNameFilesFromTheRoot) {
   }
 }
 
-// --- The test itself: it must be able to fail
-// -------------------------------------------------------------------------
+// --- The test itself: it must be able to fail ------------------------------------------------------------------------
 
 TEST(IncludeArrowsSelfTest, RefusesWhatEachRoomMayNotSee) {
   const std::vector<std::pair<std::string, std::string>> forbidden{
