@@ -16,8 +16,8 @@
 
 namespace {
 
-// Where one of the three standard streams is closed, the next file that is
-// opened would take its place, and words would go into data.
+// Where one of the three standard streams is closed, the next file that is opened would take its place, and words would
+// go into data.
 void fill_standard_streams() noexcept {
   int descriptor = 0;
   do {

@@ -1,6 +1,5 @@
-// Which degrees of freedom a device can push: the split of the world into
-// actuated and non-actuated subspaces. Only the two projectors are needed,
-// never the bases A and N themselves. Pure values, any thread.
+// Which degrees of freedom a device can push: the split of the world into actuated and non-actuated subspaces. Only the
+// two projectors are needed, never the bases A and N themselves. Pure values, any thread.
 #pragma once
 
 #include <span>
@@ -18,18 +17,15 @@ struct Actuation {
   Matrix<D> unactuated;  // P_N = I − P_A [1]
 };
 
-// The actuated subspace is the span of `directions` (any lengths, need not be
-// orthogonal). Directions that add nothing new (dependent or zero) are passed
-// over, so the rank is that of the span.
+// The actuated subspace is the span of `directions` (any lengths, need not be orthogonal). Directions that add nothing
+// new (dependent or zero) are passed over, so the rank is that of the span.
 template <glm::length_t D>
 Actuation<D> actuated_along(std::span<const Vector<D>> directions) noexcept {
-  // A direction shorter than this share of its own length after projection is a
-  // repetition, not a new direction.
+  // A direction shorter than this share of its own length after projection is a repetition, not a new direction.
   constexpr double repetition = 1e-12;
   Matrix<D> actuated(0.0);
   for (const Vector<D>& direction : directions) {
-    // Subtracting twice keeps the projector orthogonal to rounding even for
-    // nearly parallel directions.
+    // Subtracting twice keeps the projector orthogonal to rounding even for nearly parallel directions.
     Vector<D> fresh = direction - actuated * direction;
     fresh -= actuated * fresh;
     if (const double length = glm::length(fresh); length > repetition * glm::length(direction)) {

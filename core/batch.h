@@ -7,7 +7,11 @@
 // a tick and h = max(0, n·(o − q_h)) the depth that the wall acts on, q_p,k − q_h,k = step h_k−1 − u_k, hence
 //     u_k   = V u_k−1 + c (q_u(t_k) − q_h,k−1) + w h_k−2        (23)(25)
 //     q_h,k = q_h,k−1 + u_k                                     (24)
-//     V = (m I − dt² K_r)/M,  c = dt² k_u/M,  w = dt² K_r step/M,  M = m + dt b + dt² k_u.
+// where
+//     M = m + dt b + dt² k_u
+//     V = (m I − dt² K_r)/M
+//     c = dt² k_u/M
+//     w = dt² K_r step/M
 // This rounds differently from tick(): a loop that comes to rest ends at the same place to some 1e-12, and not to the
 // last bit. A lane's result depends on nothing but the lane: not on its neighbours, nor on the instructions.
 #pragma once

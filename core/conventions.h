@@ -1,43 +1,44 @@
-// Frames, signs, units and symbols. Read this first: every other header of
-// core/ leans on it.
+// Frames, signs, units and symbols. Read this first: every other header of core/ leans on it.
 //
-// Units   SI everywhere inside: m, s, kg, N, N/m, N·s/m, rad. Millimetres and
-// degrees exist only in scene files and
-//         on screen, and are converted where a file is read or a number is
-//         drawn.
-// Frame   One world frame W, right-handed: x to the right, y up. Angles are
-// counter-clockwise from +x. Wall    n is the outward unit normal: it points to
-// the free side. The depth d = n·(o − q) is positive inside. Force   f_r is the
-// force that the device puts on the hand; f_u is the force that the hand puts
-// on the device. Energy  W > 0 means that the rendering has given energy to the
-// hand (it was active).
+// Units   SI everywhere inside: m, s, kg, N, N/m, N·s/m, rad. Millimetres and degrees exist only in scene files and on
+//         screen; they are converted where a file is read or a number is drawn.
+// Frame   One world frame W, right-handed: x to the right, y up.
+// Angle   Counter-clockwise from +x is positive.
+// Wall    n is the outward unit normal: it points to the free side.
+// Depth   d = n·(o − q) is positive inside the wall.
+// Force   f_r is the force that the device puts on the hand; f_u is the force that the hand puts on the device.
+// Energy  W > 0 means that the rendering has given energy to the hand (it was active).
 //
-// Symbol  Code                  Meaning Unit q_u     goal where the user's hand
-// wants the device to be                   m q_h     device where the device is
-// m q_p     proxy                 the point that the wall holds back m q_c
-// contact               the proxy projected on the wall, (3) m o, n    Wall
-// point and outward normal of the linearised constraint          m, 1 P_A
-// Actuation.actuated    projector on the degrees of freedom that have a motor 1
-// P_N     Actuation.unactuated  projector on those that have none: I − P_A 1
-// k_u     Impedances.k_u        stiffness of the user's hand, f_u = k_u (q_u −
-// q_h), (1)       N/m k̂_u     believed_k_u          the k_u that the renderer
-// believes in                          N/m K_t     Coupling.tracking tracking
-// stiffness, f_t = K_t (q_h − q_p), (2)                 N/m k_ta Impedances.k_t
-// K_t on actuated degrees of freedom                             N/m k_tn    —
-// K_t on non-actuated degrees of freedom: k_ta / ρ               N/m k_c
-// Impedances.k_c        constraint stiffness, f_c = k_c (q_c − q_p), (4); inf
-// is hard  N/m K_r     Coupling.rendering    rendering stiffness, f_r = K_r
-// (q_p − q_h), (5)                N/m d       depth()               n·(o −
-// q_u), (8)                                               m ρ tracking_ratio
-// k_ta / k_tn; ρ* = 1 + k_r / k̂_u is the cure, (17)              1 κ       —
-// k_r / k_u                                                      1
+// Symbol  Code                  Unit   Meaning
+// ------  --------------------  -----  ------------------------------------------------------------------
+// q_u     goal                  m      where the user's hand wants the device to be
+// q_h     device                m      where the device is
+// q_p     proxy                 m      the point that the wall holds back
+// q_c     contact               m      the proxy projected on the wall: q_c = q_p + n n·(o − q_p), (3)
 //
-// Numbers in round brackets are equation numbers of Lobo & Otaduy, "Rendering
-// of Constraints with Underactuated Haptic Devices", IEEE Transactions on
-// Haptics, 2020. docs/theory.md lists equation → code → test.
+// o       Wall.point            m      a point of the linearised constraint
+// n       Wall.normal           1      its outward unit normal
+// d       depth()               m      depth of the goal inside the wall: d = n·(o − q_u), (8)
 //
-// The theory has no dimension, so everything below is written for D = 2, 3 or
-// 4; the window draws D = 2.
+// P_A     Actuation.actuated    1      projector on the degrees of freedom that have a motor
+// P_N     Actuation.unactuated  1      projector on those that have none: P_N = I − P_A
+//
+// k_u     Impedances.k_u        N/m    stiffness of the user's hand: f_u = k_u (q_u − q_h), (1)
+// k̂_u     believed_k_u          N/m    the k_u that the renderer believes in
+// K_t     Coupling.tracking     N/m    tracking stiffness: f_t = K_t (q_h − q_p), (2)
+// k_ta    Impedances.k_t        N/m    K_t on actuated degrees of freedom, also written k_t
+// k_tn    —                     N/m    K_t on non-actuated degrees of freedom: k_tn = k_ta / ρ
+// k_c     Impedances.k_c        N/m    constraint stiffness: f_c = k_c (q_c − q_p), (4); inf is hard
+// K_r     Coupling.rendering    N/m    rendering stiffness: f_r = K_r (q_p − q_h), (5)
+// k_r     Impedances.k_r        N/m    K_r on actuated degrees of freedom
+//
+// ρ       tracking_ratio        1      k_ta / k_tn; the cure is ρ* = 1 + k_r / k̂_u, (17)
+// κ       kappa                 1      k_r / k_u
+//
+// Numbers in round brackets are equation numbers of Lobo & Otaduy, "Rendering of Constraints with Underactuated Haptic
+// Devices", IEEE Transactions on Haptics, 2020. docs/theory.md lists equation → code → test.
+//
+// The theory has no dimension, so everything below is written for D = 2, 3 or 4; the window draws D = 2.
 #pragma once
 
 #include <glm/mat2x2.hpp>

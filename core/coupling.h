@@ -1,5 +1,4 @@
-// Coupling: the two stiffness matrices that a strategy puts between device and
-// proxy. Pure values, any thread.
+// Coupling: the two stiffness matrices that a strategy puts between device and proxy. Pure values, any thread.
 #pragma once
 
 #include "core/actuation.h"
@@ -11,19 +10,21 @@ template <glm::length_t D>
 struct Coupling {
   Matrix<D> rendering;            // K_r, (5) [N/m]
   Matrix<D> tracking;             // K_t, (2) [N/m]
-  Matrix<D> tracking_compliance;  // K_t⁻¹ [m/N]; known in closed form, so
-                                  // nothing is ever inverted
+  Matrix<D> tracking_compliance;  // K_t⁻¹ [m/N]; known in closed form, so nothing is ever inverted
 };
 
-// K_r = k_r I,  K_t = k_t I: every degree of freedom has a motor (section 4.1).
+// Every degree of freedom has a motor (section 4.1):
+//     K_r = k_r I
+//     K_t = k_t I
 template <glm::length_t D>
 Coupling<D> coupling_with_every_motor(double k_r, double k_t) noexcept {
   return {Matrix<D>(k_r), Matrix<D>(k_t), Matrix<D>(1.0 / k_t)};
 }
 
-// K_r = k_r P_A,  K_t = k_t P_A + (k_t/ρ) P_N, (16): motors on the actuated
-// degrees of freedom only. ρ = 1 is naïve rendering (section 4.2), ρ = ρ* of
-// (17) the cure (section 5).
+// Motors on the actuated degrees of freedom only:
+//     K_r = k_r P_A
+//     K_t = k_t P_A + (k_t/ρ) P_N     (16)
+// ρ = 1 is naïve rendering (section 4.2), ρ = ρ* of (17) the cure (section 5).
 template <glm::length_t D>
 Coupling<D> coupling_with_some_motors(double k_r, double k_t, double tracking_ratio,
                                       const Actuation<D>& actuation) noexcept {

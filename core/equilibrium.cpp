@@ -19,8 +19,7 @@ Equilibrium<D> in_free_space(const Wall<D>& wall, const Vector<D>& goal) noexcep
   return {goal, goal, goal, projection(wall, goal), Vector<D>(0.0), false};
 }
 
-// Solves the system in place, row by row [A | b], with partial pivoting; the
-// solution ends up in the last column.
+// Solves the system in place, row by row [A | b], with partial pivoting; the solution ends up in the last column.
 template <std::size_t N>
 void solve(std::array<std::array<double, N + 1>, N>& rows) noexcept {
   for (std::size_t column = 0; column < N; ++column) {
@@ -97,8 +96,8 @@ Equilibrium<D> equilibrium_by_linear_solve(const Wall<D>& wall, const Coupling<D
   const double d = depth(wall, goal);
   if (!(d > 0.0)) return in_free_space(wall, goal);
 
-  // Unknowns: q_p − q_u, then q_h − q_u, then λ. Relative to the goal, so that
-  // a wall far from the origin costs nothing.
+  // Unknowns: q_p − q_u, then q_h − q_u, then λ. Relative to the goal, so that a wall far from the origin costs
+  // nothing.
   constexpr std::size_t n = D;
   std::array<std::array<double, 2 * n + 2>, 2 * n + 1> rows{};
   for (std::size_t i = 0; i < n; ++i) {

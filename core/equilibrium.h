@@ -1,6 +1,5 @@
-// Where everything comes to rest under a goal that is held still: by closed
-// form (for predictions, sweeps and the lines in the pictures) and by solving
-// (6)(7) as they stand (to check the former). Pure, never allocates or throws.
+// Where everything comes to rest under a goal that is held still: by closed form (for predictions, sweeps and the lines
+// in the pictures) and by solving (6)(7) as they stand (to check the former). Pure, never allocates or throws.
 #pragma once
 
 #include "core/actuation.h"
@@ -18,16 +17,15 @@ struct Equilibrium {
   Vector<D> device;   // q_h [m]
   Vector<D> contact;  // q_c, (3) [m]
   Vector<D> force;    // f_r, (5) [N]
-  bool in_contact;    // the goal is inside the wall; if not, device = proxy = goal
-                      // and there is no force
+  bool in_contact;    // the goal is inside the wall; if not, device = proxy = goal and there is no force
 };
 
 // With κ = k_r/k_u, S = ((1+κ) nᵀP_A n + ρ nᵀP_N n)/k_t and δ = d/(1 + k_c S):
 //     q_p = q_u + (k_c δ/k_t) ((1+κ) P_A n + ρ P_N n)
 //     f_r = (k_r k_c δ/k_t) P_A n
-//     q_h = q_u + f_r/k_u (7)
-// One family for any ratio ρ and any k_c (hard: k_c δ → d/S). ρ = 1 is naïve
-// rendering, (12) to (15); ρ = ρ* the anisotropic one, (18) to (20).
+//     q_h = q_u + f_r/k_u     (7)
+// One family for any ratio ρ and any k_c (hard: k_c δ → d/S). ρ = 1 is naïve rendering, (12) to (15); ρ = ρ* the
+// anisotropic one, (18) to (20).
 template <glm::length_t D>
 Equilibrium<D> equilibrium_with_ratio(const Wall<D>& wall, const Actuation<D>& actuation, const Impedances& impedances,
                                       double tracking_ratio, const Vector<D>& goal) noexcept;
@@ -55,16 +53,15 @@ template <glm::length_t D>
 Equilibrium<D> equilibrium_anisotropic(const Wall<D>& wall, const Actuation<D>& actuation, const Impedances& impedances,
                                        const Vector<D>& goal) noexcept;
 
-// (6)   K_t (q_h − q_p) + n λ = 0,   λ/k_c = n·(o − q_p)       (k_c = ∞: the
-// proxy is on the wall) (7)   k_u (q_u − q_h) + K_r (q_p − q_h) = 0 solved as
-// one linear system of 2D + 1 unknowns by Gaussian elimination; works for any
-// coupling.
+// (6)   K_t (q_h − q_p) + n λ = 0
+//       λ/k_c = n·(o − q_p)                       k_c = ∞: the proxy is on the wall
+// (7)   k_u (q_u − q_h) + K_r (q_p − q_h) = 0
+// Solved as one linear system of 2D + 1 unknowns by Gaussian elimination; works for any coupling.
 template <glm::length_t D>
 Equilibrium<D> equilibrium_by_linear_solve(const Wall<D>& wall, const Coupling<D>& coupling, double k_u, double k_c,
                                            const Vector<D>& goal) noexcept;
 
-// What a strategy of the catalog comes to rest at, with the ratio that it runs
-// with (so that a wrong belief shows).
+// What a strategy of the catalog comes to rest at, with the ratio that it runs with (so that a wrong belief shows).
 template <glm::length_t D>
 Equilibrium<D> equilibrium_of(const Strategy& strategy, const Wall<D>& wall, const Actuation<D>& actuation,
                               const Impedances& impedances, const Vector<D>& goal) noexcept;

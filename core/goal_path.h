@@ -1,5 +1,4 @@
-// A scripted hand: waypoints in time. Evaluated at t_k = k·dt, so a path has no
-// memory and no drift.
+// A scripted hand: waypoints in time. Evaluated at t_k = k·dt, so a path has no memory and no drift.
 #pragma once
 
 #include <cstdint>
@@ -25,9 +24,8 @@ inline double minimum_jerk(double s) noexcept {
   return s * s * s * (10.0 + s * (6.0 * s - 15.0));
 }
 
-// q_u(t) [m]. Holds the first point before, and the last one after, the path's
-// times. The path must be valid (scene.h checks it). Never allocates: the servo
-// calls it.
+// q_u(t) [m]. Holds the first point before, and the last one after, the path's times. The path must be valid (scene.h
+// checks it). Never allocates: the servo calls it.
 Vector<2> goal_at(const GoalPath& path, double time_s) noexcept;
 
 }  // namespace ghostforce

@@ -1,5 +1,5 @@
-// The stiffnesses of a scene as plain values: the hand's, the renderer's and
-// the wall's. Trivially copyable, so that they may cross threads whole.
+// The stiffnesses of a scene as plain values: the hand's, the renderer's and the wall's. Trivially copyable, so that
+// they may cross threads whole.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,7 @@ namespace ghostforce {
 
 struct Impedances {
   double k_u = 0.0;                             // user stiffness, (1) [N/m]
-  std::optional<double> believed_k_u;           // the k_u that the renderer assumes
-                                                // [N/m]; empty: it happens to be right
+  std::optional<double> believed_k_u;           // k̂_u, the k_u that the renderer assumes [N/m]; empty: the true one
   double k_r = 0.0;                             // rendering stiffness, (5) [N/m]
   double k_t = 0.0;                             // tracking stiffness on actuated degrees of freedom, k_ta, (2) [N/m]
   double k_c = 0.0;                             // constraint stiffness, (4) [N/m]; infinity is the hard constraint
@@ -23,8 +22,8 @@ inline double believed_user_stiffness(const Impedances& impedances) noexcept {
   return impedances.believed_k_u.value_or(impedances.k_u);
 }
 
-// (17)  ρ* = 1 + k_r / k_u [1]. The renderer can only evaluate it with the k_u
-// that it believes in.
+// (17)  ρ* = 1 + k_r / k_u [1]
+// The renderer can only evaluate it with the k_u that it believes in.
 inline double optimal_tracking_ratio(double k_r, double k_u) noexcept {
   return 1.0 + k_r / k_u;
 }

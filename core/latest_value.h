@@ -1,9 +1,7 @@
-// Wait-free exchange of the newest whole value between one writing and one
-// reading thread (a triple buffer).
+// Wait-free exchange of the newest whole value between one writing and one reading thread (a triple buffer).
 //
-// One thread calls publish(), one thread calls latest(); neither ever waits,
-// allocates or sees half a value. Values that the reader was too slow for are
-// overwritten: this carries state, not a log. Plain acquire and release, no
+// One thread calls publish(), one thread calls latest(); neither ever waits, allocates or sees half a value. Values
+// that the reader was too slow for are overwritten: this carries state, not a log. Plain acquire and release, no
 // fences, so that ThreadSanitizer can check it.
 #pragma once
 
@@ -37,16 +35,15 @@ class LatestValue {
   // Reader only. True if the next latest() would be a value not seen before.
   bool has_news() const noexcept { return (middle_.load(std::memory_order_relaxed) & fresh) != 0; }
 
-  // Reader only. The newest value; the reference stays good until the next
-  // call.
+  // Reader only. The newest value; the reference stays good until the next call.
   const T& latest() noexcept {
     if (has_news()) read_ = middle_.exchange(read_, std::memory_order_acq_rel) & slot_mask;
     return slots_[read_].value;
   }
 
  private:
-  // A slot's number, and whether it is fresh. A whole word: to exchange a byte was seen to take twice
-  // as long on x86, copy included.
+  // A slot's number, and whether it is fresh. A whole word: to exchange a byte was seen to take twice as long on x86,
+  // copy included.
   using Number = std::uint32_t;
   static constexpr Number fresh = 4;
   static constexpr Number slot_mask = 3;

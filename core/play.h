@@ -1,6 +1,5 @@
-// Plays a scene's scripted hand from its first tick to a given one, as fast as
-// the machine can: what `simulate` writes, `render` draws and the window starts
-// from. The same tick as the servo's. Any thread.
+// Plays a scene's scripted hand from its first tick to a given one, as fast as the machine can: what `simulate` writes,
+// `render` draws and the window starts from. The same tick as the servo's. Any thread.
 #pragma once
 
 #include <cstdint>

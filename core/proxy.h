@@ -1,6 +1,5 @@
-// The proxy: where the wall lets the tracked point go. Soft and hard constraint
-// alike, without a matrix inverse and without a special case. Pure, never
-// allocates or throws, any thread.
+// The proxy: where the wall lets the tracked point go. Soft and hard constraint alike, without a matrix inverse and
+// without a special case. Pure, never allocates or throws, any thread.
 #pragma once
 
 #include <cmath>
@@ -12,12 +11,11 @@
 
 namespace ghostforce {
 
-// How far the proxy steps off the device per metre of the device's depth [1].
-// (22) soft, (25) in time, and their limit for the hard constraint:
-//     C = K_t⁻¹ n,  s = n·C,  step = C · k_c / (1 + k_c s),  and C / s for k_c
-//     = ∞.
-// It depends on the settings only, so the tick computes it once per change of a
-// setting.
+// How far the proxy steps off the device per metre of the device's depth [1]; (22) soft, (25) in time, and their limit
+// for the hard constraint. With C = K_t⁻¹ n and s = n·C:
+//     step = C · k_c / (1 + k_c s)
+//     step = C / s                     k_c = ∞
+// It depends on the settings only, so the tick computes it once per change of a setting.
 template <glm::length_t D>
 Vector<D> proxy_step(const Vector<D>& normal, const Coupling<D>& coupling, double k_c) noexcept {
   const Vector<D> C = coupling.tracking_compliance * normal;
@@ -32,9 +30,9 @@ struct Proxy {
   bool in_contact;     // the wall acts
 };
 
-// (3)(22)(25)  q_p = q_h + step · n·(o − q_h) where n·(q_h − o) < 0; in free
-// space the proxy is the device. Puts it into `proxy`, axis by axis: see
-// tick.h. True: the wall acts.
+// (3)(22)(25)  q_p = q_h + step · n·(o − q_h)     where n·(q_h − o) < 0
+//              q_p = q_h                          in free space
+// Puts it into `proxy`, axis by axis: see tick.h. True: the wall acts.
 template <glm::length_t D>
 bool place_proxy(const Vector<D>& device, const Wall<D>& wall, const Vector<D>& step, Vector<D>& proxy) noexcept {
   const double device_depth = depth(wall, device);

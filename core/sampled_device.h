@@ -1,6 +1,5 @@
-// The device in the hand, sampled: one implicit Euler step of mass, damping and
-// the user's spring, with the rendered force held from the tick before. Pure,
-// never allocates or throws, any thread.
+// The device in the hand, sampled: one implicit Euler step of mass, damping and the user's spring, with the rendered
+// force held from the tick before. Pure, never allocates or throws, any thread.
 #pragma once
 
 #include "core/conventions.h"
@@ -29,9 +28,9 @@ struct DeviceMotion {
   Vector<D> velocity;  // v [m/s]
 };
 
-// (23)  (m + dt b + dt² k_u) v_k = m v_{k−1} + dt (k_u (q_u(t_k) − q_h,k−1) +
-// K_r (q_p,k−1 − q_h,k−1)) (24)  q_h,k = q_h,k−1 + dt v_k `held_force` is K_r
-// (q_p,k−1 − q_h,k−1) [N]: what the rendering put on the hand until now.
+// (23)  (m + dt b + dt² k_u) v_k = m v_{k−1} + dt (k_u (q_u(t_k) − q_h,k−1) + K_r (q_p,k−1 − q_h,k−1))
+// (24)  q_h,k = q_h,k−1 + dt v_k
+// `held_force` is K_r (q_p,k−1 − q_h,k−1) [N]: what the rendering put on the hand until now.
 template <glm::length_t D>
 DeviceMotion<D> step(const SampledDevice& device, const DeviceMotion<D>& before, const Vector<D>& goal,
                      const Vector<D>& held_force) noexcept {

@@ -1,8 +1,6 @@
-// A scene: a wall, a device, a user, a rendering and a scripted hand, as one
-// value in SI units. And the catalog of its keys: name, unit, range and place
-// of each, the one list that the file reader, `--set`, the writer and the
-// window's sliders walk. Not for the servo thread (it holds strings and
-// vectors).
+// A scene: a wall, a device, a user, a rendering and a scripted hand, as one value in SI units. And the catalog of its
+// keys: name, unit, range and place of each, the one list that the file reader, `--set`, the writer and the window's
+// sliders walk. Not for the servo thread (it holds strings and vectors).
 #pragma once
 
 #include <cmath>
@@ -40,12 +38,10 @@ inline std::int64_t last_tick(const Scene& scene) noexcept {
   return std::llround(scene.duration * scene.settings.rate);
 }
 
-// Ticks that a run may have at most, so that a slip of the keyboard does not
-// fill a disk.
+// Ticks that a run may have at most, so that a slip of the keyboard does not fill a disk.
 inline constexpr double most_ticks = 1e7;
 
-// --- The catalog of keys
-// -----------------------------------------------------------------------------------------
+// --- The catalog of keys ---------------------------------------------------------------------------------------------
 
 // A real number. The file holds it in `unit`s: SI value = file value / per_si.
 struct NumberKey {
@@ -57,8 +53,7 @@ struct NumberKey {
   bool whole = false;  // an integer in the file
 };
 
-// A number that may be left to the program; `word_for_empty` says so in the
-// file (empty: leave the key out).
+// A number that may be left to the program; `word_for_empty` says so in the file (empty: leave the key out).
 struct OptionalNumberKey {
   std::optional<double>& (*in)(Scene&);
   double least;
@@ -116,8 +111,7 @@ inline Vector<2> nearest_in_scene(const Vector<2>& position) noexcept {
   return glm::clamp(position, Vector<2>(-farthest), Vector<2>(farthest));
 }
 
-// What no single key can tell: as many times as waypoints, and not too many
-// ticks. Names the key at fault.
+// What no single key can tell: as many times as waypoints, and not too many ticks. Names the key at fault.
 struct SceneProblem {
   std::string_view table;
   std::string_view name;
@@ -125,8 +119,8 @@ struct SceneProblem {
 };
 std::optional<SceneProblem> find_problem(const Scene& scene);
 
-// Whether each setting lies in the range that its key gives it: what a servo
-// takes. Any thread, the servo's too: allocates nothing.
+// Whether each setting lies in the range that its key gives it: what a servo takes. Any thread, the servo's too:
+// allocates nothing.
 bool is_in_range(const Settings& settings) noexcept;
 
 }  // namespace ghostforce

@@ -1,6 +1,5 @@
-// Settings: everything about a scene that a person may change while it runs. SI
-// units, plane of the window. A plain value, trivially copyable: the window
-// publishes it whole, the servo takes it whole.
+// Settings: everything about a scene that a person may change while it runs. SI units, plane of the window. A plain
+// value, trivially copyable: the window publishes it whole, the servo takes it whole.
 #pragma once
 
 #include <type_traits>
@@ -20,8 +19,7 @@ struct Settings {
   double damping = 0.0;                         // device and hand [N·s/m]
   double rate = 0.0;                            // ticks per second of model time, 1/dt [Hz]
   Impedances impedances;                        // k_u, k_r, k_t, k_c, ρ
-  StrategyId active = StrategyId::anisotropic;  // the one on the device; the
-                                                // others run beside it
+  StrategyId active = StrategyId::anisotropic;  // the one on the device; the others run beside it
 
   friend bool operator==(const Settings&, const Settings&) = default;
 };

@@ -1,6 +1,5 @@
-// Snapshot: what one tick leaves behind, as a value. The servo publishes it,
-// pictures are drawn from it, CSV rows are written from it. Trivially copyable:
-// it crosses threads whole.
+// Snapshot: what one tick leaves behind, as a value. The servo publishes it, pictures are drawn from it, CSV rows are
+// written from it. Trivially copyable: it crosses threads whole.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,5 @@
-// The catalog of rendering strategies: the one list that the tick, the window,
-// the command line and the tests walk. A new strategy is one more identifier
-// and one more row in strategy.cpp. Immutable after start, any thread.
+// The catalog of rendering strategies: the one list that the tick, the window, the command line and the tests walk. A
+// new strategy is one more identifier and one more row in strategy.cpp. Immutable after start, any thread.
 #pragma once
 
 #include <array>
@@ -51,8 +50,7 @@ std::optional<StrategyId> find_strategy(std::string_view name) noexcept;
 // Where a name may stand: all of them.
 inline constexpr std::string_view every_strategy = "all";
 
-// K_r and K_t of a strategy. With `has_every_motor` there is no non-actuated
-// degree of freedom, hence no ratio.
+// K_r and K_t of a strategy. With `has_every_motor` there is no non-actuated degree of freedom, hence no ratio.
 template <glm::length_t D>
 Coupling<D> make_coupling(const Strategy& strategy, const Impedances& impedances,
                           const Actuation<D>& actuation) noexcept {

@@ -1,6 +1,5 @@
-// One tick of the sampled-data loop, for all strategies under the same goal.
-// noexcept, allocates nothing, takes no lock, reads no clock: settings, state
-// and reading come in as values, a snapshot goes out. Any thread.
+// One tick of the sampled-data loop, for all strategies under the same goal. noexcept, allocates nothing, takes no
+// lock, reads no clock: settings, state and reading come in as values, a snapshot goes out. Any thread.
 #pragma once
 
 #include <cstdint>
@@ -31,8 +30,7 @@ struct TickPlan {
   PerStrategy<StrategyPlan> strategies;
 };
 
-// t_k = k dt [s], rounded once: k/rate is the nearest number to it, k·(1/rate)
-// is not always.
+// t_k = k dt [s], rounded once: k/rate is the nearest number to it, k·(1/rate) is not always.
 inline double time_of(std::int64_t tick, double rate) noexcept {
   return static_cast<double>(tick) / rate;
 }
@@ -61,27 +59,24 @@ struct TickState {
 template <glm::length_t D>
 TickState<D> state_at_start(const Vector<D>& goal) noexcept;
 
-// k ≥ 1, in this order, per strategy: (23) (24) with the force held from tick k
-// − 1; then the proxy (25) of the device of tick k − 1 (the delay of sampled
-// data). Advances `state` from k − 1 to k; `goal` is q_u(t_k).
+// k ≥ 1, in this order, per strategy: (23) (24) with the force held from tick k − 1; then the proxy (25) of the device
+// of tick k − 1 (the delay of sampled data). Advances `state` from k − 1 to k; `goal` is q_u(t_k).
 template <glm::length_t D>
 void tick(const TickPlan<D>& plan, const Vector<D>& goal, TickState<D>& state) noexcept;
 
-// k ≥ 1 with a real device under `active`: nothing of it is simulated. q_h is
-// measured and the proxy is that of the same tick's q_h, so that free space is
-// exactly force-free; the goal is inferred from the device's equilibrium (7),
-//     q_u ≈ q_h − f / k̂_u,
-// with the force `felt` that the motors really make, f_r but for the limits on
-// its way to them; 0 in free space. The other strategies are simulated under
-// that goal. `believed_k_u` is k̂_u [N/m]. Work is counted, and a velocity known,
-// from the second tick in a row that measures the device under `active`; after
-// a gap in the measurements, reset state.measured.
+// k ≥ 1 with a real device under `active`: nothing of it is simulated. q_h is measured and the proxy is that of the
+// same tick's q_h, so that free space is exactly force-free; the goal is inferred from the device's equilibrium (7),
+//     q_u ≈ q_h − f / k̂_u
+// with the force `felt` that the motors really make, f_r but for the limits on its way to them; 0 in free space. The
+// other strategies are simulated under that goal. `believed_k_u` is k̂_u [N/m]. Work is counted, and a velocity known,
+// from the second tick in a row that measures the device under `active`; after a gap in the measurements, reset
+// state.measured.
 template <glm::length_t D>
 void tick_measured(const TickPlan<D>& plan, StrategyId active, const Vector<D>& device, const Vector<D>& felt,
                    double believed_k_u, TickState<D>& state) noexcept;
 
-// f_r,k = K_r (q_p,k − q_h,k), ghost force and proxy drift of the state as it
-// stands.
+// The state as it stands: rendered force, ghost force and proxy drift.
+//     f_r,k = K_r (q_p,k − q_h,k)
 template <glm::length_t D>
 SnapshotIn<D> snapshot_of(const TickPlan<D>& plan, const TickState<D>& state) noexcept;
 

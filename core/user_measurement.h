@@ -3,8 +3,10 @@
 //
 // At rest in contact (core/equilibrium.h) the drift is
 //     (q_p − q_u) along the wall = (λ/k_t) (1 + κ − ρ) a,   a = P_A n less its component along n
-// whatever the wall's softness. It vanishes at ρ° = 1 + k_r/k_u, hence k_u = k_r/(ρ° − 1). With x = P_A (q_p − q_h)
-// = (λ/k_t) P_A n, which the renderer knows, one rest at any ρ tells ρ° too (docs/theory.md):
+// whatever the wall's softness. It vanishes at ρ° = 1 + k_r/k_u, hence
+//     k_u = k_r/(ρ° − 1)
+// One rest at any ρ tells ρ° too (docs/theory.md), with an x that the renderer knows:
+//     x  = P_A (q_p − q_h) = (λ/k_t) P_A n
 //     ρ° = ρ + drift·(P_A n) / ((1 − α) x·(P_A n)),   α = nᵀP_A n
 // Neither k_t nor k_c is needed, and k_r = f_r·x / x·x is the one that the motors really had.
 #pragma once

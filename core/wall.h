@@ -1,5 +1,4 @@
-// The wall: the constraint, linearised, as a half-space of free motion. Pure
-// values and functions, any thread.
+// The wall: the constraint, linearised, as a half-space of free motion. Pure values and functions, any thread.
 #pragma once
 
 #include <cmath>
@@ -28,7 +27,7 @@ double depth(const Wall<D>& wall, const Vector<D>& q) noexcept {
   return -signed_distance(wall, q);
 }
 
-// q_c = q_p + n n·(o − q_p) [m], (3): the nearest point of the wall.
+// (3)  q_c = q_p + n n·(o − q_p) [m]: the nearest point of the wall.
 template <glm::length_t D>
 Vector<D> projection(const Wall<D>& wall, const Vector<D>& q) noexcept {
   return q + wall.normal * depth(wall, q);

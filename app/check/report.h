@@ -24,8 +24,8 @@ class Report {
   explicit Report(const std::string& to_folder);
 
   // Of a case that fails, NAME.expected.png, NAME.actual.png and NAME.diff.png. They are written beside what is there,
-  // and put in its place by write(). Their bytes are not kept until then: in the verdict each
-  // picture that there is has_value() afterwards, and its text has no bytes.
+  // and put in its place by write(). Their bytes are not kept until then: in the verdict each picture
+  // that there is has_value() afterwards, and its text has no bytes.
   void take_pictures(Verdict& verdict);
 
   // Those pictures, report.html and junit.xml; of a case that passes, the three pictures are removed. Nothing else in

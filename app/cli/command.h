@@ -1,5 +1,5 @@
-// What a command of the program is, and what commands share. A new command is
-// one file beside this one and one row in command_catalog.cpp.
+// What a command of the program is, and what commands share. A new command is one file beside this one and one row in
+// command_catalog.cpp.
 #pragma once
 
 #include <functional>
@@ -18,8 +18,7 @@ namespace ghostforce {
 struct Command {
   std::string_view name;
   std::string_view sentence;  // what it does, for the list of commands
-  // Adds options, and returns what runs once they are parsed; that returns an
-  // exit code or throws Failure.
+  // Adds options, and returns what runs once they are parsed; that returns an exit code or throws Failure.
   std::function<int()> (*attach)(CommandOptions subcommand);
 };
 
@@ -43,8 +42,8 @@ struct SceneOptions {
 // An option's value must be one of these words; if not, the nearest is named.
 WordCheck one_of(std::vector<std::string_view> words);
 
-// An option's value must be a number between these, both ends included; `unit` is for the message. It lets
-// no NaN through.
+// An option's value must be a number between these, both ends included; `unit` is for the message. It lets no NaN
+// through.
 WordCheck number_between(double least, double greatest, std::string unit);
 
 // Unstable settings let the numbers grow until they are none. That is an answer, but no data: throws

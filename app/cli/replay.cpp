@@ -53,8 +53,7 @@ std::string verdict(const RunFacts& run, const ReplayReport& report) {
     const Divergence& first = *report.first;
     words = fmt::format(
         "diverges at t = {} s: {} of {} is {} in the run and {} here, which is {:.3g} off; {} of {} differ, by {:.3g} "
-        "m "
-        "and {:.3g} N at most",
+        "m and {:.3g} N at most",
         first.time_s, first.column, strategy(first.strategy).name, first.recorded, first.replayed,
         std::abs(first.recorded - first.replayed), report.diverging, ticks(report.compared), report.greatest_m,
         report.greatest_N);

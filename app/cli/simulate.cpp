@@ -19,8 +19,7 @@
 namespace ghostforce {
 namespace {
 
-// Ticks between two looks at the clock and at interruptions: well under a
-// hundredth of a second.
+// Ticks between two looks at the clock and at interruptions: well under a hundredth of a second.
 constexpr std::int64_t ticks_between_looks = 1024;
 
 struct Options {

@@ -16,8 +16,7 @@ char lower(char c) noexcept {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-// Optimal string alignment distance: insertions, deletions, substitutions and
-// swaps of neighbours, each 1.
+// Optimal string alignment distance: insertions, deletions, substitutions and swaps of neighbours, each 1.
 std::size_t slips_between(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before_last(b.size() + 1);
   std::vector<std::size_t> last(b.size() + 1);

@@ -1,5 +1,4 @@
-// "Did you mean …": the name of a list that a mistyped word was probably meant
-// to be. Pure, any thread.
+// "Did you mean …": the name of a list that a mistyped word was probably meant to be. Pure, any thread.
 #pragma once
 
 #include <optional>
@@ -9,11 +8,9 @@
 
 namespace ghostforce {
 
-// The candidate with the fewest slips of the keyboard (a letter wrong, missing,
-// too many, or two swapped; case does not count) between it and `word`; the
-// first of equals. Empty when all are so far away that naming one would only
-// confuse. A word that a candidate begins with is near, however much follows:
-// k_r and k_r_N_per_m.
+// The candidate with the fewest slips of the keyboard (a letter wrong, missing, too many, or two swapped; case does not
+// count) between it and `word`; the first of equals. Empty when all are so far away that naming one would only confuse.
+// A word that a candidate begins with is near, however much follows: k_r and k_r_N_per_m.
 std::optional<std::string_view> nearest_name(std::string_view word, std::span<const std::string_view> candidates);
 
 // "; did you mean 'CANDIDATE'?", or nothing.

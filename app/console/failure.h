@@ -1,6 +1,5 @@
-// How the program ends, as a number for scripts and as words for people.
-// Anything under app/ may throw a Failure; main() is the only place that
-// catches one. Not for the servo thread, which never throws.
+// How the program ends, as a number for scripts and as words for people. Anything under app/ may throw a Failure;
+// main() is the only place that catches one. Not for the servo thread, which never throws.
 #pragma once
 
 #include <stdexcept>
@@ -22,8 +21,8 @@ enum class ExitCode : int {
   interrupted = 130,
 };
 
-// `what_to_say` is complete: what is wrong, where, and what to do about it; one
-// line per problem, no newline at the end. Empty: end without a word.
+// `what_to_say` is complete: what is wrong, where, and what to do about it; one line per problem, no newline at the
+// end. Empty: end without a word.
 class Failure : public std::runtime_error {
  public:
   Failure(ExitCode code, const std::string& what_to_say) : std::runtime_error(what_to_say), code_(code) {}

@@ -1,5 +1,5 @@
-// How far long work is, on the error output when that is a terminal; nothing
-// when the work is short or nobody is there to read it.
+// How far long work is, on the error output when that is a terminal; nothing when the work is short or nobody is there
+// to read it.
 #pragma once
 
 #include <chrono>
@@ -15,8 +15,7 @@ std::string progress_words(std::string_view what, std::int64_t done, std::int64_
 
 class Progress {
  public:
-  // `what` is done, with an article: "the simulation". `shows` false: never a
-  // word.
+  // `what` is done, with an article: "the simulation". `shows` false: never a word.
   Progress(std::string what, std::int64_t total, bool shows);
   // Leaves an empty line.
   ~Progress();

@@ -1,5 +1,5 @@
-// Words of a file or of the command line as they may stand in a message: short,
-// and with nothing in them that moves a terminal's cursor. Pure, any thread.
+// Words of a file or of the command line as they may stand in a message: short, and with nothing in them that moves a
+// terminal's cursor. Pure, any thread.
 #pragma once
 
 #include <cstddef>

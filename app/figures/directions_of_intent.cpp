@@ -23,8 +23,7 @@ Figure directions_of_intent_figure(const FigureRequest&) {
   return sheet.finish(
       "The hand goes down, where the device cannot push; straight into the wall; and to the right, where the motor is. "
       "Along the motor axis A rests where F does, each time. N is dragged to the left; where the hand goes straight "
-      "in, it "
-      "ends even on the other side of where it came in.",
+      "in, it ends even on the other side of where it came in.",
       provenance_of_scene("fig3-nonactuated, fig3-normal, fig3-actuated"), table_of(motions));
 }
 

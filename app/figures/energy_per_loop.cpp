@@ -175,9 +175,7 @@ Figure energy_per_loop_figure(const FigureRequest&) {
   sheet.add_legend(legend);
   return sheet.finish(
       "The hand goes slowly round a circle of 10 mm radius inside the wall; lines: the formula; points: measured on "
-      "the "
-      "simulated "
-      "loop. One sense makes energy, the other takes the same away; the larger ρ, the less of either.",
+      "the simulated loop. One sense makes energy, the other takes the same away; the larger ρ, the less of either.",
       provenance_of_scene(std::string(scene_name) + ", tracking ratio varied"), table_of(loops));
 }
 

@@ -47,8 +47,7 @@ CsvTable force_table(const Curves& curves, const std::string& x_name) {
   table.comments = {
       fmt::format("One row per strategy and {}, by closed form, and at some values as simulated.", x_name),
       "force_N: what the device puts on the hand along the motor axis, positive away from the wall; the motor pushes "
-      "to "
-      "the left then, so that it is −force_x_N of the other figures.",
+      "to the left then, so that it is −force_x_N of the other figures.",
       goal_comment(force_goal_depth)};
   return table;
 }

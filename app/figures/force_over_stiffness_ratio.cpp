@@ -48,8 +48,7 @@ Figure force_over_stiffness_ratio_figure(const FigureRequest&) {
                   sheet);
   return sheet.finish(
       "Wall at 45° to the motor, goal 20 mm inside; lines: equations (11), (15) and (20); points: the simulated loop. "
-      "A "
-      "lies on F. What N has above them is the ghost force: it grows with the ratio.",
+      "A lies on F. What N has above them is the ghost force: it grows with the ratio.",
       provenance_of_scene(std::string(scene_name) + ", k_r = k_t varied"), force_table(curves, "stiffness_ratio"));
 }
 

@@ -42,8 +42,7 @@ Figure force_over_wall_angle_figure(const FigureRequest&) {
                   sheet);
   return sheet.finish(
       "Goal 20 mm inside the wall; lines: equations (11), (15) and (20); points: the simulated loop. A lies on F at "
-      "every "
-      "angle. What N has above them is the ghost force.",
+      "every angle. What N has above them is the ghost force.",
       provenance_of_scene(std::string(scene_name) + ", wall turned"), force_table(curves, "wall_angle_deg"));
 }
 

@@ -96,8 +96,7 @@ std::string words_of(const Feeling& feeling) {
   if (feeling.cure_N <= nothing) return fmt::format("Along the motor axis A feels as F does at rest; {}.", naive);
   return fmt::format(
       "Along the motor axis A does not feel as F does at rest: its tracking ratio is not the optimal one, and its "
-      "force "
-      "is off by up to {:.2f} N. {}.",
+      "force is off by up to {:.2f} N. {}.",
       feeling.cure_N, has_ghost ? naive : "N feels as F does");
 }
 

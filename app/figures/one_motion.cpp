@@ -31,10 +31,8 @@ Figure one_motion_figure(const FigureRequest&) {
   sheet.add_legend(legend);
   return sheet.finish(
       "The hand goes from A to B. The fully actuated device ends at F, the underactuated one at N under naïve "
-      "rendering: "
-      "on the left of where it came in. Anisotropic rendering leaves it at O (A in the other figures), below F: the "
-      "motor "
-      "axis feels the same wall.",
+      "rendering: on the left of where it came in. Anisotropic rendering leaves it at O (A in the other figures), "
+      "below F: the motor axis feels the same wall.",
       provenance_of_scene("fig1"), table_of(std::span(&motion, 1)));
 }
 

@@ -114,9 +114,8 @@ Figure proxy_drift_figure(const FigureRequest&) {
   sheet.add_legend(legend);
   return sheet.finish(
       "Wall at 45° to the motor, goal 20 mm inside; lines: closed form; points: the simulated loop. The drift vanishes "
-      "at "
-      "the optimal ratio, which takes the true stiffness of the hand: with a belief that is too low the proxy drifts "
-      "against the naïve way, with one that is too high along it.",
+      "at the optimal ratio, which takes the true stiffness of the hand: with a belief that is too low the proxy "
+      "drifts against the naïve way, with one that is too high along it.",
       provenance_of_scene(std::string(scene_name) + ", tracking ratio and believed k_u varied"), drift_table(curves));
 }
 

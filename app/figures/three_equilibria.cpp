@@ -93,9 +93,8 @@ Figure three_equilibria_figure(const FigureRequest&) {
   for (const std::string& value : softer) scene += " --set " + value;
   return sheet.finish(
       "One hand that wants to be at qᵤ, at rest: device qₕ, proxy qₚ, and its contact on the wall. Without drift the "
-      "proxy lies on "
-      "the thin line from qᵤ normal to the wall: so it does for F and A; under naïve rendering it has drifted along "
-      "the wall, and drags the device with it.",
+      "proxy lies on the thin line from qᵤ normal to the wall: so it does for F and A; under naïve rendering it has "
+      "drifted along the wall, and drags the device with it.",
       provenance_of_scene(scene), table_of(data));
 }
 

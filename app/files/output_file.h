@@ -1,11 +1,10 @@
-// A file that is written whole or not at all: what is written goes to a
-// temporary file in the same folder (part_file.h), and commit() puts it in place
-// of the old one, so that even a power cut leaves the old one or the new one.
-// Without commit() nothing is left behind. "-" is the standard output; it, pipes
-// and devices take what is written as it comes. Not for the servo thread.
+// A file that is written whole or not at all: what is written goes to a temporary file in the same folder
+// (part_file.h), and commit() puts it in place of the old one, so that even a power cut leaves the old one or the new
+// one. Without commit() nothing is left behind. "-" is the standard output; it, pipes and devices take what is written
+// as it comes. Not for the servo thread.
 //
-// Every function may throw Failure: file_trouble with path, reason and remedy;
-// interrupted; or done, without a word, when the reader of a pipe has gone.
+// Every function may throw Failure: file_trouble with path, reason and remedy; interrupted; or done, without a word,
+// when the reader of a pipe has gone.
 #pragma once
 
 #include <sys/types.h>
@@ -58,8 +57,7 @@ class OutputFile {
   bool is_in_place_ = false;  // and not kept yet
 };
 
-// Words for people about a file that cannot be read or written: errno as a
-// reason, and what to do about it.
+// Words for people about a file that cannot be read or written: errno as a reason, and what to do about it.
 std::string reason_of(int error);
 
 }  // namespace ghostforce

@@ -1,6 +1,5 @@
-// A run as CSV: comment lines with the program's version and the scene, one line
-// of column names, then one row per tick and strategy. SI units; numbers in the
-// shortest form that reads back exactly, whatever the locale. Pure; not for the
+// A run as CSV: comment lines with the program's version and the scene, one line of column names, then one row per tick
+// and strategy. SI units; numbers in the shortest form that reads back exactly, whatever the locale. Pure; not for the
 // servo thread (it allocates).
 #pragma once
 
@@ -41,8 +40,7 @@ inline constexpr std::string_view time_begins = "t_s=";
 // What each file of rows begins with: the program's version and the scene, as comments.
 std::string provenance(const Scene& scene);
 
-// All that stands before the first row. `further_columns` come after the common
-// ones: "" or ",name,name…".
+// All that stands before the first row. `further_columns` come after the common ones: "" or ",name,name…".
 std::string run_header(const Scene& scene, std::string_view further_columns = {});
 
 // What a run cannot tell with a row for each tick.

@@ -38,8 +38,7 @@ const EmbeddedText* find_shipped(std::string_view name) noexcept {
   return nullptr;
 }
 
-// What the person may have meant by a name that is nothing: a shipped scene, or
-// a file nearby.
+// What the person may have meant by a name that is nothing: a shipped scene, or a file nearby.
 std::string hint_for(const std::filesystem::path& path) {
   const std::string stem = path.extension() == extension ? path.stem().string() : path.filename().string();
   const std::vector<std::string_view> shipped = shipped_scene_names();
@@ -84,8 +83,8 @@ std::string read_file(const std::string& path) {
   }
 }
 
-// The number of file units from which the reader makes exactly this SI value, in
-// as few digits as possible; the nearest one where there is none.
+// The number of file units from which the reader makes exactly this SI value, in as few digits as possible; the nearest
+// one where there is none.
 double file_value(double si, double per_si) {
   if (per_si == 1.0 || !std::isfinite(si)) return si;
   const double exact = si * per_si;
@@ -100,8 +99,7 @@ double file_value(double si, double per_si) {
 
 constexpr double mm_per_m = 1000.0;
 
-// A real number as TOML has it: what looks like an integer loses the sign of
-// zero.
+// A real number as TOML has it: what looks like an integer loses the sign of zero.
 std::string toml_number(double value) {
   std::string text = fmt::format("{}", value);
   return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;

@@ -33,8 +33,7 @@ bool is_word(std::string_view value) noexcept {
                      [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' || c == '_'; });
 }
 
-// Where only a text is possible, whatever comes without quotes is one, 42 too;
-// elsewhere a single word is.
+// Where only a text is possible, whatever comes without quotes is one, 42 too; elsewhere a single word is.
 std::optional<toml::table> parse_value(bool holds_text, std::string_view value) {
   const bool is_quoted = value.starts_with('"') || value.starts_with('\'');
   if (holds_text && !is_quoted) return parse_toml_value(toml_string(value));

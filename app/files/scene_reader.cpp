@@ -102,8 +102,7 @@ class SceneReader {
     problems_.add(place, std::move(what));
   }
 
-  // About the key that is being read, at `node`, which is its value or part of
-  // it.
+  // About the key that is being read, at `node`, which is its value or part of it.
   void complain_at(const toml::node& node, const std::string& what) {
     complain(place_of({&node, given_.override_number}),
              fmt::format("the key {}: {}", dotted_name(key_->table, key_->name), what));

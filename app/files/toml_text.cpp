@@ -9,14 +9,14 @@
 namespace ghostforce {
 namespace {
 
-// toml++ builds and destroys a name a.b.c… of any length by recursion, one call
-// per dot, and would run out of stack. Nobody needs a name of this many.
+// toml++ builds and destroys a name a.b.c… of any length by recursion, one call per dot, and would run out of stack.
+// Nobody needs a name of this many.
 constexpr int most_dots = 256;
 
 constexpr std::size_t longest_description = 400;
 
-// Looks at each line for itself: a name never spans lines. What it takes for a
-// name inside a text of several lines is none, and would need as many dots.
+// Looks at each line for itself: a name never spans lines. What it takes for a name inside a text of several lines is
+// none, and would need as many dots.
 std::optional<TomlProblem> find_too_many_dots(std::string_view text) {
   toml::source_position position{1, 1};
   int dots = 0;

@@ -1,5 +1,4 @@
-// TOML as text: reading it without falling over what toml++ falls over, and
-// writing texts. Pure, any thread.
+// TOML as text: reading it without falling over what toml++ falls over, and writing texts. Pure, any thread.
 #pragma once
 
 #include <optional>

@@ -207,8 +207,7 @@ std::string Application::device_remark() const {
   if (needed <= calibration.scale) return {};
   return fmt::format(
       "This scene reaches {:.0f} mm from the middle of the view, and the handle {:.0f} mm: set scale = {:.1f} or more "
-      "in "
-      "the device's calibration file.",
+      "in the device's calibration file.",
       1000.0 * workspace_radius * needed, 1000.0 * workspace_radius * calibration.scale,
       std::ceil(10.0 * needed) / 10.0);
 }
@@ -399,8 +398,7 @@ std::string Application::end_recording() {
   if (error == EOVERFLOW) {
     recording_problem_ = fmt::format(
         "The recording has ended after {:.1f} s: {} is as long as a run may be, {:.0f} ticks. It is whole; record "
-        "again, "
-        "to another file, for what comes.",
+        "again, to another file, for what comes.",
         recording_reading_.seconds, shown, most_ticks);
     return recording_problem_;
   }

@@ -7,8 +7,8 @@
 
 namespace ghostforce {
 
-// `key` as GLFW tells it: by its place on a US keyboard. `name` is what the layout has on it,
-// as glfwGetKeyName() tells; null: nothing.
+// `key` as GLFW tells it: by its place on a US keyboard. `name` is what the layout has on it, as glfwGetKeyName()
+// tells; null: nothing.
 //
 // Returns the GLFW_KEY_… that is meant. By what is printed on the key where that is a letter, bracket, dot or minus:
 // Ctrl+Z is where the Z is. Otherwise by its place: the digits of a French keyboard, what no ASCII sign is printed on,

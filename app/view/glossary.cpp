@@ -29,8 +29,7 @@ constexpr std::array entries{
                   "(q_p − q_u) along the wall", "mm"},
     GlossaryEntry{Term::energy, "Energy",
                   "What the rendering has given to the hand since the reset: round a closed loop it should be none. "
-                  "Above zero it was "
-                  "active, not passive.",
+                  "Above zero it was active, not passive.",
                   "Σ f_r,k−1 · (q_h,k − q_h,k−1)", "mJ"},
     GlossaryEntry{Term::model_error, "Model − simulation",
                   "How far the simulated devices still are from where the closed forms put them at rest.",

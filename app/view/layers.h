@@ -19,7 +19,7 @@ void add_target(const View& view, Marks& marks);   // where a hand that is measu
 void add_handles(const View& view, Marks& marks);  // motor axis, wall grips
 void add_labels(const View& view, Marks& marks);   // words and numbers beside the marks above
 
-// --- Where arrow and label layers must agree -----------------------------------------------------------------------
+// --- Where arrow and label layers must agree -------------------------------------------------------------------------
 
 // Length of an arrow per newton [points]; does not change with the zoom, so that pictures can be compared. Panes are
 // narrow: their arrows are a third as long, as the scale bar says.

@@ -161,7 +161,7 @@ void FalconDsp::misbehave(const Misbehaviour& wrong) noexcept {
   }
 }
 
-// --- The chip ---------------------------------------------------------------
+// --- The chip --------------------------------------------------------------------------------------------------------
 
 void FalconDsp::set_dtr(bool high) noexcept {
   if (high == chip_.dtr) return;
@@ -213,7 +213,7 @@ void FalconDsp::say(std::uint8_t byte, std::int64_t now_ns) noexcept {
   to_host_.push({line_in_free_ns_, byte});
 }
 
-// --- The DSP ----------------------------------------------------------------
+// --- The DSP ---------------------------------------------------------------------------------------------------------
 
 // What was in its memory is gone.
 void FalconDsp::reset(Stage stage) noexcept {
@@ -333,7 +333,7 @@ void FalconDsp::BootTable::go_on(Part next, unsigned words) noexcept {
   words_left = words;
 }
 
-// --- The firmware -----------------------------------------------------------
+// --- The firmware ----------------------------------------------------------------------------------------------------
 
 void FalconDsp::hear_frame(const CommandFrame& frame, std::int64_t at_ns) noexcept {
   last_command_ = frame;

@@ -35,8 +35,7 @@ TEST(EnergyTest, WorkIsForceTimesWay) {
   EXPECT_EQ(work(Vector<3>(1.0, 2.0, 3.0), Vector<3>(-1.0, 0.0, 0.0)), -1.0);
 }
 
-// --- Without time: a device led round a polygon, infinitely slowly
-// ----------------------------------------------------
+// --- Without time: a device led round a polygon, infinitely slowly ---------------------------------------------------
 
 // The rendered force is linear in the device's position while it is inside the wall, so the mean of both ends times the
 // way is the exact work along an edge; what remains is rounding.
@@ -143,8 +142,7 @@ TEST(EnergyTest, HasTheSignOfTheExample) {
   EXPECT_NEAR(energy_per_loop(1000.0, 1000.0, infinity, 1.0, std::numbers::pi / 2.0, 4e-4), 0.0, 1e-16);
 }
 
-// --- With time: the sampled loop, the hand going round slowly inside the wall
-// -----------------------------------------
+// --- With time: the sampled loop, the hand going round slowly inside the wall ----------------------------------------
 
 constexpr double wall_angle = 2.2;
 constexpr double theta = 0.6;
@@ -202,11 +200,12 @@ PerStrategy<Lap> second_lap(const Impedances& k, double rate, double sense) {
 }
 
 // The held force of tick k − 1 is K_r (q_p(q_h,k−2) − q_h,k−1): the wall's force of 1.5 ticks before the middle of the
-// step, less K_r dt v. With the wall's force F(q) = −g A (n·q) + const., g = k_r cosθ/(cos²θ + ρ sin²θ + k_t/k_c),
+// step, less K_r dt v. With the wall's force
+//     F(q) = −g A (n·q) + const.,   g = k_r cosθ/(cos²θ + ρ sin²θ + k_t/k_c)
 // the work of a lap is therefore, up to second order in dt,
 //     formula + dt (1.5 g ∫(A·v)(n·v) dt − k_r ∫(A·v)² dt)
-// and for the fully actuated device, g = k_r/(1 + k_t/k_c) along n,
-//     0 + dt (1.5 g ∫(n·v)² dt − k_r ∫v² dt).
+// and for the fully actuated device, with g = k_r/(1 + k_t/k_c) along n,
+//     0 + dt (1.5 g ∫(n·v)² dt − k_r ∫v² dt)
 struct Expected {
   double slow;         // [J]
   double first_order;  // [J]

@@ -19,12 +19,16 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr int settings_per_test = 2000;
 
-// How far rounding alone may carry a closed form from the exact answer. Let r = o − q_u, κ = k_r/k_u, α = nᵀP_A n,
-// σ = (1+κ) α + ρ (1−α) + k_t/k_c and g = (1+κ+ρ)/σ. In units of one rounding ε, d = n·r is good to |r|, the direction
-// u = (1+κ) P_A n + ρ P_N n to 1+κ+ρ, and |u| ≤ √((1+κ+ρ) σ), so that
-//     q_p = q_u + d u/σ       is good to  |o| + |q_u| + |r| + |r| g (1 + √g)
-//     f_r = k_r d P_A n/σ     is good to  k_r |r| (1 + g)/σ
-//     q_h = q_u + f_r/k_u     is good to  |o| + |q_u| + |r|, and that of f_r over k_u.
+// How far rounding alone may carry a closed form from the exact answer. With
+//     r = o − q_u,   κ = k_r/k_u,   α = nᵀP_A n
+//     σ = (1+κ) α + ρ (1−α) + k_t/k_c
+//     g = (1+κ+ρ)/σ
+// and in units of one rounding ε
+//     d = n·r                       is good to  |r|
+//     u = (1+κ) P_A n + ρ P_N n     is good to  1+κ+ρ,  and |u| ≤ √((1+κ+ρ) σ)
+//     q_p = q_u + d u/σ             is good to  |o| + |q_u| + |r| + |r| g (1 + √g)
+//     f_r = k_r d P_A n/σ           is good to  k_r |r| (1 + g)/σ
+//     q_h = q_u + f_r/k_u           is good to  |o| + |q_u| + |r|,  and that of f_r over k_u
 // Each chain is a dozen roundings long and has D terms in each product: 32 ε holds it, with a factor of 3 to spare.
 struct Rounding {
   template <glm::length_t D>
@@ -390,8 +394,7 @@ TYPED_TEST(EquilibriumTest, HardWallIsTheLimitOfStiffOnes) {
   }
 }
 
-// --- The example of docs/theory.md: motion normal to a wall at 45°, one horizontal motor
-// ------------------------------
+// --- The example of docs/theory.md: motion normal to a wall at 45°, one horizontal motor -----------------------------
 
 TEST(EquilibriumExample, HasTheseNumbers) {
   const Wall<2> wall{{0.0, 0.0}, direction_at(135.0 / 180.0 * std::numbers::pi)};

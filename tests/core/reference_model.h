@@ -96,14 +96,18 @@ struct ReferenceRest {
 };
 
 // Forces in balance on proxy and device, with q_p, q_h and the wall's push λ as unknowns:
-//   (6)   K_t (q_h − q_p) + λ n = 0,  where by (3)(4)  λ = k_c n·(o − q_p), written  n·q_p + λ/k_c = n·o
-//   (7)   k_u (q_u − q_h) + K_r (q_p − q_h) = 0
+//     (6)      K_t (q_h − q_p) + λ n = 0
+//     (3)(4)   n·q_p + λ/k_c = n·o                     that is λ = k_c n·(o − q_p)
+//     (7)      k_u (q_u − q_h) + K_r (q_p − q_h) = 0
 // k_c = ∞ makes λ the multiplier of the hard constraint n·q_p = n·o.
 ReferenceRest reference_rest(const ReferenceModel& model, const ReferenceVector& goal);
 
-// (22)(25)  The same for the proxy alone, the device being where it is: K_t (q_h − q_p) + λ n = 0 and n·q_p + λ/k_c =
-// n·o where n·(q_h − o) < 0, else q_p = q_h. Eliminating λ gives (K_t + k_c n nᵀ) q_p = K_t q_h + k_c n nᵀ o, whose
-// matrix is worse conditioned by k_c/k_t and does not exist for the hard wall.
+// (22)(25)  The same for the proxy alone, the device being where it is. In contact, n·(q_h − o) < 0:
+//     K_t (q_h − q_p) + λ n = 0
+//     n·q_p + λ/k_c = n·o
+// In free space q_p = q_h. λ is kept: without it the system would be
+//     (K_t + k_c n nᵀ) q_p = K_t q_h + k_c n nᵀ o
+// whose matrix is worse conditioned by k_c/k_t and does not exist for the hard wall.
 ReferenceVector reference_proxy(const ReferenceModel& model, const ReferenceVector& device);
 
 // --- In time ---------------------------------------------------------------------------------------------------------

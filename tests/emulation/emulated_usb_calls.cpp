@@ -214,7 +214,7 @@ CallResult EmulatedUsbDevice::reset(File& file) {
   return {};
 }
 
-// --- What is over ---------------------------------------------------------------------------------------------------
+// --- What is over ----------------------------------------------------------------------------------------------------
 
 CallResult EmulatedUsbDevice::reap(File& file, const CallerMemory& memory, std::uintptr_t into) {
   if (file.completions.empty()) return CallResult::failure(file.is_unplugged ? ENODEV : EAGAIN);

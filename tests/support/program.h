@@ -28,8 +28,7 @@ struct ProgramCall {
   bool takes_orders = false;             // a RunningProgram's standard input is what order() says; else there is none
 };
 
-// Starts `program` with signals as a terminal would have them, and waits for
-// its end.
+// Starts `program` with signals as a terminal would have them, and waits for its end.
 Outcome run_program(const std::string& program, const ProgramCall& call);
 
 inline Outcome run_program(const std::string& program, std::vector<std::string> words) {

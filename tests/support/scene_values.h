@@ -1,5 +1,5 @@
-// Every value of a scene in a row, key by key, so that two scenes can be compared
-// bit for bit and a difference be named.
+// Every value of a scene in a row, key by key, so that two scenes can be compared bit for bit and a difference be
+// named.
 #pragma once
 
 #include <bit>

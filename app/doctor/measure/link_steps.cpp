@@ -72,11 +72,9 @@ std::vector<Finding> measure_silence(MeasuringRig& rig) {
   const bool is_done = rig.with_button(
       {.kind = Deed::Kind::hold_button, .place = middle},
       "Hold the handle softly in the middle of its space and keep a button of the grip down. After Enter you feel up "
-      "to "
-      "twelve pushes towards you, each below 1 N, for half a minute in all. In each, the program says nothing to the "
-      "device for 20 ms to one second, and hears your button again only after that. Let yourself be pushed, and keep "
-      "your "
-      "hand as it is.",
+      "to twelve pushes towards you, each below 1 N, for half a minute in all. In each, the program says nothing to "
+      "the device for 20 ms to one second, and hears your button again only after that. Let yourself be pushed, and "
+      "keep your hand as it is.",
       take_all);
   for (const SilenceReading& reading : readings) {
     finding.readings.push_back(

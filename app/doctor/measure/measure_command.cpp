@@ -31,15 +31,12 @@ constexpr unsigned practice_words = 4000;
 
 constexpr std::string_view welcome =
     "This measures a Falcon and takes about ten minutes. You need: a table for the device to stand on, a ruler of 10 "
-    "cm or "
-    "more, a weight of 20 to 50 g that you know to a gram, half a metre of thread to hang it by, and a long, soft "
-    "rubber "
-    "band. One hand holds the handle, the other one is for the keyboard.\n";
+    "cm or more, a weight of 20 to 50 g that you know to a gram, half a metre of thread to hang it by, and a long, "
+    "soft rubber band. One hand holds the handle, the other one is for the keyboard.\n";
 constexpr std::string_view safety =
     "Motors push with less than 2 N, and only as long as you hold a button of the grip down: letting go turns them "
-    "off. "
-    "They go off too when the handle moves faster than 0.3 m/s or leaves the middle of its space. Keep the power plug "
-    "within reach, and face and fingers away from the arms.\n";
+    "off. They go off too when the handle moves faster than 0.3 m/s or leaves the middle of its space. Keep the power "
+    "plug within reach, and face and fingers away from the arms.\n";
 constexpr std::string_view keys =
     "Enter: it is done, go on. s: skip this step. q: end, with or without a report. Ctrl+C: end at once, nothing is "
     "written.\n";

@@ -215,8 +215,7 @@ std::optional<HoldTaken> hold_at(MeasuringRig& rig, const Vector<3>& place, std:
   const std::string words = fmt::format(
       "Hold the handle {}{} and keep a button of the grip down. After Enter the motors take hold of it, with less than "
       "2 N. Count to two, then let go of the handle but for one fingertip that keeps the button down, and let the "
-      "motors "
-      "carry it for eight seconds: they move it slowly up and down. Then take it in your hand again.",
+      "motors carry it for eight seconds: they move it slowly up and down. Then take it in your hand again.",
       place == middle ? "in the middle of its space"
                       : "3 cm to the left of the middle, 3 cm lower and 1 cm further out",
       load_words);

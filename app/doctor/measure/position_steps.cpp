@@ -207,9 +207,8 @@ std::vector<Finding> measure_lengths(MeasuringRig& rig) {
     RulerReading reading;
     const FalconCalibration& calibration = rig.calibration();
     reading.from =
-        legs_of(rig.read_still_at(go_to(move.from), fmt::format("{} Note the ruler's mark. Enter: the encoders "
-                                                                "are read.",
-                                                                move.begin)),
+        legs_of(rig.read_still_at(go_to(move.from),
+                                  fmt::format("{} Note the ruler's mark. Enter: the encoders are read.", move.begin)),
                 calibration);
     reading.to = legs_of(
         rig.read_still_at(go_to(move.to), fmt::format("{} Hold it there. Enter: they are read again.", move.move)),

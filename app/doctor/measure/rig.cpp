@@ -59,8 +59,7 @@ std::string_view words_of(MotorStop stop) {
       return "The handle left the middle of its workspace, so the motors are off. This step begins again.";
     case MotorStop::no_reply:
       return "The device left a command unanswered for 20 ms, so the motors are off. Close what keeps this machine "
-             "busy; "
-             "this step begins again.";
+             "busy; this step begins again.";
   }
   return {};
 }

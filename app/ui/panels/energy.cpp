@@ -54,8 +54,7 @@ void draw_choice(const PanelContext& context, const Circle& circle) {
   if (!begin_rows("circle", context)) return;
   row("Sense",
       "One sense makes energy, the other takes as much away for a loop of the device with the same area. Round the "
-      "same "
-      "goal circle the device's loops differ a little, and so do the energies.");
+      "same goal circle the device's loops differ a little, and so do the energies.");
   ImGui::Checkbox("clockwise", &choice.is_clockwise);
   row("Radius",
       "Of the goal's circle, as large as the picture holds. One that does not fit into the wall is moved deeper.");

@@ -27,11 +27,10 @@ std::vector<HelpLine> help_lines() {
 
 constexpr std::string_view subject =
     "A hand (the goal) presses a device into a virtual wall. The device senses both directions, but its motor pushes "
-    "in "
-    "one only. Rendered as usual, the device follows its one motor sideways, the proxy follows the device along the "
-    "wall, "
-    "and the motor pulls after it: a ghost force. The cure lets the proxy follow more softly across the motor, by the "
-    "ratio ρ*, so that it stays straight in front of the goal, and the motor has nothing more to pull than it should.";
+    "in one only. Rendered as usual, the device follows its one motor sideways, the proxy follows the device along the "
+    "wall, and the motor pulls after it: a ghost force. The cure lets the proxy follow more softly across the motor, "
+    "by the ratio ρ*, so that it stays straight in front of the goal, and the motor has nothing more to pull than it "
+    "should.";
 
 void draw_lines(const char* id, std::span<const HelpLine> lines, float first_column, const PanelContext& context) {
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {6.0F * context.scale, 2.0F * context.scale});

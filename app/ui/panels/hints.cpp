@@ -12,8 +12,7 @@ namespace {
 constexpr std::array hints{
     Hint{"Drag: this is where your hand wants to be.",
          "You press a handle into a virtual wall. Its one motor only pushes left and right; the hollow arrow is what "
-         "goes "
-         "wrong: the ghost force.",
+         "goes wrong: the ghost force.",
          HintTarget::goal,
          [](const Session& session, const HintProgress& progress) {
            return progress.has_dragged && !session.drags_goal;

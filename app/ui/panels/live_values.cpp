@@ -74,8 +74,7 @@ void draw_model_error(const PanelContext& context) {
         fmt::format("{} measured, others simulated", strategy(*context.snapshot.measured).letter).c_str());
     explain(
         "Forces are what each strategy wants, before any limit. The others are simulated under the inferred goal; "
-        "ghost "
-        "force and drift against that goal cannot be known.");
+        "ghost force and drift against that goal cannot be known.");
     return;
   }
   ImGui::BeginGroup();

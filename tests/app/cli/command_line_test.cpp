@@ -157,8 +157,7 @@ TEST_P(CommandLineInterrupted, LeavesNothingAndExits130) {
   const TemporaryFolder folder;
   write_whole(folder / "run.csv", "old");
   ProgramCall call;
-  // Ten million ticks: the signal, sent as soon as the temporary file is there,
-  // arrives long before the end.
+  // Ten million ticks: the signal, sent as soon as the temporary file is there, arrives long before the end.
   call.words = {"simulate", "wall45", "--set", "goal.duration_s=10000", "-o", folder / "run.csv"};
   call.signal_when_created_in = folder.path();
   call.signal = GetParam();
@@ -241,9 +240,8 @@ TEST(Simulate, WritesEveryTickOfEveryStrategyExactly) {
 }
 
 TEST(Simulate, EndsWhereTheDesignSays) {
-  // fig3-normal at rest: device x +3.669 mm (F), −26.556 mm (N), +3.669 mm (A);
-  // force along x −3.633, −6.656, −3.633 N. After 2 s at rest what still moves
-  // is far below the last digit given.
+  // fig3-normal at rest: device x +3.669 mm (F), −26.556 mm (N), +3.669 mm (A); force along x −3.633, −6.656, −3.633 N.
+  // After 2 s at rest what still moves is far below the last digit given.
   const Csv csv = parse_csv(run({"simulate", "fig3-normal", "--strategy=all"}).out);
   ASSERT_GE(csv.numbers.size(), 3U);
   const double device_x[] = {3.669e-3, -26.556e-3, 3.669e-3};

@@ -268,8 +268,9 @@ TEST(Claims, OneSenseOfALoopMakesTheEnergyThatTheOtherTakesAsTheFormulaSays) {
   const Settings settings = load_scene("wall45").settings;
   const Impedances& k = settings.impedances;
   const double theta = settings.actuated_angle - settings.wall_normal_angle;
-  // To first order the delay adds dt (1.5 g ∫(A·v)(n·v) dt − k_r ∫(A·v)² dt), g < k_r √2: at most
-  // dt · 3.2 k_r ∫v² dt, where v is at most the goal's speed, 2π · 10 mm · 0.1/s, over the 10 s of a loop.
+  // What the delay adds, to first order, with g < k_r √2:
+  //     dt (1.5 g ∫(A·v)(n·v) dt − k_r ∫(A·v)² dt) ≤ dt · 3.2 k_r ∫v² dt
+  // where v is at most the goal's speed, 2π · 10 mm · 0.1/s, over the 10 s of a loop.
   const double speed = 2.0 * std::numbers::pi * 0.010 * 0.1;
   const double delay = 3.2 * k.k_r * speed * speed * 10.0 / settings.rate;
   int measured = 0;

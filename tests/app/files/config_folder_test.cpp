@@ -13,7 +13,7 @@ namespace {
 class FirmwarePathTest : public testing::Test {
  protected:
   FirmwarePathTest() {
-    unsetenv("XDG_CONFIG_HOME");
+    setenv("XDG_CONFIG_HOME", (folder_ / "config").c_str(), 1);
     setenv("HOME", (folder_ / "home").c_str(), 1);
     unsetenv("GHOSTFORCE_FIRMWARE");
   }

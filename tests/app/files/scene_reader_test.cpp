@@ -420,8 +420,7 @@ TEST(SceneReaderSet, OneArgumentIsOneValue) {
   EXPECT_EQ(said.find('\n'), std::string::npos) << said;
 }
 
-// Whatever the bytes: a scene, or a refusal with words; never a crash, never any
-// other exception.
+// Whatever the bytes: a scene, or a refusal with words; never a crash, never any other exception.
 
 TEST(SceneReader, SurvivesWhatIsNoText) {
   for (const std::string& text :

@@ -28,8 +28,7 @@ class SessionTest : public DrivenWindow {
   void redo() { press(GLFW_KEY_Z, GLFW_MOD_CONTROL | GLFW_MOD_SHIFT); }
 };
 
-// --- Undo
-// --------------------------------------------------------------------------------------------------------------
+// --- Undo ------------------------------------------------------------------------------------------------------------
 
 TEST_F(SessionTest, EveryChangeOfASettingIsTakenBackAndDoneAgain) {
   const Settings start = session().settings;
@@ -86,8 +85,7 @@ TEST_F(SessionTest, OpeningAnotherSceneCanBeTakenBackToo) {
   EXPECT_EQ(session().scene->title, load_scene("wall45").title);
 }
 
-// --- Scenes
-// ------------------------------------------------------------------------------------------------------------
+// --- Scenes ----------------------------------------------------------------------------------------------------------
 
 TEST_F(SessionTest, ASavedSceneShowsWhatWasSeen) {
   const TemporaryFolder folder;
@@ -175,8 +173,7 @@ TEST_F(SessionTest, SavingWhereNothingCanBeIsSaid) {
   EXPECT_TRUE(session().notice->is_problem);
 }
 
-// --- Pictures
-// ----------------------------------------------------------------------------------------------------------
+// --- Pictures --------------------------------------------------------------------------------------------------------
 
 TEST_F(SessionTest, APictureIsTheScreenOnceToFourTimesAsFine) {
   const TemporaryFolder folder;
@@ -252,8 +249,7 @@ TEST_F(SessionTest, EachDialogBeginsWithFieldsOfItsOwn) {
   EXPECT_EQ(session().form.path, "");
 }
 
-// --- Inputs
-// ------------------------------------------------------------------------------------------------------------
+// --- Inputs ----------------------------------------------------------------------------------------------------------
 
 TEST_F(SessionTest, TheInputChangesWhileTheProgramRuns) {
   session().wishes.input = "script";
@@ -268,8 +264,7 @@ TEST_F(SessionTest, TheInputChangesWhileTheProgramRuns) {
   EXPECT_EQ(now().goal, load_scene("wall45").goal.points.back());
 }
 
-// --- Hints
-// -------------------------------------------------------------------------------------------------------------
+// --- Hints -----------------------------------------------------------------------------------------------------------
 
 TEST_F(SessionTest, ThreeHintsGoOneAfterAnotherAsTheyAreFollowed) {
   open({.offers_hints = true});
@@ -314,8 +309,7 @@ TEST_F(SessionTest, NobodyIsOfferedHintsUnasked) {
   EXPECT_FALSE(session().hint);
 }
 
-// --- Sizes
-// -------------------------------------------------------------------------------------------------------------
+// --- Sizes -----------------------------------------------------------------------------------------------------------
 
 // The windows of ImGui that are on the screen, by name.
 std::vector<const ImGuiWindow*> windows_on_screen() {
@@ -374,8 +368,7 @@ TEST_F(SessionTest, NumbersDoNotMakeTheLayoutJump) {
   }
 }
 
-// --- The caption
-// -------------------------------------------------------------------------------------------------------
+// --- The caption -----------------------------------------------------------------------------------------------------
 
 TEST(Caption, SaysWhatIsTrueNow) {
   Settings settings = load_scene("fig1").settings;

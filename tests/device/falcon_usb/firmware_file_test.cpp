@@ -180,12 +180,6 @@ class FirmwareOnDiskTest : public testing::Test {
     return {};
   }
 
-  void SetUp() override {
-    setenv("XDG_CONFIG_HOME", (folder_ / "config").c_str(), 1);
-    setenv("HOME", (folder_ / "home").c_str(), 1);
-    unsetenv("GHOSTFORCE_FIRMWARE");
-  }
-
   static std::string text(const Bytes& bytes) { return {bytes.begin(), bytes.end()}; }
 
   TemporaryFolder folder_;
