@@ -17,6 +17,7 @@
 #include "app/paint/vector/vector_painter.h"
 #include "app/runs/run_hand.h"
 #include "app/session/input_choices.h"
+#include "app/session/measurement_guide.h"
 #include "app/session/scene_as_seen.h"
 #include "app/ui/panels/panel_catalog.h"
 #include "app/ui/plots/plot_export.h"
