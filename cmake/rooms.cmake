@@ -53,6 +53,21 @@ function(room_links folder result)
   set(${result} "${links}" PARENT_SCOPE)
 endfunction()
 
+# What many sources read is compiled once, not once for each of them: for all rooms with fmt, and for the command line.
+add_library(precompiled STATIC ${CMAKE_CURRENT_LIST_DIR}/precompiled.cpp)
+target_link_libraries(precompiled PRIVATE glm::glm fmt::fmt project_options project_warnings)
+target_precompile_headers(precompiled PRIVATE ${CMAKE_CURRENT_LIST_DIR}/precompiled.h)
+
+function(precompile_headers target)
+  get_target_property(links ${target} LINK_LIBRARIES)
+  if(CLI11::CLI11 IN_LIST links)
+    target_precompile_headers(${target} PRIVATE
+      ${PROJECT_SOURCE_DIR}/cmake/precompiled.h <CLI/CLI.hpp> <nlohmann/json.hpp>)
+  elseif(fmt::fmt IN_LIST links)
+    target_precompile_headers(${target} REUSE_FROM precompiled)
+  endif()
+endfunction()
+
 function(ghostforce_add_room)
   cmake_parse_arguments(PARSE_ARGV 0 arg "" "" "SOURCES")
   cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE folder)
@@ -60,4 +75,5 @@ function(ghostforce_add_room)
   room_links(${folder} links)
   add_library(${name} STATIC ${arg_SOURCES})
   target_link_libraries(${name} PUBLIC ${links} project_options PRIVATE project_warnings)
+  precompile_headers(${name})
 endfunction()

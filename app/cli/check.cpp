@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "app/check/case_folder.h"
 #include "app/check/report.h"
@@ -136,32 +137,33 @@ int check(const Options& options) {
 
 }  // namespace
 
-std::function<int()> attach_check(CommandOptions subcommand) {
+std::function<int()> attach_check(CLI::App& command, FileOptions& files) {
   const auto options = std::make_shared<Options>();
-  subcommand.add_option("DIR", options->folder, "The folder with the cases, NAME.toml each and its golden NAME.png")
-      .type_name("")
-      .required()
-      .reads(cases_and_goldens_in);
-  const CommandOption only =
-      subcommand.add_option("--only", options->only, "Check these cases, not all").type_name("NAME...");
-  const CommandOption update_option =
-      subcommand
+  files.reads(
+      command.add_option("DIR", options->folder, "The folder with the cases, NAME.toml each and its golden NAME.png")
+          ->type_name("")
+          ->required(),
+      cases_and_goldens_in);
+  CLI::Option* const only =
+      command.add_option("--only", options->only, "Check these cases, not all")->type_name("NAME...");
+  CLI::Option* const update_option =
+      command
           .add_option("--update", options->update,
                       "Store these cases' pictures as they are drawn now, and check nothing")
-          .type_name("NAME...")
-          .excludes(only);
-  subcommand
-      .add_option("--report", options->report,
-                  "Write report.html, junit.xml and the pictures of cases that fail into this folder")
-      .type_name("DIR")
-      .check([](const std::string& folder) { return std::string(folder.empty() ? "name a folder" : ""); })
-      .writes([](const std::string& folder) {
-        std::vector<std::string> files = files_in(folder);
-        std::erase_if(files, [](const std::string& file) { return !Report::may_write(file); });
-        return files;
-      })
-      .excludes(update_option);
-  subcommand.footer(
+          ->type_name("NAME...")
+          ->excludes(only);
+  files.writes(command
+                   .add_option("--report", options->report,
+                               "Write report.html, junit.xml and the pictures of cases that fail into this folder")
+                   ->type_name("DIR")
+                   ->check([](const std::string& folder) { return std::string(folder.empty() ? "name a folder" : ""); })
+                   ->excludes(update_option),
+               [](const std::string& folder) {
+                 std::vector<std::string> files = files_in(folder);
+                 std::erase_if(files, [](const std::string& file) { return !Report::may_write(file); });
+                 return files;
+               });
+  command.footer(
       "A case, NAME.toml (only scene is required):\n"
       "  scene = \"wall45\"            # a shipped scene, or a path relative to this file\n"
       "  at_s = 3.0\n"

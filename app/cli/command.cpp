@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include <fmt/core.h>
+#include <CLI/CLI.hpp>
 
 #include "app/console/did_you_mean.h"
 #include "app/console/failure.h"
@@ -15,25 +16,30 @@
 
 namespace ghostforce {
 
-void SceneOptions::attach(CommandOptions subcommand, bool scene_required) {
-  const CommandOption name = subcommand.add_option(
-      "SCENE", scene, "Path of a scene file, or name of a shipped scene; 'ghostforce --help' lists those");
-  name.type_name("").reads([](const std::string& word) {
-    const std::vector<std::string_view> shipped = shipped_scene_names();
-    const bool is_shipped = std::ranges::find(shipped, word) != shipped.end();
-    return is_shipped ? std::vector<std::string>{} : std::vector{word};
-  });
+void SceneOptions::attach(CLI::App& command, FileOptions& files, bool scene_required) {
+  option =
+      files.reads(command
+                      .add_option("SCENE", scene,
+                                  "Path of a scene file, or name of a shipped scene; 'ghostforce --help' lists those")
+                      ->type_name(""),
+                  [](const std::string& word) {
+                    const std::vector<std::string_view> shipped = shipped_scene_names();
+                    const bool is_shipped = std::ranges::find(shipped, word) != shipped.end();
+                    return is_shipped ? std::vector<std::string>{} : std::vector{word};
+                  });
   if (scene_required) {
-    name.required();
+    option->required();
   } else {
-    name.default_text(scene);
+    option->default_str(scene);
   }
-  option = name;
-  subcommand
-      .add_option("--set", overrides,
-                  "Another value for a key of the scene, e.g. rendering.k_r_N_per_m=800; may be repeated")
-      .type_name("KEY=VALUE")
-      .repeatable();
+  repeatable(command
+                 .add_option("--set", overrides,
+                             "Another value for a key of the scene, e.g. rendering.k_r_N_per_m=800; may be repeated")
+                 ->type_name("KEY=VALUE"));
+}
+
+bool SceneOptions::is_named() const {
+  return option != nullptr && option->count() > 0;
 }
 
 Scene SceneOptions::load() const {
@@ -56,6 +62,10 @@ WordCheck number_between(double least, double greatest, std::string unit) {
     return fmt::format("'{}' is not a number from {:g} to {:g}{}{}", printable(text), least, greatest,
                        unit.empty() ? "" : " ", unit);
   };
+}
+
+CLI::Option* repeatable(CLI::Option* option) {
+  return option->expected(1)->allow_extra_args(false)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
 void stop_if_run_away(const Snapshot& snapshot, StrategyId id) {

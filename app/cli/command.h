@@ -9,17 +9,23 @@
 #include <string_view>
 #include <vector>
 
-#include "app/cli/command_options.h"
+#include "app/cli/own_inputs.h"
 #include "core/scene.h"
 #include "core/snapshot.h"
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
 
 namespace ghostforce {
 
 struct Command {
   std::string_view name;
   std::string_view sentence;  // what it does, for the list of commands
-  // Adds options, and returns what runs once they are parsed; that returns an exit code or throws Failure.
-  std::function<int()> (*attach)(CommandOptions subcommand);
+  // Adds options to `command`, those that name files to `files` too, and returns what runs once they are parsed; that
+  // returns an exit code or throws Failure. Both outlive it.
+  std::function<int()> (*attach)(CLI::App& command, FileOptions& files);
 };
 
 // In the order in which --help lists them.
@@ -30,14 +36,17 @@ struct SceneOptions {
   std::string scene = "wall45";
   std::vector<std::string> overrides;
 
-  void attach(CommandOptions subcommand, bool scene_required);
+  void attach(CLI::App& command, FileOptions& files, bool scene_required);
   // Whether the person has named one.
-  bool is_named() const { return option && option->is_given(); }
+  bool is_named() const;
   // Throws Failure, see scene_file.h.
   Scene load() const;
 
-  std::optional<CommandOption> option;  // of the scene, once attached
+  CLI::Option* option = nullptr;  // of the scene, once attached
 };
+
+// What is wrong with a word that a person typed, as a sentence; empty: nothing.
+using WordCheck = std::function<std::string(const std::string& word)>;
 
 // An option's value must be one of these words; if not, the nearest is named.
 WordCheck one_of(std::vector<std::string_view> words);
@@ -45,6 +54,9 @@ WordCheck one_of(std::vector<std::string_view> words);
 // An option's value must be a number between these, both ends included; `unit` is for the message. It lets no NaN
 // through.
 WordCheck number_between(double least, double greatest, std::string unit);
+
+// The option may be given again and again, with one value each time.
+CLI::Option* repeatable(CLI::Option* option);
 
 // Unstable settings let the numbers grow until they are none. That is an answer, but no data: throws
 // Failure(wrong_call).

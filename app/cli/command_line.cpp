@@ -14,7 +14,6 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/command.h"
-#include "app/cli/command_options.h"
 #include "app/cli/own_inputs.h"
 #include "app/console/did_you_mean.h"
 #include "app/console/failure.h"
@@ -159,14 +158,14 @@ std::function<int()> parse_command_line(std::vector<std::string> words) {
   app->require_subcommand(1);
   app->footer(fmt::format(more_help, listed(shipped_scene_names())));
   struct Action {
-    CommandOptions options;
+    FileOptions files;
     std::function<int()> act;
   };
   std::map<const CLI::App*, Action> actions;
   for (const Command& command : command_catalog()) {
     CLI::App* const subcommand = app->add_subcommand(std::string(command.name), std::string(command.sentence));
-    const CommandOptions options(*subcommand);
-    actions.emplace(subcommand, Action{options, command.attach(options)});
+    Action& action = actions[subcommand];
+    action.act = command.attach(*subcommand, action.files);
   }
 
   std::reverse(words.begin(), words.end());  // as CLI11 wants them
@@ -181,7 +180,7 @@ std::function<int()> parse_command_line(std::vector<std::string> words) {
     refuse(*app, error);
   }
   return [app, action = actions.at(named_command(*app))] {
-    refuse_own_inputs(action.options.files());
+    refuse_own_inputs(action.files.list());
     return action.act();
   };
 }

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "app/cli/command.h"
 #include "app/cli/command_catalog.h"
@@ -135,37 +136,35 @@ int doctor(const Options& options) {
 
 }  // namespace
 
-std::function<int()> attach_doctor(CommandOptions subcommand) {
+std::function<int()> attach_doctor(CLI::App& command, FileOptions& files) {
   const auto options = std::make_shared<Options>();
-  const CommandOption json = subcommand.add_flag("--json", options->json, "For programs: JSON in SI units");
-  const CommandOption install =
-      subcommand.add_flag("--install-udev", options->install_udev,
-                          "Install the rule by which a person at this machine may use the devices; asks for root");
-  subcommand.add_flag("--udev-announced", options->is_udev_announced, "").hidden();
-  const CommandOption wait =
-      subcommand
+  CLI::Option* const json = command.add_flag("--json", options->json, "For programs: JSON in SI units");
+  CLI::Option* const install =
+      command.add_flag("--install-udev", options->install_udev,
+                       "Install the rule by which a person at this machine may use the devices; asks for root");
+  command.add_flag("--udev-announced", options->is_udev_announced, "")->group("");
+  CLI::Option* const wait =
+      command
           .add_option(
               "--wait", options->wait_s,
               "Wait so long for a person to home the device and move its handle; default: 30 on a terminal, else 0")
-          .type_name("S")
-          .check(number_between(0.0, 3600.0, "s"));
-  subcommand.add_option("--input", options->input, "falcon, or virtual-falcon to try this out; default: falcon")
-      .type_name("NAME")
-      .check(one_of({"falcon", "virtual-falcon"}));
-  const CommandOption measure = subcommand.add_flag(
+          ->type_name("S")
+          ->check(number_between(0.0, 3600.0, "s"));
+  command.add_option("--input", options->input, "falcon, or virtual-falcon to try this out; default: falcon")
+      ->type_name("NAME")
+      ->check(one_of({"falcon", "virtual-falcon"}));
+  CLI::Option* const measure = command.add_flag(
       "--measure", options->measure,
       "Measure the device with a ruler and a weight, ten minutes, motors below 2 N; see docs/falcon.md");
   measure.excludes(json).excludes(install).excludes(wait);
-  subcommand.add_option("-o,--output", options->report, "With --measure: where the report goes; default: -")
-      .type_name("REPORT.md")
-      .writes();
-  subcommand
-      .add_option("--calibration", options->calibration,
-                  "With --measure: where the calibration goes; default: among the settings, after asking")
-      .type_name("FILE.toml")
-      .writes();
-  options->falcon.attach(subcommand);
-  subcommand.footer(
+  files.writes(command.add_option("-o,--output", options->report, "With --measure: where the report goes; default: -")
+                   ->type_name("REPORT.md"));
+  files.writes(command
+                   .add_option("--calibration", options->calibration,
+                               "With --measure: where the calibration goes; default: among the settings, after asking")
+                   ->type_name("FILE.toml"));
+  options->falcon.attach(command, files);
+  command.footer(
       "The ladder: plugged in, allowed, free, firmware, homed, encoders move, fast enough. The first rung that is not\n"
       "reached says what to do. The motors stay off all the time. Where nobody is waited for, a device that is not\n"
       "homed is no failure. Exit code 1: all is well but the speed. docs/falcon.md tells it from the beginning.\n"

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.h"
@@ -112,15 +113,15 @@ int equilibrium(const Options& options) {
 
 }  // namespace
 
-std::function<int()> attach_equilibrium(CommandOptions subcommand) {
+std::function<int()> attach_equilibrium(CLI::App& command, FileOptions& files) {
   const auto options = std::make_shared<Options>();
-  options->scene.attach(subcommand, true);
-  subcommand
+  options->scene.attach(command, files, true);
+  command
       .add_option("--goal-mm", options->goal_mm,
                   "Where the hand wants to be, in mm; default: the scene's last waypoint")
-      .type_name("X,Y");
-  subcommand.add_flag("--json", options->json, "For programs: JSON in SI units, all digits");
-  subcommand.footer(
+      ->type_name("X,Y");
+  command.add_flag("--json", options->json, "For programs: JSON in SI units, all digits");
+  command.footer(
       "The anisotropic strategy is computed with the scene's tracking ratio, so that a wrong belief about the hand\n"
       "shows. A goal outside the wall: device and proxy are at the goal, and there is no force.\n"
       "\n"

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "app/cli/command.h"
 #include "app/console/failure.h"
@@ -46,27 +47,27 @@ WordCheck is_usb_id() {
 
 }  // namespace
 
-void FalconSetUp::attach(CommandOptions subcommand) {
-  subcommand
-      .add_option("--firmware", firmware,
-                  "The Falcon's firmware; default: $GHOSTFORCE_FIRMWARE, else falcon/firmware.bin among the settings")
-      .type_name("FILE")
-      .reads();
-  subcommand
+void FalconSetUp::attach(CLI::App& command, FileOptions& files) {
+  files.reads(
+      command
+          .add_option(
+              "--firmware", firmware,
+              "The Falcon's firmware; default: $GHOSTFORCE_FIRMWARE, else falcon/firmware.bin among the settings")
+          ->type_name("FILE"));
+  command
       .add_option("--falcon-serial", serial, "Which Falcon, of several: its serial number; default: the first of them")
-      .type_name("NUMBER");
-  subcommand.add_option("--falcon-usb-id", usb_id, "Another device than 0403:cb48 is a Falcon")
-      .type_name("VVVV:PPPP")
-      .check(is_usb_id());
+      ->type_name("NUMBER");
+  command.add_option("--falcon-usb-id", usb_id, "Another device than 0403:cb48 is a Falcon")
+      ->type_name("VVVV:PPPP")
+      ->check(is_usb_id());
   std::vector<std::string_view> names;
   for (const MisbehaviourKind& kind : misbehaviour_catalog()) names.push_back(kind.name);
-  subcommand
-      .add_option("--misbehave", misbehave,
-                  fmt::format("With --input virtual-falcon: what goes wrong with it. {}", listed(names)))
-      .type_name("NAME[,NAME]")
-      .divided_by(',')
-      .repeatable()
-      .check(one_of(names));
+  repeatable(command
+                 .add_option("--misbehave", misbehave,
+                             fmt::format("With --input virtual-falcon: what goes wrong with it. {}", listed(names)))
+                 ->type_name("NAME[,NAME]")
+                 ->delimiter(','))
+      ->check(one_of(names));
 }
 
 std::optional<FirmwareImage> FalconSetUp::read_firmware_file() const {

@@ -6,9 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/command_options.h"
+#include "app/cli/own_inputs.h"
 #include "device/falcon_usb/firmware_file.h"
 #include "device/input_catalog.h"
+
+namespace CLI {
+class App;
+}
 
 namespace ghostforce {
 
@@ -18,7 +22,7 @@ struct FalconSetUp {
   std::string serial;                  // of the one that is meant; empty: the first, in their order
   std::vector<std::string> misbehave;  // names of misbehaviour_catalog()
 
-  void attach(CommandOptions subcommand);
+  void attach(CLI::App& command, FileOptions& files);
 
   // Empty: no file is named and none is in the usual place. Throws Failure where there is one and it cannot be taken.
   std::optional<FirmwareImage> read_firmware_file() const;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "app/cli/command.h"
 #include "app/cli/command_catalog.h"
@@ -87,45 +88,44 @@ int figures(const Options& options) {
 
 }  // namespace
 
-std::function<int()> attach_figures(CommandOptions subcommand) {
+std::function<int()> attach_figures(CLI::App& command, FileOptions& files) {
   const auto options = std::make_shared<Options>();
-  subcommand.add_option("-o,--output", options->folder, "The folder for the files; made if it is not there")
-      .type_name("DIR")
-      .required()
-      .writes([options = options.get()](const std::string& folder) {
-        std::vector<std::string> files;
-        for (const FigureEntry& entry : figure_catalog()) {
-          if (!is_wanted(*options, entry.name)) continue;
-          for (const std::string_view ending : figure_file_endings) {
-            files.push_back(fmt::format("{}/{}{}", folder, entry.name, ending));
-          }
-        }
-        return files;
-      });
+  files.writes(command.add_option("-o,--output", options->folder, "The folder for the files; made if it is not there")
+                   ->type_name("DIR")
+                   ->required(),
+               [options = options.get()](const std::string& folder) {
+                 std::vector<std::string> paths;
+                 for (const FigureEntry& entry : figure_catalog()) {
+                   if (!is_wanted(*options, entry.name)) continue;
+                   for (const std::string_view ending : figure_file_endings) {
+                     paths.push_back(fmt::format("{}/{}{}", folder, entry.name, ending));
+                   }
+                 }
+                 return paths;
+               });
   std::vector<std::string_view> names;
   std::string list;
   for (const FigureEntry& entry : figure_catalog()) {
     names.push_back(entry.name);
     list += fmt::format("  {:28}{}\n", entry.name, entry.sentence);
   }
-  subcommand.add_option("--only", options->only, "Make these figures alone, one or more")
-      .type_name("NAME")
-      .check(one_of(names));
-  subcommand
-      .add_option("--hand", options->hand,
-                  "A recording, or a CSV of simulate: figure-6 shows its hand in place of a simulated one")
-      .type_name("RUN.csv")
-      .reads();
-  subcommand.footer("Figures:\n" + list +
-                    "\n"
-                    "Each comes as NAME.png, NAME@2x.png, NAME.svg and NAME.pdf, and the numbers that it was drawn "
-                    "from as NAME.csv.\n"
-                    "No display is needed. All files are written or none; the same call gives the same bytes.\n"
-                    "\n"
-                    "Examples:\n"
-                    "  ghostforce figures -o figures\n"
-                    "  ghostforce figures -o figures --only figure-1 proxy-drift\n"
-                    "  ghostforce figures -o figures --only figure-6 --hand run.csv");
+  command.add_option("--only", options->only, "Make these figures alone, one or more")
+      ->type_name("NAME")
+      ->check(one_of(names));
+  files.reads(command
+                  .add_option("--hand", options->hand,
+                              "A recording, or a CSV of simulate: figure-6 shows its hand in place of a simulated one")
+                  ->type_name("RUN.csv"));
+  command.footer("Figures:\n" + list +
+                 "\n"
+                 "Each comes as NAME.png, NAME@2x.png, NAME.svg and NAME.pdf, and the numbers that it was drawn "
+                 "from as NAME.csv.\n"
+                 "No display is needed. All files are written or none; the same call gives the same bytes.\n"
+                 "\n"
+                 "Examples:\n"
+                 "  ghostforce figures -o figures\n"
+                 "  ghostforce figures -o figures --only figure-1 proxy-drift\n"
+                 "  ghostforce figures -o figures --only figure-6 --hand run.csv");
   return [options] { return figures(*options); };
 }
 

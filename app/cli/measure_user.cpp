@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.h"
@@ -307,19 +308,18 @@ int measure_user(const Options& options) {
 
 }  // namespace
 
-std::function<int()> attach_measure_user(CommandOptions subcommand) {
+std::function<int()> attach_measure_user(CLI::App& command, FileOptions& files) {
   const auto options = std::make_shared<Options>();
-  subcommand.add_option("RUN.csv", options->run, "What 'simulate', 'replay' or a recording has written")
-      .type_name("")
-      .required()
-      .reads();
-  subcommand
+  files.reads(command.add_option("RUN.csv", options->run, "What 'simulate', 'replay' or a recording has written")
+                  ->type_name("")
+                  ->required());
+  command
       .add_option("--target-mm", options->target_mm,
                   "Where the hand aimed, in mm; its foot on the wall counts. Needed, and used, where the device "
                   "is a real one")
-      .type_name("X,Y");
-  subcommand.add_flag("--json", options->json, "For programs: JSON in SI units, all digits");
-  subcommand.footer(
+      ->type_name("X,Y");
+  command.add_flag("--json", options->json, "For programs: JSON in SI units, all digits");
+  command.footer(
       "Wherever hand and device rest at the wall, the drift of the proxy along it tells the ratio at which there "
       "would\n"
       "be none, and that ratio the stiffness of the hand: k_u = k_r / (ρ° − 1). A positive drift: ρ was too low.\n"

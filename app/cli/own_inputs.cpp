@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
@@ -51,6 +54,25 @@ void refuse_equal_outputs(std::span<const FileOption> options) {
 }
 
 }  // namespace
+
+CLI::Option* FileOptions::reads(CLI::Option* option, FilesOf files) {
+  return add(FileOption::Use::input, option, std::move(files));
+}
+
+CLI::Option* FileOptions::writes(CLI::Option* option, FilesOf files) {
+  return add(FileOption::Use::output, option, std::move(files));
+}
+
+CLI::Option* FileOptions::add(FileOption::Use use, CLI::Option* option, FilesOf files) {
+  list_.push_back({use, option->get_name(), [option, files = std::move(files)] {
+                     if (!files) return option->results();
+                     std::vector<std::string> paths;
+                     for (const std::string& word : option->results())
+                       std::ranges::copy(files(word), std::back_inserter(paths));
+                     return paths;
+                   }});
+  return option;
+}
 
 void refuse_own_inputs(std::span<const FileOption> options) {
   refuse_equal_outputs(options);

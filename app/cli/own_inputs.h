@@ -7,6 +7,10 @@
 #include <string>
 #include <vector>
 
+namespace CLI {
+class Option;
+}
+
 namespace ghostforce {
 
 // An option or argument that names files, as it was given.
@@ -15,6 +19,24 @@ struct FileOption {
   Use use;
   std::string name;  // of the option, for messages
   std::function<std::vector<std::string>()> paths;
+};
+
+// The options of one command that name files, in the order in which they were added.
+class FileOptions {
+ public:
+  // The files that a word on the command line means.
+  using FilesOf = std::function<std::vector<std::string>(const std::string& word)>;
+
+  // The option's value is the path of a file, or means files, that the command reads, or writes.
+  CLI::Option* reads(CLI::Option* option, FilesOf files = nullptr);
+  CLI::Option* writes(CLI::Option* option, FilesOf files = nullptr);
+
+  std::span<const FileOption> list() const noexcept { return list_; }
+
+ private:
+  CLI::Option* add(FileOption::Use use, CLI::Option* option, FilesOf files);
+
+  std::vector<FileOption> list_;
 };
 
 // The standard output counts as an output of every command. Throws Failure(wrong_call) where an output is a plain file

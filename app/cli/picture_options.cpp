@@ -1,26 +1,28 @@
 #include "app/cli/picture_options.h"
 
+#include <CLI/CLI.hpp>
+
 #include "app/cli/command.h"
 
 namespace ghostforce {
 
-void PictureOptions::attach(CommandOptions subcommand, bool with_all) {
+void PictureOptions::attach(CLI::App& command, FileOptions& files, bool with_all) {
   std::vector<std::string_view> strategies = strategy_names();
   if (with_all) strategies.push_back(every_strategy);
-  subcommand
+  command
       .add_option("--strategy", strategy,
                   with_all ? "full, naive or anisotropic alone, or all in one picture; default: the scene's own"
                            : "full, naive or anisotropic: the one to start with; default: the scene's own")
-      .type_name("NAME")
-      .check(one_of(strategies));
+      ->type_name("NAME")
+      ->check(one_of(strategies));
   std::vector<std::string_view> themes;
   for (const Theme& each : theme_catalog()) themes.push_back(each.name);
-  subcommand.add_option("--theme", theme, "light, dark or projector; default: light")
-      .type_name("NAME")
-      .check(one_of(themes));
-  subcommand.add_option("--scale", scale, "Size of letters and lines, 0.75 to 3; default: 1")
-      .type_name("FACTOR")
-      .check(number_between(Look::least_scale, Look::greatest_scale, ""));
+  command.add_option("--theme", theme, "light, dark or projector; default: light")
+      ->type_name("NAME")
+      ->check(one_of(themes));
+  command.add_option("--scale", scale, "Size of letters and lines, 0.75 to 3; default: 1")
+      ->type_name("FACTOR")
+      ->check(number_between(Look::least_scale, Look::greatest_scale, ""));
 }
 
 void PictureOptions::apply_strategy(Scene& scene) const {

@@ -4,9 +4,13 @@
 #include <optional>
 #include <string>
 
-#include "app/cli/command_options.h"
+#include "app/cli/own_inputs.h"
 #include "app/session/session.h"
 #include "core/scene.h"
+
+namespace CLI {
+class App;
+}
 
 namespace ghostforce {
 
@@ -16,7 +20,7 @@ struct PictureOptions {
   std::optional<double> scale;
 
   // `with_all`: "all" shows every strategy in one picture.
-  void attach(CommandOptions subcommand, bool with_all);
+  void attach(CLI::App& command, FileOptions& files, bool with_all);
   void apply_strategy(Scene& scene) const;
   // What was not asked for stays as it is.
   void apply_look(Look& look) const;

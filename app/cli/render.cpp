@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.h"
@@ -100,37 +101,37 @@ int render(const Options& options) {
 
 }  // namespace
 
-std::function<int()> attach_render(CommandOptions subcommand) {
+std::function<int()> attach_render(CLI::App& command, FileOptions& files) {
   const auto options = std::make_shared<Options>();
-  options->scene.attach(subcommand, true);
-  subcommand
-      .add_option("-o,--output", options->output,
-                  "The file to write, all or nothing: .svg and .pdf hold vectors, any other name a PNG; - is the "
-                  "standard output")
-      .type_name("FILE")
-      .required()
-      .writes();
-  subcommand.add_option("--at", options->at_s, "The moment to show [s]; default: the scene's duration")
-      .type_name("T")
-      .check(number_between(0.0, 1e6, "s"));
-  subcommand
+  options->scene.attach(command, files, true);
+  files.writes(
+      command
+          .add_option("-o,--output", options->output,
+                      "The file to write, all or nothing: .svg and .pdf hold vectors, any other name a PNG; - is the "
+                      "standard output")
+          ->type_name("FILE")
+          ->required());
+  command.add_option("--at", options->at_s, "The moment to show [s]; default: the scene's duration")
+      ->type_name("T")
+      ->check(number_between(0.0, 1e6, "s"));
+  command
       .add_option("--size", options->size, "Pixels, or points of an SVG or PDF, 64 to 4096 each way; default: 1280x800")
-      .type_name("WxH");
-  subcommand
+      ->type_name("WxH");
+  command
       .add_option("--part", options->part,
                   "window: scene, panels and bars; scene: the scene alone; default: window, and scene for SVG and PDF")
-      .type_name("PART")
-      .check(one_of({"window", "scene"}));
-  options->picture.attach(subcommand, true);
+      ->type_name("PART")
+      ->check(one_of({"window", "scene"}));
+  options->picture.attach(command, files, true);
   std::vector<std::string_view> modes;
   for (const CompareMode& mode : compare_catalog()) modes.push_back(mode.name);
-  subcommand
+  command
       .add_option("--compare", options->compare,
                   "overlay, side-by-side or active-only; default: overlay with --strategy all, else active-only")
-      .type_name("MODE")
-      .check(one_of(modes));
-  subcommand.add_option("--json", options->json, "Also write what was drawn, as JSON").type_name("FILE").writes();
-  subcommand.footer(
+      ->type_name("MODE")
+      ->check(one_of(modes));
+  files.writes(command.add_option("--json", options->json, "Also write what was drawn, as JSON")->type_name("FILE"));
+  command.footer(
       "Drawn offscreen: no display is needed, and the same call gives the same bytes.\n"
       "\n"
       "Examples:\n"

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "app/cli/command.h"
 #include "app/cli/command_catalog.h"
@@ -237,20 +238,18 @@ int replay_run(const Options& options) {
 
 }  // namespace
 
-std::function<int()> attach_replay(CommandOptions subcommand) {
+std::function<int()> attach_replay(CLI::App& command, FileOptions& files) {
   const auto options = std::make_shared<Options>();
-  subcommand.add_option("RUN", options->run, "A CSV file that was recorded, simulated or replayed")
-      .type_name("")
-      .required()
-      .reads();
+  files.reads(command.add_option("RUN", options->run, "A CSV file that was recorded, simulated or replayed")
+                  ->type_name("")
+                  ->required());
   options->scene.scene.clear();
-  options->scene.attach(subcommand, false);
-  subcommand
-      .add_option("-o,--output", options->output,
-                  "The CSV file to write, all or nothing; default: -, the standard output")
-      .type_name("FILE")
-      .writes();
-  subcommand.footer(
+  options->scene.attach(command, files, false);
+  files.writes(command
+                   .add_option("-o,--output", options->output,
+                               "The CSV file to write, all or nothing; default: -, the standard output")
+                   ->type_name("FILE"));
+  command.footer(
       "Drives all three strategies with the hand of the run, and with what was changed while it ran, and says whether\n"
       "every number repeats itself, bit for bit: exit code 0 if so, 1 if not. The same build of ghostforce promises "
       "it.\n"

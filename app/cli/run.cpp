@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <CLI/CLI.hpp>
 
 #include "app/cli/command.h"
 #include "app/cli/command_catalog.h"
@@ -211,38 +212,38 @@ int run(const Options& options) {
 
 }  // namespace
 
-std::function<int()> attach_run(CommandOptions subcommand) {
+std::function<int()> attach_run(CLI::App& command, FileOptions& files) {
   const auto options = std::make_shared<Options>();
-  options->scene.attach(subcommand, false);
-  subcommand
-      .add_option(
-          "--input", options->input,
-          "Who moves the goal: mouse, script (the scene's), circle (round it inside the wall), spacemouse, falcon, "
-          "virtual-falcon, a rehearsal, or replay:FILE, a recording, which brings its scene unless one is named; "
-          "default: mouse")
-      .type_name("NAME")
-      .check(an_input())
-      .reads([](const std::string& word) {
+  options->scene.attach(command, files, false);
+  files.reads(
+      command
+          .add_option(
+              "--input", options->input,
+              "Who moves the goal: mouse, script (the scene's), circle (round it inside the wall), spacemouse, falcon, "
+              "virtual-falcon, a rehearsal, or replay:FILE, a recording, which brings its scene unless one is named; "
+              "default: mouse")
+          ->type_name("NAME")
+          ->check(an_input()),
+      [](const std::string& word) {
         return word.starts_with(replay_begins) ? std::vector{word.substr(replay_begins.size())}
                                                : std::vector<std::string>{};
       });
-  subcommand
-      .add_option("--record", options->record,
-                  "Record every tick, from the first, to this CSV file, which must not exist yet")
-      .type_name("FILE")
-      .check(a_file_of_its_own())
-      .writes();
-  options->picture.attach(subcommand, false);
-  options->falcon.attach(subcommand);
-  subcommand.add_flag("--no-hints", options->no_hints, "No hints for newcomers in this run");
-  subcommand
+  files.writes(command
+                   .add_option("--record", options->record,
+                               "Record every tick, from the first, to this CSV file, which must not exist yet")
+                   ->type_name("FILE")
+                   ->check(a_file_of_its_own()));
+  options->picture.attach(command, files, false);
+  options->falcon.attach(command, files);
+  command.add_flag("--no-hints", options->no_hints, "No hints for newcomers in this run");
+  command
       .add_option("--shader-dir", options->shader_folder,
                   "Take the shaders from this folder, and again whenever one of them changes")
-      .type_name("DIR");
-  subcommand.add_option("--exit-after", options->exit_after_s, "Close the window by itself after so many seconds")
-      .type_name("S")
-      .check(number_between(0.0, 1e6, "s"));
-  subcommand.footer(
+      ->type_name("DIR");
+  command.add_option("--exit-after", options->exit_after_s, "Close the window by itself after so many seconds")
+      ->type_name("S")
+      ->check(number_between(0.0, 1e6, "s"));
+  command.footer(
       "Drag anywhere in the scene: the goal of your hand follows.\n"
       "Keys: 1 2 3 strategy, 0 compare, Space pause, F1 all others.\n"
       "\n"

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "app/cli/command.h"
 #include "app/cli/command_catalog.h"
@@ -63,20 +64,19 @@ int simulate(const Options& options) {
 
 }  // namespace
 
-std::function<int()> attach_simulate(CommandOptions subcommand) {
+std::function<int()> attach_simulate(CLI::App& command, FileOptions& files) {
   const auto options = std::make_shared<Options>();
-  options->scene.attach(subcommand, true);
+  options->scene.attach(command, files, true);
   std::vector<std::string_view> strategies = strategy_names();
   strategies.push_back(every_strategy);
-  subcommand.add_option("--strategy", options->strategy, "full, naive, anisotropic or all; default: the scene's own")
-      .type_name("NAME")
-      .check(one_of(strategies));
-  subcommand
-      .add_option("-o,--output", options->output,
-                  "The CSV file to write, all or nothing; default: -, the standard output")
-      .type_name("FILE")
-      .writes();
-  subcommand.footer(
+  command.add_option("--strategy", options->strategy, "full, naive, anisotropic or all; default: the scene's own")
+      ->type_name("NAME")
+      ->check(one_of(strategies));
+  files.writes(command
+                   .add_option("-o,--output", options->output,
+                               "The CSV file to write, all or nothing; default: -, the standard output")
+                   ->type_name("FILE"));
+  command.footer(
       "One row per tick and strategy, from t = 0 to the scene's duration, both included:\n"
       "  strategy,t_s,goal_x_m,goal_y_m,device_x_m,device_y_m,proxy_x_m,proxy_y_m,force_x_N,force_y_N\n"
       "Lines that begin with # come first: the program's version and the scene. SI units.\n"

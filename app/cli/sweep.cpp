@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <fmt/core.h>
+#include <CLI/CLI.hpp>
 
 #include "app/cli/command.h"
 #include "app/cli/command_catalog.h"
@@ -86,32 +87,34 @@ int sweep_command(const Options& options) {
 
 }  // namespace
 
-std::function<int()> attach_sweep(CommandOptions subcommand) {
+std::function<int()> attach_sweep(CLI::App& command, FileOptions& files) {
   const auto options = std::make_shared<Options>();
-  options->scene.attach(subcommand, true);
-  subcommand
-      .add_option("--over", options->ranges,
-                  "A key of the scene that holds a number, and COUNT values for it from FROM to TO, both included, in "
-                  "equal steps or, with :log, in equal ratios; once or twice")
-      .type_name("KEY=FROM:TO:COUNT[:log]")
-      .required()
-      .repeatable();
+  options->scene.attach(command, files, true);
+  repeatable(
+      command
+          .add_option(
+              "--over", options->ranges,
+              "A key of the scene that holds a number, and COUNT values for it from FROM to TO, both included, in "
+              "equal steps or, with :log, in equal ratios; once or twice")
+          ->type_name("KEY=FROM:TO:COUNT[:log]")
+          ->required());
   std::vector<std::string_view> kinds;
   for (const RestKind& kind : rest_kinds) kinds.push_back(kind.name);
-  subcommand
+  command
       .add_option(
           "--at-rest", options->kind,
           "How to find where things come to rest: closed-form, simulated or both; default: both. The closed form "
           "is hundreds of times faster")
-      .type_name("HOW")
-      .check(one_of(kinds));
-  subcommand
-      .add_option("-o,--output", options->output,
-                  "The CSV file to write; default: -, the standard output. Ctrl+C leaves whole rows and a last line "
-                  "'# interrupted'")
-      .type_name("FILE")
-      .writes();
-  subcommand.footer(
+      ->type_name("HOW")
+      ->check(one_of(kinds));
+  files.writes(
+      command
+          .add_option(
+              "-o,--output", options->output,
+              "The CSV file to write; default: -, the standard output. Ctrl+C leaves whole rows and a last line "
+              "'# interrupted'")
+          ->type_name("FILE"));
+  command.footer(
       "One row per point and strategy, all three, at rest under the last waypoint of the scene's path; the second key\n"
       "runs fastest. The columns: each swept key by its name and in the file's unit, then\n"
       "  strategy,depth_m\n"

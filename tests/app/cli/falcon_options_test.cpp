@@ -23,7 +23,7 @@ class FalconSetUpTest : public testing::Test {
     setenv("XDG_CONFIG_HOME", folder_.path().c_str(), 1);
     unsetenv("GHOSTFORCE_FIRMWARE");
     std::filesystem::create_directories(folder_ / "ghostforce/falcon");
-    set_up_.attach(CommandOptions(app_));
+    set_up_.attach(app_, files_);
   }
   ~FalconSetUpTest() override { unsetenv("GHOSTFORCE_FIRMWARE"); }
 
@@ -56,6 +56,8 @@ class FalconSetUpTest : public testing::Test {
 
   TemporaryFolder folder_;
   CLI::App app_;
+  FileOptions files_;
+  FileOptions files_;
   FalconSetUp set_up_;
 };
 
