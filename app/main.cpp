@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/cli/command_line.h"
+#include "app/cli/exit_code.h"
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
 #include "device/falcon/emergency_stop.h"
@@ -46,6 +47,9 @@ int main(int argc, char** argv) {
   } catch (const Failure& failure) {
     if (*failure.what() != '\0') std::fprintf(stderr, "%s\n", failure.what());
     return static_cast<int>(failure.code());
+  } catch (const ReadError& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return static_cast<int>(exit_code_of(error.kind()));
   } catch (const std::bad_alloc&) {
     std::fputs("There is not enough memory for this. Close other programs, or raise this one's limit (ulimit -v).\n",
                stderr);
