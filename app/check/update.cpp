@@ -16,7 +16,7 @@
 #include "app/console/progress.h"
 #include "app/console/quoted.h"
 #include "app/files/disk_sync.h"
-#include "app/files/file_kind.h"
+#include "app/files/input_file.h"
 #include "app/files/output_file.h"
 #include "app/files/png_file.h"
 

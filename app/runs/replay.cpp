@@ -51,7 +51,6 @@ bool Replay::go_to(const RunTick& tick, const Settings& settings, const RunState
     follow(tick);
   }
   is_first_ = false;
-  if (!tick.is_sure) is_known_.fill(false);
   return is_any_known();
 }
 

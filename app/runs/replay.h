@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "app/files/run_reader.h"
+#include "app/files/run.h"
 #include "core/snapshot.h"
 #include "core/tick.h"
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "app/files/run_reader.h"
+#include "app/files/run.h"
 #include "core/goal_path.h"
 #include "core/tick.h"
 

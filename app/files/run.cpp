@@ -1,8 +1,6 @@
-#include "app/files/run_length.h"
+#include "app/files/run.h"
 
 #include <fmt/format.h>
-
-#include "core/scene.h"
 
 namespace ghostforce {
 
@@ -17,6 +15,12 @@ bool RunLength::takes(std::int64_t tick, double rate) noexcept {
   rate_ = rate;
   last_ = tick;
   return static_cast<double>(before_ + (tick - begin_)) <= most_ticks;
+}
+
+Failure damaged_line(const RunFacts& run, std::size_t line, std::string_view what) {
+  return {ExitCode::wrong_call, fmt::format("{}: line {}: {}. Mend the line, or cut the file before it:\n"
+                                            "head -n {} RUN.csv > shorter.csv",
+                                            run.name, line, what, line - 1)};
 }
 
 Failure too_long(const RunFacts& run, const RunTick& tick) {
