@@ -9,7 +9,7 @@ namespace {
 
 std::string lines_of(const std::vector<ReadProblem>& problems) {
   std::string lines;
-  for (const ReadProblem& problem : problems) lines += (lines.empty() ? "" : "\n") + words_of(problem);
+  for (const ReadProblem& problem : problems) lines.append(lines.empty() ? "" : "\n").append(words_of(problem));
   return lines;
 }
 

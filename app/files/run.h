@@ -7,10 +7,9 @@
 #include <deque>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "app/console/failure.h"
+#include "app/files/read_error.h"
 #include "core/scene.h"
 #include "core/strategy.h"
 
@@ -78,8 +77,7 @@ class RunLength {
   double rate_ = 0.0;        // 0: no tick yet
 };
 
-// What to say of a line that is wrong, and of the first tick that is too far off.
-Failure damaged_line(const RunFacts& run, std::size_t line, std::string_view what);
-Failure too_long(const RunFacts& run, const RunTick& tick);
+// What to say of the first tick that is too far off.
+ReadError too_long(const RunFacts& run, const RunTick& tick);
 
 }  // namespace ghostforce

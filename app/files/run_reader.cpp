@@ -9,11 +9,11 @@
 #include <functional>
 #include <map>
 #include <new>
+#include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "app/console/failure.h"
 #include "app/console/interruption.h"
 #include "app/console/progress.h"
 #include "app/console/quoted.h"
@@ -125,7 +125,7 @@ class RunReader {
   RunFacts finish() {
     close_tick();
     if (line_number_ == 0 && rest_.empty()) {
-      throw Failure(ExitCode::wrong_call, fmt::format("{}: the file is empty", run_.name));
+      refuse("the file is empty");
     }
     if (run_.version.empty() && values_per_row_ == 0) refuse("this is no run");
     if (run_.version.empty()) {
@@ -143,12 +143,22 @@ class RunReader {
  private:
   void remark(std::string_view words) { run_.remarks.push_back(fmt::format("{}: {}", run_.name, words)); }
   [[noreturn]] void refuse(std::string_view why) const {
-    throw Failure(ExitCode::wrong_call,
-                  fmt::format("{}: {}; give a CSV file that ghostforce has recorded or simulated", run_.name, why));
+    throw ReadError(ReadError::Kind::wrong, {{.file = run_.name,
+                                              .what = std::string(why),
+                                              .remedy = "give a CSV file that ghostforce has recorded or simulated"}});
   }
-  [[noreturn]] void damaged(std::string_view what) const { throw damaged_line(run_, line_number_, what); }
+  [[noreturn]] void damaged(std::string_view what, std::size_t column = 1) const {
+    throw ReadError(ReadError::Kind::wrong, {{.file = run_.name,
+                                              .line = line_number_,
+                                              .column = column,
+                                              .what = std::string(what),
+                                              .remedy = fmt::format("mend the line, or cut the file before it:\n"
+                                                                    "head -n {} RUN.csv > shorter.csv",
+                                                                    line_number_ - 1)}});
+  }
 
   void take_line(std::string_view line) {
+    line_begin_ = line.data();
     if (++line_number_ == 1 && line.starts_with(byte_order_mark)) line.remove_prefix(byte_order_mark.size());
     if (line.ends_with('\r')) line.remove_suffix(1);
     if (line.starts_with('#')) {
@@ -220,8 +230,8 @@ class RunReader {
     for (const auto& [of, argument] : overrides_) arguments.push_back(argument);
     try {
       settings_ = read_scene(scene_text_, run_.name, arguments).settings;
-    } catch (const Failure& failure) {
-      const std::string_view words = failure.what();
+    } catch (const std::runtime_error& error) {
+      const std::string_view words = error.what();
       damaged(words.substr(0, words.find('\n')));
     }
   }
@@ -249,7 +259,7 @@ class RunReader {
       if (i < needed_columns && !has(i)) missing.push_back(column_names[i]);
     }
     if (!missing.empty()) {
-      refuse(fmt::format("line {}: this is no run: there is no column {}", line_number_, listed(missing)));
+      refuse(fmt::format("this is no run: line {} names no column {}", line_number_, listed(missing)));
     }
     values_per_row_ = values_.size();
   }
@@ -257,7 +267,8 @@ class RunReader {
   bool has(std::size_t column) const noexcept { return place_[column] < values_.size(); }
   std::string_view value(std::size_t column) const { return values_[place_[column]]; }
   [[noreturn]] void damaged_value(std::size_t column, std::string_view wanted) const {
-    damaged(fmt::format("{} is '{}', which is {}", column_names[column], printable(value(column)), wanted));
+    damaged(fmt::format("{} is '{}', which is {}", column_names[column], printable(value(column)), wanted),
+            static_cast<std::size_t>(value(column).data() - line_begin_) + 1);
   }
 
   // Whether the value is the second word; without the column it is the first.
@@ -344,6 +355,7 @@ class RunReader {
   RunFacts run_;
   std::string rest_;  // of the pieces, without a line feed
   std::size_t line_number_ = 0;
+  const char* line_begin_ = nullptr;  // of the line that is being read
 
   bool is_within_scene_ = false;
   std::string scene_text_;                        // once it is read: one of the header's settings
@@ -361,16 +373,17 @@ class RunReader {
   RunLength length_;
 };
 
-Failure unreadable(const std::string& shown, int error) {
+ReadError why_unreadable(const std::string& shown, int error) {
   switch (error) {
     case EISDIR:
-      return {ExitCode::wrong_call, fmt::format("{}: is a folder; name a recording in it", shown)};
+      return {ReadError::Kind::wrong, {{.file = shown, .what = "is a folder", .remedy = "name a recording in it"}}};
     case ENOENT:
     case ENOTDIR:
     case ENAMETOOLONG:
-      return {ExitCode::wrong_call, fmt::format("{}: there is no such file; name a recording", shown)};
+      return {ReadError::Kind::wrong, {{.file = shown, .what = "there is no such file", .remedy = "name a recording"}}};
     default:
-      return {ExitCode::file_trouble, fmt::format("{} cannot be read: {}", shown, unreadable_words(error))};
+      return {ReadError::Kind::unreadable,
+              {{.what = fmt::format("{} cannot be read: {}", shown, unreadable_words(error))}}};
   }
 }
 
@@ -413,13 +426,12 @@ RunFacts stream_run(const std::string& path, std::string_view doing, bool shows_
       progress.at(std::min(done, size));  // it may grow while it is read
       return true;
     });
-    if (error != 0) throw unreadable(shown, error);
+    if (error != 0) throw why_unreadable(shown, error);
     return reader.finish();
   } catch (const std::bad_alloc&) {
-    throw Failure(ExitCode::file_trouble,
-                  fmt::format("{}: the run is too long for this machine's memory; cut it, as in\n"
-                              "head -n 1000000 RUN.csv > shorter.csv",
-                              shown));
+    throw ReadError(ReadError::Kind::unreadable, {{.file = shown,
+                                                   .what = "the run is too long for this machine's memory",
+                                                   .remedy = "cut it, as in\nhead -n 1000000 RUN.csv > shorter.csv"}});
   }
 }
 

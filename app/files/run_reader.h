@@ -17,12 +17,13 @@ using TakeTick = std::function<void(const RunFacts& run, const RunTick& tick)>;
 // Whether a file is rather a run than a scene: by its ending.
 bool may_be_run(std::string_view path) noexcept;
 
-// `shown_path` is what remarks and messages call the file. Throws Failure(wrong_call) where the text is no run, is
+// `shown_path` is what remarks and messages call the file. Throws ReadError(wrong) where the text is no run, is
 // damaged, or is longer than a scene may be (most_ticks), which a damaged time makes of it.
 Run read_run(std::string_view text, std::string_view shown_path);
 
-// With progress on a terminal. Every tick is kept: about 1.2 GB for an hour at 1 kHz. Throws Failure: file_trouble
-// where the file cannot be read, or its ticks have no room in the memory; wrong_call as above; interrupted.
+// With progress on a terminal. Every tick is kept: about 1.2 GB for an hour at 1 kHz. Throws
+// ReadError: unreadable where the file cannot be read, or its ticks have no room in the memory; wrong as above; and
+// Failure(interrupted).
 Run load_run(const std::string& path);
 
 // The same without keeping a tick, however long the run is. `doing` is what the progress on a terminal is called.

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
 #include <gtest/gtest.h>
 
-#include "app/console/failure.h"
 #include "app/files/run_file.h"
 #include "app/files/scene_file.h"
 #include "app/runs/run_hand.h"
@@ -151,9 +151,9 @@ TEST(RunReader, InventsNothingWhereverTheFileIsCut) {
       ASSERT_GE(run.ticks.size(), ticks_before);
       ticks_before = run.ticks.size();
       ASSERT_EQ(has_remark(run, "its last line is cut"), text[length - 1] != '\n') << listed_remarks(run);
-    } catch (const Failure& failure) {
-      ASSERT_EQ(failure.code(), ExitCode::wrong_call);
-      ASSERT_LT(length, text.find("# scene:")) << failure.what();
+    } catch (const ReadError& error) {
+      ASSERT_EQ(error.kind(), ReadError::Kind::wrong);
+      ASSERT_LT(length, text.find("# scene:")) << error.what();
     }
   }
   EXPECT_EQ(ticks_before, whole.ticks.size());
@@ -202,10 +202,9 @@ TEST(RunReader, SurvivesTenThousandMutations) {
         const GoalPath path = goal_path_of(run);
         ASSERT_TRUE(std::ranges::is_sorted(path.times, std::less_equal<>()));
       }
-    } catch (const Failure& failure) {
+    } catch (const std::runtime_error& error) {
       ++refused;
-      ASSERT_EQ(failure.code(), ExitCode::wrong_call) << failure.what();
-      ASSERT_TRUE(std::string_view(failure.what()).starts_with("run.csv:")) << failure.what();
+      ASSERT_TRUE(std::string_view(error.what()).starts_with("run.csv:")) << error.what();
     }
   }
   EXPECT_GT(read, 500);
@@ -216,9 +215,9 @@ std::string words_of_refusal(const std::string& text) {
   try {
     const Run run = read_run(text, "run.csv");
     goal_path_of(run, 1000.0);
-  } catch (const Failure& failure) {
-    EXPECT_EQ(failure.code(), ExitCode::wrong_call);
-    return failure.what();
+  } catch (const ReadError& error) {
+    EXPECT_EQ(error.kind(), ReadError::Kind::wrong);
+    return error.what();
   }
   return "";
 }
@@ -271,13 +270,18 @@ TEST(RunReader, RefusesADamagedLineWithItsNumberAndWhatIsWrong) {
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(at + (c.what.front() == '\n' && c.by.front() == '\n'));
     const auto line = 1 + std::count(text.begin(), end, '\n') + c.lines_after;
     const std::string words = words_of_refusal(replaced(text, c.what, c.by));
-    const std::string place = fmt::format("run.csv: line {}: ", line);
+    const std::string place = fmt::format("run.csv:{}:", line);
     EXPECT_TRUE(words.starts_with(place)) << words << "\nwanted at " << place;
     EXPECT_NE(words.find(c.words), std::string::npos) << words;
     const std::string remedy =
-        fmt::format("Mend the line, or cut the file before it:\nhead -n {} RUN.csv > shorter.csv", line - 1);
+        fmt::format("mend the line, or cut the file before it:\nhead -n {} RUN.csv > shorter.csv", line - 1);
     EXPECT_TRUE(words.ends_with(remedy)) << words;
   }
+}
+
+TEST(RunReader, TellsTheColumnOfAWrongValue) {
+  const std::string text = replaced(recording(), "naive,0.002,", "naive,nan,");
+  EXPECT_NE(words_of_refusal(text).find(":7: t_s is 'nan', which is no finite number; mend"), std::string::npos);
 }
 
 TEST(RunReader, RefusesRowsOfOneTickThatHaveTwoGoals) {
@@ -302,7 +306,7 @@ TEST(RunReader, RefusesWhatADamagedTimeMakesTooLong) {
   const std::string last = replaced(text, "anisotropic,0.008,", "anisotropic,3e7,");
   const std::string line = std::to_string(std::count(text.begin(), text.end(), '\n'));
   const std::string words = words_of_refusal(last);
-  EXPECT_TRUE(words.starts_with("run.csv: line " + line + ": with t_s = 30000000 there")) << words;
+  EXPECT_TRUE(words.starts_with("run.csv:" + line + ":1: with t_s = 30000000 there")) << words;
   EXPECT_NE(words_of_refusal(replaced(text, "naive,0.002,", "naive,3e7,")), "");
   EXPECT_NE(words_of_refusal(replaced(text, "\nfull,0.005,", "\nfull,3e7,")), "");
   // A recording begins when it likes, and is as long as its rows say.
@@ -318,7 +322,7 @@ TEST(RunReader, RefusesWhatADamagedTimeMakesTooLong) {
   // Without a scene it depends on the loop that plays it.
   const std::string bare = std::string(run_columns) + "\nfull,5,0,0,0,0,0,0,0,0\nfull,";
   EXPECT_EQ(words_of_refusal(bare + "10005,0,0,0,0,0,0,0,0\n"), "");
-  EXPECT_TRUE(words_of_refusal(bare + "10006,0,0,0,0,0,0,0,0\n").starts_with("run.csv: line 3: with t_s = 10006"));
+  EXPECT_TRUE(words_of_refusal(bare + "10006,0,0,0,0,0,0,0,0\n").starts_with("run.csv:3:1: with t_s = 10006"));
 }
 
 TEST(RunReader, TakesWhatOtherProgramsMakeOfTheFile) {
@@ -367,7 +371,12 @@ TEST(RunReader, TellsWhereItsSceneIsWrong) {
   const std::size_t at = text.find("k_s_N_per_m");
   const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
   const std::string place = fmt::format("run.csv:{}:{}: ", line, at - text.rfind('\n', at));
-  EXPECT_NE(words_of_refusal(text).find(place), std::string::npos) << words_of_refusal(text);
+  try {
+    read_run(text, "run.csv");
+    ADD_FAILURE() << "it was read";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string_view(error.what()).find(place), std::string::npos) << error.what();
+  }
 }
 
 TEST(RunReader, KnowsAMeasuredDevice) {
@@ -392,9 +401,9 @@ TEST(RunReader, RefusesWhatIsNoRun) {
     try {
       read_run(text, "f.csv");
       ADD_FAILURE() << "'" << text << "' was read";
-    } catch (const Failure& failure) {
-      EXPECT_EQ(failure.code(), ExitCode::wrong_call);
-      EXPECT_TRUE(std::string_view(failure.what()).starts_with("f.csv: ")) << failure.what();
+    } catch (const ReadError& error) {
+      EXPECT_EQ(error.kind(), ReadError::Kind::wrong);
+      EXPECT_TRUE(std::string_view(error.what()).starts_with("f.csv: ")) << error.what();
     }
   }
 }
@@ -417,17 +426,17 @@ TEST(RunReader, LoadsFilesInPieces) {
   EXPECT_EQ(run.ticks.size(), 3001U);
   EXPECT_TRUE(invents_nothing(run, read_run(text, "run.csv")));
 
-  const auto code_of = [](const std::string& path) {
+  const auto is_wrong = [](const std::string& path) {
     try {
       load_run(path);
-    } catch (const Failure& failure) {
-      return failure.code();
+    } catch (const ReadError& error) {
+      return error.kind() == ReadError::Kind::wrong;
     }
-    return ExitCode::done;
+    return false;
   };
-  EXPECT_EQ(code_of(folder.path()), ExitCode::wrong_call);
-  EXPECT_EQ(code_of(folder / "none.csv"), ExitCode::wrong_call);
-  EXPECT_EQ(code_of("/dev/zero"), ExitCode::wrong_call);
+  EXPECT_TRUE(is_wrong(folder.path()));
+  EXPECT_TRUE(is_wrong(folder / "none.csv"));
+  EXPECT_TRUE(is_wrong("/dev/zero"));
 }
 
 TEST(RunReader, TheHandOfARunIsItsGoalAtEachTickBitForBit) {
