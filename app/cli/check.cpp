@@ -43,8 +43,7 @@ class Lines {
     try {
       output_.write(line + "\n");
       output_.commit();
-    } catch (const Failure& failure) {
-      if (failure.code() != ExitCode::done) throw;
+    } catch (const ReaderGone&) {
       is_read_ = false;
     }
   }

@@ -270,10 +270,7 @@ std::string words_for_none(const std::string& path, const std::vector<Rest>& res
 
 int measure_user(const Options& options) {
   std::optional<Vector<2>> target;
-  if (options.target_mm) {
-    target = position_from_mm(*options.target_mm);
-    if (!target) throw Failure(ExitCode::wrong_call, no_position("--target-mm", *options.target_mm));
-  }
+  if (options.target_mm) target = position_from_mm("--target-mm", *options.target_mm);
   const Run run = load_run(options.run);
   for (const std::string& remark : run.remarks) say("{}\n", remark);
   if (!run.scene) {

@@ -333,6 +333,8 @@ void Application::grant_wishes() {
     tell(failure.what(), true);
   } catch (const ReadError& error) {
     tell(error.what(), true);
+  } catch (const ReaderGone&) {
+    tell("Nobody reads that pipe any more; save to a file.", true);
   }
 }
 

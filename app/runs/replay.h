@@ -69,7 +69,4 @@ class Replay {
   bool is_first_ = true;
 };
 
-// A whole run. Throws Failure(wrong_call) where there is no scene or no tick.
-ReplayReport replay(const Run& run, const std::function<void(const ReplayedTick&)>& on_tick);
-
 }  // namespace ghostforce

@@ -7,6 +7,7 @@
 #include "app/runs/replay.h"
 #include "app/runs/run_hand.h"
 #include "tests/fuzz/fuzz.h"
+#include "tests/support/replay_run.h"
 
 using namespace ghostforce;
 

@@ -15,6 +15,7 @@
 #include "app/runs/recording.h"
 #include "core/play.h"
 #include "tests/app/runs/recorded_by_dice.h"
+#include "tests/support/replay_run.h"
 
 namespace ghostforce {
 namespace {
