@@ -10,8 +10,10 @@
 #include <vector>
 
 #include "app/cli/command_line.h"
+#include "app/cli/exit_code.h"
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
+#include "app/files/output_file.h"
 #include "device/falcon/emergency_stop.h"
 
 namespace {
@@ -43,9 +45,14 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // and so is a file that may not grow
   try {
     return parse_command_line(std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc))();
+  } catch (const ReaderGone&) {
+    return static_cast<int>(ExitCode::done);
   } catch (const Failure& failure) {
-    if (*failure.what() != '\0') std::fprintf(stderr, "%s\n", failure.what());
+    std::fprintf(stderr, "%s\n", failure.what());
     return static_cast<int>(failure.code());
+  } catch (const ReadError& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return static_cast<int>(exit_code_of(error.kind()));
   } catch (const std::bad_alloc&) {
     std::fputs("There is not enough memory for this. Close other programs, or raise this one's limit (ulimit -v).\n",
                stderr);

@@ -1,9 +1,7 @@
-// Where everything comes to rest under a goal that is held still: by closed form (for predictions, sweeps and the lines
-// in the pictures) and by solving (6)(7) as they stand (to check the former). Pure, never allocates or throws.
+// Where everything comes to rest under a goal that is held still, by closed form. Pure, never allocates or throws.
 #pragma once
 
 #include "core/actuation.h"
-#include "core/coupling.h"
 #include "core/impedance.h"
 #include "core/strategy.h"
 #include "core/wall.h"
@@ -52,14 +50,6 @@ Equilibrium<D> equilibrium_naive(const Wall<D>& wall, const Actuation<D>& actuat
 template <glm::length_t D>
 Equilibrium<D> equilibrium_anisotropic(const Wall<D>& wall, const Actuation<D>& actuation, const Impedances& impedances,
                                        const Vector<D>& goal) noexcept;
-
-// (6)   K_t (q_h − q_p) + n λ = 0
-//       λ/k_c = n·(o − q_p)                       k_c = ∞: the proxy is on the wall
-// (7)   k_u (q_u − q_h) + K_r (q_p − q_h) = 0
-// Solved as one linear system of 2D + 1 unknowns by Gaussian elimination; works for any coupling.
-template <glm::length_t D>
-Equilibrium<D> equilibrium_by_linear_solve(const Wall<D>& wall, const Coupling<D>& coupling, double k_u, double k_c,
-                                           const Vector<D>& goal) noexcept;
 
 // What a strategy of the catalog comes to rest at, with the ratio that it runs with (so that a wrong belief shows).
 template <glm::length_t D>

@@ -13,7 +13,7 @@
 #include "app/console/interruption.h"
 #include "app/console/quoted.h"
 #include "app/console/unicode.h"
-#include "app/files/file_kind.h"
+#include "app/files/input_file.h"
 #include "app/files/output_file.h"
 
 namespace ghostforce {

@@ -1,11 +1,9 @@
 #include "app/check/update.h"
 
 #include <algorithm>
+#include <deque>
 #include <filesystem>
-#include <memory>
-#include <set>
 #include <system_error>
-#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -15,26 +13,12 @@
 #include "app/console/interruption.h"
 #include "app/console/progress.h"
 #include "app/console/quoted.h"
-#include "app/files/disk_sync.h"
-#include "app/files/file_kind.h"
+#include "app/files/input_file.h"
 #include "app/files/output_file.h"
 #include "app/files/png_file.h"
 
 namespace ghostforce {
 namespace {
-
-// What shall be put in place of a case's files in the end, and is on the disk already; null: the file stays as it is.
-struct Change {
-  const Case* changed = nullptr;
-  std::unique_ptr<OutputFile> golden;
-  std::unique_ptr<OutputFile> text;
-
-  std::vector<OutputFile*> files() const {
-    std::vector<OutputFile*> changed_files{golden.get(), text.get()};
-    std::erase(changed_files, nullptr);
-    return changed_files;
-  }
-};
 
 void refuse_cases_without_golden(const std::vector<const Case*>& chosen) {
   std::vector<std::string> problems;
@@ -99,35 +83,11 @@ std::string changed_text(const Case& each, const GoldenOrigin& origin) {
   return after == before ? std::string() : after;
 }
 
-std::unique_ptr<OutputFile> finished(const std::string& path, const std::string& content) {
-  auto file = std::make_unique<OutputFile>(path);
-  file->write(content);
-  file->finish();
-  return file;
-}
-
-// All of them or none: an interruption, or a file that cannot be changed, leaves the whole folder as it was.
-void put_in_place(const std::vector<Change>& changes) {
-  for (const Change& change : changes) {
-    for (OutputFile* const file : change.files()) file->put_in_place();
-  }
-  // A link may lead into a folder within.
-  std::set<std::filesystem::path> folders;
-  for (const Change& change : changes) {
-    for (const std::string& path : {change.changed->golden_path(), change.changed->path}) {
-      std::error_code unknown;
-      folders.insert(std::filesystem::weakly_canonical(path, unknown).parent_path());
-    }
-  }
-  for (const std::filesystem::path& folder : folders) {
-    if (const int error = sync_folder(folder); error != 0) {
-      throw Failure(ExitCode::file_trouble, fmt::format("nothing can be written to {}: {}",
-                                                        printable(folder.string(), longest_path), reason_of(error)));
-    }
-  }
-  for (const Change& change : changes) {
-    for (OutputFile* const file : change.files()) file->keep();
-  }
+// On the disk already; commit_all() puts it in place in the end.
+void add_file(std::deque<OutputFile>& files, const std::string& path, const std::string& content) {
+  OutputFile& file = files.emplace_back(path);
+  file.write(content);
+  file.finish();
 }
 
 }  // namespace
@@ -136,29 +96,25 @@ std::vector<std::string> update_goldens(const std::vector<Case>& all, const std:
   refuse_cases_without_golden(chosen);
   refuse_what_cannot_be_written(chosen);
   Gallery gallery(all, chosen);
-  std::vector<Change> changes;
+  std::deque<OutputFile> files;
+  std::vector<std::string> lines;
   Progress progress("drawing", static_cast<std::int64_t>(chosen.size()), true);
   for (const Case* const each : chosen) {
     stop_if_interrupted();
     const DrawnCase drawn = gallery.draw(each->name);
-    Change change{each, nullptr, nullptr};
+    const std::string path = each->golden_path();
     const bool is_equal = is_stored(*each, drawn.image);
-    if (!is_equal) change.golden = finished(each->golden_path(), png_bytes(drawn.image));
+    if (!is_equal) add_file(files, path, png_bytes(drawn.image));
     if (!is_equal || !each->origin) {
-      const std::string text = changed_text(*each, drawn.origin);
-      if (!text.empty()) change.text = finished(each->path, text);
+      if (const std::string text = changed_text(*each, drawn.origin); !text.empty()) add_file(files, each->path, text);
     }
-    changes.push_back(std::move(change));
-    progress.at(static_cast<std::int64_t>(changes.size()));
+    const std::string shown = printable(path, longest_path);
+    lines.push_back(is_equal ? fmt::format("{} is equal already and stays as it is", shown)
+                             : fmt::format("wrote {}; look at it before you commit it", shown));
+    progress.at(static_cast<std::int64_t>(lines.size()));
   }
   stop_if_interrupted();
-  put_in_place(changes);
-  std::vector<std::string> lines;
-  for (const Change& change : changes) {
-    const std::string path = printable(change.changed->golden_path(), longest_path);
-    lines.push_back(change.golden ? fmt::format("wrote {}; look at it before you commit it", path)
-                                  : fmt::format("{} is equal already and stays as it is", path));
-  }
+  OutputFile::commit_all(files);
   return lines;
 }
 

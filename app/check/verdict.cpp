@@ -11,7 +11,7 @@
 #include "app/check/shell_word.h"
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
-#include "app/files/file_kind.h"
+#include "app/files/input_file.h"
 #include "app/files/png_file.h"
 
 namespace ghostforce {

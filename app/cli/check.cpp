@@ -44,8 +44,7 @@ class Lines {
     try {
       output_.write(line + "\n");
       output_.commit();
-    } catch (const Failure& failure) {
-      if (failure.code() != ExitCode::done) throw;
+    } catch (const ReaderGone&) {
       is_read_ = false;
     }
   }
@@ -159,9 +158,9 @@ std::function<int()> attach_check(CLI::App& command, FileOptions& files) {
                    ->check([](const std::string& folder) { return std::string(folder.empty() ? "name a folder" : ""); })
                    ->excludes(update_option),
                [](const std::string& folder) {
-                 std::vector<std::string> files = files_in(folder);
-                 std::erase_if(files, [](const std::string& file) { return !Report::may_write(file); });
-                 return files;
+                 std::vector<std::string> paths = files_in(folder);
+                 std::erase_if(paths, [](const std::string& path) { return !Report::may_write(path); });
+                 return paths;
                });
   command.footer(
       "A case, NAME.toml (only scene is required):\n"

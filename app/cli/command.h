@@ -2,6 +2,7 @@
 // command_catalog.cpp.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
@@ -10,8 +11,9 @@
 #include <vector>
 
 #include "app/cli/own_inputs.h"
+#include "app/files/output_file.h"
 #include "core/scene.h"
-#include "core/snapshot.h"
+#include "core/tick.h"
 
 namespace CLI {
 class App;
@@ -58,14 +60,14 @@ WordCheck number_between(double least, double greatest, std::string unit);
 // The option may be given again and again, with one value each time.
 CLI::Option* repeatable(CLI::Option* option);
 
-// Unstable settings let the numbers grow until they are none. That is an answer, but no data: throws
-// Failure(wrong_call).
-void stop_if_run_away(const Snapshot& snapshot, StrategyId id);
+// Plays the scene's hand from `state`, whose k is 0, to the tick `last`, and writes a row for each tick and each of
+// these strategies. `doing` is what the progress on a terminal is called. Unstable settings let the numbers grow until
+// they are none. That is an answer, but no data: throws Failure(wrong_call); interrupted; and what OutputFile throws.
+void write_played(OutputFile& file, std::string_view doing, const Scene& scene, const TickState<2>& state,
+                  std::int64_t last, std::span<const StrategyId> ids);
 
-// "X,Y" in mm as a position [m]; empty: it is none.
-std::optional<Vector<2>> position_from_mm(std::string_view text);
-// What to say then.
-std::string no_position(std::string_view option, std::string_view text);
+// An option's value "X,Y" in mm as a position [m]. Throws Failure(wrong_call).
+Vector<2> position_from_mm(std::string_view option, std::string_view text);
 
 // Names of the strategies, for --strategy.
 std::vector<std::string_view> strategy_names();

@@ -156,7 +156,7 @@ std::function<int()> attach_doctor(CLI::App& command, FileOptions& files) {
   CLI::Option* const measure = command.add_flag(
       "--measure", options->measure,
       "Measure the device with a ruler and a weight, ten minutes, motors below 2 N; see docs/falcon.md");
-  measure.excludes(json).excludes(install).excludes(wait);
+  measure->excludes(json)->excludes(install)->excludes(wait);
   files.writes(command.add_option("-o,--output", options->report, "With --measure: where the report goes; default: -")
                    ->type_name("REPORT.md"));
   files.writes(command

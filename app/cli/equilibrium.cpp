@@ -95,14 +95,7 @@ std::string table_text(const Scene& scene, double goal_depth, const PerStrategy<
 
 int equilibrium(const Options& options) {
   const Scene scene = options.scene.load();
-  Vector<2> goal = scene.goal.points.back();
-  if (options.goal_mm) {
-    const std::optional<Vector<2>> given = position_from_mm(*options.goal_mm);
-    if (!given) {
-      throw Failure(ExitCode::wrong_call, no_position("--goal-mm", *options.goal_mm));
-    }
-    goal = *given;
-  }
+  const Vector<2> goal = options.goal_mm ? position_from_mm("--goal-mm", *options.goal_mm) : scene.goal.points.back();
   const double goal_depth = depth(wall_of(scene.settings), goal);
   const PerStrategy<PredictedRest> rests = predicted_rests(scene.settings, goal);
   OutputFile output("-");

@@ -99,14 +99,14 @@ class RestFinder {
   // Of what can be read: a target is there where the device was measured, and then only what was measured counts.
   bool counts(std::size_t i) const {
     const RunTick& tick = run_.ticks[i];
-    if (!tick.rows[index_of(strategy_.id)] || !tick.is_sure) return false;
+    if (!tick.rows[index_of(strategy_.id)]) return false;
     return target_ ? tick.measured == strategy_.id : !tick.measured;
   }
   bool follows(std::size_t i) const {
     const RunTick& tick = run_.ticks[i];
     const RunTick& before = run_.ticks[i - 1];
     return counts(i) && counts(i - 1) && bases_[tick.settings] == bases_[before.settings] &&
-           tick.state == RunTick::none && tick.time_s > before.time_s;
+           tick.state == RunTick::none;
   }
   // All that a reading depends on: of what is believed or chosen, the ratio that this strategy makes of it.
   Settings basis_of(Settings settings) const {
@@ -271,10 +271,7 @@ std::string words_for_none(const std::string& path, const std::vector<Rest>& res
 
 int measure_user(const Options& options) {
   std::optional<Vector<2>> target;
-  if (options.target_mm) {
-    target = position_from_mm(*options.target_mm);
-    if (!target) throw Failure(ExitCode::wrong_call, no_position("--target-mm", *options.target_mm));
-  }
+  if (options.target_mm) target = position_from_mm("--target-mm", *options.target_mm);
   const Run run = load_run(options.run);
   for (const std::string& remark : run.remarks) say("{}\n", remark);
   if (!run.scene) {

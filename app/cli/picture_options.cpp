@@ -6,7 +6,7 @@
 
 namespace ghostforce {
 
-void PictureOptions::attach(CLI::App& command, FileOptions& files, bool with_all) {
+void PictureOptions::attach(CLI::App& command, bool with_all) {
   std::vector<std::string_view> strategies = strategy_names();
   if (with_all) strategies.push_back(every_strategy);
   command

@@ -4,7 +4,6 @@
 #include <optional>
 #include <string>
 
-#include "app/cli/own_inputs.h"
 #include "app/session/session.h"
 #include "core/scene.h"
 
@@ -20,7 +19,7 @@ struct PictureOptions {
   std::optional<double> scale;
 
   // `with_all`: "all" shows every strategy in one picture.
-  void attach(CLI::App& command, FileOptions& files, bool with_all);
+  void attach(CLI::App& command, bool with_all);
   void apply_strategy(Scene& scene) const;
   // What was not asked for stays as it is.
   void apply_look(Look& look) const;

@@ -122,7 +122,7 @@ std::function<int()> attach_render(CLI::App& command, FileOptions& files) {
                   "window: scene, panels and bars; scene: the scene alone; default: window, and scene for SVG and PDF")
       ->type_name("PART")
       ->check(one_of({"window", "scene"}));
-  options->picture.attach(command, files, true);
+  options->picture.attach(command, true);
   std::vector<std::string_view> modes;
   for (const CompareMode& mode : compare_catalog()) modes.push_back(mode.name);
   command

@@ -1,11 +1,13 @@
 // ghostforce replay: a recorded hand once more, bit for bit, or in another scene.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -13,8 +15,6 @@
 #include "app/cli/command.h"
 #include "app/cli/command_catalog.h"
 #include "app/console/failure.h"
-#include "app/console/interruption.h"
-#include "app/console/progress.h"
 #include "app/console/quoted.h"
 #include "app/console/words.h"
 #include "app/files/output_file.h"
@@ -23,13 +23,10 @@
 #include "app/files/scene_file.h"
 #include "app/runs/replay.h"
 #include "app/runs/run_hand.h"
-#include "core/play.h"
 #include "ghostforce_version.h"
 
 namespace ghostforce {
 namespace {
-
-constexpr std::int64_t ticks_between_looks = 1024;
 
 struct Options {
   std::string run;
@@ -77,27 +74,6 @@ std::string verdict(const RunFacts& run, const ReplayReport& report) {
   return words;
 }
 
-// Rows on their way to a file, and how far it is.
-class Rows {
- public:
-  explicit Rows(const std::string& path) : file_(path) {}
-
-  OutputFile& file() { return file_; }
-  fmt::memory_buffer& buffer() { return buffer_; }
-  void add(const Snapshot& snapshot, StrategyId id) {
-    append_run_row(buffer_, snapshot, id);
-    buffer_.push_back('\n');
-  }
-  void write() {
-    file_.write({buffer_.data(), buffer_.size()});
-    buffer_.clear();
-  }
-
- private:
-  OutputFile file_;
-  fmt::memory_buffer buffer_;
-};
-
 // What was left out comes before any verdict.
 void tell_remarks(const RunFacts& run) {
   for (const std::string& remark : run.remarks) say("{}\n", remark);
@@ -114,34 +90,38 @@ void tell_remarks(const RunFacts& run) {
 }
 
 int replay_exactly(const Options& options) {
-  Rows rows(options.output);
+  OutputFile file(options.output);
+  fmt::memory_buffer lines;
   Settings known;
   std::optional<Settings> newest;
   Replay replay([&](const ReplayedTick& tick) {
     if (newest != tick.settings) {
-      append_set_lines(rows.buffer(), tick.snapshot.time_s, known, tick.settings);
+      append_set_lines(lines, tick.snapshot.time_s, known, tick.settings);
       newest = tick.settings;
     }
-    if (tick.state != nullptr) append_state_line(rows.buffer(), tick.snapshot.time_s, *tick.state);
+    if (tick.state != nullptr) append_state_line(lines, tick.snapshot.time_s, *tick.state);
     for (const Strategy& each : strategy_catalog()) {
-      if (tick.is_known[index_of(each.id)]) rows.add(tick.snapshot, each.id);
+      if (!tick.is_known[index_of(each.id)]) continue;
+      append_run_row(lines, tick.snapshot, each.id);
+      lines.push_back('\n');
     }
-    rows.write();
+    file.write({lines.data(), lines.size()});
+    lines.clear();
   });
   bool is_begun = false;
-  const RunFacts run = stream_run(options.run, "replaying", !rows.file().is_terminal(),
-                                  [&](const RunFacts& so_far, const RunTick& tick) {
-                                    if (!so_far.scene) return;  // said below, after why
-                                    if (!std::exchange(is_begun, true)) {
-                                      rows.file().write(run_header(*so_far.scene));
-                                      known = so_far.scene->settings;
-                                    }
-                                    replay.take(so_far, tick);
-                                  });
+  const RunFacts run =
+      stream_run(options.run, "replaying", !file.is_terminal(), [&](const RunFacts& so_far, const RunTick& tick) {
+        if (!so_far.scene) return;  // said below, after why
+        if (!std::exchange(is_begun, true)) {
+          file.write(run_header(*so_far.scene));
+          known = so_far.scene->settings;
+        }
+        replay.take(so_far, tick);
+      });
   tell_remarks(run);
   if (!run.scene) refuse_without_scene(options);
   if (!is_begun) refuse_without_tick(options);
-  rows.file().commit();
+  file.commit();
   const ReplayReport& report = replay.report();
   say("{}: {}\n", printable(options.run, longest_path), verdict(run, report));
   return static_cast<int>(report.first || report.compared == 0 ? ExitCode::answer_is_no : ExitCode::done);
@@ -200,31 +180,25 @@ RunState run_state_of(const TickState<2>& state) {
 }
 
 int replay_hand(const Options& options) {
-  Rows rows(options.output);
+  OutputFile file(options.output);
   Hand hand = load_hand(options);
-  rows.file().write(run_header(hand.scene));
-  rows.file().write(fmt::format("{}{}\n", hand_begins, printable(options.run, longest_path)));
+  file.write(run_header(hand.scene));
+  file.write(fmt::format("{}{}\n", hand_begins, printable(options.run, longest_path)));
   Scene played = std::move(hand.scene);
   played.goal = std::move(hand.path);
   const double end_s = played.goal.times.back();
   constexpr double rounding = 1e-6;  // of the last tick's time, in ticks
   const auto last = static_cast<std::int64_t>(std::floor(end_s * played.settings.rate + rounding));
-  std::optional<Progress> progress(std::in_place, "replaying", last, !rows.file().is_terminal());
   // A file without this line begins with every device where the hand is.
-  if (!starts_where_hand_is(hand.start.state)) append_state_line(rows.buffer(), 0.0, run_state_of(hand.start.state));
-  play_from(hand.start.state, played, last, [&](const Snapshot& snapshot) {
-    for (const Strategy& each : strategy_catalog()) {
-      stop_if_run_away(snapshot, each.id);
-      rows.add(snapshot, each.id);
-    }
-    rows.write();
-    if (snapshot.tick % ticks_between_looks == 0) {
-      stop_if_interrupted();
-      progress->at(snapshot.tick);
-    }
-  });
-  rows.file().commit();
-  progress.reset();  // the line is free for words
+  if (!starts_where_hand_is(hand.start.state)) {
+    fmt::memory_buffer line;
+    append_state_line(line, 0.0, run_state_of(hand.start.state));
+    file.write({line.data(), line.size()});
+  }
+  std::vector<StrategyId> ids;
+  for (const Strategy& each : strategy_catalog()) ids.push_back(each.id);
+  write_played(file, "replaying", played, hand.start.state, last, ids);
+  file.commit();
   say("{}: nothing is compared, since scene or settings were given. The hand was played from {} for {} s, without "
       "what was changed live.\n",
       printable(options.run, longest_path), hand.start.is_recorded ? "the recorded state" : "rest", end_s);

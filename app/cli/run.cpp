@@ -233,7 +233,7 @@ std::function<int()> attach_run(CLI::App& command, FileOptions& files) {
                                "Record every tick, from the first, to this CSV file, which must not exist yet")
                    ->type_name("FILE")
                    ->check(a_file_of_its_own()));
-  options->picture.attach(command, files, false);
+  options->picture.attach(command, false);
   options->falcon.attach(command, files);
   command.add_flag("--no-hints", options->no_hints, "No hints for newcomers in this run");
   command

@@ -1,5 +1,4 @@
 // ghostforce simulate: the scripted hand of a scene, every tick as a row.
-#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -11,17 +10,12 @@
 #include "app/cli/command.h"
 #include "app/cli/command_catalog.h"
 #include "app/console/failure.h"
-#include "app/console/interruption.h"
-#include "app/console/progress.h"
 #include "app/files/output_file.h"
 #include "app/files/run_file.h"
-#include "core/play.h"
+#include "core/goal_path.h"
 
 namespace ghostforce {
 namespace {
-
-// Ticks between two looks at the clock and at interruptions: well under a hundredth of a second.
-constexpr std::int64_t ticks_between_looks = 1024;
 
 struct Options {
   SceneOptions scene;
@@ -42,22 +36,7 @@ int simulate(const Options& options) {
 
   OutputFile file(options.output);
   file.write(run_header(scene));
-  const std::int64_t last = last_tick(scene);
-  Progress progress("simulating", last, !file.is_terminal());
-  fmt::memory_buffer rows;
-  play(scene, last, [&](const Snapshot& snapshot) {
-    for (const StrategyId id : ids) {
-      stop_if_run_away(snapshot, id);
-      append_run_row(rows, snapshot, id);
-      rows.push_back('\n');
-    }
-    file.write({rows.data(), rows.size()});
-    rows.clear();
-    if (snapshot.tick % ticks_between_looks == 0) {
-      stop_if_interrupted();
-      progress.at(snapshot.tick);
-    }
-  });
+  write_played(file, "simulating", scene, state_at_start(goal_at(scene.goal, 0.0)), last_tick(scene), ids);
   file.commit();
   return static_cast<int>(ExitCode::done);
 }

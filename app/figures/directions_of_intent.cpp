@@ -1,4 +1,4 @@
-#include "app/figures/directions_of_intent.h"
+#include "app/figures/figures.h"
 
 #include <utility>
 

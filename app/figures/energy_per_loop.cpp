@@ -1,4 +1,4 @@
-#include "app/figures/energy_per_loop.h"
+#include "app/figures/figures.h"
 
 #include <cmath>
 #include <numbers>

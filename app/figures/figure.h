@@ -1,6 +1,6 @@
 // Figure: a picture for a paper, as a value: panes on a sheet, and the numbers that they were drawn from. Each figure
-// is one file beside this one and one row in figure_catalog.cpp; its data come from a pure function apart from the
-// drawing, so that the tests of the paper's claims look at the same numbers as the reader.
+// is one file beside this one, a line or two in figures.h and one row in figure_catalog.cpp; its data come from a pure
+// function apart from the drawing, so that the tests of the paper's claims look at the same numbers as the reader.
 #pragma once
 
 #include <cstdint>

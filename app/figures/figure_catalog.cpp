@@ -2,15 +2,7 @@
 
 #include <array>
 
-#include "app/figures/directions_of_intent.h"
-#include "app/figures/energy_per_loop.h"
-#include "app/figures/force_over_stiffness_ratio.h"
-#include "app/figures/force_over_wall_angle.h"
-#include "app/figures/one_hand.h"
-#include "app/figures/one_motion.h"
-#include "app/figures/proxy_drift.h"
-#include "app/figures/stiffness_ratios.h"
-#include "app/figures/three_equilibria.h"
+#include "app/figures/figures.h"
 
 namespace ghostforce {
 namespace {

@@ -1,4 +1,4 @@
-#include "app/figures/force_over_stiffness_ratio.h"
+#include "app/figures/figures.h"
 
 #include <string_view>
 

@@ -1,4 +1,4 @@
-#include "app/figures/force_over_wall_angle.h"
+#include "app/figures/figures.h"
 
 #include <numbers>
 #include <string_view>

@@ -1,4 +1,4 @@
-#include "app/figures/one_hand.h"
+#include "app/figures/figures.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "app/figures/one_motion.h"
+#include "app/figures/figures.h"
 
 #include <span>
 #include <utility>

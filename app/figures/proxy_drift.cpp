@@ -1,4 +1,4 @@
-#include "app/figures/proxy_drift.h"
+#include "app/figures/figures.h"
 
 #include <array>
 #include <string>

@@ -1,8 +1,7 @@
 #include "app/figures/recorded_hand.h"
 
-#include <algorithm>
+#include <cstddef>
 #include <cstdint>
-#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -32,21 +31,22 @@ RecordedHand recorded_hand(const Run& run, std::string name) {
   hand.scene.duration = path.times.back();
   hand.scene.settings = run.settings[run.ticks.front().settings];
   hand.start = start_of_hand(run, run.ticks.front(), hand.scene.settings).state;
-  const std::span ticks(run.ticks.data(), path.times.size());
+  const std::size_t shown = path.times.size();
   std::int64_t jumps = 0;
-  for (std::size_t i = 1; i < ticks.size(); ++i) {
-    if (ticks[i].settings != ticks[i - 1].settings) {
-      hand.changes.push_back({path.times[i], run.settings[ticks[i].settings]});
+  for (std::size_t i = 0; i < shown; ++i) {
+    const RunTick& tick = run.ticks[i];
+    if (i > 0 && tick.settings != run.ticks[i - 1].settings) {
+      hand.changes.push_back({path.times[i], run.settings[tick.settings]});
     }
-    if (ticks[i].state != RunTick::none) ++jumps;
+    if (i > 0 && tick.state != RunTick::none) ++jumps;
+    hand.is_estimated |= tick.measured.has_value();
   }
-  hand.is_estimated = std::ranges::any_of(ticks, [](const RunTick& tick) { return tick.measured.has_value(); });
   if (jumps > 0) {
     hand.left_out.push_back(fmt::format(
         "{} not shown (motors came on or went off, or samples were lost): the devices are simulated all the way.",
         jumps == 1 ? "A jump of the recorded devices is" : fmt::format("{} jumps of the recorded devices are", jumps)));
   }
-  if (ticks.size() < run.ticks.size()) {
+  if (shown < run.ticks.size()) {
     hand.left_out.push_back(
         fmt::format("The run was reset after {:.3g} s: what comes after is not shown.", path.times.back()));
   }

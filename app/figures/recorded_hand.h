@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/figures/figure.h"
-#include "app/files/run_reader.h"
+#include "app/files/run.h"
 
 namespace ghostforce {
 

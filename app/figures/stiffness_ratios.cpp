@@ -1,4 +1,4 @@
-#include "app/figures/stiffness_ratios.h"
+#include "app/figures/figures.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "app/figures/three_equilibria.h"
+#include "app/figures/figures.h"
 
 #include <array>
 #include <string>

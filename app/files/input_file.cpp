@@ -6,32 +6,67 @@
 #include <array>
 #include <cerrno>
 #include <system_error>
+#include <utility>
 
 #include "app/console/interruption.h"
 
 namespace ghostforce {
 
-FileContents file_contents(const std::filesystem::path& path) {
+int read_pieces(const std::filesystem::path& path, const std::function<bool(std::string_view piece)>& take) {
   const int descriptor = open_unless_interrupted(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) return {{}, errno};
+  if (descriptor < 0) return errno;
   struct Closer {
     int descriptor;
     ~Closer() { close(descriptor); }
   } const closer{descriptor};
 
-  FileContents contents;
-  std::array<char, 1 << 16> piece;
+  constexpr std::size_t longest_piece = 1 << 16;
+  std::array<char, longest_piece> piece;
   while (true) {
     const ssize_t count = read(descriptor, piece.data(), piece.size());
-    if (count == 0) return contents;
-    if (count < 0 && errno != EINTR) return {{}, errno};
+    if (count < 0 && errno != EINTR) return errno;
     if (count < 0) {
       stop_if_interrupted();
-      continue;
+    } else if (count == 0 || !take({piece.data(), static_cast<std::size_t>(count)})) {
+      return 0;
     }
-    contents.text.append(piece.data(), static_cast<std::size_t>(count));
-    if (contents.text.size() > largest_text_file) return {{}, EFBIG};
   }
+}
+
+FileContents file_contents(const std::filesystem::path& path) {
+  std::string text;
+  const int error = read_pieces(path, [&](std::string_view piece) {
+    text += piece;
+    return text.size() <= largest_text_file;
+  });
+  if (error != 0) return {{}, error};
+  if (text.size() > largest_text_file) return {{}, EFBIG};
+  return {std::move(text), 0};
+}
+
+std::string_view kind_instead_of_file(const std::filesystem::path& path) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::file_type type = fs::status(path, error).type();
+  switch (type) {
+    case fs::file_type::regular:
+      return "";
+    case fs::file_type::directory:
+      return "a folder";
+    case fs::file_type::fifo:
+      return "a pipe";
+    case fs::file_type::socket:
+      return "a socket";
+    case fs::file_type::block:
+    case fs::file_type::character:
+      return "a device";
+    case fs::file_type::not_found:
+      break;
+    default:
+      if (error != std::errc::too_many_symbolic_link_levels) return "";
+  }
+  std::error_code none;
+  return fs::is_symlink(fs::symlink_status(path, none)) ? "a link that leads nowhere" : "";
 }
 
 std::string unreadable_words(int error) {

@@ -1,10 +1,13 @@
-// A file as one text: scenes, cases, preferences, calibrations, shaders. Opening and reading go wrong in one way. Not
-// for the servo thread.
+// The one reader of files: as one text (scenes, cases, preferences, calibrations, shaders), or in pieces (runs), so
+// that opening and reading go wrong in one way; and what is at a path where a plain file is wanted, since opening a
+// pipe waits for its other end, and that may never come. Not for the servo thread.
 #pragma once
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <string>
+#include <string_view>
 
 namespace ghostforce {
 
@@ -19,6 +22,14 @@ struct FileContents {
 
 // Waits where a pipe has no other end yet. Throws Failure(interrupted).
 FileContents file_contents(const std::filesystem::path& path);
+
+// Hands the file on in pieces, as long as `take` returns true. Returns the errno of what went wrong; 0: nothing did.
+// Waits as above. Throws Failure(interrupted), and what `take` throws.
+int read_pieces(const std::filesystem::path& path, const std::function<bool(std::string_view piece)>& take);
+
+// "a folder", "a pipe", "a link that leads nowhere", …. Empty: a file or a link to one, nothing at all, or what cannot
+// be looked at.
+std::string_view kind_instead_of_file(const std::filesystem::path& path);
 
 // Words for people about a file that cannot be read: errno as a reason, and what to do about it. None of them costs a
 // sound file.

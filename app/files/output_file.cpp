@@ -206,13 +206,29 @@ void OutputFile::commit() {
   keep();
 }
 
+void OutputFile::commit_all(std::deque<OutputFile>& files, std::set<std::filesystem::path> folders) {
+  // A full disk shows itself here, while all that was there before is still in its place.
+  for (OutputFile& file : files) {
+    file.finish();
+    if (!file.temporary_.empty()) folders.insert(std::filesystem::path(file.target_).parent_path());
+  }
+  for (OutputFile& file : files) file.put_in_place();
+  for (const std::filesystem::path& folder : folders) {
+    if (const int error = sync_folder(folder); error != 0) {
+      throw Failure(ExitCode::file_trouble, fmt::format("nothing can be written to {}: {}",
+                                                        printable(folder.string(), longest_path), reason_of(error)));
+    }
+  }
+  for (OutputFile& file : files) file.keep();
+}
+
 bool OutputFile::is_terminal() const noexcept {
   return isatty(descriptor_) != 0;
 }
 
 void OutputFile::fail(int error) const {
   if (error == EINTR) stop_if_interrupted();
-  if (error == EPIPE) throw Failure(ExitCode::done, "");
+  if (error == EPIPE) throw ReaderGone();
   throw Failure(ExitCode::file_trouble,
                 fmt::format("{} cannot be written: {}", printable(shown_, longest_path), reason_of(error)));
 }

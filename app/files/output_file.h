@@ -3,16 +3,21 @@
 // one. Without commit() nothing is left behind. "-" is the standard output; it, pipes and devices take what is written
 // as it comes. Not for the servo thread.
 //
-// Every function may throw Failure: file_trouble with path, reason and remedy; interrupted; or done, without a word,
-// when the reader of a pipe has gone.
+// Every function may throw Failure: file_trouble with path, reason and remedy; interrupted; or ReaderGone.
 #pragma once
 
 #include <sys/types.h>
 
+#include <deque>
+#include <filesystem>
+#include <set>
 #include <string>
 #include <string_view>
 
 namespace ghostforce {
+
+// Nobody reads a pipe any more (head, less): the program ends without a word, and nothing has gone wrong.
+struct ReaderGone {};
 
 class OutputFile {
  public:
@@ -31,8 +36,12 @@ class OutputFile {
 
   void commit();
 
-  // The steps of commit(), for several files of which all or none shall be there. Without keep() the file is put back
-  // as it was, where the file system can exchange two names (RENAME_EXCHANGE: ext4, XFS, Btrfs, tmpfs).
+  // The same for several files, of which then all or none are there: an interruption, or one that cannot be put in
+  // place, leaves everything as it was. `folders` get new names besides those of the files.
+  static void commit_all(std::deque<OutputFile>& files, std::set<std::filesystem::path> folders = {});
+
+  // The steps of commit(). Without keep() the file is put back as it was, where the file system can exchange two names
+  // (RENAME_EXCHANGE: ext4, XFS, Btrfs, tmpfs).
   // All that was written is on the disk, as far as the disk tells: what can still go wrong is the name.
   void finish();
   void put_in_place();

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cerrno>
 #include <system_error>
+#include <utility>
 
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
-#include "app/files/disk_sync.h"
 
 namespace ghostforce {
 namespace {
@@ -18,11 +18,6 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void refuse(const fs::path& path, const std::string& what) {
   throw Failure(ExitCode::file_trouble, fmt::format("{}: {}", printable(path.string(), longest_path), what));
-}
-
-void sync_or_refuse(const fs::path& folder) {
-  const int error = sync_folder(folder);
-  if (error != 0) refuse(folder, fmt::format("nothing can be written there: {}", reason_of(error)));
 }
 
 void remove_empty(const std::vector<fs::path>& folders) noexcept {
@@ -66,17 +61,13 @@ OutputFolder::~OutputFolder() {
 }
 
 void OutputFolder::write(const std::string& name, std::string_view content) {
-  files_.push_back(std::make_unique<OutputFile>((path_ / name).string()));
-  files_.back()->write(content);
+  files_.emplace_back((path_ / name).string()).write(content);
 }
 
 void OutputFolder::commit() {
-  // A full disk shows itself here, while all that was there before is still in its place.
-  for (const auto& file : files_) file->finish();
-  for (const auto& file : files_) file->put_in_place();
-  sync_or_refuse(path_);
-  for (const fs::path& folder : made_) sync_or_refuse(folder.parent_path());
-  for (const auto& file : files_) file->keep();
+  std::set<fs::path> parents;  // of new folders
+  for (const fs::path& folder : made_) parents.insert(folder.parent_path());
+  OutputFile::commit_all(files_, std::move(parents));
   is_committed_ = true;
 }
 

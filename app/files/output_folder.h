@@ -5,8 +5,8 @@
 // Every function may throw Failure: file_trouble with path, reason and remedy; interrupted.
 #pragma once
 
+#include <deque>
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,7 +31,7 @@ class OutputFolder {
  private:
   std::filesystem::path path_;
   std::vector<std::filesystem::path> made_;  // folders, the innermost first
-  std::vector<std::unique_ptr<OutputFile>> files_;
+  std::deque<OutputFile> files_;
   bool is_committed_ = false;
 };
 

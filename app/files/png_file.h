@@ -30,8 +30,4 @@ class PngFile {
   std::unique_ptr<Reading> reading_;
 };
 
-inline Image read_png(const std::string& path) {
-  return PngFile(path).read();
-}
-
 }  // namespace ghostforce

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "app/files/run.h"
 #include "core/scene.h"
 #include "core/snapshot.h"
 
@@ -43,11 +44,6 @@ std::string provenance(const Scene& scene);
 // All that stands before the first row. `further_columns` come after the common ones: "" or ",name,name…".
 std::string run_header(const Scene& scene, std::string_view further_columns = {});
 
-// What a run cannot tell with a row for each tick.
-struct RunState {
-  PerStrategy<Vector<2>> velocity{};  // v [m/s]
-  PerStrategy<double> energy{};       // W [J]
-};
 void append_state_line(fmt::memory_buffer& rows, double time_s, const RunState& state);
 
 // A line for each key of the settings that a reader who knows `known` must hear of to know `wanted`, which must come

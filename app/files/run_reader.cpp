@@ -1,32 +1,26 @@
 #include "app/files/run_reader.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <new>
+#include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "app/console/failure.h"
 #include "app/console/interruption.h"
 #include "app/console/progress.h"
 #include "app/console/quoted.h"
-#include "app/files/file_kind.h"
 #include "app/files/input_file.h"
-#include "app/files/run_length.h"
-#include "app/files/run_line.h"
-#include "app/files/run_remarks.h"
+#include "app/files/run_file.h"
 #include "app/files/scene_file.h"
 #include "app/files/scene_keys.h"
-#include "app/files/tick_order.h"
 #include "ghostforce_version.h"
 
 namespace ghostforce {
@@ -37,20 +31,134 @@ constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 // A scene's path may stand on one line and have a hundred thousand waypoints; what has a longer line is no run.
 constexpr std::size_t longest_line = std::size_t{1} << 24;
+constexpr std::size_t most_values = 256;  // in a row
 
 // So far off a tick's time may be, in ticks: programs that wrote it out again may have rounded it.
 constexpr double time_tolerance = 0.01;
 constexpr double last_tick_ever = 1e12;
 
+// What is read of a row; those after the needed ones may be missing: `simulate` and `replay` do not write them.
+enum Column : std::size_t {
+  strategy_column,
+  time_column,  // from here on numbers
+  goal_x_column,
+  goal_y_column,
+  device_x_column,
+  device_y_column,
+  proxy_x_column,
+  proxy_y_column,
+  force_x_column,
+  force_y_column,
+  needed_columns,
+  sent_x_column = needed_columns,
+  sent_y_column,
+  loop_column,
+  active_column,  // these two are 0 or 1
+  saturated_column,
+  goal_kind_column,  // these are words again
+  device_kind_column,
+  all_columns,
+};
+constexpr std::array<std::string_view, all_columns> column_names{
+    "strategy",  "t_s",      "goal_x_m", "goal_y_m", "device_x_m", "device_y_m", "proxy_x_m", "proxy_y_m",  "force_x_N",
+    "force_y_N", "sent_x_N", "sent_y_N", "loop_s",   "active",     "saturated",  "goal_kind", "device_kind"};
+
+// The text up to the separator, which is taken off `rest` with it.
+std::string_view take_until(std::string_view& rest, char separator) noexcept {
+  const std::size_t end = rest.find(separator);
+  const std::string_view piece = rest.substr(0, end);
+  rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+  return piece;
+}
+
+// A finite number, and nothing but it.
+template <typename Number>
+bool read_number(std::string_view text, Number& value) noexcept {
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  return error == std::errc{} && stop == end && std::isfinite(static_cast<double>(value));
+}
+
+// "t_s=T " is taken off `rest`, and thrown away. False: it does not begin with a time.
+bool take_time(std::string_view& rest) noexcept {
+  if (!rest.starts_with(time_begins)) return false;
+  rest.remove_prefix(time_begins.size());
+  double time_s = 0.0;
+  return read_number(take_until(rest, ' '), time_s);
+}
+
+// What stands after "# state ".
+std::optional<RunState> read_state(std::string_view words) {
+  if (!take_time(words)) return std::nullopt;
+  RunState state;
+  PerStrategy<bool> is_told{};
+  while (!words.empty()) {
+    std::string_view numbers = take_until(words, ' ');
+    const std::optional<StrategyId> id = find_strategy(take_until(numbers, '='));
+    if (!id || std::exchange(is_told[index_of(*id)], true)) return std::nullopt;
+    Vector<2>& velocity = state.velocity[index_of(*id)];
+    if (!read_number(take_until(numbers, ','), velocity.x) || !read_number(take_until(numbers, ','), velocity.y) ||
+        !read_number(numbers, state.energy[index_of(*id)])) {
+      return std::nullopt;
+    }
+  }
+  return std::ranges::all_of(is_told, std::identity{}) ? std::optional(state) : std::nullopt;
+}
+
 class RunReader {
  public:
-  RunReader(std::string_view shown_path, const TakeTick& take)
-      : take_(take), shown_path_(printable(shown_path, longest_path)), remarks_(shown_path_) {
-    run_.name = shown_path_;
+  RunReader(std::string_view shown_path, const TakeTick& take) : take_(take) {
+    run_.name = printable(shown_path, longest_path);
   }
 
-  // A line without its line feed.
+  void take(std::string_view piece) {
+    rest_ += piece;
+    std::string_view text = rest_;
+    for (std::size_t end = 0; (end = text.find('\n')) != std::string_view::npos; text.remove_prefix(end + 1)) {
+      take_line(text.substr(0, end));
+    }
+    rest_.erase(0, rest_.size() - text.size());
+    if (rest_.size() > longest_line) refuse("this is no run");
+  }
+
+  // What comes after the last line feed is left out: nobody can tell whether its last number is whole.
+  RunFacts finish() {
+    close_tick();
+    if (line_number_ == 0 && rest_.empty()) {
+      refuse("the file is empty");
+    }
+    if (run_.version.empty() && values_per_row_ == 0) refuse("this is no run");
+    if (run_.version.empty()) {
+      remark("which version of ghostforce wrote it is not told");
+    } else if (run_.version != version) {
+      remark(fmt::format("written by version {}; this is version {}", printable(run_.version), version));
+    }
+    if (!run_.scene) remark("the scene is not told, or not to its end");
+    if (run_.dropped > 0) remark(fmt::format("{} samples were lost while it was recorded", run_.dropped));
+    if (!rest_.empty()) remark("its last line is cut and left out");
+    if (tick_count_ == 0) remark("it holds no row");
+    return std::move(run_);
+  }
+
+ private:
+  void remark(std::string_view words) { run_.remarks.push_back(fmt::format("{}: {}", run_.name, words)); }
+  [[noreturn]] void refuse(std::string_view why) const {
+    throw ReadError(ReadError::Kind::wrong, {{.file = run_.name,
+                                              .what = std::string(why),
+                                              .remedy = "give a CSV file that ghostforce has recorded or simulated"}});
+  }
+  [[noreturn]] void damaged(std::string_view what, std::size_t column = 1) const {
+    throw ReadError(ReadError::Kind::wrong, {{.file = run_.name,
+                                              .line = line_number_,
+                                              .column = column,
+                                              .what = std::string(what),
+                                              .remedy = fmt::format("mend the line, or cut the file before it:\n"
+                                                                    "head -n {} RUN.csv > shorter.csv",
+                                                                    line_number_ - 1)}});
+  }
+
   void take_line(std::string_view line) {
+    line_begin_ = line.data();
     if (++line_number_ == 1 && line.starts_with(byte_order_mark)) line.remove_prefix(byte_order_mark.size());
     if (line.ends_with('\r')) line.remove_suffix(1);
     if (line.starts_with('#')) {
@@ -60,329 +168,222 @@ class RunReader {
     }
   }
 
-  // What comes after the last line feed. Nobody can tell whether its last number is whole.
-  void take_end(std::string_view rest) {
-    is_empty_ = line_number_ == 0 && rest.empty();
-    is_cut_ = !rest.empty();
-  }
-
-  RunFacts finish() {
-    close_tick();
-    order_.end();
-    if (is_empty_) throw Failure(ExitCode::wrong_call, fmt::format("{}: the file is empty", shown_path_));
-    if (run_.version.empty() && !columns_.are_known()) {
-      throw Failure(
-          ExitCode::wrong_call,
-          fmt::format("{}: this is no run; give a CSV file that ghostforce has recorded or simulated", shown_path_));
-    }
-    write_remarks();
-    run_.remarks = remarks_.take();
-    return std::move(run_);
-  }
-
- private:
   // --- Comments ---
 
   void take_comment(std::string_view line) {
-    if (is_within_scene_) {
-      if (line == scene_ends) {
-        is_within_scene_ = false;
-        read_scene_text();
-      } else {
-        line.remove_prefix(std::min<std::size_t>(line.size(), line.starts_with("# ") ? 2 : 1));
-        scene_text_.append(line).push_back('\n');
-      }
-    } else if (line.starts_with(version_begins) && run_.version.empty()) {
-      run_.version = line.substr(version_begins.size());
+    const auto rest_after = [line](std::string_view begin) { return line.substr(begin.size()); };
+    if (is_within_scene_) return take_scene_line(line);
+    if (line.starts_with(version_begins) && run_.version.empty()) {
+      run_.version = rest_after(version_begins);
     } else if (line == scene_begins && !run_.scene && tick_count_ == 0) {
       is_within_scene_ = true;
-      scene_text_.clear();
+      scene_text_.assign(line_number_, '\n');  // so that what is wrong in it is told with its line in this file
     } else if (line.starts_with(set_begins)) {
       close_tick();
-      if (!take_set(line.substr(set_begins.size()))) {
-        complain(RunFault::bad_set);
-        knows_settings_ = false;
-      }
+      take_set(rest_after(set_begins));
     } else if (line.starts_with(state_begins)) {
       close_tick();
-      pending_state_ = read_state(line.substr(state_begins.size()));
-      if (!pending_state_) complain(RunFault::bad_state);
-      knows_state_ = pending_state_.has_value();
+      pending_state_ = read_state(rest_after(state_begins));
+      if (!pending_state_) damaged("the state to go on from cannot be read");
     } else if (line.starts_with(dropped_begins)) {
       close_tick();
-      take_dropped(line.substr(dropped_begins.size()));
+      std::uint64_t count = 0;
+      if (!read_number(rest_after(dropped_begins), count)) damaged("how many samples were lost cannot be read");
+      run_.dropped += std::min(count, UINT64_MAX - run_.dropped);
     } else if (line == interrupted_line) {
       run_.is_interrupted = true;
-    } else if (columns_.are_known() && !line.starts_with(hand_begins)) {
-      complain(RunFault::not_understood);
+    } else if (values_per_row_ > 0 && !line.starts_with(hand_begins)) {
+      damaged(fmt::format("the comment '{}' is not understood", printable(line)));
     }
   }
 
-  void read_scene_text() {
-    try {
-      run_.scene = read_scene(scene_text_, shown_path_);
-    } catch (const Failure& failure) {
-      const std::string_view words = failure.what();
-      scene_problem_ = fmt::format("the scene in it cannot be read ({})", words.substr(0, words.find('\n')));
-      return;
+  void take_scene_line(std::string_view line) {
+    if (line == scene_ends) {
+      is_within_scene_ = false;
+      return read_scene_text();
     }
+    // Blanks for the "# ", so that also the columns are those of this file.
+    const std::size_t prefix = line.starts_with("# ") ? 2 : 1;
+    scene_text_.append(prefix, ' ').append(line.substr(prefix)).push_back('\n');
+    if (scene_text_.size() > largest_text_file) damaged("the scene is longer than any scene may be");
+  }
+
+  void read_scene_text() {
+    run_.scene = read_scene(scene_text_, run_.name);
     run_.settings = {run_.scene->settings};
     settings_ = run_.scene->settings;
     // Settings alone, so that a change is quick to read however long the path is.
     Scene short_scene = *run_.scene;
     short_scene.goal = {{Vector<2>(0.0)}, {0.0}, Motion::linear};
     short_scene.duration = 0.0;
-    settings_text_ = ghostforce::scene_text(short_scene);
+    scene_text_ = scene_text(short_scene);
   }
 
-  bool take_set(std::string_view rest) {
-    if (!take_time(rest)) return false;
-    if (!run_.scene) return true;  // nothing to change
+  void take_set(std::string_view rest) {
+    if (!take_time(rest)) damaged("when the setting was changed cannot be read");
+    if (!run_.scene) return;  // nothing to change
     const std::string_view name = rest.substr(0, rest.find('='));
     const SceneKey* const key = find_scene_key(name);
-    if (key == nullptr || !is_setting(*key)) return false;
-    auto tried = overrides_;
-    tried.insert_or_assign(std::string(name), std::string(rest));
+    if (key == nullptr || !is_setting(*key)) damaged(fmt::format("'{}' is no setting", printable(name)));
+    overrides_.insert_or_assign(std::string(name), std::string(rest));
     std::vector<std::string> arguments;
-    for (const auto& [of, argument] : tried) arguments.push_back(argument);
+    for (const auto& [of, argument] : overrides_) arguments.push_back(argument);
     try {
-      settings_ = read_scene(settings_text_, shown_path_, arguments).settings;
-    } catch (const Failure&) {
-      return false;
-    }
-    overrides_ = std::move(tried);
-    return true;
-  }
-
-  void take_dropped(std::string_view words) {
-    std::uint64_t count = 0;
-    const auto [stop, error] = std::from_chars(words.data(), words.data() + words.size(), count);
-    if (error != std::errc{} || stop != words.data() + words.size()) {
-      complain(RunFault::damaged);
-    } else {
-      run_.dropped += std::min(count, UINT64_MAX - run_.dropped);
+      settings_ = read_scene(scene_text_, run_.name, arguments).settings;
+    } catch (const std::runtime_error& error) {
+      const std::string_view words = error.what();
+      damaged(words.substr(0, words.find('\n')));
     }
   }
 
   // --- Rows ---
 
   void take_values(std::string_view line) {
-    is_within_scene_ = false;  // its end was damaged
+    if (is_within_scene_) damaged(fmt::format("the scene before it does not end with '{}'", scene_ends));
     values_.clear();
-    constexpr std::size_t most_values = 256;
-    while (values_.size() <= most_values) {
-      const bool is_last = line.find(',') == std::string_view::npos;
+    for (bool is_last = false; !is_last && values_.size() <= most_values;) {
+      is_last = line.find(',') == std::string_view::npos;
       values_.push_back(take_until(line, ','));
-      if (is_last) break;
     }
-    if (take_columns()) return;
-    if (!columns_.are_known()) {
-      if (run_.version.empty()) return;  // no line of it is worth a word: it may be anything
-      // The line of names is damaged. That a row has the usual columns shows in its numbers.
-      if (values_.empty() || !find_strategy(values_.front())) return complain(RunFault::damaged);
-      columns_.assume_usual(values_.size());
-      assumes_columns_ = true;
+    if (values_per_row_ == 0) {
+      take_columns();
+    } else {
+      take_row();
     }
-    take_row();
   }
 
-  bool take_columns() {
-    if (columns_.are_known() || !RunColumns::may_be_names(values_)) return false;
-    const std::vector<std::string_view> missing = columns_.find(values_);
-    if (missing.empty()) return true;
-    if (!run_.version.empty()) return false;
-    throw Failure(ExitCode::wrong_call, fmt::format("{}: this is no run: there is no column {}; give a CSV file that "
-                                                    "ghostforce has recorded or simulated",
-                                                    shown_path_, listed(missing)));
+  void take_columns() {
+    std::vector<std::string_view> missing;
+    for (std::size_t i = 0; i < all_columns; ++i) {
+      place_[i] = static_cast<std::size_t>(std::ranges::find(values_, column_names[i]) - values_.begin());
+      if (i < needed_columns && !has(i)) missing.push_back(column_names[i]);
+    }
+    if (!missing.empty()) {
+      refuse(fmt::format("this is no run: line {} names no column {}", line_number_, listed(missing)));
+    }
+    values_per_row_ = values_.size();
+  }
+
+  bool has(std::size_t column) const noexcept { return place_[column] < values_.size(); }
+  std::string_view value(std::size_t column) const { return values_[place_[column]]; }
+  [[noreturn]] void damaged_value(std::size_t column, std::string_view wanted) const {
+    damaged(fmt::format("{} is '{}', which is {}", column_names[column], printable(value(column)), wanted),
+            static_cast<std::size_t>(value(column).data() - line_begin_) + 1);
+  }
+
+  // Whether the value is the second word; without the column it is the first.
+  bool is_second(Column column, std::string_view first, std::string_view second) const {
+    if (!has(column) || value(column) == first) return false;
+    if (value(column) != second) damaged_value(column, fmt::format("neither {} nor {}", first, second));
+    return true;
   }
 
   void take_row() {
-    RunLine line;
-    if (const std::optional<RunFault> fault = columns_.read(values_, line)) return complain(*fault);
-    std::int64_t k = tick_count_;
-    if (run_.scene) {
-      const double tick = line.time_s * settings_.rate;
-      // Written so that what is no tick's time is damaged, however far off.
-      if (!(tick >= -time_tolerance && tick <= last_tick_ever)) return complain(RunFault::damaged);
-      k = std::llround(tick);
-      if (std::abs(tick - static_cast<double>(k)) > time_tolerance) return complain(RunFault::damaged);
+    if (values_.size() != values_per_row_) {
+      damaged(fmt::format("the row has {}{} values, but there are {} columns",
+                          values_.size() > most_values ? "over " : "", std::min(values_.size(), most_values),
+                          values_per_row_));
     }
-    const std::size_t i = index_of(line.strategy);
-    const bool is_same_tick = is_open_ && open_.time_s == line.time_s && !open_.rows[i];
-    if (is_same_tick && open_.goal != line.goal) return complain(RunFault::damaged);
-    if (!is_same_tick) open_tick(k, line.time_s, line.goal);
-    if (line.is_measured) open_.measured = line.strategy;
-    // The strategy on a real device is the active one, also where its row is lost.
-    if (line.is_estimated && !open_.measured && run_.scene) open_.measured = settings_.active;
-    open_.rows[i] = line.row;
+    const std::optional<StrategyId> id = find_strategy(value(strategy_column));
+    if (!id) damaged_value(strategy_column, "no strategy");
+    std::array<double, all_columns> number{};
+    for (std::size_t i = time_column; i < goal_kind_column; ++i) {
+      if (!has(i)) continue;
+      if (!read_number(value(i), number[i])) damaged_value(i, "no finite number");
+      if (i >= active_column && number[i] != 0.0 && number[i] != 1.0) damaged_value(i, "neither 0 nor 1");
+    }
+    const bool is_measured = is_second(device_kind_column, "simulated", "measured");
+    const bool is_estimated = is_second(goal_kind_column, "given", "estimated");
+    RunRow row{{number[device_x_column], number[device_y_column]},
+               {number[proxy_x_column], number[proxy_y_column]},
+               {number[force_x_column], number[force_y_column]}};
+    if (is_measured) {  // the others have no motors
+      if (has(sent_x_column) && has(sent_y_column)) row.sent = {number[sent_x_column], number[sent_y_column]};
+      row.is_saturated = number[saturated_column] != 0.0;
+    }
+    go_to(number[time_column], {number[goal_x_column], number[goal_y_column]}, *id);
+    if (is_measured) open_.measured = *id;
+    // The strategy on a real device is the active one, also where its row is not there.
+    if (is_estimated && !open_.measured && run_.scene) open_.measured = settings_.active;
+    open_.rows[index_of(*id)] = row;
   }
 
-  void open_tick(std::int64_t k, double time_s, const Vector<2>& goal) {
+  // The open tick is then the row's.
+  void go_to(double time_s, const Vector<2>& goal, StrategyId id) {
+    const bool is_same_tick = is_open_ && open_.time_s == time_s && !open_.rows[index_of(id)];
+    if (is_same_tick && open_.goal == goal) return;
+    if (is_same_tick) damaged(fmt::format("the goal is another one than in line {}, of the same tick", open_.line));
+    // A file without its scene has lost its other comments too, those that tell of resets among them.
+    if (run_.scene && tick_count_ > 0 && !pending_state_ && !(time_s > open_.time_s)) {
+      damaged(fmt::format("t_s = {} does not come after the {} of line {}, and no '{}' line tells of a reset", time_s,
+                          open_.time_s, open_.line, state_begins.substr(0, state_begins.size() - 1)));
+    }
     close_tick();
     is_open_ = true;
-    ++tick_count_;
     open_ = {};
-    open_.line = line_number_;
-    open_.tick = k;
+    open_.tick = tick_at(time_s);
     open_.time_s = time_s;
     open_.goal = goal;
-    if (run_.scene && settings_ != run_.settings.back()) run_.settings.push_back(settings_);
-    open_.settings = run_.settings.empty() ? 0 : run_.settings.size() - 1;
+    open_.line = line_number_;
+    ++tick_count_;
+    if (run_.scene) {
+      if (settings_ != run_.settings.back()) run_.settings.push_back(settings_);
+      open_.settings = run_.settings.size() - 1;
+      if (!length_.takes(open_.tick, settings_.rate)) throw too_long(run_, open_);
+    }
     if (pending_state_) {
       open_.state = static_cast<std::uint32_t>(run_.states.size());
       run_.states.push_back(*std::exchange(pending_state_, std::nullopt));
     }
-    open_.is_sure = knows_settings_ && knows_state_;
+  }
+
+  std::int64_t tick_at(double time_s) const {
+    if (!run_.scene) return tick_count_;
+    const double tick = time_s * settings_.rate;
+    // Written so that what is no tick's time is damaged, however far off.
+    if (!(tick >= -time_tolerance && tick <= last_tick_ever && std::abs(tick - std::round(tick)) <= time_tolerance)) {
+      damaged(fmt::format("t_s = {} is the time of no tick at {} Hz", time_s, settings_.rate));
+    }
+    return std::llround(tick);
   }
 
   void close_tick() {
-    if (!std::exchange(is_open_, false)) return;
-    // Without a scene nobody knows what order is.
-    if (run_.scene) {
-      order_.take(open_);
-    } else {
-      take_(run_, open_);
-    }
-  }
-
-  void hand_on(const RunTick& tick) {
-    if (!length_.takes(tick.tick, run_.settings[tick.settings].rate)) throw too_long(run_, tick);
-    take_(run_, tick);
-  }
-
-  // --- Telling what was left out ---
-
-  void complain(RunFault fault) { remarks_.complain(fault, line_number_); }
-
-  void write_remarks() {
-    if (run_.version.empty()) {
-      remarks_.add("which version of ghostforce wrote it is not told");
-    } else if (run_.version != version) {
-      remarks_.add(fmt::format("written by version {}; this is version {}", printable(run_.version), version));
-    }
-    if (!scene_problem_.empty()) {
-      remarks_.add(scene_problem_);
-    } else if (!run_.scene) {
-      remarks_.add("the scene is not told, or not to its end");
-    }
-    if (assumes_columns_) remarks_.add("the line of column names is damaged; the usual ones are assumed");
-    remarks_.add_faults();
-    if (const std::size_t count = order_.left_out(); count > 0) {
-      remarks_.add(
-          fmt::format("{} out of order and left out", count == 1 ? "1 tick is" : fmt::format("{} ticks are", count)));
-    }
-    if (run_.dropped > 0) remarks_.add(fmt::format("{} samples were lost while it was recorded", run_.dropped));
-    if (is_cut_) remarks_.add("its last line is cut and left out");
-    if (tick_count_ == 0) remarks_.add("it holds no row");
+    if (std::exchange(is_open_, false)) take_(run_, open_);
   }
 
   const TakeTick& take_;
-  std::string shown_path_;
-  RunRemarks remarks_;
   RunFacts run_;
+  std::string rest_;  // of the pieces, without a line feed
   std::size_t line_number_ = 0;
-  bool is_empty_ = false;
-  bool is_cut_ = false;
+  const char* line_begin_ = nullptr;  // of the line that is being read
 
   bool is_within_scene_ = false;
-  std::string scene_text_;
-  std::string scene_problem_;
-
-  std::string settings_text_;                     // a scene of the header's settings
+  std::string scene_text_;                        // once it is read: one of the header's settings
   std::map<std::string, std::string> overrides_;  // by key, the newest change of it
   Settings settings_;                             // in use
-  bool knows_settings_ = true;
-  bool knows_state_ = true;
   std::optional<RunState> pending_state_;
 
-  RunColumns columns_;
-  bool assumes_columns_ = false;
-  std::vector<std::string_view> values_;  // of the line that is being read
+  std::array<std::size_t, all_columns> place_{};  // where in a row each value stands; past its end: nowhere
+  std::size_t values_per_row_ = 0;                // 0: the names of the columns are not known yet
+  std::vector<std::string_view> values_;          // of the line that is being read
 
-  RunTick open_;
+  RunTick open_;  // the newest
   bool is_open_ = false;
   std::int64_t tick_count_ = 0;  // the open one included
-  TickOrder order_{[this](const RunTick& tick) { hand_on(tick); }};
   RunLength length_;
 };
 
-// Takes the whole lines; what is left has no line feed.
-std::string_view take_lines(RunReader& reader, std::string_view text) {
-  while (true) {
-    const std::size_t end = text.find('\n');
-    if (end == std::string_view::npos) return text;
-    reader.take_line(text.substr(0, end));
-    text.remove_prefix(end + 1);
-  }
-}
-
-struct Closer {
-  int descriptor;
-  ~Closer() { close(descriptor); }
-};
-
-// `expect` is told once about how many times as many ticks there are as were taken so far.
-RunFacts read_pieces(const std::string& path, Progress& progress, std::int64_t size, int descriptor,
-                     const TakeTick& take, const std::function<void(double times_as_many)>& expect) {
-  const std::string shown = printable(path, longest_path);
-  RunReader reader(path, take);
-  std::string text;
-  constexpr std::size_t piece = std::size_t{1} << 20;
-  std::size_t kept = 0;  // of a line that is not complete yet
-  std::int64_t done = 0;
-  while (true) {
-    text.resize(kept + piece);
-    const ssize_t count = read(descriptor, text.data() + kept, piece);
-    if (count < 0) {
-      const int error = errno;
-      stop_if_interrupted();
-      if (error == EINTR) continue;
-      throw Failure(ExitCode::file_trouble, fmt::format("{} cannot be read: {}", shown, unreadable_words(error)));
-    }
-    text.resize(kept + static_cast<std::size_t>(count));
-    if (count == 0) break;
-    stop_if_interrupted();
-    const std::string_view rest = take_lines(reader, text);
-    kept = rest.size();
-    if (kept > longest_line) {
-      throw Failure(
-          ExitCode::wrong_call,
-          fmt::format("{}: this is no run; give a CSV file that ghostforce has recorded or simulated", shown));
-    }
-    text.erase(0, text.size() - kept);
-    if (done == 0) expect(static_cast<double>(size) / static_cast<double>(count));
-    done += count;
-    progress.at(std::min(done, size));  // it may grow while it is read
-  }
-  reader.take_end(text);
-  return reader.finish();
-}
-
-RunFacts read_file(const std::string& path, std::string_view doing, bool shows_progress, const TakeTick& take,
-                   const std::function<void(double times_as_many)>& expect) {
-  const std::string shown = printable(path, longest_path);
-  if (const std::string_view kind = kind_instead_of_file(path); kind == "a folder") {
-    throw Failure(ExitCode::wrong_call, fmt::format("{}: is a folder; name a recording in it", shown));
-  }
-  const int descriptor = open_unless_interrupted(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) {
-    const int error = errno;
-    if (error == ENOENT || error == ENOTDIR || error == ENAMETOOLONG) {
-      throw Failure(ExitCode::wrong_call, fmt::format("{}: there is no such file; name a recording", shown));
-    }
-    throw Failure(ExitCode::file_trouble, fmt::format("{} cannot be read: {}", shown, unreadable_words(error)));
-  }
-  const Closer closer{descriptor};
-  struct stat status {};
-  const std::int64_t size = fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) ? status.st_size : 0;
-  Progress progress(std::string(doing), size, shows_progress);
-  try {
-    return read_pieces(path, progress, size, descriptor, take, expect);
-  } catch (const std::bad_alloc&) {
-    throw Failure(ExitCode::file_trouble,
-                  fmt::format("{}: the run is too long for this machine's memory; cut it, as in\n"
-                              "head -n 1000000 RUN.csv > shorter.csv",
-                              shown));
+ReadError why_unreadable(const std::string& shown, int error) {
+  switch (error) {
+    case EISDIR:
+      return {ReadError::Kind::wrong, {{.file = shown, .what = "is a folder", .remedy = "name a recording in it"}}};
+    case ENOENT:
+    case ENOTDIR:
+    case ENAMETOOLONG:
+      return {ReadError::Kind::wrong, {{.file = shown, .what = "there is no such file", .remedy = "name a recording"}}};
+    default:
+      return {ReadError::Kind::unreadable,
+              {{.what = fmt::format("{} cannot be read: {}", shown, unreadable_words(error))}}};
   }
 }
 
@@ -393,28 +394,45 @@ bool may_be_run(std::string_view path) noexcept {
 }
 
 Run read_run(std::string_view text, std::string_view shown_path) {
-  std::vector<RunTick> ticks;
-  const TakeTick take = [&](const RunFacts&, const RunTick& tick) { ticks.push_back(tick); };
+  Run run;
+  const TakeTick take = [&](const RunFacts&, const RunTick& tick) { run.ticks.push_back(tick); };
   RunReader reader(shown_path, take);
-  reader.take_end(take_lines(reader, text));
-  return {reader.finish(), std::move(ticks)};
+  reader.take(text);
+  static_cast<RunFacts&>(run) = reader.finish();
+  return run;
 }
 
 Run load_run(const std::string& path) {
-  std::vector<RunTick> ticks;
-  RunFacts facts = read_file(
-      path, "reading", true, [&](const RunFacts&, const RunTick& tick) { ticks.push_back(tick); },
-      [&](double times_as_many) {
-        // At once: a vector that grows needs up to three times as much.
-        constexpr double spare = 1.02;
-        const double count = spare * times_as_many * static_cast<double>(ticks.size());
-        if (count < static_cast<double>(ticks.max_size())) ticks.reserve(static_cast<std::size_t>(count));
-      });
-  return {std::move(facts), std::move(ticks)};
+  Run run;
+  static_cast<RunFacts&>(run) =
+      stream_run(path, "reading", true, [&](const RunFacts&, const RunTick& tick) { run.ticks.push_back(tick); });
+  return run;
 }
 
 RunFacts stream_run(const std::string& path, std::string_view doing, bool shows_progress, const TakeTick& take) {
-  return read_file(path, doing, shows_progress, take, [](double) {});
+  const std::string shown = printable(path, longest_path);
+  std::error_code no_file;
+  const auto size = std::filesystem::is_regular_file(path, no_file)
+                        ? static_cast<std::int64_t>(std::filesystem::file_size(path, no_file))
+                        : 0;
+  Progress progress(std::string(doing), size, shows_progress);
+  RunReader reader(path, take);
+  std::int64_t done = 0;
+  try {
+    const int error = read_pieces(path, [&](std::string_view piece) {
+      stop_if_interrupted();
+      reader.take(piece);
+      done += static_cast<std::int64_t>(piece.size());
+      progress.at(std::min(done, size));  // it may grow while it is read
+      return true;
+    });
+    if (error != 0) throw why_unreadable(shown, error);
+    return reader.finish();
+  } catch (const std::bad_alloc&) {
+    throw ReadError(ReadError::Kind::unreadable, {{.file = shown,
+                                                   .what = "the run is too long for this machine's memory",
+                                                   .remedy = "cut it, as in\nhead -n 1000000 RUN.csv > shorter.csv"}});
+  }
 }
 
 }  // namespace ghostforce

@@ -1,12 +1,27 @@
 #include "app/files/xml_text.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 
 #include "app/console/unicode.h"
 
 namespace ghostforce {
 namespace {
+
+struct Escape {
+  char character;
+  std::string_view reference;
+};
+// Line breaks and tabs too: else an attribute would lose them.
+constexpr std::array<Escape, 8> escapes{{{'&', "&amp;"},
+                                         {'<', "&lt;"},
+                                         {'>', "&gt;"},
+                                         {'"', "&quot;"},
+                                         {'\'', "&#39;"},
+                                         {'\n', "&#10;"},
+                                         {'\r', "&#13;"},
+                                         {'\t', "&#9;"}}};
 
 // The length of the character that a text begins with; 0: it begins with none that XML allows.
 std::size_t allowed_length(std::string_view text) {
@@ -21,37 +36,11 @@ std::string xml_text(std::string_view text) {
   std::string result;
   while (!text.empty()) {
     const std::size_t length = allowed_length(text);
+    const auto* const escape = std::ranges::find(escapes, text[0], &Escape::character);
     if (length == 0) {
       result += "\xEF\xBF\xBD";
     } else {
-      switch (text[0]) {
-        case '&':
-          result += "&amp;";
-          break;
-        case '<':
-          result += "&lt;";
-          break;
-        case '>':
-          result += "&gt;";
-          break;
-        case '"':
-          result += "&quot;";
-          break;
-        case '\'':
-          result += "&#39;";
-          break;
-        case '\n':  // else an attribute would lose it, as it would the next two
-          result += "&#10;";
-          break;
-        case '\r':
-          result += "&#13;";
-          break;
-        case '\t':
-          result += "&#9;";
-          break;
-        default:
-          result += text.substr(0, length);
-      }
+      result += escape == escapes.end() ? text.substr(0, length) : escape->reference;
     }
     text.remove_prefix(std::max<std::size_t>(length, 1));
   }

@@ -13,7 +13,6 @@
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
 #include "app/files/config_folder.h"
-#include "app/files/file_kind.h"
 #include "app/files/input_file.h"
 #include "app/files/output_file.h"
 #include "app/files/toml_text.h"

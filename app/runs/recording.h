@@ -14,7 +14,7 @@
 
 #include <fmt/format.h>
 
-#include "app/files/run_length.h"
+#include "app/files/run.h"
 #include "core/scene.h"
 #include "device/servo/servo.h"
 
@@ -27,7 +27,7 @@ class SampleText {
   explicit SampleText(const Settings& settings) : known_(settings), wanted_(settings) {}
 
   // Whole lines: what has changed before this tick, where it does not follow from the one before, and its rows. False,
-  // and nothing is appended: with it the run would be longer than a reader takes (run_length.h).
+  // and nothing is appended: with it the run would be longer than a reader takes (RunLength).
   bool append(fmt::memory_buffer& lines, const Sample& sample);
 
   double seconds() const noexcept { return seconds_; }  // of model time

@@ -5,7 +5,6 @@
 #include <bit>
 #include <cmath>
 
-#include "app/console/failure.h"
 #include "app/runs/run_hand.h"
 
 namespace ghostforce {
@@ -51,7 +50,6 @@ bool Replay::go_to(const RunTick& tick, const Settings& settings, const RunState
     follow(tick);
   }
   is_first_ = false;
-  if (!tick.is_sure) is_known_.fill(false);
   return is_any_known();
 }
 
@@ -117,16 +115,6 @@ bool Replay::compare_row(const RunTick& tick, const Snapshot& snapshot, Strategy
     greatest = std::max(greatest, std::abs(value.recorded - value.replayed));
   }
   return all_same;
-}
-
-ReplayReport replay(const Run& run, const std::function<void(const ReplayedTick&)>& on_tick) {
-  if (!run.scene || run.ticks.empty()) {
-    throw Failure(ExitCode::wrong_call, run.scene ? "the run holds no row: there is nothing to replay"
-                                                  : "the run does not tell its scene: it cannot be replayed");
-  }
-  Replay replay(on_tick);
-  for (const RunTick& tick : run.ticks) replay.take(run, tick);
-  return replay.report();
 }
 
 }  // namespace ghostforce

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "app/files/run_reader.h"
+#include "app/files/run.h"
 #include "core/snapshot.h"
 #include "core/tick.h"
 
@@ -68,8 +68,5 @@ class Replay {
   PerStrategy<bool> is_known_{};
   bool is_first_ = true;
 };
-
-// A whole run. Throws Failure(wrong_call) where there is no scene or no tick.
-ReplayReport replay(const Run& run, const std::function<void(const ReplayedTick&)>& on_tick);
 
 }  // namespace ghostforce

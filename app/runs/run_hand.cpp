@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "app/console/failure.h"
-#include "app/files/run_length.h"
 #include "core/play.h"
 
 namespace ghostforce {
@@ -60,7 +59,7 @@ TickState<2> recorded_state(const RunTick& tick, const RunState& state) {
 }
 
 HandStart start_of_hand(const RunFacts& run, const RunTick& first, const Settings& settings) {
-  const bool has_same_settings = run.scene && first.is_sure && run.settings[first.settings] == settings;
+  const bool has_same_settings = run.scene && run.settings[first.settings] == settings;
   if (has_same_settings && !first.measured) {
     const bool is_whole = std::ranges::all_of(first.rows, [](const auto& row) { return row.has_value(); });
     if (first.state != RunTick::none && is_whole) {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "app/files/run_reader.h"
+#include "app/files/run.h"
 #include "core/goal_path.h"
 #include "core/tick.h"
 
@@ -20,7 +20,7 @@ class HandPath {
   explicit HandPath(double rate) : rate_(rate) {}
 
   void reserve(std::size_t ticks);
-  // In the file's order. Throws Failure(wrong_call) where the path gets longer than a scene may be (most_ticks).
+  // In the file's order. Throws ReadError(wrong) where the path gets longer than a scene may be (most_ticks).
   void take(const RunFacts& run, const RunTick& tick);
 
   // What it is so far; gives it away.
@@ -39,7 +39,7 @@ class HandPath {
   double first_s_ = 0.0;       // of the run, where there is no rate
 };
 
-// The path of a whole run. Throws Failure(wrong_call) as HandPath does, and where there is no tick.
+// The path of a whole run. Throws ReadError as HandPath does, and Failure(wrong_call) where there is no tick.
 GoalPath goal_path_of(const Run& run, double rate = 0.0);
 
 // The state of a tick that has one. Strategies without a row stay at 0.

@@ -9,6 +9,7 @@
 
 #include "core/ghost_force.h"
 #include "tests/core/dimensions.h"
+#include "tests/core/linear_equilibrium.h"
 #include "tests/core/random_setting.h"
 #include "tests/core/reference_model.h"
 

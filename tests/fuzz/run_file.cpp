@@ -7,6 +7,7 @@
 #include "app/runs/replay.h"
 #include "app/runs/run_hand.h"
 #include "tests/fuzz/fuzz.h"
+#include "tests/support/replay_run.h"
 
 using namespace ghostforce;
 
@@ -33,7 +34,10 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
     run = read_run(text_of({data, size}), "fuzz.csv");
   } catch (const Failure& failure) {
-    require(failure.code() == ExitCode::wrong_call, "a file that is no run is a wrong call");
+    require(failure.code() == ExitCode::wrong_call, "a scene that says something wrong is a wrong call");
+    return 0;
+  } catch (const ReadError& error) {
+    require(error.kind() == ReadError::Kind::wrong, "a file that is no run says something wrong");
     return 0;
   }
   for (const RunTick& tick : run.ticks) look_at(run, tick);

@@ -18,6 +18,7 @@
 #include "app/files/png_file.h"
 #include "tests/app/check/check_cases.h"
 #include "tests/app/files/png_pieces.h"
+#include "tests/support/read_png.h"
 #include "tests/support/sanitized.h"
 
 namespace ghostforce {

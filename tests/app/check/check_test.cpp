@@ -31,6 +31,7 @@
 #include "app/ui/widgets/style.h"
 #include "app/ui/window.h"
 #include "tests/app/check/check_cases.h"
+#include "tests/support/read_png.h"
 
 namespace ghostforce {
 namespace {

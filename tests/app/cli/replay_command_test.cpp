@@ -153,7 +153,7 @@ TEST(ReplayCommand, AndEveryOtherThatTakesARunRefusesOneWithAnEndlessTime) {
   const std::size_t row = text.rfind("\nanisotropic,3,");
   ASSERT_NE(row, std::string::npos);
   write_whole(run, text.replace(row, 15, "\nanisotropic,3e7,"));
-  const std::string line = fmt::format("line {}: ", std::count(text.begin(), text.end(), '\n'));
+  const std::string line = fmt::format("run.csv:{}:1: ", std::count(text.begin(), text.end(), '\n'));
   for (const std::string_view words :
        {"replay RUN -o OUT", "replay RUN --set rendering.k_r_N_per_m=500 -o OUT", "replay RUN fig1 -o OUT",
         "figures --only figure-6 --hand RUN -o OUT", "measure-user RUN", "run --exit-after 1 --input replay:RUN"}) {

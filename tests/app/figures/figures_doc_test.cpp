@@ -7,9 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "app/figures/directions_of_intent.h"
 #include "app/figures/figure_catalog.h"
-#include "app/figures/stiffness_ratios.h"
+#include "app/figures/figures.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce {

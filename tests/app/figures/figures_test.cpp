@@ -19,6 +19,7 @@
 #include "app/files/scene_file.h"
 #include "app/paint/vector/vector_painter.h"
 #include "tests/app/figures/figure_tables.h"
+#include "tests/support/read_png.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce {

@@ -12,6 +12,7 @@
 
 #include "app/console/failure.h"
 #include "tests/app/files/png_pieces.h"
+#include "tests/support/read_png.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce {

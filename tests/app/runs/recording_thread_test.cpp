@@ -10,6 +10,7 @@
 #include "app/runs/recording.h"
 #include "app/runs/replay.h"
 #include "device/input/scripted_input.h"
+#include "tests/support/replay_run.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce {

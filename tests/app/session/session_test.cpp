@@ -15,6 +15,7 @@
 #include "app/ui/widgets/save_path.h"
 #include "app/view/handles.h"
 #include "tests/app/live/driven_window.h"
+#include "tests/support/read_png.h"
 #include "tests/support/temporary_folder.h"
 
 #include <imgui_internal.h>

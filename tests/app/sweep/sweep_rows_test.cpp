@@ -22,6 +22,7 @@
 #include "app/sweep/sweep.h"
 #include "core/equilibrium.h"
 #include "core/ghost_force.h"
+#include "tests/core/linear_equilibrium.h"
 #include "tests/support/program.h"
 
 namespace ghostforce {

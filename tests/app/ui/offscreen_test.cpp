@@ -15,6 +15,7 @@
 #include "app/files/png_file.h"
 #include "tests/support/no_opengl.h"
 #include "tests/support/program.h"
+#include "tests/support/read_png.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce {
