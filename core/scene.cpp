@@ -108,10 +108,11 @@ std::optional<SceneProblem> find_problem(const Scene& scene) {
   if (scene.goal.points.size() != scene.goal.times.size()) {
     return SceneProblem{"goal", "times_s",
                         "there are " + std::to_string(scene.goal.times.size()) + " times for " +
-                            std::to_string(scene.goal.points.size()) + " waypoints in path_mm; give as many of each"};
+                            std::to_string(scene.goal.points.size()) + " waypoints in path_mm",
+                        "give as many of each"};
   }
   if (scene.duration * scene.settings.rate > most_ticks) {
-    return SceneProblem{"goal", "duration_s", "duration_s times rate_hz is over 1e7 ticks; shorten one of them"};
+    return SceneProblem{"goal", "duration_s", "duration_s times rate_hz is over 1e7 ticks", "shorten one of them"};
   }
   return std::nullopt;
 }

@@ -122,6 +122,7 @@ struct SceneProblem {
   std::string_view table;
   std::string_view name;
   std::string what;
+  std::string remedy;
 };
 std::optional<SceneProblem> find_problem(const Scene& scene);
 

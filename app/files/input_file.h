@@ -5,6 +5,9 @@
 #include <cstddef>
 #include <filesystem>
 #include <string>
+#include <string_view>
+
+#include "app/files/read_error.h"
 
 namespace ghostforce {
 
@@ -23,5 +26,8 @@ FileContents file_contents(const std::filesystem::path& path);
 // Words for people about a file that cannot be read: errno as a reason, and what to do about it. None of them costs a
 // sound file.
 std::string unreadable_words(int error);
+
+// ReadError(unreadable), "FILE cannot be read: " and those words.
+ReadError unreadable(std::string_view shown_path, int error, std::string_view joint = " ");
 
 }  // namespace ghostforce

@@ -9,7 +9,7 @@ namespace {
 
 std::string lines_of(const std::vector<ReadProblem>& problems) {
   std::string lines;
-  for (const ReadProblem& problem : problems) lines += (lines.empty() ? "" : "\n") + words_of(problem);
+  for (const ReadProblem& problem : problems) lines.append(lines.empty() ? "" : "\n").append(words_of(problem));
   return lines;
 }
 
@@ -20,7 +20,7 @@ std::string place_words(const ReadProblem& problem) {
 }
 
 std::string words_of(const ReadProblem& problem) {
-  return fmt::format("{}{}{}{}{}", place_words(problem), problem.file.empty() ? "" : ": ", problem.what,
+  return fmt::format("{}{}{}{}{}", place_words(problem), problem.file.empty() ? "" : problem.joint, problem.what,
                      problem.remedy.empty() ? "" : "; ", problem.remedy);
 }
 

@@ -121,8 +121,8 @@ class RunReader {
   void read_scene_text() {
     try {
       run_.scene = read_scene(scene_text_, shown_path_);
-    } catch (const Failure& failure) {
-      const std::string_view words = failure.what();
+    } catch (const ReadError& error) {
+      const std::string_view words = error.what();
       scene_problem_ = fmt::format("the scene in it cannot be read ({})", words.substr(0, words.find('\n')));
       return;
     }
@@ -147,7 +147,7 @@ class RunReader {
     for (const auto& [of, argument] : tried) arguments.push_back(argument);
     try {
       settings_ = read_scene(settings_text_, shown_path_, arguments).settings;
-    } catch (const Failure&) {
+    } catch (const ReadError&) {
       return false;
     }
     overrides_ = std::move(tried);

@@ -20,8 +20,8 @@ std::vector<std::string_view> shipped_scene_names();
 bool may_be_scene(const std::string& name_or_path);
 
 // A shipped scene or a file. A word without '/' that names a shipped scene is
-// that one. Throws Failure: wrong_call where there is none, or where its text is
-// wrong (scene_reader.h); file_trouble where the file cannot be read.
+// that one. Throws ReadError: wrong where there is none, or where its text is
+// wrong (scene_reader.h); unreadable.
 Scene load_scene(const std::string& name_or_path, std::span<const std::string> overrides = {});
 
 // The scene as a file. Reads back bit for bit, each number in the shortest

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "app/files/read_error.h"
 #include "core/scene.h"
 
 namespace ghostforce {
@@ -14,8 +15,8 @@ namespace ghostforce {
 // `overrides` are the arguments of --set, KEY=VALUE each: KEY as in the file
 // with its table (rendering.k_r_N_per_m), VALUE as in TOML or, for a text, as it
 // is; the last of equals holds, and all of them hold before the file.
-// `shown_path` is what messages call the file. Throws Failure(wrong_call), one
-// line per problem:
+// `shown_path` is what messages call the file. Throws ReadError(wrong), one line
+// per problem:
 //     FILE:LINE:COLUMN: the key KEY: what is wrong; what to do
 //     --set KEY=VALUE: the key KEY: what is wrong; what to do
 Scene read_scene(std::string_view text, std::string_view shown_path, std::span<const std::string> overrides = {});

@@ -331,6 +331,8 @@ void Application::grant_wishes() {
   } catch (const Failure& failure) {
     if (failure.code() == ExitCode::interrupted) throw;
     tell(failure.what(), true);
+  } catch (const ReadError& error) {
+    tell(error.what(), true);
   }
 }
 
