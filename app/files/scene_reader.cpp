@@ -1,6 +1,5 @@
 #include "app/files/scene_reader.h"
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <utility>

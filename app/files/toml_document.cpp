@@ -115,6 +115,8 @@ struct TomlReader::Content {
   std::string shown_path;
   toml::table file{};
   std::vector<Override> overrides{};
+  std::span<const TomlKey> keys{};
+  Suggest suggest{};
   FirstProblems<Place, ReadProblem> problems{};
 
   static Place place_of(const TomlValue& value) {
@@ -316,43 +318,45 @@ bool TomlReader::has_known_format() {
   return true;
 }
 
-void TomlReader::find_unknown(std::span<const TomlKey> keys, const Suggest& suggest) {
-  const std::vector<std::string_view> tables = tables_of(keys);
-  const auto refuse_key = [&](std::string_view table, const toml::key& key) {
-    content_->problems.add(in_file(key.source().begin), [keys, suggest, table, name = key.str()] {
+void TomlReader::find_unknown() {
+  const std::vector<std::string_view> tables = tables_of(content_->keys);
+  // Of a million such keys the first few get words.
+  const auto refuse_key = [this](std::string_view table, const toml::key& key) {
+    content_->problems.add(in_file(key.source().begin), [content = content_.get(), table, name = key.str()] {
       return problem(fmt::format("the key {} is unknown", dotted_name(table, printable(name))),
-                     suggest ? suggest(table, name) : suggestion(keys, table, name));
+                     content->suggest ? content->suggest(table, name) : suggestion(content->keys, table, name));
     });
   };
   for (const auto& [key, node] : content_->file) {
     const std::string_view name = key.str();
-    const Place place = in_file(key.source().begin);
     if (std::find(tables.begin(), tables.end(), name) != tables.end()) {
       if (const toml::table* const table = node.as_table()) {
         for (const auto& [inner, value] : *table) {
-          if (find_key(keys, name, inner.str()) == nullptr) refuse_key(name, inner);
+          if (find_key(content_->keys, name, inner.str()) == nullptr) refuse_key(name, inner);
         }
       } else {
-        content_->problems.add(place, problem(fmt::format("{} is {}, and must be a table", name, type_words(node)),
-                                              fmt::format("write [{}] on a line of its own", name)));
+        content_->problems.add(in_file(key.source().begin),
+                               problem(fmt::format("{} is {}, and must be a table", name, type_words(node)),
+                                       fmt::format("write [{}] on a line of its own", name)));
       }
-    } else if (find_key(keys, "", name) == nullptr) {
-      if (!node.is_table() || tables.empty()) {
-        refuse_key("", key);
-      } else {
-        content_->problems.add(place, [tables, name] {
-          const std::string near = did_you_mean(name, tables);
-          return problem(fmt::format("the table [{}] is unknown", printable(name)),
-                         near.empty() ? fmt::format("; the tables are {}", listed(tables)) : near);
-        });
-      }
+    } else if (find_key(content_->keys, "", name) != nullptr) {
+      continue;
+    } else if (!node.is_table() || tables.empty()) {
+      refuse_key("", key);
+    } else {
+      content_->problems.add(in_file(key.source().begin), [content = content_.get(), name] {
+        const std::vector<std::string_view> known = tables_of(content->keys);
+        const std::string near = did_you_mean(name, known);
+        return problem(fmt::format("the table [{}] is unknown", printable(name)),
+                       near.empty() ? fmt::format("the tables are {}", listed(known)) : near);
+      });
     }
   }
 }
 
-void TomlReader::find_missing(std::span<const TomlKey> keys) {
+void TomlReader::find_missing() {
   std::vector<std::string_view> absent_tables;
-  for (const TomlKey& key : keys) {
+  for (const TomlKey& key : content_->keys) {
     if (!key.if_missing || find(key.table, key.name)) continue;
     const toml::node* const table = content_->file.get(key.table);
     if (!key.table.empty() && table == nullptr) {
@@ -367,9 +371,11 @@ void TomlReader::find_missing(std::span<const TomlKey> keys) {
   }
 }
 
-void TomlReader::read(std::span<const TomlKey> keys, const Suggest& suggest) {
-  find_unknown(keys, suggest);
-  find_missing(keys);
+void TomlReader::read(std::span<const TomlKey> keys, Suggest suggest) {
+  content_->keys = keys;
+  content_->suggest = std::move(suggest);
+  find_unknown();
+  find_missing();
   read_values(keys);
 }
 

@@ -128,7 +128,7 @@ class TomlReader {
 
   // Tells of what is unknown and missing, and reads the values in the order of the list. Without `suggest`, a key of
   // the list is proposed. The list must live until the problems have been told.
-  void read(std::span<const TomlKey> keys, const Suggest& suggest = {});
+  void read(std::span<const TomlKey> keys, Suggest suggest = {});
   // The values alone: what is unknown may be of a newer program.
   void read_values(std::span<const TomlKey> keys);
 
@@ -145,8 +145,8 @@ class TomlReader {
 
  private:
   friend class TomlValue;
-  void find_unknown(std::span<const TomlKey> keys, const Suggest& suggest);
-  void find_missing(std::span<const TomlKey> keys);
+  void find_unknown();
+  void find_missing();
 
   struct Content;  // toml++'s
   std::unique_ptr<Content> content_;

@@ -123,7 +123,7 @@ std::optional<Value> recall_from(const fs::path& file, std::vector<std::string>&
   for (const ReadProblem& problem : problems) {
     if (!damage.empty()) damage += "; ";
     if (problem.line > 0) damage += fmt::format("line {}: ", problem.line);
-    damage += problem.what;
+    damage += words_of({.what = problem.what, .remedy = problem.remedy});
   }
   const fs::path aside = name_aside(file);
   fs::rename(file, aside, error);
