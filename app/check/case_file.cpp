@@ -18,8 +18,6 @@
 namespace ghostforce {
 namespace {
 
-constexpr double latest_s = 1e6;  // as --at of `render` has it
-
 // What may have been meant by the name of a scene that is none: a file in the subfolder that it names (what lies beside
 // a case is a case), or a shipped scene.
 std::string scene_hint(const std::filesystem::path& name, const std::filesystem::path& case_folder) {
@@ -137,7 +135,7 @@ void read_text(ReadCase& into, std::vector<ReadProblem>& problems) {
        "give the name of a shipped scene, or a path relative to this file"},
       {"", "at_s",
        [&](const TomlValue& value) {
-         request.at_s = value.number({0.0, latest_s, "s"});
+         request.at_s = value.number({0.0, longest_s, "s"});
          if (!request.at_s || *request.at_s * request.scene.settings.rate <= most_ticks) return;
          value.refuse(
              fmt::format("{} s is out of range", *request.at_s),
