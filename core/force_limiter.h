@@ -17,7 +17,6 @@ inline constexpr double force_ceiling = 8.0;
 
 class ForceLimiter {
  public:
-  static constexpr double default_limit = 6.0;   // of the vector's length [N]
   static constexpr double slew = 500.0;          // [N/s]
   static constexpr double cross_fade_s = 0.150;  // from one force law to another
   // A tick that came later than this does not earn a larger step [s].

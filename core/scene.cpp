@@ -32,12 +32,15 @@ const std::array keys{
     SceneKey{"device", "damping_N_s_per_m", true,
              NumberKey{[](Scene& s) -> auto& { return s.settings.damping; }, 1.0, 0.0, 1e4}},
     SceneKey{"device", "rate_hz", true,
-             NumberKey{[](Scene& s) -> auto& { return s.settings.rate; }, 1.0, 10.0, 20000.0, false, true}},
+             NumberKey{[](Scene& s) -> auto& { return s.settings.rate; }, 1.0, rate_range.least, rate_range.greatest,
+                       false, true}},
 
     SceneKey{"user", "k_u_N_per_m", true,
-             NumberKey{[](Scene& s) -> auto& { return s.settings.impedances.k_u; }, 1.0, 0.1, 1e6}},
+             NumberKey{[](Scene& s) -> auto& { return s.settings.impedances.k_u; }, 1.0, user_stiffness_range.least,
+                       user_stiffness_range.greatest}},
     SceneKey{"user", "believed_k_u_N_per_m", false,
-             OptionalNumberKey{[](Scene& s) -> auto& { return s.settings.impedances.believed_k_u; }, 0.1, 1e6, ""}},
+             OptionalNumberKey{[](Scene& s) -> auto& { return s.settings.impedances.believed_k_u; },
+                               user_stiffness_range.least, user_stiffness_range.greatest, ""}},
 
     SceneKey{"rendering", "strategy", true,
              ChoiceKey{strategy_words, [](const Scene& s) { return index_of(s.settings.active); },
@@ -49,12 +52,12 @@ const std::array keys{
     SceneKey{"rendering", "k_c_N_per_m", true,
              NumberKey{[](Scene& s) -> auto& { return s.settings.impedances.k_c; }, 1.0, 1.0, 1e9, true}},
     SceneKey{"rendering", "tracking_ratio", false,
-             OptionalNumberKey{[](Scene& s) -> auto& { return s.settings.impedances.chosen_tracking_ratio; }, 1e-3, 1e3,
-                               "optimal"}},
+             OptionalNumberKey{[](Scene& s) -> auto& { return s.settings.impedances.chosen_tracking_ratio; },
+                               tracking_ratio_range.least, tracking_ratio_range.greatest, "optimal"}},
 
     SceneKey{"goal", "path_mm", true, PointsKey{[](Scene& s) -> auto& { return s.goal.points; }}},
     SceneKey{"goal", "times_s", true, TimesKey{[](Scene& s) -> auto& { return s.goal.times; }}},
-    SceneKey{"goal", "duration_s", true, NumberKey{[](Scene& s) -> auto& { return s.duration; }, 1.0, 0.0, 1e6}},
+    SceneKey{"goal", "duration_s", true, NumberKey{[](Scene& s) -> auto& { return s.duration; }, 1.0, 0.0, longest_s}},
     SceneKey{"goal", "motion", false,
              ChoiceKey{motion_words, [](const Scene& s) { return static_cast<std::size_t>(s.goal.motion); },
                        [](Scene& s, std::size_t word) { s.goal.motion = static_cast<Motion>(word); }}},
@@ -85,9 +88,7 @@ struct InRange {
   }
   bool operator()(const ChoiceKey& key) const noexcept { return key.get(scene) < key.words.size(); }
   bool operator()(const PointKey& key) const noexcept {
-    const Vector<2>& point = key.in(scene);
-    constexpr double farthest = farthest_mm / millimetres;
-    return is_between(point.x, -farthest, farthest) && is_between(point.y, -farthest, farthest);
+    return nearest_in_scene(key.in(scene)) == key.in(scene);  // false for NaN
   }
   bool operator()(const TextKey&) const noexcept { return true; }
   bool operator()(const PointsKey&) const noexcept { return true; }
@@ -108,10 +109,11 @@ std::optional<SceneProblem> find_problem(const Scene& scene) {
   if (scene.goal.points.size() != scene.goal.times.size()) {
     return SceneProblem{"goal", "times_s",
                         "there are " + std::to_string(scene.goal.times.size()) + " times for " +
-                            std::to_string(scene.goal.points.size()) + " waypoints in path_mm; give as many of each"};
+                            std::to_string(scene.goal.points.size()) + " waypoints in path_mm",
+                        "give as many of each"};
   }
   if (scene.duration * scene.settings.rate > most_ticks) {
-    return SceneProblem{"goal", "duration_s", "duration_s times rate_hz is over 1e7 ticks; shorten one of them"};
+    return SceneProblem{"goal", "duration_s", "duration_s times rate_hz is over 1e7 ticks", "shorten one of them"};
   }
   return std::nullopt;
 }

@@ -38,6 +38,9 @@ inline std::int64_t last_tick(const Scene& scene) noexcept {
   return std::llround(scene.duration * scene.settings.rate);
 }
 
+// A run's duration, and any moment that is asked for on the command line: eleven days.
+inline constexpr double longest_s = 1e6;
+
 // Ticks that a run may have at most, so that a slip of the keyboard does not fill a disk.
 inline constexpr double most_ticks = 1e7;
 
@@ -116,6 +119,7 @@ struct SceneProblem {
   std::string_view table;
   std::string_view name;
   std::string what;
+  std::string remedy;
 };
 std::optional<SceneProblem> find_problem(const Scene& scene);
 

@@ -2,6 +2,7 @@
 // value, trivially copyable: the window publishes it whole, the servo takes it whole.
 #pragma once
 
+#include <algorithm>
 #include <type_traits>
 
 #include "core/equilibrium.h"
@@ -10,6 +11,21 @@
 #include "core/tick.h"
 
 namespace ghostforce {
+
+// Both ends included.
+struct NumberRange {
+  double least;
+  double greatest;
+
+  constexpr double nearest_to(double number) const noexcept { return std::clamp(number, least, greatest); }
+};
+
+// A hand has some 10 to 10,000 N/m; what is far outside is a slip of the keyboard [N/m].
+inline constexpr NumberRange user_stiffness_range{0.1, 1e6};
+// ρ where a person chooses it: three decades to either side of the naive one.
+inline constexpr NumberRange tracking_ratio_range{1e-3, 1e3};
+// No computer of a desk keeps up with more; nor does the servo try [Hz].
+inline constexpr NumberRange rate_range{10.0, 20000.0};
 
 struct Settings {
   Vector<2> wall_point{0.0};                    // o [m]

@@ -10,6 +10,7 @@
 
 #include "app/check/comparison.h"
 #include "app/check/golden_origin.h"
+#include "app/files/read_error.h"
 #include "app/ui/offscreen.h"
 
 namespace ghostforce {
@@ -27,7 +28,7 @@ struct Case {
   int height = 0;
   Wanted wanted = Wanted::golden;
   std::string other;        // name of the case that `wanted` speaks of
-  std::string other_place;  // where it is named, FILE:LINE:COLUMN
+  ReadProblem other_place;  // where it is named
   Tolerance tolerance;
   std::optional<GoldenOrigin> origin;
 
@@ -40,16 +41,15 @@ struct CaseContent {
   PictureRequest request;
 };
 
-// Loads the scene too; its path is relative to the case's file. Whatever is wrong is added to `problems`, a line each:
-//     FILE:LINE:COLUMN: the key KEY: what is wrong; what to do
-// Throws Failure: file_trouble where the case or its scene is there and cannot be read; interrupted.
+// Loads the scene too; its path is relative to the case's file. Whatever is wrong is added to `problems`. Throws
+// ReadError(unreadable) where the case or its scene is there and cannot be read, and Failure(interrupted).
 struct ReadCase {
   Case summary;
   CaseContent content;
 };
-ReadCase read_case(const std::string& path, std::vector<std::string>& problems);
+ReadCase read_case(const std::string& path, std::vector<ReadProblem>& problems);
 
-// As above; throws Failure(wrong_call) too, where the file has been changed and is wrong now.
+// As above; throws ReadError(wrong) too, where the file has been changed and is wrong now.
 CaseContent content_of(const Case& described);
 
 // "match" or "mismatch", as in the file.

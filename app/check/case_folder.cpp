@@ -27,10 +27,6 @@ std::string shown(const fs::path& path) {
   return printable(path.string(), longest_path);
 }
 
-[[noreturn]] void fail_to_read(const fs::path& path, int error) {
-  throw Failure(ExitCode::file_trouble, fmt::format("{} cannot be read: {}", shown(path), reason_of(error)));
-}
-
 std::vector<std::string_view> views_of(const std::vector<std::string>& words) {
   return {words.begin(), words.end()};
 }
@@ -57,7 +53,7 @@ std::vector<fs::path> case_paths(const std::string& folder) {
   const fs::file_status status = fs::status(folder, error);
   if (!fs::exists(status)) {
     if (error && error != std::errc::no_such_file_or_directory && error != std::errc::not_a_directory) {
-      fail_to_read(folder, error.value());
+      throw unreadable(shown(folder), error.value());
     }
     throw Failure(ExitCode::wrong_call, fmt::format("there is no folder '{}'{}", shown(folder), folder_hint(folder)));
   }
@@ -72,7 +68,7 @@ std::vector<fs::path> case_paths(const std::string& folder) {
     const fs::path& path = entry->path();
     if (path.extension() == extension && !path.filename().string().starts_with('.')) paths.push_back(path);
   }
-  if (error) fail_to_read(folder, error.value());
+  if (error) throw unreadable(shown(folder), error.value());
   std::sort(paths.begin(), paths.end());
   return paths;
 }
@@ -87,20 +83,27 @@ bool has_control_character(std::string_view name) {
 }
 
 // What no case can tell alone.
-void find_problems_between(const std::vector<Case>& cases, std::vector<std::string>& problems) {
+void find_problems_between(const std::vector<Case>& cases, std::vector<ReadProblem>& problems) {
   std::vector<std::string_view> names;
   for (const Case& each : cases) names.push_back(each.name);
   for (const Case& each : cases) {
     if (each.other.empty()) continue;
-    const std::string at = fmt::format("{}: the key {}", each.other_place, wanted_name(each.wanted));
+    ReadProblem problem = each.other_place;
     const Case* const other = find_case(cases, each.other);
+    const std::string shown_other = printable(each.other);
     if (other == nullptr) {
-      problems.push_back(fmt::format("{}: there is no case '{}' in this folder{}", at, printable(each.other),
-                                     did_you_mean(each.other, names)));
+      problem.what =
+          fmt::format("the key {}: there is no case '{}' in this folder", wanted_name(each.wanted), shown_other);
+      if (const auto near = nearest_name(each.other, names)) problem.remedy = fmt::format("did you mean '{}'?", *near);
     } else if (other->width != each.width || other->height != each.height) {
-      problems.push_back(fmt::format("{}: this picture has {}x{} pixels and that of '{}' {}x{}; give both one size", at,
-                                     each.width, each.height, printable(each.other), other->width, other->height));
+      problem.what =
+          fmt::format("the key {}: this picture has {}x{} pixels and that of '{}' {}x{}", wanted_name(each.wanted),
+                      each.width, each.height, shown_other, other->width, other->height);
+      problem.remedy = "give both one size";
+    } else {
+      continue;
     }
+    problems.push_back(problem);
   }
 }
 
@@ -115,20 +118,23 @@ std::vector<Case> read_case_folder(const std::string& folder) {
                               shown(folder)));
   }
   std::vector<Case> cases;
-  std::vector<std::string> problems;
+  std::vector<ReadProblem> problems;
   for (const fs::path& path : paths) {
     stop_if_interrupted();
     if (has_control_character(path.filename().string())) {
-      problems.push_back(fmt::format("{}: there is a control character in its name; rename it", shown(path)));
+      problems.push_back(
+          {.file = shown(path), .what = "there is a control character in its name", .remedy = "rename it"});
     }
     if (const std::string_view kind = kind_instead_of_file(path); !kind.empty()) {
-      problems.push_back(fmt::format("{}: is {}, and a case is a file; rename it, or remove it", shown(path), kind));
+      problems.push_back({.file = shown(path),
+                          .what = fmt::format("is {}, and a case is a file", kind),
+                          .remedy = "rename it, or remove it"});
       continue;
     }
     cases.push_back(read_case(path.string(), problems).summary);
   }
   find_problems_between(cases, problems);
-  if (!problems.empty()) throw Failure(ExitCode::wrong_call, fmt::format("{}", fmt::join(problems, "\n")));
+  if (!problems.empty()) throw ReadError(ReadError::Kind::wrong, problems);
   return cases;
 }
 

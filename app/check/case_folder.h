@@ -8,9 +8,9 @@
 
 namespace ghostforce {
 
-// Every NAME.toml in the folder, by name; files whose name begins with a dot are left alone. Throws Failure: wrong_call
-// with all that is wrong with all of them, a line each (a pipe or a folder of such a name is wrong too), or where there
-// is no such folder or no case in it; file_trouble where something cannot be read.
+// Every NAME.toml in the folder, by name; files whose name begins with a dot are left alone. Throws ReadError: wrong
+// with all that is wrong with all of them (a pipe or a folder of such a name is wrong too); unreadable. And
+// Failure(wrong_call) where there is no such folder or no case in it.
 std::vector<Case> read_case_folder(const std::string& folder);
 
 // The case of that name; null where there is none.

@@ -34,6 +34,9 @@ Gallery::Gallery(const std::vector<Case>& all, const std::vector<const Case*>& c
     } catch (const Failure& failure) {
       if (failure.code() != ExitCode::wrong_call) throw;
       problems.push_back(fmt::format("{}: {}", printable(entry.described->path, longest_path), failure.what()));
+    } catch (const ReadError& error) {
+      if (error.kind() != ReadError::Kind::wrong) throw;
+      problems.emplace_back(error.what());
     }
   }
   if (!problems.empty()) throw Failure(ExitCode::wrong_call, fmt::format("{}", fmt::join(problems, "\n")));

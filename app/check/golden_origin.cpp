@@ -10,7 +10,8 @@
 
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
-#include "app/files/toml_text.h"
+#include "app/files/toml_document.h"
+#include "app/files/toml_parse.h"
 #include "ghostforce_version.h"
 
 namespace ghostforce {

@@ -25,7 +25,7 @@ void refuse_cases_without_golden(const std::vector<const Case*>& chosen) {
   for (const Case* const each : chosen) {
     if (each->wanted == Wanted::golden) continue;
     problems.push_back(fmt::format("{}: {} has no golden to update: it is compared with the picture of {}",
-                                   each->other_place, printable(each->name), printable(each->other)));
+                                   place_words(each->other_place), printable(each->name), printable(each->other)));
   }
   if (!problems.empty()) throw Failure(ExitCode::wrong_call, fmt::format("{}", fmt::join(problems, "\n")));
 }

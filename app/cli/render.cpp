@@ -113,7 +113,7 @@ std::function<int()> attach_render(CLI::App& command, FileOptions& files) {
           ->required());
   command.add_option("--at", options->at_s, "The moment to show [s]; default: the scene's duration")
       ->type_name("T")
-      ->check(number_between(0.0, 1e6, "s"));
+      ->check(number_between(0.0, longest_s, "s"));
   command
       .add_option("--size", options->size, "Pixels, or points of an SVG or PDF, 64 to 4096 each way; default: 1280x800")
       ->type_name("WxH");

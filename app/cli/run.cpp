@@ -242,7 +242,7 @@ std::function<int()> attach_run(CLI::App& command, FileOptions& files) {
       ->type_name("DIR");
   command.add_option("--exit-after", options->exit_after_s, "Close the window by itself after so many seconds")
       ->type_name("S")
-      ->check(number_between(0.0, 1e6, "s"));
+      ->check(number_between(0.0, longest_s, "s"));
   command.footer(
       "Drag anywhere in the scene: the goal of your hand follows.\n"
       "Keys: 1 2 3 strategy, 0 compare, Space pause, F1 all others.\n"

@@ -23,11 +23,12 @@
 #include <string_view>
 #include <vector>
 
+#include "app/files/read_error.h"
 #include "device/falcon/calibration.h"
 
 namespace ghostforce {
 
-// `shown_path` is what messages call the file. Throws Failure(wrong_call), one line per problem:
+// `shown_path` is what messages call the file. Throws ReadError(wrong), one line per problem:
 //     FILE:LINE:COLUMN: the key KEY: what is wrong; what to do
 FalconCalibration read_falcon_calibration(std::string_view text, std::string_view shown_path);
 
@@ -35,12 +36,12 @@ FalconCalibration read_falcon_calibration(std::string_view text, std::string_vie
 // must be one of the catalog, whatever its angle at count zero and its gear; else Failure(bug).
 std::string falcon_calibration_text(const FalconCalibration& calibration);
 
-// All of them, in the order of their files' names. Where there is no folder there are none. Throws Failure: wrong_call
-// with every problem of every file, also where two files are about the same device; file_trouble.
+// All of them, in the order of their files' names. Where there is no folder there are none. Throws ReadError: wrong
+// with every problem of every file, also where two files are about the same device; unreadable.
 std::vector<FalconCalibration> recall_falcon_calibrations();
 
 // Into the file that is about the device, or else SERIAL.toml, whole or not at all; returns its path. Throws Failure:
-// wrong_call where the serial number is empty or no name of a file, or where a file there is wrong; file_trouble.
+// wrong_call where the serial number is empty or no name of a file; file_trouble. And ReadError, as above.
 std::filesystem::path remember_falcon_calibration(const FalconCalibration& calibration);
 
 }  // namespace ghostforce

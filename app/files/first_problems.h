@@ -10,18 +10,16 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
-
 namespace ghostforce {
 
 // `Place` is where a problem stands, and is ordered.
-template <typename Place>
+template <typename Place, typename Words = std::string>
 class FirstProblems {
  public:
   static constexpr std::size_t most_told = 20;
 
   // `words` is called when the problems are told, if this one is among the first: what it refers to must live as long.
-  void add(const Place& place, std::function<std::string()> words) {
+  void add(const Place& place, std::function<Words()> words) {
     ++count_;
     const auto after = std::upper_bound(first_.begin(), first_.end(), place,
                                         [](const Place& a, const Problem& b) { return a < b.place; });
@@ -29,26 +27,23 @@ class FirstProblems {
     first_.insert(after, {place, std::move(words)});
     if (first_.size() > most_told) first_.pop_back();
   }
-  void add(const Place& place, std::string words) {
+  void add(const Place& place, Words words) {
     add(place, [words = std::move(words)] { return words; });
   }
 
   bool empty() const noexcept { return count_ == 0; }
 
-  // A line each, "PLACE: WORDS", and how many more there are. `shown(place)` is what a person calls the place.
-  template <typename Shown>
-  std::vector<std::string> lines(Shown&& shown) const {
-    std::vector<std::string> result;
-    for (const Problem& problem : first_)
-      result.push_back(fmt::format("{}: {}", shown(problem.place), problem.words()));
-    if (count_ > first_.size()) result.push_back(fmt::format("… and {} more", count_ - first_.size()));
-    return result;
+  // Calls tell(place, words) for each of the first, in their order. Returns how many more there are.
+  template <typename Tell>
+  std::size_t tell(Tell&& tell) const {
+    for (const Problem& problem : first_) tell(problem.place, problem.words());
+    return count_ - first_.size();
   }
 
  private:
   struct Problem {
     Place place;
-    std::function<std::string()> words;
+    std::function<Words()> words;
   };
   std::vector<Problem> first_;  // in order
   std::size_t count_ = 0;

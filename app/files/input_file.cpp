@@ -11,6 +11,24 @@
 #include "app/console/interruption.h"
 
 namespace ghostforce {
+namespace {
+
+std::string_view remedy_for(int error) noexcept {
+  switch (error) {
+    case EACCES:
+    case EPERM:
+      return "change its permissions";
+    case EIO:
+      return "check the disk, or name another";
+    case EMFILE:
+    case ENFILE:
+      return "close other programs, or raise the limit of open files (ulimit -n)";
+    default:
+      return "name another";
+  }
+}
+
+}  // namespace
 
 int read_pieces(const std::filesystem::path& path, const std::function<bool(std::string_view piece)>& take) {
   const int descriptor = open_unless_interrupted(path.c_str(), O_RDONLY | O_CLOEXEC);
@@ -70,19 +88,15 @@ std::string_view kind_instead_of_file(const std::filesystem::path& path) {
 }
 
 std::string unreadable_words(int error) {
-  const std::string reason = std::generic_category().message(error);
-  switch (error) {
-    case EACCES:
-    case EPERM:
-      return reason + "; change its permissions";
-    case EIO:
-      return reason + "; check the disk, or name another";
-    case EMFILE:
-    case ENFILE:
-      return reason + "; close other programs, or raise the limit of open files (ulimit -n)";
-    default:
-      return reason + "; name another";
-  }
+  return std::generic_category().message(error) + "; " + std::string(remedy_for(error));
+}
+
+ReadError unreadable(std::string_view shown_path, int error, std::string_view joint) {
+  return {ReadError::Kind::unreadable,
+          {{.file = std::string(shown_path),
+            .what = "cannot be read: " + std::generic_category().message(error),
+            .remedy = std::string(remedy_for(error)),
+            .joint = joint}}};
 }
 
 }  // namespace ghostforce

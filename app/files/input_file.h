@@ -9,6 +9,8 @@
 #include <string>
 #include <string_view>
 
+#include "app/files/read_error.h"
+
 namespace ghostforce {
 
 // A hundred thousand waypoints take a few million bytes; what is larger than this is some other file, or a device that
@@ -34,5 +36,8 @@ std::string_view kind_instead_of_file(const std::filesystem::path& path);
 // Words for people about a file that cannot be read: errno as a reason, and what to do about it. None of them costs a
 // sound file.
 std::string unreadable_words(int error);
+
+// ReadError(unreadable), "FILE cannot be read: " and those words.
+ReadError unreadable(std::string_view shown_path, int error, std::string_view joint = " ");
 
 }  // namespace ghostforce

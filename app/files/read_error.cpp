@@ -20,7 +20,7 @@ std::string place_words(const ReadProblem& problem) {
 }
 
 std::string words_of(const ReadProblem& problem) {
-  return fmt::format("{}{}{}{}{}", place_words(problem), problem.file.empty() ? "" : ": ", problem.what,
+  return fmt::format("{}{}{}{}{}", place_words(problem), problem.file.empty() ? "" : problem.joint, problem.what,
                      problem.remedy.empty() ? "" : "; ", problem.remedy);
 }
 

@@ -6,16 +6,18 @@
 #include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ghostforce {
 
 struct ReadProblem {
-  std::string file{};      // as messages call it, or the option that stands for it; empty: `what` names it
+  std::string file{};      // as messages call it, or the option that stands for it; empty: about no file alone
   std::size_t line = 0;    // from 1; 0: it is about the file as a whole
   std::size_t column = 0;  // from 1
   std::string what{};
-  std::string remedy{};  // may be empty
+  std::string remedy{};           // may be empty
+  std::string_view joint = ": ";  // " " where the file is the subject of `what`
 };
 
 // "FILE:LINE:COLUMN", as far as it is known.

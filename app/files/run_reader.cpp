@@ -230,7 +230,7 @@ class RunReader {
     for (const auto& [of, argument] : overrides_) arguments.push_back(argument);
     try {
       settings_ = read_scene(scene_text_, run_.name, arguments).settings;
-    } catch (const std::runtime_error& error) {
+    } catch (const ReadError& error) {
       const std::string_view words = error.what();
       damaged(words.substr(0, words.find('\n')));
     }

@@ -16,10 +16,9 @@
 #include <fmt/format.h>
 
 #include "app/console/did_you_mean.h"
-#include "app/console/failure.h"
 #include "app/console/quoted.h"
 #include "app/files/input_file.h"
-#include "app/files/toml_text.h"
+#include "app/files/toml_document.h"
 #include "embedded_scenes.h"
 
 namespace ghostforce {
@@ -54,16 +53,17 @@ std::string hint_for(const std::filesystem::path& path) {
   const std::vector<std::string_view> file_names(files.begin(), files.end());
   if (const auto near = nearest_name(stem, file_names)) {
     const std::string found = std::string(*near) + std::string(extension);
-    return fmt::format("; did you mean '{}'?", printable(path.has_parent_path() ? (folder / found).string() : found));
+    return fmt::format("did you mean '{}'?", printable(path.has_parent_path() ? (folder / found).string() : found));
   }
-  if (std::string words = did_you_mean(stem, shipped); !words.empty()) return words;
-  return fmt::format("; give the path of a file, or one of {}", listed(shipped));
+  if (const auto near = nearest_name(stem, shipped)) return fmt::format("did you mean '{}'?", *near);
+  return fmt::format("give the path of a file, or one of {}", listed(shipped));
 }
 
 std::string read_file(const std::string& path) {
   FileContents file = file_contents(path);
-  const auto fail = [&](ExitCode code, const std::string& what) -> Failure {
-    return {code, fmt::format("{}: {}", printable(path, longest_path), what)};
+  const auto fail = [&](std::string what, std::string remedy) {
+    return ReadError(ReadError::Kind::wrong,
+                     {{.file = printable(path, longest_path), .what = std::move(what), .remedy = std::move(remedy)}});
   };
   switch (path.empty() ? ENOENT : file.error) {
     case 0:
@@ -71,15 +71,15 @@ std::string read_file(const std::string& path) {
     case ENOENT:
     case ENOTDIR:
     case ENAMETOOLONG:
-      throw Failure(ExitCode::wrong_call,
-                    fmt::format("no scene named '{}'{}", printable(path, longest_path), hint_for(path)));
+      throw ReadError(
+          ReadError::Kind::wrong,
+          {{.what = fmt::format("no scene named '{}'", printable(path, longest_path)), .remedy = hint_for(path)}});
     case EISDIR:
-      throw fail(ExitCode::wrong_call, "is a folder; name a scene file in it");
+      throw fail("is a folder", "name a scene file in it");
     case EFBIG:
-      throw fail(ExitCode::wrong_call,
-                 fmt::format("is larger than {} MiB, which no scene is; name a scene file", largest_text_file >> 20));
+      throw fail(fmt::format("is larger than {} MiB, which no scene is", largest_text_file >> 20), "name a scene file");
     default:
-      throw fail(ExitCode::file_trouble, fmt::format("cannot be read: {}", unreadable_words(file.error)));
+      throw unreadable(printable(path, longest_path), file.error, ": ");
   }
 }
 
@@ -118,7 +118,7 @@ std::string toml_array(const Values& values, Words&& words_of) {
 }
 
 // The value of a key as TOML; empty: left out.
-struct TomlValue {
+struct ValueText {
   Scene& scene;
 
   std::string operator()(const NumberKey& key) const {
@@ -182,7 +182,7 @@ std::string scene_text(const Scene& scene) {
   std::string text = "format = 1\n";
   std::string_view table;
   for (const SceneKey& key : scene_keys()) {
-    const std::string value = std::visit(TomlValue{copy}, key.value);
+    const std::string value = std::visit(ValueText{copy}, key.value);
     if (value.empty()) continue;
     if (key.table != table) {
       table = key.table;
@@ -194,7 +194,7 @@ std::string scene_text(const Scene& scene) {
 }
 
 std::string value_text(Scene scene, const SceneKey& key) {
-  return std::visit(TomlValue{scene}, key.value);
+  return std::visit(ValueText{scene}, key.value);
 }
 
 Scene rounded_to_file(Scene scene) {

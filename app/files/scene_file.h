@@ -1,4 +1,5 @@
-// Scenes by name or path, and as text. The shipped scenes are part of the program. Not for the servo thread.
+// Scenes by name or path, and as text. The shipped scenes are part of the
+// program. Not for the servo thread.
 #pragma once
 
 #include <span>
@@ -14,22 +15,26 @@ namespace ghostforce {
 // "wall45", "fig1" …, sorted by name; their texts are in embedded_scenes.h.
 std::vector<std::string_view> shipped_scene_names();
 
-// Whether it can only mean a file, or is one, or is a shipped scene: what tells a scene from a mistyped command.
+// Whether it can only mean a file, or is one, or is a shipped scene: what tells
+// a scene from a mistyped command.
 bool may_be_scene(const std::string& name_or_path);
 
-// A shipped scene or a file. A word without '/' that names a shipped scene is that one. Throws Failure: wrong_call
-// where there is none, or where its text is wrong (scene_reader.h); file_trouble where the file cannot be read.
+// A shipped scene or a file. A word without '/' that names a shipped scene is
+// that one. Throws ReadError: wrong where there is none, or where its text is
+// wrong (scene_reader.h); unreadable.
 Scene load_scene(const std::string& name_or_path, std::span<const std::string> overrides = {});
 
-// The scene as a file. Reads back bit for bit, each number in the shortest decimal that does so in the file's unit,
-// provided that the scene came from a file or from rounded_to_file().
+// The scene as a file. Reads back bit for bit, each number in the shortest
+// decimal that does so in the file's unit, provided that the scene came from a
+// file or from rounded_to_file().
 std::string scene_text(const Scene& scene);
 
 // The value of a key alone, as scene_text() writes it and --set takes it; empty: to be left out.
 std::string value_text(Scene scene, const SceneKey& key);
 
-// The nearest scene that a file can hold. Files hold mm and degrees, and not every metre or radian is the quotient of
-// some number of those: such a value moves to the next one, by its last bit. Scenes that were read stay as they are.
+// The nearest scene that a file can hold. Files hold mm and degrees, and not
+// every metre or radian is the quotient of some number of those: such a value
+// moves to the next one, by its last bit. Scenes that were read stay as they are.
 Scene rounded_to_file(Scene scene);
 
 }  // namespace ghostforce

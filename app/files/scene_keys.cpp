@@ -54,10 +54,6 @@ std::string ask(std::string_view key) {
 
 }  // namespace
 
-std::string dotted_name(std::string_view table, std::string_view name) {
-  return table.empty() ? std::string(name) : fmt::format("{}.{}", table, name);
-}
-
 const SceneKey* find_scene_key(std::string_view table, std::string_view name) noexcept {
   for (const SceneKey& key : scene_keys()) {
     if (key.table == table && key.name == name) return &key;
@@ -68,11 +64,6 @@ const SceneKey* find_scene_key(std::string_view table, std::string_view name) no
 const SceneKey* find_scene_key(std::string_view dotted) noexcept {
   const auto [table, name] = split(dotted);
   return find_scene_key(table, name);
-}
-
-bool is_scene_table(std::string_view name) noexcept {
-  return !name.empty() &&
-         std::any_of(scene_keys().begin(), scene_keys().end(), [&](const SceneKey& key) { return key.table == name; });
 }
 
 std::string suggest_scene_key(std::string_view table, std::string_view name) {

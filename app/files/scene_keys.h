@@ -1,28 +1,27 @@
-// The names of a scene's keys as people write and mistype them. Pure, any thread.
+// The names of a scene's keys as people write and mistype them. Pure, any
+// thread.
 #pragma once
 
 #include <string>
 #include <string_view>
 
+#include "app/files/toml_document.h"  // dotted_name()
 #include "core/scene.h"
 
 namespace ghostforce {
-
-// "rendering.k_r_N_per_m"; at the top of the file just the name.
-std::string dotted_name(std::string_view table, std::string_view name);
 
 // Null when there is no such key. The dotted form is that of --set and --over.
 const SceneKey* find_scene_key(std::string_view table, std::string_view name) noexcept;
 const SceneKey* find_scene_key(std::string_view dotted) noexcept;
 
-bool is_scene_table(std::string_view name) noexcept;
-
-// The end of a message about an unknown key: "; did you mean '…'?" with the same name in another table, else the
-// nearest in this one, else the nearest of all; or "; TABLE has …".
+// The end of a message about an unknown key: "; did you mean '…'?" with the same
+// name in another table, else the nearest in this one, else the nearest of all;
+// or "; TABLE has …".
 std::string suggest_scene_key(std::string_view table, std::string_view name);
 std::string suggest_scene_key(std::string_view dotted);
 
-// The unit that a key's name ends in, as people write it: N/m for k_r_N_per_m; empty where there is none.
+// The unit that a key's name ends in, as people write it: N/m for k_r_N_per_m;
+// empty where there is none.
 std::string_view unit_of(std::string_view key_name) noexcept;
 
 }  // namespace ghostforce

@@ -1,12 +1,11 @@
 #include "app/live/preferences.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
-#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <system_error>
-#include <type_traits>
 
 #include <fmt/format.h>
 
@@ -15,7 +14,7 @@
 #include "app/files/config_folder.h"
 #include "app/files/input_file.h"
 #include "app/files/output_file.h"
-#include "app/files/toml_text.h"
+#include "app/files/toml_document.h"
 #include "app/ui/window.h"
 
 namespace ghostforce {
@@ -42,58 +41,32 @@ fs::path layout_file() {
   return where.empty() ? where : where / "layout.toml";
 }
 
-// A file that says something wrong; the message is for the person.
-struct Damaged {
-  std::string what;
-};
-
-// Missing keys keep their value: an older program wrote the file.
-template <typename Value>
-void take(const toml::table& table, std::string_view key, Value& value) {
-  const toml::node* const node = table.get(key);
-  if (node == nullptr) return;
-  // Whoever writes a 2 where a 2.0 could stand means the same.
-  const bool is_whole = std::is_same_v<Value, double> && node->is_integer();
-  const auto found = is_whole ? node->value<Value>() : node->value_exact<Value>();
-  if (!found) throw Damaged{fmt::format("the value of {} has the wrong type", key)};
-  value = *found;
+void read(TomlReader& reader, Preferences& preferences) {
+  reader.read_values(std::array{
+      TomlKey{"", "theme",
+              catalog_entry(theme_catalog(), [&](const Theme& theme) { preferences.look.theme = &theme; })},
+      TomlKey{"", "scale", number_into(preferences.look.scale, {Look::least_scale, Look::greatest_scale})},
+      TomlKey{"", "hints", yes_or_no_into(preferences.offers_hints)},
+  });
 }
 
-// A window cannot be made smaller than `least`, whatever is written.
-int take_length(const toml::table& table, std::string_view key, int length, int least) {
-  constexpr std::int64_t longest = 32768;  // of any screen [px]
-  std::int64_t value = length;
-  take(table, key, value);
-  if (value < 1 || value > longest) throw Damaged{fmt::format("{} = {} is no size of a window", key, value)};
-  return std::max(static_cast<int>(value), least);
-}
-
-void read(const toml::table& table, Preferences& preferences) {
-  std::string theme(preferences.look.theme->name);
-  take(table, "theme", theme);
-  preferences.look.theme = find_theme(theme);
-  if (preferences.look.theme == nullptr) throw Damaged{fmt::format("there is no theme '{}'", printable(theme))};
-  take(table, "scale", preferences.look.scale);
-  if (!(preferences.look.scale >= Look::least_scale && preferences.look.scale <= Look::greatest_scale)) {
-    throw Damaged{fmt::format("scale = {} is not between {} and {}", preferences.look.scale, Look::least_scale,
-                              Look::greatest_scale)};
-  }
-  take(table, "hints", preferences.offers_hints);
-}
-
-void read(const toml::table& table, WindowLayout& layout) {
-  layout.width = take_length(table, "width", layout.width, least_window_width);
-  layout.height = take_length(table, "height", layout.height, least_window_height);
-  take(table, "maximized", layout.is_maximized);
-  if (const toml::node* const node = table.get("folded")) {
-    const toml::array* const titles = node->as_array();
-    if (titles == nullptr) throw Damaged{"the value of folded is no list"};
-    for (const toml::node& title : *titles) {
-      const auto text = title.value_exact<std::string>();
-      if (!text) throw Damaged{"folded lists something that is no text"};
-      layout.folded_panels.insert(*text);
+void read(TomlReader& reader, WindowLayout& layout) {
+  const NumberLimits length{.least = 1.0, .greatest = 32768.0, .unit = "pixels", .whole = true};  // of any screen
+  const auto read_folded = [&](const TomlValue& titles) {
+    const std::size_t count = titles.count("give a list of panels").value_or(0);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (const auto title = titles[i].text()) layout.folded_panels.insert(*title);
     }
-  }
+  };
+  reader.read_values(std::array{
+      TomlKey{"", "width", number_into(layout.width, length)},
+      TomlKey{"", "height", number_into(layout.height, length)},
+      TomlKey{"", "maximized", yes_or_no_into(layout.is_maximized)},
+      TomlKey{"", "folded", read_folded},
+  });
+  // A window cannot be made smaller, whatever is written.
+  layout.width = std::max(layout.width, least_window_width);
+  layout.height = std::max(layout.height, least_window_height);
 }
 
 std::string text_of(const Preferences& preferences) {
@@ -138,20 +111,25 @@ std::optional<Value> recall_from(const fs::path& file, std::vector<std::string>&
                                   shown, unreadable_words(contents.error)));
     return std::nullopt;
   }
-  try {
-    const ParsedToml parsed = parse_toml(contents.text);
-    if (parsed.problem) throw Damaged{fmt::format("line {}: {}", parsed.problem->position.line, parsed.problem->what)};
-    Value value;
-    read(parsed.table, value);
-    return value;
-  } catch (const Damaged& damage) {
-    const fs::path aside = name_aside(file);
-    fs::rename(file, aside, error);
-    remarks.push_back(error ? fmt::format("{} is damaged ({}); the usual values are used", shown, damage.what)
-                            : fmt::format("{} was damaged ({}) and is now {}; the usual values are used", shown,
-                                          damage.what, printable(aside.string(), longest_path)));
-    return std::nullopt;
+  TomlReader reader(file.string());
+  Value value;
+  // Unknown keys are those of a newer program, and missing ones those that an older one did not know.
+  if (reader.parse(contents.text)) read(reader, value);
+  const std::vector<ReadProblem> problems = reader.problems();
+  if (problems.empty()) return value;
+
+  std::string damage;
+  for (const ReadProblem& problem : problems) {
+    if (!damage.empty()) damage += "; ";
+    if (problem.line > 0) damage += fmt::format("line {}: ", problem.line);
+    damage += words_of({.what = problem.what, .remedy = problem.remedy});
   }
+  const fs::path aside = name_aside(file);
+  fs::rename(file, aside, error);
+  remarks.push_back(error ? fmt::format("{} is damaged ({}); the usual values are used", shown, damage)
+                          : fmt::format("{} was damaged ({}) and is now {}; the usual values are used", shown, damage,
+                                        printable(aside.string(), longest_path)));
+  return std::nullopt;
 }
 
 // `what` is kept in the file, for messages.

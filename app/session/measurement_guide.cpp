@@ -16,8 +16,6 @@ constexpr double simulated_reach = 0.00002;  // [m]
 constexpr double hand_reach = 0.0015;        // a held hand trembles within this [m]
 constexpr double hold_s = 0.3;
 constexpr double hand_average_s = 0.3;  // over which the drift of a trembling hand is averaged
-constexpr double least_ratio = 1e-3;    // of the scene format
-constexpr double greatest_ratio = 1e3;
 
 // All that a reading depends on: not ρ, which is what is turned, and not what is believed or shown.
 Settings basis_of(Settings settings) {
@@ -41,7 +39,7 @@ double expected_ratio(const Session& session) {
 void set_next_ratio(Session& session) {
   const std::size_t next = session.measurement.readings.size();
   session.settings.impedances.chosen_tracking_ratio =
-      std::clamp(expected_ratio(session) * first_ratios[next], least_ratio, greatest_ratio);
+      tracking_ratio_range.nearest_to(expected_ratio(session) * first_ratios[next]);
 }
 
 void restore(Session& session) {
@@ -178,9 +176,7 @@ void cancel_measurement(Session& session) {
 }
 
 void believe_measurement(Session& session) {
-  constexpr double least_k_u = 0.1;  // of the scene format
-  constexpr double greatest_k_u = 1e6;
-  session.settings.impedances.believed_k_u = std::clamp(spread_of(session.measurement).median, least_k_u, greatest_k_u);
+  session.settings.impedances.believed_k_u = user_stiffness_range.nearest_to(spread_of(session.measurement).median);
   session.measurement = {};
 }
 
@@ -229,7 +225,7 @@ std::string_view words_for(MeasuringStep step, bool has_target) noexcept {
 
 void turn_ratio(Session& session, double factor) noexcept {
   Impedances& impedances = session.settings.impedances;
-  impedances.chosen_tracking_ratio = std::clamp(tracking_ratio(impedances) * factor, least_ratio, greatest_ratio);
+  impedances.chosen_tracking_ratio = tracking_ratio_range.nearest_to(tracking_ratio(impedances) * factor);
 }
 
 }  // namespace ghostforce

@@ -34,8 +34,8 @@ void refuse_unsound_points(const Grid& grid, const std::string& last_argument, S
   for (std::int64_t point = 0; point < size_of(grid); ++point) {
     put_point(grid, point, scene);
     if (const auto problem = find_problem(scene)) {
-      refuse(last_argument, fmt::format("with {} the key {}: {}", words_about(grid, point),
-                                        dotted_name(problem->table, problem->name), problem->what));
+      refuse(last_argument, fmt::format("with {} the key {}: {}; {}", words_about(grid, point),
+                                        dotted_name(problem->table, problem->name), problem->what, problem->remedy));
     }
   }
 }

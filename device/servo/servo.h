@@ -95,7 +95,7 @@ class Servo {
   static constexpr double slowest = 0.001;
   static constexpr double fastest = 10.0;
   // Ticks never come faster than this [s]; a speed that asks for more gets this.
-  static constexpr double shortest_period_s = 1.0 / 20000.0;
+  static constexpr double shortest_period_s = 1.0 / rate_range.greatest;
   // However slow the ticks, and while paused, commands are heeded this often [s].
   static constexpr double attention_period_s = 0.005;
 

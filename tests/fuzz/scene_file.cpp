@@ -2,7 +2,6 @@
 #include <string>
 #include <vector>
 
-#include "app/console/failure.h"
 #include "app/files/scene_file.h"
 #include "tests/fuzz/fuzz.h"
 #include "tests/support/scene_values.h"
@@ -22,10 +21,10 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Scene scene;
   try {
     scene = read_scene(text, "fuzz.toml", overrides);
-  } catch (const Failure& failure) {
-    require(failure.code() == ExitCode::wrong_call, "a scene that cannot be read is a wrong call");
-    require(*failure.what() != '\0', "it is said what is wrong");
-    for (const char c : std::string_view(failure.what())) {
+  } catch (const ReadError& error) {
+    require(error.kind() == ReadError::Kind::wrong, "a text that is no scene says something wrong");
+    require(*error.what() != '\0', "it is said what is wrong");
+    for (const char c : std::string_view(error.what())) {
       require(c == '\n' || (static_cast<unsigned char>(c) >= 0x20 && c != 0x7F), "no message moves a cursor");
     }
     return 0;

@@ -10,17 +10,13 @@
 namespace ghostforce {
 namespace {
 
-constexpr double least_ratio = 1e-3;  // of the scene format
-constexpr double greatest_ratio = 1e3;
 constexpr float snap_points = 7.0F;
 
 // The dial is logarithmic and has naïve at a quarter and optimal at three quarters of it, wherever ρ* is.
 class Scale {
  public:
   explicit Scale(double optimal) : decade_(2.0 * std::log(std::max(optimal, 1.2))) {}
-  double ratio(double place) const {
-    return std::clamp(std::exp((place - 0.25) * decade_), least_ratio, greatest_ratio);
-  }
+  double ratio(double place) const { return tracking_ratio_range.nearest_to(std::exp((place - 0.25) * decade_)); }
   // Of the ratio's logarithm, over the whole dial.
   double decade() const { return decade_; }
   double place(double ratio) const { return std::clamp(0.25 + std::log(ratio) / decade_, 0.0, 1.0); }
@@ -43,7 +39,7 @@ void choose_ratio(Impedances& impedances, double ratio, double snap) {
     impedances.chosen_tracking_ratio.reset();
   } else {
     const bool is_naive = std::abs(std::log(ratio)) < snap;
-    impedances.chosen_tracking_ratio = is_naive ? 1.0 : std::clamp(ratio, least_ratio, greatest_ratio);
+    impedances.chosen_tracking_ratio = is_naive ? 1.0 : tracking_ratio_range.nearest_to(ratio);
   }
 }
 

@@ -41,7 +41,7 @@ void draw_limits(const PanelContext& context) {
                       ImGuiSliderFlags_AlwaysClamp);
   row("Stiffest wall", "k_r is held at this while the motors are on. To go beyond 800 N/m, Ctrl+click and type it.");
   constexpr double least_k_r = 50.0;
-  constexpr double usual_k_r = 800.0;
+  constexpr double usual_k_r = SafetyOptions{}.greatest_k_r;
   ImGui::SliderScalar("##stiffest", ImGuiDataType_Double, &safety.greatest_k_r, &least_k_r, &usual_k_r, "%.0f N/m");
   row("Dead man", "Motors are on only while a button of the grip is held.");
   ImGui::Checkbox("hold a grip button", &safety.needs_button);

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "app/console/failure.h"
 #include "app/console/unicode.h"
 #include "app/files/scene_file.h"
 #include "app/files/scene_reader.h"
@@ -81,9 +80,9 @@ std::string scene_with(std::string_view title, std::string_view about) {
 std::string refusal(std::string_view text, const std::vector<std::string>& overrides = {}) {
   try {
     read_scene(text, "f.toml", overrides);
-  } catch (const Failure& failure) {
-    EXPECT_EQ(failure.code(), ExitCode::wrong_call);
-    return failure.what();
+  } catch (const ReadError& error) {
+    EXPECT_EQ(error.kind(), ReadError::Kind::wrong);
+    return error.what();
   }
   return "";
 }

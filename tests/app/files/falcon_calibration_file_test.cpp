@@ -26,9 +26,9 @@ std::string refusal(const std::string& text) {
   try {
     read(text);
     return {};
-  } catch (const Failure& failure) {
-    EXPECT_EQ(failure.code(), ExitCode::wrong_call);
-    return failure.what();
+  } catch (const ReadError& error) {
+    EXPECT_EQ(error.kind(), ReadError::Kind::wrong);
+    return error.what();
   }
 }
 
@@ -193,9 +193,9 @@ TEST_F(FalconCalibrationFolderTest, TellsOfEveryFileThatIsWrong) {
   try {
     recall_falcon_calibrations();
     FAIL();
-  } catch (const Failure& failure) {
-    const std::string words = failure.what();
-    EXPECT_EQ(failure.code(), ExitCode::wrong_call);
+  } catch (const ReadError& error) {
+    const std::string words = error.what();
+    EXPECT_EQ(error.kind(), ReadError::Kind::wrong);
     EXPECT_NE(words.find("b.toml is about the same device as"), std::string::npos) << words;
     EXPECT_NE(words.find("c.toml:1:1: the key serial is missing"), std::string::npos) << words;
     EXPECT_NE(words.find("d.toml is a folder"), std::string::npos) << words;
@@ -209,9 +209,9 @@ TEST_F(FalconCalibrationFolderTest, TellsWhatCannotBeRead) {
   try {
     recall_falcon_calibrations();
     FAIL();
-  } catch (const Failure& failure) {
-    EXPECT_EQ(failure.code(), ExitCode::file_trouble);
-    EXPECT_NE(std::string(failure.what()).find("b.toml cannot be read: "), std::string::npos) << failure.what();
+  } catch (const ReadError& error) {
+    EXPECT_EQ(error.kind(), ReadError::Kind::unreadable);
+    EXPECT_NE(std::string(error.what()).find("b.toml cannot be read: "), std::string::npos) << error.what();
   }
 }
 

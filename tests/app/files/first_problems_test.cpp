@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "app/console/failure.h"
 #include "app/files/falcon_calibration_file.h"
 #include "app/files/scene_reader.h"
 
@@ -16,7 +15,11 @@ namespace ghostforce {
 namespace {
 
 std::vector<std::string> lines_of(const FirstProblems<int>& problems) {
-  return problems.lines([](int place) { return std::to_string(place); });
+  std::vector<std::string> lines;
+  const std::size_t more =
+      problems.tell([&](int place, const std::string& words) { lines.push_back(fmt::format("{}: {}", place, words)); });
+  if (more > 0) lines.push_back(fmt::format("… and {} more", more));
+  return lines;
 }
 
 TEST(FirstProblems, AreToldInTheirOrder) {
@@ -60,9 +63,9 @@ std::string unknown_keys() {
 std::string said_by(void (*read)(const std::string&)) {
   try {
     read(unknown_keys());
-  } catch (const Failure& failure) {
-    EXPECT_EQ(failure.code(), ExitCode::wrong_call);
-    return failure.what();
+  } catch (const ReadError& error) {
+    EXPECT_EQ(error.kind(), ReadError::Kind::wrong);
+    return error.what();
   }
   return "";
 }

@@ -16,7 +16,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/console/failure.h"
+#include "app/cli/exit_code.h"
 #include "app/files/input_file.h"
 #include "embedded_scenes.h"
 #include "tests/support/scene_values.h"
@@ -32,8 +32,8 @@ Scene read_back(const Scene& scene) {
 std::pair<ExitCode, std::string> refusal(const std::string& name_or_path) {
   try {
     load_scene(name_or_path);
-  } catch (const Failure& failure) {
-    return {failure.code(), failure.what()};
+  } catch (const ReadError& error) {
+    return {exit_code_of(error.kind()), error.what()};
   }
   return {ExitCode::done, ""};
 }

@@ -13,7 +13,6 @@
 
 #include <gtest/gtest.h>
 
-#include "app/console/failure.h"
 #include "app/console/quoted.h"
 #include "tests/support/scene_values.h"
 
@@ -63,10 +62,10 @@ std::string scene_with(std::string_view piece, std::string_view replacement) {
 std::string refusal(std::string_view text, const std::vector<std::string>& overrides = {}) {
   try {
     read_scene(text, "f.toml", overrides);
-  } catch (const Failure& failure) {
-    EXPECT_EQ(failure.code(), ExitCode::wrong_call);
-    EXPECT_STRNE(failure.what(), "");
-    return failure.what();
+  } catch (const ReadError& error) {
+    EXPECT_EQ(error.kind(), ReadError::Kind::wrong);
+    EXPECT_STRNE(error.what(), "");
+    return error.what();
   }
   return "";
 }
@@ -327,9 +326,9 @@ TEST(SceneReader, KeepsTerminalsSafe) {
   try {
     read_scene("", "\x1b[31m.toml");
     ADD_FAILURE();
-  } catch (const Failure& failure) {
+  } catch (const ReadError& error) {
     EXPECT_STREQ(
-        failure.what(),
+        error.what(),
         "\\x1B[31m.toml:1:1: the file is empty; begin it with format = 1, or start from a copy of a shipped scene");
   }
 }

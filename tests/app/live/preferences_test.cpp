@@ -84,6 +84,22 @@ TEST_F(RememberedTest, DamagedFilesAreSetAsideOneByOne) {
   }
 }
 
+TEST_F(RememberedTest, AllThatIsDamagedIsSaidWithItsLine) {
+  write_preferences("theme = \"pink\"\nscale = 99\n");
+  const Remembered remembered = recall();
+  ASSERT_EQ(remembered.remarks.size(), 1U);
+  EXPECT_NE(remembered.remarks[0].find("(line 1: the key theme: 'pink' is none of light, dark, projector; "
+                                       "line 2: the key scale: 99 is out of range; give 0.75 to 3)"),
+            std::string::npos)
+      << remembered.remarks[0];
+}
+
+TEST_F(RememberedTest, WhatANewerProgramWroteIsLeftAlone) {
+  write_preferences("scale = 2.0\nnovelty = 1\n[more]\nx = 1\n");
+  EXPECT_EQ(recall().preferences.look.scale, 2.0);
+  EXPECT_TRUE(recall().remarks.empty());
+}
+
 TEST_F(RememberedTest, ADamagedLayoutLeavesThePreferencesAlone) {
   remember(Preferences{.look = {.theme = find_theme("dark")}, .offers_hints = false});
   std::filesystem::create_directories(folder_ / "state/ghostforce");

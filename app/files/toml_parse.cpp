@@ -1,8 +1,6 @@
-#include "app/files/toml_text.h"
+#include "app/files/toml_parse.h"
 
 #include <algorithm>
-
-#include <fmt/core.h>
 
 #include "app/console/quoted.h"
 
@@ -60,57 +58,6 @@ ParsedToml parse_toml(std::string_view text) {
     position.column = std::max<toml::source_index>(position.column, 1);
     return {{}, TomlProblem{position, printable(error.description(), longest_description)}};
   }
-}
-
-std::string_view type_words(toml::node_type type) noexcept {
-  switch (type) {
-    case toml::node_type::string:
-      return "a text";
-    case toml::node_type::integer:
-    case toml::node_type::floating_point:
-      return "a number";
-    case toml::node_type::boolean:
-      return "true or false";
-    case toml::node_type::array:
-      return "an array";
-    case toml::node_type::table:
-      return "a table";
-    case toml::node_type::none:
-      return "nothing";
-    default:
-      return "a date or time";
-  }
-}
-
-std::string toml_string(std::string_view text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    switch (c) {
-      case '"':
-        result += "\\\"";
-        break;
-      case '\\':
-        result += "\\\\";
-        break;
-      case '\n':
-        result += "\\n";
-        break;
-      case '\t':
-        result += "\\t";
-        break;
-      case '\r':
-        result += "\\r";
-        break;
-      default:
-        if (byte < 0x20 || byte == 0x7F) {
-          result += fmt::format("\\u{:04X}", byte);
-        } else {
-          result += c;
-        }
-    }
-  }
-  return result + '"';
 }
 
 }  // namespace ghostforce

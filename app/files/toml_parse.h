@@ -1,4 +1,5 @@
-// TOML as text: reading it without falling over what toml++ falls over, and writing texts. Pure, any thread.
+// TOML by toml++, without falling over what toml++ falls over. Only those include this who need its nodes: toml++ takes
+// long to compile. Pure, any thread.
 #pragma once
 
 #include <optional>
@@ -21,11 +22,5 @@ struct ParsedToml {
   std::optional<TomlProblem> problem;
 };
 ParsedToml parse_toml(std::string_view text);
-
-// What a person calls a value of this type: "a text", "a table".
-std::string_view type_words(toml::node_type type) noexcept;
-
-// A text as TOML writes it: in double quotes, on one line.
-std::string toml_string(std::string_view text);
 
 }  // namespace ghostforce
