@@ -4,17 +4,10 @@
 
 namespace ghostforce {
 
-<<<<<<< HEAD:app/console/interruption.h
 // From here on the first SIGINT, SIGTERM or SIGHUP is only remembered; a second one calls `stop_motors`, which must be
 // async-signal-safe, and ends the process at once. Signals that were ignored when the program started (nohup,
 // background jobs) stay ignored. Called once, by main().
 void remember_interruptions(void (*stop_motors)() noexcept) noexcept;
-=======
-// From here on the first SIGINT, SIGTERM or SIGHUP is only remembered; a second one turns motors off and ends the
-// process at once. Signals that were ignored when the program started (nohup, background jobs) stay ignored. Called
-// once, by main().
-void remember_interruptions() noexcept;
->>>>>>> comments:app/interruption.h
 
 bool interrupted() noexcept;
 

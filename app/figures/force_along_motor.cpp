@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "app/chart/chart_pane.h"
 #include "app/paint/vector/vector_painter.h"
 
 namespace ghostforce {

@@ -3,6 +3,7 @@
 #include <array>
 #include <string>
 
+#include "app/chart/chart_pane.h"
 #include "app/figures/sheet.h"
 #include "app/files/scene_file.h"
 #include "app/paint/vector/vector_painter.h"

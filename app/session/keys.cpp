@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/session/measurement_guide.h"
+
 namespace ghostforce {
 namespace {
 
