@@ -248,8 +248,8 @@ std::vector<RungState> ladder_of(const FalconReport& report, const MotorReport* 
   return Climb(report, motors).states();
 }
 
-ExitCode exit_code_of(const FalconReport& report, bool needs_homing) {
-  for (const RungState& state : ladder_of(report, nullptr)) {
+ExitCode exit_code_of(std::span<const RungState> ladder, bool needs_homing) {
+  for (const RungState& state : ladder) {
     if (state.is_reached) continue;
     switch (state.rung) {
       case Rung::seen:
@@ -271,6 +271,10 @@ ExitCode exit_code_of(const FalconReport& report, bool needs_homing) {
     }
   }
   return ExitCode::done;
+}
+
+ExitCode exit_code_of(const FalconReport& report, bool needs_homing) {
+  return exit_code_of(ladder_of(report, nullptr), needs_homing);
 }
 
 }  // namespace ghostforce
