@@ -2,6 +2,7 @@
 // window and `doctor` show the same one. Pure, allocates; not for the servo thread.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -12,6 +13,7 @@
 namespace ghostforce {
 
 // Of the device, of which what draws the ladder knows nothing else.
+enum class FalconFault : std::uint8_t;
 struct FalconReport;
 struct MotorReport;
 
@@ -25,6 +27,9 @@ struct RungEntry {
 // In the order of Rung.
 std::span<const RungEntry> rung_catalog() noexcept;
 const RungEntry& entry_of(Rung rung) noexcept;
+
+// What to do about a fault; empty for none.
+std::string_view remedy_of(FalconFault fault) noexcept;
 
 // Whether the device can exchange often enough, and answers none too late. Until it is homed the driver asks less often
 // than it could; then the time of one answer tells.

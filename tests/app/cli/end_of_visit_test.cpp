@@ -55,7 +55,7 @@ TEST(EndOfVisit, SaysWhatKeepsTheFalcon) {
     const EndOfVisit end = end_at(report);
     EXPECT_GE(static_cast<int>(end.code), static_cast<int>(ExitCode::device_absent)) << fault.name;
     EXPECT_LE(static_cast<int>(end.code), static_cast<int>(ExitCode::device_failed)) << fault.name;
-    EXPECT_NE(end.words.find(fault.remedy), std::string::npos) << end.words;
+    EXPECT_NE(end.words.find(remedy_of(fault.id)), std::string::npos) << end.words;
   }
   const FalconReport busy = with_fault(FalconFault::busy);
   expect_end(end_at(busy), ExitCode::device_refused, "The Falcon is not ready. in use");
