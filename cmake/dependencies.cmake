@@ -1,8 +1,7 @@
 # Everything that comes from outside, found in this one file: what it is, why we use it, how it gets here.
 # "apt" means a Debian package listed in packages.txt, which ./demo and ./check install.
 #
-# Who may link what (design: core -> glm; device -> core, Threads, libusb, hidapi, libcrypto; app -> all but Eigen and gtest;
-# tests -> all) is kept by a test that reads the include lines.
+# Which folder may use which library is said in rooms.txt.
 
 # ---- The model -------------------------------------------------------------------------------------------------------
 

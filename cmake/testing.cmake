@@ -1,6 +1,8 @@
-# ghostforce_add_test(name SOURCES file... [LIBRARIES target...] [LABELS label] [LAUNCHER command...] [SERIAL])
+# ghostforce_add_test(name SOURCES file... [SUPPORT name...] [LIBRARIES target...] [LABELS label] [LAUNCHER command...]
+#                     [SERIAL])
 #
-# One GoogleTest program; each of its tests becomes one of ctest, named program.Suite.test. The label `tsan` marks a
+# One GoogleTest program; each of its tests becomes one of ctest, named program.Suite.test. SUPPORT: files of
+# tests/support without their ending; `program` also builds ghostforce and says where it is. The label `tsan` marks a
 # program in which threads meet: CI runs it under the thread sanitizer too. SERIAL: nothing else runs beside its tests.
 
 include(GoogleTest)
@@ -8,12 +10,19 @@ include(GoogleTest)
 add_custom_target(tsan_tests COMMENT "The tests labelled tsan, without building the others")
 
 function(ghostforce_add_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "SERIAL" "LABELS" "SOURCES;LIBRARIES;LAUNCHER")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "SERIAL" "LABELS" "SOURCES;SUPPORT;LIBRARIES;LAUNCHER")
   if(NOT arg_SOURCES OR arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "ghostforce_add_test(${name}): want SOURCES; got \"${ARGV}\"")
   endif()
-  add_executable(${name} ${arg_SOURCES})
+  list(TRANSFORM arg_SUPPORT REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/tests/support/\\1.cpp" OUTPUT_VARIABLE support)
+  add_executable(${name} ${arg_SOURCES} ${support})
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} GTest::gtest_main project_options project_warnings)
+  target_compile_definitions(${name} PRIVATE
+    GHOSTFORCE_SOURCE_DIR="${PROJECT_SOURCE_DIR}" GHOSTFORCE_VERSION="${PROJECT_VERSION}")
+  if(program IN_LIST arg_SUPPORT)
+    target_compile_definitions(${name} PRIVATE GHOSTFORCE_PROGRAM="$<TARGET_FILE:ghostforce>")
+    add_dependencies(${name} ghostforce)
+  endif()
   # CMake's name for it, from the days when only another machine's programs had one.
   set_property(TARGET ${name} PROPERTY CROSSCOMPILING_EMULATOR ${arg_LAUNCHER})
   # PRE_TEST lists the tests when ctest starts, not after each link: a build stays a build.

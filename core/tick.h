@@ -84,9 +84,9 @@ SnapshotIn<D> snapshot_of(const TickPlan<D>& plan, const TickState<D>& state) no
 template <glm::length_t D>
 void take_snapshot(const TickPlan<D>& plan, const TickState<D>& state, SnapshotIn<D>& snapshot) noexcept;
 
-// --- One strategy
-// ------------------------------------------------------------------------------------------------------ Inline, so
-// that a loop over ticks can keep the state in registers.
+// --- One strategy ----------------------------------------------------------------------------------------------------
+
+// Inline, so that a loop over ticks can keep the state in registers.
 //
 // The state is written axis by axis: a vector that is copied as one is read back in other pieces than it was written
 // in, and for that the processor waits. For the same reason what calls these is compiled without gcc's pairing of

@@ -3,6 +3,7 @@
 #include "app/cli/spacemouse_input_link.h"
 #include "app/doctor/readiness.h"
 #include "app/live/falcon_input_link.h"
+#include "app/live/portable_inputs.h"
 
 namespace ghostforce {
 namespace {

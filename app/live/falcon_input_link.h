@@ -3,6 +3,7 @@
 // device to do something wrong. UI thread.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,9 @@
 #include "device/virtual_falcon/virtual_falcon_input.h"
 
 namespace ghostforce {
+
+// How far a Falcon is, found out by who knows what to do about it; may be empty.
+using LadderOf = std::function<std::vector<RungState>(const FalconReport& report, const MotorReport& motors)>;
 
 class FalconInputLink : public InputLink {
  public:

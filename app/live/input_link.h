@@ -18,8 +18,6 @@
 
 namespace ghostforce {
 
-struct FalconReport;
-
 // How a visit at the window ended: for scripts a number, for the people who read their logs a sentence.
 struct EndOfVisit {
   ExitCode code = ExitCode::done;
@@ -79,12 +77,6 @@ InputEntry linked(const InputMaker<Made>& maker, const More&... more) {
             return LinkedInput{std::move(input), std::move(link)};
           }};
 }
-
-// How far a Falcon is, found out by who knows what to do about it; may be empty.
-using LadderOf = std::function<std::vector<RungState>(const FalconReport& report, const MotorReport& motors)>;
-
-// All of device/input_catalog.h, in the order in which people see them.
-std::vector<InputEntry> portable_inputs(const LadderOf& ladder_of);
 
 // Null when none has that name.
 const InputEntry* find_input(std::span<const InputEntry> inputs, std::string_view name) noexcept;

@@ -43,7 +43,7 @@ INSTANTIATE_TEST_SUITE_P(, FalconFaultsTest, testing::ValuesIn(quick_faults()),
                          [](const auto& run) { return std::string(run.param.name); });
 
 TEST(FaultCatalog, IsToldInTheDocumentation) {
-  const std::string doc = read_whole(GHOSTFORCE_FALCON_DOC);
+  const std::string doc = read_whole(GHOSTFORCE_SOURCE_DIR "/docs/falcon.md");
   for (const Fault& fault : fault_catalog()) {
     EXPECT_NE(doc.find("| " + std::string(fault.title) + " | "), std::string::npos)
         << "docs/falcon.md does not tell of: " << fault.title;

@@ -22,7 +22,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr milliseconds patience{20'000};  // of a machine that is busy with other things
+constexpr milliseconds patience{60'000};  // of a machine that is busy with other things
 
 std::int64_t now_ns() {
   return std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);

@@ -278,7 +278,7 @@ TEST(Check, TellsAllThatIsWrongWithAllCasesBeforeItDraws) {
 TEST(Check, TellsASceneFromACase) {
   const Cases cases({{"good", std::string(small_case)},
                      {"half", "[wall]\nnormal_deg = 90\n"},
-                     {"mine", read_whole(GHOSTFORCE_SCENES "/wall45.toml")},
+                     {"mine", read_whole(GHOSTFORCE_SOURCE_DIR "/assets/scenes/wall45.toml")},
                      {"mixed", "format = 1\n" + std::string(small_case)}});
   const Outcome outcome = cases.check();
   EXPECT_EQ(outcome.exit_code, 2);
@@ -338,7 +338,7 @@ TEST(Check, FindsASceneBesideItsCase) {
   const Cases cases({{"mine", replaced(std::string(small_case), "wall45", "../scenes/mine.toml")},
                      {"shipped", std::string(small_case) + "match = \"mine\"\n"}});
   fs::create_directory(cases.beside("scenes"));
-  fs::copy_file(GHOSTFORCE_SCENES "/wall45.toml", cases.beside("scenes/mine.toml"));
+  fs::copy_file(GHOSTFORCE_SOURCE_DIR "/assets/scenes/wall45.toml", cases.beside("scenes/mine.toml"));
   EXPECT_EQ(cases.check({"--only", "shipped"}).exit_code, 0);
 }
 

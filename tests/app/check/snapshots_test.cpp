@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 std::vector<std::string> names_of_files(const std::string& extension) {
   std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(GHOSTFORCE_SNAPSHOTS)) {
+  for (const auto& entry : fs::directory_iterator(GHOSTFORCE_SOURCE_DIR "/tests/snapshots")) {
     if (entry.path().extension() == extension) names.push_back(entry.path().stem().string());
   }
   std::sort(names.begin(), names.end());
@@ -36,7 +36,7 @@ TEST_P(Snapshots, AreDrawnAsTheyAreStored) {
   const std::string report = std::string(GHOSTFORCE_SNAPSHOTS_REPORT) + "/" + GetParam();
   const Outcome outcome =
       run_program(GHOSTFORCE_PROGRAM,
-                  std::vector<std::string>{"check", GHOSTFORCE_SNAPSHOTS, "--only", GetParam(), "--report", report});
+                  std::vector<std::string>{"check", GHOSTFORCE_SOURCE_DIR "/tests/snapshots", "--only", GetParam(), "--report", report});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err << "look at " << report << "/report.html";
 }
 

@@ -74,8 +74,8 @@ TEST(Unicode, NamesTheFirstThatCannotBeShown) {
 
 std::string scene_with(std::string_view title, std::string_view about) {
   return fmt::format("format = 1\ntitle = {}\nabout = {}\n", title, about) +
-         read_whole(GHOSTFORCE_SCENES "/wall45.toml")
-             .substr(read_whole(GHOSTFORCE_SCENES "/wall45.toml").find("[wall]"));
+         read_whole(GHOSTFORCE_SOURCE_DIR "/assets/scenes/wall45.toml")
+             .substr(read_whole(GHOSTFORCE_SOURCE_DIR "/assets/scenes/wall45.toml").find("[wall]"));
 }
 
 std::string refusal(std::string_view text, const std::vector<std::string>& overrides = {}) {

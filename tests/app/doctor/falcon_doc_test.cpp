@@ -27,7 +27,7 @@ void expect_row(const std::string& doc, std::string_view first, std::string_view
 
 class FalconDoc : public testing::Test {
  protected:
-  const std::string doc_ = read_whole(GHOSTFORCE_FALCON_DOC);
+  const std::string doc_ = read_whole(GHOSTFORCE_SOURCE_DIR "/docs/falcon.md");
 };
 
 TEST_F(FalconDoc, TellsEveryFaultAndItsRemedy) {

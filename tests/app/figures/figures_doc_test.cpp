@@ -35,7 +35,7 @@ std::string numbers_table() {
 }
 
 TEST(FiguresDoc, NamesEachFigureWithItsCommand) {
-  const std::string doc = read_whole(GHOSTFORCE_FIGURES_DOC);
+  const std::string doc = read_whole(GHOSTFORCE_SOURCE_DIR "/docs/figures.md");
   for (const FigureEntry& entry : figure_catalog()) {
     EXPECT_NE(doc.find(fmt::format("| `{0}` | `ghostforce figures -o figures --only {0}` |", entry.name)),
               std::string::npos)
@@ -45,7 +45,7 @@ TEST(FiguresDoc, NamesEachFigureWithItsCommand) {
 
 TEST(FiguresDoc, HasTheNumbersOfThisProgram) {
   const std::string table = numbers_table();
-  EXPECT_NE(read_whole(GHOSTFORCE_FIGURES_DOC).find(table), std::string::npos) << "docs/figures.md should hold\n"
+  EXPECT_NE(read_whole(GHOSTFORCE_SOURCE_DIR "/docs/figures.md").find(table), std::string::npos) << "docs/figures.md should hold\n"
                                                                                << table;
 }
 

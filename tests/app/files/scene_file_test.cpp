@@ -234,9 +234,9 @@ TEST(SceneFile, TellsWhatIsNoReadableFile) {
 
 TEST(SceneFile, ShippedTextsAreWhatTheFolderHolds) {
   for (const EmbeddedText& scene : embedded_scenes) {
-    EXPECT_EQ(read_whole(std::string(GHOSTFORCE_SCENES) + "/" + std::string(scene.name)), scene.contents) << scene.name;
+    EXPECT_EQ(read_whole(std::string(GHOSTFORCE_SOURCE_DIR "/assets/scenes") + "/" + std::string(scene.name)), scene.contents) << scene.name;
   }
-  EXPECT_EQ(static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(GHOSTFORCE_SCENES), {})),
+  EXPECT_EQ(static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(GHOSTFORCE_SOURCE_DIR "/assets/scenes"), {})),
             embedded_scenes.size())
       << "a scene in assets/scenes is not listed in app/CMakeLists.txt";
 }

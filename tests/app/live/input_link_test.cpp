@@ -4,6 +4,7 @@
 
 #include <atomic>
 
+#include "app/live/portable_inputs.h"
 #include "tests/app/live/driven_window.h"
 #include "tests/support/temporary_folder.h"
 

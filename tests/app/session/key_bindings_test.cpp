@@ -43,7 +43,7 @@ void prepare(const KeyBinding& binding, Session& session) {
 }
 
 TEST(KeyTable, IsTheOneInTheReadme) {
-  const std::string readme = read_whole(GHOSTFORCE_README);
+  const std::string readme = read_whole(GHOSTFORCE_SOURCE_DIR "/README.md");
   std::string table = "| mouse, key | what it does |\n| --- | --- |\n";
   for (const MouseGesture& gesture : mouse_table()) {
     table += fmt::format("| {} | {} |\n", gesture.shown, gesture.sentence);

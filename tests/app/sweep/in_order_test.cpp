@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <csignal>
 #include <cstdint>
 #include <stdexcept>
 #include <thread>
@@ -55,20 +54,6 @@ TEST(InOrder, RunsNeverFarAheadOfTheTaker) {
 }
 
 // Without one a thread that has used up its own stack ends the process before any handler runs.
-TEST(InOrder, EachThreadHasAStackForSignals) {
-  InOrder<int>::run(
-      8, 3,
-      [](std::int64_t) {
-        stack_t stack{};
-        sigaltstack(nullptr, &stack);
-        return stack.ss_flags;
-      },
-      [](int&& flags) {
-        EXPECT_EQ(flags & SS_DISABLE, 0);
-        return true;
-      });
-}
-
 TEST(InOrder, StopsWhenTheTakerHasEnough) {
   std::int64_t taken = 0;
   InOrder<std::int64_t>::run(

@@ -345,7 +345,7 @@ TEST(SweepProgress, ATerminalIsToldHowLongItTook) {
 // --- The page about it ---
 
 TEST(SweepDoc, ItsCommandsRun) {
-  const std::string page = read_whole(GHOSTFORCE_SWEEP_DOC);
+  const std::string page = read_whole(GHOSTFORCE_SOURCE_DIR "/docs/sweep.md");
   // In a block of its own, and followed by the block of what it prints if that is anything.
   const std::regex call("\n```\nghostforce (sweep [^`]*)```\n");
   int calls = 0;

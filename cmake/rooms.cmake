@@ -1,0 +1,63 @@
+# ghostforce_add_room(SOURCES file...)
+#
+# One folder as one CMake library, named after it: app/ui/plots is app_ui_plots. What it links is its line of rooms.txt,
+# so that a folder which reaches where it must not does not link, and each folder can be built and tested by itself.
+
+# What that file calls the libraries: dependencies.cmake finds them.
+set(library_glm glm::glm)
+set(library_posix Threads::Threads)
+set(library_libusb ghostforce::libusb)
+set(library_hidapi ghostforce::hidapi)
+set(library_libcrypto OpenSSL::Crypto)
+set(library_fmt fmt::fmt)
+set(library_tomlplusplus tomlplusplus::tomlplusplus)
+set(library_libpng PNG::PNG)
+set(library_nlohmann_json nlohmann_json::nlohmann_json)
+set(library_cli11 CLI11::CLI11)
+set(library_cairo ghostforce::cairo)
+set(library_glad ghostforce::glad)
+set(library_glfw ghostforce::gui)
+set(library_imgui ghostforce::gui)
+set(library_implot ghostforce::gui)
+set(library_generated ghostforce::resources)
+
+set(rooms_file ${CMAKE_CURRENT_LIST_DIR}/rooms.txt)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${rooms_file})
+
+# room_library(FOLDER RESULT): the name of its library.
+function(room_library folder result)
+  string(REPLACE "/" "_" name ${folder})
+  set(${result} ${name} PARENT_SCOPE)
+endfunction()
+
+# room_links(FOLDER RESULT): what it links.
+function(room_links folder result)
+  file(STRINGS ${rooms_file} line REGEX "^${folder} +\\|")
+  if(NOT line)
+    message(FATAL_ERROR "${folder} has no line in cmake/rooms.txt: say there what it may include.")
+  endif()
+  string(REPLACE "|" ";" cells "${line}")
+  list(GET cells 1 folders)
+  list(GET cells 2 libraries)
+  string(REGEX MATCHALL "[^ ]+" folders "${folders}")
+  string(REGEX MATCHALL "[^ ]+" libraries "${libraries}")
+  set(links "")
+  foreach(other IN LISTS folders)
+    room_library(${other} library)
+    list(APPEND links ${library})
+  endforeach()
+  foreach(library IN LISTS libraries)
+    list(APPEND links ${library_${library}})
+  endforeach()
+  list(REMOVE_DUPLICATES links)
+  set(${result} "${links}" PARENT_SCOPE)
+endfunction()
+
+function(ghostforce_add_room)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "" "SOURCES")
+  cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE folder)
+  room_library(${folder} name)
+  room_links(${folder} links)
+  add_library(${name} STATIC ${arg_SOURCES})
+  target_link_libraries(${name} PUBLIC ${links} project_options PRIVATE project_warnings)
+endfunction()

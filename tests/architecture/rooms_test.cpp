@@ -1,0 +1,399 @@
+// Who may include whom: the include lines of the sources against the table that the libraries are linked by
+// (cmake/rooms.txt). Anything that is not in the table is a forbidden arrow, and one convenient include is how a leak
+// begins. The table itself may hold no ring: folders that include each other are one folder in disguise.
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+// --- The table -------------------------------------------------------------------------------------------------------
+
+struct Room {
+  std::set<std::string> folders;    // that it may include, besides itself
+  std::set<std::string> libraries;  // beyond the standard one
+};
+
+using Rooms = std::map<std::string, Room>;  // by folder, as in "app/ui/plots"
+
+std::set<std::string> words_of(const std::string& text) {
+  std::istringstream stream(text);
+  return {std::istream_iterator<std::string>(stream), {}};
+}
+
+// Lines of "folder | folders | libraries". Throws std::runtime_error for any other line.
+Rooms read_rooms(std::istream& lines) {
+  Rooms rooms;
+  std::string line;
+  while (std::getline(lines, line)) {
+    if (line.empty() || line.starts_with('#')) continue;
+    static const std::regex row("([a-z_/]+) *\\|([a-z_/ ]*)\\|([a-z0-9_ ]*)");
+    std::smatch cells;
+    if (!std::regex_match(line, cells, row)) throw std::runtime_error("not a row of the table: " + line);
+    if (!rooms.insert({cells[1], {words_of(cells[2]), words_of(cells[3])}}).second) {
+      throw std::runtime_error("twice in the table: " + line);
+    }
+  }
+  return rooms;
+}
+
+// What include lines of these libraries look like, with their quotes or brackets.
+const std::map<std::string, std::regex>& library_includes() {
+  static const std::map<std::string, std::regex> list{
+      {"cairo", std::regex("<(cairo(/cairo)?[a-z-]*\\.h|ft2build\\.h|freetype/.+)>")},
+      {"cli11", std::regex("<CLI/.+>")},
+      {"fmt", std::regex("<fmt/.+>")},
+      {"generated", std::regex("\"(embedded_[a-z_]+|ghostforce_version|ghostforce_paths)\\.h\"")},  // see cmake/
+      {"glad", std::regex("<glad/gl\\.h>")},
+      {"glfw", std::regex("<GLFW/.+>")},
+      {"glm", std::regex("<glm/.+>")},
+      {"hidapi", std::regex("<hidapi(/hidapi)?\\.h>")},
+      {"imgui", std::regex("<imgui.*\\.h>")},
+      {"implot", std::regex("<implot.*\\.h>")},
+      {"libcrypto", std::regex("<openssl/.+>")},
+      {"libpng", std::regex("<png\\.h>")},
+      {"libusb", std::regex("<libusb(-1\\.0)?(/libusb)?\\.h>")},
+      {"nlohmann_json", std::regex("<nlohmann/.+>")},
+      // What the operating system offers beyond the standard library.
+      {"posix", std::regex("<((sys|linux|netinet|arpa)/[a-z_0-9/]+|dirent|dlfcn|endian|errno|fcntl|malloc|poll|pthread|"
+                           "sched|signal|spawn|stdio|stdlib|string|strings|syslog|termios|time|unistd)\\.h>")},
+      {"tomlplusplus", std::regex("<toml\\+\\+/.+>")},
+  };
+  return list;
+}
+
+// <vector>, <cmath>: no dot, no slash. core has values and pure functions: no thread (atomics are values), no clock, no
+// file, no stream.
+bool is_standard(const std::string& operand, const std::string& folder) {
+  static const std::regex standard("<[a-z_0-9]+>");
+  static const std::regex impure(
+      "<(thread|mutex|shared_mutex|condition_variable|future|semaphore|latch|barrier|stop_token|chrono|ctime|fstream|"
+      "iostream|istream|ostream|sstream|syncstream|filesystem|cstdio)>");
+  return std::regex_match(operand, standard) && !(folder == "core" && std::regex_match(operand, impure));
+}
+
+// --- The sources -----------------------------------------------------------------------------------------------------
+
+using Tree = std::map<std::string, std::string>;  // path from the root of the tree -> text
+
+struct Include {
+  int line;
+  std::string operand;  // <vector> or "core/wall.h"; for anything else what stands there
+};
+
+std::vector<Include> includes_of(const std::string& text) {
+  static const std::regex include_line("^\\s*#\\s*(include|import|include_next)\\b\\s*(<[^>]*>|\"[^\"]*\"|.*)");
+  std::vector<Include> found;
+  std::istringstream lines(text);
+  std::string line;
+  for (int number = 1; std::getline(lines, line); ++number) {
+    std::smatch match;
+    if (std::regex_search(line, match, include_line)) found.push_back({number, match[2]});
+  }
+  return found;
+}
+
+std::optional<std::string> project_path(const std::string& operand) {
+  if (operand.size() < 2 || operand.front() != '"') return {};
+  return operand.substr(1, operand.size() - 2);
+}
+
+std::string folder_of(const std::string& path) {
+  return std::filesystem::path(path).parent_path().generic_string();
+}
+
+Tree tree_at(const std::filesystem::path& root) {
+  static const std::set<std::string> sources{".h", ".hpp", ".c", ".cpp", ".cc", ".inl", ".ipp"};
+  Tree tree;
+  for (const char* top : {"core", "device", "app"}) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(root / top)) {
+      if (!entry.is_regular_file() || !sources.contains(entry.path().extension().string())) continue;
+      std::ifstream file(entry.path());
+      tree[entry.path().lexically_relative(root).generic_string()] =
+          std::string(std::istreambuf_iterator<char>(file), {});
+    }
+  }
+  return tree;
+}
+
+// --- What is found ---------------------------------------------------------------------------------------------------
+
+bool may_include(const Rooms& rooms, const std::string& folder, const std::string& operand) {
+  const Room& room = rooms.at(folder);
+  if (is_standard(operand, folder)) return true;
+  for (const std::string& library : room.libraries) {
+    if (std::regex_match(operand, library_includes().at(library))) return true;
+  }
+  const std::optional<std::string> path = project_path(operand);
+  if (!path) return false;
+  const std::string target = folder_of(*path);
+  return target == folder || room.folders.contains(target);
+}
+
+std::vector<std::string> forbidden_arrows(const Rooms& rooms, const Tree& tree) {
+  std::vector<std::string> found;
+  for (const auto& [path, text] : tree) {
+    const std::string folder = folder_of(path);
+    if (!rooms.contains(folder)) {
+      found.push_back(path + ": " + folder + " has no line in cmake/rooms.txt");
+      continue;
+    }
+    for (const Include& include : includes_of(text)) {
+      if (may_include(rooms, folder, include.operand)) continue;
+      found.push_back(path + ':' + std::to_string(include.line) + ": " + folder + " may not include " +
+                      include.operand);
+    }
+  }
+  return found;
+}
+
+using Arrows = std::map<std::string, std::set<std::string>>;
+
+// From folder to folder, as the include lines have it.
+Arrows folder_arrows(const Tree& tree) {
+  Arrows arrows;
+  for (const auto& [path, text] : tree) {
+    std::set<std::string>& targets = arrows[folder_of(path)];
+    for (const Include& include : includes_of(text)) {
+      const std::optional<std::string> target = project_path(include.operand);
+      if (target && tree.contains(*target) && folder_of(*target) != folder_of(path)) targets.insert(folder_of(*target));
+    }
+  }
+  return arrows;
+}
+
+// From file to file; a header and its source are one.
+Arrows file_arrows(const Tree& tree) {
+  const auto stem = [](const std::string& path) { return path.substr(0, path.rfind('.')); };
+  Arrows arrows;
+  for (const auto& [path, text] : tree) {
+    std::set<std::string>& targets = arrows[stem(path)];
+    for (const Include& include : includes_of(text)) {
+      const std::optional<std::string> target = project_path(include.operand);
+      if (target && tree.contains(*target) && stem(*target) != stem(path)) targets.insert(stem(*target));
+    }
+  }
+  return arrows;
+}
+
+// One of the rings in which arrows lead back to where they began, "a -> b -> a"; empty: there is none.
+std::string ring_in(const Arrows& arrows) {
+  std::set<std::string> done;
+  for (const auto& [start, unused] : arrows) {
+    std::vector<std::string> way;
+    const auto visit = [&](const auto& self, const std::string& here) -> std::string {
+      const auto before = std::find(way.begin(), way.end(), here);
+      if (before != way.end()) {
+        std::string ring;
+        for (auto step = before; step != way.end(); ++step) ring += *step + " -> ";
+        return ring + here;
+      }
+      const auto targets = arrows.find(here);
+      if (targets == arrows.end() || done.contains(here)) return {};
+      way.push_back(here);
+      for (const std::string& target : targets->second) {
+        if (std::string ring = self(self, target); !ring.empty()) return ring;
+      }
+      way.pop_back();
+      done.insert(here);
+      return {};
+    };
+    if (std::string ring = visit(visit, start); !ring.empty()) return ring;
+  }
+  return {};
+}
+
+std::string listed(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += line + '\n';
+  return text;
+}
+
+Rooms rooms_of_the_house() {
+  std::ifstream file(GHOSTFORCE_SOURCE_DIR "/cmake/rooms.txt");
+  return read_rooms(file);
+}
+
+// --- The house -------------------------------------------------------------------------------------------------------
+
+TEST(RoomsTest, NoArrowIsForbidden) {
+  const Tree tree = tree_at(GHOSTFORCE_SOURCE_DIR);
+  ASSERT_TRUE(tree.contains("core/conventions.h")) << "the tree was not read";
+  EXPECT_EQ(listed(forbidden_arrows(rooms_of_the_house(), tree)), "");
+}
+
+TEST(RoomsTest, NoFoldersIncludeEachOtherInARing) {
+  const Arrows arrows = folder_arrows(tree_at(GHOSTFORCE_SOURCE_DIR));
+  std::size_t count = 0;
+  for (const auto& [from, targets] : arrows) {
+    count += targets.size();
+    std::cout << from << " ->";
+    for (const std::string& target : targets) std::cout << ' ' << target;
+    std::cout << '\n';
+  }
+  const std::string ring = ring_in(arrows);
+  std::cout << arrows.size() << " folders, " << count << " arrows, " << (ring.empty() ? "no ring" : ring) << '\n';
+  EXPECT_EQ(ring, "");
+}
+
+TEST(RoomsTest, NoFilesIncludeEachOtherInARing) {
+  EXPECT_EQ(ring_in(file_arrows(tree_at(GHOSTFORCE_SOURCE_DIR))), "");
+}
+
+// What nobody includes today somebody could include tomorrow.
+TEST(RoomsTest, TheTableAllowsNoRing) {
+  const Rooms rooms = rooms_of_the_house();
+  Arrows arrows;
+  for (const auto& [folder, room] : rooms) arrows[folder] = room.folders;
+  EXPECT_EQ(ring_in(arrows), "");
+}
+
+TEST(RoomsTest, TheTableNamesFoldersAndLibrariesThatAreThere) {
+  const Rooms rooms = rooms_of_the_house();
+  ASSERT_TRUE(rooms.contains("core"));
+  const Tree tree = tree_at(GHOSTFORCE_SOURCE_DIR);
+  for (const auto& [folder, room] : rooms) {
+    EXPECT_TRUE(std::any_of(tree.begin(), tree.end(),
+                            [&, &name = folder](const auto& file) { return folder_of(file.first) == name; }))
+        << folder << " has no sources";
+    for (const std::string& target : room.folders) EXPECT_TRUE(rooms.contains(target)) << folder << ": " << target;
+    for (const std::string& library : room.libraries) {
+      EXPECT_TRUE(library_includes().contains(library)) << folder << ": " << library;
+    }
+  }
+}
+
+// "core/wall.h", not "wall.h" and not "../core/wall.h": an include line shows which room it reaches into, and names a
+// file that is there.
+TEST(RoomsTest, QuotedIncludesNameFilesFromTheRoot) {
+  const Tree tree = tree_at(GHOSTFORCE_SOURCE_DIR);
+  for (const auto& [path, text] : tree) {
+    for (const Include& include : includes_of(text)) {
+      const std::optional<std::string> target = project_path(include.operand);
+      if (!target || std::regex_match(include.operand, library_includes().at("generated"))) continue;
+      EXPECT_TRUE(tree.contains(*target)) << path << ':' << include.line << ": " << include.operand;
+    }
+  }
+}
+
+// --- The test itself: it must be able to fail ------------------------------------------------------------------------
+
+TEST(RoomsSelfTest, RefusesWhatARoomMayNotSee) {
+  const Rooms rooms = rooms_of_the_house();
+  const std::vector<std::pair<std::string, std::string>> forbidden{
+      {"core/a.h", "#include <GLFW/glfw3.h>"},
+      {"core/a.h", "#include <Eigen/Dense>"},
+      {"core/a.h", "#include <fmt/core.h>"},
+      {"core/a.h", "#include <thread>"},
+      {"core/a.h", "#include <chrono>"},
+      {"core/a.h", "#include <fstream>"},
+      {"core/a.h", "#include <unistd.h>"},
+      {"core/a.h", "#include \"device/servo/servo.h\""},
+      {"core/a.h", "#include \"wall.h\""},
+      {"core/a.h", "#include \"../device/servo/servo.h\""},
+      {"core/a.h", "  #  include\t<GLFW/glfw3.h>  // convenient"},
+      {"core/a.cpp", "#include SOME_HEADER"},
+      {"core/deep/a.cpp", "#include <vector>"},
+      {"device/input/a.cpp", "#include \"device/servo/servo.h\""},
+      {"device/servo/a.cpp", "#include \"device/falcon/falcon.h\""},
+      {"device/servo/a.cpp", "#include <libusb.h>"},
+      {"device/falcon/a.cpp", "#include \"device/falcon_usb/ftdi_link.h\""},
+      {"device/falcon/a.cpp", "#include <libusb-1.0/libusb.h>"},
+      {"device/input_catalog.cpp", "#include \"device/falcon_usb/ftdi_link.h\""},
+      {"device/input/a.cpp", "#include \"app/ui/window.h\""},
+      {"app/view/a.cpp", "#include \"device/servo/servo.h\""},
+      {"app/view/a.cpp", "#include <imgui.h>"},
+      {"app/console/a.cpp", "#include \"core/wall.h\""},
+      {"app/files/a.cpp", "#include \"app/runs/recording.h\""},
+      {"app/paint/a.cpp", "#include \"app/paint/vector/vector_painter.h\""},
+      {"app/paint/a.cpp", "#include <cairo.h>"},
+      {"app/session/a.cpp", "#include \"device/input_catalog.h\""},
+      {"app/session/a.cpp", "#include \"app/doctor/readiness.h\""},
+      {"app/session/a.cpp", "#include <imgui.h>"},
+      {"app/ui/widgets/a.cpp", "#include \"app/ui/panels/panel_catalog.h\""},
+      {"app/ui/panels/a.cpp", "#include \"app/ui/window.h\""},
+      {"app/ui/a.cpp", "#include \"device/input/input.h\""},
+      {"app/live/a.cpp", "#include \"device/falcon_usb/ftdi_link.h\""},
+      {"app/live/a.cpp", "#include \"app/cli/command.h\""},
+      {"app/check/a.cpp", "#include <gtest/gtest.h>"},
+      {"app/cli/a.cpp", "#include \"tests/support/program.h\""},
+      {"app/nowhere/a.cpp", "#include <vector>"},
+  };
+  for (const auto& [path, line] : forbidden) {
+    const std::vector<std::string> found = forbidden_arrows(rooms, {{path, "#pragma once\n" + line + "\n"}});
+    ASSERT_FALSE(found.empty()) << path << ": " << line;
+    EXPECT_TRUE(found[0].starts_with(path)) << found[0];
+  }
+}
+
+TEST(RoomsSelfTest, LetsThroughWhatEachRoomNeeds) {
+  const Tree fine{
+      {"core/a.h", "#include <atomic>\n#include <glm/vec2.hpp>\n#include \"core/b.h\"\n"},
+      {"device/servo/a.cpp", "#include <thread>\n#include <pthread.h>\n#include \"device/input/b.h\"\n"},
+      {"device/falcon_usb/a.cpp", "#include <libusb.h>\n#include <sys/mman.h>\n#include <openssl/sha.h>\n"},
+      {"app/view/a.cpp", "#include \"core/snapshot.h\"\n#include \"app/view/theme.h\"\n#include <fmt/format.h>\n"},
+      {"app/paint/vector/a.cpp", "#include <cairo/cairo-svg.h>\n#include <freetype/freetype.h>\n"},
+      {"app/ui/plots/a.cpp", "#include <implot.h>\n#include \"app/ui/panels/b.h\"\n"},
+      {"core/comment.h", "// #include <imgui.h> would be a leak\n"},
+  };
+  EXPECT_EQ(listed(forbidden_arrows(rooms_of_the_house(), fine)), "");
+}
+
+TEST(RoomsSelfTest, SaysWhere) {
+  EXPECT_EQ(listed(forbidden_arrows(rooms_of_the_house(), {{"core/a.h", "#pragma once\n\n#include <imgui.h>\n"}})),
+            "core/a.h:3: core may not include <imgui.h>\n");
+}
+
+TEST(RoomsSelfTest, SeesARingOfFolders) {
+  const Tree ring{
+      {"app/view/a.h", "#include \"app/chart/b.h\"\n"},
+      {"app/chart/b.h", "#include \"core/c.h\"\n#include \"app/ui/panels/d.h\"\n"},
+      {"app/ui/panels/d.h", "#include \"app/view/e.h\"\n"},
+      {"app/view/e.h", "\n"},
+      {"core/c.h", "\n"},
+  };
+  EXPECT_EQ(ring_in(folder_arrows(ring)), "app/chart -> app/ui/panels -> app/view -> app/chart");
+  EXPECT_EQ(ring_in(file_arrows(ring)), "");
+}
+
+// A folder and one inside it are two.
+TEST(RoomsSelfTest, SeesARingOfAFolderAndItsSubFolder) {
+  const Tree ring{
+      {"app/ui/window.h", "#include \"app/ui/widgets/style.h\"\n"},
+      {"app/ui/widgets/style.h", "#include \"app/ui/fonts.h\"\n"},
+      {"app/ui/fonts.h", "\n"},
+  };
+  EXPECT_EQ(ring_in(folder_arrows(ring)), "app/ui -> app/ui/widgets -> app/ui");
+}
+
+TEST(RoomsSelfTest, SeesTwoHeadersThatNeedEachOther) {
+  const Tree pair{
+      {"core/tick.h", "\n"},
+      {"core/tick.cpp", "#include \"core/tick.h\"\n#include \"core/tick_strategy.h\"\n"},
+      {"core/tick_strategy.h", "#include \"core/tick.h\"\n"},
+  };
+  EXPECT_EQ(ring_in(file_arrows(pair)), "core/tick -> core/tick_strategy -> core/tick");
+}
+
+TEST(RoomsSelfTest, RefusesATableThatIsNone) {
+  for (const char* const text : {"core glm\n", "core | glm\n", "core || glm |\n", "core || glm\ncore ||\n"}) {
+    std::istringstream lines(text);
+    EXPECT_THROW(read_rooms(lines), std::runtime_error) << text;
+  }
+}
+
+}  // namespace
