@@ -23,8 +23,8 @@
 #include <utility>
 #include <vector>
 
+#include "app/cli/desktop_inputs.h"
 #include "app/files/scene_file.h"
-#include "app/session/input_choices.h"
 #include "app/ui/panels/panel_catalog.h"
 #include "app/ui/screen.h"
 #include "bench/support/contest.h"
@@ -253,7 +253,7 @@ class Frames {
   Frames()
       : window_({.title = "bench", .width = width, .height = height, .offscreen = true, .takes_mouse = false}),
         screen_(window_, Part::window),
-        inputs_(input_choices(false)) {}
+        inputs_(choices_of(desktop_inputs(), false)) {}
 
   // All draw the same number of pixels, to the last of them.
   Contestant empty() {

@@ -24,6 +24,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/cli/desktop_inputs.h"
 #include "app/files/scene_file.h"
 #include "app/live/application.h"
 #include "bench/support/contest.h"
@@ -55,7 +56,7 @@ class DrawnWindow {
  public:
   explicit DrawnWindow(double rate_hz)
       : application_(window_, load_scene("wall45", std::vector{fmt::format("device.rate_hz={:.0f}", rate_hz)}),
-                     {.input = "circle"}) {
+                     {.inputs = desktop_inputs(), .input = "circle"}) {
     draw_for(1.0);  // shaders are compiled meanwhile
   }
 

@@ -1,42 +1,48 @@
-// The one list of inputs: the command line, the input panel and the tests walk it. A new kind of input is its own file
-// and one row in input_catalog.cpp. Immutable after start, any thread; making an input allocates and may throw.
+// The catalog of inputs that need nothing but this program: no cable, no thread of their own. A new one is its own file
+// and one row here; what the desktop has besides is in app/cli/desktop_inputs.h. What is done with each in the window is
+// app/live/input_link.h's. Immutable after start, any thread; making an input allocates and may throw.
 #pragma once
 
+#include <functional>
 #include <memory>
-#include <span>
-#include <string>
-#include <string_view>
 
+#include "core/input_choice.h"
 #include "core/scene.h"
 #include "device/falcon/falcon.h"
-#include "device/falcon_usb/usb_search.h"
 #include "device/input/input.h"
 #include "device/virtual_falcon/virtual_link.h"
 
 namespace ghostforce {
 
+class CircleInput;
+class MouseInput;
+class ScriptedInput;
+class VirtualFalconInput;
+
 // What making an input may need besides the scene.
 struct InputOptions {
   FalconOptions falcon;
-  UsbId falcon_id = falcon_usb_id;
-  std::string falcon_serial{};  // empty: the first of them
-  Misbehaviour misbehaviour;    // of the virtual Falcon
+  Misbehaviour misbehaviour;  // of the virtual Falcon
   VirtualLink::Clock virtual_falcon_clock = VirtualLink::Clock::monotonic;
   std::shared_ptr<const GoalPath> recorded_hand{};  // what replay replays; null: none is loaded, the scene's path
 };
 
-struct InputKind {
-  std::string_view name;      // on the command line
-  std::string_view title;     // on screen
-  std::string_view sentence;  // what it does, for a person who hovers over it
-  std::unique_ptr<Input> (*make)(const Scene&, const InputOptions&);
-  bool is_scripted = false;      // the same goal at the same tick every time: it starts where its path does
-  bool needs_recording = false;  // InputOptions::recorded_hand
+struct InputKind : InputChoice {
+  bool is_scripted = false;        // the same goal at the same tick every time: it starts where its path does
+  bool needs_recording = false;    // InputOptions::recorded_hand
+  bool hand_is_simulated = false;  // though it has motors: a rehearsal
 };
 
-std::span<const InputKind> input_catalog() noexcept;
+// A kind, and how one is made of it: as the class that it is.
+template <typename Made>
+struct InputMaker : InputKind {
+  std::function<std::unique_ptr<Made>(const Scene&, const InputOptions&)> make;
+};
 
-// Null when no kind has that name.
-const InputKind* find_input(std::string_view name) noexcept;
+extern const InputMaker<MouseInput> mouse_kind;
+extern const InputMaker<ScriptedInput> script_kind;
+extern const InputMaker<ScriptedInput> replay_kind;
+extern const InputMaker<CircleInput> circle_kind;
+extern const InputMaker<VirtualFalconInput> virtual_falcon_kind;
 
 }  // namespace ghostforce

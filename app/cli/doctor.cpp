@@ -3,12 +3,14 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -17,6 +19,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/command_catalog.h"
+#include "app/cli/desktop_inputs.h"
 #include "app/cli/falcon_options.h"
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
@@ -28,6 +31,8 @@
 #include "app/doctor/udev_rule.h"
 #include "app/files/output_file.h"
 #include "core/scene.h"
+#include "device/spacemouse/spacemouse_input.h"
+#include "device/virtual_falcon/virtual_falcon_input.h"
 
 namespace ghostforce {
 namespace {
@@ -48,6 +53,11 @@ struct Options {
   std::string report = "-";
   std::optional<std::string> calibration;
 };
+
+// What can be examined.
+std::array<InputMaker<FalconInput>, 2> falcon_kinds(const FtdiLinkOptions& cable) {
+  return {falcon_kind(cable), InputMaker<FalconInput>{virtual_falcon_kind, virtual_falcon_kind.make}};
+}
 
 bool is_somebody_there() {
   return isatty(STDIN_FILENO) != 0 && isatty(STDERR_FILENO) != 0;
@@ -94,11 +104,14 @@ int doctor(const Options& options) {
     install_udev_rule(options.is_udev_announced);
     return static_cast<int>(ExitCode::done);
   }
+  const auto kinds = falcon_kinds(options.falcon.cable());
+  const InputMaker<FalconInput>& kind = *std::ranges::find(kinds, options.input, &InputKind::name);
   if (options.measure) {
     const std::optional<FirmwareImage> firmware = options.falcon.read_firmware_file();
     return measure_with_doctor({.firmware = firmware,
                                 .input = options.falcon.input_options(firmware),
-                                .is_virtual = options.input == "virtual-falcon",
+                                .cable = options.falcon.cable(),
+                                .is_virtual = kind.hand_is_simulated,
                                 .report = options.report,
                                 .calibration = options.calibration});
   }
@@ -110,15 +123,15 @@ int doctor(const Options& options) {
   const auto began = std::chrono::steady_clock::now();
   diagnosis.firmware = options.falcon.read_firmware_file();
   const InputOptions input_options = options.falcon.input_options(diagnosis.firmware);
-  diagnosis.usb = list_falcons(input_options.falcon_id);
+  diagnosis.usb = list_falcons(options.falcon.cable().id);
   diagnosis.udev_rule = installed_udev_rule(udev_folders());
   // This thread drives the device as the servo's would.
   diagnosis.realtime = request_realtime();
   const double wait_s = options.wait_s.value_or(is_somebody_there() ? wait_on_terminal_s : 0.0);
   {
-    const std::unique_ptr<Input> input = find_input(options.input)->make(Scene{}, input_options);
+    const std::unique_ptr<FalconInput> input = kind.make(Scene{}, input_options);
     LiveLine live(is_somebody_there());
-    diagnosis.report = examine(dynamic_cast<FalconInput&>(*input), wait_s, [&](const FalconReport& report) {
+    diagnosis.report = examine(*input, wait_s, [&](const FalconReport& report) {
       stop_if_interrupted();
       live.show(report);
     });
@@ -150,9 +163,11 @@ std::function<int()> attach_doctor(CLI::App& command, FileOptions& files) {
               "Wait so long for a person to home the device and move its handle; default: 30 on a terminal, else 0")
           ->type_name("S")
           ->check(number_between(0.0, 3600.0, "s"));
+  std::vector<std::string_view> names;
+  for (const InputKind& kind : falcon_kinds({})) names.push_back(kind.name);
   command.add_option("--input", options->input, "falcon, or virtual-falcon to try this out; default: falcon")
       ->type_name("NAME")
-      ->check(one_of({"falcon", "virtual-falcon"}));
+      ->check(one_of(names));
   CLI::Option* const measure = command.add_flag(
       "--measure", options->measure,
       "Measure the device with a ruler and a weight, ten minutes, motors below 2 N; see docs/falcon.md");

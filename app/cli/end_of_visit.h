@@ -1,22 +1,14 @@
-// How a visit at the window ended, as far as the input's device is concerned: for scripts a number, for the people who
-// read their logs a sentence. Pure, allocates; not for the servo thread.
+// How a visit at the window ended, as far as the input's device is concerned. Pure, allocates; not for the servo thread.
 #pragma once
 
-#include <string>
+#include <span>
 
-#include "app/console/failure.h"
+#include "app/live/input_link.h"
 #include "core/motor_report.h"
-#include "core/spacemouse.h"
-#include "device/falcon/falcon_report.h"
 
 namespace ghostforce {
 
-struct EndOfVisit {
-  ExitCode code = ExitCode::done;
-  std::string words;  // empty where all went well
-};
-
-// `falcon` and `spacemouse`: null where the input is another.
-EndOfVisit end_of_visit(const MotorReport& motors, const FalconReport* falcon, const SpaceMouseReading* spacemouse);
+// `ladder`: of the input, empty where it has none; `of_input`: what its link says.
+EndOfVisit end_of_visit(const MotorReport& motors, std::span<const RungState> ladder, const EndOfVisit& of_input);
 
 }  // namespace ghostforce

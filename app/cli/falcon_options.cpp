@@ -86,11 +86,14 @@ InputOptions FalconSetUp::input_options(const std::optional<FirmwareImage>& imag
   InputOptions options;
   if (image) options.falcon.firmware = image->bytes;
   options.falcon.calibrations = recall_falcon_calibrations();
-  // Both have been looked at when the command line was.
-  options.falcon_serial = serial;
-  if (!usb_id.empty()) options.falcon_id = parse_usb_id(usb_id).value();
+  // They have been looked at when the command line was.
   for (const std::string& name : misbehave) find_misbehaviour(name)->add(options.misbehaviour);
   return options;
+}
+
+FtdiLinkOptions FalconSetUp::cable() const {
+  // It has been looked at when the command line was.
+  return {.id = usb_id.empty() ? falcon_usb_id : parse_usb_id(usb_id).value(), .serial = serial};
 }
 
 }  // namespace ghostforce

@@ -8,6 +8,7 @@
 
 #include "app/cli/own_inputs.h"
 #include "device/falcon_usb/firmware_file.h"
+#include "device/falcon_usb/ftdi_link.h"
 #include "device/input_catalog.h"
 
 namespace CLI {
@@ -29,6 +30,9 @@ struct FalconSetUp {
 
   // With the calibrations that are kept. Throws Failure where one of them is wrong.
   InputOptions input_options(const std::optional<FirmwareImage>& image) const;
+
+  // Which Falcon is meant.
+  FtdiLinkOptions cable() const;
 };
 
 }  // namespace ghostforce

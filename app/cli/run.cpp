@@ -13,6 +13,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/command_catalog.h"
+#include "app/cli/desktop_inputs.h"
 #include "app/cli/end_of_visit.h"
 #include "app/cli/falcon_options.h"
 #include "app/cli/picture_options.h"
@@ -25,6 +26,7 @@
 #include "app/live/application.h"
 #include "app/live/frame_pacer.h"
 #include "app/live/preferences.h"
+#include "app/paint/vector/file_painter.h"
 #include "app/runs/run_hand.h"
 #include "app/ui/display_loss.h"
 #include "app/ui/panels/panel_catalog.h"
@@ -80,20 +82,22 @@ WindowLayout layout_of(const Window& window, const Session& session) {
   return {size.width, size.height, window.is_maximized(), session.folded_panels};
 }
 
-// Either the name of an input, or replay and the recording to be replayed.
-constexpr std::string_view replay_name = "replay";
-constexpr std::string_view replay_begins = "replay:";
+// What stands before the recording that is to be replayed.
+std::string replay_begins() {
+  return fmt::format("{}:", replay_kind.name);
+}
 
+// Either the name of an input, or replay and the recording.
 WordCheck an_input() {
   std::vector<std::string_view> names;
-  for (const InputKind& kind : input_catalog()) {
+  for (const InputKind& kind : desktop_inputs()) {
     if (!kind.needs_recording) names.push_back(kind.name);
   }
   names.push_back("replay:FILE");
   const WordCheck is_name = one_of(names);
   return [is_name](const std::string& word) -> std::string {
-    if (word == replay_name || word == replay_begins) return "give the recording too: --input replay:FILE";
-    return word.starts_with(replay_begins) ? std::string() : is_name(word);
+    if (word == replay_kind.name || word == replay_begins()) return "give the recording too: --input replay:FILE";
+    return word.starts_with(replay_begins()) ? std::string() : is_name(word);
   };
 }
 
@@ -106,8 +110,8 @@ WordCheck a_file_of_its_own() {
 
 // The recording whose hand is to be replayed.
 std::optional<Run> load_recording(const Options& options) {
-  if (!options.input.starts_with(replay_begins)) return std::nullopt;
-  Run run = load_run(options.input.substr(replay_begins.size()));
+  if (!options.input.starts_with(replay_begins())) return std::nullopt;
+  Run run = load_run(options.input.substr(replay_begins().size()));
   for (const std::string& remark : run.remarks) say("{}\n", remark);
   return run;
 }
@@ -139,7 +143,9 @@ int run(const Options& options) {
   Application application(
       window, scene,
       {.look = look,
-       .input = std::string(recording ? replay_name : std::string_view(options.input)),
+       .inputs = desktop_inputs(options.falcon.cable()),
+       .input = std::string(recording ? replay_kind.name : std::string_view(options.input)),
+       .painter = cairo_file_painter(),
        .record = options.record,
        .input_options = input_options,
        .offers_hints = remembered.preferences.offers_hints && !options.no_hints,
@@ -205,7 +211,7 @@ int run(const Options& options) {
   if (!options.exit_after_s) return static_cast<int>(ExitCode::done);
   // Scripts want to know; a person has seen it on the screen.
   const EndOfVisit end =
-      end_of_visit(application.report().motors, application.falcon_report(), application.spacemouse_reading());
+      end_of_visit(application.report().motors, application.reading().ladder, application.input_link().end());
   if (!end.words.empty()) say("{}\n", end.words);
   return static_cast<int>(end.code);
 }
@@ -225,8 +231,8 @@ std::function<int()> attach_run(CLI::App& command, FileOptions& files) {
           ->type_name("NAME")
           ->check(an_input()),
       [](const std::string& word) {
-        return word.starts_with(replay_begins) ? std::vector{word.substr(replay_begins.size())}
-                                               : std::vector<std::string>{};
+        return word.starts_with(replay_begins()) ? std::vector{word.substr(replay_begins().size())}
+                                                 : std::vector<std::string>{};
       });
   files.writes(command
                    .add_option("--record", options->record,

@@ -1,5 +1,6 @@
 #include "app/doctor/readiness.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -27,6 +28,44 @@ constexpr std::array rungs{
               "Use a USB port of the machine itself, without a hub, and close what keeps the machine busy."},
     RungEntry{Rung::outside_wall, "outside_wall", "Outside the wall", "Move the handle out of the wall."},
     RungEntry{Rung::armed, "armed", "Armed", "Hold the handle and press the safety button."},
+};
+
+struct FaultRemedy {
+  FalconFault fault;
+  std::string_view remedy;
+};
+constexpr std::array fault_remedies{
+    FaultRemedy{FalconFault::not_allowed,
+                "This user may not open the device. Run 'ghostforce doctor --install-udev' once, then plug the device "
+                "in again."},
+    FaultRemedy{FalconFault::busy, "Close the other program that has the device."},
+    FaultRemedy{FalconFault::unsupported,
+                "What is plugged in has not the one interface with two bulk endpoints that a Falcon has."},
+    FaultRemedy{FalconFault::unplugged,
+                "Plug it in again: it is looked for all the time. Motors stay off until you arm them."},
+    FaultRemedy{FalconFault::broken, "Use another cable or another USB port, one of the machine itself."},
+    FaultRemedy{FalconFault::no_firmware,
+                "The device has no firmware and there is no file to give it: name one with --firmware FILE, or see "
+                "docs/falcon.md for where to put it."},
+    FaultRemedy{FalconFault::no_handshake,
+                "The device does not answer its boot loader's call. Unplug both its cables, wait 5 s, plug power in "
+                "first; then another USB port."},
+    FaultRemedy{
+        FalconFault::no_baud_answer,
+        "The device does not follow to the upload's rate. Unplug both its cables, wait 5 s, and plug them in again."},
+    FaultRemedy{FalconFault::echo_missing,
+                "A byte of the firmware was not echoed. Use another cable or USB port; if it stays, unplug both cables "
+                "for 5 s."},
+    FaultRemedy{FalconFault::echo_differs,
+                "A byte of the firmware came back as another. Use another cable or USB port, without a hub."},
+    FaultRemedy{FalconFault::firmware_silent,
+                "The firmware is loaded and answers nothing: is it the file for this device? Compare its SHA-256 with "
+                "docs/falcon.md."},
+    FaultRemedy{FalconFault::no_replies,
+                "Is the device's power supply plugged in? It is being opened again by itself."},
+    FaultRemedy{FalconFault::kinematics,
+                "The encoders tell a position that the arms cannot have: home the device again (F2), and check the "
+                "geometry in its calibration file."},
 };
 
 // The wire to the device is dead, and what it was told last was a force.
@@ -112,7 +151,8 @@ class Climb {
       is_below_current = is_below_current && state.is_reached;
       if (state.is_current && report_.state == FalconState::fault && report_.fault != FalconFault::none) {
         const FalconFaultEntry& fault = entry_of(report_.fault);
-        state.words = fmt::format("{}{}: {}", report_.may_still_push ? still_pushing : "", fault.title, fault.remedy);
+        state.words =
+            fmt::format("{}{}: {}", report_.may_still_push ? still_pushing : "", fault.title, remedy_of(fault.id));
       } else if (state.is_reached || state.is_current || is_measured_too_slow(entry.id)) {
         state.words = words(entry, state.is_reached);
       }
@@ -233,6 +273,11 @@ const RungEntry& entry_of(Rung rung) noexcept {
   return rungs[static_cast<std::size_t>(rung)];
 }
 
+std::string_view remedy_of(FalconFault fault) noexcept {
+  const auto found = std::ranges::find(fault_remedies, fault, &FaultRemedy::fault);
+  return found == fault_remedies.end() ? "" : found->remedy;
+}
+
 double attainable_exchange_hz(const FalconReport& report) noexcept {
   if (report.state != FalconState::homing) return report.exchange_hz;
   return report.exchange_s > 0.0 && report.exchange_hz > 0.0 ? 1.0 / report.exchange_s : 0.0;
@@ -248,8 +293,8 @@ std::vector<RungState> ladder_of(const FalconReport& report, const MotorReport* 
   return Climb(report, motors).states();
 }
 
-ExitCode exit_code_of(const FalconReport& report, bool needs_homing) {
-  for (const RungState& state : ladder_of(report, nullptr)) {
+ExitCode exit_code_of(std::span<const RungState> ladder, bool needs_homing) {
+  for (const RungState& state : ladder) {
     if (state.is_reached) continue;
     switch (state.rung) {
       case Rung::seen:
@@ -271,6 +316,10 @@ ExitCode exit_code_of(const FalconReport& report, bool needs_homing) {
     }
   }
   return ExitCode::done;
+}
+
+ExitCode exit_code_of(const FalconReport& report, bool needs_homing) {
+  return exit_code_of(ladder_of(report, nullptr), needs_homing);
 }
 
 }  // namespace ghostforce

@@ -2,9 +2,7 @@
 
 #include "app/console/interruption.h"
 #include "app/figures/sheet.h"
-#include "app/files/png_file.h"
-#include "app/paint/image_painter.h"
-#include "app/paint/vector/vector_painter.h"
+#include "app/paint/vector/file_painter.h"
 
 namespace ghostforce {
 namespace {
@@ -12,17 +10,15 @@ namespace {
 constexpr double density = 2.0;  // of the smaller PNG [pixels per point]
 
 std::string content_of(const Figure& figure, std::string_view ending, const std::string& file_name) {
+  if (ending == ".csv") return csv_text(figure.data);
   const Theme& theme = paper();
-  const double text_scale = theme.thickness;
-  const auto pixels = [&](double pixels_per_point) {
-    return png_bytes(paint_image(figure.panes, theme, figure.size, text_scale, pixels_per_point));
-  };
-  if (ending == ".png") return pixels(density);
-  if (ending == "@2x.png") return pixels(2.0 * density);
-  if (const auto format = vector_format_of(file_name)) {
-    return paint_vector(figure.panes, theme, figure.size, text_scale, *format, figure.title);
-  }
-  return csv_text(figure.data);
+  return paint_file({.panes = figure.panes,
+                     .theme = theme,
+                     .size = figure.size,
+                     .text_scale = theme.thickness,
+                     .title = figure.title,
+                     .density = ending == "@2x.png" ? 2.0 * density : density},
+                    file_name);
 }
 
 }  // namespace

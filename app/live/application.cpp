@@ -1,8 +1,8 @@
 #include "app/live/application.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
-#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -14,13 +14,11 @@
 #include "app/files/png_file.h"
 #include "app/files/run_reader.h"
 #include "app/files/scene_file.h"
-#include "app/paint/vector/vector_painter.h"
 #include "app/runs/run_hand.h"
-#include "app/session/input_choices.h"
 #include "app/session/measurement_guide.h"
 #include "app/session/scene_as_seen.h"
-#include "app/ui/panels/panel_catalog.h"
 #include "app/ui/plots/plot_export.h"
+#include "app/ui/widgets/save_path.h"
 #include "core/play.h"
 #include "core/sound_state.h"
 
@@ -56,12 +54,13 @@ Application::Application(Window& window, const Scene& scene, const ApplicationOp
     : window_(window),
       session_(session_with(scene, options)),
       undo_({session_.scene, session_.settings}),
-      inputs_(input_choices(options.input_options.recorded_hand != nullptr)),
-      misbehaviours_(misbehaviour_choices()),
+      inputs_(options.inputs),
+      input_choices_(choices_of(inputs_, options.input_options.recorded_hand != nullptr)),
       input_options_(options.input_options),
+      painter_(options.painter),
       screen_(window, options.part) {
   if (!options.shader_folder.empty()) shader_watch_.emplace(options.shader_folder);
-  use(*find_input(options.input), session_.scene, session_.settings);
+  use(input_of(options.input), session_.scene, session_.settings);
   if (options.record) start_recording(*options.record);
 }
 
@@ -74,14 +73,19 @@ void Application::start() {
   servo_->start();
 }
 
+const InputEntry& Application::input_of(std::string_view name) const {
+  if (const InputEntry* const entry = find_input(inputs_, name)) return *entry;
+  throw Failure(ExitCode::wrong_call, fmt::format("there is no input '{}' here; choose another", printable(name)));
+}
+
 // A servo owns its input, so another input or another script is another servo; counts go on, so that what is asked for
 // later still looks new to it. An input that cannot be had leaves everything as it was.
-void Application::use(const InputKind& kind, std::shared_ptr<const Scene> scene, const Settings& settings) {
+void Application::use(const InputEntry& entry, std::shared_ptr<const Scene> scene, const Settings& settings) {
   // A device has one driver: the one before lets go of it first.
   if (servo_) servo_->stop();
-  std::unique_ptr<Input> hand;
+  LinkedInput made;
   try {
-    hand = kind.make(*scene, input_options_);
+    made = entry.make(*scene, input_options_);
   } catch (...) {
     if (is_started_) servo_->start();
     throw;
@@ -91,18 +95,12 @@ void Application::use(const InputKind& kind, std::shared_ptr<const Scene> scene,
     tell(fmt::format("Another scene or input ends the recording. {}", words), !recording_problem_.empty());
   }
   const bool is_other_scene = scene != session_.scene;
-  pointer_ = dynamic_cast<PointerTarget*>(hand.get());
-  spacemouse_ = dynamic_cast<SpaceMouseInput*>(hand.get());
-  circle_ = dynamic_cast<CircleInput*>(hand.get());
-  falcon_ = dynamic_cast<FalconInput*>(hand.get());
-  virtual_falcon_ = dynamic_cast<VirtualFalconInput*>(hand.get());
-  falcon_report_ = {};
-  input_title_ = kind.title;
-  session_.input = kind.name;
+  input_ = &entry;
+  session_.input = entry.name;
+  session_.pointer_moves_goal = false;
+  session_.hand_is_simulated = entry.hand_is_simulated;
+  session_.circle_test.is_on = session_.circle_test.has_news = false;
   session_.misbehaviour.clear();
-  if (circle_ != nullptr) session_.folded_panels.erase(std::string(energy_panel));
-  session_.circle_test.has_news = circle_ != nullptr;
-  session_.pointer_moves_goal = pointer_ != nullptr;
   session_.scene = std::move(scene);
   session_.settings = settings;
   session_.goal = session_.scene->goal.points.back();
@@ -110,17 +108,16 @@ void Application::use(const InputKind& kind, std::shared_ptr<const Scene> scene,
     session_.shown = session_.scene->view;
     window_.set_title(window_title(*session_.scene));
   }
-  sent_goal_ = session_.goal;
   sent_settings_ = session_.settings;
   command_.settings = as_in_file(session_.settings);
-  sent_circle_ = {};
-  circle_meter_.start(session_.settings, sent_circle_);
   command_.restarts_asked = session_.restarts_asked;
   command_.steps_asked = session_.steps_asked;
   note_motors();
   command_.restart_state = start_state();
-  servo_ = std::make_unique<Servo>(std::move(hand), command_);
-  if (virtual_falcon_ != nullptr) virtual_falcon_->move_to(session_.goal, 1.0);
+  link_.reset();
+  servo_ = std::make_unique<Servo>(std::move(made.input), command_);
+  link_ = std::move(made.link);
+  link_->begin(session_);
   report_ = {};
   report_.restarts = command_.restarts_asked;
   report_.snapshot = snapshot_of(plan_of(session_.settings), command_.restart_state);
@@ -135,13 +132,12 @@ TickState<2> Application::start_state() {
   session_.plots.follows = true;  // what was looked back at is gone
   Scene scene = *session_.scene;
   scene.settings = session_.settings;
-  const InputKind& kind = *find_input(session_.input);
-  const bool is_replay = kind.needs_recording && input_options_.recorded_hand;
+  const bool is_replay = input_->needs_recording && input_options_.recorded_hand;
   if (is_replay) scene.goal = *input_options_.recorded_hand;
   const Vector<2> first = goal_at(scene.goal, 0.0);
-  const TickState<2> state =
-      play_from(is_replay ? state_at_rest(scene.settings, first) : state_at_start(first), scene,
-                kind.is_scripted ? 0 : last_tick(scene), [this](const Snapshot& snapshot) { history_.add(snapshot); });
+  const TickState<2> state = play_from(is_replay ? state_at_rest(scene.settings, first) : state_at_start(first), scene,
+                                       input_->is_scripted ? 0 : last_tick(scene),
+                                       [this](const Snapshot& snapshot) { history_.add(snapshot); });
   if (is_sound(state)) return state;
   // Unstable settings have no rest to start from: start where the hand is, and let the servo say what it finds.
   history_.clear();
@@ -156,8 +152,7 @@ void Application::frame(double interval_s) {
     read_recording();
     if (recording_->progress().error != 0) tell(end_recording(), true);
   }
-  if (falcon_ != nullptr) falcon_report_ = falcon_->report();
-  if (spacemouse_ != nullptr) spacemouse_reading_ = spacemouse_->reading();
+  link_->look();
   // Nobody stops the time of a real hand.
   if (report_.snapshot.measured) session_.paused = false;
   if (report_.restarts != command_.restarts_asked || report_.snapshot.tick == 0) {
@@ -166,7 +161,7 @@ void Application::frame(double interval_s) {
   }
   follow_measurement(session_, report_.snapshot, report_.motors);
   if (shader_watch_) shader_watch_->look(screen_.painter(), clock_s_);
-  screen_.draw(session_, report_.snapshot, history_, loop_reading(), interval_s);
+  screen_.draw(session_, report_.snapshot, history_, reading(), interval_s);
   grant_wishes();
   undo_.note({session_.scene, session_.settings}, session_.is_editing || is_measuring(session_));
   if (session_.notice && !session_.notice->is_problem) {
@@ -176,41 +171,20 @@ void Application::frame(double interval_s) {
   send(interval_s);
 }
 
-LoopReading Application::loop_reading() const {
-  return {.input_title = input_title_,
-          .rate_hz = report_.loop.rate_hz,
-          .late_ticks = report_.loop.late_ticks,
-          .dropped_samples = report_.loop.dropped_samples,
-          .refused = report_.refused_commands + (pointer_ != nullptr ? pointer_->ignored_moves() : 0),
-          .diverged = report_.diverged,
-          .inputs = inputs_,
-          .shader_problem = shader_watch_ ? std::string_view(shader_watch_->problem()) : std::string_view(),
-          .motors = report_.motors,
-          .ladder = falcon_ != nullptr ? ladder_of(falcon_report_, &report_.motors) : std::vector<RungState>(),
-          .device = falcon_ != nullptr ? fmt::format("{} {}", input_title_, falcon_report_.serial.text()) : "",
-          .device_remark = device_remark(),
-          .spacemouse = spacemouse_ != nullptr ? std::optional(spacemouse_reading_) : std::nullopt,
-          .misbehaviours = virtual_falcon_ != nullptr ? misbehaviours_ : std::span<const InputChoice>(),
-          .recording = recording_reading_,
-          .circle = circle_ != nullptr ? std::optional(circle_meter_.reading()) : std::nullopt,
-          .remark = mode_of(report_.realtime)};
-}
-
-std::string Application::device_remark() const {
-  if (falcon_ == nullptr) return {};
-  const auto known =
-      std::ranges::find(input_options_.falcon.calibrations, falcon_report_.serial, &FalconCalibration::serial);
-  const FalconCalibration calibration =
-      known == input_options_.falcon.calibrations.end() ? FalconCalibration{} : *known;
-  const FalconPlane plane(calibration, session_.scene->view.center);
-  double needed = 0.0;
-  for (const Vector<2>& point : session_.scene->goal.points) needed = std::max(needed, plane.scale_to_reach(point));
-  if (needed <= calibration.scale) return {};
-  return fmt::format(
-      "This scene reaches {:.0f} mm from the middle of the view, and the handle {:.0f} mm: set scale = {:.1f} or more "
-      "in the device's calibration file.",
-      1000.0 * workspace_radius * needed, 1000.0 * workspace_radius * calibration.scale,
-      std::ceil(10.0 * needed) / 10.0);
+LoopReading Application::reading() const {
+  LoopReading reading{.input_title = input_->title,
+                      .rate_hz = report_.loop.rate_hz,
+                      .late_ticks = report_.loop.late_ticks,
+                      .dropped_samples = report_.loop.dropped_samples,
+                      .refused = report_.refused_commands,
+                      .diverged = report_.diverged,
+                      .inputs = input_choices_,
+                      .shader_problem = shader_watch_ ? std::string_view(shader_watch_->problem()) : std::string_view(),
+                      .motors = report_.motors,
+                      .recording = recording_reading_,
+                      .remark = mode_of(report_.realtime)};
+  link_->fill(reading);
+  return reading;
 }
 
 void Application::take_samples() {
@@ -219,26 +193,12 @@ void Application::take_samples() {
     // Samples of a run that has been reset meanwhile belong to no picture any more.
     if (sample.restarts != command_.restarts_asked) continue;
     history_.add(sample.snapshot);
-    if (circle_ != nullptr) circle_meter_.add(sample.snapshot);
+    link_->add(sample.snapshot);
   }
 }
 
-// The circle lies in the wall as it is now. While the wall is being turned it waits.
-void Application::lead_round() {
-  const Circle circle =
-      circle_inside(wall_of(session_.settings), session_.scene->goal.points.back(), session_.circle_test.choice);
-  if (circle == sent_circle_ || session_.is_editing) return;
-  circle_->go_round(circle);
-  sent_circle_ = circle;
-  ++session_.restarts_asked;
-}
-
 void Application::send(double interval_s) {
-  if (circle_ != nullptr) lead_round();
-  Settings measured = session_.settings;
-  measured.active = sent_settings_.active;  // all strategies are measured, whichever is the active one
-  const bool is_other_run = measured != sent_settings_ || session_.restarts_asked != command_.restarts_asked;
-  if (circle_ != nullptr && is_other_run) circle_meter_.start(session_.settings, sent_circle_);
+  link_->send(session_, interval_s);
   if (session_.settings != sent_settings_) {
     ++command_.settings_generation;
     sent_settings_ = session_.settings;
@@ -246,7 +206,6 @@ void Application::send(double interval_s) {
   }
   if (session_.restarts_asked != command_.restarts_asked) {
     command_.restart_state = start_state();
-    sent_goal_ = session_.goal;
   }
   command_.paused = session_.paused;
   command_.speed = session_.speed;
@@ -255,23 +214,6 @@ void Application::send(double interval_s) {
   note_motors();
   ++command_.heart_beats;
   servo_->send(command_);
-  if (spacemouse_ != nullptr) spacemouse_->set(session_.spacemouse);
-  if (pointer_ == nullptr) return;
-  pointer_->hold_with(session_.settings.impedances.k_u);
-  if (virtual_falcon_ != nullptr) rehearse();
-  if (session_.drags_goal || session_.goal != sent_goal_) {
-    pointer_->move_to(session_.goal, interval_s * session_.speed);
-    sent_goal_ = session_.goal;
-  }
-}
-
-void Application::rehearse() {
-  // Whoever drags a virtual handle holds its grip.
-  virtual_falcon_->press(session_.drags_goal ? ReplyFrame::button_centre : 0);
-  if (session_.misbehaviour.empty()) return;
-  Misbehaviour wrong;
-  if (const MisbehaviourKind* const kind = find_misbehaviour(session_.misbehaviour)) kind->add(wrong);
-  virtual_falcon_->misbehave(wrong);
 }
 
 void Application::note_motors() {
@@ -289,12 +231,7 @@ void Application::beat() {
 }
 
 bool Application::has_news() {
-  if (recording_ && recording_->progress().error != 0) return true;
-  if (spacemouse_ != nullptr) {
-    const SpaceMouseReading& now = spacemouse_->reading();
-    const SpaceMouseReading& shown = spacemouse_reading_;
-    if (now.trouble != shown.trouble || now.connection != shown.connection || now.reports != shown.reports) return true;
-  }
+  if ((recording_ && recording_->progress().error != 0) || link_->has_news()) return true;
   const ServoReport& now = servo_->newest();
   return now.snapshot.tick != report_.snapshot.tick || now.restarts != report_.restarts ||
          now.refused_commands != report_.refused_commands || now.diverged != report_.diverged ||
@@ -313,7 +250,7 @@ void Application::grant_wishes() {
     if (wishes.toggle_full_screen) window_.toggle_full_screen();
     if (wishes.undo || wishes.redo) take_back(wishes.undo);
     if (wishes.input && *wishes.input != session_.input) {
-      use(*find_input(*wishes.input), session_.scene, session_.settings);
+      use(input_of(*wishes.input), session_.scene, session_.settings);
     }
     if (wishes.open_scene) open(*wishes.open_scene);
     if (!dropped.empty()) open(dropped.front());
@@ -352,7 +289,7 @@ void Application::take_back(bool undo) {
 void Application::open(const std::string& name_or_path) {
   if (may_be_run(name_or_path)) return replay_run(name_or_path);
   const auto scene = std::make_shared<const Scene>(load_scene(name_or_path));
-  use(*find_input(session_.input), scene, scene->settings);
+  use(*input_, scene, scene->settings);
 }
 
 void Application::replay_run(const std::string& path) {
@@ -364,8 +301,9 @@ void Application::replay_run(const std::string& path) {
                               printable(path, longest_path)));
   }
   input_options_.recorded_hand = std::make_shared<const GoalPath>(goal_path_of(run));
-  inputs_ = input_choices(true);
-  use(*find_input("replay"), std::make_shared<const Scene>(*run.scene), run.scene->settings);
+  input_choices_ = choices_of(inputs_, true);
+  use(*std::ranges::find_if(inputs_, &InputEntry::needs_recording), std::make_shared<const Scene>(*run.scene),
+      run.scene->settings);
   tell(fmt::format("Replaying {}{}{}", printable(path, longest_path), run.remarks.empty() ? "" : "\n",
                    fmt::join(run.remarks, "\n")),
        false);
@@ -437,7 +375,7 @@ void Application::go_to(const std::optional<Edited>& edited) {
   if (edited->scene == session_.scene) {
     session_.settings = edited->settings;
   } else {
-    use(*find_input(session_.input), edited->scene, edited->settings);
+    use(*input_, edited->scene, edited->settings);
   }
 }
 
@@ -450,21 +388,20 @@ void Application::save_picture(const PictureWish& wish) {
 
 void Application::save_plots(const PlotWish& wish) {
   OutputFile file(wish.path);
-  file.write(plot_file(session_, report_.snapshot, history_.plots(), wish));
+  file.write(plot_file(session_, report_.snapshot, history_.plots(), wish, painter_));
   file.commit();
   tell(fmt::format("Saved {}", printable(wish.path, longest_path)), false);
 }
 
 std::string Application::picture_bytes(const PictureWish& wish) {
-  const auto format = vector_format_of(wish.path);
-  if (!format) {
-    return png_bytes(screen_.picture(session_, report_.snapshot, history_, loop_reading(),
+  constexpr std::array vectors{"svg", "pdf"};
+  if (format_of(wish.path, vectors) == nullptr) {
+    return png_bytes(screen_.picture(session_, report_.snapshot, history_, reading(),
                                      wish.scene_alone ? Part::scene : Part::window, wish.density));
   }
   // As large as on this display, without the handles, which are for a pointer.
   const double scale = session_.look.scale * static_cast<double>(window_.display_scale());
   const Theme& theme = *session_.look.theme;
-  const MeasureText measure = measure_vector_text;
   const std::vector<Pane> panes = compose_panes({.settings = session_.settings,
                                                  .snapshot = report_.snapshot,
                                                  .history = history_,
@@ -473,8 +410,13 @@ std::string Application::picture_bytes(const PictureWish& wish) {
                                                  .shown = session_.shown,
                                                  .size = screen_.scene_size(),
                                                  .scale = scale,
-                                                 .measure = measure});
-  return paint_vector(panes, theme, screen_.scene_size(), scale * theme.thickness, *format, session_.scene->title);
+                                                 .measure = painter_.measure});
+  return painter_.paint({.panes = panes,
+                         .theme = theme,
+                         .size = screen_.scene_size(),
+                         .text_scale = scale * theme.thickness,
+                         .title = session_.scene->title},
+                        wish.path);
 }
 
 }  // namespace ghostforce

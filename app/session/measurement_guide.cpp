@@ -85,7 +85,7 @@ void see_drift(UserMeasurement& measurement, const Vector<2>& direction, const S
 MeasuringStep next_step(const Session& session, const Snapshot& snapshot, const MotorReport& motors, bool shows_drift) {
   const UserMeasurement& measurement = session.measurement;
   if (session.paused) return MeasuringStep::go_on;
-  if (session.input == "circle") return MeasuringStep::leave_circle;
+  if (session.circle_test.is_on) return MeasuringStep::leave_circle;
   if (session.settings.active != StrategyId::anisotropic) return MeasuringStep::choose_a;
   if (!shows_drift) return MeasuringStep::turn_wall;
   if (!(session.settings.impedances.k_r > 0.0)) return MeasuringStep::render;
@@ -136,7 +136,7 @@ void follow_measurement(Session& session, const Snapshot& snapshot, const MotorR
   measurement.target.reset();
   if (motors.has_motors) measurement.target = projection(wall, session.scene->goal.points.back());
   // The hand at a virtual device is as simulated as the one that the mouse leads.
-  const bool is_simulated = !motors.has_motors || session.input == "virtual-falcon";
+  const bool is_simulated = !motors.has_motors || session.hand_is_simulated;
   measurement.given_k_u = is_simulated ? std::optional(session.settings.impedances.k_u) : std::nullopt;
   const bool is_held = snapshot.measured && motors.held_k_r > 0.0;
   measurement.k_r = is_held ? motors.held_k_r : session.settings.impedances.k_r;

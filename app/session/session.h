@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <set>
@@ -12,17 +13,20 @@
 #include <string_view>
 #include <vector>
 
-#include "app/doctor/readiness.h"
 #include "app/session/measurement.h"
 #include "app/session/plot_view.h"
 #include "app/view/theme.h"
 #include "app/view/view.h"
+#include "core/input_choice.h"
 #include "core/loop_energy.h"
 #include "core/motor_report.h"
+#include "core/readiness.h"
 #include "core/scene.h"
 #include "core/spacemouse.h"
 
 namespace ghostforce {
+
+struct PanelContext;
 
 // How the screen looks; kept from one run to the next.
 struct Look {
@@ -87,6 +91,7 @@ struct Notice {
 struct CircleTest {
   CircleChoice choice;
   std::string input_before = "mouse";  // to go back to
+  bool is_on = false;                  // a circle is the input in use
   bool has_news = false;               // its table has just appeared; who has brought it into sight clears it
 };
 
@@ -114,7 +119,8 @@ struct Session {
   CircleTest circle_test;
   std::string misbehaviour;         // of a virtual device, a name of loop.misbehaviours; empty: as it was started
   std::string input = "mouse";      // who moves the goal, a name of the input catalog
-  bool pointer_moves_goal = true;   // that input is the mouse
+  bool pointer_moves_goal = true;   // that input follows the mouse
+  bool hand_is_simulated = false;   // though that input has motors
   std::string recording_path;       // in the panel's field; empty: a name is proposed when recording begins
   bool has_handles = false;         // there is a person who can take hold of wall and motor axis
   std::optional<std::size_t> hint;  // offered to somebody who is new here: the number of it in hint_catalog()
@@ -132,13 +138,6 @@ inline Session session_of(const Scene& scene) {
   session.shown = scene.view;
   return session;
 }
-
-// Something that can move the goal.
-struct InputChoice {
-  std::string_view name;  // in the input catalog
-  std::string_view title;
-  std::string_view sentence;
-};
 
 // The recording that is being made, or the last one.
 struct RecordingReading {
@@ -158,13 +157,13 @@ struct LoopReading {
   std::uint64_t refused = 0;  // settings and moves that the loop could not take
   bool diverged = false;      // the settings made the simulation unstable; it waits for others
   std::span<const InputChoice> inputs{};
-  std::string_view shader_problem{};              // why watched shaders are not in use; may be empty
-  MotorReport motors{};                           // of the input, and what watches over them
-  std::vector<RungState> ladder{};                // from nothing to motors that push; empty: the input has none
-  std::string device{};                           // what the ladder is of; may be empty
-  std::string device_remark{};                    // what else is to be known about it; may be empty
-  std::optional<SpaceMouseReading> spacemouse{};  // if that is the input
-  std::span<const InputChoice> misbehaviours{};   // that a virtual device can be asked for; empty: it is none
+  std::string_view shader_problem{};                      // why watched shaders are not in use; may be empty
+  MotorReport motors{};                                   // of the input, and what watches over them
+  std::vector<RungState> ladder{};                        // from nothing to motors that push; empty: the input has none
+  std::string device{};                                   // what the ladder is of; may be empty
+  std::string device_remark{};                            // what else is to be known about it; may be empty
+  std::span<const InputChoice> misbehaviours{};           // that a virtual device can be asked for; empty: it is none
+  std::function<void(const PanelContext&)> draw_input{};  // what else the input shows in its panel; may be empty
   RecordingReading recording{};
   std::optional<CircleReading> circle{};  // if the circle is the input
   std::string remark{};                   // what the operating system granted and refused the loop; may be empty

@@ -101,8 +101,7 @@ void Gestures::begin(Session& session, const Pane& pane, const Vector<2>& pointe
     grip_ = Grip::handle;
     began_angle_ = angle_of(held_, settings);
   } else {
-    const bool is_circle_test = session.input == "circle";
-    grip_ = session.pointer_moves_goal ? Grip::goal : is_circle_test ? Grip::circle : Grip::nothing;
+    grip_ = session.pointer_moves_goal ? Grip::goal : session.circle_test.is_on ? Grip::circle : Grip::nothing;
   }
 }
 

@@ -8,7 +8,6 @@
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
 #include "app/paint/json_painter.h"
-#include "app/session/input_choices.h"
 #include "app/ui/panels/panel_catalog.h"
 #include "app/ui/window.h"
 #include "core/play.h"
@@ -84,8 +83,7 @@ Drawing draw_moment(const PictureRequest& request, const Moment& moment) {
   session.options = request.options;
   session.look = request.look;
   session.pointer_moves_goal = false;
-  const InputKind& hand = *find_input("script");
-  session.input = hand.name;
+  session.input = scripted_hand.name;
   session.folded_panels = panels_folded_at_first(request.height / request.look.scale);
 
   Window window({.title = "ghostforce",
@@ -94,13 +92,14 @@ Drawing draw_moment(const PictureRequest& request, const Moment& moment) {
                  .offscreen = true,
                  .takes_mouse = false});
   Screen screen(window, request.part);
-  const std::vector<InputChoice> inputs = input_choices(false);
   // A panel of ImGui knows its size one frame after its content. Nobody sees the frames before the last.
   constexpr int frames_to_settle = 3;
   for (int i = 0; i < frames_to_settle; ++i) {
     window.set_visible_drawing(i + 1 == frames_to_settle);
-    screen.draw(session, moment.snapshot, moment.history,
-                {.input_title = hand.title, .rate_hz = session.settings.rate, .inputs = inputs}, 0.0);
+    screen.draw(
+        session, moment.snapshot, moment.history,
+        {.input_title = scripted_hand.title, .rate_hz = session.settings.rate, .inputs = std::span(&scripted_hand, 1)},
+        0.0);
   }
   stop_if_interrupted();
   const ImVec2 corner = screen.scene_corner();

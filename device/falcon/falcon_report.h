@@ -44,9 +44,8 @@ enum class FalconFault : std::uint8_t {
 
 struct FalconFaultEntry {
   FalconFault id;
-  std::string_view name;    // in JSON
-  std::string_view title;   // on screen
-  std::string_view remedy;  // what to do
+  std::string_view name;   // in JSON
+  std::string_view title;  // on screen
 };
 
 std::span<const FalconFaultEntry> falcon_fault_catalog() noexcept;

@@ -26,7 +26,7 @@ namespace ghostforce {
 
 struct FtdiLinkOptions {
   UsbId id = falcon_usb_id;
-  std::string serial;  // empty: the first of them, in the order of their serial numbers, that can be had
+  std::string serial{};  // empty: the first of them, in the order of their serial numbers, that can be had
 };
 
 class FtdiLink final : public FalconLink {

@@ -18,7 +18,6 @@
 #include "app/files/falcon_calibration_file.h"
 #include "app/files/output_file.h"
 #include "device/falcon/emergency_stop.h"
-#include "device/falcon_usb/ftdi_link.h"
 #include "device/servo/realtime.h"
 #include "device/virtual_falcon/practice_firmware.h"
 #include "device/virtual_falcon/virtual_link.h"
@@ -114,7 +113,7 @@ int measure_with_doctor(const MeasureCall& call) {
     if (options.falcon.firmware.empty()) options.falcon.firmware = practice_firmware(practice_words);
     options.falcon.is_virtual = true;
   } else {
-    link = std::make_unique<FtdiLink>(FtdiLinkOptions{.id = options.falcon_id, .serial = options.falcon_serial});
+    link = std::make_unique<FtdiLink>(call.cable);
   }
   request_realtime();
   // Before anybody has worked for ten minutes.

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "device/falcon_usb/firmware_file.h"
+#include "device/falcon_usb/ftdi_link.h"
 #include "device/input_catalog.h"
 
 namespace ghostforce {
@@ -12,6 +13,7 @@ namespace ghostforce {
 struct MeasureCall {
   std::optional<FirmwareImage> firmware;
   InputOptions input;
+  FtdiLinkOptions cable;
   bool is_virtual = false;
   std::string report = "-";                // path; -: the standard output
   std::optional<std::string> calibration;  // path; none: where calibrations are kept, if the person wants that

@@ -63,7 +63,7 @@ void await_homed(Falcon& falcon, Operator& person) {
     }
     if (report.state == FalconState::fault) {
       const FalconFaultEntry& fault = entry_of(report.fault);
-      throw Failure(exit_code_of(report, true), fmt::format("The Falcon: {}. {}", fault.title, fault.remedy));
+      throw Failure(exit_code_of(report, true), fmt::format("The Falcon: {}. {}", fault.title, remedy_of(fault.id)));
     }
     if (report.state != told) {
       told = report.state;

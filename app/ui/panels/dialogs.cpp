@@ -59,10 +59,6 @@ void draw_dialog(const PanelContext& context) {
   if (!is_open) session.dialog = Dialog::none;
 }
 
-float dialog_field_width(float points, const PanelContext& context) {
-  return std::min(points * context.scale, ImGui::GetIO().DisplaySize.x - 80.0F * context.scale);
-}
-
 void draw_notice(const PanelContext& context, ImVec2 corner, ImVec2 size) {
   Session& session = context.session;
   if (!session.notice) return;

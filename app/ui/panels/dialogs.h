@@ -15,10 +15,7 @@ void draw_notice(const PanelContext& context, ImVec2 corner, ImVec2 size);
 // Why the shaders in the watched folder are not in use, if they are not: the driver's log and the numbered source.
 void draw_shader_problem(const PanelContext& context, ImVec2 corner, ImVec2 size);
 
-// How wide a field may be that would like to be `points` wide: the dialog has to stay inside the window.
-float dialog_field_width(float points, const PanelContext& context);
-
-// The dialogs themselves, a file each.
+// The dialogs themselves: a file each, and one for all that save.
 void draw_help(const PanelContext& context);
 void draw_doctor(const PanelContext& context);
 void draw_open_scene(const PanelContext& context);

@@ -13,16 +13,14 @@
 namespace ghostforce {
 namespace {
 
-constexpr std::string_view circle_input = "circle";
-
 void draw_switch(Session& session) {
-  if (session.input != circle_input) {
+  if (!session.circle_test.is_on) {
     ImGui::PushTextWrapPos(0.0F);
     ImGui::TextUnformatted("Round a closed loop a wall should give no energy. With one motor it does:");
     ImGui::PopTextWrapPos();
     if (ImGui::Button("Circle test")) {
       session.circle_test.input_before = session.input;
-      session.wishes.input = std::string(circle_input);
+      session.wishes.input = "circle";
     }
     explain("The goal goes round a circle inside the wall, and each turn is measured.");
     return;

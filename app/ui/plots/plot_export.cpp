@@ -12,10 +12,7 @@
 #include "app/chart/chart.h"
 #include "app/chart/chart_pane.h"
 #include "app/files/csv_table.h"
-#include "app/files/png_file.h"
 #include "app/files/run_file.h"
-#include "app/paint/image_painter.h"
-#include "app/paint/vector/vector_painter.h"
 #include "app/session/scene_as_seen.h"
 #include "app/ui/panels/ratio_dial.h"
 #include "app/ui/plots/rest_curves.h"
@@ -169,30 +166,33 @@ Export export_of(const Session& session, const Snapshot& snapshot, const PlotHis
   return {};
 }
 
-std::string picture_of(const std::vector<Chart>& charts, const Session& session, const std::string& path) {
+std::string picture_of(const std::vector<Chart>& charts, const Session& session, const std::string& path,
+                       const FilePainter& painter) {
   const Theme& theme = *session.look.theme;
-  const MeasureText measure = measure_vector_text;
   std::vector<Pane> panes;
   for (std::size_t i = 0; i < charts.size(); ++i) {
     const Vector<2> place(static_cast<double>(i % charts_in_a_row), static_cast<double>(i / charts_in_a_row));
-    panes.push_back(chart_pane(charts[i], place * chart_size, chart_size, theme, 1.0, measure));
+    panes.push_back(chart_pane(charts[i], place * chart_size, chart_size, theme, 1.0, painter.measure));
   }
   const auto rows = static_cast<double>((charts.size() + charts_in_a_row - 1) / charts_in_a_row);
   const Vector<2> size(static_cast<double>(charts_in_a_row) * chart_size.x, rows * chart_size.y);
-  if (const auto format = vector_format_of(path)) {
-    return paint_vector(panes, theme, size, theme.thickness, *format, session.scene->title);
-  }
-  return png_bytes(paint_image(panes, theme, size, theme.thickness, picture_density));
+  return painter.paint({.panes = panes,
+                        .theme = theme,
+                        .size = size,
+                        .text_scale = theme.thickness,
+                        .title = session.scene->title,
+                        .density = picture_density},
+                       path);
 }
 
 }  // namespace
 
 std::string plot_file(const Session& session, const Snapshot& snapshot, const PlotHistory& history,
-                      const PlotWish& wish) {
+                      const PlotWish& wish, const FilePainter& painter) {
   const Export result = export_of(session, snapshot, history, wish.whole_history);
   constexpr std::array numbers{"csv"};
   if (format_of(wish.path, numbers) != nullptr) return provenance(scene_as_seen(session)) + csv_text(result.table);
-  return picture_of(result.charts, session, wish.path);
+  return picture_of(result.charts, session, wish.path, painter);
 }
 
 }  // namespace ghostforce

@@ -1,18 +1,17 @@
-// What the plots show, as a file: a table with the numbers, or a picture of the same curves. Pure but for the font that
-// pictures need; UI thread.
+// What the plots show, as a file: a table with the numbers, or a picture of the same curves. UI thread.
 #pragma once
 
 #include <string>
 
+#include "app/paint/file_painter.h"
 #include "app/session/session.h"
 #include "app/view/plot_history.h"
 #include "core/snapshot.h"
 
 namespace ghostforce {
 
-// The file's content; the ending of `wish.path` says which format. Throws Failure(file_trouble) where the font cannot
-// be read.
+// The file's content; the ending of `wish.path` says which format. Throws Failure where the painter of pictures does.
 std::string plot_file(const Session& session, const Snapshot& snapshot, const PlotHistory& history,
-                      const PlotWish& wish);
+                      const PlotWish& wish, const FilePainter& painter);
 
 }  // namespace ghostforce

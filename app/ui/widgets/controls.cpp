@@ -113,6 +113,10 @@ bool stiffness_slider(const char* id, std::string_view key, double& newton_per_m
   return true;
 }
 
+float dialog_field_width(float points, const PanelContext& context) {
+  return std::min(points * context.scale, ImGui::GetIO().DisplaySize.x - 80.0F * context.scale);
+}
+
 void close_popup_on_escape() {
   if (ImGui::IsKeyPressed(ImGuiKey_Escape, false)) ImGui::CloseCurrentPopup();
 }

@@ -38,6 +38,9 @@ bool stiffness_slider(const char* id, std::string_view key, double& newton_per_m
 // Degrees on screen, radians inside. Drags without an end: angles have none.
 bool angle_slider(const char* id, double& radians);
 
+// How wide a field of a dialog may be that would like to be `points` wide: the dialog has to stay inside the window.
+float dialog_field_width(float points, const PanelContext& context);
+
 // Closes the popup that is being drawn when Esc is pressed.
 void close_popup_on_escape();
 

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "app/ui/panels/dialogs.h"
 #include "app/ui/widgets/controls.h"
 
 namespace ghostforce {

@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include "app/cli/spacemouse_input_link.h"
+#include "app/doctor/readiness.h"
 #include "core/safety.h"
+#include "device/falcon/falcon_report.h"
 
 namespace ghostforce {
 namespace {
@@ -20,43 +23,51 @@ void expect_end(const EndOfVisit& end, ExitCode code, const std::string& words) 
   EXPECT_NE(end.words.find(words), std::string::npos) << end.words;
 }
 
+// At a device with motors, as the window shows it.
+EndOfVisit end_at(const FalconReport& falcon, const MotorReport& motors = {}) {
+  return end_of_visit(motors, ladder_of(falcon, &motors), {});
+}
+
+EndOfVisit end_at(const SpaceMouseReading& spacemouse) {
+  return end_of_visit({}, {}, end_with(spacemouse.trouble));
+}
+
 TEST(EndOfVisit, SaysNothingWhereAllWentWell) {
-  EXPECT_EQ(end_of_visit({}, nullptr, nullptr).code, ExitCode::done);
+  EXPECT_EQ(end_of_visit({}, {}, {}).code, ExitCode::done);
   SpaceMouseReading spacemouse;
   spacemouse.trouble = SpaceMouseReading::Trouble::none;
-  EXPECT_EQ(end_of_visit({}, nullptr, &spacemouse).code, ExitCode::done);
+  EXPECT_EQ(end_at(spacemouse).code, ExitCode::done);
   FalconReport falcon;
   falcon.state = FalconState::idle;
   falcon.has_homed = {true, true, true};
   ASSERT_TRUE(falcon.is_readable());
-  const EndOfVisit end = end_of_visit({}, &falcon, nullptr);
+  const EndOfVisit end = end_at(falcon);
   EXPECT_EQ(end.code, ExitCode::done);
   EXPECT_EQ(end.words, "");
 }
 
 TEST(EndOfVisit, SaysWhatKeepsTheFalcon) {
   const FalconReport absent;
-  expect_end(end_of_visit({}, &absent, nullptr), ExitCode::device_absent,
-             "No Falcon is plugged in. Plug in the Falcon's power supply");
+  expect_end(end_at(absent), ExitCode::device_absent, "No Falcon is plugged in. Plug in the Falcon's power supply");
   for (const FalconFaultEntry& fault : falcon_fault_catalog()) {
     if (fault.id == FalconFault::none) continue;
     const FalconReport report = with_fault(fault.id);
-    const EndOfVisit end = end_of_visit({}, &report, nullptr);
+    const EndOfVisit end = end_at(report);
     EXPECT_GE(static_cast<int>(end.code), static_cast<int>(ExitCode::device_absent)) << fault.name;
     EXPECT_LE(static_cast<int>(end.code), static_cast<int>(ExitCode::device_failed)) << fault.name;
-    EXPECT_NE(end.words.find(fault.remedy), std::string::npos) << end.words;
+    EXPECT_NE(end.words.find(remedy_of(fault.id)), std::string::npos) << end.words;
   }
   const FalconReport busy = with_fault(FalconFault::busy);
-  expect_end(end_of_visit({}, &busy, nullptr), ExitCode::device_refused, "The Falcon is not ready. in use");
+  expect_end(end_at(busy), ExitCode::device_refused, "The Falcon is not ready. in use");
 }
 
 TEST(EndOfVisit, SaysWhatKeepsTheSpaceMouse) {
   SpaceMouseReading reading;
-  expect_end(end_of_visit({}, nullptr, &reading), ExitCode::device_absent, "No SpaceMouse is plugged in");
+  expect_end(end_at(reading), ExitCode::device_absent, "No SpaceMouse is plugged in");
   reading.trouble = SpaceMouseReading::Trouble::not_allowed;
-  expect_end(end_of_visit({}, nullptr, &reading), ExitCode::device_refused, "--install-udev");
+  expect_end(end_at(reading), ExitCode::device_refused, "--install-udev");
   reading.trouble = SpaceMouseReading::Trouble::not_opened;
-  expect_end(end_of_visit({}, nullptr, &reading), ExitCode::device_refused, "cannot be opened");
+  expect_end(end_at(reading), ExitCode::device_refused, "cannot be opened");
 }
 
 TEST(EndOfVisit, ASafetyLimitComesFirst) {
@@ -64,7 +75,7 @@ TEST(EndOfVisit, ASafetyLimitComesFirst) {
   for (const OffReasonEntry& reason : off_reason_catalog()) {
     MotorReport motors;
     motors.reason = reason.id;
-    const EndOfVisit end = end_of_visit(motors, &absent, nullptr);
+    const EndOfVisit end = end_at(absent, motors);
     EXPECT_EQ(end.code, reason.is_safety_limit ? ExitCode::safety_stop : ExitCode::device_absent) << reason.name;
     if (reason.is_safety_limit) expect_end(end, ExitCode::safety_stop, std::string(reason.remedy));
   }

@@ -65,7 +65,7 @@ TEST_F(FalconSetUpTest, NothingAskedForAndNothingThere) {
   EXPECT_EQ(parse(""), "");
   EXPECT_FALSE(set_up_.read_firmware_file());
   const InputOptions options = set_up_.input_options({});
-  EXPECT_EQ(options.falcon_id, falcon_usb_id);
+  EXPECT_EQ(set_up_.cable().id, falcon_usb_id);
   EXPECT_EQ(options.misbehaviour, Misbehaviour{});
   EXPECT_TRUE(options.falcon.firmware.empty());
   EXPECT_TRUE(options.falcon.calibrations.empty());
@@ -74,7 +74,7 @@ TEST_F(FalconSetUpTest, NothingAskedForAndNothingThere) {
 TEST_F(FalconSetUpTest, TakesAnIdAndMisbehaviours) {
   EXPECT_EQ(parse("--falcon-usb-id 1D50:60fc --misbehave busy,garbage --misbehave never-homes"), "");
   const InputOptions options = set_up_.input_options({});
-  EXPECT_EQ(options.falcon_id, (UsbId{0x1D50, 0x60FC}));
+  EXPECT_EQ(set_up_.cable().id, (UsbId{0x1D50, 0x60FC}));
   EXPECT_EQ(options.misbehaviour.link, LinkFault::busy);
   EXPECT_TRUE(options.misbehaviour.garbage);
   EXPECT_TRUE(options.misbehaviour.never_homes);

@@ -12,7 +12,10 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/desktop_inputs.h"
 #include "app/files/scene_file.h"
+#include "app/paint/vector/file_painter.h"
+#include "device/virtual_falcon/virtual_falcon_input.h"
 
 namespace ghostforce {
 
@@ -22,9 +25,11 @@ class DrivenWindow : public testing::Test {
  protected:
   DrivenWindow() { open({}); }
 
-  // Opens anew; what was there before is gone.
+  // Opens anew, with the desktop's painter, and its inputs where the options have none; what was there before is gone.
   void open(ApplicationOptions options, const std::string& scene = "wall45", int width = 1280, int height = 800) {
     application_.reset();
+    if (options.inputs.empty()) options.inputs = desktop_inputs();
+    options.painter = cairo_file_painter();
     if (!window_ || window_->pixel_width() != width || window_->pixel_height() != height) {
       window_.reset();
       window_ = std::make_unique<Window>(
@@ -40,6 +45,8 @@ class DrivenWindow : public testing::Test {
   Session& session() { return application_->session(); }
   const Screen& screen() const { return application_->screen(); }
   const Snapshot& now() const { return application_->report().snapshot; }
+  // Where that is the input in use.
+  VirtualFalconInput& virtual_falcon() { return dynamic_cast<VirtualFalconInput&>(application_->servo().input()); }
   Image picture() const { return window_->picture(); }
 
   // A frame of the window and the ticks that the servo makes meanwhile.

@@ -357,7 +357,7 @@ TEST_F(ExperimentsWindow, TheCircleStaysInThePictureAndADragEndsIt) {
   frames(3);
   drag({1100.0, radius_y}, {1275.0, radius_y});
   frames(3);
-  const Circle& circle = application_->circle_reading()->circle;
+  const Circle circle = application_->reading().circle->circle;
   ASSERT_TRUE(session().circle_test.choice.radius);
   EXPECT_GT(circle.radius, 0.010);
   EXPECT_LT(circle.radius, 0.050);
@@ -391,7 +391,7 @@ TEST_F(ExperimentsWindow, ACircleHasTheEnergyOfTheFormulaInEitherSense) {
       frames(3);
       // At 4 s a turn: the way to the circle, a quarter to settle, and two turns.
       frames(24, 500);
-      const CircleReading& reading = *application_->circle_reading();
+      const CircleReading reading = *application_->reading().circle;
       ASSERT_GE(reading.turns, 2);
       for (const Strategy& entry : strategy_catalog()) {
         const CircleEnergy& energy = reading.strategies[index_of(entry.id)];
@@ -414,7 +414,7 @@ TEST_F(ExperimentsWindow, ACircleHasTheEnergyOfTheFormulaInEitherSense) {
   }
   click(end_circle_button);
   EXPECT_EQ(session().input, "mouse");
-  EXPECT_EQ(application_->circle_reading(), nullptr);
+  EXPECT_FALSE(application_->reading().circle);
 }
 
 TEST_F(ExperimentsWindow, TheCircleFollowsTheWallAndBeginsAnew) {
@@ -422,15 +422,16 @@ TEST_F(ExperimentsWindow, TheCircleFollowsTheWallAndBeginsAnew) {
   options.input = "circle";
   open(options);
   frames(16, 500);
-  ASSERT_GE(application_->circle_reading()->turns, 1);
+  ASSERT_GE(application_->reading().circle->turns, 1);
   session().settings.wall_normal_angle = -0.5;  // the circle's middle would be in front of this wall
   frames(3);
-  EXPECT_EQ(application_->circle_reading()->turns, 0);
+  EXPECT_EQ(application_->reading().circle->turns, 0);
   frames(16, 500);
-  ASSERT_GE(application_->circle_reading()->turns, 1);
-  for (const CircleEnergy& energy : application_->circle_reading()->strategies) EXPECT_TRUE(energy.stays_inside);
+  ASSERT_GE(application_->reading().circle->turns, 1);
+  const CircleReading reading = *application_->reading().circle;
+  for (const CircleEnergy& energy : reading.strategies) EXPECT_TRUE(energy.stays_inside);
   press(GLFW_KEY_R);
-  EXPECT_EQ(application_->circle_reading()->turns, 0);
+  EXPECT_EQ(application_->reading().circle->turns, 0);
 }
 
 // A real device's driver with a simulated arm and hand behind it: its goal is not known, so it has a target to aim at.
@@ -447,7 +448,7 @@ TEST_F(ExperimentsWindow, AHandOnADeviceIsMeasuredAgainstATarget) {
     }
     frames(10, ticks / 2);
   };
-  for (int i = 0; i < 300 && application_->falcon_report()->state != FalconState::idle; ++i) frames(1, 100);
+  for (int i = 0; i < 300 && virtual_falcon().report().state != FalconState::idle; ++i) frames(1, 100);
   lead_to({-0.015, 0.015});
   start_measuring(session());
   frames(2);

@@ -74,7 +74,7 @@ class MonkeyTest : public DrivenWindow {
     std::filesystem::current_path(folder_.path());
     ApplicationOptions options;
     options.input_options.virtual_falcon_clock = VirtualLink::Clock::stepped;
-    options.input_options.falcon_id = {0xFFFF, 0xFFFF};  // nobody's: no monkey drives a real one
+    options.inputs = desktop_inputs({.id = {0xFFFF, 0xFFFF}});  // nobody's: no monkey drives a real one
     open(options, "wall45", width, height);
     // All is drawn, and nothing is filled in, which would take most of the time.
     glEnable(GL_RASTERIZER_DISCARD);

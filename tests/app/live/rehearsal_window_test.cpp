@@ -2,7 +2,6 @@
 // driver, led by the pointer. Its clock is moved by the servo's steps.
 #include <algorithm>
 
-#include "device/virtual_falcon/virtual_falcon_input.h"
 #include "tests/app/live/driven_window.h"
 
 namespace ghostforce {
@@ -17,8 +16,7 @@ class RehearsalWindow : public DrivenWindow {
     open(options);
   }
 
-  VirtualFalconInput& falcon() { return dynamic_cast<VirtualFalconInput&>(application_->servo().input()); }
-  FalconState state() { return application_->falcon_report()->state; }
+  FalconState state() { return virtual_falcon().report().state; }
   const MotorReport& motors() { return application_->report().motors; }
 
   // Few frames and many ticks: drawing is what takes the time.
@@ -61,14 +59,14 @@ TEST_F(RehearsalWindow, ClimbsTheLadderAndPushes) {
   lead_slowly(outside, inside);
   EXPECT_TRUE(now().measured);
   EXPECT_GT(glm::length(motors().sent), 0.5);
-  EXPECT_NE(falcon().link().motors(), MotorNumbers{});
+  EXPECT_NE(virtual_falcon().link().motors(), MotorNumbers{});
   // What is measured, estimated and only simulated beside it looks different, and what cannot be known is not drawn.
   EXPECT_EQ(count_marks(Role::ghost_force), 0);
   EXPECT_EQ(count_marks(Role::proxy_drift), 0);
   press(GLFW_KEY_ESCAPE);
   EXPECT_TRUE(frames_until(1.0, [&] { return motors().state == SafetyState::off; }));
   EXPECT_EQ(motors().reason, OffReason::key);
-  EXPECT_EQ(falcon().link().motors(), MotorNumbers{});
+  EXPECT_EQ(virtual_falcon().link().motors(), MotorNumbers{});
   EXPECT_FALSE(now().measured);
 }
 
@@ -116,12 +114,12 @@ TEST_F(RehearsalWindow, PullingThePlugIsSaidAndPuttingItInDoesNotArm) {
   lead_slowly(outside, inside);
   Misbehaviour unplugged;
   unplugged.link = LinkFault::unplugged;
-  falcon().misbehave(unplugged);
+  virtual_falcon().misbehave(unplugged);
   frames(1);
   EXPECT_EQ(motors().state, SafetyState::off);
   EXPECT_EQ(motors().reason, OffReason::unplugged);
   EXPECT_TRUE(frames_until(1.0, [&] { return state() == FalconState::fault; }));
-  falcon().misbehave({});
+  virtual_falcon().misbehave({});
   lead_slowly(inside, outside);
   EXPECT_TRUE(frames_until(30.0, [&] { return state() == FalconState::idle; }));
   frames(20, ticks);
@@ -140,16 +138,16 @@ TEST_F(RehearsalWindow, AnotherSceneOrInputNeverTakesTheForceAlong) {
   session().wishes.input = "mouse";
   frames(5);
   EXPECT_FALSE(motors().has_motors);
-  EXPECT_EQ(application_->falcon_report(), nullptr);
+  EXPECT_TRUE(application_->reading().ladder.empty());
 }
 
 TEST_F(RehearsalWindow, SaysThatASceneDoesNotFitTheWorkspace) {
   session().wishes.open_scene = "fig1";
   frames(5);
-  EXPECT_NE(application_->device_remark().find("set scale"), std::string::npos);
+  EXPECT_NE(application_->reading().device_remark.find("set scale"), std::string::npos);
   session().wishes.open_scene = "wall45";
   frames(5);
-  EXPECT_EQ(application_->device_remark(), "");
+  EXPECT_EQ(application_->reading().device_remark, "");
 }
 
 }  // namespace

@@ -417,7 +417,7 @@ TEST_F(RecordingWindow, RepeatsWhatIsSimulatedBesideADeviceInTheHand) {
     for (int i = 0; i < 300 && !is_so(); ++i) frames(1, ticks);
     return is_so();
   };
-  ASSERT_TRUE(frames_until([&] { return application_->falcon_report()->state == FalconState::idle; }));
+  ASSERT_TRUE(frames_until([&] { return virtual_falcon().report().state == FalconState::idle; }));
   record(folder_ / "run.csv");
   for (int i = 1; i <= 10; ++i) {
     session().goal = glm::mix(Vector<2>(0.01, -0.01), Vector<2>(-0.015, 0.015), i / 10.0);

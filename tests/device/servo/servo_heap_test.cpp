@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "app/cli/desktop_inputs.h"
 #include "device/input/mouse_input.h"
-#include "device/input_catalog.h"
 #include "device/servo/servo.h"
 #include "tests/device/servo/servo_scenes.h"
 #include "tests/support/heap_guard.h"
@@ -16,15 +16,15 @@ namespace {
 // Walks everything that a servo can be asked for, until its samples overflow.
 TEST(ServoHeap, IsNotTouchedByAnyInputOrStrategy) {
   const Scene scene = slanted_wall();
-  for (const InputKind& kind : input_catalog()) {
+  for (const InputEntry& kind : desktop_inputs()) {
     // Those with motors have a clock of their own: see falcon_rehearsal_heap_test.cpp.
-    if (kind.make(scene, {})->haptic_device() != nullptr) continue;
+    if (kind.make(scene, {}).input->haptic_device() != nullptr) continue;
     for (const Strategy& strategy : strategy_catalog()) {
       SCOPED_TRACE(kind.name);
       SCOPED_TRACE(strategy.name);
       ServoCommand command = start_of(scene);
       command.settings.active = strategy.id;
-      Servo servo(kind.make(scene, {}), command);
+      Servo servo(kind.make(scene, {}).input, command);
       auto* const mouse = dynamic_cast<MouseInput*>(&servo.input());
       std::int64_t contacts = 0;
       {

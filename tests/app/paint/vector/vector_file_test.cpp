@@ -12,8 +12,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/desktop_inputs.h"
 #include "app/files/scene_file.h"
 #include "app/live/application.h"
+#include "app/paint/vector/file_painter.h"
 #include "app/paint/vector/vector_painter.h"
 #include "app/ui/window.h"
 #include "tests/app/paint/vector/vector_panes.h"
@@ -249,7 +251,7 @@ TEST(RenderVectors, SaysWhichFontItMissesAndLeavesNothingBehind) {
 TEST(SavePicture, WritesVectorsWhereTheNameSaysSo) {
   const TemporaryFolder folder;
   Window window({.title = "test", .width = 1280, .height = 800, .offscreen = true, .takes_mouse = false});
-  Application application(window, load_scene("wall45"), {});
+  Application application(window, load_scene("wall45"), {.inputs = desktop_inputs(), .painter = cairo_file_painter()});
   application.frame(0.016);
   const auto save = [&](const char* name) {
     application.session().wishes.save_picture = PictureWish{.path = folder / name};

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "app/files/scene_file.h"
+#include "app/paint/vector/file_painter.h"
 #include "app/ui/plots/plot_export.h"
 #include "app/ui/plots/rest_curves.h"
 #include "app/view/plot_history.h"
@@ -193,7 +194,7 @@ class PlotFile : public testing::Test {
   }
 
   std::string file(const std::string& path, bool whole_history = false) const {
-    return plot_file(session_, snapshot_, history_, {path, whole_history});
+    return plot_file(session_, snapshot_, history_, {path, whole_history}, cairo_file_painter());
   }
   // Without comments.
   static std::vector<std::string> rows(const std::string& text) {

@@ -1,4 +1,4 @@
-#include "app/paint/image_painter.h"
+#include "app/paint/vector/image_painter.h"
 
 #include <cairo.h>
 #include <fmt/format.h>

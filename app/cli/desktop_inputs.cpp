@@ -1,0 +1,36 @@
+#include "app/cli/desktop_inputs.h"
+
+#include "app/cli/spacemouse_input_link.h"
+#include "app/doctor/readiness.h"
+#include "app/live/falcon_input_link.h"
+#include "app/live/portable_inputs.h"
+
+namespace ghostforce {
+namespace {
+
+const InputMaker<SpaceMouseInput> spacemouse_kind{
+    {{"spacemouse", "SpaceMouse", "The goal follows the cap of a 3Dconnexion SpaceMouse."}},
+    [](const Scene&, const InputOptions&) { return std::make_unique<SpaceMouseInput>(); }};
+
+std::vector<RungState> ladder_with_motors(const FalconReport& report, const MotorReport& motors) {
+  return ladder_of(report, &motors);
+}
+
+}  // namespace
+
+InputMaker<FalconInput> falcon_kind(const FtdiLinkOptions& cable) {
+  return {{{"falcon", "Falcon", "A Novint Falcon: its handle is the goal, and with its motors on it is the device."}},
+          [cable](const Scene& scene, const InputOptions& options) {
+            return std::make_unique<FalconInput>(std::make_unique<FtdiLink>(cable), options.falcon, scene.view.center);
+          }};
+}
+
+std::vector<InputEntry> desktop_inputs(const FtdiLinkOptions& cable) {
+  std::vector<InputEntry> inputs = portable_inputs(ladder_with_motors);
+  // A rehearsal comes after the device that it rehearses.
+  inputs.insert(inputs.end() - 1, {linked<SpaceMouseInputLink>(spacemouse_kind),
+                                   linked<FalconInputLink>(falcon_kind(cable), LadderOf(ladder_with_motors))});
+  return inputs;
+}
+
+}  // namespace ghostforce

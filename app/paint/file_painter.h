@@ -1,0 +1,38 @@
+// FilePainter: how panes become a picture file without a window. A value that is handed down by who has such a painter:
+// on the desktop it is Cairo's (paint/vector/file_painter.h). UI thread.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/console/failure.h"
+#include "app/view/panes.h"
+#include "app/view/theme.h"
+
+namespace ghostforce {
+
+struct FilePicture {
+  const std::vector<Pane>& panes;
+  const Theme& theme;
+  Vector<2> size;           // of the panes' rectangle [points]
+  double text_scale = 1.0;  // turns a nominal text height into points
+  std::string_view title;
+  double density = 1.0;  // pixels per point, of a PNG
+};
+
+// As it is, the painter of a program that has none: it says so.
+struct FilePainter {
+  // Of the letters that are painted, for those who place labels.
+  MeasureText measure = [](std::string_view, double) -> Vector<2> { throw no_painter(); };
+  // The file's content, of the format that the path ends in: .svg, .pdf, or else PNG. Throws Failure.
+  std::function<std::string(const FilePicture& picture, std::string_view path)> paint =
+      [](const FilePicture&, std::string_view) -> std::string { throw no_painter(); };
+
+  static Failure no_painter() {
+    return {ExitCode::wrong_call, "This program cannot paint such a picture: save the screen as .png, plots as .csv."};
+  }
+};
+
+}  // namespace ghostforce

@@ -1,0 +1,98 @@
+// The dialogs that end with a file: a picture of the screen (Ctrl+P), what the plots show, the scene (Ctrl+S).
+#include <array>
+#include <span>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "app/session/plot_view.h"
+#include "app/ui/panels/dialogs.h"
+#include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/save_path.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr std::array picture_formats{"png", "svg", "pdf"};
+constexpr std::array plot_formats{"csv", "png", "svg", "pdf"};
+
+void draw_density_choice(Form& form) {
+  for (int density = 1; density <= 4; ++density) {
+    if (density > 1) ImGui::SameLine();
+    if (ImGui::RadioButton(fmt::format("{}×", density).c_str(), form.density == density)) form.density = density;
+  }
+}
+
+// True when the file shall be written. A name without one of the endings gets the first of them.
+bool draw_save_path_with(std::span<const char* const> formats, const PanelContext& context) {
+  if (!draw_save_path(context)) return false;
+  std::string& path = context.session.form.path;
+  if (format_of(path, formats) == nullptr) path += fmt::format(".{}", formats.front());
+  return true;
+}
+
+}  // namespace
+
+void draw_save_picture(const PanelContext& context) {
+  Session& session = context.session;
+  Form& form = session.form;
+  if (form.belongs_to != Dialog::save_picture) {
+    const std::string stem =
+        fmt::format("{}-{}", file_stem(session.scene->title), strategy(session.settings.active).name);
+    form.path = proposed_path(stem, picture_formats.front());
+  }
+  const char* const format = format_of(form.path, picture_formats);
+  const bool is_png = format == nullptr || format == picture_formats.front();
+  if (begin_rows("picture", context)) {
+    row("Format", "PNG: pixels, as on the screen. SVG and PDF: lines and letters of any size, for papers and slides.");
+    draw_format_choice(form.path, picture_formats);
+    ImGui::BeginDisabled(!is_png);
+    row("Size", "Pixels of the picture for each pixel of the screen.");
+    draw_density_choice(form);
+    row("Part", "The whole window, or the scene without bars and panels; SVG and PDF hold the scene.");
+    if (ImGui::RadioButton("window", is_png && !form.scene_alone)) form.scene_alone = false;
+    ImGui::SameLine();
+    if (ImGui::RadioButton("scene", !is_png || form.scene_alone)) form.scene_alone = true;
+    ImGui::EndDisabled();
+    end_rows();
+  }
+  if (!draw_save_path_with(picture_formats, context)) return;
+  session.wishes.save_picture = PictureWish{form.path, form.density, form.scene_alone};
+  session.dialog = Dialog::none;
+}
+
+void draw_save_plots(const PanelContext& context) {
+  Session& session = context.session;
+  Form& form = session.form;
+  if (form.belongs_to != Dialog::save_plots) {
+    form.path = proposed_path(fmt::format("{}-{}", file_stem(session.scene->title), plot_tab_name(session.plots.tab)),
+                              plot_formats.front());
+  }
+  if (begin_rows("plots", context)) {
+    row("Format", "CSV: the numbers, for a spreadsheet or a script. PNG, SVG and PDF: the picture.");
+    draw_format_choice(form.path, plot_formats);
+    ImGui::BeginDisabled(session.plots.tab != PlotTab::time);
+    row("Times", "Those in sight, or all that the plots remember: a minute at 1000 ticks a second.");
+    if (ImGui::RadioButton("in sight", !form.whole_history)) form.whole_history = false;
+    ImGui::SameLine();
+    if (ImGui::RadioButton("all", form.whole_history)) form.whole_history = true;
+    ImGui::EndDisabled();
+    end_rows();
+  }
+  if (!draw_save_path_with(plot_formats, context)) return;
+  session.wishes.save_plots = PlotWish{form.path, form.whole_history};
+  session.dialog = Dialog::none;
+}
+
+void draw_save_scene(const PanelContext& context) {
+  Session& session = context.session;
+  if (session.form.belongs_to != Dialog::save_scene) {
+    session.form.path = proposed_path(file_stem(session.scene->title), "toml");
+  }
+  ImGui::TextUnformatted("The scene with all settings as they are, and a path that ends at the goal:");
+  if (!draw_save_path(context)) return;
+  session.wishes.save_scene = session.form.path;
+  session.dialog = Dialog::none;
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,78 @@
+#include "app/ui/panels/spacemouse.h"
+
+#include <algorithm>
+#include <string>
+
+#include "app/ui/widgets/controls.h"
+
+namespace ghostforce {
+namespace {
+
+std::string words_about(const SpaceMouseReading& reading) {
+  switch (reading.trouble) {
+    case SpaceMouseReading::Trouble::none:
+      return reading.name.data();
+    case SpaceMouseReading::Trouble::absent:
+      return "None is plugged in. It is looked for all the time.";
+    case SpaceMouseReading::Trouble::not_allowed:
+      return "There is one, and this user may not open it: run 'ghostforce doctor --install-udev' once, then plug it "
+             "in again.";
+    case SpaceMouseReading::Trouble::not_opened:
+      return "There is one, and it cannot be opened: does another program have it?";
+  }
+  return {};
+}
+
+// A bar from the middle for each axis of the cap, live.
+void draw_axes(const PanelContext& context, const SpaceMouseReading& reading) {
+  const float height = 0.5F * ImGui::GetTextLineHeight();
+  const float gap = 4.0F * context.scale;
+  const float width = (ImGui::GetContentRegionAvail().x - 5.0F * gap) / 6.0F;
+  ImDrawList& draw_list = *ImGui::GetWindowDrawList();
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  for (std::size_t i = 0; i < reading.axes.size(); ++i) {
+    const float left = corner.x + static_cast<float>(i) * (width + gap);
+    const float middle = left + 0.5F * width;
+    draw_list.AddRectFilled({left, corner.y}, {left + width, corner.y + height}, packed(context.theme.panel_field));
+    const float end = middle + 0.5F * width * static_cast<float>(reading.axes[i]);
+    draw_list.AddRectFilled({std::min(middle, end), corner.y}, {std::max(middle, end), corner.y + height},
+                            packed(context.theme.accent));
+    draw_list.AddLine({middle, corner.y}, {middle, corner.y + height}, packed(context.theme.text), context.scale);
+  }
+  ImGui::Dummy({ImGui::GetContentRegionAvail().x, height});
+  explain("How far the cap is deflected: to the right, towards you, down, and turned about each of these.");
+}
+
+}  // namespace
+
+void draw_spacemouse(const PanelContext& context, const SpaceMouseReading& reading) {
+  SpaceMouseSettings& settings = context.session.spacemouse;
+  ImGui::PushTextWrapPos(0.0F);
+  ImGui::TextUnformatted(words_about(reading).c_str());
+  ImGui::PopTextWrapPos();
+  draw_axes(context, reading);
+  if (!begin_rows("spacemouse", context)) return;
+  row("Cap moves", "The goal's place, or how fast it goes.");
+  int mode = static_cast<int>(settings.mode);
+  ImGui::RadioButton("place", &mode, static_cast<int>(SpaceMouseSettings::Mode::position));
+  ImGui::SameLine();
+  ImGui::RadioButton("speed", &mode, static_cast<int>(SpaceMouseSettings::Mode::rate));
+  settings.mode = static_cast<SpaceMouseSettings::Mode>(mode);
+  row("Up is", "Which way the cap moves the goal upwards.");
+  int up = static_cast<int>(settings.up);
+  ImGui::RadioButton("lifting", &up, static_cast<int>(SpaceMouseSettings::Up::lift));
+  ImGui::SameLine();
+  ImGui::RadioButton("pushing away", &up, static_cast<int>(SpaceMouseSettings::Up::push_away));
+  settings.up = static_cast<SpaceMouseSettings::Up>(up);
+  row("Dead zone", "So much of the cap's way moves nothing.");
+  double percent = 100.0 * settings.dead_zone;
+  constexpr double least = 0.0;
+  constexpr double greatest = 50.0;
+  if (ImGui::SliderScalar("##dead", ImGuiDataType_Double, &percent, &least, &greatest, "%.0f %%",
+                          ImGuiSliderFlags_AlwaysClamp)) {
+    settings.dead_zone = percent / 100.0;
+  }
+  end_rows();
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,18 @@
+// Something that can move the goal, as a person chooses it. Immutable, any thread.
+#pragma once
+
+#include <string_view>
+
+namespace ghostforce {
+
+struct InputChoice {
+  std::string_view name;      // on the command line
+  std::string_view title;     // on screen
+  std::string_view sentence;  // what it does, for a person who hovers over it
+};
+
+// The hand of every picture that is made without a person.
+inline constexpr InputChoice scripted_hand{"script", "Scripted hand",
+                                           "The goal follows the scene's path, the same way every time."};
+
+}  // namespace ghostforce

@@ -1,0 +1,32 @@
+// The ladder: what lies between a device in its box and one that pushes, rung by rung in the order in which they are
+// climbed. Plain values, so that a panel may show them; app/doctor/readiness.h finds them out.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace ghostforce {
+
+enum class Rung : std::uint8_t {
+  seen,
+  allowed,
+  free,
+  firmware,
+  homed,
+  encoders_move,
+  fast_enough,
+  outside_wall,
+  armed,
+};
+
+struct RungState {
+  Rung rung = Rung::seen;
+  std::string_view name;   // in JSON
+  std::string_view title;  // on screen
+  bool is_reached = false;
+  bool is_current = false;  // the first that is not reached
+  std::string words;        // what is so, or what to do; empty: its turn has not come
+};
+
+}  // namespace ghostforce
