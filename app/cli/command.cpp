@@ -84,60 +84,53 @@ CLI::Option* repeatable(CLI::Option* option) {
   return option->expected(1)->allow_extra_args(false)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
-void stop_if_run_away(const Snapshot& snapshot, StrategyId id) {
-  const StrategySnapshot<2>& now = snapshot.strategies[index_of(id)];
-  if (std::isfinite(glm::dot(now.device, now.device)) && std::isfinite(glm::dot(now.force, now.force))) return;
-  throw Failure(ExitCode::wrong_call,
-                fmt::format("the sampled loop is unstable with these settings: the {} device has run away by t = {} s; "
-                            "lower k_r_N_per_m, or raise rate_hz, mass_kg or damping_N_s_per_m",
-                            strategy(id).name, snapshot.time_s));
-  void write_played(OutputFile & file, std::string_view doing, const Scene& scene, const TickState<2>& state,
-                    std::int64_t last, std::span<const StrategyId> ids) {
-    // Well under a hundredth of a second.
-    constexpr std::int64_t ticks_between_looks = 1024;  // at the clock and at interruptions
-    Progress progress(std::string(doing), last, !file.is_terminal());
-    fmt::memory_buffer rows;
-    play_from(state, scene, last, [&](const Snapshot& snapshot) {
-      for (const StrategyId id : ids) {
-        stop_if_run_away(snapshot, id);
-        append_run_row(rows, snapshot, id);
-        rows.push_back('\n');
-      }
-      file.write({rows.data(), rows.size()});
-      rows.clear();
-      if (snapshot.tick % ticks_between_looks == 0) {
-        stop_if_interrupted();
-        progress.at(snapshot.tick);
-      }
-    });
-  }
-
-  Vector<2> position_from_mm(std::string_view option, std::string_view text) {
-    const auto refuse = [&] {
-      return Failure(ExitCode::wrong_call,
-                     fmt::format("{0} {1}: is no position; give two numbers from {2} to {3} mm, as in {0}=-10,5",
-                                 option, printable(text), -farthest_mm, farthest_mm));
-    };
-    Vector<2> position(0.0);
-    const char* at = text.data();
-    const char* const end = at + text.size();
-    for (const glm::length_t axis : {0, 1}) {
-      double mm = 0.0;
-      if (at != end && *at == '+') ++at;
-      const auto [after, error] = std::from_chars(at, end, mm);
-      if (error != std::errc{} || !(std::abs(mm) <= farthest_mm)) throw refuse();
-      position[axis] = mm / 1000.0;
-      at = after;
-      if (axis == 0 && (at == end || *at++ != ',')) throw refuse();
+void write_played(OutputFile& file, std::string_view doing, const Scene& scene, const TickState<2>& state,
+                  std::int64_t last, std::span<const StrategyId> ids) {
+  // Well under a hundredth of a second.
+  constexpr std::int64_t ticks_between_looks = 1024;  // at the clock and at interruptions
+  Progress progress(std::string(doing), last, !file.is_terminal());
+  fmt::memory_buffer rows;
+  play_from(state, scene, last, [&](const Snapshot& snapshot) {
+    for (const StrategyId id : ids) {
+      stop_if_run_away(snapshot, id);
+      append_run_row(rows, snapshot, id);
+      rows.push_back('\n');
     }
-    if (at != end) throw refuse();
-    return position;
-  }
+    file.write({rows.data(), rows.size()});
+    rows.clear();
+    if (snapshot.tick % ticks_between_looks == 0) {
+      stop_if_interrupted();
+      progress.at(snapshot.tick);
+    }
+  });
+}
 
-  std::vector<std::string_view> strategy_names() {
-    std::vector<std::string_view> names;
-    for (const Strategy& strategy : strategy_catalog()) names.push_back(strategy.name);
-    return names;
+Vector<2> position_from_mm(std::string_view option, std::string_view text) {
+  const auto refuse = [&] {
+    return Failure(ExitCode::wrong_call,
+                   fmt::format("{0} {1}: is no position; give two numbers from {2} to {3} mm, as in {0}=-10,5", option,
+                               printable(text), -farthest_mm, farthest_mm));
+  };
+  Vector<2> position(0.0);
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  for (const glm::length_t axis : {0, 1}) {
+    double mm = 0.0;
+    if (at != end && *at == '+') ++at;
+    const auto [after, error] = std::from_chars(at, end, mm);
+    if (error != std::errc{} || !(std::abs(mm) <= farthest_mm)) throw refuse();
+    position[axis] = mm / 1000.0;
+    at = after;
+    if (axis == 0 && (at == end || *at++ != ',')) throw refuse();
   }
+  if (at != end) throw refuse();
+  return position;
+}
+
+std::vector<std::string_view> strategy_names() {
+  std::vector<std::string_view> names;
+  for (const Strategy& strategy : strategy_catalog()) names.push_back(strategy.name);
+  return names;
+}
 
 }  // namespace ghostforce

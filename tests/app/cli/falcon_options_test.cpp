@@ -57,7 +57,6 @@ class FalconSetUpTest : public testing::Test {
   TemporaryFolder folder_;
   CLI::App app_;
   FileOptions files_;
-  FileOptions files_;
   FalconSetUp set_up_;
 };
 

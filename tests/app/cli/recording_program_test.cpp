@@ -12,6 +12,7 @@
 #include "app/runs/replay.h"
 #include "tests/support/display.h"
 #include "tests/support/program.h"
+#include "tests/support/replay_run.h"
 #include "tests/support/small_files.h"
 #include "tests/support/temporary_folder.h"
 
