@@ -55,7 +55,7 @@ struct Case {
   Vector<2> start;
 
   TickPlan<2> plan() const {
-    return plan_tick(setting.wall, setting.actuation(), setting.impedances, mass, damping, rate);
+    return plan_tick(setting.wall, setting.actuation(), setting.stiffnesses, mass, damping, rate);
   }
   double extent() const { return glm::length(start) + glm::length(setting.goal) + glm::length(setting.wall.point); }
 };
@@ -66,7 +66,7 @@ std::vector<Case> random_cases() {
   std::vector<Case> cases;
   for (int i = 0; i < setting_count; ++i) {
     Setting<2> setting = random_setting<2>(random);
-    Impedances& k = setting.impedances;
+    Stiffnesses& k = setting.stiffnesses;
     k.k_r = k.k_u * random.over_decades(0.1, 3.0);
     const double rate = random.over_decades(100.0, 10000.0);
     const double omega = 2.0 * std::numbers::pi * rate / random.uniform(30.0, 60.0);
@@ -191,7 +191,7 @@ class NumPy {
     fmt::print(to_.get(), "{}\n", cases.size());
     for (const Case& one : cases) {
       const Vector<2>& actuated = one.setting.motors.front();
-      const Impedances& k = one.setting.impedances;
+      const Stiffnesses& k = one.setting.stiffnesses;
       const Wall<2>& wall = one.setting.wall;
       const std::array row{wall.point.x,
                            wall.point.y,
@@ -256,7 +256,7 @@ double difference(std::span<const Case> cases, std::span<const End> ends, std::s
   for (std::size_t i = 0; i < ends.size(); ++i) {
     const double extent = cases[i].extent();
     const double device = glm::distance(ends[i].device, expected[i].device) / extent;
-    const double force = glm::distance(ends[i].force, expected[i].force) / (extent * cases[i].setting.impedances.k_r);
+    const double force = glm::distance(ends[i].force, expected[i].force) / (extent * cases[i].setting.stiffnesses.k_r);
     greatest = std::max(
         greatest, std::isfinite(device + force) ? std::max(device, force) : std::numeric_limits<double>::infinity());
   }

@@ -39,12 +39,12 @@ Vector<D> along_axes(double first, double others) {
 template <glm::length_t D>
 TickPlan<D> slanted_plan() {
   const Wall<D> wall{Vector<D>(0.0), glm::normalize(along_axes<D>(-1.0, 1.0))};
-  Impedances impedances;
-  impedances.k_u = 200.0;
-  impedances.k_r = 600.0;
-  impedances.k_t = 600.0;
-  impedances.k_c = 1e5;
-  return plan_tick<D>(wall, actuated_along(along_axes<D>(1.0, 0.0)), impedances, 0.1, 5.0, 1000.0);
+  Stiffnesses stiffnesses;
+  stiffnesses.k_u = 200.0;
+  stiffnesses.k_r = 600.0;
+  stiffnesses.k_t = 600.0;
+  stiffnesses.k_c = 1e5;
+  return plan_tick<D>(wall, actuated_along(along_axes<D>(1.0, 0.0)), stiffnesses, 0.1, 5.0, 1000.0);
 }
 
 // Into the wall and out of it again, about once a second of model time. A power of two.

@@ -23,14 +23,14 @@
 // P_A     Actuation.actuated    1      projector on the degrees of freedom that have a motor
 // P_N     Actuation.unactuated  1      projector on those that have none: P_N = I − P_A
 //
-// k_u     Impedances.k_u        N/m    stiffness of the user's hand: f_u = k_u (q_u − q_h), (1)
+// k_u     Stiffnesses.k_u       N/m    stiffness of the user's hand: f_u = k_u (q_u − q_h), (1)
 // k̂_u     believed_k_u          N/m    the k_u that the renderer believes in
 // K_t     Coupling.tracking     N/m    tracking stiffness: f_t = K_t (q_h − q_p), (2)
-// k_ta    Impedances.k_t        N/m    K_t on actuated degrees of freedom, also written k_t
+// k_ta    Stiffnesses.k_t       N/m    K_t on actuated degrees of freedom, also written k_t
 // k_tn    —                     N/m    K_t on non-actuated degrees of freedom: k_tn = k_ta / ρ
-// k_c     Impedances.k_c        N/m    constraint stiffness: f_c = k_c (q_c − q_p), (4); inf is hard
+// k_c     Stiffnesses.k_c       N/m    constraint stiffness: f_c = k_c (q_c − q_p), (4); inf is hard
 // K_r     Coupling.rendering    N/m    rendering stiffness: f_r = K_r (q_p − q_h), (5)
-// k_r     Impedances.k_r        N/m    K_r on actuated degrees of freedom
+// k_r     Stiffnesses.k_r       N/m    K_r on actuated degrees of freedom
 //
 // ρ       tracking_ratio        1      k_ta / k_tn; the cure is ρ* = 1 + k_r / k̂_u, (17)
 // κ       kappa                 1      k_r / k_u

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/actuation.h"
-#include "core/impedance.h"
+#include "core/stiffness.h"
 #include "core/strategy.h"
 #include "core/wall.h"
 
@@ -25,14 +25,15 @@ struct Equilibrium {
 // One family for any ratio ρ and any k_c (hard: k_c δ → d/S). ρ = 1 is naïve rendering, (12) to (15); ρ = ρ* the
 // anisotropic one, (18) to (20).
 template <glm::length_t D>
-Equilibrium<D> equilibrium_with_ratio(const Wall<D>& wall, const Actuation<D>& actuation, const Impedances& impedances,
-                                      double tracking_ratio, const Vector<D>& goal) noexcept;
+Equilibrium<D> equilibrium_with_ratio(const Wall<D>& wall, const Actuation<D>& actuation,
+                                      const Stiffnesses& stiffnesses, double tracking_ratio,
+                                      const Vector<D>& goal) noexcept;
 
 // (9)   q_p = q_u + d n / (1 + k_t / (k_c (1+κ)))
 // (10)  q_h = q_u + f_r/k_u
 // (11)  f_r = k_r d n / (1 + κ + k_t/k_c)
 template <glm::length_t D>
-Equilibrium<D> equilibrium_fully_actuated(const Wall<D>& wall, const Impedances& impedances,
+Equilibrium<D> equilibrium_fully_actuated(const Wall<D>& wall, const Stiffnesses& stiffnesses,
                                           const Vector<D>& goal) noexcept;
 
 // (12)  α = nᵀP_A n
@@ -40,7 +41,7 @@ Equilibrium<D> equilibrium_fully_actuated(const Wall<D>& wall, const Impedances&
 // (14)  q_h = q_u + f_r/k_u
 // (15)  f_r = k_r d P_A n / (1 + κα + k_t/k_c)
 template <glm::length_t D>
-Equilibrium<D> equilibrium_naive(const Wall<D>& wall, const Actuation<D>& actuation, const Impedances& impedances,
+Equilibrium<D> equilibrium_naive(const Wall<D>& wall, const Actuation<D>& actuation, const Stiffnesses& stiffnesses,
                                  const Vector<D>& goal) noexcept;
 
 // With ρ = ρ*, (17), of the true k_u, hence k_tn = k_t/(1+κ):
@@ -48,12 +49,12 @@ Equilibrium<D> equilibrium_naive(const Wall<D>& wall, const Actuation<D>& actuat
 // (19)  q_h = q_u + f_r/k_u
 // (20)  f_r = k_u d P_A n / ((1 + k_u/k_r) (1 + k_tn/k_c))
 template <glm::length_t D>
-Equilibrium<D> equilibrium_anisotropic(const Wall<D>& wall, const Actuation<D>& actuation, const Impedances& impedances,
-                                       const Vector<D>& goal) noexcept;
+Equilibrium<D> equilibrium_anisotropic(const Wall<D>& wall, const Actuation<D>& actuation,
+                                       const Stiffnesses& stiffnesses, const Vector<D>& goal) noexcept;
 
 // What a strategy of the catalog comes to rest at, with the ratio that it runs with (so that a wrong belief shows).
 template <glm::length_t D>
 Equilibrium<D> equilibrium_of(const Strategy& strategy, const Wall<D>& wall, const Actuation<D>& actuation,
-                              const Impedances& impedances, const Vector<D>& goal) noexcept;
+                              const Stiffnesses& stiffnesses, const Vector<D>& goal) noexcept;
 
 }  // namespace ghostforce

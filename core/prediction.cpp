@@ -9,7 +9,7 @@ PerStrategy<PredictedRest> predicted_rests(const Settings& settings, const Vecto
   const Actuation<2> actuation = actuation_of(settings);
   PerStrategy<PredictedRest> rests;
   for (const Strategy& strategy : strategy_catalog()) {
-    rests[index_of(strategy.id)].at = equilibrium_of(strategy, wall, actuation, settings.impedances, goal);
+    rests[index_of(strategy.id)].at = equilibrium_of(strategy, wall, actuation, settings.stiffnesses, goal);
   }
   const Vector<2> full_force = rests[index_of(StrategyId::full)].at.force;
   for (PredictedRest& rest : rests) {

@@ -6,7 +6,7 @@
 #include <type_traits>
 
 #include "core/equilibrium.h"
-#include "core/impedance.h"
+#include "core/stiffness.h"
 #include "core/strategy.h"
 #include "core/tick.h"
 
@@ -34,7 +34,7 @@ struct Settings {
   double mass = 0.0;                            // device and hand [kg]
   double damping = 0.0;                         // device and hand [N·s/m]
   double rate = 0.0;                            // ticks per second of model time, 1/dt [Hz]
-  Impedances impedances;                        // k_u, k_r, k_t, k_c, ρ
+  Stiffnesses stiffnesses;                      // k_u, k_r, k_t, k_c, ρ
   StrategyId active = StrategyId::anisotropic;  // the one on the device; the others run beside it
 
   friend bool operator==(const Settings&, const Settings&) = default;
@@ -50,13 +50,13 @@ inline Actuation<2> actuation_of(const Settings& settings) noexcept {
 }
 
 inline TickPlan<2> plan_of(const Settings& settings) noexcept {
-  return plan_tick(wall_of(settings), actuation_of(settings), settings.impedances, settings.mass, settings.damping,
+  return plan_tick(wall_of(settings), actuation_of(settings), settings.stiffnesses, settings.mass, settings.damping,
                    settings.rate);
 }
 
 // Where a strategy comes to rest under a goal that is held still [m].
 inline Equilibrium<2> rest_of(StrategyId id, const Settings& settings, const Vector<2>& goal) noexcept {
-  return equilibrium_of(strategy(id), wall_of(settings), actuation_of(settings), settings.impedances, goal);
+  return equilibrium_of(strategy(id), wall_of(settings), actuation_of(settings), settings.stiffnesses, goal);
 }
 
 }  // namespace ghostforce

@@ -3,7 +3,7 @@
 namespace ghostforce {
 namespace {
 
-double isotropic(const Impedances&) noexcept {
+double isotropic(const Stiffnesses&) noexcept {
   return 1.0;
 }
 

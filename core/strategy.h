@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "core/coupling.h"
-#include "core/impedance.h"
+#include "core/stiffness.h"
 
 namespace ghostforce {
 
@@ -27,15 +27,15 @@ constexpr std::size_t index_of(StrategyId id) noexcept {
 
 struct Strategy {
   StrategyId id;
-  std::string_view name;                                 // in files and on the command line
-  char letter;                                           // in pictures and tables
-  std::string_view title;                                // on screen
-  std::string_view in_brief;                             // beside the title, in a legend
-  std::string_view sentence;                             // what it does, for a person who hovers over it
-  std::string_view with_ghost;                           // what to see where it makes a ghost force,
-  std::string_view without_ghost;                        // and where it makes none
-  bool has_every_motor;                                  // K_r = k_r I, else k_r P_A
-  double (*tracking_ratio)(const Impedances&) noexcept;  // ρ of K_t
+  std::string_view name;                                  // in files and on the command line
+  char letter;                                            // in pictures and tables
+  std::string_view title;                                 // on screen
+  std::string_view in_brief;                              // beside the title, in a legend
+  std::string_view sentence;                              // what it does, for a person who hovers over it
+  std::string_view with_ghost;                            // what to see where it makes a ghost force,
+  std::string_view without_ghost;                         // and where it makes none
+  bool has_every_motor;                                   // K_r = k_r I, else k_r P_A
+  double (*tracking_ratio)(const Stiffnesses&) noexcept;  // ρ of K_t
 };
 
 const PerStrategy<Strategy>& strategy_catalog() noexcept;
@@ -52,11 +52,11 @@ inline constexpr std::string_view every_strategy = "all";
 
 // K_r and K_t of a strategy. With `has_every_motor` there is no non-actuated degree of freedom, hence no ratio.
 template <glm::length_t D>
-Coupling<D> make_coupling(const Strategy& strategy, const Impedances& impedances,
+Coupling<D> make_coupling(const Strategy& strategy, const Stiffnesses& stiffnesses,
                           const Actuation<D>& actuation) noexcept {
-  return strategy.has_every_motor ? coupling_with_every_motor<D>(impedances.k_r, impedances.k_t)
-                                  : coupling_with_some_motors<D>(impedances.k_r, impedances.k_t,
-                                                                 strategy.tracking_ratio(impedances), actuation);
+  return strategy.has_every_motor ? coupling_with_every_motor<D>(stiffnesses.k_r, stiffnesses.k_t)
+                                  : coupling_with_some_motors<D>(stiffnesses.k_r, stiffnesses.k_t,
+                                                                 strategy.tracking_ratio(stiffnesses), actuation);
 }
 
 }  // namespace ghostforce

@@ -7,12 +7,12 @@
 namespace ghostforce {
 
 template <glm::length_t D>
-TickPlan<D> plan_tick(const Wall<D>& wall, const Actuation<D>& actuation, const Impedances& impedances, double mass,
+TickPlan<D> plan_tick(const Wall<D>& wall, const Actuation<D>& actuation, const Stiffnesses& stiffnesses, double mass,
                       double damping, double rate) noexcept {
-  TickPlan<D> plan{wall, actuation, sampled_device(mass, damping, impedances.k_u, 1.0 / rate), rate, {}};
+  TickPlan<D> plan{wall, actuation, sampled_device(mass, damping, stiffnesses.k_u, 1.0 / rate), rate, {}};
   for (const Strategy& strategy : strategy_catalog()) {
-    const Coupling<D> coupling = make_coupling(strategy, impedances, actuation);
-    plan.strategies[index_of(strategy.id)] = {coupling.rendering, proxy_step(wall.normal, coupling, impedances.k_c)};
+    const Coupling<D> coupling = make_coupling(strategy, stiffnesses, actuation);
+    plan.strategies[index_of(strategy.id)] = {coupling.rendering, proxy_step(wall.normal, coupling, stiffnesses.k_c)};
   }
   return plan;
 }
@@ -90,7 +90,7 @@ template <glm::length_t D>
 }
 
 #define GHOSTFORCE_INSTANTIATE(D)                                                                            \
-  template TickPlan<D> plan_tick<D>(const Wall<D>&, const Actuation<D>&, const Impedances&, double, double,  \
+  template TickPlan<D> plan_tick<D>(const Wall<D>&, const Actuation<D>&, const Stiffnesses&, double, double, \
                                     double) noexcept;                                                        \
   template TickState<D> state_at_start<D>(const Vector<D>&) noexcept;                                        \
   template void tick<D>(const TickPlan<D>&, const Vector<D>&, TickState<D>&) noexcept;                       \

@@ -7,10 +7,10 @@
 
 #include "core/actuation.h"
 #include "core/energy.h"
-#include "core/impedance.h"
 #include "core/proxy.h"
 #include "core/sampled_device.h"
 #include "core/snapshot.h"
+#include "core/stiffness.h"
 #include "core/strategy.h"
 #include "core/wall.h"
 
@@ -37,7 +37,7 @@ inline double time_of(std::int64_t tick, double rate) noexcept {
 
 // `mass` [kg], `damping` [N·s/m], `rate` [Hz].
 template <glm::length_t D>
-TickPlan<D> plan_tick(const Wall<D>& wall, const Actuation<D>& actuation, const Impedances& impedances, double mass,
+TickPlan<D> plan_tick(const Wall<D>& wall, const Actuation<D>& actuation, const Stiffnesses& stiffnesses, double mass,
                       double damping, double rate) noexcept;
 
 // What is carried from tick to tick. Trivially copyable.

@@ -37,7 +37,7 @@ const InputMaker<VirtualFalconInput> virtual_falcon_kind{
      /*hand_is_simulated=*/true},
     [](const Scene& scene, const InputOptions& options) {
       return std::make_unique<VirtualFalconInput>(options.falcon, options.misbehaviour, scene.view.center,
-                                                  scene.settings.impedances.k_u, options.virtual_falcon_clock);
+                                                  scene.settings.stiffnesses.k_u, options.virtual_falcon_clock);
     }};
 
 }  // namespace ghostforce

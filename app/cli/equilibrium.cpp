@@ -80,7 +80,7 @@ std::string table_text(const Scene& scene, double goal_depth, const PerStrategy<
   std::string text =
       fmt::format("{}\ngoal {} mm, {} mm {} the wall; tracking ratio {}\n\n{:16}", printable(scene.title),
                   shown(mm_per_m * rests[0].at.goal), shown(mm_per_m * std::abs(goal_depth)),
-                  inside ? "inside" : "outside", tracking_ratio(scene.settings.impedances), "");
+                  inside ? "inside" : "outside", tracking_ratio(scene.settings.stiffnesses), "");
   for (const Strategy& strategy : strategy_catalog()) {
     text += fmt::format("  {:>22}", fmt::format("{} {}", strategy.letter, strategy.name));
   }

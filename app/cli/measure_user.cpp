@@ -111,9 +111,9 @@ class RestFinder {
   // All that a reading depends on: of what is believed or chosen, the ratio that this strategy makes of it.
   Settings basis_of(Settings settings) const {
     settings.active = strategy_.id;
-    settings.impedances.chosen_tracking_ratio = strategy_.tracking_ratio(settings.impedances);
-    settings.impedances.believed_k_u.reset();
-    if (target_) settings.impedances.k_u = 1.0;  // of the simulated hands, which are not looked at
+    settings.stiffnesses.chosen_tracking_ratio = strategy_.tracking_ratio(settings.stiffnesses);
+    settings.stiffnesses.believed_k_u.reset();
+    if (target_) settings.stiffnesses.k_u = 1.0;  // of the simulated hands, which are not looked at
     return settings;
   }
   const RunRow& row(std::size_t i) const { return *run_.ticks[i].rows[index_of(strategy_.id)]; }
@@ -132,7 +132,7 @@ class RestFinder {
     if (to_s - from_s < criterion_.hold_s) return;
     const Settings& settings = run_.settings[run_.ticks[first].settings];
     RestState<2> mean;
-    mean.tracking_ratio = strategy_.tracking_ratio(settings.impedances);
+    mean.tracking_ratio = strategy_.tracking_ratio(settings.stiffnesses);
     const std::size_t middle = first + (end - first) / 2;
     const double share = 1.0 / static_cast<double>(end - middle);
     for (std::size_t i = middle; i < end; ++i) {
@@ -146,7 +146,7 @@ class RestFinder {
     if (would_count && is_limited(middle, end)) reading = {.problem = NoReading::limited, .drift = reading.drift};
     rests_.push_back({strategy_.id, from_s, to_s, mean.tracking_ratio,
                       glm::dot(mean.force, direction_at(settings.actuated_angle)),
-                      target_ ? std::nullopt : std::optional(settings.impedances.k_u), reading});
+                      target_ ? std::nullopt : std::optional(settings.stiffnesses.k_u), reading});
   }
 
   // Whether the motors of a real device had something else than the rendering asked for. A handle whose way is shown

@@ -34,7 +34,7 @@ Circle circle_in(const Settings& settings, bool is_counter_clockwise) {
 }
 
 Settings with_ratio(Settings settings, double ratio) {
-  settings.impedances.chosen_tracking_ratio = ratio;
+  settings.stiffnesses.chosen_tracking_ratio = ratio;
   return settings;
 }
 
@@ -50,7 +50,7 @@ double area_at_rest(const Settings& settings, StrategyId id, const Circle& circl
 
 double formula(const Settings& settings, StrategyId id, double area) {
   if (strategy(id).has_every_motor) return 0.0;
-  const Impedances& k = settings.impedances;
+  const Stiffnesses& k = settings.stiffnesses;
   return energy_per_loop(k.k_r, k.k_t, k.k_c, strategy(id).tracking_ratio(k),
                          settings.actuated_angle - settings.wall_normal_angle, area);
 }
@@ -141,7 +141,7 @@ Series series_of(const std::vector<EnergyOfLoop>& loops, StrategyId id, bool sen
 
 Figure energy_per_loop_figure(const FigureRequest&) {
   const std::vector<EnergyOfLoop> loops = energies_of_loops();
-  const Impedances k = load_scene(std::string(scene_name)).settings.impedances;
+  const Stiffnesses k = load_scene(std::string(scene_name)).settings.stiffnesses;
   Chart chart;
   chart.x = {.title = "tracking ratio ρ", .is_logarithmic = true, .range = Vector<2>(1.0, greatest_ratio)};
   chart.y = {.title = "energy given to the hand per loop [mJ]"};

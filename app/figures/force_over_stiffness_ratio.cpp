@@ -14,8 +14,8 @@ constexpr double greatest_ratio = 50.0;
 
 // The tracking stiffness goes with the rendering stiffness, as in figure 4.
 Settings settings_at(Settings settings, double ratio) {
-  settings.impedances.k_r = ratio * settings.impedances.k_u;
-  settings.impedances.k_t = settings.impedances.k_r;
+  settings.stiffnesses.k_r = ratio * settings.stiffnesses.k_u;
+  settings.stiffnesses.k_t = settings.stiffnesses.k_r;
   return settings;
 }
 

@@ -24,12 +24,12 @@ Vector<2> goal_in(const Settings& settings) {
 }
 
 Settings with_ratio(Settings settings, double ratio) {
-  settings.impedances.chosen_tracking_ratio = ratio;
+  settings.stiffnesses.chosen_tracking_ratio = ratio;
   return settings;
 }
 
 Settings with_belief(Settings settings, double share) {
-  settings.impedances.believed_k_u = share * settings.impedances.k_u;
+  settings.stiffnesses.believed_k_u = share * settings.stiffnesses.k_u;
   return settings;
 }
 
@@ -88,7 +88,7 @@ Curves proxy_drifts() {
 
 Figure proxy_drift_figure(const FigureRequest&) {
   const Curves curves = proxy_drifts();
-  const Impedances k = load_scene(std::string(scene_name)).settings.impedances;
+  const Stiffnesses k = load_scene(std::string(scene_name)).settings.stiffnesses;
   Sheet sheet("Proxy drift, over the tracking ratio and over a wrong belief", 860.0);
   sheet.add_row(330.0, panels.size(), [&](const Place& place, std::size_t number) {
     const Panel& panel = panels[number];

@@ -23,7 +23,7 @@ Figure stiffness_ratios_figure(const FigureRequest&) {
   std::vector<ScenePicture> pictures;
   for (const PlayedMotion& motion : motions) {
     ScenePicture picture = picture_of(motion, "", "");
-    const Impedances& k = motion.scene.settings.impedances;
+    const Stiffnesses& k = motion.scene.settings.stiffnesses;
     picture.title = fmt::format("kᵣ/kᵤ = {:g}", k.k_r / k.k_u);
     constexpr std::size_t naive = index_of(StrategyId::naive);
     const StrategySnapshot<2>& now = motion.moments.back().strategies[naive];

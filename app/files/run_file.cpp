@@ -47,8 +47,8 @@ void append_set_lines(fmt::memory_buffer& rows, double time_s, Settings& known, 
   before.settings = known;
   after.settings = wanted;
   // No file can say again that nothing is believed. To believe the user's own stiffness is the same.
-  Impedances& impedances = after.settings.impedances;
-  if (!impedances.believed_k_u && known.impedances.believed_k_u) impedances.believed_k_u = impedances.k_u;
+  Stiffnesses& stiffnesses = after.settings.stiffnesses;
+  if (!stiffnesses.believed_k_u && known.stiffnesses.believed_k_u) stiffnesses.believed_k_u = stiffnesses.k_u;
   for (const SceneKey& key : scene_keys()) {
     if (!is_setting(key)) continue;
     const std::string value = value_text(after, key);

@@ -37,7 +37,7 @@ void turn_motor_axis(Session& session) {
 // The normal's angle at which the naïve proxy drifts farthest for a goal at a given depth, tan θ = √(1 + k_r/k_u) with
 // θ between normal and motor axis; of the four such angles the nearest to the present one [rad].
 double angle_of_largest_drift(const Settings& settings) noexcept {
-  const double theta = std::atan(std::sqrt(1.0 + settings.impedances.k_r / settings.impedances.k_u));
+  const double theta = std::atan(std::sqrt(1.0 + settings.stiffnesses.k_r / settings.stiffnesses.k_u));
   double nearest = settings.wall_normal_angle;
   double least_turn = 4.0;  // more than any
   for (const double offset : {theta, -theta, std::numbers::pi + theta, std::numbers::pi - theta}) {

@@ -20,16 +20,16 @@ constexpr double hand_average_s = 0.3;  // over which the drift of a trembling h
 // All that a reading depends on: not ρ, which is what is turned, and not what is believed or shown.
 Settings basis_of(Settings settings) {
   settings.active = StrategyId::anisotropic;
-  settings.impedances.chosen_tracking_ratio.reset();
-  settings.impedances.believed_k_u.reset();
+  settings.stiffnesses.chosen_tracking_ratio.reset();
+  settings.stiffnesses.believed_k_u.reset();
   return settings;
 }
 
 double expected_ratio(const Session& session) {
   const UserMeasurement& measurement = session.measurement;
-  const Impedances& impedances = session.settings.impedances;
+  const Stiffnesses& stiffnesses = session.settings.stiffnesses;
   if (measurement.readings.empty()) {
-    return optimal_tracking_ratio(impedances.k_r, believed_user_stiffness(impedances));
+    return optimal_tracking_ratio(stiffnesses.k_r, believed_user_stiffness(stiffnesses));
   }
   std::vector<double> ratios;
   for (const TakenReading& reading : measurement.readings) ratios.push_back(reading.tracking_ratio);
@@ -38,13 +38,13 @@ double expected_ratio(const Session& session) {
 
 void set_next_ratio(Session& session) {
   const std::size_t next = session.measurement.readings.size();
-  session.settings.impedances.chosen_tracking_ratio =
+  session.settings.stiffnesses.chosen_tracking_ratio =
       tracking_ratio_range.nearest_to(expected_ratio(session) * first_ratios[next]);
 }
 
 void restore(Session& session) {
   session.settings.active = session.measurement.active_before;
-  session.settings.impedances.chosen_tracking_ratio = session.measurement.ratio_before;
+  session.settings.stiffnesses.chosen_tracking_ratio = session.measurement.ratio_before;
 }
 
 void begin_anew(Session& session) {
@@ -88,7 +88,7 @@ MeasuringStep next_step(const Session& session, const Snapshot& snapshot, const 
   if (session.circle_test.is_on) return MeasuringStep::leave_circle;
   if (session.settings.active != StrategyId::anisotropic) return MeasuringStep::choose_a;
   if (!shows_drift) return MeasuringStep::turn_wall;
-  if (!(session.settings.impedances.k_r > 0.0)) return MeasuringStep::render;
+  if (!(session.settings.stiffnesses.k_r > 0.0)) return MeasuringStep::render;
   if (measurement.target && !snapshot.measured) return MeasuringStep::arm;
   if (!measurement.drift) return MeasuringStep::press;
   if (measurement.target && motors.is_saturated) return MeasuringStep::press_less;
@@ -98,7 +98,7 @@ MeasuringStep next_step(const Session& session, const Snapshot& snapshot, const 
   if (measurement.device_rest.held_s() < hold_s || measurement.goal_rest.held_s() < hold_s) {
     return MeasuringStep::hold_still;
   }
-  return tracking_ratio(session.settings.impedances) > 1.0 ? MeasuringStep::take : MeasuringStep::stiffen;
+  return tracking_ratio(session.settings.stiffnesses) > 1.0 ? MeasuringStep::take : MeasuringStep::stiffen;
 }
 
 }  // namespace
@@ -114,7 +114,7 @@ void start_measuring(Session& session) {
   measurement.stage = Stage::nulling;
   measurement.has_news = true;
   measurement.active_before = settings.active;
-  measurement.ratio_before = settings.impedances.chosen_tracking_ratio;
+  measurement.ratio_before = settings.stiffnesses.chosen_tracking_ratio;
   measurement.scene = session.scene.get();
   session.settings.active = StrategyId::anisotropic;
   begin_anew(session);
@@ -137,9 +137,9 @@ void follow_measurement(Session& session, const Snapshot& snapshot, const MotorR
   if (motors.has_motors) measurement.target = projection(wall, session.scene->goal.points.back());
   // The hand at a virtual device is as simulated as the one that the mouse leads.
   const bool is_simulated = !motors.has_motors || session.hand_is_simulated;
-  measurement.given_k_u = is_simulated ? std::optional(session.settings.impedances.k_u) : std::nullopt;
+  measurement.given_k_u = is_simulated ? std::optional(session.settings.stiffnesses.k_u) : std::nullopt;
   const bool is_held = snapshot.measured && motors.held_k_r > 0.0;
-  measurement.k_r = is_held ? motors.held_k_r : session.settings.impedances.k_r;
+  measurement.k_r = is_held ? motors.held_k_r : session.settings.stiffnesses.k_r;
 
   const Vector<2> direction = drift_direction(wall, actuation_of(session.settings));
   watch_rest(measurement, session.settings, snapshot);
@@ -156,7 +156,7 @@ void take_reading(Session& session) {
     measurement.was_refused = true;
     return;
   }
-  const double ratio = tracking_ratio(session.settings.impedances);
+  const double ratio = tracking_ratio(session.settings.stiffnesses);
   measurement.readings.push_back({ratio, user_stiffness_of(measurement.k_r, ratio)});
   measurement.has_begun_anew = false;
   if (measurement.readings.size() < readings_wanted) {
@@ -176,7 +176,7 @@ void cancel_measurement(Session& session) {
 }
 
 void believe_measurement(Session& session) {
-  session.settings.impedances.believed_k_u = user_stiffness_range.nearest_to(spread_of(session.measurement).median);
+  session.settings.stiffnesses.believed_k_u = user_stiffness_range.nearest_to(spread_of(session.measurement).median);
   session.measurement = {};
 }
 
@@ -224,8 +224,8 @@ std::string_view words_for(MeasuringStep step, bool has_target) noexcept {
 }
 
 void turn_ratio(Session& session, double factor) noexcept {
-  Impedances& impedances = session.settings.impedances;
-  impedances.chosen_tracking_ratio = tracking_ratio_range.nearest_to(tracking_ratio(impedances) * factor);
+  Stiffnesses& stiffnesses = session.settings.stiffnesses;
+  stiffnesses.chosen_tracking_ratio = tracking_ratio_range.nearest_to(tracking_ratio(stiffnesses) * factor);
 }
 
 }  // namespace ghostforce

@@ -231,7 +231,7 @@ void Servo::drive_motors() noexcept {
   motors.reason = safety_.reason();
   motors.obstacle = safety_.obstacle();
   motors.gain = safety_.gain();
-  motors.held_k_r = settings_.impedances.k_r > safety_options_.greatest_k_r ? safety_options_.greatest_k_r : 0.0;
+  motors.held_k_r = settings_.stiffnesses.k_r > safety_options_.greatest_k_r ? safety_options_.greatest_k_r : 0.0;
 }
 
 // On motors the wall is no stiffer than a person has agreed to.
@@ -240,7 +240,7 @@ void Servo::plan() noexcept {
   const bool comes_on = safety_.is_armed() && !plan_is_felt_;
   plan_is_felt_ = safety_.is_armed();
   planned_ = settings_;
-  double& k_r = planned_.impedances.k_r;
+  double& k_r = planned_.stiffnesses.k_r;
   if (plan_is_felt_) k_r = std::min(k_r, safety_options_.greatest_k_r);
   plan_ = plan_of(planned_);
   comes_on ? limiter_.reset() : limiter_.cross_fade();
@@ -323,7 +323,7 @@ bool Servo::advance() noexcept {
     const std::int64_t gap_ns = handle_.time_ns - std::exchange(measured_ns_, handle_.time_ns);
     if (static_cast<double>(gap_ns) * 1e-9 > Safety::longest_exchange_s) next.measured.reset();
     tick_measured(plan_, settings_.active, handle_.position, report_.motors.sent / device_->force_at_handle(),
-                  believed_user_stiffness(settings_.impedances), next);
+                  believed_user_stiffness(settings_.stiffnesses), next);
   } else {
     tick(plan_, input_->goal(state_.tick + 1, plan_.rate), next);
   }

@@ -29,7 +29,7 @@ struct Loop {
 
 Loop random_loop(Random& random) {
   Setting<2> setting = random_setting<2>(random);
-  Impedances& k = setting.impedances;
+  Stiffnesses& k = setting.stiffnesses;
   k.k_r = k.k_u * random.over_decades(0.1, 3.0);
   if (random.once_in(3)) k.believed_k_u = k.k_u * random.over_decades(0.3, 3.0);
   if (random.once_in(4)) setting.goal += 0.2 * setting.wall.normal;

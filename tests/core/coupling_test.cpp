@@ -25,7 +25,7 @@ TYPED_TEST(CouplingTest, StiffnessesAreThoseOfTheSubspaces) {
   for (int i = 0; i < 1000; ++i) {
     SCOPED_TRACE(i);
     const Setting<D> setting = random_setting<D>(random);
-    const Impedances& k = setting.impedances;
+    const Stiffnesses& k = setting.stiffnesses;
     const ReferenceModel expected = reference_with_some_motors(setting, setting.ratio);
     const Coupling<D> coupling = coupling_with_some_motors(k.k_r, k.k_t, setting.ratio, setting.actuation());
     // Projectors are good to a dozen roundings; entries are as large as the largest stiffness.
@@ -41,7 +41,7 @@ TYPED_TEST(CouplingTest, ComplianceIsTheInverseOfTheTrackingStiffness) {
   for (int i = 0; i < 1000; ++i) {
     SCOPED_TRACE(i);
     const Setting<D> setting = random_setting<D>(random);
-    const Impedances& k = setting.impedances;
+    const Stiffnesses& k = setting.stiffnesses;
     for (const double ratio : {1.0, setting.ratio}) {
       const Coupling<D> coupling = coupling_with_some_motors(k.k_r, k.k_t, ratio, setting.actuation());
       const double rounding = 32.0 * epsilon * (ratio + 1.0 / ratio);

@@ -58,7 +58,7 @@ double slow_work(const Wall<2>& wall, const Coupling<2>& coupling, double k_c, c
 struct SlowLoop {
   Wall<2> wall;
   double theta;
-  Impedances k;
+  Stiffnesses k;
   double ratio;
   std::vector<Vector<2>> corners;
   double area;
@@ -74,8 +74,8 @@ SlowLoop random_slow_loop(Random& random) {
   SlowLoop loop;
   loop.wall = {random.in_box<2>(0.05), direction_at(random.uniform(-4.0, 4.0))};
   loop.theta = random.uniform(-4.0, 4.0);
-  loop.k = stiffnesses(100.0, random.over_decades(10.0, 1e4), random.over_decades(10.0, 1e4),
-                       random.once_in(3) ? infinity : random.over_decades(100.0, 1e6));
+  loop.k = make_stiffnesses(100.0, random.over_decades(10.0, 1e4), random.over_decades(10.0, 1e4),
+                            random.once_in(3) ? infinity : random.over_decades(100.0, 1e6));
   loop.ratio = random.over_decades(0.1, 30.0);
   // A polygon of any shape, of which some cross themselves, 10 to 90 mm inside.
   Area area;
@@ -157,7 +157,7 @@ struct Lap {
   double all = 0.0;                     // ∫v² dt [m²/s]
 };
 
-PerStrategy<Lap> second_lap(const Impedances& k, double rate, double sense) {
+PerStrategy<Lap> second_lap(const Stiffnesses& k, double rate, double sense) {
   const Wall<2> wall{{0.01, 0.02}, direction_at(wall_angle)};
   const Vector<2> motor = direction_at(wall_angle + theta);
   const TickPlan<2> plan = plan_tick(wall, actuated_along(motor), k, 0.1, 5.0, rate);
@@ -211,7 +211,7 @@ struct Expected {
   double first_order;  // [J]
 };
 
-PerStrategy<Expected> expected_of(const PerStrategy<Lap>& laps, const Impedances& k, double rate) {
+PerStrategy<Expected> expected_of(const PerStrategy<Lap>& laps, const Stiffnesses& k, double rate) {
   PerStrategy<Expected> expected;
   for (const Strategy& strategy : strategy_catalog()) {
     const Lap& lap = laps[index_of(strategy.id)];
@@ -236,7 +236,7 @@ PerStrategy<Expected> expected_of(const PerStrategy<Lap>& laps, const Impedances
 TEST(EnergyTest, SampledLoopHasTheEnergyOfTheFormulaLessTheDelay) {
   for (const double k_c : {2000.0, 1e5, infinity}) {
     for (const double sense : {1.0, -1.0}) {
-      const Impedances k = stiffnesses(100.0, 300.0, 400.0, k_c);
+      const Stiffnesses k = make_stiffnesses(100.0, 300.0, 400.0, k_c);
       PerStrategy<double> difference_before{};
       PerStrategy<double> remainder_before{};
       for (const double rate : {1000.0, 2000.0, 4000.0}) {
@@ -268,8 +268,8 @@ TEST(EnergyTest, SampledLoopHasTheEnergyOfTheFormulaLessTheDelay) {
 // In free space the held force is −K_r dt v of the tick before: only a loss, of k_r dt ∫v² dt along the motors.
 TEST(EnergyTest, FreeSpaceOnlyLoses) {
   const Wall<2> wall{{0.0, -1.0}, {0.0, 1.0}};
-  const TickPlan<2> plan =
-      plan_tick(wall, actuated_along(Vector<2>{1.0, 0.0}), stiffnesses(100.0, 300.0, 400.0, 1e5), 0.1, 5.0, 1000.0);
+  const TickPlan<2> plan = plan_tick(wall, actuated_along(Vector<2>{1.0, 0.0}),
+                                     make_stiffnesses(100.0, 300.0, 400.0, 1e5), 0.1, 5.0, 1000.0);
   TickState<2> state = state_at_start(Vector<2>(0.0));
   PerStrategy<double> lost{};
   for (int k = 1; k <= 2000; ++k) {

@@ -33,7 +33,7 @@ constexpr int settings_per_test = 2000;
 // Each chain is a dozen roundings long and has D terms in each product: 32 ε holds it, with a factor of 3 to spare.
 struct Rounding {
   template <glm::length_t D>
-  Rounding(const Wall<D>& wall, const Matrix<D>& P_A, const Impedances& k, double ratio, const Vector<D>& goal) {
+  Rounding(const Wall<D>& wall, const Matrix<D>& P_A, const Stiffnesses& k, double ratio, const Vector<D>& goal) {
     const double kappa = k.k_r / k.k_u;
     const double alpha = glm::dot(wall.normal, P_A * wall.normal);
     const double sigma = (1.0 + kappa) * alpha + ratio * (1.0 - alpha) + k.k_t / k.k_c;
@@ -60,12 +60,12 @@ struct Rounding {
 
 template <glm::length_t D>
 Rounding rounding_with_every_motor(const Setting<D>& setting) {
-  return {setting.wall, Matrix<D>(1.0), setting.impedances, 1.0, setting.goal};
+  return {setting.wall, Matrix<D>(1.0), setting.stiffnesses, 1.0, setting.goal};
 }
 
 template <glm::length_t D>
 Rounding rounding_with_some_motors(const Setting<D>& setting, double ratio) {
-  return {setting.wall, setting.actuation().actuated, setting.impedances, ratio, setting.goal};
+  return {setting.wall, setting.actuation().actuated, setting.stiffnesses, ratio, setting.goal};
 }
 
 template <glm::length_t D>
@@ -78,7 +78,7 @@ void expect_rest(const Equilibrium<D>& actual, const ReferenceRest& expected, co
 
 template <glm::length_t D>
 double optimal_ratio(const Setting<D>& setting) {
-  return 1.0 + setting.impedances.k_r / setting.impedances.k_u;
+  return 1.0 + setting.stiffnesses.k_r / setting.stiffnesses.k_u;
 }
 
 template <typename Dimension>
@@ -94,7 +94,7 @@ TYPED_TEST(EquilibriumTest, AnyRatioBalancesTheForces) {
     SCOPED_TRACE(i);
     const Setting<D> setting = random_setting<D>(random);
     const auto rest =
-        equilibrium_with_ratio(setting.wall, setting.actuation(), setting.impedances, setting.ratio, setting.goal);
+        equilibrium_with_ratio(setting.wall, setting.actuation(), setting.stiffnesses, setting.ratio, setting.goal);
     expect_rest(rest, reference_rest(reference_with_some_motors(setting, setting.ratio), reference(setting.goal)),
                 rounding_with_some_motors(setting, setting.ratio));
   }
@@ -106,7 +106,7 @@ TYPED_TEST(EquilibriumTest, FullyActuatedBalancesTheForces) {
   for (int i = 0; i < settings_per_test; ++i) {
     SCOPED_TRACE(i);
     const Setting<D> setting = random_setting<D>(random);
-    expect_rest(equilibrium_fully_actuated(setting.wall, setting.impedances, setting.goal),
+    expect_rest(equilibrium_fully_actuated(setting.wall, setting.stiffnesses, setting.goal),
                 reference_rest(reference_with_every_motor(setting), reference(setting.goal)),
                 rounding_with_every_motor(setting));
   }
@@ -118,7 +118,7 @@ TYPED_TEST(EquilibriumTest, NaiveBalancesTheForces) {
   for (int i = 0; i < settings_per_test; ++i) {
     SCOPED_TRACE(i);
     const Setting<D> setting = random_setting<D>(random);
-    expect_rest(equilibrium_naive(setting.wall, setting.actuation(), setting.impedances, setting.goal),
+    expect_rest(equilibrium_naive(setting.wall, setting.actuation(), setting.stiffnesses, setting.goal),
                 reference_rest(reference_with_some_motors(setting, 1.0L), reference(setting.goal)),
                 rounding_with_some_motors(setting, 1.0));
   }
@@ -130,8 +130,8 @@ TYPED_TEST(EquilibriumTest, AnisotropicBalancesTheForces) {
   for (int i = 0; i < settings_per_test; ++i) {
     SCOPED_TRACE(i);
     const Setting<D> setting = random_setting<D>(random);
-    const Extended ratio = 1.0L + Extended{setting.impedances.k_r} / setting.impedances.k_u;
-    expect_rest(equilibrium_anisotropic(setting.wall, setting.actuation(), setting.impedances, setting.goal),
+    const Extended ratio = 1.0L + Extended{setting.stiffnesses.k_r} / setting.stiffnesses.k_u;
+    expect_rest(equilibrium_anisotropic(setting.wall, setting.actuation(), setting.stiffnesses, setting.goal),
                 reference_rest(reference_with_some_motors(setting, ratio), reference(setting.goal)),
                 rounding_with_some_motors(setting, optimal_ratio(setting)));
   }
@@ -145,7 +145,7 @@ TYPED_TEST(EquilibriumTest, LinearSolveBalancesTheForces) {
   for (int i = 0; i < settings_per_test; ++i) {
     SCOPED_TRACE(i);
     const Setting<D> setting = random_setting<D>(random);
-    const Impedances& k = setting.impedances;
+    const Stiffnesses& k = setting.stiffnesses;
     const Coupling<D> coupling = coupling_with_some_motors(k.k_r, k.k_t, setting.ratio, setting.actuation());
     expect_rest(equilibrium_by_linear_solve(setting.wall, coupling, k.k_u, k.k_c, setting.goal),
                 reference_rest(reference_with_some_motors(setting, setting.ratio), reference(setting.goal)),
@@ -161,7 +161,7 @@ TYPED_TEST(EquilibriumTest, StrategiesBalanceTheForces) {
   for (int i = 0; i < settings_per_test; ++i) {
     SCOPED_TRACE(i);
     Setting<D> setting = random_setting<D>(random);
-    Impedances& k = setting.impedances;
+    Stiffnesses& k = setting.stiffnesses;
     if (random.once_in(2)) k.believed_k_u = k.k_u * random.over_decades(0.1, 10.0);
     if (random.once_in(4)) k.chosen_tracking_ratio = setting.ratio;
     const double ratio = k.chosen_tracking_ratio.value_or(1.0 + k.k_r / k.believed_k_u.value_or(k.k_u));
@@ -185,7 +185,7 @@ TYPED_TEST(EquilibriumTest, ContactIsTheProxyProjectedOnTheWall) {
   for (int i = 0; i < settings_per_test; ++i) {
     SCOPED_TRACE(i);
     const Setting<D> setting = random_setting<D>(random);
-    const Impedances& k = setting.impedances;
+    const Stiffnesses& k = setting.stiffnesses;
     const auto rest = equilibrium_with_ratio(setting.wall, setting.actuation(), k, setting.ratio, setting.goal);
     const double rounding = rounding_with_some_motors(setting, setting.ratio).proxy;
     EXPECT_NEAR(glm::dot(setting.wall.normal, rest.contact - setting.wall.point), 0.0, rounding);
@@ -210,10 +210,10 @@ TYPED_TEST(EquilibriumTest, AnisotropicHasNoGhostForceAndNoDrift) {
     const Setting<D> setting = random_setting<D>(random);
     const Actuation<D> actuation = setting.actuation();
     const Rounding rounding = rounding_with_some_motors(setting, optimal_ratio(setting));
-    const auto full = equilibrium_fully_actuated(setting.wall, setting.impedances, setting.goal);
+    const auto full = equilibrium_fully_actuated(setting.wall, setting.stiffnesses, setting.goal);
     for (const Equilibrium<D>& rest :
-         {equilibrium_anisotropic(setting.wall, actuation, setting.impedances, setting.goal),
-          equilibrium_with_ratio(setting.wall, actuation, setting.impedances, optimal_ratio(setting), setting.goal)}) {
+         {equilibrium_anisotropic(setting.wall, actuation, setting.stiffnesses, setting.goal),
+          equilibrium_with_ratio(setting.wall, actuation, setting.stiffnesses, optimal_ratio(setting), setting.goal)}) {
       EXPECT_LE(glm::length(ghost_force(actuation, rest.force, full.force)),
                 rounding.force + rounding_with_every_motor(setting).force);
       EXPECT_LE(glm::length(proxy_drift(setting.wall, rest.proxy, setting.goal)), rounding.proxy);
@@ -230,7 +230,7 @@ TYPED_TEST(EquilibriumTest, NaiveHasGhostForceAndDrift) {
   for (int i = 0; i < settings_per_test; ++i) {
     SCOPED_TRACE(i);
     const Setting<D> setting = random_setting<D>(random);
-    const Impedances& k = setting.impedances;
+    const Stiffnesses& k = setting.stiffnesses;
     const Actuation<D> actuation = setting.actuation();
     const double alpha = glm::dot(setting.wall.normal, actuation.actuated * setting.wall.normal);
     const double kappa = k.k_r / k.k_u;
@@ -260,10 +260,10 @@ TYPED_TEST(EquilibriumTest, AllAgreeWhereTheNormalIsActuated) {
     SCOPED_TRACE(i);
     const Setting<D> setting = random_setting_with_actuated_normal<D>(random);
     const Actuation<D> actuation = setting.actuation();
-    const auto full = equilibrium_fully_actuated(setting.wall, setting.impedances, setting.goal);
+    const auto full = equilibrium_fully_actuated(setting.wall, setting.stiffnesses, setting.goal);
     for (const double ratio : {1.0, optimal_ratio(setting), setting.ratio}) {
       const Rounding rounding = rounding_with_some_motors(setting, ratio).worse_by(2.0);
-      const auto rest = equilibrium_with_ratio(setting.wall, actuation, setting.impedances, ratio, setting.goal);
+      const auto rest = equilibrium_with_ratio(setting.wall, actuation, setting.stiffnesses, ratio, setting.goal);
       EXPECT_LE(glm::length(rest.proxy - full.proxy), rounding.proxy);
       EXPECT_LE(glm::length(rest.device - full.device), rounding.device);
       EXPECT_LE(glm::length(rest.force - full.force), rounding.force);
@@ -279,11 +279,11 @@ TYPED_TEST(EquilibriumTest, NoForceWhereTheNormalIsNotActuated) {
   setting.wall.normal[1] = 1.0;
   setting.motors = {Vector<D>(0.0)};
   setting.motors[0][0] = 1.0;
-  setting.impedances = stiffnesses(100.0, 1000.0, 1000.0, 1e5);
+  setting.stiffnesses = make_stiffnesses(100.0, 1000.0, 1000.0, 1e5);
   setting.goal = Vector<D>(-0.01);
   for (const Strategy& entry : strategy_catalog()) {
     if (entry.has_every_motor) continue;
-    const auto rest = equilibrium_of(entry, setting.wall, setting.actuation(), setting.impedances, setting.goal);
+    const auto rest = equilibrium_of(entry, setting.wall, setting.actuation(), setting.stiffnesses, setting.goal);
     EXPECT_TRUE(rest.in_contact);
     EXPECT_EQ(rest.force, Vector<D>(0.0));
     EXPECT_EQ(rest.device, setting.goal);
@@ -301,14 +301,14 @@ TYPED_TEST(EquilibriumTest, WrongBeliefShows) {
     Setting<D> setting = random_setting<D>(random);
     const Actuation<D> actuation = setting.actuation();
     const double alpha = glm::dot(setting.wall.normal, actuation.actuated * setting.wall.normal);
-    if (alpha < 0.05 || alpha > 0.95 || setting.impedances.k_r < 0.1 * setting.impedances.k_u) continue;
+    if (alpha < 0.05 || alpha > 0.95 || setting.stiffnesses.k_r < 0.1 * setting.stiffnesses.k_u) continue;
     ++tried;
-    const auto full = equilibrium_fully_actuated(setting.wall, setting.impedances, setting.goal);
+    const auto full = equilibrium_fully_actuated(setting.wall, setting.stiffnesses, setting.goal);
     for (const double belief : {0.5, 2.0}) {
-      setting.impedances.believed_k_u = belief * setting.impedances.k_u;
+      setting.stiffnesses.believed_k_u = belief * setting.stiffnesses.k_u;
       const auto rest =
-          equilibrium_of(strategy(StrategyId::anisotropic), setting.wall, actuation, setting.impedances, setting.goal);
-      const Rounding rounding = rounding_with_some_motors(setting, tracking_ratio(setting.impedances));
+          equilibrium_of(strategy(StrategyId::anisotropic), setting.wall, actuation, setting.stiffnesses, setting.goal);
+      const Rounding rounding = rounding_with_some_motors(setting, tracking_ratio(setting.stiffnesses));
       const double push = glm::dot(ghost_force(actuation, rest.force, full.force), setting.wall.normal);
       EXPECT_GT(std::abs(push), 100.0 * (rounding.force + rounding_with_every_motor(setting).force));
       EXPECT_EQ(push > 0.0, belief > 1.0);
@@ -324,7 +324,7 @@ TYPED_TEST(EquilibriumTest, AGoalOutsideTheWallIsWhereEverythingRests) {
   for (int i = 0; i < settings_per_test; ++i) {
     SCOPED_TRACE(i);
     const Setting<D> setting = random_setting<D>(random);
-    const Impedances& k = setting.impedances;
+    const Stiffnesses& k = setting.stiffnesses;
     const Actuation<D> actuation = setting.actuation();
     const Vector<D> goal = setting.wall.point + along(setting.wall, setting.goal - setting.wall.point) +
                            setting.wall.normal * random.uniform(1e-6, 0.1);
@@ -348,7 +348,7 @@ TYPED_TEST(EquilibriumTest, AGoalOnTheWallFeelsNothing) {
   constexpr glm::length_t D = TypeParam::value;
   Wall<D> wall{Vector<D>(0.0), Vector<D>(0.0)};
   wall.normal[0] = 1.0;
-  const auto rest = equilibrium_fully_actuated(wall, stiffnesses(100.0, 1e3, 1e3, 1e5), Vector<D>(0.0));
+  const auto rest = equilibrium_fully_actuated(wall, make_stiffnesses(100.0, 1e3, 1e3, 1e5), Vector<D>(0.0));
   EXPECT_FALSE(rest.in_contact);
   EXPECT_EQ(rest.force, Vector<D>(0.0));
 }
@@ -358,13 +358,13 @@ TYPED_TEST(EquilibriumTest, WithoutRenderingStiffnessThereIsNoForce) {
   constexpr glm::length_t D = TypeParam::value;
   Random random(13);
   Setting<D> setting = random_setting<D>(random);
-  setting.impedances.k_r = 0.0;
+  setting.stiffnesses.k_r = 0.0;
   for (const Strategy& entry : strategy_catalog()) {
-    const auto rest = equilibrium_of(entry, setting.wall, setting.actuation(), setting.impedances, setting.goal);
+    const auto rest = equilibrium_of(entry, setting.wall, setting.actuation(), setting.stiffnesses, setting.goal);
     EXPECT_EQ(rest.force, Vector<D>(0.0)) << entry.name;
     EXPECT_EQ(rest.device, setting.goal) << entry.name;
   }
-  const auto rest = equilibrium_anisotropic(setting.wall, setting.actuation(), setting.impedances, setting.goal);
+  const auto rest = equilibrium_anisotropic(setting.wall, setting.actuation(), setting.stiffnesses, setting.goal);
   EXPECT_EQ(rest.force, Vector<D>(0.0));
   EXPECT_EQ(rest.device, setting.goal);
 }
@@ -376,7 +376,7 @@ TYPED_TEST(EquilibriumTest, HardWallIsTheLimitOfStiffOnes) {
   for (int i = 0; i < 200; ++i) {
     SCOPED_TRACE(i);
     Setting<D> setting = random_setting<D>(random);
-    Impedances& k = setting.impedances;
+    Stiffnesses& k = setting.stiffnesses;
     const Actuation<D> actuation = setting.actuation();
     const auto proxy_at = [&](double k_c) {
       k.k_c = k_c;
@@ -400,12 +400,12 @@ TYPED_TEST(EquilibriumTest, HardWallIsTheLimitOfStiffOnes) {
 TEST(EquilibriumExample, HasTheseNumbers) {
   const Wall<2> wall{{0.0, 0.0}, direction_at(135.0 / 180.0 * std::numbers::pi)};
   const Actuation<2> actuation = actuated_along(Vector<2>{1.0, 0.0});
-  const Impedances impedances = stiffnesses(100.0, 1000.0, 1000.0, 1e5);
+  const Stiffnesses stiffnesses = make_stiffnesses(100.0, 1000.0, 1000.0, 1e5);
   const Vector<2> goal{0.040, -0.040};
   constexpr double half_a_digit = 0.0005;  // the numbers are given to three decimals of a millimetre and of a newton
 
   EXPECT_NEAR(depth(wall, goal) * 1e3, 56.569, half_a_digit);
-  EXPECT_DOUBLE_EQ(tracking_ratio(impedances), 11.0);
+  EXPECT_DOUBLE_EQ(tracking_ratio(stiffnesses), 11.0);
 
   struct Row {
     StrategyId id;
@@ -414,13 +414,13 @@ TEST(EquilibriumExample, HasTheseNumbers) {
   };
   for (const Row& row : {Row{StrategyId::full, 3.669, -3.633}, Row{StrategyId::naive, -26.556, -6.656},
                          Row{StrategyId::anisotropic, 3.669, -3.633}}) {
-    const Equilibrium<2> rest = equilibrium_of(strategy(row.id), wall, actuation, impedances, goal);
+    const Equilibrium<2> rest = equilibrium_of(strategy(row.id), wall, actuation, stiffnesses, goal);
     EXPECT_NEAR(rest.device.x * 1e3, row.device_x_mm, half_a_digit) << strategy(row.id).name;
     EXPECT_NEAR(rest.force.x, row.force_x_N, half_a_digit) << strategy(row.id).name;
   }
 
   // An underactuated device cannot push along y at all, so there the hand gets where it wants to be.
-  const Equilibrium<2> naive = equilibrium_naive(wall, actuation, impedances, goal);
+  const Equilibrium<2> naive = equilibrium_naive(wall, actuation, stiffnesses, goal);
   EXPECT_EQ(naive.force.y, 0.0);
   EXPECT_EQ(naive.device.y, goal.y);
 }
@@ -430,10 +430,10 @@ TEST(EquilibriumExample, NaiveDriftIsLargestAtThisAngle) {
   const Wall<2> wall{{0.0, 0.0}, {0.0, 1.0}};
   const Vector<2> goal{0.0, -0.01};
   for (const double kappa : {0.5, 3.0, 10.0}) {
-    const Impedances impedances = stiffnesses(100.0, 100.0 * kappa, 500.0, infinity);
+    const Stiffnesses stiffnesses = make_stiffnesses(100.0, 100.0 * kappa, 500.0, infinity);
     const auto drift_at = [&](double angle) {
       const Actuation<2> actuation = actuated_along(direction_at(std::numbers::pi / 2.0 + angle));
-      return glm::length(proxy_drift(wall, equilibrium_naive(wall, actuation, impedances, goal).proxy, goal));
+      return glm::length(proxy_drift(wall, equilibrium_naive(wall, actuation, stiffnesses, goal).proxy, goal));
     };
     const double worst = std::atan(std::sqrt(1.0 + kappa));
     for (const double away : {-0.5, -0.1, -0.01, 0.01, 0.1, 0.5}) {
@@ -448,10 +448,10 @@ TEST(EquilibriumExample, NaiveDriftIsLargestAtThisAngle) {
 TEST(EquilibriumExample, SoftWallForceOfTheCureIsTheFullOneNotSlightlyLower) {
   const Wall<2> wall{{0.0, 0.0}, direction_at(135.0 / 180.0 * std::numbers::pi)};
   const Actuation<2> actuation = actuated_along(Vector<2>{1.0, 0.0});
-  const Impedances impedances = stiffnesses(100.0, 1000.0, 1000.0, 2000.0);
+  const Stiffnesses stiffnesses = make_stiffnesses(100.0, 1000.0, 1000.0, 2000.0);
   const Vector<2> goal{0.040, -0.040};
-  const double full = equilibrium_fully_actuated(wall, impedances, goal).force.x;
-  const double anisotropic = equilibrium_anisotropic(wall, actuation, impedances, goal).force.x;
+  const double full = equilibrium_fully_actuated(wall, stiffnesses, goal).force.x;
+  const double anisotropic = equilibrium_anisotropic(wall, actuation, stiffnesses, goal).force.x;
   const double k_t_read_as_k_ta = full * (1.0 + 1000.0 / 11.0 / 2000.0) / (1.0 + 1000.0 / 2000.0);
   EXPECT_NEAR(anisotropic, full, 32.0 * epsilon * std::abs(full));  // a dozen roundings
   EXPECT_GT(std::abs(anisotropic - k_t_read_as_k_ta), 0.2 * std::abs(full));

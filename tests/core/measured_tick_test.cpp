@@ -17,10 +17,10 @@ Settings figure_settings() {
   settings.mass = 0.1;
   settings.damping = 5.0;
   settings.rate = 1000.0;
-  settings.impedances.k_u = 100.0;
-  settings.impedances.k_r = 1000.0;
-  settings.impedances.k_t = 1000.0;
-  settings.impedances.k_c = 1e5;
+  settings.stiffnesses.k_u = 100.0;
+  settings.stiffnesses.k_r = 1000.0;
+  settings.stiffnesses.k_t = 1000.0;
+  settings.stiffnesses.k_c = 1e5;
   return settings;
 }
 
@@ -51,7 +51,7 @@ TEST(MeasuredTick, InfersTheGoalFromWhereTheHandleRests) {
   for (const Strategy& entry : strategy_catalog()) {
     const Equilibrium<2> rest = rest_of(entry.id, settings, goal);
     TickState<2> state = state_at_start(Vector<2>(-0.05, 0.05));
-    tick_measured(plan, entry.id, rest.device, rest.force, settings.impedances.k_u, state);
+    tick_measured(plan, entry.id, rest.device, rest.force, settings.stiffnesses.k_u, state);
     const Snapshot snapshot = snapshot_of(plan, state);
     const auto& measured = snapshot.strategies[index_of(entry.id)];
     // Sums of numbers of some centimetres and newtons, in doubles.

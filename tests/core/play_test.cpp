@@ -17,7 +17,7 @@ Scene example() {
   scene.settings.mass = 0.1;
   scene.settings.damping = 5.0;
   scene.settings.rate = 1000.0;
-  scene.settings.impedances = stiffnesses(100.0, 1000.0, 1000.0, 1e5);
+  scene.settings.stiffnesses = make_stiffnesses(100.0, 1000.0, 1000.0, 1e5);
   scene.goal = {{{-0.04, 0.04}, {0.04, -0.04}}, {0.0, 1.0}, Motion::minimum_jerk};
   scene.duration = 1.5;
   return scene;
@@ -72,7 +72,7 @@ TEST(PlayTest, NoTicksIsTheStart) {
 // Every strategy, in the wall and in free space, and with a wrong belief.
 TEST(PlayTest, NothingMovesFromRest) {
   Scene scene = example();
-  scene.settings.impedances.believed_k_u = 60.0;
+  scene.settings.stiffnesses.believed_k_u = 60.0;
   for (const Vector<2>& goal : {Vector<2>(0.04, -0.04), Vector<2>(0.0, -0.01), Vector<2>(-0.03, 0.02)}) {
     scene.goal = {{goal}, {0.0}, Motion::linear};
     const TickState<2> rest = state_at_rest(scene.settings, goal);

@@ -19,7 +19,8 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 template <glm::length_t D>
 Coupling<D> coupling_of(const Setting<D>& setting) {
-  return coupling_with_some_motors(setting.impedances.k_r, setting.impedances.k_t, setting.ratio, setting.actuation());
+  return coupling_with_some_motors(setting.stiffnesses.k_r, setting.stiffnesses.k_t, setting.ratio,
+                                   setting.actuation());
 }
 
 // C = K_t⁻¹ n is good to ε (1 + ρ)/k_t, and so is s = n·C; a step of length |C|/s ≤ √((1 + ρ)/(k_t s)) times the way to
@@ -44,7 +45,7 @@ TYPED_TEST(ProxyTest, BalancesWallAndTracking) {
   for (int i = 0; i < 2000; ++i) {
     SCOPED_TRACE(i);
     const Setting<D> setting = random_setting<D>(random);
-    const Vector<D> step = proxy_step(setting.wall.normal, coupling_of(setting), setting.impedances.k_c);
+    const Vector<D> step = proxy_step(setting.wall.normal, coupling_of(setting), setting.stiffnesses.k_c);
     const Proxy<D> proxy = proxy_of(setting.goal, setting.wall, step);
     EXPECT_TRUE(proxy.in_contact);
     EXPECT_LE(distance(proxy.position,
@@ -60,15 +61,15 @@ TYPED_TEST(ProxyTest, HasTheLeastEnergy) {
   for (int i = 0; i < 500; ++i) {
     SCOPED_TRACE(i);
     Setting<D> setting = random_setting<D>(random);
-    if (std::isinf(setting.impedances.k_c)) setting.impedances.k_c = 1e5;
+    if (std::isinf(setting.stiffnesses.k_c)) setting.stiffnesses.k_c = 1e5;
     const Coupling<D> coupling = coupling_of(setting);
     const Vector<D>& device = setting.goal;
     const auto energy = [&](const Vector<D>& q) {
       const double d = depth(setting.wall, q);
-      return 0.5 * setting.impedances.k_c * d * d + 0.5 * glm::dot(device - q, coupling.tracking * (device - q));
+      return 0.5 * setting.stiffnesses.k_c * d * d + 0.5 * glm::dot(device - q, coupling.tracking * (device - q));
     };
     const Vector<D> proxy =
-        proxy_of(device, setting.wall, proxy_step(setting.wall.normal, coupling, setting.impedances.k_c)).position;
+        proxy_of(device, setting.wall, proxy_step(setting.wall.normal, coupling, setting.stiffnesses.k_c)).position;
     for (int j = 0; j < 10; ++j) EXPECT_LT(energy(proxy), energy(proxy + 1e-4 * random.direction<D>()));
   }
 }
@@ -111,7 +112,7 @@ TYPED_TEST(ProxyTest, IsTheDeviceInFreeSpace) {
   for (int i = 0; i < 500; ++i) {
     SCOPED_TRACE(i);
     const Setting<D> setting = random_setting<D>(random);
-    const Vector<D> step = proxy_step(setting.wall.normal, coupling_of(setting), setting.impedances.k_c);
+    const Vector<D> step = proxy_step(setting.wall.normal, coupling_of(setting), setting.stiffnesses.k_c);
     const Vector<D> outside = setting.wall.point + along(setting.wall, random.in_box<D>(0.1)) +
                               random.over_decades(1e-9, 0.1) * setting.wall.normal;
     const Proxy<D> proxy = proxy_of(outside, setting.wall, step);

@@ -12,7 +12,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/actuation.h"
-#include "core/impedance.h"
+#include "core/stiffness.h"
 #include "core/wall.h"
 
 namespace ghostforce {
@@ -66,7 +66,7 @@ template <glm::length_t D>
 struct Setting {
   Wall<D> wall;
   std::vector<Vector<D>> motors;  // orthonormal basis A of the actuated subspace, 1 to D − 1 directions
-  Impedances impedances;
+  Stiffnesses stiffnesses;
   double ratio;    // any ρ, not the optimal one
   Vector<D> goal;  // inside the wall [m]
 
@@ -74,13 +74,13 @@ struct Setting {
 };
 
 // Belief right, ratio optimal.
-inline Impedances stiffnesses(double k_u, double k_r, double k_t, double k_c) noexcept {
-  Impedances impedances;
-  impedances.k_u = k_u;
-  impedances.k_r = k_r;
-  impedances.k_t = k_t;
-  impedances.k_c = k_c;
-  return impedances;
+inline Stiffnesses make_stiffnesses(double k_u, double k_r, double k_t, double k_c) noexcept {
+  Stiffnesses stiffnesses;
+  stiffnesses.k_u = k_u;
+  stiffnesses.k_r = k_r;
+  stiffnesses.k_t = k_t;
+  stiffnesses.k_c = k_c;
+  return stiffnesses;
 }
 
 // An orthonormal basis of a random subspace.
@@ -105,7 +105,7 @@ Setting<D> random_setting(Random& random) {
   Setting<D> setting;
   setting.wall = {random.in_box<D>(0.1), random.direction<D>()};
   setting.motors = random_basis<D>(random, 1 + random.below(D - 1));
-  Impedances& k = setting.impedances;
+  Stiffnesses& k = setting.stiffnesses;
   k.k_u = random.over_decades(1.0, 1e4);
   k.k_r = random.over_decades(1.0, 1e4);
   k.k_t = random.over_decades(1.0, 1e4);

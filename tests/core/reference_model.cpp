@@ -42,7 +42,7 @@ ReferenceMatrix reference_projector_of(const ReferenceMatrix& basis) {
 }
 
 ReferenceModel reference_of(const ReferenceVector& o, const ReferenceVector& n, const ReferenceMatrix& P_A,
-                            const Impedances& k, Extended ratio) {
+                            const Stiffnesses& k, Extended ratio) {
   const ReferenceMatrix P_N = ReferenceMatrix::Identity(o.size(), o.size()) - P_A;
   return {o, n, k.k_r * P_A, k.k_t * P_A + k.k_t / ratio * P_N, k.k_u, k.k_c};
 }

@@ -72,19 +72,19 @@ struct ReferenceModel {
 
 // K_r = k_r P_A, K_t = k_t P_A + (k_t/ρ) P_N
 ReferenceModel reference_of(const ReferenceVector& o, const ReferenceVector& n, const ReferenceMatrix& P_A,
-                            const Impedances& k, Extended ratio);
+                            const Stiffnesses& k, Extended ratio);
 
 template <glm::length_t D>
 ReferenceModel reference_with_some_motors(const Setting<D>& setting, Extended ratio) {
   return reference_of(reference(setting.wall.point), reference(setting.wall.normal),
-                      reference_projector<D>(setting.motors), setting.impedances, ratio);
+                      reference_projector<D>(setting.motors), setting.stiffnesses, ratio);
 }
 
 // K_r = k_r I, K_t = k_t I
 template <glm::length_t D>
 ReferenceModel reference_with_every_motor(const Setting<D>& setting) {
   return reference_of(reference(setting.wall.point), reference(setting.wall.normal), reference_identity(D),
-                      setting.impedances, 1.0L);
+                      setting.stiffnesses, 1.0L);
 }
 
 // --- At rest ---------------------------------------------------------------------------------------------------------

@@ -110,12 +110,12 @@ TEST(SceneTest, EachKeyIsAtItsPlace) {
       {"device.mass_kg", &scene.settings.mass},
       {"device.damping_N_s_per_m", &scene.settings.damping},
       {"device.rate_hz", &scene.settings.rate},
-      {"user.k_u_N_per_m", &scene.settings.impedances.k_u},
-      {"user.believed_k_u_N_per_m", &scene.settings.impedances.believed_k_u},
-      {"rendering.k_r_N_per_m", &scene.settings.impedances.k_r},
-      {"rendering.k_t_N_per_m", &scene.settings.impedances.k_t},
-      {"rendering.k_c_N_per_m", &scene.settings.impedances.k_c},
-      {"rendering.tracking_ratio", &scene.settings.impedances.chosen_tracking_ratio},
+      {"user.k_u_N_per_m", &scene.settings.stiffnesses.k_u},
+      {"user.believed_k_u_N_per_m", &scene.settings.stiffnesses.believed_k_u},
+      {"rendering.k_r_N_per_m", &scene.settings.stiffnesses.k_r},
+      {"rendering.k_t_N_per_m", &scene.settings.stiffnesses.k_t},
+      {"rendering.k_c_N_per_m", &scene.settings.stiffnesses.k_c},
+      {"rendering.tracking_ratio", &scene.settings.stiffnesses.chosen_tracking_ratio},
       {"goal.path_mm", &scene.goal.points},
       {"goal.times_s", &scene.goal.times},
       {"goal.duration_s", &scene.duration},
@@ -264,10 +264,10 @@ Settings settings_in_range() {
   settings.mass = 0.1;
   settings.damping = 5.0;
   settings.rate = 1000.0;
-  settings.impedances.k_u = 100.0;
-  settings.impedances.k_r = 1000.0;
-  settings.impedances.k_t = 1000.0;
-  settings.impedances.k_c = 1e5;
+  settings.stiffnesses.k_u = 100.0;
+  settings.stiffnesses.k_r = 1000.0;
+  settings.stiffnesses.k_t = 1000.0;
+  settings.stiffnesses.k_c = 1e5;
   return settings;
 }
 

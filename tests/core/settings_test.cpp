@@ -24,7 +24,7 @@ Settings example() {
   settings.mass = 0.1;
   settings.damping = 5.0;
   settings.rate = 1000.0;
-  settings.impedances = stiffnesses(100.0, 1000.0, 500.0, 1e5);
+  settings.stiffnesses = make_stiffnesses(100.0, 1000.0, 500.0, 1e5);
   return settings;
 }
 
@@ -52,7 +52,7 @@ TEST(SettingsTest, PlanHoldsWhatATickNeeds) {
 TEST(SettingsTest, DifferWhereAnyOfThemDiffers) {
   EXPECT_EQ(example(), example());
   Settings other = example();
-  other.impedances.believed_k_u = 100.0;  // the same number as k_u, but a belief of its own
+  other.stiffnesses.believed_k_u = 100.0;  // the same number as k_u, but a belief of its own
   EXPECT_NE(other, example());
   other = example();
   other.active = StrategyId::naive;

@@ -61,7 +61,7 @@ TEST(SoundStateTest, UnstableSettingsAreSeenBeforeTheyOverflow) {
   settings.mass = 0.1;
   settings.damping = 5.0;
   settings.rate = 100.0;
-  settings.impedances = stiffnesses(100.0, 1e5, 1e5, 1e5);
+  settings.stiffnesses = make_stiffnesses(100.0, 1e5, 1e5, 1e5);
   const TickPlan<2> plan = plan_of(settings);
   TickState<2> state = state_at_start(Vector<2>{-0.02, -0.02});
   int ticks = 0;

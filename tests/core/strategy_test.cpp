@@ -59,32 +59,32 @@ TEST(StrategyTest, IsFoundByItsNameOnly) {
 
 // The table of docs/theory.md: K_r and K_t of each strategy, one horizontal motor.
 TEST(StrategyTest, CouplingsAreThoseOfTheTable) {
-  Impedances impedances = stiffnesses(100.0, 300.0, 500.0, 1e5);
+  Stiffnesses stiffnesses = make_stiffnesses(100.0, 300.0, 500.0, 1e5);
   const Actuation<2> actuation = actuated_along(Vector<2>{1.0, 0.0});
 
-  const Coupling<2> full = make_coupling(strategy(StrategyId::full), impedances, actuation);
+  const Coupling<2> full = make_coupling(strategy(StrategyId::full), stiffnesses, actuation);
   EXPECT_EQ(full.rendering, Matrix<2>(300.0));
   EXPECT_EQ(full.tracking, Matrix<2>(500.0));
 
-  const Coupling<2> naive = make_coupling(strategy(StrategyId::naive), impedances, actuation);
+  const Coupling<2> naive = make_coupling(strategy(StrategyId::naive), stiffnesses, actuation);
   EXPECT_EQ(naive.rendering, Matrix<2>(300.0, 0.0, 0.0, 0.0));
   EXPECT_EQ(naive.tracking, Matrix<2>(500.0));
 
-  const Coupling<2> anisotropic = make_coupling(strategy(StrategyId::anisotropic), impedances, actuation);
+  const Coupling<2> anisotropic = make_coupling(strategy(StrategyId::anisotropic), stiffnesses, actuation);
   EXPECT_EQ(anisotropic.rendering, Matrix<2>(300.0, 0.0, 0.0, 0.0));
   EXPECT_EQ(anisotropic.tracking, Matrix<2>(500.0, 0.0, 0.0, 125.0));  // ρ* = 1 + 300/100
 
   // Belief and choice move the anisotropic one only.
-  impedances.believed_k_u = 300.0;
-  EXPECT_EQ(make_coupling(strategy(StrategyId::anisotropic), impedances, actuation).tracking[1][1], 250.0);
-  impedances.chosen_tracking_ratio = 10.0;
-  EXPECT_EQ(make_coupling(strategy(StrategyId::anisotropic), impedances, actuation).tracking[1][1], 50.0);
-  EXPECT_EQ(make_coupling(strategy(StrategyId::naive), impedances, actuation).tracking, Matrix<2>(500.0));
-  EXPECT_EQ(make_coupling(strategy(StrategyId::full), impedances, actuation).tracking, Matrix<2>(500.0));
+  stiffnesses.believed_k_u = 300.0;
+  EXPECT_EQ(make_coupling(strategy(StrategyId::anisotropic), stiffnesses, actuation).tracking[1][1], 250.0);
+  stiffnesses.chosen_tracking_ratio = 10.0;
+  EXPECT_EQ(make_coupling(strategy(StrategyId::anisotropic), stiffnesses, actuation).tracking[1][1], 50.0);
+  EXPECT_EQ(make_coupling(strategy(StrategyId::naive), stiffnesses, actuation).tracking, Matrix<2>(500.0));
+  EXPECT_EQ(make_coupling(strategy(StrategyId::full), stiffnesses, actuation).tracking, Matrix<2>(500.0));
 }
 
 static_assert(noexcept(strategy_catalog()) && noexcept(find_strategy("")));
-static_assert(noexcept(make_coupling(strategy(StrategyId::full), Impedances{}, Actuation<2>{})));
+static_assert(noexcept(make_coupling(strategy(StrategyId::full), Stiffnesses{}, Actuation<2>{})));
 
 }  // namespace
 }  // namespace ghostforce

@@ -27,7 +27,7 @@ TEST(Tick, TimeIsNeverAccumulated) {
   Settings settings;
   settings.mass = 0.1;
   settings.rate = 1000.0;
-  settings.impedances = stiffnesses(100.0, 100.0, 100.0, 1e5);
+  settings.stiffnesses = make_stiffnesses(100.0, 100.0, 100.0, 1e5);
   const TickPlan<2> plan = plan_of(settings);
   TickState<2> state = state_at_start(Vector<2>(0.0));
   for (int k = 0; k < 12345; ++k) tick(plan, Vector<2>(0.0), state);
@@ -42,7 +42,7 @@ TEST(Tick, SettingsChangedLiveStayFinite) {
   settings.mass = 0.1;
   settings.damping = 5.0;
   settings.rate = 1000.0;
-  settings.impedances = stiffnesses(100.0, 600.0, 600.0, 1e5);
+  settings.stiffnesses = make_stiffnesses(100.0, 600.0, 600.0, 1e5);
   TickState<2> state = state_at_start(Vector<2>(0.0));
   for (int change = 0; change < 2000; ++change) {
     SCOPED_TRACE(change);
@@ -58,22 +58,22 @@ TEST(Tick, SettingsChangedLiveStayFinite) {
         settings.wall_point = random.in_box<2>(0.05);
         break;
       case 3:
-        settings.impedances.k_r = random.once_in(4) ? 0.0 : random.over_decades(1.0, 1000.0);
+        settings.stiffnesses.k_r = random.once_in(4) ? 0.0 : random.over_decades(1.0, 1000.0);
         break;
       case 4:
-        settings.impedances.k_t = random.over_decades(0.1, 1e6);
+        settings.stiffnesses.k_t = random.over_decades(0.1, 1e6);
         break;
       case 5:
-        settings.impedances.k_c = random.once_in(3) ? infinity : random.over_decades(1.0, 1e9);
+        settings.stiffnesses.k_c = random.once_in(3) ? infinity : random.over_decades(1.0, 1e9);
         break;
       case 6:
-        settings.impedances.k_u = random.over_decades(10.0, 1000.0);
+        settings.stiffnesses.k_u = random.over_decades(10.0, 1000.0);
         break;
       case 7:
-        settings.impedances.believed_k_u = random.over_decades(10.0, 1000.0);
+        settings.stiffnesses.believed_k_u = random.over_decades(10.0, 1000.0);
         break;
       case 8:
-        settings.impedances.chosen_tracking_ratio =
+        settings.stiffnesses.chosen_tracking_ratio =
             random.once_in(2) ? std::optional<double>{} : random.over_decades(0.1, 30.0);
         break;
       default:
@@ -103,9 +103,9 @@ TEST(Tick, StrategiesRunBesideEachOther) {
   settings.mass = 0.1;
   settings.damping = 5.0;
   settings.rate = 1000.0;
-  settings.impedances = stiffnesses(100.0, 600.0, 600.0, 1e5);
+  settings.stiffnesses = make_stiffnesses(100.0, 600.0, 600.0, 1e5);
   const TickPlan<2> plan = plan_of(settings);
-  settings.impedances.chosen_tracking_ratio = 2.0;
+  settings.stiffnesses.chosen_tracking_ratio = 2.0;
   const TickPlan<2> other_plan = plan_of(settings);
   TickState<2> state = state_at_start(Vector<2>{0.02, -0.02});
   TickState<2> other = state;
@@ -128,7 +128,7 @@ TEST(TickExample, NaiveEndsOnTheOtherSide) {
   settings.mass = 0.1;
   settings.damping = 5.0;
   settings.rate = 1000.0;
-  settings.impedances = stiffnesses(100.0, 1000.0, 1000.0, 1e5);
+  settings.stiffnesses = make_stiffnesses(100.0, 1000.0, 1000.0, 1e5);
   const TickPlan<2> plan = plan_of(settings);
   TickState<2> state = state_at_start(Vector<2>{-0.04, 0.04});
   for (int k = 1; k <= 3000; ++k) {
@@ -151,7 +151,7 @@ static_assert(noexcept(tick(std::declval<const TickPlan<2>&>(), std::declval<con
                             std::declval<TickState<2>&>())));
 static_assert(noexcept(snapshot_of(std::declval<const TickPlan<2>&>(), std::declval<const TickState<2>&>())));
 static_assert(noexcept(plan_tick(std::declval<const Wall<2>&>(), std::declval<const Actuation<2>&>(),
-                                 std::declval<const Impedances&>(), 1.0, 1.0, 1.0)));
+                                 std::declval<const Stiffnesses&>(), 1.0, 1.0, 1.0)));
 static_assert(noexcept(state_at_start(std::declval<const Vector<2>&>())));
 static_assert(noexcept(time_of(1, 1.0)));
 template <glm::length_t D>

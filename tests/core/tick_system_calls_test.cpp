@@ -48,10 +48,10 @@ Settings slanted_wall() {
   settings.mass = 0.1;
   settings.damping = 5.0;
   settings.rate = 1000.0;
-  settings.impedances.k_u = 200.0;
-  settings.impedances.k_r = 600.0;
-  settings.impedances.k_t = 600.0;
-  settings.impedances.k_c = 1e5;
+  settings.stiffnesses.k_u = 200.0;
+  settings.stiffnesses.k_r = 600.0;
+  settings.stiffnesses.k_t = 600.0;
+  settings.stiffnesses.k_c = 1e5;
   return settings;
 }
 

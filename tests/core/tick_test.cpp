@@ -29,14 +29,14 @@ struct Loop {
   double rate;
 
   TickPlan<D> plan() const {
-    return plan_tick(setting.wall, setting.actuation(), setting.impedances, mass, damping, rate);
+    return plan_tick(setting.wall, setting.actuation(), setting.stiffnesses, mass, damping, rate);
   }
 };
 
 // One reference loop per strategy, in the order of the catalog.
 template <glm::length_t D>
 PerStrategy<ReferenceLoop> reference_loops(const Loop<D>& loop) {
-  const Impedances& k = loop.setting.impedances;
+  const Stiffnesses& k = loop.setting.stiffnesses;
   const Extended belief = k.believed_k_u.value_or(k.k_u);
   const Extended ratio = k.chosen_tracking_ratio ? Extended{*k.chosen_tracking_ratio} : 1.0L + k.k_r / belief;
   const Extended period = 1.0L / loop.rate;
@@ -61,7 +61,7 @@ template <glm::length_t D>
 Loop<D> random_stable_loop(Random& random) {
   while (true) {
     Loop<D> loop{random_setting<D>(random), 0.0, 0.0, random.over_decades(100.0, 10000.0)};
-    Impedances& k = loop.setting.impedances;
+    Stiffnesses& k = loop.setting.stiffnesses;
     k.k_r = k.k_u * random.over_decades(0.1, 10.0);
     if (random.once_in(3)) k.believed_k_u = k.k_u * random.over_decades(0.3, 3.0);
     if (random.once_in(5)) k.chosen_tracking_ratio = random.over_decades(0.1, 30.0);
@@ -115,13 +115,13 @@ TYPED_TEST(TickTest, ComesToRestAtTheEquilibrium) {
       const auto balance = reference_rest(loops[index_of(entry.id)].model, reference(setting.goal));
       EXPECT_LE(distance(rest.device, balance.device), tolerance);
       EXPECT_LE(distance(rest.proxy, balance.proxy), tolerance);
-      EXPECT_LE(distance(rest.force, balance.force), tolerance * setting.impedances.k_r);
+      EXPECT_LE(distance(rest.force, balance.force), tolerance * setting.stiffnesses.k_r);
       EXPECT_TRUE(rest.in_contact);
-      const auto closed = equilibrium_of(entry, setting.wall, setting.actuation(), setting.impedances, setting.goal);
+      const auto closed = equilibrium_of(entry, setting.wall, setting.actuation(), setting.stiffnesses, setting.goal);
       EXPECT_LE(glm::length(rest.device - closed.device), tolerance);
       EXPECT_LE(glm::length(rest.proxy - closed.proxy), tolerance);
       EXPECT_LE(glm::length(rest.contact - closed.contact), tolerance);
-      EXPECT_LE(glm::length(rest.force - closed.force), tolerance * setting.impedances.k_r);
+      EXPECT_LE(glm::length(rest.force - closed.force), tolerance * setting.stiffnesses.k_r);
     }
   }
 }
@@ -135,8 +135,8 @@ TYPED_TEST(TickTest, CureEndsGhostForceAndDrift) {
     SCOPED_TRACE(i);
     Loop<D> loop = random_stable_loop<D>(random);
     Setting<D>& setting = loop.setting;
-    setting.impedances.believed_k_u.reset();
-    setting.impedances.chosen_tracking_ratio.reset();
+    setting.stiffnesses.believed_k_u.reset();
+    setting.stiffnesses.chosen_tracking_ratio.reset();
     const double alpha = glm::dot(setting.wall.normal, setting.actuation().actuated * setting.wall.normal);
     if (alpha < 0.1 || alpha > 0.9 || depth(setting.wall, setting.goal) < 0.01 || slowest_mode(loop) > 0.998) continue;
     ++tried;
@@ -146,10 +146,10 @@ TYPED_TEST(TickTest, CureEndsGhostForceAndDrift) {
     const SnapshotIn<D> snapshot = snapshot_of(plan, state);
     const double tolerance = 1e-10 * extent(loop);  // as above
     const auto& anisotropic = snapshot.strategies[index_of(StrategyId::anisotropic)];
-    EXPECT_LE(glm::length(anisotropic.ghost_force), tolerance * setting.impedances.k_r);
+    EXPECT_LE(glm::length(anisotropic.ghost_force), tolerance * setting.stiffnesses.k_r);
     EXPECT_LE(glm::length(anisotropic.proxy_drift), tolerance);
     const auto& naive = snapshot.strategies[index_of(StrategyId::naive)];
-    EXPECT_GT(glm::length(naive.ghost_force), 1e4 * tolerance * setting.impedances.k_r);
+    EXPECT_GT(glm::length(naive.ghost_force), 1e4 * tolerance * setting.stiffnesses.k_r);
     EXPECT_GT(glm::length(naive.proxy_drift), 1e4 * tolerance);
     const auto& full = snapshot.strategies[index_of(StrategyId::full)];
     EXPECT_EQ(full.ghost_force, Vector<D>(0.0));
@@ -183,7 +183,7 @@ TYPED_TEST(TickTest, IsTheIndependentLoopTickByTick) {
   for (int i = 0; i < 20; ++i) {
     SCOPED_TRACE(i);
     Loop<D> loop = random_stable_loop<D>(random);
-    if (i % 4 == 0) loop.setting.impedances.k_c = infinity;
+    if (i % 4 == 0) loop.setting.stiffnesses.k_c = infinity;
     if (slowest_mode(loop) > 0.998) continue;
     const TickPlan<D> plan = loop.plan();
     const std::vector<Vector<D>> goals = script(loop, random, 6, 150);
@@ -226,7 +226,7 @@ TYPED_TEST(TickTest, IsTheIndependentLoopTickByTick) {
           const ReferenceVector slid = wanted.proxy - reference(goals[k]);
           const double tiny = 1e-9 * extent(loop);
           EXPECT_LE(distance(actual.ghost_force, ReferenceVector(P_A * (wanted.force - full.force))),
-                    tiny * loop.setting.impedances.k_r);
+                    tiny * loop.setting.stiffnesses.k_r);
           EXPECT_LE(distance(actual.proxy_drift, ReferenceVector(slid - n * n.dot(slid))), tiny);
         } else {
           EXPECT_EQ(actual.ghost_force, Vector<D>(0.0));
@@ -286,8 +286,8 @@ TYPED_TEST(TickTest, NaiveIsAnisotropicWhereTheNormalIsActuated) {
 // Where the projector is exact in binary, so is the agreement: bit for bit.
 TEST(Tick, NaiveIsAnisotropicBitForBitOnAnAxis) {
   const Wall<2> wall{{0.0, 0.0}, {-1.0, 0.0}};
-  const TickPlan<2> plan =
-      plan_tick(wall, actuated_along(Vector<2>{1.0, 0.0}), stiffnesses(100.0, 700.0, 900.0, 1e5), 0.1, 5.0, 1000.0);
+  const TickPlan<2> plan = plan_tick(wall, actuated_along(Vector<2>{1.0, 0.0}),
+                                     make_stiffnesses(100.0, 700.0, 900.0, 1e5), 0.1, 5.0, 1000.0);
   TickState<2> state = state_at_start(Vector<2>{-0.01, 0.0});
   for (int k = 1; k <= 1000; ++k) {
     tick(plan, Vector<2>{-0.01 + 4e-5 * k, 1e-5 * k}, state);
@@ -353,7 +353,7 @@ TYPED_TEST(TickTest, WallActsOnOneSideAndOneTickLate) {
           const Vector<D> lag =
               plan.strategies[s].rendering * (-plan.device.period * state.strategies[s].motion.velocity);
           // A difference of positions, times k_r.
-          ASSERT_LE(glm::length(now.force - lag), 8.0 * epsilon * extent(loop) * loop.setting.impedances.k_r);
+          ASSERT_LE(glm::length(now.force - lag), 8.0 * epsilon * extent(loop) * loop.setting.stiffnesses.k_r);
         }
       }
     }

@@ -22,7 +22,7 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 struct PlaneRest {
   Wall<2> wall;
   Actuation<2> actuation;
-  Impedances k;
+  Stiffnesses k;
   double ratio;
   Vector<2> goal;
 
@@ -38,9 +38,9 @@ PlaneRest random_rest(Random& random) {
   const double quarter = random.below(4) * std::numbers::pi / 2.0;
   rest.wall = {random.in_box<2>(0.05), direction_at(motor + quarter + random.uniform(0.2, 1.3))};
   rest.actuation = actuated_along(direction_at(motor));
-  rest.k =
-      stiffnesses(random.over_decades(20.0, 2000.0), random.over_decades(20.0, 2000.0),
-                  random.over_decades(20.0, 5000.0), random.once_in(3) ? infinity : random.over_decades(100.0, 1e6));
+  rest.k = make_stiffnesses(random.over_decades(20.0, 2000.0), random.over_decades(20.0, 2000.0),
+                            random.over_decades(20.0, 5000.0),
+                            random.once_in(3) ? infinity : random.over_decades(100.0, 1e6));
   rest.ratio = random.over_decades(0.1, 30.0);
   rest.goal = projection(rest.wall, random.in_box<2>(0.05)) - random.uniform(0.005, 0.05) * rest.wall.normal;
   return rest;
@@ -98,7 +98,7 @@ TEST(UserMeasurementTest, AFootOnTheWallIsAsGoodAsTheGoalInAnyDimension) {
         actuated_along<3>(std::span(motors).first(static_cast<std::size_t>(1 + random.below(2))));
     const double alpha = glm::dot(wall.normal, actuation.actuated * wall.normal);
     if (alpha < 0.05 || alpha > 0.95) continue;
-    const Impedances k = stiffnesses(150.0, 600.0, 900.0, 1e5);
+    const Stiffnesses k = make_stiffnesses(150.0, 600.0, 900.0, 1e5);
     const double ratio = random.over_decades(0.5, 20.0);
     const Vector<3> goal = projection(wall, random.in_box<3>(0.05)) - 0.02 * wall.normal;
     const Equilibrium<3> at = equilibrium_with_ratio(wall, actuation, k, ratio, goal);
@@ -117,7 +117,7 @@ TEST(UserMeasurementTest, TheSimulatedLoopAtRestTellsItsUser) {
     for (const double k_u : {80.0, 200.0, 700.0}) {
       for (const double ratio : {1.0, 3.0, 12.0}) {
         SCOPED_TRACE(testing::Message() << "k_c " << k_c << ", k_u " << k_u << ", ratio " << ratio);
-        Impedances k = stiffnesses(k_u, 600.0, 600.0, k_c);
+        Stiffnesses k = make_stiffnesses(k_u, 600.0, 600.0, k_c);
         k.chosen_tracking_ratio = ratio;
         const Wall<2> wall{{0.0, 0.0}, direction_at(2.3)};
         const Actuation<2> actuation = actuated_along(Vector<2>{1.0, 0.0});
@@ -140,7 +140,7 @@ TEST(UserMeasurementTest, TheSimulatedLoopAtRestTellsItsUser) {
 TEST(UserMeasurementTest, SaysWhyThereIsNoReading) {
   const Wall<2> wall{{0.0, 0.0}, direction_at(2.3)};
   const Actuation<2> actuation = actuated_along(Vector<2>{1.0, 0.0});
-  const Impedances k = stiffnesses(100.0, 600.0, 600.0, 1e5);
+  const Stiffnesses k = make_stiffnesses(100.0, 600.0, 600.0, 1e5);
   const Vector<2> goal = -0.02 * wall.normal;
   const Equilibrium<2> at = equilibrium_with_ratio(wall, actuation, k, 3.0, goal);
   const RestState<2> good{goal, at.device, at.proxy, at.force, 3.0};

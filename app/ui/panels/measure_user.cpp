@@ -82,17 +82,17 @@ void draw_drift(const PanelContext& context, const UserMeasurement& measurement)
 }
 
 void draw_ratio(const PanelContext& context) {
-  Impedances& impedances = context.session.settings.impedances;
+  Stiffnesses& stiffnesses = context.session.settings.stiffnesses;
   if (!begin_rows("measured ratio", context)) return;
   row("Ratio ρ", Term::tracking_ratio);
   // Round what is believed, so that it stays where it is while ρ is turned.
-  const double believed = optimal_tracking_ratio(impedances.k_r, believed_user_stiffness(impedances));
+  const double believed = optimal_tracking_ratio(stiffnesses.k_r, believed_user_stiffness(stiffnesses));
   const double least = std::min(0.5, 0.1 * believed);
   const double greatest = std::max(20.0, 10.0 * believed);
-  double ratio = tracking_ratio(impedances);
+  double ratio = tracking_ratio(stiffnesses);
   if (ImGui::SliderScalar("##ratio", ImGuiDataType_Double, &ratio, &least, &greatest, "%.2f",
                           ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp)) {
-    impedances.chosen_tracking_ratio = ratio;
+    stiffnesses.chosen_tracking_ratio = ratio;
   }
   explain("Drag, or press − and +: 5 %, with Alt 1 %.");
   end_rows();

@@ -27,25 +27,25 @@ class Scale {
 
 }  // namespace
 
-RatioRange ratio_range(const Impedances& impedances) {
-  const double optimal = std::max(optimal_tracking_ratio(impedances.k_r, believed_user_stiffness(impedances)), 1.2);
-  const double now = tracking_ratio(impedances);
+RatioRange ratio_range(const Stiffnesses& stiffnesses) {
+  const double optimal = std::max(optimal_tracking_ratio(stiffnesses.k_r, believed_user_stiffness(stiffnesses)), 1.2);
+  const double now = tracking_ratio(stiffnesses);
   return {std::min(1.0 / std::sqrt(optimal), now / 1.2), std::max(optimal * std::sqrt(optimal), now * 1.2)};
 }
 
-void choose_ratio(Impedances& impedances, double ratio, double snap) {
-  const double optimal = optimal_tracking_ratio(impedances.k_r, believed_user_stiffness(impedances));
+void choose_ratio(Stiffnesses& stiffnesses, double ratio, double snap) {
+  const double optimal = optimal_tracking_ratio(stiffnesses.k_r, believed_user_stiffness(stiffnesses));
   if (std::abs(std::log(ratio / optimal)) < snap) {
-    impedances.chosen_tracking_ratio.reset();
+    stiffnesses.chosen_tracking_ratio.reset();
   } else {
     const bool is_naive = std::abs(std::log(ratio)) < snap;
-    impedances.chosen_tracking_ratio = is_naive ? 1.0 : tracking_ratio_range.nearest_to(ratio);
+    stiffnesses.chosen_tracking_ratio = is_naive ? 1.0 : tracking_ratio_range.nearest_to(ratio);
   }
 }
 
 void draw_ratio_dial(const PanelContext& context) {
-  Impedances& impedances = context.session.settings.impedances;
-  const double optimal = optimal_tracking_ratio(impedances.k_r, believed_user_stiffness(impedances));
+  Stiffnesses& stiffnesses = context.session.settings.stiffnesses;
+  const double optimal = optimal_tracking_ratio(stiffnesses.k_r, believed_user_stiffness(stiffnesses));
   const Scale scale(optimal);
   const Theme& theme = context.theme;
   const Colour naive = theme.strategy[index_of(StrategyId::naive)];
@@ -64,7 +64,7 @@ void draw_ratio_dial(const PanelContext& context) {
   if (ImGui::IsItemActive()) {
     const float pointer = ImGui::GetIO().MousePos.x;
     const double place = std::clamp(static_cast<double>((pointer - left) / length), 0.0, 1.0);
-    choose_ratio(impedances, scale.ratio(place),
+    choose_ratio(stiffnesses, scale.ratio(place),
                  scale.decade() * static_cast<double>(snap_points * context.scale / length));
   }
   explain(Term::tracking_ratio);
@@ -82,16 +82,16 @@ void draw_ratio_dial(const PanelContext& context) {
     draw_list.AddText({word_x, corner.y}, packed(letters), word);
   };
   stop(scale.place(1.0), "naïve", naive, theme.strategy_text[index_of(StrategyId::naive)]);
-  stop(scale.place(optimal), impedances.believed_k_u ? "believed optimal" : "optimal", cure,
+  stop(scale.place(optimal), stiffnesses.believed_k_u ? "believed optimal" : "optimal", cure,
        theme.strategy_text[index_of(StrategyId::anisotropic)]);
 
-  const double ratio = tracking_ratio(impedances);
+  const double ratio = tracking_ratio(stiffnesses);
   const ImVec2 knob{x_of(scale.place(ratio)), track_y};
   draw_list.AddCircleFilled(knob, radius, packed(theme.panel_field), 24);
   draw_list.AddCircle(knob, radius, packed(theme.text), 24, 2.0F * context.scale);
 
   const float text_y = track_y + radius + 3.0F * context.scale;
-  if (impedances.chosen_tracking_ratio) {
+  if (stiffnesses.chosen_tracking_ratio) {
     draw_list.AddText({left, text_y}, packed(theme.text), fmt::format("ρ = {:.2f}", ratio).c_str());
     const std::string other = fmt::format("ρ* = {:.2f}", optimal);
     draw_list.AddText({left + length - ImGui::CalcTextSize(other.c_str()).x, text_y}, packed(theme.faint_text),

@@ -6,7 +6,7 @@
 
 namespace ghostforce {
 
-// Edits impedances.chosen_tracking_ratio; near ρ* it snaps to "optimal", which then follows k_r and the believed k_u.
+// Edits stiffnesses.chosen_tracking_ratio; near ρ* it snaps to "optimal", which then follows k_r and the believed k_u.
 void draw_ratio_dial(const PanelContext& context);
 
 // The ratios that a plot over them shows: naïve and optimal in the middle of it, and the one in use always in sight.
@@ -14,10 +14,10 @@ struct RatioRange {
   double least;
   double greatest;
 };
-RatioRange ratio_range(const Impedances& impedances);
+RatioRange ratio_range(const Stiffnesses& stiffnesses);
 
 // As a person who drags means it: near ρ* the optimal ratio from now on, near 1 exactly naïve, else this one. `snap` is
 // how near, as a difference of logarithms.
-void choose_ratio(Impedances& impedances, double ratio, double snap);
+void choose_ratio(Stiffnesses& stiffnesses, double ratio, double snap);
 
 }  // namespace ghostforce

@@ -26,7 +26,7 @@ void draw_drift_of_belief(const PanelContext& context) {
     explain("Cannot be known: the goal of a real hand is only inferred, with this very belief. Measure the hand.");
     return;
   }
-  if (settings.impedances.chosen_tracking_ratio) {
+  if (settings.stiffnesses.chosen_tracking_ratio) {
     ImGui::TextUnformatted("—  ρ chosen by hand");
     explain("The belief has no part in it. At the optimal ratio, a drift here is the error of the belief.");
     return;
@@ -53,19 +53,19 @@ void draw_drift_of_belief(const PanelContext& context) {
 
 void draw_user(const PanelContext& context) {
   constexpr SliderLimits limits{10.0, 10000.0};
-  Impedances& impedances = context.session.settings.impedances;
+  Stiffnesses& stiffnesses = context.session.settings.stiffnesses;
   if (!begin_rows("user", context)) return;
   row("Hand k_u", Term::user_stiffness);
-  stiffness_slider("##k_u", "k_u_N_per_m", impedances.k_u, limits);
+  stiffness_slider("##k_u", "k_u_N_per_m", stiffnesses.k_u, limits);
   row("Believed k_u", Term::believed_user_stiffness);
-  bool right = !impedances.believed_k_u.has_value();
+  bool right = !stiffnesses.believed_k_u.has_value();
   const float switch_width = ImGui::CalcTextSize("same").x + ImGui::GetFrameHeight() + 14.0F * context.scale;
-  double believed = believed_user_stiffness(impedances);
+  double believed = believed_user_stiffness(stiffnesses);
   ImGui::SetNextItemWidth(-switch_width);
-  if (stiffness_slider("##believed", "believed_k_u_N_per_m", believed, limits)) impedances.believed_k_u = believed;
+  if (stiffness_slider("##believed", "believed_k_u_N_per_m", believed, limits)) stiffnesses.believed_k_u = believed;
   ImGui::SameLine();
   if (ImGui::Checkbox("same", &right)) {
-    impedances.believed_k_u = right ? std::nullopt : std::optional(impedances.k_u);
+    stiffnesses.believed_k_u = right ? std::nullopt : std::optional(stiffnesses.k_u);
   }
   explain(Term::right_belief);
   draw_drift_of_belief(context);

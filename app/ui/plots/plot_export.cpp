@@ -153,13 +153,13 @@ Export export_of(const Session& session, const Snapshot& snapshot, const PlotHis
                           question.goal_is_inferred, theme);
     }
     case PlotTab::ratio: {
-      const RatioRange range = ratio_range(settings.impedances);
+      const RatioRange range = ratio_range(settings.stiffnesses);
       return over_setting(rest_over_ratio(question, range.least, range.greatest, curve_points),
                           {.column = "tracking_ratio",
                            .title = "tracking ratio ρ",
                            .is_logarithmic = true,
                            .per_si = 1.0,
-                           .now = tracking_ratio(settings.impedances)},
+                           .now = tracking_ratio(settings.stiffnesses)},
                           question.goal_is_inferred, theme);
     }
   }

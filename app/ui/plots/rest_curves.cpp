@@ -34,8 +34,8 @@ RestCurves curves(RestQuestion question, std::size_t count, PointAt&& point_at) 
 
 RestQuestion rest_question(const Settings& settings, const Snapshot& snapshot) noexcept {
   RestQuestion question{settings, snapshot.goal, snapshot.measured.has_value()};
-  Impedances& impedances = question.settings.impedances;
-  if (question.goal_is_inferred) impedances.k_u = believed_user_stiffness(impedances);
+  Stiffnesses& stiffnesses = question.settings.stiffnesses;
+  if (question.goal_is_inferred) stiffnesses.k_u = believed_user_stiffness(stiffnesses);
   return question;
 }
 
@@ -63,7 +63,7 @@ RestCurves rest_over_wall_angle(const RestQuestion& question, std::size_t count)
 RestCurves rest_over_ratio(const RestQuestion& question, double least, double greatest, std::size_t count) {
   return curves(question, count, [&](double share) {
     Point point{least * std::pow(greatest / least, share), question.settings};
-    point.settings.impedances.chosen_tracking_ratio = point.at;
+    point.settings.stiffnesses.chosen_tracking_ratio = point.at;
     return point;
   });
 }

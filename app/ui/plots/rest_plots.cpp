@@ -176,13 +176,13 @@ void draw_wall_angle_plots(const PanelContext& context) {
 }
 
 void draw_ratio_plots(const PanelContext& context) {
-  Impedances& impedances = context.session.settings.impedances;
-  const double optimal = optimal_tracking_ratio(impedances.k_r, believed_user_stiffness(impedances));
-  const auto [least, greatest] = ratio_range(impedances);
+  Stiffnesses& stiffnesses = context.session.settings.stiffnesses;
+  const double optimal = optimal_tracking_ratio(stiffnesses.k_r, believed_user_stiffness(stiffnesses));
+  const auto [least, greatest] = ratio_range(stiffnesses);
   const float width = ImGui::GetContentRegionAvail().x;
   const RestQuestion question = rest_question(context.session.settings, context.snapshot);
   const RestCurves curves = rest_over_ratio(question, least, greatest, samples_for(width));
-  RestAxis axis{curves.at, tracking_ratio(impedances), least, greatest, true, {1.0}, {"1 naïve"}};
+  RestAxis axis{curves.at, tracking_ratio(stiffnesses), least, greatest, true, {1.0}, {"1 naïve"}};
   const double decades_per_pixel = std::log(greatest / least) / (0.45 * static_cast<double>(width));
   const auto add_tick = [&](double ratio, std::string label) {
     if (ratio < least || ratio > greatest) return;
@@ -195,13 +195,13 @@ void draw_ratio_plots(const PanelContext& context) {
     axis.ticks.push_back(ratio);
     axis.labels.push_back(std::move(label));
   };
-  add_tick(optimal, fmt::format("{:.2f} {}", optimal, impedances.believed_k_u ? "believed ρ*" : "ρ*"));
+  add_tick(optimal, fmt::format("{:.2f} {}", optimal, stiffnesses.believed_k_u ? "believed ρ*" : "ρ*"));
   for (const double ratio : {0.1, 10.0, 100.0, 1000.0, 0.2, 0.5, 2.0, 5.0, 20.0, 50.0, 200.0, 500.0}) {
     add_tick(ratio, fmt::format("{:g}", ratio));
   }
   const auto dragged = draw_rest_plots(context, curves, axis, question);
   if (!dragged) return;
-  choose_ratio(impedances, std::clamp(*dragged, least, greatest),
+  choose_ratio(stiffnesses, std::clamp(*dragged, least, greatest),
                static_cast<double>(snap_points * context.scale) * decades_per_pixel);
 }
 

@@ -331,9 +331,9 @@ TEST(EquilibriumCommand, JsonIsWhatTheModelSays) {
     const Vector<2> goal = scene.goal.points.back();
     EXPECT_EQ(json.at("depth_m"), depth(wall, goal));
     const Equilibrium<2> full =
-        equilibrium_of(strategy(StrategyId::full), wall, actuation, scene.settings.impedances, goal);
+        equilibrium_of(strategy(StrategyId::full), wall, actuation, scene.settings.stiffnesses, goal);
     for (const Strategy& strategy : strategy_catalog()) {
-      const Equilibrium<2> expected = equilibrium_of(strategy, wall, actuation, scene.settings.impedances, goal);
+      const Equilibrium<2> expected = equilibrium_of(strategy, wall, actuation, scene.settings.stiffnesses, goal);
       const nlohmann::json& got = json.at("strategies").at(std::string(strategy.name));
       EXPECT_EQ(got.size(), 7U);
       EXPECT_EQ(vector_in(got.at("goal_m")), goal);

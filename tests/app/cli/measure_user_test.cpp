@@ -53,8 +53,8 @@ class MeasureUser : public testing::Test {
   std::string of_a_device(const Vector<2>& aim, double k_u, const Limit& limited_by = all_of_it,
                           bool says_saturated = false) {
     Scene scene = load_scene("wall45");
-    scene.settings.impedances.k_u = k_u;
-    scene.settings.impedances.believed_k_u = 500.0;
+    scene.settings.stiffnesses.k_u = k_u;
+    scene.settings.stiffnesses.believed_k_u = 500.0;
     scene.settings.active = StrategyId::anisotropic;
     scene.goal = {{aim}, {0.0}, Motion::linear};
     scene.duration = 2.0;
@@ -171,7 +171,7 @@ TEST_F(MeasureUser, ForcesThatWereLimitedAreNoReading) {
 // As recorded while k_u, then what is believed of it, was changed: three stretches of rest, of two hands.
 TEST_F(MeasureUser, EachHandHasItsOwnMedian) {
   Scene scene = load_scene("wall45");
-  scene.settings.impedances.believed_k_u = 200.0;
+  scene.settings.stiffnesses.believed_k_u = 200.0;
   scene.goal = {{{0.012, -0.016}}, {0.0}, Motion::linear};
   scene.duration = 2.0;
   const Settings first = scene.settings;
@@ -194,9 +194,9 @@ TEST_F(MeasureUser, EachHandHasItsOwnMedian) {
   };
   Settings settings = first;
   rest_for_a_second(settings, 0);
-  settings.impedances.k_u = 900.0;
+  settings.stiffnesses.k_u = 900.0;
   rest_for_a_second(settings, 1);
-  settings.impedances.believed_k_u = 300.0;
+  settings.stiffnesses.believed_k_u = 300.0;
   rest_for_a_second(settings, 2);
   std::ofstream(path("hands.csv")) << run_header(scene) << std::string_view(rows.data(), rows.size());
 

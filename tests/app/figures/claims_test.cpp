@@ -54,7 +54,7 @@ TEST(Claims, TheCureRestsWhereTheFullyActuatedDeviceDoesAlongTheMotor) {
     SCOPED_TRACE(motion.name);
     const double near = claimed * depth_of(motion);
     ASSERT_GT(near, 0.0);
-    const double k_u = motion.scene.settings.impedances.k_u;
+    const double k_u = motion.scene.settings.stiffnesses.k_u;
     EXPECT_NEAR(along_motor(motion, at_rest(motion, anisotropic).device),
                 along_motor(motion, at_rest(motion, full).device), near);
     EXPECT_NEAR(along_motor(motion, at_rest(motion, anisotropic).force),
@@ -70,7 +70,7 @@ TEST(Claims, TheCureDoesSoForSoftAndHardWalls) {
   Scene scene = load_scene("fig3-normal");
   for (const double k_c : {100.0, 1e3, 1e4, 1e5, 1e6, 1e9, std::numeric_limits<double>::infinity()}) {
     SCOPED_TRACE(k_c);
-    scene.settings.impedances.k_c = k_c;
+    scene.settings.stiffnesses.k_c = k_c;
     const PlayedMotion motion = play_motion("", scene);
     const double near = claimed * depth_of(motion);
     for (const auto& device_of : {+[](const PlayedMotion&m, std::size_t i) { return m.rest[i].device; },
@@ -228,7 +228,7 @@ TEST(Claims, ATremblingHandFeelsTheGhostForceOfNaiveRenderingAlone) {
 // ---- Drift and energy -----------------------------------------------------------------------------------------------
 
 TEST(Claims, TheDriftVanishesAtTheOptimalRatioAndAtTheRightBelief) {
-  const Impedances k = load_scene("fig3-normal").settings.impedances;
+  const Stiffnesses k = load_scene("fig3-normal").settings.stiffnesses;
   const double optimal = optimal_tracking_ratio(k.k_r, k.k_u);
   double before = std::numeric_limits<double>::infinity();
   int right_beliefs = 0;
@@ -258,7 +258,7 @@ TEST(Claims, TheDriftVanishesAtTheOptimalRatioAndAtTheRightBelief) {
 
 TEST(Claims, OneSenseOfALoopMakesTheEnergyThatTheOtherTakesAsTheFormulaSays) {
   const Settings settings = load_scene("wall45").settings;
-  const Impedances& k = settings.impedances;
+  const Stiffnesses& k = settings.stiffnesses;
   const double theta = settings.actuated_angle - settings.wall_normal_angle;
   // What the delay adds, to first order, with g < k_r √2:
   //     dt (1.5 g ∫(A·v)(n·v) dt − k_r ∫(A·v)² dt) ≤ dt · 3.2 k_r ∫v² dt

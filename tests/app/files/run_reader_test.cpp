@@ -34,7 +34,7 @@ std::string recording() {
   play(scene, last_tick(scene), [&](const Snapshot& snapshot) {
     if (k == 3) {
       Settings wanted = known;
-      wanted.impedances.k_r = 812.5;
+      wanted.stiffnesses.k_r = 812.5;
       wanted.wall_point = {0.001, -0.002};
       append_set_lines(rows, snapshot.time_s, known, wanted);
     }
@@ -95,7 +95,7 @@ TEST(RunReader, ReadsARecordingBack) {
   ASSERT_TRUE(run.scene);
   ASSERT_EQ(run.ticks.size(), 9U);
   ASSERT_EQ(run.settings.size(), 2U) << "two keys that change at once are one change";
-  EXPECT_EQ(run.settings[1].impedances.k_r, 812.5);
+  EXPECT_EQ(run.settings[1].stiffnesses.k_r, 812.5);
   EXPECT_EQ(run.settings[1].wall_point, Vector<2>(0.001, -0.002));
   for (std::size_t k = 0; k < run.ticks.size(); ++k) {
     const RunTick& tick = run.ticks[k];

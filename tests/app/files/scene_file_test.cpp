@@ -139,10 +139,10 @@ TEST(SceneFile, WritesNumbersAsShortAsTheyWere) {
 
 TEST(SceneFile, KeepsInfinityAndTheSignOfZero) {
   Scene scene = load_scene("wall45");
-  scene.settings.impedances.k_c = std::numeric_limits<double>::infinity();
+  scene.settings.stiffnesses.k_c = std::numeric_limits<double>::infinity();
   scene.settings.wall_point.x = -0.0;
   scene.settings.actuated_angle = -0.0;
-  scene.settings.impedances.k_r = -0.0;
+  scene.settings.stiffnesses.k_r = -0.0;
   EXPECT_EQ(scene_values(read_back(scene)), scene_values(scene)) << scene_text(scene);
 }
 
@@ -234,9 +234,12 @@ TEST(SceneFile, TellsWhatIsNoReadableFile) {
 
 TEST(SceneFile, ShippedTextsAreWhatTheFolderHolds) {
   for (const EmbeddedText& scene : embedded_scenes) {
-    EXPECT_EQ(read_whole(std::string(GHOSTFORCE_SOURCE_DIR "/assets/scenes") + "/" + std::string(scene.name)), scene.contents) << scene.name;
+    EXPECT_EQ(read_whole(std::string(GHOSTFORCE_SOURCE_DIR "/assets/scenes") + "/" + std::string(scene.name)),
+              scene.contents)
+        << scene.name;
   }
-  EXPECT_EQ(static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(GHOSTFORCE_SOURCE_DIR "/assets/scenes"), {})),
+  EXPECT_EQ(static_cast<std::size_t>(
+                std::distance(std::filesystem::directory_iterator(GHOSTFORCE_SOURCE_DIR "/assets/scenes"), {})),
             embedded_scenes.size())
       << "a scene in assets/scenes is not listed in app/CMakeLists.txt";
 }

@@ -85,13 +85,13 @@ TEST(SceneReader, ReadsEveryKeyIntoSi) {
   EXPECT_EQ(scene.settings.mass, 0.1);
   EXPECT_EQ(scene.settings.damping, 5.0);
   EXPECT_EQ(scene.settings.rate, 1000.0);
-  EXPECT_EQ(scene.settings.impedances.k_u, 100.0);
-  EXPECT_EQ(scene.settings.impedances.believed_k_u, 50.0);
+  EXPECT_EQ(scene.settings.stiffnesses.k_u, 100.0);
+  EXPECT_EQ(scene.settings.stiffnesses.believed_k_u, 50.0);
   EXPECT_EQ(scene.settings.active, StrategyId::naive);
-  EXPECT_EQ(scene.settings.impedances.k_r, 900.0);
-  EXPECT_EQ(scene.settings.impedances.k_t, 800.0);
-  EXPECT_EQ(scene.settings.impedances.k_c, 1e5);
-  EXPECT_EQ(scene.settings.impedances.chosen_tracking_ratio, 11.5);
+  EXPECT_EQ(scene.settings.stiffnesses.k_r, 900.0);
+  EXPECT_EQ(scene.settings.stiffnesses.k_t, 800.0);
+  EXPECT_EQ(scene.settings.stiffnesses.k_c, 1e5);
+  EXPECT_EQ(scene.settings.stiffnesses.chosen_tracking_ratio, 11.5);
   EXPECT_EQ(scene.goal.points, (std::vector{Vector<2>(-0.04, 0.04), Vector<2>(0.04, -0.04)}));
   EXPECT_EQ(scene.goal.times, (std::vector{0.0, 1.0}));
   EXPECT_EQ(scene.goal.motion, Motion::minimum_jerk);
@@ -107,11 +107,11 @@ TEST(SceneReader, FillsWhatIsOptional) {
   }
   text.erase(text.find("[view]"));
   const Scene scene = read_scene(text, "f.toml");
-  EXPECT_EQ(scene.settings.impedances.believed_k_u, std::nullopt);
-  EXPECT_EQ(scene.settings.impedances.chosen_tracking_ratio, std::nullopt);
+  EXPECT_EQ(scene.settings.stiffnesses.believed_k_u, std::nullopt);
+  EXPECT_EQ(scene.settings.stiffnesses.chosen_tracking_ratio, std::nullopt);
   EXPECT_EQ(scene.goal.motion, Motion::linear);
   EXPECT_EQ(scene.view.width, SceneView{}.width);
-  EXPECT_EQ(read_scene(scene_with("11.5", "\"optimal\""), "f.toml").settings.impedances.chosen_tracking_ratio,
+  EXPECT_EQ(read_scene(scene_with("11.5", "\"optimal\""), "f.toml").settings.stiffnesses.chosen_tracking_ratio,
             std::nullopt);
 }
 
@@ -345,19 +345,19 @@ TEST(SceneReaderSet, ReplacesValuesOfEveryKind) {
   EXPECT_EQ(scene.about, "a ρ");
   EXPECT_EQ(scene.settings.wall_point, Vector<2>(0.003, 0.0045));
   EXPECT_EQ(scene.settings.rate, 500.0);
-  EXPECT_EQ(scene.settings.impedances.believed_k_u, 70.0);
+  EXPECT_EQ(scene.settings.stiffnesses.believed_k_u, 70.0);
   EXPECT_EQ(scene.settings.active, StrategyId::full);
-  EXPECT_TRUE(std::isinf(scene.settings.impedances.k_c));
-  EXPECT_EQ(scene.settings.impedances.chosen_tracking_ratio, std::nullopt);
+  EXPECT_TRUE(std::isinf(scene.settings.stiffnesses.k_c));
+  EXPECT_EQ(scene.settings.stiffnesses.chosen_tracking_ratio, std::nullopt);
   EXPECT_EQ(scene.goal.points, std::vector{Vector<2>(0.001, 0.002)});
   EXPECT_EQ(scene.goal.times, std::vector{0.0});
   EXPECT_EQ(scene.goal.motion, Motion::linear);
   EXPECT_EQ(scene.view.width, 0.1);
   EXPECT_EQ(with_overrides({"title=42"}).title, "42");
   EXPECT_EQ(with_overrides({"title="}).title, "");
-  EXPECT_EQ(with_overrides({"rendering.tracking_ratio=\"optimal\""}).settings.impedances.chosen_tracking_ratio,
+  EXPECT_EQ(with_overrides({"rendering.tracking_ratio=\"optimal\""}).settings.stiffnesses.chosen_tracking_ratio,
             std::nullopt);
-  EXPECT_EQ(with_overrides({"rendering.tracking_ratio=7"}).settings.impedances.chosen_tracking_ratio, 7.0);
+  EXPECT_EQ(with_overrides({"rendering.tracking_ratio=7"}).settings.stiffnesses.chosen_tracking_ratio, 7.0);
 }
 
 TEST(SceneReaderSet, TheLastOneHoldsAndAllHoldBeforeTheFile) {

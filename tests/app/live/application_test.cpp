@@ -109,12 +109,12 @@ TEST_F(ApplicationTest, ADragOutOfTheSceneLeavesTheGoalAtItsEdge) {
 }
 
 TEST_F(ApplicationTest, ResetStartsTheMotionAgainAndAltResetTheSettingsToo) {
-  session().settings.impedances.k_r = 1234.0;
+  session().settings.stiffnesses.k_r = 1234.0;
   frames(30);
   const std::int64_t before = application_->report().snapshot.tick;
   press(GLFW_KEY_R);
   EXPECT_LT(application_->report().snapshot.tick, before);
-  EXPECT_EQ(session().settings.impedances.k_r, 1234.0);
+  EXPECT_EQ(session().settings.stiffnesses.k_r, 1234.0);
   press(GLFW_KEY_R, GLFW_MOD_ALT);
   EXPECT_EQ(session().settings, load_scene("wall45").settings);
   EXPECT_EQ(application_->report().snapshot.goal, load_scene("wall45").goal.points.back());
@@ -122,7 +122,7 @@ TEST_F(ApplicationTest, ResetStartsTheMotionAgainAndAltResetTheSettingsToo) {
 
 TEST_F(ApplicationTest, AChangedSettingReachesTheServo) {
   const double before = glm::length(application_->report().snapshot.strategies[index_of(StrategyId::full)].force);
-  session().settings.impedances.k_u *= 2.0;
+  session().settings.stiffnesses.k_u *= 2.0;
   frames(200);
   const double after = glm::length(application_->report().snapshot.strategies[index_of(StrategyId::full)].force);
   EXPECT_GT(after, 1.2 * before);
@@ -161,7 +161,7 @@ TEST_F(ApplicationTest, AWindowMinimisedToNothingDrawsNothingAndComesBack) {
 }
 
 TEST_F(ApplicationTest, UnstableSettingsAreSaidAndLeftAgain) {
-  session().settings.impedances.k_r = 1e6;
+  session().settings.stiffnesses.k_r = 1e6;
   session().settings.mass = 0.001;
   frames(20);
   EXPECT_TRUE(application_->report().diverged);

@@ -76,9 +76,9 @@ class ExperimentsWindow : public DrivenWindow {
   }
   // With the ratio that is right for the hand, known to the test.
   void take_readings(std::size_t count) {
-    const Impedances& k = session().settings.impedances;
+    const Stiffnesses& k = session().settings.stiffnesses;
     for (std::size_t i = 0; i < count; ++i) {
-      session().settings.impedances.chosen_tracking_ratio = optimal_tracking_ratio(k.k_r, k.k_u);
+      session().settings.stiffnesses.chosen_tracking_ratio = optimal_tracking_ratio(k.k_r, k.k_u);
       frames(5, ticks);
       take_reading(session());
     }
@@ -108,10 +108,10 @@ class ExperimentsWindow : public DrivenWindow {
 
 TEST_F(ExperimentsWindow, MeasuresTheHandWithTheMouse) {
   open(with_panel("Measure the hand"));
-  session().settings.impedances.believed_k_u = 130.0;
+  session().settings.stiffnesses.believed_k_u = 130.0;
   frames(2);
   const Settings before = session().settings;
-  const double k_u = before.impedances.k_u;
+  const double k_u = before.stiffnesses.k_u;
   click(start_button);
   ASSERT_TRUE(is_measuring(session()));
   EXPECT_EQ(session().settings.active, StrategyId::anisotropic);
@@ -124,7 +124,7 @@ TEST_F(ExperimentsWindow, MeasuresTheHandWithTheMouse) {
     SCOPED_TRACE(i);
     ASSERT_EQ(measurement().readings.size(), i);
     frames(2, ticks);
-    starts.push_back(tracking_ratio(session().settings.impedances));
+    starts.push_back(tracking_ratio(session().settings.stiffnesses));
     (*measurement().drift > 0.0 ? from_below : from_above) += 1;
     EXPECT_GT(std::abs(*measurement().drift), null_drift(measurement()));
     click(take_button);
@@ -151,7 +151,7 @@ TEST_F(ExperimentsWindow, MeasuresTheHandWithTheMouse) {
   EXPECT_NEAR(median, k_u, 0.027 * k_u);
 
   click(believe_button);
-  EXPECT_EQ(session().settings.impedances.believed_k_u, median);
+  EXPECT_EQ(session().settings.stiffnesses.believed_k_u, median);
   EXPECT_EQ(measurement().stage, UserMeasurement::Stage::off);
   // The whole of it is one step to take back.
   press(GLFW_KEY_Z, GLFW_MOD_CONTROL);
@@ -160,7 +160,7 @@ TEST_F(ExperimentsWindow, MeasuresTheHandWithTheMouse) {
 
 TEST_F(ExperimentsWindow, CancelAndUndoRestoreRatioAndStrategy) {
   open(with_panel("Measure the hand"));
-  session().settings.impedances.chosen_tracking_ratio = 2.5;
+  session().settings.stiffnesses.chosen_tracking_ratio = 2.5;
   frames(2);
   const Settings before = session().settings;
   for (const bool by_undo : {false, true}) {
@@ -192,7 +192,7 @@ TEST_F(ExperimentsWindow, SaysWhatToDoInsteadOfTaking) {
     EXPECT_TRUE(measurement().was_refused);
   };
   expect_step(MeasuringStep::lower_ratio);
-  session().settings.impedances.chosen_tracking_ratio = 2.0;
+  session().settings.stiffnesses.chosen_tracking_ratio = 2.0;
   expect_step(MeasuringStep::raise_ratio);
   session().goal = {-0.02, 0.02};
   expect_step(MeasuringStep::press);
@@ -208,12 +208,12 @@ TEST_F(ExperimentsWindow, SaysWhatToDoInsteadOfTaking) {
   expect_step(MeasuringStep::turn_wall);
   session().settings = load_scene("wall45").settings;
   session().settings.active = StrategyId::anisotropic;
-  session().settings.impedances.k_r = 0.0;
+  session().settings.stiffnesses.k_r = 0.0;
   expect_step(MeasuringStep::render);
-  session().settings.impedances.k_r = 600.0;
+  session().settings.stiffnesses.k_r = 600.0;
   frames(2, ticks);
   // Just turned to where there is no drift: not at rest yet.
-  session().settings.impedances.chosen_tracking_ratio = 4.0;
+  session().settings.stiffnesses.chosen_tracking_ratio = 4.0;
   for (int i = 0; i < 50 && measurement().step != MeasuringStep::hold_still; ++i) frames(1, 20);
   EXPECT_EQ(measurement().step, MeasuringStep::hold_still);
   frames(4, ticks);
@@ -260,7 +260,7 @@ TEST_F(ExperimentsWindow, TheResultIsComparedWithTheHandThatWasMeasured) {
   take_readings(readings_wanted);
   ASSERT_EQ(measurement().stage, UserMeasurement::Stage::done);
   EXPECT_EQ(measurement().given_k_u, 200.0);
-  session().settings.impedances.k_u = 881.0;
+  session().settings.stiffnesses.k_u = 881.0;
   frames(3);
   EXPECT_EQ(measurement().given_k_u, 200.0);
   EXPECT_NEAR(spread_of(measurement()).median, 200.0, 1e-9);
@@ -269,18 +269,18 @@ TEST_F(ExperimentsWindow, TheResultIsComparedWithTheHandThatWasMeasured) {
 TEST_F(ExperimentsWindow, ReadingsOfAnotherHandBeginAnew) {
   open(with_panel("Measure the hand"));
   start_measuring(session());
-  session().settings.impedances.chosen_tracking_ratio = 4.0;
+  session().settings.stiffnesses.chosen_tracking_ratio = 4.0;
   frames(5, ticks);
   take_reading(session());
   ASSERT_EQ(measurement().readings.size(), 1U);
-  session().settings.impedances.believed_k_u = 150.0;
+  session().settings.stiffnesses.believed_k_u = 150.0;
   frames(2);
   EXPECT_EQ(measurement().readings.size(), 1U) << "what is believed is no part of it";
-  session().settings.impedances.k_u = 300.0;
+  session().settings.stiffnesses.k_u = 300.0;
   frames(2);
   EXPECT_TRUE(measurement().readings.empty());
   EXPECT_TRUE(measurement().has_begun_anew);
-  session().settings.impedances.k_u = 310.0;  // as in the second frame of a drag
+  session().settings.stiffnesses.k_u = 310.0;  // as in the second frame of a drag
   frames(2);
   EXPECT_TRUE(measurement().has_begun_anew) << "it is still to be told";
   take_readings(1);
@@ -295,7 +295,7 @@ TEST_F(ExperimentsWindow, ReadingsOfAnotherHandBeginAnew) {
 TEST_F(ExperimentsWindow, AWrongBeliefShowsAsDrift) {
   open(with_panel("User"));
   const Image right = picture();
-  session().settings.impedances.believed_k_u = 60.0;
+  session().settings.stiffnesses.believed_k_u = 60.0;
   frames(10, ticks);
   EXPECT_NE(picture(), right);
   const Vector<2> seen = now().strategies[index_of(StrategyId::anisotropic)].proxy_drift;
@@ -320,10 +320,10 @@ TEST_F(ExperimentsWindow, ARatioChosenByHandShowsNoDriftOfTheBelief) {
     return part;
   };
   const auto optimal = column();
-  session().settings.impedances.chosen_tracking_ratio = 2.0;
+  session().settings.stiffnesses.chosen_tracking_ratio = 2.0;
   const auto chosen = column();
   EXPECT_NE(chosen, optimal);
-  session().settings.impedances.chosen_tracking_ratio = 12.0;
+  session().settings.stiffnesses.chosen_tracking_ratio = 12.0;
   EXPECT_EQ(column(), chosen) << "another drift, of which nothing is shown";
 }
 
@@ -387,7 +387,7 @@ TEST_F(ExperimentsWindow, ACircleHasTheEnergyOfTheFormulaInEitherSense) {
     EXPECT_EQ(session().circle_test.choice.is_clockwise, is_clockwise);
     for (const double ratio : {1.0, 4.0, 12.0}) {
       SCOPED_TRACE(testing::Message() << is_clockwise << ' ' << ratio);
-      session().settings.impedances.chosen_tracking_ratio = ratio;
+      session().settings.stiffnesses.chosen_tracking_ratio = ratio;
       frames(3);
       // At 4 s a turn: the way to the circle, a quarter to settle, and two turns.
       frames(24, 500);
@@ -470,7 +470,7 @@ TEST_F(ExperimentsWindow, AHandOnADeviceIsMeasuredAgainstATarget) {
   double high = 30.0;
   for (int i = 0; i < 8; ++i) {
     const double ratio = std::sqrt(low * high);
-    session().settings.impedances.chosen_tracking_ratio = ratio;
+    session().settings.stiffnesses.chosen_tracking_ratio = ratio;
     frames(8, ticks);
     ASSERT_TRUE(measurement().drift);
     (*measurement().drift > 0.0 ? low : high) = ratio;
@@ -481,7 +481,7 @@ TEST_F(ExperimentsWindow, AHandOnADeviceIsMeasuredAgainstATarget) {
   ASSERT_EQ(measurement().readings.size(), 1U);
   // The last of eight halvings of 1 … 30 leaves 1.3 % of ρ; encoders and the drift that averages to none, 12 mm deep, a
   // few per cent more, times ρ/(ρ − 1).
-  const double k_u = session().settings.impedances.k_u;
+  const double k_u = session().settings.stiffnesses.k_u;
   EXPECT_NEAR(measurement().readings[0].k_u, k_u, 0.1 * k_u);
   session().offs_asked++;
   frames(2);

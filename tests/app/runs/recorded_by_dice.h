@@ -46,7 +46,7 @@ inline std::string recorded_by_dice(unsigned seed, int rounds, int gap_every = 0
     Settings& settings = command.settings;
     switch (random() % 16) {
       case 0:
-        settings.impedances.k_r = between(0.0, 2000.0);
+        settings.stiffnesses.k_r = between(0.0, 2000.0);
         break;
       case 1:
         settings.wall_normal_angle = between(-7.0, 7.0);
@@ -55,17 +55,17 @@ inline std::string recorded_by_dice(unsigned seed, int rounds, int gap_every = 0
         settings.actuated_angle = between(-7.0, 7.0);
         break;
       case 3:
-        settings.impedances.believed_k_u = between(20.0, 500.0);
+        settings.stiffnesses.believed_k_u = between(20.0, 500.0);
         break;
       case 4:
-        settings.impedances.believed_k_u.reset();
-        settings.impedances.k_u = between(20.0, 500.0);
+        settings.stiffnesses.believed_k_u.reset();
+        settings.stiffnesses.k_u = between(20.0, 500.0);
         break;
       case 5:
-        settings.impedances.chosen_tracking_ratio = between(0.5, 20.0);
+        settings.stiffnesses.chosen_tracking_ratio = between(0.5, 20.0);
         break;
       case 6:
-        settings.impedances.chosen_tracking_ratio.reset();
+        settings.stiffnesses.chosen_tracking_ratio.reset();
         break;
       case 7:
         settings.active = strategy_catalog()[random() % strategy_count].id;
@@ -84,7 +84,7 @@ inline std::string recorded_by_dice(unsigned seed, int rounds, int gap_every = 0
         command.steps_asked += 2;
         break;
       case 11:
-        settings.impedances.k_c = random() % 2 == 0 ? std::numeric_limits<double>::infinity() : between(100.0, 1e6);
+        settings.stiffnesses.k_c = random() % 2 == 0 ? std::numeric_limits<double>::infinity() : between(100.0, 1e6);
         settings.mass = between(0.05, 0.5);
         settings.damping = between(2.0, 20.0);
         break;

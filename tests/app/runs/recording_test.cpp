@@ -286,7 +286,7 @@ TEST_F(RecordingWindow, RepeatsWhatAPersonDidThere) {
   drag(on_window({0.0, 0.0}), on_window({0.02, -0.03}));
   press(GLFW_KEY_3);
   session().settings.wall_normal_angle = 2.0 + 1e-15;  // no number of degrees is exactly that
-  session().settings.impedances.k_r = 345.678;
+  session().settings.stiffnesses.k_r = 345.678;
   frames(5);
   press(GLFW_KEY_Z, GLFW_MOD_CONTROL);
   press(GLFW_KEY_SPACE);
@@ -411,7 +411,7 @@ TEST_F(RecordingWindow, RepeatsWhatIsSimulatedBesideADeviceInTheHand) {
   options.input = "virtual-falcon";
   options.input_options.virtual_falcon_clock = VirtualLink::Clock::stepped;
   open(options);
-  session().settings.impedances.k_r = 1200.0;
+  session().settings.stiffnesses.k_r = 1200.0;
   constexpr int ticks = 100;
   const auto frames_until = [&](const auto& is_so) {
     for (int i = 0; i < 300 && !is_so(); ++i) frames(1, ticks);

@@ -38,7 +38,7 @@ void prepare(const KeyBinding& binding, Session& session) {
   if (is(GLFW_KEY_2, 0)) session.settings.active = StrategyId::full;
   if (is(GLFW_KEY_ESCAPE, 0)) session.dialog = Dialog::help;
   if (is(GLFW_KEY_0, GLFW_MOD_CONTROL)) session.look.scale = 1.5;
-  if (is(GLFW_KEY_R, GLFW_MOD_ALT)) session.settings.impedances.k_r = 900.0;
+  if (is(GLFW_KEY_R, GLFW_MOD_ALT)) session.settings.stiffnesses.k_r = 900.0;
   if (is(GLFW_KEY_F, 0)) session.shown.width = 0.5;
 }
 
@@ -87,7 +87,7 @@ TEST_F(KeysTest, EachKeyChangesThePicture) {
 }
 
 TEST_F(KeysTest, AChordIsAChordHoweverQuicklyItIsLetGoOf) {
-  session().settings.impedances.k_r = 900.0;
+  session().settings.stiffnesses.k_r = 900.0;
   frames(2);
   press(GLFW_KEY_R, GLFW_MOD_ALT);
   EXPECT_EQ(session().settings, load_scene("wall45").settings);
@@ -180,7 +180,7 @@ double naive_drift_at(Settings settings, double theta) {
 }
 
 TEST_F(KeysTest, WTurnsTheWallToTheLargestNaiveDrift) {
-  session().settings.impedances.k_c = std::numeric_limits<double>::infinity();
+  session().settings.stiffnesses.k_c = std::numeric_limits<double>::infinity();
   const Settings before = session().settings;
   press(GLFW_KEY_W);
   const Settings& after = session().settings;
@@ -216,20 +216,21 @@ TEST_F(KeysTest, PlusAndMinusTurnTheRatioByAsMuch) {
            Case{"number pad: Alt+-", GLFW_KEY_KP_SUBTRACT, GLFW_MOD_ALT, 0, 1.0 / 1.01},
            Case{"US: Shift+-", GLFW_KEY_MINUS, GLFW_MOD_SHIFT, '_', 1.0},
        }) {
-    session().settings.impedances.chosen_tracking_ratio = 2.0;
+    session().settings.stiffnesses.chosen_tracking_ratio = 2.0;
     const double motor = session().settings.actuated_angle;
     send_key(c.key, GLFW_PRESS, c.modifiers);
     if (c.character != 0) ImGui_ImplGlfw_CharCallback(window_->handle(), c.character);
     send_key(c.key, GLFW_RELEASE, 0);
     frames(2);
-    EXPECT_NEAR(session().settings.impedances.chosen_tracking_ratio.value_or(0.0), 2.0 * c.factor, 1e-12) << c.keyboard;
+    EXPECT_NEAR(session().settings.stiffnesses.chosen_tracking_ratio.value_or(0.0), 2.0 * c.factor, 1e-12)
+        << c.keyboard;
     EXPECT_EQ(session().settings.actuated_angle, motor) << c.keyboard;
   }
   // What no key has typed is no press, and a key types once.
-  session().settings.impedances.chosen_tracking_ratio = 2.0;
+  session().settings.stiffnesses.chosen_tracking_ratio = 2.0;
   type("+");
   send_key(GLFW_KEY_W, GLFW_RELEASE, 0);
-  EXPECT_EQ(session().settings.impedances.chosen_tracking_ratio, 2.0);
+  EXPECT_EQ(session().settings.stiffnesses.chosen_tracking_ratio, 2.0);
 }
 
 TEST_F(KeysTest, TheHelpHasRoomForItsLongestLine) {

@@ -37,7 +37,7 @@ TEST_F(SessionTest, EveryChangeOfASettingIsTakenBackAndDoneAgain) {
   const Settings second = session().settings;
   press(GLFW_KEY_LEFT_BRACKET);
   const Settings third = session().settings;
-  session().settings.impedances.k_r = 777.0;  // as a slider does
+  session().settings.stiffnesses.k_r = 777.0;  // as a slider does
   frames(2);
   undo();
   EXPECT_EQ(session().settings, third);
@@ -51,7 +51,7 @@ TEST_F(SessionTest, EveryChangeOfASettingIsTakenBackAndDoneAgain) {
   redo();
   EXPECT_EQ(session().settings, third);
   press(GLFW_KEY_Y, GLFW_MOD_CONTROL);
-  EXPECT_EQ(session().settings.impedances.k_r, 777.0);
+  EXPECT_EQ(session().settings.stiffnesses.k_r, 777.0);
   undo();
   press(GLFW_KEY_RIGHT_BRACKET);
   const Settings other = session().settings;
@@ -75,14 +75,14 @@ TEST_F(SessionTest, ADragOfAHandleIsOneStep) {
 }
 
 TEST_F(SessionTest, OpeningAnotherSceneCanBeTakenBackToo) {
-  session().settings.impedances.k_u = 321.0;
+  session().settings.stiffnesses.k_u = 321.0;
   frames(3);
   session().wishes.open_scene = "fig1";
   frames(3);
   EXPECT_EQ(session().settings, load_scene("fig1").settings);
   EXPECT_EQ(now().goal, load_scene("fig1").goal.points.back());
   undo();
-  EXPECT_EQ(session().settings.impedances.k_u, 321.0);
+  EXPECT_EQ(session().settings.stiffnesses.k_u, 321.0);
   EXPECT_EQ(session().scene->title, load_scene("wall45").title);
 }
 
@@ -94,7 +94,7 @@ TEST_F(SessionTest, ASavedSceneShowsWhatWasSeen) {
   press(GLFW_KEY_3);
   press(GLFW_KEY_LEFT_BRACKET);
   press(GLFW_KEY_RIGHT);
-  session().settings.impedances.chosen_tracking_ratio = 2.5;
+  session().settings.stiffnesses.chosen_tracking_ratio = 2.5;
   point_at(300.0, 300.0);
   scroll(1.0);
   frames(100);
@@ -359,7 +359,7 @@ TEST_F(SessionTest, NumbersDoNotMakeTheLayoutJump) {
   session().paused = true;
   frames(4);
   const ImVec2 before = content();
-  session().settings.impedances = {
+  session().settings.stiffnesses = {
       .k_u = 0.4, .believed_k_u = 900000.0, .k_r = 1e6, .k_t = 0.1, .k_c = 1e9, .chosen_tracking_ratio = 123.456};
   for (const Strategy& entry : strategy_catalog()) {
     session().settings.active = entry.id;
@@ -381,7 +381,7 @@ TEST(Caption, SaysWhatIsTrueNow) {
     EXPECT_NE(caption_of(settings, {-0.05, 0.05}).find("in front of the wall"), std::string_view::npos);
   }
   settings.active = StrategyId::anisotropic;
-  settings.impedances.chosen_tracking_ratio = 1.0;
+  settings.stiffnesses.chosen_tracking_ratio = 1.0;
   EXPECT_EQ(caption_of(settings, inside), strategy(StrategyId::anisotropic).with_ghost) << "not the ratio it needs";
   settings.active = StrategyId::naive;
   settings.actuated_angle = settings.wall_normal_angle;

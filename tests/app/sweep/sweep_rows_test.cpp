@@ -186,18 +186,18 @@ TEST(Sweep, ClosedFormsSolveTheLinearSystem) {
     ASSERT_EQ(csv.rows.size(), 9U * 7U * 3U);
     for (const Row& row : csv.rows) {
       const Scene scene = scene_of(row, "fig1", keys, set);
-      const Impedances& impedances = scene.settings.impedances;
+      const Stiffnesses& stiffnesses = scene.settings.stiffnesses;
       const Wall<2> wall = wall_of(scene.settings);
       const Actuation<2> actuation = actuation_of(scene.settings);
       const Vector<2> goal = scene.goal.points.back();
       const auto solved = [&](StrategyId id) {
-        return equilibrium_by_linear_solve(wall, make_coupling(strategy(id), impedances, actuation), impedances.k_u,
-                                           impedances.k_c, goal);
+        return equilibrium_by_linear_solve(wall, make_coupling(strategy(id), stiffnesses, actuation), stiffnesses.k_u,
+                                           stiffnesses.k_c, goal);
       };
       const Equilibrium<2> expected = solved(row.strategy());
       // Elimination without scaling loses as many digits as the stiffnesses lie apart, 4 or so of 16.
       const double distance = 1e-11;
-      const double force = distance * (impedances.k_r + impedances.k_u);
+      const double force = distance * (stiffnesses.k_r + stiffnesses.k_u);
       const auto near = [&](const char* column, const char* unit, const Vector<2>& value, double tolerance) {
         EXPECT_NEAR(row.number(fmt::format("{}_x_{}", column, unit)), value.x, tolerance) << column;
         EXPECT_NEAR(row.number(fmt::format("{}_y_{}", column, unit)), value.y, tolerance) << column;
@@ -229,12 +229,12 @@ TEST(Sweep, SimulatedDevicesEndWhereTheClosedFormsSay) {
     for (const Row& row : csv.rows) {
       ASSERT_EQ(row.text("settled"), "1");
       const Scene scene = scene_of(row, "fig1", keys);
-      const Impedances& impedances = scene.settings.impedances;
+      const Stiffnesses& stiffnesses = scene.settings.stiffnesses;
       deepest = std::max(deepest, row.number("depth_m"));
       // The forces on the device cancel to what k_u makes of 1 pm and to rounding, 16 ulp of 0.1 m here times the
       // stiffnesses over k_u, another 1 pm at most; along the wall a device can be off by up to 1 + √κ/2 times that.
-      const double kappa = impedances.k_r / impedances.k_u;
-      const double step = std::max(1.0, std::sqrt(tracking_ratio(impedances)));
+      const double kappa = stiffnesses.k_r / stiffnesses.k_u;
+      const double step = std::max(1.0, std::sqrt(tracking_ratio(stiffnesses)));
       const double distance = 2e-12 * (1.0 + std::sqrt(kappa) / 2.0);
       const auto near = [&](const char* column, const char* unit, double tolerance) {
         for (const char* const axis : {"x", "y"}) {
@@ -245,7 +245,7 @@ TEST(Sweep, SimulatedDevicesEndWhereTheClosedFormsSay) {
       };
       near("device", "m", distance);
       near("proxy", "m", distance * (1.0 + step));
-      near("force", "N", distance * (2.0 + step) * impedances.k_r);
+      near("force", "N", distance * (2.0 + step) * stiffnesses.k_r);
     }
     EXPECT_GT(deepest, 0.01);
   }

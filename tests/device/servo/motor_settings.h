@@ -10,10 +10,10 @@ inline Settings motor_settings(StrategyId active) {
   settings.mass = 0.1;
   settings.damping = 5.0;
   settings.rate = 1000.0;
-  settings.impedances.k_u = 100.0;
-  settings.impedances.k_r = 500.0;
-  settings.impedances.k_t = 500.0;
-  settings.impedances.k_c = 1e5;
+  settings.stiffnesses.k_u = 100.0;
+  settings.stiffnesses.k_r = 500.0;
+  settings.stiffnesses.k_t = 500.0;
+  settings.stiffnesses.k_c = 1e5;
   settings.active = active;
   return settings;
 }

@@ -39,15 +39,15 @@ const Hostile hostile_settings[] = {
     {"mass NaN", [](ServoCommand& c) { c.settings.mass = nan; }},
     {"damping negative", [](ServoCommand& c) { c.settings.damping = -5.0; }},
     {"damping inf", [](ServoCommand& c) { c.settings.damping = infinity; }},
-    {"k_u zero", [](ServoCommand& c) { c.settings.impedances.k_u = 0.0; }},
-    {"believed k_u NaN", [](ServoCommand& c) { c.settings.impedances.believed_k_u = nan; }},
-    {"k_r NaN", [](ServoCommand& c) { c.settings.impedances.k_r = nan; }},
-    {"k_r negative", [](ServoCommand& c) { c.settings.impedances.k_r = -1.0; }},
-    {"k_t zero", [](ServoCommand& c) { c.settings.impedances.k_t = 0.0; }},
-    {"k_t inf", [](ServoCommand& c) { c.settings.impedances.k_t = infinity; }},
-    {"k_c zero", [](ServoCommand& c) { c.settings.impedances.k_c = 0.0; }},
-    {"k_c minus inf", [](ServoCommand& c) { c.settings.impedances.k_c = -infinity; }},
-    {"ratio zero", [](ServoCommand& c) { c.settings.impedances.chosen_tracking_ratio = 0.0; }},
+    {"k_u zero", [](ServoCommand& c) { c.settings.stiffnesses.k_u = 0.0; }},
+    {"believed k_u NaN", [](ServoCommand& c) { c.settings.stiffnesses.believed_k_u = nan; }},
+    {"k_r NaN", [](ServoCommand& c) { c.settings.stiffnesses.k_r = nan; }},
+    {"k_r negative", [](ServoCommand& c) { c.settings.stiffnesses.k_r = -1.0; }},
+    {"k_t zero", [](ServoCommand& c) { c.settings.stiffnesses.k_t = 0.0; }},
+    {"k_t inf", [](ServoCommand& c) { c.settings.stiffnesses.k_t = infinity; }},
+    {"k_c zero", [](ServoCommand& c) { c.settings.stiffnesses.k_c = 0.0; }},
+    {"k_c minus inf", [](ServoCommand& c) { c.settings.stiffnesses.k_c = -infinity; }},
+    {"ratio zero", [](ServoCommand& c) { c.settings.stiffnesses.chosen_tracking_ratio = 0.0; }},
     {"wall point NaN", [](ServoCommand& c) { c.settings.wall_point.y = nan; }},
     {"wall point far", [](ServoCommand& c) { c.settings.wall_point.x = 1.5; }},
     {"wall angle NaN", [](ServoCommand& c) { c.settings.wall_normal_angle = nan; }},
@@ -63,7 +63,7 @@ TEST(Servo, RefusesHostileSettingsAsAWhole) {
     Servo servo(script_of(scene), good);
     wake(servo, 600);
     ServoCommand bad = good;
-    bad.settings.impedances.k_r = 5.0;  // must not come through either
+    bad.settings.stiffnesses.k_r = 5.0;  // must not come through either
     hostile.spoil(bad);
     bad.settings_generation = 1;
     servo.send(bad);
@@ -177,7 +177,7 @@ TEST(Servo, StaysFiniteWhateverItIsSent) {
   ServoCommand command = good;
   for (int round = 0; round < 5000; ++round) {
     Settings& settings = command.settings;
-    Impedances& impedances = settings.impedances;
+    Stiffnesses& stiffnesses = settings.stiffnesses;
     double* const numbers[] = {&settings.wall_point.x,
                                &settings.wall_point.y,
                                &settings.wall_normal_angle,
@@ -185,12 +185,12 @@ TEST(Servo, StaysFiniteWhateverItIsSent) {
                                &settings.mass,
                                &settings.damping,
                                &settings.rate,
-                               &impedances.k_u,
-                               &impedances.believed_k_u.emplace(impedances.k_u),
-                               &impedances.k_r,
-                               &impedances.k_t,
-                               &impedances.k_c,
-                               &impedances.chosen_tracking_ratio.emplace(1.0),
+                               &stiffnesses.k_u,
+                               &stiffnesses.believed_k_u.emplace(stiffnesses.k_u),
+                               &stiffnesses.k_r,
+                               &stiffnesses.k_t,
+                               &stiffnesses.k_c,
+                               &stiffnesses.chosen_tracking_ratio.emplace(1.0),
                                &command.speed};
     if (round % 10 == 0) command.settings = good.settings;
     *numbers[random() % std::size(numbers)] = any_number();

@@ -185,7 +185,7 @@ TEST_F(ServoMotors, ChangesLeadOverAndDoNotLeap) {
   run(0.5);
   for (int change = 0; change < 6; ++change) {
     if (change % 2 == 0) command_.settings.active = change == 0 ? StrategyId::full : StrategyId::naive;
-    if (change % 2 == 1) command_.settings.impedances.k_r = change == 1 ? 100.0 : 700.0;
+    if (change % 2 == 1) command_.settings.stiffnesses.k_r = change == 1 ? 100.0 : 700.0;
     ++command_.settings_generation;
     Vector<2> before = puppet_->pushed;
     for (int i = 0; i < 300; ++i) {
@@ -199,13 +199,13 @@ TEST_F(ServoMotors, ChangesLeadOverAndDoNotLeap) {
 }
 
 TEST_F(ServoMotors, HoldAStiffWallSofterUntilAPersonTypesMore) {
-  command_.settings.impedances.k_r = 2000.0;
+  command_.settings.stiffnesses.k_r = 2000.0;
   ++command_.settings_generation;
   turn_on();
   puppet_->reading.position = {0.002, -0.002};
   run(0.3);
   Settings held = command_.settings;
-  held.impedances.k_r = 800.0;
+  held.stiffnesses.k_r = 800.0;
   EXPECT_EQ(puppet_->pushed, wanted({0.002, -0.002}, held));
   EXPECT_EQ(motors().held_k_r, 800.0);
   command_.safety.greatest_k_r = 3000.0;
@@ -393,12 +393,12 @@ TEST_F(ServoMotors, KeepTheirPromiseUnderTenMillionHostileTicks) {
         command_.settings.active = static_cast<StrategyId>(random() % 3), ++command_.settings_generation;
         break;
       case 8:
-        command_.settings.impedances.k_r = std::pow(10.0, any(-1.0, 6.0));
+        command_.settings.stiffnesses.k_r = std::pow(10.0, any(-1.0, 6.0));
         ++command_.settings_generation;
         break;
       case 9:
-        command_.settings.impedances.k_c = std::pow(10.0, any(0.0, 9.0));
-        command_.settings.impedances.chosen_tracking_ratio = std::pow(10.0, any(-3.0, 3.0));
+        command_.settings.stiffnesses.k_c = std::pow(10.0, any(0.0, 9.0));
+        command_.settings.stiffnesses.chosen_tracking_ratio = std::pow(10.0, any(-3.0, 3.0));
         ++command_.settings_generation;
         break;
       case 10:
@@ -414,7 +414,7 @@ TEST_F(ServoMotors, KeepTheirPromiseUnderTenMillionHostileTicks) {
         command_.paused = !command_.paused;
         break;
       case 14:
-        command_.settings.impedances.k_u = any(-1.0, 1e3), ++command_.settings_generation;
+        command_.settings.stiffnesses.k_u = any(-1.0, 1e3), ++command_.settings_generation;
         break;
       case 15:
         ++command_.offs_asked;

@@ -20,7 +20,7 @@ inline Scene slanted_wall() {
   scene.settings.mass = 0.1;
   scene.settings.damping = 5.0;
   scene.settings.rate = 1000.0;
-  scene.settings.impedances = {100.0, {}, 1000.0, 1000.0, 1e5, {}};
+  scene.settings.stiffnesses = {100.0, {}, 1000.0, 1000.0, 1e5, {}};
   scene.settings.active = StrategyId::naive;
   scene.goal = {{{-0.04, 0.04}, {0.04, -0.04}}, {0.0, 1.0}, Motion::linear};
   scene.duration = 1.5;
@@ -32,8 +32,8 @@ inline Settings unstable_settings() {
   Settings settings = slanted_wall().settings;
   settings.mass = 0.001;
   settings.damping = 0.0;
-  settings.impedances.k_r = 1e6;
-  settings.impedances.k_t = 1e6;
+  settings.stiffnesses.k_r = 1e6;
+  settings.stiffnesses.k_t = 1e6;
   return settings;
 }
 

@@ -23,11 +23,11 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 TEST(Servo, MakesTheSameNumbersAsPlay) {
   std::vector<Scene> scenes(4, slanted_wall());
   scenes[1].settings.actuated_angle = 1.0;
-  scenes[1].settings.impedances.k_c = infinity;
+  scenes[1].settings.stiffnesses.k_c = infinity;
   scenes[2].settings.rate = 250.0;
-  scenes[2].settings.impedances.believed_k_u = 50.0;
+  scenes[2].settings.stiffnesses.believed_k_u = 50.0;
   scenes[2].goal.motion = Motion::minimum_jerk;
-  scenes[3].settings.impedances.chosen_tracking_ratio = 3.0;
+  scenes[3].settings.stiffnesses.chosen_tracking_ratio = 3.0;
   for (Scene scene : scenes) {
     for (const Strategy& active : strategy_catalog()) {
       scene.settings.active = active.id;
@@ -190,8 +190,8 @@ TEST(Servo, TakesNewSettingsWholeWithTheirGeneration) {
   Settings other = scene.settings;
   other.wall_normal_angle = 2.0;
   other.actuated_angle = 0.5;
-  other.impedances.k_u = 300.0;
-  other.impedances.k_r = 500.0;
+  other.stiffnesses.k_u = 300.0;
+  other.stiffnesses.k_r = 500.0;
 
   ServoCommand command = start_of(scene);
   command.settings_generation = 40;
@@ -218,7 +218,7 @@ TEST(Servo, ShowsNewSettingsWhilePaused) {
   command.restart_state = play(scene, 1000, [](const Snapshot&) {});
   command.paused = true;
   Servo servo(script_of(scene), command);
-  command.settings.impedances.k_r *= 0.5;
+  command.settings.stiffnesses.k_r *= 0.5;
   ++command.settings_generation;
   servo.send(command);
   servo.wake();
@@ -229,7 +229,7 @@ TEST(Servo, LooksAtSettingsOnlyWhenTheirGenerationChanges) {
   const Scene scene = slanted_wall();
   ServoCommand command = start_of(scene);
   Servo servo(script_of(scene), command);
-  command.settings.impedances.k_r = nan;
+  command.settings.stiffnesses.k_r = nan;
   servo.send(command);
   wake(servo, 10);
   EXPECT_EQ(servo.newest().refused_commands, 0U);
@@ -300,7 +300,7 @@ TEST(Servo, RecordsWhatIsNeededToGoOnExactly) {
   command.recording = 3;
   servo.send(command);
   for (int k = 0; k < 50; ++k) servo.wake();
-  command.settings.impedances.k_r = 700.0;
+  command.settings.stiffnesses.k_r = 700.0;
   ++command.settings_generation;
   servo.send(command);
   for (int k = 0; k < 50; ++k) servo.wake();
@@ -320,7 +320,7 @@ TEST(Servo, RecordsWhatIsNeededToGoOnExactly) {
   for (std::size_t i = 1; i < taken.size(); ++i) {
     EXPECT_EQ(taken[i].serial, taken[0].serial + i);
     EXPECT_EQ(taken[i].recording, 3U);
-    EXPECT_EQ(taken[i].settings.impedances.k_r, i < 50 ? 1000.0 : 700.0);
+    EXPECT_EQ(taken[i].settings.stiffnesses.k_r, i < 50 ? 1000.0 : 700.0);
     EXPECT_EQ(taken[i].loop_s, 0.0) << "stepped by hand";
     const TickPlan<2> plan = plan_of(taken[i].settings);
     tick(plan, taken[i].snapshot.goal, state);

@@ -237,8 +237,8 @@ TEST(Soak, FalconThatGoesWrong) {
   Random of_readings(1);
   constexpr Vector<2> outside{-0.02, 0.02};
   Settings usual = slanted_wall().settings;
-  usual.impedances.k_r = 500.0;
-  usual.impedances.k_t = 500.0;
+  usual.stiffnesses.k_r = 500.0;
+  usual.stiffnesses.k_t = 500.0;
   ServoCommand command = start_of(slanted_wall());
   command.settings = usual;
   command.restart_state = state_at_start(outside);

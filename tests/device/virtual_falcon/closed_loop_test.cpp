@@ -31,7 +31,7 @@ TEST(ClosedLoop, TheHandEndsWhereTheTheorySaysUnderEveryStrategy) {
   for (const Strategy& entry : strategy_catalog()) {
     const Vector<2> tip = rest_under(rehearsal, entry.id);
     const Vector<2> theory = rest_of(entry.id, settings, goal).device;
-    const double k_r_over_k_u = settings.impedances.k_r / settings.impedances.k_u;
+    const double k_r_over_k_u = settings.stiffnesses.k_r / settings.stiffnesses.k_u;
     EXPECT_NEAR(tip.x, theory.x, resolution * (1.0 + k_r_over_k_u)) << entry.name;
     EXPECT_NEAR(tip.y, theory.y, resolution * (1.0 + k_r_over_k_u)) << entry.name;
     rehearsal.input().move_to(Rehearsal::free_place, 0.5);
@@ -60,7 +60,7 @@ TEST(ClosedLoop, TheInferredGoalIsTheHandsWhenTheBeliefIsRight) {
   const Snapshot& snapshot = rehearsal.report().snapshot;
   ASSERT_EQ(snapshot.measured, StrategyId::naive);
   EXPECT_NEAR(glm::length(snapshot.goal - goal), 0.0, 10.0 * resolution);
-  rehearsal.command().settings.impedances.believed_k_u = 50.0;
+  rehearsal.command().settings.stiffnesses.believed_k_u = 50.0;
   ++rehearsal.command().settings_generation;
   rehearsal.run(1.0);
   EXPECT_GT(glm::length(rehearsal.report().snapshot.goal - goal), 0.01);
@@ -70,7 +70,7 @@ TEST(ClosedLoop, AWrongBeliefLeavesAGhostForce) {
   Rehearsal rehearsal;
   rehearsal.turn_on();
   const double full = rest_under(rehearsal, StrategyId::full).x;
-  rehearsal.command().settings.impedances.believed_k_u = 300.0;
+  rehearsal.command().settings.stiffnesses.believed_k_u = 300.0;
   const double wrong = rest_under(rehearsal, StrategyId::anisotropic).x;
   const double theory = rest_of(StrategyId::anisotropic, rehearsal.command().settings, goal).device.x;
   EXPECT_GT(std::abs(wrong - full), 1e-3);

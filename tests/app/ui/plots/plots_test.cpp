@@ -171,8 +171,8 @@ TEST_F(RestCurvesTest, AskNothingThatNobodyKnowsOfARealHand) {
   snapshot.goal = question_.goal;
   snapshot.measured = StrategyId::naive;
   Settings settings = scene_.settings;
-  settings.impedances.k_u = 1e4;  // whoever set that did not know the hand
-  settings.impedances.believed_k_u = 100.0;
+  settings.stiffnesses.k_u = 1e4;  // whoever set that did not know the hand
+  settings.stiffnesses.believed_k_u = 100.0;
   const RestQuestion question = rest_question(settings, snapshot);
   EXPECT_TRUE(std::isnan(rest_value(StrategyId::naive, question).drift));
   EXPECT_NEAR(rest_value(StrategyId::naive, question).force, rest_value(StrategyId::naive, question_).force, 1e-12);
@@ -234,7 +234,7 @@ TEST_F(PlotFile, HoldsAllTicksAndTheirExactNumbers) {
 }
 
 TEST_F(PlotFile, SaysWhereItComesFrom) {
-  session_.settings.impedances.k_r = 750.0;
+  session_.settings.stiffnesses.k_r = 750.0;
   const std::string text = file("plots.csv");
   EXPECT_NE(text.find("# ghostforce "), std::string::npos);
   EXPECT_NE(text.find("# k_r_N_per_m = 750"), std::string::npos);

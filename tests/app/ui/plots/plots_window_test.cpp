@@ -121,17 +121,17 @@ TEST_F(PlotsWindow, TheWallStaysWhereNoPlotIsDragged) {
 
 TEST_F(PlotsWindow, TheDialFollowsADragAndSnapsToTheOptimum) {
   choose(PlotTab::ratio);
-  EXPECT_FALSE(session().settings.impedances.chosen_tracking_ratio.has_value());
+  EXPECT_FALSE(session().settings.stiffnesses.chosen_tracking_ratio.has_value());
   drag(in_drawer(390.0, 150.0), in_drawer(240.0, 150.0));
-  ASSERT_TRUE(session().settings.impedances.chosen_tracking_ratio.has_value());
-  const double chosen = *session().settings.impedances.chosen_tracking_ratio;
+  ASSERT_TRUE(session().settings.stiffnesses.chosen_tracking_ratio.has_value());
+  const double chosen = *session().settings.stiffnesses.chosen_tracking_ratio;
   EXPECT_GT(chosen, 1.0);
   EXPECT_LT(chosen, 4.0);
   // ρ* is somewhere to the right of the middle.
   bool has_snapped = false;
   for (double x = 250.0; x < 390.0 && !has_snapped; x += 10.0) {
     drag(in_drawer(240.0, 150.0), in_drawer(x, 150.0));
-    has_snapped = !session().settings.impedances.chosen_tracking_ratio.has_value();
+    has_snapped = !session().settings.stiffnesses.chosen_tracking_ratio.has_value();
   }
   EXPECT_TRUE(has_snapped);
 }

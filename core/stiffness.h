@@ -6,7 +6,7 @@
 
 namespace ghostforce {
 
-struct Impedances {
+struct Stiffnesses {
   double k_u = 0.0;                             // user stiffness, (1) [N/m]
   std::optional<double> believed_k_u;           // k̂_u, the k_u that the renderer assumes [N/m]; empty: the true one
   double k_r = 0.0;                             // rendering stiffness, (5) [N/m]
@@ -14,12 +14,12 @@ struct Impedances {
   double k_c = 0.0;                             // constraint stiffness, (4) [N/m]; infinity is the hard constraint
   std::optional<double> chosen_tracking_ratio;  // ρ [1]; empty: the optimal one, (17)
 
-  friend bool operator==(const Impedances&, const Impedances&) = default;
+  friend bool operator==(const Stiffnesses&, const Stiffnesses&) = default;
 };
 
 // k̂_u [N/m]
-inline double believed_user_stiffness(const Impedances& impedances) noexcept {
-  return impedances.believed_k_u.value_or(impedances.k_u);
+inline double believed_user_stiffness(const Stiffnesses& stiffnesses) noexcept {
+  return stiffnesses.believed_k_u.value_or(stiffnesses.k_u);
 }
 
 // (17)  ρ* = 1 + k_r / k_u [1]
@@ -29,9 +29,9 @@ inline double optimal_tracking_ratio(double k_r, double k_u) noexcept {
 }
 
 // The ratio that anisotropic rendering runs with [1].
-inline double tracking_ratio(const Impedances& impedances) noexcept {
-  return impedances.chosen_tracking_ratio.value_or(
-      optimal_tracking_ratio(impedances.k_r, believed_user_stiffness(impedances)));
+inline double tracking_ratio(const Stiffnesses& stiffnesses) noexcept {
+  return stiffnesses.chosen_tracking_ratio.value_or(
+      optimal_tracking_ratio(stiffnesses.k_r, believed_user_stiffness(stiffnesses)));
 }
 
 }  // namespace ghostforce
