@@ -17,7 +17,7 @@ struct Coupling {
 //     K_r = k_r I
 //     K_t = k_t I
 template <glm::length_t D>
-Coupling<D> coupling_with_every_motor(double k_r, double k_t) noexcept {
+Coupling<D> fully_actuated_coupling(double k_r, double k_t) noexcept {
   return {Matrix<D>(k_r), Matrix<D>(k_t), Matrix<D>(1.0 / k_t)};
 }
 
@@ -26,8 +26,8 @@ Coupling<D> coupling_with_every_motor(double k_r, double k_t) noexcept {
 //     K_t = k_t P_A + (k_t/ρ) P_N     (16)
 // ρ = 1 is naïve rendering (section 4.2), ρ = ρ* of (17) the cure (section 5).
 template <glm::length_t D>
-Coupling<D> coupling_with_some_motors(double k_r, double k_t, double tracking_ratio,
-                                      const Actuation<D>& actuation) noexcept {
+Coupling<D> underactuated_coupling(double k_r, double k_t, double tracking_ratio,
+                                   const Actuation<D>& actuation) noexcept {
   return {k_r * actuation.actuated, k_t * actuation.actuated + (k_t / tracking_ratio) * actuation.unactuated,
           (1.0 / k_t) * actuation.actuated + (tracking_ratio / k_t) * actuation.unactuated};
 }

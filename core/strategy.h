@@ -54,9 +54,9 @@ inline constexpr std::string_view every_strategy = "all";
 template <glm::length_t D>
 Coupling<D> make_coupling(const Strategy& strategy, const Stiffnesses& stiffnesses,
                           const Actuation<D>& actuation) noexcept {
-  return strategy.has_every_motor ? coupling_with_every_motor<D>(stiffnesses.k_r, stiffnesses.k_t)
-                                  : coupling_with_some_motors<D>(stiffnesses.k_r, stiffnesses.k_t,
-                                                                 strategy.tracking_ratio(stiffnesses), actuation);
+  return strategy.has_every_motor ? fully_actuated_coupling<D>(stiffnesses.k_r, stiffnesses.k_t)
+                                  : underactuated_coupling<D>(stiffnesses.k_r, stiffnesses.k_t,
+                                                              strategy.tracking_ratio(stiffnesses), actuation);
 }
 
 }  // namespace ghostforce

@@ -26,8 +26,8 @@ TYPED_TEST(CouplingTest, StiffnessesAreThoseOfTheSubspaces) {
     SCOPED_TRACE(i);
     const Setting<D> setting = random_setting<D>(random);
     const Stiffnesses& k = setting.stiffnesses;
-    const ReferenceModel expected = reference_with_some_motors(setting, setting.ratio);
-    const Coupling<D> coupling = coupling_with_some_motors(k.k_r, k.k_t, setting.ratio, setting.actuation());
+    const ReferenceModel expected = underactuated_reference(setting, setting.ratio);
+    const Coupling<D> coupling = underactuated_coupling(k.k_r, k.k_t, setting.ratio, setting.actuation());
     // Projectors are good to a dozen roundings; entries are as large as the largest stiffness.
     EXPECT_LE(distance(coupling.rendering, expected.K_r), 16.0 * epsilon * k.k_r);
     EXPECT_LE(distance(coupling.tracking, expected.K_t), 16.0 * epsilon * k.k_t * (1.0 + 1.0 / setting.ratio));
@@ -43,7 +43,7 @@ TYPED_TEST(CouplingTest, ComplianceIsTheInverseOfTheTrackingStiffness) {
     const Setting<D> setting = random_setting<D>(random);
     const Stiffnesses& k = setting.stiffnesses;
     for (const double ratio : {1.0, setting.ratio}) {
-      const Coupling<D> coupling = coupling_with_some_motors(k.k_r, k.k_t, ratio, setting.actuation());
+      const Coupling<D> coupling = underactuated_coupling(k.k_r, k.k_t, ratio, setting.actuation());
       const double rounding = 32.0 * epsilon * (ratio + 1.0 / ratio);
       const ReferenceMatrix I = reference_identity(D);
       EXPECT_LE(distance(coupling.tracking * coupling.tracking_compliance, I), rounding);
@@ -54,7 +54,7 @@ TYPED_TEST(CouplingTest, ComplianceIsTheInverseOfTheTrackingStiffness) {
 
 TYPED_TEST(CouplingTest, EveryMotorIsTheSameInAllDirections) {
   constexpr glm::length_t D = TypeParam::value;
-  const Coupling<D> coupling = coupling_with_every_motor<D>(300.0, 500.0);
+  const Coupling<D> coupling = fully_actuated_coupling<D>(300.0, 500.0);
   EXPECT_EQ(coupling.rendering, Matrix<D>(300.0));
   EXPECT_EQ(coupling.tracking, Matrix<D>(500.0));
   EXPECT_EQ(coupling.tracking_compliance, Matrix<D>(1.0 / 500.0));
@@ -62,15 +62,15 @@ TYPED_TEST(CouplingTest, EveryMotorIsTheSameInAllDirections) {
 
 // (16): softer by ρ where there is no motor, and only there.
 TEST(Coupling, IsAnisotropicAcrossTheMotor) {
-  const Coupling<2> coupling = coupling_with_some_motors(300.0, 500.0, 10.0, actuated_along(Vector<2>{1.0, 0.0}));
+  const Coupling<2> coupling = underactuated_coupling(300.0, 500.0, 10.0, actuated_along(Vector<2>{1.0, 0.0}));
   EXPECT_EQ(coupling.rendering, Matrix<2>(300.0, 0.0, 0.0, 0.0));
   EXPECT_EQ(coupling.tracking, Matrix<2>(500.0, 0.0, 0.0, 50.0));
   EXPECT_EQ(coupling.tracking_compliance, Matrix<2>(1.0 / 500.0, 0.0, 0.0, 10.0 / 500.0));
 }
 
 static_assert(std::is_trivially_copyable_v<Coupling<4>>);
-static_assert(noexcept(coupling_with_every_motor<2>(1.0, 1.0)));
-static_assert(noexcept(coupling_with_some_motors(1.0, 1.0, 1.0, Actuation<2>{})));
+static_assert(noexcept(fully_actuated_coupling<2>(1.0, 1.0)));
+static_assert(noexcept(underactuated_coupling(1.0, 1.0, 1.0, Actuation<2>{})));
 
 }  // namespace
 }  // namespace ghostforce

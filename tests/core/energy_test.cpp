@@ -96,7 +96,7 @@ TEST(EnergyTest, SlowLoopOfUnderactuatedRenderingHasTheEnergyOfItsArea) {
     SCOPED_TRACE(i);
     const SlowLoop loop = random_slow_loop(random);
     for (const double ratio : {1.0, loop.ratio}) {
-      const Coupling<2> coupling = coupling_with_some_motors(loop.k.k_r, loop.k.k_t, ratio, loop.actuation());
+      const Coupling<2> coupling = underactuated_coupling(loop.k.k_r, loop.k.k_t, ratio, loop.actuation());
       EXPECT_NEAR(slow_work(loop.wall, coupling, loop.k.k_c, loop.corners),
                   energy_per_loop(loop.k.k_r, loop.k.k_t, loop.k.k_c, ratio, loop.theta, loop.area),
                   loop.rounding() * (1.0 + 1.0 / ratio));
@@ -109,7 +109,7 @@ TEST(EnergyTest, OneSenseMakesWhatTheOtherTakes) {
   for (int i = 0; i < 100; ++i) {
     SCOPED_TRACE(i);
     SlowLoop loop = random_slow_loop(random);
-    const Coupling<2> coupling = coupling_with_some_motors(loop.k.k_r, loop.k.k_t, loop.ratio, loop.actuation());
+    const Coupling<2> coupling = underactuated_coupling(loop.k.k_r, loop.k.k_t, loop.ratio, loop.actuation());
     const double one = slow_work(loop.wall, coupling, loop.k.k_c, loop.corners);
     std::reverse(loop.corners.begin(), loop.corners.end());
     const double other = slow_work(loop.wall, coupling, loop.k.k_c, loop.corners);
@@ -125,8 +125,8 @@ TEST(EnergyTest, SlowLoopOfFullyActuatedRenderingHasNone) {
   for (int i = 0; i < 1000; ++i) {
     SCOPED_TRACE(i);
     const SlowLoop loop = random_slow_loop(random);
-    EXPECT_NEAR(slow_work(loop.wall, coupling_with_every_motor<2>(loop.k.k_r, loop.k.k_t), loop.k.k_c, loop.corners),
-                0.0, loop.rounding());
+    EXPECT_NEAR(slow_work(loop.wall, fully_actuated_coupling<2>(loop.k.k_r, loop.k.k_t), loop.k.k_c, loop.corners), 0.0,
+                loop.rounding());
   }
 }
 

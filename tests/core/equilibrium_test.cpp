@@ -59,12 +59,12 @@ struct Rounding {
 };
 
 template <glm::length_t D>
-Rounding rounding_with_every_motor(const Setting<D>& setting) {
+Rounding fully_actuated_rounding(const Setting<D>& setting) {
   return {setting.wall, Matrix<D>(1.0), setting.stiffnesses, 1.0, setting.goal};
 }
 
 template <glm::length_t D>
-Rounding rounding_with_some_motors(const Setting<D>& setting, double ratio) {
+Rounding underactuated_rounding(const Setting<D>& setting, double ratio) {
   return {setting.wall, setting.actuation().actuated, setting.stiffnesses, ratio, setting.goal};
 }
 
@@ -95,8 +95,8 @@ TYPED_TEST(EquilibriumTest, AnyRatioBalancesTheForces) {
     const Setting<D> setting = random_setting<D>(random);
     const auto rest =
         equilibrium_with_ratio(setting.wall, setting.actuation(), setting.stiffnesses, setting.ratio, setting.goal);
-    expect_rest(rest, reference_rest(reference_with_some_motors(setting, setting.ratio), reference(setting.goal)),
-                rounding_with_some_motors(setting, setting.ratio));
+    expect_rest(rest, reference_rest(underactuated_reference(setting, setting.ratio), reference(setting.goal)),
+                underactuated_rounding(setting, setting.ratio));
   }
 }
 
@@ -107,8 +107,8 @@ TYPED_TEST(EquilibriumTest, FullyActuatedBalancesTheForces) {
     SCOPED_TRACE(i);
     const Setting<D> setting = random_setting<D>(random);
     expect_rest(equilibrium_fully_actuated(setting.wall, setting.stiffnesses, setting.goal),
-                reference_rest(reference_with_every_motor(setting), reference(setting.goal)),
-                rounding_with_every_motor(setting));
+                reference_rest(fully_actuated_reference(setting), reference(setting.goal)),
+                fully_actuated_rounding(setting));
   }
 }
 
@@ -119,8 +119,8 @@ TYPED_TEST(EquilibriumTest, NaiveBalancesTheForces) {
     SCOPED_TRACE(i);
     const Setting<D> setting = random_setting<D>(random);
     expect_rest(equilibrium_naive(setting.wall, setting.actuation(), setting.stiffnesses, setting.goal),
-                reference_rest(reference_with_some_motors(setting, 1.0L), reference(setting.goal)),
-                rounding_with_some_motors(setting, 1.0));
+                reference_rest(underactuated_reference(setting, 1.0L), reference(setting.goal)),
+                underactuated_rounding(setting, 1.0));
   }
 }
 
@@ -132,8 +132,8 @@ TYPED_TEST(EquilibriumTest, AnisotropicBalancesTheForces) {
     const Setting<D> setting = random_setting<D>(random);
     const Extended ratio = 1.0L + Extended{setting.stiffnesses.k_r} / setting.stiffnesses.k_u;
     expect_rest(equilibrium_anisotropic(setting.wall, setting.actuation(), setting.stiffnesses, setting.goal),
-                reference_rest(reference_with_some_motors(setting, ratio), reference(setting.goal)),
-                rounding_with_some_motors(setting, optimal_ratio(setting)));
+                reference_rest(underactuated_reference(setting, ratio), reference(setting.goal)),
+                underactuated_rounding(setting, optimal_ratio(setting)));
   }
 }
 
@@ -146,10 +146,10 @@ TYPED_TEST(EquilibriumTest, LinearSolveBalancesTheForces) {
     SCOPED_TRACE(i);
     const Setting<D> setting = random_setting<D>(random);
     const Stiffnesses& k = setting.stiffnesses;
-    const Coupling<D> coupling = coupling_with_some_motors(k.k_r, k.k_t, setting.ratio, setting.actuation());
+    const Coupling<D> coupling = underactuated_coupling(k.k_r, k.k_t, setting.ratio, setting.actuation());
     expect_rest(equilibrium_by_linear_solve(setting.wall, coupling, k.k_u, k.k_c, setting.goal),
-                reference_rest(reference_with_some_motors(setting, setting.ratio), reference(setting.goal)),
-                rounding_with_some_motors(setting, setting.ratio)
+                reference_rest(underactuated_reference(setting, setting.ratio), reference(setting.goal)),
+                underactuated_rounding(setting, setting.ratio)
                     .worse_by(optimal_ratio(setting) * (setting.ratio + 1.0 / setting.ratio)));
   }
 }
@@ -169,12 +169,12 @@ TYPED_TEST(EquilibriumTest, StrategiesBalanceTheForces) {
       return equilibrium_of(strategy(id), setting.wall, setting.actuation(), k, setting.goal);
     };
     const ReferenceVector goal = reference(setting.goal);
-    expect_rest(rest_of(StrategyId::full), reference_rest(reference_with_every_motor(setting), goal),
-                rounding_with_every_motor(setting));
-    expect_rest(rest_of(StrategyId::naive), reference_rest(reference_with_some_motors(setting, 1.0L), goal),
-                rounding_with_some_motors(setting, 1.0));
-    expect_rest(rest_of(StrategyId::anisotropic), reference_rest(reference_with_some_motors(setting, ratio), goal),
-                rounding_with_some_motors(setting, ratio));
+    expect_rest(rest_of(StrategyId::full), reference_rest(fully_actuated_reference(setting), goal),
+                fully_actuated_rounding(setting));
+    expect_rest(rest_of(StrategyId::naive), reference_rest(underactuated_reference(setting, 1.0L), goal),
+                underactuated_rounding(setting, 1.0));
+    expect_rest(rest_of(StrategyId::anisotropic), reference_rest(underactuated_reference(setting, ratio), goal),
+                underactuated_rounding(setting, ratio));
   }
 }
 
@@ -187,7 +187,7 @@ TYPED_TEST(EquilibriumTest, ContactIsTheProxyProjectedOnTheWall) {
     const Setting<D> setting = random_setting<D>(random);
     const Stiffnesses& k = setting.stiffnesses;
     const auto rest = equilibrium_with_ratio(setting.wall, setting.actuation(), k, setting.ratio, setting.goal);
-    const double rounding = rounding_with_some_motors(setting, setting.ratio).proxy;
+    const double rounding = underactuated_rounding(setting, setting.ratio).proxy;
     EXPECT_NEAR(glm::dot(setting.wall.normal, rest.contact - setting.wall.point), 0.0, rounding);
     EXPECT_LE(glm::length(along(setting.wall, rest.contact - rest.proxy)), rounding);
     // The proxy lies between the goal's depth and the wall: it is on a hard wall, and a little inside a soft one.
@@ -209,13 +209,13 @@ TYPED_TEST(EquilibriumTest, AnisotropicHasNoGhostForceAndNoDrift) {
     SCOPED_TRACE(i);
     const Setting<D> setting = random_setting<D>(random);
     const Actuation<D> actuation = setting.actuation();
-    const Rounding rounding = rounding_with_some_motors(setting, optimal_ratio(setting));
+    const Rounding rounding = underactuated_rounding(setting, optimal_ratio(setting));
     const auto full = equilibrium_fully_actuated(setting.wall, setting.stiffnesses, setting.goal);
     for (const Equilibrium<D>& rest :
          {equilibrium_anisotropic(setting.wall, actuation, setting.stiffnesses, setting.goal),
           equilibrium_with_ratio(setting.wall, actuation, setting.stiffnesses, optimal_ratio(setting), setting.goal)}) {
       EXPECT_LE(glm::length(ghost_force(actuation, rest.force, full.force)),
-                rounding.force + rounding_with_every_motor(setting).force);
+                rounding.force + fully_actuated_rounding(setting).force);
       EXPECT_LE(glm::length(proxy_drift(setting.wall, rest.proxy, setting.goal)), rounding.proxy);
     }
   }
@@ -242,12 +242,12 @@ TYPED_TEST(EquilibriumTest, NaiveHasGhostForceAndDrift) {
     const Vector<D> wanted = actuation.actuated * full.force;
     const double excess = (1.0 + kappa + k.k_t / k.k_c) / (1.0 + kappa * alpha + k.k_t / k.k_c) - 1.0;
     // Two forces, each good to its own rounding.
-    const double rounding = rounding_with_some_motors(setting, 1.0).force + rounding_with_every_motor(setting).force;
+    const double rounding = underactuated_rounding(setting, 1.0).force + fully_actuated_rounding(setting).force;
     EXPECT_LE(glm::length(ghost - excess * wanted), rounding);
     EXPECT_GT(glm::length(ghost), 1000.0 * rounding);
     EXPECT_GT(glm::dot(ghost, setting.wall.normal), 0.0);
     EXPECT_GT(glm::length(proxy_drift(setting.wall, naive.proxy, setting.goal)),
-              1000.0 * rounding_with_some_motors(setting, 1.0).proxy);
+              1000.0 * underactuated_rounding(setting, 1.0).proxy);
   }
   EXPECT_GT(tried, settings_per_test / 4);
 }
@@ -262,7 +262,7 @@ TYPED_TEST(EquilibriumTest, AllAgreeWhereTheNormalIsActuated) {
     const Actuation<D> actuation = setting.actuation();
     const auto full = equilibrium_fully_actuated(setting.wall, setting.stiffnesses, setting.goal);
     for (const double ratio : {1.0, optimal_ratio(setting), setting.ratio}) {
-      const Rounding rounding = rounding_with_some_motors(setting, ratio).worse_by(2.0);
+      const Rounding rounding = underactuated_rounding(setting, ratio).worse_by(2.0);
       const auto rest = equilibrium_with_ratio(setting.wall, actuation, setting.stiffnesses, ratio, setting.goal);
       EXPECT_LE(glm::length(rest.proxy - full.proxy), rounding.proxy);
       EXPECT_LE(glm::length(rest.device - full.device), rounding.device);
@@ -308,9 +308,9 @@ TYPED_TEST(EquilibriumTest, WrongBeliefShows) {
       setting.stiffnesses.believed_k_u = belief * setting.stiffnesses.k_u;
       const auto rest =
           equilibrium_of(strategy(StrategyId::anisotropic), setting.wall, actuation, setting.stiffnesses, setting.goal);
-      const Rounding rounding = rounding_with_some_motors(setting, tracking_ratio(setting.stiffnesses));
+      const Rounding rounding = underactuated_rounding(setting, tracking_ratio(setting.stiffnesses));
       const double push = glm::dot(ghost_force(actuation, rest.force, full.force), setting.wall.normal);
-      EXPECT_GT(std::abs(push), 100.0 * (rounding.force + rounding_with_every_motor(setting).force));
+      EXPECT_GT(std::abs(push), 100.0 * (rounding.force + fully_actuated_rounding(setting).force));
       EXPECT_EQ(push > 0.0, belief > 1.0);
       EXPECT_GT(glm::length(proxy_drift(setting.wall, rest.proxy, setting.goal)), 100.0 * rounding.proxy);
     }
@@ -328,7 +328,7 @@ TYPED_TEST(EquilibriumTest, AGoalOutsideTheWallIsWhereEverythingRests) {
     const Actuation<D> actuation = setting.actuation();
     const Vector<D> goal = setting.wall.point + along(setting.wall, setting.goal - setting.wall.point) +
                            setting.wall.normal * random.uniform(1e-6, 0.1);
-    const Coupling<D> coupling = coupling_with_some_motors(k.k_r, k.k_t, setting.ratio, actuation);
+    const Coupling<D> coupling = underactuated_coupling(k.k_r, k.k_t, setting.ratio, actuation);
     for (const Equilibrium<D>& rest :
          {equilibrium_fully_actuated(setting.wall, k, goal), equilibrium_naive(setting.wall, actuation, k, goal),
           equilibrium_anisotropic(setting.wall, actuation, k, goal),

@@ -19,8 +19,7 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 template <glm::length_t D>
 Coupling<D> coupling_of(const Setting<D>& setting) {
-  return coupling_with_some_motors(setting.stiffnesses.k_r, setting.stiffnesses.k_t, setting.ratio,
-                                   setting.actuation());
+  return underactuated_coupling(setting.stiffnesses.k_r, setting.stiffnesses.k_t, setting.ratio, setting.actuation());
 }
 
 // C = K_t⁻¹ n is good to ε (1 + ρ)/k_t, and so is s = n·C; a step of length |C|/s ≤ √((1 + ρ)/(k_t s)) times the way to
@@ -49,7 +48,7 @@ TYPED_TEST(ProxyTest, BalancesWallAndTracking) {
     const Proxy<D> proxy = proxy_of(setting.goal, setting.wall, step);
     EXPECT_TRUE(proxy.in_contact);
     EXPECT_LE(distance(proxy.position,
-                       reference_proxy(reference_with_some_motors(setting, setting.ratio), reference(setting.goal))),
+                       reference_proxy(underactuated_reference(setting, setting.ratio), reference(setting.goal))),
               rounding(setting));
   }
 }
@@ -126,7 +125,7 @@ TYPED_TEST(ProxyTest, ContactBeginsInsideTheWallWithoutAJump) {
   constexpr glm::length_t D = TypeParam::value;
   Wall<D> wall{Vector<D>(0.0), Vector<D>(0.0)};
   wall.normal[0] = 1.0;
-  const Vector<D> step = proxy_step(wall.normal, coupling_with_every_motor<D>(1000.0, 1000.0), 1e5);
+  const Vector<D> step = proxy_step(wall.normal, fully_actuated_coupling<D>(1000.0, 1000.0), 1e5);
   Vector<D> device(0.01);
   device[0] = 0.0;
   EXPECT_FALSE(proxy_of(device, wall, step).in_contact);
@@ -140,8 +139,8 @@ TYPED_TEST(ProxyTest, ContactBeginsInsideTheWallWithoutAJump) {
 TEST(Proxy, SlidesFurtherAcrossTheMotorWithALargerRatio) {
   const Wall<2> wall{{0.0, 0.0}, direction_at(0.75 * 3.141592653589793)};
   const Actuation<2> actuation = actuated_along(Vector<2>{1.0, 0.0});
-  const Vector<2> isotropic = proxy_step(wall.normal, coupling_with_some_motors(1e3, 1e3, 1.0, actuation), infinity);
-  const Vector<2> anisotropic = proxy_step(wall.normal, coupling_with_some_motors(1e3, 1e3, 11.0, actuation), infinity);
+  const Vector<2> isotropic = proxy_step(wall.normal, underactuated_coupling(1e3, 1e3, 1.0, actuation), infinity);
+  const Vector<2> anisotropic = proxy_step(wall.normal, underactuated_coupling(1e3, 1e3, 11.0, actuation), infinity);
   EXPECT_LE(glm::length(isotropic - wall.normal), 4.0 * epsilon);  // straight out
   EXPECT_NEAR(std::abs(anisotropic.y / anisotropic.x), 11.0, 1e-14);
 }

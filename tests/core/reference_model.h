@@ -75,14 +75,14 @@ ReferenceModel reference_of(const ReferenceVector& o, const ReferenceVector& n, 
                             const Stiffnesses& k, Extended ratio);
 
 template <glm::length_t D>
-ReferenceModel reference_with_some_motors(const Setting<D>& setting, Extended ratio) {
+ReferenceModel underactuated_reference(const Setting<D>& setting, Extended ratio) {
   return reference_of(reference(setting.wall.point), reference(setting.wall.normal),
                       reference_projector<D>(setting.motors), setting.stiffnesses, ratio);
 }
 
 // K_r = k_r I, K_t = k_t I
 template <glm::length_t D>
-ReferenceModel reference_with_every_motor(const Setting<D>& setting) {
+ReferenceModel fully_actuated_reference(const Setting<D>& setting) {
   return reference_of(reference(setting.wall.point), reference(setting.wall.normal), reference_identity(D),
                       setting.stiffnesses, 1.0L);
 }

@@ -40,9 +40,9 @@ PerStrategy<ReferenceLoop> reference_loops(const Loop<D>& loop) {
   const Extended belief = k.believed_k_u.value_or(k.k_u);
   const Extended ratio = k.chosen_tracking_ratio ? Extended{*k.chosen_tracking_ratio} : 1.0L + k.k_r / belief;
   const Extended period = 1.0L / loop.rate;
-  return {ReferenceLoop{reference_with_every_motor(loop.setting), loop.mass, loop.damping, period},
-          ReferenceLoop{reference_with_some_motors(loop.setting, 1.0L), loop.mass, loop.damping, period},
-          ReferenceLoop{reference_with_some_motors(loop.setting, ratio), loop.mass, loop.damping, period}};
+  return {ReferenceLoop{fully_actuated_reference(loop.setting), loop.mass, loop.damping, period},
+          ReferenceLoop{underactuated_reference(loop.setting, 1.0L), loop.mass, loop.damping, period},
+          ReferenceLoop{underactuated_reference(loop.setting, ratio), loop.mass, loop.damping, period}};
 }
 
 template <glm::length_t D>
