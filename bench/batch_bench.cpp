@@ -113,10 +113,10 @@ std::vector<HandBlock> blocks_of(std::span<const Case> cases) {
   for (std::size_t at = 0; at < cases.size(); ++at) {
     const Case& one = cases[at];
     const TickPlan<2> plan = one.plan();
-    const auto& [rendering, step] = plan.strategies[index_of(StrategyId::anisotropic)];
+    const auto& [rendering, gain] = plan.strategies[index_of(StrategyId::anisotropic)];
     const double dt = plan.device.period;
     const double mass = one.mass + dt * one.damping + dt * dt * plan.device.user_stiffness;
-    const Vector<2> w = dt * dt / mass * (rendering * step);
+    const Vector<2> w = dt * dt / mass * (rendering * gain);
     HandBlock& block = blocks[at / 8];
     const std::size_t i = at % 8;
     block.v_xx[i] = (one.mass - dt * dt * rendering[0][0]) / mass;
@@ -152,9 +152,9 @@ std::vector<End> ends_by_hand(ByHand by_hand, std::span<const Case> cases) {
   for (std::size_t at = 0; at < cases.size(); ++at) {
     const HandBlock& block = blocks[at / 8];
     const std::size_t i = at % 8;
-    const auto [rendering, step] = cases[at].plan().strategies[index_of(StrategyId::anisotropic)];
+    const auto [rendering, gain] = cases[at].plan().strategies[index_of(StrategyId::anisotropic)];
     const Vector<2> way(block.u_x[i], block.u_y[i]);
-    ends.push_back({{block.q_x[i], block.q_y[i]}, rendering * (step * block.h[i] - way)});
+    ends.push_back({{block.q_x[i], block.q_y[i]}, rendering * (gain * block.h[i] - way)});
   }
   return ends;
 }

@@ -77,7 +77,7 @@ class ByHand {
       const auto row = static_cast<glm::length_t>(i);
       point_[i] = plan.wall.point[row];
       normal_[i] = plan.wall.normal[row];
-      proxy_step_[i] = plan.strategies[strategy].proxy_step[row];
+      proxy_gain_[i] = plan.strategies[strategy].proxy_gain[row];
       for (std::size_t j = 0; j < D; ++j) {
         rendering_[i][j] = plan.strategies[strategy].rendering[static_cast<glm::length_t>(j)][row];
       }
@@ -102,7 +102,7 @@ class ByHand {
       const double reach = goal[static_cast<glm::length_t>(i)] - before;
       s.velocity[i] = keeps_ * s.velocity[i] + hand_ * reach + held_ * force[i];
       s.position[i] = before + dt_ * s.velocity[i];
-      s.proxy[i] = distance < 0.0 ? before - proxy_step_[i] * distance : before;
+      s.proxy[i] = distance < 0.0 ? before - proxy_gain_[i] * distance : before;
       work += force[i] * (s.position[i] - before);
     }
     s.energy += work;
@@ -110,7 +110,7 @@ class ByHand {
 
  private:
   std::array<Numbers, D> rendering_{};
-  Numbers proxy_step_{};
+  Numbers proxy_gain_{};
   Numbers normal_{};
   Numbers point_{};
   double dt_;

@@ -118,14 +118,14 @@ struct Batch::Kernel {
 void Batch::add(const TickPlan<2>& plan, StrategyId strategy, const Vector<2>& goal) {
   const std::size_t i = size() % width;
   if (i == 0) blocks_.emplace_back();
-  const auto& [rendering, proxy_step] = plan.strategies[index_of(strategy)];
-  readings_.push_back({rendering, proxy_step, plan.rate});
+  const auto& [rendering, proxy_gain] = plan.strategies[index_of(strategy)];
+  readings_.push_back({rendering, proxy_gain, plan.rate});
 
   const SampledDevice& device = plan.device;
   const double dt = device.period;
   const double effective_mass = device.mass + dt * device.damping + dt * dt * device.user_stiffness;
   const Matrix<2> v = (Matrix<2>(device.mass) - dt * dt * rendering) / effective_mass;
-  const Vector<2> w = dt * dt * (rendering * proxy_step) / effective_mass;
+  const Vector<2> w = dt * dt * (rendering * proxy_gain) / effective_mass;
 
   Block& block = blocks_.back();
   block.v_xx[i] = v[0][0];
@@ -170,7 +170,7 @@ Batch::Lane Batch::operator[](std::size_t lane) const noexcept {
   const Reading& reading = readings_[lane];
   const Vector<2> device(block.device.x[i], block.device.y[i]);
   const Vector<2> way(block.way.x[i], block.way.y[i]);
-  const Vector<2> from_device = reading.proxy_step * block.depth[i] - way;  // q_p − q_h
+  const Vector<2> from_device = reading.proxy_gain * block.depth[i] - way;  // q_p − q_h
   return {device, reading.rate * way, device + from_device, reading.rendering * from_device};
 }
 

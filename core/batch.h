@@ -99,7 +99,7 @@ class Batch {
   // What a lane is read with.
   struct Reading {
     Matrix<2> rendering;   // K_r [N/m]
-    Vector<2> proxy_step;  // see proxy.h [1]
+    Vector<2> proxy_gain;  // see proxy.h [1]
     double rate;           // 1/dt [Hz]
   };
 

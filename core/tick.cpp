@@ -12,7 +12,7 @@ TickPlan<D> plan_tick(const Wall<D>& wall, const Actuation<D>& actuation, const 
   TickPlan<D> plan{wall, actuation, sampled_device(mass, damping, stiffnesses.k_u, 1.0 / rate), rate, {}};
   for (const Strategy& strategy : strategy_catalog()) {
     const Coupling<D> coupling = make_coupling(strategy, stiffnesses, actuation);
-    plan.strategies[index_of(strategy.id)] = {coupling.rendering, proxy_step(wall.normal, coupling, stiffnesses.k_c)};
+    plan.strategies[index_of(strategy.id)] = {coupling.rendering, proxy_gain(wall.normal, coupling, stiffnesses.k_c)};
   }
   return plan;
 }
@@ -50,7 +50,7 @@ template <glm::length_t D>
   ++state.tick;
   state.measured = active;
   const Vector<D> velocity = (device - own.motion.position) * plan.rate;
-  move<D>(plan, own_plan.proxy_step, {device, velocity}, device, force_of<D>(own_plan, own), own);
+  move<D>(plan, own_plan.proxy_gain, {device, velocity}, device, force_of<D>(own_plan, own), own);
   state.goal = device - felt / believed_k_u;
   for (std::size_t i = 0; i < strategy_count; ++i) {
     if (i != measured) tick_strategy<D>(plan, plan.strategies[i], state.goal, state.strategies[i]);

@@ -21,7 +21,7 @@ template <glm::length_t D>
 struct TickPlan {
   struct StrategyPlan {
     Matrix<D> rendering;   // K_r [N/m]
-    Vector<D> proxy_step;  // see proxy.h [1]
+    Vector<D> proxy_gain;  // see proxy.h [1]
   };
   Wall<D> wall;
   Actuation<D> actuation;
@@ -105,14 +105,14 @@ Vector<D> force_of(const StrategyPlan<D>& plan, const StrategyState<D>& state) n
 
 // The device has moved under the force held since the tick before, and the proxy belongs to `tracked`.
 template <glm::length_t D>
-void move(const TickPlan<D>& plan, const Vector<D>& proxy_step, const DeviceMotion<D>& motion, const Vector<D>& tracked,
+void move(const TickPlan<D>& plan, const Vector<D>& proxy_gain, const DeviceMotion<D>& motion, const Vector<D>& tracked,
           const Vector<D>& held_force, StrategyState<D>& state) noexcept {
   state.energy += work(held_force, motion.position - state.motion.position);
   for (glm::length_t i = 0; i < D; ++i) {
     state.motion.position[i] = motion.position[i];
     state.motion.velocity[i] = motion.velocity[i];
   }
-  state.in_contact = place_proxy(tracked, plan.wall, proxy_step, state.proxy);
+  state.in_contact = place_proxy(tracked, plan.wall, proxy_gain, state.proxy);
 }
 
 // (23) (24) with the force held from the tick before, then the proxy (25) of the device of the tick before.
@@ -121,7 +121,7 @@ void tick_strategy(const TickPlan<D>& plan, const StrategyPlan<D>& own, const Ve
                    StrategyState<D>& state) noexcept {
   const Vector<D> before = state.motion.position;
   const Vector<D> held_force = force_of<D>(own, state);
-  move<D>(plan, own.proxy_step, step(plan.device, state.motion, goal, held_force), before, held_force, state);
+  move<D>(plan, own.proxy_gain, step(plan.device, state.motion, goal, held_force), before, held_force, state);
 }
 
 }  // namespace ghostforce

@@ -36,11 +36,11 @@ struct Balance {
 Balance balance_of(const Settings& settings, const TickPlan<2>& plan, std::size_t strategy,
                    const Vector<2>& goal) noexcept {
   const Stiffnesses& stiffnesses = settings.stiffnesses;
-  const double step = glm::length(plan.strategies[strategy].proxy_step);
+  const double gain = glm::length(plan.strategies[strategy].proxy_gain);
   const double still = std::sqrt(stiffnesses.k_u * settings.mass);
   // Springs make forces of positions; damping and inertia hold a device back until a tick moves it by an ulp.
   const double stiffness =
-      stiffnesses.k_u + stiffnesses.k_r * (1.0 + step) + (settings.damping + still) * settings.rate;
+      stiffnesses.k_u + stiffnesses.k_r * (1.0 + gain) + (settings.damping + still) * settings.rate;
   return {stiffnesses.k_u, still, stiffnesses.k_u * picometre,
           roundings * std::numeric_limits<double>::epsilon() * stiffness,
           std::max(glm::dot(goal, goal), glm::dot(settings.wall_point, settings.wall_point))};

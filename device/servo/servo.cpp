@@ -175,7 +175,7 @@ bool Servo::put_sample(double loop_s, SampleRing& ring) const noexcept {
 Vector<2> Servo::force_at(const Vector<2>& handle) const noexcept {
   const auto& active = plan_.strategies[index_of(settings_.active)];
   return device_->force_at_handle() *
-         (active.rendering * (proxy_of(handle, plan_.wall, active.proxy_step).position - handle));
+         (active.rendering * (proxy_of(handle, plan_.wall, active.proxy_gain).position - handle));
 }
 
 void Servo::watch_handle() noexcept {

@@ -73,13 +73,13 @@ void expect_near(const Loop& loop, const Batch::Lane& lane, const Ticked& expect
   const double extent = glm::length(loop.start) + glm::length(loop.goal) + glm::length(loop.plan.wall.point);
   const double distance = 1e-11 * extent;
   const auto& strategy = loop.plan.strategies[index_of(loop.strategy)];
-  const double step = 1.0 + glm::length(strategy.proxy_step);
+  const double gain = 1.0 + glm::length(strategy.proxy_gain);
   const double stiffness = glm::length(strategy.rendering[0]) + glm::length(strategy.rendering[1]);
   const Vector<2>& velocity = expected.state.strategies[index_of(loop.strategy)].motion.velocity;
   EXPECT_LE(glm::distance(lane.device, expected.seen.device), distance);
   EXPECT_LE(glm::distance(lane.velocity, velocity), distance * loop.plan.rate);
-  EXPECT_LE(glm::distance(lane.proxy, expected.seen.proxy), distance * step);
-  EXPECT_LE(glm::distance(lane.force, expected.seen.force), distance * step * stiffness);
+  EXPECT_LE(glm::distance(lane.proxy, expected.seen.proxy), distance * gain);
+  EXPECT_LE(glm::distance(lane.force, expected.seen.force), distance * gain * stiffness);
 }
 
 // Any number of lanes: none, one, a block of eight and its neighbours.

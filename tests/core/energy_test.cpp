@@ -40,9 +40,9 @@ TEST(EnergyTest, WorkIsForceTimesWay) {
 // The rendered force is linear in the device's position while it is inside the wall, so the mean of both ends times the
 // way is the exact work along an edge; what remains is rounding.
 double slow_work(const Wall<2>& wall, const Coupling<2>& coupling, double k_c, const std::vector<Vector<2>>& corners) {
-  const Vector<2> step = proxy_step(wall.normal, coupling, k_c);
+  const Vector<2> gain = proxy_gain(wall.normal, coupling, k_c);
   const auto force = [&](const Vector<2>& device) {
-    const Proxy<2> proxy = proxy_of(device, wall, step);
+    const Proxy<2> proxy = proxy_of(device, wall, gain);
     EXPECT_TRUE(proxy.in_contact);
     return coupling.rendering * (proxy.position - device);
   };

@@ -88,7 +88,7 @@ class ServoMotors : public testing::Test {
   Vector<2> wanted(const Vector<2>& handle, const Settings& settings) const {
     const TickPlan<2> plan = plan_of(settings);
     const auto& active = plan.strategies[index_of(settings.active)];
-    return active.rendering * (proxy_of(handle, plan.wall, active.proxy_step).position - handle);
+    return active.rendering * (proxy_of(handle, plan.wall, active.proxy_gain).position - handle);
   }
 
   static constexpr Vector<2> outside{-0.02, 0.02};
