@@ -54,8 +54,8 @@ struct Case {
   double rate;
   Vector<2> start;
 
-  TickPlan<2> plan() const {
-    return plan_tick(setting.wall, setting.actuation(), setting.stiffnesses, mass, damping, rate);
+  TickCoefficients<2> coefficients() const {
+    return coefficients_of(setting.wall, setting.actuation(), setting.stiffnesses, mass, damping, rate);
   }
   double extent() const { return glm::length(start) + glm::length(setting.goal) + glm::length(setting.wall.point); }
 };
@@ -86,7 +86,7 @@ struct End {
 Batch batch_of(std::span<const Case> cases, Instructions instructions) {
   Batch batch(instructions);
   for (const Case& one : cases) {
-    batch.add(one.plan(), StrategyId::anisotropic, one.start);
+    batch.add(one.coefficients(), StrategyId::anisotropic, one.start);
     batch.set_goal(batch.size() - 1, one.setting.goal);
   }
   return batch;
@@ -112,22 +112,22 @@ std::vector<HandBlock> blocks_of(std::span<const Case> cases) {
   std::vector<HandBlock> blocks(cases.size() / 8, HandBlock{});
   for (std::size_t at = 0; at < cases.size(); ++at) {
     const Case& one = cases[at];
-    const TickPlan<2> plan = one.plan();
-    const auto& [rendering, gain] = plan.strategies[index_of(StrategyId::anisotropic)];
-    const double dt = plan.device.period;
-    const double mass = one.mass + dt * one.damping + dt * dt * plan.device.user_stiffness;
+    const TickCoefficients<2> coefficients = one.coefficients();
+    const auto& [rendering, gain] = coefficients.strategies[index_of(StrategyId::anisotropic)];
+    const double dt = coefficients.device.period;
+    const double mass = one.mass + dt * one.damping + dt * dt * coefficients.device.user_stiffness;
     const Vector<2> w = dt * dt / mass * (rendering * gain);
     HandBlock& block = blocks[at / 8];
     const std::size_t i = at % 8;
     block.v_xx[i] = (one.mass - dt * dt * rendering[0][0]) / mass;
     block.v_xy[i] = -dt * dt * rendering[0][1] / mass;
     block.v_yy[i] = (one.mass - dt * dt * rendering[1][1]) / mass;
-    block.c[i] = dt * dt * plan.device.user_stiffness / mass;
+    block.c[i] = dt * dt * coefficients.device.user_stiffness / mass;
     block.w_x[i] = w.x;
     block.w_y[i] = w.y;
-    block.n_x[i] = plan.wall.normal.x;
-    block.n_y[i] = plan.wall.normal.y;
-    block.n_o[i] = glm::dot(plan.wall.normal, plan.wall.point);
+    block.n_x[i] = coefficients.wall.normal.x;
+    block.n_y[i] = coefficients.wall.normal.y;
+    block.n_o[i] = glm::dot(coefficients.wall.normal, coefficients.wall.point);
     block.goal_x[i] = one.setting.goal.x;
     block.goal_y[i] = one.setting.goal.y;
     block.q_x[i] = one.start.x;
@@ -152,7 +152,7 @@ std::vector<End> ends_by_hand(ByHand by_hand, std::span<const Case> cases) {
   for (std::size_t at = 0; at < cases.size(); ++at) {
     const HandBlock& block = blocks[at / 8];
     const std::size_t i = at % 8;
-    const auto [rendering, gain] = cases[at].plan().strategies[index_of(StrategyId::anisotropic)];
+    const auto [rendering, gain] = cases[at].coefficients().strategies[index_of(StrategyId::anisotropic)];
     const Vector<2> way(block.u_x[i], block.u_y[i]);
     ends.push_back({{block.q_x[i], block.q_y[i]}, rendering * (gain * block.h[i] - way)});
   }
@@ -160,10 +160,10 @@ std::vector<End> ends_by_hand(ByHand by_hand, std::span<const Case> cases) {
 }
 
 End ticked(const Case& one) {
-  const TickPlan<2> plan = one.plan();
+  const TickCoefficients<2> coefficients = one.coefficients();
   TickState<2> state = state_at_start(one.start);
-  for (int k = 0; k < ticks; ++k) tick(plan, one.setting.goal, state);
-  const auto seen = snapshot_of(plan, state).strategies[index_of(StrategyId::anisotropic)];
+  for (int k = 0; k < ticks; ++k) tick(coefficients, one.setting.goal, state);
+  const auto seen = snapshot_of(coefficients, state).strategies[index_of(StrategyId::anisotropic)];
   return {seen.device, seen.force};
 }
 

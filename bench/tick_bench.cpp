@@ -37,14 +37,14 @@ Vector<D> along_axes(double first, double others) {
 
 // A wall at 45°, one motor, stiffnesses as in the scene wall45.
 template <glm::length_t D>
-TickPlan<D> slanted_plan() {
+TickCoefficients<D> slanted_coefficients() {
   const Wall<D> wall{Vector<D>(0.0), glm::normalize(along_axes<D>(-1.0, 1.0))};
   Stiffnesses stiffnesses;
   stiffnesses.k_u = 200.0;
   stiffnesses.k_r = 600.0;
   stiffnesses.k_t = 600.0;
   stiffnesses.k_c = 1e5;
-  return plan_tick<D>(wall, actuated_along(along_axes<D>(1.0, 0.0)), stiffnesses, 0.1, 5.0, 1000.0);
+  return coefficients_of<D>(wall, actuated_along(along_axes<D>(1.0, 0.0)), stiffnesses, 0.1, 5.0, 1000.0);
 }
 
 // Into the wall and out of it again, about once a second of model time. A power of two.
@@ -72,19 +72,20 @@ class ByHand {
     double energy = 0.0;
   };
 
-  ByHand(const TickPlan<D>& plan, std::size_t strategy) : dt_(plan.device.period) {
+  ByHand(const TickCoefficients<D>& coefficients, std::size_t strategy) : dt_(coefficients.device.period) {
     for (std::size_t i = 0; i < D; ++i) {
       const auto row = static_cast<glm::length_t>(i);
-      point_[i] = plan.wall.point[row];
-      normal_[i] = plan.wall.normal[row];
-      proxy_gain_[i] = plan.strategies[strategy].proxy_gain[row];
+      point_[i] = coefficients.wall.point[row];
+      normal_[i] = coefficients.wall.normal[row];
+      proxy_gain_[i] = coefficients.strategies[strategy].proxy_gain[row];
       for (std::size_t j = 0; j < D; ++j) {
-        rendering_[i][j] = plan.strategies[strategy].rendering[static_cast<glm::length_t>(j)][row];
+        rendering_[i][j] = coefficients.strategies[strategy].rendering[static_cast<glm::length_t>(j)][row];
       }
     }
-    const double user_stiffness = plan.device.user_stiffness;
-    const double effective_mass = plan.device.mass + dt_ * plan.device.damping + dt_ * dt_ * user_stiffness;
-    keeps_ = plan.device.mass / effective_mass;
+    const double user_stiffness = coefficients.device.user_stiffness;
+    const double effective_mass =
+        coefficients.device.mass + dt_ * coefficients.device.damping + dt_ * dt_ * user_stiffness;
+    keeps_ = coefficients.device.mass / effective_mass;
     hand_ = dt_ * user_stiffness / effective_mass;
     held_ = dt_ / effective_mass;
   }
@@ -142,20 +143,20 @@ Contestant loop(std::string name, State start, const Goals& goals, Tick tick) {
 template <glm::length_t D>
 void compare(Report& report) {
   constexpr auto size = static_cast<std::size_t>(D);
-  const TickPlan<D> plan = slanted_plan<D>();
+  const TickCoefficients<D> coefficients = slanted_coefficients<D>();
   const auto goals = goals_in_and_out<D>();
   using Hand = ByHand<size>;
-  const std::array<Hand, 3> hands{{{plan, 0}, {plan, 1}, {plan, 2}}};
+  const std::array<Hand, 3> hands{{{coefficients, 0}, {coefficients, 1}, {coefficients, 2}}};
   const auto one_by_hand = [=](std::size_t, const Vector<D>& goal, auto& s) { hands[2].tick(goal, s); };
   const auto all_by_hand = [=](std::size_t i, const Vector<D>& goal, auto& s) { hands[i].tick(goal, s); };
   const auto ours = [=](std::size_t, const Vector<D>& goal, auto& s) {
-    tick_strategy<D>(plan, plan.strategies[2], goal, s);
+    tick_strategy<D>(coefficients, coefficients.strategies[2], goal, s);
   };
 
   TickState<D> state = state_at_start(Vector<D>(0.0));
   std::array<typename Hand::State, 3> same{};
   for (std::size_t k = 0; k < 4 * goal_count; ++k) {
-    tick(plan, goals[k % goal_count], state);
+    tick(coefficients, goals[k % goal_count], state);
     for (std::size_t i = 0; i < 3; ++i) hands[i].tick(goals[k % goal_count], same[i]);
   }
   for (std::size_t i = 0; i < 3; ++i) {
@@ -171,7 +172,7 @@ void compare(Report& report) {
                          {"all",
                           [&](std::int64_t calls) {
                             for (std::int64_t k = 0; k < calls; ++k)
-                              tick(plan, goals[static_cast<std::size_t>(k) % goal_count], state);
+                              tick(coefficients, goals[static_cast<std::size_t>(k) % goal_count], state);
                             keep(&state);
                           }},
                          loop<3>("all by hand", typename Hand::State{}, goals, all_by_hand)},
@@ -190,7 +191,7 @@ void compare(Report& report) {
 // As the servo does it at each deadline. Another thread takes the samples out of the ring; here that happens between
 // turns, which must therefore be short enough for the ring to hold all of one.
 void log_and_publish(Report& report) {
-  const TickPlan<2> plan = slanted_plan<2>();
+  const TickCoefficients<2> coefficients = slanted_coefficients<2>();
   const auto goals = goals_in_and_out<2>();
   TickState<2> state = state_at_start(Vector<2>(0.0));
   ServoReport newest;
@@ -200,8 +201,8 @@ void log_and_publish(Report& report) {
   std::uint64_t serial = 0;
   bool was_full = false;
   const auto tick_once = [&](std::int64_t k) {
-    tick(plan, goals[static_cast<std::size_t>(k) % goal_count], state);
-    take_snapshot(plan, state, newest.snapshot);
+    tick(coefficients, goals[static_cast<std::size_t>(k) % goal_count], state);
+    take_snapshot(coefficients, state, newest.snapshot);
   };
   const auto log = [&] {
     Sample* const sample = samples.slot();

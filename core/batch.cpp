@@ -115,13 +115,13 @@ struct Batch::Kernel {
 };
 #undef GHOSTFORCE_WITH_AVX2
 
-void Batch::add(const TickPlan<2>& plan, StrategyId strategy, const Vector<2>& goal) {
+void Batch::add(const TickCoefficients<2>& coefficients, StrategyId strategy, const Vector<2>& goal) {
   const std::size_t i = size() % width;
   if (i == 0) blocks_.emplace_back();
-  const auto& [rendering, proxy_gain] = plan.strategies[index_of(strategy)];
-  readings_.push_back({rendering, proxy_gain, plan.rate});
+  const auto& [rendering, proxy_gain] = coefficients.strategies[index_of(strategy)];
+  readings_.push_back({rendering, proxy_gain, coefficients.rate});
 
-  const SampledDevice& device = plan.device;
+  const SampledDevice& device = coefficients.device;
   const double dt = device.period;
   const double effective_mass = device.mass + dt * device.damping + dt * dt * device.user_stiffness;
   const Matrix<2> v = (Matrix<2>(device.mass) - dt * dt * rendering) / effective_mass;
@@ -134,9 +134,9 @@ void Batch::add(const TickPlan<2>& plan, StrategyId strategy, const Vector<2>& g
   block.spring[i] = dt * dt * device.user_stiffness / effective_mass;
   block.wall.x[i] = w.x;
   block.wall.y[i] = w.y;
-  block.normal.x[i] = plan.wall.normal.x;
-  block.normal.y[i] = plan.wall.normal.y;
-  block.wall_depth[i] = glm::dot(plan.wall.normal, plan.wall.point);
+  block.normal.x[i] = coefficients.wall.normal.x;
+  block.normal.y[i] = coefficients.wall.normal.y;
+  block.wall_depth[i] = glm::dot(coefficients.wall.normal, coefficients.wall.point);
   block.device.x[i] = goal.x;
   block.device.y[i] = goal.y;
   set_goal(size() - 1, goal);

@@ -51,7 +51,7 @@ class Batch {
   explicit Batch(Instructions instructions = widest_instructions()) noexcept : instructions_(instructions) {}
 
   // One more lane, the last one, as it is at k = 0: q_h = q_p = q_u = `goal` [m], v = 0, f_r = 0.
-  void add(const TickPlan<2>& plan, StrategyId strategy, const Vector<2>& goal);
+  void add(const TickCoefficients<2>& coefficients, StrategyId strategy, const Vector<2>& goal);
 
   // The last lane takes the place of the one that goes.
   void remove(std::size_t lane) noexcept;

@@ -26,11 +26,11 @@ inline TickState<2> state_at_rest(const Settings& settings, const Vector<2>& goa
 // the last tick, from which a servo may go on.
 template <typename OnTick>
 TickState<2> play_from(TickState<2> state, const Scene& scene, std::int64_t last, OnTick&& on_tick) {
-  const TickPlan<2> plan = plan_of(scene.settings);
-  on_tick(snapshot_of(plan, state));
+  const TickCoefficients<2> coefficients = coefficients_of(scene.settings);
+  on_tick(snapshot_of(coefficients, state));
   while (state.tick < last) {
-    tick(plan, goal_at(scene.goal, time_of(state.tick + 1, plan.rate)), state);
-    on_tick(snapshot_of(plan, state));
+    tick(coefficients, goal_at(scene.goal, time_of(state.tick + 1, coefficients.rate)), state);
+    on_tick(snapshot_of(coefficients, state));
   }
   return state;
 }

@@ -49,9 +49,9 @@ inline Actuation<2> actuation_of(const Settings& settings) noexcept {
   return actuated_along(direction_at(settings.actuated_angle));
 }
 
-inline TickPlan<2> plan_of(const Settings& settings) noexcept {
-  return plan_tick(wall_of(settings), actuation_of(settings), settings.stiffnesses, settings.mass, settings.damping,
-                   settings.rate);
+inline TickCoefficients<2> coefficients_of(const Settings& settings) noexcept {
+  return coefficients_of(wall_of(settings), actuation_of(settings), settings.stiffnesses, settings.mass,
+                         settings.damping, settings.rate);
 }
 
 // Where a strategy comes to rest under a goal that is held still [m].

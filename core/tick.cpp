@@ -7,14 +7,16 @@
 namespace ghostforce {
 
 template <glm::length_t D>
-TickPlan<D> plan_tick(const Wall<D>& wall, const Actuation<D>& actuation, const Stiffnesses& stiffnesses, double mass,
-                      double damping, double rate) noexcept {
-  TickPlan<D> plan{wall, actuation, sampled_device(mass, damping, stiffnesses.k_u, 1.0 / rate), rate, {}};
+TickCoefficients<D> coefficients_of(const Wall<D>& wall, const Actuation<D>& actuation, const Stiffnesses& stiffnesses,
+                                    double mass, double damping, double rate) noexcept {
+  TickCoefficients<D> coefficients{
+      wall, actuation, sampled_device(mass, damping, stiffnesses.k_u, 1.0 / rate), rate, {}};
   for (const Strategy& strategy : strategy_catalog()) {
     const Coupling<D> coupling = make_coupling(strategy, stiffnesses, actuation);
-    plan.strategies[index_of(strategy.id)] = {coupling.rendering, proxy_gain(wall.normal, coupling, stiffnesses.k_c)};
+    coefficients.strategies[index_of(strategy.id)] = {coupling.rendering,
+                                                      proxy_gain(wall.normal, coupling, stiffnesses.k_c)};
   }
-  return plan;
+  return coefficients;
 }
 
 template <glm::length_t D>
@@ -30,74 +32,77 @@ TickState<D> state_at_start(const Vector<D>& goal) noexcept {
 
 // Flattened: all of a strategy's vectors in registers, from its state and back into it.
 template <glm::length_t D>
-[[gnu::flatten]] void tick(const TickPlan<D>& plan, const Vector<D>& goal, TickState<D>& state) noexcept {
+[[gnu::flatten]] void tick(const TickCoefficients<D>& coefficients, const Vector<D>& goal,
+                           TickState<D>& state) noexcept {
   ++state.tick;
   state.goal = goal;
   state.measured.reset();
   for (std::size_t i = 0; i < strategy_count; ++i) {
-    tick_strategy<D>(plan, plan.strategies[i], goal, state.strategies[i]);
+    tick_strategy<D>(coefficients, coefficients.strategies[i], goal, state.strategies[i]);
   }
 }
 
 template <glm::length_t D>
-[[gnu::flatten]] void tick_measured(const TickPlan<D>& plan, StrategyId active, const Vector<D>& device,
+[[gnu::flatten]] void tick_measured(const TickCoefficients<D>& coefficients, StrategyId active, const Vector<D>& device,
                                     const Vector<D>& felt, double believed_k_u, TickState<D>& state) noexcept {
   const std::size_t measured = index_of(active);
-  const StrategyPlan<D>& own_plan = plan.strategies[measured];
+  const StrategyCoefficients<D>& own_coefficients = coefficients.strategies[measured];
   StrategyState<D>& own = state.strategies[measured];
   // What was there before was simulated: from there to the real device is no way that anything has moved.
   if (state.measured != active) own.motion.position = device;
   ++state.tick;
   state.measured = active;
-  const Vector<D> velocity = (device - own.motion.position) * plan.rate;
-  move<D>(plan, own_plan.proxy_gain, {device, velocity}, device, force_of<D>(own_plan, own), own);
+  const Vector<D> velocity = (device - own.motion.position) * coefficients.rate;
+  move<D>(coefficients, own_coefficients.proxy_gain, {device, velocity}, device, force_of<D>(own_coefficients, own),
+          own);
   state.goal = device - felt / believed_k_u;
   for (std::size_t i = 0; i < strategy_count; ++i) {
-    if (i != measured) tick_strategy<D>(plan, plan.strategies[i], state.goal, state.strategies[i]);
+    if (i != measured) tick_strategy<D>(coefficients, coefficients.strategies[i], state.goal, state.strategies[i]);
   }
 }
 
 template <glm::length_t D>
-SnapshotIn<D> snapshot_of(const TickPlan<D>& plan, const TickState<D>& state) noexcept {
+SnapshotIn<D> snapshot_of(const TickCoefficients<D>& coefficients, const TickState<D>& state) noexcept {
   SnapshotIn<D> snapshot;
-  take_snapshot(plan, state, snapshot);
+  take_snapshot(coefficients, state, snapshot);
   return snapshot;
 }
 
 template <glm::length_t D>
-[[gnu::flatten]] void take_snapshot(const TickPlan<D>& plan, const TickState<D>& state,
+[[gnu::flatten]] void take_snapshot(const TickCoefficients<D>& coefficients, const TickState<D>& state,
                                     SnapshotIn<D>& snapshot) noexcept {
   snapshot.tick = state.tick;
-  snapshot.time_s = time_of(state.tick, plan.rate);
+  snapshot.time_s = time_of(state.tick, coefficients.rate);
   snapshot.goal = state.goal;
   snapshot.measured = state.measured;
   PerStrategy<Vector<D>> forces;
-  for (std::size_t i = 0; i < strategy_count; ++i) forces[i] = force_of<D>(plan.strategies[i], state.strategies[i]);
+  for (std::size_t i = 0; i < strategy_count; ++i)
+    forces[i] = force_of<D>(coefficients.strategies[i], state.strategies[i]);
   for (std::size_t i = 0; i < strategy_count; ++i) {
     const StrategyState<D>& own = state.strategies[i];
     const bool is_compared = own.in_contact && !state.measured;
     StrategySnapshot<D>& shown = snapshot.strategies[i];
     shown.device = own.motion.position;
     shown.proxy = own.proxy;
-    shown.contact = projection(plan.wall, own.proxy);
+    shown.contact = projection(coefficients.wall, own.proxy);
     shown.force = forces[i];
-    shown.ghost_force =
-        is_compared ? ghost_force(plan.actuation, forces[i], forces[index_of(StrategyId::full)]) : Vector<D>(0.0);
-    shown.proxy_drift = is_compared ? proxy_drift(plan.wall, own.proxy, state.goal) : Vector<D>(0.0);
+    shown.ghost_force = is_compared ? ghost_force(coefficients.actuation, forces[i], forces[index_of(StrategyId::full)])
+                                    : Vector<D>(0.0);
+    shown.proxy_drift = is_compared ? proxy_drift(coefficients.wall, own.proxy, state.goal) : Vector<D>(0.0);
     shown.energy = own.energy;
     shown.in_contact = own.in_contact;
   }
 }
 
-#define GHOSTFORCE_INSTANTIATE(D)                                                                            \
-  template TickPlan<D> plan_tick<D>(const Wall<D>&, const Actuation<D>&, const Stiffnesses&, double, double, \
-                                    double) noexcept;                                                        \
-  template TickState<D> state_at_start<D>(const Vector<D>&) noexcept;                                        \
-  template void tick<D>(const TickPlan<D>&, const Vector<D>&, TickState<D>&) noexcept;                       \
-  template void tick_measured<D>(const TickPlan<D>&, StrategyId, const Vector<D>&, const Vector<D>&, double, \
-                                 TickState<D>&) noexcept;                                                    \
-  template SnapshotIn<D> snapshot_of<D>(const TickPlan<D>&, const TickState<D>&) noexcept;                   \
-  template void take_snapshot<D>(const TickPlan<D>&, const TickState<D>&, SnapshotIn<D>&) noexcept
+#define GHOSTFORCE_INSTANTIATE(D)                                                                                    \
+  template TickCoefficients<D> coefficients_of<D>(const Wall<D>&, const Actuation<D>&, const Stiffnesses&, double,   \
+                                                  double, double) noexcept;                                          \
+  template TickState<D> state_at_start<D>(const Vector<D>&) noexcept;                                                \
+  template void tick<D>(const TickCoefficients<D>&, const Vector<D>&, TickState<D>&) noexcept;                       \
+  template void tick_measured<D>(const TickCoefficients<D>&, StrategyId, const Vector<D>&, const Vector<D>&, double, \
+                                 TickState<D>&) noexcept;                                                            \
+  template SnapshotIn<D> snapshot_of<D>(const TickCoefficients<D>&, const TickState<D>&) noexcept;                   \
+  template void take_snapshot<D>(const TickCoefficients<D>&, const TickState<D>&, SnapshotIn<D>&) noexcept
 GHOSTFORCE_INSTANTIATE(2);
 GHOSTFORCE_INSTANTIATE(3);
 GHOSTFORCE_INSTANTIATE(4);

@@ -18,8 +18,8 @@ namespace ghostforce {
 
 // What a tick needs of the settings, worked out once per change of a setting.
 template <glm::length_t D>
-struct TickPlan {
-  struct StrategyPlan {
+struct TickCoefficients {
+  struct StrategyCoefficients {
     Matrix<D> rendering;   // K_r [N/m]
     Vector<D> proxy_gain;  // see proxy.h [1]
   };
@@ -27,7 +27,7 @@ struct TickPlan {
   Actuation<D> actuation;
   SampledDevice device;
   double rate;  // 1/dt [Hz]
-  PerStrategy<StrategyPlan> strategies;
+  PerStrategy<StrategyCoefficients> strategies;
 };
 
 // t_k = k dt [s], rounded once: k/rate is the nearest number to it, k·(1/rate) is not always.
@@ -37,8 +37,8 @@ inline double time_of(std::int64_t tick, double rate) noexcept {
 
 // `mass` [kg], `damping` [N·s/m], `rate` [Hz].
 template <glm::length_t D>
-TickPlan<D> plan_tick(const Wall<D>& wall, const Actuation<D>& actuation, const Stiffnesses& stiffnesses, double mass,
-                      double damping, double rate) noexcept;
+TickCoefficients<D> coefficients_of(const Wall<D>& wall, const Actuation<D>& actuation, const Stiffnesses& stiffnesses,
+                                    double mass, double damping, double rate) noexcept;
 
 // What is carried from tick to tick. Trivially copyable.
 template <glm::length_t D>
@@ -62,7 +62,7 @@ TickState<D> state_at_start(const Vector<D>& goal) noexcept;
 // k ≥ 1, in this order, per strategy: (23) (24) with the force held from tick k − 1; then the proxy (25) of the device
 // of tick k − 1 (the delay of sampled data). Advances `state` from k − 1 to k; `goal` is q_u(t_k).
 template <glm::length_t D>
-void tick(const TickPlan<D>& plan, const Vector<D>& goal, TickState<D>& state) noexcept;
+void tick(const TickCoefficients<D>& coefficients, const Vector<D>& goal, TickState<D>& state) noexcept;
 
 // k ≥ 1 with a real device under `active`: nothing of it is simulated. q_h is measured and the proxy is that of the
 // same tick's q_h, so that free space is exactly force-free; the goal is inferred from the device's equilibrium (7),
@@ -72,17 +72,18 @@ void tick(const TickPlan<D>& plan, const Vector<D>& goal, TickState<D>& state) n
 // from the second tick in a row that measures the device under `active`; after a gap in the measurements, reset
 // state.measured.
 template <glm::length_t D>
-void tick_measured(const TickPlan<D>& plan, StrategyId active, const Vector<D>& device, const Vector<D>& felt,
-                   double believed_k_u, TickState<D>& state) noexcept;
+void tick_measured(const TickCoefficients<D>& coefficients, StrategyId active, const Vector<D>& device,
+                   const Vector<D>& felt, double believed_k_u, TickState<D>& state) noexcept;
 
 // The state as it stands: rendered force, ghost force and proxy drift.
 //     f_r,k = K_r (q_p,k − q_h,k)
 template <glm::length_t D>
-SnapshotIn<D> snapshot_of(const TickPlan<D>& plan, const TickState<D>& state) noexcept;
+SnapshotIn<D> snapshot_of(const TickCoefficients<D>& coefficients, const TickState<D>& state) noexcept;
 
 // The same, written to where it is wanted.
 template <glm::length_t D>
-void take_snapshot(const TickPlan<D>& plan, const TickState<D>& state, SnapshotIn<D>& snapshot) noexcept;
+void take_snapshot(const TickCoefficients<D>& coefficients, const TickState<D>& state,
+                   SnapshotIn<D>& snapshot) noexcept;
 
 // --- One strategy ----------------------------------------------------------------------------------------------------
 
@@ -93,35 +94,36 @@ void take_snapshot(const TickPlan<D>& plan, const TickState<D>& state, SnapshotI
 // scalars (-fno-tree-slp-vectorize). The numbers are the same either way, to the last bit.
 
 template <glm::length_t D>
-using StrategyPlan = typename TickPlan<D>::StrategyPlan;
+using StrategyCoefficients = typename TickCoefficients<D>::StrategyCoefficients;
 template <glm::length_t D>
 using StrategyState = typename TickState<D>::StrategyState;
 
 // f_r of the state as it stands.
 template <glm::length_t D>
-Vector<D> force_of(const StrategyPlan<D>& plan, const StrategyState<D>& state) noexcept {
-  return plan.rendering * (state.proxy - state.motion.position);
+Vector<D> force_of(const StrategyCoefficients<D>& coefficients, const StrategyState<D>& state) noexcept {
+  return coefficients.rendering * (state.proxy - state.motion.position);
 }
 
 // The device has moved under the force held since the tick before, and the proxy belongs to `tracked`.
 template <glm::length_t D>
-void move(const TickPlan<D>& plan, const Vector<D>& proxy_gain, const DeviceMotion<D>& motion, const Vector<D>& tracked,
-          const Vector<D>& held_force, StrategyState<D>& state) noexcept {
+void move(const TickCoefficients<D>& coefficients, const Vector<D>& proxy_gain, const DeviceMotion<D>& motion,
+          const Vector<D>& tracked, const Vector<D>& held_force, StrategyState<D>& state) noexcept {
   state.energy += work(held_force, motion.position - state.motion.position);
   for (glm::length_t i = 0; i < D; ++i) {
     state.motion.position[i] = motion.position[i];
     state.motion.velocity[i] = motion.velocity[i];
   }
-  state.in_contact = place_proxy(tracked, plan.wall, proxy_gain, state.proxy);
+  state.in_contact = place_proxy(tracked, coefficients.wall, proxy_gain, state.proxy);
 }
 
 // (23) (24) with the force held from the tick before, then the proxy (25) of the device of the tick before.
 template <glm::length_t D>
-void tick_strategy(const TickPlan<D>& plan, const StrategyPlan<D>& own, const Vector<D>& goal,
+void tick_strategy(const TickCoefficients<D>& coefficients, const StrategyCoefficients<D>& own, const Vector<D>& goal,
                    StrategyState<D>& state) noexcept {
   const Vector<D> before = state.motion.position;
   const Vector<D> held_force = force_of<D>(own, state);
-  move<D>(plan, own.proxy_gain, step(plan.device, state.motion, goal, held_force), before, held_force, state);
+  move<D>(coefficients, own.proxy_gain, step(coefficients.device, state.motion, goal, held_force), before, held_force,
+          state);
 }
 
 }  // namespace ghostforce

@@ -57,13 +57,13 @@ double formula(const Settings& settings, StrategyId id, double area) {
 
 // The second lap: on the first one the device still comes from where it started.
 MeasuredLoop measured_loop(const Settings& settings, StrategyId id, const Circle& circle) {
-  const TickPlan<2> plan = plan_of(settings);
+  const TickCoefficients<2> coefficients = coefficients_of(settings);
   TickState<2> state = state_at_start(position_on(circle, 0.0));
-  const auto lap = static_cast<std::int64_t>(std::llround(plan.rate / std::abs(circle.turns_per_second)));
+  const auto lap = static_cast<std::int64_t>(std::llround(coefficients.rate / std::abs(circle.turns_per_second)));
   const TickState<2>::StrategyState& now = state.strategies[index_of(id)];
   std::optional<LoopMeter> meter;
   while (state.tick < 2 * lap) {
-    tick(plan, position_on(circle, time_of(state.tick + 1, plan.rate)), state);
+    tick(coefficients, position_on(circle, time_of(state.tick + 1, coefficients.rate)), state);
     if (meter) meter->add(now.motion.position, now.energy);
     if (state.tick == lap) meter.emplace(now.motion.position, now.energy);
   }

@@ -98,22 +98,23 @@ PlayedMotion play_hand(const RecordedHand& hand) {
   PlayedMotion motion{.name = "", .scene = hand.scene, .changes = hand.changes};
   const GoalPath& path = hand.scene.goal;
   const Thinned thinned(last_tick(hand.scene));
-  TickPlan<2> plan = plan_of(hand.scene.settings);
+  TickCoefficients<2> coefficients = coefficients_of(hand.scene.settings);
   TickState<2> state = hand.start;
-  motion.moments.push_back(snapshot_of(plan, state));
+  motion.moments.push_back(snapshot_of(coefficients, state));
   auto change = hand.changes.begin();
   for (std::size_t i = 1; i < path.times.size(); ++i) {
-    for (; change != hand.changes.end() && change->time_s <= path.times[i]; ++change) plan = plan_of(change->settings);
+    for (; change != hand.changes.end() && change->time_s <= path.times[i]; ++change)
+      coefficients = coefficients_of(change->settings);
     const double before_s = path.times[i - 1];
     // More than one where samples were lost.
-    const auto ticks = std::max<std::int64_t>(1, std::llround((path.times[i] - before_s) * plan.rate));
+    const auto ticks = std::max<std::int64_t>(1, std::llround((path.times[i] - before_s) * coefficients.rate));
     for (std::int64_t k = 1; k <= ticks; ++k) {
-      const double time_s = k == ticks ? path.times[i] : before_s + time_of(k, plan.rate);
-      tick(plan, goal_at(path, time_s), state);
+      const double time_s = k == ticks ? path.times[i] : before_s + time_of(k, coefficients.rate);
+      tick(coefficients, goal_at(path, time_s), state);
       if (state.tick % ticks_between_looks == 0) stop_if_interrupted();
       const bool is_last = k == ticks && i + 1 == path.times.size();
       if (!is_last && !thinned.keeps(state.tick)) continue;
-      motion.moments.push_back(snapshot_of(plan, state));
+      motion.moments.push_back(snapshot_of(coefficients, state));
       motion.moments.back().time_s = time_s;  // the rate may have been another one before
     }
   }

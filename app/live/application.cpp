@@ -120,7 +120,7 @@ void Application::use(const InputEntry& entry, std::shared_ptr<const Scene> scen
   link_->begin(session_);
   report_ = {};
   report_.restarts = command_.restarts_asked;
-  report_.snapshot = snapshot_of(plan_of(session_.settings), command_.restart_state);
+  report_.snapshot = snapshot_of(coefficients_of(session_.settings), command_.restart_state);
   if (is_started_) servo_->start();
 }
 
@@ -157,7 +157,7 @@ void Application::frame(double interval_s) {
   if (report_.snapshot.measured) session_.paused = false;
   if (report_.restarts != command_.restarts_asked || report_.snapshot.tick == 0) {
     // The servo has not seen the restart yet: show the state that it will start from.
-    report_.snapshot = snapshot_of(plan_of(session_.settings), command_.restart_state);
+    report_.snapshot = snapshot_of(coefficients_of(session_.settings), command_.restart_state);
   }
   follow_measurement(session_, report_.snapshot, report_.motors);
   if (shader_watch_) shader_watch_->look(screen_.painter(), clock_s_);

@@ -23,7 +23,7 @@ void Replay::take(const RunFacts& run, const RunTick& tick) {
     return;
   }
   if (state != nullptr) ++report_.resumed;
-  const Snapshot snapshot = snapshot_of(plan_, state_);
+  const Snapshot snapshot = snapshot_of(coefficients_, state_);
   ++report_.compared;
   if (tick.measured) ++report_.measured;
   bool is_same_tick = true;
@@ -55,11 +55,11 @@ bool Replay::go_to(const RunTick& tick, const Settings& settings, const RunState
 
 void Replay::use(const Settings& settings) {
   // As the servo goes on at another rate: model time does.
-  if (settings_ && plan_.rate != settings.rate) {
-    state_.tick = std::llround(time_of(state_.tick, plan_.rate) * settings.rate);
+  if (settings_ && coefficients_.rate != settings.rate) {
+    state_.tick = std::llround(time_of(state_.tick, coefficients_.rate) * settings.rate);
   }
   settings_ = settings;
-  plan_ = plan_of(settings);
+  coefficients_ = coefficients_of(settings);
 }
 
 void Replay::resume(const RunTick& tick, const RunState& recorded) {
@@ -69,7 +69,7 @@ void Replay::resume(const RunTick& tick, const RunState& recorded) {
 
 void Replay::follow(const RunTick& now) {
   const TickState<2> before = state_;
-  tick(plan_, now.goal, state_);
+  tick(coefficients_, now.goal, state_);
   if (!now.measured) return;
   // A real device is where it was measured, and its proxy belongs to that place.
   const std::size_t i = index_of(*now.measured);
@@ -80,7 +80,7 @@ void Replay::follow(const RunTick& now) {
   }
   auto& measured = state_.strategies[i];
   measured.motion.position = now.rows[i]->device;
-  measured.motion.velocity = (now.rows[i]->device - before.strategies[i].motion.position) * plan_.rate;
+  measured.motion.velocity = (now.rows[i]->device - before.strategies[i].motion.position) * coefficients_.rate;
   measured.proxy = now.rows[i]->proxy;
   measured.in_contact = measured.proxy != measured.motion.position;
 }

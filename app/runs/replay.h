@@ -62,8 +62,8 @@ class Replay {
 
   std::function<void(const ReplayedTick&)> on_tick_;
   ReplayReport report_;
-  std::optional<Settings> settings_;  // of the plan
-  TickPlan<2> plan_{};
+  std::optional<Settings> settings_;  // of the coefficients
+  TickCoefficients<2> coefficients_{};
   TickState<2> state_;
   PerStrategy<bool> is_known_{};
   bool is_first_ = true;

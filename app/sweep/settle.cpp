@@ -33,10 +33,10 @@ struct Balance {
   double farthest_given;  // the greater one of q_u² and o² [m²]
 };
 
-Balance balance_of(const Settings& settings, const TickPlan<2>& plan, std::size_t strategy,
+Balance balance_of(const Settings& settings, const TickCoefficients<2>& coefficients, std::size_t strategy,
                    const Vector<2>& goal) noexcept {
   const Stiffnesses& stiffnesses = settings.stiffnesses;
-  const double gain = glm::length(plan.strategies[strategy].proxy_gain);
+  const double gain = glm::length(coefficients.strategies[strategy].proxy_gain);
   const double still = std::sqrt(stiffnesses.k_u * settings.mass);
   // Springs make forces of positions; damping and inertia hold a device back until a tick moves it by an ulp.
   const double stiffness =
@@ -89,10 +89,10 @@ void settle_together(const GoalPath& path, std::span<const SettledPoint> points,
   lanes.reserve(points.size() * strategy_count);
   for (std::size_t point = 0; point < points.size(); ++point) {
     const Settings& settings = points[point].settings;
-    const TickPlan<2> plan = plan_of(settings);
+    const TickCoefficients<2> coefficients = coefficients_of(settings);
     for (const Strategy& strategy : strategy_catalog()) {
-      batch.add(plan, strategy.id, start);
-      lanes.push_back({point, index_of(strategy.id), balance_of(settings, plan, index_of(strategy.id), goal)});
+      batch.add(coefficients, strategy.id, start);
+      lanes.push_back({point, index_of(strategy.id), balance_of(settings, coefficients, index_of(strategy.id), goal)});
     }
   }
 

@@ -56,14 +56,14 @@ Servo::Servo(std::unique_ptr<Input> input, const ServoCommand& initial)
   if (!is_in_range(initial.settings) || !is_usable_speed(initial.speed) || !is_sound(initial.restart_state)) {
     throw std::invalid_argument("a servo cannot start with settings, a speed or a state out of range");
   }
-  plan();
+  update_coefficients();
   if (device_ != nullptr) heart_beat_ns_ = attended_ns_ = device_->now_ns();
   report_.motors.has_motors = device_ != nullptr;
   report_.settings_generation = initial.settings_generation;
   restart_from(initial.restart_state, initial.restarts_asked);
   speed_ = std::clamp(initial.speed, slowest, fastest);
   steps_wanted_ = steps_taken_ = initial.steps_asked;
-  report_.snapshot = snapshot_of(plan_, state_);
+  report_.snapshot = snapshot_of(coefficients_, state_);
   reports_.publish(report_);
 }
 
@@ -139,7 +139,7 @@ void Servo::attend(bool tick_is_due) noexcept {
   if (device_ != nullptr) drive_motors();
   // New settings show with the next tick: the old state under new settings is a state that never was.
   if (is_new_state) {
-    take_snapshot(plan_, state_, report_.snapshot);
+    take_snapshot(coefficients_, state_, report_.snapshot);
     publish_sample();
   }
   reports_.publish(report_);
@@ -160,7 +160,7 @@ bool Servo::put_sample(double loop_s, SampleRing& ring) const noexcept {
   auto& [snapshot, velocity, settings, serial, restarts, recording, since_before_s, sent, is_saturated] = *slot;
   copy_whole(report_.snapshot, snapshot);
   for (std::size_t i = 0; i < strategy_count; ++i) velocity[i] = state_.strategies[i].motion.velocity;
-  settings = planned_;
+  settings = limited_settings_;
   serial = samples_made_;
   restarts = report_.restarts;
   recording = recording_;
@@ -173,16 +173,16 @@ bool Servo::put_sample(double loop_s, SampleRing& ring) const noexcept {
 
 // What the active strategy's force would be with the device there, at the handle [N].
 Vector<2> Servo::force_at(const Vector<2>& handle) const noexcept {
-  const auto& active = plan_.strategies[index_of(settings_.active)];
+  const auto& active = coefficients_.strategies[index_of(settings_.active)];
   return device_->force_at_handle() *
-         (active.rendering * (proxy_of(handle, plan_.wall, active.proxy_gain).position - handle));
+         (active.rendering * (proxy_of(handle, coefficients_.wall, active.proxy_gain).position - handle));
 }
 
 void Servo::watch_handle() noexcept {
   const std::int64_t now = device_->now_ns();
   const auto since = [now](std::int64_t then) { return static_cast<double>(now - then) * 1e-9; };
   handle_ = device_->read();
-  const bool is_outside = handle_.is_known && depth(plan_.wall, handle_.position) <= 0.0;
+  const bool is_outside = handle_.is_known && depth(coefficients_.wall, handle_.position) <= 0.0;
   safety_.attend({.trouble = handle_.trouble,
                   .device_is_ready = handle_.is_ready && handle_.is_known,
                   .loop_is_healthy = handle_.is_healthy,
@@ -194,7 +194,7 @@ void Servo::watch_handle() noexcept {
                   .speed = handle_.speed,
                   .wanted_force = glm::length(force_at(handle_.position))},
                  safety_options_, since(attended_ns_));
-  if (safety_.is_armed() != plan_is_felt_) plan();
+  if (safety_.is_armed() != coefficients_are_for_motors_) update_coefficients();
   report_.motors.handle = handle_.position;
   report_.motors.is_handle_known = handle_.is_known;
   report_.motors.is_outside_wall = is_outside;
@@ -235,14 +235,14 @@ void Servo::drive_motors() noexcept {
 }
 
 // On motors the wall is no stiffer than a person has agreed to.
-void Servo::plan() noexcept {
+void Servo::update_coefficients() noexcept {
   // Motors that come on have no force to lead over from.
-  const bool comes_on = safety_.is_armed() && !plan_is_felt_;
-  plan_is_felt_ = safety_.is_armed();
-  planned_ = settings_;
-  double& k_r = planned_.stiffnesses.k_r;
-  if (plan_is_felt_) k_r = std::min(k_r, safety_options_.greatest_k_r);
-  plan_ = plan_of(planned_);
+  const bool comes_on = safety_.is_armed() && !coefficients_are_for_motors_;
+  coefficients_are_for_motors_ = safety_.is_armed();
+  limited_settings_ = settings_;
+  double& k_r = limited_settings_.stiffnesses.k_r;
+  if (coefficients_are_for_motors_) k_r = std::min(k_r, safety_options_.greatest_k_r);
+  coefficients_ = coefficients_of(limited_settings_);
   comes_on ? limiter_.reset() : limiter_.cross_fade();
 }
 
@@ -281,7 +281,7 @@ void Servo::heed_person(const ServoCommand& command) noexcept {
   has_focus_ = command.has_focus;
   if (command.safety != safety_options_ && is_usable(command.safety)) {
     safety_options_ = command.safety;
-    plan();
+    update_coefficients();
   }
   if (std::exchange(seen_heart_beats_, command.heart_beats) != command.heart_beats) heart_beat_ns_ = device_->now_ns();
   if (std::exchange(seen_acknowledgements_, command.acknowledgements) != command.acknowledgements) {
@@ -302,9 +302,10 @@ void Servo::restart_from(const TickState<2>& state, std::uint32_t restarts) noex
 
 void Servo::use(const Settings& settings, std::uint32_t generation) noexcept {
   // Model time goes on: t_k is k/rate, so another rate is another k.
-  if (plan_.rate != settings.rate) state_.tick = std::llround(time_of(state_.tick, plan_.rate) * settings.rate);
+  if (coefficients_.rate != settings.rate)
+    state_.tick = std::llround(time_of(state_.tick, coefficients_.rate) * settings.rate);
   settings_ = settings;
-  plan();
+  update_coefficients();
   report_.settings_generation = generation;
   report_.diverged = false;
 }
@@ -322,10 +323,10 @@ bool Servo::advance() noexcept {
   if (safety_.is_armed()) {
     const std::int64_t gap_ns = handle_.time_ns - std::exchange(measured_ns_, handle_.time_ns);
     if (static_cast<double>(gap_ns) * 1e-9 > Safety::longest_exchange_s) next.measured.reset();
-    tick_measured(plan_, settings_.active, handle_.position, report_.motors.sent / device_->force_at_handle(),
+    tick_measured(coefficients_, settings_.active, handle_.position, report_.motors.sent / device_->force_at_handle(),
                   believed_user_stiffness(settings_.stiffnesses), next);
   } else {
-    tick(plan_, input_->goal(state_.tick + 1, plan_.rate), next);
+    tick(coefficients_, input_->goal(state_.tick + 1, coefficients_.rate), next);
   }
   report_.diverged = !is_sound(next);
   if (report_.diverged) safety_.turn_off(OffReason::fault);
@@ -335,7 +336,7 @@ bool Servo::advance() noexcept {
 
 double Servo::period_s() const noexcept {
   const double speed = safety_.is_armed() ? 1.0 : speed_;
-  return std::max(1.0 / (plan_.rate * speed), shortest_period_s);
+  return std::max(1.0 / (coefficients_.rate * speed), shortest_period_s);
 }
 
 }  // namespace ghostforce

@@ -141,7 +141,7 @@ class Servo {
   void limit_force() noexcept;
   void drive_motors() noexcept;
   void heed_person(const ServoCommand& command) noexcept;
-  void plan() noexcept;
+  void update_coefficients() noexcept;
   void take_command(const ServoCommand& command) noexcept;
   void restart_from(const TickState<2>& state, std::uint32_t restarts) noexcept;
   void publish_sample() noexcept;
@@ -166,9 +166,9 @@ class Servo {
 
   // The servo thread's.
   Settings settings_;
-  Settings planned_;  // what the plan is made of: on motors k_r may be held lower
-  TickPlan<2> plan_{};
-  bool plan_is_felt_ = false;  // made for motors that are on
+  Settings limited_settings_;  // what the coefficients are worked out from: on motors k_r may be held lower
+  TickCoefficients<2> coefficients_{};
+  bool coefficients_are_for_motors_ = false;  // made for motors that are on
   TickState<2> state_;
   bool is_at_start_ = true;  // the state has not been recorded yet
   bool paused_;

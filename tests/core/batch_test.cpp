@@ -21,7 +21,7 @@ constexpr std::int64_t ticks_held = 1500;
 
 // Loops that settle within the ticks above, see random_stable_loop() in tick_test.cpp.
 struct Loop {
-  TickPlan<2> plan;
+  TickCoefficients<2> coefficients;
   StrategyId strategy;
   Vector<2> start;  // outside the wall [m]
   Vector<2> goal;   // inside, or just outside [m]
@@ -37,7 +37,7 @@ Loop random_loop(Random& random) {
   const double omega = 2.0 * std::numbers::pi * rate / random.uniform(30.0, 60.0);
   const double mass = (k.k_u + k.k_r) / (omega * omega);
   const double damping = 2.0 * (k.k_u + k.k_r) / omega;
-  return {plan_tick(setting.wall, setting.actuation(), k, mass, damping, rate),
+  return {coefficients_of(setting.wall, setting.actuation(), k, mass, damping, rate),
           strategy_catalog()[static_cast<std::size_t>(random.below(strategy_count))].id,
           setting.wall.point + 0.02 * setting.wall.normal, setting.goal};
 }
@@ -51,7 +51,7 @@ std::vector<Loop> random_loops(Random& random, int count) {
 Batch batch_of(const std::vector<Loop>& loops, Instructions instructions = widest_instructions()) {
   Batch batch(instructions);
   for (const Loop& loop : loops) {
-    batch.add(loop.plan, loop.strategy, loop.start);
+    batch.add(loop.coefficients, loop.strategy, loop.start);
     batch.set_goal(batch.size() - 1, loop.goal);
   }
   return batch;
@@ -63,21 +63,21 @@ struct Ticked {
 };
 
 Ticked ticked(const Loop& loop, TickState<2> state, const std::vector<Vector<2>>& goals) {
-  for (const Vector<2>& goal : goals) tick(loop.plan, goal, state);
-  return {state, snapshot_of(loop.plan, state).strategies[index_of(loop.strategy)]};
+  for (const Vector<2>& goal : goals) tick(loop.coefficients, goal, state);
+  return {state, snapshot_of(loop.coefficients, state).strategies[index_of(loop.strategy)]};
 }
 
 // Each tick rounds by some ulp of the extent, and the slowest motion remembers some hundred ticks: 1e-13 of the extent,
 // times the stiffnesses' ratio in proxy and force. No use of it needs more than 1e-9.
 void expect_near(const Loop& loop, const Batch::Lane& lane, const Ticked& expected) {
-  const double extent = glm::length(loop.start) + glm::length(loop.goal) + glm::length(loop.plan.wall.point);
+  const double extent = glm::length(loop.start) + glm::length(loop.goal) + glm::length(loop.coefficients.wall.point);
   const double distance = 1e-11 * extent;
-  const auto& strategy = loop.plan.strategies[index_of(loop.strategy)];
+  const auto& strategy = loop.coefficients.strategies[index_of(loop.strategy)];
   const double gain = 1.0 + glm::length(strategy.proxy_gain);
   const double stiffness = glm::length(strategy.rendering[0]) + glm::length(strategy.rendering[1]);
   const Vector<2>& velocity = expected.state.strategies[index_of(loop.strategy)].motion.velocity;
   EXPECT_LE(glm::distance(lane.device, expected.seen.device), distance);
-  EXPECT_LE(glm::distance(lane.velocity, velocity), distance * loop.plan.rate);
+  EXPECT_LE(glm::distance(lane.velocity, velocity), distance * loop.coefficients.rate);
   EXPECT_LE(glm::distance(lane.proxy, expected.seen.proxy), distance * gain);
   EXPECT_LE(glm::distance(lane.force, expected.seen.force), distance * gain * stiffness);
 }
@@ -189,7 +189,7 @@ TEST(Batch, TheLastLaneTakesTheRemovedOnesPlace) {
   // A new one where there has been another, and in a batch that has become empty.
   while (true) {
     const std::size_t lane = batch.size();
-    batch.add(loops[5].plan, loops[5].strategy, loops[5].start);
+    batch.add(loops[5].coefficients, loops[5].strategy, loops[5].start);
     batch.set_goal(lane, loops[5].goal);
     batch.hold(200);
     expect_same(batch[lane], whole[5]);

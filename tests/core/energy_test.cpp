@@ -160,7 +160,7 @@ struct Lap {
 PerStrategy<Lap> second_lap(const Stiffnesses& k, double rate, double sense) {
   const Wall<2> wall{{0.01, 0.02}, direction_at(wall_angle)};
   const Vector<2> motor = direction_at(wall_angle + theta);
-  const TickPlan<2> plan = plan_tick(wall, actuated_along(motor), k, 0.1, 5.0, rate);
+  const TickCoefficients<2> coefficients = coefficients_of(wall, actuated_along(motor), k, 0.1, 5.0, rate);
   constexpr double lap_s = 2.0;
   const auto ticks = static_cast<std::int64_t>(lap_s * rate);
   const Vector<2> center = wall.point - 0.06 * wall.normal;
@@ -169,19 +169,19 @@ PerStrategy<Lap> second_lap(const Stiffnesses& k, double rate, double sense) {
                                         static_cast<double>(ticks));
   };
   TickState<2> state = state_at_start(goal(0));
-  while (state.tick < ticks) tick(plan, goal(state.tick + 1), state);  // a lap to forget the start
+  while (state.tick < ticks) tick(coefficients, goal(state.tick + 1), state);  // a lap to forget the start
 
   PerStrategy<Lap> laps;
   PerStrategy<Area> areas;
   const TickState<2> start = state;
   while (state.tick < 2 * ticks) {
     const TickState<2> before = state;
-    tick(plan, goal(state.tick + 1), state);
+    tick(coefficients, goal(state.tick + 1), state);
     for (std::size_t i = 0; i < strategy_count; ++i) {
       EXPECT_TRUE(state.strategies[i].in_contact);
       areas[i].add(before.strategies[i].motion.position, state.strategies[i].motion.position);
       const Vector<2>& v = state.strategies[i].motion.velocity;
-      const double dt = plan.device.period;
+      const double dt = coefficients.device.period;
       const double along_motor = glm::dot(motor, v);
       const double along_normal = glm::dot(wall.normal, v);
       laps[i].along_motor += along_motor * along_motor * dt;
@@ -268,15 +268,15 @@ TEST(EnergyTest, SampledLoopHasTheEnergyOfTheFormulaLessTheDelay) {
 // In free space the held force is −K_r dt v of the tick before: only a loss, of k_r dt ∫v² dt along the motors.
 TEST(EnergyTest, FreeSpaceOnlyLoses) {
   const Wall<2> wall{{0.0, -1.0}, {0.0, 1.0}};
-  const TickPlan<2> plan = plan_tick(wall, actuated_along(Vector<2>{1.0, 0.0}),
-                                     make_stiffnesses(100.0, 300.0, 400.0, 1e5), 0.1, 5.0, 1000.0);
+  const TickCoefficients<2> coefficients = coefficients_of(
+      wall, actuated_along(Vector<2>{1.0, 0.0}), make_stiffnesses(100.0, 300.0, 400.0, 1e5), 0.1, 5.0, 1000.0);
   TickState<2> state = state_at_start(Vector<2>(0.0));
   PerStrategy<double> lost{};
   for (int k = 1; k <= 2000; ++k) {
     const TickState<2> before = state;
-    tick(plan, 0.05 * direction_at(0.005 * k), state);
+    tick(coefficients, 0.05 * direction_at(0.005 * k), state);
     for (std::size_t i = 0; i < strategy_count; ++i) {
-      const Vector<2> held = plan.strategies[i].rendering * before.strategies[i].motion.velocity;
+      const Vector<2> held = coefficients.strategies[i].rendering * before.strategies[i].motion.velocity;
       lost[i] += 1e-6 * glm::dot(held, state.strategies[i].motion.velocity);
     }
   }

@@ -41,11 +41,11 @@ TEST(PlayTest, ReportsEveryTickFromTheFirstToTheLast) {
 // The same ticks as any other: bit for bit what the servo would compute, and what it may go on from.
 TEST(PlayTest, IsTheTickRepeated) {
   const Scene scene = example();
-  const TickPlan<2> plan = plan_of(scene.settings);
+  const TickCoefficients<2> coefficients = coefficients_of(scene.settings);
   TickState<2> expected = state_at_start(scene.goal.points.front());
   std::int64_t at = 0;
   const auto check = [&](const Snapshot& snapshot) {
-    while (at < snapshot.tick) tick(plan, goal_at(scene.goal, time_of(++at, 1000.0)), expected);
+    while (at < snapshot.tick) tick(coefficients, goal_at(scene.goal, time_of(++at, 1000.0)), expected);
     for (std::size_t i = 0; i < strategy_count; ++i) {
       ASSERT_EQ(snapshot.strategies[i].device, expected.strategies[i].motion.position);
       ASSERT_EQ(snapshot.strategies[i].proxy, expected.strategies[i].proxy);

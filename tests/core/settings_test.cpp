@@ -37,16 +37,16 @@ TEST(SettingsTest, AnglesAreDirectionsCounterClockwiseFromX) {
   EXPECT_LE(glm::length(actuation_of(example()).actuated * Vector<2>(-motor.y, motor.x)), rounding);
 }
 
-TEST(SettingsTest, PlanHoldsWhatATickNeeds) {
-  const TickPlan<2> plan = plan_of(example());
-  EXPECT_EQ(plan.wall.point, wall_of(example()).point);
-  EXPECT_EQ(plan.wall.normal, wall_of(example()).normal);
-  EXPECT_EQ(plan.actuation.actuated, actuation_of(example()).actuated);
-  EXPECT_EQ(plan.device.mass, 0.1);
-  EXPECT_EQ(plan.device.damping, 5.0);
-  EXPECT_EQ(plan.device.user_stiffness, 100.0);
-  EXPECT_EQ(plan.device.period, 0.001);
-  EXPECT_EQ(plan.rate, 1000.0);
+TEST(SettingsTest, CoefficientsHoldWhatATickNeeds) {
+  const TickCoefficients<2> coefficients = coefficients_of(example());
+  EXPECT_EQ(coefficients.wall.point, wall_of(example()).point);
+  EXPECT_EQ(coefficients.wall.normal, wall_of(example()).normal);
+  EXPECT_EQ(coefficients.actuation.actuated, actuation_of(example()).actuated);
+  EXPECT_EQ(coefficients.device.mass, 0.1);
+  EXPECT_EQ(coefficients.device.damping, 5.0);
+  EXPECT_EQ(coefficients.device.user_stiffness, 100.0);
+  EXPECT_EQ(coefficients.device.period, 0.001);
+  EXPECT_EQ(coefficients.rate, 1000.0);
 }
 
 TEST(SettingsTest, DifferWhereAnyOfThemDiffers) {
@@ -60,7 +60,7 @@ TEST(SettingsTest, DifferWhereAnyOfThemDiffers) {
 }
 
 static_assert(std::is_trivially_copyable_v<Settings>);
-static_assert(noexcept(plan_of(std::declval<const Settings&>())));
+static_assert(noexcept(coefficients_of(std::declval<const Settings&>())));
 
 }  // namespace
 }  // namespace ghostforce

@@ -62,11 +62,11 @@ TEST(SoundStateTest, UnstableSettingsAreSeenBeforeTheyOverflow) {
   settings.damping = 5.0;
   settings.rate = 100.0;
   settings.stiffnesses = make_stiffnesses(100.0, 1e5, 1e5, 1e5);
-  const TickPlan<2> plan = plan_of(settings);
+  const TickCoefficients<2> coefficients = coefficients_of(settings);
   TickState<2> state = state_at_start(Vector<2>{-0.02, -0.02});
   int ticks = 0;
   while (is_sound(state) && ticks < 10000) {
-    tick(plan, Vector<2>{-0.02, -0.02}, state);
+    tick(coefficients, Vector<2>{-0.02, -0.02}, state);
     ++ticks;
   }
   EXPECT_LT(ticks, 1000);

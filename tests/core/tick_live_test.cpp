@@ -28,10 +28,10 @@ TEST(Tick, TimeIsNeverAccumulated) {
   settings.mass = 0.1;
   settings.rate = 1000.0;
   settings.stiffnesses = make_stiffnesses(100.0, 100.0, 100.0, 1e5);
-  const TickPlan<2> plan = plan_of(settings);
+  const TickCoefficients<2> coefficients = coefficients_of(settings);
   TickState<2> state = state_at_start(Vector<2>(0.0));
-  for (int k = 0; k < 12345; ++k) tick(plan, Vector<2>(0.0), state);
-  EXPECT_EQ(snapshot_of(plan, state).time_s, 12.345);
+  for (int k = 0; k < 12345; ++k) tick(coefficients, Vector<2>(0.0), state);
+  EXPECT_EQ(snapshot_of(coefficients, state).time_s, 12.345);
 }
 
 // Every setting pulled about while the loop runs, soft to hard, motor turned, wall turned, rendering off: whatever
@@ -80,10 +80,10 @@ TEST(Tick, SettingsChangedLiveStayFinite) {
         settings.mass = random.over_decades(0.05, 1.0);
         break;
     }
-    const TickPlan<2> plan = plan_of(settings);
+    const TickCoefficients<2> coefficients = coefficients_of(settings);
     for (int k = 0; k < 20; ++k) {
-      tick(plan, random.in_box<2>(0.05), state);
-      const Snapshot snapshot = snapshot_of(plan, state);
+      tick(coefficients, random.in_box<2>(0.05), state);
+      const Snapshot snapshot = snapshot_of(coefficients, state);
       for (const auto& strategy : snapshot.strategies) {
         for (const Vector<2>& v : {strategy.device, strategy.proxy, strategy.contact, strategy.force,
                                    strategy.ghost_force, strategy.proxy_drift}) {
@@ -104,14 +104,14 @@ TEST(Tick, StrategiesRunBesideEachOther) {
   settings.damping = 5.0;
   settings.rate = 1000.0;
   settings.stiffnesses = make_stiffnesses(100.0, 600.0, 600.0, 1e5);
-  const TickPlan<2> plan = plan_of(settings);
+  const TickCoefficients<2> coefficients = coefficients_of(settings);
   settings.stiffnesses.chosen_tracking_ratio = 2.0;
-  const TickPlan<2> other_plan = plan_of(settings);
+  const TickCoefficients<2> other_coefficients = coefficients_of(settings);
   TickState<2> state = state_at_start(Vector<2>{0.02, -0.02});
   TickState<2> other = state;
   for (int k = 0; k < 500; ++k) {
-    tick(plan, Vector<2>{0.02, -0.02}, state);
-    tick(other_plan, Vector<2>{0.02, -0.02}, other);
+    tick(coefficients, Vector<2>{0.02, -0.02}, state);
+    tick(other_coefficients, Vector<2>{0.02, -0.02}, other);
   }
   for (const StrategyId id : {StrategyId::full, StrategyId::naive}) {
     EXPECT_EQ(state.strategies[index_of(id)].motion.position, other.strategies[index_of(id)].motion.position);
@@ -129,13 +129,13 @@ TEST(TickExample, NaiveEndsOnTheOtherSide) {
   settings.damping = 5.0;
   settings.rate = 1000.0;
   settings.stiffnesses = make_stiffnesses(100.0, 1000.0, 1000.0, 1e5);
-  const TickPlan<2> plan = plan_of(settings);
+  const TickCoefficients<2> coefficients = coefficients_of(settings);
   TickState<2> state = state_at_start(Vector<2>{-0.04, 0.04});
   for (int k = 1; k <= 3000; ++k) {
     const double share = std::min(k / 1000.0, 1.0);
-    tick(plan, Vector<2>{-0.04 + 0.08 * share, 0.04 - 0.08 * share}, state);
+    tick(coefficients, Vector<2>{-0.04 + 0.08 * share, 0.04 - 0.08 * share}, state);
   }
-  const Snapshot snapshot = snapshot_of(plan, state);
+  const Snapshot snapshot = snapshot_of(coefficients, state);
   // Two seconds after the last motion the slowest mode, 50 ms, is gone; three decimals are asked for.
   EXPECT_NEAR(snapshot.strategies[index_of(StrategyId::full)].device.x, 3.669e-3, 0.5e-6);
   EXPECT_NEAR(snapshot.strategies[index_of(StrategyId::naive)].device.x, -26.556e-3, 0.5e-6);
@@ -147,15 +147,15 @@ TEST(TickExample, NaiveEndsOnTheOtherSide) {
 }
 
 // The servo's promises, checked by the compiler.
-static_assert(noexcept(tick(std::declval<const TickPlan<2>&>(), std::declval<const Vector<2>&>(),
+static_assert(noexcept(tick(std::declval<const TickCoefficients<2>&>(), std::declval<const Vector<2>&>(),
                             std::declval<TickState<2>&>())));
-static_assert(noexcept(snapshot_of(std::declval<const TickPlan<2>&>(), std::declval<const TickState<2>&>())));
-static_assert(noexcept(plan_tick(std::declval<const Wall<2>&>(), std::declval<const Actuation<2>&>(),
-                                 std::declval<const Stiffnesses&>(), 1.0, 1.0, 1.0)));
+static_assert(noexcept(snapshot_of(std::declval<const TickCoefficients<2>&>(), std::declval<const TickState<2>&>())));
+static_assert(noexcept(coefficients_of(std::declval<const Wall<2>&>(), std::declval<const Actuation<2>&>(),
+                                       std::declval<const Stiffnesses&>(), 1.0, 1.0, 1.0)));
 static_assert(noexcept(state_at_start(std::declval<const Vector<2>&>())));
 static_assert(noexcept(time_of(1, 1.0)));
 template <glm::length_t D>
-constexpr bool crosses_threads_whole = std::is_trivially_copyable_v<TickPlan<D>>&&
+constexpr bool crosses_threads_whole = std::is_trivially_copyable_v<TickCoefficients<D>>&&
     std::is_trivially_copyable_v<TickState<D>>&& std::is_trivially_copyable_v<SnapshotIn<D>>;
 static_assert(crosses_threads_whole<2> && crosses_threads_whole<3> && crosses_threads_whole<4>);
 

@@ -57,27 +57,27 @@ Settings slanted_wall() {
 
 using Log = Ring<Snapshot, 64>;
 
-// Plans anew, ticks, publishes, logs and is read from, in and out of contact.
+// Works the coefficients out anew, ticks, publishes, logs and is read from, in and out of contact.
 bool live(int ticks, Log& log) {
   Settings settings = slanted_wall();
-  TickPlan<2> plan = plan_of(settings);
+  TickCoefficients<2> coefficients = coefficients_of(settings);
   TickState<2> state = state_at_start(Vector<2>(0.0));
   LatestValue<Snapshot> newest{Snapshot{}};
   int contacts = 0;
   for (int k = 1; k <= ticks; ++k) {
     if (k % 100 == 0) {
       settings.actuated_angle += 0.1;
-      plan = plan_of(settings);
+      coefficients = coefficients_of(settings);
     }
     const double goal = 0.02 * std::sin(0.005 * k);
     if (k % 3 == 0) {
-      tick_measured(plan, StrategyId::naive, {goal, -goal}, Vector<2>(0.0), 200.0, state);
+      tick_measured(coefficients, StrategyId::naive, {goal, -goal}, Vector<2>(0.0), 200.0, state);
     } else {
-      tick(plan, {goal, -goal}, state);
+      tick(coefficients, {goal, -goal}, state);
     }
-    newest.publish(snapshot_of(plan, state));
+    newest.publish(snapshot_of(coefficients, state));
     if (Snapshot* const slot = log.slot(); slot != nullptr) {
-      take_snapshot(plan, state, *slot);
+      take_snapshot(coefficients, state, *slot);
       log.put();
     }
     if (k % 100 == 0) {

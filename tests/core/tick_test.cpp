@@ -28,8 +28,8 @@ struct Loop {
   double damping;
   double rate;
 
-  TickPlan<D> plan() const {
-    return plan_tick(setting.wall, setting.actuation(), setting.stiffnesses, mass, damping, rate);
+  TickCoefficients<D> coefficients() const {
+    return coefficients_of(setting.wall, setting.actuation(), setting.stiffnesses, mass, damping, rate);
   }
 };
 
@@ -98,11 +98,11 @@ TYPED_TEST(TickTest, ComesToRestAtTheEquilibrium) {
     SCOPED_TRACE(i);
     const Loop<D> loop = random_stable_loop<D>(random);
     const Setting<D>& setting = loop.setting;
-    const TickPlan<D> plan = loop.plan();
+    const TickCoefficients<D> coefficients = loop.coefficients();
     // From the free side, so that the wall is met with speed.
     TickState<D> state = state_at_start(setting.wall.point + 0.02 * setting.wall.normal);
-    for (std::int64_t k = ticks_to_rest(loop); k > 0; --k) tick(plan, setting.goal, state);
-    const SnapshotIn<D> snapshot = snapshot_of(plan, state);
+    for (std::int64_t k = ticks_to_rest(loop); k > 0; --k) tick(coefficients, setting.goal, state);
+    const SnapshotIn<D> snapshot = snapshot_of(coefficients, state);
 
     // What is left of the slowest mode is 1e-13 of the way; each tick's rounding, an ε of the extent, is remembered for
     // 1/(1 − 0.998) = 500 ticks; both are multiplied by the gain from depth to proxy, below 30 for these ratios. Hence
@@ -140,10 +140,10 @@ TYPED_TEST(TickTest, CureEndsGhostForceAndDrift) {
     const double alpha = glm::dot(setting.wall.normal, setting.actuation().actuated * setting.wall.normal);
     if (alpha < 0.1 || alpha > 0.9 || depth(setting.wall, setting.goal) < 0.01 || slowest_mode(loop) > 0.998) continue;
     ++tried;
-    const TickPlan<D> plan = loop.plan();
+    const TickCoefficients<D> coefficients = loop.coefficients();
     TickState<D> state = state_at_start(setting.goal);
-    for (std::int64_t k = ticks_to_rest(loop); k > 0; --k) tick(plan, setting.goal, state);
-    const SnapshotIn<D> snapshot = snapshot_of(plan, state);
+    for (std::int64_t k = ticks_to_rest(loop); k > 0; --k) tick(coefficients, setting.goal, state);
+    const SnapshotIn<D> snapshot = snapshot_of(coefficients, state);
     const double tolerance = 1e-10 * extent(loop);  // as above
     const auto& anisotropic = snapshot.strategies[index_of(StrategyId::anisotropic)];
     EXPECT_LE(glm::length(anisotropic.ghost_force), tolerance * setting.stiffnesses.k_r);
@@ -185,7 +185,7 @@ TYPED_TEST(TickTest, IsTheIndependentLoopTickByTick) {
     Loop<D> loop = random_stable_loop<D>(random);
     if (i % 4 == 0) loop.setting.stiffnesses.k_c = infinity;
     if (slowest_mode(loop) > 0.998) continue;
-    const TickPlan<D> plan = loop.plan();
+    const TickCoefficients<D> coefficients = loop.coefficients();
     const std::vector<Vector<D>> goals = script(loop, random, 6, 150);
     TickState<D> state = state_at_start(goals[0]);
     const PerStrategy<ReferenceLoop> loops = reference_loops(loop);
@@ -200,11 +200,11 @@ TYPED_TEST(TickTest, IsTheIndependentLoopTickByTick) {
     PerStrategy<Worst> error;
     PerStrategy<Worst> size;
     for (std::size_t k = 1; k < goals.size(); ++k) {
-      tick(plan, goals[k], state);
+      tick(coefficients, goals[k], state);
       for (std::size_t s = 0; s < strategy_count; ++s) {
         expected[s] = reference_tick(loops[s], expected[s], reference(goals[k]));
       }
-      const SnapshotIn<D> snapshot = snapshot_of(plan, state);
+      const SnapshotIn<D> snapshot = snapshot_of(coefficients, state);
       ASSERT_EQ(snapshot.tick, static_cast<std::int64_t>(k));
       ASSERT_EQ(snapshot.goal, goals[k]);
       const auto& full = expected[index_of(StrategyId::full)];
@@ -260,20 +260,20 @@ TYPED_TEST(TickTest, NaiveIsAnisotropicWhereTheNormalIsActuated) {
     loop.setting.motors = turned.motors;
     loop.setting.goal = turned.goal;
     if (slowest_mode(loop) > 0.998) continue;
-    const TickPlan<D> plan = loop.plan();
+    const TickCoefficients<D> coefficients = loop.coefficients();
     const std::vector<Vector<D>> goals = script(loop, random, 4, 200);
     TickState<D> state = state_at_start(goals[0]);
     // P_N n is a few ε instead of 0, which ρ multiplies and 500 remembered ticks add up: 1e-11 of the extent.
     const double tolerance = 1e-11 * extent(loop);
     for (std::size_t k = 1; k < goals.size(); ++k) {
-      tick(plan, goals[k], state);
+      tick(coefficients, goals[k], state);
       const auto& naive = state.strategies[index_of(StrategyId::naive)];
       const auto& anisotropic = state.strategies[index_of(StrategyId::anisotropic)];
       ASSERT_LE(glm::length(naive.motion.position - anisotropic.motion.position), tolerance);
       ASSERT_LE(glm::length(naive.proxy - anisotropic.proxy), tolerance);
     }
     // And both join the fully actuated one at rest.
-    for (std::int64_t k = ticks_to_rest(loop); k > 0; --k) tick(plan, loop.setting.goal, state);
+    for (std::int64_t k = ticks_to_rest(loop); k > 0; --k) tick(coefficients, loop.setting.goal, state);
     const auto& full = state.strategies[index_of(StrategyId::full)];
     for (const StrategyId id : {StrategyId::naive, StrategyId::anisotropic}) {
       const auto& other = state.strategies[index_of(id)];
@@ -286,11 +286,11 @@ TYPED_TEST(TickTest, NaiveIsAnisotropicWhereTheNormalIsActuated) {
 // Where the projector is exact in binary, so is the agreement: bit for bit.
 TEST(Tick, NaiveIsAnisotropicBitForBitOnAnAxis) {
   const Wall<2> wall{{0.0, 0.0}, {-1.0, 0.0}};
-  const TickPlan<2> plan = plan_tick(wall, actuated_along(Vector<2>{1.0, 0.0}),
-                                     make_stiffnesses(100.0, 700.0, 900.0, 1e5), 0.1, 5.0, 1000.0);
+  const TickCoefficients<2> coefficients = coefficients_of(
+      wall, actuated_along(Vector<2>{1.0, 0.0}), make_stiffnesses(100.0, 700.0, 900.0, 1e5), 0.1, 5.0, 1000.0);
   TickState<2> state = state_at_start(Vector<2>{-0.01, 0.0});
   for (int k = 1; k <= 1000; ++k) {
-    tick(plan, Vector<2>{-0.01 + 4e-5 * k, 1e-5 * k}, state);
+    tick(coefficients, Vector<2>{-0.01 + 4e-5 * k, 1e-5 * k}, state);
     const auto& naive = state.strategies[index_of(StrategyId::naive)];
     const auto& anisotropic = state.strategies[index_of(StrategyId::anisotropic)];
     ASSERT_EQ(naive.motion.position, anisotropic.motion.position);
@@ -306,7 +306,8 @@ TYPED_TEST(TickTest, StartsAtTheGoalAndAtRest) {
   constexpr glm::length_t D = TypeParam::value;
   Random random(5);
   const Loop<D> loop = random_stable_loop<D>(random);
-  const SnapshotIn<D> snapshot = snapshot_of(loop.plan(), state_at_start(loop.setting.goal));  // inside the wall
+  const SnapshotIn<D> snapshot =
+      snapshot_of(loop.coefficients(), state_at_start(loop.setting.goal));  // inside the wall
   EXPECT_EQ(snapshot.tick, 0);
   EXPECT_EQ(snapshot.time_s, 0.0);
   EXPECT_EQ(snapshot.goal, loop.setting.goal);
@@ -331,13 +332,13 @@ TYPED_TEST(TickTest, WallActsOnOneSideAndOneTickLate) {
   for (int i = 0; i < 20; ++i) {
     SCOPED_TRACE(i);
     const Loop<D> loop = random_stable_loop<D>(random);
-    const TickPlan<D> plan = loop.plan();
+    const TickCoefficients<D> coefficients = loop.coefficients();
     const std::vector<Vector<D>> goals = script(loop, random, 6, 400);
     TickState<D> state = state_at_start(goals[0]);
     for (std::size_t k = 1; k < goals.size(); ++k) {
       const TickState<D> before = state;
-      tick(plan, goals[k], state);
-      const SnapshotIn<D> snapshot = snapshot_of(plan, state);
+      tick(coefficients, goals[k], state);
+      const SnapshotIn<D> snapshot = snapshot_of(coefficients, state);
       for (std::size_t s = 0; s < strategy_count; ++s) {
         const Vector<D>& device_before = before.strategies[s].motion.position;
         const auto& now = snapshot.strategies[s];
@@ -350,8 +351,8 @@ TYPED_TEST(TickTest, WallActsOnOneSideAndOneTickLate) {
           ASSERT_GE(glm::dot(loop.setting.wall.normal, now.proxy - device_before), 0.0);
         } else {
           ASSERT_EQ(now.proxy, device_before);
-          const Vector<D> lag =
-              plan.strategies[s].rendering * (-plan.device.period * state.strategies[s].motion.velocity);
+          const Vector<D> lag = coefficients.strategies[s].rendering *
+                                (-coefficients.device.period * state.strategies[s].motion.velocity);
           // A difference of positions, times k_r.
           ASSERT_LE(glm::length(now.force - lag), 8.0 * epsilon * extent(loop) * loop.setting.stiffnesses.k_r);
         }

@@ -121,11 +121,11 @@ TEST(UserMeasurementTest, TheSimulatedLoopAtRestTellsItsUser) {
         k.chosen_tracking_ratio = ratio;
         const Wall<2> wall{{0.0, 0.0}, direction_at(2.3)};
         const Actuation<2> actuation = actuated_along(Vector<2>{1.0, 0.0});
-        const TickPlan<2> plan = plan_tick(wall, actuation, k, 0.1, 5.0, 1000.0);
+        const TickCoefficients<2> coefficients = coefficients_of(wall, actuation, k, 0.1, 5.0, 1000.0);
         const Vector<2> goal = -0.02 * wall.normal + along(wall, Vector<2>(0.01, 0.0));
         TickState<2> state = state_at_start(goal);
-        for (int i = 0; i < 4000; ++i) tick(plan, goal, state);
-        const Snapshot snapshot = snapshot_of(plan, state);
+        for (int i = 0; i < 4000; ++i) tick(coefficients, goal, state);
+        const Snapshot snapshot = snapshot_of(coefficients, state);
         const auto& now = snapshot.strategies[index_of(StrategyId::anisotropic)];
         const UserReading reading =
             read_user(wall, actuation, RestState<2>{goal, now.device, now.proxy, now.force, ratio});

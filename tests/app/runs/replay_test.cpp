@@ -106,14 +106,14 @@ TEST(Replay, LeavesMeasuredDevicesAsTheyAreAndComparesTheOthers) {
   // As the servo ticks with the device in the hand: tick_measured() of core, with motors that give half of what is
   // asked.
   const Scene scene = load_scene("wall45");
-  const TickPlan<2> plan = plan_of(scene.settings);
+  const TickCoefficients<2> coefficients = coefficients_of(scene.settings);
   TickState<2> state = play(scene, last_tick(scene), [](const Snapshot&) {});
   SampleText text(scene.settings);
   fmt::memory_buffer lines;
   std::uint64_t serial = 0;
   const auto record = [&] {
     Sample sample;
-    sample.snapshot = snapshot_of(plan, state);
+    sample.snapshot = snapshot_of(coefficients, state);
     for (std::size_t i = 0; i < strategy_count; ++i) sample.velocity[i] = state.strategies[i].motion.velocity;
     sample.settings = scene.settings;
     sample.serial = serial++;
@@ -124,10 +124,10 @@ TEST(Replay, LeavesMeasuredDevicesAsTheyAreAndComparesTheOthers) {
     record();
     const double phase = 0.02 * k;
     if (k / 100 % 2 == 0) {
-      tick(plan, Vector<2>(0.02 * std::sin(phase), -0.02), state);
+      tick(coefficients, Vector<2>(0.02 * std::sin(phase), -0.02), state);
     } else {
       const auto& before = state.strategies[index_of(active)];
-      tick_measured(plan, active, Vector<2>(0.01 * std::sin(phase), -0.01 * std::cos(phase)),
+      tick_measured(coefficients, active, Vector<2>(0.01 * std::sin(phase), -0.01 * std::cos(phase)),
                     Vector<2>(300.0 * (before.proxy.x - before.motion.position.x), 0.0), 200.0, state);
     }
   }

@@ -86,9 +86,9 @@ class ServoMotors : public testing::Test {
   }
   // What the active strategy wants with the handle there.
   Vector<2> wanted(const Vector<2>& handle, const Settings& settings) const {
-    const TickPlan<2> plan = plan_of(settings);
-    const auto& active = plan.strategies[index_of(settings.active)];
-    return active.rendering * (proxy_of(handle, plan.wall, active.proxy_gain).position - handle);
+    const TickCoefficients<2> coefficients = coefficients_of(settings);
+    const auto& active = coefficients.strategies[index_of(settings.active)];
+    return active.rendering * (proxy_of(handle, coefficients.wall, active.proxy_gain).position - handle);
   }
 
   static constexpr Vector<2> outside{-0.02, 0.02};

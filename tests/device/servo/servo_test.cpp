@@ -205,10 +205,10 @@ TEST(Servo, TakesNewSettingsWholeWithTheirGeneration) {
       servo.send(command);
     }
     servo.wake();
-    const TickPlan<2> plan = plan_of(k < 700 ? scene.settings : other);
-    tick(plan, goal_at(scene.goal, time_of(k, plan.rate)), state);
+    const TickCoefficients<2> coefficients = coefficients_of(k < 700 ? scene.settings : other);
+    tick(coefficients, goal_at(scene.goal, time_of(k, coefficients.rate)), state);
     ASSERT_EQ(servo.newest().settings_generation, k < 700 ? 40U : 41U);
-    expect_same(servo.newest().snapshot, snapshot_of(plan, state));
+    expect_same(servo.newest().snapshot, snapshot_of(coefficients, state));
   }
 }
 
@@ -222,7 +222,7 @@ TEST(Servo, ShowsNewSettingsWhilePaused) {
   ++command.settings_generation;
   servo.send(command);
   servo.wake();
-  expect_same(servo.newest().snapshot, snapshot_of(plan_of(command.settings), command.restart_state));
+  expect_same(servo.newest().snapshot, snapshot_of(coefficients_of(command.settings), command.restart_state));
 }
 
 TEST(Servo, LooksAtSettingsOnlyWhenTheirGenerationChanges) {
@@ -322,9 +322,9 @@ TEST(Servo, RecordsWhatIsNeededToGoOnExactly) {
     EXPECT_EQ(taken[i].recording, 3U);
     EXPECT_EQ(taken[i].settings.stiffnesses.k_r, i < 50 ? 1000.0 : 700.0);
     EXPECT_EQ(taken[i].loop_s, 0.0) << "stepped by hand";
-    const TickPlan<2> plan = plan_of(taken[i].settings);
-    tick(plan, taken[i].snapshot.goal, state);
-    expect_same(taken[i].snapshot, snapshot_of(plan, state));
+    const TickCoefficients<2> coefficients = coefficients_of(taken[i].settings);
+    tick(coefficients, taken[i].snapshot.goal, state);
+    expect_same(taken[i].snapshot, snapshot_of(coefficients, state));
   }
 }
 
