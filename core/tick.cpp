@@ -43,8 +43,9 @@ template <glm::length_t D>
 }
 
 template <glm::length_t D>
-[[gnu::flatten]] void tick_measured(const TickCoefficients<D>& coefficients, StrategyId active, const Vector<D>& device,
-                                    const Vector<D>& felt, double believed_k_u, TickState<D>& state) noexcept {
+[[gnu::flatten]] void tick_with_device(const TickCoefficients<D>& coefficients, StrategyId active,
+                                       const Vector<D>& device, const Vector<D>& motor_force, double believed_k_u,
+                                       TickState<D>& state) noexcept {
   const std::size_t measured = index_of(active);
   const StrategyCoefficients<D>& own_coefficients = coefficients.strategies[measured];
   StrategyState<D>& own = state.strategies[measured];
@@ -55,7 +56,7 @@ template <glm::length_t D>
   const Vector<D> velocity = (device - own.motion.position) * coefficients.rate;
   move<D>(coefficients, own_coefficients.proxy_gain, {device, velocity}, device, force_of<D>(own_coefficients, own),
           own);
-  state.goal = device - felt / believed_k_u;
+  state.goal = device - motor_force / believed_k_u;
   for (std::size_t i = 0; i < strategy_count; ++i) {
     if (i != measured) tick_strategy<D>(coefficients, coefficients.strategies[i], state.goal, state.strategies[i]);
   }
@@ -94,14 +95,14 @@ template <glm::length_t D>
   }
 }
 
-#define GHOSTFORCE_INSTANTIATE(D)                                                                                    \
-  template TickCoefficients<D> coefficients_of<D>(const Wall<D>&, const Actuation<D>&, const Stiffnesses&, double,   \
-                                                  double, double) noexcept;                                          \
-  template TickState<D> state_at_start<D>(const Vector<D>&) noexcept;                                                \
-  template void tick<D>(const TickCoefficients<D>&, const Vector<D>&, TickState<D>&) noexcept;                       \
-  template void tick_measured<D>(const TickCoefficients<D>&, StrategyId, const Vector<D>&, const Vector<D>&, double, \
-                                 TickState<D>&) noexcept;                                                            \
-  template SnapshotIn<D> snapshot_of<D>(const TickCoefficients<D>&, const TickState<D>&) noexcept;                   \
+#define GHOSTFORCE_INSTANTIATE(D)                                                                                  \
+  template TickCoefficients<D> coefficients_of<D>(const Wall<D>&, const Actuation<D>&, const Stiffnesses&, double, \
+                                                  double, double) noexcept;                                        \
+  template TickState<D> state_at_start<D>(const Vector<D>&) noexcept;                                              \
+  template void tick<D>(const TickCoefficients<D>&, const Vector<D>&, TickState<D>&) noexcept;                     \
+  template void tick_with_device<D>(const TickCoefficients<D>&, StrategyId, const Vector<D>&, const Vector<D>&,    \
+                                    double, TickState<D>&) noexcept;                                               \
+  template SnapshotIn<D> snapshot_of<D>(const TickCoefficients<D>&, const TickState<D>&) noexcept;                 \
   template void take_snapshot<D>(const TickCoefficients<D>&, const TickState<D>&, SnapshotIn<D>&) noexcept
 GHOSTFORCE_INSTANTIATE(2);
 GHOSTFORCE_INSTANTIATE(3);

@@ -67,13 +67,13 @@ void tick(const TickCoefficients<D>& coefficients, const Vector<D>& goal, TickSt
 // k ≥ 1 with a real device under `active`: nothing of it is simulated. q_h is measured and the proxy is that of the
 // same tick's q_h, so that free space is exactly force-free; the goal is inferred from the device's equilibrium (7),
 //     q_u ≈ q_h − f / k̂_u
-// with the force `felt` that the motors really make, f_r but for the limits on its way to them; 0 in free space. The
-// other strategies are simulated under that goal. `believed_k_u` is k̂_u [N/m]. Work is counted, and a velocity known,
-// from the second tick in a row that measures the device under `active`; after a gap in the measurements, reset
+// with the force `motor_force` that the motors really make, f_r but for the limits on its way to them; 0 in free space.
+// The other strategies are simulated under that goal. `believed_k_u` is k̂_u [N/m]. Work is counted, and a velocity
+// known, from the second tick in a row that measures the device under `active`; after a gap in the measurements, reset
 // state.measured.
 template <glm::length_t D>
-void tick_measured(const TickCoefficients<D>& coefficients, StrategyId active, const Vector<D>& device,
-                   const Vector<D>& felt, double believed_k_u, TickState<D>& state) noexcept;
+void tick_with_device(const TickCoefficients<D>& coefficients, StrategyId active, const Vector<D>& device,
+                      const Vector<D>& motor_force, double believed_k_u, TickState<D>& state) noexcept;
 
 // The state as it stands: rendered force, ghost force and proxy drift.
 //     f_r,k = K_r (q_p,k − q_h,k)

@@ -323,8 +323,9 @@ bool Servo::advance() noexcept {
   if (safety_.is_armed()) {
     const std::int64_t gap_ns = handle_.time_ns - std::exchange(measured_ns_, handle_.time_ns);
     if (static_cast<double>(gap_ns) * 1e-9 > Safety::longest_exchange_s) next.measured.reset();
-    tick_measured(coefficients_, settings_.active, handle_.position, report_.motors.sent / device_->force_at_handle(),
-                  believed_user_stiffness(settings_.stiffnesses), next);
+    tick_with_device(coefficients_, settings_.active, handle_.position,
+                     report_.motors.sent / device_->force_at_handle(), believed_user_stiffness(settings_.stiffnesses),
+                     next);
   } else {
     tick(coefficients_, input_->goal(state_.tick + 1, coefficients_.rate), next);
   }

@@ -29,7 +29,7 @@ TEST(MeasuredTick, FreeSpaceIsExactlyForceFree) {
   TickState<2> state = state_at_start(Vector<2>(-0.05, 0.05));
   for (int i = 1; i <= 10; ++i) {
     const Vector<2> handle(-0.05 + 0.001 * i, 0.05);  // it moves, and still
-    tick_measured(coefficients, StrategyId::naive, handle, Vector<2>(0.0), 100.0, state);
+    tick_with_device(coefficients, StrategyId::naive, handle, Vector<2>(0.0), 100.0, state);
     const Snapshot snapshot = snapshot_of(coefficients, state);
     const auto& naive = snapshot.strategies[index_of(StrategyId::naive)];
     EXPECT_EQ(naive.force, Vector<2>(0.0));
@@ -51,7 +51,7 @@ TEST(MeasuredTick, InfersTheGoalFromWhereTheHandleRests) {
   for (const Strategy& entry : strategy_catalog()) {
     const Equilibrium<2> rest = rest_of(entry.id, settings, goal);
     TickState<2> state = state_at_start(Vector<2>(-0.05, 0.05));
-    tick_measured(coefficients, entry.id, rest.device, rest.force, settings.stiffnesses.k_u, state);
+    tick_with_device(coefficients, entry.id, rest.device, rest.force, settings.stiffnesses.k_u, state);
     const Snapshot snapshot = snapshot_of(coefficients, state);
     const auto& measured = snapshot.strategies[index_of(entry.id)];
     // Sums of numbers of some centimetres and newtons, in doubles.
@@ -67,7 +67,7 @@ TEST(MeasuredTick, AWrongBeliefMisplacesTheGoal) {
   const TickCoefficients<2> coefficients = coefficients_of(settings);
   const Equilibrium<2> rest = rest_of(StrategyId::full, settings, Vector<2>(0.04, -0.04));
   TickState<2> state = state_at_start(rest.device);
-  tick_measured(coefficients, StrategyId::full, rest.device, rest.force, 50.0, state);
+  tick_with_device(coefficients, StrategyId::full, rest.device, rest.force, 50.0, state);
   EXPECT_NEAR(glm::length(state.goal - (rest.device - rest.force / 50.0)), 0.0, 1e-14);
 }
 
@@ -77,7 +77,8 @@ TEST(MeasuredTick, TheOthersAreSimulatedUnderTheInferredGoal) {
   const Vector<2> goal(0.04, -0.04);
   const Equilibrium<2> rest = rest_of(StrategyId::naive, settings, goal);
   TickState<2> state = state_at_start(rest.device);
-  for (int i = 0; i < 3000; ++i) tick_measured(coefficients, StrategyId::naive, rest.device, rest.force, 100.0, state);
+  for (int i = 0; i < 3000; ++i)
+    tick_with_device(coefficients, StrategyId::naive, rest.device, rest.force, 100.0, state);
   for (const StrategyId other : {StrategyId::full, StrategyId::anisotropic}) {
     // After 3 s nothing moves any more: the slowest motion of these settings halves every 35 ms.
     EXPECT_NEAR(glm::length(state.strategies[index_of(other)].motion.position - rest_of(other, settings, goal).device),
@@ -88,11 +89,11 @@ TEST(MeasuredTick, TheOthersAreSimulatedUnderTheInferredGoal) {
 TEST(MeasuredTick, CountsTheWorkDoneOnTheRealHand) {
   const TickCoefficients<2> coefficients = coefficients_of(figure_settings());
   TickState<2> state = state_at_start(Vector<2>(0.02, -0.02));
-  tick_measured(coefficients, StrategyId::full, Vector<2>(0.02, -0.02), Vector<2>(0.0), 100.0, state);
+  tick_with_device(coefficients, StrategyId::full, Vector<2>(0.02, -0.02), Vector<2>(0.0), 100.0, state);
   const Vector<2> force = snapshot_of(coefficients, state).strategies[index_of(StrategyId::full)].force;
   ASSERT_GT(glm::length(force), 1.0);
   const double before = state.strategies[index_of(StrategyId::full)].energy;
-  tick_measured(coefficients, StrategyId::full, Vector<2>(0.02, -0.01), Vector<2>(0.0), 100.0, state);
+  tick_with_device(coefficients, StrategyId::full, Vector<2>(0.02, -0.01), Vector<2>(0.0), 100.0, state);
   EXPECT_DOUBLE_EQ(state.strategies[index_of(StrategyId::full)].energy - before, force.y * 0.01);
 }
 
@@ -107,16 +108,16 @@ TEST(MeasuredTick, ALeapFromSimulationToTheRealHandIsNoWork) {
     const double before = own.energy;
     ASSERT_GT(glm::length(snapshot_of(coefficients, state).strategies[index_of(active)].force), 0.05)
         << "a leap would count";
-    tick_measured(coefficients, active, Vector<2>(0.01, -0.02), Vector<2>(0.0), 100.0, state);
+    tick_with_device(coefficients, active, Vector<2>(0.01, -0.02), Vector<2>(0.0), 100.0, state);
     EXPECT_EQ(own.energy, before);
     EXPECT_EQ(own.motion.velocity, Vector<2>(0.0));
-    tick_measured(coefficients, active, Vector<2>(0.011, -0.02), Vector<2>(0.0), 100.0, state);
+    tick_with_device(coefficients, active, Vector<2>(0.011, -0.02), Vector<2>(0.0), 100.0, state);
     EXPECT_NE(own.energy, before) << "and from here on it counts";
     EXPECT_NEAR(own.motion.velocity.x, 1.0, 1e-9);  // 1 mm in 1 ms
   }
   const double before = state.strategies[index_of(StrategyId::naive)].energy;
   state.measured.reset();
-  tick_measured(coefficients, StrategyId::naive, Vector<2>(-0.01, -0.03), Vector<2>(0.0), 100.0, state);
+  tick_with_device(coefficients, StrategyId::naive, Vector<2>(-0.01, -0.03), Vector<2>(0.0), 100.0, state);
   EXPECT_EQ(state.strategies[index_of(StrategyId::naive)].energy, before);
 }
 
@@ -124,7 +125,7 @@ TEST(MeasuredTick, SimulationGoesOnFromWhereTheHandleWas) {
   const TickCoefficients<2> coefficients = coefficients_of(figure_settings());
   TickState<2> state = state_at_start(Vector<2>(-0.05, 0.05));
   for (int i = 0; i < 100; ++i)
-    tick_measured(coefficients, StrategyId::naive, Vector<2>(-0.03, 0.04), Vector<2>(0.0), 100.0, state);
+    tick_with_device(coefficients, StrategyId::naive, Vector<2>(-0.03, 0.04), Vector<2>(0.0), 100.0, state);
   tick(coefficients, Vector<2>(-0.03, 0.04), state);
   EXPECT_FALSE(state.measured);
   EXPECT_NEAR(glm::length(state.strategies[index_of(StrategyId::naive)].motion.position - Vector<2>(-0.03, 0.04)), 0.0,

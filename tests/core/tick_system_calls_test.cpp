@@ -71,7 +71,7 @@ bool live(int ticks, Log& log) {
     }
     const double goal = 0.02 * std::sin(0.005 * k);
     if (k % 3 == 0) {
-      tick_measured(coefficients, StrategyId::naive, {goal, -goal}, Vector<2>(0.0), 200.0, state);
+      tick_with_device(coefficients, StrategyId::naive, {goal, -goal}, Vector<2>(0.0), 200.0, state);
     } else {
       tick(coefficients, {goal, -goal}, state);
     }

@@ -103,7 +103,7 @@ TEST(Replay, LeavesOutWhatFollowsFromMissingRows) {
 }
 
 TEST(Replay, LeavesMeasuredDevicesAsTheyAreAndComparesTheOthers) {
-  // As the servo ticks with the device in the hand: tick_measured() of core, with motors that give half of what is
+  // As the servo ticks with the device in the hand: tick_with_device() of core, with motors that give half of what is
   // asked.
   const Scene scene = load_scene("wall45");
   const TickCoefficients<2> coefficients = coefficients_of(scene.settings);
@@ -127,8 +127,8 @@ TEST(Replay, LeavesMeasuredDevicesAsTheyAreAndComparesTheOthers) {
       tick(coefficients, Vector<2>(0.02 * std::sin(phase), -0.02), state);
     } else {
       const auto& before = state.strategies[index_of(active)];
-      tick_measured(coefficients, active, Vector<2>(0.01 * std::sin(phase), -0.01 * std::cos(phase)),
-                    Vector<2>(300.0 * (before.proxy.x - before.motion.position.x), 0.0), 200.0, state);
+      tick_with_device(coefficients, active, Vector<2>(0.01 * std::sin(phase), -0.01 * std::cos(phase)),
+                       Vector<2>(300.0 * (before.proxy.x - before.motion.position.x), 0.0), 200.0, state);
     }
   }
   std::string file = run_header(scene, recording_columns) + std::string(lines.data(), lines.size());
