@@ -8,8 +8,8 @@
 
 #include "app/console/failure.h"
 #include "app/figures/sheet.h"
+#include "core/divergence.h"
 #include "core/play.h"
-#include "core/sound_state.h"
 
 namespace ghostforce {
 namespace {
@@ -89,7 +89,7 @@ Snapshot simulated_rest(const Settings& settings, const Vector<2>& goal) {
   scene.duration = until_s;
   Snapshot rest;
   const TickState<2> state = play(scene, last_tick(scene), [&](const Snapshot& snapshot) { rest = snapshot; });
-  if (is_sound(state)) return rest;
+  if (!has_diverged(state)) return rest;
   throw Failure(ExitCode::bug, "a figure's sampled loop is unstable; its settings in app/figures are at fault");
 }
 

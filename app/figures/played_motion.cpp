@@ -13,9 +13,9 @@
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
 #include "app/files/run_file.h"
+#include "core/divergence.h"
 #include "core/ghost_force.h"
 #include "core/play.h"
-#include "core/sound_state.h"
 
 namespace ghostforce {
 namespace {
@@ -87,7 +87,7 @@ PlayedMotion play_motion(std::string name, const Scene& scene) {
     if (thinned.keeps(snapshot.tick)) motion.moments.push_back(snapshot);
     if (snapshot.tick % ticks_between_looks == 0) stop_if_interrupted();
   });
-  if (!is_sound(state)) {
+  if (has_diverged(state)) {
     throw Failure(ExitCode::wrong_call, "with these settings the sampled loop is unstable and the device runs away");
   }
   add_rest(motion);
@@ -118,7 +118,7 @@ PlayedMotion play_hand(const RecordedHand& hand) {
       motion.moments.back().time_s = time_s;  // the rate may have been another one before
     }
   }
-  if (!is_sound(state)) {
+  if (has_diverged(state)) {
     throw Failure(ExitCode::wrong_call,
                   fmt::format("{}: with its settings the sampled loop is unstable and the device runs away; play its "
                               "hand with others first, and give that file, as in\n"

@@ -19,8 +19,8 @@
 #include "app/session/scene_as_seen.h"
 #include "app/ui/plots/plot_export.h"
 #include "app/ui/widgets/save_path.h"
+#include "core/divergence.h"
 #include "core/play.h"
-#include "core/sound_state.h"
 
 namespace ghostforce {
 namespace {
@@ -138,7 +138,7 @@ TickState<2> Application::start_state() {
   const TickState<2> state = play_from(is_replay ? state_at_rest(scene.settings, first) : state_at_start(first), scene,
                                        input_->is_scripted ? 0 : last_tick(scene),
                                        [this](const Snapshot& snapshot) { history_.add(snapshot); });
-  if (is_sound(state)) return state;
+  if (!has_diverged(state)) return state;
   // Unstable settings have no rest to start from: start where the hand is, and let the servo say what it finds.
   history_.clear();
   return state_at_start(scene.goal.points.back());

@@ -10,8 +10,8 @@
 #include "app/paint/json_painter.h"
 #include "app/ui/panels/panel_catalog.h"
 #include "app/ui/window.h"
+#include "core/divergence.h"
 #include "core/play.h"
-#include "core/sound_state.h"
 #include "ghostforce_version.h"
 
 namespace ghostforce {
@@ -59,7 +59,7 @@ Moment play_to_moment(const PictureRequest& request) {
     moment.snapshot = snapshot;
     if (snapshot.tick % 1024 == 0) stop_if_interrupted();
   });
-  if (is_sound(state)) return moment;
+  if (!has_diverged(state)) return moment;
   throw Failure(ExitCode::wrong_call,
                 "there is nothing to draw: with these settings the sampled loop is unstable and the device runs away; "
                 "lower k_r_N_per_m, or raise rate_hz, mass_kg or damping_N_s_per_m");

@@ -9,9 +9,9 @@
 
 #include <pthread.h>
 
+#include "core/divergence.h"
 #include "core/proxy.h"
 #include "core/scene.h"
-#include "core/sound_state.h"
 #include "device/input/monotonic_clock.h"
 #include "device/input/thread_signals.h"
 #include "device/servo/hybrid_sleep.h"
@@ -53,7 +53,7 @@ Servo::Servo(std::unique_ptr<Input> input, const ServoCommand& initial)
       seen_offs_(initial.offs_asked),
       seen_acknowledgements_(initial.acknowledgements),
       seen_heart_beats_(initial.heart_beats) {
-  if (!is_in_range(initial.settings) || !is_usable_speed(initial.speed) || !is_sound(initial.restart_state)) {
+  if (!is_in_range(initial.settings) || !is_usable_speed(initial.speed) || has_diverged(initial.restart_state)) {
     throw std::invalid_argument("a servo cannot start with settings, a speed or a state out of range");
   }
   update_coefficients();
@@ -258,7 +258,7 @@ void Servo::take_command(const ServoCommand& command) noexcept {
   }
   if (command.restarts_asked != seen_restarts_) {
     seen_restarts_ = command.restarts_asked;
-    if (is_sound(command.restart_state)) {
+    if (!has_diverged(command.restart_state)) {
       restart_from(command.restart_state, command.restarts_asked);
     } else {
       is_refused = true;
@@ -329,7 +329,7 @@ bool Servo::advance() noexcept {
   } else {
     tick(coefficients_, input_->goal(state_.tick + 1, coefficients_.rate), next);
   }
-  report_.diverged = !is_sound(next);
+  report_.diverged = has_diverged(next);
   if (report_.diverged) safety_.turn_off(OffReason::fault);
   if (!report_.diverged) state_ = next;
   return !report_.diverged;

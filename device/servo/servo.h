@@ -65,7 +65,8 @@ struct ServoReport {
   std::uint32_t restarts = 0;             // the restarts_asked that this run came from
   // Commands with settings, a speed or a restart state out of range: that part of them had no effect.
   std::uint32_t refused_commands = 0;
-  // The settings are unstable: stopped at the last sound tick (core/sound_state.h) until a restart or other settings.
+  // The settings are unstable: stopped at the last tick before it ran away (core/divergence.h) until a restart or other
+  // settings.
   bool diverged = false;
   LoopHealth loop;
   MotorReport motors;

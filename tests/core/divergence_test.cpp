@@ -1,4 +1,4 @@
-#include "core/sound_state.h"
+#include "core/divergence.h"
 
 #include <cstdint>
 #include <functional>
@@ -14,9 +14,9 @@
 namespace ghostforce {
 namespace {
 
-TEST(SoundStateTest, OneBadNumberAnywhereIsEnough) {
-  const TickState<2> sound = state_at_start(Vector<2>{0.1, -0.2});
-  ASSERT_TRUE(is_sound(sound));
+TEST(DivergenceTest, OneBadNumberAnywhereIsEnough) {
+  const TickState<2> good = state_at_start(Vector<2>{0.1, -0.2});
+  ASSERT_FALSE(has_diverged(good));
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   constexpr double infinity = std::numeric_limits<double>::infinity();
   for (const double bad : {nan, infinity, -infinity}) {
@@ -33,29 +33,29 @@ TEST(SoundStateTest, OneBadNumberAnywhereIsEnough) {
           [i](TickState<2>& s) -> double& { return s.strategies[i].energy; },
       };
       for (std::size_t place = 0; place < places.size(); ++place) {
-        TickState<2> state = sound;
+        TickState<2> state = good;
         places[place](state) = bad;
-        EXPECT_FALSE(is_sound(state)) << bad << " at " << place << " of " << i;
+        EXPECT_TRUE(has_diverged(state)) << bad << " at " << place << " of " << i;
       }
     }
   }
 }
 
-TEST(SoundStateTest, TooFarAndTooLateAreUnsound) {
+TEST(DivergenceTest, TooFarAndTooLateHaveDiverged) {
   TickState<2> state = state_at_start(Vector<2>{0.0, 0.0});
   state.strategies[1].motion.position = {farthest_device_m, -farthest_device_m};
-  EXPECT_TRUE(is_sound(state));
+  EXPECT_FALSE(has_diverged(state));
   state.strategies[1].motion.position.y *= 1.001;
-  EXPECT_FALSE(is_sound(state));
+  EXPECT_TRUE(has_diverged(state));
   state = state_at_start(Vector<2>{0.0, 0.0});
   state.tick = -1;
-  EXPECT_FALSE(is_sound(state));
+  EXPECT_TRUE(has_diverged(state));
   state.tick = std::numeric_limits<std::int64_t>::max();
-  EXPECT_FALSE(is_sound(state));
+  EXPECT_TRUE(has_diverged(state));
 }
 
 // A stiffness that the rate cannot carry runs away; that is seen long before a number overflows.
-TEST(SoundStateTest, UnstableSettingsAreSeenBeforeTheyOverflow) {
+TEST(DivergenceTest, UnstableSettingsAreSeenBeforeTheyOverflow) {
   Settings settings;
   settings.wall_normal_angle = 1.0;
   settings.mass = 0.1;
@@ -65,7 +65,7 @@ TEST(SoundStateTest, UnstableSettingsAreSeenBeforeTheyOverflow) {
   const TickCoefficients<2> coefficients = coefficients_of(settings);
   TickState<2> state = state_at_start(Vector<2>{-0.02, -0.02});
   int ticks = 0;
-  while (is_sound(state) && ticks < 10000) {
+  while (!has_diverged(state) && ticks < 10000) {
     tick(coefficients, Vector<2>{-0.02, -0.02}, state);
     ++ticks;
   }
@@ -73,7 +73,7 @@ TEST(SoundStateTest, UnstableSettingsAreSeenBeforeTheyOverflow) {
   for (const auto& strategy : state.strategies) EXPECT_TRUE(std::isfinite(strategy.motion.position.x));
 }
 
-static_assert(noexcept(is_sound(std::declval<const TickState<2>&>())));
+static_assert(noexcept(has_diverged(std::declval<const TickState<2>&>())));
 
 }  // namespace
 }  // namespace ghostforce
