@@ -32,7 +32,7 @@ Image picture_of(StrategyId active) {
   request.scene.settings.active = active;
   request.width = 1280;
   request.height = 720;
-  return draw_moment(request, play_to_moment(request)).image;
+  return draw_moment(request, simulate_to_moment(request)).image;
 }
 
 void write(const std::string& path, const std::string& bytes) {

@@ -29,7 +29,7 @@
 #include "app/ui/screen.h"
 #include "bench/support/contest.h"
 #include "bench/support/report.h"
-#include "core/play.h"
+#include "core/simulate.h"
 #include "tests/support/display.h"
 
 namespace ghostforce::bench {
@@ -175,7 +175,7 @@ struct Shown {
       scene.goal.times.push_back(turn * period_s / 16.0);
     }
     scene.duration = seconds;
-    play(scene, last_tick(scene), [this](const Snapshot& tick) {
+    simulate(scene, last_tick(scene), [this](const Snapshot& tick) {
       history.add(tick);
       snapshot = tick;
     });

@@ -30,7 +30,7 @@ Gallery::Gallery(const std::vector<Case>& all, const std::vector<const Case*>& c
   std::vector<std::string> problems;
   for (const auto& [name, entry] : entries_) {
     try {
-      play_to_moment(content_of(*entry.described).request);
+      simulate_to_moment(content_of(*entry.described).request);
     } catch (const Failure& failure) {
       if (failure.code() != ExitCode::wrong_call) throw;
       problems.push_back(fmt::format("{}: {}", printable(entry.described->path, longest_path), failure.what()));
@@ -54,7 +54,7 @@ DrawnCase Gallery::draw(const std::string& name) {
   }
   const PictureRequest request = content_of(*entry.described).request;
   // A window of its own for each: what is drawn cannot depend on what was drawn before.
-  Drawing drawing = draw_moment(request, play_to_moment(request));
+  Drawing drawing = draw_moment(request, simulate_to_moment(request));
   DrawnCase drawn{std::move(drawing.image), present_origin(drawing.graphics)};
   if (is_wanted_again && kept_bytes_ + drawn.image.rgb.size() <= most_kept_bytes) {
     kept_bytes_ += drawn.image.rgb.size();

@@ -20,7 +20,7 @@ struct DrawnCase {
 
 class Gallery {
  public:
-  // Plays every scene that will be needed: the chosen cases' and those they are compared with. Throws Failure:
+  // Simulates every scene that will be needed: the chosen cases' and those they are compared with. Throws Failure:
   // wrong_call with all the scenes that cannot be drawn, a line each; interrupted. `all` must outlive the gallery.
   Gallery(const std::vector<Case>& all, const std::vector<const Case*>& chosen);
 

@@ -16,7 +16,7 @@
 #include "app/console/quoted.h"
 #include "app/files/run_file.h"
 #include "app/files/scene_file.h"
-#include "core/play.h"
+#include "core/simulate.h"
 
 namespace ghostforce {
 namespace {
@@ -90,7 +90,7 @@ void write_played(OutputFile& file, std::string_view doing, const Scene& scene, 
   constexpr std::int64_t ticks_between_looks = 1024;  // at the clock and at interruptions
   Progress progress(std::string(doing), last, !file.is_terminal());
   fmt::memory_buffer rows;
-  play_from(state, scene, last, [&](const Snapshot& snapshot) {
+  simulate_from(state, scene, last, [&](const Snapshot& snapshot) {
     for (const StrategyId id : ids) {
       stop_if_run_away(snapshot, id);
       append_run_row(rows, snapshot, id);

@@ -90,7 +90,7 @@ int render(const Options& options) {
   std::optional<OutputFile> json_file;
   if (!options.json.empty()) json_file.emplace(options.json);
 
-  const Moment moment = play_to_moment(request);
+  const Moment moment = simulate_to_moment(request);
   const Rendering picture = paint_moment(request, moment, options.output);
   picture_file.write(picture.file);
   if (json_file) json_file->write(describe_picture(request, moment, picture.panes, picture.corner).dump(1) + "\n");

@@ -29,7 +29,7 @@ int simulate(const Options& options) {
   if (options.strategy == every_strategy) {
     for (const Strategy& strategy : strategy_catalog()) ids.push_back(strategy.id);
   } else {
-    // The scene in the header is the one that was played.
+    // The scene in the header is the one that was simulated.
     if (!options.strategy.empty()) scene.settings.active = find_strategy(options.strategy).value();
     ids.push_back(scene.settings.active);
   }

@@ -9,7 +9,7 @@
 #include "app/console/failure.h"
 #include "app/figures/sheet.h"
 #include "core/divergence.h"
-#include "core/play.h"
+#include "core/simulate.h"
 
 namespace ghostforce {
 namespace {
@@ -88,7 +88,7 @@ Snapshot simulated_rest(const Settings& settings, const Vector<2>& goal) {
                 .motion = Motion::minimum_jerk};
   scene.duration = until_s;
   Snapshot rest;
-  const TickState<2> state = play(scene, last_tick(scene), [&](const Snapshot& snapshot) { rest = snapshot; });
+  const TickState<2> state = simulate(scene, last_tick(scene), [&](const Snapshot& snapshot) { rest = snapshot; });
   if (!has_diverged(state)) return rest;
   throw Failure(ExitCode::bug, "a figure's sampled loop is unstable; its settings in app/figures are at fault");
 }

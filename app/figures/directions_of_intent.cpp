@@ -7,17 +7,17 @@
 
 namespace ghostforce {
 
-std::vector<PlayedMotion> directions_of_intent() {
-  return {play_motion("down (no motor there)", load_scene("fig3-nonactuated")),
-          play_motion("straight into the wall", load_scene("fig3-normal")),
-          play_motion("to the right (along the motor)", load_scene("fig3-actuated"))};
+std::vector<SimulatedMotion> directions_of_intent() {
+  return {simulate_motion("down (no motor there)", load_scene("fig3-nonactuated")),
+          simulate_motion("straight into the wall", load_scene("fig3-normal")),
+          simulate_motion("to the right (along the motor)", load_scene("fig3-actuated"))};
 }
 
 Figure directions_of_intent_figure(const FigureRequest&) {
-  const std::vector<PlayedMotion> motions = directions_of_intent();
+  const std::vector<SimulatedMotion> motions = directions_of_intent();
   Sheet sheet("Three directions of intent", 900.0);
   std::vector<ScenePicture> pictures;
-  for (const PlayedMotion& motion : motions) pictures.push_back(picture_of(motion, "", ""));
+  for (const SimulatedMotion& motion : motions) pictures.push_back(picture_of(motion, "", ""));
   add_scenes(sheet, 290.0, std::move(pictures), 3);
   sheet.add_legend(motion_legend());
   return sheet.finish(

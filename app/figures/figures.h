@@ -7,14 +7,14 @@
 
 #include "app/figures/curves.h"
 #include "app/figures/figure.h"
-#include "app/figures/played_motion.h"
+#include "app/figures/simulated_motion.h"
 #include "core/equilibrium.h"
 #include "core/strategy.h"
 
 namespace ghostforce {
 
 // Figure 1: one motion from A to B into a slanted wall, and where the three devices go.
-PlayedMotion one_motion();
+SimulatedMotion one_motion();
 Figure one_motion_figure(const FigureRequest& request);
 
 // Figure 2: the same hand at rest under each strategy: goal, device, proxy and contact.
@@ -27,18 +27,18 @@ CsvTable table_of(const ThreeEquilibria& data);
 Figure three_equilibria_figure(const FigureRequest& request);
 
 // Figure 3: three directions in which the hand wants to go: without a motor, into the wall, along the motor.
-std::vector<PlayedMotion> directions_of_intent();
+std::vector<SimulatedMotion> directions_of_intent();
 Figure directions_of_intent_figure(const FigureRequest& request);
 
 // Figure 4: the stiffer the rendering against the hand, the larger the ghost force of naïve rendering. k_r/k_u = 1, 5,
 // 10, 20.
-std::vector<PlayedMotion> stiffness_ratios();
+std::vector<SimulatedMotion> stiffness_ratios();
 Figure stiffness_ratios_figure(const FigureRequest& request);
 
 // Figure 6: one and the same hand under the three strategies: a recorded one where there is one, else a simulated hand
 // with minimum-jerk motion and tremor. Throws Failure(wrong_call) where the loop is unstable with the recording's
 // settings.
-PlayedMotion one_hand(const FigureRequest& request);
+SimulatedMotion one_hand(const FigureRequest& request);
 Figure one_hand_figure(const FigureRequest& request);
 
 // Force along the motor at rest over the angle between wall normal and motor axis: (11), (15), (20), and the simulated

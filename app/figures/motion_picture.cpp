@@ -15,7 +15,7 @@ Spot proxy_spot(StrategyId id, const Vector<2>& at) {
 
 }  // namespace
 
-ScenePicture picture_of(const PlayedMotion& motion, const std::string& start, const std::string& goal) {
+ScenePicture picture_of(const SimulatedMotion& motion, const std::string& start, const std::string& goal) {
   ScenePicture picture{.title = motion.name, .settings = last_settings(motion)};
   Trail way{.points = {}, .colour = paper().faint_text, .pattern = dotted_line, .width = 1.6};
   for (const Snapshot& moment : motion.moments) way.points.push_back(moment.goal);

@@ -4,13 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "app/figures/played_motion.h"
 #include "app/figures/scene_pane.h"
+#include "app/figures/simulated_motion.h"
 
 namespace ghostforce {
 
 // The hand's way is dotted; the devices' proxies stand hollow on the wall. `start` and `goal` name the ends of the way.
-ScenePicture picture_of(const PlayedMotion& motion, const std::string& start, const std::string& goal);
+ScenePicture picture_of(const SimulatedMotion& motion, const std::string& start, const std::string& goal);
 
 // Its entries of the legend.
 std::vector<LegendEntry> motion_legend();

@@ -35,7 +35,7 @@ Scene simulated_scene() {
   return scene;
 }
 
-Chart force_chart(const PlayedMotion& motion) {
+Chart force_chart(const SimulatedMotion& motion) {
   Chart chart;
   chart.title = "Force along the motor axis";
   chart.x = {.title = "time [s]", .range = Vector<2>(0.0, motion.scene.duration)};
@@ -63,7 +63,7 @@ struct Feeling {
   bool sees_move = false;  // wall or motor are not always in one place
 };
 
-Feeling feeling_of(const PlayedMotion& motion) {
+Feeling feeling_of(const SimulatedMotion& motion) {
   Feeling feeling;
   const Settings& last = last_settings(motion);
   for (const Snapshot& moment : motion.moments) {
@@ -100,7 +100,7 @@ std::string words_of(const Feeling& feeling) {
       feeling.cure_N, has_ghost ? naive : "N feels as F does");
 }
 
-std::string caption_of(const FigureRequest& request, const PlayedMotion& motion) {
+std::string caption_of(const FigureRequest& request, const SimulatedMotion& motion) {
   const Feeling feeling = feeling_of(motion);
   std::string caption = "A simulated hand (minimum jerk, tremor at 8 to 12 Hz)";
   if (request.hand) caption = request.hand->is_estimated ? "A recorded hand, its goal inferred," : "A recorded hand";
@@ -130,12 +130,12 @@ std::string aim_comment() {
 
 }  // namespace
 
-PlayedMotion one_hand(const FigureRequest& request) {
-  return request.hand ? play_hand(*request.hand) : play_motion("", simulated_scene());
+SimulatedMotion one_hand(const FigureRequest& request) {
+  return request.hand ? simulate_hand(*request.hand) : simulate_motion("", simulated_scene());
 }
 
 Figure one_hand_figure(const FigureRequest& request) {
-  const PlayedMotion motion = one_hand(request);
+  const SimulatedMotion motion = one_hand(request);
   Sheet sheet("One hand, three strategies", 900.0);
   ScenePicture picture = picture_of(motion, "", "");
   picture.has_scale = true;

@@ -11,12 +11,12 @@
 
 namespace ghostforce {
 
-PlayedMotion one_motion() {
-  return play_motion("", load_scene("fig1"));
+SimulatedMotion one_motion() {
+  return simulate_motion("", load_scene("fig1"));
 }
 
 Figure one_motion_figure(const FigureRequest&) {
-  const PlayedMotion motion = one_motion();
+  const SimulatedMotion motion = one_motion();
   Sheet sheet("One motion into a slanted wall", 520.0);
   ScenePicture picture = picture_of(motion, "A", "B");
   std::vector<LegendEntry> legend = motion_legend();

@@ -9,19 +9,20 @@
 
 namespace ghostforce {
 
-std::vector<PlayedMotion> stiffness_ratios() {
-  std::vector<PlayedMotion> motions;
+std::vector<SimulatedMotion> stiffness_ratios() {
+  std::vector<SimulatedMotion> motions;
   for (const int ratio : {1, 5, 10, 20}) {
-    motions.push_back(play_motion(fmt::format("k_r/k_u = {}", ratio), load_scene(fmt::format("fig4-ratio{}", ratio))));
+    motions.push_back(
+        simulate_motion(fmt::format("k_r/k_u = {}", ratio), load_scene(fmt::format("fig4-ratio{}", ratio))));
   }
   return motions;
 }
 
 Figure stiffness_ratios_figure(const FigureRequest&) {
-  const std::vector<PlayedMotion> motions = stiffness_ratios();
+  const std::vector<SimulatedMotion> motions = stiffness_ratios();
   Sheet sheet("Stiffer rendering, larger ghost force", 700.0);
   std::vector<ScenePicture> pictures;
-  for (const PlayedMotion& motion : motions) {
+  for (const SimulatedMotion& motion : motions) {
     ScenePicture picture = picture_of(motion, "", "");
     const Stiffnesses& k = motion.scene.settings.stiffnesses;
     picture.title = fmt::format("kᵣ/kᵤ = {:g}", k.k_r / k.k_u);

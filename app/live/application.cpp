@@ -20,7 +20,7 @@
 #include "app/ui/plots/plot_export.h"
 #include "app/ui/widgets/save_path.h"
 #include "core/divergence.h"
-#include "core/play.h"
+#include "core/simulate.h"
 
 namespace ghostforce {
 namespace {
@@ -135,9 +135,9 @@ TickState<2> Application::start_state() {
   const bool is_replay = input_->needs_recording && input_options_.recorded_hand;
   if (is_replay) scene.goal = *input_options_.recorded_hand;
   const Vector<2> first = goal_at(scene.goal, 0.0);
-  const TickState<2> state = play_from(is_replay ? state_at_rest(scene.settings, first) : state_at_start(first), scene,
-                                       input_->is_scripted ? 0 : last_tick(scene),
-                                       [this](const Snapshot& snapshot) { history_.add(snapshot); });
+  const TickState<2> state = simulate_from(is_replay ? state_at_rest(scene.settings, first) : state_at_start(first),
+                                           scene, input_->is_scripted ? 0 : last_tick(scene),
+                                           [this](const Snapshot& snapshot) { history_.add(snapshot); });
   if (!has_diverged(state)) return state;
   // Unstable settings have no rest to start from: start where the hand is, and let the servo say what it finds.
   history_.clear();

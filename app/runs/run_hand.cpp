@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/console/failure.h"
-#include "core/play.h"
+#include "core/simulate.h"
 
 namespace ghostforce {
 

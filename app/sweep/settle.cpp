@@ -68,7 +68,7 @@ struct Settling {
   Balance balance;
 };
 
-// All lanes follow the path as play.h and `simulate` do, a piece of it at a time.
+// All lanes follow the path as simulate.h and `simulate` do, a piece of it at a time.
 void follow(const GoalPath& path, double rate, std::int64_t last, Batch& batch) noexcept {
   std::array<Vector<2>, 256> goals;
   std::int64_t k = 0;

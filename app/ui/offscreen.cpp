@@ -11,7 +11,7 @@
 #include "app/ui/panels/panel_catalog.h"
 #include "app/ui/window.h"
 #include "core/divergence.h"
-#include "core/play.h"
+#include "core/simulate.h"
 #include "ghostforce_version.h"
 
 namespace ghostforce {
@@ -52,13 +52,14 @@ bool apply_strategy_word(std::string_view word, PictureRequest& request) {
   return true;
 }
 
-Moment play_to_moment(const PictureRequest& request) {
+Moment simulate_to_moment(const PictureRequest& request) {
   Moment moment;
-  const TickState<2> state = play(request.scene, tick_at(request.scene, request.at_s), [&](const Snapshot& snapshot) {
-    moment.history.add(snapshot);
-    moment.snapshot = snapshot;
-    if (snapshot.tick % 1024 == 0) stop_if_interrupted();
-  });
+  const TickState<2> state =
+      simulate(request.scene, tick_at(request.scene, request.at_s), [&](const Snapshot& snapshot) {
+        moment.history.add(snapshot);
+        moment.snapshot = snapshot;
+        if (snapshot.tick % 1024 == 0) stop_if_interrupted();
+      });
   if (!has_diverged(state)) return moment;
   throw Failure(ExitCode::wrong_call,
                 "there is nothing to draw: with these settings the sampled loop is unstable and the device runs away; "

@@ -34,13 +34,13 @@ struct PictureRequest {
 // with the others beside it, in the same picture; empty changes nothing. False where the word is none of these.
 bool apply_strategy_word(std::string_view word, PictureRequest& request);
 
-// The moment: the scene played from its beginning. Throws Failure: wrong_call for a moment that cannot be, or where the
-// loop is unstable; interrupted.
+// The moment: the scene simulated from its beginning. Throws Failure: wrong_call for a moment that cannot be, or where
+// the loop is unstable; interrupted.
 struct Moment {
   Snapshot snapshot;
   History history;
 };
-Moment play_to_moment(const PictureRequest& request);
+Moment simulate_to_moment(const PictureRequest& request);
 
 // The scene's marks, as a painter of vectors wants them.
 std::vector<Pane> compose_moment(const PictureRequest& request, const Moment& moment, const Vector<2>& size,

@@ -42,7 +42,7 @@ namespace fs = std::filesystem;
 
 // The scene's marks as the screen composes them, altered, and painted as the screen paints them.
 Image painted(const PictureRequest& request, const std::function<void(Marks&)>& alter) {
-  const Moment moment = play_to_moment(request);
+  const Moment moment = simulate_to_moment(request);
   Window window(
       {.title = "", .width = request.width, .height = request.height, .offscreen = true, .takes_mouse = false});
   const auto scale = static_cast<float>(request.look.scale);

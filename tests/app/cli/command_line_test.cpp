@@ -17,7 +17,7 @@
 #include "app/files/scene_file.h"
 #include "core/equilibrium.h"
 #include "core/ghost_force.h"
-#include "core/play.h"
+#include "core/simulate.h"
 #include "tests/support/program.h"
 #include "tests/support/scene_values.h"
 #include "tests/support/temporary_folder.h"
@@ -223,7 +223,7 @@ TEST(Simulate, WritesEveryTickOfEveryStrategyExactly) {
   ASSERT_EQ(csv.names.size(), 3U * 3001U);  // 3 s at 1000 Hz, both ends included
   const Scene scene = load_scene("fig3-normal");
   std::size_t row = 0;
-  play(scene, last_tick(scene), [&](const Snapshot& snapshot) {
+  simulate(scene, last_tick(scene), [&](const Snapshot& snapshot) {
     for (const StrategyId id : {StrategyId::full, StrategyId::naive, StrategyId::anisotropic}) {
       ASSERT_EQ(csv.names[row], strategy(id).name);
       const std::vector<double> expected = expected_row(snapshot, id);

@@ -11,7 +11,7 @@
 
 #include "app/files/run_file.h"
 #include "app/files/scene_file.h"
-#include "core/play.h"
+#include "core/simulate.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
@@ -59,7 +59,7 @@ class MeasureUser : public testing::Test {
     scene.goal = {{aim}, {0.0}, Motion::linear};
     scene.duration = 2.0;
     fmt::memory_buffer rows;
-    play(scene, last_tick(scene), [&](Snapshot snapshot) {
+    simulate(scene, last_tick(scene), [&](Snapshot snapshot) {
       auto& now = snapshot.strategies[index_of(StrategyId::anisotropic)];
       const double phase = 50.0 * snapshot.time_s;
       const Vector<2> tremor = 0.0002 * Vector<2>(std::cos(phase), std::sin(1.3 * phase));
@@ -183,7 +183,7 @@ TEST_F(MeasureUser, EachHandHasItsOwnMedian) {
     Scene part = scene;
     part.settings = settings;
     Snapshot rest;
-    play(part, last_tick(part), [&](const Snapshot& snapshot) { rest = snapshot; });
+    simulate(part, last_tick(part), [&](const Snapshot& snapshot) { rest = snapshot; });
     for (int k = 1000 * from_s; k < 1000 * (from_s + 1); ++k) {
       rest.time_s = k / 1000.0;
       for (const Strategy& strategy : strategy_catalog()) {

@@ -28,29 +28,29 @@ constexpr double claimed = 1e-6;
 // but rounding, some 1e-16 m times a stiffness ratio of 1000.
 constexpr double rounding = 1e-11;  // [m]; [N] with a stiffness of 100 times as much
 
-std::vector<PlayedMotion> played_to_rest() {
-  std::vector<PlayedMotion> motions = directions_of_intent();
+std::vector<SimulatedMotion> simulated_to_rest() {
+  std::vector<SimulatedMotion> motions = directions_of_intent();
   std::ranges::move(stiffness_ratios(), std::back_inserter(motions));
   motions.push_back(one_motion());
   return motions;
 }
 
-double depth_of(const PlayedMotion& motion) {
+double depth_of(const SimulatedMotion& motion) {
   return depth(wall_of(motion.scene.settings), motion.moments.back().goal);
 }
 
-double along_motor(const PlayedMotion& motion, const Vector<2>& v) {
+double along_motor(const SimulatedMotion& motion, const Vector<2>& v) {
   return glm::dot(direction_at(motion.scene.settings.actuated_angle), v);
 }
 
-const StrategySnapshot<2>& at_rest(const PlayedMotion& motion, std::size_t i) {
+const StrategySnapshot<2>& at_rest(const SimulatedMotion& motion, std::size_t i) {
   return motion.moments.back().strategies[i];
 }
 
 // ---- At rest --------------------------------------------------------------------------------------------------------
 
 TEST(Claims, TheCureRestsWhereTheFullyActuatedDeviceDoesAlongTheMotor) {
-  for (const PlayedMotion& motion : played_to_rest()) {
+  for (const SimulatedMotion& motion : simulated_to_rest()) {
     SCOPED_TRACE(motion.name);
     const double near = claimed * depth_of(motion);
     ASSERT_GT(near, 0.0);
@@ -71,10 +71,10 @@ TEST(Claims, TheCureDoesSoForSoftAndHardWalls) {
   for (const double k_c : {100.0, 1e3, 1e4, 1e5, 1e6, 1e9, std::numeric_limits<double>::infinity()}) {
     SCOPED_TRACE(k_c);
     scene.settings.stiffnesses.k_c = k_c;
-    const PlayedMotion motion = play_motion("", scene);
+    const SimulatedMotion motion = simulate_motion("", scene);
     const double near = claimed * depth_of(motion);
-    for (const auto& device_of : {+[](const PlayedMotion&m, std::size_t i) { return m.rest[i].device; },
-                                  +[](const PlayedMotion&m, std::size_t i) { return at_rest(m, i).device; }}) {
+    for (const auto& device_of : {+[](const SimulatedMotion&m, std::size_t i) { return m.rest[i].device; },
+                                  +[](const SimulatedMotion&m, std::size_t i) { return at_rest(m, i).device; }}) {
       EXPECT_NEAR(device_of(motion, anisotropic).x, device_of(motion, full).x, near);
       EXPECT_GT(device_of(motion, full).x - device_of(motion, naive).x, 1000.0 * near);
     }
@@ -85,7 +85,7 @@ TEST(Claims, TheCureDoesSoForSoftAndHardWalls) {
 
 TEST(Claims, TheNaiveDeviceEndsOnTheOtherSideOfWhereItEntered) {
   // Into the wall at x = 0, to a goal at x = 40 mm.
-  const PlayedMotion motion = directions_of_intent()[1];
+  const SimulatedMotion motion = directions_of_intent()[1];
   struct Row {
     std::size_t strategy;
     double device_x_mm;
@@ -102,7 +102,7 @@ TEST(Claims, TheNaiveDeviceEndsOnTheOtherSideOfWhereItEntered) {
   EXPECT_LT(at_rest(motion, naive).device.x, 0.0);
   EXPECT_GT(at_rest(motion, anisotropic).device.x, 0.0);
   // In figure 1 the way from A to B meets the wall elsewhere.
-  const PlayedMotion first = one_motion();
+  const SimulatedMotion first = one_motion();
   const Wall<2> wall = wall_of(first.scene.settings);
   const auto inside =
       std::ranges::find_if(first.moments, [&](const Snapshot& moment) { return depth(wall, moment.goal) > 0.0; });
@@ -113,7 +113,7 @@ TEST(Claims, TheNaiveDeviceEndsOnTheOtherSideOfWhereItEntered) {
 
 TEST(Claims, TheGhostForceGrowsWithTheStiffnessRatio) {
   double before = 0.0;
-  for (const PlayedMotion& motion : stiffness_ratios()) {
+  for (const SimulatedMotion& motion : stiffness_ratios()) {
     const double ghost = glm::length(at_rest(motion, naive).ghost_force);
     EXPECT_GT(ghost, 1.1 * before) << motion.name;
     EXPECT_NEAR(ghost, glm::length(motion.ghost_at_rest[naive]), 1000.0 * rounding);
@@ -173,7 +173,7 @@ TEST(Claims, TheCureHasTheFullyActuatedForceOnEveryCurve) {
 // ---- With dynamics and sampling -------------------------------------------------------------------------------------
 
 TEST(Claims, TheSimulatedLoopComesToRestWhereTheClosedFormsSay) {
-  for (const PlayedMotion& motion : played_to_rest()) {
+  for (const SimulatedMotion& motion : simulated_to_rest()) {
     SCOPED_TRACE(motion.name);
     for (std::size_t i = 0; i < strategy_count; ++i) {
       EXPECT_LT(glm::distance(at_rest(motion, i).device, motion.rest[i].device), rounding);
@@ -206,7 +206,7 @@ TEST(Claims, SimulatedPointsLieOnTheirCurves) {
 }
 
 TEST(Claims, ATremblingHandFeelsTheGhostForceOfNaiveRenderingAlone) {
-  const PlayedMotion motion = one_hand({});
+  const SimulatedMotion motion = one_hand({});
   PerStrategy<double> squares{};
   int count = 0;
   for (const Snapshot& moment : motion.moments) {

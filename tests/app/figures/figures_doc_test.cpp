@@ -22,9 +22,9 @@ std::string numbers_table() {
   std::string table =
       "| pane | F device, mm | N | A | F force, N | N | A | ghost force of N, N |\n"
       "| --- | --- | --- | --- | --- | --- | --- | --- |\n";
-  std::vector<PlayedMotion> motions = directions_of_intent();
+  std::vector<SimulatedMotion> motions = directions_of_intent();
   std::ranges::move(stiffness_ratios(), std::back_inserter(motions));
-  for (const PlayedMotion& motion : motions) {
+  for (const SimulatedMotion& motion : motions) {
     table += "| " + motion.name + " |";
     for (const Equilibrium<2>& rest : motion.rest) table += cell(1000.0 * rest.device.x);
     for (const Equilibrium<2>& rest : motion.rest) table += cell(rest.force.x);
@@ -44,8 +44,9 @@ TEST(FiguresDoc, NamesEachFigureWithItsCommand) {
 
 TEST(FiguresDoc, HasTheNumbersOfThisProgram) {
   const std::string table = numbers_table();
-  EXPECT_NE(read_whole(GHOSTFORCE_SOURCE_DIR "/docs/figures.md").find(table), std::string::npos) << "docs/figures.md should hold\n"
-                                                                               << table;
+  EXPECT_NE(read_whole(GHOSTFORCE_SOURCE_DIR "/docs/figures.md").find(table), std::string::npos)
+      << "docs/figures.md should hold\n"
+      << table;
 }
 
 }  // namespace

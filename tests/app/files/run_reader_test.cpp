@@ -12,7 +12,7 @@
 #include "app/files/run_file.h"
 #include "app/files/scene_file.h"
 #include "app/runs/run_hand.h"
-#include "core/play.h"
+#include "core/simulate.h"
 #include "ghostforce_version.h"
 #include "tests/support/scene_values.h"
 #include "tests/support/temporary_folder.h"
@@ -31,7 +31,7 @@ std::string recording() {
   fmt::memory_buffer rows;
   Settings known = scene.settings;
   std::int64_t k = 0;
-  play(scene, last_tick(scene), [&](const Snapshot& snapshot) {
+  simulate(scene, last_tick(scene), [&](const Snapshot& snapshot) {
     if (k == 3) {
       Settings wanted = known;
       wanted.stiffnesses.k_r = 812.5;
@@ -117,7 +117,7 @@ TEST(RunReader, ReadsBackBitForBitWhatSimulateWrites) {
   const Scene scene = load_scene("fig3-normal");
   fmt::memory_buffer rows;
   std::vector<Snapshot> snapshots;
-  play(scene, 700, [&](const Snapshot& snapshot) {
+  simulate(scene, 700, [&](const Snapshot& snapshot) {
     snapshots.push_back(snapshot);
     append_run_row(rows, snapshot, StrategyId::naive);
     rows.push_back('\n');
@@ -412,7 +412,7 @@ TEST(RunReader, LoadsFilesInPieces) {
   const TemporaryFolder folder;
   Scene scene = load_scene("fig3-normal");
   fmt::memory_buffer rows;
-  play(scene, last_tick(scene), [&](const Snapshot& snapshot) {
+  simulate(scene, last_tick(scene), [&](const Snapshot& snapshot) {
     for (const Strategy& strategy : strategy_catalog()) {
       append_run_row(rows, snapshot, strategy.id);
       rows.push_back('\n');
@@ -447,13 +447,13 @@ TEST(RunReader, TheHandOfARunIsItsGoalAtEachTickBitForBit) {
     append_run_row(rows, snapshot, StrategyId::full);
     rows.push_back('\n');
   };
-  play(scene, 900, [&](const Snapshot& snapshot) {
+  simulate(scene, 900, [&](const Snapshot& snapshot) {
     if (snapshot.tick < 100) return;  // recorded in mid-motion
     goals.push_back(snapshot.goal);
     write(snapshot);
   });
   append_state_line(rows, 0.0, {});
-  play(scene, 10, write);  // reset
+  simulate(scene, 10, write);  // reset
   const auto run = read_run(run_header(scene) + text_of(rows), "f");
   const GoalPath path = goal_path_of(run);
   ASSERT_EQ(path.points.size(), goals.size());

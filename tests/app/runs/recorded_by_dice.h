@@ -14,7 +14,7 @@
 #include "app/files/run_file.h"
 #include "app/files/scene_file.h"
 #include "app/runs/recording.h"
-#include "core/play.h"
+#include "core/simulate.h"
 #include "device/input/mouse_input.h"
 #include "device/servo/servo.h"
 
@@ -36,7 +36,7 @@ inline std::string recorded_by_dice(unsigned seed, int rounds, int gap_every = 0
   ServoCommand command;
   command.settings = scene.settings;
   command.recording = 1;
-  command.restart_state = play(scene, last_tick(scene), [](const Snapshot&) {});
+  command.restart_state = simulate(scene, last_tick(scene), [](const Snapshot&) {});
   Servo servo(std::make_unique<MouseInput>(), command);
   auto& mouse = dynamic_cast<MouseInput&>(servo.input());
   SampleText text(scene.settings);

@@ -13,7 +13,7 @@
 #include "app/files/run_reader.h"
 #include "app/files/scene_file.h"
 #include "app/runs/recording.h"
-#include "core/play.h"
+#include "core/simulate.h"
 #include "tests/app/runs/recorded_by_dice.h"
 #include "tests/support/replay_run.h"
 
@@ -83,7 +83,7 @@ TEST(Replay, LeavesOutWhatFollowsFromMissingRows) {
   Scene scene = load_scene("fig3-normal");
   scene.duration = 0.1;
   fmt::memory_buffer rows;
-  play(scene, last_tick(scene), [&](const Snapshot& snapshot) {
+  simulate(scene, last_tick(scene), [&](const Snapshot& snapshot) {
     append_run_row(rows, snapshot, StrategyId::naive);
     rows.push_back('\n');
   });
@@ -107,7 +107,7 @@ TEST(Replay, LeavesMeasuredDevicesAsTheyAreAndComparesTheOthers) {
   // asked.
   const Scene scene = load_scene("wall45");
   const TickCoefficients<2> coefficients = coefficients_of(scene.settings);
-  TickState<2> state = play(scene, last_tick(scene), [](const Snapshot&) {});
+  TickState<2> state = simulate(scene, last_tick(scene), [](const Snapshot&) {});
   SampleText text(scene.settings);
   fmt::memory_buffer lines;
   std::uint64_t serial = 0;

@@ -12,7 +12,7 @@
 #include "app/view/glossary.h"
 #include "app/view/layers.h"
 #include "app/view/panes.h"
-#include "core/play.h"
+#include "core/simulate.h"
 
 namespace ghostforce {
 namespace {
@@ -35,7 +35,7 @@ Picture picture_of(const std::string& name, StrategyId active, Compare compare, 
   Picture picture;
   picture.scene = load_scene(name, overrides);
   picture.scene.settings.active = active;
-  play(picture.scene, last_tick(picture.scene), [&](const Snapshot& snapshot) {
+  simulate(picture.scene, last_tick(picture.scene), [&](const Snapshot& snapshot) {
     picture.history.add(snapshot);
     picture.snapshot = snapshot;
   });

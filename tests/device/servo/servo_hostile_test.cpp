@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/play.h"
+#include "core/simulate.h"
 #include "device/input/mouse_input.h"
 #include "device/servo/servo.h"
 #include "tests/device/servo/servo_scenes.h"
@@ -70,7 +70,7 @@ TEST(Servo, RefusesHostileSettingsAsAWhole) {
     wake(servo, 401);
     EXPECT_EQ(servo.newest().refused_commands, 1U);
     EXPECT_EQ(servo.newest().settings_generation, 0U);
-    play(scene, 1000, [&](const Snapshot& wanted) {
+    simulate(scene, 1000, [&](const Snapshot& wanted) {
       if (wanted.tick == 1000) expect_same(servo.newest().snapshot, wanted);
     });
 
@@ -150,7 +150,7 @@ TEST(Servo, StopsBeforeUnstableSettingsBlowUp) {
   servo.send(command);
   wake(servo, 101);
   EXPECT_FALSE(servo.newest().diverged);
-  play(scene, 100, [&](const Snapshot& wanted) {
+  simulate(scene, 100, [&](const Snapshot& wanted) {
     if (wanted.tick == 100) expect_same(servo.newest().snapshot, wanted);
   });
 }

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/play.h"
+#include "core/simulate.h"
 #include "device/input/mouse_input.h"
 #include "device/input/scripted_input.h"
 #include "tests/device/servo/servo_scenes.h"
@@ -33,7 +33,7 @@ TEST(Servo, MakesTheSameNumbersAsPlay) {
       scene.settings.active = active.id;
       Servo servo(script_of(scene), start_of(scene));
       Sample sample;
-      play(scene, last_tick(scene), [&](const Snapshot& wanted) {
+      simulate(scene, last_tick(scene), [&](const Snapshot& wanted) {
         servo.wake();
         ASSERT_TRUE(servo.take_sample(sample));
         expect_same(sample.snapshot, wanted);
@@ -48,10 +48,10 @@ TEST(Servo, MakesTheSameNumbersAsPlay) {
 TEST(Servo, GoesOnFromAStateThatWasPlayedBefore) {
   const Scene scene = slanted_wall();
   ServoCommand command = start_of(scene);
-  command.restart_state = play(scene, 700, [](const Snapshot&) {});
+  command.restart_state = simulate(scene, 700, [](const Snapshot&) {});
   Servo servo(script_of(scene), command);
   Sample sample;
-  play(scene, last_tick(scene), [&](const Snapshot& wanted) {
+  simulate(scene, last_tick(scene), [&](const Snapshot& wanted) {
     if (wanted.tick < 700) return;
     servo.wake();
     ASSERT_TRUE(servo.take_sample(sample));
@@ -139,7 +139,7 @@ TEST(Servo, RestartsFromTheStateGiven) {
 
   command.restarts_asked = 1;
   servo.send(command);
-  play(scene, 800, [&](const Snapshot& wanted) {
+  simulate(scene, 800, [&](const Snapshot& wanted) {
     servo.wake();
     Sample sample;
     ASSERT_TRUE(servo.take_sample(sample));
@@ -215,7 +215,7 @@ TEST(Servo, TakesNewSettingsWholeWithTheirGeneration) {
 TEST(Servo, ShowsNewSettingsWhilePaused) {
   const Scene scene = slanted_wall();
   ServoCommand command = start_of(scene);
-  command.restart_state = play(scene, 1000, [](const Snapshot&) {});
+  command.restart_state = simulate(scene, 1000, [](const Snapshot&) {});
   command.paused = true;
   Servo servo(script_of(scene), command);
   command.settings.stiffnesses.k_r *= 0.5;

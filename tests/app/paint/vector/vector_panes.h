@@ -22,7 +22,7 @@ inline std::vector<Pane> panes_of(std::string_view scene, Compare compare, const
   request.options.compare = compare;
   request.options.trails = has_trails;
   request.look.theme = &theme;
-  return compose_moment(request, play_to_moment(request), size, measure_vector_text);
+  return compose_moment(request, simulate_to_moment(request), size, measure_vector_text);
 }
 
 }  // namespace ghostforce

@@ -14,7 +14,7 @@
 #include "app/ui/plots/plot_export.h"
 #include "app/ui/plots/rest_curves.h"
 #include "app/view/plot_history.h"
-#include "core/play.h"
+#include "core/simulate.h"
 
 namespace ghostforce {
 namespace {
@@ -185,7 +185,7 @@ TEST_F(RestCurvesTest, AskNothingThatNobodyKnowsOfARealHand) {
 class PlotFile : public testing::Test {
  protected:
   PlotFile() {
-    play(scene_, last_tick(scene_), [&](const Snapshot& snapshot) {
+    simulate(scene_, last_tick(scene_), [&](const Snapshot& snapshot) {
       history_.add(snapshot);
       snapshot_ = snapshot;
     });
@@ -243,7 +243,7 @@ TEST_F(PlotFile, SaysWhereItComesFrom) {
 // A real hand from 1.2 s to 1.3 s.
 TEST_F(PlotFile, LeavesOutWhatCouldNotBeKnownOfARealHandAndNothingElse) {
   history_.clear();
-  play(scene_, last_tick(scene_), [&](const Snapshot& snapshot) {
+  simulate(scene_, last_tick(scene_), [&](const Snapshot& snapshot) {
     snapshot_ = snapshot;
     if (snapshot.tick >= 1200 && snapshot.tick <= 1300) snapshot_.measured = StrategyId::naive;
     history_.add(snapshot_);

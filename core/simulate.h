@@ -1,5 +1,5 @@
-// Plays a scene's scripted hand from its first tick to a given one, as fast as the machine can: what `simulate` writes,
-// `render` draws and the window starts from. The same tick as the servo's. Any thread.
+// Simulates a scene's scripted hand from its first tick to a given one, as fast as the machine can: what `simulate`
+// writes, `render` draws and the window starts from. The same tick as the servo's. Any thread.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ inline TickState<2> state_at_rest(const Settings& settings, const Vector<2>& goa
 // Calls on_tick(const Snapshot&) for k = 0 … last, beginning with `state`, whose k is 0, and returns the state after
 // the last tick, from which a servo may go on.
 template <typename OnTick>
-TickState<2> play_from(TickState<2> state, const Scene& scene, std::int64_t last, OnTick&& on_tick) {
+TickState<2> simulate_from(TickState<2> state, const Scene& scene, std::int64_t last, OnTick&& on_tick) {
   const TickCoefficients<2> coefficients = coefficients_of(scene.settings);
   on_tick(snapshot_of(coefficients, state));
   while (state.tick < last) {
@@ -37,8 +37,8 @@ TickState<2> play_from(TickState<2> state, const Scene& scene, std::int64_t last
 
 // The same from where a scene's hand begins: with the devices there too, wherever the wall is.
 template <typename OnTick>
-TickState<2> play(const Scene& scene, std::int64_t last, OnTick&& on_tick) {
-  return play_from(state_at_start(goal_at(scene.goal, 0.0)), scene, last, on_tick);
+TickState<2> simulate(const Scene& scene, std::int64_t last, OnTick&& on_tick) {
+  return simulate_from(state_at_start(goal_at(scene.goal, 0.0)), scene, last, on_tick);
 }
 
 }  // namespace ghostforce

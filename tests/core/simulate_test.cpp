@@ -1,4 +1,4 @@
-#include "core/play.h"
+#include "core/simulate.h"
 
 #include <cstdint>
 #include <numbers>
@@ -23,10 +23,10 @@ Scene example() {
   return scene;
 }
 
-TEST(PlayTest, ReportsEveryTickFromTheFirstToTheLast) {
+TEST(SimulateTest, ReportsEveryTickFromTheFirstToTheLast) {
   const Scene scene = example();
   std::vector<Snapshot> ticks;
-  const TickState<2> state = play(scene, last_tick(scene), [&](const Snapshot& s) { ticks.push_back(s); });
+  const TickState<2> state = simulate(scene, last_tick(scene), [&](const Snapshot& s) { ticks.push_back(s); });
   ASSERT_EQ(ticks.size(), 1501U);
   for (std::size_t k = 0; k < ticks.size(); ++k) {
     ASSERT_EQ(ticks[k].tick, static_cast<std::int64_t>(k));
@@ -39,7 +39,7 @@ TEST(PlayTest, ReportsEveryTickFromTheFirstToTheLast) {
 }
 
 // The same ticks as any other: bit for bit what the servo would compute, and what it may go on from.
-TEST(PlayTest, IsTheTickRepeated) {
+TEST(SimulateTest, IsTheTickRepeated) {
   const Scene scene = example();
   const TickCoefficients<2> coefficients = coefficients_of(scene.settings);
   TickState<2> expected = state_at_start(scene.goal.points.front());
@@ -52,16 +52,16 @@ TEST(PlayTest, IsTheTickRepeated) {
       ASSERT_EQ(snapshot.strategies[i].energy, expected.strategies[i].energy);
     }
   };
-  const TickState<2> state = play(scene, 700, check);
+  const TickState<2> state = simulate(scene, 700, check);
   EXPECT_EQ(state.tick, 700);
   for (std::size_t i = 0; i < strategy_count; ++i) {
     EXPECT_EQ(state.strategies[i].motion.velocity, expected.strategies[i].motion.velocity);
   }
 }
 
-TEST(PlayTest, NoTicksIsTheStart) {
+TEST(SimulateTest, NoTicksIsTheStart) {
   int calls = 0;
-  const TickState<2> state = play(example(), 0, [&](const Snapshot& s) {
+  const TickState<2> state = simulate(example(), 0, [&](const Snapshot& s) {
     ++calls;
     EXPECT_EQ(s.tick, 0);
   });
@@ -70,7 +70,7 @@ TEST(PlayTest, NoTicksIsTheStart) {
 }
 
 // Every strategy, in the wall and in free space, and with a wrong belief.
-TEST(PlayTest, NothingMovesFromRest) {
+TEST(SimulateTest, NothingMovesFromRest) {
   Scene scene = example();
   scene.settings.stiffnesses.believed_k_u = 60.0;
   for (const Vector<2>& goal : {Vector<2>(0.04, -0.04), Vector<2>(0.0, -0.01), Vector<2>(-0.03, 0.02)}) {
@@ -79,7 +79,7 @@ TEST(PlayTest, NothingMovesFromRest) {
     const bool is_inside = depth(wall_of(scene.settings), goal) > 0.0;
     EXPECT_EQ(rest.strategies[0].in_contact, is_inside);
     EXPECT_EQ(rest.strategies[0].motion.position == goal, !is_inside);
-    const TickState<2> later = play_from(rest, scene, 500, [&](const Snapshot& snapshot) {
+    const TickState<2> later = simulate_from(rest, scene, 500, [&](const Snapshot& snapshot) {
       for (std::size_t i = 0; i < strategy_count; ++i) {
         ASSERT_LT(glm::distance(snapshot.strategies[i].device, rest.strategies[i].motion.position), 1e-12);
         ASSERT_LT(glm::distance(snapshot.strategies[i].proxy, rest.strategies[i].proxy), 1e-12);

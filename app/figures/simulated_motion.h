@@ -1,5 +1,5 @@
-// PlayedMotion: a scene's hand played from beginning to end under all strategies, thinned out to what a picture needs;
-// and where theory says that it all comes to rest. What figures 1 to 6 are drawn from. Pure, any thread.
+// SimulatedMotion: a scene's hand simulated from beginning to end under all strategies, thinned out to what a picture
+// needs; and where theory says that it all comes to rest. What figures 1 to 6 are drawn from. Pure, any thread.
 #pragma once
 
 #include <span>
@@ -14,7 +14,7 @@
 
 namespace ghostforce {
 
-struct PlayedMotion {
+struct SimulatedMotion {
   std::string name;  // what sets it apart from the others of its figure
   Scene scene;
   std::vector<SettingsChange> changes{};   // of the scene's settings
@@ -24,16 +24,16 @@ struct PlayedMotion {
 };
 
 // Throws Failure(wrong_call) where the loop is unstable.
-PlayedMotion play_motion(std::string name, const Scene& scene);
+SimulatedMotion simulate_motion(std::string name, const Scene& scene);
 
 // The same of a recorded hand, with what was changed while it was recorded.
-PlayedMotion play_hand(const RecordedHand& hand);
+SimulatedMotion simulate_hand(const RecordedHand& hand);
 
 // Those in use at a time [s], and in the end.
-const Settings& settings_at(const PlayedMotion& motion, double time_s);
-const Settings& last_settings(const PlayedMotion& motion);
+const Settings& settings_at(const SimulatedMotion& motion, double time_s);
+const Settings& last_settings(const SimulatedMotion& motion);
 
 // One row per motion, strategy and moment, and one of the closed form at rest, where t_s is nan.
-CsvTable table_of(std::span<const PlayedMotion> motions);
+CsvTable table_of(std::span<const SimulatedMotion> motions);
 
 }  // namespace ghostforce

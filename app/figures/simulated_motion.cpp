@@ -1,4 +1,4 @@
-#include "app/figures/played_motion.h"
+#include "app/figures/simulated_motion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@
 #include "app/files/run_file.h"
 #include "core/divergence.h"
 #include "core/ghost_force.h"
-#include "core/play.h"
+#include "core/simulate.h"
 
 namespace ghostforce {
 namespace {
@@ -33,7 +33,7 @@ struct Thinned {
   std::int64_t between;
 };
 
-void add_rest(PlayedMotion& motion) {
+void add_rest(SimulatedMotion& motion) {
   const Vector<2> goal = motion.moments.back().goal;
   const Settings& settings = last_settings(motion);
   for (const Strategy& strategy : strategy_catalog()) {
@@ -45,7 +45,7 @@ void add_rest(PlayedMotion& motion) {
 }
 
 // What a recording says of each change.
-std::vector<std::string> change_lines(const PlayedMotion& motion) {
+std::vector<std::string> change_lines(const SimulatedMotion& motion) {
   Settings known = motion.scene.settings;
   fmt::memory_buffer text;
   for (const SettingsChange& change : motion.changes) append_set_lines(text, change.time_s, known, change.settings);
@@ -59,7 +59,7 @@ std::vector<std::string> change_lines(const PlayedMotion& motion) {
   return lines;
 }
 
-std::vector<CsvCell> row_of(const PlayedMotion& motion, StrategyId id, std::string source, double time_s,
+std::vector<CsvCell> row_of(const SimulatedMotion& motion, StrategyId id, std::string source, double time_s,
                             const Vector<2>& goal, const Vector<2>& device, const Vector<2>& proxy,
                             const Vector<2>& force, const Vector<2>& ghost) {
   return {motion.name,
@@ -80,10 +80,10 @@ std::vector<CsvCell> row_of(const PlayedMotion& motion, StrategyId id, std::stri
 
 }  // namespace
 
-PlayedMotion play_motion(std::string name, const Scene& scene) {
-  PlayedMotion motion{.name = std::move(name), .scene = scene};
+SimulatedMotion simulate_motion(std::string name, const Scene& scene) {
+  SimulatedMotion motion{.name = std::move(name), .scene = scene};
   const Thinned thinned(last_tick(scene));
-  const TickState<2> state = play(scene, thinned.last, [&](const Snapshot& snapshot) {
+  const TickState<2> state = simulate(scene, thinned.last, [&](const Snapshot& snapshot) {
     if (thinned.keeps(snapshot.tick)) motion.moments.push_back(snapshot);
     if (snapshot.tick % ticks_between_looks == 0) stop_if_interrupted();
   });
@@ -94,8 +94,8 @@ PlayedMotion play_motion(std::string name, const Scene& scene) {
   return motion;
 }
 
-PlayedMotion play_hand(const RecordedHand& hand) {
-  PlayedMotion motion{.name = "", .scene = hand.scene, .changes = hand.changes};
+SimulatedMotion simulate_hand(const RecordedHand& hand) {
+  SimulatedMotion motion{.name = "", .scene = hand.scene, .changes = hand.changes};
   const GoalPath& path = hand.scene.goal;
   const Thinned thinned(last_tick(hand.scene));
   TickCoefficients<2> coefficients = coefficients_of(hand.scene.settings);
@@ -129,23 +129,23 @@ PlayedMotion play_hand(const RecordedHand& hand) {
   return motion;
 }
 
-const Settings& settings_at(const PlayedMotion& motion, double time_s) {
+const Settings& settings_at(const SimulatedMotion& motion, double time_s) {
   const auto next = std::ranges::upper_bound(motion.changes, time_s, {}, &SettingsChange::time_s);
   return next == motion.changes.begin() ? motion.scene.settings : std::prev(next)->settings;
 }
 
-const Settings& last_settings(const PlayedMotion& motion) {
+const Settings& last_settings(const SimulatedMotion& motion) {
   return motion.changes.empty() ? motion.scene.settings : motion.changes.back().settings;
 }
 
-CsvTable table_of(std::span<const PlayedMotion> motions) {
+CsvTable table_of(std::span<const SimulatedMotion> motions) {
   CsvTable table;
   table.comments = {"One row per pane, strategy and moment as simulated, and one of the closed form at rest (t_s nan).",
                     "Units: s, m, N. The force is what the device puts on the hand."};
   table.columns = {
       "pane",       "strategy",  "source",    "t_s",       "goal_x_m",  "goal_y_m",        "device_x_m",
       "device_y_m", "proxy_x_m", "proxy_y_m", "force_x_N", "force_y_N", "ghost_force_x_N", "ghost_force_y_N"};
-  for (const PlayedMotion& motion : motions) {
+  for (const SimulatedMotion& motion : motions) {
     std::ranges::move(change_lines(motion), std::back_inserter(table.comments));
     for (const Strategy& strategy : strategy_catalog()) {
       const std::size_t i = index_of(strategy.id);
