@@ -23,7 +23,7 @@ void sweep_by_closed_form(benchmark::State& state) {
   std::chrono::nanoseconds formatting{0};
   for (auto _ : state) {
     std::size_t letters = 0;
-    sweep({scene, grid, rest_kinds.front()}, thread_count, [&](const SweptBlock& block) {
+    sweep({scene, grid, equilibrium_kinds.front()}, thread_count, [&](const SweptBlock& block) {
       letters += block.rows.size();
       computing += block.computing;
       formatting += block.formatting;
@@ -47,8 +47,8 @@ BENCHMARK(sweep_by_closed_form)
 void settle_one_point(benchmark::State& state) {
   const Scene scene = load_scene("fig3-normal");
   for (auto _ : state) {
-    const auto rests = settle(scene);
-    benchmark::DoNotOptimize(rests);
+    const auto equilibria = settle(scene);
+    benchmark::DoNotOptimize(equilibria);
   }
 }
 BENCHMARK(settle_one_point)->Name("settle/fig3-normal")->Unit(benchmark::kMicrosecond);

@@ -4,8 +4,8 @@ namespace ghostforce {
 namespace {
 
 template <glm::length_t D>
-Equilibrium<D> at_rest(const Wall<D>& wall, double k_u, const Vector<D>& goal, const Vector<D>& proxy,
-                       const Vector<D>& force) noexcept {
+Equilibrium<D> equilibrium_from_proxy(const Wall<D>& wall, double k_u, const Vector<D>& goal, const Vector<D>& proxy,
+                                      const Vector<D>& force) noexcept {
   return {goal, proxy, goal + force / k_u, projection(wall, proxy), force, true};
 }
 
@@ -28,8 +28,9 @@ Equilibrium<D> equilibrium_with_ratio(const Wall<D>& wall, const Actuation<D>& a
   const Vector<D> proxy_direction = (1.0 + kappa) * actuated_normal + tracking_ratio * unactuated_normal;
   const double S = glm::dot(wall.normal, proxy_direction) / stiffnesses.k_t;
   const double constraint_force = d / (1.0 / stiffnesses.k_c + S);  // k_c δ [N]
-  return at_rest(wall, stiffnesses.k_u, goal, goal + (constraint_force / stiffnesses.k_t) * proxy_direction,
-                 (stiffnesses.k_r * constraint_force / stiffnesses.k_t) * actuated_normal);
+  return equilibrium_from_proxy(wall, stiffnesses.k_u, goal,
+                                goal + (constraint_force / stiffnesses.k_t) * proxy_direction,
+                                (stiffnesses.k_r * constraint_force / stiffnesses.k_t) * actuated_normal);
 }
 
 template <glm::length_t D>
@@ -39,8 +40,9 @@ Equilibrium<D> equilibrium_fully_actuated(const Wall<D>& wall, const Stiffnesses
   if (!(d > 0.0)) return in_free_space(wall, goal);
   const double kappa = stiffnesses.k_r / stiffnesses.k_u;
   const double softness = stiffnesses.k_t / stiffnesses.k_c;
-  return at_rest(wall, stiffnesses.k_u, goal, goal + wall.normal * (d / (1.0 + softness / (1.0 + kappa))),
-                 wall.normal * (stiffnesses.k_r * d / (1.0 + kappa + softness)));
+  return equilibrium_from_proxy(wall, stiffnesses.k_u, goal,
+                                goal + wall.normal * (d / (1.0 + softness / (1.0 + kappa))),
+                                wall.normal * (stiffnesses.k_r * d / (1.0 + kappa + softness)));
 }
 
 template <glm::length_t D>
@@ -52,8 +54,8 @@ Equilibrium<D> equilibrium_naive(const Wall<D>& wall, const Actuation<D>& actuat
   const Vector<D> actuated_normal = actuation.actuated * wall.normal;
   const double alpha = glm::dot(wall.normal, actuated_normal);
   const double scale = d / (1.0 + kappa * alpha + stiffnesses.k_t / stiffnesses.k_c);
-  return at_rest(wall, stiffnesses.k_u, goal, goal + scale * (wall.normal + kappa * actuated_normal),
-                 (stiffnesses.k_r * scale) * actuated_normal);
+  return equilibrium_from_proxy(wall, stiffnesses.k_u, goal, goal + scale * (wall.normal + kappa * actuated_normal),
+                                (stiffnesses.k_r * scale) * actuated_normal);
 }
 
 template <glm::length_t D>
@@ -64,8 +66,8 @@ Equilibrium<D> equilibrium_anisotropic(const Wall<D>& wall, const Actuation<D>& 
   const double k_tn = stiffnesses.k_t / optimal_tracking_ratio(stiffnesses.k_r, stiffnesses.k_u);
   const double softness = 1.0 + k_tn / stiffnesses.k_c;
   const double force = stiffnesses.k_u * d / ((1.0 + stiffnesses.k_u / stiffnesses.k_r) * softness);
-  return at_rest(wall, stiffnesses.k_u, goal, goal + wall.normal * (d / softness),
-                 force * (actuation.actuated * wall.normal));
+  return equilibrium_from_proxy(wall, stiffnesses.k_u, goal, goal + wall.normal * (d / softness),
+                                force * (actuation.actuated * wall.normal));
 }
 
 template <glm::length_t D>

@@ -4,19 +4,19 @@
 
 namespace ghostforce {
 
-PerStrategy<PredictedRest> predicted_rests(const Settings& settings, const Vector<2>& goal) noexcept {
+PerStrategy<PredictedEquilibrium> predicted_equilibria(const Settings& settings, const Vector<2>& goal) noexcept {
   const Wall<2> wall = wall_of(settings);
   const Actuation<2> actuation = actuation_of(settings);
-  PerStrategy<PredictedRest> rests;
+  PerStrategy<PredictedEquilibrium> equilibria;
   for (const Strategy& strategy : strategy_catalog()) {
-    rests[index_of(strategy.id)].at = equilibrium_of(strategy, wall, actuation, settings.stiffnesses, goal);
+    equilibria[index_of(strategy.id)].at = equilibrium_of(strategy, wall, actuation, settings.stiffnesses, goal);
   }
-  const Vector<2> full_force = rests[index_of(StrategyId::full)].at.force;
-  for (PredictedRest& rest : rests) {
+  const Vector<2> full_force = equilibria[index_of(StrategyId::full)].at.force;
+  for (PredictedEquilibrium& rest : equilibria) {
     rest.ghost_force = ghost_force(actuation, rest.at.force, full_force);
     rest.proxy_drift = proxy_drift(wall, rest.at.proxy, goal);
   }
-  return rests;
+  return equilibria;
 }
 
 }  // namespace ghostforce

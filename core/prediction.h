@@ -8,13 +8,13 @@
 
 namespace ghostforce {
 
-struct PredictedRest {
+struct PredictedEquilibrium {
   Equilibrium<2> at;
   Vector<2> ghost_force{0.0};  // [N]
   Vector<2> proxy_drift{0.0};  // [m]
 };
 
 // Under a goal that is held still.
-PerStrategy<PredictedRest> predicted_rests(const Settings& settings, const Vector<2>& goal) noexcept;
+PerStrategy<PredictedEquilibrium> predicted_equilibria(const Settings& settings, const Vector<2>& goal) noexcept;
 
 }  // namespace ghostforce

@@ -55,7 +55,7 @@ inline TickCoefficients<2> coefficients_of(const Settings& settings) noexcept {
 }
 
 // Where a strategy comes to rest under a goal that is held still [m].
-inline Equilibrium<2> rest_of(StrategyId id, const Settings& settings, const Vector<2>& goal) noexcept {
+inline Equilibrium<2> equilibrium_of(StrategyId id, const Settings& settings, const Vector<2>& goal) noexcept {
   return equilibrium_of(strategy(id), wall_of(settings), actuation_of(settings), settings.stiffnesses, goal);
 }
 

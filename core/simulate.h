@@ -10,10 +10,10 @@ namespace ghostforce {
 
 // Where all strategies come to rest under a goal that is held still, as a state to go on from: k = 0, v = 0, W = 0. In
 // free space it is state_at_start().
-inline TickState<2> state_at_rest(const Settings& settings, const Vector<2>& goal) noexcept {
+inline TickState<2> equilibrium_state(const Settings& settings, const Vector<2>& goal) noexcept {
   TickState<2> state = state_at_start(goal);
   for (const Strategy& each : strategy_catalog()) {
-    const Equilibrium<2> rest = rest_of(each.id, settings, goal);
+    const Equilibrium<2> rest = equilibrium_of(each.id, settings, goal);
     auto& strategy = state.strategies[index_of(each.id)];
     strategy.motion.position = rest.device;
     strategy.proxy = rest.proxy;

@@ -34,10 +34,10 @@ nlohmann::ordered_json as_json(const Vector<2>& vector) {
   return {vector.x + 0.0, vector.y + 0.0};
 }
 
-std::string json_text(double goal_depth, const PerStrategy<PredictedRest>& rests) {
+std::string json_text(double goal_depth, const PerStrategy<PredictedEquilibrium>& equilibria) {
   nlohmann::ordered_json strategies;
   for (const Strategy& strategy : strategy_catalog()) {
-    const PredictedRest& rest = rests[index_of(strategy.id)];
+    const PredictedEquilibrium& rest = equilibria[index_of(strategy.id)];
     strategies[std::string(strategy.name)] = {
         {"goal_m", as_json(rest.at.goal)},
         {"proxy_m", as_json(rest.at.proxy)},
@@ -61,25 +61,25 @@ std::string shown(const Vector<2>& vector) {
   return fmt::format("({}, {})", shown(vector.x), shown(vector.y));
 }
 
-std::string table_text(const Scene& scene, double goal_depth, const PerStrategy<PredictedRest>& rests) {
+std::string table_text(const Scene& scene, double goal_depth, const PerStrategy<PredictedEquilibrium>& equilibria) {
   struct Row {
     std::string_view title;
     std::string_view unit;
     double per_si;
-    Vector<2> (*of)(const PredictedRest&);
+    Vector<2> (*of)(const PredictedEquilibrium&);
   };
   constexpr std::array rows{
-      Row{"proxy", "mm", mm_per_m, [](const PredictedRest& rest) { return rest.at.proxy; }},
-      Row{"device", "mm", mm_per_m, [](const PredictedRest& rest) { return rest.at.device; }},
-      Row{"contact", "mm", mm_per_m, [](const PredictedRest& rest) { return rest.at.contact; }},
-      Row{"force", "N", 1.0, [](const PredictedRest& rest) { return rest.at.force; }},
-      Row{"ghost force", "N", 1.0, [](const PredictedRest& rest) { return rest.ghost_force; }},
-      Row{"proxy drift", "mm", mm_per_m, [](const PredictedRest& rest) { return rest.proxy_drift; }},
+      Row{"proxy", "mm", mm_per_m, [](const PredictedEquilibrium& rest) { return rest.at.proxy; }},
+      Row{"device", "mm", mm_per_m, [](const PredictedEquilibrium& rest) { return rest.at.device; }},
+      Row{"contact", "mm", mm_per_m, [](const PredictedEquilibrium& rest) { return rest.at.contact; }},
+      Row{"force", "N", 1.0, [](const PredictedEquilibrium& rest) { return rest.at.force; }},
+      Row{"ghost force", "N", 1.0, [](const PredictedEquilibrium& rest) { return rest.ghost_force; }},
+      Row{"proxy drift", "mm", mm_per_m, [](const PredictedEquilibrium& rest) { return rest.proxy_drift; }},
   };
   const bool inside = goal_depth > 0.0;
   std::string text =
       fmt::format("{}\ngoal {} mm, {} mm {} the wall; tracking ratio {}\n\n{:16}", printable(scene.title),
-                  shown(mm_per_m * rests[0].at.goal), shown(mm_per_m * std::abs(goal_depth)),
+                  shown(mm_per_m * equilibria[0].at.goal), shown(mm_per_m * std::abs(goal_depth)),
                   inside ? "inside" : "outside", tracking_ratio(scene.settings.stiffnesses), "");
   for (const Strategy& strategy : strategy_catalog()) {
     text += fmt::format("  {:>22}", fmt::format("{} {}", strategy.letter, strategy.name));
@@ -87,7 +87,8 @@ std::string table_text(const Scene& scene, double goal_depth, const PerStrategy<
   text += "\n";
   for (const Row& row : rows) {
     text += fmt::format("{:12}{:4}", row.title, row.unit);
-    for (const PredictedRest& rest : rests) text += fmt::format("  {:>22}", shown(row.per_si * row.of(rest)));
+    for (const PredictedEquilibrium& rest : equilibria)
+      text += fmt::format("  {:>22}", shown(row.per_si * row.of(rest)));
     text += "\n";
   }
   return text;
@@ -97,9 +98,9 @@ int equilibrium(const Options& options) {
   const Scene scene = options.scene.load();
   const Vector<2> goal = options.goal_mm ? position_from_mm("--goal-mm", *options.goal_mm) : scene.goal.points.back();
   const double goal_depth = depth(wall_of(scene.settings), goal);
-  const PerStrategy<PredictedRest> rests = predicted_rests(scene.settings, goal);
+  const PerStrategy<PredictedEquilibrium> equilibria = predicted_equilibria(scene.settings, goal);
   OutputFile output("-");
-  output.write(options.json ? json_text(goal_depth, rests) : table_text(scene, goal_depth, rests));
+  output.write(options.json ? json_text(goal_depth, equilibria) : table_text(scene, goal_depth, equilibria));
   output.commit();
   return static_cast<int>(ExitCode::done);
 }

@@ -53,7 +53,7 @@ void tell(const Spent& spent, std::size_t thread_count, Seconds in_all) {
 int sweep_command(const Options& options) {
   const Scene scene = options.scene.load();
   const Grid grid = make_grid(options.ranges, scene);
-  const RestKind& kind = *std::ranges::find(rest_kinds, options.kind, &RestKind::name);
+  const EquilibriumKind& kind = *std::ranges::find(equilibrium_kinds, options.kind, &EquilibriumKind::name);
 
   OutputFile file(options.output);
   file.finish_despite_interruption();
@@ -99,7 +99,7 @@ std::function<int()> attach_sweep(CLI::App& command, FileOptions& files) {
           ->type_name("KEY=FROM:TO:COUNT[:log]")
           ->required());
   std::vector<std::string_view> kinds;
-  for (const RestKind& kind : rest_kinds) kinds.push_back(kind.name);
+  for (const EquilibriumKind& kind : equilibrium_kinds) kinds.push_back(kind.name);
   command
       .add_option(
           "--at-rest", options->kind,

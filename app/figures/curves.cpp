@@ -79,7 +79,7 @@ std::vector<double> evenly_in_ratio(double least, double greatest, int count) {
   return values;
 }
 
-Snapshot simulated_rest(const Settings& settings, const Vector<2>& goal) {
+Snapshot simulated_equilibrium(const Settings& settings, const Vector<2>& goal) {
   const Wall<2> wall = wall_of(settings);
   Scene scene;
   scene.settings = settings;

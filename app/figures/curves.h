@@ -43,6 +43,6 @@ std::vector<double> evenly_in_ratio(double least, double greatest, int count);
 
 // What the loop has come to, 3.5 s after the goal went straight into the wall and stopped. Throws Failure(bug) where
 // the loop is unstable.
-Snapshot simulated_rest(const Settings& settings, const Vector<2>& goal);
+Snapshot simulated_equilibrium(const Settings& settings, const Vector<2>& goal);
 
 }  // namespace ghostforce

@@ -39,8 +39,8 @@ Settings with_ratio(Settings settings, double ratio) {
 }
 
 // At rest the device is a linear function of the goal: its loop has the circle's area times the function's determinant.
-double area_at_rest(const Settings& settings, StrategyId id, const Circle& circle) {
-  const auto device = [&](const Vector<2>& goal) { return rest_of(id, settings, goal).device; };
+double area_at_equilibrium(const Settings& settings, StrategyId id, const Circle& circle) {
+  const auto device = [&](const Vector<2>& goal) { return equilibrium_of(id, settings, goal).device; };
   const Vector<2> origin = device(circle.center);
   const Vector<2> x = device(circle.center + Vector<2>(circle.radius, 0.0)) - origin;
   const Vector<2> y = device(circle.center + Vector<2>(0.0, circle.radius)) - origin;
@@ -71,7 +71,7 @@ MeasuredLoop measured_loop(const Settings& settings, StrategyId id, const Circle
 }
 
 void add_formula(const Settings& settings, StrategyId id, double ratio, bool sense, std::vector<EnergyOfLoop>& loops) {
-  const double area = area_at_rest(settings, id, circle_in(settings, sense));
+  const double area = area_at_equilibrium(settings, id, circle_in(settings, sense));
   loops.push_back({id, ratio, sense, false, area, formula(settings, id, area)});
 }
 

@@ -38,7 +38,7 @@ void add_closed_forms(const Settings& settings, double x, Curves& curves) {
 }
 
 void add_simulated(const Settings& settings, StrategyId id, double x, Curves& curves) {
-  const Snapshot rest = simulated_rest(settings, goal_behind(wall_of(settings)));
+  const Snapshot rest = simulated_equilibrium(settings, goal_behind(wall_of(settings)));
   curves.push_back(
       {"", std::string(strategy(id).name), true, x, along_motor(settings, rest.strategies[index_of(id)].force)});
 }

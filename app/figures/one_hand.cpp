@@ -74,7 +74,7 @@ Feeling feeling_of(const SimulatedMotion& motion) {
     if (!(depth(wall_of(settings), moment.goal) > 0.0)) continue;
     feeling.presses = true;
     const Vector<2> axis = direction_at(settings.actuated_angle);
-    const auto force = [&](StrategyId id) { return glm::dot(axis, rest_of(id, settings, moment.goal).force); };
+    const auto force = [&](StrategyId id) { return glm::dot(axis, equilibrium_of(id, settings, moment.goal).force); };
     const double full = force(StrategyId::full);
     feeling.full_N = std::max(feeling.full_N, std::abs(full));
     feeling.naive_N = std::max(feeling.naive_N, std::abs(force(StrategyId::naive) - full));

@@ -36,7 +36,7 @@ Settings with_belief(Settings settings, double share) {
 double signed_drift(const Settings& settings, const Vector<2>& proxy) {
   const Wall<2> wall = wall_of(settings);
   const Vector<2> along_wall{wall.normal.y, -wall.normal.x};
-  const Vector<2> naive = rest_of(StrategyId::naive, settings, goal_in(settings)).proxy;
+  const Vector<2> naive = equilibrium_of(StrategyId::naive, settings, goal_in(settings)).proxy;
   const double way = glm::dot(along_wall, naive - goal_in(settings)) > 0.0 ? 1.0 : -1.0;
   return way * mm_per_m * glm::dot(along_wall, proxy_drift(wall, proxy, goal_in(settings)));
 }
@@ -44,8 +44,8 @@ double signed_drift(const Settings& settings, const Vector<2>& proxy) {
 void add_point(const Settings& settings, std::string_view panel, double x, bool is_simulated, Curves& curves) {
   const StrategyId id = StrategyId::anisotropic;
   const Vector<2> goal = goal_in(settings);
-  const Vector<2> proxy =
-      is_simulated ? simulated_rest(settings, goal).strategies[index_of(id)].proxy : rest_of(id, settings, goal).proxy;
+  const Vector<2> proxy = is_simulated ? simulated_equilibrium(settings, goal).strategies[index_of(id)].proxy
+                                       : equilibrium_of(id, settings, goal).proxy;
   curves.push_back(
       {std::string(panel), std::string(strategy(id).name), is_simulated, x, signed_drift(settings, proxy)});
 }

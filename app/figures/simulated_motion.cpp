@@ -38,8 +38,8 @@ void add_rest(SimulatedMotion& motion) {
   const Settings& settings = last_settings(motion);
   for (const Strategy& strategy : strategy_catalog()) {
     const std::size_t i = index_of(strategy.id);
-    motion.rest[i] = rest_of(strategy.id, settings, goal);
-    motion.ghost_at_rest[i] =
+    motion.rest[i] = equilibrium_of(strategy.id, settings, goal);
+    motion.ghost_at_equilibrium[i] =
         ghost_force(actuation_of(settings), motion.rest[i].force, motion.rest[index_of(StrategyId::full)].force);
   }
 }
@@ -156,7 +156,7 @@ CsvTable table_of(std::span<const SimulatedMotion> motions) {
       }
       const Equilibrium<2>& rest = motion.rest[i];
       table.rows.push_back(row_of(motion, strategy.id, "closed form", std::numeric_limits<double>::quiet_NaN(),
-                                  rest.goal, rest.device, rest.proxy, rest.force, motion.ghost_at_rest[i]));
+                                  rest.goal, rest.device, rest.proxy, rest.force, motion.ghost_at_equilibrium[i]));
     }
   }
   return table;

@@ -17,10 +17,10 @@ namespace ghostforce {
 struct SimulatedMotion {
   std::string name;  // what sets it apart from the others of its figure
   Scene scene;
-  std::vector<SettingsChange> changes{};   // of the scene's settings
-  std::vector<Snapshot> moments{};         // every 5th tick, in long motions fewer, and the last one
-  PerStrategy<Equilibrium<2>> rest{};      // by closed form, under the last goal
-  PerStrategy<Vector<2>> ghost_at_rest{};  // likewise [N]
+  std::vector<SettingsChange> changes{};          // of the scene's settings
+  std::vector<Snapshot> moments{};                // every 5th tick, in long motions fewer, and the last one
+  PerStrategy<Equilibrium<2>> rest{};             // by closed form, under the last goal
+  PerStrategy<Vector<2>> ghost_at_equilibrium{};  // likewise [N]
 };
 
 // Throws Failure(wrong_call) where the loop is unstable.

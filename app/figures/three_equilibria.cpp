@@ -58,7 +58,7 @@ ScenePicture picture_of(const ThreeEquilibria& data, const Strategy& strategy) {
 ThreeEquilibria three_equilibria() {
   ThreeEquilibria data{.scene = load_scene(std::string(scene_name), softer)};
   for (const Strategy& strategy : strategy_catalog()) {
-    data.rest[index_of(strategy.id)] = rest_of(strategy.id, data.scene.settings, data.scene.goal.points.back());
+    data.rest[index_of(strategy.id)] = equilibrium_of(strategy.id, data.scene.settings, data.scene.goal.points.back());
   }
   return data;
 }

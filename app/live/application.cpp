@@ -135,7 +135,7 @@ TickState<2> Application::start_state() {
   const bool is_replay = input_->needs_recording && input_options_.recorded_hand;
   if (is_replay) scene.goal = *input_options_.recorded_hand;
   const Vector<2> first = goal_at(scene.goal, 0.0);
-  const TickState<2> state = simulate_from(is_replay ? state_at_rest(scene.settings, first) : state_at_start(first),
+  const TickState<2> state = simulate_from(is_replay ? equilibrium_state(scene.settings, first) : state_at_start(first),
                                            scene, input_->is_scripted ? 0 : last_tick(scene),
                                            [this](const Snapshot& snapshot) { history_.add(snapshot); });
   if (!has_diverged(state)) return state;

@@ -70,7 +70,7 @@ HandStart start_of_hand(const RunFacts& run, const RunTick& first, const Setting
     // As `simulate` begins: devices and proxies where the hand is.
     if (first.state == RunTick::none && first.tick == 0) return {state_at_start(first.goal), true};
   }
-  return {state_at_rest(settings, first.goal), false};
+  return {equilibrium_state(settings, first.goal), false};
 }
 
 }  // namespace ghostforce

@@ -39,7 +39,7 @@ void append_vector(fmt::memory_buffer& rows, const Vector<2>& vector) {
 
 }  // namespace
 
-std::string sweep_header(const Scene& scene, const Grid& grid, const RestKind& kind) {
+std::string sweep_header(const Scene& scene, const Grid& grid, const EquilibriumKind& kind) {
   std::string header = provenance(scene);
   std::string columns;
   for (const Range& range : grid.ranges) {
@@ -54,8 +54,8 @@ std::string sweep_header(const Scene& scene, const Grid& grid, const RestKind& k
              columns, common_columns, kind.predicted ? predicted_columns : "", kind.simulated ? simulated_columns : "");
 }
 
-void append_sweep_rows(fmt::memory_buffer& rows, const Grid& grid, std::int64_t point, const PointAtRest& rest,
-                       const RestKind& kind) {
+void append_sweep_rows(fmt::memory_buffer& rows, const Grid& grid, std::int64_t point, const PointEquilibrium& rest,
+                       const EquilibriumKind& kind) {
   // The same in each row of the point, so made once.
   fmt::memory_buffer values;
   for (std::size_t i = 0; i < grid.ranges.size(); ++i) {
@@ -71,7 +71,7 @@ void append_sweep_rows(fmt::memory_buffer& rows, const Grid& grid, std::int64_t 
     rows.push_back(',');
     append(rows, {goal_depth.data(), goal_depth.size()});
     if (kind.predicted) {
-      const PredictedRest& predicted = rest.predicted[index_of(strategy.id)];
+      const PredictedEquilibrium& predicted = rest.predicted[index_of(strategy.id)];
       append_vector(rows, predicted.at.device);
       append_vector(rows, predicted.at.proxy);
       append_vector(rows, predicted.at.force);

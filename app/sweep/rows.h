@@ -9,16 +9,16 @@
 
 #include <fmt/format.h>
 
-#include "app/sweep/at_rest.h"
 #include "app/sweep/grid.h"
+#include "app/sweep/point_equilibrium.h"
 
 namespace ghostforce {
 
 // All that stands before the first row.
-std::string sweep_header(const Scene& scene, const Grid& grid, const RestKind& kind);
+std::string sweep_header(const Scene& scene, const Grid& grid, const EquilibriumKind& kind);
 
 // The rows of a point, each with its newline.
-void append_sweep_rows(fmt::memory_buffer& rows, const Grid& grid, std::int64_t point, const PointAtRest& rest,
-                       const RestKind& kind);
+void append_sweep_rows(fmt::memory_buffer& rows, const Grid& grid, std::int64_t point, const PointEquilibrium& rest,
+                       const EquilibriumKind& kind);
 
 }  // namespace ghostforce

@@ -80,8 +80,9 @@ void follow(const GoalPath& path, double rate, std::int64_t last, Batch& batch) 
   }
 }
 
-// Points that share each tick's goal, having one rate and one duration. `rests` has a place for each, empty yet.
-void settle_together(const GoalPath& path, std::span<const SettledPoint> points, std::span<SimulatedRests> rests) {
+// Points that share each tick's goal, having one rate and one duration. `equilibria` has a place for each, empty yet.
+void settle_together(const GoalPath& path, std::span<const SettledPoint> points,
+                     std::span<SimulatedEquilibria> equilibria) {
   const Vector<2> start = goal_at(path, 0.0);
   const Vector<2> goal = path.points.back();
   Batch batch;
@@ -109,7 +110,7 @@ void settle_together(const GoalPath& path, std::span<const SettledPoint> points,
       const Course course = course_of(lanes[i].balance, now, goal);
       if (course == Course::moving) continue;
       if (course == Course::at_rest) {
-        rests[lanes[i].point][lanes[i].strategy] = SimulatedRest{now.device, now.proxy, now.force};
+        equilibria[lanes[i].point][lanes[i].strategy] = SimulatedEquilibrium{now.device, now.proxy, now.force};
       }
       batch.remove(i);
       lanes[i] = lanes.back();
@@ -120,21 +121,21 @@ void settle_together(const GoalPath& path, std::span<const SettledPoint> points,
 
 }  // namespace
 
-std::vector<SimulatedRests> settle(const GoalPath& path, std::span<const SettledPoint> points) {
-  std::vector<SimulatedRests> rests(points.size());
+std::vector<SimulatedEquilibria> settle(const GoalPath& path, std::span<const SettledPoint> points) {
+  std::vector<SimulatedEquilibria> equilibria(points.size());
   const auto is_alike = [](const SettledPoint& one, const SettledPoint& other) {
     return one.settings.rate == other.settings.rate && one.duration == other.duration;
   };
   for (std::size_t first = 0; first < points.size();) {
     std::size_t count = 1;
     while (first + count < points.size() && is_alike(points[first], points[first + count])) ++count;
-    settle_together(path, points.subspan(first, count), std::span(rests).subspan(first, count));
+    settle_together(path, points.subspan(first, count), std::span(equilibria).subspan(first, count));
     first += count;
   }
-  return rests;
+  return equilibria;
 }
 
-SimulatedRests settle(const Scene& scene) {
+SimulatedEquilibria settle(const Scene& scene) {
   const SettledPoint point{scene.settings, scene.duration};
   return settle(scene.goal, {&point, 1}).front();
 }

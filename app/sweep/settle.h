@@ -12,7 +12,7 @@
 
 namespace ghostforce {
 
-struct SimulatedRest {
+struct SimulatedEquilibrium {
   Vector<2> device{0.0};  // q_h [m]
   Vector<2> proxy{0.0};   // q_p [m]
   Vector<2> force{0.0};   // f_r [N]
@@ -32,8 +32,8 @@ inline constexpr std::int64_t most_held_ticks = 1'000'000;
 //
 // Empty for a strategy that does not come to rest: its loop is unstable, or goes on swinging against the wall, or takes
 // longer than most_held_ticks.
-using SimulatedRests = PerStrategy<std::optional<SimulatedRest>>;
-SimulatedRests settle(const Scene& scene);
+using SimulatedEquilibria = PerStrategy<std::optional<SimulatedEquilibrium>>;
+SimulatedEquilibria settle(const Scene& scene);
 
 // What of a scene may differ between those that settle together.
 struct SettledPoint {
@@ -42,6 +42,6 @@ struct SettledPoint {
 };
 
 // The same for many points under one path, several times faster; not a bit of a point's result depends on the others.
-std::vector<SimulatedRests> settle(const GoalPath& path, std::span<const SettledPoint> points);
+std::vector<SimulatedEquilibria> settle(const GoalPath& path, std::span<const SettledPoint> points);
 
 }  // namespace ghostforce

@@ -31,17 +31,17 @@ Block make_block(const SweepPlan& plan, std::int64_t first, std::int64_t count) 
   using Clock = std::chrono::steady_clock;
   Block block;
   Scene scene = plan.scene;
-  PointsAtRest points(plan.kind, static_cast<std::size_t>(count));
+  PointEquilibria points(plan.kind, static_cast<std::size_t>(count));
   const Clock::time_point start = Clock::now();
   while (block.points < count && !interrupted()) {
     put_point(plan.grid, first + block.points, scene);
     points.add(scene);
     ++block.points;
   }
-  const std::vector<PointAtRest> rests = points.take(scene.goal);
+  const std::vector<PointEquilibrium> equilibria = points.take(scene.goal);
   const Clock::time_point computed = Clock::now();
   for (std::int64_t i = 0; i < block.points; ++i) {
-    append_sweep_rows(block.rows, plan.grid, first + i, rests[static_cast<std::size_t>(i)], plan.kind);
+    append_sweep_rows(block.rows, plan.grid, first + i, equilibria[static_cast<std::size_t>(i)], plan.kind);
   }
   block.is_whole = block.points == count;
   block.computing = computed - start;

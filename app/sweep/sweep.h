@@ -8,8 +8,8 @@
 #include <functional>
 #include <string_view>
 
-#include "app/sweep/at_rest.h"
 #include "app/sweep/grid.h"
+#include "app/sweep/point_equilibrium.h"
 
 namespace ghostforce {
 
@@ -24,7 +24,7 @@ struct SweptBlock {
 struct SweepPlan {
   const Scene& scene;
   const Grid& grid;
-  const RestKind& kind;
+  const EquilibriumKind& kind;
 };
 
 // Threads that this machine has a core for.

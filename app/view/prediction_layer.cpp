@@ -12,7 +12,7 @@ constexpr double behind = 0.82;       // size for the strategies that are not ac
 
 void add_predictions(const View& view, Marks& marks) {
   for_each_shown(view, [&](StrategyId id) {
-    const Equilibrium<2> rest = rest_of(id, view.settings, view.snapshot.goal);
+    const Equilibrium<2> rest = equilibrium_of(id, view.settings, view.snapshot.goal);
     const double size = view.in_front(id) ? 1.0 : behind;
     const Colour colour = view.theme.strategy[index_of(id)];
     const auto ring = [&](const Vector<2>& center, double radius) {

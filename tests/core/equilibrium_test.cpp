@@ -69,7 +69,7 @@ Rounding underactuated_rounding(const Setting<D>& setting, double ratio) {
 }
 
 template <glm::length_t D>
-void expect_rest(const Equilibrium<D>& actual, const ReferenceRest& expected, const Rounding& rounding) {
+void expect_equilibrium(const Equilibrium<D>& actual, const ReferenceEquilibrium& expected, const Rounding& rounding) {
   EXPECT_LE(distance(actual.proxy, expected.proxy), rounding.proxy);
   EXPECT_LE(distance(actual.device, expected.device), rounding.device);
   EXPECT_LE(distance(actual.force, expected.force), rounding.force);
@@ -95,8 +95,9 @@ TYPED_TEST(EquilibriumTest, AnyRatioBalancesTheForces) {
     const Setting<D> setting = random_setting<D>(random);
     const auto rest =
         equilibrium_with_ratio(setting.wall, setting.actuation(), setting.stiffnesses, setting.ratio, setting.goal);
-    expect_rest(rest, reference_rest(underactuated_reference(setting, setting.ratio), reference(setting.goal)),
-                underactuated_rounding(setting, setting.ratio));
+    expect_equilibrium(rest,
+                       reference_equilibrium(underactuated_reference(setting, setting.ratio), reference(setting.goal)),
+                       underactuated_rounding(setting, setting.ratio));
   }
 }
 
@@ -106,9 +107,9 @@ TYPED_TEST(EquilibriumTest, FullyActuatedBalancesTheForces) {
   for (int i = 0; i < settings_per_test; ++i) {
     SCOPED_TRACE(i);
     const Setting<D> setting = random_setting<D>(random);
-    expect_rest(equilibrium_fully_actuated(setting.wall, setting.stiffnesses, setting.goal),
-                reference_rest(fully_actuated_reference(setting), reference(setting.goal)),
-                fully_actuated_rounding(setting));
+    expect_equilibrium(equilibrium_fully_actuated(setting.wall, setting.stiffnesses, setting.goal),
+                       reference_equilibrium(fully_actuated_reference(setting), reference(setting.goal)),
+                       fully_actuated_rounding(setting));
   }
 }
 
@@ -118,9 +119,9 @@ TYPED_TEST(EquilibriumTest, NaiveBalancesTheForces) {
   for (int i = 0; i < settings_per_test; ++i) {
     SCOPED_TRACE(i);
     const Setting<D> setting = random_setting<D>(random);
-    expect_rest(equilibrium_naive(setting.wall, setting.actuation(), setting.stiffnesses, setting.goal),
-                reference_rest(underactuated_reference(setting, 1.0L), reference(setting.goal)),
-                underactuated_rounding(setting, 1.0));
+    expect_equilibrium(equilibrium_naive(setting.wall, setting.actuation(), setting.stiffnesses, setting.goal),
+                       reference_equilibrium(underactuated_reference(setting, 1.0L), reference(setting.goal)),
+                       underactuated_rounding(setting, 1.0));
   }
 }
 
@@ -131,9 +132,9 @@ TYPED_TEST(EquilibriumTest, AnisotropicBalancesTheForces) {
     SCOPED_TRACE(i);
     const Setting<D> setting = random_setting<D>(random);
     const Extended ratio = 1.0L + Extended{setting.stiffnesses.k_r} / setting.stiffnesses.k_u;
-    expect_rest(equilibrium_anisotropic(setting.wall, setting.actuation(), setting.stiffnesses, setting.goal),
-                reference_rest(underactuated_reference(setting, ratio), reference(setting.goal)),
-                underactuated_rounding(setting, optimal_ratio(setting)));
+    expect_equilibrium(equilibrium_anisotropic(setting.wall, setting.actuation(), setting.stiffnesses, setting.goal),
+                       reference_equilibrium(underactuated_reference(setting, ratio), reference(setting.goal)),
+                       underactuated_rounding(setting, optimal_ratio(setting)));
   }
 }
 
@@ -147,10 +148,10 @@ TYPED_TEST(EquilibriumTest, LinearSolveBalancesTheForces) {
     const Setting<D> setting = random_setting<D>(random);
     const Stiffnesses& k = setting.stiffnesses;
     const Coupling<D> coupling = underactuated_coupling(k.k_r, k.k_t, setting.ratio, setting.actuation());
-    expect_rest(equilibrium_by_linear_solve(setting.wall, coupling, k.k_u, k.k_c, setting.goal),
-                reference_rest(underactuated_reference(setting, setting.ratio), reference(setting.goal)),
-                underactuated_rounding(setting, setting.ratio)
-                    .worse_by(optimal_ratio(setting) * (setting.ratio + 1.0 / setting.ratio)));
+    expect_equilibrium(equilibrium_by_linear_solve(setting.wall, coupling, k.k_u, k.k_c, setting.goal),
+                       reference_equilibrium(underactuated_reference(setting, setting.ratio), reference(setting.goal)),
+                       underactuated_rounding(setting, setting.ratio)
+                           .worse_by(optimal_ratio(setting) * (setting.ratio + 1.0 / setting.ratio)));
   }
 }
 
@@ -165,16 +166,19 @@ TYPED_TEST(EquilibriumTest, StrategiesBalanceTheForces) {
     if (random.once_in(2)) k.believed_k_u = k.k_u * random.over_decades(0.1, 10.0);
     if (random.once_in(4)) k.chosen_tracking_ratio = setting.ratio;
     const double ratio = k.chosen_tracking_ratio.value_or(1.0 + k.k_r / k.believed_k_u.value_or(k.k_u));
-    const auto rest_of = [&](StrategyId id) {
+    const auto equilibrium_with = [&](StrategyId id) {
       return equilibrium_of(strategy(id), setting.wall, setting.actuation(), k, setting.goal);
     };
     const ReferenceVector goal = reference(setting.goal);
-    expect_rest(rest_of(StrategyId::full), reference_rest(fully_actuated_reference(setting), goal),
-                fully_actuated_rounding(setting));
-    expect_rest(rest_of(StrategyId::naive), reference_rest(underactuated_reference(setting, 1.0L), goal),
-                underactuated_rounding(setting, 1.0));
-    expect_rest(rest_of(StrategyId::anisotropic), reference_rest(underactuated_reference(setting, ratio), goal),
-                underactuated_rounding(setting, ratio));
+    expect_equilibrium(equilibrium_with(StrategyId::full),
+                       reference_equilibrium(fully_actuated_reference(setting), goal),
+                       fully_actuated_rounding(setting));
+    expect_equilibrium(equilibrium_with(StrategyId::naive),
+                       reference_equilibrium(underactuated_reference(setting, 1.0L), goal),
+                       underactuated_rounding(setting, 1.0));
+    expect_equilibrium(equilibrium_with(StrategyId::anisotropic),
+                       reference_equilibrium(underactuated_reference(setting, ratio), goal),
+                       underactuated_rounding(setting, ratio));
   }
 }
 

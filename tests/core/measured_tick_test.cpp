@@ -49,7 +49,7 @@ TEST(MeasuredTick, InfersTheGoalFromWhereTheHandleRests) {
   const TickCoefficients<2> coefficients = coefficients_of(settings);
   const Vector<2> goal(0.04, -0.04);
   for (const Strategy& entry : strategy_catalog()) {
-    const Equilibrium<2> rest = rest_of(entry.id, settings, goal);
+    const Equilibrium<2> rest = equilibrium_of(entry.id, settings, goal);
     TickState<2> state = state_at_start(Vector<2>(-0.05, 0.05));
     tick_with_device(coefficients, entry.id, rest.device, rest.force, settings.stiffnesses.k_u, state);
     const Snapshot snapshot = snapshot_of(coefficients, state);
@@ -65,7 +65,7 @@ TEST(MeasuredTick, InfersTheGoalFromWhereTheHandleRests) {
 TEST(MeasuredTick, AWrongBeliefMisplacesTheGoal) {
   const Settings settings = figure_settings();
   const TickCoefficients<2> coefficients = coefficients_of(settings);
-  const Equilibrium<2> rest = rest_of(StrategyId::full, settings, Vector<2>(0.04, -0.04));
+  const Equilibrium<2> rest = equilibrium_of(StrategyId::full, settings, Vector<2>(0.04, -0.04));
   TickState<2> state = state_at_start(rest.device);
   tick_with_device(coefficients, StrategyId::full, rest.device, rest.force, 50.0, state);
   EXPECT_NEAR(glm::length(state.goal - (rest.device - rest.force / 50.0)), 0.0, 1e-14);
@@ -75,14 +75,15 @@ TEST(MeasuredTick, TheOthersAreSimulatedUnderTheInferredGoal) {
   const Settings settings = figure_settings();
   const TickCoefficients<2> coefficients = coefficients_of(settings);
   const Vector<2> goal(0.04, -0.04);
-  const Equilibrium<2> rest = rest_of(StrategyId::naive, settings, goal);
+  const Equilibrium<2> rest = equilibrium_of(StrategyId::naive, settings, goal);
   TickState<2> state = state_at_start(rest.device);
   for (int i = 0; i < 3000; ++i)
     tick_with_device(coefficients, StrategyId::naive, rest.device, rest.force, 100.0, state);
   for (const StrategyId other : {StrategyId::full, StrategyId::anisotropic}) {
     // After 3 s nothing moves any more: the slowest motion of these settings halves every 35 ms.
-    EXPECT_NEAR(glm::length(state.strategies[index_of(other)].motion.position - rest_of(other, settings, goal).device),
-                0.0, 1e-9);
+    EXPECT_NEAR(
+        glm::length(state.strategies[index_of(other)].motion.position - equilibrium_of(other, settings, goal).device),
+        0.0, 1e-9);
   }
 }
 

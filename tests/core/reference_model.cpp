@@ -47,7 +47,7 @@ ReferenceModel reference_of(const ReferenceVector& o, const ReferenceVector& n, 
   return {o, n, k.k_r * P_A, k.k_t * P_A + k.k_t / ratio * P_N, k.k_u, k.k_c};
 }
 
-ReferenceRest reference_rest(const ReferenceModel& model, const ReferenceVector& goal) {
+ReferenceEquilibrium reference_equilibrium(const ReferenceModel& model, const ReferenceVector& goal) {
   const Eigen::Index D = goal.size();
   ReferenceMatrix lhs = ReferenceMatrix::Zero(2 * D + 1, 2 * D + 1);
   ReferenceVector rhs = ReferenceVector::Zero(2 * D + 1);

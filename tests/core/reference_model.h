@@ -89,7 +89,7 @@ ReferenceModel fully_actuated_reference(const Setting<D>& setting) {
 
 // --- At rest ---------------------------------------------------------------------------------------------------------
 
-struct ReferenceRest {
+struct ReferenceEquilibrium {
   ReferenceVector proxy;
   ReferenceVector device;
   ReferenceVector force;
@@ -100,7 +100,7 @@ struct ReferenceRest {
 //     (3)(4)   n·q_p + λ/k_c = n·o                     that is λ = k_c n·(o − q_p)
 //     (7)      k_u (q_u − q_h) + K_r (q_p − q_h) = 0
 // k_c = ∞ makes λ the multiplier of the hard constraint n·q_p = n·o.
-ReferenceRest reference_rest(const ReferenceModel& model, const ReferenceVector& goal);
+ReferenceEquilibrium reference_equilibrium(const ReferenceModel& model, const ReferenceVector& goal);
 
 // (22)(25)  The same for the proxy alone, the device being where it is. In contact, n·(q_h − o) < 0:
 //     K_t (q_h − q_p) + λ n = 0

@@ -75,7 +75,7 @@ TEST(SimulateTest, NothingMovesFromRest) {
   scene.settings.stiffnesses.believed_k_u = 60.0;
   for (const Vector<2>& goal : {Vector<2>(0.04, -0.04), Vector<2>(0.0, -0.01), Vector<2>(-0.03, 0.02)}) {
     scene.goal = {{goal}, {0.0}, Motion::linear};
-    const TickState<2> rest = state_at_rest(scene.settings, goal);
+    const TickState<2> rest = equilibrium_state(scene.settings, goal);
     const bool is_inside = depth(wall_of(scene.settings), goal) > 0.0;
     EXPECT_EQ(rest.strategies[0].in_contact, is_inside);
     EXPECT_EQ(rest.strategies[0].motion.position == goal, !is_inside);

@@ -112,7 +112,7 @@ TYPED_TEST(TickTest, ComesToRestAtTheEquilibrium) {
     for (const Strategy& entry : strategy_catalog()) {
       SCOPED_TRACE(entry.name);
       const auto& rest = snapshot.strategies[index_of(entry.id)];
-      const auto balance = reference_rest(loops[index_of(entry.id)].model, reference(setting.goal));
+      const auto balance = reference_equilibrium(loops[index_of(entry.id)].model, reference(setting.goal));
       EXPECT_LE(distance(rest.device, balance.device), tolerance);
       EXPECT_LE(distance(rest.proxy, balance.proxy), tolerance);
       EXPECT_LE(distance(rest.force, balance.force), tolerance * setting.stiffnesses.k_r);

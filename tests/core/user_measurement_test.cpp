@@ -32,7 +32,7 @@ struct PlaneRest {
   }
 };
 
-PlaneRest random_rest(Random& random) {
+PlaneRest random_equilibrium(Random& random) {
   PlaneRest rest;
   const double motor = random.uniform(-4.0, 4.0);
   const double quarter = random.below(4) * std::numbers::pi / 2.0;
@@ -52,7 +52,7 @@ TEST(UserMeasurementTest, OneRestAtAnyRatioTellsTheUser) {
   int below = 0;
   for (int i = 0; i < 2000; ++i) {
     SCOPED_TRACE(i);
-    const PlaneRest rest = random_rest(random);
+    const PlaneRest rest = random_equilibrium(random);
     const UserReading reading = read_user(rest.wall, rest.actuation, rest.state());
     ASSERT_EQ(reading.problem, NoReading::none);
     const double null_ratio = optimal_tracking_ratio(rest.k.k_r, rest.k.k_u);
@@ -78,7 +78,7 @@ TEST(UserMeasurementTest, ADriftThatIsGoneIsAtTheOptimalRatio) {
   Random random(2);
   for (int i = 0; i < 200; ++i) {
     SCOPED_TRACE(i);
-    PlaneRest rest = random_rest(random);
+    PlaneRest rest = random_equilibrium(random);
     rest.ratio = optimal_tracking_ratio(rest.k.k_r, rest.k.k_u);
     EXPECT_NEAR(read_user(rest.wall, rest.actuation, rest.state()).drift, 0.0, 1e-15);
     EXPECT_NEAR(user_stiffness_of(rest.k.k_r, rest.ratio) / rest.k.k_u, 1.0,

@@ -28,8 +28,8 @@ std::string_view caption_of(const Settings& settings, const Vector<2>& goal) {
   if (!active.has_every_motor && std::abs(glm::dot(wall.normal, direction_at(settings.actuated_angle))) < parallel) {
     return "The motor pushes along the wall: it cannot hold the hand back at all. Turn its arrow.";
   }
-  const Vector<2> ghost = ghost_force(actuation_of(settings), rest_of(settings.active, settings, goal).force,
-                                      rest_of(StrategyId::full, settings, goal).force);
+  const Vector<2> ghost = ghost_force(actuation_of(settings), equilibrium_of(settings.active, settings, goal).force,
+                                      equilibrium_of(StrategyId::full, settings, goal).force);
   return glm::length(ghost) < visible_force ? active.without_ghost : active.with_ghost;
 }
 

@@ -62,7 +62,7 @@ void draw_row(const PanelContext& context, const Strategy& entry) {
 double model_error(const PanelContext& context) {
   double largest = 0.0;
   for (const Strategy& entry : strategy_catalog()) {
-    const Equilibrium<2> rest = rest_of(entry.id, context.session.settings, context.snapshot.goal);
+    const Equilibrium<2> rest = equilibrium_of(entry.id, context.session.settings, context.snapshot.goal);
     largest = std::max(largest, glm::distance(rest.device, context.snapshot.strategies[index_of(entry.id)].device));
   }
   return largest;

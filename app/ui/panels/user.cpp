@@ -32,7 +32,7 @@ void draw_drift_of_belief(const PanelContext& context) {
     return;
   }
   const Vector<2> seen = context.snapshot.strategies[index_of(StrategyId::anisotropic)].proxy_drift;
-  const Equilibrium<2> rest = rest_of(StrategyId::anisotropic, settings, context.snapshot.goal);
+  const Equilibrium<2> rest = equilibrium_of(StrategyId::anisotropic, settings, context.snapshot.goal);
   const Vector<2> predicted = proxy_drift(wall_of(settings), rest.proxy, rest.goal);
   ImGui::PushFont(context.fonts.number, 0.0F);
   ImGui::TextUnformatted(millimetres(seen).c_str());

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "app/ui/plots/rest_plots.h"
+#include "app/ui/plots/equilibrium_plots.h"
 #include "app/ui/plots/time_plots.h"
 #include "app/ui/widgets/controls.h"
 

@@ -15,7 +15,7 @@
 #include "app/files/run_file.h"
 #include "app/session/scene_as_seen.h"
 #include "app/ui/panels/ratio_dial.h"
-#include "app/ui/plots/rest_curves.h"
+#include "app/ui/plots/equilibrium_curves.h"
 #include "app/ui/widgets/save_path.h"
 
 namespace ghostforce {
@@ -101,7 +101,8 @@ struct SweptSetting {
   double now;  // in the column's unit
 };
 
-Export over_setting(const RestCurves& curves, const SweptSetting& setting, bool goal_is_inferred, const Theme& theme) {
+Export over_setting(const EquilibriumCurves& curves, const SweptSetting& setting, bool goal_is_inferred,
+                    const Theme& theme) {
   Export result;
   result.table.columns = {setting.column, "strategy", "force_along_motor_axis_N", "proxy_drift_along_wall_mm"};
   const auto chart_of = [&](std::string title, std::string quantity) {
@@ -121,7 +122,7 @@ Export over_setting(const RestCurves& curves, const SweptSetting& setting, bool 
     Series forces = series_of(entry.id, theme);
     Series drifts = forces;
     for (std::size_t k = 0; k < curves.at.size(); ++k) {
-      const RestValue& value = curves.values[index_of(entry.id)][k];
+      const EquilibriumValue& value = curves.values[index_of(entry.id)][k];
       const double at = curves.at[k] * setting.per_si;
       result.table.rows.push_back({at, std::string(entry.name), value.force, cell_of(1000.0 * value.drift)});
       forces.points.emplace_back(at, value.force);
@@ -137,14 +138,14 @@ Export over_setting(const RestCurves& curves, const SweptSetting& setting, bool 
 Export export_of(const Session& session, const Snapshot& snapshot, const PlotHistory& history, bool whole_history) {
   const Theme& theme = *session.look.theme;
   const Settings& settings = session.settings;
-  const RestQuestion question = rest_question(settings, snapshot);
+  const EquilibriumQuestion question = equilibrium_question(settings, snapshot);
   switch (session.plots.tab) {
     case PlotTab::time:
       return whole_history ? over_time(history, history.oldest_s(), history.newest_s(), theme)
                            : over_time(history, session.plots.from_s, session.plots.to_s, theme);
     case PlotTab::wall_angle: {
       const double turn = std::floor(settings.wall_normal_angle / (360.0 * degree));
-      return over_setting(rest_over_wall_angle(question, curve_points),
+      return over_setting(equilibria_over_wall_angle(question, curve_points),
                           {.column = "wall_normal_deg",
                            .title = "angle of the wall's normal [°]",
                            .is_logarithmic = false,
@@ -154,7 +155,7 @@ Export export_of(const Session& session, const Snapshot& snapshot, const PlotHis
     }
     case PlotTab::ratio: {
       const RatioRange range = ratio_range(settings.stiffnesses);
-      return over_setting(rest_over_ratio(question, range.least, range.greatest, curve_points),
+      return over_setting(equilibria_over_ratio(question, range.least, range.greatest, curve_points),
                           {.column = "tracking_ratio",
                            .title = "tracking ratio ρ",
                            .is_logarithmic = true,

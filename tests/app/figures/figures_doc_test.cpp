@@ -28,7 +28,7 @@ std::string numbers_table() {
     table += "| " + motion.name + " |";
     for (const Equilibrium<2>& rest : motion.rest) table += cell(1000.0 * rest.device.x);
     for (const Equilibrium<2>& rest : motion.rest) table += cell(rest.force.x);
-    table += cell(motion.ghost_at_rest[index_of(StrategyId::naive)].x) + "\n";
+    table += cell(motion.ghost_at_equilibrium[index_of(StrategyId::naive)].x) + "\n";
   }
   return table;
 }

@@ -299,7 +299,7 @@ TEST_F(ExperimentsWindow, AWrongBeliefShowsAsDrift) {
   frames(10, ticks);
   EXPECT_NE(picture(), right);
   const Vector<2> seen = now().strategies[index_of(StrategyId::anisotropic)].proxy_drift;
-  const Equilibrium<2> rest = rest_of(StrategyId::anisotropic, session().settings, now().goal);
+  const Equilibrium<2> rest = equilibrium_of(StrategyId::anisotropic, session().settings, now().goal);
   // ρ = 11 instead of 4 on a wall at 45°: d/2 · (ρ* − ρ)/((ρ* + ρ)/2), all but hard.
   EXPECT_NEAR(glm::length(seen), 0.020 * 0.5 * 7.0 / 7.5, 1e-4);
   EXPECT_NEAR(glm::length(seen), glm::length(proxy_drift(wall_of(session().settings), rest.proxy, now().goal)), 1e-9);

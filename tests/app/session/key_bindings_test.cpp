@@ -174,7 +174,7 @@ double naive_drift_at(Settings settings, double theta) {
   settings.wall_normal_angle = settings.actuated_angle - theta;
   const Wall<2> wall = wall_of(settings);
   const Vector<2> goal = wall.point - 0.02 * wall.normal;
-  const Equilibrium<2> rest = rest_of(StrategyId::naive, settings, goal);
+  const Equilibrium<2> rest = equilibrium_of(StrategyId::naive, settings, goal);
   const Vector<2> drift = rest.proxy - goal;
   return glm::length(drift - wall.normal * glm::dot(wall.normal, drift));
 }

@@ -321,13 +321,13 @@ TEST(Sweep, AsManyThreadsAsOneLikes) {
        {std::vector<std::string>{"wall.normal_deg=90:180:37", "rendering.k_r_N_per_m=10:1e4:29:log"},
         {"goal.duration_s=0:3:7", "device.rate_hz=500:1000:6"}}) {
     const Grid grid = make_grid(ranges, scene);
-    for (const RestKind& kind : rest_kinds) {
+    for (const EquilibriumKind& kind : equilibrium_kinds) {
       std::string expected;
       for (std::int64_t point = 0; point < size_of(grid); ++point) {
         fmt::memory_buffer rows;
         Scene at = scene;
         put_point(grid, point, at);
-        append_sweep_rows(rows, grid, point, at_rest(at, kind), kind);
+        append_sweep_rows(rows, grid, point, point_equilibrium(at, kind), kind);
         expected.append(rows.data(), rows.size());
       }
       for (const std::size_t threads : {1U, 2U, 5U}) {

@@ -193,7 +193,7 @@ void expect_interrupted_rows(const std::string& text, std::int64_t least_rows) {
       << text.substr(text.size() - std::min<std::size_t>(text.size(), 300));
   const Scene scene = load_scene("fig1");
   const Grid grid = make_grid(long_ranges, scene);
-  const RestKind& kind = rest_kinds.front();
+  const EquilibriumKind& kind = equilibrium_kinds.front();
   const std::string header = sweep_header(scene, grid, kind);
   ASSERT_TRUE(text.starts_with(header));
   const std::string_view rows(text.data() + header.size(), text.size() - header.size() - interrupted_line.size() - 1);
@@ -205,7 +205,7 @@ void expect_interrupted_rows(const std::string& text, std::int64_t least_rows) {
   for (std::int64_t point = 0; point < row_count / 3; ++point) {
     Scene at = scene;
     put_point(grid, point, at);
-    append_sweep_rows(expected, grid, point, at_rest(at, kind), kind);
+    append_sweep_rows(expected, grid, point, point_equilibrium(at, kind), kind);
   }
   EXPECT_TRUE(rows == std::string_view(expected.data(), expected.size()));
 }

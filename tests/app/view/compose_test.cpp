@@ -230,7 +230,7 @@ TEST(Compose, PutsPredictionRingsWhereTheClosedFormsDo) {
   for (const Strategy& entry : strategy_catalog()) {
     const auto rings = find_forms<Marker>(picture, Role::prediction, entry.id);
     ASSERT_EQ(rings.size(), 2U) << entry.name;
-    const Equilibrium<2> rest = rest_of(entry.id, picture.scene.settings, picture.snapshot.goal);
+    const Equilibrium<2> rest = equilibrium_of(entry.id, picture.scene.settings, picture.snapshot.goal);
     EXPECT_EQ(rings[0]->center, rest.device);
     EXPECT_EQ(rings[1]->center, rest.proxy);
     // Two seconds after the motion the simulation is within a micrometre of rest.

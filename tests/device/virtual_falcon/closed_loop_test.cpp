@@ -30,7 +30,7 @@ TEST(ClosedLoop, TheHandEndsWhereTheTheorySaysUnderEveryStrategy) {
   const Settings& settings = rehearsal.command().settings;
   for (const Strategy& entry : strategy_catalog()) {
     const Vector<2> tip = rest_under(rehearsal, entry.id);
-    const Vector<2> theory = rest_of(entry.id, settings, goal).device;
+    const Vector<2> theory = equilibrium_of(entry.id, settings, goal).device;
     const double k_r_over_k_u = settings.stiffnesses.k_r / settings.stiffnesses.k_u;
     EXPECT_NEAR(tip.x, theory.x, resolution * (1.0 + k_r_over_k_u)) << entry.name;
     EXPECT_NEAR(tip.y, theory.y, resolution * (1.0 + k_r_over_k_u)) << entry.name;
@@ -72,7 +72,7 @@ TEST(ClosedLoop, AWrongBeliefLeavesAGhostForce) {
   const double full = rest_under(rehearsal, StrategyId::full).x;
   rehearsal.command().settings.stiffnesses.believed_k_u = 300.0;
   const double wrong = rest_under(rehearsal, StrategyId::anisotropic).x;
-  const double theory = rest_of(StrategyId::anisotropic, rehearsal.command().settings, goal).device.x;
+  const double theory = equilibrium_of(StrategyId::anisotropic, rehearsal.command().settings, goal).device.x;
   EXPECT_GT(std::abs(wrong - full), 1e-3);
   EXPECT_NEAR(wrong, theory, 10.0 * resolution);
 }

@@ -11,8 +11,8 @@
 
 #include "app/files/scene_file.h"
 #include "app/paint/vector/file_painter.h"
+#include "app/ui/plots/equilibrium_curves.h"
 #include "app/ui/plots/plot_export.h"
-#include "app/ui/plots/rest_curves.h"
 #include "app/view/plot_history.h"
 #include "core/simulate.h"
 
@@ -127,57 +127,58 @@ TEST(PlotHistory, ATickThatIsNoLaterCountsOnce) {
 
 // ---- Curves ---------------------------------------------------------------------------------------------------------
 
-class RestCurvesTest : public testing::Test {
+class EquilibriumCurvesTest : public testing::Test {
  protected:
   Scene scene_ = load_scene("fig3-normal");
-  RestQuestion question_{scene_.settings, scene_.goal.points.back(), false};
+  EquilibriumQuestion question_{scene_.settings, scene_.goal.points.back(), false};
 };
 
-TEST_F(RestCurvesTest, PassThroughTheSettingInUse) {
+TEST_F(EquilibriumCurvesTest, PassThroughTheSettingInUse) {
   // Section 1 of the design: naïve −6.656 N, the others −3.633 N, no drift but for the naïve one.
-  EXPECT_NEAR(rest_value(StrategyId::naive, question_).force, -6.656, 5e-4);
-  EXPECT_NEAR(rest_value(StrategyId::full, question_).force, -3.633, 5e-4);
-  const RestCurves curves = rest_over_wall_angle(question_, 9);  // every 45°
+  EXPECT_NEAR(equilibrium_value(StrategyId::naive, question_).force, -6.656, 5e-4);
+  EXPECT_NEAR(equilibrium_value(StrategyId::full, question_).force, -3.633, 5e-4);
+  const EquilibriumCurves curves = equilibria_over_wall_angle(question_, 9);  // every 45°
   ASSERT_EQ(curves.at.size(), 9U);
   EXPECT_NEAR(curves.at[3], 0.75 * std::numbers::pi, 1e-15);
   for (const Strategy& entry : strategy_catalog()) {
-    const RestValue now = rest_value(entry.id, question_);
+    const EquilibriumValue now = equilibrium_value(entry.id, question_);
     EXPECT_NEAR(curves.values[index_of(entry.id)][3].force, now.force, 1e-12);
     EXPECT_NEAR(curves.values[index_of(entry.id)][3].drift, now.drift, 1e-15);
   }
 }
 
-TEST_F(RestCurvesTest, AreFlatWhereTheGoalIsOutside) {
-  const RestCurves curves = rest_over_wall_angle(question_, 9);
+TEST_F(EquilibriumCurvesTest, AreFlatWhereTheGoalIsOutside) {
+  const EquilibriumCurves curves = equilibria_over_wall_angle(question_, 9);
   for (std::size_t i = 0; i < strategy_count; ++i) EXPECT_EQ(curves.values[i][7].force, 0.0);  // 315°
 }
 
-TEST_F(RestCurvesTest, CrossTheFullyActuatedForceAndNoDriftAtTheOptimalRatio) {
+TEST_F(EquilibriumCurvesTest, CrossTheFullyActuatedForceAndNoDriftAtTheOptimalRatio) {
   const double optimal = optimal_tracking_ratio(1000.0, 100.0);
-  const RestCurves curves = rest_over_ratio(question_, 1.0, optimal * optimal, 3);
+  const EquilibriumCurves curves = equilibria_over_ratio(question_, 1.0, optimal * optimal, 3);
   const auto& cured = curves.values[index_of(StrategyId::anisotropic)];
   const auto& full = curves.values[index_of(StrategyId::full)];
   EXPECT_NEAR(curves.at[1], optimal, 1e-12);
   EXPECT_NEAR(cured[1].force, full[1].force, 1e-9);
   EXPECT_NEAR(cured[1].drift, 0.0, 1e-12);
   EXPECT_LT(cured[0].drift * cured[2].drift, 0.0);  // it changes sides there
-  EXPECT_NEAR(cured[0].force, rest_value(StrategyId::naive, question_).force, 1e-12);
+  EXPECT_NEAR(cured[0].force, equilibrium_value(StrategyId::naive, question_).force, 1e-12);
   EXPECT_EQ(full[0].force, full[2].force);
   EXPECT_EQ(curves.values[naive][0].force, curves.values[naive][2].force);
 }
 
-TEST_F(RestCurvesTest, AskNothingThatNobodyKnowsOfARealHand) {
+TEST_F(EquilibriumCurvesTest, AskNothingThatNobodyKnowsOfARealHand) {
   Snapshot snapshot;
   snapshot.goal = question_.goal;
   snapshot.measured = StrategyId::naive;
   Settings settings = scene_.settings;
   settings.stiffnesses.k_u = 1e4;  // whoever set that did not know the hand
   settings.stiffnesses.believed_k_u = 100.0;
-  const RestQuestion question = rest_question(settings, snapshot);
-  EXPECT_TRUE(std::isnan(rest_value(StrategyId::naive, question).drift));
-  EXPECT_NEAR(rest_value(StrategyId::naive, question).force, rest_value(StrategyId::naive, question_).force, 1e-12);
+  const EquilibriumQuestion question = equilibrium_question(settings, snapshot);
+  EXPECT_TRUE(std::isnan(equilibrium_value(StrategyId::naive, question).drift));
+  EXPECT_NEAR(equilibrium_value(StrategyId::naive, question).force,
+              equilibrium_value(StrategyId::naive, question_).force, 1e-12);
   snapshot.measured.reset();
-  EXPECT_FALSE(std::isnan(rest_value(StrategyId::naive, rest_question(settings, snapshot)).drift));
+  EXPECT_FALSE(std::isnan(equilibrium_value(StrategyId::naive, equilibrium_question(settings, snapshot)).drift));
 }
 
 // ---- Files ----------------------------------------------------------------------------------------------------------

@@ -1,4 +1,4 @@
-#include "app/ui/plots/rest_plots.h"
+#include "app/ui/plots/equilibrium_plots.h"
 
 #include <algorithm>
 #include <array>
@@ -11,8 +11,8 @@
 #include <fmt/format.h>
 
 #include "app/ui/panels/ratio_dial.h"
+#include "app/ui/plots/equilibrium_curves.h"
 #include "app/ui/plots/plot_pieces.h"
-#include "app/ui/plots/rest_curves.h"
 #include "app/ui/widgets/controls.h"
 
 namespace ghostforce {
@@ -23,26 +23,26 @@ constexpr double whole_turn = 2.0 * std::numbers::pi;
 constexpr float snap_points = 7.0F;
 
 // What is drawn over the setting.
-struct RestQuantity {
+struct EquilibriumQuantity {
   const char* title;
   std::string_view sentence;
-  double (*of)(const RestValue&);  // in the unit of the title
+  double (*of)(const EquilibriumValue&);  // in the unit of the title
   double smallest_range;
 };
 constexpr std::array quantities{
-    RestQuantity{
+    EquilibriumQuantity{
         "force along the motor axis [N]",
         "At rest, by closed form; + is the way the motor axis points. All three push as hard where there is no "
         "ghost force.",
-        [](const RestValue& value) { return value.force; }, 1.0},
-    RestQuantity{
+        [](const EquilibriumValue& value) { return value.force; }, 1.0},
+    EquilibriumQuantity{
         "proxy drift along the wall [mm]",
         "At rest, by closed form: how far the proxy stands beside the goal. Where the curve crosses 0, nothing "
         "drags the hand along the wall.",
-        [](const RestValue& value) { return 1000.0 * value.drift; }, 1.0},
+        [](const EquilibriumValue& value) { return 1000.0 * value.drift; }, 1.0},
 };
 
-struct RestAxis {
+struct EquilibriumAxis {
   std::vector<double> at;  // on the axis, one per value of the curves
   double now;
   double least;
@@ -53,10 +53,10 @@ struct RestAxis {
 };
 
 // The same ring and shape on both plots, so that one sees force and drift of one moment.
-void draw_points(const PanelContext& context, const RestQuantity& quantity, const RestAxis& axis,
-                 const RestQuestion& question) {
+void draw_points(const PanelContext& context, const EquilibriumQuantity& quantity, const EquilibriumAxis& axis,
+                 const EquilibriumQuestion& question) {
   for_each_strategy(context, [&](StrategyId id) {
-    draw_strategy_point(context, id, axis.now, quantity.of(rest_value(id, question)), true);
+    draw_strategy_point(context, id, axis.now, quantity.of(equilibrium_value(id, question)), true);
     if (question.goal_is_inferred) return;
     const StrategySnapshot<2>& now = context.snapshot.strategies[index_of(id)];
     draw_strategy_point(context, id, axis.now, quantity.of(value_now(now.force, now.proxy_drift, question.settings)),
@@ -66,7 +66,7 @@ void draw_points(const PanelContext& context, const RestQuantity& quantity, cons
 
 // Where the person drags the operating point to, if so: these plots have nothing else to take hold of, so that a drag
 // may begin anywhere in them, as in the scene.
-std::optional<double> draw_operating_point(const PanelContext& context, const RestAxis& axis) {
+std::optional<double> draw_operating_point(const PanelContext& context, const EquilibriumAxis& axis) {
   const float x = ImPlot::PlotToPixels(axis.now, 0.0).x;
   const ImVec2 corner = ImPlot::GetPlotPos();
   const float thickness = 1.5F * static_cast<float>(context.theme.thickness) * context.scale;
@@ -81,16 +81,16 @@ std::optional<double> draw_operating_point(const PanelContext& context, const Re
   return is_held ? std::optional(ImPlot::GetPlotMousePos().x) : std::nullopt;
 }
 
-std::optional<double> draw_rest_plot(const PanelContext& context, const RestQuantity& quantity,
-                                     const RestCurves& curves, const RestAxis& axis, const RestQuestion& question,
-                                     ImVec2 size) {
+std::optional<double> draw_rest_plot(const PanelContext& context, const EquilibriumQuantity& quantity,
+                                     const EquilibriumCurves& curves, const EquilibriumAxis& axis,
+                                     const EquilibriumQuestion& question, ImVec2 size) {
   std::optional<double> dragged;
   if (!ImPlot::BeginPlot("##plot", size, quiet_plot)) return dragged;
   PerStrategy<std::vector<double>> heights;
   double least = 0.0;
   double greatest = 0.0;
   for (std::size_t i = 0; i < strategy_count; ++i) {
-    for (const RestValue& value : curves.values[i]) heights[i].push_back(quantity.of(value));
+    for (const EquilibriumValue& value : curves.values[i]) heights[i].push_back(quantity.of(value));
     for (const double height : heights[i]) {
       least = std::fmin(least, height);
       greatest = std::fmax(greatest, height);
@@ -119,14 +119,14 @@ std::optional<double> draw_rest_plot(const PanelContext& context, const RestQuan
 }
 
 // Both plots, side by side; and where the operating point is dragged to, if so.
-std::optional<double> draw_rest_plots(const PanelContext& context, const RestCurves& curves, const RestAxis& axis,
-                                      const RestQuestion& question) {
+std::optional<double> draw_equilibrium_plots(const PanelContext& context, const EquilibriumCurves& curves,
+                                             const EquilibriumAxis& axis, const EquilibriumQuestion& question) {
   std::optional<double> dragged;
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
   const auto count = static_cast<float>(quantities.size());
   const ImVec2 size{(room.x - spacing * (count - 1.0F)) / count, room.y - ImGui::GetTextLineHeightWithSpacing()};
-  for (const RestQuantity& quantity : quantities) {
+  for (const EquilibriumQuantity& quantity : quantities) {
     if (&quantity != quantities.data()) ImGui::SameLine();
     ImGui::BeginGroup();
     ImGui::TextUnformatted(quantity.title);
@@ -157,9 +157,9 @@ std::size_t samples_for(float width) {
 void draw_wall_angle_plots(const PanelContext& context) {
   Settings& settings = context.session.settings;
   const float width = ImGui::GetContentRegionAvail().x;
-  const RestQuestion question = rest_question(settings, context.snapshot);
-  const RestCurves curves = rest_over_wall_angle(question, samples_for(width));
-  RestAxis axis{{}, 0.0, 0.0, 360.0, false, {}, {}};
+  const EquilibriumQuestion question = equilibrium_question(settings, context.snapshot);
+  const EquilibriumCurves curves = equilibria_over_wall_angle(question, samples_for(width));
+  EquilibriumAxis axis{{}, 0.0, 0.0, 360.0, false, {}, {}};
   const float widest = ImGui::CalcTextSize("−135°").x + ImGui::GetFontSize();
   const int step = 8.0F * widest < 0.5F * width ? 45 : 90;
   for (int tick = 0; tick <= 360; tick += step) {
@@ -169,7 +169,7 @@ void draw_wall_angle_plots(const PanelContext& context) {
   for (const double angle : curves.at) axis.at.push_back(angle / degree);
   const double remainder = std::fmod(settings.wall_normal_angle, whole_turn);
   axis.now = (remainder < 0.0 ? remainder + whole_turn : remainder) / degree;
-  if (const auto dragged = draw_rest_plots(context, curves, axis, question)) {
+  if (const auto dragged = draw_equilibrium_plots(context, curves, axis, question)) {
     const double angle = std::clamp(*dragged, axis.least, axis.greatest);
     settings.wall_normal_angle = (ImGui::GetIO().KeyCtrl ? angle : std::round(angle)) * degree;
   }
@@ -180,9 +180,9 @@ void draw_ratio_plots(const PanelContext& context) {
   const double optimal = optimal_tracking_ratio(stiffnesses.k_r, believed_user_stiffness(stiffnesses));
   const auto [least, greatest] = ratio_range(stiffnesses);
   const float width = ImGui::GetContentRegionAvail().x;
-  const RestQuestion question = rest_question(context.session.settings, context.snapshot);
-  const RestCurves curves = rest_over_ratio(question, least, greatest, samples_for(width));
-  RestAxis axis{curves.at, tracking_ratio(stiffnesses), least, greatest, true, {1.0}, {"1 naïve"}};
+  const EquilibriumQuestion question = equilibrium_question(context.session.settings, context.snapshot);
+  const EquilibriumCurves curves = equilibria_over_ratio(question, least, greatest, samples_for(width));
+  EquilibriumAxis axis{curves.at, tracking_ratio(stiffnesses), least, greatest, true, {1.0}, {"1 naïve"}};
   const double decades_per_pixel = std::log(greatest / least) / (0.45 * static_cast<double>(width));
   const auto add_tick = [&](double ratio, std::string label) {
     if (ratio < least || ratio > greatest) return;
@@ -199,7 +199,7 @@ void draw_ratio_plots(const PanelContext& context) {
   for (const double ratio : {0.1, 10.0, 100.0, 1000.0, 0.2, 0.5, 2.0, 5.0, 20.0, 50.0, 200.0, 500.0}) {
     add_tick(ratio, fmt::format("{:g}", ratio));
   }
-  const auto dragged = draw_rest_plots(context, curves, axis, question);
+  const auto dragged = draw_equilibrium_plots(context, curves, axis, question);
   if (!dragged) return;
   choose_ratio(stiffnesses, std::clamp(*dragged, least, greatest),
                static_cast<double>(snap_points * context.scale) * decades_per_pixel);

@@ -1,4 +1,4 @@
-#include "app/ui/plots/rest_curves.h"
+#include "app/ui/plots/equilibrium_curves.h"
 
 #include <cmath>
 #include <limits>
@@ -17,14 +17,14 @@ struct Point {
 };
 
 template <typename PointAt>
-RestCurves curves(RestQuestion question, std::size_t count, PointAt&& point_at) {
-  RestCurves curves;
+EquilibriumCurves curves(EquilibriumQuestion question, std::size_t count, PointAt&& point_at) {
+  EquilibriumCurves curves;
   for (std::size_t i = 0; i < count; ++i) {
     const Point point = point_at(static_cast<double>(i) / static_cast<double>(count - 1));
     question.settings = point.settings;
     curves.at.push_back(point.at);
     for (const Strategy& entry : strategy_catalog()) {
-      curves.values[index_of(entry.id)].push_back(rest_value(entry.id, question));
+      curves.values[index_of(entry.id)].push_back(equilibrium_value(entry.id, question));
     }
   }
   return curves;
@@ -32,27 +32,27 @@ RestCurves curves(RestQuestion question, std::size_t count, PointAt&& point_at) 
 
 }  // namespace
 
-RestQuestion rest_question(const Settings& settings, const Snapshot& snapshot) noexcept {
-  RestQuestion question{settings, snapshot.goal, snapshot.measured.has_value()};
+EquilibriumQuestion equilibrium_question(const Settings& settings, const Snapshot& snapshot) noexcept {
+  EquilibriumQuestion question{settings, snapshot.goal, snapshot.measured.has_value()};
   Stiffnesses& stiffnesses = question.settings.stiffnesses;
   if (question.goal_is_inferred) stiffnesses.k_u = believed_user_stiffness(stiffnesses);
   return question;
 }
 
-RestValue value_now(const Vector<2>& force, const Vector<2>& drift, const Settings& settings) noexcept {
+EquilibriumValue value_now(const Vector<2>& force, const Vector<2>& drift, const Settings& settings) noexcept {
   const Vector<2> normal = direction_at(settings.wall_normal_angle);
   return {glm::dot(force, direction_at(settings.actuated_angle)), glm::dot(drift, Vector<2>(-normal.y, normal.x))};
 }
 
-RestValue rest_value(StrategyId id, const RestQuestion& question) noexcept {
-  const Equilibrium<2> rest = rest_of(id, question.settings, question.goal);
-  RestValue value =
+EquilibriumValue equilibrium_value(StrategyId id, const EquilibriumQuestion& question) noexcept {
+  const Equilibrium<2> rest = equilibrium_of(id, question.settings, question.goal);
+  EquilibriumValue value =
       value_now(rest.force, proxy_drift(wall_of(question.settings), rest.proxy, question.goal), question.settings);
   if (question.goal_is_inferred) value.drift = std::numeric_limits<double>::quiet_NaN();
   return value;
 }
 
-RestCurves rest_over_wall_angle(const RestQuestion& question, std::size_t count) {
+EquilibriumCurves equilibria_over_wall_angle(const EquilibriumQuestion& question, std::size_t count) {
   return curves(question, count, [&](double share) {
     Point point{share * 2.0 * std::numbers::pi, question.settings};
     point.settings.wall_normal_angle = point.at;
@@ -60,7 +60,8 @@ RestCurves rest_over_wall_angle(const RestQuestion& question, std::size_t count)
   });
 }
 
-RestCurves rest_over_ratio(const RestQuestion& question, double least, double greatest, std::size_t count) {
+EquilibriumCurves equilibria_over_ratio(const EquilibriumQuestion& question, double least, double greatest,
+                                        std::size_t count) {
   return curves(question, count, [&](double share) {
     Point point{least * std::pow(greatest / least, share), question.settings};
     point.settings.stiffnesses.chosen_tracking_ratio = point.at;

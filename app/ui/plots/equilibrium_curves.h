@@ -10,18 +10,18 @@
 namespace ghostforce {
 
 // Signed, so that a curve crosses 0 where it changes sides.
-struct RestValue {
+struct EquilibriumValue {
   double force = 0.0;  // along the motor axis [N]
   double drift = 0.0;  // of the proxy, along the wall; + is to the left of its normal [m]
 };
 
-struct RestCurves {
+struct EquilibriumCurves {
   std::vector<double> at;  // the setting's values, rising
-  PerStrategy<std::vector<RestValue>> values;
+  PerStrategy<std::vector<EquilibriumValue>> values;
 };
 
 // Under which settings and which goal things come to rest.
-struct RestQuestion {
+struct EquilibriumQuestion {
   Settings settings;
   Vector<2> goal{0.0};            // [m]
   bool goal_is_inferred = false;  // then nobody knows how far the proxy is beside it: drifts are NaN
@@ -29,19 +29,20 @@ struct RestQuestion {
 
 // Of this moment. The goal of a real hand is inferred with the stiffness that the hand is believed to have, and so that
 // is the hand's stiffness then.
-RestQuestion rest_question(const Settings& settings, const Snapshot& snapshot) noexcept;
+EquilibriumQuestion equilibrium_question(const Settings& settings, const Snapshot& snapshot) noexcept;
 
-RestValue rest_value(StrategyId id, const RestQuestion& question) noexcept;
+EquilibriumValue equilibrium_value(StrategyId id, const EquilibriumQuestion& question) noexcept;
 
 // The same of a tick: of a snapshot's force and drift.
-RestValue value_now(const Vector<2>& force, const Vector<2>& drift, const Settings& settings) noexcept;
+EquilibriumValue value_now(const Vector<2>& force, const Vector<2>& drift, const Settings& settings) noexcept;
 
 // Over the angle of the wall's normal, a whole turn from 0; the wall turns about its point, under the goal as it is
 // [rad]. `count` ≥ 2.
-RestCurves rest_over_wall_angle(const RestQuestion& question, std::size_t count);
+EquilibriumCurves equilibria_over_wall_angle(const EquilibriumQuestion& question, std::size_t count);
 
 // Over the tracking ratio ρ from `least` to `greatest`, in equal steps of its logarithm. Only the anisotropic strategy
 // has one: it is the naïve one at 1, and pushes like the fully actuated one at ρ*. `count` ≥ 2.
-RestCurves rest_over_ratio(const RestQuestion& question, double least, double greatest, std::size_t count);
+EquilibriumCurves equilibria_over_ratio(const EquilibriumQuestion& question, double least, double greatest,
+                                        std::size_t count);
 
 }  // namespace ghostforce

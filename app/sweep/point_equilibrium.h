@@ -16,43 +16,43 @@
 namespace ghostforce {
 
 // How the rest is found.
-struct RestKind {
+struct EquilibriumKind {
   std::string_view name;  // on the command line
   bool predicted;         // by closed form
   bool simulated;
 };
 
-inline constexpr std::array rest_kinds{
-    RestKind{"closed-form", true, false},
-    RestKind{"simulated", false, true},
-    RestKind{"both", true, true},
+inline constexpr std::array equilibrium_kinds{
+    EquilibriumKind{"closed-form", true, false},
+    EquilibriumKind{"simulated", false, true},
+    EquilibriumKind{"both", true, true},
 };
 
-struct PointAtRest {
-  double depth = 0.0;                                     // of the goal, (8) [m]
-  PerStrategy<PredictedRest> predicted{};                 // where the kind has it
-  PerStrategy<std::optional<SimulatedRest>> simulated{};  // likewise; empty: does not come to rest
+struct PointEquilibrium {
+  double depth = 0.0;                                            // of the goal, (8) [m]
+  PerStrategy<PredictedEquilibrium> predicted{};                 // where the kind has it
+  PerStrategy<std::optional<SimulatedEquilibrium>> simulated{};  // likewise; empty: does not come to rest
 };
 
 // Under the last waypoint of the scene's path.
-PointAtRest at_rest(const Scene& scene, const RestKind& kind);
+PointEquilibrium point_equilibrium(const Scene& scene, const EquilibriumKind& kind);
 
 // The same for points put into one scene, one after the other; simulated side by side in the end, which is several
 // times faster.
-class PointsAtRest {
+class PointEquilibria {
  public:
   // Has room for `expected` points.
-  PointsAtRest(const RestKind& kind, std::size_t expected);
+  PointEquilibria(const EquilibriumKind& kind, std::size_t expected);
 
   // The scenes share one path.
   void add(const Scene& scene);
 
   // In the order of their coming. Once.
-  std::vector<PointAtRest> take(const GoalPath& path);
+  std::vector<PointEquilibrium> take(const GoalPath& path);
 
  private:
-  const RestKind& kind_;
-  std::vector<PointAtRest> points_;
+  const EquilibriumKind& kind_;
+  std::vector<PointEquilibrium> points_;
   std::vector<SettledPoint> to_settle_;
 };
 

@@ -1,0 +1,32 @@
+#include "app/sweep/point_equilibrium.h"
+
+#include <utility>
+
+namespace ghostforce {
+
+PointEquilibria::PointEquilibria(const EquilibriumKind& kind, std::size_t expected) : kind_(kind) {
+  points_.reserve(expected);
+  if (kind.simulated) to_settle_.reserve(expected);
+}
+
+void PointEquilibria::add(const Scene& scene) {
+  const Vector<2>& goal = scene.goal.points.back();
+  PointEquilibrium& point = points_.emplace_back();
+  point.depth = depth(wall_of(scene.settings), goal);
+  if (kind_.predicted) point.predicted = predicted_equilibria(scene.settings, goal);
+  if (kind_.simulated) to_settle_.push_back({scene.settings, scene.duration});
+}
+
+std::vector<PointEquilibrium> PointEquilibria::take(const GoalPath& path) {
+  const std::vector<SimulatedEquilibria> equilibria = settle(path, to_settle_);
+  for (std::size_t i = 0; i < equilibria.size(); ++i) points_[i].simulated = equilibria[i];
+  return std::move(points_);
+}
+
+PointEquilibrium point_equilibrium(const Scene& scene, const EquilibriumKind& kind) {
+  PointEquilibria points(kind, 1);
+  points.add(scene);
+  return points.take(scene.goal).front();
+}
+
+}  // namespace ghostforce
