@@ -8,7 +8,7 @@
 #include <benchmark/benchmark.h>
 
 #include "app/files/scene_file.h"
-#include "app/sweep/settle.h"
+#include "app/sweep/simulate_to_equilibrium.h"
 #include "app/sweep/sweep.h"
 
 namespace ghostforce {
@@ -44,14 +44,14 @@ BENCHMARK(sweep_by_closed_form)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 
-void settle_one_point(benchmark::State& state) {
+void simulate_one_point_to_equilibrium(benchmark::State& state) {
   const Scene scene = load_scene("fig3-normal");
   for (auto _ : state) {
-    const auto equilibria = settle(scene);
+    const auto equilibria = simulate_to_equilibrium(scene);
     benchmark::DoNotOptimize(equilibria);
   }
 }
-BENCHMARK(settle_one_point)->Name("settle/fig3-normal")->Unit(benchmark::kMicrosecond);
+BENCHMARK(simulate_one_point_to_equilibrium)->Name("settle/fig3-normal")->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace ghostforce

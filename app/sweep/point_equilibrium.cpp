@@ -6,7 +6,7 @@ namespace ghostforce {
 
 PointEquilibria::PointEquilibria(const EquilibriumKind& kind, std::size_t expected) : kind_(kind) {
   points_.reserve(expected);
-  if (kind.simulated) to_settle_.reserve(expected);
+  if (kind.simulated) to_simulate_.reserve(expected);
 }
 
 void PointEquilibria::add(const Scene& scene) {
@@ -14,11 +14,11 @@ void PointEquilibria::add(const Scene& scene) {
   PointEquilibrium& point = points_.emplace_back();
   point.depth = depth(wall_of(scene.settings), goal);
   if (kind_.predicted) point.predicted = predicted_equilibria(scene.settings, goal);
-  if (kind_.simulated) to_settle_.push_back({scene.settings, scene.duration});
+  if (kind_.simulated) to_simulate_.push_back({scene.settings, scene.duration});
 }
 
 std::vector<PointEquilibrium> PointEquilibria::take(const GoalPath& path) {
-  const std::vector<SimulatedEquilibria> equilibria = settle(path, to_settle_);
+  const std::vector<SimulatedEquilibria> equilibria = simulate_to_equilibrium(path, to_simulate_);
   for (std::size_t i = 0; i < equilibria.size(); ++i) points_[i].simulated = equilibria[i];
   return std::move(points_);
 }

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/sweep/settle.h"
+#include "app/sweep/simulate_to_equilibrium.h"
 #include "core/prediction.h"
 #include "core/scene.h"
 
@@ -53,7 +53,7 @@ class PointEquilibria {
  private:
   const EquilibriumKind& kind_;
   std::vector<PointEquilibrium> points_;
-  std::vector<SettledPoint> to_settle_;
+  std::vector<SimulatedPoint> to_simulate_;
 };
 
 }  // namespace ghostforce

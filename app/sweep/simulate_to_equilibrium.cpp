@@ -1,4 +1,4 @@
-#include "app/sweep/settle.h"
+#include "app/sweep/simulate_to_equilibrium.h"
 
 #include <algorithm>
 #include <array>
@@ -28,7 +28,7 @@ constexpr double roundings = 16.0;
 struct Balance {
   double k_u;             // [N/m]
   double still;           // √(k_u m) [N·s/m]
-  double least;           // F of settle.h without the roundings [N]
+  double least;           // F of simulate_to_equilibrium.h without the roundings [N]
   double rounding;        // what a position's roundings make of it [N/m]
   double farthest_given;  // the greater one of q_u² and o² [m²]
 };
@@ -62,7 +62,7 @@ Course course_of(const Balance& balance, const Batch::Lane& now, const Vector<2>
 }
 
 // Who is in a lane.
-struct Settling {
+struct Occupant {
   std::size_t point;
   std::size_t strategy;
   Balance balance;
@@ -81,12 +81,12 @@ void follow(const GoalPath& path, double rate, std::int64_t last, Batch& batch) 
 }
 
 // Points that share each tick's goal, having one rate and one duration. `equilibria` has a place for each, empty yet.
-void settle_together(const GoalPath& path, std::span<const SettledPoint> points,
-                     std::span<SimulatedEquilibria> equilibria) {
+void simulate_together(const GoalPath& path, std::span<const SimulatedPoint> points,
+                       std::span<SimulatedEquilibria> equilibria) {
   const Vector<2> start = goal_at(path, 0.0);
   const Vector<2> goal = path.points.back();
   Batch batch;
-  std::vector<Settling> lanes;
+  std::vector<Occupant> lanes;
   lanes.reserve(points.size() * strategy_count);
   for (std::size_t point = 0; point < points.size(); ++point) {
     const Settings& settings = points[point].settings;
@@ -121,23 +121,23 @@ void settle_together(const GoalPath& path, std::span<const SettledPoint> points,
 
 }  // namespace
 
-std::vector<SimulatedEquilibria> settle(const GoalPath& path, std::span<const SettledPoint> points) {
+std::vector<SimulatedEquilibria> simulate_to_equilibrium(const GoalPath& path, std::span<const SimulatedPoint> points) {
   std::vector<SimulatedEquilibria> equilibria(points.size());
-  const auto is_alike = [](const SettledPoint& one, const SettledPoint& other) {
+  const auto is_alike = [](const SimulatedPoint& one, const SimulatedPoint& other) {
     return one.settings.rate == other.settings.rate && one.duration == other.duration;
   };
   for (std::size_t first = 0; first < points.size();) {
     std::size_t count = 1;
     while (first + count < points.size() && is_alike(points[first], points[first + count])) ++count;
-    settle_together(path, points.subspan(first, count), std::span(equilibria).subspan(first, count));
+    simulate_together(path, points.subspan(first, count), std::span(equilibria).subspan(first, count));
     first += count;
   }
   return equilibria;
 }
 
-SimulatedEquilibria settle(const Scene& scene) {
-  const SettledPoint point{scene.settings, scene.duration};
-  return settle(scene.goal, {&point, 1}).front();
+SimulatedEquilibria simulate_to_equilibrium(const Scene& scene) {
+  const SimulatedPoint point{scene.settings, scene.duration};
+  return simulate_to_equilibrium(scene.goal, {&point, 1}).front();
 }
 
 }  // namespace ghostforce
