@@ -24,13 +24,13 @@ double predicted_energy(const Strategy& entry, const Settings& settings, double 
 
 }  // namespace
 
-void CircleMeter::start(const Settings& settings, const Circle& circle) noexcept {
+void CircleEnergyMeter::start(const Settings& settings, const Circle& circle) noexcept {
   *this = {};
   settings_ = settings;
   reading_.circle = circle;
 }
 
-void CircleMeter::add(const Snapshot& snapshot) noexcept {
+void CircleEnergyMeter::add(const Snapshot& snapshot) noexcept {
   const double period_s = period_of(reading_.circle);
   if (begins_s_ < 0.0 || snapshot.tick != last_tick_ + 1) {
     // The first one, or some are missing: what has been measured of this turn is worth nothing.
@@ -54,7 +54,7 @@ void CircleMeter::add(const Snapshot& snapshot) noexcept {
   begin_turn(snapshot);
 }
 
-void CircleMeter::begin_turn(const Snapshot& snapshot) noexcept {
+void CircleEnergyMeter::begin_turn(const Snapshot& snapshot) noexcept {
   began_s_ = snapshot.time_s;
   for (std::size_t i = 0; i < strategy_count; ++i) {
     meters_[i].emplace(snapshot.strategies[i].device, snapshot.strategies[i].energy);
@@ -62,7 +62,7 @@ void CircleMeter::begin_turn(const Snapshot& snapshot) noexcept {
   }
 }
 
-void CircleMeter::end_turn() noexcept {
+void CircleEnergyMeter::end_turn() noexcept {
   ++reading_.turns;
   for (const Strategy& entry : strategy_catalog()) {
     const std::size_t i = index_of(entry.id);

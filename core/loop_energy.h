@@ -1,7 +1,7 @@
 // Energy round a closed loop, the motion of the energy test: the circle that the goal goes round, the energy that the
-// rendering gave to the hand on a loop and the area that the loop encloses, and CircleMeter, which measures one turn
-// after another, strategy by strategy, beside what energy_per_loop() in energy.h predicts. Values; never allocates or
-// throws. Any one thread. SI units.
+// rendering gave to the hand on a loop and the area that the loop encloses, and CircleEnergyMeter, which measures one
+// turn after another, strategy by strategy, beside what energy_per_loop() in energy.h predicts. Values; never allocates
+// or throws. Any one thread. SI units.
 #pragma once
 
 #include <algorithm>
@@ -62,10 +62,10 @@ struct MeasuredLoop {
 };
 
 // Fed with a device on its way round one loop.
-class LoopMeter {
+class LoopEnergyMeter {
  public:
   // `device` is q_h [m], `energy` W since some start [J].
-  LoopMeter(const Vector<2>& device, double energy) noexcept
+  LoopEnergyMeter(const Vector<2>& device, double energy) noexcept
       : start_(device), last_(device), first_energy_(energy), last_energy_(energy) {}
 
   void add(const Vector<2>& device, double energy) noexcept {
@@ -103,7 +103,7 @@ struct CircleReading {
 };
 
 // Fed with every tick's snapshot.
-class CircleMeter {
+class CircleEnergyMeter {
  public:
   // Forgets all turns: another run, other settings, another circle.
   void start(const Settings& settings, const Circle& circle) noexcept;
@@ -121,7 +121,7 @@ class CircleMeter {
   double begins_s_ = -1.0;  // of the first turn; negative: not known yet
   double began_s_ = 0.0;    // of the turn that is being measured
   std::int64_t last_tick_ = 0;
-  PerStrategy<std::optional<LoopMeter>> meters_{};
+  PerStrategy<std::optional<LoopEnergyMeter>> meters_{};
   PerStrategy<bool> in_contact_{};
 };
 

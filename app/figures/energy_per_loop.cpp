@@ -61,7 +61,7 @@ MeasuredLoop measured_loop(const Settings& settings, StrategyId id, const Circle
   TickState<2> state = state_at_start(position_on(circle, 0.0));
   const auto lap = static_cast<std::int64_t>(std::llround(coefficients.rate / std::abs(circle.turns_per_second)));
   const TickState<2>::StrategyState& now = state.strategies[index_of(id)];
-  std::optional<LoopMeter> meter;
+  std::optional<LoopEnergyMeter> meter;
   while (state.tick < 2 * lap) {
     tick(coefficients, position_on(circle, time_of(state.tick + 1, coefficients.rate)), state);
     if (meter) meter->add(now.motion.position, now.energy);

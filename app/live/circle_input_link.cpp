@@ -5,7 +5,7 @@
 namespace ghostforce {
 
 void CircleInputLink::begin(Session& session) {
-  session.folded_panels.erase(std::string(energy_panel));
+  session.folded_panels.erase(std::string(passivity_panel));
   session.circle_test.is_on = true;
   session.circle_test.has_news = true;
   settings_ = session.settings;

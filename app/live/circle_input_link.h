@@ -20,7 +20,7 @@ class CircleInputLink final : public InputLink {
  private:
   CircleInput& input_;
   Circle sent_circle_;
-  CircleMeter meter_;
+  CircleEnergyMeter meter_;
   // What the meter measures.
   Settings settings_;
   std::uint32_t restarts_ = 0;

@@ -39,10 +39,10 @@ TEST(Circle, LiesInTheWallWhereverTheHandWas) {
   EXPECT_GT(moved, 100);
 }
 
-TEST(LoopMeterTest, HasTheAreaOfACircleInEitherSenseAndTheEnergyOfTheLoop) {
+TEST(LoopEnergyMeterTest, HasTheAreaOfACircleInEitherSenseAndTheEnergyOfTheLoop) {
   for (const double turns : {0.25, -0.25}) {
     const Circle circle{{0.3, -0.2}, 0.01, turns};
-    LoopMeter meter(position_on(circle, 0.0), 5.0);
+    LoopEnergyMeter meter(position_on(circle, 0.0), 5.0);
     for (int k = 1; k <= 4000; ++k) meter.add(position_on(circle, 0.001 * k), 5.0 + 0.25 * k);
     const double area = std::numbers::pi * 1e-4 * (turns > 0.0 ? 1.0 : -1.0);
     // A polygon of 4000 corners lacks (2π/4000)²/6 of the circle.
@@ -51,8 +51,8 @@ TEST(LoopMeterTest, HasTheAreaOfACircleInEitherSenseAndTheEnergyOfTheLoop) {
   }
 }
 
-TEST(LoopMeterTest, ClosesTheLoopByAStraightLine) {
-  LoopMeter meter({1.0, 1.0}, 0.0);
+TEST(LoopEnergyMeterTest, ClosesTheLoopByAStraightLine) {
+  LoopEnergyMeter meter({1.0, 1.0}, 0.0);
   meter.add({2.0, 1.0}, 0.0);
   meter.add({2.0, 2.0}, 0.0);
   EXPECT_EQ(meter.loop().area, 0.5);

@@ -31,7 +31,7 @@ constexpr std::array panels{
     Panel{"User", draw_user},
     Panel{
         .title = "Measure the hand", .draw = draw_measure_user, .opens_from = when_asked, .news = news_of_measurement},
-    Panel{.title = energy_panel, .draw = draw_energy, .opens_from = when_asked, .news = news_of_circle},
+    Panel{.title = passivity_panel, .draw = draw_passivity, .opens_from = when_asked, .news = news_of_circle},
     Panel{"Wall and device", draw_wall_and_device, room_for_the_device},
     Panel{"Input", draw_input, room_for_the_input},
     Panel{"View", draw_view_options, room_for_the_view},

@@ -13,7 +13,7 @@ namespace ghostforce {
 std::span<const Panel> panel_catalog() noexcept;
 
 // The title of the one that whoever asks for a circle wants to see.
-inline constexpr std::string_view energy_panel = "Energy";
+inline constexpr std::string_view passivity_panel = "Energy";
 
 // The titles of those that are folded at first in a window so high [points].
 std::set<std::string, std::less<>> panels_folded_at_first(double height);
@@ -24,7 +24,7 @@ void draw_safety(const PanelContext& context);
 void draw_rendering(const PanelContext& context);
 void draw_user(const PanelContext& context);
 void draw_measure_user(const PanelContext& context);
-void draw_energy(const PanelContext& context);
+void draw_passivity(const PanelContext& context);
 void draw_wall_and_device(const PanelContext& context);
 void draw_input(const PanelContext& context);
 void draw_view_options(const PanelContext& context);

@@ -110,7 +110,7 @@ void draw_table(const PanelContext& context, const CircleReading& reading) {
 
 }  // namespace
 
-void draw_energy(const PanelContext& context) {
+void draw_passivity(const PanelContext& context) {
   draw_switch(context.session);
   if (!context.loop.circle) return;
   const CircleReading& reading = *context.loop.circle;
