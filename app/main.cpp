@@ -39,8 +39,8 @@ int say_bug(const char* what) noexcept {
 int main(int argc, char** argv) {
   using namespace ghostforce;
   fill_standard_streams();
-  remember_interruptions(last_resort::take);
-  last_resort::install();
+  remember_interruptions(emergency_stop::stop_motors);
+  emergency_stop::install_handlers();
   std::signal(SIGPIPE, SIG_IGN);  // a reader that has gone is found when writing
   std::signal(SIGXFSZ, SIG_IGN);  // and so is a file that may not grow
   try {

@@ -153,7 +153,7 @@ int run(const Options& options) {
                                           : panels_folded_at_first(window.restored_size().height / look.scale),
        .shader_folder = options.shader_folder});
   if (!remembered.remarks.empty()) application.tell(fmt::format("{}", fmt::join(remembered.remarks, "\n\n")), true);
-  last_resort::refuse_to_be_stopped();
+  emergency_stop::refuse_to_be_stopped();
   Keeper keeper(remembered.preferences, application.session());
   application.start();
   const BeforeDisplayLoss before_display_loss([&application] {

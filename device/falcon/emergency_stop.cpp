@@ -14,7 +14,7 @@
 #include "device/falcon/frame.h"
 #include "device/input/thread_signals.h"
 
-namespace ghostforce::last_resort {
+namespace ghostforce::emergency_stop {
 namespace {
 
 // Of these the process does not end (refuse_to_be_stopped() is for some), or nobody can do anything about it.
@@ -23,8 +23,8 @@ constexpr std::array others{SIGCHLD, SIGCONT, SIGTSTP, SIGTTIN, SIGTTOU, SIGURG,
 // Another thread's sending takes no longer, unless it hangs for good.
 constexpr int patience_ms = 200;
 
-std::atomic<FalconLink*> guarded{nullptr};
-std::atomic<pid_t> taker{0};  // the thread that took it first; 0: nobody has
+std::atomic<FalconLink*> watched{nullptr};
+std::atomic<pid_t> stopper{0};  // the thread that ordered it first; 0: none has
 std::atomic<bool> is_sent{false};
 static_assert(std::atomic<FalconLink*>::is_always_lock_free && std::atomic<pid_t>::is_always_lock_free &&
               std::atomic<bool>::is_always_lock_free);
@@ -35,7 +35,7 @@ void wait_ms(int duration) noexcept {
 
 extern "C" void on_deadly_signal(int signal) {
   const int error_before = errno;
-  take();
+  stop_motors();
   std::signal(signal, SIG_DFL);
   std::raise(signal);
   // It has been blocked while it is handled. This ends the process, unless that is the system's first, which no signal
@@ -49,20 +49,20 @@ extern "C" void on_deadly_signal(int signal) {
 
 }  // namespace
 
-void guard(FalconLink* link) noexcept {
-  guarded.store(link);
+void watch(FalconLink* link) noexcept {
+  watched.store(link);
 }
 
-void take() noexcept {
+void stop_motors() noexcept {
   const pid_t self = gettid();
   pid_t first = 0;
-  if (!taker.compare_exchange_strong(first, self)) {
+  if (!stopper.compare_exchange_strong(first, self)) {
     // Whoever returns from here may end the process.
     if (first == self) return;
     for (int waited_ms = 0; !is_sent.load() && waited_ms < patience_ms; ++waited_ms) wait_ms(1);
     return;
   }
-  if (FalconLink* const link = guarded.load()) {
+  if (FalconLink* const link = watched.load()) {
     // A frame that was cut short would swallow the beginning of the next one, and a driver may be just about to send
     // one that it made before this: the second is whole and the last for certain.
     const FrameBytes zero = encode(CommandFrame{});
@@ -73,11 +73,11 @@ void take() noexcept {
   is_sent.store(true);
 }
 
-bool is_taken() noexcept {
-  return taker.load(std::memory_order_relaxed) != 0;
+bool is_ordered() noexcept {
+  return stopper.load(std::memory_order_relaxed) != 0;
 }
 
-void install() noexcept {
+void install_handlers() noexcept {
   static const AlternateStack of_this_thread;
   struct sigaction action {};
   action.sa_handler = on_deadly_signal;
@@ -96,11 +96,11 @@ void install() noexcept {
   sigemptyset(&own);
   for (const int fault : fault_signals) sigaddset(&own, fault);
   pthread_sigmask(SIG_UNBLOCK, &own, nullptr);
-  std::atexit(take);
+  std::atexit(stop_motors);
 }
 
 void refuse_to_be_stopped() noexcept {
   for (const int signal : {SIGTSTP, SIGTTIN, SIGTTOU}) std::signal(signal, SIG_IGN);
 }
 
-}  // namespace ghostforce::last_resort
+}  // namespace ghostforce::emergency_stop

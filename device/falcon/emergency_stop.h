@@ -1,31 +1,31 @@
-// The last resort: when the process is about to die, motors are told to stop by the signal handler itself, because
+// The emergency stop: when the process is about to die, motors are told to stop by the signal handler itself, because
 // nobody else will. One link per process has motors. Everything here is async-signal-safe, on any thread, but for
-// install().
+// install_handlers().
 #pragma once
 
 namespace ghostforce {
 
 class FalconLink;
 
-namespace last_resort {
+namespace emergency_stop {
 
 // The link whose motors are to be stopped; null: none. A link must be taken out before it goes.
-void guard(FalconLink* link) noexcept;
+void watch(FalconLink* link) noexcept;
 
-// Sends zero force, at once, to the link that is guarded; returns when it has been sent, by whichever thread came
-// first. From then on is_taken(), and no driver may ask for a force.
-void take() noexcept;
-bool is_taken() noexcept;
+// Sends zero force, at once, to the link that is watched; returns when it has been sent, by whichever thread came
+// first. From then on is_ordered(), and no driver may ask for a force.
+void stop_motors() noexcept;
+bool is_ordered() noexcept;
 
-// Makes every signal that would end the process take it first, and then end the process as it would have. Not those
-// that cannot be caught (SIGKILL), that are ignored (faults cannot be), or that somebody handles already. exit() takes
-// it too: libraries call it, and no destructor on a stack runs. The calling thread gets an AlternateStack; every other
-// thread needs one itself.
-void install() noexcept;
+// Makes every signal that would end the process stop the motors first, and then end the process as it would have. Not
+// those that cannot be caught (SIGKILL), that are ignored (faults cannot be), or that somebody handles already. exit()
+// does so too: libraries call it, and no destructor on a stack runs. The calling thread gets an AlternateStack; every
+// other thread needs one itself.
+void install_handlers() noexcept;
 
 // From here on this process does not heed what would stop it for a while (Ctrl+Z): stopped, it could not turn motors
 // off. Nobody can refuse SIGSTOP.
 void refuse_to_be_stopped() noexcept;
 
-}  // namespace last_resort
+}  // namespace emergency_stop
 }  // namespace ghostforce

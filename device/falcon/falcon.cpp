@@ -103,7 +103,7 @@ Falcon::Falcon(std::unique_ptr<FalconLink> link, FalconOptions options)
 Falcon::~Falcon() {
   finish();
   opener_.end();  // until then an emergency still finds the link
-  last_resort::guard(nullptr);
+  emergency_stop::watch(nullptr);
 }
 
 double Falcon::since(std::int64_t then_ns) const noexcept {
@@ -156,7 +156,7 @@ void Falcon::opened(LinkFault fault) noexcept {
     return;
   }
   if (fault != LinkFault::none) return end(fault_of(fault));
-  last_resort::guard(&link());
+  emergency_stop::watch(&link());
   const std::string_view serial = link().serial();
   report_.serial = FalconSerial::from(serial).value_or(FalconSerial());
   const auto known = std::ranges::find(options_.calibrations, report_.serial, &FalconCalibration::serial);
@@ -427,7 +427,7 @@ void Falcon::push(const Vector<3>& force, bool is_armed) noexcept {
 
 bool Falcon::send_command() noexcept {
   // Whoever waits too long for a reply does not go on pushing.
-  if (since(heard_ns_) > stop_s || last_resort::is_taken()) command_.motors = {};
+  if (since(heard_ns_) > stop_s || emergency_stop::is_ordered()) command_.motors = {};
   if (!link().write(encode(command_))) return false;
   report_.motors = command_.motors;
   may_push_ |= command_.motors != MotorNumbers{};

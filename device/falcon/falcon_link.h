@@ -104,7 +104,7 @@ class FalconLink {
   // `deadline_ns` at the latest. A deadline that has passed: looks, and returns at once.
   virtual void wait_until(std::int64_t deadline_ns) noexcept = 0;
 
-  // The last resort of a process that is about to die, from a signal handler, on any thread: sends these bytes past
+  // The emergency stop of a process that is about to die, from a signal handler, on any thread: sends these bytes past
   // all that is under way. Async-signal-safe; returns within 30 ms. No other function may be called afterwards.
   virtual void send_at_once(std::span<const std::uint8_t> bytes) noexcept = 0;
 };

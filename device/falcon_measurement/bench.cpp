@@ -38,7 +38,7 @@ void FalconBench::forget_replies() noexcept {
 std::optional<ReplyFrame> FalconBench::ask(const CommandFrame& command) noexcept {
   const std::int64_t began_ns = link_.now_ns();
   const std::int64_t deadline_ns = began_ns + ns_of(longest_exchange_s);
-  const FrameBytes bytes = encode(last_resort::is_taken() ? CommandFrame{} : command);
+  const FrameBytes bytes = encode(emergency_stop::is_ordered() ? CommandFrame{} : command);
   bool has_sent = false;
   std::array<std::uint8_t, 64> heard;
   while (link_.fault() == LinkFault::none) {

@@ -206,7 +206,7 @@ void FtdiLink::sent(const libusb_transfer& transfer) noexcept {
 }
 
 bool FtdiLink::may_send_again() noexcept {
-  if (closing_ || owes_stop() || fault_ != LinkFault::none || last_resort::is_taken()) return false;
+  if (closing_ || owes_stop() || fault_ != LinkFault::none || emergency_stop::is_ordered()) return false;
   if (++errors_out_in_a_row_ < most_errors_out_in_a_row) return true;
   set_fault(LinkFault::broken);
   return false;

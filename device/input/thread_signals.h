@@ -17,7 +17,7 @@ inline constexpr std::array fault_signals{SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGI
 void leave_process_signals() noexcept;
 
 // A stack for signal handlers. Where a thread has used up its own, a handler has room nowhere else, and the process
-// would end without emergency measures (device/falcon/emergency_stop.h). Threads that others make get none from the
+// would end without an emergency stop (device/falcon/emergency_stop.h). Threads that others make get none from the
 // thread that made them.
 //
 // For the thread that makes it, which also must be the one to destroy it. Where there is no memory for it the thread

@@ -12,7 +12,7 @@ namespace {
 constexpr std::int64_t longest_gap_ns = 1'000'000'000;
 constexpr std::int64_t longest_sleep_ns = 100'000'000;
 
-constexpr std::uint64_t last_resort_taken = std::uint64_t{1} << 48U;
+constexpr std::uint64_t emergency_stop_ordered = std::uint64_t{1} << 48U;
 
 constexpr std::uint8_t line_errors = 0x0E;  // overrun, parity, framing, of the second status byte
 
@@ -108,16 +108,16 @@ void VirtualLink::send_at_once(std::span<const std::uint8_t> bytes) noexcept {
   FrameReader<CommandFrame> reader;
   const auto frame = reader.take(bytes);
   if (!frame) return;
-  std::uint64_t packed = last_resort_taken;
+  std::uint64_t packed = emergency_stop_ordered;
   for (std::size_t i = 0; i < frame->motors.size(); ++i) {
     packed |= std::uint64_t{static_cast<std::uint16_t>(frame->motors[i])} << (16 * i);
   }
-  last_resort_ = packed;
+  emergency_stop_ = packed;
 }
 
 MotorNumbers VirtualLink::motors() const noexcept {
-  const std::uint64_t packed = last_resort_;
-  if ((packed & last_resort_taken) == 0) return dsp_.motors();
+  const std::uint64_t packed = emergency_stop_;
+  if ((packed & emergency_stop_ordered) == 0) return dsp_.motors();
   MotorNumbers numbers{};
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     numbers[i] = static_cast<std::int16_t>(static_cast<std::uint16_t>(packed >> (16 * i)));

@@ -123,7 +123,7 @@ class VirtualLink final : public FalconLink {
   FixedQueue<std::uint8_t, 16384> incoming_;
 
   // Motors of a last command past the line: three numbers, and above them whether there was one.
-  std::atomic<std::uint64_t> last_resort_ = 0;
+  std::atomic<std::uint64_t> emergency_stop_ = 0;
   static_assert(std::atomic<std::uint64_t>::is_always_lock_free, "a signal handler writes it");
 };
 

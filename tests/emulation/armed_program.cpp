@@ -248,8 +248,8 @@ int run(std::string_view name) {
 int main(int argc, char** argv) {
   using namespace ghostforce;
   // In the order of the real main().
-  remember_interruptions(last_resort::take);
-  last_resort::install();
+  remember_interruptions(emergency_stop::stop_motors);
+  emergency_stop::install_handlers();
   try {
     if (argc > 2) detail = argv[2];
     return run(argc > 1 ? argv[1] : "");

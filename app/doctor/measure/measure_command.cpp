@@ -102,7 +102,7 @@ void write_calibration(const MeasureCall& call, std::optional<OutputFile>& file,
 }  // namespace
 
 int measure_with_doctor(const MeasureCall& call) {
-  last_resort::refuse_to_be_stopped();
+  emergency_stop::refuse_to_be_stopped();
   InputOptions options = call.input;
   std::unique_ptr<FalconLink> link;
   std::unique_ptr<MeasuredPerson> simulated;

@@ -365,7 +365,7 @@ TEST(FalconMeasurement, EndsWhereTheHandleIsTooFastOrPulledOutOfItsWorkspaceEach
 // Ctrl+C while a motor pushes. What remembers it is for a whole process, and so is this one.
 TEST(FalconMeasurementDeathTest, InterruptedMotorsAreOff) {
   const auto interrupted = [] {
-    remember_interruptions(last_resort::take);
+    remember_interruptions(emergency_stop::stop_motors);
     MeasuredRehearsal rehearsal;
     rehearsal.link->on_drive = [] { std::raise(SIGINT); };
     try {

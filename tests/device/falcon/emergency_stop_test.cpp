@@ -40,13 +40,13 @@ struct sigaction handler_of(int signal) {
   return action;
 }
 
-TEST(LastResort, ComesBeforeEverySignalThatEndsAProcess) {
+TEST(EmergencyStop, ComesBeforeEverySignalThatEndsAProcess) {
   for (int signal = 1; signal <= SIGRTMAX; ++signal) {
     if (signal == SIGKILL || (signal > 31 && signal < SIGRTMIN)) continue;  // nobody's, and the C library's
     const bool is_deadly = ends_a_process(signal);
     const auto look = [&] {
       std::signal(signal, SIG_DFL);
-      last_resort::install();
+      emergency_stop::install_handlers();
       const struct sigaction now = handler_of(signal);
       _exit((now.sa_handler != SIG_DFL) == is_deadly && (!is_deadly || (now.sa_flags & SA_ONSTACK) != 0) ? 0 : 1);
     };
@@ -55,25 +55,25 @@ TEST(LastResort, ComesBeforeEverySignalThatEndsAProcess) {
 }
 
 // nohup, jobs in the background; and whoever handles a signal better.
-TEST(LastResort, LeavesSignalsAloneThatAreIgnoredOrHandled) {
+TEST(EmergencyStop, LeavesSignalsAloneThatAreIgnoredOrHandled) {
   const auto look = [] {
     const auto handler = [](int) {};
     std::signal(SIGUSR1, SIG_IGN);
     std::signal(SIGUSR2, handler);
-    last_resort::install();
+    emergency_stop::install_handlers();
     _exit(handler_of(SIGUSR1).sa_handler == SIG_IGN && handler_of(SIGUSR2).sa_handler == +handler ? 0 : 1);
   };
   EXPECT_EXIT(look(), testing::ExitedWithCode(0), "");
 }
 
 // A fault that is ignored or blocked ends a process all the same, only without asking it.
-TEST(LastResort, FaultsAreNeitherIgnoredNorBlocked) {
+TEST(EmergencyStop, FaultsAreNeitherIgnoredNorBlocked) {
   const auto look = [] {
     std::signal(SIGSEGV, SIG_IGN);
     sigset_t all;
     sigfillset(&all);
     pthread_sigmask(SIG_SETMASK, &all, nullptr);
-    last_resort::install();
+    emergency_stop::install_handlers();
     sigset_t blocked;
     pthread_sigmask(SIG_SETMASK, nullptr, &blocked);
     _exit(handler_of(SIGSEGV).sa_handler != SIG_IGN && sigismember(&blocked, SIGSEGV) == 0 &&
@@ -84,9 +84,9 @@ TEST(LastResort, FaultsAreNeitherIgnoredNorBlocked) {
   EXPECT_EXIT(look(), testing::ExitedWithCode(0), "");
 }
 
-TEST(LastResort, TheProcessEndsAsItWouldHave) {
+TEST(EmergencyStop, TheProcessEndsAsItWouldHave) {
   const auto end = [] {
-    last_resort::install();
+    emergency_stop::install_handlers();
     std::raise(SIGUSR1);
   };
   EXPECT_EXIT(end(), testing::KilledBySignal(SIGUSR1), "");

@@ -221,7 +221,7 @@ TEST(VirtualLink, TheSameHappensEveryTime) {
   EXPECT_EQ(run(), run());
 }
 
-TEST(VirtualLink, TheLastResortReachesTheMotorsPastTheLine) {
+TEST(VirtualLink, TheEmergencyStopReachesTheMotorsPastTheLine) {
   VirtualLink link({.clock = VirtualLink::Clock::stepped, .device = {.starts_with_firmware = true}});
   link.open();
   begin_run_time(link);
