@@ -8,7 +8,7 @@
 
 namespace ghostforce {
 
-enum class Rung : std::uint8_t {
+enum class ReadinessStep : std::uint8_t {
   seen,
   allowed,
   free,
@@ -20,8 +20,8 @@ enum class Rung : std::uint8_t {
   armed,
 };
 
-struct RungState {
-  Rung rung = Rung::seen;
+struct ReadinessStepState {
+  ReadinessStep step = ReadinessStep::seen;
   std::string_view name;   // in JSON
   std::string_view title;  // on screen
   bool is_reached = false;

@@ -72,7 +72,7 @@ struct SafetyOptions {
 // What is going on in this tick.
 struct SafetyReading {
   OffReason trouble = OffReason::none;  // what the device itself says: unplugged, not_homed, fault
-  bool device_is_ready = false;         // every rung up to the encoders is reached
+  bool device_is_ready = false;         // every step up to the encoders is reached
   bool loop_is_healthy = false;         // exchanges come fast and evenly enough to start
   double since_exchange_s = 0.0;        // the newest reading is so old
   double since_window_s = 0.0;          // the window's last heart beat was so long ago

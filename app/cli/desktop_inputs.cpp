@@ -12,8 +12,8 @@ const InputMaker<SpaceMouseInput> spacemouse_kind{
     {{"spacemouse", "SpaceMouse", "The goal follows the cap of a 3Dconnexion SpaceMouse."}},
     [](const Scene&, const InputOptions&) { return std::make_unique<SpaceMouseInput>(); }};
 
-std::vector<RungState> ladder_with_motors(const FalconReport& report, const MotorReport& motors) {
-  return ladder_of(report, &motors);
+std::vector<ReadinessStepState> ladder_with_motors(const FalconReport& report, const MotorReport& motors) {
+  return readiness_of(report, &motors);
 }
 
 }  // namespace

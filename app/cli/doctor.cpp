@@ -1,4 +1,4 @@
-// ghostforce doctor: what lies between a Falcon and its use, rung by rung, and what to do about it.
+// ghostforce doctor: what lies between a Falcon and its use, step by step, and what to do about it.
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -63,7 +63,7 @@ bool is_somebody_there() {
   return isatty(STDIN_FILENO) != 0 && isatty(STDERR_FILENO) != 0;
 }
 
-// The rung that is being climbed, as one line of the terminal that is written over.
+// The step that is next, as one line of the terminal that is written over.
 class LiveLine {
  public:
   explicit LiveLine(bool shows) : shows_(shows) {}
@@ -78,9 +78,10 @@ class LiveLine {
     const auto now = std::chrono::steady_clock::now();
     if (now < next_) return;
     next_ = now + std::chrono::milliseconds(100);
-    const std::vector<RungState> ladder = ladder_of(report, nullptr);
-    const auto current = std::find_if(ladder.begin(), ladder.end(), [](const auto& state) { return state.is_current; });
-    if (current == ladder.end()) return;
+    const std::vector<ReadinessStepState> readiness = readiness_of(report, nullptr);
+    const auto current =
+        std::find_if(readiness.begin(), readiness.end(), [](const auto& state) { return state.is_current; });
+    if (current == readiness.end()) return;
     const std::string line = fmt::format("{}: {}", current->title, current->words);
     has_shown_ = true;
     say("\r{:.{}}\x1b[K", line, columns() - 1);

@@ -1,4 +1,5 @@
-// How a visit at the window ended, as far as the input's device is concerned. Pure, allocates; not for the servo thread.
+// How a visit at the window ended, as far as the input's device is concerned. Pure, allocates; not for the servo
+// thread.
 #pragma once
 
 #include <span>
@@ -9,6 +10,7 @@
 namespace ghostforce {
 
 // `ladder`: of the input, empty where it has none; `of_input`: what its link says.
-EndOfVisit end_of_visit(const MotorReport& motors, std::span<const RungState> ladder, const EndOfVisit& of_input);
+EndOfVisit end_of_visit(const MotorReport& motors, std::span<const ReadinessStepState> readiness,
+                        const EndOfVisit& of_input);
 
 }  // namespace ghostforce

@@ -12,7 +12,7 @@
 namespace ghostforce {
 namespace {
 
-std::string_view mark_of(const RungState& state) {
+std::string_view mark_of(const ReadinessStepState& state) {
   if (state.is_reached) return "✓";
   return state.is_current ? "✗" : "–";
 }
@@ -74,7 +74,7 @@ std::string firmware_words(const std::optional<FirmwareImage>& image) {
 
 std::string text_of(const Diagnosis& diagnosis) {
   std::string text;
-  for (const RungState& state : ladder_of(diagnosis.report, nullptr)) {
+  for (const ReadinessStepState& state : readiness_of(diagnosis.report, nullptr)) {
     text += state.words.empty() ? fmt::format("{} {}\n", mark_of(state), state.title)
                                 : fmt::format("{} {:14}  {}\n", mark_of(state), state.title, state.words);
   }
@@ -95,13 +95,13 @@ std::string text_of(const Diagnosis& diagnosis) {
 std::string json_of(const Diagnosis& diagnosis) {
   using Json = nlohmann::ordered_json;
   const FalconReport& report = diagnosis.report;
-  Json ladder = Json::array();
-  for (const RungState& state : ladder_of(report, nullptr)) {
-    ladder.push_back({{"rung", state.name},
-                      {"title", state.title},
-                      {"reached", state.is_reached},
-                      {"current", state.is_current},
-                      {"words", state.words}});
+  Json readiness = Json::array();
+  for (const ReadinessStepState& state : readiness_of(report, nullptr)) {
+    readiness.push_back({{"rung", state.name},
+                         {"title", state.title},
+                         {"reached", state.is_reached},
+                         {"current", state.is_current},
+                         {"words", state.words}});
   }
   Json firmware{{"file", nullptr}, {"sha256", nullptr}, {"known_as", nullptr}, {"is_running", report.has_firmware}};
   if (diagnosis.firmware) {
@@ -130,7 +130,7 @@ std::string json_of(const Diagnosis& diagnosis) {
   const Json udev_rule =
       diagnosis.udev_rule.empty() ? Json() : Json(printable(diagnosis.udev_rule.string(), longest_path));
   const Json all{
-      {"ladder", ladder},
+      {"ladder", readiness},
       {"state", name_of(report.state)},
       {"fault", entry_of(report.fault).name},
       {"serial", report.serial.text()},

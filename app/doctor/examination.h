@@ -1,4 +1,4 @@
-// The examination of a Falcon, real or virtual: driven as in the window, by the same input, up to the last rung that
+// The examination of a Falcon, real or virtual: driven as in the window, by the same input, up to the last step that
 // needs no wall, with its motors off all the time. Takes seconds; the thread that calls it drives the device.
 #pragma once
 

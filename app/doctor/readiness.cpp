@@ -13,21 +13,22 @@
 namespace ghostforce {
 namespace {
 
-// In the order of Rung.
-constexpr std::array rungs{
-    RungEntry{Rung::seen, "seen", "Plugged in", "Plug in the Falcon's power supply, then its USB cable."},
-    RungEntry{Rung::allowed, "allowed", "Allowed",
-              "Run 'ghostforce doctor --install-udev' once, then plug it in again."},
-    RungEntry{Rung::free, "free", "Free", "Close the other program that has the device."},
-    RungEntry{Rung::firmware, "firmware", "Firmware", "Give it a firmware file: --firmware FILE, see docs/falcon.md."},
-    RungEntry{Rung::homed, "homed", "Homed",
-              "Pull the handle all the way out, then push it straight in until it stops."},
-    RungEntry{Rung::encoders_move, "encoders_move", "Encoders move",
-              "Move the handle up and down, left and right, out and in."},
-    RungEntry{Rung::fast_enough, "fast_enough", "Fast enough",
-              "Use a USB port of the machine itself, without a hub, and close what keeps the machine busy."},
-    RungEntry{Rung::outside_wall, "outside_wall", "Outside the wall", "Move the handle out of the wall."},
-    RungEntry{Rung::armed, "armed", "Armed", "Hold the handle and press the safety button."},
+// In the order of ReadinessStep.
+constexpr std::array steps{
+    ReadinessEntry{ReadinessStep::seen, "seen", "Plugged in", "Plug in the Falcon's power supply, then its USB cable."},
+    ReadinessEntry{ReadinessStep::allowed, "allowed", "Allowed",
+                   "Run 'ghostforce doctor --install-udev' once, then plug it in again."},
+    ReadinessEntry{ReadinessStep::free, "free", "Free", "Close the other program that has the device."},
+    ReadinessEntry{ReadinessStep::firmware, "firmware", "Firmware",
+                   "Give it a firmware file: --firmware FILE, see docs/falcon.md."},
+    ReadinessEntry{ReadinessStep::homed, "homed", "Homed",
+                   "Pull the handle all the way out, then push it straight in until it stops."},
+    ReadinessEntry{ReadinessStep::encoders_move, "encoders_move", "Encoders move",
+                   "Move the handle up and down, left and right, out and in."},
+    ReadinessEntry{ReadinessStep::fast_enough, "fast_enough", "Fast enough",
+                   "Use a USB port of the machine itself, without a hub, and close what keeps the machine busy."},
+    ReadinessEntry{ReadinessStep::outside_wall, "outside_wall", "Outside the wall", "Move the handle out of the wall."},
+    ReadinessEntry{ReadinessStep::armed, "armed", "Armed", "Hold the handle and press the safety button."},
 };
 
 struct FaultRemedy {
@@ -85,18 +86,18 @@ std::string motors_where(const std::array<bool, 3>& is_so, bool wanted) {
   return names.empty() ? "none" : names;
 }
 
-// The rung on which a fault keeps the device. The link tells what is wrong before it tells anything else, so all below
+// The step at which a fault keeps the device. The link tells what is wrong before it tells anything else, so all below
 // has been reached.
-Rung rung_of(FalconFault fault) noexcept {
+ReadinessStep step_of(FalconFault fault) noexcept {
   switch (fault) {
     case FalconFault::none:
     case FalconFault::unplugged:
-      return Rung::seen;
+      return ReadinessStep::seen;
     case FalconFault::not_allowed:
-      return Rung::allowed;
+      return ReadinessStep::allowed;
     case FalconFault::busy:
     case FalconFault::unsupported:
-      return Rung::free;
+      return ReadinessStep::free;
     case FalconFault::broken:
     case FalconFault::no_firmware:
     case FalconFault::no_handshake:
@@ -105,47 +106,47 @@ Rung rung_of(FalconFault fault) noexcept {
     case FalconFault::echo_differs:
     case FalconFault::firmware_silent:
     case FalconFault::no_replies:
-      return Rung::firmware;
+      return ReadinessStep::firmware;
     case FalconFault::kinematics:
-      return Rung::homed;
+      return ReadinessStep::homed;
   }
-  return Rung::seen;
+  return ReadinessStep::seen;
 }
 
-// How far the device has come by itself, up to being homed: the first rung that is not reached.
-Rung way_of(const FalconReport& report) noexcept {
+// How far the device has come by itself, up to being homed: the first step that is not reached.
+ReadinessStep way_of(const FalconReport& report) noexcept {
   switch (report.state) {
     case FalconState::absent:
-      return Rung::seen;
+      return ReadinessStep::seen;
     case FalconState::fault:
-      return rung_of(report.fault);
+      return step_of(report.fault);
     case FalconState::opening:
     case FalconState::loading_firmware:
-      return Rung::firmware;
+      return ReadinessStep::firmware;
     case FalconState::homing:
-      return Rung::homed;
+      return ReadinessStep::homed;
     case FalconState::idle:
     case FalconState::active:
-      return Rung::encoders_move;
+      return ReadinessStep::encoders_move;
   }
-  return Rung::seen;
+  return ReadinessStep::seen;
 }
 
 bool are_on(const MotorReport& motors) noexcept {
   return motors.state == SafetyState::ramp || motors.state == SafetyState::on;
 }
 
-class Climb {
+class ReadinessCheck {
  public:
-  Climb(const FalconReport& report, const MotorReport* motors)
+  ReadinessCheck(const FalconReport& report, const MotorReport* motors)
       : report_(report), motors_(motors), way_(way_of(report)) {}
 
-  std::vector<RungState> states() const {
-    std::vector<RungState> states;
+  std::vector<ReadinessStepState> states() const {
+    std::vector<ReadinessStepState> states;
     bool is_below_current = true;
-    for (const RungEntry& entry : rungs) {
-      if (motors_ == nullptr && entry.id > Rung::fast_enough) break;
-      RungState state{.rung = entry.id, .name = entry.name, .title = entry.title, .words = {}};
+    for (const ReadinessEntry& entry : steps) {
+      if (motors_ == nullptr && entry.id > ReadinessStep::fast_enough) break;
+      ReadinessStepState state{.step = entry.id, .name = entry.name, .title = entry.title, .words = {}};
       state.is_reached = is_reached(entry.id);
       state.is_current = is_below_current && !state.is_reached;
       is_below_current = is_below_current && state.is_reached;
@@ -162,55 +163,55 @@ class Climb {
   }
 
  private:
-  bool is_reached(Rung rung) const noexcept {
-    switch (rung) {
-      case Rung::seen:
-      case Rung::allowed:
-      case Rung::free:
-      case Rung::firmware:
-      case Rung::homed:
-        return rung < way_;
-      case Rung::encoders_move:
+  bool is_reached(ReadinessStep step) const noexcept {
+    switch (step) {
+      case ReadinessStep::seen:
+      case ReadinessStep::allowed:
+      case ReadinessStep::free:
+      case ReadinessStep::firmware:
+      case ReadinessStep::homed:
+        return step < way_;
+      case ReadinessStep::encoders_move:
         return report_.is_readable() && report_.encoders_move();
-      case Rung::fast_enough:
+      case ReadinessStep::fast_enough:
         return is_fast_and_even(report_);
-      case Rung::outside_wall:
+      case ReadinessStep::outside_wall:
         // Who has armed was outside then, and may go in.
         return motors_ != nullptr && motors_->is_handle_known && (motors_->is_outside_wall || are_on(*motors_));
-      case Rung::armed:
+      case ReadinessStep::armed:
         return motors_ != nullptr && are_on(*motors_);
     }
     return false;
   }
 
   // Needs no hand, so it may fail before its turn.
-  bool is_measured_too_slow(Rung rung) const noexcept {
-    return rung == Rung::fast_enough && attainable_exchange_hz(report_) > 0.0 && !is_fast_and_even(report_);
+  bool is_measured_too_slow(ReadinessStep step) const noexcept {
+    return step == ReadinessStep::fast_enough && attainable_exchange_hz(report_) > 0.0 && !is_fast_and_even(report_);
   }
 
-  std::string words(const RungEntry& entry, bool reached) const {
+  std::string words(const ReadinessEntry& entry, bool reached) const {
     switch (entry.id) {
-      case Rung::seen:
+      case ReadinessStep::seen:
         if (!reached) break;
         return report_.serial.text().empty() ? "" : fmt::format("serial number {}", report_.serial.text());
-      case Rung::allowed:
+      case ReadinessStep::allowed:
         if (!reached) break;
         return "this user may open it";
-      case Rung::free:
+      case ReadinessStep::free:
         if (!reached) break;
         return "no other program has it";
-      case Rung::firmware:
+      case ReadinessStep::firmware:
         return reached ? "it answers" : firmware_words();
-      case Rung::homed:
+      case ReadinessStep::homed:
         return reached ? "all three motors have found their zero" : homing_words(entry);
-      case Rung::encoders_move:
+      case ReadinessStep::encoders_move:
         return reached ? "all three" : moving_words(entry);
-      case Rung::fast_enough:
+      case ReadinessStep::fast_enough:
         return speed_words(entry, reached);
-      case Rung::outside_wall:
+      case ReadinessStep::outside_wall:
         if (!reached) break;
         return "";
-      case Rung::armed:
+      case ReadinessStep::armed:
         return armed_words(entry);
     }
     return std::string(entry.remedy);
@@ -224,16 +225,16 @@ class Climb {
                        report_.bytes_echoed, report_.firmware_size, before);
   }
 
-  std::string homing_words(const RungEntry& entry) const {
+  std::string homing_words(const ReadinessEntry& entry) const {
     return fmt::format("homed: {}; counts {}, {}, {}. {}", motors_where(report_.has_homed, true), report_.encoders[0],
                        report_.encoders[1], report_.encoders[2], entry.remedy);
   }
 
-  std::string moving_words(const RungEntry& entry) const {
+  std::string moving_words(const ReadinessEntry& entry) const {
     return fmt::format("not moved yet: {}. {}", motors_where(report_.has_moved, false), entry.remedy);
   }
 
-  std::string speed_words(const RungEntry& entry, bool reached) const {
+  std::string speed_words(const ReadinessEntry& entry, bool reached) const {
     if (report_.exchange_hz == 0.0) return "being measured";
     const std::string measured =
         fmt::format("{:.0f} exchanges/s, {:.2f} ms each, worst {:.1f} ms", attainable_exchange_hz(report_),
@@ -241,7 +242,7 @@ class Climb {
     return reached ? measured : fmt::format("{}. {}", measured, entry.remedy);
   }
 
-  std::string armed_words(const RungEntry& entry) const {
+  std::string armed_words(const ReadinessEntry& entry) const {
     switch (motors_->state) {
       case SafetyState::off:
       case SafetyState::fade: {
@@ -260,17 +261,17 @@ class Climb {
 
   const FalconReport& report_;
   const MotorReport* motors_;
-  Rung way_;
+  ReadinessStep way_;
 };
 
 }  // namespace
 
-std::span<const RungEntry> rung_catalog() noexcept {
-  return rungs;
+std::span<const ReadinessEntry> readiness_catalog() noexcept {
+  return steps;
 }
 
-const RungEntry& entry_of(Rung rung) noexcept {
-  return rungs[static_cast<std::size_t>(rung)];
+const ReadinessEntry& entry_of(ReadinessStep step) noexcept {
+  return steps[static_cast<std::size_t>(step)];
 }
 
 std::string_view remedy_of(FalconFault fault) noexcept {
@@ -289,29 +290,29 @@ bool is_fast_and_even(const FalconReport& report) noexcept {
          report.worst_exchange_s < Safety::longest_exchange_s;
 }
 
-std::vector<RungState> ladder_of(const FalconReport& report, const MotorReport* motors) {
-  return Climb(report, motors).states();
+std::vector<ReadinessStepState> readiness_of(const FalconReport& report, const MotorReport* motors) {
+  return ReadinessCheck(report, motors).states();
 }
 
-ExitCode exit_code_of(std::span<const RungState> ladder, bool needs_homing) {
-  for (const RungState& state : ladder) {
+ExitCode exit_code_of(std::span<const ReadinessStepState> readiness, bool needs_homing) {
+  for (const ReadinessStepState& state : readiness) {
     if (state.is_reached) continue;
-    switch (state.rung) {
-      case Rung::seen:
+    switch (state.step) {
+      case ReadinessStep::seen:
         return ExitCode::device_absent;
-      case Rung::allowed:
-      case Rung::free:
+      case ReadinessStep::allowed:
+      case ReadinessStep::free:
         return ExitCode::device_refused;
-      case Rung::firmware:
+      case ReadinessStep::firmware:
         return ExitCode::device_failed;
-      case Rung::homed:
-      case Rung::encoders_move:
+      case ReadinessStep::homed:
+      case ReadinessStep::encoders_move:
         if (needs_homing) return ExitCode::device_failed;
         break;
-      case Rung::fast_enough:
+      case ReadinessStep::fast_enough:
         return ExitCode::answer_is_no;
-      case Rung::outside_wall:
-      case Rung::armed:
+      case ReadinessStep::outside_wall:
+      case ReadinessStep::armed:
         break;
     }
   }
@@ -319,7 +320,7 @@ ExitCode exit_code_of(std::span<const RungState> ladder, bool needs_homing) {
 }
 
 ExitCode exit_code_of(const FalconReport& report, bool needs_homing) {
-  return exit_code_of(ladder_of(report, nullptr), needs_homing);
+  return exit_code_of(readiness_of(report, nullptr), needs_homing);
 }
 
 }  // namespace ghostforce

@@ -12,21 +12,21 @@
 
 namespace ghostforce {
 
-// Of the device, of which what draws the ladder knows nothing else.
+// Of the device, of which what draws the steps knows nothing else.
 enum class FalconFault : std::uint8_t;
 struct FalconReport;
 struct MotorReport;
 
-struct RungEntry {
-  Rung id;
+struct ReadinessEntry {
+  ReadinessStep id;
   std::string_view name;    // in JSON
   std::string_view title;   // on screen
   std::string_view remedy;  // what to do to reach it, where no fault says it better
 };
 
-// In the order of Rung.
-std::span<const RungEntry> rung_catalog() noexcept;
-const RungEntry& entry_of(Rung rung) noexcept;
+// In the order of ReadinessStep.
+std::span<const ReadinessEntry> readiness_catalog() noexcept;
+const ReadinessEntry& entry_of(ReadinessStep step) noexcept;
 
 // What to do about a fault; empty for none.
 std::string_view remedy_of(FalconFault fault) noexcept;
@@ -38,11 +38,11 @@ bool is_fast_and_even(const FalconReport& report) noexcept;
 // Exchanges that it makes, or could make while it is being homed [1/s]; 0: not measured yet.
 double attainable_exchange_hz(const FalconReport& report) noexcept;
 
-// `motors` null: nobody means to arm, and the ladder ends at fast_enough.
-std::vector<RungState> ladder_of(const FalconReport& report, const MotorReport* motors);
+// `motors` null: nobody means to arm, and the steps end at fast_enough.
+std::vector<ReadinessStepState> readiness_of(const FalconReport& report, const MotorReport* motors);
 
 // How a program ends that was to use the device of this ladder. `needs_homing`: somebody was there to do it.
-ExitCode exit_code_of(std::span<const RungState> ladder, bool needs_homing);
+ExitCode exit_code_of(std::span<const ReadinessStepState> readiness, bool needs_homing);
 ExitCode exit_code_of(const FalconReport& report, bool needs_homing);
 
 }  // namespace ghostforce

@@ -15,11 +15,11 @@
 namespace ghostforce {
 
 // How far a Falcon is, found out by who knows what to do about it; may be empty.
-using LadderOf = std::function<std::vector<RungState>(const FalconReport& report, const MotorReport& motors)>;
+using LadderOf = std::function<std::vector<ReadinessStepState>(const FalconReport& report, const MotorReport& motors)>;
 
 class FalconInputLink : public InputLink {
  public:
-  FalconInputLink(FalconInput& input, const Scene& scene, const InputOptions& options, LadderOf ladder_of);
+  FalconInputLink(FalconInput& input, const Scene& scene, const InputOptions& options, LadderOf readiness_of);
 
   void look() override { report_ = input_.report(); }
   void fill(LoopReading& reading) const override;
@@ -41,7 +41,7 @@ class FalconInputLink : public InputLink {
 class VirtualFalconInputLink final : public FalconInputLink {
  public:
   VirtualFalconInputLink(VirtualFalconInput& input, const Scene& scene, const InputOptions& options,
-                         const LadderOf& ladder_of);
+                         const LadderOf& readiness_of);
 
   void begin(Session& session) override;
   void fill(LoopReading& reading) const override;

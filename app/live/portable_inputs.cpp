@@ -7,13 +7,13 @@
 
 namespace ghostforce {
 
-std::vector<InputEntry> portable_inputs(const LadderOf& ladder_of) {
+std::vector<InputEntry> portable_inputs(const LadderOf& readiness_of) {
   return {
       linked<PointerLink>(mouse_kind),
       linked<InputLink>(script_kind),
       linked<InputLink>(replay_kind),
       linked<CircleInputLink>(circle_kind),
-      linked<VirtualFalconInputLink>(virtual_falcon_kind, ladder_of),
+      linked<VirtualFalconInputLink>(virtual_falcon_kind, readiness_of),
   };
 }
 

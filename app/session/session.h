@@ -159,8 +159,8 @@ struct LoopReading {
   std::span<const InputChoice> inputs{};
   std::string_view shader_problem{};                      // why watched shaders are not in use; may be empty
   MotorReport motors{};                                   // of the input, and what watches over them
-  std::vector<RungState> ladder{};                        // from nothing to motors that push; empty: the input has none
-  std::string device{};                                   // what the ladder is of; may be empty
+  std::vector<ReadinessStepState> readiness{};            // up to motors that push; empty: the input has none
+  std::string device{};                                   // what these steps are of; may be empty
   std::string device_remark{};                            // what else is to be known about it; may be empty
   std::span<const InputChoice> misbehaviours{};           // that a virtual device can be asked for; empty: it is none
   std::function<void(const PanelContext&)> draw_input{};  // what else the input shows in its panel; may be empty

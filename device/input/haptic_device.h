@@ -15,7 +15,7 @@ struct HandleReading {
   bool is_known = false;
   std::int64_t time_ns = 0;             // when it came, by now_ns()
   bool button_is_held = false;          // any on the grip
-  bool is_ready = false;                // every rung before the handle's place is reached
+  bool is_ready = false;                // every step before the handle's place is reached
   bool is_healthy = false;              // exchanges have been fast and even for a while
   OffReason trouble = OffReason::none;  // why motors must not push
 };

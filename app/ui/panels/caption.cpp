@@ -38,9 +38,9 @@ namespace {
 // A device that is on its way says how far it is; one in the hand, what is felt.
 std::string words_of(const PanelContext& context) {
   const MotorReport& motors = context.loop.motors;
-  const auto rung = std::ranges::find_if(context.loop.ladder, &RungState::is_current);
-  if (motors.has_motors && !motors.is_ready && rung != context.loop.ladder.end()) {
-    return fmt::format("{}: {} {}", context.loop.input_title, rung->title, rung->words);
+  const auto step = std::ranges::find_if(context.loop.readiness, &ReadinessStepState::is_current);
+  if (motors.has_motors && !motors.is_ready && step != context.loop.readiness.end()) {
+    return fmt::format("{}: {} {}", context.loop.input_title, step->title, step->words);
   }
   if (motors.is_saturated) {
     return fmt::format("The wall wants to push harder than the motors may: they give {:.1f} N. Press less deep.",

@@ -40,7 +40,7 @@ void draw_dialog(const PanelContext& context) {
   if (session.form.belongs_to != session.dialog && session.form.belongs_to != Dialog::none) session.form = {};
   const ImVec2 whole = ImGui::GetIO().DisplaySize;
   const float margin = 16.0F * context.scale;
-  // The ladder speaks of what happens in the scene: it stays out of its way.
+  // The steps speak of what happens in the scene: it stays out of its way.
   if (entry->is_at_the_side) {
     ImGui::SetNextWindowPos({whole.x - margin, 54.0F * context.scale}, ImGuiCond_Always, {1.0F, 0.0F});
   } else {

@@ -1,4 +1,5 @@
-// F2: the ladder of the device, from nothing to motors that push: what is reached, what is next, and what to do.
+// F2: the readiness of the device, step by step, from nothing to motors that push: what is reached, what is next, and
+// what to do.
 #include "app/ui/panels/dialogs.h"
 #include "app/ui/widgets/controls.h"
 
@@ -6,19 +7,19 @@ namespace ghostforce {
 namespace {
 
 // A tick, an arrow head or an empty ring: told apart by form.
-void draw_sign(const PanelContext& context, const RungState& rung) {
+void draw_sign(const PanelContext& context, const ReadinessStepState& step) {
   ImDrawList& draw_list = *ImGui::GetWindowDrawList();
   const float height = ImGui::GetTextLineHeight();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 middle{corner.x + 0.5F * height, corner.y + 0.5F * height};
   const float unit = 0.3F * height;
   const float stroke = 0.14F * height;
-  const Colour colour = rung.is_current ? context.theme.accent : context.theme.text;
-  if (rung.is_reached) {
+  const Colour colour = step.is_current ? context.theme.accent : context.theme.text;
+  if (step.is_reached) {
     const ImVec2 knee{middle.x - 0.3F * unit, middle.y + 0.8F * unit};
     draw_list.AddLine({middle.x - unit, middle.y}, knee, packed(colour), stroke);
     draw_list.AddLine(knee, {middle.x + unit, middle.y - 0.8F * unit}, packed(colour), stroke);
-  } else if (rung.is_current) {
+  } else if (step.is_current) {
     draw_list.AddTriangleFilled({middle.x - 0.6F * unit, middle.y - unit}, {middle.x + unit, middle.y},
                                 {middle.x - 0.6F * unit, middle.y + unit}, packed(colour));
   } else {
@@ -27,16 +28,16 @@ void draw_sign(const PanelContext& context, const RungState& rung) {
   ImGui::Dummy({height, height});
 }
 
-void draw_rung(const PanelContext& context, const RungState& rung, float end) {
-  draw_sign(context, rung);
+void draw_step(const PanelContext& context, const ReadinessStepState& step, float end) {
+  draw_sign(context, step);
   ImGui::SameLine();
-  ImGui::PushFont(rung.is_current ? context.fonts.bold : context.fonts.regular, 0.0F);
-  ImGui::TextUnformatted(rung.title.data(), rung.title.data() + rung.title.size());
+  ImGui::PushFont(step.is_current ? context.fonts.bold : context.fonts.regular, 0.0F);
+  ImGui::TextUnformatted(step.title.data(), step.title.data() + step.title.size());
   ImGui::PopFont();
-  if (rung.words.empty()) return;
+  if (step.words.empty()) return;
   ImGui::SameLine(200.0F * context.scale);
   ImGui::PushTextWrapPos(end);
-  ImGui::TextUnformatted(rung.words.c_str());
+  ImGui::TextUnformatted(step.words.c_str());
   ImGui::PopTextWrapPos();
 }
 
@@ -46,7 +47,7 @@ void draw_doctor(const PanelContext& context) {
   const float width = dialog_field_width(560.0F, context);
   const float end = ImGui::GetCursorPosX() + width;
   ImGui::PushTextWrapPos(end);
-  if (context.loop.ladder.empty()) {
+  if (context.loop.readiness.empty()) {
     ImGui::TextUnformatted(
         "The input in use has no motors. In the panel Input, choose Falcon, or Virtual Falcon for a rehearsal without "
         "one. 'ghostforce doctor' looks at a device from the command line.");
@@ -55,7 +56,7 @@ void draw_doctor(const PanelContext& context) {
     ImGui::TextUnformatted(context.loop.device.c_str());
     ImGui::PopFont();
     ImGui::Spacing();
-    for (const RungState& rung : context.loop.ladder) draw_rung(context, rung, end);
+    for (const ReadinessStepState& step : context.loop.readiness) draw_step(context, step, end);
     ImGui::Spacing();
     if (!context.loop.device_remark.empty()) ImGui::TextUnformatted(context.loop.device_remark.c_str());
   }

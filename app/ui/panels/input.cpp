@@ -30,12 +30,12 @@ std::string_view choose(const char* id, std::span<const InputChoice> choices, st
   return picked;
 }
 
-// The rung that is to be reached now, with its words; the whole ladder is a key away.
-void draw_rung(const PanelContext& context) {
-  const auto rung = std::ranges::find_if(context.loop.ladder, &RungState::is_current);
+// The step that is to be reached now, with its words; all of them are a key away.
+void draw_step(const PanelContext& context) {
+  const auto step = std::ranges::find_if(context.loop.readiness, &ReadinessStepState::is_current);
   ImGui::PushTextWrapPos(0.0F);
-  if (rung != context.loop.ladder.end()) {
-    ImGui::TextUnformatted((std::string(rung->title) + ": " + rung->words).c_str());
+  if (step != context.loop.readiness.end()) {
+    ImGui::TextUnformatted((std::string(step->title) + ": " + step->words).c_str());
   } else {
     ImGui::TextUnformatted("The device is ready, and its motors are on.");
   }
@@ -60,7 +60,7 @@ void draw_input(const PanelContext& context) {
     }
     end_rows();
   }
-  if (!context.loop.ladder.empty()) draw_rung(context);
+  if (!context.loop.readiness.empty()) draw_step(context);
   if (context.loop.draw_input) context.loop.draw_input(context);
 }
 

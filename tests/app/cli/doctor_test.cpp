@@ -56,16 +56,16 @@ TEST(Doctor, RefusedIsFour) {
   }
 }
 
-TEST(Doctor, ClimbsTheWholeLadderWithAHandThatHomes) {
+TEST(Doctor, TakesEveryStepWithAHandThatHomes) {
   const Outcome outcome = doctor({"--input", "virtual-falcon", "--wait", "30", "--json"});
   const nlohmann::json json = json_of(outcome);
   ASSERT_FALSE(json.is_discarded()) << outcome.out << outcome.err;
   EXPECT_EQ(outcome.err, "");
   ASSERT_EQ(json["ladder"].size(), 7U);
-  for (const auto& rung : json["ladder"]) {
+  for (const auto& step : json["ladder"]) {
     // How fast it is depends on what else this machine does.
-    if (rung["rung"] == "fast_enough") continue;
-    EXPECT_TRUE(rung["reached"]) << rung;
+    if (step["rung"] == "fast_enough") continue;
+    EXPECT_TRUE(step["reached"]) << step;
   }
   EXPECT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 1) << outcome.exit_code;
   EXPECT_GT(json["exchange_hz"], 0.0);
@@ -120,7 +120,7 @@ Misbehaviour misbehaving(std::string_view name) {
 
 TEST(Doctor, VerdictOnAWellDevice) {
   const FalconReport waited = examined({}, 60.0);
-  for (const RungState& state : ladder_of(waited, nullptr)) EXPECT_TRUE(state.is_reached) << state.name;
+  for (const ReadinessStepState& state : readiness_of(waited, nullptr)) EXPECT_TRUE(state.is_reached) << state.name;
   EXPECT_EQ(exit_code_of(waited, true), ExitCode::done);
   const FalconReport alone = examined({}, 0.0);
   EXPECT_EQ(alone.state, FalconState::homing);

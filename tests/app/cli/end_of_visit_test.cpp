@@ -25,7 +25,7 @@ void expect_end(const EndOfVisit& end, ExitCode code, const std::string& words) 
 
 // At a device with motors, as the window shows it.
 EndOfVisit end_at(const FalconReport& falcon, const MotorReport& motors = {}) {
-  return end_of_visit(motors, ladder_of(falcon, &motors), {});
+  return end_of_visit(motors, readiness_of(falcon, &motors), {});
 }
 
 EndOfVisit end_at(const SpaceMouseReading& spacemouse) {

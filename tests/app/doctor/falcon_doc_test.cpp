@@ -42,8 +42,8 @@ TEST_F(FalconDoc, TellsEveryReasonToTurnOffAndItsRemedy) {
   }
 }
 
-TEST_F(FalconDoc, TellsEveryRung) {
-  for (const RungEntry& rung : rung_catalog()) expect_row(doc_, rung.title, rung.remedy);
+TEST_F(FalconDoc, TellsEveryReadinessStep) {
+  for (const ReadinessEntry& step : readiness_catalog()) expect_row(doc_, step.title, step.remedy);
 }
 
 TEST_F(FalconDoc, TellsEveryMisbehaviour) {

@@ -1,4 +1,4 @@
-// The ladder tells of every state of a device how far it has come, and never more.
+// Readiness tells of every state of a device how far it has come, and never more.
 #include "app/doctor/readiness.h"
 
 #include <gtest/gtest.h>
@@ -29,20 +29,20 @@ FalconReport well() {
   return report;
 }
 
-// The name of the rung that is being climbed; empty: none is left.
-std::string_view current_of(const std::vector<RungState>& ladder) {
-  const auto current = std::ranges::find(ladder, true, &RungState::is_current);
-  return current == ladder.end() ? std::string_view{} : current->name;
+// The name of the step that is next; empty: none is left.
+std::string_view current_of(const std::vector<ReadinessStepState>& readiness) {
+  const auto current = std::ranges::find(readiness, true, &ReadinessStepState::is_current);
+  return current == readiness.end() ? std::string_view{} : current->name;
 }
 
-const RungState& rung_in(const std::vector<RungState>& ladder, Rung rung) {
-  return ladder.at(static_cast<std::size_t>(rung));
+const ReadinessStepState& step_in(const std::vector<ReadinessStepState>& readiness, ReadinessStep step) {
+  return readiness.at(static_cast<std::size_t>(step));
 }
 
-TEST(Ladder, CatalogIsInOrderAndComplete) {
-  EXPECT_EQ(rung_catalog().size(), static_cast<std::size_t>(Rung::armed) + 1);
-  for (std::size_t i = 0; i < rung_catalog().size(); ++i) {
-    const RungEntry& entry = rung_catalog()[i];
+TEST(Readiness, CatalogIsInOrderAndComplete) {
+  EXPECT_EQ(readiness_catalog().size(), static_cast<std::size_t>(ReadinessStep::armed) + 1);
+  for (std::size_t i = 0; i < readiness_catalog().size(); ++i) {
+    const ReadinessEntry& entry = readiness_catalog()[i];
     EXPECT_EQ(static_cast<std::size_t>(entry.id), i);
     EXPECT_FALSE(entry.name.empty());
     EXPECT_FALSE(entry.title.empty());
@@ -50,68 +50,69 @@ TEST(Ladder, CatalogIsInOrderAndComplete) {
   }
 }
 
-TEST(Ladder, EveryFaultIsOneRungsAndTellsItsRemedyThere) {
+TEST(Readiness, EveryFaultIsOneStepsAndTellsItsRemedyThere) {
   for (const FalconFaultEntry& fault : falcon_fault_catalog()) {
     if (fault.id == FalconFault::none) continue;
-    const auto ladder = ladder_of(in_state(FalconState::fault, fault.id), nullptr);
-    const auto current = std::ranges::find(ladder, true, &RungState::is_current);
-    ASSERT_NE(current, ladder.end()) << fault.name;
+    const auto readiness = readiness_of(in_state(FalconState::fault, fault.id), nullptr);
+    const auto current = std::ranges::find(readiness, true, &ReadinessStepState::is_current);
+    ASSERT_NE(current, readiness.end()) << fault.name;
     EXPECT_NE(current->words.find(fault.title), std::string::npos) << current->words;
     EXPECT_TRUE(remedy_of(fault.id).ends_with(".")) << fault.name;
     EXPECT_NE(current->words.find(remedy_of(fault.id)), std::string::npos) << current->words;
     // All below is reached, nothing above.
-    for (const RungState& state : ladder) EXPECT_EQ(state.is_reached, state.rung < current->rung) << fault.name;
+    for (const ReadinessStepState& state : readiness)
+      EXPECT_EQ(state.is_reached, state.step < current->step) << fault.name;
   }
-  const auto rung_of = [](FalconFault fault) {
-    return current_of(ladder_of(in_state(FalconState::fault, fault), nullptr));
+  const auto step_of = [](FalconFault fault) {
+    return current_of(readiness_of(in_state(FalconState::fault, fault), nullptr));
   };
-  EXPECT_EQ(rung_of(FalconFault::unplugged), "seen");
-  EXPECT_EQ(rung_of(FalconFault::not_allowed), "allowed");
-  EXPECT_EQ(rung_of(FalconFault::busy), "free");
-  EXPECT_EQ(rung_of(FalconFault::no_firmware), "firmware");
-  EXPECT_EQ(rung_of(FalconFault::kinematics), "homed");
+  EXPECT_EQ(step_of(FalconFault::unplugged), "seen");
+  EXPECT_EQ(step_of(FalconFault::not_allowed), "allowed");
+  EXPECT_EQ(step_of(FalconFault::busy), "free");
+  EXPECT_EQ(step_of(FalconFault::no_firmware), "firmware");
+  EXPECT_EQ(step_of(FalconFault::kinematics), "homed");
 }
 
 // What nobody can reach any more has to be said where everybody looks.
-TEST(Ladder, SaysThatTheMotorsMayStillPush) {
+TEST(Readiness, SaysThatTheMotorsMayStillPush) {
   FalconReport report = in_state(FalconState::fault, FalconFault::broken);
-  EXPECT_EQ(ladder_of(report, nullptr)[3].words.find("pull the plug"), std::string::npos);
+  EXPECT_EQ(readiness_of(report, nullptr)[3].words.find("pull the plug"), std::string::npos);
   report.may_still_push = true;
-  EXPECT_NE(ladder_of(report, nullptr)[3].words.find("pull the plug"), std::string::npos);
+  EXPECT_NE(readiness_of(report, nullptr)[3].words.find("pull the plug"), std::string::npos);
 }
 
-TEST(Ladder, GrowsWithTheDevice) {
-  EXPECT_EQ(current_of(ladder_of(in_state(FalconState::absent), nullptr)), "seen");
+TEST(Readiness, GrowsWithTheDevice) {
+  EXPECT_EQ(current_of(readiness_of(in_state(FalconState::absent), nullptr)), "seen");
   FalconReport report = in_state(FalconState::loading_firmware, FalconFault::echo_differs);
   report.attempt = 2;
   report.attempts = 10;
   report.bytes_echoed = 3100;
   report.firmware_size = 8492;
-  const auto loading = ladder_of(report, nullptr);
+  const auto loading = readiness_of(report, nullptr);
   EXPECT_EQ(current_of(loading), "firmware");
-  EXPECT_EQ(rung_in(loading, Rung::firmware).words,
+  EXPECT_EQ(step_in(loading, ReadinessStep::firmware).words,
             "loading, attempt 2 of 10, 3100 of 8492 bytes; before: upload was garbled");
 
   report = in_state(FalconState::homing);
   report.has_homed = {true, false, true};
-  const auto homing = ladder_of(report, nullptr);
+  const auto homing = readiness_of(report, nullptr);
   EXPECT_EQ(current_of(homing), "homed");
-  EXPECT_TRUE(rung_in(homing, Rung::homed).words.starts_with("homed: motor 1, motor 3;"));
+  EXPECT_TRUE(step_in(homing, ReadinessStep::homed).words.starts_with("homed: motor 1, motor 3;"));
 
   report = well();
   report.has_moved = {false, true, false};
-  const auto moving = ladder_of(report, nullptr);
+  const auto moving = readiness_of(report, nullptr);
   EXPECT_EQ(current_of(moving), "encoders_move");
-  EXPECT_TRUE(rung_in(moving, Rung::encoders_move).words.starts_with("not moved yet: motor 1, motor 3."));
+  EXPECT_TRUE(step_in(moving, ReadinessStep::encoders_move).words.starts_with("not moved yet: motor 1, motor 3."));
 
-  const auto all = ladder_of(well(), nullptr);
+  const auto all = readiness_of(well(), nullptr);
   EXPECT_EQ(current_of(all), "");
-  EXPECT_EQ(all.back().rung, Rung::fast_enough);
+  EXPECT_EQ(all.back().step, ReadinessStep::fast_enough);
   EXPECT_EQ(all.back().words, "975 exchanges/s, 1.02 ms each, worst 3.1 ms");
 }
 
 // While it is homed the driver asks about 250 times a second, by its own choice.
-TEST(Ladder, SpeedDuringHomingIsThatOfOneAnswer) {
+TEST(Readiness, SpeedDuringHomingIsThatOfOneAnswer) {
   FalconReport report = well();
   report.state = FalconState::homing;
   report.exchange_hz = 250.0;
@@ -119,7 +120,7 @@ TEST(Ladder, SpeedDuringHomingIsThatOfOneAnswer) {
   EXPECT_TRUE(is_fast_and_even(report));
   report.exchange_s = 0.005;
   EXPECT_FALSE(is_fast_and_even(report));
-  EXPECT_NE(ladder_of(report, nullptr).back().words, "") << "it has failed, though its turn has not come";
+  EXPECT_NE(readiness_of(report, nullptr).back().words, "") << "it has failed, though its turn has not come";
   report = well();
   report.worst_exchange_s = 0.020;
   EXPECT_FALSE(is_fast_and_even(report)) << "would end every push as late";
@@ -128,15 +129,15 @@ TEST(Ladder, SpeedDuringHomingIsThatOfOneAnswer) {
   EXPECT_FALSE(is_fast_and_even(report)) << "homed: nothing holds it back";
 }
 
-TEST(Ladder, EndsWithThePersonsWill) {
+TEST(Readiness, EndsWithThePersonsWill) {
   MotorReport motors;
   motors.has_motors = true;
-  const auto current = [&] { return current_of(ladder_of(well(), &motors)); };
-  const auto words = [&] { return ladder_of(well(), &motors).back().words; };
+  const auto current = [&] { return current_of(readiness_of(well(), &motors)); };
+  const auto words = [&] { return readiness_of(well(), &motors).back().words; };
   EXPECT_EQ(current(), "outside_wall");
   motors.is_handle_known = motors.is_outside_wall = true;
   EXPECT_EQ(current(), "armed");
-  EXPECT_EQ(words(), entry_of(Rung::armed).remedy);
+  EXPECT_EQ(words(), entry_of(ReadinessStep::armed).remedy);
   motors.state = SafetyState::arming;
   motors.obstacle = ArmingObstacle::focus;
   EXPECT_EQ(words(), entry_of(ArmingObstacle::focus).sentence);

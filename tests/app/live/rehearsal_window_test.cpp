@@ -53,7 +53,7 @@ class RehearsalWindow : public DrivenWindow {
   static constexpr Vector<2> inside{0.012, -0.012};
 };
 
-TEST_F(RehearsalWindow, ClimbsTheLadderAndPushes) {
+TEST_F(RehearsalWindow, TakesEveryStepAndPushes) {
   EXPECT_EQ(motors().state, SafetyState::off);
   turn_on();
   lead_slowly(outside, inside);
@@ -75,8 +75,8 @@ TEST_F(RehearsalWindow, EveryStepChangesThePicture) {
   ASSERT_TRUE(frames_until(30.0, [&] { return state() == FalconState::idle; }));
   press(GLFW_KEY_F2);
   EXPECT_EQ(session().dialog, Dialog::doctor);
-  const Image ladder = picture();
-  EXPECT_NE(ladder.rgb, at_first.rgb);
+  const Image shown = picture();
+  EXPECT_NE(shown.rgb, at_first.rgb);
   press(GLFW_KEY_F2);
   lead_slowly(session().goal, outside);
   const Image ready = picture();
@@ -138,7 +138,7 @@ TEST_F(RehearsalWindow, AnotherSceneOrInputNeverTakesTheForceAlong) {
   session().wishes.input = "mouse";
   frames(5);
   EXPECT_FALSE(motors().has_motors);
-  EXPECT_TRUE(application_->reading().ladder.empty());
+  EXPECT_TRUE(application_->reading().shown.empty());
 }
 
 TEST_F(RehearsalWindow, SaysThatASceneDoesNotFitTheWorkspace) {

@@ -1,5 +1,5 @@
-// The Falcon's driver, on a device that does what real ones have been seen to do: up the ladder, down again, and what a
-// person is told on the way.
+// The Falcon's driver, on a device that does what real ones have been seen to do: up to readiness, down again, and what
+// a person is told on the way.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -11,7 +11,7 @@
 namespace ghostforce {
 namespace {
 
-TEST(FalconDriver, ClimbsFromNothingToReady) {
+TEST(FalconDriver, ComesFromNothingToReady) {
   Rehearsal rehearsal;
   std::vector<FalconState> seen;
   rehearsal.run_until(30.0, [&] {

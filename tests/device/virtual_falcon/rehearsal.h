@@ -53,7 +53,7 @@ class Rehearsal {
   bool run_until_state(FalconState state, double seconds = 30.0) {
     return run_until(seconds, [&] { return falcon().state == state; });
   }
-  // Up the whole ladder, with the hand outside the wall.
+  // Through all the steps, with the hand outside the wall.
   void turn_on() {
     ASSERT_TRUE(run_until_state(FalconState::idle));
     input_->move_to(free_place, 0.5);
