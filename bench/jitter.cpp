@@ -43,7 +43,7 @@ constexpr int rounds = 5;
 
 // What one turn has found. Crosses processes whole.
 struct Turn {
-  Lateness lateness;
+  LatencyHistogram latency_histogram;
   std::uint64_t lost = 0;         // deadlines that passed while the loop was late
   double processor_share = -1.0;  // of one processor, by the loop's thread; negative: not known
   double frames_per_second = 0.0;
@@ -108,7 +108,7 @@ void run_servo(DrawnWindow& window, double /*rate_hz*/, double seconds, Turn& tu
   window.servo().start();
   watch(window, "servo", seconds, turn);
   window.servo().stop();
-  turn.lateness = window.servo().lateness();
+  turn.latency_histogram = window.servo().latency_histogram();
   turn.lost = window.servo().newest().loop.late_ticks;
   turn.realtime = window.servo().newest().realtime;
 }
@@ -124,7 +124,7 @@ void run_naive_loop(DrawnWindow& window, double rate_hz, double seconds, Turn& t
       deadline += period;
       std::this_thread::sleep_until(deadline);
       const auto late = steady_clock::now() - deadline;
-      turn.lateness.add(std::chrono::nanoseconds(late).count());
+      turn.latency_histogram.add(std::chrono::nanoseconds(late).count());
       turn.lost += static_cast<std::uint64_t>(late / period);
       deadline += late / period * period;
     }
@@ -142,7 +142,7 @@ void read_cyclictest(std::FILE* output, double rate_hz, Turn& turn) {
     long late_us = 0;
     unsigned long long ticks = 0;
     if (line[0] == '#' || std::sscanf(line, "%ld %llu", &late_us, &ticks) != 2 || ticks == 0) continue;
-    turn.lateness.add(late_us * 1000 + 500, ticks);
+    turn.latency_histogram.add(late_us * 1000 + 500, ticks);
     turn.lost += ticks * static_cast<std::uint64_t>(late_us / period_us);
   }
 }
@@ -177,7 +177,8 @@ struct Contestant {
   std::vector<Turn> turns{};
 
   double median_of(double share) const {
-    return of_turns([share](const Turn& turn) { return static_cast<double>(turn.lateness.percentile_ns(share)); });
+    return of_turns(
+        [share](const Turn& turn) { return static_cast<double>(turn.latency_histogram.percentile_ns(share)); });
   }
   double of_turns(const std::function<double(const Turn&)>& value) const {
     std::vector<double> values;
@@ -193,11 +194,11 @@ struct Contestant {
     return sum([](const Turn& turn) { return turn.lost; });
   }
   std::uint64_t ticks() const {
-    return sum([](const Turn& turn) { return turn.lateness.ticks(); });
+    return sum([](const Turn& turn) { return turn.latency_histogram.ticks(); });
   }
   double worst_us() const {
     std::int64_t worst = 0;
-    for (const Turn& turn : turns) worst = std::max(worst, turn.lateness.worst_ns());
+    for (const Turn& turn : turns) worst = std::max(worst, turn.latency_histogram.worst_ns());
     return 1e-3 * static_cast<double>(worst);
   }
   // Deadlines stay on a grid: those kept, of all that there were.
@@ -234,7 +235,7 @@ Turn turn_of(const Contestant& contestant, double seconds) {
   }
   close(ends[0]);
   waitpid(child, nullptr, 0);
-  if (got < sizeof turn || turn.lateness.ticks() == 0)
+  if (got < sizeof turn || turn.latency_histogram.ticks() == 0)
     throw std::runtime_error(fmt::format("{}: no ticks (cyclictest is in Debian's rt-tests)", contestant.name));
   return turn;
 }
@@ -242,7 +243,9 @@ Turn turn_of(const Contestant& contestant, double seconds) {
 double ratio(const Contestant& one, const Contestant& other, double share) {
   std::vector<double> ratios;
   for (std::size_t i = 0; i < one.turns.size(); ++i) {
-    const auto of = [share](const Turn& turn) { return static_cast<double>(turn.lateness.percentile_ns(share)); };
+    const auto of = [share](const Turn& turn) {
+      return static_cast<double>(turn.latency_histogram.percentile_ns(share));
+    };
     ratios.push_back(of(one.turns[i]) / of(other.turns[i]));
   }
   return median(std::move(ratios));

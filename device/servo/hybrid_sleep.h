@@ -1,4 +1,4 @@
-// PunctualSleep: waits for a deadline by sleeping until shortly before it and spinning the rest, which is more punctual
+// HybridSleep: waits for a deadline by sleeping until shortly before it and spinning the rest, which is more punctual
 // than a system that wakes threads late. How much before is learnt from how late it was woken. Only for threads that
 // nobody can push aside while they spin: among ordinary ones it makes things worse. A value that is told by its caller
 // what the time is and how to sleep. Never allocates, locks or throws; one thread; times in ns of CLOCK_MONOTONIC.
@@ -9,7 +9,7 @@
 
 namespace ghostforce {
 
-class PunctualSleep {
+class HybridSleep {
  public:
   // Spinning never takes more than this share of the time, on average [1], …
   static constexpr double greatest_share = 0.035;
@@ -18,7 +18,7 @@ class PunctualSleep {
   // … and once never more than this share of a period [1].
   static constexpr double greatest_margin = 0.25;
 
-  explicit PunctualSleep(std::int64_t period_ns) noexcept { set_period(period_ns); }
+  explicit HybridSleep(std::int64_t period_ns) noexcept { set_period(period_ns); }
 
   // Between deadlines. Another period begins with as much spinning as it may have.
   void set_period(std::int64_t period_ns) noexcept {

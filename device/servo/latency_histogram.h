@@ -1,5 +1,5 @@
-// Lateness: how far behind their deadlines the ticks of a loop came, as a histogram, so that any percentile can be read
-// to 1/32 of itself. A value; never allocates, locks or throws. Times in ns; one thread.
+// LatencyHistogram: how far behind their deadlines the ticks of a loop came, as a histogram, so that any percentile can
+// be read to 1/32 of itself. A value; never allocates, locks or throws. Times in ns; one thread.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace ghostforce {
 
-class Lateness {
+class LatencyHistogram {
  public:
   // What comes too soon is not late. Over 17 s count as 17 s, but in worst_ns().
   void add(std::int64_t late_ns, std::uint64_t ticks = 1) noexcept {

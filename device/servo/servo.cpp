@@ -92,8 +92,8 @@ void Servo::run() noexcept {
   constexpr auto attention_ns = static_cast<std::int64_t>(attention_period_s * 1e9);
   std::int64_t now = monotonic_ns();
   Pacer pacer(now, period_s());
-  PunctualSleep sleep(pacer.period_ns());
-  lateness_ = {};
+  HybridSleep sleep(pacer.period_ns());
+  latency_histogram_ = {};
   while (!stopping_.load(std::memory_order_relaxed)) {
     const std::int64_t deadline = pacer.deadline_ns();
     const bool heeds_first = is_idle() || deadline > now + attention_ns;
@@ -109,7 +109,7 @@ void Servo::run() noexcept {
     }
     if (is_idle()) pacer.align(now);
     const bool tick_is_due = pacer.is_due(now);
-    if (tick_is_due) lateness_.add(now - deadline);
+    if (tick_is_due) latency_histogram_.add(now - deadline);
     if (tick_is_due && device_ != nullptr) pacer.follow(now);
     woken_ns_ = now;
     report_.loop.rate_hz = pacer.rate_hz();

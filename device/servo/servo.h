@@ -3,7 +3,7 @@
 // It and the window exchange whole values, each with one writer and one reader: the newest command goes in, the newest
 // report and every tick's sample come out. On its thread our code never allocates, locks, logs, throws, opens files or
 // frees. It starts no sooner than start() is called; tests call wake() by hand instead and need no time to pass. With
-// real-time priority it spins through what is left before a deadline (punctual_sleep.h); a device paces it instead.
+// real-time priority it spins through what is left before a deadline (hybrid_sleep.h); a device paces it instead.
 // SI units. Functions without a word about threads belong to the UI thread.
 #pragma once
 
@@ -120,7 +120,7 @@ class Servo {
   bool take_record(Sample& sample) noexcept { return records_.take(sample); }
 
   // How late the ticks came since start(). While the thread is stopped.
-  const Lateness& lateness() const noexcept { return lateness_; }
+  const LatencyHistogram& latency_histogram() const noexcept { return latency_histogram_; }
 
   Input& input() noexcept { return *input_; }
 
@@ -182,7 +182,7 @@ class Servo {
   std::uint64_t samples_made_ = 0;
   std::int64_t woken_ns_ = 0;    // when the thread woke; 0: stepped by hand
   std::int64_t sampled_ns_ = 0;  // when it was awake for the newest sample
-  Lateness lateness_;
+  LatencyHistogram latency_histogram_;
   ServoReport report_;
 
   // Of the motors.

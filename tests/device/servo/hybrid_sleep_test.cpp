@@ -31,7 +31,7 @@ struct FakeClock {
 struct Loop {
   std::int64_t period_ns = ms;
   FakeClock clock{};
-  PunctualSleep sleep{period_ns};
+  HybridSleep sleep{period_ns};
   std::int64_t deadline_ns = 0;
   std::int64_t longest_spin_ns = 0;
   std::vector<std::int64_t> late_ns{};
@@ -61,13 +61,13 @@ struct Loop {
   double awake_share() const { return 1.0 - static_cast<double>(clock.asleep_ns) / static_cast<double>(clock.time_ns); }
 };
 
-TEST(PunctualSleep, MeetsDeadlinesThatASleeperWouldMiss) {
+TEST(HybridSleep, MeetsDeadlinesThatASleeperWouldMiss) {
   Loop loop;
   loop.run(1000, [] { return 25 * us; });
   EXPECT_LE(loop.percentile(1.0), 30);
 }
 
-TEST(PunctualSleep, NeverReturnsBeforeTheDeadline) {
+TEST(HybridSleep, NeverReturnsBeforeTheDeadline) {
   std::mt19937 random(1);
   Loop loop;
   // Woken up to 300 µs too soon or too late.
@@ -75,7 +75,7 @@ TEST(PunctualSleep, NeverReturnsBeforeTheDeadline) {
   EXPECT_GE(loop.percentile(0.0), 0);
 }
 
-TEST(PunctualSleep, SpinsNoLongerThanItsWakeUpsNeed) {
+TEST(HybridSleep, SpinsNoLongerThanItsWakeUpsNeed) {
   Loop loop;
   loop.run(1, [] { return 5 * us; });
   const std::int64_t at_first_ns = loop.sleep.margin_ns();
@@ -86,7 +86,7 @@ TEST(PunctualSleep, SpinsNoLongerThanItsWakeUpsNeed) {
   EXPECT_LE(loop.percentile(0.99), 30);
 }
 
-TEST(PunctualSleep, WakesSoonerOnAMachineThatWakesLate) {
+TEST(HybridSleep, WakesSoonerOnAMachineThatWakesLate) {
   Loop loop;
   loop.run(5000, [] { return 200 * us; });
   loop.run(1000, [] { return 200 * us; });
@@ -95,7 +95,7 @@ TEST(PunctualSleep, WakesSoonerOnAMachineThatWakesLate) {
 }
 
 // However wake-ups are spread, the thread is awake for no more than its share and the ticks' own 2 µs.
-TEST(PunctualSleep, StaysWithinItsShareOfTheProcessor) {
+TEST(HybridSleep, StaysWithinItsShareOfTheProcessor) {
   for (const std::int64_t period_ns : {10 * ms, ms, ms / 4, ms / 20}) {
     for (const std::int64_t most_ns : {1 * us, 20 * us, 100 * us, 500 * us, 3 * ms}) {
       SCOPED_TRACE(period_ns);
@@ -104,33 +104,33 @@ TEST(PunctualSleep, StaysWithinItsShareOfTheProcessor) {
       Loop loop{.period_ns = period_ns};
       // Mostly at once, every tenth time up to `most_ns` late: the mean of what is overslept says little.
       loop.run(50'000, [&] { return random() % 10 == 0 ? static_cast<std::int64_t>(random()) % most_ns : 0; });
-      EXPECT_LE(loop.awake_share(), 1.1 * PunctualSleep::greatest_share +
-                                        static_cast<double>(2 * us + 120) / static_cast<double>(period_ns));
+      EXPECT_LE(loop.awake_share(),
+                1.1 * HybridSleep::greatest_share + static_cast<double>(2 * us + 120) / static_cast<double>(period_ns));
       EXPECT_LE(static_cast<double>(loop.longest_spin_ns),
-                PunctualSleep::greatest_margin * static_cast<double>(period_ns) + 60.0);
+                HybridSleep::greatest_margin * static_cast<double>(period_ns) + 60.0);
     }
   }
 }
 
 // It is always too late then, so there is nothing to be spun.
-TEST(PunctualSleep, DoesNotSpinWhereItAlwaysOversleeps) {
+TEST(HybridSleep, DoesNotSpinWhereItAlwaysOversleeps) {
   Loop loop;
   loop.run(1000, [] { return 700 * us; });
   loop.longest_spin_ns = 0;
   loop.run(1000, [] { return 700 * us; });
   EXPECT_LE(loop.longest_spin_ns, 60);
-  EXPECT_LE(static_cast<double>(loop.sleep.margin_ns()), PunctualSleep::greatest_margin * ms);
+  EXPECT_LE(static_cast<double>(loop.sleep.margin_ns()), HybridSleep::greatest_margin * ms);
 }
 
-TEST(PunctualSleep, SleepsThroughALongPeriod) {
+TEST(HybridSleep, SleepsThroughALongPeriod) {
   Loop loop{.period_ns = 1000 * ms};
   loop.run(100, [] { return 10 * us; });
-  EXPECT_LE(loop.longest_spin_ns, PunctualSleep::greatest_mean_spin_ns);
+  EXPECT_LE(loop.longest_spin_ns, HybridSleep::greatest_mean_spin_ns);
 }
 
-TEST(PunctualSleep, BeginsAnewWithAnotherPeriod) {
-  PunctualSleep sleep(ms);
-  PunctualSleep same(ms);
+TEST(HybridSleep, BeginsAnewWithAnotherPeriod) {
+  HybridSleep sleep(ms);
+  HybridSleep same(ms);
   sleep.set_period(ms / 4);
   EXPECT_LT(sleep.margin_ns(), ms / 16);
   FakeClock clock;
@@ -141,8 +141,8 @@ TEST(PunctualSleep, BeginsAnewWithAnotherPeriod) {
   EXPECT_EQ(same.margin_ns(), margin_ns) << "the same period changes nothing";
 }
 
-TEST(PunctualSleep, DeadlinesThatHavePassedTakeNoTime) {
-  PunctualSleep sleep(ms);
+TEST(HybridSleep, DeadlinesThatHavePassedTakeNoTime) {
+  HybridSleep sleep(ms);
   FakeClock clock{.time_ns = 5 * ms};
   EXPECT_EQ(sleep.until(4 * ms, clock), 5 * ms + 30);
   EXPECT_EQ(clock.asleep_ns, 0);
