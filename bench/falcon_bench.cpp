@@ -219,7 +219,7 @@ void measure() {
   share(results, "servo: mouse", std::make_unique<MouseInput>(), std::chrono::seconds(1));
   // It has to be loaded and homed first.
   share(results, "servo: virtual Falcon",
-        std::make_unique<VirtualFalconInput>(FalconOptions{}, Misbehaviour{}, Vector<2>(0.0), 100.0),
+        std::make_unique<VirtualFalconInput>(FalconOptions{}, InjectedFault{}, Vector<2>(0.0), 100.0),
         std::chrono::seconds(6));
   simulation(results);
   wake(results);

@@ -36,7 +36,7 @@ const InputMaker<VirtualFalconInput> virtual_falcon_kind{
      /*needs_recording=*/false,
      /*hand_is_simulated=*/true},
     [](const Scene& scene, const InputOptions& options) {
-      return std::make_unique<VirtualFalconInput>(options.falcon, options.misbehaviour, scene.view.center,
+      return std::make_unique<VirtualFalconInput>(options.falcon, options.injected_fault, scene.view.center,
                                                   scene.settings.stiffnesses.k_u, options.virtual_falcon_clock);
     }};
 

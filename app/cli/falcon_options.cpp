@@ -13,7 +13,7 @@
 #include "app/console/quoted.h"
 #include "app/files/config_folder.h"
 #include "app/files/falcon_calibration_file.h"
-#include "device/virtual_falcon/misbehaviour.h"
+#include "device/virtual_falcon/injected_fault.h"
 
 namespace ghostforce {
 namespace {
@@ -61,7 +61,7 @@ void FalconSetUp::attach(CLI::App& command, FileOptions& files) {
       ->type_name("VVVV:PPPP")
       ->check(is_usb_id());
   std::vector<std::string_view> names;
-  for (const MisbehaviourKind& kind : misbehaviour_catalog()) names.push_back(kind.name);
+  for (const InjectedFaultKind& kind : injected_fault_catalog()) names.push_back(kind.name);
   repeatable(command
                  .add_option("--misbehave", misbehave,
                              fmt::format("With --input virtual-falcon: what goes wrong with it. {}", listed(names)))
@@ -87,7 +87,7 @@ InputOptions FalconSetUp::input_options(const std::optional<FirmwareImage>& imag
   if (image) options.falcon.firmware = image->bytes;
   options.falcon.calibrations = recall_falcon_calibrations();
   // They have been looked at when the command line was.
-  for (const std::string& name : misbehave) find_misbehaviour(name)->add(options.misbehaviour);
+  for (const std::string& name : misbehave) find_injected_fault(name)->add(options.injected_fault);
   return options;
 }
 

@@ -21,7 +21,7 @@ struct FalconSetUp {
   std::string firmware;                // path; empty: where it usually is, see firmware_path()
   std::string usb_id;                  // VVVV:PPPP; empty: that of every Falcon
   std::string serial;                  // of the one that is meant; empty: the first, in their order
-  std::vector<std::string> misbehave;  // names of misbehaviour_catalog()
+  std::vector<std::string> misbehave;  // names of injected_fault_catalog()
 
   void attach(CLI::App& command, FileOptions& files);
 

@@ -100,7 +100,7 @@ void Application::use(const InputEntry& entry, std::shared_ptr<const Scene> scen
   session_.pointer_moves_goal = false;
   session_.hand_is_simulated = entry.hand_is_simulated;
   session_.circle_test.is_on = session_.circle_test.has_news = false;
-  session_.misbehaviour.clear();
+  session_.injected_fault.clear();
   session_.scene = std::move(scene);
   session_.settings = settings;
   session_.goal = session_.scene->goal.points.back();

@@ -41,9 +41,9 @@ VirtualFalconInputLink::VirtualFalconInputLink(VirtualFalconInput& input, const 
     : FalconInputLink(input, scene, options, readiness_of),
       input_(input),
       pointer_(input, scene, options),
-      misbehaviours_{{"none", "none", "It does what a Falcon should."}} {
-  for (const MisbehaviourKind& kind : misbehaviour_catalog()) {
-    misbehaviours_.push_back({kind.name, kind.name, kind.sentence});
+      injected_faults_{{"none", "none", "It does what a Falcon should."}} {
+  for (const InjectedFaultKind& kind : injected_fault_catalog()) {
+    injected_faults_.push_back({kind.name, kind.name, kind.sentence});
   }
 }
 
@@ -55,16 +55,16 @@ void VirtualFalconInputLink::begin(Session& session) {
 void VirtualFalconInputLink::fill(LoopReading& reading) const {
   FalconInputLink::fill(reading);
   pointer_.fill(reading);
-  reading.misbehaviours = misbehaviours_;
+  reading.injected_faults = injected_faults_;
 }
 
 void VirtualFalconInputLink::send(Session& session, double interval_s) {
   // Whoever drags a virtual handle holds its grip.
   input_.press(session.drags_goal ? ReplyFrame::button_centre : 0);
-  if (!session.misbehaviour.empty()) {
-    Misbehaviour wrong;
-    if (const MisbehaviourKind* const kind = find_misbehaviour(session.misbehaviour)) kind->add(wrong);
-    input_.misbehave(wrong);
+  if (!session.injected_fault.empty()) {
+    InjectedFault wrong;
+    if (const InjectedFaultKind* const kind = find_injected_fault(session.injected_fault)) kind->add(wrong);
+    input_.inject(wrong);
   }
   pointer_.send(session, interval_s);
 }

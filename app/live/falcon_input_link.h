@@ -50,7 +50,7 @@ class VirtualFalconInputLink final : public FalconInputLink {
  private:
   VirtualFalconInput& input_;
   PointerLink pointer_;
-  std::vector<InputChoice> misbehaviours_;
+  std::vector<InputChoice> injected_faults_;
 };
 
 }  // namespace ghostforce

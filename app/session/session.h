@@ -117,7 +117,7 @@ struct Session {
   SpaceMouseSettings spacemouse;
   UserMeasurement measurement;
   CircleTest circle_test;
-  std::string misbehaviour;         // of a virtual device, a name of loop.misbehaviours; empty: as it was started
+  std::string injected_fault;       // of a virtual device, a name of loop.injected_faults; empty: as it was started
   std::string input = "mouse";      // who moves the goal, a name of the input catalog
   bool pointer_moves_goal = true;   // that input follows the mouse
   bool hand_is_simulated = false;   // though that input has motors
@@ -162,7 +162,7 @@ struct LoopReading {
   std::vector<ReadinessStepState> readiness{};            // up to motors that push; empty: the input has none
   std::string device{};                                   // what these steps are of; may be empty
   std::string device_remark{};                            // what else is to be known about it; may be empty
-  std::span<const InputChoice> misbehaviours{};           // that a virtual device can be asked for; empty: it is none
+  std::span<const InputChoice> injected_faults{};         // that a virtual device can be asked for; empty: it is none
   std::function<void(const PanelContext&)> draw_input{};  // what else the input shows in its panel; may be empty
   RecordingReading recording{};
   std::optional<CircleReading> circle{};  // if the circle is the input

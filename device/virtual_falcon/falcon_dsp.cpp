@@ -145,7 +145,7 @@ void FalconDsp::set_encoders(const std::array<int, 3>& counts) noexcept {
   encoders_ = counts;
 }
 
-void FalconDsp::misbehave(const Misbehaviour& wrong) noexcept {
+void FalconDsp::inject(const InjectedFault& wrong) noexcept {
   if (wrong == wrong_) return;
   wrong_ = wrong;
   replies_to_lose_ = wrong.lost_replies;

@@ -16,7 +16,7 @@
 #include "device/falcon/falcon_link.h"
 #include "device/falcon/frame.h"
 #include "device/virtual_falcon/fixed_queue.h"
-#include "device/virtual_falcon/misbehaviour.h"
+#include "device/virtual_falcon/injected_fault.h"
 
 namespace ghostforce {
 
@@ -62,7 +62,7 @@ class FalconDsp {
   void set_encoders(const std::array<int, 3>& counts) noexcept;
   void set_buttons(std::uint8_t buttons) noexcept { buttons_ = buttons; }
 
-  void misbehave(const Misbehaviour& wrong) noexcept;
+  void inject(const InjectedFault& wrong) noexcept;
 
   // What the motors are driven with [counts], and which lights are on (bits of CommandFrame).
   const std::array<std::int16_t, 3>& motors() const noexcept { return motors_; }
@@ -126,7 +126,7 @@ class FalconDsp {
   std::int64_t packet_due_ns() const noexcept;
 
   Options options_;
-  Misbehaviour wrong_;
+  InjectedFault wrong_;
   int replies_to_lose_ = 0;
   bool echo_is_to_fail_ = false;
   unsigned replies_ = 0;  // since the fault was asked for

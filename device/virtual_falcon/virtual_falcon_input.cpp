@@ -19,8 +19,8 @@ FalconOptions completed(FalconOptions options) {
   return options;
 }
 
-std::unique_ptr<VirtualLink> make_link(const Misbehaviour& misbehaviour, double k_u, VirtualLink::Clock clock) {
-  VirtualLink::Options options{.clock = clock, .misbehaviour = misbehaviour};
+std::unique_ptr<VirtualLink> make_link(const InjectedFault& injected_fault, double k_u, VirtualLink::Clock clock) {
+  VirtualLink::Options options{.clock = clock, .injected_fault = injected_fault};
   options.hand.homes_when_asked = true;
   options.hand.stiffness = k_u;
   return std::make_unique<VirtualLink>(options);
@@ -34,9 +34,9 @@ FalconCalibration calibration_in(const FalconOptions& options) {
 
 }  // namespace
 
-VirtualFalconInput::VirtualFalconInput(FalconOptions options, const Misbehaviour& misbehaviour,
+VirtualFalconInput::VirtualFalconInput(FalconOptions options, const InjectedFault& injected_fault,
                                        const Vector<2>& view_center, double k_u, Clock clock)
-    : VirtualFalconInput(make_link(misbehaviour, k_u, clock), completed(std::move(options)), view_center, k_u) {}
+    : VirtualFalconInput(make_link(injected_fault, k_u, clock), completed(std::move(options)), view_center, k_u) {}
 
 VirtualFalconInput::VirtualFalconInput(std::unique_ptr<VirtualLink> link, const FalconOptions& options,
                                        const Vector<2>& view_center, double k_u)

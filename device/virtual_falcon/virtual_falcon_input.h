@@ -2,7 +2,7 @@
 // simulated hand; the pointer of the window leads that hand, which homes the device when it is asked to, as a person
 // would.
 //
-// Made on the UI thread; functions of PointerTarget and misbehave() stay its, the rest is the servo thread's.
+// Made on the UI thread; functions of PointerTarget and inject() stay its, the rest is the servo thread's.
 #pragma once
 
 #include "device/falcon/falcon_input.h"
@@ -16,15 +16,15 @@ class VirtualFalconInput final : public FalconInput, public PointerTarget {
   using Clock = VirtualLink::Clock;
 
   // A device without firmware takes the one of `options`, or else a practice one. `k_u`: of the hand [N/m].
-  VirtualFalconInput(FalconOptions options, const Misbehaviour& misbehaviour, const Vector<2>& view_center, double k_u,
-                     Clock clock = Clock::monotonic);
+  VirtualFalconInput(FalconOptions options, const InjectedFault& injected_fault, const Vector<2>& view_center,
+                     double k_u, Clock clock = Clock::monotonic);
 
   void move_to(const Vector<2>& goal, double duration_s) noexcept override;
   std::uint64_t ignored_moves() const noexcept override { return ignored_moves_; }
   void hold_with(double k_u) noexcept override;
   // A button of the grip, as in ReplyFrame; 0: none.
   void press(std::uint8_t buttons) noexcept;
-  void misbehave(const Misbehaviour& wrong) noexcept { link_.misbehave(wrong); }
+  void inject(const InjectedFault& wrong) noexcept { link_.inject(wrong); }
 
   // See VirtualLink.
   const VirtualLink& link() const noexcept { return link_; }

@@ -21,12 +21,12 @@ constexpr std::uint8_t line_errors = 0x0E;  // overrun, parity, framing, of the 
 VirtualLink::VirtualLink(const Options& options) noexcept
     : clock_(options.clock),
       lived_ns_(now_ns()),
-      misbehaviours_(options.misbehaviour),
-      link_fault_(options.misbehaviour.link),
+      injected_faults_(options.injected_fault),
+      link_fault_(options.injected_fault.link),
       dsp_(options.device, lived_ns_),
       arm_(options.arm),
       hand_(options.hand, lived_ns_) {
-  dsp_.misbehave(options.misbehaviour);
+  dsp_.inject(options.injected_fault);
   dsp_.set_encoders(arm_.encoders());
 }
 
@@ -128,7 +128,7 @@ MotorNumbers VirtualLink::motors() const noexcept {
 // In the order in which things happen. Returns whether there is something that a waiting driver wants to know.
 bool VirtualLink::live_until(std::int64_t now_ns) noexcept {
   lived_ns_ = std::max(lived_ns_, now_ns - longest_gap_ns);
-  bool has_news = obey_misbehaviour();
+  bool has_news = obey_injected_fault();
   while (lived_ns_ + step_ns <= now_ns) {
     has_news |= exchange_until(lived_ns_ + step_ns);
     step_to(lived_ns_ + step_ns);
@@ -137,10 +137,10 @@ bool VirtualLink::live_until(std::int64_t now_ns) noexcept {
   return has_news;
 }
 
-bool VirtualLink::obey_misbehaviour() noexcept {
-  if (!misbehaviours_.has_news()) return false;
-  const Misbehaviour& wrong = misbehaviours_.latest();
-  dsp_.misbehave(wrong);
+bool VirtualLink::obey_injected_fault() noexcept {
+  if (!injected_faults_.has_news()) return false;
+  const InjectedFault& wrong = injected_faults_.latest();
+  dsp_.inject(wrong);
   link_fault_ = wrong.link;
   if (!is_live() || !wrong.is_off_the_cable()) return false;
   fault_ = LinkFault::unplugged;

@@ -4,7 +4,7 @@
 //
 // The clock is CLOCK_MONOTONIC, or one that only wait_until() moves: from event to event, without waiting, the same way
 // every time. Nothing is allocated after the constructor. Threads as falcon_link.h says; besides, one thread may send
-// misbehaviours and one may lead the hand at any time.
+// injected faults and one may lead the hand at any time.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@
 #include "device/virtual_falcon/falcon_dsp.h"
 #include "device/virtual_falcon/fixed_queue.h"
 #include "device/virtual_falcon/hand.h"
-#include "device/virtual_falcon/misbehaviour.h"
+#include "device/virtual_falcon/injected_fault.h"
 
 namespace ghostforce {
 
@@ -36,7 +36,7 @@ class VirtualLink final : public FalconLink {
     FalconDsp::Options device{};
     SimulatedArm::Options arm{};
     HandPlan hand{};
-    Misbehaviour misbehaviour{};
+    InjectedFault injected_fault{};
   };
 
   // The arm and the hand move in steps of this, on a grid of the clock.
@@ -73,7 +73,7 @@ class VirtualLink final : public FalconLink {
   void send_at_once(std::span<const std::uint8_t> bytes) noexcept override;
 
   // From another thread, one for each.
-  void misbehave(const Misbehaviour& wrong) noexcept { misbehaviours_.publish(wrong); }
+  void inject(const InjectedFault& wrong) noexcept { injected_faults_.publish(wrong); }
   void lead_hand(const HandPlan& plan) noexcept { hand_.follow(plan); }
 
   // How things really are behind the cable: for those who compare it with what the driver makes of it. Same thread as
@@ -89,7 +89,7 @@ class VirtualLink final : public FalconLink {
 
   bool is_live() const noexcept { return is_open_ && fault_ == LinkFault::none; }
   bool live_until(std::int64_t now_ns) noexcept;
-  bool obey_misbehaviour() noexcept;
+  bool obey_injected_fault() noexcept;
   bool exchange_until(std::int64_t at_ns) noexcept;
   bool deliver(std::int64_t at_ns) noexcept;
   bool take_packet(std::int64_t at_ns) noexcept;
@@ -102,7 +102,7 @@ class VirtualLink final : public FalconLink {
   std::int64_t stepped_ns_ = 1'000'000'000;
   std::int64_t lived_ns_;  // up to where arm and hand have come
 
-  LatestValue<Misbehaviour> misbehaviours_;
+  LatestValue<InjectedFault> injected_faults_;
   LinkFault link_fault_;  // asked for
   FalconDsp dsp_;
   SimulatedArm arm_;

@@ -85,15 +85,15 @@ void EmulatedUsbDevice::unplug() {
   bed_.remove(syspath_);
 }
 
-void EmulatedUsbDevice::misbehave(const UsbMisbehaviour& wrong) {
+void EmulatedUsbDevice::inject(const UsbFault& wrong) {
   if (wrong.is_unplugged) unplug();
   bool was_unplugged = false;
   {
     const std::lock_guard lock(mutex_);
     was_unplugged = wrong_.is_unplugged;
     wrong_ = wrong;
-    in_.misbehave(wrong.in);
-    out_.misbehave(wrong.out);
+    in_.inject(wrong.in);
+    out_.inject(wrong.out);
     control_naks_until_ns_ = end_of(wrong.control_nak_ms);
     move_packets();
     changed_.notify_all();
@@ -207,7 +207,7 @@ std::int64_t EmulatedUsbDevice::end_of(int duration_ms) {
   return duration_ms > 0 ? monotonic_ns() + duration_ms * std::int64_t{1'000'000} : 0;
 }
 
-void EmulatedUsbDevice::Endpoint::misbehave(const EndpointFaults& wrong) {
+void EmulatedUsbDevice::Endpoint::inject(const EndpointFaults& wrong) {
   failures_to_come = wrong.failures;
   error = wrong.error;
   is_halted |= wrong.halts;

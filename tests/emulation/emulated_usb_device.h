@@ -1,6 +1,6 @@
 // EmulatedUsbDevice: what the kernel's usbfs shows of a device with one interface, a bulk endpoint each way and a
 // serial chip behind them. It answers the ioctls of libusb as the kernel does, keeps its queues of transfers and its
-// time, can be pulled out and plugged in again, and goes wrong when asked to. plug(), unplug(), misbehave() and the
+// time, can be pulled out and plugged in again, and goes wrong when asked to. plug(), unplug(), inject() and the
 // like on the test's thread; what only tells on any.
 #pragma once
 
@@ -19,7 +19,7 @@
 #include "device/falcon_usb/usb_search.h"
 #include "tests/emulation/emulated_chip.h"
 #include "tests/emulation/test_bed.h"
-#include "tests/emulation/usb_misbehaviour.h"
+#include "tests/emulation/usb_fault.h"
 
 namespace ghostforce {
 
@@ -39,7 +39,7 @@ class EmulatedUsbDevice {
   void set_mode(mode_t mode) { bed_.set_mode(node(), mode); }
 
   // All that was asked for before ends, but for a halt, which only the host ends.
-  void misbehave(const UsbMisbehaviour& wrong);
+  void inject(const UsbFault& wrong);
   // The next so many transfers from the device fail, with an errno as a URB's status has it (EPIPE is a stall).
   void fail_in(int count, int error);
   // Claiming the interface fails so often: the kernel has not set the device up yet.
@@ -81,7 +81,7 @@ class EmulatedUsbDevice {
     bool is_halted = false;
     std::int64_t naks_until_ns = 0;
 
-    void misbehave(const EndpointFaults& wrong);
+    void inject(const EndpointFaults& wrong);
     bool naks() const;
     int next_failure();  // an errno; 0: none
   };
@@ -126,7 +126,7 @@ class EmulatedUsbDevice {
   Endpoint in_;
   Endpoint out_;
   std::deque<ControlUrb> control_;
-  UsbMisbehaviour wrong_;  // with what is left of the counts
+  UsbFault wrong_;  // with what is left of the counts
   std::int64_t control_naks_until_ns_ = 0;
   OutAttempt last_out_;
   int claims_to_delay_ = 0;

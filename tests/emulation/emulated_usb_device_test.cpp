@@ -112,13 +112,13 @@ class EmulatedUsbDeviceTest : public testing::Test {
   std::vector<std::unique_ptr<Transfer>> transfers;
 };
 
-TEST(UsbMisbehaviour, HasOneNameEachAndDoesSomething) {
-  for (const UsbMisbehaviourKind& kind : usb_misbehaviour_catalog()) {
-    EXPECT_NE(usb_misbehaviour(kind.name), UsbMisbehaviour{}) << kind.name;
-    EXPECT_EQ(std::ranges::count(usb_misbehaviour_catalog(), kind.name, &UsbMisbehaviourKind::name), 1) << kind.name;
+TEST(UsbFault, HasOneNameEachAndDoesSomething) {
+  for (const UsbFaultKind& kind : usb_fault_catalog()) {
+    EXPECT_NE(usb_fault(kind.name), UsbFault{}) << kind.name;
+    EXPECT_EQ(std::ranges::count(usb_fault_catalog(), kind.name, &UsbFaultKind::name), 1) << kind.name;
     EXPECT_TRUE(kind.sentence.ends_with('.')) << kind.name;
   }
-  EXPECT_THROW(usb_misbehaviour("nonsense"), std::invalid_argument);
+  EXPECT_THROW(usb_fault("nonsense"), std::invalid_argument);
 }
 
 TEST_F(EmulatedUsbDeviceTest, OneTransferFailsAndTheNextIsWell) {
@@ -127,12 +127,12 @@ TEST_F(EmulatedUsbDeviceTest, OneTransferFailsAndTheNextIsWell) {
     int error;
   };
   for (const Case& one : {Case{"in-stall", EPIPE}, Case{"in-error", EPROTO}, Case{"in-babble", EOVERFLOW}}) {
-    falcon.misbehave(usb_misbehaviour(one.fault));
+    falcon.inject(usb_fault(one.fault));
     EXPECT_EQ(status_of(listen()), one.error) << one.fault;
     EXPECT_EQ(status_of(listen()), 0) << one.fault;
   }
   for (const Case& one : {Case{"out-stall", EPIPE}, Case{"out-error", EPROTO}}) {
-    falcon.misbehave(usb_misbehaviour(one.fault));
+    falcon.inject(usb_fault(one.fault));
     EXPECT_EQ(status_of(send({1})), one.error) << one.fault;
     EXPECT_EQ(status_of(send({2})), 0) << one.fault;
   }
@@ -140,28 +140,28 @@ TEST_F(EmulatedUsbDeviceTest, OneTransferFailsAndTheNextIsWell) {
 }
 
 TEST_F(EmulatedUsbDeviceTest, BurstsAreAsLongAsTheySay) {
-  falcon.misbehave(usb_misbehaviour("in-errors-40"));
+  falcon.inject(usb_fault("in-errors-40"));
   for (int i = 0; i < 40; ++i) ASSERT_EQ(status_of(listen()), EPROTO) << i;
   EXPECT_EQ(status_of(listen()), 0);
-  falcon.misbehave(usb_misbehaviour("out-errors-40"));
+  falcon.inject(usb_fault("out-errors-40"));
   for (int i = 0; i < 39; ++i) ASSERT_EQ(status_of(send({1})), EPROTO) << i;
   EXPECT_EQ(send_now({1}), EPROTO) << "past the queue as well";
   EXPECT_EQ(send_now({2}), 0);
   EXPECT_EQ(chip.received(), Bytes{2});
-  falcon.misbehave(usb_misbehaviour("in-errors-200"));
+  falcon.inject(usb_fault("in-errors-200"));
   EXPECT_EQ(status_of(listen()), EILSEQ);
-  falcon.misbehave({});
+  falcon.inject({});
   EXPECT_EQ(status_of(listen()), 0) << "taken away";
 }
 
 TEST_F(EmulatedUsbDeviceTest, AHaltStaysUntilItIsCleared) {
-  falcon.misbehave(usb_misbehaviour("both-halt"));
+  falcon.inject(usb_fault("both-halt"));
   for (int i = 0; i < 3; ++i) {
     EXPECT_EQ(status_of(send({1})), EPIPE);
     EXPECT_EQ(status_of(listen()), EPIPE);
     EXPECT_EQ(send_now({1}), EPIPE);
   }
-  falcon.misbehave({});
+  falcon.inject({});
   EXPECT_EQ(status_of(listen()), EPIPE) << "what caused it has gone, and the halt has not";
   reopen();
   EXPECT_EQ(status_of(listen()), EPIPE) << "another program finds it so";
@@ -176,40 +176,40 @@ TEST_F(EmulatedUsbDeviceTest, AHaltStaysUntilItIsCleared) {
 }
 
 TEST_F(EmulatedUsbDeviceTest, AnEndpointHaltsAgainAndAgain) {
-  falcon.misbehave(usb_misbehaviour("in-halts-again"));
+  falcon.inject(usb_fault("in-halts-again"));
   for (int i = 0; i < 3; ++i) {
     EXPECT_EQ(clear_halt(0x81), 0);
     EXPECT_EQ(status_of(listen()), EPIPE);
   }
-  falcon.misbehave({});
+  falcon.inject({});
   EXPECT_EQ(status_of(listen()), EPIPE);
   EXPECT_EQ(clear_halt(0x81), 0);
   EXPECT_EQ(status_of(listen()), 0);
 }
 
 TEST_F(EmulatedUsbDeviceTest, AHaltEndsWithTheCableOrAReset) {
-  falcon.misbehave(usb_misbehaviour("in-halt"));
+  falcon.inject(usb_fault("in-halt"));
   falcon.unplug();
   falcon.plug();
   reopen();
   EXPECT_EQ(status_of(listen()), 0);
-  falcon.misbehave({});
-  falcon.misbehave(usb_misbehaviour("in-halt"));
+  falcon.inject({});
+  falcon.inject(usb_fault("in-halt"));
   EXPECT_EQ(ioctl(file, USBDEVFS_RESET, nullptr), 0);
   EXPECT_EQ(status_of(listen()), 0);
 }
 
 TEST_F(EmulatedUsbDeviceTest, TransfersThatWaitStallTooWhenTheEndpointHalts) {
-  falcon.misbehave(usb_misbehaviour("in-nak"));
+  falcon.inject(usb_fault("in-nak"));
   const Transfer& first = listen();
   const Transfer& second = listen();
-  falcon.misbehave(usb_misbehaviour("in-halt"));
+  falcon.inject(usb_fault("in-halt"));
   EXPECT_EQ(status_of(first), EPIPE);
   EXPECT_EQ(status_of(second), EPIPE);
 }
 
 TEST_F(EmulatedUsbDeviceTest, NothingComesWhileItAnswersNak) {
-  falcon.misbehave(usb_misbehaviour("in-nak"));
+  falcon.inject(usb_fault("in-nak"));
   Transfer& waits = listen();
   const Transfer& sent = send({1, 2});
   EXPECT_EQ(status_of(sent), 0) << "the other endpoint is well";
@@ -218,12 +218,12 @@ TEST_F(EmulatedUsbDeviceTest, NothingComesWhileItAnswersNak) {
   EXPECT_EQ(call(USBDEVFS_DISCARDURB, waits.urb.get()), 0);
   EXPECT_EQ(status_of(waits), ENOENT);
   const Transfer& next = listen();
-  falcon.misbehave({});
+  falcon.inject({});
   EXPECT_EQ(status_of(next), 0);
 }
 
 TEST_F(EmulatedUsbDeviceTest, NothingGoesWhileItAnswersNak) {
-  falcon.misbehave(usb_misbehaviour("out-nak"));
+  falcon.inject(usb_fault("out-nak"));
   const Transfer& waits = send({1});
   EXPECT_EQ(status_of(listen()), 0) << "the other endpoint is well";
   const std::int64_t start_ns = monotonic_ns();
@@ -231,52 +231,52 @@ TEST_F(EmulatedUsbDeviceTest, NothingGoesWhileItAnswersNak) {
   EXPECT_GE(monotonic_ns() - start_ns, 20 * ms);
   EXPECT_TRUE(chip.received().empty());
   EXPECT_EQ(falcon.last_out().bytes, Bytes{2}) << "tried, at least";
-  falcon.misbehave({});
+  falcon.inject({});
   EXPECT_EQ(status_of(waits), 0);
   EXPECT_EQ(chip.received(), Bytes{1});
 }
 
 TEST_F(EmulatedUsbDeviceTest, ANakEndsByItself) {
   const std::int64_t start_ns = monotonic_ns();
-  falcon.misbehave(usb_misbehaviour("out-nak-100ms"));
+  falcon.inject(usb_fault("out-nak-100ms"));
   const Transfer& waits = send({1});
   EXPECT_EQ(send_now({2}, 10'000), 0);
   EXPECT_GE(monotonic_ns() - start_ns, 100 * ms);
   EXPECT_EQ(status_of(waits), 0);
   EXPECT_EQ(chip.received(), (Bytes{1, 2})) << "in the order in which they were sent";
-  falcon.misbehave(usb_misbehaviour("in-nak-100ms"));
+  falcon.inject(usb_fault("in-nak-100ms"));
   EXPECT_EQ(status_of(listen()), 0);
 }
 
 TEST_F(EmulatedUsbDeviceTest, TheControlEndpointIsSilent) {
-  UsbMisbehaviour silent;
+  UsbFault silent;
   silent.control_nak_ms = EndpointFaults::for_ever;
-  falcon.misbehave(silent);
+  falcon.inject(silent);
   Transfer& given_up = ask(9);
   const Transfer& waits = ask(3);
   EXPECT_EQ(status_of(send({1})), 0) << "the other endpoints are well";
   EXPECT_EQ(call(USBDEVFS_DISCARDURB, given_up.urb.get()), 0);
   EXPECT_EQ(status_of(given_up), ENOENT);
   EXPECT_FALSE(is_any_over());
-  falcon.misbehave({});
+  falcon.inject({});
   EXPECT_EQ(status_of(waits), 0);
   ASSERT_EQ(chip.requests().size(), 1U);
   EXPECT_EQ(chip.requests()[0].request, 3);
 }
 
 TEST_F(EmulatedUsbDeviceTest, TheControlEndpointIsSilentForAWhile) {
-  UsbMisbehaviour silent;
+  UsbFault silent;
   silent.control_nak_ms = 200;
   const std::int64_t start_ns = monotonic_ns();
-  falcon.misbehave(silent);
+  falcon.inject(silent);
   EXPECT_EQ(status_of(ask(3)), 0);
   EXPECT_GE(monotonic_ns() - start_ns, 200 * ms);
 }
 
 TEST_F(EmulatedUsbDeviceTest, TheControlEndpointIsSilentForAWhileAfterItIsTaken) {
-  UsbMisbehaviour silent;
+  UsbFault silent;
   silent.control_nak_ms_when_taken = 200;
-  falcon.misbehave(silent);
+  falcon.inject(silent);
   EXPECT_EQ(status_of(ask(9)), 0) << "not yet";
   const std::uint64_t times_taken = falcon.times_taken();
   const std::int64_t start_ns = monotonic_ns();
@@ -287,36 +287,36 @@ TEST_F(EmulatedUsbDeviceTest, TheControlEndpointIsSilentForAWhileAfterItIsTaken)
 }
 
 TEST_F(EmulatedUsbDeviceTest, ARequestIsRefused) {
-  falcon.misbehave(usb_misbehaviour("latency-refused"));
+  falcon.inject(usb_fault("latency-refused"));
   EXPECT_EQ(status_of(ask(3)), 0);
   EXPECT_EQ(status_of(ask(9)), EPIPE);
   EXPECT_EQ(status_of(ask(9)), 0) << "a stall of the control endpoint ends by itself";
-  falcon.misbehave(usb_misbehaviour("latency-always-refused"));
+  falcon.inject(usb_fault("latency-always-refused"));
   for (int i = 0; i < 5; ++i) EXPECT_EQ(status_of(ask(9)), EPIPE);
   EXPECT_EQ(status_of(ask(3)), 0);
 }
 
 // As usb_clear_halt() waits for the device.
 TEST_F(EmulatedUsbDeviceTest, ClearingAHaltWaitsForTheControlEndpoint) {
-  falcon.misbehave(usb_misbehaviour("in-halt"));
-  UsbMisbehaviour slow;
+  falcon.inject(usb_fault("in-halt"));
+  UsbFault slow;
   slow.clear_halt_ms = 200;
-  falcon.misbehave(slow);
+  falcon.inject(slow);
   const std::int64_t start_ns = monotonic_ns();
   EXPECT_EQ(clear_halt(0x81), 0);
   EXPECT_GE(monotonic_ns() - start_ns, 200 * ms);
   EXPECT_EQ(status_of(listen()), 0);
 
-  falcon.misbehave(usb_misbehaviour("in-halt"));
-  UsbMisbehaviour silent;
+  falcon.inject(usb_fault("in-halt"));
+  UsbFault silent;
   silent.control_nak_ms = EndpointFaults::for_ever;
-  falcon.misbehave(silent);
+  falcon.inject(silent);
   EXPECT_EQ(clear_halt(0x81), ETIMEDOUT) << "after 5 s";
   EXPECT_EQ(status_of(listen()), EPIPE) << "and it has not been cleared";
 }
 
 TEST_F(EmulatedUsbDeviceTest, TransfersEndWithTheInterface) {
-  falcon.misbehave(usb_misbehaviour("in-nak"));
+  falcon.inject(usb_fault("in-nak"));
   const Transfer& waits = listen();
   unsigned int interface = 0;
   EXPECT_EQ(call(USBDEVFS_RELEASEINTERFACE, &interface), 0);
@@ -325,11 +325,11 @@ TEST_F(EmulatedUsbDeviceTest, TransfersEndWithTheInterface) {
 }
 
 TEST_F(EmulatedUsbDeviceTest, IsUnpluggedAndPluggedIn) {
-  UsbMisbehaviour silent;
+  UsbFault silent;
   silent.in.nak_ms = EndpointFaults::for_ever;
-  falcon.misbehave(silent);
+  falcon.inject(silent);
   const Transfer& waits = listen();
-  falcon.misbehave(usb_misbehaviour("unplugged"));
+  falcon.inject(usb_fault("unplugged"));
   EXPECT_EQ(status_of(waits), ESHUTDOWN);
   Transfer refused(USBDEVFS_URB_TYPE_BULK, 0x02, {7});
   EXPECT_EQ(call(USBDEVFS_SUBMITURB, refused.urb.get()), ENODEV);
@@ -337,7 +337,7 @@ TEST_F(EmulatedUsbDeviceTest, IsUnpluggedAndPluggedIn) {
   EXPECT_EQ(send_now({8}), ENODEV);
   EXPECT_EQ(falcon.last_out().bytes, Bytes{8});
   EXPECT_EQ(clear_halt(0x81), ENODEV);
-  falcon.misbehave({});
+  falcon.inject({});
   reopen();
   EXPECT_EQ(status_of(send({9})), 0);
 }

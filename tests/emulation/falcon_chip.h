@@ -36,11 +36,11 @@ class FalconChip final : public EmulatedChip {
     hand_.follow(plan);
   }
 
-  // Of the serial line and what is behind it; see EmulatedUsbDevice::misbehave() for the cable.
-  void misbehave(const Misbehaviour& wrong) {
+  // Of the serial line and what is behind it; see EmulatedUsbDevice::inject() for the cable.
+  void inject(const InjectedFault& wrong) {
     const std::lock_guard lock(mutex_);
     live_until(now_ns());
-    dsp_.misbehave(wrong);
+    dsp_.inject(wrong);
     note();
   }
 

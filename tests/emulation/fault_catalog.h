@@ -1,6 +1,6 @@
 // Fault: something that goes wrong while the motors push, and what the program promises then. The catalog is what
 // fault_table measures and falcon_faults_test checks. A row says how it is brought about: by the cable
-// (usb_misbehaviour.h), by what is behind it (misbehaviour.h), by the hand, by an order to the program (orders.h), by a
+// (usb_fault.h), by what is behind it (injected_fault.h), by the hand, by an order to the program (orders.h), by a
 // signal, or by a way to end that the program goes by itself (armed_program.cpp). Immutable, any thread.
 #pragma once
 
@@ -23,8 +23,8 @@ struct Fault {
   std::string_view name;   // of its test: letters and digits
   std::string_view title;  // for a person
   Promise promise;
-  std::string_view usb = "";     // a name of usb_misbehaviour_catalog()
-  std::string_view device = "";  // a name of misbehaviour_catalog()
+  std::string_view usb = "";     // a name of usb_fault_catalog()
+  std::string_view device = "";  // a name of injected_fault_catalog()
   std::string_view order = "";
   int signal = 0;
   bool hand_is_torn_away = false;

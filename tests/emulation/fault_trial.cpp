@@ -121,11 +121,11 @@ class FaultTrial {
     if (!is_by_order()) return;
     chip_.watch();
     event_ns_ = monotonic_ns();
-    if (!fault_.usb.empty()) cable_.misbehave(usb_misbehaviour(fault_.usb));
+    if (!fault_.usb.empty()) cable_.inject(usb_fault(fault_.usb));
     if (!fault_.device.empty()) {
-      Misbehaviour wrong;
-      find_misbehaviour(fault_.device)->add(wrong);
-      chip_.misbehave(wrong);
+      InjectedFault wrong;
+      find_injected_fault(fault_.device)->add(wrong);
+      chip_.inject(wrong);
     }
     if (!fault_.order.empty()) program_->order(std::string(fault_.order));
     if (fault_.signal != 0) program_->send(fault_.signal);
@@ -167,8 +167,8 @@ class FaultTrial {
 
   void end_of_fault() {
     is_taken_away_ = true;
-    chip_.misbehave({});
-    cable_.misbehave(fault_.usb_afterwards.empty() ? UsbMisbehaviour{} : usb_misbehaviour(fault_.usb_afterwards));
+    chip_.inject({});
+    cable_.inject(fault_.usb_afterwards.empty() ? UsbFault{} : usb_fault(fault_.usb_afterwards));
     if (fault_.order == "focus lost") program_->order("focus");
     if (fault_.hand_is_torn_away) chip_.lead_hand(hand_in_scene({0.02, 0.02}));
   }

@@ -50,7 +50,7 @@ class FtdiLinkFaultsTest : public testing::Test {
 TEST_F(FtdiLinkFaultsTest, ClearsTheHaltsThatItFinds) {
   falcon.plug();
   for (const char* name : {"in-halt", "out-halt", "both-halt"}) {
-    falcon.misbehave(usb_misbehaviour(name));
+    falcon.inject(usb_fault(name));
     chip.set_echo(true);
     ASSERT_EQ(link.open(), LinkFault::none) << name;
     ASSERT_TRUE(link.write(Bytes{1, 2, 3}));
@@ -82,14 +82,14 @@ TEST_F(FtdiLinkFaultsTest, AStopGoesOutThroughALinkThatHearsNoMore) {
     SCOPED_TRACE(name);
     open();
     const std::size_t before = chip.received().size();
-    falcon.misbehave(usb_misbehaviour(name));
+    falcon.inject(usb_fault(name));
     ASSERT_TRUE(wait_for([this] { return link.fault() == LinkFault::broken; }));
     EXPECT_FALSE(link.write(Bytes{1}));
     link.stop(Bytes{7});
     link.close();
     EXPECT_EQ(arrived_since(before), (Bytes{7}));
     EXPECT_FALSE(link.owes_stop());
-    falcon.misbehave({});
+    falcon.inject({});
   }
 }
 
@@ -98,18 +98,18 @@ TEST_F(FtdiLinkFaultsTest, ClosingInsistsOnTheStopThroughAHaltedEndpoint) {
     SCOPED_TRACE(name);
     open();
     const std::size_t before = chip.received().size();
-    falcon.misbehave(usb_misbehaviour(name));
+    falcon.inject(usb_fault(name));
     link.stop(Bytes{7});
     link.close();
     EXPECT_EQ(arrived_since(before), (Bytes{7}));
     EXPECT_FALSE(link.owes_stop());
-    falcon.misbehave({});
+    falcon.inject({});
   }
 }
 
 TEST_F(FtdiLinkFaultsTest, AStopThatCannotArriveIsTheLastThingTriedAndIsOwed) {
   open();
-  falcon.misbehave(usb_misbehaviour("out-nak"));
+  falcon.inject(usb_fault("out-nak"));
   ASSERT_TRUE(link.write(Bytes{1, 2, 3}));
   link.wait_until(link.now_ns() + 5 * ms);
   link.stop(Bytes{7, 8});
@@ -117,7 +117,7 @@ TEST_F(FtdiLinkFaultsTest, AStopThatCannotArriveIsTheLastThingTriedAndIsOwed) {
   EXPECT_TRUE(link.owes_stop());
   EXPECT_EQ(falcon.last_out().bytes, (Bytes{7, 8}));
   EXPECT_TRUE(chip.received().empty());
-  falcon.misbehave({});
+  falcon.inject({});
   ASSERT_EQ(link.open(), LinkFault::none);
   EXPECT_FALSE(link.owes_stop());
   EXPECT_EQ(chip.received(), (Bytes{7, 8}));
@@ -126,14 +126,14 @@ TEST_F(FtdiLinkFaultsTest, AStopThatCannotArriveIsTheLastThingTriedAndIsOwed) {
 // Its motors have a supply of their own.
 TEST_F(FtdiLinkFaultsTest, AStopIsStillOwedToADeviceThatWasAway) {
   open();
-  falcon.misbehave(usb_misbehaviour("out-nak"));
+  falcon.inject(usb_fault("out-nak"));
   link.stop(Bytes{7, 8});
   link.close();
   ASSERT_TRUE(link.owes_stop());
   falcon.unplug();
   EXPECT_EQ(link.open(), LinkFault::absent);
   EXPECT_TRUE(link.owes_stop());
-  falcon.misbehave({});
+  falcon.inject({});
   RecordingChip other_chip;
   EmulatedUsbDevice other(bed, other_chip, "00FIRST0");
   other.plug();
@@ -150,7 +150,7 @@ TEST_F(FtdiLinkFaultsTest, AStopIsStillOwedToADeviceThatWasAway) {
 TEST_F(FtdiLinkFaultsTest, TellsWhatBecameOfARequest) {
   open();
   const VendorRequest latency{0x09, 1, 0};
-  falcon.misbehave(usb_misbehaviour("latency-refused"));
+  falcon.inject(usb_fault("latency-refused"));
   ASSERT_TRUE(link.request(latency));
   ASSERT_TRUE(wait_until_sent());
   EXPECT_EQ(link.request_outcome(), RequestOutcome::refused);
@@ -158,7 +158,7 @@ TEST_F(FtdiLinkFaultsTest, TellsWhatBecameOfARequest) {
   ASSERT_TRUE(wait_until_sent());
   EXPECT_EQ(link.request_outcome(), RequestOutcome::done);
   EXPECT_EQ(chip.requests(), (std::vector{latency}));
-  falcon.misbehave(usb_misbehaviour("control-nak-3s"));
+  falcon.inject(usb_fault("control-nak-3s"));
   ASSERT_TRUE(link.request(latency));
   ASSERT_TRUE(wait_until_sent());
   EXPECT_EQ(link.request_outcome(), RequestOutcome::unanswered);
@@ -168,9 +168,9 @@ TEST_F(FtdiLinkFaultsTest, TellsWhatBecameOfARequest) {
 // Its calibration goes by the serial number: a device that does not tell it now is not taken for one without.
 TEST_F(FtdiLinkFaultsTest, WaitsForTheSerialNumber) {
   falcon.plug();
-  falcon.misbehave(usb_misbehaviour("control-nak-3s"));
+  falcon.inject(usb_fault("control-nak-3s"));
   EXPECT_EQ(link.open(), LinkFault::broken);
-  falcon.misbehave({});
+  falcon.inject({});
   EXPECT_EQ(link.open(), LinkFault::none);
   EXPECT_EQ(link.serial(), "12PZ657E");
 }

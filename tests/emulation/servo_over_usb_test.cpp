@@ -212,9 +212,9 @@ TEST_F(ServoOverUsbTest, NeitherHeapNorForbiddenCallsWhateverBecomesOfTheDevice)
     live();
     ++armed_ticks;
   }
-  falcon.misbehave(usb_misbehaviour("in-halt"));
+  falcon.inject(usb_fault("in-halt"));
   ASSERT_TRUE(live_until([this] { return motors().state == SafetyState::off; }));
-  falcon.misbehave({});
+  falcon.inject({});
   ASSERT_TRUE(live_until([this] { return input->report().is_readable(); }));
   falcon.unplug();
   ASSERT_TRUE(live_until([this] { return input->report().fault == FalconFault::unplugged; }));

@@ -57,7 +57,7 @@ VirtualLink::Options rehearsal(const InputOptions& options) {
   rehearsal.arm.weight = 0.3;
   rehearsal.arm.friction = 0.04;
   rehearsal.hand.homes_when_asked = true;
-  rehearsal.misbehaviour = options.misbehaviour;
+  rehearsal.injected_fault = options.injected_fault;
   return rehearsal;
 }
 

@@ -51,12 +51,12 @@ void draw_input(const PanelContext& context) {
     row("Goal from", "Who moves the goal of the hand.");
     const std::string_view input = choose("##input", context.loop.inputs, context.session.input);
     if (!input.empty()) context.session.wishes.input = input;
-    if (!context.loop.misbehaviours.empty()) {
+    if (!context.loop.injected_faults.empty()) {
       row("Misbehaves", "What the virtual device does wrong, to see what the program makes of it.");
       const std::string_view wrong =
-          choose("##misbehaviour", context.loop.misbehaviours,
-                 context.session.misbehaviour.empty() ? "none" : context.session.misbehaviour);
-      if (!wrong.empty()) context.session.misbehaviour = wrong;
+          choose("##misbehaviour", context.loop.injected_faults,
+                 context.session.injected_fault.empty() ? "none" : context.session.injected_fault);
+      if (!wrong.empty()) context.session.injected_fault = wrong;
     }
     end_rows();
   }

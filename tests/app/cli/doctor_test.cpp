@@ -106,15 +106,15 @@ TEST(Doctor, RefusesWrongWords) {
 
 // --- In virtual time ---
 
-FalconReport examined(const Misbehaviour& wrong, double wait_s, const FalconOptions& options = {}) {
+FalconReport examined(const InjectedFault& wrong, double wait_s, const FalconOptions& options = {}) {
   VirtualFalconInput falcon(options, wrong, Vector<2>(0.0), 100.0, VirtualLink::Clock::stepped);
   return examine(falcon, wait_s,
                  [&](const FalconReport& report) { EXPECT_EQ(report.motors, (std::array<std::int16_t, 3>{})); });
 }
 
-Misbehaviour misbehaving(std::string_view name) {
-  Misbehaviour wrong;
-  find_misbehaviour(name)->add(wrong);
+InjectedFault fault_named(std::string_view name) {
+  InjectedFault wrong;
+  find_injected_fault(name)->add(wrong);
   return wrong;
 }
 
@@ -129,7 +129,7 @@ TEST(Doctor, VerdictOnAWellDevice) {
 
 TEST(Doctor, VerdictsOnFaults) {
   const auto verdict = [](std::string_view name, double wait_s) {
-    return exit_code_of(examined(misbehaving(name), wait_s), wait_s > 0.0);
+    return exit_code_of(examined(fault_named(name), wait_s), wait_s > 0.0);
   };
   EXPECT_EQ(verdict("absent", 0.0), ExitCode::device_absent);
   EXPECT_EQ(verdict("not-allowed", 0.0), ExitCode::device_refused);

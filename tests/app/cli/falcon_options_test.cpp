@@ -65,21 +65,21 @@ TEST_F(FalconSetUpTest, NothingAskedForAndNothingThere) {
   EXPECT_FALSE(set_up_.read_firmware_file());
   const InputOptions options = set_up_.input_options({});
   EXPECT_EQ(set_up_.cable().id, falcon_usb_id);
-  EXPECT_EQ(options.misbehaviour, Misbehaviour{});
+  EXPECT_EQ(options.injected_fault, InjectedFault{});
   EXPECT_TRUE(options.falcon.firmware.empty());
   EXPECT_TRUE(options.falcon.calibrations.empty());
 }
 
-TEST_F(FalconSetUpTest, TakesAnIdAndMisbehaviours) {
+TEST_F(FalconSetUpTest, TakesAnIdAndInjectedFaults) {
   EXPECT_EQ(parse("--falcon-usb-id 1D50:60fc --misbehave busy,garbage --misbehave never-homes"), "");
   const InputOptions options = set_up_.input_options({});
   EXPECT_EQ(set_up_.cable().id, (UsbId{0x1D50, 0x60FC}));
-  EXPECT_EQ(options.misbehaviour.link, LinkFault::busy);
-  EXPECT_TRUE(options.misbehaviour.garbage);
-  EXPECT_TRUE(options.misbehaviour.never_homes);
+  EXPECT_EQ(options.injected_fault.link, LinkFault::busy);
+  EXPECT_TRUE(options.injected_fault.garbage);
+  EXPECT_TRUE(options.injected_fault.never_homes);
 }
 
-TEST_F(FalconSetUpTest, RefusesWhatIsNoIdAndNoMisbehaviour) {
+TEST_F(FalconSetUpTest, RefusesWhatIsNoIdAndNoInjectedFault) {
   for (const std::string id :
        {"0403", "0403:", ":cb48", "403:cb48", "0403:cb4x", "0403:cb48:1", "0x03:cb48", "-403:cb48", "04030:cb48"}) {
     EXPECT_NE(parse("--falcon-usb-id=" + id).find("is no USB id"), std::string::npos) << id;

@@ -13,7 +13,7 @@
 #include "app/files/falcon_calibration_file.h"
 #include "core/safety.h"
 #include "device/falcon/falcon_report.h"
-#include "device/virtual_falcon/misbehaviour.h"
+#include "device/virtual_falcon/injected_fault.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce {
@@ -46,8 +46,8 @@ TEST_F(FalconDoc, TellsEveryReadinessStep) {
   for (const ReadinessEntry& step : readiness_catalog()) expect_row(doc_, step.title, step.remedy);
 }
 
-TEST_F(FalconDoc, TellsEveryMisbehaviour) {
-  for (const MisbehaviourKind& kind : misbehaviour_catalog()) {
+TEST_F(FalconDoc, TellsEveryInjectedFault) {
+  for (const InjectedFaultKind& kind : injected_fault_catalog()) {
     expect_row(doc_, fmt::format("`{}`", kind.name), kind.sentence);
   }
 }

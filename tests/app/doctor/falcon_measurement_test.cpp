@@ -398,7 +398,7 @@ TEST(FalconMeasurement, LeavesWithOrWithoutAReport) {
 TEST(FalconMeasurement, EndsWhereTheDeviceGoes) {
   MeasuredRehearsal rehearsal;
   rehearsal.person->hook = [](const Deed& deed, VirtualLink& link) {
-    if (deed.kind == Deed::Kind::say_distance) link.misbehave({.link = LinkFault::unplugged});
+    if (deed.kind == Deed::Kind::say_distance) link.inject({.link = LinkFault::unplugged});
   };
   try {
     rehearsal.measure({"Encoders", "Lengths"});

@@ -112,14 +112,14 @@ TEST_F(RehearsalWindow, EscapeTurnsOffAlsoBehindAMenuAndWhileTyping) {
 TEST_F(RehearsalWindow, PullingThePlugIsSaidAndPuttingItInDoesNotArm) {
   turn_on();
   lead_slowly(outside, inside);
-  Misbehaviour unplugged;
+  InjectedFault unplugged;
   unplugged.link = LinkFault::unplugged;
-  virtual_falcon().misbehave(unplugged);
+  virtual_falcon().inject(unplugged);
   frames(1);
   EXPECT_EQ(motors().state, SafetyState::off);
   EXPECT_EQ(motors().reason, OffReason::unplugged);
   EXPECT_TRUE(frames_until(1.0, [&] { return state() == FalconState::fault; }));
-  virtual_falcon().misbehave({});
+  virtual_falcon().inject({});
   lead_slowly(inside, outside);
   EXPECT_TRUE(frames_until(30.0, [&] { return state() == FalconState::idle; }));
   frames(20, ticks);

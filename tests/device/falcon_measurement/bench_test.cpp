@@ -67,12 +67,12 @@ TEST(FalconBench, ALostReplyIsFollowedByZeros) {
   FalconBench bench(*link);
   ASSERT_TRUE(bench.exchange(push));
   // It hears and is not heard.
-  link->misbehave({.reply_delay_ns = 40'000'000});
+  link->inject({.reply_delay_ns = 40'000'000});
   EXPECT_FALSE(bench.exchange(push));
   EXPECT_EQ(link->motors(), MotorNumbers{});
-  link->misbehave({});
+  link->inject({});
   EXPECT_TRUE(bench.exchange(CommandFrame{}));
-  link->misbehave({.link = LinkFault::unplugged});
+  link->inject({.link = LinkFault::unplugged});
   EXPECT_FALSE(bench.exchange(push));
   EXPECT_EQ(bench.fault(), LinkFault::unplugged);
   EXPECT_FALSE(bench.stop());

@@ -245,7 +245,7 @@ TEST(Soak, FalconThatGoesWrong) {
   auto input = std::make_unique<SpoiledFalcon>(of_readings);
   SpoiledFalcon& device = *input;
   Servo servo(std::move(input), command);
-  const std::span<const MisbehaviourKind> faults = misbehaviour_catalog();
+  const std::span<const InjectedFaultKind> faults = injected_fault_catalog();
   std::int64_t pushing = 0;
   int quiet_rounds = 0;  // still to come, in which nobody does anything wrong
   soak(soak_ticks() / 2, [&] {
@@ -258,11 +258,11 @@ TEST(Soak, FalconThatGoesWrong) {
       // Each tick of a slow loop is many exchanges of the device's.
       command.settings.rate = std::clamp(command.settings.rate, 500.0, 4000.0);
       if (random.once_in(4)) {
-        Misbehaviour wrong;
+        InjectedFault wrong;
         for (int i = random.below(3); i > 0; --i) {
           faults[static_cast<std::size_t>(random.below(static_cast<int>(faults.size())))].add(wrong);
         }
-        device.falcon().misbehave(wrong);
+        device.falcon().inject(wrong);
       }
       if (random.once_in(3)) device.spoilt = static_cast<SpoiledFalcon::Spoilt>(random.below(6));
       if (random.once_in(20)) ++command.offs_asked;
@@ -277,7 +277,7 @@ TEST(Soak, FalconThatGoesWrong) {
       if (random.once_in(12)) {
         quiet_rounds = 60;
         device.spoilt = SpoiledFalcon::Spoilt::not_at_all;
-        device.falcon().misbehave({});
+        device.falcon().inject({});
         command.settings = usual;
         command.settings.active = static_cast<StrategyId>(random.below(3));
         ++command.settings_generation;

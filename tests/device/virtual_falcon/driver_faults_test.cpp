@@ -9,9 +9,9 @@
 namespace ghostforce {
 namespace {
 
-Misbehaviour named(const std::string& name) {
-  Misbehaviour wrong;
-  find_misbehaviour(name)->add(wrong);
+InjectedFault named(const std::string& name) {
+  InjectedFault wrong;
+  find_injected_fault(name)->add(wrong);
   return wrong;
 }
 
@@ -46,10 +46,10 @@ class PushingFalcon : public testing::Test {
 TEST_F(PushingFalcon, OneBadReplyIsGotOver) {
   for (const char* name : {"lost-reply", "malformed-reply", "wrong-reply", "encoder-glitch", "line-noise"}) {
     for (int time = 0; time < 5; ++time) {
-      rehearsal.input().misbehave(named(name));
+      rehearsal.input().inject(named(name));
       rehearsal.run(0.2);
       ASSERT_EQ(rehearsal.motors().state, SafetyState::on) << name << entry_of(rehearsal.motors().reason).title;
-      rehearsal.input().misbehave({});
+      rehearsal.input().inject({});
       rehearsal.run(0.05);
     }
     // Nor was a position believed in which the arms have never been.
@@ -63,7 +63,7 @@ TEST_F(PushingFalcon, OneBadReplyIsGotOver) {
 TEST_F(PushingFalcon, NoReplyAtAllIsNoForceSoon) {
   for (const char* name : {"silence", "mute"}) {
     SCOPED_TRACE(name);
-    rehearsal.input().misbehave(named(name));
+    rehearsal.input().inject(named(name));
     const int ms = ms_to_zero(1.0);
     // A device that takes nothing in cannot be told.
     if (std::string(name) == "mute") {
@@ -72,7 +72,7 @@ TEST_F(PushingFalcon, NoReplyAtAllIsNoForceSoon) {
     }
     rehearsal.run(0.1);
     EXPECT_EQ(rehearsal.motors().state, SafetyState::off);
-    rehearsal.input().misbehave({});
+    rehearsal.input().inject({});
     ASSERT_TRUE(rehearsal.run_until_state(FalconState::idle, 60.0));
     EXPECT_EQ(on_the_device(), MotorNumbers{});
     rehearsal.turn_on();
@@ -83,7 +83,7 @@ TEST_F(PushingFalcon, NoReplyAtAllIsNoForceSoon) {
 // The device is well and its encoders are not, for longer than a second: this ends when it ends.
 TEST_F(PushingFalcon, ImpossibleEncodersEndTheForceAndThenTheFault) {
   const std::uint64_t faults = rehearsal.falcon().faults;
-  rehearsal.input().misbehave(named("impossible-encoders"));
+  rehearsal.input().inject(named("impossible-encoders"));
   const int ms = ms_to_zero(1.0);
   EXPECT_GE(ms, 0);
   EXPECT_LE(ms, 25);
@@ -92,7 +92,7 @@ TEST_F(PushingFalcon, ImpossibleEncodersEndTheForceAndThenTheFault) {
   EXPECT_EQ(rehearsal.falcon().fault, FalconFault::kinematics);
   EXPECT_EQ(rehearsal.motors().state, SafetyState::off);
   EXPECT_EQ(rehearsal.falcon().faults, faults + 1) << "one fault, told once";
-  rehearsal.input().misbehave({});
+  rehearsal.input().inject({});
   ASSERT_TRUE(rehearsal.run_until_state(FalconState::idle, 1.0));
   EXPECT_EQ(rehearsal.falcon().fault, FalconFault::none);
   EXPECT_EQ(rehearsal.motors().state, SafetyState::off) << "only a person arms";
@@ -100,31 +100,31 @@ TEST_F(PushingFalcon, ImpossibleEncodersEndTheForceAndThenTheFault) {
 }
 
 TEST_F(PushingFalcon, ImpossibleEncodersAreForgottenWithThePlug) {
-  rehearsal.input().misbehave(named("impossible-encoders"));
+  rehearsal.input().inject(named("impossible-encoders"));
   rehearsal.run(2.0);
-  rehearsal.input().misbehave(named("unplugged"));
+  rehearsal.input().inject(named("unplugged"));
   rehearsal.run(1.0);
   EXPECT_EQ(rehearsal.falcon().fault, FalconFault::unplugged);
-  rehearsal.input().misbehave({});
+  rehearsal.input().inject({});
   ASSERT_TRUE(rehearsal.run_until_state(FalconState::idle, 60.0));
   rehearsal.turn_on();
 }
 
 TEST_F(PushingFalcon, AForgottenHomeEndsTheForceAndIsFoundAgain) {
-  rehearsal.input().misbehave(named("forgets-home"));
+  rehearsal.input().inject(named("forgets-home"));
   const int ms = ms_to_zero(1.0);
   EXPECT_GE(ms, 0);
   EXPECT_LE(ms, 25);
   rehearsal.run(0.1);
   EXPECT_EQ(rehearsal.motors().reason, OffReason::not_homed);
-  rehearsal.input().misbehave({});
+  rehearsal.input().inject({});
   ASSERT_TRUE(rehearsal.run_until_state(FalconState::idle, 60.0));
   rehearsal.turn_on();
 }
 
 // Replies that come twice are no news, and make no reply look fresher.
 TEST_F(PushingFalcon, DuplicatedRepliesChangeNothing) {
-  rehearsal.input().misbehave(named("duplicated-replies"));
+  rehearsal.input().inject(named("duplicated-replies"));
   rehearsal.run(2.0);
   EXPECT_EQ(rehearsal.motors().state, SafetyState::on) << entry_of(rehearsal.motors().reason).title;
   EXPECT_LT(glm::length(rehearsal.motors().handle - rehearsal.tip()), 1e-3);
@@ -133,10 +133,10 @@ TEST_F(PushingFalcon, DuplicatedRepliesChangeNothing) {
 // It was told to stop and cannot have heard: that is said, until it has answered again.
 TEST_F(PushingFalcon, SaysThatItMayStillPush) {
   EXPECT_FALSE(rehearsal.falcon().may_still_push);
-  rehearsal.input().misbehave(named("unplugged"));
+  rehearsal.input().inject(named("unplugged"));
   rehearsal.run(0.5);
   EXPECT_TRUE(rehearsal.falcon().may_still_push);
-  rehearsal.input().misbehave({});
+  rehearsal.input().inject({});
   ASSERT_TRUE(rehearsal.run_until_state(FalconState::idle, 60.0));
   EXPECT_FALSE(rehearsal.falcon().may_still_push);
 }

@@ -17,9 +17,9 @@ TEST(DriverHeap, IsNotTouchedFromTheFirstLookToTheLastFrame) {
     rehearsal.run(1.0);
     ASSERT_EQ(rehearsal.motors().state, SafetyState::on);
   }
-  Misbehaviour misbehaviour;
-  misbehaviour.silence = true;
-  rehearsal.input().misbehave(misbehaviour);
+  InjectedFault injected_fault;
+  injected_fault.silence = true;
+  rehearsal.input().inject(injected_fault);
   rehearsal.run(3.0);
   ASSERT_EQ(rehearsal.motors().state, SafetyState::off);
   rehearsal.input().finish();

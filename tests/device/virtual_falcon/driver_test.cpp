@@ -115,7 +115,7 @@ TEST(FalconDriver, SaysThatThereIsNoFirmwareForIt) {
 }
 
 struct Trouble {
-  const char* misbehaviour;
+  const char* injected_fault;
   FalconFault fault;
 };
 
@@ -129,27 +129,27 @@ TEST(FalconDriver, TellsEveryFaultApart) {
            Trouble{"silence", FalconFault::no_handshake},
            Trouble{"power-lost", FalconFault::no_handshake},
        }) {
-    Misbehaviour misbehaviour;
-    find_misbehaviour(trouble.misbehaviour)->add(misbehaviour);
-    Rehearsal rehearsal(misbehaviour);
+    InjectedFault injected_fault;
+    find_injected_fault(trouble.injected_fault)->add(injected_fault);
+    Rehearsal rehearsal(injected_fault);
     EXPECT_TRUE(rehearsal.run_until(300.0, [&] { return rehearsal.falcon().state == FalconState::fault; }))
-        << trouble.misbehaviour;
-    EXPECT_EQ(rehearsal.falcon().fault, trouble.fault) << trouble.misbehaviour;
+        << trouble.injected_fault;
+    EXPECT_EQ(rehearsal.falcon().fault, trouble.fault) << trouble.injected_fault;
     // And once it behaves, it is had without a restart of the program.
-    rehearsal.input().misbehave({});
-    EXPECT_TRUE(rehearsal.run_until_state(FalconState::idle, 60.0)) << trouble.misbehaviour;
-    EXPECT_EQ(rehearsal.falcon().fault, FalconFault::none) << trouble.misbehaviour;
+    rehearsal.input().inject({});
+    EXPECT_TRUE(rehearsal.run_until_state(FalconState::idle, 60.0)) << trouble.injected_fault;
+    EXPECT_EQ(rehearsal.falcon().fault, FalconFault::none) << trouble.injected_fault;
   }
 }
 
 TEST(FalconDriver, LooksUntilTheDeviceIsPluggedIn) {
-  Misbehaviour absent;
+  InjectedFault absent;
   absent.link = LinkFault::absent;
   Rehearsal rehearsal(absent);
   rehearsal.run(5.0);
   EXPECT_EQ(rehearsal.falcon().state, FalconState::absent);
   EXPECT_EQ(rehearsal.falcon().faults, 0U);
-  rehearsal.input().misbehave({});
+  rehearsal.input().inject({});
   EXPECT_TRUE(rehearsal.run_until_state(FalconState::opening, 1.0));
 }
 
@@ -157,9 +157,9 @@ TEST(FalconDriver, LooksUntilTheDeviceIsPluggedIn) {
 TEST(FalconDriver, GetsOverWhatRealDevicesDo) {
   for (const char* name : {"lost-first-replies", "leading-00", "leading-13", "no-cts", "corrupted-echo", "lost-echo",
                            "split-packets", "joined-packets", "short-frames", "garbage", "late-5ms"}) {
-    Misbehaviour misbehaviour;
-    find_misbehaviour(name)->add(misbehaviour);
-    Rehearsal rehearsal(misbehaviour);
+    InjectedFault injected_fault;
+    find_injected_fault(name)->add(injected_fault);
+    Rehearsal rehearsal(injected_fault);
     EXPECT_TRUE(rehearsal.run_until_state(FalconState::idle, 120.0)) << name;
     rehearsal.run(1.0);
     EXPECT_EQ(rehearsal.falcon().state, FalconState::idle) << name;
@@ -169,21 +169,21 @@ TEST(FalconDriver, GetsOverWhatRealDevicesDo) {
 }
 
 TEST(FalconDriver, WaitsForAHandThatDoesNotHome) {
-  Misbehaviour misbehaviour;
-  find_misbehaviour("never-homes")->add(misbehaviour);
-  Rehearsal rehearsal(misbehaviour);
+  InjectedFault injected_fault;
+  find_injected_fault("never-homes")->add(injected_fault);
+  Rehearsal rehearsal(injected_fault);
   EXPECT_FALSE(rehearsal.run_until_state(FalconState::idle, 30.0));
   EXPECT_EQ(rehearsal.falcon().state, FalconState::homing);
   EXPECT_EQ(rehearsal.falcon().motors, MotorNumbers{});
 }
 
 TEST(FalconDriver, FrozenEncodersKeepItFromBeingArmed) {
-  Misbehaviour misbehaviour;
-  Rehearsal rehearsal(misbehaviour);
+  InjectedFault injected_fault;
+  Rehearsal rehearsal(injected_fault);
   ASSERT_TRUE(rehearsal.run_until_state(FalconState::homing));
   ASSERT_TRUE(rehearsal.run_until(20.0, [&] { return rehearsal.falcon().is_homed(); }));
-  find_misbehaviour("frozen-encoders")->add(misbehaviour);
-  rehearsal.input().misbehave(misbehaviour);
+  find_injected_fault("frozen-encoders")->add(injected_fault);
+  rehearsal.input().inject(injected_fault);
   rehearsal.run(2.0);
   ++rehearsal.command().arms_asked;
   rehearsal.run(3.0);
@@ -195,7 +195,7 @@ TEST(FalconDriver, FrozenEncodersKeepItFromBeingArmed) {
 // While it pushes: what ends the force, how soon, and that nothing brings it back by itself.
 TEST(FalconDriver, EveryLossEndsTheForceAndStaysOff) {
   struct Loss {
-    const char* misbehaviour;
+    const char* injected_fault;
     OffReason reason;
     double within_s;  // that the servo knows
   };
@@ -206,22 +206,22 @@ TEST(FalconDriver, EveryLossEndsTheForceAndStaysOff) {
     rehearsal.turn_on();
     rehearsal.input().move_to({0.02, -0.02}, 0.5);
     rehearsal.run(1.5);
-    ASSERT_GT(glm::length(rehearsal.motors().sent), 0.5) << loss.misbehaviour;
-    Misbehaviour misbehaviour;
-    find_misbehaviour(loss.misbehaviour)->add(misbehaviour);
-    rehearsal.input().misbehave(misbehaviour);
+    ASSERT_GT(glm::length(rehearsal.motors().sent), 0.5) << loss.injected_fault;
+    InjectedFault injected_fault;
+    find_injected_fault(loss.injected_fault)->add(injected_fault);
+    rehearsal.input().inject(injected_fault);
     EXPECT_TRUE(rehearsal.run_until(loss.within_s, [&] { return rehearsal.motors().state != SafetyState::on; }))
-        << loss.misbehaviour;
+        << loss.injected_fault;
     rehearsal.run(2.0);
-    EXPECT_EQ(rehearsal.motors().state, SafetyState::off) << loss.misbehaviour;
-    EXPECT_EQ(rehearsal.motors().reason, loss.reason) << loss.misbehaviour;
-    EXPECT_EQ(rehearsal.motors().sent, Vector<2>(0.0)) << loss.misbehaviour;
-    rehearsal.input().misbehave({});
+    EXPECT_EQ(rehearsal.motors().state, SafetyState::off) << loss.injected_fault;
+    EXPECT_EQ(rehearsal.motors().reason, loss.reason) << loss.injected_fault;
+    EXPECT_EQ(rehearsal.motors().sent, Vector<2>(0.0)) << loss.injected_fault;
+    rehearsal.input().inject({});
     rehearsal.input().move_to(Rehearsal::free_place, 0.1);
-    EXPECT_TRUE(rehearsal.run_until_state(FalconState::idle, 60.0)) << loss.misbehaviour;
+    EXPECT_TRUE(rehearsal.run_until_state(FalconState::idle, 60.0)) << loss.injected_fault;
     rehearsal.run(3.0);
-    EXPECT_EQ(rehearsal.motors().state, SafetyState::off) << loss.misbehaviour;
-    EXPECT_EQ(rehearsal.input().link().motors(), MotorNumbers{}) << loss.misbehaviour;
+    EXPECT_EQ(rehearsal.motors().state, SafetyState::off) << loss.injected_fault;
+    EXPECT_EQ(rehearsal.input().link().motors(), MotorNumbers{}) << loss.injected_fault;
     rehearsal.turn_on();  // by a person it can be
   }
 }
@@ -233,11 +233,11 @@ TEST(FalconDriver, RepliesThatCreepLateEndTheForceToo) {
   rehearsal.turn_on();
   rehearsal.input().move_to({0.02, -0.02}, 0.5);
   rehearsal.run(1.5);
-  Misbehaviour late;
+  InjectedFault late;
   std::int64_t off_at_ms = 0;
   for (std::int64_t ms = 0; ms < 60 && off_at_ms == 0; ++ms) {
     late.reply_delay_ns = ms * 1'000'000;
-    rehearsal.input().misbehave(late);
+    rehearsal.input().inject(late);
     rehearsal.run(0.3);
     if (rehearsal.motors().state == SafetyState::off) off_at_ms = ms;
   }
@@ -247,7 +247,7 @@ TEST(FalconDriver, RepliesThatCreepLateEndTheForceToo) {
   // Nor can it be armed so.
   for (const std::int64_t ms : {26, 30, 48, 55}) {
     late.reply_delay_ns = ms * 1'000'000;
-    rehearsal.input().misbehave(late);
+    rehearsal.input().inject(late);
     rehearsal.input().move_to(Rehearsal::free_place, 0.5);
     rehearsal.run(3.0);
     ++rehearsal.command().acknowledgements;
@@ -267,12 +267,12 @@ TEST(FalconDriver, MotorsNeverGetWhatTheyShouldNotWhateverHappensOnTheWay) {
   int off_ticks = 0;
   for (int i = 0; i < 200'000; ++i) {
     if (random() % 500 == 0) {
-      Misbehaviour wrong;
-      const auto kinds = misbehaviour_catalog();
+      InjectedFault wrong;
+      const auto kinds = injected_fault_catalog();
       kinds[random() % kinds.size()].add(wrong);
-      rehearsal.input().misbehave(wrong);
+      rehearsal.input().inject(wrong);
     }
-    if (random() % 300 == 0) rehearsal.input().misbehave({});
+    if (random() % 300 == 0) rehearsal.input().inject({});
     if (random() % 200 == 0) {
       rehearsal.input().move_to(
           {1e-4 * static_cast<double>(random() % 600) - 0.03, 1e-4 * static_cast<double>(random() % 600) - 0.03}, 0.3);

@@ -11,7 +11,7 @@
 
 #include "device/falcon/falcon_link.h"
 #include "device/falcon/frame.h"
-#include "device/virtual_falcon/misbehaviour.h"
+#include "device/virtual_falcon/injected_fault.h"
 
 namespace ghostforce {
 
@@ -25,9 +25,9 @@ inline constexpr VendorRequest run_baud{0x03, 0x0002, 0};
 inline constexpr VendorRequest latency_1{0x09, 1, 0};
 inline constexpr VendorRequest latency_16{0x09, 16, 0};
 
-inline Misbehaviour misbehaviour(std::string_view name) {
-  Misbehaviour wrong;
-  find_misbehaviour(name)->add(wrong);
+inline InjectedFault injected_fault(std::string_view name) {
+  InjectedFault wrong;
+  find_injected_fault(name)->add(wrong);
   return wrong;
 }
 

@@ -24,10 +24,10 @@ inline Settings rehearsal_settings() {
 
 class Rehearsal {
  public:
-  explicit Rehearsal(const Misbehaviour& misbehaviour = {}, FalconOptions options = {}) {
+  explicit Rehearsal(const InjectedFault& injected_fault = {}, FalconOptions options = {}) {
     command_.settings = rehearsal_settings();
     command_.restart_state = state_at_start(free_place);
-    auto input = std::make_unique<VirtualFalconInput>(std::move(options), misbehaviour, Vector<2>(0.0), 100.0,
+    auto input = std::make_unique<VirtualFalconInput>(std::move(options), injected_fault, Vector<2>(0.0), 100.0,
                                                       VirtualFalconInput::Clock::stepped);
     input_ = input.get();
     servo_ = std::make_unique<Servo>(std::move(input), command_);

@@ -27,7 +27,7 @@ bool device_pushes(Rehearsal& rehearsal) {
 }
 
 void expect_return(Rehearsal& rehearsal, bool is_off) {
-  rehearsal.input().misbehave({});
+  rehearsal.input().inject({});
   rehearsal.input().move_to(Rehearsal::free_place, 0.1);
   EXPECT_TRUE(rehearsal.run_until(60.0, [&] { return rehearsal.falcon().is_readable(); }));
   rehearsal.run(3.0);
@@ -43,7 +43,7 @@ class LastingReplyFaultTest : public testing::TestWithParam<std::string_view> {}
 TEST_P(LastingReplyFaultTest, EndsTheForceAndComesBack) {
   Rehearsal rehearsal;
   ASSERT_NO_FATAL_FAILURE(push(rehearsal));
-  rehearsal.input().misbehave(misbehaviour(GetParam()));
+  rehearsal.input().inject(injected_fault(GetParam()));
   EXPECT_TRUE(rehearsal.run_until(longest_hold_s, [&] { return !device_pushes(rehearsal); }));
   // Long enough for each of the driver's times-out.
   for (int i = 0; i < 2000; ++i) {
@@ -71,7 +71,7 @@ class PassingReplyFaultTest : public testing::TestWithParam<std::string_view> {}
 TEST_P(PassingReplyFaultTest, IsGotOverOrEndsTheForce) {
   Rehearsal rehearsal;
   ASSERT_NO_FATAL_FAILURE(push(rehearsal));
-  rehearsal.input().misbehave(misbehaviour(GetParam()));
+  rehearsal.input().inject(injected_fault(GetParam()));
   const auto frames = [&] { return rehearsal.input().link().device().frames(); };
   std::uint64_t seen = frames();
   double held_s = 0.0;

@@ -29,15 +29,15 @@ TEST(VirtualLinkHeap, IsNotTouchedFromOpeningToUnplugging) {
   EXPECT_EQ(reply->status, ReplyFrame::homed);
 }
 
-TEST(VirtualLinkHeap, IsNotTouchedByAnyMisbehaviour) {
-  for (const MisbehaviourKind& kind : misbehaviour_catalog()) {
+TEST(VirtualLinkHeap, IsNotTouchedByAnyInjectedFault) {
+  for (const InjectedFaultKind& kind : injected_fault_catalog()) {
     SCOPED_TRACE(kind.name);
     const std::vector<std::uint8_t> firmware = practice_firmware();
-    const Misbehaviour wrong = misbehaviour(kind.name);
+    const InjectedFault wrong = injected_fault(kind.name);
     VirtualLink link({.clock = VirtualLink::Clock::stepped});
     HeapGuard guard;
     link.open();
-    link.misbehave(wrong);
+    link.inject(wrong);
     load_firmware(link, firmware);
     begin_run_time(link);
     for (int i = 0; i < 50; ++i) exchange(link, {});

@@ -34,12 +34,12 @@ TEST(VirtualLink, CannotBeOpenedWhereSomethingIsInTheWay) {
   for (const auto& [name, fault] :
        {std::pair{"absent", LinkFault::absent}, std::pair{"unplugged", LinkFault::absent},
         std::pair{"not-allowed", LinkFault::not_allowed}, std::pair{"busy", LinkFault::busy}}) {
-    link.misbehave(misbehaviour(name));
+    link.inject(injected_fault(name));
     EXPECT_EQ(link.open(), fault) << name;
     EXPECT_EQ(link.fault(), fault) << name;
     EXPECT_FALSE(link.request(run_baud)) << name;
   }
-  link.misbehave({});
+  link.inject({});
   EXPECT_EQ(link.open(), LinkFault::none);
 }
 
@@ -107,7 +107,7 @@ TEST(VirtualLink, AnUnpluggedCableEndsItAndItCanBeOpenedAgain) {
   begin_run_time(link);
   ASSERT_TRUE(exchange(link, {}));
   ASSERT_TRUE(link.write(encode(CommandFrame{{900, 900, 900}, 0})));
-  link.misbehave(misbehaviour("unplugged"));
+  link.inject(injected_fault("unplugged"));
   const std::int64_t start = link.now_ns();
   link.wait_until(start + 1000 * ms);
   EXPECT_EQ(link.now_ns(), start);
@@ -121,7 +121,7 @@ TEST(VirtualLink, AnUnpluggedCableEndsItAndItCanBeOpenedAgain) {
   link.close();
   EXPECT_EQ(link.fault(), LinkFault::unplugged);
   EXPECT_EQ(link.open(), LinkFault::absent);
-  link.misbehave({});
+  link.inject({});
   EXPECT_EQ(link.open(), LinkFault::none);
   EXPECT_EQ(link.counters().bytes_out, 0U);
   // It has its current from the cable.

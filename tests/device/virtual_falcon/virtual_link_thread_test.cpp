@@ -20,8 +20,8 @@ TEST(VirtualLinkThread, FaultsAndTheHandComeFromOtherThreads) {
   std::thread faults([&] {
     while (!is_over) {
       for (const char* name : {"late-5ms", "garbage", "short-frames", "split-packets"}) {
-        link.misbehave(misbehaviour(name));
-        link.misbehave({});
+        link.inject(injected_fault(name));
+        link.inject({});
       }
     }
   });
@@ -35,7 +35,7 @@ TEST(VirtualLinkThread, FaultsAndTheHandComeFromOtherThreads) {
   faults.join();
   mouse.join();
   EXPECT_GT(answered, 500);
-  link.misbehave({});
+  link.inject({});
   link.wait_until(link.now_ns() + 50 * ms);
   EXPECT_TRUE(exchange(link, {}));
 }

@@ -1,5 +1,5 @@
 // The far end of the cable with each of its faults.
-#include "device/virtual_falcon/misbehaviour.h"
+#include "device/virtual_falcon/injected_fault.h"
 
 #include <array>
 #include <cstdint>
@@ -15,28 +15,28 @@
 namespace ghostforce {
 namespace {
 
-TEST(Misbehaviour, HasOneNameEachAndDoesSomething) {
-  for (const MisbehaviourKind& kind : misbehaviour_catalog()) {
-    EXPECT_EQ(find_misbehaviour(kind.name), &kind);
-    EXPECT_NE(misbehaviour(kind.name), Misbehaviour{}) << kind.name;
+TEST(InjectedFault, HasOneNameEachAndDoesSomething) {
+  for (const InjectedFaultKind& kind : injected_fault_catalog()) {
+    EXPECT_EQ(find_injected_fault(kind.name), &kind);
+    EXPECT_NE(injected_fault(kind.name), InjectedFault{}) << kind.name;
     EXPECT_TRUE(kind.sentence.ends_with('.')) << kind.name;
   }
-  EXPECT_EQ(find_misbehaviour("nonsense"), nullptr);
+  EXPECT_EQ(find_injected_fault("nonsense"), nullptr);
 }
 
-TEST(Misbehaviour, FirstAnswersAreLost) {
+TEST(InjectedFault, FirstAnswersAreLost) {
   Host host;
-  host.dsp.misbehave(misbehaviour("lost-first-replies"));
+  host.dsp.inject(injected_fault("lost-first-replies"));
   host.begin_hand_shake();
   for (int i = 0; i < 3; ++i) EXPECT_TRUE(host.ask().empty());
   EXPECT_EQ(host.ask(), answer);
 }
 
-TEST(Misbehaviour, BytesComeBeforeTheAnswers) {
+TEST(InjectedFault, BytesComeBeforeTheAnswers) {
   Host host;
-  Misbehaviour both = misbehaviour("leading-00");
-  find_misbehaviour("leading-13")->add(both);
-  host.dsp.misbehave(both);
+  InjectedFault both = injected_fault("leading-00");
+  find_injected_fault("leading-13")->add(both);
+  host.dsp.inject(both);
   host.begin_hand_shake();
   EXPECT_EQ(host.ask(), (Bytes{0x00, 0x0A, 0x44, 0x2C, 0x0D}));
   host.request(dtr_low);
@@ -46,9 +46,9 @@ TEST(Misbehaviour, BytesComeBeforeTheAnswers) {
   EXPECT_EQ(host.upload(practice_firmware()), practice_firmware());
 }
 
-TEST(Misbehaviour, NeverClearToSend) {
+TEST(InjectedFault, NeverClearToSend) {
   Host host;
-  host.dsp.misbehave(misbehaviour("no-cts"));
+  host.dsp.inject(injected_fault("no-cts"));
   host.begin_upload();
   host.listen(200 * ms);
   EXPECT_EQ(host.status, 0x01);
@@ -62,7 +62,7 @@ Bytes echo_of(Host& host) {
   return host.upload(practice_firmware());
 }
 
-TEST(Misbehaviour, TheEchoIsWrong) {
+TEST(InjectedFault, TheEchoIsWrong) {
   const Bytes firmware = practice_firmware();
   Bytes changed = firmware;
   changed[44] ^= 0x04U;
@@ -70,22 +70,22 @@ TEST(Misbehaviour, TheEchoIsWrong) {
   shorter.erase(shorter.begin() + 44);
 
   Host once;
-  once.dsp.misbehave(misbehaviour("corrupted-echo"));
+  once.dsp.inject(injected_fault("corrupted-echo"));
   EXPECT_EQ(echo_of(once), changed);
   EXPECT_EQ(echo_of(once), firmware);
 
   Host always;
-  always.dsp.misbehave(misbehaviour("always-corrupted-echo"));
+  always.dsp.inject(injected_fault("always-corrupted-echo"));
   EXPECT_EQ(echo_of(always), changed);
   EXPECT_EQ(echo_of(always), changed);
 
   Host lost;
-  lost.dsp.misbehave(misbehaviour("lost-echo"));
+  lost.dsp.inject(injected_fault("lost-echo"));
   EXPECT_EQ(echo_of(lost), shorter);
   EXPECT_EQ(echo_of(lost), firmware);
 
   Host stops;
-  stops.dsp.misbehave(misbehaviour("upload-stops"));
+  stops.dsp.inject(injected_fault("upload-stops"));
   EXPECT_EQ(echo_of(stops), Bytes(firmware.begin(), firmware.begin() + 100));
   EXPECT_FALSE(stops.dsp.runs_firmware());
 }
@@ -94,11 +94,11 @@ Host running(std::string_view fault) {
   Host host({.starts_with_firmware = true, .starts_homed = true});
   host.run();
   host.listen(10 * ms);
-  host.dsp.misbehave(misbehaviour(fault));
+  host.dsp.inject(injected_fault(fault));
   return host;
 }
 
-TEST(Misbehaviour, PacketsAreSplitOrJoined) {
+TEST(InjectedFault, PacketsAreSplitOrJoined) {
   Host split = running("split-packets");
   split.largest = 0;
   for (int i = 0; i < 10; ++i) EXPECT_TRUE(split.exchange({}));
@@ -116,7 +116,7 @@ TEST(Misbehaviour, PacketsAreSplitOrJoined) {
   EXPECT_EQ(joined.reader.discarded_bytes(), 0U);
 }
 
-TEST(Misbehaviour, FramesAreShortOrHaveGarbageBetween) {
+TEST(InjectedFault, FramesAreShortOrHaveGarbageBetween) {
   Host shorter = running("short-frames");
   int good = 0;
   for (int i = 0; i < 40; ++i) good += shorter.exchange({}) ? 1 : 0;
@@ -128,41 +128,41 @@ TEST(Misbehaviour, FramesAreShortOrHaveGarbageBetween) {
   EXPECT_EQ(garbage.reader.discarded_bytes(), 40U * 5U);
 }
 
-TEST(Misbehaviour, SilenceCanEnd) {
+TEST(InjectedFault, SilenceCanEnd) {
   Host host = running("silence");
   EXPECT_FALSE(host.exchange({}, 100 * ms));
   EXPECT_EQ(host.line_status, 0x60);
-  host.dsp.misbehave({});
+  host.dsp.inject({});
   EXPECT_TRUE(host.exchange({}));
 }
 
-TEST(Misbehaviour, EncodersFreeze) {
+TEST(InjectedFault, EncodersFreeze) {
   Host host({.starts_with_firmware = true, .starts_homed = true});
   host.run();
   host.dsp.set_encoders({1, 2, 3});
   host.exchange({});
-  host.dsp.misbehave(misbehaviour("frozen-encoders"));
+  host.dsp.inject(injected_fault("frozen-encoders"));
   host.dsp.set_encoders({100, 200, 300});
   EXPECT_EQ(host.exchange({})->encoders, (std::array<std::int16_t, 3>{1, 2, 3}));
 }
 
-TEST(Misbehaviour, AnswersComeLate) {
+TEST(InjectedFault, AnswersComeLate) {
   Host host = running("late-5ms");
   EXPECT_FALSE(host.exchange({}, 5 * ms));
   EXPECT_TRUE(host.reader.take(host.listen(2 * ms)));
-  host.dsp.misbehave(misbehaviour("late-50ms"));
+  host.dsp.inject(injected_fault("late-50ms"));
   EXPECT_FALSE(host.exchange({}, 50 * ms));
   EXPECT_TRUE(host.reader.take(host.listen(2 * ms)));
 }
 
-TEST(Misbehaviour, AnswersComeLaterAndLater) {
+TEST(InjectedFault, AnswersComeLaterAndLater) {
   Host host = running("late-creeping");
   for (int i = 0; i < 30; ++i) EXPECT_TRUE(host.exchange({})) << i;
   // The one after forty comes 4.1 ms late, and more for the way.
   for (int i = 30; i < 40; ++i) host.exchange({});
   EXPECT_FALSE(host.exchange({}, 4 * ms));
   EXPECT_TRUE(host.reader.take(host.listen(2 * ms)));
-  host.dsp.misbehave({});
+  host.dsp.inject({});
   EXPECT_TRUE(host.exchange({}, 2 * ms));
 }
 
@@ -174,30 +174,30 @@ std::vector<int> lost_of_forty(std::string_view fault) {
     if (!host.exchange({{}, CommandFrame::blue})) lost.push_back(i);
   }
   EXPECT_EQ(host.dsp.lights(), CommandFrame::blue) << "all are obeyed";
-  host.dsp.misbehave({});
+  host.dsp.inject({});
   EXPECT_TRUE(host.exchange({}));
   return lost;
 }
 
-TEST(Misbehaviour, AnswersAreLost) {
+TEST(InjectedFault, AnswersAreLost) {
   EXPECT_EQ(lost_of_forty("lost-reply"), (std::vector{1}));
   EXPECT_EQ(lost_of_forty("lost-replies"), (std::vector{10, 20, 30, 40}));
   EXPECT_EQ(lost_of_forty("mute").size(), 40U);
   EXPECT_EQ(lost_of_forty("malformed-reply"), (std::vector{1})) << "it is no frame";
 }
 
-TEST(Misbehaviour, OneAnswerIsLostEachTimeItIsAskedFor) {
+TEST(InjectedFault, OneAnswerIsLostEachTimeItIsAskedFor) {
   Host host = running("lost-reply");
   for (int i = 0; i < 3; ++i) {
     EXPECT_FALSE(host.exchange({}));
     EXPECT_TRUE(host.exchange({}));
-    host.dsp.misbehave({});
+    host.dsp.inject({});
     EXPECT_TRUE(host.exchange({}));
-    host.dsp.misbehave(misbehaviour("lost-reply"));
+    host.dsp.inject(injected_fault("lost-reply"));
   }
 }
 
-TEST(Misbehaviour, AnswersTellOfAnotherPlace) {
+TEST(InjectedFault, AnswersTellOfAnotherPlace) {
   using Encoders = std::array<std::int16_t, 3>;
   const auto asked = [](Host& host) { return host.exchange({})->encoders; };
 
@@ -213,24 +213,24 @@ TEST(Misbehaviour, AnswersTellOfAnotherPlace) {
 
   Host impossible = running("impossible-encoders");
   for (int i = 0; i < 100; ++i) EXPECT_GT(std::abs(asked(impossible)[0]), 10'000);
-  impossible.dsp.misbehave({});
+  impossible.dsp.inject({});
   EXPECT_EQ(asked(impossible), (Encoders{0, 0, 0}));
 }
 
-TEST(Misbehaviour, AnswersComeTwice) {
+TEST(InjectedFault, AnswersComeTwice) {
   Host host = running("duplicated-replies");
   for (int i = 0; i < 10; ++i) EXPECT_TRUE(host.exchange({}));
   EXPECT_EQ(host.reader.frames(), 2U * 10U);
   EXPECT_EQ(host.reader.discarded_bytes(), 0U);
 }
 
-TEST(Misbehaviour, NoiseComesOnce) {
+TEST(InjectedFault, NoiseComesOnce) {
   Host host = running("line-noise");
   for (int i = 0; i < 10; ++i) EXPECT_TRUE(host.exchange({})) << i;
   EXPECT_EQ(host.reader.discarded_bytes(), 100U);
 }
 
-TEST(Misbehaviour, HomeIsForgottenAndFoundAgain) {
+TEST(InjectedFault, HomeIsForgottenAndFoundAgain) {
   Host host = running("forgets-home");
   EXPECT_EQ(host.exchange({})->status, 0);
   EXPECT_TRUE(host.dsp.runs_firmware());
@@ -239,27 +239,27 @@ TEST(Misbehaviour, HomeIsForgottenAndFoundAgain) {
   EXPECT_EQ(host.exchange({})->status, ReplyFrame::homed);
 }
 
-TEST(Misbehaviour, NeverHomes) {
+TEST(InjectedFault, NeverHomes) {
   Host host({.starts_with_firmware = true});
   host.run();
-  host.dsp.misbehave(misbehaviour("never-homes"));
+  host.dsp.inject(injected_fault("never-homes"));
   host.dsp.set_encoders({-1400, -1400, -1400});
   for (int i = 0; i < 50; ++i) EXPECT_EQ(host.exchange({{}, CommandFrame::homing})->status, 0);
 }
 
-TEST(Misbehaviour, WithoutPowerAllIsForgotten) {
+TEST(InjectedFault, WithoutPowerAllIsForgotten) {
   Host host = running("power-lost");
   EXPECT_FALSE(host.exchange({}));
   host.begin_hand_shake();
   EXPECT_TRUE(host.ask().empty());
-  host.dsp.misbehave({});
+  host.dsp.inject({});
   EXPECT_FALSE(host.dsp.runs_firmware());
   EXPECT_EQ(host.dsp.homed(), 0);
   EXPECT_EQ(echo_of(host), practice_firmware());
   EXPECT_TRUE(host.dsp.runs_firmware());
 }
 
-TEST(Misbehaviour, PowerBlinks) {
+TEST(InjectedFault, PowerBlinks) {
   Host host = running("power-blink");
   EXPECT_FALSE(host.exchange({}));
   EXPECT_FALSE(host.dsp.runs_firmware());

@@ -1,7 +1,7 @@
-// Misbehaviour: what the virtual Falcon is asked to do wrong, and the catalog of the faults that a person may ask for
+// InjectedFault: what the virtual Falcon is asked to do wrong, and the catalog of the faults that a person may ask for
 // by name, alone or together. Each has been seen on real devices, or would be the worst place for a driver to stumble.
 // A trivially copyable value: it may change while the device runs. A new fault is a member here, one row in
-// misbehaviour.cpp, and the place in the device that obeys it. Immutable after start, any thread.
+// injected_fault.cpp, and the place in the device that obeys it. Immutable after start, any thread.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +28,7 @@ enum class ReplyFault : std::uint8_t {
 };
 
 // As it is made: none.
-struct Misbehaviour {
+struct InjectedFault {
   // The link: not_allowed and busy keep it from opening; absent and unplugged do too, and end one that is open. A
   // device off the cable has no current either.
   LinkFault link = LinkFault::none;
@@ -66,18 +66,18 @@ struct Misbehaviour {
   bool power_lost = false;
   bool power_blinks = false;  // once, when the fault is asked for: forgets as well, and is there again
 
-  friend bool operator==(const Misbehaviour&, const Misbehaviour&) = default;
+  friend bool operator==(const InjectedFault&, const InjectedFault&) = default;
 };
 
-struct MisbehaviourKind {
+struct InjectedFaultKind {
   std::string_view name;      // on the command line
   std::string_view sentence;  // what it does, for a person
-  void (*add)(Misbehaviour&) noexcept;
+  void (*add)(InjectedFault&) noexcept;
 };
 
-std::span<const MisbehaviourKind> misbehaviour_catalog() noexcept;
+std::span<const InjectedFaultKind> injected_fault_catalog() noexcept;
 
 // Null when no fault has that name.
-const MisbehaviourKind* find_misbehaviour(std::string_view name) noexcept;
+const InjectedFaultKind* find_injected_fault(std::string_view name) noexcept;
 
 }  // namespace ghostforce

@@ -1,7 +1,7 @@
-// UsbMisbehaviour: what the emulated USB device is asked to do wrong, and the catalog of the faults that tests ask for
+// UsbFault: what the emulated USB device is asked to do wrong, and the catalog of the faults that tests ask for
 // by name, alone or together. They are those that the USB specification and the kernel's usbfs know: an endpoint
 // stalls, halts, answers NAK or garbles its packets; the control endpoint is slow or refuses a request; the device
-// goes. What the serial line and the processor behind it do wrong is Misbehaviour's.
+// goes. What the serial line and the processor behind it do wrong is InjectedFault's.
 // A trivially copyable value; its catalog is immutable after start, any thread. Times in ms.
 #pragma once
 
@@ -26,7 +26,7 @@ struct EndpointFaults {
 };
 
 // As it is made: none.
-struct UsbMisbehaviour {
+struct UsbFault {
   static constexpr int no_request = -1;
 
   EndpointFaults in;
@@ -41,18 +41,18 @@ struct UsbMisbehaviour {
 
   bool is_unplugged = false;
 
-  friend bool operator==(const UsbMisbehaviour&, const UsbMisbehaviour&) = default;
+  friend bool operator==(const UsbFault&, const UsbFault&) = default;
 };
 
-struct UsbMisbehaviourKind {
+struct UsbFaultKind {
   std::string_view name;
   std::string_view sentence;  // what it does, for a person
-  void (*add)(UsbMisbehaviour&) noexcept;
+  void (*add)(UsbFault&) noexcept;
 };
 
-std::span<const UsbMisbehaviourKind> usb_misbehaviour_catalog() noexcept;
+std::span<const UsbFaultKind> usb_fault_catalog() noexcept;
 
 // Throws when no fault has that name.
-UsbMisbehaviour usb_misbehaviour(std::string_view name);
+UsbFault usb_fault(std::string_view name);
 
 }  // namespace ghostforce
