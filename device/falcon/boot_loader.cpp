@@ -8,7 +8,7 @@
 namespace ghostforce {
 namespace {
 
-using Step = ConversationStep;
+using Step = LinkScriptStep;
 
 // The pause around the edge of DTR is not in any description; the edge is what starts the boot loader, and a chip that
 // is asked twice within a microsecond may not show it.
@@ -23,16 +23,16 @@ constexpr std::array set_up{
     ask(ftdi::no_flow_control),
     ask(ftdi::request_to_send_low),
     ask(ftdi::data_terminal_ready_low),
-    Step{.kind = Step::Kind::settle, .duration_ms = edge_ms},
+    Step{.kind = Step::Kind::wait, .duration_ms = edge_ms},
     ask(ftdi::data_terminal_ready_high),
-    Step{.kind = Step::Kind::settle, .duration_ms = edge_ms},
+    Step{.kind = Step::Kind::wait, .duration_ms = edge_ms},
 };
 
 // Said once and then listened for: whoever calls again at once finds the answers to two calls in a heap.
 constexpr std::array handshake{
-    Step{.kind = Step::Kind::forget},
-    Step{.kind = Step::Kind::say, .bytes = "\nC\r"},
-    Step{.kind = Step::Kind::hear, .bytes = "\nD,\r", .duration_ms = 200},
+    Step{.kind = Step::Kind::flush},
+    Step{.kind = Step::Kind::send, .bytes = "\nC\r"},
+    Step{.kind = Step::Kind::expect, .bytes = "\nD,\r", .duration_ms = 200},
 };
 
 constexpr std::array baud{
@@ -40,10 +40,10 @@ constexpr std::array baud{
     ask(ftdi::upload_rate),
     // Some devices raise CTS when they are ready for the new rate.
     Step{.kind = Step::Kind::await_clear_to_send, .duration_ms = 100},
-    Step{.kind = Step::Kind::forget},
-    Step{.kind = Step::Kind::say, .bytes = "A"},
+    Step{.kind = Step::Kind::flush},
+    Step{.kind = Step::Kind::send, .bytes = "A"},
     // Some devices say 0x13 before it.
-    Step{.kind = Step::Kind::hear, .bytes = "A", .duration_ms = 500},
+    Step{.kind = Step::Kind::expect, .bytes = "A", .duration_ms = 500},
 };
 
 }  // namespace
@@ -54,9 +54,9 @@ BootLoader::BootLoader(std::span<const std::uint8_t> firmware) noexcept : firmwa
 
 void BootLoader::enter(Stage stage) noexcept {
   stage_ = stage;
-  if (stage == Stage::set_up) conversation_ = Conversation(set_up);
-  if (stage == Stage::handshake) conversation_ = Conversation(handshake);
-  if (stage == Stage::baud) conversation_ = Conversation(baud);
+  if (stage == Stage::set_up) link_script_ = LinkScript(set_up);
+  if (stage == Stage::handshake) link_script_ = LinkScript(handshake);
+  if (stage == Stage::baud) link_script_ = LinkScript(baud);
 }
 
 Progress BootLoader::fail(BootFault fault) noexcept {
@@ -69,7 +69,7 @@ Progress BootLoader::attend(FalconLink& link) noexcept {
   if (stage_ == Stage::done) return Progress::done;
   if (stage_ == Stage::failed) return Progress::failed;
   if (stage_ == Stage::upload) return upload(link);
-  switch (conversation_.attend(link)) {
+  switch (link_script_.attend(link)) {
     case Progress::running:
       break;
     case Progress::done:

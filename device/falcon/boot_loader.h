@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <span>
 
-#include "device/falcon/conversation.h"
+#include "device/falcon/link_script.h"
 
 namespace ghostforce {
 
@@ -45,7 +45,7 @@ class BootLoader {
 
   std::span<const std::uint8_t> firmware_;
   Stage stage_ = Stage::set_up;
-  Conversation conversation_;
+  LinkScript link_script_;
   int handshakes_left_ = handshakes;
   std::size_t sent_ = 0;
   std::size_t echoed_ = 0;

@@ -24,24 +24,20 @@ constexpr double least_reach = 40.0;      // [counts]
 constexpr double greatest_reach = 250.0;  // less than what a wrong digit of the third place makes [counts]
 constexpr double rate_window_s = 0.5;
 
-using Step = ConversationStep;
+using Step = LinkScriptStep;
 
 // DTR and RTS are left as they are: a device that runs may take their edge for a reset.
 constexpr std::array run_time{
-    ask(ftdi::latency(1)),
-    ask(ftdi::running_rate),
-    ask(ftdi::eight_bits_no_parity_one_stop),
-    ask(ftdi::no_flow_control),
-    ask(ftdi::forget_received),
-    ask(ftdi::forget_unsent),
-    Step{.kind = Step::Kind::forget},
+    ask(ftdi::latency(1)),           ask(ftdi::running_rate),    ask(ftdi::eight_bits_no_parity_one_stop),
+    ask(ftdi::no_flow_control),      ask(ftdi::forget_received), ask(ftdi::forget_unsent),
+    Step{.kind = Step::Kind::flush},
 };
 
 constexpr std::array purge{
-    Step{.kind = Step::Kind::settle, .duration_ms = Falcon::forget_ms},
+    Step{.kind = Step::Kind::wait, .duration_ms = Falcon::flush_ms},
     ask(ftdi::forget_received),
     ask(ftdi::forget_unsent),
-    Step{.kind = Step::Kind::forget},
+    Step{.kind = Step::Kind::flush},
 };
 
 FalconFault fault_of(LinkFault fault) noexcept {
@@ -166,7 +162,7 @@ void Falcon::opened(LinkFault fault) noexcept {
   report_.lost_exchanges = 0;
   report_.state = attempt_ == 0 ? FalconState::opening : FalconState::loading_firmware;
   may_have_firmware_ = attempt_ == 0;
-  conversation_ = Conversation(run_time);
+  link_script_ = LinkScript(run_time);
   phase_ = Phase::configuring;
   if (!may_have_firmware_) {
     boot_loader_ = BootLoader(options_.firmware);
@@ -175,7 +171,7 @@ void Falcon::opened(LinkFault fault) noexcept {
 }
 
 void Falcon::configure() noexcept {
-  const Progress progress = conversation_.attend(link());
+  const Progress progress = link_script_.attend(link());
   if (progress == Progress::running) return;
   if (progress == Progress::failed) return end(FalconFault::broken);
   questions_left_ = has_answered_ ? patient_questions : first_questions;
@@ -205,7 +201,7 @@ void Falcon::ask() noexcept {
     return;
   }
   if (!may_have_firmware_) return try_loading_again(FalconFault::firmware_silent);
-  if (conversation_.was_refused()) return end(FalconFault::broken);
+  if (link_script_.was_refused()) return end(FalconFault::broken);
   if (link().counters().packets_in == packets_before_) return end(FalconFault::no_replies);
   has_answered_ = false;
   report_.has_firmware = false;
@@ -224,7 +220,7 @@ void Falcon::load() noexcept {
   report_.bytes_echoed = static_cast<std::uint32_t>(boot_loader_.bytes_echoed());
   if (progress == Progress::failed) return try_loading_again(fault_of(boot_loader_.fault()));
   if (progress == Progress::running) return;
-  conversation_ = Conversation(run_time);
+  link_script_ = LinkScript(run_time);
   phase_ = Phase::configuring;
 }
 
@@ -285,7 +281,7 @@ void Falcon::exchange() noexcept {
   if (is_purging_) {
     follow_stop();
     if (link().owes_stop() && !link().is_sending()) stop_motors();
-    is_purging_ = conversation_.attend(link()) == Progress::running;
+    is_purging_ = link_script_.attend(link()) == Progress::running;
     if (is_purging_) return;
     reader_.reset();
     replies_.reset();
@@ -298,7 +294,7 @@ void Falcon::exchange() noexcept {
     window_worst_s_ = std::max(window_worst_s_, since(asked_ns_));
     command_.motors = {};
     stop_motors();
-    conversation_ = Conversation(purge);
+    link_script_ = LinkScript(purge);
     is_purging_ = true;
   } else if (replies_.may_ask_again(now_ns)) {
     if (send_command()) ++report_.lost_exchanges;

@@ -18,12 +18,12 @@
 
 #include "device/falcon/boot_loader.h"
 #include "device/falcon/calibration.h"
-#include "device/falcon/conversation.h"
 #include "device/falcon/falcon_link.h"
 #include "device/falcon/falcon_report.h"
 #include "device/falcon/frame.h"
 #include "device/falcon/kinematics.h"
 #include "device/falcon/link_opener.h"
+#include "device/falcon/link_script.h"
 #include "device/falcon/reply_matcher.h"
 
 namespace ghostforce {
@@ -43,7 +43,7 @@ class Falcon {
   // Without a reply: motors are told to stop. Replies that come later still must never look fresh.
   static constexpr double stop_s = 0.020;
   // After that: replies to commands that were given up may still come, and are thrown away for so long.
-  static constexpr int forget_ms = 60;
+  static constexpr int flush_ms = 60;
   static constexpr double give_up_s = 1.0;        // without a reply
   static constexpr double keep_alive_s = 0.003;   // after a reply, if nobody commands anything
   static constexpr double first_reply_s = 0.020;  // of a device that may have firmware
@@ -115,7 +115,7 @@ class Falcon {
   double pause_s_ = 0.0;  // until the next look
   int attempt_ = 0;       // to load the firmware
   bool may_have_firmware_ = true;
-  Conversation conversation_;
+  LinkScript link_script_;
   BootLoader boot_loader_;
   int questions_left_ = 0;
   bool has_answered_ = false;         // since it was plugged in

@@ -14,7 +14,7 @@ constexpr std::int64_t ns_of(double seconds) noexcept {
 }
 
 // After this, replies to what was given up no longer come.
-constexpr double forget_s = 1e-3 * Falcon::forget_ms;
+constexpr double flush_s = 1e-3 * Falcon::flush_ms;
 
 }  // namespace
 
@@ -28,7 +28,7 @@ void FalconBench::wait_until(std::int64_t deadline_ns) noexcept {
 }
 
 void FalconBench::forget_replies() noexcept {
-  wait_until(link_.now_ns() + ns_of(forget_s));
+  wait_until(link_.now_ns() + ns_of(flush_s));
   std::array<std::uint8_t, 64> bytes;
   while (link_.read(bytes) > 0) {
   }

@@ -1,4 +1,4 @@
-// Conversation: what is said to the chip and what it must answer, as a table of steps that are gone through one after
+// LinkScript: what is said to the chip and what it must answer, as a table of steps that are gone through one after
 // another, without ever waiting: attend() does what can be done now. Trivial to make; the tables must outlive it. The
 // driver's thread; never allocates or throws.
 #pragma once
@@ -12,14 +12,14 @@
 
 namespace ghostforce {
 
-struct ConversationStep {
+struct LinkScriptStep {
   enum class Kind : std::uint8_t {
     request,              // the chip is asked for something
-    say,                  // `bytes` go out
-    hear,                 // `bytes` must come within `duration_ms`, whatever comes before them
-    settle,               // `duration_ms` pass
+    send,                 // `bytes` go out
+    expect,               // `bytes` must come within `duration_ms`, whatever comes before them
+    wait,                 // `duration_ms` pass
     await_clear_to_send,  // until the other side raises CTS, but `duration_ms` at most: not all devices do
-    forget,               // what has come so far is thrown away
+    flush,                // what has come so far is thrown away
   };
 
   Kind kind;
@@ -28,16 +28,16 @@ struct ConversationStep {
   int duration_ms = 0;
 };
 
-constexpr ConversationStep ask(const VendorRequest& request) noexcept {
-  return {.kind = ConversationStep::Kind::request, .asked = request};
+constexpr LinkScriptStep ask(const VendorRequest& request) noexcept {
+  return {.kind = LinkScriptStep::Kind::request, .asked = request};
 }
 
 enum class Progress : std::uint8_t { running, done, failed };
 
-class Conversation {
+class LinkScript {
  public:
-  Conversation() = default;
-  explicit Conversation(std::span<const ConversationStep> steps) noexcept : steps_(steps) {}
+  LinkScript() = default;
+  explicit LinkScript(std::span<const LinkScriptStep> steps) noexcept : steps_(steps) {}
 
   // A request that the chip refuses or does not answer is asked this often.
   static constexpr int request_attempts = 3;
@@ -49,17 +49,17 @@ class Conversation {
   bool was_refused() const noexcept { return was_refused_; }
 
  private:
-  Progress pursue(const ConversationStep& step, FalconLink& link) noexcept;
+  Progress pursue(const LinkScriptStep& step, FalconLink& link) noexcept;
   Progress pursue_request(const FalconLink& link) noexcept;
-  bool hears(std::string_view bytes, FalconLink& link) noexcept;
+  bool receives(std::string_view bytes, FalconLink& link) noexcept;
 
-  std::span<const ConversationStep> steps_;
+  std::span<const LinkScriptStep> steps_;
   std::size_t at_ = 0;
   bool has_begun_ = false;  // the step
   int attempts_ = 0;        // at a request
   bool was_refused_ = false;
   std::int64_t began_ns_ = 0;  // the step
-  std::size_t heard_ = 0;      // of its bytes
+  std::size_t received_ = 0;   // of its bytes
 };
 
 }  // namespace ghostforce
