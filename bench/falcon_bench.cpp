@@ -68,7 +68,7 @@ void exchange(Results& results, const std::string& what, std::unique_ptr<FalconL
   const auto until = [&](auto is_so) {
     const std::int64_t deadline_ns = falcon.link().now_ns() + 5'000'000'000;
     while (!is_so() && falcon.link().now_ns() < deadline_ns) {
-      falcon.attend();
+      falcon.update();
       if (!is_so()) falcon.wait_until(falcon.link().now_ns() + 1'000'000);
     }
     if (!is_so()) throw std::runtime_error(what + ": no exchange");
@@ -164,13 +164,13 @@ double ns_per_tick(int ticks, const Work& work) {
   return static_cast<double>(clock_ns(CLOCK_THREAD_CPUTIME_ID) - began_ns) / ticks;
 }
 
-void wake(Results& results) {
+void servo_step(Results& results) {
   Sample sample;
   Servo with_mouse(std::make_unique<MouseInput>(), first_command());
-  results.add("Servo::wake with a mouse", "processor",
+  results.add("Servo::step with a mouse", "processor",
               ns_per_tick(200'000,
                           [&] {
-                            with_mouse.wake();
+                            with_mouse.step();
                             with_mouse.take_sample(sample);
                           }),
               "ns");
@@ -179,7 +179,7 @@ void wake(Results& results) {
   rehearsal.input().move_to({0.01, -0.01}, 0.3);
   rehearsal.run(1.0);
   if (rehearsal.motors().state != SafetyState::on) throw std::runtime_error("the rehearsal's motors went off");
-  results.add("Servo::wake armed with a stepped virtual Falcon", "processor",
+  results.add("Servo::step armed with a stepped virtual Falcon", "processor",
               ns_per_tick(20'000,
                           [&] {
                             rehearsal.step();
@@ -222,7 +222,7 @@ void measure() {
         std::make_unique<VirtualFalconInput>(FalconOptions{}, InjectedFault{}, Vector<2>(0.0), 100.0),
         std::chrono::seconds(6));
   simulation(results);
-  wake(results);
+  servo_step(results);
   results.print();
 }
 

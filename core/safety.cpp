@@ -90,7 +90,7 @@ void Safety::turn_off(OffReason reason) noexcept {
   }
 }
 
-void Safety::attend(const SafetyReading& reading, const SafetyOptions& options, double elapsed_s) noexcept {
+void Safety::update(const SafetyReading& reading, const SafetyOptions& options, double elapsed_s) noexcept {
   const double step_s = elapsed_s > 0.0 ? elapsed_s : 0.0;  // NaN: nothing has passed
   const bool arm_asked = std::exchange(arm_asked_, false);
   if (state_ == SafetyState::off && arm_asked && reason_ == OffReason::none) state_ = SafetyState::arming;

@@ -93,14 +93,14 @@ class Safety {
   static constexpr double longest_exchange_s = 0.020;
   static constexpr double longest_window_s = 0.500;
 
-  // A person's, heeded at the next attend(). arm() has no effect while a reason waits to be acknowledged.
+  // A person's, heeded at the next update(). arm() has no effect while a reason waits to be acknowledged.
   void arm() noexcept { arm_asked_ = true; }
   void acknowledge() noexcept;
 
   // Has an effect in every state but OFF. The first reason stays.
   void turn_off(OffReason reason) noexcept;
 
-  void attend(const SafetyReading& reading, const SafetyOptions& options, double elapsed_s) noexcept;
+  void update(const SafetyReading& reading, const SafetyOptions& options, double elapsed_s) noexcept;
 
   SafetyState state() const noexcept { return state_; }
   OffReason reason() const noexcept { return reason_; }           // in FADE and OFF

@@ -65,11 +65,11 @@ Progress BootLoader::fail(BootFault fault) noexcept {
   return Progress::failed;
 }
 
-Progress BootLoader::attend(FalconLink& link) noexcept {
+Progress BootLoader::update(FalconLink& link) noexcept {
   if (stage_ == Stage::done) return Progress::done;
   if (stage_ == Stage::failed) return Progress::failed;
   if (stage_ == Stage::upload) return upload(link);
-  switch (link_script_.attend(link)) {
+  switch (link_script_.update(link)) {
     case Progress::running:
       break;
     case Progress::done:

@@ -2,7 +2,7 @@
 // echoes every byte; that echo is the only proof that it arrived. One attempt takes 3 s; the first one after power-up
 // often fails, as everybody who has written such a driver has found, so that the driver tries again.
 //
-// attend() does what can be done now and never waits, allocates or throws. The driver's thread.
+// update() does what can be done now and never waits, allocates or throws. The driver's thread.
 #pragma once
 
 #include <cstddef>
@@ -31,7 +31,7 @@ class BootLoader {
   // A validated image (firmware_file.h), which must outlive the loader.
   explicit BootLoader(std::span<const std::uint8_t> firmware) noexcept;
 
-  Progress attend(FalconLink& link) noexcept;
+  Progress update(FalconLink& link) noexcept;
 
   BootFault fault() const noexcept { return fault_; }
   std::size_t bytes_echoed() const noexcept { return echoed_; }  // of the firmware; where a fault occurred

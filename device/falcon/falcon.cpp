@@ -106,7 +106,7 @@ double Falcon::since(std::int64_t then_ns) const noexcept {
   return static_cast<double>(link().now_ns() - then_ns) * 1e-9;
 }
 
-void Falcon::attend() noexcept {
+void Falcon::update() noexcept {
   if (opener_.is_busy()) return;
   if (phase_ == Phase::pausing) {
     follow_stop();
@@ -171,7 +171,7 @@ void Falcon::opened(LinkFault fault) noexcept {
 }
 
 void Falcon::configure() noexcept {
-  const Progress progress = link_script_.attend(link());
+  const Progress progress = link_script_.update(link());
   if (progress == Progress::running) return;
   if (progress == Progress::failed) return end(FalconFault::broken);
   questions_left_ = has_answered_ ? patient_questions : first_questions;
@@ -216,7 +216,7 @@ void Falcon::ask() noexcept {
 }
 
 void Falcon::load() noexcept {
-  const Progress progress = boot_loader_.attend(link());
+  const Progress progress = boot_loader_.update(link());
   report_.bytes_echoed = static_cast<std::uint32_t>(boot_loader_.bytes_echoed());
   if (progress == Progress::failed) return try_loading_again(fault_of(boot_loader_.fault()));
   if (progress == Progress::running) return;
@@ -281,7 +281,7 @@ void Falcon::exchange() noexcept {
   if (is_purging_) {
     follow_stop();
     if (link().owes_stop() && !link().is_sending()) stop_motors();
-    is_purging_ = link_script_.attend(link()) == Progress::running;
+    is_purging_ = link_script_.update(link()) == Progress::running;
     if (is_purging_) return;
     reader_.reset();
     replies_.reset();

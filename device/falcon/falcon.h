@@ -3,7 +3,7 @@
 // it again when it was lost. Frame: x right, y up, z out of the device towards the user, from the middle of its base;
 // m and N.
 //
-// One thread. attend() does what can be done now: it never waits, throws or allocates. What takes a while, opening and
+// One thread. update() does what can be done now: it never waits, throws or allocates. What takes a while, opening and
 // closing, is done by a thread of its own (link_opener.h).
 //
 // A reply that is lost or garbled is asked for again after 6 ms, and for up to 18 ms no new force goes out
@@ -56,7 +56,7 @@ class Falcon {
   Falcon(const Falcon&) = delete;
   Falcon& operator=(const Falcon&) = delete;
 
-  void attend() noexcept;
+  void update() noexcept;
 
   // What the motors are to do, from now until the next call: force on the hand [N]. Goes out at once if the device has
   // answered the last command, else as soon as it does. Heeded in idle and active only.

@@ -58,7 +58,7 @@ Vector<2> FalconInput::goal(std::int64_t /*tick*/, double rate) noexcept {
 
 void FalconInput::wait_until(std::int64_t deadline_ns) noexcept {
   for (;;) {
-    falcon_.attend();
+    falcon_.update();
     const std::int64_t now = now_ns();
     const bool is_worth_waiting = falcon_.is_waiting_for_reply() && now < deadline_ns + patience_ns;
     if (now >= deadline_ns && !is_worth_waiting) return;

@@ -15,7 +15,7 @@ void flush(FalconLink& link) noexcept {
 
 }  // namespace
 
-Progress LinkScript::attend(FalconLink& link) noexcept {
+Progress LinkScript::update(FalconLink& link) noexcept {
   while (at_ < steps_.size()) {
     const LinkScriptStep& step = steps_[at_];
     if (!has_begun_) {

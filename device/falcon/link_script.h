@@ -1,5 +1,5 @@
 // LinkScript: what is said to the chip and what it must answer, as a table of steps that are gone through one after
-// another, without ever waiting: attend() does what can be done now. Trivial to make; the tables must outlive it. The
+// another, without ever waiting: update() does what can be done now. Trivial to make; the tables must outlive it. The
 // driver's thread; never allocates or throws.
 #pragma once
 
@@ -43,7 +43,7 @@ class LinkScript {
   static constexpr int request_attempts = 3;
 
   // failed: an answer did not come, to a request least of all. The fault of a link is the caller's to look at.
-  Progress attend(FalconLink& link) noexcept;
+  Progress update(FalconLink& link) noexcept;
 
   // The chip has refused a request, each time that it was asked; the rest has been gone through without it.
   bool was_refused() const noexcept { return was_refused_; }

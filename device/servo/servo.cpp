@@ -57,7 +57,7 @@ Servo::Servo(std::unique_ptr<Input> input, const ServoCommand& initial)
     throw std::invalid_argument("a servo cannot start with settings, a speed or a state out of range");
   }
   update_coefficients();
-  if (device_ != nullptr) heart_beat_ns_ = attended_ns_ = device_->now_ns();
+  if (device_ != nullptr) heart_beat_ns_ = updated_ns_ = device_->now_ns();
   report_.motors.has_motors = device_ != nullptr;
   report_.settings_generation = initial.settings_generation;
   restart_from(initial.restart_state, initial.restarts_asked);
@@ -89,15 +89,15 @@ void Servo::run() noexcept {
   pthread_setname_np(pthread_self(), "servo");
   report_.realtime = request_realtime();
 
-  constexpr auto attention_ns = static_cast<std::int64_t>(attention_period_s * 1e9);
+  constexpr auto command_ns = static_cast<std::int64_t>(command_period_s * 1e9);
   std::int64_t now = monotonic_ns();
   Pacer pacer(now, period_s());
   HybridSleep sleep(pacer.period_ns());
   latency_histogram_ = {};
   while (!stopping_.load(std::memory_order_relaxed)) {
     const std::int64_t deadline = pacer.deadline_ns();
-    const bool heeds_first = is_idle() || deadline > now + attention_ns;
-    const std::int64_t until = heeds_first ? now + attention_ns : deadline;
+    const bool heeds_first = is_idle() || deadline > now + command_ns;
+    const std::int64_t until = heeds_first ? now + command_ns : deadline;
     if (device_ != nullptr) {
       device_->wait_until(until);
       now = monotonic_ns();
@@ -115,7 +115,7 @@ void Servo::run() noexcept {
     report_.loop.rate_hz = pacer.rate_hz();
     report_.loop.late_ticks = pacer.late_ticks();
     report_.loop.worst_late_s = pacer.worst_late_s();
-    attend(tick_is_due);
+    update(tick_is_due);
     pacer.set_period(period_s(), now);
     sleep.set_period(pacer.period_ns());
   }
@@ -124,13 +124,13 @@ void Servo::run() noexcept {
   device_->finish();
 }
 
-void Servo::wake() noexcept {
+void Servo::step() noexcept {
   if (device_ != nullptr) device_->wait_until(device_->now_ns() + std::llround(period_s() * 1e9));
-  attend(true);
+  update(true);
 }
 
-void Servo::attend(bool tick_is_due) noexcept {
-  if (commands_.has_news()) take_command(commands_.latest());
+void Servo::update(bool tick_is_due) noexcept {
+  if (commands_.has_news()) apply_command(commands_.latest());
   if (device_ != nullptr) {
     watch_handle();
     limit_force();
@@ -183,7 +183,7 @@ void Servo::watch_handle() noexcept {
   const auto since = [now](std::int64_t then) { return static_cast<double>(now - then) * 1e-9; };
   handle_ = device_->read();
   const bool is_outside = handle_.is_known && depth(coefficients_.wall, handle_.position) <= 0.0;
-  safety_.attend({.trouble = handle_.trouble,
+  safety_.update({.trouble = handle_.trouble,
                   .device_is_ready = handle_.is_ready && handle_.is_known,
                   .loop_is_healthy = handle_.is_healthy,
                   .since_exchange_s = since(handle_.time_ns),
@@ -193,7 +193,7 @@ void Servo::watch_handle() noexcept {
                   .is_outside_wall = is_outside,
                   .speed = handle_.speed,
                   .wanted_force = glm::length(force_at(handle_.position))},
-                 safety_options_, since(attended_ns_));
+                 safety_options_, since(updated_ns_));
   if (safety_.is_armed() != coefficients_are_for_motors_) update_coefficients();
   report_.motors.handle = handle_.position;
   report_.motors.is_handle_known = handle_.is_known;
@@ -205,7 +205,7 @@ void Servo::watch_handle() noexcept {
 
 void Servo::limit_force() noexcept {
   const std::int64_t now = device_->now_ns();
-  const double elapsed_s = static_cast<double>(now - std::exchange(attended_ns_, now)) * 1e-9;
+  const double elapsed_s = static_cast<double>(now - std::exchange(updated_ns_, now)) * 1e-9;
   MotorReport& motors = report_.motors;
   motors.limit = safety_options_.force_limit / device_->force_uncertainty();
   ForceLimiter::Result result;
@@ -246,7 +246,7 @@ void Servo::update_coefficients() noexcept {
   comes_on ? limiter_.reset() : limiter_.cross_fade();
 }
 
-void Servo::take_command(const ServoCommand& command) noexcept {
+void Servo::apply_command(const ServoCommand& command) noexcept {
   bool is_refused = false;
   if (command.settings_generation != seen_generation_) {
     seen_generation_ = command.settings_generation;
@@ -269,7 +269,7 @@ void Servo::take_command(const ServoCommand& command) noexcept {
   } else {
     is_refused = true;
   }
-  if (device_ != nullptr) heed_person(command);
+  if (device_ != nullptr) apply_operator(command);
   recording_ = command.recording;
   paused_ = command.paused;
   steps_wanted_ = command.steps_asked;
@@ -277,7 +277,7 @@ void Servo::take_command(const ServoCommand& command) noexcept {
   if (is_refused) ++report_.refused_commands;
 }
 
-void Servo::heed_person(const ServoCommand& command) noexcept {
+void Servo::apply_operator(const ServoCommand& command) noexcept {
   has_focus_ = command.has_focus;
   if (command.safety != safety_options_ && is_usable(command.safety)) {
     safety_options_ = command.safety;

@@ -2,7 +2,7 @@
 //
 // It and the window exchange whole values, each with one writer and one reader: the newest command goes in, the newest
 // report and every tick's sample come out. On its thread our code never allocates, locks, logs, throws, opens files or
-// frees. It starts no sooner than start() is called; tests call wake() by hand instead and need no time to pass. With
+// frees. It starts no sooner than start() is called; tests call step() by hand instead and need no time to pass. With
 // real-time priority it spins through what is left before a deadline (hybrid_sleep.h); a device paces it instead.
 // SI units. Functions without a word about threads belong to the UI thread.
 #pragma once
@@ -98,7 +98,7 @@ class Servo {
   // Ticks never come faster than this [s]; a speed that asks for more gets this.
   static constexpr double shortest_period_s = 1.0 / rate_range.greatest;
   // However slow the ticks, and while paused, commands are heeded this often [s].
-  static constexpr double attention_period_s = 0.005;
+  static constexpr double command_period_s = 0.005;
 
   // The first run starts from initial.restart_state. Throws std::invalid_argument if `initial` is out of range.
   Servo(std::unique_ptr<Input> input, const ServoCommand& initial);
@@ -108,7 +108,7 @@ class Servo {
 
   // Starts the thread, which asks for real-time conditions first (ServoReport::realtime). Throws std::system_error.
   void start();
-  // Returns when the thread has ended, within attention_period_s. start() may follow.
+  // Returns when the thread has ended, within command_period_s. start() may follow.
   void stop() noexcept;
 
   void send(const ServoCommand& command) noexcept { commands_.publish(command); }
@@ -131,19 +131,19 @@ class Servo {
   //
   // An input with motors: its handle is read, and the motors get what the active strategy wants and the safety chain
   // leaves of it. While they are armed the handle is the device, and neither pause nor slow motion stops its time.
-  void wake() noexcept;
+  void step() noexcept;
 
  private:
   using SampleRing = Ring<Sample, sample_capacity>;
 
   void run() noexcept;
-  void attend(bool tick_is_due) noexcept;
+  void update(bool tick_is_due) noexcept;
   void watch_handle() noexcept;
   void limit_force() noexcept;
   void drive_motors() noexcept;
-  void heed_person(const ServoCommand& command) noexcept;
+  void apply_operator(const ServoCommand& command) noexcept;
   void update_coefficients() noexcept;
-  void take_command(const ServoCommand& command) noexcept;
+  void apply_command(const ServoCommand& command) noexcept;
   void restart_from(const TickState<2>& state, std::uint32_t restarts) noexcept;
   void publish_sample() noexcept;
   bool put_sample(double loop_s, SampleRing& ring) const noexcept;
@@ -196,7 +196,7 @@ class Servo {
   std::uint32_t seen_acknowledgements_;
   std::uint32_t seen_heart_beats_;
   std::int64_t heart_beat_ns_ = 0;
-  std::int64_t attended_ns_ = 0;
+  std::int64_t updated_ns_ = 0;
   std::int64_t measured_ns_ = 0;  // of the newest reading that a tick has measured the device by
 };
 

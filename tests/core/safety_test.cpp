@@ -21,7 +21,7 @@ SafetyReading good_reading() {
 class SafetyTest : public testing::Test {
  protected:
   void run(double seconds) {
-    for (double t = 0.0; t < seconds - 0.5 * dt; t += dt) safety_.attend(reading_, options_, dt);
+    for (double t = 0.0; t < seconds - 0.5 * dt; t += dt) safety_.update(reading_, options_, dt);
   }
   void turn_on() {
     safety_.arm();
@@ -198,7 +198,7 @@ TEST_F(SafetyTest, NumbersThatAreNoneTurnItOff) {
 TEST_F(SafetyTest, TimeThatStandsStillOrRunsBackwardsDoesNotRaiseTheForce) {
   safety_.arm();
   for (const double elapsed : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
-    for (int i = 0; i < 2000; ++i) safety_.attend(reading_, options_, elapsed);
+    for (int i = 0; i < 2000; ++i) safety_.update(reading_, options_, elapsed);
     EXPECT_EQ(safety_.gain(), 0.0);
   }
 }
@@ -225,7 +225,7 @@ TEST_F(SafetyTest, NeverPushesUnaskedOrAgainstAReason) {
     if (dice == 200) safety_.turn_off(OffReason::key);
     if (dice == 201) options_.needs_button = !options_.needs_button;
     const double before = safety_.gain();
-    safety_.attend(reading_, options_, dt);
+    safety_.update(reading_, options_, dt);
     ASSERT_GE(safety_.gain(), 0.0);
     ASSERT_LE(safety_.gain(), 1.0);
     if (!asked) {

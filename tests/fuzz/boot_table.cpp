@@ -31,7 +31,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Progress progress = Progress::running;
   const std::int64_t latest_ns = link.now_ns() + 60'000'000'000;
   while (progress == Progress::running && link.now_ns() < latest_ns) {
-    progress = loader.attend(link);
+    progress = loader.update(link);
     link.wait_until(link.now_ns() + 10'000'000);
   }
   require(progress == Progress::done && loader.bytes_echoed() == size, "the device echoes every byte");

@@ -54,7 +54,7 @@ void await_homed(Falcon& falcon, Operator& person) {
   FalconState told = FalconState::absent;
   for (;;) {
     stop_if_interrupted();
-    falcon.attend();
+    falcon.update();
     const FalconReport& report = falcon.report();
     if (report.is_readable()) return;
     const double waited_s = static_cast<double>(now_ns() - began_ns) * 1e-9;

@@ -54,7 +54,7 @@ void expect_right(const SimulatedArm::Options& arm, const FalconCalibration& cal
   const auto go_on = [&](double seconds, const Vector<3>& force, bool is_armed) {
     for (const std::int64_t end_ns = link.now_ns() + static_cast<std::int64_t>(seconds * 1e9);
          link.now_ns() < end_ns;) {
-      falcon.attend();
+      falcon.update();
       falcon.push(force, is_armed);
       link.wait_until(link.now_ns() + 1'000'000);
     }

@@ -49,7 +49,7 @@ TEST_F(ApplicationTest, APausedWindowHasNewsWhenTheServoHas) {
   frames(5);
   ASSERT_TRUE(application_->is_idle());
   application_->beat();
-  for (int i = 0; i < 100; ++i) application_->servo().wake();
+  for (int i = 0; i < 100; ++i) application_->servo().step();
   EXPECT_FALSE(application_->has_news());
 
   ServoCommand command;
@@ -57,7 +57,7 @@ TEST_F(ApplicationTest, APausedWindowHasNewsWhenTheServoHas) {
   command.speed = -1.0;
   application_->servo().send(command);
   EXPECT_FALSE(application_->has_news()) << "not seen yet";
-  application_->servo().wake();
+  application_->servo().step();
   ASSERT_EQ(application_->servo().newest().refused_commands, application_->report().refused_commands + 1);
   EXPECT_TRUE(application_->has_news());
   application_->frame(frame_s);
@@ -66,7 +66,7 @@ TEST_F(ApplicationTest, APausedWindowHasNewsWhenTheServoHas) {
   command.speed = 1.0;
   ++command.steps_asked;
   application_->servo().send(command);
-  application_->servo().wake();
+  application_->servo().step();
   EXPECT_TRUE(application_->has_news()) << "another tick";
   application_->frame(frame_s);
   EXPECT_FALSE(application_->has_news());

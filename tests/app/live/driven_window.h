@@ -52,7 +52,7 @@ class DrivenWindow : public testing::Test {
   // A frame of the window and the ticks that the servo makes meanwhile.
   void frames(int count, int ticks_per_frame = 16) {
     for (int i = 0; i < count; ++i) {
-      for (int k = 0; k < ticks_per_frame; ++k) application_->servo().wake();
+      for (int k = 0; k < ticks_per_frame; ++k) application_->servo().step();
       application_->frame(frame_s);
     }
   }

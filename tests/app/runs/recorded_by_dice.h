@@ -97,7 +97,7 @@ inline std::string recorded_by_dice(unsigned seed, int rounds, int gap_every = 0
     settings = as_in_file(settings);
     ++command.settings_generation;
     servo.send(command);
-    for (int k = 0; k < 16; ++k) servo.wake();
+    for (int k = 0; k < 16; ++k) servo.step();
     if (gap_every > 0 && round % gap_every == gap_every - 1) {
       Sample lost;
       servo.take_record(lost);

@@ -42,7 +42,7 @@ struct Stepped {
     servo = std::make_unique<Servo>(std::make_unique<ScriptedInput>(scene.goal), command);
   }
   void step(int ticks) {
-    for (int k = 0; k < ticks; ++k) servo->wake();
+    for (int k = 0; k < ticks; ++k) servo->step();
   }
 };
 

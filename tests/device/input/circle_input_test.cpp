@@ -50,7 +50,7 @@ TEST(CircleInputTest, LeadsAServoRoundInContact) {
   const Circle inside = circle_inside(wall_of(scene.settings), scene.goal.points.back(), {});
   Servo servo(std::make_unique<CircleInput>(inside), command);
   for (int k = 0; k < 5000; ++k) {
-    servo.wake();
+    servo.step();
     if (k < 100) continue;
     for (const auto& strategy : servo.newest().snapshot.strategies) ASSERT_TRUE(strategy.in_contact) << k;
   }

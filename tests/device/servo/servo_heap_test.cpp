@@ -41,7 +41,7 @@ TEST(ServoHeap, IsNotTouchedByAnyInputOrStrategy) {
           if (round % 3000 == 2999) ++command.restarts_asked;
           command.recording = round < 11'000 ? 1 : 0;
           servo.send(command);
-          servo.wake();
+          servo.step();
           if (servo.newest().snapshot.strategies[index_of(strategy.id)].in_contact) ++contacts;
         }
         for (Sample sample; servo.take_sample(sample);) {
@@ -71,19 +71,19 @@ TEST(ServoHeap, IsNotTouchedByWhatIsRefusedOrUnstable) {
   {
     HeapGuard guard;
     mouse.move_to({0.04, -0.04}, 0.1);
-    for (int round = 0; round < 1000; ++round) servo.wake();
+    for (int round = 0; round < 1000; ++round) servo.step();
     mouse.move_to({NAN, 0.0}, 0.1);
     command.settings = unstable;
     ++command.settings_generation;
     servo.send(command);
-    for (int round = 0; round < 1000; ++round) servo.wake();
+    for (int round = 0; round < 1000; ++round) servo.step();
     command.settings.rate = 0.0;
     ++command.settings_generation;
     command.speed = std::numeric_limits<double>::quiet_NaN();
     command.restart_state.goal.x = std::numeric_limits<double>::quiet_NaN();
     ++command.restarts_asked;
     servo.send(command);
-    servo.wake();
+    servo.step();
   }
   EXPECT_TRUE(servo.newest().diverged);
   EXPECT_EQ(servo.newest().refused_commands, 1U);

@@ -61,13 +61,13 @@ TEST(Servo, RefusesHostileSettingsAsAWhole) {
   for (const Hostile& hostile : hostile_settings) {
     SCOPED_TRACE(hostile.what);
     Servo servo(script_of(scene), good);
-    wake(servo, 600);
+    step(servo, 600);
     ServoCommand bad = good;
     bad.settings.stiffnesses.k_r = 5.0;  // must not come through either
     hostile.spoil(bad);
     bad.settings_generation = 1;
     servo.send(bad);
-    wake(servo, 401);
+    step(servo, 401);
     EXPECT_EQ(servo.newest().refused_commands, 1U);
     EXPECT_EQ(servo.newest().settings_generation, 0U);
     simulate(scene, 1000, [&](const Snapshot& wanted) {
@@ -77,7 +77,7 @@ TEST(Servo, RefusesHostileSettingsAsAWhole) {
     ServoCommand again = good;
     again.settings_generation = 2;
     servo.send(again);
-    servo.wake();
+    servo.step();
     EXPECT_EQ(servo.newest().settings_generation, 2U);
     EXPECT_EQ(servo.newest().refused_commands, 1U);
 
@@ -92,7 +92,7 @@ TEST(Servo, RefusesWhatIsNoSpeed) {
     Servo servo(script_of(scene), command);
     command.speed = speed;
     servo.send(command);
-    wake(servo, 10);
+    step(servo, 10);
     EXPECT_EQ(servo.newest().refused_commands, 1U) << speed;
     EXPECT_EQ(servo.newest().snapshot.tick, 9) << "goes on at the speed before";
     EXPECT_THROW(Servo(script_of(scene), command), std::invalid_argument);
@@ -115,11 +115,11 @@ TEST(Servo, RefusesToRestartFromAHostileState) {
     SCOPED_TRACE(hostile.what);
     ServoCommand command = start_of(scene);
     Servo servo(script_of(scene), command);
-    wake(servo, 10);
+    step(servo, 10);
     hostile.spoil(command);
     command.restarts_asked = 1;
     servo.send(command);
-    wake(servo, 10);
+    step(servo, 10);
     EXPECT_EQ(servo.newest().restarts, 0U);
     EXPECT_EQ(servo.newest().refused_commands, 1U);
     EXPECT_EQ(servo.newest().snapshot.tick, 19);
@@ -131,12 +131,12 @@ TEST(Servo, StopsBeforeUnstableSettingsBlowUp) {
   const Scene scene = slanted_wall();
   ServoCommand command = start_of(scene);
   Servo servo(script_of(scene), command);
-  wake(servo, 1000);
+  step(servo, 1000);
   command.settings = unstable_settings();
   command.settings_generation = 1;
   servo.send(command);
   for (int i = 0; i < 1000; ++i) {
-    servo.wake();
+    servo.step();
     ASSERT_TRUE(is_finite(servo.newest().snapshot));
   }
   ASSERT_TRUE(servo.newest().diverged);
@@ -148,7 +148,7 @@ TEST(Servo, StopsBeforeUnstableSettingsBlowUp) {
   command.settings_generation = 2;
   command.restarts_asked = 1;
   servo.send(command);
-  wake(servo, 101);
+  step(servo, 101);
   EXPECT_FALSE(servo.newest().diverged);
   simulate(scene, 100, [&](const Snapshot& wanted) {
     if (wanted.tick == 100) expect_same(servo.newest().snapshot, wanted);
@@ -199,7 +199,7 @@ TEST(Servo, StaysFiniteWhateverItIsSent) {
     servo.send(command);
     mouse.move_to({any_number(), any_number()}, any_number());
     for (int i = 0; i < 20; ++i) {
-      servo.wake();
+      servo.step();
       ASSERT_TRUE(is_finite(servo.newest().snapshot)) << "round " << round;
     }
   }
@@ -211,7 +211,7 @@ TEST(Servo, StaysFiniteWhateverItIsSent) {
   command.settings_generation = generation;
   command.restarts_asked = restarts;
   servo.send(command);
-  wake(servo, 11);
+  step(servo, 11);
   EXPECT_EQ(servo.newest().snapshot.tick, 10);
 }
 

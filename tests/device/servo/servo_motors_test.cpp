@@ -73,7 +73,7 @@ class ServoMotors : public testing::Test {
   void step() {
     ++command_.heart_beats;
     servo_->send(command_);
-    servo_->wake();
+    servo_->step();
   }
   void run(double seconds) {
     for (double t = 0.0; t < seconds - 0.5 * dt; t += dt) step();
@@ -314,9 +314,9 @@ TEST_F(ServoMotors, AWindowThatStallsTakesTheForceAway) {
   turn_on();
   puppet_->reading.position = inside;
   run(0.1);
-  for (int i = 0; i < 450; ++i) servo_->wake();
+  for (int i = 0; i < 450; ++i) servo_->step();
   EXPECT_EQ(motors().state, SafetyState::on);
-  for (int i = 0; i < 300; ++i) servo_->wake();
+  for (int i = 0; i < 300; ++i) servo_->step();
   EXPECT_EQ(motors().state, SafetyState::off);
   EXPECT_EQ(motors().reason, OffReason::window_stalled);
   EXPECT_EQ(puppet_->pushed, Vector<2>(0.0));

@@ -15,8 +15,8 @@ inline std::unique_ptr<Input> script_of(const Scene& scene) {
   return std::make_unique<ScriptedInput>(scene.goal);
 }
 
-inline void wake(Servo& servo, std::int64_t times) {
-  for (std::int64_t i = 0; i < times; ++i) servo.wake();
+inline void step(Servo& servo, std::int64_t times) {
+  for (std::int64_t i = 0; i < times; ++i) servo.step();
 }
 
 }  // namespace ghostforce

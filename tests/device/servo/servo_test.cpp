@@ -1,4 +1,4 @@
-// The servo stepped by hand: one wake() is one deadline.
+// The servo stepped by hand: one step() is one deadline.
 #include "device/servo/servo.h"
 
 #include <limits>
@@ -34,7 +34,7 @@ TEST(Servo, MakesTheSameNumbersAsPlay) {
       Servo servo(script_of(scene), start_of(scene));
       Sample sample;
       simulate(scene, last_tick(scene), [&](const Snapshot& wanted) {
-        servo.wake();
+        servo.step();
         ASSERT_TRUE(servo.take_sample(sample));
         expect_same(sample.snapshot, wanted);
         expect_same(servo.newest().snapshot, wanted);
@@ -53,7 +53,7 @@ TEST(Servo, GoesOnFromAStateThatWasPlayedBefore) {
   Sample sample;
   simulate(scene, last_tick(scene), [&](const Snapshot& wanted) {
     if (wanted.tick < 700) return;
-    servo.wake();
+    servo.step();
     ASSERT_TRUE(servo.take_sample(sample));
     expect_same(sample.snapshot, wanted);
   });
@@ -72,8 +72,8 @@ TEST(Servo, SpeedChangesNoNumber) {
   slow.speed = 0.05;
   Servo slow_servo(script_of(scene), slow);
   Servo servo(script_of(scene), start_of(scene));
-  wake(slow_servo, 900);
-  wake(servo, 900);
+  step(slow_servo, 900);
+  step(servo, 900);
   expect_same(slow_servo.newest().snapshot, servo.newest().snapshot);
 }
 
@@ -83,19 +83,19 @@ TEST(Servo, DoesNotTickWhilePaused) {
   const Scene scene = slanted_wall();
   ServoCommand command = start_of(scene);
   Servo servo(script_of(scene), command);
-  wake(servo, 600);
+  step(servo, 600);
   const Snapshot before = servo.newest().snapshot;
   take_samples(servo);
 
   command.paused = true;
   servo.send(command);
-  wake(servo, 100);
+  step(servo, 100);
   expect_same(servo.newest().snapshot, before);
   EXPECT_TRUE(take_samples(servo).empty());
 
   command.paused = false;
   servo.send(command);
-  servo.wake();
+  servo.step();
   EXPECT_EQ(servo.newest().snapshot.tick, before.tick + 1);
 }
 
@@ -105,13 +105,13 @@ TEST(Servo, TakesTheStepsAskedForWhilePausedOneByOne) {
   command.paused = true;
   command.steps_asked = 4'000'000'000U;  // whatever was asked for before it began
   Servo servo(script_of(scene), command);
-  wake(servo, 10);
+  step(servo, 10);
   EXPECT_EQ(servo.newest().snapshot.tick, 0);
 
   command.steps_asked += 3;
   servo.send(command);
   for (const std::int64_t tick : {1, 2, 3, 3, 3}) {
-    servo.wake();
+    servo.step();
     EXPECT_EQ(servo.newest().snapshot.tick, tick);
   }
   EXPECT_EQ(take_samples(servo).size(), 4U);  // the start and three ticks
@@ -123,10 +123,10 @@ TEST(Servo, StepsAskedForWhileItRunsAreForgotten) {
   Servo servo(script_of(scene), command);
   command.steps_asked = 5;
   servo.send(command);
-  wake(servo, 11);
+  step(servo, 11);
   command.paused = true;
   servo.send(command);
-  wake(servo, 10);
+  step(servo, 10);
   EXPECT_EQ(servo.newest().snapshot.tick, 10);
 }
 
@@ -134,13 +134,13 @@ TEST(Servo, RestartsFromTheStateGiven) {
   const Scene scene = slanted_wall();
   ServoCommand command = start_of(scene);
   Servo servo(script_of(scene), command);
-  wake(servo, 1000);
+  step(servo, 1000);
   take_samples(servo);
 
   command.restarts_asked = 1;
   servo.send(command);
   simulate(scene, 800, [&](const Snapshot& wanted) {
-    servo.wake();
+    servo.step();
     Sample sample;
     ASSERT_TRUE(servo.take_sample(sample));
     EXPECT_EQ(sample.restarts, 1U);
@@ -153,12 +153,12 @@ TEST(Servo, RestartsWhilePaused) {
   const Scene scene = slanted_wall();
   ServoCommand command = start_of(scene);
   Servo servo(script_of(scene), command);
-  wake(servo, 1000);
+  step(servo, 1000);
   take_samples(servo);
   command.paused = true;
   command.restarts_asked = 7;
   servo.send(command);
-  wake(servo, 10);
+  step(servo, 10);
   EXPECT_EQ(servo.newest().snapshot.tick, 0);
   EXPECT_EQ(take_samples(servo).size(), 1U);
 }
@@ -168,17 +168,17 @@ TEST(Servo, RestartPutsTheMouseWhereTheRunStarts) {
   ServoCommand command = start_of(scene);
   Servo servo(std::make_unique<MouseInput>(), command);
   auto& mouse = dynamic_cast<MouseInput&>(servo.input());
-  wake(servo, 2);
+  step(servo, 2);
   EXPECT_EQ(servo.newest().snapshot.goal, scene.goal.points.front());
   mouse.move_to({0.03, -0.01}, 0.005);
-  wake(servo, 5);
+  step(servo, 5);
   EXPECT_EQ(servo.newest().snapshot.goal, Vector<2>(0.03, -0.01));
 
   command.restarts_asked = 1;
   command.restart_state = state_at_start(Vector<2>(-0.02, 0.03));
   servo.send(command);
   for (int i = 0; i < 10; ++i) {
-    servo.wake();
+    servo.step();
     EXPECT_EQ(servo.newest().snapshot.goal, Vector<2>(-0.02, 0.03));
   }
 }
@@ -197,14 +197,14 @@ TEST(Servo, TakesNewSettingsWholeWithTheirGeneration) {
   command.settings_generation = 40;
   Servo servo(script_of(scene), command);
   TickState<2> state = command.restart_state;
-  servo.wake();
+  servo.step();
   for (std::int64_t k = 1; k <= 1200; ++k) {
     if (k == 700) {
       command.settings = other;
       command.settings_generation = 41;
       servo.send(command);
     }
-    servo.wake();
+    servo.step();
     const TickCoefficients<2> coefficients = coefficients_of(k < 700 ? scene.settings : other);
     tick(coefficients, goal_at(scene.goal, time_of(k, coefficients.rate)), state);
     ASSERT_EQ(servo.newest().settings_generation, k < 700 ? 40U : 41U);
@@ -221,7 +221,7 @@ TEST(Servo, ShowsNewSettingsWhilePaused) {
   command.settings.stiffnesses.k_r *= 0.5;
   ++command.settings_generation;
   servo.send(command);
-  servo.wake();
+  servo.step();
   expect_same(servo.newest().snapshot, snapshot_of(coefficients_of(command.settings), command.restart_state));
 }
 
@@ -231,7 +231,7 @@ TEST(Servo, LooksAtSettingsOnlyWhenTheirGenerationChanges) {
   Servo servo(script_of(scene), command);
   command.settings.stiffnesses.k_r = nan;
   servo.send(command);
-  wake(servo, 10);
+  step(servo, 10);
   EXPECT_EQ(servo.newest().refused_commands, 0U);
   EXPECT_TRUE(is_finite(servo.newest().snapshot));
 }
@@ -244,7 +244,7 @@ TEST(Servo, OfSeveralCommandsTheNewestCounts) {
     command.settings.wall_normal_angle += 0.01;
     servo.send(command);
   }
-  servo.wake();
+  servo.step();
   EXPECT_EQ(servo.newest().settings_generation, 19U);
 }
 
@@ -252,13 +252,13 @@ TEST(Servo, ModelTimeGoesOnThroughAChangeOfRate) {
   const Scene scene = slanted_wall();
   ServoCommand command = start_of(scene);
   Servo servo(script_of(scene), command);
-  wake(servo, 601);
+  step(servo, 601);
   for (const double rate : {500.0, 3000.0, 1000.0}) {
     const double before_s = servo.newest().snapshot.time_s;
     command.settings.rate = rate;
     ++command.settings_generation;
     servo.send(command);
-    servo.wake();
+    servo.step();
     const Snapshot& after = servo.newest().snapshot;
     // One new period on, from the new tick that is nearest to the old time.
     EXPECT_NEAR(after.time_s, before_s + 1.0 / rate, 0.5 / rate + 1e-12);
@@ -272,14 +272,14 @@ TEST(Servo, CountsSamplesThatNobodyTook) {
   const Scene scene = slanted_wall();
   Servo servo(script_of(scene), start_of(scene));
   constexpr auto capacity = static_cast<std::int64_t>(Servo::sample_capacity);
-  wake(servo, capacity + 10);
+  step(servo, capacity + 10);
   EXPECT_EQ(servo.newest().loop.dropped_samples, 10U);
   EXPECT_EQ(servo.newest().snapshot.tick, capacity + 9);
   std::vector<Sample> samples = take_samples(servo);
   ASSERT_EQ(samples.size(), Servo::sample_capacity);
   for (std::int64_t k = 0; k < capacity; ++k) ASSERT_EQ(samples[static_cast<std::size_t>(k)].snapshot.tick, k);
 
-  servo.wake();
+  servo.step();
   samples = take_samples(servo);
   ASSERT_EQ(samples.size(), 1U);
   EXPECT_EQ(samples.front().snapshot.tick, capacity + 10);
@@ -295,18 +295,18 @@ TEST(Servo, RecordsWhatIsNeededToGoOnExactly) {
     for (Sample sample; servo.take_record(sample);) taken.push_back(sample);
     return taken;
   };
-  for (int k = 0; k < 700; ++k) servo.wake();
+  for (int k = 0; k < 700; ++k) servo.step();
   EXPECT_TRUE(records().empty()) << "nobody asked";
   command.recording = 3;
   servo.send(command);
-  for (int k = 0; k < 50; ++k) servo.wake();
+  for (int k = 0; k < 50; ++k) servo.step();
   command.settings.stiffnesses.k_r = 700.0;
   ++command.settings_generation;
   servo.send(command);
-  for (int k = 0; k < 50; ++k) servo.wake();
+  for (int k = 0; k < 50; ++k) servo.step();
   command.recording = 0;
   servo.send(command);
-  servo.wake();
+  servo.step();
   const std::vector<Sample> taken = records();
   ASSERT_EQ(taken.size(), 100U);
 
@@ -333,7 +333,7 @@ TEST(Servo, CountsWhatTheRecorderWasTooSlowFor) {
   ServoCommand command = start_of(scene);
   command.recording = 1;
   Servo servo(std::make_unique<ScriptedInput>(scene.goal), command);
-  for (std::size_t i = 0; i < Servo::sample_capacity + 10; ++i) servo.wake();
+  for (std::size_t i = 0; i < Servo::sample_capacity + 10; ++i) servo.step();
   take_samples(servo);
   EXPECT_EQ(servo.newest().loop.dropped_records, 10U);
   Sample sample;
@@ -341,7 +341,7 @@ TEST(Servo, CountsWhatTheRecorderWasTooSlowFor) {
     ASSERT_TRUE(servo.take_record(sample));
     ASSERT_EQ(sample.serial, i);
   }
-  servo.wake();
+  servo.step();
   ASSERT_TRUE(servo.take_record(sample));
   EXPECT_EQ(sample.serial, Servo::sample_capacity + 10) << "the gap shows";
 }

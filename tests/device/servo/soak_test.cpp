@@ -155,7 +155,7 @@ TEST(Soak, MouseWithAnySettings) {
         mouse.move_to({random.once_in(2) ? nan : infinity, 1e300}, random.once_in(2) ? nan : -1.0);
       servo.send(command);
       for (int i = 0; i < ticks; ++i) {
-        servo.wake();
+        servo.step();
         const ServoReport& report = servo.newest();
         expect_sound(report);
         contacts += report.snapshot.strategies[0].in_contact ? 1 : 0;
@@ -301,7 +301,7 @@ TEST(Soak, FalconThatGoesWrong) {
       if (window_lives) ++command.heart_beats;
       servo.send(command);
       const Vector<2> before = device.pushed;
-      servo.wake();
+      servo.step();
       expect_sound(servo.newest());
       EXPECT_EQ(servo.newest().motors.sent, device.pushed);
       if (device.pushed != Vector<2>(0.0)) {

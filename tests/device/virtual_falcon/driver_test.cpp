@@ -97,7 +97,7 @@ TEST(FalconDriver, ASecondDriverFindsTheDeviceHomed) {
   options.device.starts_homed = true;
   Falcon falcon(std::make_unique<VirtualLink>(options), {});
   for (int i = 0; i < 1000 && !falcon.report().is_readable(); ++i) {
-    falcon.attend();
+    falcon.update();
     falcon.link().wait_until(falcon.link().now_ns() + 1'000'000);
   }
   EXPECT_EQ(falcon.report().state, FalconState::idle);
@@ -107,7 +107,7 @@ TEST(FalconDriver, ASecondDriverFindsTheDeviceHomed) {
 TEST(FalconDriver, SaysThatThereIsNoFirmwareForIt) {
   Falcon falcon(std::make_unique<VirtualLink>(VirtualLink::Options{.clock = VirtualLink::Clock::stepped}), {});
   for (int i = 0; i < 1000; ++i) {
-    falcon.attend();
+    falcon.update();
     falcon.link().wait_until(falcon.link().now_ns() + 1'000'000);
   }
   EXPECT_EQ(falcon.report().state, FalconState::fault);

@@ -40,7 +40,7 @@ class Rehearsal {
   void step() {
     ++command_.heart_beats;
     servo_->send(command_);
-    servo_->wake();
+    servo_->step();
   }
   // Until it is so; false: it was not within `seconds`.
   bool run_until(double seconds, const std::function<bool()>& is_so) {

@@ -175,7 +175,7 @@ TEST_F(PlotsWindow, StaysWithinASmallWindow) {
 TEST_F(PlotsWindow, AMinuteOfHistoryShowsToo) {
   session().plots.to_s = session().plots.from_s + 60.0;
   for (int k = 0; k < 4000; ++k) {
-    application_->servo().wake();
+    application_->servo().step();
     if (k % 500 == 0) frames(1, 0);
   }
   frames(2);
