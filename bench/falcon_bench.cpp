@@ -79,11 +79,11 @@ void exchange(Results& results, const std::string& what, std::unique_ptr<FalconL
   std::int64_t now_ns = began_ns;
   while (now_ns < began_ns + 3'000'000'000) {
     const std::uint64_t exchanges = falcon.report().exchanges;
-    falcon.push(Vector<3>(0.0), true);
+    falcon.set_force(Vector<3>(0.0), true);
     until([&] { return falcon.report().exchanges > exchanges; });
     times_ns.push_back(falcon.link().now_ns() - std::exchange(now_ns, falcon.link().now_ns()));
   }
-  falcon.finish();
+  falcon.shut_down();
   std::ranges::sort(times_ns);
   const auto at = [&](double share) {
     return static_cast<double>(times_ns[static_cast<std::size_t>(share * static_cast<double>(times_ns.size() - 1))]) /

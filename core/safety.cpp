@@ -125,7 +125,7 @@ OffReason Safety::reason_to_stop(const SafetyReading& reading, const SafetyOptio
   if (!(reading.since_exchange_s <= longest_exchange_s)) return OffReason::loop_late;
   if (!(reading.since_window_s <= longest_window_s)) return OffReason::window_stalled;
   if (!reading.has_focus) return OffReason::focus_lost;
-  if (options.needs_button && !reading.button_is_held) return OffReason::button_released;
+  if (options.needs_button && !reading.deadman_held) return OffReason::button_released;
   if (!(reading.speed <= greatest_speed)) return OffReason::too_fast;
   if (!(reading.wanted_force <= greatest_wanted_force)) return OffReason::over_force;
   return OffReason::none;
@@ -142,7 +142,7 @@ ArmingObstacle Safety::obstacle_in(const SafetyReading& reading, const SafetyOpt
   if (!(reading.wanted_force < greatest_arming_force) || !(reading.speed <= greatest_speed)) {
     return ArmingObstacle::force;
   }
-  if (options.needs_button && !reading.button_is_held) return ArmingObstacle::button;
+  if (options.needs_button && !reading.deadman_held) return ArmingObstacle::button;
   return ArmingObstacle::none;
 }
 

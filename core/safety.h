@@ -77,7 +77,7 @@ struct SafetyReading {
   double since_exchange_s = 0.0;        // the newest reading is so old
   double since_window_s = 0.0;          // the window's last heart beat was so long ago
   bool has_focus = true;                // keys reach the window
-  bool button_is_held = false;          // on the grip
+  bool deadman_held = false;            // on the grip
   bool is_outside_wall = false;         // the handle
   double speed = 0.0;                   // of the handle [m/s]
   double wanted_force = 0.0;            // length of what the force law wants, before any limit [N]

@@ -37,7 +37,7 @@ class Examination {
     do {
       falcon_.wait_until(falcon_.now_ns() + tick_ns);
       falcon_.read();
-      falcon_.push(Vector<2>(0.0), false);
+      falcon_.set_force(Vector<2>(0.0), false);
       report_ = falcon_.report();
       watch_(report_);
     } while (!has_ended(report_) && !is_enough(report_) && elapsed_s() < longest_s);
@@ -68,7 +68,7 @@ FalconReport examine(FalconInput& falcon, double wait_s, const std::function<voi
   if (!has_ended(examination.report())) {
     examination.go_on(measuring_s, [](const FalconReport&) { return false; });
   }
-  falcon.finish();
+  falcon.shut_down();
   return examination.report();
 }
 

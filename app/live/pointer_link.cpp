@@ -11,7 +11,7 @@ void PointerLink::begin(Session& session) {
 }
 
 void PointerLink::send(Session& session, double interval_s) {
-  target_.hold_with(session.settings.stiffnesses.k_u);
+  target_.set_user_stiffness(session.settings.stiffnesses.k_u);
   // A restart takes the goal along.
   if (std::exchange(restarts_, session.restarts_asked) != session.restarts_asked) sent_goal_ = session.goal;
   if (!session.drags_goal && session.goal == sent_goal_) return;

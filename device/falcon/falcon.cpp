@@ -97,7 +97,7 @@ Falcon::Falcon(std::unique_ptr<FalconLink> link, FalconOptions options)
 }
 
 Falcon::~Falcon() {
-  finish();
+  shut_down();
   opener_.end();  // until then an emergency still finds the link
   emergency_stop::watch(nullptr);
 }
@@ -351,7 +351,7 @@ void Falcon::follow_homing(std::uint8_t status) noexcept {
     position_time_ns_ = 0;
     lost_position_ns_ = 0;
     believed_ns_ = 0;
-    push(Vector<3>(0.0), false);
+    set_force(Vector<3>(0.0), false);
   } else if (has_home_ && unhomed_replies_ >= replies_to_believe) {
     has_home_ = false;
     report_.state = FalconState::homing;
@@ -393,7 +393,7 @@ void Falcon::locate(const MotorNumbers& encoders, std::int64_t asked_ns) noexcep
     if (report_.is_readable()) return;
     report_.state = FalconState::idle;
     report_.fault = FalconFault::none;
-    push(Vector<3>(0.0), false);
+    set_force(Vector<3>(0.0), false);
   } else if (lost_position_ns_ == 0) {
     lost_position_ns_ = link().now_ns();
   } else if (report_.is_readable() && since(lost_position_ns_) >= longest_lost_s) {
@@ -406,7 +406,7 @@ void Falcon::locate(const MotorNumbers& encoders, std::int64_t asked_ns) noexcep
   }
 }
 
-void Falcon::push(const Vector<3>& force, bool is_armed) noexcept {
+void Falcon::set_force(const Vector<3>& force, bool is_armed) noexcept {
   if (!report_.is_readable()) return;
   report_.state = is_armed ? FalconState::active : FalconState::idle;
   command_ = {.motors = {}, .info = is_armed ? CommandFrame::blue : CommandFrame::green};
@@ -457,7 +457,7 @@ void Falcon::measure_rate() noexcept {
   window_sum_s_ = window_worst_s_ = 0.0;
 }
 
-void Falcon::finish() noexcept {
+void Falcon::shut_down() noexcept {
   if (opener_.is_busy()) return;
   if (is_exchanging()) {
     say_goodbye();

@@ -60,10 +60,10 @@ class Falcon {
 
   // What the motors are to do, from now until the next call: force on the hand [N]. Goes out at once if the device has
   // answered the last command, else as soon as it does. Heeded in idle and active only.
-  void push(const Vector<3>& force, bool is_armed) noexcept;
+  void set_force(const Vector<3>& force, bool is_armed) noexcept;
 
   // Motors off, and the device told so; waits for its answers, 0.1 s at most.
-  void finish() noexcept;
+  void shut_down() noexcept;
 
   const FalconReport& report() const noexcept { return report_; }
   const FalconCalibration& calibration() const noexcept { return calibration_; }

@@ -78,7 +78,7 @@ HandleReading FalconInput::read() noexcept {
     place_count_ = 0;
   }
   reading_.speed = speed();
-  reading_.button_is_held = report.buttons != 0;
+  reading_.deadman_held = report.buttons != 0;
   reading_.is_ready = report.is_readable() && report.encoders_move();
   reading_.is_healthy = report.is_fast_enough() && report.worst_exchange_s < Safety::longest_exchange_s;
   reading_.trouble = trouble_of(report);
@@ -101,8 +101,8 @@ double FalconInput::speed() const noexcept {
   return glm::length(newest.position - oldest.position) / (static_cast<double>(newest.time_ns - oldest.time_ns) * 1e-9);
 }
 
-void FalconInput::push(const Vector<2>& force, bool is_armed) noexcept {
-  falcon_.push(plane().on_handle(force), is_armed);
+void FalconInput::set_force(const Vector<2>& force, bool is_armed) noexcept {
+  falcon_.set_force(plane().on_handle(force), is_armed);
 }
 
 double FalconInput::force_uncertainty() const noexcept {
@@ -111,8 +111,8 @@ double FalconInput::force_uncertainty() const noexcept {
   return used / std::min(used, smallest_published_motor_constant);
 }
 
-void FalconInput::finish() noexcept {
-  falcon_.finish();
+void FalconInput::shut_down() noexcept {
+  falcon_.shut_down();
   reports_.publish(falcon_.report());
 }
 

@@ -34,9 +34,9 @@ class FalconInput : public Input, public HapticDevice {
   void wait_until(std::int64_t deadline_ns) noexcept override;
   HandleReading read() noexcept override;
   double force_at_handle() const noexcept override { return 1.0 / falcon_.calibration().scale; }
-  void push(const Vector<2>& force, bool is_armed) noexcept override;
+  void set_force(const Vector<2>& force, bool is_armed) noexcept override;
   double force_uncertainty() const noexcept override;
-  void finish() noexcept override;
+  void shut_down() noexcept override;
 
   // UI thread: the newest. The reference stays good until the next call.
   const FalconReport& report() noexcept { return reports_.latest(); }

@@ -14,7 +14,7 @@ struct HandleReading {
   double speed = 0.0;       // of the handle, in all its directions [m/s]
   bool is_known = false;
   std::int64_t time_ns = 0;             // when it came, by now_ns()
-  bool button_is_held = false;          // any on the grip
+  bool deadman_held = false;            // any on the grip
   bool is_ready = false;                // every step before the handle's place is reached
   bool is_healthy = false;              // exchanges have been fast and even for a while
   OffReason trouble = OffReason::none;  // why motors must not push
@@ -42,13 +42,13 @@ class HapticDevice {
 
   // Drives the motors: the force at the handle, in the plane [N]. What goes on until the next call. `is_armed` false:
   // motors off, whatever the force.
-  virtual void push(const Vector<2>& force, bool is_armed) noexcept = 0;
+  virtual void set_force(const Vector<2>& force, bool is_armed) noexcept = 0;
 
   // How much stronger the true force may be than the one asked for, by what is not known of the motors; 1 or more.
   virtual double force_uncertainty() const noexcept = 0;
 
   // Motors off, and told so to the device; within 0.1 s. Before the thread ends.
-  virtual void finish() noexcept = 0;
+  virtual void shut_down() noexcept = 0;
 };
 
 }  // namespace ghostforce

@@ -22,7 +22,7 @@ class PointerTarget {
   virtual std::uint64_t ignored_moves() const noexcept = 0;
 
   // The stiffness of the hand that the pointer leads, for a hand that is not part of the model [N/m].
-  virtual void hold_with(double /*k_u*/) noexcept {}
+  virtual void set_user_stiffness(double /*k_u*/) noexcept {}
 };
 
 }  // namespace ghostforce

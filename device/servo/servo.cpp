@@ -121,7 +121,7 @@ void Servo::run() noexcept {
   }
   if (device_ == nullptr) return;
   safety_.turn_off(OffReason::program_ending);
-  device_->finish();
+  device_->shut_down();
 }
 
 void Servo::step() noexcept {
@@ -189,7 +189,7 @@ void Servo::watch_handle() noexcept {
                   .since_exchange_s = since(handle_.time_ns),
                   .since_window_s = since(heart_beat_ns_),
                   .has_focus = has_focus_,
-                  .button_is_held = handle_.button_is_held,
+                  .deadman_held = handle_.deadman_held,
                   .is_outside_wall = is_outside,
                   .speed = handle_.speed,
                   .wanted_force = glm::length(force_at(handle_.position))},
@@ -226,7 +226,7 @@ void Servo::drive_motors() noexcept {
     motors.sent = Vector<2>(0.0);
     motors.is_saturated = false;
   }
-  device_->push(motors.sent, safety_.is_armed());
+  device_->set_force(motors.sent, safety_.is_armed());
   motors.state = safety_.state();
   motors.reason = safety_.reason();
   motors.obstacle = safety_.obstacle();

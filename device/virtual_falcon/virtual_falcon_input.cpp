@@ -56,7 +56,7 @@ void VirtualFalconInput::move_to(const Vector<2>& goal, double duration_s) noexc
   lead();
 }
 
-void VirtualFalconInput::hold_with(double k_u) noexcept {
+void VirtualFalconInput::set_user_stiffness(double k_u) noexcept {
   if (!(k_u >= 0.0) || k_u == k_u_) return;
   k_u_ = k_u;
   lead();

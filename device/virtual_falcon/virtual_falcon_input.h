@@ -21,7 +21,7 @@ class VirtualFalconInput final : public FalconInput, public PointerTarget {
 
   void move_to(const Vector<2>& goal, double duration_s) noexcept override;
   std::uint64_t ignored_moves() const noexcept override { return ignored_moves_; }
-  void hold_with(double k_u) noexcept override;
+  void set_user_stiffness(double k_u) noexcept override;
   // A button of the grip, as in ReplyFrame; 0: none.
   void press(std::uint8_t buttons) noexcept;
   void inject(const InjectedFault& wrong) noexcept { link_.inject(wrong); }

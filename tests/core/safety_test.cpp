@@ -67,13 +67,13 @@ TEST_F(SafetyTest, ArmingWaitsAndSaysWhatFor) {
       {[](SafetyReading& r) { r.wanted_force = 0.21; }, ArmingObstacle::force},
       {[](SafetyReading& r) { r.speed = 1.1; }, ArmingObstacle::force},
       {[](SafetyReading& r) { r.has_focus = false; }, ArmingObstacle::focus},
-      {[](SafetyReading& r) { r.button_is_held = false; }, ArmingObstacle::button},
+      {[](SafetyReading& r) { r.deadman_held = false; }, ArmingObstacle::button},
   };
   options_.needs_button = true;
   for (const auto& [spoil, obstacle] : obstacles) {
     safety_ = {};
     reading_ = good_reading();
-    reading_.button_is_held = true;
+    reading_.deadman_held = true;
     spoil(reading_);
     safety_.arm();
     run(5.0);
@@ -82,7 +82,7 @@ TEST_F(SafetyTest, ArmingWaitsAndSaysWhatFor) {
     EXPECT_FALSE(entry_of(obstacle).sentence.empty());
     EXPECT_EQ(safety_.gain(), 0.0);
     reading_ = good_reading();
-    reading_.button_is_held = true;
+    reading_.deadman_held = true;
     run(2 * dt);
     EXPECT_EQ(safety_.state(), SafetyState::ramp) << entry_of(obstacle).sentence;
   }
@@ -107,7 +107,7 @@ struct Stop {
 const std::vector<Stop>& stops() {
   static const std::vector<Stop> all{
       {OffReason::key, {}},
-      {OffReason::button_released, [](SafetyReading& r) { r.button_is_held = false; }},
+      {OffReason::button_released, [](SafetyReading& r) { r.deadman_held = false; }},
       {OffReason::focus_lost, [](SafetyReading& r) { r.has_focus = false; }},
       {OffReason::too_fast, [](SafetyReading& r) { r.speed = 1.01; }},
       {OffReason::over_force, [](SafetyReading& r) { r.wanted_force = 41.0; }},
@@ -128,7 +128,7 @@ TEST_F(SafetyTest, EveryReasonEndsInOffAndStaysUntilAPersonActs) {
     safety_ = {};
     options_.needs_button = true;
     reading_ = good_reading();
-    reading_.button_is_held = true;
+    reading_.deadman_held = true;
     turn_on();
     if (stop.cause) {
       stop.cause(reading_);
@@ -143,7 +143,7 @@ TEST_F(SafetyTest, EveryReasonEndsInOffAndStaysUntilAPersonActs) {
     EXPECT_EQ(safety_.gain(), 0.0) << name;
     // Well again: nothing happens by itself, nor by arming before the reason was acknowledged.
     reading_ = good_reading();
-    reading_.button_is_held = true;
+    reading_.deadman_held = true;
     safety_.arm();
     run(2.0);
     EXPECT_EQ(safety_.state(), SafetyState::off) << name;

@@ -35,7 +35,7 @@ class FalconOverUsbTest : public testing::Test {
       input->wait_until(input->now_ns() + ms);
       reading = input->read();
       input->goal(0, 1000.0);
-      input->push(force, reading.is_known);
+      input->set_force(force, reading.is_known);
     }
     return true;
   }
@@ -69,7 +69,7 @@ TEST_F(FalconOverUsbTest, IsFoundLoadedHomedAndReadAndFoundAgain) {
   falcon.plug();
   force = {0.0, 0.0};
   EXPECT_TRUE(tick_until([&] { return reading.is_known; })) << "state " << name_of(input->report().state);
-  input->finish();
+  input->shut_down();
   EXPECT_EQ(chip.motors(), (std::array<std::int16_t, 3>{}));
 }
 

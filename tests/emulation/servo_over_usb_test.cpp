@@ -129,8 +129,8 @@ class WatchedInput final : public FalconInput {
     }
     return FalconInput::read();
   }
-  void finish() noexcept override {
-    FalconInput::finish();
+  void shut_down() noexcept override {
+    FalconInput::shut_down();
     watched.own_uses += watched.heap->take_uses();
     watched.heap.reset();
     watch = nullptr;

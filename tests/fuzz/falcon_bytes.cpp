@@ -155,9 +155,9 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     require(std::isfinite(goal.x) && std::isfinite(goal.y), "so is the goal");
     const std::uint8_t force = bytes.next();
     is_armed = force % 4 != 0;
-    input.push({(force - 128) / 8.0, (force % 32 - 16) / 2.0}, is_armed);
+    input.set_force({(force - 128) / 8.0, (force % 32 - 16) / 2.0}, is_armed);
   }
   is_armed = false;
-  input.finish();
+  input.shut_down();
   return 0;
 }

@@ -132,7 +132,7 @@ int measure_with_doctor(const MeasureCall& call) {
   const auto known = std::ranges::find(options.falcon.calibrations, falcon.report().serial, &FalconCalibration::serial);
   const bool is_kept = known != options.falcon.calibrations.end();
   const FalconMeasurement measurement = measure_falcon(falcon, person, is_kept ? *known : FalconCalibration{});
-  falcon.finish();
+  falcon.shut_down();
 
   report.write(
       report_of(measurement, {.version = std::string(version),

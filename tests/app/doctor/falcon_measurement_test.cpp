@@ -55,7 +55,7 @@ void expect_right(const SimulatedArm::Options& arm, const FalconCalibration& cal
     for (const std::int64_t end_ns = link.now_ns() + static_cast<std::int64_t>(seconds * 1e9);
          link.now_ns() < end_ns;) {
       falcon.update();
-      falcon.push(force, is_armed);
+      falcon.set_force(force, is_armed);
       link.wait_until(link.now_ns() + 1'000'000);
     }
   };

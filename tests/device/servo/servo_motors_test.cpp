@@ -33,12 +33,12 @@ class PuppetInput final : public Input, public HapticDevice {
   }
   HandleReading read() noexcept override { return reading; }
   double force_at_handle() const noexcept override { return gain; }
-  void push(const Vector<2>& force, bool is_armed) noexcept override {
+  void set_force(const Vector<2>& force, bool is_armed) noexcept override {
     pushed = force;
     armed = is_armed;
   }
   double force_uncertainty() const noexcept override { return uncertainty; }
-  void finish() noexcept override { pushed = Vector<2>(0.0), armed = false, finished = true; }
+  void shut_down() noexcept override { pushed = Vector<2>(0.0), armed = false, finished = true; }
 
   HandleReading reading{.is_known = true, .is_ready = true, .is_healthy = true};
   std::int64_t now = 1'000'000'000;
@@ -267,7 +267,7 @@ struct Stop {
 TEST_F(ServoMotors, EveryReasonEndsInNoForce) {
   const std::vector<Stop> stops{
       {OffReason::key, [](PuppetInput&, ServoCommand& c) { ++c.offs_asked; }},
-      {OffReason::button_released, [](PuppetInput& p, ServoCommand&) { p.reading.button_is_held = false; }},
+      {OffReason::button_released, [](PuppetInput& p, ServoCommand&) { p.reading.deadman_held = false; }},
       {OffReason::focus_lost, [](PuppetInput&, ServoCommand& c) { c.has_focus = false; }},
       {OffReason::too_fast, [](PuppetInput& p, ServoCommand&) { p.reading.speed = 1.2; }},
       {OffReason::over_force,
@@ -282,7 +282,7 @@ TEST_F(ServoMotors, EveryReasonEndsInNoForce) {
   for (const Stop& stop : stops) {
     begin();
     command_.safety.needs_button = true;
-    puppet_->reading.button_is_held = true;
+    puppet_->reading.deadman_held = true;
     turn_on();
     puppet_->reading.position = inside;
     run(0.1);

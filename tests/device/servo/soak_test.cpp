@@ -212,13 +212,13 @@ class SpoiledFalcon final : public Input, public HapticDevice {
     return before_ = reading;
   }
   double force_at_handle() const noexcept override { return falcon_.force_at_handle(); }
-  void push(const Vector<2>& force, bool is_armed) noexcept override {
+  void set_force(const Vector<2>& force, bool is_armed) noexcept override {
     pushed = force;
     armed = is_armed;
-    falcon_.push(force, is_armed);
+    falcon_.set_force(force, is_armed);
   }
   double force_uncertainty() const noexcept override { return falcon_.force_uncertainty(); }
-  void finish() noexcept override { falcon_.finish(); }
+  void shut_down() noexcept override { falcon_.shut_down(); }
 
   VirtualFalconInput& falcon() { return falcon_; }
 

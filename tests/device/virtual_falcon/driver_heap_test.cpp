@@ -22,7 +22,7 @@ TEST(DriverHeap, IsNotTouchedFromTheFirstLookToTheLastFrame) {
   rehearsal.input().inject(injected_fault);
   rehearsal.run(3.0);
   ASSERT_EQ(rehearsal.motors().state, SafetyState::off);
-  rehearsal.input().finish();
+  rehearsal.input().shut_down();
 }
 
 }  // namespace

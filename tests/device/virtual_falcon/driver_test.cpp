@@ -317,7 +317,7 @@ TEST(FalconDriver, TheEndOfTheProgramIsNoForceOnTheDeviceItself) {
   rehearsal.input().move_to({0.02, -0.02}, 0.5);
   rehearsal.run(1.5);
   ASSERT_NE(rehearsal.input().link().motors(), MotorNumbers{});
-  rehearsal.input().finish();
+  rehearsal.input().shut_down();
   EXPECT_EQ(rehearsal.input().link().motors(), MotorNumbers{});
   EXPECT_EQ(rehearsal.input().link().device().lights(), 0);
 }
