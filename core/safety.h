@@ -75,7 +75,7 @@ struct SafetyReading {
   bool device_is_ready = false;         // every step up to the encoders is reached
   bool loop_is_healthy = false;         // exchanges come fast and evenly enough to start
   double since_exchange_s = 0.0;        // the newest reading is so old
-  double since_window_s = 0.0;          // the window's last heart beat was so long ago
+  double since_window_s = 0.0;          // the window's last heartbeat was so long ago
   bool has_focus = true;                // keys reach the window
   bool deadman_held = false;            // on the grip
   bool is_outside_wall = false;         // the handle

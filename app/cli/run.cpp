@@ -152,7 +152,8 @@ int run(const Options& options) {
        .folded_panels = remembered.layout ? layout.folded_panels
                                           : panels_folded_at_first(window.restored_size().height / look.scale),
        .shader_folder = options.shader_folder});
-  if (!remembered.remarks.empty()) application.tell(fmt::format("{}", fmt::join(remembered.remarks, "\n\n")), true);
+  if (!remembered.remarks.empty())
+    application.show_notice(fmt::format("{}", fmt::join(remembered.remarks, "\n\n")), true);
   emergency_stop::refuse_to_be_stopped();
   Keeper keeper(remembered.preferences, application.session());
   application.start();
@@ -180,7 +181,7 @@ int run(const Options& options) {
     // A caret blinks while somebody writes.
     if (application.is_idle() && !application.session().is_editing && pacer.may_sleep(last_drawn_s, now_s) &&
         !application.has_news()) {
-      application.beat();
+      application.heartbeat();
       wait_for_person(now_s);
       continue;
     }
@@ -190,7 +191,7 @@ int run(const Options& options) {
       // A slow disk keeps this thread, and motors that are on go off without its heartbeat.
       if (application.report().motors.state == SafetyState::off) keeper.keep(application.session());
     } catch (const Failure& failure) {
-      application.tell(failure.what(), true);
+      application.show_notice(failure.what(), true);
     }
     wait_for_person(now_s);
   }

@@ -92,7 +92,7 @@ void Application::use(const InputEntry& entry, std::shared_ptr<const Scene> scen
   }
   // Its header would not be true any longer.
   if (const std::string words = end_recording(); !words.empty()) {
-    tell(fmt::format("Another scene or input ends the recording. {}", words), !recording_problem_.empty());
+    show_notice(fmt::format("Another scene or input ends the recording. {}", words), !recording_problem_.empty());
   }
   const bool is_other_scene = scene != session_.scene;
   input_ = &entry;
@@ -112,7 +112,7 @@ void Application::use(const InputEntry& entry, std::shared_ptr<const Scene> scen
   command_.settings = as_in_file(session_.settings);
   command_.restarts_asked = session_.restarts_asked;
   command_.steps_asked = session_.steps_asked;
-  note_motors();
+  copy_motor_requests();
   command_.restart_state = start_state();
   link_.reset();
   servo_ = std::make_unique<Servo>(std::move(made.input), command_);
@@ -150,7 +150,7 @@ void Application::frame(double interval_s) {
   report_ = servo_->newest();
   if (recording_) {
     read_recording();
-    if (recording_->progress().error != 0) tell(end_recording(), true);
+    if (recording_->progress().error != 0) show_notice(end_recording(), true);
   }
   link_->look();
   // Nobody stops the time of a real hand.
@@ -162,7 +162,7 @@ void Application::frame(double interval_s) {
   follow_measurement(session_, report_.snapshot, report_.motors);
   if (shader_watch_) shader_watch_->look(screen_.painter(), clock_s_);
   screen_.draw(session_, report_.snapshot, history_, reading(), interval_s);
-  grant_wishes();
+  handle_requests();
   undo_.note({session_.scene, session_.settings}, session_.is_editing || is_measuring(session_));
   if (session_.notice && !session_.notice->is_problem) {
     session_.notice->age_s += interval_s;
@@ -211,12 +211,12 @@ void Application::send(double interval_s) {
   command_.speed = session_.speed;
   command_.steps_asked = session_.steps_asked;
   command_.restarts_asked = session_.restarts_asked;
-  note_motors();
-  ++command_.heart_beats;
+  copy_motor_requests();
+  ++command_.heartbeats;
   servo_->send(command_);
 }
 
-void Application::note_motors() {
+void Application::copy_motor_requests() {
   command_.arms_asked = session_.arms_asked;
   command_.offs_asked = session_.offs_asked;
   command_.acknowledgements = session_.acknowledgements;
@@ -224,9 +224,9 @@ void Application::note_motors() {
   command_.has_focus = window_.has_focus();
 }
 
-void Application::beat() {
-  note_motors();
-  ++command_.heart_beats;
+void Application::heartbeat() {
+  copy_motor_requests();
+  ++command_.heartbeats;
   servo_->send(command_);
 }
 
@@ -238,40 +238,40 @@ bool Application::has_news() {
          mode_of(now.realtime) != mode_of(report_.realtime);
 }
 
-void Application::tell(std::string words, bool is_problem) {
+void Application::show_notice(std::string words, bool is_problem) {
   session_.notice = Notice{std::move(words), is_problem, 0.0};
 }
 
-void Application::grant_wishes() {
-  const Wishes wishes = std::exchange(session_.wishes, {});
+void Application::handle_requests() {
+  const Requests requests = std::exchange(session_.requests, {});
   const std::vector<std::string> dropped = window_.take_dropped_files();
   try {
-    if (wishes.quit) window_.close();
-    if (wishes.toggle_full_screen) window_.toggle_full_screen();
-    if (wishes.undo || wishes.redo) take_back(wishes.undo);
-    if (wishes.input && *wishes.input != session_.input) {
-      use(input_of(*wishes.input), session_.scene, session_.settings);
+    if (requests.quit) window_.close();
+    if (requests.toggle_full_screen) window_.toggle_full_screen();
+    if (requests.undo || requests.redo) take_back(requests.undo);
+    if (requests.input && *requests.input != session_.input) {
+      use(input_of(*requests.input), session_.scene, session_.settings);
     }
-    if (wishes.open_scene) open(*wishes.open_scene);
+    if (requests.open_scene) open(*requests.open_scene);
     if (!dropped.empty()) open(dropped.front());
-    if (dropped.size() > 1) tell("One scene at a time: the first of the files is open.", false);
-    if (wishes.save_scene) {
-      save_scene(session_, *wishes.save_scene);
-      tell(fmt::format("Saved {}", printable(*wishes.save_scene, longest_path)), false);
+    if (dropped.size() > 1) show_notice("One scene at a time: the first of the files is open.", false);
+    if (requests.save_scene) {
+      save_scene(session_, *requests.save_scene);
+      show_notice(fmt::format("Saved {}", printable(*requests.save_scene, longest_path)), false);
     }
-    if (wishes.save_picture) save_picture(*wishes.save_picture);
-    if (wishes.save_plots) save_plots(*wishes.save_plots);
-    if (wishes.record) start_recording(*wishes.record);
-    if (wishes.stop_recording) {
-      if (const std::string words = end_recording(); !words.empty()) tell(words, !recording_problem_.empty());
+    if (requests.save_picture) save_picture(*requests.save_picture);
+    if (requests.save_plots) save_plots(*requests.save_plots);
+    if (requests.record) start_recording(*requests.record);
+    if (requests.stop_recording) {
+      if (const std::string words = end_recording(); !words.empty()) show_notice(words, !recording_problem_.empty());
     }
   } catch (const Failure& failure) {
     if (failure.code() == ExitCode::interrupted) throw;
-    tell(failure.what(), true);
+    show_notice(failure.what(), true);
   } catch (const ReadError& error) {
-    tell(error.what(), true);
+    show_notice(error.what(), true);
   } catch (const ReaderGone&) {
-    tell("Nobody reads that pipe any more; save to a file.", true);
+    show_notice("Nobody reads that pipe any more; save to a file.", true);
   }
 }
 
@@ -304,9 +304,9 @@ void Application::replay_run(const std::string& path) {
   input_choices_ = choices_of(inputs_, true);
   use(*std::ranges::find_if(inputs_, &InputEntry::needs_recording), std::make_shared<const Scene>(*run.scene),
       run.scene->settings);
-  tell(fmt::format("Replaying {}{}{}", printable(path, longest_path), run.remarks.empty() ? "" : "\n",
-                   fmt::join(run.remarks, "\n")),
-       false);
+  show_notice(fmt::format("Replaying {}{}{}", printable(path, longest_path), run.remarks.empty() ? "" : "\n",
+                          fmt::join(run.remarks, "\n")),
+              false);
 }
 
 void Application::start_recording(const std::string& path) {
@@ -379,25 +379,25 @@ void Application::go_to(const std::optional<Edited>& edited) {
   }
 }
 
-void Application::save_picture(const PictureWish& wish) {
-  OutputFile file(wish.path);
-  file.write(picture_bytes(wish));
+void Application::save_picture(const SavePictureRequest& request) {
+  OutputFile file(request.path);
+  file.write(picture_bytes(request));
   file.commit();
-  tell(fmt::format("Saved {}", printable(wish.path, longest_path)), false);
+  show_notice(fmt::format("Saved {}", printable(request.path, longest_path)), false);
 }
 
-void Application::save_plots(const PlotWish& wish) {
-  OutputFile file(wish.path);
-  file.write(plot_file(session_, report_.snapshot, history_.plots(), wish, painter_));
+void Application::save_plots(const SavePlotsRequest& request) {
+  OutputFile file(request.path);
+  file.write(plot_file(session_, report_.snapshot, history_.plots(), request, painter_));
   file.commit();
-  tell(fmt::format("Saved {}", printable(wish.path, longest_path)), false);
+  show_notice(fmt::format("Saved {}", printable(request.path, longest_path)), false);
 }
 
-std::string Application::picture_bytes(const PictureWish& wish) {
+std::string Application::picture_bytes(const SavePictureRequest& request) {
   constexpr std::array vectors{"svg", "pdf"};
-  if (format_of(wish.path, vectors) == nullptr) {
+  if (format_of(request.path, vectors) == nullptr) {
     return png_bytes(screen_.picture(session_, report_.snapshot, history_, reading(),
-                                     wish.scene_alone ? Part::scene : Part::window, wish.density));
+                                     request.scene_alone ? Part::scene : Part::window, request.density));
   }
   // As large as on this display, without the handles, which are for a pointer.
   const double scale = session_.look.scale * static_cast<double>(window_.display_scale());
@@ -416,7 +416,7 @@ std::string Application::picture_bytes(const PictureWish& wish) {
                          .size = screen_.scene_size(),
                          .text_scale = scale * theme.thickness,
                          .title = session_.scene->title},
-                        wish.path);
+                        request.path);
 }
 
 }  // namespace ghostforce

@@ -1,5 +1,5 @@
 // Application: a session at the window, live. Carries values between the screen and the servo once per frame: commands
-// and the goal one way, samples and the newest report the other; and grants what the person wished for: other scenes
+// and the goal one way, samples and the newest report the other; and does what the person asked for: other scenes
 // and inputs, undo, files. UI thread; whoever drives it decides whether the servo runs on its own thread or is stepped
 // by hand.
 #pragma once
@@ -59,10 +59,10 @@ class Application {
   void frame(double interval_s);
 
   // Instead of a frame, where nothing is to be drawn: the servo learns that the window is alive.
-  void beat();
+  void heartbeat();
 
   // Tells the person something at the next frame.
-  void tell(std::string words, bool is_problem);
+  void show_notice(std::string words, bool is_problem);
 
   // Nothing would change on screen until the person does something.
   bool is_idle() const noexcept { return session_.paused && !session_.notice && !shader_watch_ && link_->is_idle(); }
@@ -84,14 +84,14 @@ class Application {
  private:
   void take_samples();
   void send(double interval_s);
-  void note_motors();
-  void grant_wishes();
+  void copy_motor_requests();
+  void handle_requests();
   // A scene, or a recording to be replayed.
   void open(const std::string& name_or_path);
   void replay_run(const std::string& path);
-  void save_picture(const PictureWish& wish);
-  std::string picture_bytes(const PictureWish& wish);
-  void save_plots(const PlotWish& wish);
+  void save_picture(const SavePictureRequest& request);
+  std::string picture_bytes(const SavePictureRequest& request);
+  void save_plots(const SavePlotsRequest& request);
   void start_recording(const std::string& path);
   void read_recording();
   void take_back(bool undo);

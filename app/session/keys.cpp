@@ -71,9 +71,9 @@ void toggle_plots(Session& session) {
   session.plots.is_open = !session.plots.is_open;
 }
 
-template <bool Wishes::*wish>
+template <bool Requests::*request>
 void ask(Session& session) {
-  session.wishes.*wish = true;
+  session.requests.*request = true;
 }
 
 template <int steps>
@@ -150,11 +150,11 @@ constexpr std::array bindings{
     KeyBinding{GLFW_KEY_G, none, "G", "Ghost force arrows on and off", toggle<&ViewOptions::ghost_forces>},
     KeyBinding{GLFW_KEY_P, none, "P", "Prediction rings on and off", toggle<&ViewOptions::predictions>},
     KeyBinding{GLFW_KEY_T, none, "T", "Trails on and off", toggle<&ViewOptions::trails>},
-    KeyBinding{GLFW_KEY_F, none, "F", "Fit the view to what there is to see", ask<&Wishes::fit_view>},
+    KeyBinding{GLFW_KEY_F, none, "F", "Fit the view to what there is to see", ask<&Requests::fit_view>},
 
-    KeyBinding{GLFW_KEY_Z, ctrl, "Ctrl+Z", "Undo the last change of a setting", ask<&Wishes::undo>, true},
-    KeyBinding{GLFW_KEY_Z, ctrl | shift, "Ctrl+Shift+Z", "Redo it; Ctrl+Y too", ask<&Wishes::redo>, true},
-    KeyBinding{GLFW_KEY_Y, ctrl, "", "", ask<&Wishes::redo>, true},
+    KeyBinding{GLFW_KEY_Z, ctrl, "Ctrl+Z", "Undo the last change of a setting", ask<&Requests::undo>, true},
+    KeyBinding{GLFW_KEY_Z, ctrl | shift, "Ctrl+Shift+Z", "Redo it; Ctrl+Y too", ask<&Requests::redo>, true},
+    KeyBinding{GLFW_KEY_Y, ctrl, "", "", ask<&Requests::redo>, true},
     KeyBinding{GLFW_KEY_O, ctrl, "Ctrl+O", "Open a scene; or drop its file on the window", open_dialog<Dialog::open_scene>, false, true},
     KeyBinding{GLFW_KEY_S, ctrl, "Ctrl+S", "Save the scene with its settings as they are", open_dialog<Dialog::save_scene>, false, true},
     KeyBinding{GLFW_KEY_P, ctrl, "Ctrl+P", "Save a picture: PNG, SVG or PDF", open_dialog<Dialog::save_picture>, false, true},
@@ -162,7 +162,7 @@ constexpr std::array bindings{
     KeyBinding{GLFW_KEY_F1, none, "F1", "This help", open_dialog<Dialog::help>, false, true},
     KeyBinding{GLFW_KEY_F2, none, "F2", "The device: how far it is, and what to do", open_dialog<Dialog::doctor>, false, true},
     KeyBinding{GLFW_KEY_F3, none, "F3", "Plots over time, wall angle and ratio ρ", toggle_plots, false, true},
-    KeyBinding{GLFW_KEY_F11, none, "F11", "Full screen, and back", ask<&Wishes::toggle_full_screen>, false, true},
+    KeyBinding{GLFW_KEY_F11, none, "F11", "Full screen, and back", ask<&Requests::toggle_full_screen>, false, true},
     KeyBinding{GLFW_KEY_T, ctrl, "Ctrl+T", "Next theme: light, dark, projector", next_theme},
     KeyBinding{GLFW_KEY_EQUAL, ctrl, "Ctrl+ + − 0", "Letters larger, smaller, as usual", change_scale<1>, true},
     KeyBinding{GLFW_KEY_EQUAL, ctrl | shift, "", "", change_scale<1>, true},
@@ -171,7 +171,7 @@ constexpr std::array bindings{
     KeyBinding{GLFW_KEY_KP_SUBTRACT, ctrl, "", "", change_scale<-1>, true},
     KeyBinding{GLFW_KEY_0, ctrl, "", "", usual_scale},
     KeyBinding{GLFW_KEY_ESCAPE, none, "Esc", "Motors off; close what is open; it never quits", escape, false, true},
-    KeyBinding{GLFW_KEY_Q, ctrl, "Ctrl+Q", "Quit", ask<&Wishes::quit>, false, true},
+    KeyBinding{GLFW_KEY_Q, ctrl, "Ctrl+Q", "Quit", ask<&Requests::quit>, false, true},
 };
 
 constexpr std::array gestures{

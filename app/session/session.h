@@ -1,6 +1,6 @@
 // Session: what the person at the window has loaded, changed and asked for. A value of the UI thread; panels, keys and
-// gestures edit it, the application sends it on and grants its wishes. Nothing in here knows of a file, or of a device
-// more than values that are told about it.
+// gestures edit it, the application sends it on and handles its requests. Nothing in here knows of a file, or of a
+// device more than values that are told about it.
 #pragma once
 
 #include <cstdint>
@@ -43,20 +43,20 @@ struct Look {
 enum class Dialog : std::uint8_t { none, help, doctor, open_scene, save_scene, save_picture, save_plots };
 
 // A picture of what is on the screen: the format is the file name's.
-struct PictureWish {
+struct SavePictureRequest {
   std::string path;
   int density = 1;          // pixels per pixel of the screen, PNG only
   bool scene_alone = true;  // without bars and panels, PNG only
 };
 
 // What the plots show, as numbers (.csv) or as a picture (.png, .svg, .pdf).
-struct PlotWish {
+struct SavePlotsRequest {
   std::string path;
   bool whole_history = false;  // of the plots over time; else the times in sight
 };
 
 // What a frame asks of those who know files, window and inputs.
-struct Wishes {
+struct Requests {
   bool quit = false;
   bool toggle_full_screen = false;
   bool undo = false;
@@ -65,8 +65,8 @@ struct Wishes {
   std::optional<std::string> input;  // a name of the input catalog
   std::optional<std::string> open_scene;
   std::optional<std::string> save_scene;
-  std::optional<PictureWish> save_picture;
-  std::optional<PlotWish> save_plots;
+  std::optional<SavePictureRequest> save_picture;
+  std::optional<SavePlotsRequest> save_plots;
   std::optional<std::string> record;  // to a file of this name
   bool stop_recording = false;
 };
@@ -127,7 +127,7 @@ struct Session {
   Dialog dialog = Dialog::none;
   Form form;
   std::optional<Notice> notice;
-  Wishes wishes;
+  Requests requests;
 };
 
 inline Session session_of(const Scene& scene) {

@@ -120,7 +120,7 @@ void Gestures::go_on(Session& session, const Pane& pane, const Vector<2>& pointe
     case Grip::circle:
       // Whoever drags wants the goal back; a click is no drag.
       if (glm::distance(pointer, began_at_) < first_turn * unit) break;
-      session.wishes.input = session.circle_test.input_before;
+      session.requests.input = session.circle_test.input_before;
       grip_ = Grip::goal;
       break;
     case Grip::handle:

@@ -161,7 +161,7 @@ void Screen::draw_everything(Session& session, const Snapshot& snapshot, const H
     begin_fixed("scene", layout.scene, ImGuiWindowFlags_NoBackground);
     gestures_.take(session, panes_, scene_size_, unit, snapshot.measured.has_value());
     ImGui::End();
-    if (std::exchange(session.wishes.fit_view, false)) {
+    if (std::exchange(session.requests.fit_view, false)) {
       session.shown = view_of_everything(session, panes_, scene_size_, unit);
     }
   }

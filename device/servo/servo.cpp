@@ -52,12 +52,12 @@ Servo::Servo(std::unique_ptr<Input> input, const ServoCommand& initial)
       seen_arms_(initial.arms_asked),
       seen_offs_(initial.offs_asked),
       seen_acknowledgements_(initial.acknowledgements),
-      seen_heart_beats_(initial.heart_beats) {
+      seen_heartbeats_(initial.heartbeats) {
   if (!is_in_range(initial.settings) || !is_usable_speed(initial.speed) || has_diverged(initial.restart_state)) {
     throw std::invalid_argument("a servo cannot start with settings, a speed or a state out of range");
   }
   update_coefficients();
-  if (device_ != nullptr) heart_beat_ns_ = updated_ns_ = device_->now_ns();
+  if (device_ != nullptr) heartbeat_ns_ = updated_ns_ = device_->now_ns();
   report_.motors.has_motors = device_ != nullptr;
   report_.settings_generation = initial.settings_generation;
   restart_from(initial.restart_state, initial.restarts_asked);
@@ -187,7 +187,7 @@ void Servo::watch_handle() noexcept {
                   .device_is_ready = handle_.is_ready && handle_.is_known,
                   .loop_is_healthy = handle_.is_healthy,
                   .since_exchange_s = since(handle_.time_ns),
-                  .since_window_s = since(heart_beat_ns_),
+                  .since_window_s = since(heartbeat_ns_),
                   .has_focus = has_focus_,
                   .deadman_held = handle_.deadman_held,
                   .is_outside_wall = is_outside,
@@ -283,7 +283,7 @@ void Servo::apply_operator(const ServoCommand& command) noexcept {
     safety_options_ = command.safety;
     update_coefficients();
   }
-  if (std::exchange(seen_heart_beats_, command.heart_beats) != command.heart_beats) heart_beat_ns_ = device_->now_ns();
+  if (std::exchange(seen_heartbeats_, command.heartbeats) != command.heartbeats) heartbeat_ns_ = device_->now_ns();
   if (std::exchange(seen_acknowledgements_, command.acknowledgements) != command.acknowledgements) {
     safety_.acknowledge();
   }

@@ -45,8 +45,8 @@ struct ServoCommand {
   std::uint32_t offs_asked = 0;
   std::uint32_t acknowledgements = 0;
   SafetyOptions safety;
-  bool has_focus = true;          // keys reach the window
-  std::uint32_t heart_beats = 0;  // another number: the window lives
+  bool has_focus = true;         // keys reach the window
+  std::uint32_t heartbeats = 0;  // another number: the window lives
 };
 static_assert(std::is_trivially_copyable_v<ServoCommand>);
 
@@ -194,8 +194,8 @@ class Servo {
   std::uint32_t seen_arms_;
   std::uint32_t seen_offs_;
   std::uint32_t seen_acknowledgements_;
-  std::uint32_t seen_heart_beats_;
-  std::int64_t heart_beat_ns_ = 0;
+  std::uint32_t seen_heartbeats_;
+  std::int64_t heartbeat_ns_ = 0;
   std::int64_t updated_ns_ = 0;
   std::int64_t measured_ns_ = 0;  // of the newest reading that a tick has measured the device by
 };

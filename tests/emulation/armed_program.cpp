@@ -154,7 +154,7 @@ class Person {
   // Throws when interrupted.
   void live() {
     stop_if_interrupted();
-    ++command_.heart_beats;
+    ++command_.heartbeats;
     servo_->send(command_);
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }

@@ -164,7 +164,7 @@ class ServoOverUsbTest : public testing::Test {
   const MotorReport& motors() { return servo->newest().motors; }
 
   void live() {
-    ++command.heart_beats;
+    ++command.heartbeats;
     servo->send(command);
     std::this_thread::sleep_for(milliseconds(2));
   }

@@ -1,5 +1,5 @@
 // What may stand in front of the scene, one at a time: help, and the forms for opening and saving. Each edits its own
-// fields, and in the end leaves a wish in the session.
+// fields, and in the end leaves a request in the session.
 #pragma once
 
 #include "app/ui/widgets/panel_context.h"

@@ -50,7 +50,7 @@ void draw_input(const PanelContext& context) {
   if (begin_rows("input", context)) {
     row("Goal from", "Who moves the goal of the hand.");
     const std::string_view input = choose("##input", context.loop.inputs, context.session.input);
-    if (!input.empty()) context.session.wishes.input = input;
+    if (!input.empty()) context.session.requests.input = input;
     if (!context.loop.injected_faults.empty()) {
       row("Misbehaves", "What the virtual device does wrong, to see what the program makes of it.");
       const std::string_view wrong =

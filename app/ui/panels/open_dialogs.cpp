@@ -20,7 +20,7 @@ void draw_open_scene(const PanelContext& context) {
   ImGui::TextUnformatted("Or drop the file on the window.");
   ImGui::PopStyleColor();
   if ((entered || pressed) && !session.form.path.empty()) {
-    session.wishes.open_scene = session.form.path;
+    session.requests.open_scene = session.form.path;
     session.dialog = Dialog::none;
   }
 }

@@ -20,12 +20,12 @@ void draw_switch(Session& session) {
     ImGui::PopTextWrapPos();
     if (ImGui::Button("Circle test")) {
       session.circle_test.input_before = session.input;
-      session.wishes.input = "circle";
+      session.requests.input = "circle";
     }
     explain("The goal goes round a circle inside the wall, and each turn is measured.");
     return;
   }
-  if (ImGui::Button("End the circle test")) session.wishes.input = session.circle_test.input_before;
+  if (ImGui::Button("End the circle test")) session.requests.input = session.circle_test.input_before;
   explain("Gives the goal back to what moved it before.");
 }
 

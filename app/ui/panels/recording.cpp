@@ -12,9 +12,9 @@ namespace ghostforce {
 void toggle_recording(const PanelContext& context) {
   Session& session = context.session;
   if (context.loop.recording.is_on) {
-    session.wishes.stop_recording = true;
+    session.requests.stop_recording = true;
   } else {
-    session.wishes.record =
+    session.requests.record =
         session.recording_path.empty() ? proposed_path(file_stem(session.scene->title), "csv") : session.recording_path;
     session.recording_path.clear();  // the next one is another file
   }

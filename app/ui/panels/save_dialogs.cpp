@@ -57,7 +57,7 @@ void draw_save_picture(const PanelContext& context) {
     end_rows();
   }
   if (!draw_save_path_with(picture_formats, context)) return;
-  session.wishes.save_picture = PictureWish{form.path, form.density, form.scene_alone};
+  session.requests.save_picture = SavePictureRequest{form.path, form.density, form.scene_alone};
   session.dialog = Dialog::none;
 }
 
@@ -80,7 +80,7 @@ void draw_save_plots(const PanelContext& context) {
     end_rows();
   }
   if (!draw_save_path_with(plot_formats, context)) return;
-  session.wishes.save_plots = PlotWish{form.path, form.whole_history};
+  session.requests.save_plots = SavePlotsRequest{form.path, form.whole_history};
   session.dialog = Dialog::none;
 }
 
@@ -91,7 +91,7 @@ void draw_save_scene(const PanelContext& context) {
   }
   ImGui::TextUnformatted("The scene with all settings as they are, and a path that ends at the goal:");
   if (!draw_save_path(context)) return;
-  session.wishes.save_scene = session.form.path;
+  session.requests.save_scene = session.form.path;
   session.dialog = Dialog::none;
 }
 

@@ -43,7 +43,7 @@ void draw_scene_menu(Session& session) {
   close_popup_on_escape();
   for (const ShippedScene& scene : shipped_scenes()) {
     if (ImGui::MenuItem(scene.title.c_str(), scene.name.c_str(), scene.title == session.scene->title))
-      session.wishes.open_scene = scene.name;
+      session.requests.open_scene = scene.name;
     explain(scene.about);
   }
   ImGui::Separator();
@@ -52,8 +52,8 @@ void draw_scene_menu(Session& session) {
   if (item("Save this scene…", "Ctrl+S")) session.dialog = Dialog::save_scene;
   if (item("Save a picture…", "Ctrl+P")) session.dialog = Dialog::save_picture;
   ImGui::Separator();
-  if (item("Undo", "Ctrl+Z")) session.wishes.undo = true;
-  if (item("Redo", "Ctrl+Shift+Z")) session.wishes.redo = true;
+  if (item("Undo", "Ctrl+Z")) session.requests.undo = true;
+  if (item("Redo", "Ctrl+Shift+Z")) session.requests.redo = true;
   ImGui::EndPopup();
 }
 

@@ -189,11 +189,11 @@ std::string picture_of(const std::vector<Chart>& charts, const Session& session,
 }  // namespace
 
 std::string plot_file(const Session& session, const Snapshot& snapshot, const PlotHistory& history,
-                      const PlotWish& wish, const FilePainter& painter) {
-  const Export result = export_of(session, snapshot, history, wish.whole_history);
+                      const SavePlotsRequest& request, const FilePainter& painter) {
+  const Export result = export_of(session, snapshot, history, request.whole_history);
   constexpr std::array numbers{"csv"};
-  if (format_of(wish.path, numbers) != nullptr) return provenance(scene_as_seen(session)) + csv_text(result.table);
-  return picture_of(result.charts, session, wish.path, painter);
+  if (format_of(request.path, numbers) != nullptr) return provenance(scene_as_seen(session)) + csv_text(result.table);
+  return picture_of(result.charts, session, request.path, painter);
 }
 
 }  // namespace ghostforce

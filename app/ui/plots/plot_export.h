@@ -10,8 +10,9 @@
 
 namespace ghostforce {
 
-// The file's content; the ending of `wish.path` says which format. Throws Failure where the painter of pictures does.
+// The file's content; the ending of `request.path` says which format. Throws Failure where the painter of pictures
+// does.
 std::string plot_file(const Session& session, const Snapshot& snapshot, const PlotHistory& history,
-                      const PlotWish& wish, const FilePainter& painter);
+                      const SavePlotsRequest& request, const FilePainter& painter);
 
 }  // namespace ghostforce

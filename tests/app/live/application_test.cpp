@@ -48,7 +48,7 @@ TEST_F(ApplicationTest, APausedWindowHasNewsWhenTheServoHas) {
   press(GLFW_KEY_SPACE);
   frames(5);
   ASSERT_TRUE(application_->is_idle());
-  application_->beat();
+  application_->heartbeat();
   for (int i = 0; i < 100; ++i) application_->servo().step();
   EXPECT_FALSE(application_->has_news());
 

@@ -152,12 +152,13 @@ class MonkeyTest : public DrivenWindow {
                  GLFW_PRESS, 0);
         break;
       case 10:
-        if (any(3) == 0) session().wishes.open_scene = any_of(shipped_scene_names());
+        if (any(3) == 0) session().requests.open_scene = any_of(shipped_scene_names());
         if (any(3) == 0) {
-          session().wishes.input = any_of(std::array{"mouse", "script", "circle", "virtual-falcon", "virtual-falcon"});
+          session().requests.input =
+              any_of(std::array{"mouse", "script", "circle", "virtual-falcon", "virtual-falcon"});
         }
-        if (any(4) == 0) session().wishes.record = any_of(std::array{"a.csv", "b.csv", "no/such/folder.csv"});
-        if (any(8) == 0) session().wishes.open_scene = any_of(std::array{"a.csv", "b.csv", "broken.toml"});
+        if (any(4) == 0) session().requests.record = any_of(std::array{"a.csv", "b.csv", "no/such/folder.csv"});
+        if (any(8) == 0) session().requests.open_scene = any_of(std::array{"a.csv", "b.csv", "broken.toml"});
         break;
     }
     frame();
@@ -176,7 +177,7 @@ class MonkeyTest : public DrivenWindow {
   void lead_back() {
     session().folded_panels.clear();
     if (any(20) == 0) session().plots.is_open = true;
-    if (session().input == "falcon" || session().input == "spacemouse") session().wishes.input = "virtual-falcon";
+    if (session().input == "falcon" || session().input == "spacemouse") session().requests.input = "virtual-falcon";
     // Motors that push want somebody who takes all the steps, and that takes its time.
     if (any(60) == 0 && session().input == "virtual-falcon") {
       session().goal = {-0.02, 0.02};
@@ -197,7 +198,7 @@ class MonkeyTest : public DrivenWindow {
 
 TEST_F(MonkeyTest, BreaksNothing) {
   const int events = number_from_environment("GHOSTFORCE_MONKEY_EVENTS", 1500);
-  session().wishes.record = "a.csv";
+  session().requests.record = "a.csv";
   for (int i = 0; i < events; ++i) {
     lead_back();
     do_something();
@@ -219,8 +220,8 @@ TEST_F(MonkeyTest, BreaksNothing) {
   // And at the end all is as it was at the beginning for who asks for it.
   press(GLFW_KEY_ESCAPE);
   press(GLFW_KEY_ESCAPE);
-  session().wishes.input = "mouse";
-  session().wishes.open_scene = "wall45";
+  session().requests.input = "mouse";
+  session().requests.open_scene = "wall45";
   frames(5);
   EXPECT_EQ(session().settings, load_scene("wall45").settings);
   save_scene(session(), folder_ / "last.toml");

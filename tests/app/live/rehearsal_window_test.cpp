@@ -131,21 +131,21 @@ TEST_F(RehearsalWindow, AnotherSceneOrInputNeverTakesTheForceAlong) {
   turn_on();
   lead_slowly(outside, inside);
   ASSERT_GT(glm::length(motors().sent), 0.5);
-  session().wishes.open_scene = "fig1";
+  session().requests.open_scene = "fig1";
   frames(5);
   EXPECT_EQ(motors().state, SafetyState::off);
   EXPECT_EQ(motors().sent, Vector<2>(0.0));
-  session().wishes.input = "mouse";
+  session().requests.input = "mouse";
   frames(5);
   EXPECT_FALSE(motors().has_motors);
   EXPECT_TRUE(application_->reading().shown.empty());
 }
 
 TEST_F(RehearsalWindow, SaysThatASceneDoesNotFitTheWorkspace) {
-  session().wishes.open_scene = "fig1";
+  session().requests.open_scene = "fig1";
   frames(5);
   EXPECT_NE(application_->reading().device_remark.find("set scale"), std::string::npos);
-  session().wishes.open_scene = "wall45";
+  session().requests.open_scene = "wall45";
   frames(5);
   EXPECT_EQ(application_->reading().device_remark, "");
 }

@@ -260,11 +260,11 @@ TEST(Recording, KnowsWhereItIs) {
 class RecordingWindow : public DrivenWindow {
  protected:
   void record(const std::string& path) {
-    session().wishes.record = path;
+    session().requests.record = path;
     frames(2);
   }
   void stop() {
-    session().wishes.stop_recording = true;
+    session().requests.stop_recording = true;
     frames(2);
   }
   void press_record_button() { click_at(821.0, 23.0); }
@@ -327,12 +327,12 @@ TEST_F(RecordingWindow, RecordsFromTheFirstTickWhenAskedOnTheCommandLine) {
 TEST_F(RecordingWindow, AnotherSceneOrInputEndsIt) {
   record(folder_ / "scene.csv");
   frames(10);
-  session().wishes.open_scene = "fig1";
+  session().requests.open_scene = "fig1";
   frames(2);
   EXPECT_TRUE(notice().starts_with("Another scene or input ends the recording. Recorded ")) << notice();
   record(folder_ / "input.csv");
   frames(10);
-  session().wishes.input = "script";
+  session().requests.input = "script";
   frames(10);
   EXPECT_TRUE(notice().starts_with("Another scene or input ends the recording. Recorded ")) << notice();
   EXPECT_EQ(load_run(folder_ / "scene.csv").scene->title, load_scene("wall45").title);

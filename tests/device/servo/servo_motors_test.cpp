@@ -71,7 +71,7 @@ class ServoMotors : public testing::Test {
 
   // The window lives and sends its newest.
   void step() {
-    ++command_.heart_beats;
+    ++command_.heartbeats;
     servo_->send(command_);
     servo_->step();
   }

@@ -298,7 +298,7 @@ TEST(Soak, FalconThatGoesWrong) {
       ++command.arms_asked;
     }
     for (int i = 0; i < ticks; ++i) {
-      if (window_lives) ++command.heart_beats;
+      if (window_lives) ++command.heartbeats;
       servo.send(command);
       const Vector<2> before = device.pushed;
       servo.step();

@@ -38,7 +38,7 @@ class Rehearsal {
     for (double t = 0.0; t < seconds - 0.0005; t += 0.001) step();
   }
   void step() {
-    ++command_.heart_beats;
+    ++command_.heartbeats;
     servo_->send(command_);
     servo_->step();
   }
