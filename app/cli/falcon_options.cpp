@@ -85,7 +85,7 @@ std::optional<FirmwareImage> FalconSetUp::read_firmware_file() const {
 InputOptions FalconSetUp::input_options(const std::optional<FirmwareImage>& image) const {
   InputOptions options;
   if (image) options.falcon.firmware = image->bytes;
-  options.falcon.calibrations = recall_falcon_calibrations();
+  options.falcon.calibrations = load_falcon_calibrations();
   // They have been looked at when the command line was.
   for (const std::string& name : misbehave) find_injected_fault(name)->add(options.injected_fault);
   return options;

@@ -54,7 +54,7 @@ double seconds(Clock::duration duration) {
   return std::chrono::duration<double>(duration).count();
 }
 
-// Keeps what shall be remembered up to date. What the command line asked for holds for this run only.
+// Keeps the stored preferences up to date. What the command line asked for holds for this run only.
 class Keeper {
  public:
   Keeper(Preferences kept, const Session& session) : kept_(std::move(kept)), seen_(seen_in(session)) {}
@@ -67,7 +67,7 @@ class Keeper {
     if (now.look.scale != seen_.look.scale) kept_.look.scale = now.look.scale;
     if (!now.offers_hints && seen_.offers_hints) kept_.offers_hints = false;
     seen_ = now;
-    remember(kept_);
+    save(kept_);
   }
 
  private:
@@ -131,11 +131,11 @@ int run(const Options& options) {
   if (recording) {
     input_options.recorded_hand = std::make_shared<const GoalPath>(goal_path_of(*recording, scene.settings.rate));
   }
-  Remembered remembered = recall();
-  Look look = remembered.preferences.look;
+  StoredPreferences stored = load_preferences();
+  Look look = stored.preferences.look;
   options.picture.apply_look(look);
   const auto scaled = [&](int points) { return static_cast<int>(std::lround(points * look.scale)); };
-  const WindowLayout layout = remembered.layout.value_or(
+  const WindowLayout layout = stored.layout.value_or(
       WindowLayout{.width = scaled(1280), .height = scaled(800), .is_maximized = false, .folded_panels = {}});
   leave_processor_to_servo();
   Window window({.title = window_title(scene), .width = layout.width, .height = layout.height, .fits_monitor = true});
@@ -148,14 +148,13 @@ int run(const Options& options) {
        .painter = cairo_file_painter(),
        .record = options.record,
        .input_options = input_options,
-       .offers_hints = remembered.preferences.offers_hints && !options.no_hints,
-       .folded_panels = remembered.layout ? layout.folded_panels
-                                          : panels_folded_at_first(window.restored_size().height / look.scale),
+       .offers_hints = stored.preferences.offers_hints && !options.no_hints,
+       .folded_panels =
+           stored.layout ? layout.folded_panels : panels_folded_at_first(window.restored_size().height / look.scale),
        .shader_folder = options.shader_folder});
-  if (!remembered.remarks.empty())
-    application.show_notice(fmt::format("{}", fmt::join(remembered.remarks, "\n\n")), true);
+  if (!stored.remarks.empty()) application.show_notice(fmt::format("{}", fmt::join(stored.remarks, "\n\n")), true);
   emergency_stop::refuse_to_be_stopped();
-  Keeper keeper(remembered.preferences, application.session());
+  Keeper keeper(stored.preferences, application.session());
   application.start();
   const BeforeDisplayLoss before_display_loss([&application] {
     application.servo().stop();
@@ -197,7 +196,7 @@ int run(const Options& options) {
   }
   try {
     keeper.keep(application.session());
-    remember(layout_of(window, application.session()));
+    save(layout_of(window, application.session()));
   } catch (const Failure& failure) {
     // The visit is over and went well; the window only opens in its usual size the next time.
     say("{}\n", failure.what());

@@ -207,13 +207,13 @@ std::string falcon_calibration_text(const FalconCalibration& calibration) {
       toml_string(axis_words[static_cast<std::size_t>(calibration.up_axis)]), calibration.scale);
 }
 
-std::vector<FalconCalibration> recall_falcon_calibrations() {
+std::vector<FalconCalibration> load_falcon_calibrations() {
   std::vector<FalconCalibration> calibrations;
   for (const CalibrationFile& file : read_all()) calibrations.push_back(file.calibration);
   return calibrations;
 }
 
-fs::path remember_falcon_calibration(const FalconCalibration& calibration) {
+fs::path save_falcon_calibration(const FalconCalibration& calibration) {
   const std::string_view serial = calibration.serial.text();
   if (!is_serial(serial)) {
     throw Failure(ExitCode::wrong_call,

@@ -38,10 +38,10 @@ std::string falcon_calibration_text(const FalconCalibration& calibration);
 
 // All of them, in the order of their files' names. Where there is no folder there are none. Throws ReadError: wrong
 // with every problem of every file, also where two files are about the same device; unreadable.
-std::vector<FalconCalibration> recall_falcon_calibrations();
+std::vector<FalconCalibration> load_falcon_calibrations();
 
 // Into the file that is about the device, or else SERIAL.toml, whole or not at all; returns its path. Throws Failure:
 // wrong_call where the serial number is empty or no name of a file; file_trouble. And ReadError, as above.
-std::filesystem::path remember_falcon_calibration(const FalconCalibration& calibration);
+std::filesystem::path save_falcon_calibration(const FalconCalibration& calibration);
 
 }  // namespace ghostforce

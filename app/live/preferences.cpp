@@ -97,7 +97,7 @@ fs::path name_aside(const fs::path& file) {
 }
 
 template <typename Value>
-std::optional<Value> recall_from(const fs::path& file, std::vector<std::string>& remarks) {
+std::optional<Value> load_from(const fs::path& file, std::vector<std::string>& remarks) {
   std::error_code error;
   if (file.empty() || !fs::exists(file, error)) return std::nullopt;
   const std::string shown = printable(file.string(), longest_path);
@@ -163,18 +163,18 @@ void write(const fs::path& file, const std::string& text, std::string_view what)
 
 }  // namespace
 
-Remembered recall() {
-  Remembered remembered;
-  remembered.preferences = recall_from<Preferences>(preferences_file(), remembered.remarks).value_or(Preferences{});
-  remembered.layout = recall_from<WindowLayout>(layout_file(), remembered.remarks);
-  return remembered;
+StoredPreferences load_preferences() {
+  StoredPreferences stored;
+  stored.preferences = load_from<Preferences>(preferences_file(), stored.remarks).value_or(Preferences{});
+  stored.layout = load_from<WindowLayout>(layout_file(), stored.remarks);
+  return stored;
 }
 
-void remember(const Preferences& preferences) {
+void save(const Preferences& preferences) {
   write(preferences_file(), text_of(preferences), "preferences are");
 }
 
-void remember(const WindowLayout& layout) {
+void save(const WindowLayout& layout) {
   write(layout_file(), text_of(layout), "the window's layout is");
 }
 

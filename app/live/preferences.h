@@ -29,15 +29,15 @@ struct WindowLayout {
   friend bool operator==(const WindowLayout&, const WindowLayout&) = default;
 };
 
-struct Remembered {
+struct StoredPreferences {
   Preferences preferences;
   std::optional<WindowLayout> layout;  // empty: nothing is known yet
   std::vector<std::string> remarks;    // for the person: what was damaged, and where it is now
 };
-Remembered recall();
+StoredPreferences load_preferences();
 
 // Throws Failure(file_trouble). Without a home folder nothing is remembered.
-void remember(const Preferences& preferences);
-void remember(const WindowLayout& layout);
+void save(const Preferences& preferences);
+void save(const WindowLayout& layout);
 
 }  // namespace ghostforce

@@ -95,7 +95,7 @@ void write_calibration(const MeasureCall& call, std::optional<OutputFile>& file,
     person.tell("It was not kept; the report has it.");
     return;
   }
-  const std::filesystem::path path = remember_falcon_calibration(calibration);
+  const std::filesystem::path path = save_falcon_calibration(calibration);
   person.tell(fmt::format("The calibration is in {}.", printable(path.string(), longest_path)));
 }
 

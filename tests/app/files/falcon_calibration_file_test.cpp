@@ -134,7 +134,7 @@ class FalconCalibrationFolderTest : public testing::Test {
 };
 
 TEST_F(FalconCalibrationFolderTest, IsEmptyAtFirst) {
-  EXPECT_TRUE(recall_falcon_calibrations().empty());
+  EXPECT_TRUE(load_falcon_calibrations().empty());
   EXPECT_EQ(folder_.count(), 0);
 }
 
@@ -152,8 +152,8 @@ TEST_F(FalconCalibrationFolderTest, ReadsBackWhatItWrote) {
   written.right_axis = FalconAxis::minus_x;
   written.up_axis = FalconAxis::z;
   written.scale = 1.5;
-  EXPECT_EQ(remember_falcon_calibration(written), folder_ / "ghostforce/falcon/FTPNM0FB.toml");
-  const auto read = recall_falcon_calibrations();
+  EXPECT_EQ(save_falcon_calibration(written), folder_ / "ghostforce/falcon/FTPNM0FB.toml");
+  const auto read = load_falcon_calibrations();
   ASSERT_EQ(read.size(), 1U);
   EXPECT_EQ(read[0].serial, written.serial);
   EXPECT_EQ(read[0].counts_per_newton_metre, written.counts_per_newton_metre);
@@ -177,9 +177,9 @@ TEST_F(FalconCalibrationFolderTest, KeepsOneFilePerDeviceUnderTheNameThatItHas) 
   write("notes.txt", "no calibration");
   FalconCalibration changed = calibration_of("A1");
   changed.scale = 3.0;
-  EXPECT_EQ(remember_falcon_calibration(changed), folder_ / "ghostforce/falcon/mine.toml");
-  remember_falcon_calibration(calibration_of("B2"));
-  const auto read = recall_falcon_calibrations();
+  EXPECT_EQ(save_falcon_calibration(changed), folder_ / "ghostforce/falcon/mine.toml");
+  save_falcon_calibration(calibration_of("B2"));
+  const auto read = load_falcon_calibrations();
   ASSERT_EQ(read.size(), 2U);
   EXPECT_EQ(read[0].serial.text(), "B2");  // B2.toml is before mine.toml
   EXPECT_EQ(read[1].scale, 3.0);
@@ -191,7 +191,7 @@ TEST_F(FalconCalibrationFolderTest, TellsOfEveryFileThatIsWrong) {
   write("c.toml", "format = 1\n");
   std::filesystem::create_directory(folder_ / "ghostforce/falcon/d.toml");
   try {
-    recall_falcon_calibrations();
+    load_falcon_calibrations();
     FAIL();
   } catch (const ReadError& error) {
     const std::string words = error.what();
@@ -207,7 +207,7 @@ TEST_F(FalconCalibrationFolderTest, TellsWhatCannotBeRead) {
   write("a.toml", least);
   std::filesystem::create_symlink("/proc/self/mem", folder_ / "ghostforce/falcon/b.toml");
   try {
-    recall_falcon_calibrations();
+    load_falcon_calibrations();
     FAIL();
   } catch (const ReadError& error) {
     EXPECT_EQ(error.kind(), ReadError::Kind::unreadable);
@@ -216,11 +216,11 @@ TEST_F(FalconCalibrationFolderTest, TellsWhatCannotBeRead) {
 }
 
 TEST_F(FalconCalibrationFolderTest, KeepsNothingThatHasNoName) {
-  EXPECT_THROW(remember_falcon_calibration(calibration_of("")), Failure);
-  EXPECT_THROW(remember_falcon_calibration(calibration_of("../a")), Failure);
+  EXPECT_THROW(save_falcon_calibration(calibration_of("")), Failure);
+  EXPECT_THROW(save_falcon_calibration(calibration_of("../a")), Failure);
   FalconCalibration unnamed = calibration_of("A1");
   unnamed.geometry.upper_arm = 0.061;
-  EXPECT_THROW(remember_falcon_calibration(unnamed), Failure);
+  EXPECT_THROW(save_falcon_calibration(unnamed), Failure);
   EXPECT_EQ(folder_.count(), 0);
 }
 
