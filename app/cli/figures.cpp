@@ -48,7 +48,7 @@ void refuse_hand_without_figure(const Options& options) {
 FigureRequest request_of(const Options& options) {
   if (options.hand.empty()) return {};
   const Run run = load_run(options.hand);
-  for (const std::string& remark : run.remarks) say("{}\n", remark);
+  for (const std::string& warning : run.warnings) say("{}\n", warning);
   FigureRequest request{recorded_hand(run, printable(std::filesystem::path(options.hand).filename().string()))};
   for (const std::string& words : request.hand->left_out) say("{}: {}\n", request.hand->name, words);
   return request;

@@ -273,7 +273,7 @@ int measure_user(const Options& options) {
   std::optional<Vector<2>> target;
   if (options.target_mm) target = position_from_mm("--target-mm", *options.target_mm);
   const Run run = load_run(options.run);
-  for (const std::string& remark : run.remarks) say("{}\n", remark);
+  for (const std::string& warning : run.warnings) say("{}\n", warning);
   if (!run.scene) {
     throw Failure(ExitCode::wrong_call, fmt::format("{}: tells no scene, so wall and motor are not known; want a file "
                                                     "of 'simulate', 'replay' or a recording",

@@ -22,7 +22,7 @@
 #include "app/files/run_reader.h"
 #include "app/files/scene_file.h"
 #include "app/runs/replay.h"
-#include "app/runs/run_hand.h"
+#include "app/runs/replay_start.h"
 #include "ghostforce_version.h"
 
 namespace ghostforce {
@@ -76,7 +76,7 @@ std::string verdict(const RunFacts& run, const ReplayReport& report) {
 
 // What was left out comes before any verdict.
 void tell_remarks(const RunFacts& run) {
-  for (const std::string& remark : run.remarks) say("{}\n", remark);
+  for (const std::string& warning : run.warnings) say("{}\n", warning);
 }
 
 [[noreturn]] void refuse_without_scene(const Options& options) {
@@ -139,7 +139,7 @@ std::optional<Scene> other_scene(const RunFacts& run, const Options& options) {
 // All that is needed of a run to play its hand: of its ticks the goals alone.
 struct Hand {
   Scene scene;  // that it is played in
-  HandStart start;
+  ReplayStart start;
   GoalPath path;
 };
 
@@ -150,7 +150,7 @@ Hand load_hand(const Options& options) {
   const RunFacts run = stream_run(options.run, "reading", true, [&](const RunFacts& so_far, const RunTick& tick) {
     if (std::exchange(is_empty, false)) {
       if (const std::optional<Scene> scene = other_scene(so_far, options)) {
-        hand = Hand{*scene, start_of_hand(so_far, tick, scene->settings), {}};
+        hand = Hand{*scene, replay_start(so_far, tick, scene->settings), {}};
         path.emplace(scene->settings.rate);
       }
     }

@@ -27,7 +27,7 @@
 #include "app/live/frame_pacer.h"
 #include "app/live/preferences.h"
 #include "app/paint/vector/file_painter.h"
-#include "app/runs/run_hand.h"
+#include "app/runs/replay_start.h"
 #include "app/ui/display_loss.h"
 #include "app/ui/panels/panel_catalog.h"
 #include "core/safety.h"
@@ -112,7 +112,7 @@ WordCheck a_file_of_its_own() {
 std::optional<Run> load_recording(const Options& options) {
   if (!options.input.starts_with(replay_begins())) return std::nullopt;
   Run run = load_run(options.input.substr(replay_begins().size()));
-  for (const std::string& remark : run.remarks) say("{}\n", remark);
+  for (const std::string& warning : run.warnings) say("{}\n", warning);
   return run;
 }
 

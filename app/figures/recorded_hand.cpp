@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "app/console/failure.h"
-#include "app/runs/run_hand.h"
+#include "app/runs/replay_start.h"
 
 namespace ghostforce {
 
@@ -30,7 +30,7 @@ RecordedHand recorded_hand(const Run& run, std::string name) {
   }
   hand.scene.duration = path.times.back();
   hand.scene.settings = run.settings[run.ticks.front().settings];
-  hand.start = start_of_hand(run, run.ticks.front(), hand.scene.settings).state;
+  hand.start = replay_start(run, run.ticks.front(), hand.scene.settings).state;
   const std::size_t shown = path.times.size();
   std::int64_t jumps = 0;
   for (std::size_t i = 0; i < shown; ++i) {

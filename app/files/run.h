@@ -46,14 +46,14 @@ struct RunTick {
 
 // What a run tells beside its ticks.
 struct RunFacts {
-  std::string name;                  // what messages call it
-  std::string version;               // of the program that wrote it; empty: not told
-  std::optional<Scene> scene;        // empty: not told
-  std::vector<Settings> settings;    // the scene's, then one more for each change while it ran; empty without a scene
-  std::vector<RunState> states;      // from which it went on where it was reset, or motors came on or went off
-  std::uint64_t dropped = 0;         // samples that were lost while it was recorded
-  bool is_interrupted = false;       // the program was, while it was recorded
-  std::vector<std::string> remarks;  // what is not told or was lost, one line each, for people
+  std::string name;                   // what messages call it
+  std::string version;                // of the program that wrote it; empty: not told
+  std::optional<Scene> scene;         // empty: not told
+  std::vector<Settings> settings;     // the scene's, then one more for each change while it ran; empty without a scene
+  std::vector<RunState> states;       // from which it went on where it was reset, or motors came on or went off
+  std::uint64_t dropped = 0;          // samples that were lost while it was recorded
+  bool is_interrupted = false;        // the program was, while it was recorded
+  std::vector<std::string> warnings;  // what is not told or was lost, one line each, for people
 };
 
 struct Run : RunFacts {

@@ -129,19 +129,19 @@ class RunReader {
     }
     if (run_.version.empty() && values_per_row_ == 0) refuse("this is no run");
     if (run_.version.empty()) {
-      remark("which version of ghostforce wrote it is not told");
+      warn("which version of ghostforce wrote it is not told");
     } else if (run_.version != version) {
-      remark(fmt::format("written by version {}; this is version {}", printable(run_.version), version));
+      warn(fmt::format("written by version {}; this is version {}", printable(run_.version), version));
     }
-    if (!run_.scene) remark("the scene is not told, or not to its end");
-    if (run_.dropped > 0) remark(fmt::format("{} samples were lost while it was recorded", run_.dropped));
-    if (!rest_.empty()) remark("its last line is cut and left out");
-    if (tick_count_ == 0) remark("it holds no row");
+    if (!run_.scene) warn("the scene is not told, or not to its end");
+    if (run_.dropped > 0) warn(fmt::format("{} samples were lost while it was recorded", run_.dropped));
+    if (!rest_.empty()) warn("its last line is cut and left out");
+    if (tick_count_ == 0) warn("it holds no row");
     return std::move(run_);
   }
 
  private:
-  void remark(std::string_view words) { run_.remarks.push_back(fmt::format("{}: {}", run_.name, words)); }
+  void warn(std::string_view words) { run_.warnings.push_back(fmt::format("{}: {}", run_.name, words)); }
   [[noreturn]] void refuse(std::string_view why) const {
     throw ReadError(ReadError::Kind::wrong, {{.file = run_.name,
                                               .what = std::string(why),

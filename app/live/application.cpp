@@ -14,7 +14,7 @@
 #include "app/files/png_file.h"
 #include "app/files/run_reader.h"
 #include "app/files/scene_file.h"
-#include "app/runs/run_hand.h"
+#include "app/runs/replay_start.h"
 #include "app/session/measurement_guide.h"
 #include "app/session/scene_as_seen.h"
 #include "app/ui/plots/plot_export.h"
@@ -304,8 +304,8 @@ void Application::replay_run(const std::string& path) {
   input_choices_ = choices_of(inputs_, true);
   use(*std::ranges::find_if(inputs_, &InputEntry::needs_recording), std::make_shared<const Scene>(*run.scene),
       run.scene->settings);
-  show_notice(fmt::format("Replaying {}{}{}", printable(path, longest_path), run.remarks.empty() ? "" : "\n",
-                          fmt::join(run.remarks, "\n")),
+  show_notice(fmt::format("Replaying {}{}{}", printable(path, longest_path), run.warnings.empty() ? "" : "\n",
+                          fmt::join(run.warnings, "\n")),
               false);
 }
 

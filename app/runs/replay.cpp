@@ -5,7 +5,7 @@
 #include <bit>
 #include <cmath>
 
-#include "app/runs/run_hand.h"
+#include "app/runs/replay_start.h"
 
 namespace ghostforce {
 namespace {

@@ -5,7 +5,7 @@
 #include "app/console/failure.h"
 #include "app/files/run_reader.h"
 #include "app/runs/replay.h"
-#include "app/runs/run_hand.h"
+#include "app/runs/replay_start.h"
 #include "tests/fuzz/fuzz.h"
 #include "tests/support/replay_run.h"
 

@@ -57,7 +57,7 @@ TEST(RecordingProgram, InterruptedItSaysSoInItsLastLine) {
     EXPECT_TRUE(text.ends_with("\n# interrupted\n")) << text.substr(text.size() - 100);
     const auto run = load_run(folder / "run.csv");
     EXPECT_TRUE(run.is_interrupted);
-    EXPECT_TRUE(run.remarks.empty());
+    EXPECT_TRUE(run.warnings.empty());
     expect_repeats(run);
   }
 }
@@ -97,7 +97,7 @@ TEST(RecordingProgram, EndsByItselfAndOverwritesNothing) {
   };
   EXPECT_EQ(record(), 0);
   const std::string text = read_whole(path);
-  EXPECT_TRUE(load_run(path).remarks.empty());
+  EXPECT_TRUE(load_run(path).warnings.empty());
   EXPECT_EQ(record(), 8);
   EXPECT_EQ(read_whole(path), text);
 }

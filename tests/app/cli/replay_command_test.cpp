@@ -107,7 +107,7 @@ TEST(ReplayCommand, PlaysTheHandInAnotherSceneAndComparesNothing) {
   // The recorded hand is that of the scene: so are all rows.
   const std::string found = read_whole(folder / "set.csv");
   EXPECT_EQ(found.substr(found.find("\nfull,0,")), wanted.out.substr(wanted.out.find("\nfull,0,")));
-  EXPECT_TRUE(read_run(found, "set.csv").remarks.empty());
+  EXPECT_TRUE(read_run(found, "set.csv").warnings.empty());
 
   const Outcome named = run_ghostforce({"replay", run, "wall45", "-o", folder / "wall.csv"});
   EXPECT_EQ(named.exit_code, 0) << named.err;

@@ -11,7 +11,7 @@
 
 #include "app/files/run_file.h"
 #include "app/files/scene_file.h"
-#include "app/runs/run_hand.h"
+#include "app/runs/replay_start.h"
 #include "core/simulate.h"
 #include "ghostforce_version.h"
 #include "tests/support/scene_values.h"
@@ -50,14 +50,14 @@ std::string recording() {
   return run_header(scene, recording_columns) + text_of(rows);
 }
 
-bool has_remark(const Run& run, std::string_view words) {
-  return std::ranges::any_of(run.remarks,
+bool has_warning(const Run& run, std::string_view words) {
+  return std::ranges::any_of(run.warnings,
                              [&](const std::string& remark) { return remark.find(words) != std::string::npos; });
 }
 
-std::string listed_remarks(const Run& run) {
+std::string listed_warnings(const Run& run) {
   std::string all;
-  for (const std::string& remark : run.remarks) all += remark + "\n";
+  for (const std::string& warning : run.warnings) all += warning + "\n";
   return all;
 }
 
@@ -109,8 +109,8 @@ TEST(RunReader, ReadsARecordingBack) {
   EXPECT_EQ(run.states.at(0).energy[0], 1.5);
   EXPECT_EQ(run.dropped, 12U);
   EXPECT_TRUE(run.is_interrupted);
-  EXPECT_EQ(run.remarks.size(), 1U) << listed_remarks(run);
-  EXPECT_TRUE(has_remark(run, "12 samples were lost"));
+  EXPECT_EQ(run.warnings.size(), 1U) << listed_warnings(run);
+  EXPECT_TRUE(has_warning(run, "12 samples were lost"));
 }
 
 TEST(RunReader, ReadsBackBitForBitWhatSimulateWrites) {
@@ -123,7 +123,7 @@ TEST(RunReader, ReadsBackBitForBitWhatSimulateWrites) {
     rows.push_back('\n');
   });
   const auto run = read_run(run_header(scene) + text_of(rows), "run.csv");
-  EXPECT_EQ(listed_remarks(run), "");
+  EXPECT_EQ(listed_warnings(run), "");
   ASSERT_TRUE(run.scene);
   EXPECT_EQ(scene_values(*run.scene), scene_values(scene));
   ASSERT_EQ(run.ticks.size(), snapshots.size());
@@ -150,7 +150,7 @@ TEST(RunReader, InventsNothingWhereverTheFileIsCut) {
       ASSERT_TRUE(invents_nothing(run, whole));
       ASSERT_GE(run.ticks.size(), ticks_before);
       ticks_before = run.ticks.size();
-      ASSERT_EQ(has_remark(run, "its last line is cut"), text[length - 1] != '\n') << listed_remarks(run);
+      ASSERT_EQ(has_warning(run, "its last line is cut"), text[length - 1] != '\n') << listed_warnings(run);
     } catch (const ReadError& error) {
       ASSERT_EQ(error.kind(), ReadError::Kind::wrong);
       ASSERT_LT(length, text.find("# scene:")) << error.what();
@@ -333,14 +333,14 @@ TEST(RunReader, TakesWhatOtherProgramsMakeOfTheFile) {
   const auto run = read_run(windows, "run.csv");
   EXPECT_TRUE(invents_nothing(run, whole));
   EXPECT_EQ(run.ticks.size(), whole.ticks.size());
-  EXPECT_EQ(run.remarks, whole.remarks);
+  EXPECT_EQ(run.warnings, whole.warnings);
 
   const auto moved = read_run(
       "note,force_y_N,force_x_N,strategy,t_s,goal_x_m,goal_y_m,device_x_m,device_y_m,proxy_x_m,proxy_y_m\n"
       "hello,1,2,full,0,3,4,5,6,7,8\n",
       "run.csv");
   EXPECT_FALSE(moved.scene);
-  EXPECT_TRUE(has_remark(moved, "the scene is not told"));
+  EXPECT_TRUE(has_warning(moved, "the scene is not told"));
   ASSERT_EQ(moved.ticks.size(), 1U);
   EXPECT_EQ(moved.ticks[0].goal, Vector<2>(3.0, 4.0));
   EXPECT_EQ(moved.ticks[0].rows[0]->force, Vector<2>(2.0, 1.0));
@@ -349,12 +349,12 @@ TEST(RunReader, TakesWhatOtherProgramsMakeOfTheFile) {
 
 TEST(RunReader, SaysWhatItCannotKnow) {
   const std::string text = recording();
-  EXPECT_TRUE(has_remark(read_run(replaced(text, "# ghostforce " + std::string(version), "# ghostforce 99.1"), "f"),
-                         "written by version 99.1"));
+  EXPECT_TRUE(has_warning(read_run(replaced(text, "# ghostforce " + std::string(version), "# ghostforce 99.1"), "f"),
+                          "written by version 99.1"));
   const auto no_version = read_run(text.substr(text.find('\n') + 1), "f");
-  EXPECT_TRUE(has_remark(no_version, "which version of ghostforce wrote it is not told"));
+  EXPECT_TRUE(has_warning(no_version, "which version of ghostforce wrote it is not told"));
   const auto no_scene = read_run(text.substr(text.find("\nstrategy,t_s") + 1), "f");
-  EXPECT_TRUE(has_remark(no_scene, "the scene is not told"));
+  EXPECT_TRUE(has_warning(no_scene, "the scene is not told"));
   EXPECT_EQ(no_scene.ticks.size(), 9U);
   EXPECT_TRUE(no_scene.settings.empty());
 }
@@ -422,7 +422,7 @@ TEST(RunReader, LoadsFilesInPieces) {
   ASSERT_GT(text.size(), std::size_t{1} << 20);
   write_whole(folder / "run.csv", text);
   const auto run = load_run(folder / "run.csv");
-  EXPECT_TRUE(run.remarks.empty()) << listed_remarks(run);
+  EXPECT_TRUE(run.warnings.empty()) << listed_warnings(run);
   EXPECT_EQ(run.ticks.size(), 3001U);
   EXPECT_TRUE(invents_nothing(run, read_run(text, "run.csv")));
 

@@ -77,7 +77,7 @@ TEST(Recording, IsARunLikeSimulates) {
   EXPECT_TRUE(text.ends_with('\n'));
   EXPECT_EQ(text.find("# interrupted"), std::string::npos);
   const auto run = load_run(folder / "run.csv");
-  EXPECT_TRUE(run.remarks.empty());
+  EXPECT_TRUE(run.warnings.empty());
   EXPECT_EQ(run.ticks.size(), 501U);
   expect_repeats(folder / "run.csv", 501);
 }
@@ -112,7 +112,7 @@ TEST(Recording, CanBeReadWhileItIsMade) {
   for (int ticks = 100; ticks <= 300; ticks += 100) {
     stepped.step(100);
     wait_until([&] { return load_run(folder / "run.csv").ticks.size() == static_cast<std::size_t>(ticks); });
-    EXPECT_TRUE(load_run(folder / "run.csv").remarks.empty());
+    EXPECT_TRUE(load_run(folder / "run.csv").warnings.empty());
   }
 }
 
@@ -182,7 +182,7 @@ TEST(Recording, EndsWithWholeLinesWhereTheFileTakesNoMore) {
   const std::string text = read_whole(folder / "run.csv");
   EXPECT_TRUE(text.ends_with('\n'));
   EXPECT_EQ(text.size(), recording.progress().bytes);
-  EXPECT_TRUE(load_run(folder / "run.csv").remarks.empty());
+  EXPECT_TRUE(load_run(folder / "run.csv").warnings.empty());
   expect_repeats(folder / "run.csv", 100);
 }
 
@@ -374,7 +374,7 @@ TEST_F(RecordingWindow, SaysSoWhenWhatItRecordsIsGone) {
   stop();
   EXPECT_TRUE(session().notice->is_problem);
   EXPECT_NE(notice().find("there.csv. It was moved there while it was written: "), std::string::npos) << notice();
-  EXPECT_TRUE(load_run(folder_ / "there.csv").remarks.empty());
+  EXPECT_TRUE(load_run(folder_ / "there.csv").warnings.empty());
 }
 
 TEST_F(RecordingWindow, ReplaysARecordingThatIsDropped) {
@@ -443,7 +443,7 @@ TEST_F(RecordingWindow, RepeatsWhatIsSimulatedBesideADeviceInTheHand) {
   EXPECT_NE(text.find(" rendering.strategy=\"anisotropic\"\n"), std::string::npos);
   EXPECT_EQ(text.find("nan"), std::string::npos);
   const auto run = load_run(folder_ / "run.csv");
-  EXPECT_TRUE(run.remarks.empty()) << run.remarks.front();
+  EXPECT_TRUE(run.warnings.empty()) << run.warnings.front();
   EXPECT_EQ(run.states.size(), 4U) << "its beginning, motors on, another strategy, motors off";
   const ReplayReport report = replay(run, [](const ReplayedTick&) {});
   EXPECT_FALSE(report.first) << report.first->column << " at " << report.first->time_s;

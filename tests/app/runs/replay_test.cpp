@@ -29,7 +29,7 @@ TEST(Replay, RepeatsWhatAServoDidUnderEveryLiveChangeBitForBit) {
   for (unsigned seed = 1; seed <= 3; ++seed) {
     SCOPED_TRACE(seed);
     const auto run = read_run(recorded_by_dice(seed, 600), "run.csv");
-    EXPECT_TRUE(run.remarks.empty()) << run.remarks.front();
+    EXPECT_TRUE(run.warnings.empty()) << run.warnings.front();
     ASSERT_GT(run.settings.size(), 100U);
     ASSERT_GT(run.states.size(), 10U);
     const ReplayReport report = replay(run, [](const ReplayedTick&) {});

@@ -47,10 +47,10 @@ TickState<2> recorded_state(const RunTick& tick, const RunState& state);
 
 // k = 0. `settings`: those that it will be played with; a state that was recorded under others is of no use to them,
 // nor is a real device's to a simulated one. `first`: the run's first tick.
-struct HandStart {
+struct ReplayStart {
   TickState<2> state;
   bool is_recorded;  // else at rest
 };
-HandStart start_of_hand(const RunFacts& run, const RunTick& first, const Settings& settings);
+ReplayStart replay_start(const RunFacts& run, const RunTick& first, const Settings& settings);
 
 }  // namespace ghostforce

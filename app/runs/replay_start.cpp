@@ -1,4 +1,4 @@
-#include "app/runs/run_hand.h"
+#include "app/runs/replay_start.h"
 
 #include <algorithm>
 
@@ -58,7 +58,7 @@ TickState<2> recorded_state(const RunTick& tick, const RunState& state) {
   return whole;
 }
 
-HandStart start_of_hand(const RunFacts& run, const RunTick& first, const Settings& settings) {
+ReplayStart replay_start(const RunFacts& run, const RunTick& first, const Settings& settings) {
   const bool has_same_settings = run.scene && run.settings[first.settings] == settings;
   if (has_same_settings && !first.measured) {
     const bool is_whole = std::ranges::all_of(first.rows, [](const auto& row) { return row.has_value(); });
