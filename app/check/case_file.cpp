@@ -109,16 +109,17 @@ void read_text(ReadCase& into, std::vector<ReadProblem>& problems) {
   strategies.push_back(every_strategy);
 
   TomlReader reader(summary.path);
-  const auto other = [&](Wanted wanted) {
-    return [&summary, wanted](const TomlValue& value) {
+  const auto other = [&](Expectation expectation) {
+    return [&summary, expectation](const TomlValue& value) {
       const std::optional<std::string> name = value.text();
       if (!name) return;
-      if (summary.wanted != Wanted::golden) {
-        value.refuse(fmt::format("there is the key {} too", wanted_name(summary.wanted)), "a case has one of them");
+      if (summary.expectation != Expectation::golden) {
+        value.refuse(fmt::format("there is the key {} too", expectation_name(summary.expectation)),
+                     "a case has one of them");
       } else if (*name == summary.name) {
         value.refuse("names this case itself, which is always equal to itself", "name another");
       } else {
-        summary.wanted = wanted;
+        summary.expectation = expectation;
         summary.other = *name;
         summary.other_place = value.place();
       }
@@ -165,8 +166,8 @@ void read_text(ReadCase& into, std::vector<ReadProblem>& problems) {
       {"", "theme", catalog_entry(theme_catalog(), [&](const Theme& theme) { request.look.theme = &theme; })},
       {"", "scale", number_into(request.look.scale, {Look::least_scale, Look::greatest_scale})},
       {"", "set", nullptr},  // with the scene
-      {"", "match", other(Wanted::match)},
-      {"", "mismatch", other(Wanted::mismatch)},
+      {"", "match", other(Expectation::match)},
+      {"", "mismatch", other(Expectation::mismatch)},
       {"tolerance", "channel",
        number_into(summary.tolerance.channel, {.least = 0.0, .greatest = 255.0, .whole = true})},
       {"tolerance", "share", number_into(summary.tolerance.share, {0.0, 1.0})},
@@ -182,9 +183,10 @@ void read_text(ReadCase& into, std::vector<ReadProblem>& problems) {
     } else {
       if (reader.has_table("golden")) summary.origin.emplace();
       reader.read(keys);
-      if (summary.origin && summary.wanted != Wanted::golden) {
-        reader.refuse(fmt::format("the table [golden]: with the key {} no golden is used", wanted_name(summary.wanted)),
-                      "remove one of them", reader.find("", "golden"));
+      if (summary.origin && summary.expectation != Expectation::golden) {
+        reader.refuse(
+            fmt::format("the table [golden]: with the key {} no golden is used", expectation_name(summary.expectation)),
+            "remove one of them", reader.find("", "golden"));
       }
     }
   }
@@ -225,8 +227,8 @@ CaseContent content_of(const Case& described) {
   return std::move(read.content);
 }
 
-std::string_view wanted_name(Wanted wanted) noexcept {
-  return wanted == Wanted::match ? "match" : "mismatch";
+std::string_view expectation_name(Expectation expectation) noexcept {
+  return expectation == Expectation::match ? "match" : "mismatch";
 }
 
 }  // namespace ghostforce

@@ -15,7 +15,7 @@
 
 namespace ghostforce {
 
-enum class Wanted : std::uint8_t {
+enum class Expectation : std::uint8_t {
   golden,    // the picture stored beside the case
   match,     // the picture of another case
   mismatch,  // anything but the picture of another case
@@ -26,8 +26,8 @@ struct Case {
   std::string path;  // of the file
   int width = 0;     // of the picture [px]
   int height = 0;
-  Wanted wanted = Wanted::golden;
-  std::string other;        // name of the case that `wanted` speaks of
+  Expectation expectation = Expectation::golden;
+  std::string other;        // name of the case that `expectation` speaks of
   ReadProblem other_place;  // where it is named
   Tolerance tolerance;
   std::optional<GoldenOrigin> origin;
@@ -53,6 +53,6 @@ ReadCase read_case(const std::string& path, std::vector<ReadProblem>& problems);
 CaseContent content_of(const Case& described);
 
 // "match" or "mismatch", as in the file.
-std::string_view wanted_name(Wanted wanted) noexcept;
+std::string_view expectation_name(Expectation expectation) noexcept;
 
 }  // namespace ghostforce

@@ -92,13 +92,13 @@ void find_problems_between(const std::vector<Case>& cases, std::vector<ReadProbl
     const Case* const other = find_case(cases, each.other);
     const std::string shown_other = printable(each.other);
     if (other == nullptr) {
-      problem.what =
-          fmt::format("the key {}: there is no case '{}' in this folder", wanted_name(each.wanted), shown_other);
+      problem.what = fmt::format("the key {}: there is no case '{}' in this folder", expectation_name(each.expectation),
+                                 shown_other);
       if (const auto near = nearest_name(each.other, names)) problem.remedy = fmt::format("did you mean '{}'?", *near);
     } else if (other->width != each.width || other->height != each.height) {
-      problem.what =
-          fmt::format("the key {}: this picture has {}x{} pixels and that of '{}' {}x{}", wanted_name(each.wanted),
-                      each.width, each.height, shown_other, other->width, other->height);
+      problem.what = fmt::format("the key {}: this picture has {}x{} pixels and that of '{}' {}x{}",
+                                 expectation_name(each.expectation), each.width, each.height, shown_other, other->width,
+                                 other->height);
       problem.remedy = "give both one size";
     } else {
       continue;

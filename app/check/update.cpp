@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "app/check/gallery.h"
+#include "app/check/rendered_cases.h"
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
 #include "app/console/progress.h"
@@ -23,7 +23,7 @@ namespace {
 void refuse_cases_without_golden(const std::vector<const Case*>& chosen) {
   std::vector<std::string> problems;
   for (const Case* const each : chosen) {
-    if (each->wanted == Wanted::golden) continue;
+    if (each->expectation == Expectation::golden) continue;
     problems.push_back(fmt::format("{}: {} has no golden to update: it is compared with the picture of {}",
                                    place_words(each->other_place), printable(each->name), printable(each->other)));
   }
@@ -95,13 +95,13 @@ void add_file(std::deque<OutputFile>& files, const std::string& path, const std:
 std::vector<std::string> update_goldens(const std::vector<Case>& all, const std::vector<const Case*>& chosen) {
   refuse_cases_without_golden(chosen);
   refuse_what_cannot_be_written(chosen);
-  Gallery gallery(all, chosen);
+  RenderedCases rendered(all, chosen);
   std::deque<OutputFile> files;
   std::vector<std::string> lines;
   Progress progress("drawing", static_cast<std::int64_t>(chosen.size()), true);
   for (const Case* const each : chosen) {
     stop_if_interrupted();
-    const DrawnCase drawn = gallery.draw(each->name);
+    const RenderedCase drawn = rendered.draw(each->name);
     const std::string path = each->golden_path();
     const bool is_equal = is_stored(*each, drawn.image);
     if (!is_equal) add_file(files, path, png_bytes(drawn.image));

@@ -18,8 +18,8 @@ namespace ghostforce {
 namespace {
 
 // The golden, of which only the size has been read. Empty: there is none, and `verdict` says why.
-std::unique_ptr<PngFile> open_golden(const Case& judged, Verdict& verdict) {
-  const std::string path = judged.golden_path();
+std::unique_ptr<PngFile> open_golden(const Case& checked, Verdict& verdict) {
+  const std::string path = checked.golden_path();
   if (const std::string_view kind = kind_instead_of_file(path); !kind.empty()) {
     verdict.reason = fmt::format("the golden {} is {}, no picture; remove it", printable(path, longest_path), kind);
     verdict.is_file_trouble = true;
@@ -33,19 +33,19 @@ std::unique_ptr<PngFile> open_golden(const Case& judged, Verdict& verdict) {
   return std::make_unique<PngFile>(path);
 }
 
-bool is_of_size(const PngFile& golden, const Case& judged) {
-  return golden.width() == judged.width && golden.height() == judged.height;
+bool is_of_size(const PngFile& golden, const Case& checked) {
+  return golden.width() == checked.width && golden.height() == checked.height;
 }
 
 // What the case's picture is held against: the golden, or the other case's picture. Empty: there is none, or it is of
 // another size, and `verdict` says so.
-std::optional<Image> counterpart(const Case& judged, Gallery& gallery, Verdict& verdict) {
-  if (judged.wanted != Wanted::golden) return gallery.draw(judged.other).image;
+std::optional<Image> counterpart(const Case& checked, RenderedCases& rendered, Verdict& verdict) {
+  if (checked.expectation != Expectation::golden) return rendered.draw(checked.other).image;
   try {
-    const std::unique_ptr<PngFile> golden = open_golden(judged, verdict);
+    const std::unique_ptr<PngFile> golden = open_golden(checked, verdict);
     if (golden == nullptr) return std::nullopt;
-    if (is_of_size(*golden, judged)) return golden->read();
-    verdict.reason = fmt::format("the picture has {}x{} pixels and the golden {}x{}", judged.width, judged.height,
+    if (is_of_size(*golden, checked)) return golden->read();
+    verdict.reason = fmt::format("the picture has {}x{} pixels and the golden {}x{}", checked.width, checked.height,
                                  golden->width(), golden->height());
   } catch (const Failure& failure) {
     verdict.reason = failure.what();
@@ -54,39 +54,39 @@ std::optional<Image> counterpart(const Case& judged, Gallery& gallery, Verdict& 
   return std::nullopt;
 }
 
-std::string words_about(const Case& judged, const Comparison& comparison) {
-  const std::string words = difference_words(comparison, judged.tolerance);
-  if (judged.wanted == Wanted::golden) return words;
-  return fmt::format("against the picture of {}, which it must {}be equal to: {}", printable(judged.other),
-                     judged.wanted == Wanted::match ? "" : "not ", words);
+std::string words_about(const Case& checked, const Comparison& comparison) {
+  const std::string words = difference_words(comparison, checked.tolerance);
+  if (checked.expectation == Expectation::golden) return words;
+  return fmt::format("against the picture of {}, which it must {}be equal to: {}", printable(checked.other),
+                     checked.expectation == Expectation::match ? "" : "not ", words);
 }
 
-void compare(const Case& judged, const Image& expected, const DrawnCase& drawn, Verdict& verdict) {
-  const Comparison comparison = compare_pictures(expected, drawn.image, judged.tolerance);
-  verdict.passes = is_within(comparison, judged.tolerance) == (judged.wanted != Wanted::mismatch);
-  verdict.reason = words_about(judged, comparison);
+void compare(const Case& checked, const Image& expected, const RenderedCase& drawn, Verdict& verdict) {
+  const Comparison comparison = compare_pictures(expected, drawn.image, checked.tolerance);
+  verdict.passes = is_within(comparison, checked.tolerance) == (checked.expectation != Expectation::mismatch);
+  verdict.reason = words_about(checked, comparison);
   // No renderer changes a picture's size.
-  if (!verdict.passes && judged.origin) verdict.remark = other_renderer_words(*judged.origin, drawn.origin);
+  if (!verdict.passes && checked.origin) verdict.remark = other_renderer_words(*checked.origin, drawn.origin);
 }
 
 }  // namespace
 
-Verdict judge(const Case& judged, Gallery& gallery, std::string_view folder, bool wants_pictures) {
+Verdict evaluate(const Case& checked, RenderedCases& rendered, std::string_view folder, bool wants_pictures) {
   const auto start = std::chrono::steady_clock::now();
   Verdict verdict;
-  verdict.name = judged.name;
-  const DrawnCase drawn = gallery.draw(judged.name);
-  const std::optional<Image> expected = counterpart(judged, gallery, verdict);
-  if (expected) compare(judged, *expected, drawn, verdict);
+  verdict.name = checked.name;
+  const RenderedCase drawn = rendered.draw(checked.name);
+  const std::optional<Image> expected = counterpart(checked, rendered, verdict);
+  if (expected) compare(checked, *expected, drawn, verdict);
   if (!verdict.passes) {
-    if (judged.wanted == Wanted::golden && kind_instead_of_file(judged.golden_path()).empty()) {
-      verdict.remedy = update_command(folder, judged.name);
+    if (checked.expectation == Expectation::golden && kind_instead_of_file(checked.golden_path()).empty()) {
+      verdict.remedy = update_command(folder, checked.name);
     }
     if (wants_pictures) {
       verdict.pictures.actual = png_bytes(drawn.image);
       if (expected) {
         verdict.pictures.expected = png_bytes(*expected);
-        verdict.pictures.difference = png_bytes(difference_picture(*expected, drawn.image, judged.tolerance));
+        verdict.pictures.difference = png_bytes(difference_picture(*expected, drawn.image, checked.tolerance));
       }
     }
   }

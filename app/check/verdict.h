@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "app/check/case_file.h"
-#include "app/check/gallery.h"
+#include "app/check/rendered_cases.h"
 
 namespace ghostforce {
 
@@ -29,6 +29,6 @@ struct Verdict {
 };
 
 // `folder` as the person named it, for the remedy. Pictures are made where `wants_pictures`. Throws what drawing does.
-Verdict judge(const Case& judged, Gallery& gallery, std::string_view folder, bool wants_pictures);
+Verdict evaluate(const Case& checked, RenderedCases& rendered, std::string_view folder, bool wants_pictures);
 
 }  // namespace ghostforce

@@ -105,7 +105,7 @@ int check(const Options& options) {
   std::optional<Report> report;
   if (!options.report.empty()) report.emplace(options.report);
 
-  Gallery gallery(cases, chosen);
+  RenderedCases rendered(cases, chosen);
   Lines lines;
   std::vector<Verdict> verdicts;
   ExitCode end = ExitCode::done;
@@ -114,7 +114,7 @@ int check(const Options& options) {
     Progress progress("checking", static_cast<std::int64_t>(chosen.size()), !lines.is_terminal());
     for (const Case* const each : chosen) {
       stop_if_interrupted();
-      verdicts.push_back(judge(*each, gallery, options.folder, report.has_value()));
+      verdicts.push_back(evaluate(*each, rendered, options.folder, report.has_value()));
       Verdict& verdict = verdicts.back();
       if (report) report->take_pictures(verdict);
       const std::string name = printable(verdict.name, longest_path);

@@ -1,5 +1,5 @@
-// Gallery: the pictures of cases, each drawn when it is asked for, and kept only as long as another case will ask for
-// it again. Main thread only (OpenGL offscreen).
+// RenderedCases: the pictures of cases, each drawn when it is asked for, and kept only as long as another case will ask
+// for it again. Main thread only (OpenGL offscreen).
 #pragma once
 
 #include <cstddef>
@@ -13,20 +13,20 @@
 
 namespace ghostforce {
 
-struct DrawnCase {
+struct RenderedCase {
   Image image;
   GoldenOrigin origin;
 };
 
-class Gallery {
+class RenderedCases {
  public:
   // Simulates every scene that will be needed: the chosen cases' and those they are compared with. Throws Failure:
-  // wrong_call with all the scenes that cannot be drawn, a line each; interrupted. `all` must outlive the gallery.
-  Gallery(const std::vector<Case>& all, const std::vector<const Case*>& chosen);
+  // wrong_call with all the scenes that cannot be drawn, a line each; interrupted. `all` must outlive this.
+  RenderedCases(const std::vector<Case>& all, const std::vector<const Case*>& chosen);
 
   // `name` is one of the chosen, or one that such a case is compared with; once for each. Throws Failure: no_display,
   // interrupted; what reading the case does.
-  DrawnCase draw(const std::string& name);
+  RenderedCase draw(const std::string& name);
 
  private:
   struct Entry {
@@ -35,7 +35,7 @@ class Gallery {
   };
 
   std::map<std::string, Entry, std::less<>> entries_;
-  std::map<std::string, DrawnCase, std::less<>> kept_;
+  std::map<std::string, RenderedCase, std::less<>> kept_;
   std::size_t kept_bytes_ = 0;
 };
 

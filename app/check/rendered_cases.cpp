@@ -1,4 +1,4 @@
-#include "app/check/gallery.h"
+#include "app/check/rendered_cases.h"
 
 #include <utility>
 
@@ -17,7 +17,7 @@ constexpr std::size_t most_kept_bytes = std::size_t{64} << 20;
 
 }  // namespace
 
-Gallery::Gallery(const std::vector<Case>& all, const std::vector<const Case*>& chosen) {
+RenderedCases::RenderedCases(const std::vector<Case>& all, const std::vector<const Case*>& chosen) {
   const auto want = [&](const Case* wanted) {
     Entry& entry = entries_[wanted->name];
     entry.described = wanted;
@@ -42,12 +42,12 @@ Gallery::Gallery(const std::vector<Case>& all, const std::vector<const Case*>& c
   if (!problems.empty()) throw Failure(ExitCode::wrong_call, fmt::format("{}", fmt::join(problems, "\n")));
 }
 
-DrawnCase Gallery::draw(const std::string& name) {
+RenderedCase RenderedCases::draw(const std::string& name) {
   Entry& entry = entries_.at(name);
   const bool is_wanted_again = --entry.times_wanted > 0;
   if (const auto kept = kept_.find(name); kept != kept_.end()) {
     if (is_wanted_again) return kept->second;
-    DrawnCase drawn = std::move(kept->second);
+    RenderedCase drawn = std::move(kept->second);
     kept_.erase(kept);
     kept_bytes_ -= drawn.image.rgb.size();
     return drawn;
@@ -55,7 +55,7 @@ DrawnCase Gallery::draw(const std::string& name) {
   const PictureRequest request = content_of(*entry.described).request;
   // A window of its own for each: what is drawn cannot depend on what was drawn before.
   Drawing drawing = draw_moment(request, simulate_to_moment(request));
-  DrawnCase drawn{std::move(drawing.image), present_origin(drawing.graphics)};
+  RenderedCase drawn{std::move(drawing.image), present_origin(drawing.graphics)};
   if (is_wanted_again && kept_bytes_ + drawn.image.rgb.size() <= most_kept_bytes) {
     kept_bytes_ += drawn.image.rgb.size();
     kept_.emplace(name, drawn);
