@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "app/console/interruption.h"
-#include "app/sweep/in_order.h"
+#include "app/sweep/ordered_parallel_for.h"
 #include "app/sweep/rows.h"
 
 namespace ghostforce {
@@ -59,16 +59,17 @@ bool sweep(const SweepPlan& plan, std::size_t thread_count, const std::function<
   const std::int64_t points = size_of(plan.grid);
   const std::int64_t per_block = plan.kind.simulated ? simulated_per_block : predicted_per_block;
   std::int64_t swept = 0;
-  InOrder<Block>::run((points + per_block - 1) / per_block, thread_count,
-                      [&](std::int64_t i) {
-                        const std::int64_t first = i * per_block;
-                        return make_block(plan, first, std::min(per_block, points - first));
-                      },
-                      [&](Block&& block) {
-                        swept += block.points;
-                        take({{block.rows.data(), block.rows.size()}, swept, block.computing, block.formatting});
-                        return block.is_whole && !interrupted();
-                      });
+  OrderedParallelFor<Block>::run(
+      (points + per_block - 1) / per_block, thread_count,
+      [&](std::int64_t i) {
+        const std::int64_t first = i * per_block;
+        return make_block(plan, first, std::min(per_block, points - first));
+      },
+      [&](Block&& block) {
+        swept += block.points;
+        take({{block.rows.data(), block.rows.size()}, swept, block.computing, block.formatting});
+        return block.is_whole && !interrupted();
+      });
   return swept == points;
 }
 

@@ -17,13 +17,13 @@
 namespace ghostforce {
 
 template <typename Piece>
-class InOrder {
+class OrderedParallelFor {
  public:
   // Calls make(i) for i = 0 … count−1 on `thread_count` threads, and take(piece) for each in order on this one, until
   // take() returns false. What make() or take() throws comes out here, once no thread runs any more.
   static void run(std::int64_t count, std::size_t thread_count, const std::function<Piece(std::int64_t)>& make,
                   const std::function<bool(Piece&&)>& take) {
-    InOrder work(count, thread_count, make);
+    OrderedParallelFor work(count, thread_count, make);
     for (std::int64_t i = 0; i < count; ++i) {
       if (!take(work.wait_for(i))) return;
     }
@@ -33,7 +33,7 @@ class InOrder {
   // Enough that no thread waits while one of them has a slow piece.
   static constexpr std::size_t pieces_per_thread = 4;
 
-  InOrder(std::int64_t count, std::size_t thread_count, const std::function<Piece(std::int64_t)>& make)
+  OrderedParallelFor(std::int64_t count, std::size_t thread_count, const std::function<Piece(std::int64_t)>& make)
       : count_(count), make_(make), ready_(pieces_per_thread * thread_count) {
     threads_.reserve(thread_count);
     for (std::size_t i = 0; i < thread_count; ++i) {
@@ -45,7 +45,7 @@ class InOrder {
       }
     }
   }
-  ~InOrder() {
+  ~OrderedParallelFor() {
     {
       const std::lock_guard lock(mutex_);
       is_over_ = true;
@@ -53,8 +53,8 @@ class InOrder {
     room_.notify_all();
     for (std::thread& thread : threads_) thread.join();
   }
-  InOrder(const InOrder&) = delete;
-  InOrder& operator=(const InOrder&) = delete;
+  OrderedParallelFor(const OrderedParallelFor&) = delete;
+  OrderedParallelFor& operator=(const OrderedParallelFor&) = delete;
 
   std::optional<Piece>& slot(std::int64_t piece) { return ready_[static_cast<std::size_t>(piece) % ready_.size()]; }
 

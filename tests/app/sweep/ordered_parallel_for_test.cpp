@@ -9,14 +9,14 @@
 
 #include <gtest/gtest.h>
 
-#include "app/sweep/in_order.h"
+#include "app/sweep/ordered_parallel_for.h"
 
 namespace ghostforce {
 namespace {
 
 std::vector<std::int64_t> taken_with(std::size_t threads, std::int64_t count) {
   std::vector<std::int64_t> taken;
-  InOrder<std::int64_t>::run(
+  OrderedParallelFor<std::int64_t>::run(
       count, threads, [](std::int64_t i) { return i * i; },
       [&](std::int64_t&& piece) {
         taken.push_back(piece);
@@ -25,7 +25,7 @@ std::vector<std::int64_t> taken_with(std::size_t threads, std::int64_t count) {
   return taken;
 }
 
-TEST(InOrder, HandsOverEachPieceOnceAndInOrder) {
+TEST(OrderedParallelFor, HandsOverEachPieceOnceAndInOrder) {
   for (const std::int64_t count : {0, 1, 3, 1000}) {
     std::vector<std::int64_t> expected;
     for (std::int64_t i = 0; i < count; ++i) expected.push_back(i * i);
@@ -33,11 +33,11 @@ TEST(InOrder, HandsOverEachPieceOnceAndInOrder) {
   }
 }
 
-TEST(InOrder, RunsNeverFarAheadOfTheTaker) {
+TEST(OrderedParallelFor, RunsNeverFarAheadOfTheTaker) {
   std::atomic<std::int64_t> made = 0;
   std::int64_t taken = 0;
   std::int64_t farthest = 0;
-  InOrder<std::int64_t>::run(
+  OrderedParallelFor<std::int64_t>::run(
       200, 2,
       [&](std::int64_t i) {
         ++made;
@@ -54,9 +54,9 @@ TEST(InOrder, RunsNeverFarAheadOfTheTaker) {
 }
 
 // Without one a thread that has used up its own stack ends the process before any handler runs.
-TEST(InOrder, StopsWhenTheTakerHasEnough) {
+TEST(OrderedParallelFor, StopsWhenTheTakerHasEnough) {
   std::int64_t taken = 0;
-  InOrder<std::int64_t>::run(
+  OrderedParallelFor<std::int64_t>::run(
       1'000'000, 3, [](std::int64_t i) { return i; },
       [&](std::int64_t&& piece) {
         EXPECT_EQ(piece, taken);
@@ -65,10 +65,10 @@ TEST(InOrder, StopsWhenTheTakerHasEnough) {
   EXPECT_EQ(taken, 10);
 }
 
-TEST(InOrder, WhatIsThrownOnAThreadComesOut) {
+TEST(OrderedParallelFor, WhatIsThrownOnAThreadComesOut) {
   std::int64_t taken = 0;
   const auto run = [&] {
-    InOrder<std::int64_t>::run(
+    OrderedParallelFor<std::int64_t>::run(
         1000, 3,
         [](std::int64_t i) {
           if (i == 100) throw std::runtime_error("piece 100");
@@ -83,9 +83,9 @@ TEST(InOrder, WhatIsThrownOnAThreadComesOut) {
   EXPECT_LE(taken, 100);
 }
 
-TEST(InOrder, WhatTheTakerThrowsComesOut) {
+TEST(OrderedParallelFor, WhatTheTakerThrowsComesOut) {
   const auto run = [&] {
-    InOrder<std::int64_t>::run(
+    OrderedParallelFor<std::int64_t>::run(
         1000, 3, [](std::int64_t i) { return i; }, [](std::int64_t&&) -> bool { throw std::runtime_error("no room"); });
   };
   EXPECT_THROW(run(), std::runtime_error);
