@@ -163,8 +163,8 @@ void read_text(ReadCase& into, std::vector<ReadProblem>& problems) {
        }},
       {"", "compare",
        catalog_entry(compare_catalog(), [&](const CompareMode& mode) { request.options.compare = mode.id; })},
-      {"", "theme", catalog_entry(theme_catalog(), [&](const Theme& theme) { request.look.theme = &theme; })},
-      {"", "scale", number_into(request.look.scale, {Look::least_scale, Look::greatest_scale})},
+      {"", "theme", catalog_entry(theme_catalog(), [&](const Theme& theme) { request.appearance.theme = &theme; })},
+      {"", "scale", number_into(request.appearance.scale, {Appearance::least_scale, Appearance::greatest_scale})},
       {"", "set", nullptr},  // with the scene
       {"", "match", other(Expectation::match)},
       {"", "mismatch", other(Expectation::mismatch)},

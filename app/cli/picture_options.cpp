@@ -22,16 +22,16 @@ void PictureOptions::attach(CLI::App& command, bool with_all) {
       ->check(one_of(themes));
   command.add_option("--scale", scale, "Size of letters and lines, 0.75 to 3; default: 1")
       ->type_name("FACTOR")
-      ->check(number_between(Look::least_scale, Look::greatest_scale, ""));
+      ->check(number_between(Appearance::least_scale, Appearance::greatest_scale, ""));
 }
 
 void PictureOptions::apply_strategy(Scene& scene) const {
   if (const auto id = find_strategy(strategy)) scene.settings.active = *id;
 }
 
-void PictureOptions::apply_look(Look& look) const {
-  if (!theme.empty()) look.theme = find_theme(theme);
-  if (scale) look.scale = *scale;
+void PictureOptions::apply_appearance(Appearance& appearance) const {
+  if (!theme.empty()) appearance.theme = find_theme(theme);
+  if (scale) appearance.scale = *scale;
 }
 
 }  // namespace ghostforce

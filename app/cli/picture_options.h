@@ -22,7 +22,7 @@ struct PictureOptions {
   void attach(CLI::App& command, bool with_all);
   void apply_strategy(Scene& scene) const;
   // What was not asked for stays as it is.
-  void apply_look(Look& look) const;
+  void apply_appearance(Appearance& appearance) const;
 };
 
 }  // namespace ghostforce

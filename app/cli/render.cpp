@@ -50,7 +50,7 @@ PictureRequest request_of(const Options& options) {
   request.part = options.part == "scene" || vector_format_of(options.output) ? Part::scene : Part::window;
   apply_strategy_word(options.picture.strategy, request);
   if (const auto compare = find_compare(options.compare)) request.options.compare = *compare;
-  options.picture.apply_look(request.look);
+  options.picture.apply_appearance(request.appearance);
   return request;
 }
 
@@ -76,10 +76,10 @@ Rendering paint_moment(const PictureRequest& request, const Moment& moment, cons
     return {png_bytes(drawing.image), std::move(drawing.panes), drawing.corner};
   }
   const Vector<2> size{static_cast<double>(request.width), static_cast<double>(request.height)};
-  const Theme& theme = *request.look.theme;
+  const Theme& theme = *request.appearance.theme;
   std::vector<Pane> panes = compose_moment(request, moment, size, measure_vector_text);
   std::string file =
-      paint_vector(panes, theme, size, request.look.scale * theme.thickness, *format, request.scene.title);
+      paint_vector(panes, theme, size, request.appearance.scale * theme.thickness, *format, request.scene.title);
   return {std::move(file), std::move(panes), Vector<2>(0.0)};
 }
 

@@ -63,15 +63,15 @@ class Keeper {
   void keep(const Session& session) {
     const Preferences now = seen_in(session);
     if (now == seen_) return;
-    if (now.look.theme != seen_.look.theme) kept_.look.theme = now.look.theme;
-    if (now.look.scale != seen_.look.scale) kept_.look.scale = now.look.scale;
+    if (now.appearance.theme != seen_.appearance.theme) kept_.appearance.theme = now.appearance.theme;
+    if (now.appearance.scale != seen_.appearance.scale) kept_.appearance.scale = now.appearance.scale;
     if (!now.offers_hints && seen_.offers_hints) kept_.offers_hints = false;
     seen_ = now;
     save(kept_);
   }
 
  private:
-  static Preferences seen_in(const Session& session) { return {session.look, session.hint.has_value()}; }
+  static Preferences seen_in(const Session& session) { return {session.appearance, session.hint.has_value()}; }
 
   Preferences kept_;
   Preferences seen_;
@@ -132,9 +132,9 @@ int run(const Options& options) {
     input_options.recorded_hand = std::make_shared<const GoalPath>(goal_path_of(*recording, scene.settings.rate));
   }
   StoredPreferences stored = load_preferences();
-  Look look = stored.preferences.look;
-  options.picture.apply_look(look);
-  const auto scaled = [&](int points) { return static_cast<int>(std::lround(points * look.scale)); };
+  Appearance appearance = stored.preferences.appearance;
+  options.picture.apply_appearance(appearance);
+  const auto scaled = [&](int points) { return static_cast<int>(std::lround(points * appearance.scale)); };
   const WindowLayout layout = stored.layout.value_or(
       WindowLayout{.width = scaled(1280), .height = scaled(800), .is_maximized = false, .folded_panels = {}});
   leave_processor_to_servo();
@@ -142,15 +142,15 @@ int run(const Options& options) {
   if (layout.is_maximized) window.maximize();
   Application application(
       window, scene,
-      {.look = look,
+      {.appearance = appearance,
        .inputs = desktop_inputs(options.falcon.cable()),
        .input = std::string(recording ? replay_kind.name : std::string_view(options.input)),
        .painter = cairo_file_painter(),
        .record = options.record,
        .input_options = input_options,
        .offers_hints = stored.preferences.offers_hints && !options.no_hints,
-       .folded_panels =
-           stored.layout ? layout.folded_panels : panels_folded_at_first(window.restored_size().height / look.scale),
+       .folded_panels = stored.layout ? layout.folded_panels
+                                      : panels_folded_at_first(window.restored_size().height / appearance.scale),
        .shader_folder = options.shader_folder});
   if (!stored.remarks.empty()) application.show_notice(fmt::format("{}", fmt::join(stored.remarks, "\n\n")), true);
   emergency_stop::refuse_to_be_stopped();

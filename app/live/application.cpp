@@ -29,7 +29,7 @@ constexpr double news_last_s = 6.0;  // problems stay until they are dismissed
 
 Session session_with(const Scene& scene, const ApplicationOptions& options) {
   Session session = session_of(scene);
-  session.look = options.look;
+  session.appearance = options.appearance;
   session.input = options.input;
   session.has_handles = true;
   session.folded_panels = options.folded_panels;
@@ -400,8 +400,8 @@ std::string Application::picture_bytes(const SavePictureRequest& request) {
                                      request.scene_alone ? Part::scene : Part::window, request.density));
   }
   // As large as on this display, without the handles, which are for a pointer.
-  const double scale = session_.look.scale * static_cast<double>(window_.display_scale());
-  const Theme& theme = *session_.look.theme;
+  const double scale = session_.appearance.scale * static_cast<double>(window_.display_scale());
+  const Theme& theme = *session_.appearance.theme;
   const std::vector<Pane> panes = compose_panes({.settings = session_.settings,
                                                  .snapshot = report_.snapshot,
                                                  .history = history_,

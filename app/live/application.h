@@ -23,7 +23,7 @@ namespace ghostforce {
 
 struct ApplicationOptions {
   Part part = Part::window;
-  Look look{};
+  Appearance appearance{};
   std::vector<InputEntry> inputs{};     // all that there are
   std::string input = "mouse";          // the name of one of them
   FilePainter painter{};                // for what is saved as lines and letters

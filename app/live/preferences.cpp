@@ -44,8 +44,9 @@ fs::path layout_file() {
 void read(TomlReader& reader, Preferences& preferences) {
   reader.read_values(std::array{
       TomlKey{"", "theme",
-              catalog_entry(theme_catalog(), [&](const Theme& theme) { preferences.look.theme = &theme; })},
-      TomlKey{"", "scale", number_into(preferences.look.scale, {Look::least_scale, Look::greatest_scale})},
+              catalog_entry(theme_catalog(), [&](const Theme& theme) { preferences.appearance.theme = &theme; })},
+      TomlKey{"", "scale",
+              number_into(preferences.appearance.scale, {Appearance::least_scale, Appearance::greatest_scale})},
       TomlKey{"", "hints", yes_or_no_into(preferences.offers_hints)},
   });
 }
@@ -71,7 +72,8 @@ void read(TomlReader& reader, WindowLayout& layout) {
 
 std::string text_of(const Preferences& preferences) {
   return fmt::format("# Written by ghostforce; what the View panel chooses.\ntheme = {}\nscale = {:.4f}\nhints = {}\n",
-                     toml_string(preferences.look.theme->name), preferences.look.scale, preferences.offers_hints);
+                     toml_string(preferences.appearance.theme->name), preferences.appearance.scale,
+                     preferences.offers_hints);
 }
 
 std::string text_of(const WindowLayout& layout) {

@@ -14,7 +14,7 @@
 namespace ghostforce {
 
 struct Preferences {
-  Look look{};
+  Appearance appearance{};
   bool offers_hints = true;  // until they have been followed or declined
 
   friend bool operator==(const Preferences&, const Preferences&) = default;

@@ -79,18 +79,18 @@ void ask(Session& session) {
 template <int steps>
 void change_scale(Session& session) {
   constexpr double step = 0.05;
-  const double nearest = std::round(session.look.scale / step);
-  session.look.scale = std::clamp((nearest + steps) * step, Look::least_scale, Look::greatest_scale);
+  const double nearest = std::round(session.appearance.scale / step);
+  session.appearance.scale = std::clamp((nearest + steps) * step, Appearance::least_scale, Appearance::greatest_scale);
 }
 
 void usual_scale(Session& session) {
-  session.look.scale = 1.0;
+  session.appearance.scale = 1.0;
 }
 
 void next_theme(Session& session) {
   const auto themes = theme_catalog();
-  const std::size_t next = static_cast<std::size_t>(session.look.theme - themes.data()) + 1;
-  session.look.theme = &themes[next % themes.size()];
+  const std::size_t next = static_cast<std::size_t>(session.appearance.theme - themes.data()) + 1;
+  session.appearance.theme = &themes[next % themes.size()];
 }
 
 // Before all else it turns motors off; it never quits.

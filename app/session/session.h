@@ -29,14 +29,14 @@ namespace ghostforce {
 struct PanelContext;
 
 // How the screen looks; kept from one run to the next.
-struct Look {
+struct Appearance {
   static constexpr double least_scale = 0.75;
   static constexpr double greatest_scale = 3.0;
 
   const Theme* theme = &theme_catalog().front();
   double scale = 1.0;  // of letters and lines, on top of the display's own
 
-  friend bool operator==(const Look&, const Look&) = default;
+  friend bool operator==(const Appearance&, const Appearance&) = default;
 };
 
 // The window in front of the scene, if any.
@@ -104,7 +104,7 @@ struct Session {
   SceneView shown;                     // the part of the world in the picture
   ViewOptions options;
   PlotView plots;
-  Look look;
+  Appearance appearance;
   std::set<std::string, std::less<>> folded_panels;  // by title
   bool paused = false;
   double speed = 1.0;  // of model time against real time

@@ -54,13 +54,13 @@ void Gestures::take(Session& session, const std::vector<Pane>& panes, const Vect
   if (!is_held) {
     grip_ = Grip::nothing;
     held_ = Handle::none;
-    hot_ = Handle::none;
+    hovered_ = Handle::none;
   }
   if (is_hovered && !is_held) {
     const Pane& pane = pane_at(panes, pointer);
     const Vector<2> inside = pointer - pane.corner;
-    hot_ = handle_at(session.settings, pane.camera, unit, inside);
-    if (hot_ != Handle::none) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    hovered_ = handle_at(session.settings, pane.camera, unit, inside);
+    if (hovered_ != Handle::none) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     if (session.dialog == Dialog::none) explain_mark(pane, inside, unit, is_goal_estimated);
   }
   if (const float wheel = ImGui::GetIO().MouseWheel; is_hovered && wheel != 0.0F) {
@@ -95,7 +95,7 @@ void Gestures::begin(Session& session, const Pane& pane, const Vector<2>& pointe
     return;
   }
   held_ = handle_at(session.settings, pane.camera, unit, pointer);
-  hot_ = held_;
+  hovered_ = held_;
   if (held_ != Handle::none) {
     Settings settings = session.settings;
     grip_ = Grip::handle;

@@ -19,7 +19,7 @@ class Gestures {
             bool is_goal_estimated);
 
   // The handle under the pointer or in the hand.
-  Handle hot() const noexcept { return hot_; }
+  Handle hovered() const noexcept { return hovered_; }
 
  private:
   enum class Grip : std::uint8_t { nothing, goal, circle, handle, picture };
@@ -29,7 +29,7 @@ class Gestures {
   void turn(Session& session, const Pane& pane, const Vector<2>& pointer, double unit) const;
 
   Grip grip_ = Grip::nothing;
-  Handle hot_ = Handle::none;
+  Handle hovered_ = Handle::none;
   Handle held_ = Handle::none;
   StrategyId pane_ = StrategyId::full;  // in which the drag began
   Vector<2> began_at_{0.0};             // pointer in its pane [points]

@@ -71,21 +71,21 @@ std::vector<Pane> compose_moment(const PictureRequest& request, const Moment& mo
   return compose_panes({.settings = request.scene.settings,
                         .snapshot = moment.snapshot,
                         .history = moment.history,
-                        .theme = *request.look.theme,
+                        .theme = *request.appearance.theme,
                         .options = request.options,
                         .shown = request.scene.view,
                         .size = size,
-                        .scale = request.look.scale,
+                        .scale = request.appearance.scale,
                         .measure = measure});
 }
 
 Drawing draw_moment(const PictureRequest& request, const Moment& moment) {
   Session session = session_of(request.scene);
   session.options = request.options;
-  session.look = request.look;
+  session.appearance = request.appearance;
   session.pointer_moves_goal = false;
   session.input = scripted_hand.name;
-  session.folded_panels = panels_folded_at_first(request.height / request.look.scale);
+  session.folded_panels = panels_folded_at_first(request.height / request.appearance.scale);
 
   Window window({.title = "ghostforce",
                  .width = request.width,

@@ -27,7 +27,7 @@ struct PictureRequest {
   int height = 800;
   Part part = Part::window;
   ViewOptions options{.compare = Compare::active_only};
-  Look look{};
+  Appearance appearance{};
 };
 
 // The word that --strategy and a case file hold: a strategy's name shows that one alone, "all" shows the scene's own

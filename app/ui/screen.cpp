@@ -110,7 +110,7 @@ void Screen::draw(Session& session, const Snapshot& snapshot, const History& his
                   double interval_s) {
   if (window_.pixel_width() <= 0 || window_.pixel_height() <= 0) return;  // minimised
   // The style must not change within a frame.
-  apply_look(session.look);
+  apply_appearance(session.appearance);
   window_.frame(interval_s, [&] { draw_everything(session, snapshot, history, loop, part_, true); });
 }
 
@@ -130,12 +130,12 @@ Image Screen::picture(const Session& session, const Snapshot& snapshot, const Hi
                  pixels(scene_size_.x), pixels(scene_size_.y));
 }
 
-void Screen::apply_look(const Look& look) {
-  const float scale = static_cast<float>(look.scale) * window_.display_scale();
-  if (look == styled_look_ && scale == styled_scale_) return;
-  apply_style(*look.theme, scale);
-  apply_plot_style(*look.theme, scale);
-  styled_look_ = look;
+void Screen::apply_appearance(const Appearance& appearance) {
+  const float scale = static_cast<float>(appearance.scale) * window_.display_scale();
+  if (appearance == styled_appearance_ && scale == styled_scale_) return;
+  apply_style(*appearance.theme, scale);
+  apply_plot_style(*appearance.theme, scale);
+  styled_appearance_ = appearance;
   styled_scale_ = scale;
 }
 
@@ -143,7 +143,7 @@ void Screen::draw_everything(Session& session, const Snapshot& snapshot, const H
                              const LoopReading& loop, Part part, bool is_live) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   const Layout layout(part, size, styled_scale_, session.plots.is_open);
-  const Theme& theme = *styled_look_.theme;
+  const Theme& theme = *styled_appearance_.theme;
   const double unit = static_cast<double>(styled_scale_) * theme.thickness;
   scene_corner_ = layout.scene.corner;
   scene_size_ = {std::max(1.0, static_cast<double>(layout.scene.size.x)),
@@ -230,20 +230,20 @@ void Screen::draw_column(const PanelContext& context) {
 }
 
 void Screen::compose_scene(const Session& session, const Snapshot& snapshot, const History& history, bool is_live) {
-  const Handle hot = !is_live                                     ? Handle::none
-                     : points_at(session, HintTarget::motor_axis) ? Handle::motor_axis
-                                                                  : gestures_.hot();
+  const Handle hovered = !is_live                                     ? Handle::none
+                         : points_at(session, HintTarget::motor_axis) ? Handle::motor_axis
+                                                                      : gestures_.hovered();
   panes_ = compose_panes({.settings = session.settings,
                           .snapshot = snapshot,
                           .history = history,
-                          .theme = *styled_look_.theme,
+                          .theme = *styled_appearance_.theme,
                           .options = session.options,
                           .shown = session.shown,
                           .size = scene_size_,
                           .scale = static_cast<double>(styled_scale_),
                           .measure = measure_,
                           .has_handles = session.has_handles,
-                          .hot = hot,
+                          .hovered = hovered,
                           .is_goal_hot = is_live && points_at(session, HintTarget::goal),
                           .target = session.measurement.target},
                          std::move(panes_));

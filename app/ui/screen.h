@@ -50,7 +50,7 @@ class Screen {
                        Part part, bool is_live);
   static void draw_column(const PanelContext& context);
   void compose_scene(const Session& session, const Snapshot& snapshot, const History& history, bool is_live);
-  void apply_look(const Look& look);
+  void apply_appearance(const Appearance& appearance);
 
   Window& window_;
   Part part_;
@@ -58,7 +58,7 @@ class Screen {
   MeasureText measure_;
   Gestures gestures_;
   Hints hints_;
-  Look styled_look_{.theme = nullptr};
+  Appearance styled_appearance_{.theme = nullptr};
   float styled_scale_ = 0.0F;
   std::vector<Pane> panes_;
   ImVec2 scene_corner_{0.0F, 0.0F};

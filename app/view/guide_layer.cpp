@@ -70,11 +70,11 @@ void add_motor_axis(const View& view, Marks& marks) {
   const Pen pen{view, marks, Role::motor_axis};
   const auto [middle, radius] = motor_dial(view.camera, view.points(1.0));
   const Vector<2> center = to_world(view.camera, middle);
-  const bool is_hot = view.hot == Handle::motor_axis;
-  const Colour rim = is_hot ? view.theme.accent : view.theme.panel_border;
+  const bool is_hovered = view.hovered == Handle::motor_axis;
+  const Colour rim = is_hovered ? view.theme.accent : view.theme.panel_border;
   marks.push_back({Role::motor_axis, std::nullopt,
                    Marker{center, Shape::disc, radius, view.theme.background.with_alpha(225), rim,
-                          view.points(is_hot ? 2.4 : 1.2)}});
+                          view.points(is_hovered ? 2.4 : 1.2)}});
   const Vector<2> axis = direction_at(view.settings.actuated_angle);
   const Vector<2> across{-axis.y, axis.x};
   const auto motor = [&](const Vector<2>& direction, Colour colour) {
@@ -93,7 +93,7 @@ void add_motor_axis(const View& view, Marks& marks) {
     pen.line(middle - reach, middle + reach, 1.6, view.theme.faint_text,
              {view.points(3.0), view.points(4.0), view.points(3.0), view.points(4.0)});
   }
-  motor(axis, is_hot ? view.theme.accent : view.theme.text);
+  motor(axis, is_hovered ? view.theme.accent : view.theme.text);
   const std::string_view words = every_motor ? "motor axes" : "motor axis";
   pen.text({middle.x - 0.5 * text_width(view, words), middle.y + radius + view.points(4.0)}, std::string(words),
            view.theme.text, TextSize::small, view.theme.background);
@@ -103,12 +103,12 @@ void add_motor_axis(const View& view, Marks& marks) {
 void add_wall_grips(const View& view, Marks& marks) {
   const auto grips = wall_grips(wall_of(view.settings), view.camera, view.points(1.0));
   if (!view.has_handles || !grips) return;
-  const bool is_hot = view.hot == Handle::wall;
+  const bool is_hovered = view.hovered == Handle::wall;
   for (const Vector<2>& grip : *grips) {
     marks.push_back(
         {Role::handle, std::nullopt,
          Marker{to_world(view.camera, grip), Shape::disc, view.points(grip_radius),
-                is_hot ? view.theme.accent : view.theme.background, view.theme.wall_edge, view.points(2.0)}});
+                is_hovered ? view.theme.accent : view.theme.background, view.theme.wall_edge, view.points(2.0)}});
   }
 }
 

@@ -20,7 +20,7 @@ Pane compose_pane(const PictureContent& content, const Settings& settings, const
                         .scale = content.scale,
                         .measure = content.measure,
                         .has_handles = content.has_handles,
-                        .hot = content.hot,
+                        .hovered = content.hovered,
                         .is_goal_hot = content.is_goal_hot,
                         .is_pane = is_pane,
                         .has_scales = has_scales,

@@ -28,7 +28,7 @@ struct PictureContent {
   double scale;  // UI scale, 1 is normal
   const MeasureText& measure;
   bool has_handles = false;
-  Handle hot = Handle::none;
+  Handle hovered = Handle::none;
   bool is_goal_hot = false;
   std::optional<Vector<2>> target{};
 };

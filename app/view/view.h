@@ -59,7 +59,7 @@ struct View {
   double scale;  // UI scale, 1 is normal
   const MeasureText& measure;
   bool has_handles = false;           // a person can turn wall and motor axis here
-  Handle hot = Handle::none;          // the one under the pointer
+  Handle hovered = Handle::none;      // the one under the pointer
   bool is_goal_hot = false;           // a hint speaks of it
   bool is_pane = false;               // one of several: its title says which, and no legend is needed
   bool has_scales = true;             // of several panes, one shows the scale bars

@@ -139,7 +139,7 @@ void draw_record_sign(ImDrawList& draw_list, ImVec2 middle, float unit, ImU32 co
   draw_list.AddCircleFilled(middle, unit, colour, 24);
 }
 
-bool sign_button(const char* id, DrawSign draw_sign, Colour colour, const PanelContext& context, float height) {
+bool icon_button(const char* id, DrawSign draw_sign, Colour colour, const PanelContext& context, float height) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float width = bar_sizes(context).sign * height;
   const bool pressed = ImGui::Button(id, {width, height});
@@ -148,8 +148,8 @@ bool sign_button(const char* id, DrawSign draw_sign, Colour colour, const PanelC
   return pressed;
 }
 
-bool sign_button(const char* id, DrawSign draw_sign, const PanelContext& context, float height) {
-  return sign_button(id, draw_sign, context.theme.text, context, height);
+bool icon_button(const char* id, DrawSign draw_sign, const PanelContext& context, float height) {
+  return icon_button(id, draw_sign, context.theme.text, context, height);
 }
 
 void draw_record_button(const PanelContext& context, float height) {
@@ -158,7 +158,7 @@ void draw_record_button(const PanelContext& context, float height) {
     ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 2.5F * context.scale);
     ImGui::PushStyleColor(ImGuiCol_Border, unpacked(context.theme.problem));
   }
-  if (sign_button("##record", draw_record_sign, is_on ? context.theme.problem : context.theme.text, context, height)) {
+  if (icon_button("##record", draw_record_sign, is_on ? context.theme.problem : context.theme.text, context, height)) {
     toggle_recording(context);
   }
   if (is_on) {
@@ -236,14 +236,14 @@ void draw_strategy_bar(const PanelContext& context) {
   ImGui::SameLine(0.0F, sizes.gap * context.scale);
   // Nobody stops the time of a real hand.
   ImGui::BeginDisabled(context.snapshot.measured.has_value());
-  if (sign_button("##pause", session.paused ? draw_play_sign : draw_pause_sign, context, height)) toggle_pause(session);
+  if (icon_button("##pause", session.paused ? draw_play_sign : draw_pause_sign, context, height)) toggle_pause(session);
   explain(session.paused ? "Lets model time go on. Space." : "Stops model time. Space.");
   ImGui::SameLine();
-  if (sign_button("##step", draw_step_sign, context, height)) single_step(session);
+  if (icon_button("##step", draw_step_sign, context, height)) single_step(session);
   explain("One tick of the loop, then pause. The key is the full stop.");
   ImGui::EndDisabled();
   ImGui::SameLine();
-  if (sign_button("##reset", draw_reset_sign, context, height)) restart(session);
+  if (icon_button("##reset", draw_reset_sign, context, height)) restart(session);
   explain("Starts the motion again. Key R; Alt+R resets the settings too.");
   ImGui::SameLine();
   ImGui::BeginDisabled(context.snapshot.measured.has_value());

@@ -13,25 +13,25 @@ namespace {
 void draw_theme_choice(const PanelContext& context) {
   for (const Theme& theme : theme_catalog()) {
     if (&theme != theme_catalog().data()) ImGui::SameLine();
-    if (ImGui::RadioButton(theme.name.data(), context.session.look.theme == &theme)) {
-      context.session.look.theme = &theme;
+    if (ImGui::RadioButton(theme.name.data(), context.session.appearance.theme == &theme)) {
+      context.session.appearance.theme = &theme;
     }
   }
 }
 
 // In steps: a slider would run away from the pointer as the screen grows.
-void draw_scale_choice(Look& look) {
+void draw_scale_choice(Appearance& appearance) {
   constexpr double step = 0.25;
   const auto button = [&](const char* words, double direction) {
     if (ImGui::Button(words, {ImGui::GetFrameHeight(), 0.0F})) {
-      const double next = (std::round(look.scale / step) + direction) * step;
-      look.scale = std::clamp(next, Look::least_scale, Look::greatest_scale);
+      const double next = (std::round(appearance.scale / step) + direction) * step;
+      appearance.scale = std::clamp(next, Appearance::least_scale, Appearance::greatest_scale);
     }
   };
   button("−", -1.0);
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(fmt::format("{:3.0f} %", look.scale * 100.0).c_str());
+  ImGui::TextUnformatted(fmt::format("{:3.0f} %", appearance.scale * 100.0).c_str());
   ImGui::SameLine();
   button("+", 1.0);
 }
@@ -52,7 +52,7 @@ void draw_view_options(const PanelContext& context) {
   row("Theme", "Light, dark, or black on white for a projector. Ctrl+T takes the next one.");
   draw_theme_choice(context);
   row("Size", "Of letters and lines, 75 to 300 %. Ctrl and + or − do it too, Ctrl+0 takes the usual size.");
-  draw_scale_choice(session.look);
+  draw_scale_choice(session.appearance);
   end_rows();
 }
 

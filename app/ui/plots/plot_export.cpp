@@ -136,7 +136,7 @@ Export over_setting(const EquilibriumCurves& curves, const SweptSetting& setting
 }
 
 Export export_of(const Session& session, const Snapshot& snapshot, const PlotHistory& history, bool whole_history) {
-  const Theme& theme = *session.look.theme;
+  const Theme& theme = *session.appearance.theme;
   const Settings& settings = session.settings;
   const EquilibriumQuestion question = equilibrium_question(settings, snapshot);
   switch (session.plots.tab) {
@@ -169,7 +169,7 @@ Export export_of(const Session& session, const Snapshot& snapshot, const PlotHis
 
 std::string picture_of(const std::vector<Chart>& charts, const Session& session, const std::string& path,
                        const FilePainter& painter) {
-  const Theme& theme = *session.look.theme;
+  const Theme& theme = *session.appearance.theme;
   std::vector<Pane> panes;
   for (std::size_t i = 0; i < charts.size(); ++i) {
     const Vector<2> place(static_cast<double>(i % charts_in_a_row), static_cast<double>(i / charts_in_a_row));

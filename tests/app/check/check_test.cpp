@@ -45,15 +45,16 @@ Image painted(const PictureRequest& request, const std::function<void(Marks&)>& 
   const Moment moment = simulate_to_moment(request);
   Window window(
       {.title = "", .width = request.width, .height = request.height, .offscreen = true, .takes_mouse = false});
-  const auto scale = static_cast<float>(request.look.scale);
-  apply_style(*request.look.theme, scale);
+  const auto scale = static_cast<float>(request.appearance.scale);
+  apply_style(*request.appearance.theme, scale);
   ScenePainter painter;
   for (int i = 0; i < 3; ++i) {
     window.frame(0.0, [&] {
       std::vector<Pane> panes = compose_moment(request, moment, {request.width, request.height}, measure_text);
       for (Pane& pane : panes) alter(pane.marks);
-      painter.paint(panes, *request.look.theme, {0.0F, 0.0F}, request.look.scale * request.look.theme->thickness,
-                    window.pixel_width(), window.pixel_height());
+      painter.paint(panes, *request.appearance.theme, {0.0F, 0.0F},
+                    request.appearance.scale * request.appearance.theme->thickness, window.pixel_width(),
+                    window.pixel_height());
     });
   }
   return window.picture();

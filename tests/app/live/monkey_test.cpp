@@ -208,8 +208,8 @@ TEST_F(MonkeyTest, BreaksNothing) {
     const SceneView nearest = within_scene_limits(session().shown);
     ASSERT_EQ(nearest.width, session().shown.width) << i;
     ASSERT_EQ(nearest.center, session().shown.center) << i;
-    ASSERT_GE(session().look.scale, Look::least_scale) << i;
-    ASSERT_LE(session().look.scale, Look::greatest_scale) << i;
+    ASSERT_GE(session().appearance.scale, Appearance::least_scale) << i;
+    ASSERT_LE(session().appearance.scale, Appearance::greatest_scale) << i;
     ASSERT_FALSE(words_.empty()) << i;
     ASSERT_EQ(no_number_in(words_), "") << i;
     for (const Pane& pane : screen().panes()) {

@@ -41,7 +41,7 @@ TEST_F(PreferencesTest, KnowsNothingAtFirstAndWritesNothingUnasked) {
 }
 
 TEST_F(PreferencesTest, ReadsBackWhatItWrote) {
-  const Preferences written{.look = {.theme = find_theme("projector"), .scale = 1.25}, .offers_hints = false};
+  const Preferences written{.appearance = {.theme = find_theme("projector"), .scale = 1.25}, .offers_hints = false};
   const WindowLayout window{.width = 1024, .height = 640, .is_maximized = true, .folded_panels = {"View", "A \"b\""}};
   save(written);
   save(window);
@@ -96,18 +96,18 @@ TEST_F(PreferencesTest, AllThatIsDamagedIsSaidWithItsLine) {
 
 TEST_F(PreferencesTest, WhatANewerProgramWroteIsLeftAlone) {
   write_preferences("scale = 2.0\nnovelty = 1\n[more]\nx = 1\n");
-  EXPECT_EQ(load_preferences().preferences.look.scale, 2.0);
+  EXPECT_EQ(load_preferences().preferences.appearance.scale, 2.0);
   EXPECT_TRUE(load_preferences().remarks.empty());
 }
 
 TEST_F(PreferencesTest, ADamagedLayoutLeavesThePreferencesAlone) {
-  save(Preferences{.look = {.theme = find_theme("dark")}, .offers_hints = false});
+  save(Preferences{.appearance = {.theme = find_theme("dark")}, .offers_hints = false});
   std::filesystem::create_directories(folder_ / "state/ghostforce");
   for (const char* text : {"width = 0", "height = 1e9", "folded = 3", "folded = [3]", "width = -5", "maximized = 1"}) {
     write_whole(layout(), text);
     const StoredPreferences stored = load_preferences();
     EXPECT_FALSE(stored.layout) << text;
-    EXPECT_EQ(stored.preferences.look.theme->name, "dark");
+    EXPECT_EQ(stored.preferences.appearance.theme->name, "dark");
     EXPECT_EQ(stored.remarks.size(), 1U) << text;
   }
 }
@@ -115,15 +115,15 @@ TEST_F(PreferencesTest, ADamagedLayoutLeavesThePreferencesAlone) {
 TEST_F(PreferencesTest, MissingKeysKeepTheirUsualValue) {
   write_preferences("scale = 2.0\n");
   const StoredPreferences stored = load_preferences();
-  EXPECT_EQ(stored.preferences.look.scale, 2.0);
-  EXPECT_EQ(stored.preferences.look.theme, Preferences{}.look.theme);
+  EXPECT_EQ(stored.preferences.appearance.scale, 2.0);
+  EXPECT_EQ(stored.preferences.appearance.theme, Preferences{}.appearance.theme);
   EXPECT_TRUE(stored.remarks.empty());
 }
 
 TEST_F(PreferencesTest, AWholeNumberIsANumber) {
   write_preferences("scale = 2\n");
   const StoredPreferences stored = load_preferences();
-  EXPECT_EQ(stored.preferences.look.scale, 2.0);
+  EXPECT_EQ(stored.preferences.appearance.scale, 2.0);
   EXPECT_TRUE(stored.remarks.empty());
 }
 

@@ -272,7 +272,7 @@ class RecordingWindow : public DrivenWindow {
   bool picture_is_recording() {
     const Image image = picture();
     const std::size_t i = 3U * (23U * static_cast<std::size_t>(image.width) + 821U);
-    const Colour problem = session().look.theme->problem;
+    const Colour problem = session().appearance.theme->problem;
     return image.rgb[i] == problem.red && image.rgb[i + 1] == problem.green && image.rgb[i + 2] == problem.blue;
   }
   std::string notice() { return session().notice ? session().notice->words : ""; }

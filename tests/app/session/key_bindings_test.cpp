@@ -37,7 +37,7 @@ void prepare(const KeyBinding& binding, Session& session) {
   session.paused = true;  // nothing but the key moves the picture
   if (is(GLFW_KEY_2, 0)) session.settings.active = StrategyId::full;
   if (is(GLFW_KEY_ESCAPE, 0)) session.dialog = Dialog::help;
-  if (is(GLFW_KEY_0, GLFW_MOD_CONTROL)) session.look.scale = 1.5;
+  if (is(GLFW_KEY_0, GLFW_MOD_CONTROL)) session.appearance.scale = 1.5;
   if (is(GLFW_KEY_R, GLFW_MOD_ALT)) session.settings.stiffnesses.k_r = 900.0;
   if (is(GLFW_KEY_F, 0)) session.shown.width = 0.5;
 }
@@ -279,12 +279,12 @@ TEST_F(KeysTest, F11FillsTheScreenAndComesBack) {
 TEST_F(KeysTest, ScaleGoesFrom75To300Percent) {
   for (int i = 0; i < 50; ++i) send_key(GLFW_KEY_EQUAL, GLFW_PRESS, GLFW_MOD_CONTROL);
   frames(2);
-  EXPECT_EQ(session().look.scale, 3.0);
+  EXPECT_EQ(session().appearance.scale, 3.0);
   for (int i = 0; i < 60; ++i) send_key(GLFW_KEY_MINUS, GLFW_PRESS, GLFW_MOD_CONTROL);
   frames(2);
-  EXPECT_EQ(session().look.scale, 0.75);
+  EXPECT_EQ(session().appearance.scale, 0.75);
   press(GLFW_KEY_0, GLFW_MOD_CONTROL);
-  EXPECT_EQ(session().look.scale, 1.0);
+  EXPECT_EQ(session().appearance.scale, 1.0);
 }
 
 TEST_F(KeysTest, LettersTypedIntoAFieldAreLetters) {

@@ -325,7 +325,7 @@ TEST_F(SessionTest, EveryWindowStaysOnTheScreenAtEverySizeScaleAndTheme) {
   for (const auto& [width, height] : {std::pair{480, 360}, std::pair{1024, 640}, std::pair{1920, 1080}}) {
     for (const double scale : {0.75, 1.0, 2.0}) {
       for (const Theme& theme : theme_catalog()) {
-        open({.look = {.theme = &theme, .scale = scale}, .offers_hints = true}, "fig1", width, height);
+        open({.appearance = {.theme = &theme, .scale = scale}, .offers_hints = true}, "fig1", width, height);
         for (const Dialog dialog : {Dialog::help, Dialog::open_scene, Dialog::save_scene, Dialog::save_picture}) {
           session().dialog = theme.dark ? dialog : Dialog::none;
           session().notice = Notice{std::string(300, 'w') + ' ' + std::string(300, 'o'), true, 0.0};

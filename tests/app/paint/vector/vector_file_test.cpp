@@ -268,7 +268,7 @@ TEST(SavePicture, WritesVectorsWhereTheNameSaysSo) {
   // The session's own: strategy and theme.
   application.session().settings.active = StrategyId::full;
   EXPECT_NE(save("b.svg"), naive);
-  application.session().look.theme = find_theme("dark");
+  application.session().appearance.theme = find_theme("dark");
   const std::string dark = save("c.svg");
   EXPECT_NE(dark.find(svg_colour(find_theme("dark")->background)), std::string::npos);
   EXPECT_TRUE(save("a.png").substr(1).starts_with("PNG"));

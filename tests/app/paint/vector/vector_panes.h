@@ -21,7 +21,7 @@ inline std::vector<Pane> panes_of(std::string_view scene, Compare compare, const
   request.scene = load_scene(std::string(scene));
   request.options.compare = compare;
   request.options.trails = has_trails;
-  request.look.theme = &theme;
+  request.appearance.theme = &theme;
   return compose_moment(request, simulate_to_moment(request), size, measure_vector_text);
 }
 
