@@ -33,7 +33,7 @@ std::string scene_hint(const std::filesystem::path& name, const std::filesystem:
     std::sort(files.begin(), files.end());
     const std::vector<std::string_view> views(files.begin(), files.end());
     if (const auto near = nearest_name(name.filename().string(), views)) {
-      return fmt::format("did you mean '{}'?", printable((name.parent_path() / *near).string(), longest_path));
+      return fmt::format("did you mean '{}'?", quoted_text((name.parent_path() / *near).string(), longest_path));
     }
   }
   const bool is_file = name.extension() == ".toml";
@@ -72,7 +72,7 @@ Scene load_scene_of(const TomlValue& named, const std::optional<TomlValue>& set,
   const std::filesystem::path beside = folder / *name;
   std::error_code unknown;
   if (!is_shipped && std::filesystem::status(beside, unknown).type() == std::filesystem::file_type::not_found) {
-    named.refuse(fmt::format("no scene named '{}'", printable(*name, longest_path)), scene_hint(*name, folder));
+    named.refuse(fmt::format("no scene named '{}'", quoted_text(*name, longest_path)), scene_hint(*name, folder));
     return {};
   }
   try {
@@ -86,13 +86,15 @@ Scene load_scene_of(const TomlValue& named, const std::optional<TomlValue>& set,
         here.remedy = remedy;
         throw ReadError(error.kind(), {here});
       }
-      const auto is_about = [&](const std::string& override) { return problem.file == "--set " + printable(override); };
+      const auto is_about = [&](const std::string& override) {
+        return problem.file == "--set " + quoted_text(override);
+      };
       const auto blamed = std::find_if(overrides.begin(), overrides.end(), is_about);
       if (blamed == overrides.end()) {
         named.refuse(words_of(problem), remedy);
       } else {
         (*set)[static_cast<std::size_t>(blamed - overrides.begin())].refuse(
-            fmt::format("{}{}{}", printable(*blamed), problem.joint, problem.what), remedy);
+            fmt::format("{}{}{}", quoted_text(*blamed), problem.joint, problem.what), remedy);
       }
     }
     return {};
@@ -179,7 +181,7 @@ void read_text(ReadCase& into, std::vector<ReadProblem>& problems) {
     if (!reader.find("", "scene") && (reader.find("", "format") || reader.has_table("wall"))) {
       reader.refuse("this is a scene, not a case",
                     fmt::format("put scenes into a subfolder, and name them as in scene = \"scenes/{}\"",
-                                printable(path.filename().string())));
+                                quoted_text(path.filename().string())));
     } else {
       if (reader.has_table("golden")) summary.origin.emplace();
       reader.read(keys);
@@ -206,11 +208,11 @@ ReadCase read_case(const std::string& path, std::vector<ReadProblem>& problems) 
   result.summary.path = path;
   FileContents file = file_contents(path);
   if (file.error == EFBIG) {
-    problems.push_back({.file = printable(path, longest_path),
+    problems.push_back({.file = quoted_text(path, longest_path),
                         .what = fmt::format("is larger than {} MiB, which no case is", largest_text_file >> 20),
                         .remedy = "rename it, or remove it"});
   } else if (file.error != 0) {
-    throw unreadable(printable(path, longest_path), file.error);
+    throw unreadable(quoted_text(path, longest_path), file.error);
   } else {
     result.content.text = std::move(file.text);
     read_text(result, problems);

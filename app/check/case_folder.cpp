@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view extension = ".toml";
 
 std::string shown(const fs::path& path) {
-  return printable(path.string(), longest_path);
+  return quoted_text(path.string(), longest_path);
 }
 
 std::vector<std::string_view> views_of(const std::vector<std::string>& words) {
@@ -90,7 +90,7 @@ void find_problems_between(const std::vector<Case>& cases, std::vector<ReadProbl
     if (each.other.empty()) continue;
     ReadProblem problem = each.other_place;
     const Case* const other = find_case(cases, each.other);
-    const std::string shown_other = printable(each.other);
+    const std::string shown_other = quoted_text(each.other);
     if (other == nullptr) {
       problem.what = fmt::format("the key {}: there is no case '{}' in this folder", expectation_name(each.expectation),
                                  shown_other);
@@ -151,7 +151,7 @@ std::vector<const Case*> chosen_cases(const std::vector<Case>& cases, const std:
   for (const std::string& name : names) {
     if (find_case(cases, name) != nullptr) continue;
     const std::string near = did_you_mean(name, known);
-    problems.push_back(fmt::format("{} {}: there is no such case{}", option, printable(name),
+    problems.push_back(fmt::format("{} {}: there is no such case{}", option, quoted_text(name),
                                    near.empty() ? fmt::format("; there is {}", listed(known)) : near));
   }
   if (!problems.empty()) throw Failure(ExitCode::wrong_call, fmt::format("{}", fmt::join(problems, "\n")));

@@ -80,7 +80,7 @@ std::string other_renderer_words(const GoldenOrigin& golden, const GoldenOrigin&
     return origin.mesa.empty() ? origin.renderer : fmt::format("{}, Mesa {}", origin.renderer, origin.mesa);
   };
   return fmt::format("another renderer is probably the cause: the golden was drawn by {}, this picture by {}",
-                     printable(words(golden), longest_path), printable(words(present), longest_path));
+                     quoted_text(words(golden), longest_path), quoted_text(words(present), longest_path));
 }
 
 std::string with_origin(const std::string& case_text, const GoldenOrigin& origin, std::string_view shown_path) {
@@ -120,7 +120,7 @@ std::string with_origin(const std::string& case_text, const GoldenOrigin& origin
   throw Failure(ExitCode::wrong_call,
                 fmt::format("{}: its table golden is written in a way that --update cannot change; remove it, and "
                             "--update will write it anew",
-                            printable(shown_path, longest_path)));
+                            quoted_text(shown_path, longest_path)));
 }
 
 }  // namespace ghostforce

@@ -33,7 +33,7 @@ RenderedCases::RenderedCases(const std::vector<Case>& all, const std::vector<con
       simulate_to_moment(content_of(*entry.described).request);
     } catch (const Failure& failure) {
       if (failure.code() != ExitCode::wrong_call) throw;
-      problems.push_back(fmt::format("{}: {}", printable(entry.described->path, longest_path), failure.what()));
+      problems.push_back(fmt::format("{}: {}", quoted_text(entry.described->path, longest_path), failure.what()));
     } catch (const ReadError& error) {
       if (error.kind() != ReadError::Kind::wrong) throw;
       problems.emplace_back(error.what());

@@ -97,8 +97,8 @@ std::string made(const std::string& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (!error) return folder;
-  throw Failure(ExitCode::file_trouble, fmt::format("the folder {} cannot be made: {}", printable(folder, longest_path),
-                                                    reason_of(error.value())));
+  throw Failure(ExitCode::file_trouble, fmt::format("the folder {} cannot be made: {}",
+                                                    quoted_text(folder, longest_path), reason_of(error.value())));
 }
 
 }  // namespace
@@ -166,7 +166,7 @@ void Report::remove_picture(const std::string& path) const {
   std::filesystem::remove(path, error);
   if (!error) return;
   throw Failure(ExitCode::file_trouble,
-                fmt::format("{} cannot be removed: {}", printable(path, longest_path), reason_of(error.value())));
+                fmt::format("{} cannot be removed: {}", quoted_text(path, longest_path), reason_of(error.value())));
 }
 
 void Report::take_pictures(Verdict& verdict) {

@@ -25,7 +25,7 @@ void refuse_cases_without_golden(const std::vector<const Case*>& chosen) {
   for (const Case* const each : chosen) {
     if (each->expectation == Expectation::golden) continue;
     problems.push_back(fmt::format("{}: {} has no golden to update: it is compared with the picture of {}",
-                                   place_words(each->other_place), printable(each->name), printable(each->other)));
+                                   place_words(each->other_place), quoted_text(each->name), quoted_text(each->other)));
   }
   if (!problems.empty()) throw Failure(ExitCode::wrong_call, fmt::format("{}", fmt::join(problems, "\n")));
 }
@@ -46,20 +46,20 @@ void refuse_what_cannot_be_written(const std::vector<const Case*>& chosen) {
     const std::string golden = each->golden_path();
     if (const std::string_view kind = kind_instead_of_file(golden); !kind.empty()) {
       problems.push_back(
-          fmt::format("{} cannot be written: it is {}; remove it", printable(golden, longest_path), kind));
+          fmt::format("{} cannot be written: it is {}; remove it", quoted_text(golden, longest_path), kind));
       continue;
     }
     std::error_code unknown;
     if (std::filesystem::weakly_canonical(golden, unknown).extension() != ".png") {
       problems.push_back(fmt::format("{} cannot be written: it is a link to a file that is no picture; remove it",
-                                     printable(golden, longest_path)));
+                                     quoted_text(golden, longest_path)));
     }
     for (const std::string& path : {golden, each->path}) {
       if (!leads_out(path)) continue;
       problems.push_back(
           fmt::format("{} cannot be written: it is a link that leads out of its folder; put the file "
                       "itself there",
-                      printable(path, longest_path)));
+                      quoted_text(path, longest_path)));
     }
   }
   if (!problems.empty()) throw Failure(ExitCode::file_trouble, fmt::format("{}", fmt::join(problems, "\n")));
@@ -108,7 +108,7 @@ std::vector<std::string> update_goldens(const std::vector<Case>& all, const std:
     if (!is_equal || !each->origin) {
       if (const std::string text = changed_text(*each, drawn.origin); !text.empty()) add_file(files, each->path, text);
     }
-    const std::string shown = printable(path, longest_path);
+    const std::string shown = quoted_text(path, longest_path);
     lines.push_back(is_equal ? fmt::format("{} is equal already and stays as it is", shown)
                              : fmt::format("wrote {}; look at it before you commit it", shown));
     progress.at(static_cast<std::int64_t>(lines.size()));

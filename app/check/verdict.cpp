@@ -21,13 +21,13 @@ namespace {
 std::unique_ptr<PngFile> open_golden(const Case& checked, Verdict& verdict) {
   const std::string path = checked.golden_path();
   if (const std::string_view kind = kind_instead_of_file(path); !kind.empty()) {
-    verdict.reason = fmt::format("the golden {} is {}, no picture; remove it", printable(path, longest_path), kind);
+    verdict.reason = fmt::format("the golden {} is {}, no picture; remove it", quoted_text(path, longest_path), kind);
     verdict.is_file_trouble = true;
     return nullptr;
   }
   std::error_code unknown;
   if (std::filesystem::symlink_status(path, unknown).type() == std::filesystem::file_type::not_found) {
-    verdict.reason = fmt::format("there is no golden {}", printable(path, longest_path));
+    verdict.reason = fmt::format("there is no golden {}", quoted_text(path, longest_path));
     return nullptr;
   }
   return std::make_unique<PngFile>(path);
@@ -57,7 +57,7 @@ std::optional<Image> counterpart(const Case& checked, RenderedCases& rendered, V
 std::string words_about(const Case& checked, const Comparison& comparison) {
   const std::string words = difference_words(comparison, checked.tolerance);
   if (checked.expectation == Expectation::golden) return words;
-  return fmt::format("against the picture of {}, which it must {}be equal to: {}", printable(checked.other),
+  return fmt::format("against the picture of {}, which it must {}be equal to: {}", quoted_text(checked.other),
                      checked.expectation == Expectation::match ? "" : "not ", words);
 }
 

@@ -80,11 +80,11 @@ void refuse_report_among_cases(const Options& options) {
   std::error_code error;
   if (options.report.empty() || !std::filesystem::equivalent(options.report, options.folder, error)) return;
   throw Failure(ExitCode::wrong_call, fmt::format("--report {}: the cases are there; name another folder",
-                                                  printable(options.report, longest_path)));
+                                                  quoted_text(options.report, longest_path)));
 }
 
 void tell_of_failure(const Verdict& verdict) {
-  say("{}: {}\n", printable(verdict.name), verdict.reason);
+  say("{}: {}\n", quoted_text(verdict.name), verdict.reason);
   if (!verdict.remark.empty()) say("  {}\n", verdict.remark);
   if (!verdict.remedy.empty()) say("  if the new picture is right: {}\n", verdict.remedy);
 }
@@ -117,7 +117,7 @@ int check(const Options& options) {
       verdicts.push_back(evaluate(*each, rendered, options.folder, report.has_value()));
       Verdict& verdict = verdicts.back();
       if (report) report->take_pictures(verdict);
-      const std::string name = printable(verdict.name, longest_path);
+      const std::string name = quoted_text(verdict.name, longest_path);
       lines.write(verdict.passes ? fmt::format("pass {}", name) : fmt::format("FAIL {}  {}", name, verdict.reason));
       if (!verdict.passes) ++failed;
       if (!verdict.passes && end == ExitCode::done) end = ExitCode::answer_is_no;

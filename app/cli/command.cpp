@@ -66,7 +66,7 @@ WordCheck one_of(std::vector<std::string_view> words) {
   const std::string all = listed(words);
   return [words = std::move(words), all](const std::string& word) -> std::string {
     if (std::find(words.begin(), words.end(), word) != words.end()) return {};
-    return fmt::format("'{}' is none of {}{}", printable(word), all, did_you_mean(word, words));
+    return fmt::format("'{}' is none of {}{}", quoted_text(word), all, did_you_mean(word, words));
   };
 }
 
@@ -75,7 +75,7 @@ WordCheck number_between(double least, double greatest, std::string unit) {
     char* end = nullptr;
     const double value = std::strtod(text.c_str(), &end);
     if (!text.empty() && *end == '\0' && value >= least && value <= greatest) return {};
-    return fmt::format("'{}' is not a number from {:g} to {:g}{}{}", printable(text), least, greatest,
+    return fmt::format("'{}' is not a number from {:g} to {:g}{}{}", quoted_text(text), least, greatest,
                        unit.empty() ? "" : " ", unit);
   };
 }
@@ -109,7 +109,7 @@ Vector<2> position_from_mm(std::string_view option, std::string_view text) {
   const auto refuse = [&] {
     return Failure(ExitCode::wrong_call,
                    fmt::format("{0} {1}: is no position; give two numbers from {2} to {3} mm, as in {0}=-10,5", option,
-                               printable(text), -farthest_mm, farthest_mm));
+                               quoted_text(text), -farthest_mm, farthest_mm));
   };
   Vector<2> position(0.0);
   const char* at = text.data();

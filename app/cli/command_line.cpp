@@ -89,7 +89,7 @@ void insert_default_command(std::vector<std::string>& words) {
     std::vector<std::string_view> all = commands;
     std::ranges::copy(shipped_scene_names(), std::back_inserter(all));
     const auto near = nearest_name(word, all);
-    throw Failure(ExitCode::wrong_call, fmt::format("no command or scene named '{}'{}", printable(word),
+    throw Failure(ExitCode::wrong_call, fmt::format("no command or scene named '{}'{}", quoted_text(word),
                                                     near ? fmt::format("; did you mean the {} '{}'?",
                                                                        is_command(*near) ? "command" : "scene", *near)
                                                          : "; 'ghostforce --help' lists the commands"));
@@ -111,7 +111,7 @@ std::string help_call(const CLI::App* command) {
 // A word that no option and no argument of the command is for.
 std::string words_about_extra(const CLI::App& app, const CLI::App* command, const std::string& extra) {
   const std::string name = extra.substr(0, extra.find('='));
-  std::string words = fmt::format("unexpected argument '{}'", printable(extra));
+  std::string words = fmt::format("unexpected argument '{}'", quoted_text(extra));
   if (is_option(extra)) {
     std::vector<std::string> options;
     for (const CLI::Option* const option : (command == nullptr ? app : *command).get_options()) {
@@ -120,10 +120,10 @@ std::string words_about_extra(const CLI::App& app, const CLI::App* command, cons
     }
     const std::vector<std::string_view> candidates(options.begin(), options.end());
     const std::string near = did_you_mean(name, candidates);
-    words = fmt::format("no option {}{}", printable(name), near);
+    words = fmt::format("no option {}{}", quoted_text(name), near);
     if (!near.empty()) return words;
   } else if (command == nullptr) {
-    words = fmt::format("no command '{}'{}", printable(extra), did_you_mean(extra, command_names()));
+    words = fmt::format("no command '{}'{}", quoted_text(extra), did_you_mean(extra, command_names()));
   }
   return fmt::format("{}; '{}' lists what there is", words, help_call(command));
 }

@@ -78,7 +78,7 @@ std::string table_text(const Scene& scene, double goal_depth, const PerStrategy<
   };
   const bool inside = goal_depth > 0.0;
   std::string text =
-      fmt::format("{}\ngoal {} mm, {} mm {} the wall; tracking ratio {}\n\n{:16}", printable(scene.title),
+      fmt::format("{}\ngoal {} mm, {} mm {} the wall; tracking ratio {}\n\n{:16}", quoted_text(scene.title),
                   shown(mm_per_m * equilibria[0].at.goal), shown(mm_per_m * std::abs(goal_depth)),
                   inside ? "inside" : "outside", tracking_ratio(scene.settings.stiffnesses), "");
   for (const Strategy& strategy : strategy_catalog()) {

@@ -41,7 +41,7 @@ WordCheck is_usb_id() {
     return fmt::format(
         "'{}' is no USB id; give vendor and product as lsusb shows them, four hex digits each: "
         "{:04x}:{:04x}",
-        printable(text), falcon_usb_id.vendor, falcon_usb_id.product);
+        quoted_text(text), falcon_usb_id.vendor, falcon_usb_id.product);
   };
 }
 
@@ -78,7 +78,7 @@ std::optional<FirmwareImage> FalconSetUp::read_firmware_file() const {
   } catch (const FirmwareError& error) {
     const ExitCode code =
         error.trouble() == FirmwareTrouble::unreadable ? ExitCode::file_trouble : ExitCode::wrong_call;
-    throw Failure(code, fmt::format("the Falcon's firmware {}", printable(error.what(), longest_path)));
+    throw Failure(code, fmt::format("the Falcon's firmware {}", quoted_text(error.what(), longest_path)));
   }
 }
 

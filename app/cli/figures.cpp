@@ -49,7 +49,7 @@ FigureRequest request_of(const Options& options) {
   if (options.hand.empty()) return {};
   const Run run = load_run(options.hand);
   for (const std::string& warning : run.warnings) say("{}\n", warning);
-  FigureRequest request{recorded_hand(run, printable(std::filesystem::path(options.hand).filename().string()))};
+  FigureRequest request{recorded_hand(run, quoted_text(std::filesystem::path(options.hand).filename().string()))};
   for (const std::string& words : request.hand->left_out) say("{}: {}\n", request.hand->name, words);
   return request;
 }
@@ -82,7 +82,7 @@ int figures(const Options& options) {
   }
   folder.commit();
   for (const std::string& line : lines) say("{}\n", line);
-  say("{} files in {}\n", files.size(), printable(options.folder, longest_path));
+  say("{} files in {}\n", files.size(), quoted_text(options.folder, longest_path));
   return static_cast<int>(ExitCode::done);
 }
 

@@ -264,7 +264,7 @@ std::string words_for_none(const std::string& path, const std::vector<Rest>& res
   std::string words = fmt::format(
       "{}: no reading. The hand has to press into the wall with the naïve or the anisotropic strategy and hold still, "
       "at least {} s",
-      printable(path, longest_path), criterion.hold_s);
+      quoted_text(path, longest_path), criterion.hold_s);
   if (!rests.empty()) words += fmt::format("; where it did: {}", sentence_of(rests.front().reading.problem));
   return words;
 }
@@ -277,18 +277,18 @@ int measure_user(const Options& options) {
   if (!run.scene) {
     throw Failure(ExitCode::wrong_call, fmt::format("{}: tells no scene, so wall and motor are not known; want a file "
                                                     "of 'simulate', 'replay' or a recording",
-                                                    printable(options.run, longest_path)));
+                                                    quoted_text(options.run, longest_path)));
   }
   const bool measured = is_measured(run);
   if (measured && !target) {
     throw Failure(ExitCode::wrong_call,
                   fmt::format("{}: a real device, whose hand's goal nobody knows: give the target on the wall that the "
                               "hand aimed at, as in --target-mm=0,0",
-                              printable(options.run, longest_path)));
+                              quoted_text(options.run, longest_path)));
   }
   if (!measured && target) {
     say("{}: the goal of its hand is given; --target-mm is for a real device, and is not used\n",
-        printable(options.run, longest_path));
+        quoted_text(options.run, longest_path));
   }
   const std::vector<Rest> rests = find_rests(run, measured ? target : std::nullopt);
   const std::vector<Hand> hands = hands_of(rests);

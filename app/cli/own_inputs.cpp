@@ -48,7 +48,7 @@ void refuse_equal_outputs(std::span<const FileOption> options) {
       const auto [other, is_first] = written.emplace(destination(path), option.name);
       if (is_first) continue;
       throw Failure(ExitCode::wrong_call, fmt::format("{} {}: what {} writes goes there already; name another file",
-                                                      option.name, printable(path, longest_path), other->second));
+                                                      option.name, quoted_text(path, longest_path), other->second));
     }
   }
 }
@@ -97,14 +97,14 @@ void refuse_own_inputs(std::span<const FileOption> options) {
       throw Failure(
           ExitCode::wrong_call,
           fmt::format("{} {}: is the file {} that is read as {}, and would be lost; name another", option.name,
-                      printable(path, longest_path), printable(input->path, longest_path), input->option));
+                      quoted_text(path, longest_path), quoted_text(input->path, longest_path), input->option));
     }
   }
   if (fstat(STDOUT_FILENO, &status) != 0 || !S_ISREG(status.st_mode)) return;
   if (const auto input = input_at(); input != inputs.end()) {
     throw Failure(ExitCode::wrong_call, fmt::format("the standard output goes into {}, which is read as {}; send it "
                                                     "elsewhere",
-                                                    printable(input->path, longest_path), input->option));
+                                                    quoted_text(input->path, longest_path), input->option));
   }
 }
 

@@ -39,7 +39,7 @@ void apply_size(const std::string& text, PictureRequest& request) {
   if (good && fits(request.width) && fits(request.height)) return;
   throw Failure(ExitCode::wrong_call, fmt::format("--size {}: want WIDTHxHEIGHT in pixels, each {} to {}, for example "
                                                   "1280x800",
-                                                  printable(text), smallest_picture, largest_picture));
+                                                  quoted_text(text), smallest_picture, largest_picture));
 }
 
 PictureRequest request_of(const Options& options) {
@@ -60,7 +60,7 @@ void refuse_window_as_vectors(const Options& options) {
   throw Failure(ExitCode::wrong_call,
                 fmt::format("--part window: {} would hold lines and letters, and panels are drawn in pixels; leave "
                             "--part out, or write a .png",
-                            printable(options.output, longest_path)));
+                            quoted_text(options.output, longest_path)));
 }
 
 struct Rendering {

@@ -81,12 +81,12 @@ void tell_remarks(const RunFacts& run) {
 
 [[noreturn]] void refuse_without_scene(const Options& options) {
   throw Failure(ExitCode::wrong_call, fmt::format("{}: the run does not tell its scene; name one to replay its hand in",
-                                                  printable(options.run, longest_path)));
+                                                  quoted_text(options.run, longest_path)));
 }
 
 [[noreturn]] void refuse_without_tick(const Options& options) {
   throw Failure(ExitCode::wrong_call,
-                fmt::format("{}: there is nothing to replay", printable(options.run, longest_path)));
+                fmt::format("{}: there is nothing to replay", quoted_text(options.run, longest_path)));
 }
 
 int replay_exactly(const Options& options) {
@@ -123,7 +123,7 @@ int replay_exactly(const Options& options) {
   if (!is_begun) refuse_without_tick(options);
   file.commit();
   const ReplayReport& report = replay.report();
-  say("{}: {}\n", printable(options.run, longest_path), verdict(run, report));
+  say("{}: {}\n", quoted_text(options.run, longest_path), verdict(run, report));
   return static_cast<int>(report.first || report.compared == 0 ? ExitCode::answer_is_no : ExitCode::done);
 }
 
@@ -183,7 +183,7 @@ int replay_hand(const Options& options) {
   OutputFile file(options.output);
   Hand hand = load_hand(options);
   file.write(run_header(hand.scene));
-  file.write(fmt::format("{}{}\n", hand_begins, printable(options.run, longest_path)));
+  file.write(fmt::format("{}{}\n", hand_begins, quoted_text(options.run, longest_path)));
   Scene played = std::move(hand.scene);
   played.goal = std::move(hand.path);
   const double end_s = played.goal.times.back();
@@ -201,7 +201,7 @@ int replay_hand(const Options& options) {
   file.commit();
   say("{}: nothing is compared, since scene or settings were given. The hand was played from {} for {} s, without "
       "what was changed live.\n",
-      printable(options.run, longest_path), hand.start.is_recorded ? "the recorded state" : "rest", end_s);
+      quoted_text(options.run, longest_path), hand.start.is_recorded ? "the recorded state" : "rest", end_s);
   return static_cast<int>(ExitCode::done);
 }
 

@@ -16,7 +16,7 @@ bool continues(char c) noexcept {
 
 }  // namespace
 
-std::string printable(std::string_view text, std::size_t longest) {
+std::string quoted_text(std::string_view text, std::size_t longest) {
   const bool is_cut = text.size() > longest;
   if (is_cut) {
     std::size_t end = longest;

@@ -14,7 +14,7 @@ inline constexpr std::size_t longest_path = 4096;  // Linux opens no longer one
 
 // Control characters, what Unicode calls no character and bytes that are no UTF-8 become \xNN; what is longer than
 // `longest` bytes ends in "…".
-std::string printable(std::string_view text, std::size_t longest = longest_quote);
+std::string quoted_text(std::string_view text, std::size_t longest = longest_quote);
 
 // "full, naive, anisotropic"
 std::string listed(std::span<const std::string_view> words);

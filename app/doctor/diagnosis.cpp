@@ -23,7 +23,7 @@ std::string open_error_words(const UsbDeviceFound& device) {
 
 std::string words_about(const UsbDeviceFound& device) {
   std::string words = fmt::format("device: {}", device.node);
-  if (!device.serial.empty()) words += fmt::format(", serial number {}", printable(device.serial));
+  if (!device.serial.empty()) words += fmt::format(", serial number {}", quoted_text(device.serial));
   if (device.has_node) words += fmt::format(", owner {}:{}, mode {:04o}", device.owner, device.group, device.mode);
   return words + (device.may_open ? ", this user may open it"
                                   : fmt::format(", this user may not open it: {}", open_error_words(device)));
@@ -68,7 +68,7 @@ std::string realtime_words(const RealtimeStatus& status) {
 std::string firmware_words(const std::optional<FirmwareImage>& image) {
   if (!image) return "firmware: no file; see docs/falcon.md for where to get one and where to put it";
   const std::string_view name = known_firmware(image->sha256);
-  return fmt::format("firmware: {}, SHA-256 {}, {}", printable(image->path.string(), longest_path), image->sha256,
+  return fmt::format("firmware: {}, SHA-256 {}, {}", quoted_text(image->path.string(), longest_path), image->sha256,
                      name.empty() ? "none of the published ones" : fmt::format("known as {}", name));
 }
 
@@ -84,7 +84,7 @@ std::string text_of(const Diagnosis& diagnosis) {
   for (const UsbDeviceFound& device : diagnosis.usb.devices) text += words_about(device) + "\n";
   text += diagnosis.udev_rule.empty()
               ? "udev rule: not installed; 'ghostforce doctor --install-udev' does it\n"
-              : fmt::format("udev rule: {}\n", printable(diagnosis.udev_rule.string(), longest_path));
+              : fmt::format("udev rule: {}\n", quoted_text(diagnosis.udev_rule.string(), longest_path));
   text += firmware_words(diagnosis.firmware) + "\n";
   text += calibration_words(diagnosis) + "\n";
   text += fmt::format("SpaceMouse: {}\n", words_about(diagnosis.spacemouse.trouble).words);
@@ -105,7 +105,7 @@ std::string json_of(const Diagnosis& diagnosis) {
   }
   Json firmware{{"file", nullptr}, {"sha256", nullptr}, {"known_as", nullptr}, {"is_running", report.has_firmware}};
   if (diagnosis.firmware) {
-    firmware["file"] = printable(diagnosis.firmware->path.string(), longest_path);
+    firmware["file"] = quoted_text(diagnosis.firmware->path.string(), longest_path);
     firmware["sha256"] = diagnosis.firmware->sha256;
     if (const auto name = known_firmware(diagnosis.firmware->sha256); !name.empty()) firmware["known_as"] = name;
   }
@@ -114,7 +114,7 @@ std::string json_of(const Diagnosis& diagnosis) {
     Json entry{{"bus", device.bus},
                {"address", device.address},
                {"node", device.node},
-               {"serial", printable(device.serial)},
+               {"serial", quoted_text(device.serial)},
                {"may_open", device.may_open},
                {"open_error", open_error_words(device)},
                {"owner", nullptr},
@@ -128,7 +128,7 @@ std::string json_of(const Diagnosis& diagnosis) {
     devices.push_back(entry);
   }
   const Json udev_rule =
-      diagnosis.udev_rule.empty() ? Json() : Json(printable(diagnosis.udev_rule.string(), longest_path));
+      diagnosis.udev_rule.empty() ? Json() : Json(quoted_text(diagnosis.udev_rule.string(), longest_path));
   const Json all{
       {"ladder", readiness},
       {"state", name_of(report.state)},

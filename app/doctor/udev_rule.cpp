@@ -74,7 +74,7 @@ void announce(const fs::path& rule) {
 void install_as_root(const fs::path& rule) {
   std::error_code error;
   const std::string self = fs::read_symlink("/proc/self/exe", error).string();
-  const std::string by_hand = fmt::format("sudo {} doctor --install-udev", printable(self, longest_path));
+  const std::string by_hand = fmt::format("sudo {} doctor --install-udev", quoted_text(self, longest_path));
   const bool is_somebody_there = isatty(STDIN_FILENO) != 0 && isatty(STDERR_FILENO) != 0;
   for (const std::string_view asker : {"sudo", "pkexec"}) {
     const std::string program = is_somebody_there && !error ? find_program(asker) : "";
@@ -124,7 +124,7 @@ fs::path write_udev_rule(const fs::path& folder) {
   fs::create_directories(folder, error);
   if (error) {
     throw Failure(ExitCode::file_trouble, fmt::format("the folder {} cannot be made: {}",
-                                                      printable(folder.string(), longest_path), error.message()));
+                                                      quoted_text(folder.string(), longest_path), error.message()));
   }
   const fs::path rule = folder / udev_rule_name;
   OutputFile file(rule.string());

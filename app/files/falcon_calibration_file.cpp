@@ -82,7 +82,7 @@ std::vector<CalibrationFile> read_all() {
     if (file->path().extension() == ".toml") paths.push_back(file->path());
   }
   if (error) {
-    throw ReadError(ReadError::Kind::unreadable, {{.file = "the folder " + printable(folder.string(), longest_path),
+    throw ReadError(ReadError::Kind::unreadable, {{.file = "the folder " + quoted_text(folder.string(), longest_path),
                                                    .what = "cannot be read: " + error.message(),
                                                    .remedy = "look at its permissions",
                                                    .joint = " "}});
@@ -92,7 +92,7 @@ std::vector<CalibrationFile> read_all() {
   std::vector<CalibrationFile> files;
   std::vector<ReadProblem> problems;
   for (const fs::path& path : paths) {
-    const std::string shown = printable(path.string(), longest_path);
+    const std::string shown = quoted_text(path.string(), longest_path);
     if (const std::string_view kind = kind_instead_of_file(path); !kind.empty()) {
       problems.push_back({.file = shown,
                           .what = fmt::format("is {}, and calibrations are files", kind),
@@ -113,7 +113,7 @@ std::vector<CalibrationFile> read_all() {
     });
     if (twin != std::prev(files.end())) {
       problems.push_back({.file = shown,
-                          .what = "is about the same device as " + printable(twin->path.string(), longest_path),
+                          .what = "is about the same device as " + quoted_text(twin->path.string(), longest_path),
                           .remedy = "remove one",
                           .joint = " "});
     }
@@ -142,7 +142,7 @@ FalconCalibration read_falcon_calibration(std::string_view text, std::string_vie
          if (serial && is_serial(*serial)) {
            calibration.serial = *FalconSerial::from(*serial);
          } else if (serial) {
-           value.refuse(fmt::format("'{}' is no serial number", printable(*serial)),
+           value.refuse(fmt::format("'{}' is no serial number", quoted_text(*serial)),
                         fmt::format("give 1 to {} letters, digits, '-' or '_'", FalconSerial::longest));
          }
        },
@@ -217,7 +217,7 @@ fs::path save_falcon_calibration(const FalconCalibration& calibration) {
   const std::string_view serial = calibration.serial.text();
   if (!is_serial(serial)) {
     throw Failure(ExitCode::wrong_call,
-                  fmt::format("'{}' is no serial number that a calibration could be kept by", printable(serial)));
+                  fmt::format("'{}' is no serial number that a calibration could be kept by", quoted_text(serial)));
   }
   const std::string text = falcon_calibration_text(calibration);
   const fs::path folder = calibration_folder();
@@ -232,7 +232,7 @@ fs::path save_falcon_calibration(const FalconCalibration& calibration) {
   fs::create_directories(folder, error);
   if (error) {
     throw Failure(ExitCode::file_trouble, fmt::format("the folder {} cannot be made: {}; calibrations are kept there",
-                                                      printable(folder.string(), longest_path), error.message()));
+                                                      quoted_text(folder.string(), longest_path), error.message()));
   }
   OutputFile output(path.string());
   output.write(text);

@@ -216,7 +216,7 @@ void OutputFile::commit_all(std::deque<OutputFile>& files, std::set<std::filesys
   for (const std::filesystem::path& folder : folders) {
     if (const int error = sync_folder(folder); error != 0) {
       throw Failure(ExitCode::file_trouble, fmt::format("nothing can be written to {}: {}",
-                                                        printable(folder.string(), longest_path), reason_of(error)));
+                                                        quoted_text(folder.string(), longest_path), reason_of(error)));
     }
   }
   for (OutputFile& file : files) file.keep();
@@ -230,7 +230,7 @@ void OutputFile::fail(int error) const {
   if (error == EINTR) stop_if_interrupted();
   if (error == EPIPE) throw ReaderGone();
   throw Failure(ExitCode::file_trouble,
-                fmt::format("{} cannot be written: {}", printable(shown_, longest_path), reason_of(error)));
+                fmt::format("{} cannot be written: {}", quoted_text(shown_, longest_path), reason_of(error)));
 }
 
 }  // namespace ghostforce

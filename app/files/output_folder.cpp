@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void refuse(const fs::path& path, const std::string& what) {
-  throw Failure(ExitCode::file_trouble, fmt::format("{}: {}", printable(path.string(), longest_path), what));
+  throw Failure(ExitCode::file_trouble, fmt::format("{}: {}", quoted_text(path.string(), longest_path), what));
 }
 
 void remove_empty(const std::vector<fs::path>& folders) noexcept {

@@ -146,7 +146,7 @@ struct PngFile::Reading {
   void require(bool is_good, const char* why) const {
     if (is_good) return;
     throw Failure(ExitCode::file_trouble,
-                  fmt::format("{}: cannot be read as a PNG picture: {}", printable(path, longest_path), why));
+                  fmt::format("{}: cannot be read as a PNG picture: {}", quoted_text(path, longest_path), why));
   }
 };
 

@@ -108,7 +108,7 @@ std::optional<RunState> read_state(std::string_view words) {
 class RunReader {
  public:
   RunReader(std::string_view shown_path, const TakeTick& take) : take_(take) {
-    run_.name = printable(shown_path, longest_path);
+    run_.name = quoted_text(shown_path, longest_path);
   }
 
   void take(std::string_view piece) {
@@ -131,7 +131,7 @@ class RunReader {
     if (run_.version.empty()) {
       warn("which version of ghostforce wrote it is not told");
     } else if (run_.version != version) {
-      warn(fmt::format("written by version {}; this is version {}", printable(run_.version), version));
+      warn(fmt::format("written by version {}; this is version {}", quoted_text(run_.version), version));
     }
     if (!run_.scene) warn("the scene is not told, or not to its end");
     if (run_.dropped > 0) warn(fmt::format("{} samples were lost while it was recorded", run_.dropped));
@@ -193,7 +193,7 @@ class RunReader {
     } else if (line == interrupted_line) {
       run_.is_interrupted = true;
     } else if (values_per_row_ > 0 && !line.starts_with(hand_begins)) {
-      damaged(fmt::format("the comment '{}' is not understood", printable(line)));
+      damaged(fmt::format("the comment '{}' is not understood", quoted_text(line)));
     }
   }
 
@@ -224,7 +224,7 @@ class RunReader {
     if (!run_.scene) return;  // nothing to change
     const std::string_view name = rest.substr(0, rest.find('='));
     const SceneKey* const key = find_scene_key(name);
-    if (key == nullptr || !is_setting(*key)) damaged(fmt::format("'{}' is no setting", printable(name)));
+    if (key == nullptr || !is_setting(*key)) damaged(fmt::format("'{}' is no setting", quoted_text(name)));
     overrides_.insert_or_assign(std::string(name), std::string(rest));
     std::vector<std::string> arguments;
     for (const auto& [of, argument] : overrides_) arguments.push_back(argument);
@@ -267,7 +267,7 @@ class RunReader {
   bool has(std::size_t column) const noexcept { return place_[column] < values_.size(); }
   std::string_view value(std::size_t column) const { return values_[place_[column]]; }
   [[noreturn]] void damaged_value(std::size_t column, std::string_view wanted) const {
-    damaged(fmt::format("{} is '{}', which is {}", column_names[column], printable(value(column)), wanted),
+    damaged(fmt::format("{} is '{}', which is {}", column_names[column], quoted_text(value(column)), wanted),
             static_cast<std::size_t>(value(column).data() - line_begin_) + 1);
   }
 
@@ -410,7 +410,7 @@ Run load_run(const std::string& path) {
 }
 
 RunFacts stream_run(const std::string& path, std::string_view doing, bool shows_progress, const TakeTick& take) {
-  const std::string shown = printable(path, longest_path);
+  const std::string shown = quoted_text(path, longest_path);
   std::error_code no_file;
   const auto size = std::filesystem::is_regular_file(path, no_file)
                         ? static_cast<std::int64_t>(std::filesystem::file_size(path, no_file))

@@ -53,7 +53,7 @@ std::string hint_for(const std::filesystem::path& path) {
   const std::vector<std::string_view> file_names(files.begin(), files.end());
   if (const auto near = nearest_name(stem, file_names)) {
     const std::string found = std::string(*near) + std::string(extension);
-    return fmt::format("did you mean '{}'?", printable(path.has_parent_path() ? (folder / found).string() : found));
+    return fmt::format("did you mean '{}'?", quoted_text(path.has_parent_path() ? (folder / found).string() : found));
   }
   if (const auto near = nearest_name(stem, shipped)) return fmt::format("did you mean '{}'?", *near);
   return fmt::format("give the path of a file, or one of {}", listed(shipped));
@@ -63,7 +63,7 @@ std::string read_file(const std::string& path) {
   FileContents file = file_contents(path);
   const auto fail = [&](std::string what, std::string remedy) {
     return ReadError(ReadError::Kind::wrong,
-                     {{.file = printable(path, longest_path), .what = std::move(what), .remedy = std::move(remedy)}});
+                     {{.file = quoted_text(path, longest_path), .what = std::move(what), .remedy = std::move(remedy)}});
   };
   switch (path.empty() ? ENOENT : file.error) {
     case 0:
@@ -73,13 +73,13 @@ std::string read_file(const std::string& path) {
     case ENAMETOOLONG:
       throw ReadError(
           ReadError::Kind::wrong,
-          {{.what = fmt::format("no scene named '{}'", printable(path, longest_path)), .remedy = hint_for(path)}});
+          {{.what = fmt::format("no scene named '{}'", quoted_text(path, longest_path)), .remedy = hint_for(path)}});
     case EISDIR:
       throw fail("is a folder", "name a scene file in it");
     case EFBIG:
       throw fail(fmt::format("is larger than {} MiB, which no scene is", largest_text_file >> 20), "name a scene file");
     default:
-      throw unreadable(printable(path, longest_path), file.error, ": ");
+      throw unreadable(quoted_text(path, longest_path), file.error, ": ");
   }
 }
 

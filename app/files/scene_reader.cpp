@@ -49,7 +49,7 @@ struct ValueReader {
     } else if (*word == key.word_for_empty) {
       key.in(scene) = std::nullopt;
     } else {
-      value.refuse(fmt::format("is '{}'", printable(*word)),
+      value.refuse(fmt::format("is '{}'", quoted_text(*word)),
                    fmt::format("give '{}' or {}", key.word_for_empty, range_words(limits)));
     }
   }
@@ -98,7 +98,7 @@ void read_override(TomlReader& reader, std::string_view argument) {
   if (equals == std::string_view::npos || name.empty()) {
     reader.refuse_override(argument, "give KEY=VALUE, for example rendering.k_r_N_per_m=800", "");
   } else if (key == nullptr && name != "format") {
-    reader.refuse_override(argument, fmt::format("the key {} is unknown", printable(name)), suggest_scene_key(name));
+    reader.refuse_override(argument, fmt::format("the key {} is unknown", quoted_text(name)), suggest_scene_key(name));
   } else {
     const bool holds_text = key != nullptr && (std::holds_alternative<TextKey>(key->value) ||
                                                std::holds_alternative<ChoiceKey>(key->value));

@@ -126,7 +126,7 @@ struct TomlReader::Content {
 
   ReadProblem at(const Place& place, ReadProblem words) const {
     if (place.override_number > 0) {
-      words.file = fmt::format("--set {}", printable(overrides[place.override_number - 1].argument));
+      words.file = fmt::format("--set {}", quoted_text(overrides[place.override_number - 1].argument));
     } else {
       words.file = shown_path;
       words.line = place.line;
@@ -209,7 +209,7 @@ std::optional<std::size_t> TomlValue::word(std::span<const std::string_view> wor
   }
   const auto found = std::find(words.begin(), words.end(), *value);
   if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
-  refuse(fmt::format("'{}' is none of {}", printable(*value), listed(words)), did_you_mean(*value, words));
+  refuse(fmt::format("'{}' is none of {}", quoted_text(*value), listed(words)), did_you_mean(*value, words));
   return std::nullopt;
 }
 
@@ -246,7 +246,7 @@ bool TomlValue::read_numbers(std::span<double> into, const NumberLimits& limits,
 // --- The file and --set as TOML ---
 
 TomlReader::TomlReader(std::string_view shown_path)
-    : content_(std::make_unique<Content>(Content{.shown_path = printable(shown_path, longest_path)})) {}
+    : content_(std::make_unique<Content>(Content{.shown_path = quoted_text(shown_path, longest_path)})) {}
 
 TomlReader::~TomlReader() = default;
 
@@ -266,7 +266,7 @@ void TomlReader::override_key(std::string_view argument, std::string_view key, s
     return;
   }
   refuse_override(
-      argument, fmt::format("the key {}: {} is no value", key, value.empty() ? "nothing" : printable(value)),
+      argument, fmt::format("the key {}: {} is no value", key, value.empty() ? "nothing" : quoted_text(value)),
       holds_text ? "give a text in UTF-8" : "give a number such as 1.5, inf, or an array such as [0.0, 10.0]");
 }
 
@@ -323,7 +323,7 @@ void TomlReader::find_unknown() {
   // Of a million such keys the first few get words.
   const auto refuse_key = [this](std::string_view table, const toml::key& key) {
     content_->problems.add(in_file(key.source().begin), [content = content_.get(), table, name = key.str()] {
-      return problem(fmt::format("the key {} is unknown", dotted_name(table, printable(name))),
+      return problem(fmt::format("the key {} is unknown", dotted_name(table, quoted_text(name))),
                      content->suggest ? content->suggest(table, name) : suggestion(content->keys, table, name));
     });
   };
@@ -347,7 +347,7 @@ void TomlReader::find_unknown() {
       content_->problems.add(in_file(key.source().begin), [content = content_.get(), name] {
         const std::vector<std::string_view> known = tables_of(content->keys);
         const std::string near = did_you_mean(name, known);
-        return problem(fmt::format("the table [{}] is unknown", printable(name)),
+        return problem(fmt::format("the table [{}] is unknown", quoted_text(name)),
                        near.empty() ? fmt::format("the tables are {}", listed(known)) : near);
       });
     }

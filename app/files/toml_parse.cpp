@@ -56,7 +56,7 @@ ParsedToml parse_toml(std::string_view text) {
     toml::source_position position = error.source().begin;
     position.line = std::max<toml::source_index>(position.line, 1);
     position.column = std::max<toml::source_index>(position.column, 1);
-    return {{}, TomlProblem{position, printable(error.description(), longest_description)}};
+    return {{}, TomlProblem{position, quoted_text(error.description(), longest_description)}};
   }
 }
 

@@ -75,7 +75,7 @@ void Application::start() {
 
 const InputEntry& Application::input_of(std::string_view name) const {
   if (const InputEntry* const entry = find_input(inputs_, name)) return *entry;
-  throw Failure(ExitCode::wrong_call, fmt::format("there is no input '{}' here; choose another", printable(name)));
+  throw Failure(ExitCode::wrong_call, fmt::format("there is no input '{}' here; choose another", quoted_text(name)));
 }
 
 // A servo owns its input, so another input or another script is another servo; counts go on, so that what is asked for
@@ -257,7 +257,7 @@ void Application::handle_requests() {
     if (dropped.size() > 1) show_notice("One scene at a time: the first of the files is open.", false);
     if (requests.save_scene) {
       save_scene(session_, *requests.save_scene);
-      show_notice(fmt::format("Saved {}", printable(*requests.save_scene, longest_path)), false);
+      show_notice(fmt::format("Saved {}", quoted_text(*requests.save_scene, longest_path)), false);
     }
     if (requests.save_picture) save_picture(*requests.save_picture);
     if (requests.save_plots) save_plots(*requests.save_plots);
@@ -298,13 +298,13 @@ void Application::replay_run(const std::string& path) {
     throw Failure(ExitCode::wrong_call,
                   fmt::format("{}: the run does not tell its scene; on the command line one can be named, as in\n"
                               "ghostforce run wall45 --input replay:RUN.csv",
-                              printable(path, longest_path)));
+                              quoted_text(path, longest_path)));
   }
   input_options_.recorded_hand = std::make_shared<const GoalPath>(goal_path_of(run));
   input_choices_ = choices_of(inputs_, true);
   use(*std::ranges::find_if(inputs_, &InputEntry::needs_recording), std::make_shared<const Scene>(*run.scene),
       run.scene->settings);
-  show_notice(fmt::format("Replaying {}{}{}", printable(path, longest_path), run.warnings.empty() ? "" : "\n",
+  show_notice(fmt::format("Replaying {}{}{}", quoted_text(path, longest_path), run.warnings.empty() ? "" : "\n",
                           fmt::join(run.warnings, "\n")),
               false);
 }
@@ -330,7 +330,7 @@ std::string Application::end_recording() {
   const std::string found_at = recording_->found_at();
   recording_.reset();
   recording_reading_.is_on = false;
-  const std::string shown = printable(found_at.empty() ? recording_reading_.path : found_at, longest_path);
+  const std::string shown = quoted_text(found_at.empty() ? recording_reading_.path : found_at, longest_path);
   if (found_at.empty()) {
     recording_problem_ = fmt::format(
         "The recording is lost, {:.1f} s of it: {} was removed while it was written. Record again, to a folder that "
@@ -357,7 +357,7 @@ std::string Application::end_recording() {
                                         dropped > 0 ? fmt::format("; {} samples were lost", dropped) : "");
   if (found_at == recording_reading_.path) return words;
   recording_problem_ = fmt::format("{}. It was moved there while it was written: {} is not it any more.", words,
-                                   printable(recording_reading_.path, longest_path));
+                                   quoted_text(recording_reading_.path, longest_path));
   return recording_problem_;
 }
 
@@ -383,14 +383,14 @@ void Application::save_picture(const SavePictureRequest& request) {
   OutputFile file(request.path);
   file.write(picture_bytes(request));
   file.commit();
-  show_notice(fmt::format("Saved {}", printable(request.path, longest_path)), false);
+  show_notice(fmt::format("Saved {}", quoted_text(request.path, longest_path)), false);
 }
 
 void Application::save_plots(const SavePlotsRequest& request) {
   OutputFile file(request.path);
   file.write(plot_file(session_, report_.snapshot, history_.plots(), request, painter_));
   file.commit();
-  show_notice(fmt::format("Saved {}", printable(request.path, longest_path)), false);
+  show_notice(fmt::format("Saved {}", quoted_text(request.path, longest_path)), false);
 }
 
 std::string Application::picture_bytes(const SavePictureRequest& request) {

@@ -102,7 +102,7 @@ template <typename Value>
 std::optional<Value> load_from(const fs::path& file, std::vector<std::string>& remarks) {
   std::error_code error;
   if (file.empty() || !fs::exists(file, error)) return std::nullopt;
-  const std::string shown = printable(file.string(), longest_path);
+  const std::string shown = quoted_text(file.string(), longest_path);
   if (!fs::is_regular_file(file, error)) {
     remarks.push_back(fmt::format("{} is no file; the usual values are used", shown));
     return std::nullopt;
@@ -130,7 +130,7 @@ std::optional<Value> load_from(const fs::path& file, std::vector<std::string>& r
   fs::rename(file, aside, error);
   remarks.push_back(error ? fmt::format("{} is damaged ({}); the usual values are used", shown, damage)
                           : fmt::format("{} was damaged ({}) and is now {}; the usual values are used", shown, damage,
-                                        printable(aside.string(), longest_path)));
+                                        quoted_text(aside.string(), longest_path)));
   return std::nullopt;
 }
 
@@ -142,12 +142,12 @@ void write(const fs::path& file, const std::string& text, std::string_view what)
   if (error) {
     throw Failure(ExitCode::file_trouble,
                   fmt::format("the folder {} cannot be made: {}; {} kept there",
-                              printable(file.parent_path().string(), longest_path), error.message(), what));
+                              quoted_text(file.parent_path().string(), longest_path), error.message(), what));
   }
   // A link to nothing yet is followed; into a pipe nobody may ever look.
   if (const std::string_view kind = kind_instead_of_file(file); !kind.empty() && fs::exists(file, error)) {
     throw Failure(ExitCode::file_trouble, fmt::format("{} is {}, and {} kept in a file of this name; remove it",
-                                                      printable(file.string(), longest_path), kind, what));
+                                                      quoted_text(file.string(), longest_path), kind, what));
   }
   // What cannot be read may be worth much all the same.
   const FileContents old = file_contents(file);
@@ -156,7 +156,7 @@ void write(const fs::path& file, const std::string& text, std::string_view what)
         ExitCode::file_trouble,
         fmt::format("{} cannot be read ({}) and stays as it is, and {} kept in a file of this name; repair or "
                     "remove it",
-                    printable(file.string(), longest_path), std::generic_category().message(old.error), what));
+                    quoted_text(file.string(), longest_path), std::generic_category().message(old.error), what));
   }
   OutputFile output(file.string());
   output.write(text);

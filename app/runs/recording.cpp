@@ -82,8 +82,8 @@ Recording::Recording(const std::string& path, const Scene& scene, Servo& servo, 
                    error == EEXIST
                        ? fmt::format("{} exists already, and a recording overwrites nothing; "
                                      "choose another name",
-                                     printable(path, longest_path))
-                       : fmt::format("{} cannot be written: {}", printable(path, longest_path), reason_of(error)));
+                                     quoted_text(path, longest_path))
+                       : fmt::format("{} cannot be written: {}", quoted_text(path, longest_path), reason_of(error)));
   };
   descriptor_ = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0666);
   if (descriptor_ < 0) throw fail(errno);

@@ -14,7 +14,7 @@ namespace ghostforce {
 namespace {
 
 [[noreturn]] void refuse(const std::string& argument, const std::string& what) {
-  throw Failure(ExitCode::wrong_call, fmt::format("--over {}: {}", printable(argument), what));
+  throw Failure(ExitCode::wrong_call, fmt::format("--over {}: {}", quoted_text(argument), what));
 }
 
 std::string name_of(const Range& range) {

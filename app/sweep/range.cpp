@@ -83,7 +83,7 @@ std::optional<Number> parse_number(std::string_view text) noexcept {
 }
 
 std::string shown(std::string_view part) {
-  return part.empty() ? "nothing" : fmt::format("'{}'", printable(part));
+  return part.empty() ? "nothing" : fmt::format("'{}'", quoted_text(part));
 }
 
 // What is wrong with one end of the range, if something is.
@@ -145,7 +145,7 @@ std::variant<Range, std::string> parse_range(std::string_view argument) {
   const std::string_view name = trimmed(argument.substr(0, equals));
   if (name.empty()) return std::string(form);
   const SceneKey* const key = find_scene_key(name);
-  if (key == nullptr) return fmt::format("the key {} is unknown{}", printable(name), suggest_scene_key(name));
+  if (key == nullptr) return fmt::format("the key {} is unknown{}", quoted_text(name), suggest_scene_key(name));
   const std::optional<Limits> limits = std::visit(LimitsOf{}, key->value);
   if (!limits) {
     return fmt::format("the key {} is not one number; a sweep can go over {}", name, keys_with_a_number());

@@ -61,7 +61,7 @@ void Gestures::take(Session& session, const std::vector<Pane>& panes, const Vect
     const Vector<2> inside = pointer - pane.corner;
     hovered_ = handle_at(session.settings, pane.camera, unit, inside);
     if (hovered_ != Handle::none) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    if (session.dialog == Dialog::none) explain_mark(pane, inside, unit, is_goal_estimated);
+    if (session.dialog == Dialog::none) mark_tooltip(pane, inside, unit, is_goal_estimated);
   }
   if (const float wheel = ImGui::GetIO().MouseWheel; is_hovered && wheel != 0.0F) {
     const Pane& pane = pane_at(panes, pointer);

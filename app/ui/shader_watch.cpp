@@ -33,7 +33,7 @@ ShaderWatch::ShaderWatch(const std::string& folder)
     if (fs::is_regular_file(file, error)) continue;
     throw Failure(ExitCode::wrong_call,
                   fmt::format("--shader-dir {}: there is no file {} in it; copy the folder shaders/ of the source tree",
-                              printable(folder, longest_path), file.filename().string()));
+                              quoted_text(folder, longest_path), file.filename().string()));
   }
 }
 

@@ -187,7 +187,7 @@ std::vector<Finding> check_lights(MeasuringRig& rig) {
                                        "Look at the ring of light on the device. What colour does it have? Type red, "
                                        "green, blue, or other.");
     finding.readings.push_back(fmt::format("bit {:#04x}, taken for {}: seen {}", light.bit, light.colour,
-                                           answer.empty() ? "nothing" : printable(answer)));
+                                           answer.empty() ? "nothing" : quoted_text(answer)));
     if (answer != light.colour) finding.state = Finding::State::differs;
   }
   finding.sentence = finding.state == Finding::State::as_assumed ? "Red, green and blue are where they were assumed."

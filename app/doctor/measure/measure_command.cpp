@@ -69,7 +69,7 @@ bool says_yes(Operator& person, const std::string& words) {
 void write_calibration(const MeasureCall& call, std::optional<OutputFile>& file, bool is_there,
                        const FalconCalibration& calibration, bool is_kept, Operator& person) {
   if (file) {
-    const std::string shown = printable(*call.calibration, longest_path);
+    const std::string shown = quoted_text(*call.calibration, longest_path);
     if (is_there &&
         !says_yes(person,
                   fmt::format("{} is there already. Write the new calibration in its place? Type y or n.", shown))) {
@@ -96,7 +96,7 @@ void write_calibration(const MeasureCall& call, std::optional<OutputFile>& file,
     return;
   }
   const std::filesystem::path path = save_falcon_calibration(calibration);
-  person.tell(fmt::format("The calibration is in {}.", printable(path.string(), longest_path)));
+  person.tell(fmt::format("The calibration is in {}.", quoted_text(path.string(), longest_path)));
 }
 
 }  // namespace
@@ -140,7 +140,7 @@ int measure_with_doctor(const MeasureCall& call) {
                               .firmware = call.is_virtual ? "firmware: a practice one" : firmware_words(call.firmware),
                               .is_virtual = call.is_virtual}));
   report.commit();
-  if (call.report != "-") person.tell(fmt::format("The report is in {}.", printable(call.report, longest_path)));
+  if (call.report != "-") person.tell(fmt::format("The report is in {}.", quoted_text(call.report, longest_path)));
   if (!call.is_virtual) person.tell("Please open an issue with it attached where you got this program from.");
   write_calibration(call, calibration_file, is_there, measurement.calibration, is_kept, person);
   return static_cast<int>(measurement.has_all_answers() ? ExitCode::done : ExitCode::answer_is_no);

@@ -101,7 +101,7 @@ double MeasuringRig::ask_number(const Deed& deed, const std::string& words, doub
     // Written so that NaN is asked again too.
     if (value && *value >= least && *value <= greatest) return *value;
     person_.tell(fmt::format("'{}' is no number from {} to {} {}. Type the number alone, such as {}.",
-                             printable(answer), least, greatest, unit, std::sqrt(least * greatest) > 10.0 ? 60 : 5));
+                             quoted_text(answer), least, greatest, unit, std::sqrt(least * greatest) > 10.0 ? 60 : 5));
   }
 }
 

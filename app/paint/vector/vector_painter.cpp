@@ -39,7 +39,7 @@ using FontOutlines = std::unique_ptr<FT_FaceRec_, Destroy<FT_Done_Face>>;
 
 // Words may come from a file's name, and Cairo takes nothing but UTF-8 without any of what Unicode calls no character.
 std::string drawable(std::string_view words) {
-  return printable(words, words.size());
+  return quoted_text(words, words.size());
 }
 
 // ---- Letters --------------------------------------------------------------------------------------------------------
@@ -93,7 +93,7 @@ class Font {
     throw Failure(ExitCode::file_trouble,
                   fmt::format("the font {} cannot be read (FreeType error {}); build again with ./demo, or install the "
                               "program with cmake --install",
-                              printable(path, longest_path), error));
+                              quoted_text(path, longest_path), error));
   }
 
   FontLibrary library_;

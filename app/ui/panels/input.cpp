@@ -18,13 +18,13 @@ std::string_view choose(const char* id, std::span<const InputChoice> choices, st
   const bool is_known = chosen != choices.end();
   const bool is_open = ImGui::BeginCombo(id, is_known ? chosen->title.data() : "");
   if (!is_open) {
-    if (is_known) explain(chosen->sentence);
+    if (is_known) tooltip(chosen->sentence);
     return picked;
   }
   close_popup_on_escape();
   for (const InputChoice& choice : choices) {
     if (ImGui::Selectable(choice.title.data(), choice.name == chosen_name)) picked = choice.name;
-    explain(choice.sentence);
+    tooltip(choice.sentence);
   }
   ImGui::EndCombo();
   return picked;

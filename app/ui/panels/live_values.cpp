@@ -35,7 +35,7 @@ void draw_head() {
     right_aligned(quantity.title);
     right_aligned(quantity.unit);
     ImGui::EndGroup();
-    explain(quantity.term);
+    tooltip(quantity.term);
   }
 }
 
@@ -54,7 +54,7 @@ void draw_row(const PanelContext& context, const Strategy& entry) {
     const bool is_known = !quantity.is_against_goal || !context.snapshot.measured;
     right_aligned(is_known ? in_fixed_width(quantity.value(context.snapshot.strategies[i]), quantity.decimals) : "—");
     ImGui::PopFont();
-    if (!is_known) explain("Cannot be known: the goal of a real hand is only inferred from the force itself.");
+    if (!is_known) tooltip("Cannot be known: the goal of a real hand is only inferred from the force itself.");
   }
 }
 
@@ -72,7 +72,7 @@ void draw_model_error(const PanelContext& context) {
   if (context.snapshot.measured) {
     ImGui::TextUnformatted(
         fmt::format("{} measured, others simulated", strategy(*context.snapshot.measured).letter).c_str());
-    explain(
+    tooltip(
         "Forces are what each strategy wants, before any limit. The others are simulated under the inferred goal; "
         "ghost force and drift against that goal cannot be known.");
     return;
@@ -84,7 +84,7 @@ void draw_model_error(const PanelContext& context) {
   ImGui::TextUnformatted(fmt::format("{:>8} mm", in_fixed_width(model_error(context) * 1000.0, 3)).c_str());
   ImGui::PopFont();
   ImGui::EndGroup();
-  explain(Term::model_error);
+  tooltip(Term::model_error);
 }
 
 }  // namespace

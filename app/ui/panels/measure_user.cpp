@@ -25,7 +25,7 @@ void draw_invitation(Session& session) {
       "How stiff is the hand? Turn the ratio ρ until the proxy no longer slides along the wall: that ρ tells. Five "
       "times, and the median counts.");
   if (ImGui::Button("Start measuring")) start_measuring(session);
-  explain(
+  tooltip(
       "Chooses the anisotropic strategy and a ratio that is off. Afterwards, or when it is cancelled, both are as "
       "they were.");
 }
@@ -78,7 +78,7 @@ void draw_drift(const PanelContext& context, const UserMeasurement& measurement)
   }
   ImGui::Dummy({width, 2.0F * radius + line + 8.0F * scale});
   ImGui::EndGroup();
-  explain(measurement.target ? Term::drift_from_target : Term::null_drift);
+  tooltip(measurement.target ? Term::drift_from_target : Term::null_drift);
 }
 
 void draw_ratio(const PanelContext& context) {
@@ -94,7 +94,7 @@ void draw_ratio(const PanelContext& context) {
                           ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp)) {
     stiffnesses.chosen_tracking_ratio = ratio;
   }
-  explain("Drag, or press − and +: 5 %, with Alt 1 %.");
+  tooltip("Drag, or press − and +: 5 %, with Alt 1 %.");
   end_rows();
 }
 
@@ -111,10 +111,10 @@ void draw_nulling(const PanelContext& context) {
   const bool wants =
       !is_typing && (ImGui::IsKeyPressed(ImGuiKey_Enter, false) || ImGui::IsKeyPressed(ImGuiKey_KeypadEnter, false));
   if (ImGui::Button("Take   Enter") || (wants && session.dialog == Dialog::none)) take_reading(session);
-  explain("Takes this ρ as a reading: k_u = k_r / (ρ − 1).");
+  tooltip("Takes this ρ as a reading: k_u = k_r / (ρ − 1).");
   ImGui::SameLine();
   if (ImGui::Button("Cancel")) cancel_measurement(session);
-  explain("Ratio and strategy as they were; no reading is kept.");
+  tooltip("Ratio and strategy as they were; no reading is kept.");
 }
 
 void draw_readings(const PanelContext& context, const UserMeasurement& measurement) {
@@ -124,10 +124,10 @@ void draw_readings(const PanelContext& context, const UserMeasurement& measureme
   ImGui::TextUnformatted("reading");
   ImGui::TableNextColumn();
   ImGui::TextUnformatted("     ρ°");
-  explain(Term::null_ratio);
+  tooltip(Term::null_ratio);
   ImGui::TableNextColumn();
   ImGui::TextUnformatted("     k_u");
-  explain("By k_u = k_r / (ρ° − 1).");
+  tooltip("By k_u = k_r / (ρ° − 1).");
   for (std::size_t i = 0; i < measurement.readings.size(); ++i) {
     ImGui::TableNextColumn();
     ImGui::Text("%zu", i + 1);
@@ -145,22 +145,22 @@ void draw_result(const PanelContext& context) {
   ImGui::PushFont(context.fonts.bold, 0.0F);
   ImGui::TextUnformatted(fmt::format("measured k_u  {:7.1f} N/m", spread.median).c_str());
   ImGui::PopFont();
-  explain("The median of the readings.");
+  tooltip("The median of the readings.");
   ImGui::TextUnformatted(
       fmt::format("middle half of them  {:.1f} to {:.1f} N/m", spread.lower_quartile, spread.upper_quartile).c_str());
-  explain("From the lower to the upper quartile: of five readings, the second to the fourth.");
+  tooltip("From the lower to the upper quartile: of five readings, the second to the fourth.");
   // Of a hand that is simulated there is a true value; it was given, not measured, and may be another by now.
   if (measurement.given_k_u) {
     ImGui::PushStyleColor(ImGuiCol_Text, unpacked(context.theme.faint_text));
     ImGui::TextUnformatted(fmt::format("(given: {:.1f} N/m)", *measurement.given_k_u).c_str());
     ImGui::PopStyleColor();
-    explain("The stiffness that the simulated hand was given.");
+    tooltip("The stiffness that the simulated hand was given.");
   }
   if (ImGui::Button("Believe it")) {
     believe_measurement(session);
     return;
   }
-  explain("The median becomes the k_u that the renderer believes in.");
+  tooltip("The median becomes the k_u that the renderer believes in.");
   ImGui::SameLine();
   if (ImGui::Button("Again")) {
     start_measuring(session);

@@ -22,11 +22,11 @@ void draw_switch(Session& session) {
       session.circle_test.input_before = session.input;
       session.requests.input = "circle";
     }
-    explain("The goal goes round a circle inside the wall, and each turn is measured.");
+    tooltip("The goal goes round a circle inside the wall, and each turn is measured.");
     return;
   }
   if (ImGui::Button("End the circle test")) session.requests.input = session.circle_test.input_before;
-  explain("Gives the goal back to what moved it before.");
+  tooltip("Gives the goal back to what moved it before.");
 }
 
 constexpr double least_mm = 2.0;
@@ -78,7 +78,7 @@ void head(const char* title, const char* unit, Term term) {
   ImGui::TextUnformatted(title);
   ImGui::TextUnformatted(unit);
   ImGui::EndGroup();
-  explain(term);
+  tooltip(term);
 }
 
 void draw_table(const PanelContext& context, const CircleReading& reading) {
@@ -103,7 +103,7 @@ void draw_table(const PanelContext& context, const CircleReading& reading) {
     number_cell(context, shown(1e3 * energy.last.energy, 2));
     number_cell(context, shown(1e3 * energy.mean.energy, 2));
     number_cell(context, energy.stays_inside ? shown(1e3 * energy.predicted, 2) : "      —");
-    if (!energy.stays_inside) explain("The device left the wall on its way: the formula does not hold.");
+    if (!energy.stays_inside) tooltip("The device left the wall on its way: the formula does not hold.");
   }
   ImGui::EndTable();
 }
@@ -118,7 +118,7 @@ void draw_passivity(const PanelContext& context) {
   draw_table(context, reading);
   ImGui::TextUnformatted(
       fmt::format("{:3} turns measured, {:3.0f} % of the next", reading.turns, 100.0 * reading.share).c_str());
-  explain("A turn takes 4 s of model time. A change of a setting, or of the circle, begins anew.");
+  tooltip("A turn takes 4 s of model time. A change of a setting, or of the circle, begins anew.");
 }
 
 }  // namespace ghostforce

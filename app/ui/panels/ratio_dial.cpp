@@ -67,7 +67,7 @@ void draw_ratio_dial(const PanelContext& context) {
     choose_ratio(stiffnesses, scale.ratio(place),
                  scale.decade() * static_cast<double>(snap_points * context.scale / length));
   }
-  explain(Term::tracking_ratio);
+  tooltip(Term::tracking_ratio);
 
   ImDrawList& draw_list = *ImGui::GetWindowDrawList();
   const float thickness = 5.0F * context.scale;

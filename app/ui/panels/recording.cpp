@@ -40,12 +40,12 @@ void draw_recording(const PanelContext& context) {
     end_rows();
   }
   if (ImGui::Button(recording.is_on ? "Stop###record" : "Start###record")) toggle_recording(context);
-  explain("Every tick of the three strategies, as it is made, to a file.");
+  tooltip("Every tick of the three strategies, as it is made, to a file.");
   if (recording.path.empty()) return;
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(words_about(recording).c_str());
-  explain(recording.path);
+  tooltip(recording.path);
 }
 
 }  // namespace ghostforce

@@ -30,7 +30,7 @@ void draw_constraint(Stiffnesses& stiffnesses, float scale) {
   if (ImGui::Checkbox("hard", &hard)) {
     stiffnesses.k_c = hard ? std::numeric_limits<double>::infinity() : first_soft_constraint;
   }
-  explain(Term::hard_constraint);
+  tooltip(Term::hard_constraint);
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ void draw_safety(const PanelContext& context) {
                                      motors.is_saturated ? ", limited" : "", motors.handle_speed)
                              .c_str());
   ImGui::PopFont();
-  explain("What goes to the motors after every limit, and what it may be at most; how fast the handle moves.");
+  tooltip("What goes to the motors after every limit, and what it may be at most; how fast the handle moves.");
   if (motors.held_k_r > 0.0) {
     ImGui::TextUnformatted(fmt::format("k_r is held at {:.0f} N/m on the motors.", motors.held_k_r).c_str());
   }

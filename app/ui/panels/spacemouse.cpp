@@ -40,7 +40,7 @@ void draw_axes(const PanelContext& context, const SpaceMouseReading& reading) {
     draw_list.AddLine({middle, corner.y}, {middle, corner.y + height}, packed(context.theme.text), context.scale);
   }
   ImGui::Dummy({ImGui::GetContentRegionAvail().x, height});
-  explain("How far the cap is deflected: to the right, towards you, down, and turned about each of these.");
+  tooltip("How far the cap is deflected: to the right, towards you, down, and turned about each of these.");
 }
 
 }  // namespace

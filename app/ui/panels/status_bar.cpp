@@ -44,7 +44,7 @@ void draw_scene_menu(Session& session) {
   for (const ShippedScene& scene : shipped_scenes()) {
     if (ImGui::MenuItem(scene.title.c_str(), scene.name.c_str(), scene.title == session.scene->title))
       session.requests.open_scene = scene.name;
-    explain(scene.about);
+    tooltip(scene.about);
   }
   ImGui::Separator();
   const auto item = [](const char* words, const char* keys) { return ImGui::MenuItem(words, keys); };
@@ -102,21 +102,21 @@ void draw_status_bar(const PanelContext& context) {
   ImGui::SetCursorPosY(0.5F * (ImGui::GetWindowHeight() - ImGui::GetFrameHeight()));
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(shortened(words, room).c_str());
-  explain("Who moves the goal, model time, ticks of the loop per second of real time, and ticks that came too late.");
+  tooltip("Who moves the goal, model time, ticks of the loop per second of real time, and ticks that came too late.");
   if (width(words) + width(remark) <= room) {
     ImGui::SameLine(0.0F, 0.0F);
     ImGui::PushStyleColor(ImGuiCol_Text, unpacked(context.theme.faint_text));
     ImGui::TextUnformatted(remark.c_str());
     ImGui::PopStyleColor();
-    explain("What the system grants the loop, so that its ticks come in time; ghostforce doctor says why not more.");
+    tooltip("What the system grants the loop, so that its ticks come in time; ghostforce doctor says why not more.");
   }
   ImGui::SameLine(scene_x);
   if (ImGui::Button((caption + "###scene").c_str())) ImGui::OpenPopup("scenes");
-  explain(session.scene->about);
+  tooltip(session.scene->about);
   draw_scene_menu(session);
   ImGui::SameLine();
   if (ImGui::Button("F1  Help", {help_width, 0.0F})) open_dialog<Dialog::help>(session);
-  explain("Every key and every gesture.");
+  tooltip("Every key and every gesture.");
 }
 
 }  // namespace ghostforce

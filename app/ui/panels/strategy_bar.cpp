@@ -65,7 +65,7 @@ void draw_strategy_button(const PanelContext& context, const Strategy& entry, fl
   draw_list.AddText({corner.x + key_width + 2.6F * glyph + 0.3F * pad, text_y},
                     packed(active ? context.theme.strategy_text[i] : context.theme.text), words.c_str());
   ImGui::PopFont();
-  explain(entry.sentence);
+  tooltip(entry.sentence);
   ImGui::SameLine();
 }
 
@@ -90,7 +90,7 @@ void draw_compare(Session& session, float width, float height) {
       if (ImGui::Selectable(each.title.data(), each.id == session.options.compare)) session.options.compare = each.id;
     }
   });
-  explain("Compare: all strategies in one picture, a picture for each, or the active one only. Key 0.");
+  tooltip("Compare: all strategies in one picture, a picture for each, or the active one only. Key 0.");
 }
 
 void draw_speed(Session& session, float width, float height) {
@@ -100,7 +100,7 @@ void draw_speed(Session& session, float width, float height) {
       if (ImGui::Selectable(fmt::format("{:g}×", speed).c_str(), speed == session.speed)) session.speed = speed;
     }
   });
-  explain("Slow motion: fewer ticks per second, and the same physics.");
+  tooltip("Slow motion: fewer ticks per second, and the same physics.");
 }
 
 // Signs that everybody knows, drawn because the font has none of them. `unit` is half the sign's height.
@@ -165,7 +165,7 @@ void draw_record_button(const PanelContext& context, float height) {
     ImGui::PopStyleColor();
     ImGui::PopStyleVar();
   }
-  explain(is_on ? fmt::format("Recording: {}. Press to stop.", words_about(context.loop.recording))
+  tooltip(is_on ? fmt::format("Recording: {}. Press to stop.", words_about(context.loop.recording))
                 : "Records every tick to a new file, which any spreadsheet opens and which can be replayed.");
 }
 
@@ -215,11 +215,11 @@ void draw_safety_button(const PanelContext& context, float height) {
   }
   ImGui::EndDisabled();
   if (!motors.has_motors) {
-    explain("No device with a motor is in use: the forces on screen are the model's.");
+    tooltip("No device with a motor is in use: the forces on screen are the model's.");
   } else if (motors.state == SafetyState::off && motors.reason != OffReason::none) {
-    explain(entry_of(motors.reason).remedy);
+    tooltip(entry_of(motors.reason).remedy);
   } else {
-    explain("Lets the device push. Esc turns it off at any time.");
+    tooltip("Lets the device push. Esc turns it off at any time.");
   }
 }
 
@@ -237,14 +237,14 @@ void draw_strategy_bar(const PanelContext& context) {
   // Nobody stops the time of a real hand.
   ImGui::BeginDisabled(context.snapshot.measured.has_value());
   if (icon_button("##pause", session.paused ? draw_play_sign : draw_pause_sign, context, height)) toggle_pause(session);
-  explain(session.paused ? "Lets model time go on. Space." : "Stops model time. Space.");
+  tooltip(session.paused ? "Lets model time go on. Space." : "Stops model time. Space.");
   ImGui::SameLine();
   if (icon_button("##step", draw_step_sign, context, height)) single_step(session);
-  explain("One tick of the loop, then pause. The key is the full stop.");
+  tooltip("One tick of the loop, then pause. The key is the full stop.");
   ImGui::EndDisabled();
   ImGui::SameLine();
   if (icon_button("##reset", draw_reset_sign, context, height)) restart(session);
-  explain("Starts the motion again. Key R; Alt+R resets the settings too.");
+  tooltip("Starts the motion again. Key R; Alt+R resets the settings too.");
   ImGui::SameLine();
   ImGui::BeginDisabled(context.snapshot.measured.has_value());
   draw_speed(session, sizes.speed, height);

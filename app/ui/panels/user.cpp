@@ -23,12 +23,12 @@ void draw_drift_of_belief(const PanelContext& context) {
   const Settings& settings = context.session.settings;
   if (context.snapshot.measured) {
     ImGui::TextUnformatted("—");
-    explain("Cannot be known: the goal of a real hand is only inferred, with this very belief. Measure the hand.");
+    tooltip("Cannot be known: the goal of a real hand is only inferred, with this very belief. Measure the hand.");
     return;
   }
   if (settings.stiffnesses.chosen_tracking_ratio) {
     ImGui::TextUnformatted("—  ρ chosen by hand");
-    explain("The belief has no part in it. At the optimal ratio, a drift here is the error of the belief.");
+    tooltip("The belief has no part in it. At the optimal ratio, a drift here is the error of the belief.");
     return;
   }
   const Vector<2> seen = context.snapshot.strategies[index_of(StrategyId::anisotropic)].proxy_drift;
@@ -37,7 +37,7 @@ void draw_drift_of_belief(const PanelContext& context) {
   ImGui::PushFont(context.fonts.number, 0.0F);
   ImGui::TextUnformatted(millimetres(seen).c_str());
   ImGui::PopFont();
-  explain("Of the anisotropic strategy, along the wall, as simulated.");
+  tooltip("Of the anisotropic strategy, along the wall, as simulated.");
   ImGui::SameLine();
   ImGui::PushStyleColor(ImGuiCol_Text, unpacked(context.theme.faint_text));
   ImGui::TextUnformatted("theory");
@@ -46,7 +46,7 @@ void draw_drift_of_belief(const PanelContext& context) {
   ImGui::TextUnformatted(millimetres(predicted).c_str());
   ImGui::PopFont();
   ImGui::PopStyleColor();
-  explain("By the closed form, at rest.");
+  tooltip("By the closed form, at rest.");
 }
 
 }  // namespace
@@ -67,7 +67,7 @@ void draw_user(const PanelContext& context) {
   if (ImGui::Checkbox("same", &right)) {
     stiffnesses.believed_k_u = right ? std::nullopt : std::optional(stiffnesses.k_u);
   }
-  explain(Term::right_belief);
+  tooltip(Term::right_belief);
   draw_drift_of_belief(context);
   end_rows();
 }

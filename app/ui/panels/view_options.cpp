@@ -41,13 +41,13 @@ void draw_scale_choice(Appearance& appearance) {
 void draw_view_options(const PanelContext& context) {
   Session& session = context.session;
   ImGui::Checkbox("ghost", &session.options.ghost_forces);
-  explain(Term::ghost_force);
+  tooltip(Term::ghost_force);
   ImGui::SameLine();
   ImGui::Checkbox("prediction", &session.options.predictions);
-  explain(Term::prediction);
+  tooltip(Term::prediction);
   ImGui::SameLine();
   ImGui::Checkbox("trails", &session.options.trails);
-  explain(Term::trail);
+  tooltip(Term::trail);
   if (!begin_rows("view", context)) return;
   row("Theme", "Light, dark, or black on white for a projector. Ctrl+T takes the next one.");
   draw_theme_choice(context);

@@ -40,13 +40,13 @@ void draw_buttons(const PanelContext& context) {
   ImGui::BeginDisabled(view.follows || view.tab != PlotTab::time);
   if (ImGui::Button("Live")) view.follows = true;
   ImGui::EndDisabled();
-  explain("The newest moment at the right edge again.");
+  tooltip("The newest moment at the right edge again.");
   ImGui::SameLine();
   if (ImGui::Button("Save…")) context.session.dialog = Dialog::save_plots;
-  explain("What is shown, as numbers (CSV) or as a picture (PNG, SVG, PDF).");
+  tooltip("What is shown, as numbers (CSV) or as a picture (PNG, SVG, PDF).");
   ImGui::SameLine();
   if (ImGui::Button("×")) view.is_open = false;
-  explain("Closes the plots. F3 opens them again.");
+  tooltip("Closes the plots. F3 opens them again.");
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ void draw_plots(const PanelContext& context, const PlotHistory& history) {
     if (ImGui::Button(title, {width, 0.0F})) view.tab = tab.id;
     if (is_chosen) ImGui::PopStyleColor();
     ImGui::PopFont();
-    explain(tab.sentence);
+    tooltip(tab.sentence);
     ImGui::SameLine();
   }
   draw_buttons(context);

@@ -134,7 +134,7 @@ std::optional<double> draw_equilibrium_plots(const PanelContext& context, const 
       ImGui::SameLine();
       ImGui::TextUnformatted("goal estimated");
     }
-    explain(quantity.sentence);
+    tooltip(quantity.sentence);
     ImGui::PushID(quantity.title);
     if (const auto at = draw_rest_plot(context, quantity, curves, axis, question, size)) dragged = at;
     ImGui::PopID();

@@ -82,7 +82,7 @@ void draw_head(const PanelContext& context, const Quantity& quantity, std::size_
                float width) {
   const float left = ImGui::GetCursorPosX();
   ImGui::TextUnformatted(fmt::format("{} [{}]", quantity.title, quantity.unit).c_str());
-  explain(quantity.term);
+  tooltip(quantity.term);
   if (cursor == nullptr) return;
   std::array<std::string, strategy_count> words;
   float needed = 0.0F;

@@ -53,7 +53,7 @@ void any_row(const char* name, const Explanation& explanation) {
   ImGui::TableNextColumn();
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(name);
-  explain(explanation);
+  tooltip(explanation);
   ImGui::TableNextColumn();
   ImGui::SetNextItemWidth(-1.0F);
 }
@@ -146,7 +146,7 @@ void draw_strategy_name(const PanelContext& context, const Strategy& entry, ImFo
   ImGui::Text("%c", entry.letter);
   ImGui::PopStyleColor();
   ImGui::PopFont();
-  explain(entry.sentence);
+  tooltip(entry.sentence);
 }
 
 void number_cell(const PanelContext& context, const std::string& text) {

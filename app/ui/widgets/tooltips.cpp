@@ -93,13 +93,13 @@ struct DistanceTo {
 
 }  // namespace
 
-void explain(std::string_view sentence) {
+void tooltip(std::string_view sentence) {
   if (!begin_explanation()) return;
   write(sentence);
   end_explanation();
 }
 
-void explain(Term term) {
+void tooltip(Term term) {
   if (!begin_explanation()) return;
   write_entry(glossary(term), "");
   end_explanation();
@@ -116,7 +116,7 @@ const Mark* mark_at(const Pane& pane, const Vector<2>& pointer, double unit) {
   return nullptr;
 }
 
-void explain_mark(const Pane& pane, const Vector<2>& pointer, double unit, bool is_goal_estimated) {
+void mark_tooltip(const Pane& pane, const Vector<2>& pointer, double unit, bool is_goal_estimated) {
   if (!ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip)) return;
   const Mark* const mark = mark_at(pane, pointer, unit);
   if (mark == nullptr || !begin_explanation()) return;

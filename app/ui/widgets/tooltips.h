@@ -9,11 +9,11 @@
 namespace ghostforce {
 
 // On the item just drawn.
-void explain(std::string_view sentence);
-void explain(Term term);
+void tooltip(std::string_view sentence);
+void tooltip(Term term);
 
 // On the mark of the scene under the pointer, where the item just drawn is the scene. `pointer` in the pane [points].
-void explain_mark(const Pane& pane, const Vector<2>& pointer, double unit, bool is_goal_estimated);
+void mark_tooltip(const Pane& pane, const Vector<2>& pointer, double unit, bool is_goal_estimated);
 
 // The uppermost mark with a meaning at that place; null if there is none. Words count as far as they reach.
 const Mark* mark_at(const Pane& pane, const Vector<2>& pointer, double unit);

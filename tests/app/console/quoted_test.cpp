@@ -11,20 +11,20 @@ namespace {
 
 using namespace std::string_view_literals;
 
-TEST(Printable, KeepsWordsAndShowsControlCharacters) {
-  EXPECT_EQ(printable("wall45 ρ"), "wall45 ρ");
-  EXPECT_EQ(printable("a\x1b[2J\n\t\x7f"), "a\\x1B[2J\\x0A\\x09\\x7F");
-  EXPECT_EQ(printable("\0b"sv), "\\x00b");
+TEST(QuotedText, KeepsWordsAndShowsControlCharacters) {
+  EXPECT_EQ(quoted_text("wall45 ρ"), "wall45 ρ");
+  EXPECT_EQ(quoted_text("a\x1b[2J\n\t\x7f"), "a\\x1B[2J\\x0A\\x09\\x7F");
+  EXPECT_EQ(quoted_text("\0b"sv), "\\x00b");
 }
 
-TEST(Printable, CutsBetweenCharacters) {
-  EXPECT_EQ(printable("abcdef", 3), "abc…");
-  EXPECT_EQ(printable("abc", 3), "abc");
-  EXPECT_EQ(printable("aρρ", 2), "a…");  // ρ takes two bytes
-  EXPECT_EQ(printable("aρρ", 3), "aρ…");
+TEST(QuotedText, CutsBetweenCharacters) {
+  EXPECT_EQ(quoted_text("abcdef", 3), "abc…");
+  EXPECT_EQ(quoted_text("abc", 3), "abc");
+  EXPECT_EQ(quoted_text("aρρ", 2), "a…");  // ρ takes two bytes
+  EXPECT_EQ(quoted_text("aρρ", 3), "aρ…");
 }
 
-TEST(Printable, Lists) {
+TEST(QuotedText, Lists) {
   EXPECT_EQ(listed(std::array{"a"sv, "b"sv, "c"sv}), "a, b, c");
   EXPECT_EQ(listed({}), "");
 }

@@ -383,7 +383,7 @@ class SceneReaderSetRefuses : public testing::TestWithParam<BadSet> {};
 TEST_P(SceneReaderSetRefuses, WithTheArgumentAndWords) {
   const BadSet& bad = GetParam();
   const std::string said = refusal(good_scene, {std::string(bad.argument)});
-  EXPECT_TRUE(said.starts_with("--set " + printable(bad.argument) + ": ")) << said;
+  EXPECT_TRUE(said.starts_with("--set " + quoted_text(bad.argument) + ": ")) << said;
   for (const std::string_view words : bad.words) EXPECT_NE(said.find(words), std::string::npos) << said;
   EXPECT_EQ(said.find('\n'), std::string::npos) << said;
 }
