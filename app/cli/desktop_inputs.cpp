@@ -12,7 +12,7 @@ const InputMaker<SpaceMouseInput> spacemouse_kind{
     {{"spacemouse", "SpaceMouse", "The goal follows the cap of a 3Dconnexion SpaceMouse."}},
     [](const Scene&, const InputOptions&) { return std::make_unique<SpaceMouseInput>(); }};
 
-std::vector<ReadinessStepState> ladder_with_motors(const FalconReport& report, const MotorReport& motors) {
+std::vector<ReadinessStepState> readiness_with_motors(const FalconReport& report, const MotorReport& motors) {
   return readiness_of(report, &motors);
 }
 
@@ -26,10 +26,10 @@ InputMaker<FalconInput> falcon_kind(const FtdiLinkOptions& cable) {
 }
 
 std::vector<InputEntry> desktop_inputs(const FtdiLinkOptions& cable) {
-  std::vector<InputEntry> inputs = portable_inputs(ladder_with_motors);
+  std::vector<InputEntry> inputs = portable_inputs(readiness_with_motors);
   // A rehearsal comes after the device that it rehearses.
   inputs.insert(inputs.end() - 1, {linked<SpaceMouseInputLink>(spacemouse_kind),
-                                   linked<FalconInputLink>(falcon_kind(cable), LadderOf(ladder_with_motors))});
+                                   linked<FalconInputLink>(falcon_kind(cable), ReadinessOf(readiness_with_motors))});
   return inputs;
 }
 

@@ -211,7 +211,7 @@ int run(const Options& options) {
   if (!options.exit_after_s) return static_cast<int>(ExitCode::done);
   // Scripts want to know; a person has seen it on the screen.
   const EndOfVisit end =
-      end_of_visit(application.report().motors, application.reading().ladder, application.input_link().end());
+      end_of_visit(application.report().motors, application.reading().readiness, application.input_link().end());
   if (!end.words.empty()) say("{}\n", end.words);
   return static_cast<int>(end.code);
 }

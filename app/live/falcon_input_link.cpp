@@ -9,15 +9,15 @@
 namespace ghostforce {
 
 FalconInputLink::FalconInputLink(FalconInput& input, const Scene& scene, const InputOptions& options,
-                                 LadderOf readiness_of)
+                                 ReadinessOf readiness_of)
     : input_(input),
-      ladder_of_(std::move(readiness_of)),
+      readiness_of_(std::move(readiness_of)),
       calibrations_(options.falcon.calibrations),
       path_(scene.goal),
       view_center_(scene.view.center) {}
 
 void FalconInputLink::fill(LoopReading& reading) const {
-  if (ladder_of_) reading.readiness = ladder_of_(report_, reading.motors);
+  if (readiness_of_) reading.readiness = readiness_of_(report_, reading.motors);
   reading.device = fmt::format("{} {}", reading.input_title, report_.serial.text());
   reading.device_remark = remark();
 }
@@ -37,7 +37,7 @@ std::string FalconInputLink::remark() const {
 }
 
 VirtualFalconInputLink::VirtualFalconInputLink(VirtualFalconInput& input, const Scene& scene,
-                                               const InputOptions& options, const LadderOf& readiness_of)
+                                               const InputOptions& options, const ReadinessOf& readiness_of)
     : FalconInputLink(input, scene, options, readiness_of),
       input_(input),
       pointer_(input, scene, options),

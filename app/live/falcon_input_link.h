@@ -15,11 +15,12 @@
 namespace ghostforce {
 
 // How far a Falcon is, found out by who knows what to do about it; may be empty.
-using LadderOf = std::function<std::vector<ReadinessStepState>(const FalconReport& report, const MotorReport& motors)>;
+using ReadinessOf =
+    std::function<std::vector<ReadinessStepState>(const FalconReport& report, const MotorReport& motors)>;
 
 class FalconInputLink : public InputLink {
  public:
-  FalconInputLink(FalconInput& input, const Scene& scene, const InputOptions& options, LadderOf readiness_of);
+  FalconInputLink(FalconInput& input, const Scene& scene, const InputOptions& options, ReadinessOf readiness_of);
 
   void look() override { report_ = input_.report(); }
   void fill(LoopReading& reading) const override;
@@ -31,7 +32,7 @@ class FalconInputLink : public InputLink {
   std::string remark() const;
 
   FalconInput& input_;
-  LadderOf ladder_of_;
+  ReadinessOf readiness_of_;
   std::vector<FalconCalibration> calibrations_;
   GoalPath path_;
   Vector<2> view_center_;
@@ -41,7 +42,7 @@ class FalconInputLink : public InputLink {
 class VirtualFalconInputLink final : public FalconInputLink {
  public:
   VirtualFalconInputLink(VirtualFalconInput& input, const Scene& scene, const InputOptions& options,
-                         const LadderOf& readiness_of);
+                         const ReadinessOf& readiness_of);
 
   void begin(Session& session) override;
   void fill(LoopReading& reading) const override;

@@ -7,7 +7,7 @@
 
 namespace ghostforce {
 
-std::vector<InputEntry> portable_inputs(const LadderOf& readiness_of) {
+std::vector<InputEntry> portable_inputs(const ReadinessOf& readiness_of) {
   return {
       linked<PointerLink>(mouse_kind),
       linked<InputLink>(script_kind),

@@ -9,6 +9,6 @@
 namespace ghostforce {
 
 // In the order in which people see them.
-std::vector<InputEntry> portable_inputs(const LadderOf& readiness_of);
+std::vector<InputEntry> portable_inputs(const ReadinessOf& readiness_of);
 
 }  // namespace ghostforce

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "app/session/key_press.h"
+#include "app/session/key_bindings.h"
 
 namespace ghostforce {
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "app/paint/label_painter.h"
-#include "app/session/keys.h"
+#include "app/session/key_bindings.h"
 #include "app/ui/panels/caption.h"
 #include "app/ui/panels/dialogs.h"
 #include "app/ui/panels/panel_catalog.h"

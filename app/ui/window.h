@@ -11,7 +11,7 @@
 #include <imgui.h>
 
 #include "app/files/image.h"
-#include "app/session/key_press.h"
+#include "app/session/key_bindings.h"
 
 struct GLFWwindow;
 

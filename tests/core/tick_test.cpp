@@ -306,8 +306,7 @@ TYPED_TEST(TickTest, StartsAtTheGoalAndAtRest) {
   constexpr glm::length_t D = TypeParam::value;
   Random random(5);
   const Loop<D> loop = random_stable_loop<D>(random);
-  const SnapshotIn<D> snapshot =
-      snapshot_of(loop.coefficients(), state_at_start(loop.setting.goal));  // inside the wall
+  const SnapshotIn<D> snapshot = snapshot_of(loop.coefficients(), state_at_start(loop.setting.goal));  // inside it
   EXPECT_EQ(snapshot.tick, 0);
   EXPECT_EQ(snapshot.time_s, 0.0);
   EXPECT_EQ(snapshot.goal, loop.setting.goal);

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/session/keys.h"
+#include "app/session/key_bindings.h"
 #include "app/ui/panels/dialogs.h"
 #include "app/ui/widgets/controls.h"
 

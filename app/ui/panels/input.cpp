@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/session/keys.h"
+#include "app/session/key_bindings.h"
 #include "app/ui/panels/panel_catalog.h"
 #include "app/ui/widgets/controls.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/files/scene_file.h"
-#include "app/session/keys.h"
+#include "app/session/key_bindings.h"
 #include "app/ui/panels/panel_catalog.h"
 #include "app/ui/widgets/controls.h"
 

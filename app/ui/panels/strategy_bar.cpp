@@ -5,7 +5,7 @@
 #include <array>
 #include <string>
 
-#include "app/session/keys.h"
+#include "app/session/key_bindings.h"
 #include "app/ui/panels/hints.h"
 #include "app/ui/panels/panel_catalog.h"
 #include "app/ui/panels/recording.h"

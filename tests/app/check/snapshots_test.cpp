@@ -35,8 +35,8 @@ TEST_P(Snapshots, AreDrawnAsTheyAreStored) {
   // A folder each: tests run side by side.
   const std::string report = std::string(GHOSTFORCE_SNAPSHOTS_REPORT) + "/" + GetParam();
   const Outcome outcome =
-      run_program(GHOSTFORCE_PROGRAM,
-                  std::vector<std::string>{"check", GHOSTFORCE_SOURCE_DIR "/tests/snapshots", "--only", GetParam(), "--report", report});
+      run_program(GHOSTFORCE_PROGRAM, std::vector<std::string>{"check", GHOSTFORCE_SOURCE_DIR "/tests/snapshots",
+                                                               "--only", GetParam(), "--report", report});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err << "look at " << report << "/report.html";
 }
 

@@ -9,6 +9,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/cli/exit_code.h"
 #include "app/console/failure.h"
 #include "app/doctor/diagnosis.h"
 #include "device/virtual_falcon/practice_firmware.h"
@@ -51,6 +52,8 @@ class FalconSetUpTest : public testing::Test {
       return {ExitCode::done, ""};
     } catch (const Failure& failure) {
       return {failure.code(), failure.what()};
+    } catch (const ReadError& error) {
+      return {exit_code_of(error.kind()), error.what()};
     }
   }
 

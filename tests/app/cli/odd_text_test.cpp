@@ -135,17 +135,16 @@ TEST(SceneTexts, OfAnOddKindAreAWrongCallEverywhere) {
           {"render", folder / "odd.toml", "-o", folder / "a.svg"},
           {"run", folder / "odd.toml", "--input", "script", "--exit-after", "1"},
           {"simulate", folder / "odd.toml"},
-          {"replay", folder / "odd.csv", folder / "odd.toml"},
           {"check", folder / "cases"}}) {
       const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, words);
       EXPECT_EQ(outcome.exit_code, 2) << words[0] << ' ' << title << '\n' << outcome.err;
       EXPECT_NE(outcome.err.find("odd.toml:2:9: the key title: holds "), std::string::npos) << outcome.err;
       EXPECT_EQ(outcome.err.find('\0'), std::string::npos);
     }
-    // A recording whose scene cannot be read is one without a scene.
+    // The scene of a recording stands in its lines, and so does the place.
     const Outcome replayed = run_program(GHOSTFORCE_PROGRAM, {"replay", folder / "odd.csv"});
     EXPECT_EQ(replayed.exit_code, 2) << replayed.err;
-    EXPECT_NE(replayed.err.find("the key title: holds "), std::string::npos) << replayed.err;
+    EXPECT_NE(replayed.err.find("odd.csv:4:11: the key title: holds "), std::string::npos) << replayed.err;
   }
 }
 
@@ -156,10 +155,10 @@ TEST(CaseTexts, OfAnOddKindAreToldWithTheirPlace) {
               "scene = \"\\u0000wall45\"\nmatch = \"\\uFFFF\"\ntheme = \"\\u001B\"\n[golden]\nmesa = \"\\u009B\"\n");
   const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, {"check", folder / "cases"});
   EXPECT_EQ(outcome.exit_code, 2);
-  for (const std::string_view words :
-       {"a.toml:1:9: the key scene: holds the control character U+0000; remove it",
-        "a.toml:2:9: the key match: holds U+FFFF, which is no character; remove it", "a.toml:3:9: the key theme: holds",
-        "a.toml:5:8: the key golden.mesa: holds the control character U+009B"}) {
+  for (const std::string_view words : {"a.toml:1:9: the key scene: holds the control character U+0000; remove it",
+                                       "a.toml:2:9: the key match: holds U+FFFF, which is no character; remove it",
+                                       "a.toml:3:9: the key theme: '\\x1B' is none of light, dark, projector",
+                                       "a.toml:5:8: the key golden.mesa: holds the control character U+009B"}) {
     EXPECT_NE(outcome.err.find(words), std::string::npos) << words << '\n' << outcome.err;
   }
 }

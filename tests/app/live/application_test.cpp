@@ -1,5 +1,5 @@
 // What the window does with the servo: starting at rest, dragging, pausing, resetting, minimising.
-#include "app/session/keys.h"
+#include "app/session/key_bindings.h"
 #include "tests/app/live/driven_window.h"
 
 namespace ghostforce {

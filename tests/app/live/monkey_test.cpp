@@ -15,7 +15,7 @@
 #include <glad/gl.h>
 #include <imgui_internal.h>
 
-#include "app/session/keys.h"
+#include "app/session/key_bindings.h"
 #include "app/session/scene_as_seen.h"
 #include "app/ui/gestures.h"
 #include "tests/app/live/driven_window.h"

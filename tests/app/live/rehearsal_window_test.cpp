@@ -138,7 +138,7 @@ TEST_F(RehearsalWindow, AnotherSceneOrInputNeverTakesTheForceAlong) {
   session().requests.input = "mouse";
   frames(5);
   EXPECT_FALSE(motors().has_motors);
-  EXPECT_TRUE(application_->reading().shown.empty());
+  EXPECT_TRUE(application_->reading().readiness.empty());
 }
 
 TEST_F(RehearsalWindow, SaysThatASceneDoesNotFitTheWorkspace) {

@@ -1,6 +1,6 @@
 // Every key of the table, pressed in the offscreen window: it changes something that a person sees, and the right
 // thing.
-#include "app/session/keys.h"
+#include "app/session/key_bindings.h"
 
 #include <fmt/format.h>
 #include <imgui_internal.h>

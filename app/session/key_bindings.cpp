@@ -1,4 +1,4 @@
-#include "app/session/keys.h"
+#include "app/session/key_bindings.h"
 
 #include <GLFW/glfw3.h>
 
