@@ -10,7 +10,6 @@
 #include <time.h>
 
 #include "device/falcon/emergency_stop.h"
-#include "device/input/monotonic_clock.h"
 
 namespace ghostforce {
 namespace {
@@ -294,10 +293,6 @@ void FtdiLink::recover() noexcept {
 }
 
 // --- Time ------------------------------------------------------------------------------------------------------------
-
-std::int64_t FtdiLink::now_ns() const noexcept {
-  return monotonic_ns();
-}
 
 void FtdiLink::handle_events(int timeout_ms) noexcept {
   timeval timeout{0, timeout_ms * 1000L};

@@ -19,6 +19,7 @@
 #include "device/falcon/falcon_link.h"
 #include "device/falcon_usb/usb_connection.h"
 #include "device/falcon_usb/usb_search.h"
+#include "device/input/monotonic_clock.h"
 
 struct libusb_transfer;
 
@@ -52,7 +53,7 @@ class FtdiLink final : public FalconLink {
   std::uint8_t modem_status() const noexcept override { return modem_status_; }
   LinkCounters counters() const noexcept override { return counters_; }
 
-  std::int64_t now_ns() const noexcept override;
+  std::int64_t now_ns() const noexcept override { return monotonic_ns(); }
   void wait_until(std::int64_t deadline_ns) noexcept override;
   void send_at_once(std::span<const std::uint8_t> bytes) noexcept override;
 

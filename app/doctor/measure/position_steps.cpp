@@ -135,8 +135,7 @@ struct RulerMove {
 constexpr std::array ruler_moves{
     RulerMove{{-0.03, 0.0, 0.125},
               {0.03, 0.0, 0.125},
-              "Ruler lying flat in front of the device, left to right. Hold the handle 3 cm left of the "
-              "middle, half "
+              "Ruler lying flat in front of the device, left to right. Hold the handle 3 cm left of the middle, half "
               "way out.",
               "Move it about 6 cm to the right, along the ruler."},
     RulerMove{{-0.03, 0.0, 0.092},
@@ -153,8 +152,7 @@ constexpr std::array ruler_moves{
               "Lift it about 6 cm straight up, along the ruler."},
     RulerMove{{0.0, 0.0, 0.095},
               {0.0, 0.0, 0.155},
-              "Ruler pointing from the device towards you. Hold the handle in the middle, 2 cm before its "
-              "inner stop.",
+              "Ruler pointing from the device towards you. Hold the handle in the middle, 2 cm before its inner stop.",
               "Pull it about 6 cm straight out, along the ruler."},
 };
 
