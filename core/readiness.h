@@ -1,5 +1,5 @@
-// The ladder: what lies between a device in its box and one that pushes, rung by rung in the order in which they are
-// climbed. Plain values, so that a panel may show them; app/doctor/readiness.h finds them out.
+// Readiness: what lies between a device in its box and one that pushes, step by step in the order in which they are
+// reached. Plain values, so that a panel may show them; app/doctor/readiness.h finds them out.
 #pragma once
 
 #include <cstdint>

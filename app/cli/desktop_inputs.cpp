@@ -2,8 +2,8 @@
 
 #include "app/cli/spacemouse_input_link.h"
 #include "app/doctor/readiness.h"
-#include "app/live/falcon_input_link.h"
 #include "app/live/portable_inputs.h"
+#include "device/falcon/falcon_input.h"
 
 namespace ghostforce {
 namespace {
@@ -29,7 +29,7 @@ std::vector<InputEntry> desktop_inputs(const FtdiLinkOptions& cable) {
   std::vector<InputEntry> inputs = portable_inputs(readiness_with_motors);
   // A rehearsal comes after the device that it rehearses.
   inputs.insert(inputs.end() - 1, {linked<SpaceMouseInputLink>(spacemouse_kind),
-                                   linked<FalconInputLink>(falcon_kind(cable), ReadinessOf(readiness_with_motors))});
+                                   falcon_entry(falcon_kind(cable), readiness_with_motors)});
   return inputs;
 }
 

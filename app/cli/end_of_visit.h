@@ -9,7 +9,7 @@
 
 namespace ghostforce {
 
-// `ladder`: of the input, empty where it has none; `of_input`: what its link says.
+// `readiness`: of the input, empty where it has none; `of_input`: what its link says.
 EndOfVisit end_of_visit(const MotorReport& motors, std::span<const ReadinessStepState> readiness,
                         const EndOfVisit& of_input);
 

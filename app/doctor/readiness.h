@@ -1,5 +1,5 @@
-// How far a Falcon is on the ladder (core/readiness.h), with what is happening on each rung now and what to do. The
-// window and `doctor` show the same one. Pure, allocates; not for the servo thread.
+// How ready a Falcon is (core/readiness.h), with what is happening in each step now and what to do. The window and
+// `doctor` show the same. Pure, allocates; not for the servo thread.
 #pragma once
 
 #include <cstdint>
@@ -41,7 +41,7 @@ double attainable_exchange_hz(const FalconReport& report) noexcept;
 // `motors` null: nobody means to arm, and the steps end at fast_enough.
 std::vector<ReadinessStepState> readiness_of(const FalconReport& report, const MotorReport* motors);
 
-// How a program ends that was to use the device of this ladder. `needs_homing`: somebody was there to do it.
+// How a program ends that was to use the device of this readiness. `needs_homing`: somebody was there to do it.
 ExitCode exit_code_of(std::span<const ReadinessStepState> readiness, bool needs_homing);
 ExitCode exit_code_of(const FalconReport& report, bool needs_homing);
 

@@ -211,9 +211,7 @@ void Application::send(double interval_s) {
   command_.speed = session_.speed;
   command_.steps_asked = session_.steps_asked;
   command_.restarts_asked = session_.restarts_asked;
-  copy_motor_requests();
-  ++command_.heartbeats;
-  servo_->send(command_);
+  heartbeat();
 }
 
 void Application::copy_motor_requests() {
@@ -245,6 +243,13 @@ void Application::show_notice(std::string words, bool is_problem) {
 void Application::handle_requests() {
   const Requests requests = std::exchange(session_.requests, {});
   const std::vector<std::string> dropped = window_.take_dropped_files();
+  // A path that cannot be written is found out before the work is done.
+  const auto save = [this](const std::string& path, const auto& make_bytes) {
+    OutputFile file(path);
+    file.write(make_bytes());
+    file.commit();
+    show_notice(fmt::format("Saved {}", quoted_text(path, longest_path)), false);
+  };
   try {
     if (requests.quit) window_.close();
     if (requests.toggle_full_screen) window_.toggle_full_screen();
@@ -255,12 +260,11 @@ void Application::handle_requests() {
     if (requests.open_scene) open(*requests.open_scene);
     if (!dropped.empty()) open(dropped.front());
     if (dropped.size() > 1) show_notice("One scene at a time: the first of the files is open.", false);
-    if (requests.save_scene) {
-      save_scene(session_, *requests.save_scene);
-      show_notice(fmt::format("Saved {}", quoted_text(*requests.save_scene, longest_path)), false);
+    if (const auto& path = requests.save_scene) save(*path, [&] { return scene_text(scene_as_seen(session_)); });
+    if (const auto& picture = requests.save_picture) save(picture->path, [&] { return picture_bytes(*picture); });
+    if (const auto& plots = requests.save_plots) {
+      save(plots->path, [&] { return plot_file(session_, report_.snapshot, history_.plots(), *plots, painter_); });
     }
-    if (requests.save_picture) save_picture(*requests.save_picture);
-    if (requests.save_plots) save_plots(*requests.save_plots);
     if (requests.record) start_recording(*requests.record);
     if (requests.stop_recording) {
       if (const std::string words = end_recording(); !words.empty()) show_notice(words, !recording_problem_.empty());
@@ -283,7 +287,13 @@ void Application::take_back(bool undo) {
   }
   // What is being changed right now is one more step to take back.
   undo_.note({session_.scene, session_.settings}, false);
-  go_to(undo ? undo_.undo() : undo_.redo());
+  const std::optional<Edited> edited = undo ? undo_.undo() : undo_.redo();
+  if (!edited) return;
+  if (edited->scene == session_.scene) {
+    session_.settings = edited->settings;
+  } else {
+    use(*input_, edited->scene, edited->settings);
+  }
 }
 
 void Application::open(const std::string& name_or_path) {
@@ -368,29 +378,6 @@ void Application::read_recording() {
                         .seconds = progress.seconds,
                         .bytes = progress.bytes,
                         .dropped = progress.dropped};
-}
-
-void Application::go_to(const std::optional<Edited>& edited) {
-  if (!edited) return;
-  if (edited->scene == session_.scene) {
-    session_.settings = edited->settings;
-  } else {
-    use(*input_, edited->scene, edited->settings);
-  }
-}
-
-void Application::save_picture(const SavePictureRequest& request) {
-  OutputFile file(request.path);
-  file.write(picture_bytes(request));
-  file.commit();
-  show_notice(fmt::format("Saved {}", quoted_text(request.path, longest_path)), false);
-}
-
-void Application::save_plots(const SavePlotsRequest& request) {
-  OutputFile file(request.path);
-  file.write(plot_file(session_, report_.snapshot, history_.plots(), request, painter_));
-  file.commit();
-  show_notice(fmt::format("Saved {}", quoted_text(request.path, longest_path)), false);
 }
 
 std::string Application::picture_bytes(const SavePictureRequest& request) {

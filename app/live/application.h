@@ -89,13 +89,10 @@ class Application {
   // A scene, or a recording to be replayed.
   void open(const std::string& name_or_path);
   void replay_run(const std::string& path);
-  void save_picture(const SavePictureRequest& request);
   std::string picture_bytes(const SavePictureRequest& request);
-  void save_plots(const SavePlotsRequest& request);
   void start_recording(const std::string& path);
   void read_recording();
   void take_back(bool undo);
-  void go_to(const std::optional<Edited>& edited);
   const InputEntry& input_of(std::string_view name) const;
   void use(const InputEntry& entry, std::shared_ptr<const Scene> scene, const Settings& settings);
   TickState<2> start_state();

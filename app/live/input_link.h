@@ -54,7 +54,7 @@ class InputLink {
   // The input knows something else than at the last look().
   virtual bool has_news() { return false; }
 
-  // Where the ladder that it shows does not tell it.
+  // Where the readiness that it shows does not tell it.
   virtual EndOfVisit end() const { return {}; }
 };
 

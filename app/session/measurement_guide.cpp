@@ -17,6 +17,24 @@ constexpr double hand_reach = 0.0015;        // a held hand trembles within this
 constexpr double hold_s = 0.3;
 constexpr double hand_average_s = 0.3;  // over which the drift of a trembling hand is averaged
 
+// In the order of MeasuringStep.
+constexpr std::array<std::string_view, 13> step_words{
+    "Time is paused: press Space.",
+    "The circle never rests: choose another input.",
+    "Turn the motors on: the button at the top right.",
+    "Press 3: the ratio ρ acts in anisotropic rendering.",
+    "Turn the wall or the motor: here the proxy never drifts.",
+    "Raise k_r: nothing is rendered.",
+    "Drag the goal into the hatched side, and let go.",
+    "The motors are at their limit: press less deep.",
+    "Raise ρ until the drift is gone.",
+    "Lower ρ until the drift is gone.",
+    "The drift is gone: hold still.",
+    "No hand has a ratio of 1 or less: press deeper, or raise k_r.",
+    "The drift is gone: take the reading.",
+};
+static_assert(step_words.size() == static_cast<std::size_t>(MeasuringStep::take) + 1);
+
 // All that a reading depends on: not ρ, which is what is turned, and not what is believed or shown.
 Settings basis_of(Settings settings) {
   settings.active = StrategyId::anisotropic;
@@ -191,36 +209,8 @@ double null_drift(const UserMeasurement& measurement) noexcept {
 }
 
 std::string_view words_for(MeasuringStep step, bool has_target) noexcept {
-  switch (step) {
-    case MeasuringStep::go_on:
-      return "Time is paused: press Space.";
-    case MeasuringStep::leave_circle:
-      return "The circle never rests: choose another input.";
-    case MeasuringStep::arm:
-      return "Turn the motors on: the button at the top right.";
-    case MeasuringStep::choose_a:
-      return "Press 3: the ratio ρ acts in anisotropic rendering.";
-    case MeasuringStep::turn_wall:
-      return "Turn the wall or the motor: here the proxy never drifts.";
-    case MeasuringStep::render:
-      return "Raise k_r: nothing is rendered.";
-    case MeasuringStep::press:
-      return has_target ? "Push straight into the wall at the target, and hold."
-                        : "Drag the goal into the hatched side, and let go.";
-    case MeasuringStep::press_less:
-      return "The motors are at their limit: press less deep.";
-    case MeasuringStep::raise_ratio:
-      return "Raise ρ until the drift is gone.";
-    case MeasuringStep::lower_ratio:
-      return "Lower ρ until the drift is gone.";
-    case MeasuringStep::hold_still:
-      return "The drift is gone: hold still.";
-    case MeasuringStep::stiffen:
-      return "No hand has a ratio of 1 or less: press deeper, or raise k_r.";
-    case MeasuringStep::take:
-      return "The drift is gone: take the reading.";
-  }
-  return "";
+  if (step == MeasuringStep::press && has_target) return "Push straight into the wall at the target, and hold.";
+  return step_words[static_cast<std::size_t>(step)];
 }
 
 void turn_ratio(Session& session, double factor) noexcept {

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "core/conventions.h"
@@ -83,6 +84,19 @@ constexpr int sign_of(std::int8_t number) noexcept {
   return number < 0 ? -1 : 1;
 }
 
+// Leg by leg, from three numbers in a frame's order.
+inline Vector<3> in_leg_order(const Vector<3>& frame, const LegNumbers& number_of_leg) noexcept {
+  Vector<3> legs;
+  for (glm::length_t leg = 0; leg < 3; ++leg) {
+    const std::int8_t number = number_of_leg[static_cast<std::size_t>(leg)];
+    legs[leg] = sign_of(number) * frame[static_cast<glm::length_t>(place_in_frame(number))];
+  }
+  return legs;
+}
+
+// The middle of a handle's workspace, where no calibration has another one [m].
+inline constexpr Vector<3> workspace_center{0.0, 0.0, 0.125};
+
 struct FalconCalibration {
   FalconSerial serial;  // empty: of any device
   FalconGeometry geometry;
@@ -91,7 +105,7 @@ struct FalconCalibration {
   LegNumbers motor_of_leg = legs_in_order;
   LegNumbers encoder_of_leg = legs_in_order;
   MotorNumbers encoder_offset{};          // added to what the encoders say, in a frame's order [counts]
-  Vector<3> center{0.0, 0.0, 0.125};      // of the workspace; the middle of the wall's plane [m]
+  Vector<3> center = workspace_center;    // the middle of the wall's plane [m]
   FalconAxis right_axis = FalconAxis::x;  // right and up on the wall; the third axis is free
   FalconAxis up_axis = FalconAxis::y;
   double scale = 1.0;  // metres on the wall per metre of the handle
@@ -99,20 +113,21 @@ struct FalconCalibration {
   friend bool operator==(const FalconCalibration&, const FalconCalibration&) = default;
 };
 
-// Leg by leg, from the geometry's zero, from what the encoders say in a frame.
-inline Vector<3> leg_counts(const MotorNumbers& encoders, const FalconCalibration& calibration) noexcept {
-  Vector<3> counts;
-  for (std::size_t leg = 0; leg < encoders.size(); ++leg) {
-    const std::int8_t number = calibration.encoder_of_leg[leg];
-    const std::size_t place = place_in_frame(number);
-    counts[static_cast<glm::length_t>(leg)] = sign_of(number) * (encoders[place] + calibration.encoder_offset[place]);
-  }
-  return counts;
+// The one of this device; the default where there is none.
+inline FalconCalibration calibration_of(const FalconSerial& serial,
+                                        std::span<const FalconCalibration> calibrations) noexcept {
+  const auto known = std::ranges::find(calibrations, serial, &FalconCalibration::serial);
+  return known == calibrations.end() ? FalconCalibration{} : *known;
+}
+
+// Leg by leg, from the geometry's zero, from what the encoders say in a frame; means of several need not be whole.
+inline Vector<3> leg_counts(const Vector<3>& encoders, const FalconCalibration& calibration) noexcept {
+  return in_leg_order(encoders + vector_of(calibration.encoder_offset), calibration.encoder_of_leg);
 }
 
 // Of the upper arms, from what the encoders say.
 inline Vector<3> joint_angles(const MotorNumbers& encoders, const FalconCalibration& calibration) noexcept {
-  return angles_of_counts(leg_counts(encoders, calibration), calibration.geometry);
+  return angles_of_counts(leg_counts(vector_of(encoders), calibration), calibration.geometry);
 }
 
 // As a frame carries them, from motor counts leg by leg.

@@ -40,46 +40,27 @@ constexpr std::array purge{
     Step{.kind = Step::Kind::flush},
 };
 
+// In the order of LinkFault: a device that is not there is no fault.
+constexpr std::array link_faults{FalconFault::none,  FalconFault::none,        FalconFault::not_allowed,
+                                 FalconFault::busy,  FalconFault::unsupported, FalconFault::unplugged,
+                                 FalconFault::broken};
+static_assert(link_faults.size() == static_cast<std::size_t>(LinkFault::broken) + 1);
+
+// In the order of BootFault.
+constexpr std::array boot_faults{FalconFault::none, FalconFault::no_handshake, FalconFault::no_baud_answer,
+                                 FalconFault::echo_missing, FalconFault::echo_differs};
+static_assert(boot_faults.size() == static_cast<std::size_t>(BootFault::echo_differs) + 1);
+
 FalconFault fault_of(LinkFault fault) noexcept {
-  switch (fault) {
-    case LinkFault::none:
-    case LinkFault::absent:
-      return FalconFault::none;
-    case LinkFault::not_allowed:
-      return FalconFault::not_allowed;
-    case LinkFault::busy:
-      return FalconFault::busy;
-    case LinkFault::unsupported:
-      return FalconFault::unsupported;
-    case LinkFault::unplugged:
-      return FalconFault::unplugged;
-    case LinkFault::broken:
-      return FalconFault::broken;
-  }
-  return FalconFault::broken;
+  return link_faults[static_cast<std::size_t>(fault)];
 }
 
 FalconFault fault_of(BootFault fault) noexcept {
-  switch (fault) {
-    case BootFault::none:
-      return FalconFault::none;
-    case BootFault::no_handshake:
-      return FalconFault::no_handshake;
-    case BootFault::no_baud_answer:
-      return FalconFault::no_baud_answer;
-    case BootFault::echo_missing:
-      return FalconFault::echo_missing;
-    case BootFault::echo_differs:
-      return FalconFault::echo_differs;
-  }
-  return FalconFault::broken;
+  return boot_faults[static_cast<std::size_t>(fault)];
 }
 
 bool is_near(const MotorNumbers& a, const MotorNumbers& b, double counts) noexcept {
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    if (std::abs(a[i] - b[i]) > counts) return false;
-  }
-  return true;
+  return std::ranges::equal(a, b, [counts](int one, int other) { return std::abs(one - other) <= counts; });
 }
 
 }  // namespace
@@ -153,10 +134,8 @@ void Falcon::opened(LinkFault fault) noexcept {
   }
   if (fault != LinkFault::none) return end(fault_of(fault));
   emergency_stop::watch(&link());
-  const std::string_view serial = link().serial();
-  report_.serial = FalconSerial::from(serial).value_or(FalconSerial());
-  const auto known = std::ranges::find(options_.calibrations, report_.serial, &FalconCalibration::serial);
-  calibration_ = known == options_.calibrations.end() ? FalconCalibration{} : *known;
+  report_.serial = FalconSerial::from(link().serial()).value_or(FalconSerial());
+  calibration_ = calibration_of(report_.serial, options_.calibrations);
   kinematics_ = FalconKinematics(calibration_.geometry);
   report_.exchanges = 0;
   report_.lost_exchanges = 0;
@@ -243,9 +222,8 @@ void Falcon::begin_exchanging() noexcept {
   is_purging_ = false;
   has_home_ = false;
   lost_position_ns_ = 0;
-  sent_ns_ = heard_ns_ = window_began_ns_ = link().now_ns();
-  window_exchanges_ = 0;
-  window_sum_s_ = window_worst_s_ = 0.0;
+  sent_ns_ = heard_ns_ = link().now_ns();
+  window_ = {.began_ns = sent_ns_};
   report_.exchange_hz = 0.0;
   report_.has_homed = {};
   report_.has_moved = {};
@@ -291,7 +269,7 @@ void Falcon::exchange() noexcept {
   const std::int64_t now_ns = link().now_ns();
   if (replies_.is_waiting() && since(std::max(asked_ns_, heard_ns_)) >= stop_s) {
     ++report_.lost_exchanges;
-    window_worst_s_ = std::max(window_worst_s_, since(asked_ns_));
+    window_.worst_s = std::max(window_.worst_s, since(asked_ns_));
     command_.motors = {};
     stop_motors();
     link_script_ = LinkScript(purge);
@@ -322,10 +300,10 @@ void Falcon::take(const ReplyFrame& frame) noexcept {
   heard_ns_ = link().now_ns();
   if (!replies_.is_waiting() && report_.motors == MotorNumbers{}) may_push_ = report_.may_still_push = false;
   ++report_.exchanges;
-  ++window_exchanges_;
+  ++window_.exchanges;
   const double exchange_s = since(*asked_ns);
-  window_sum_s_ += exchange_s;
-  window_worst_s_ = std::max(window_worst_s_, exchange_s);
+  window_.sum_s += exchange_s;
+  window_.worst_s = std::max(window_.worst_s, exchange_s);
   measure_rate();
   report_.encoders = frame.encoders;
   report_.buttons = frame.status & 0x0F;
@@ -446,15 +424,13 @@ void Falcon::follow_stop() noexcept {
 }
 
 void Falcon::measure_rate() noexcept {
-  const double window_s = since(window_began_ns_);
+  const double window_s = since(window_.began_ns);
   if (window_s < rate_window_s) return;
-  report_.exchange_hz = window_exchanges_ / window_s;
-  report_.exchange_s = window_exchanges_ > 0 ? window_sum_s_ / window_exchanges_ : 0.0;
-  report_.worst_exchange_s = window_worst_s_;
+  report_.exchange_hz = window_.exchanges / window_s;
+  report_.exchange_s = window_.exchanges > 0 ? window_.sum_s / window_.exchanges : 0.0;
+  report_.worst_exchange_s = window_.worst_s;
   report_.line_errors = link().counters().line_errors;
-  window_began_ns_ = link().now_ns();
-  window_exchanges_ = 0;
-  window_sum_s_ = window_worst_s_ = 0.0;
+  window_ = {.began_ns = link().now_ns()};
 }
 
 void Falcon::shut_down() noexcept {

@@ -144,10 +144,13 @@ class Falcon {
   std::int64_t lost_position_ns_ = 0;  // since when no position could be found; 0: it is known
 
   // Of the half second that is being measured.
-  std::int64_t window_began_ns_ = 0;
-  int window_exchanges_ = 0;
-  double window_sum_s_ = 0.0;
-  double window_worst_s_ = 0.0;
+  struct Window {
+    std::int64_t began_ns = 0;
+    int exchanges = 0;
+    double sum_s = 0.0;
+    double worst_s = 0.0;
+  };
+  Window window_;
 };
 
 }  // namespace ghostforce

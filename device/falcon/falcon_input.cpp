@@ -101,10 +101,6 @@ double FalconInput::speed() const noexcept {
   return glm::length(newest.position - oldest.position) / (static_cast<double>(newest.time_ns - oldest.time_ns) * 1e-9);
 }
 
-void FalconInput::set_force(const Vector<2>& force, bool is_armed) noexcept {
-  falcon_.set_force(plane().on_handle(force), is_armed);
-}
-
 double FalconInput::force_uncertainty() const noexcept {
   const Vector<3> constants = motor_constants(falcon_.calibration());
   const double used = std::max({constants.x, constants.y, constants.z});

@@ -34,7 +34,9 @@ class FalconInput : public Input, public HapticDevice {
   void wait_until(std::int64_t deadline_ns) noexcept override;
   HandleReading read() noexcept override;
   double force_at_handle() const noexcept override { return 1.0 / falcon_.calibration().scale; }
-  void set_force(const Vector<2>& force, bool is_armed) noexcept override;
+  void set_force(const Vector<2>& force, bool is_armed) noexcept override {
+    falcon_.set_force(plane().on_handle(force), is_armed);
+  }
   double force_uncertainty() const noexcept override;
   void shut_down() noexcept override;
 

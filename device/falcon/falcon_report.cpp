@@ -21,21 +21,9 @@ constexpr std::array faults{
     FalconFaultEntry{FalconFault::kinematics, "kinematics", "impossible position"},
 };
 
-struct StateNames {
-  std::string_view name;
-  std::string_view title;
-};
-
 // In the order of FalconState.
-constexpr std::array states{
-    StateNames{"absent", "Not plugged in"},
-    StateNames{"opening", "Opening"},
-    StateNames{"loading_firmware", "Loading firmware"},
-    StateNames{"homing", "Homing"},
-    StateNames{"idle", "Ready"},
-    StateNames{"active", "Motors on"},
-    StateNames{"fault", "Fault"},
-};
+constexpr std::array<std::string_view, 7> states{"absent", "opening", "loading_firmware", "homing", "idle",
+                                                 "active", "fault"};
 
 }  // namespace
 
@@ -48,11 +36,7 @@ const FalconFaultEntry& entry_of(FalconFault fault) noexcept {
 }
 
 std::string_view name_of(FalconState state) noexcept {
-  return states[static_cast<std::size_t>(state)].name;
-}
-
-std::string_view title_of(FalconState state) noexcept {
-  return states[static_cast<std::size_t>(state)].title;
+  return states[static_cast<std::size_t>(state)];
 }
 
 }  // namespace ghostforce

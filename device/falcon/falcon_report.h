@@ -51,8 +51,7 @@ struct FalconFaultEntry {
 std::span<const FalconFaultEntry> falcon_fault_catalog() noexcept;
 const FalconFaultEntry& entry_of(FalconFault fault) noexcept;
 
-std::string_view name_of(FalconState state) noexcept;   // in JSON
-std::string_view title_of(FalconState state) noexcept;  // on screen
+std::string_view name_of(FalconState state) noexcept;  // in JSON
 
 struct FalconReport {
   // Fewer exchanges than these make a wall that jerks in the hand [1/s].

@@ -39,18 +39,6 @@ std::array<std::int16_t, 3> numbers_in(const FrameBytes& bytes) noexcept {
   return numbers;
 }
 
-std::uint8_t info_in(const FrameBytes& bytes) noexcept {
-  return static_cast<std::uint8_t>(bytes[info_byte] - zero);
-}
-
-void decode(const FrameBytes& bytes, CommandFrame& frame) noexcept {
-  frame = {numbers_in(bytes), info_in(bytes)};
-}
-
-void decode(const FrameBytes& bytes, ReplyFrame& frame) noexcept {
-  frame = {numbers_in(bytes), info_in(bytes)};
-}
-
 // Whether a frame may have this byte there. What byte 14 means nobody knows; it is no end of a frame.
 bool fits(std::size_t place, std::uint8_t byte) noexcept {
   if (place == 0) return byte == head;
@@ -93,7 +81,7 @@ std::optional<Frame> FrameReader<Frame>::take(std::span<const std::uint8_t> byte
     if (held_ < frame_size) continue;
     held_ = 0;
     ++frames_;
-    decode(bytes_, newest.emplace());
+    newest = Frame{numbers_in(bytes_), static_cast<std::uint8_t>(bytes_[info_byte] - zero)};
   }
   return newest;
 }

@@ -40,13 +40,6 @@ std::span<const GeometryPreset> geometry_catalog() noexcept {
   return catalog;
 }
 
-const GeometryPreset* find_geometry(std::string_view name) noexcept {
-  for (const GeometryPreset& preset : catalog) {
-    if (preset.name == name) return &preset;
-  }
-  return nullptr;
-}
-
 double radians_per_count(const FalconGeometry& geometry) noexcept {
   return 2.0 * std::numbers::pi / (geometry.counts_per_motor_turn * geometry.gear_ratio);
 }

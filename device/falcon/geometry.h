@@ -22,6 +22,10 @@ inline constexpr double radians_per_degree = std::numbers::pi / 180.0;
 // One 16-bit number per motor, as frames carry them.
 using MotorNumbers = std::array<std::int16_t, 3>;
 
+constexpr Vector<3> vector_of(const MotorNumbers& numbers) noexcept {
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
 struct FalconGeometry {
   double upper_arm = 0.060;             // a: from the motor's axis to the parallelogram
   double parallelogram = 0.1025;        // b: its long side
@@ -47,9 +51,6 @@ struct GeometryPreset {
 
 // The first one is the default.
 std::span<const GeometryPreset> geometry_catalog() noexcept;
-
-// Null when none has that name.
-const GeometryPreset* find_geometry(std::string_view name) noexcept;
 
 // Of the upper arm.
 double radians_per_count(const FalconGeometry& geometry) noexcept;

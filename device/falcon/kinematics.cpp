@@ -237,10 +237,6 @@ std::optional<Vector<3>> joint_torques(const Vector<3>& force, const Matrix<3>& 
   return torques;
 }
 
-MotorCommand motor_counts(const Vector<3>& force, const Matrix<3>& jacobian, double counts_per_newton_metre) noexcept {
-  return motor_counts(force, jacobian, Vector<3>(counts_per_newton_metre));
-}
-
 MotorCommand motor_counts(const Vector<3>& force, const Matrix<3>& jacobian,
                           const Vector<3>& counts_per_newton_metre) noexcept {
   const std::optional<Vector<3>> torques = joint_torques(force, jacobian);
@@ -256,12 +252,6 @@ MotorCommand motor_counts(const Vector<3>& force, const Matrix<3>& jacobian,
     command.counts[i] = static_cast<std::int16_t>(std::lrint(counts[static_cast<glm::length_t>(i)]));
   }
   return command;
-}
-
-Vector<3> force_of_motor_counts(const MotorNumbers& counts, const Matrix<3>& jacobian,
-                                double counts_per_newton_metre) noexcept {
-  return force_of_motor_counts(Vector<3>(counts[0], counts[1], counts[2]), jacobian,
-                               Vector<3>(counts_per_newton_metre));
 }
 
 Vector<3> force_of_motor_counts(const Vector<3>& counts, const Matrix<3>& jacobian,

@@ -95,18 +95,11 @@ struct MotorCommand {
 
 // The numbers that make `force`. Numbers are whole, and rounding them adds up to 5 mN across the force, however small
 // that is: with 6600 counts per N·m its direction is kept within 0.1° from 3 N upwards, and within 0.3° at 1 N.
-// Rounding cannot do better without changing the force's magnitude.
-MotorCommand motor_counts(const Vector<3>& force, const Matrix<3>& jacobian, double counts_per_newton_metre) noexcept;
-
-// The same for motors that are not alike: a motor constant for each.
+// Rounding cannot do better without changing the force's magnitude. A motor constant for each leg's motor.
 MotorCommand motor_counts(const Vector<3>& force, const Matrix<3>& jacobian,
                           const Vector<3>& counts_per_newton_metre) noexcept;
 
-// The force at the handle that these numbers make: what a simulated device answers.
-Vector<3> force_of_motor_counts(const MotorNumbers& counts, const Matrix<3>& jacobian,
-                                double counts_per_newton_metre) noexcept;
-
-// The same with numbers that need not be whole, and motors that are not alike.
+// The force at the handle that these numbers make, whole or not: what a simulated device answers.
 Vector<3> force_of_motor_counts(const Vector<3>& counts, const Matrix<3>& jacobian,
                                 const Vector<3>& counts_per_newton_metre) noexcept;
 

@@ -8,17 +8,7 @@
 namespace ghostforce {
 namespace {
 
-constexpr Vector<3> middle{0.0, 0.0, 0.125};
 constexpr double move_length = 0.030;
-
-Vector<3> of_legs(const Vector<3>& frame, const LegNumbers& of_leg) noexcept {
-  Vector<3> legs;
-  for (std::size_t leg = 0; leg < of_leg.size(); ++leg) {
-    legs[static_cast<glm::length_t>(leg)] =
-        sign_of(of_leg[leg]) * frame[static_cast<glm::length_t>(place_in_frame(of_leg[leg]))];
-  }
-  return legs;
-}
 
 double cosine(const Vector<3>& a, const Vector<3>& b) noexcept {
   const double lengths = glm::length(a) * glm::length(b);
@@ -27,8 +17,8 @@ double cosine(const Vector<3>& a, const Vector<3>& b) noexcept {
 
 // How the upper arms swing in such a move.
 Vector<3> expected(const Vector<3>& direction, const FalconKinematics& kinematics) noexcept {
-  const auto before = kinematics.angles(middle);
-  const auto after = kinematics.angles(middle + move_length * direction);
+  const auto before = kinematics.angles(workspace_center);
+  const auto after = kinematics.angles(workspace_center + move_length * direction);
   return before && after ? *after - *before : Vector<3>(0.0);
 }
 
@@ -52,7 +42,8 @@ EncoderWiring find_encoder_wiring(std::span<const HandMove> moves, const FalconG
       }
       double worst = 1.0;
       for (const HandMove& move : moves) {
-        worst = std::min(worst, cosine(of_legs(move.to - move.from, wiring), expected(move.direction, kinematics)));
+        worst =
+            std::min(worst, cosine(in_leg_order(move.to - move.from, wiring), expected(move.direction, kinematics)));
       }
       if (worst > best.agreement) {
         best.runner_up = best.agreement;

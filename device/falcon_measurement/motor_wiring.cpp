@@ -5,8 +5,8 @@
 
 namespace ghostforce {
 
-double MotorPulse::most() const noexcept {
-  return std::max({std::abs(moved.x), std::abs(moved.y), std::abs(moved.z)});
+bool MotorPulse::has_moved() const noexcept {
+  return std::max({std::abs(moved.x), std::abs(moved.y), std::abs(moved.z)}) >= least_move;
 }
 
 MotorWiring find_motor_wiring(const std::array<MotorPulse, 3>& pulses) noexcept {

@@ -18,8 +18,7 @@ struct MotorPulse {
   double counts = 0.0;
   Vector<3> moved{0.0};  // each leg, where a person held the handle [leg counts]
 
-  bool has_moved() const noexcept { return most() >= least_move; }
-  double most() const noexcept;
+  bool has_moved() const noexcept;
 };
 
 enum class MotorProblem : std::uint8_t {

@@ -102,6 +102,19 @@ RulerFit descend(std::span<const RulerReading> readings, RulerFit fit) noexcept 
   return fit;
 }
 
+bool is_consistent(const RulerFit& fit, std::size_t readings) noexcept {
+  return fit.is_found && fit.badness <= worst_per_reading * static_cast<double>(readings);
+}
+
+}  // namespace
+
+double distance_of(const RulerReading& reading, const FalconGeometry& geometry) noexcept {
+  const FalconKinematics kinematics(geometry);
+  const ForwardKinematics from = kinematics.position(angles_of_counts(reading.from, geometry));
+  const ForwardKinematics to = kinematics.position(angles_of_counts(reading.to, geometry), from.position);
+  return from.has_converged && to.has_converged ? glm::distance(from.position, to.position) : 0.0;
+}
+
 RulerFit fit_ruler(std::span<const RulerReading> readings, const GeometryPreset& preset, bool with_gear) noexcept {
   RulerFit best;
   best.preset = &preset;
@@ -119,28 +132,9 @@ RulerFit fit_ruler(std::span<const RulerReading> readings, const GeometryPreset&
   return best;
 }
 
-bool is_consistent(const RulerFit& fit, std::size_t readings) noexcept {
-  return fit.is_found && fit.badness <= worst_per_reading * static_cast<double>(readings);
-}
-
-}  // namespace
-
-double distance_of(const RulerReading& reading, const FalconGeometry& geometry) noexcept {
-  const FalconKinematics kinematics(geometry);
-  const ForwardKinematics from = kinematics.position(angles_of_counts(reading.from, geometry));
-  const ForwardKinematics to = kinematics.position(angles_of_counts(reading.to, geometry), from.position);
-  return from.has_converged && to.has_converged ? glm::distance(from.position, to.position) : 0.0;
-}
-
-std::vector<RulerFit> fit_rulers(std::span<const RulerReading> readings, bool with_gear) {
-  std::vector<RulerFit> fits;
-  for (const GeometryPreset& preset : geometry_catalog()) fits.push_back(fit_ruler(readings, preset, with_gear));
-  return fits;
-}
-
 RulerVerdict judge_rulers(std::span<const RulerReading> readings, const GeometryPreset& assumed) {
   RulerVerdict verdict;
-  verdict.others = fit_rulers(readings, true);
+  for (const GeometryPreset& preset : geometry_catalog()) verdict.others.push_back(fit_ruler(readings, preset, true));
   const auto index = static_cast<std::size_t>(&assumed - geometry_catalog().data());
   const auto best = std::ranges::min_element(verdict.others, {}, &RulerFit::badness);
   RulerFit fit = verdict.others[index];
@@ -151,14 +145,11 @@ RulerVerdict judge_rulers(std::span<const RulerReading> readings, const Geometry
       verdict.rivals.push_back(other.preset->name);
     }
   }
-  const FalconGeometry& geometry = fit.preset->geometry;
-  if (fit.is_found && std::abs(fit.gear_ratio - geometry.gear_ratio) <= fit.gear_uncertainty) {
+  if (fit.is_found && std::abs(fit.gear_ratio - fit.preset->geometry.gear_ratio) <= fit.gear_uncertainty) {
     const double uncertainty = fit.gear_uncertainty;
-    fit = fit_rulers(readings, false)[static_cast<std::size_t>(fit.preset - geometry_catalog().data())];
+    fit = fit_ruler(readings, *fit.preset, false);
     fit.gear_uncertainty = uncertainty;
   }
-  verdict.is_as_assumed = verdict.is_consistent && fit.preset == &assumed && !fit.has_gear &&
-                          std::abs(fit.angle_at_zero_count - geometry.angle_at_zero_count) <= fit.angle_uncertainty;
   verdict.fit = fit;
   return verdict;
 }

@@ -1,5 +1,5 @@
 // The angle of the arms at count zero and the gear's ratio, from distances that a person has read off a ruler: those
-// with which the legs' kinematics says the same distances. Pure; fit_rulers() allocates, any thread. m, rad, leg
+// with which the legs' kinematics says the same distances. Pure; judge_rulers() allocates, any thread. m, rad, leg
 // counts.
 #pragma once
 
@@ -36,15 +36,14 @@ struct RulerFit {
 // What the kinematics of a geometry says a reading's distance is [m]; 0 where no such position exists.
 double distance_of(const RulerReading& reading, const FalconGeometry& geometry) noexcept;
 
-// With each preset of the catalog, in its order. `with_gear` false: the gear stays the preset's.
-std::vector<RulerFit> fit_rulers(std::span<const RulerReading> readings, bool with_gear);
+// With the lengths of a preset. `with_gear` false: the gear stays the preset's too.
+RulerFit fit_ruler(std::span<const RulerReading> readings, const GeometryPreset& preset, bool with_gear) noexcept;
 
 // What to take of all this. As long as the ruler allows it, that is the geometry as it was assumed, and then the gear
 // as it was assumed: a fit of more than the readings call for is a worse one.
 struct RulerVerdict {
   RulerFit fit;                            // to take
   std::vector<RulerFit> others;            // all presets with a free gear, for the report
-  bool is_as_assumed = false;              // the angle and the gear are the assumed ones within the uncertainty
   bool is_consistent = false;              // false: no geometry fits what was read
   std::vector<std::string_view> rivals{};  // presets that fit as well, by chance, with an angle and gear of their own
 };

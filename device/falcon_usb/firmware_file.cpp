@@ -128,33 +128,25 @@ std::string sha256_of(std::span<const std::uint8_t> bytes) {
 }
 
 std::vector<std::uint8_t> bytes_of_file(const fs::path& path) {
+  const auto refuse = [](const std::string& what) { throw FirmwareError(FirmwareTrouble::unreadable, what); };
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (status.type() == fs::file_type::not_found) {
     throw FirmwareError(FirmwareTrouble::missing, "there is no such file; look at the path");
   }
-  if (!fs::status_known(status)) {
-    throw FirmwareError(FirmwareTrouble::unreadable, "cannot be looked at: " + error.message());
-  }
-  if (status.type() == fs::file_type::directory) {
-    throw FirmwareError(FirmwareTrouble::unreadable, "is a folder; give the file in it");
-  }
+  if (!fs::status_known(status)) refuse("cannot be looked at: " + error.message());
+  if (status.type() == fs::file_type::directory) refuse("is a folder; give the file in it");
   // Opening a pipe would wait for its other end.
-  if (status.type() != fs::file_type::regular) {
-    throw FirmwareError(FirmwareTrouble::unreadable, "is no plain file; give one");
-  }
+  if (status.type() != fs::file_type::regular) refuse("is no plain file; give one");
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   if (!file.is_open()) {
-    throw FirmwareError(FirmwareTrouble::unreadable,
-                        "cannot be read: " + std::generic_category().message(errno) + "; look at its permissions");
+    refuse("cannot be read: " + std::generic_category().message(errno) + "; look at its permissions");
   }
   // One more than may be: parse_firmware() refuses it with the right words, and nobody reads a disk image to its end.
   std::vector<char> read(largest_firmware + 1);
   file.read(read.data(), static_cast<std::streamsize>(read.size()));
-  if (file.bad()) {
-    throw FirmwareError(FirmwareTrouble::unreadable, "cannot be read: " + std::generic_category().message(errno));
-  }
+  if (file.bad()) refuse("cannot be read: " + std::generic_category().message(errno));
   return {read.begin(), read.begin() + static_cast<std::ptrdiff_t>(file.gcount())};
 }
 

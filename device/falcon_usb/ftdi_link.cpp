@@ -10,7 +10,6 @@
 #include <time.h>
 
 #include "device/falcon/emergency_stop.h"
-#include "device/input/monotonic_clock.h"
 
 namespace ghostforce {
 namespace {
@@ -72,28 +71,27 @@ LinkFault FtdiLink::open() noexcept {
 }
 
 bool FtdiLink::make_transfers() {
+  for (Transfer* const transfer : transfers()) {
+    transfer->transfer = libusb_alloc_transfer(0);
+    if (transfer->transfer == nullptr) return false;
+  }
   for (Receiver& receiver : receivers_) {
     receiver.link = this;
-    receiver.transfer = libusb_alloc_transfer(0);
-    if (receiver.transfer == nullptr) return false;
     libusb_fill_bulk_transfer(receiver.transfer, usb_.handle(), usb_.in_endpoint(), receiver.buffer.data(),
                               int{in_size}, &Callbacks::received, &receiver, 0);
-  }
-  for (Sender* const sender : {&out_, &control_, &stop_}) {
-    sender->transfer = libusb_alloc_transfer(0);
-    if (sender->transfer == nullptr) return false;
   }
   return true;
 }
 
+std::array<FtdiLink::Transfer*, FtdiLink::in_transfers + 3> FtdiLink::transfers() noexcept {
+  static_assert(in_transfers == 4);
+  return {&receivers_[0], &receivers_[1], &receivers_[2], &receivers_[3], &out_, &control_, &stop_};
+}
+
 void FtdiLink::free_transfers() noexcept {
-  for (Receiver& receiver : receivers_) {
-    libusb_free_transfer(std::exchange(receiver.transfer, nullptr));
-    receiver.is_posted = false;
-  }
-  for (Sender* const sender : {&out_, &control_, &stop_}) {
-    libusb_free_transfer(std::exchange(sender->transfer, nullptr));
-    sender->is_posted = false;
+  for (Transfer* const transfer : transfers()) {
+    libusb_free_transfer(std::exchange(transfer->transfer, nullptr));
+    transfer->is_posted = false;
   }
 }
 
@@ -112,14 +110,11 @@ void FtdiLink::close() noexcept {
   closing_ = true;
   std::int64_t deadline_ns = monotonic_ns() + stop_timeout_ns;
   while (stop_.is_posted && monotonic_ns() < deadline_ns) handle_events(1);
-  for (Receiver& receiver : receivers_) {
-    if (receiver.is_posted) libusb_cancel_transfer(receiver.transfer);
-  }
-  for (Sender* const sender : {&out_, &control_, &stop_}) {
-    if (sender->is_posted) libusb_cancel_transfer(sender->transfer);
+  for (const Transfer* const transfer : transfers()) {
+    if (transfer->is_posted) libusb_cancel_transfer(transfer->transfer);
   }
   deadline_ns = monotonic_ns() + close_timeout_ns;
-  while (is_anything_posted() && monotonic_ns() < deadline_ns) handle_events(10);
+  while (std::ranges::any_of(transfers(), &Transfer::is_posted) && monotonic_ns() < deadline_ns) handle_events(10);
   const bool is_owed_here = owes_stop() && usb_.serial() == owed_serial_;
   if (is_owed_here && usb_.send_at_any_cost(owed())) owed_size_ = 0;
   usb_.release_device();
@@ -128,10 +123,6 @@ void FtdiLink::close() noexcept {
   usb_.close();
   closing_ = false;
   poll_count_ = 0;
-}
-
-bool FtdiLink::is_anything_posted() const noexcept {
-  return is_sending() || std::ranges::any_of(receivers_, &Receiver::is_posted);
 }
 
 // --- Out -------------------------------------------------------------------------------------------------------------
@@ -170,12 +161,12 @@ void FtdiLink::stop(std::span<const std::uint8_t> bytes) noexcept {
   post(stop_);
 }
 
-bool FtdiLink::post(Sender& sender) noexcept {
+bool FtdiLink::post(Transfer& transfer) noexcept {
   ++counters_.library_calls;
-  const int error = libusb_submit_transfer(sender.transfer);
+  const int error = libusb_submit_transfer(transfer.transfer);
   if (error != LIBUSB_SUCCESS) set_fault(link_fault_of(error));
-  sender.is_posted = error == LIBUSB_SUCCESS;
-  return sender.is_posted;
+  transfer.is_posted = error == LIBUSB_SUCCESS;
+  return transfer.is_posted;
 }
 
 void FtdiLink::sent(const libusb_transfer& transfer) noexcept {
@@ -226,13 +217,6 @@ void FtdiLink::send_at_once(std::span<const std::uint8_t> bytes) noexcept {
 }
 
 // --- In --------------------------------------------------------------------------------------------------------------
-
-void FtdiLink::post(Receiver& receiver) noexcept {
-  ++counters_.library_calls;
-  const int error = libusb_submit_transfer(receiver.transfer);
-  receiver.is_posted = error == LIBUSB_SUCCESS;
-  if (error != LIBUSB_SUCCESS) set_fault(link_fault_of(error));
-}
 
 void FtdiLink::received(Receiver& receiver) noexcept {
   receiver.is_posted = false;
@@ -293,11 +277,9 @@ void FtdiLink::failed(int transfer_status) noexcept {
   if (closing_) return;
   if (transfer_status == LIBUSB_TRANSFER_NO_DEVICE) {
     set_fault(LinkFault::unplugged);
-  } else if (transfer_status == LIBUSB_TRANSFER_STALL) {
+  } else if (transfer_status == LIBUSB_TRANSFER_STALL || ++failures_in_a_row_ > most_failures_in_a_row) {
     // To clear an endpoint's halt is to wait for the device, for seconds if it pleases: closing and opening do it, on
     // their own thread.
-    set_fault(LinkFault::broken);
-  } else if (++failures_in_a_row_ > most_failures_in_a_row) {
     set_fault(LinkFault::broken);
   }
 }
@@ -311,10 +293,6 @@ void FtdiLink::recover() noexcept {
 }
 
 // --- Time ------------------------------------------------------------------------------------------------------------
-
-std::int64_t FtdiLink::now_ns() const noexcept {
-  return monotonic_ns();
-}
 
 void FtdiLink::handle_events(int timeout_ms) noexcept {
   timeval timeout{0, timeout_ms * 1000L};

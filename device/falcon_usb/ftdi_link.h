@@ -19,6 +19,7 @@
 #include "device/falcon/falcon_link.h"
 #include "device/falcon_usb/usb_connection.h"
 #include "device/falcon_usb/usb_search.h"
+#include "device/input/monotonic_clock.h"
 
 struct libusb_transfer;
 
@@ -52,7 +53,7 @@ class FtdiLink final : public FalconLink {
   std::uint8_t modem_status() const noexcept override { return modem_status_; }
   LinkCounters counters() const noexcept override { return counters_; }
 
-  std::int64_t now_ns() const noexcept override;
+  std::int64_t now_ns() const noexcept override { return monotonic_ns(); }
   void wait_until(std::int64_t deadline_ns) noexcept override;
   void send_at_once(std::span<const std::uint8_t> bytes) noexcept override;
 
@@ -62,18 +63,19 @@ class FtdiLink final : public FalconLink {
   static constexpr std::size_t out_size = 64;  // the contract's; a control transfer's setup is shorter
   static constexpr std::size_t ring_size = 16384;  // 0.1 s of the chip's fastest stream
 
-  // One of the posted transfers and what it fills.
-  struct Receiver {
-    FtdiLink* link = nullptr;
+  struct Transfer {
     libusb_transfer* transfer = nullptr;
     bool is_posted = false;
+  };
+
+  // From the device, and what it fills.
+  struct Receiver : Transfer {
+    FtdiLink* link = nullptr;
     alignas(8) std::array<std::uint8_t, in_size> buffer{};
   };
 
-  // A transfer to the device and what it sends.
-  struct Sender {
-    libusb_transfer* transfer = nullptr;
-    bool is_posted = false;
+  // To the device, and what it sends.
+  struct Sender : Transfer {
     alignas(8) std::array<std::uint8_t, out_size> buffer{};
   };
 
@@ -85,8 +87,8 @@ class FtdiLink final : public FalconLink {
 
   std::span<const std::uint8_t> owed() const noexcept { return std::span(stop_.buffer).first(owed_size_); }
   bool is_usable() const noexcept { return usb_.handle() != nullptr && fault_ == LinkFault::none; }
-  void post(Receiver& receiver) noexcept;
-  bool post(Sender& sender) noexcept;
+  std::array<Transfer*, in_transfers + 3> transfers() noexcept;
+  bool post(Transfer& transfer) noexcept;
   void received(Receiver& receiver) noexcept;
   void sent(const libusb_transfer& transfer) noexcept;
   void take_packets(std::span<const std::uint8_t> bytes) noexcept;
@@ -95,7 +97,6 @@ class FtdiLink final : public FalconLink {
   void failed(int transfer_status) noexcept;
   void recover() noexcept;
   void handle_events(int timeout_ms) noexcept;
-  bool is_anything_posted() const noexcept;
   void set_fault(LinkFault fault) noexcept;
 
   FtdiLinkOptions options_;

@@ -10,7 +10,6 @@
 #include <dirent.h>
 #include <libusb.h>
 #include <sys/stat.h>
-#include <time.h>
 
 #include "device/input/monotonic_clock.h"
 
@@ -31,8 +30,7 @@ constexpr std::int64_t insist_ns = 500'000'000;
 constexpr std::int64_t attempt_pause_ns = 100'000;
 
 void pause(std::int64_t ns) noexcept {
-  const timespec time{ns / 1'000'000'000, ns % 1'000'000'000};
-  nanosleep(&time, nullptr);
+  sleep_until_monotonic(monotonic_ns() + ns);
 }
 
 }  // namespace

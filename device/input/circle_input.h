@@ -5,7 +5,6 @@
 #pragma once
 
 #include <cstdint>
-#include <type_traits>
 
 #include "core/latest_value.h"
 #include "core/loop_energy.h"
@@ -15,8 +14,6 @@ namespace ghostforce {
 
 class CircleInput final : public Input {
  public:
-  static_assert(std::is_trivially_copyable_v<Circle>);
-
   explicit CircleInput(const Circle& circle) noexcept : circles_(circle), circle_(circle) {}
 
   // Another circle, from the next restart on.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <glm/common.hpp>
+#include "core/scene.h"
 
 namespace ghostforce {
 
@@ -12,7 +12,7 @@ void MouseInput::move_to(const Vector<2>& goal, double duration_s) noexcept {
     ++ignored_moves_;
     return;
   }
-  moves_.publish({glm::clamp(goal, -farthest_m, farthest_m), std::clamp(duration_s, 0.0, slowest_move_s)});
+  moves_.publish({nearest_in_scene(goal), std::clamp(duration_s, 0.0, slowest_move_s)});
 }
 
 void MouseInput::restart(const Vector<2>& goal) noexcept {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/goal_path.h"
+#include "core/tick.h"
 #include "device/input/input.h"
 
 namespace ghostforce {
@@ -16,7 +17,7 @@ class ScriptedInput final : public Input {
   explicit ScriptedInput(GoalPath path) : path_(std::move(path)) {}
 
   void restart(const Vector<2>& /*goal*/) noexcept override {}
-  Vector<2> goal(std::int64_t tick, double rate) noexcept override;
+  Vector<2> goal(std::int64_t tick, double rate) noexcept override { return goal_at(path_, time_of(tick, rate)); }
 
  private:
   GoalPath path_;

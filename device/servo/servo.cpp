@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <ctime>
 #include <stdexcept>
 #include <utility>
 
@@ -30,10 +29,7 @@ bool is_usable(const SafetyOptions& options) noexcept {
 
 struct SystemClock {
   static std::int64_t now_ns() noexcept { return monotonic_ns(); }
-  static void sleep_until(std::int64_t time_ns) noexcept {
-    const std::timespec time{time_ns / 1'000'000'000, time_ns % 1'000'000'000};
-    clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &time, nullptr);  // waking too soon does no harm
-  }
+  static void sleep_until(std::int64_t time_ns) noexcept { sleep_until_monotonic(time_ns); }
 };
 
 }  // namespace
@@ -248,27 +244,18 @@ void Servo::update_coefficients() noexcept {
 
 void Servo::apply_command(const ServoCommand& command) noexcept {
   bool is_refused = false;
-  if (command.settings_generation != seen_generation_) {
-    seen_generation_ = command.settings_generation;
-    if (is_in_range(command.settings)) {
-      use(command.settings, command.settings_generation);
-    } else {
-      is_refused = true;
-    }
+  // Does it if it may be done.
+  const auto heed = [&is_refused](bool is_usable, const auto& act) {
+    if (is_usable) act();
+    is_refused |= !is_usable;
+  };
+  if (std::exchange(seen_generation_, command.settings_generation) != command.settings_generation) {
+    heed(is_in_range(command.settings), [&] { use(command.settings, command.settings_generation); });
   }
-  if (command.restarts_asked != seen_restarts_) {
-    seen_restarts_ = command.restarts_asked;
-    if (!has_diverged(command.restart_state)) {
-      restart_from(command.restart_state, command.restarts_asked);
-    } else {
-      is_refused = true;
-    }
+  if (std::exchange(seen_restarts_, command.restarts_asked) != command.restarts_asked) {
+    heed(!has_diverged(command.restart_state), [&] { restart_from(command.restart_state, command.restarts_asked); });
   }
-  if (is_usable_speed(command.speed)) {
-    speed_ = std::clamp(command.speed, slowest, fastest);
-  } else {
-    is_refused = true;
-  }
+  heed(is_usable_speed(command.speed), [&] { speed_ = std::clamp(command.speed, slowest, fastest); });
   if (device_ != nullptr) apply_operator(command);
   recording_ = command.recording;
   paused_ = command.paused;

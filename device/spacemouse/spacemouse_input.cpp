@@ -103,10 +103,6 @@ bool SpaceMouseInput::set(const SpaceMouseSettings& settings) noexcept {
   return true;
 }
 
-void SpaceMouseInput::restart(const Vector<2>& goal) noexcept {
-  motion_.restart(goal);
-}
-
 Vector<2> SpaceMouseInput::goal(std::int64_t /*tick*/, double rate) noexcept {
   const SpaceMouseReading& reading = for_servo_.latest();
   return motion_.step(reading.connection, reading.axes, settings_.latest(), rate);

@@ -26,7 +26,7 @@ class SpaceMouseInput final : public Input {
   // UI thread. Good until the next call.
   const SpaceMouseReading& reading() noexcept { return for_window_.latest(); }
 
-  void restart(const Vector<2>& goal) noexcept override;
+  void restart(const Vector<2>& goal) noexcept override { motion_.restart(goal); }
   Vector<2> goal(std::int64_t tick, double rate) noexcept override;
 
  private:

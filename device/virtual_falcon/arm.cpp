@@ -66,12 +66,8 @@ SimulatedArm::SimulatedArm(const Options& options) noexcept : kinematics_(option
 
 void SimulatedArm::step(double duration, const MotorNumbers& motors, const Vector<3>& goal, double stiffness,
                         double load) noexcept {
-  Vector<3> of_legs;
-  for (std::size_t leg = 0; leg < motors.size(); ++leg) {
-    const std::int8_t number = options_.motor_of_leg[leg];
-    of_legs[static_cast<glm::length_t>(leg)] = sign_of(number) * motors[place_in_frame(number)];
-  }
-  force_ = force_of_motor_counts(of_legs, jacobian_, options_.counts_per_newton_metre / options_.motor_strengths);
+  force_ = force_of_motor_counts(in_leg_order(vector_of(motors), options_.motor_of_leg), jacobian_,
+                                 options_.counts_per_newton_metre / options_.motor_strengths);
   const double mass = options_.mass + load / standard_gravity;
   const Vector<3> down(0.0, -options_.weight - load, 0.0);
   Vector<3> momentum = mass * velocity_ + duration * (stiffness * (goal - position_) + force_ + down);

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "core/conventions.h"
+#include "device/falcon/calibration.h"
 
 namespace ghostforce {
 
@@ -25,7 +25,7 @@ struct Deed {
   };
 
   Kind kind = Kind::read_on;
-  Vector<3> place{0.0, 0.0, 0.125};
+  Vector<3> place = workspace_center;
   double weight = 0.0;
   std::uint8_t buttons = 0;  // as in ReplyFrame
 };

@@ -141,10 +141,6 @@ void FalconDsp::advance(std::int64_t now_ns) noexcept {
   }
 }
 
-void FalconDsp::set_encoders(const std::array<int, 3>& counts) noexcept {
-  encoders_ = counts;
-}
-
 void FalconDsp::inject(const InjectedFault& wrong) noexcept {
   if (wrong == wrong_) return;
   wrong_ = wrong;

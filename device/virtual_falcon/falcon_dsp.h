@@ -59,7 +59,7 @@ class FalconDsp {
   void advance(std::int64_t now_ns) noexcept;
 
   // Where the arms are, counted from the geometry's zero, and the grip's buttons as in ReplyFrame.
-  void set_encoders(const std::array<int, 3>& counts) noexcept;
+  void set_encoders(const std::array<int, 3>& counts) noexcept { encoders_ = counts; }
   void set_buttons(std::uint8_t buttons) noexcept { buttons_ = buttons; }
 
   void inject(const InjectedFault& wrong) noexcept;

@@ -26,12 +26,6 @@ std::unique_ptr<VirtualLink> make_link(const InjectedFault& injected_fault, doub
   return std::make_unique<VirtualLink>(options);
 }
 
-FalconCalibration calibration_in(const FalconOptions& options) {
-  const auto known = std::ranges::find(options.calibrations, FalconSerial::from(VirtualLink::serial_number).value(),
-                                       &FalconCalibration::serial);
-  return known == options.calibrations.end() ? FalconCalibration{} : *known;
-}
-
 }  // namespace
 
 VirtualFalconInput::VirtualFalconInput(FalconOptions options, const InjectedFault& injected_fault,
@@ -42,7 +36,7 @@ VirtualFalconInput::VirtualFalconInput(std::unique_ptr<VirtualLink> link, const 
                                        const Vector<2>& view_center, double k_u)
     : FalconInput(std::move(link), options, view_center),
       link_(static_cast<VirtualLink&>(falcon().link())),
-      plane_(calibration_in(options), view_center),
+      plane_(calibration_of(FalconSerial::from(VirtualLink::serial_number).value(), options.calibrations), view_center),
       goal_(view_center),
       k_u_(k_u) {}
 

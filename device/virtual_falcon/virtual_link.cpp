@@ -99,7 +99,12 @@ void VirtualLink::wait_until(std::int64_t deadline_ns) noexcept {
   for (;;) {
     const std::int64_t now = now_ns();
     if (live_until(now) || now >= deadline_ns) return;
-    sleep_until(std::min({deadline_ns, next_event_ns(), now + longest_sleep_ns}));
+    const std::int64_t until_ns = std::min({deadline_ns, next_event_ns(), now + longest_sleep_ns});
+    if (clock_ == Clock::monotonic) {
+      sleep_until_monotonic(until_ns);
+    } else {
+      stepped_ns_ = std::max(stepped_ns_, until_ns);
+    }
   }
 }
 
@@ -215,14 +220,6 @@ void VirtualLink::step_to(std::int64_t at_ns) noexcept {
 std::int64_t VirtualLink::next_event_ns() const noexcept {
   if (!is_live()) return std::numeric_limits<std::int64_t>::max();
   return is_sending() ? std::min(dsp_.next_due_ns(), delivery_ns_) : dsp_.next_due_ns();
-}
-
-void VirtualLink::sleep_until(std::int64_t at_ns) noexcept {
-  if (clock_ == Clock::stepped) {
-    stepped_ns_ = std::max(stepped_ns_, at_ns);
-    return;
-  }
-  sleep_until_monotonic(at_ns);
 }
 
 }  // namespace ghostforce

@@ -96,7 +96,6 @@ class VirtualLink final : public FalconLink {
   void settle_stop() noexcept;
   void step_to(std::int64_t at_ns) noexcept;
   std::int64_t next_event_ns() const noexcept;
-  void sleep_until(std::int64_t at_ns) noexcept;
 
   Clock clock_;
   std::int64_t stepped_ns_ = 1'000'000'000;

@@ -1,6 +1,8 @@
 // Finding: what one measurement of a Falcon has found, for the report. A plain value.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -23,23 +25,15 @@ struct Finding {
   std::string settles{};                // what nobody had confirmed; empty: nothing
   std::vector<std::string> readings{};  // each, as it was taken
 
+  static constexpr State as_assumed_if(bool is_so) noexcept { return is_so ? State::as_assumed : State::differs; }
   bool is_answer() const noexcept { return state != State::not_measured && state != State::contradicts; }
 };
 
 constexpr std::string_view words_of(Finding::State state) noexcept {
-  switch (state) {
-    case Finding::State::as_assumed:
-      return "as assumed";
-    case Finding::State::differs:
-      return "differs from what was assumed";
-    case Finding::State::measured:
-      return "measured";
-    case Finding::State::not_measured:
-      return "not measured";
-    case Finding::State::contradicts:
-      return "the readings contradict each other";
-  }
-  return {};
+  // In the order of Finding::State.
+  constexpr std::array<std::string_view, 5> words{"as assumed", "differs from what was assumed", "measured",
+                                                  "not measured", "the readings contradict each other"};
+  return words[static_cast<std::size_t>(state)];
 }
 
 }  // namespace ghostforce

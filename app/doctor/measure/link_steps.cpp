@@ -15,7 +15,6 @@ namespace ghostforce {
 namespace {
 
 constexpr double ms = 1e-3;
-constexpr Vector<3> middle{0.0, 0.0, 0.125};
 
 // --- Silence ---
 
@@ -24,32 +23,26 @@ constexpr std::size_t rounds = 2;
 constexpr double push_force = 0.9;  // towards the person, of the strongest published motors [N]
 
 MotorStop take_silence(MeasuringRig& rig, double silence_s, SilenceReading& reading) {
-  double without = 0.0;
-  double held = 0.0;
-  int count = 0;
-  const auto none = [](const Glimpse&) { return Vector<3>(0.0); };
   const auto outwards = [](const Glimpse& glimpse) {
     return MeasuringRig::counts_for({0.0, 0.0, push_force}, glimpse.jacobian);
   };
-  MotorStop stop = rig.drive(0.3, none, [&](const Glimpse& glimpse) {
-    without += glimpse.position.z;
-    ++count;
-  });
+  Mean without;
+  MotorStop stop =
+      rig.drive(0.3, MeasuringRig::no_counts, [&](const Glimpse& glimpse) { without.add(glimpse.position); });
   if (stop != MotorStop::none) return stop;
-  without /= count;
-  count = 0;
+  const double rest = without.value().z;
+  Mean held;
   double least = 1.0;
   double greatest = 0.0;
   stop = rig.drive(0.7, outwards, [&](const Glimpse& glimpse) {
     if (glimpse.time_s < 0.5) return;
-    held += glimpse.position.z;
+    held.add(glimpse.position);
     least = std::min(least, glimpse.position.z);
     greatest = std::max(greatest, glimpse.position.z);
-    ++count;
   });
   if (stop != MotorStop::none) return stop;
-  reading = {.silence_s = silence_s, .held = held / count - without, .tremor = greatest - least};
-  return rig.be_silent(silence_s, [&](const Glimpse& glimpse) { reading.after = glimpse.position.z - without; });
+  reading = {.silence_s = silence_s, .held = held.value().z - rest, .tremor = greatest - least};
+  return rig.be_silent(silence_s, [&](const Glimpse& glimpse) { reading.after = glimpse.position.z - rest; });
 }
 
 }  // namespace
@@ -70,7 +63,7 @@ std::vector<Finding> measure_silence(MeasuringRig& rig) {
     return MotorStop::none;
   };
   const bool is_done = rig.with_button(
-      {.kind = Deed::Kind::hold_button, .place = middle},
+      {.kind = Deed::Kind::hold_button},
       "Hold the handle softly in the middle of its space and keep a button of the grip down. After Enter you feel up "
       "to twelve pushes towards you, each below 1 N, for half a minute in all. In each, the program says nothing to "
       "the device for 20 ms to one second, and hears your button again only after that. Let yourself be pushed, and "
@@ -112,7 +105,7 @@ std::vector<Finding> measure_silence(MeasuringRig& rig) {
 
 std::vector<Finding> measure_exchanges(MeasuringRig& rig) {
   constexpr int count = 2000;
-  rig.ask({.kind = Deed::Kind::take_again, .place = middle},
+  rig.ask({.kind = Deed::Kind::take_again},
           "Hold the handle still for three seconds. Enter: exchanges are counted, the motors stay off.");
   rig.rest(0.5);
   std::vector<double> times;
@@ -124,10 +117,9 @@ std::vector<Finding> measure_exchanges(MeasuringRig& rig) {
   const double rate = count / (rig.bench().now_s() - began_s);
   std::ranges::sort(times);
   const double mean = std::accumulate(times.begin(), times.end(), 0.0) / count;
-  Finding exchanges{
-      .state = rate >= FalconReport::fast_enough_hz ? Finding::State::as_assumed : Finding::State::differs,
-      .title = "Exchanges a second",
-      .settles = {}};
+  Finding exchanges{.state = Finding::as_assumed_if(rate >= FalconReport::fast_enough_hz),
+                    .title = "Exchanges a second",
+                    .settles = {}};
   exchanges.sentence = fmt::format(
       "{:.0f} a second; an answer takes {:.2f} ms on average, {:.2f} ms in 99 of 100 cases, "
       "{:.2f} ms at most.",
@@ -151,7 +143,7 @@ std::vector<Finding> measure_exchanges(MeasuringRig& rig) {
       fmt::format("600 exchanges without the bit, 300 with it: the encoders changed by {:.0f} counts "
                   "at most from one to the next, and stayed homed",
                   leap));
-  homing.state = leap <= most_leap ? Finding::State::as_assumed : Finding::State::differs;
+  homing.state = Finding::as_assumed_if(leap <= most_leap);
   homing.sentence = leap <= most_leap ? "It may be set or not: the device stays homed and its numbers go on."
                                       : "The encoders' numbers leap when it changes.";
   return {exchanges, homing};
@@ -161,34 +153,30 @@ std::vector<Finding> measure_exchanges(MeasuringRig& rig) {
 
 namespace {
 
-struct Light {
-  std::uint8_t bit;
-  std::string_view colour;
-};
-constexpr std::array lights{Light{CommandFrame::red, "red"}, Light{CommandFrame::green, "green"},
-                            Light{CommandFrame::blue, "blue"}};
-
-struct Button {
+// Of a frame.
+struct Bit {
   std::uint8_t bit;
   std::string_view name;
 };
+constexpr std::array lights{Bit{CommandFrame::red, "red"}, Bit{CommandFrame::green, "green"},
+                            Bit{CommandFrame::blue, "blue"}};
 constexpr std::array buttons{
-    Button{ReplyFrame::button_centre, "in the centre"}, Button{ReplyFrame::button_right, "on the right"},
-    Button{ReplyFrame::button_forward, "at the front"}, Button{ReplyFrame::button_left, "on the left"}};
+    Bit{ReplyFrame::button_centre, "in the centre"}, Bit{ReplyFrame::button_right, "on the right"},
+    Bit{ReplyFrame::button_forward, "at the front"}, Bit{ReplyFrame::button_left, "on the left"}};
 
 }  // namespace
 
 std::vector<Finding> check_lights(MeasuringRig& rig) {
   Finding finding{.title = "Lights", .settles = "which bit is which light"};
   finding.state = Finding::State::as_assumed;
-  for (const Light& light : lights) {
+  for (const Bit& light : lights) {
     for (int i = 0; i < 50; ++i) rig.look(light.bit);
     const std::string answer = rig.ask({.kind = Deed::Kind::say_light},
                                        "Look at the ring of light on the device. What colour does it have? Type red, "
                                        "green, blue, or other.");
-    finding.readings.push_back(fmt::format("bit {:#04x}, taken for {}: seen {}", light.bit, light.colour,
+    finding.readings.push_back(fmt::format("bit {:#04x}, taken for {}: seen {}", light.bit, light.name,
                                            answer.empty() ? "nothing" : quoted_text(answer)));
-    if (answer != light.colour) finding.state = Finding::State::differs;
+    if (answer != light.name) finding.state = Finding::State::differs;
   }
   finding.sentence = finding.state == Finding::State::as_assumed ? "Red, green and blue are where they were assumed."
                                                                  : "At least one light is another than was assumed.";
@@ -199,7 +187,7 @@ std::vector<Finding> check_buttons(MeasuringRig& rig) {
   constexpr double patience_s = 10.0;
   Finding finding{.title = "Buttons", .settles = "which bit is which button"};
   finding.state = Finding::State::as_assumed;
-  for (const Button& button : buttons) {
+  for (const Bit& button : buttons) {
     rig.ask({.kind = Deed::Kind::press, .buttons = button.bit},
             fmt::format("Press the button {} of the grip and let go, within ten seconds after Enter.", button.name));
     unsigned seen = 0;
@@ -213,16 +201,10 @@ std::vector<Finding> check_buttons(MeasuringRig& rig) {
     if (seen == 0) finding.state = Finding::State::not_measured;
     if (seen != button.bit && finding.state == Finding::State::as_assumed) finding.state = Finding::State::differs;
   }
-  switch (finding.state) {
-    case Finding::State::as_assumed:
-      finding.sentence = "All four are where they were assumed.";
-      break;
-    case Finding::State::not_measured:
-      finding.sentence = "At least one button was never seen.";
-      break;
-    default:
-      finding.sentence = "At least one button is another than was assumed.";
-  }
+  finding.sentence = finding.state == Finding::State::as_assumed ? "All four are where they were assumed."
+                     : finding.state == Finding::State::not_measured
+                         ? "At least one button was never seen."
+                         : "At least one button is another than was assumed.";
   return {finding};
 }
 

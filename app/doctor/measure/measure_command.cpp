@@ -1,13 +1,13 @@
 #include "app/doctor/measure/measure_command.h"
 
-#include <time.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
+#include <ctime>
 #include <filesystem>
 #include <memory>
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include "app/console/failure.h"
@@ -41,12 +41,7 @@ constexpr std::string_view keys =
     "written.\n";
 
 std::string now_in_words() {
-  const time_t now = time(nullptr);
-  tm parts{};
-  gmtime_r(&now, &parts);
-  std::array<char, 32> text{};
-  strftime(text.data(), text.size(), "%Y-%m-%d %H:%M UTC", &parts);
-  return text.data();
+  return fmt::format("{:%Y-%m-%d %H:%M UTC}", fmt::gmtime(std::time(nullptr)));
 }
 
 // A handle that has a weight, and joints that rub: as a real one.
@@ -61,18 +56,12 @@ VirtualLink::Options rehearsal(const InputOptions& options) {
   return rehearsal;
 }
 
-bool says_yes(Operator& person, const std::string& words) {
-  const auto line = person.ask({.kind = Deed::Kind::say_yes_or_no}, words);
-  return line && (line->starts_with('y') || line->starts_with('Y'));
-}
-
 void write_calibration(const MeasureCall& call, std::optional<OutputFile>& file, bool is_there,
                        const FalconCalibration& calibration, bool is_kept, Operator& person) {
   if (file) {
     const std::string shown = quoted_text(*call.calibration, longest_path);
-    if (is_there &&
-        !says_yes(person,
-                  fmt::format("{} is there already. Write the new calibration in its place? Type y or n.", shown))) {
+    if (is_there && !person.says_yes(fmt::format(
+                        "{} is there already. Write the new calibration in its place? Type y or n.", shown))) {
       person.tell("It was left as it is; the report has the calibration too.");
       return;
     }
@@ -88,9 +77,9 @@ void write_calibration(const MeasureCall& call, std::optional<OutputFile>& file,
     return;
   }
   const bool wants =
-      says_yes(person, is_kept ? "A calibration is kept for this Falcon already. Keep the new one in its "
-                                 "place, for every later start? Type y or n."
-                               : "Keep this calibration for this Falcon, for every later start? Type y or n.");
+      person.says_yes(is_kept ? "A calibration is kept for this Falcon already. Keep the new one in its "
+                                "place, for every later start? Type y or n."
+                              : "Keep this calibration for this Falcon, for every later start? Type y or n.");
   if (!wants) {
     person.tell("It was not kept; the report has it.");
     return;

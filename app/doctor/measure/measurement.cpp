@@ -1,6 +1,8 @@
 #include "app/doctor/measure/measurement.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -17,26 +19,8 @@ constexpr double homing_patience_s = 300.0;
 // A device is looked for twice a second.
 constexpr double absent_patience_s = 1.2;
 
-std::string_view words_of(FalconState state) {
-  switch (state) {
-    case FalconState::loading_firmware:
-      return "The firmware is being loaded; that takes some seconds.";
-    case FalconState::homing:
-      return "Home the device: pull the handle all the way out, then push it straight in until it stops. Then the "
-             "program goes on by itself.";
-    default:
-      return {};
-  }
-}
-
 Finding unmeasured(std::string_view title, std::string_view why) {
   return {.title = std::string(title), .sentence = std::string(why)};
-}
-
-bool wants_report(Operator& person) {
-  const auto line = person.ask({.kind = Deed::Kind::say_yes_or_no},
-                               "The motors are off. Write a report of what was measured so far? Type y or n.");
-  return line && (line->starts_with('y') || line->starts_with('Y'));
 }
 
 }  // namespace
@@ -65,9 +49,13 @@ void await_homed(Falcon& falcon, Operator& person) {
       const FalconFaultEntry& fault = entry_of(report.fault);
       throw Failure(exit_code_of(report, true), fmt::format("The Falcon: {}. {}", fault.title, remedy_of(fault.id)));
     }
-    if (report.state != told) {
-      told = report.state;
-      if (const std::string_view words = words_of(told); !words.empty()) person.tell(words);
+    if (std::exchange(told, report.state) != report.state) {
+      if (told == FalconState::loading_firmware) person.tell("The firmware is being loaded; that takes some seconds.");
+      if (told == FalconState::homing) {
+        person.tell(
+            "Home the device: pull the handle all the way out, then push it straight in until it stops. Then the "
+            "program goes on by itself.");
+      }
     }
     if (waited_s > homing_patience_s) {
       throw Failure(ExitCode::device_failed,
@@ -87,17 +75,14 @@ FalconMeasurement measure_falcon(Falcon& falcon, Operator& person, const FalconC
 
   FalconMeasurement measurement;
   MeasuringRig rig(person, falcon.link(), begin);
-  bool has_encoders = false;
-  bool has_motors = false;
+  std::array<bool, 3> has{true, false, false};  // by MeasureStep::Needs
   const auto catalog = measure_step_catalog();
   try {
     for (std::size_t i = 0; i < catalog.size(); ++i) {
       const MeasureStep& step = catalog[i];
       person.tell(fmt::format("\nStep {} of {}: {}. {}", i + 1, catalog.size(), step.title, step.outline));
       std::vector<Finding> findings;
-      const bool is_possible = step.needs == MeasureStep::Needs::nothing ||
-                               (step.needs == MeasureStep::Needs::encoders ? has_encoders : has_motors);
-      if (!is_possible) {
+      if (!has[static_cast<std::size_t>(step.needs)]) {
         findings = {unmeasured(step.title, "It builds on a step before it that has no result.")};
       } else {
         try {
@@ -107,9 +92,7 @@ FalconMeasurement measure_falcon(Falcon& falcon, Operator& person, const FalconC
           findings = {unmeasured(step.title, "Skipped.")};
         }
       }
-      const bool is_answered = findings.front().is_answer();
-      has_encoders = has_encoders || (step.gives == MeasureStep::Needs::encoders && is_answered);
-      has_motors = has_motors || (step.gives == MeasureStep::Needs::motors && is_answered);
+      has[static_cast<std::size_t>(step.gives)] |= findings.front().is_answer();
       for (const Finding& finding : findings) {
         person.tell(fmt::format("  {}: {}. {}", finding.title, words_of(finding.state), finding.sentence));
       }
@@ -117,7 +100,9 @@ FalconMeasurement measure_falcon(Falcon& falcon, Operator& person, const FalconC
     }
     measurement.is_complete = true;
   } catch (const LeaveMeasurement&) {
-    if (!wants_report(person)) throw Failure(ExitCode::answer_is_no, "The measurement was ended; nothing was written.");
+    if (!person.says_yes("The motors are off. Write a report of what was measured so far? Type y or n.")) {
+      throw Failure(ExitCode::answer_is_no, "The measurement was ended; nothing was written.");
+    }
   }
   measurement.calibration = rig.calibration();
   return measurement;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,25 +15,8 @@
 namespace ghostforce {
 namespace {
 
-constexpr Vector<3> middle{0.0, 0.0, 0.125};
 constexpr double standard_gravity = 9.80665;  // [m/s²]
 constexpr double kg_per_g = 1e-3;
-
-// The mean of something over a while.
-struct Mean {
-  Vector<3> sum{0.0};
-  int count = 0;
-
-  void add(const Vector<3>& value) {
-    sum += value;
-    ++count;
-  }
-  Vector<3> value() const { return count > 0 ? sum / static_cast<double>(count) : Vector<3>(0.0); }
-};
-
-std::string counts_words(const Vector<3>& counts) {
-  return fmt::format("{:.1f}, {:.1f}, {:.1f}", counts.x, counts.y, counts.z);
-}
 
 // --- Directions ---
 
@@ -41,8 +25,7 @@ MotorStop take_pulse(MeasuringRig& rig, std::size_t number, double force, MotorP
   Mean before;
   Mean during;
   double counts = 0.0;
-  const auto none = [](const Glimpse&) { return Vector<3>(0.0); };
-  MotorStop stop = rig.drive(0.3, none, [&](const Glimpse& glimpse) { before.add(glimpse.legs); });
+  MotorStop stop = rig.drive(0.3, MeasuringRig::no_counts, [&](const Glimpse& glimpse) { before.add(glimpse.legs); });
   if (stop != MotorStop::none) return stop;
   stop = rig.drive(
       0.7,
@@ -70,10 +53,9 @@ std::vector<Finding> measure_motor_signs(MeasuringRig& rig) {
   calibration.motor_of_leg = legs_in_order;
   rig.use(calibration);
   std::array<MotorPulse, 3> pulses;
-  const Deed hold{.kind = Deed::Kind::hold_button, .place = middle};
   for (std::size_t number = 0; number < pulses.size(); ++number) {
     const bool is_done = rig.with_button(
-        hold,
+        {.kind = Deed::Kind::hold_button},
         fmt::format(
             "Motor {} of 3. Hold the handle loosely in the middle of its space and keep a button of the grip "
             "down. After Enter the motor pushes with less than 2 N for a second; letting go of the button turns "
@@ -107,7 +89,7 @@ std::vector<Finding> measure_motor_signs(MeasuringRig& rig) {
   }
   calibration.motor_of_leg = wiring.motor_of_leg;
   rig.use(calibration);
-  finding.state = wiring.motor_of_leg == legs_in_order ? Finding::State::as_assumed : Finding::State::differs;
+  finding.state = Finding::as_assumed_if(wiring.motor_of_leg == legs_in_order);
   finding.sentence = fmt::format(
       "The motors of legs 1, 2, 3 are the numbers {} of a command (a minus: it pushes the other "
       "way).",
@@ -121,7 +103,7 @@ namespace {
 
 // Where the motors carry the handle. At the second the motor of leg 2, which has little to carry in the middle, has
 // more.
-constexpr std::array places{middle, Vector<3>{-0.03, -0.025, 0.138}};
+constexpr std::array places{workspace_center, Vector<3>{-0.03, -0.025, 0.138}};
 
 // Slowly up and down through the place: friction is then the same both ways, and of opposite sign.
 constexpr double sweep_reach = 0.006;   // [m]
@@ -178,28 +160,27 @@ MotorStop take_hold(MeasuringRig& rig, const Vector<3>& place, HoldTaken& taken)
   if (taken.is_carried) {
     Mean up;
     Mean down;
-    // From the middle up, down, up again; +1 on the way up.
-    const auto height_at = [](double time_s, double& sense) {
+    // From the middle up, down, up again: how high, and whether it is on its way up.
+    const auto sweep_at = [](double time_s) {
       const double turn = std::fmod(time_s / sweep_period_s, 1.0);
-      sense = turn < 0.25 || turn >= 0.75 ? 1.0 : -1.0;
-      return turn < 0.25 ? 4.0 * turn : turn < 0.75 ? 2.0 - 4.0 * turn : 4.0 * turn - 4.0;
+      return std::pair(turn < 0.25   ? 4.0 * turn
+                       : turn < 0.75 ? 2.0 - 4.0 * turn
+                                     : 4.0 * turn - 4.0,
+                       turn < 0.25 || turn >= 0.75);
     };
     stop = rig.drive(
         sweeps * sweep_period_s,
         [&](const Glimpse& glimpse) {
-          double sense = 0.0;
-          const double height = height_at(glimpse.time_s, sense);
-          return holder.counts(glimpse, place + Vector<3>(0.0, sweep_reach * height, 0.0));
+          return holder.counts(glimpse, place + Vector<3>(0.0, sweep_reach * sweep_at(glimpse.time_s).first, 0.0));
         },
         [&](const Glimpse& glimpse) {
-          double sense = 0.0;
-          const double height = height_at(glimpse.time_s, sense);
+          const auto [height, goes_up] = sweep_at(glimpse.time_s);
           // The first quarter begins at rest.
           if (glimpse.time_s < 0.25 * sweep_period_s || std::abs(sweep_reach * height) > counted_reach) return;
           const Vector<3> strongest(smallest_published_motor_constant);
           const double force = glm::length(force_of_motor_counts(glimpse.counts, glimpse.jacobian, strongest));
           if (force > 0.98 * MeasuringRig::greatest_force) taken.is_carried = false;  // they might need more
-          (sense > 0.0 ? up : down).add(glimpse.counts);
+          (goes_up ? up : down).add(glimpse.counts);
         });
     if (stop != MotorStop::none) return stop;
     taken.hold = {.up = up.value(), .down = down.value()};
@@ -216,8 +197,8 @@ std::optional<HoldTaken> hold_at(MeasuringRig& rig, const Vector<3>& place, std:
       "Hold the handle {}{} and keep a button of the grip down. After Enter the motors take hold of it, with less than "
       "2 N. Count to two, then let go of the handle but for one fingertip that keeps the button down, and let the "
       "motors carry it for eight seconds: they move it slowly up and down. Then take it in your hand again.",
-      place == middle ? "in the middle of its space"
-                      : "3 cm to the left of the middle, 3 cm lower and 1 cm further out",
+      place == workspace_center ? "in the middle of its space"
+                                : "3 cm to the left of the middle, 3 cm lower and 1 cm further out",
       load_words);
   const bool is_done = rig.with_button({.kind = Deed::Kind::hold_button, .place = place}, words,
                                        [&] { return take_hold(rig, place, taken); });
@@ -230,15 +211,7 @@ std::string hold_words(std::string_view place, std::string_view load, const Hold
                      counts_words(hold.down));
 }
 
-std::string published_constants(const MotorConstants& found) {
-  std::string words;
-  for (const double constant : {3530.0, 6600.0, 10000.0}) {
-    if (std::abs(found.counts_per_newton_metre - constant) > found.uncertainty) continue;
-    words += fmt::format("{}{:.0f}", words.empty() ? "" : " and ", constant);
-  }
-  return words.empty() ? "none of the published numbers (3530, 6600, 10000) is within that"
-                       : fmt::format("of the published numbers, {} is within that", words);
-}
+constexpr std::array published_constants{3530.0, 6600.0, 10000.0};  // [counts per N·m]
 
 using WeightReadings = std::array<WeightReading, places.size()>;
 
@@ -247,7 +220,7 @@ std::optional<WeightReadings> take_weights(MeasuringRig& rig, double grams, std:
   const double weight = grams * kg_per_g * standard_gravity;
   WeightReadings readings;
   for (const bool has_weight : {false, true}) {
-    rig.ask({.kind = Deed::Kind::hang_weight, .place = middle, .weight = has_weight ? weight : 0.0},
+    rig.ask({.kind = Deed::Kind::hang_weight, .weight = has_weight ? weight : 0.0},
             has_weight
                 ? "Hang the weight on the grip by its thread, so that it hangs freely, and hold the handle. Enter: "
                   "go on, the motors are still off."
@@ -270,7 +243,7 @@ std::optional<WeightReadings> take_weights(MeasuringRig& rig, double grams, std:
                                  has_weight ? fmt::format("{:g} g", grams) : "nothing", taken->hold));
     }
   }
-  rig.ask({.kind = Deed::Kind::hang_weight, .place = middle, .weight = 0.0},
+  rig.ask({.kind = Deed::Kind::hang_weight, .weight = 0.0},
           "Take the weight off, and the rubber band too if there is one. Enter: go on, the motors are off.");
   return readings;
 }
@@ -311,18 +284,17 @@ std::vector<Finding> measure_motor_constant(MeasuringRig& rig) {
     return {constant, alike, friction};
   }
   FalconCalibration calibration = rig.calibration();
-  const bool is_as_assumed =
-      found.are_alike && std::abs(found.counts_per_newton_metre - measured_motor_constant) <= found.uncertainty;
-  if (!is_as_assumed) calibration.counts_per_newton_metre = std::clamp(found.counts_per_newton_metre, 1000.0, 100000.0);
+  const bool is_as_assumed = std::abs(found.counts_per_newton_metre - measured_motor_constant) <= found.uncertainty;
+  if (!is_as_assumed || !found.are_alike)
+    calibration.counts_per_newton_metre = std::clamp(found.counts_per_newton_metre, 1000.0, 100000.0);
   calibration.motor_strengths = glm::clamp(found.strengths, 0.2, 2.0);
   rig.use(calibration);
-  constant.state = std::abs(found.counts_per_newton_metre - measured_motor_constant) <= found.uncertainty
-                       ? Finding::State::as_assumed
-                       : Finding::State::differs;
-  constant.sentence =
-      fmt::format("{:.0f} ± {:.0f} counts per N·m{}; {}.", found.counts_per_newton_metre, found.uncertainty,
-                  found.are_alike ? "" : " for the strongest motor", published_constants(found));
-  alike.state = found.are_alike ? Finding::State::as_assumed : Finding::State::differs;
+  constant.state = Finding::as_assumed_if(is_as_assumed);
+  constant.sentence = fmt::format(
+      "{:.0f} ± {:.0f} counts per N·m{}; {}.", found.counts_per_newton_metre, found.uncertainty,
+      found.are_alike ? "" : " for the strongest motor",
+      published_within("numbers", published_constants, "", found.counts_per_newton_metre, found.uncertainty));
+  alike.state = Finding::as_assumed_if(found.are_alike);
   const Vector<3>& off = found.strength_uncertainties;
   alike.sentence =
       found.are_alike

@@ -25,6 +25,11 @@ class Operator {
 
   // While motors are on, and never waits: it is time for what the person has been told before.
   virtual void cue(const Deed& deed) = 0;
+
+  bool says_yes(std::string_view words) {
+    const auto line = ask({.kind = Deed::Kind::say_yes_or_no}, words);
+    return line && (line->starts_with('y') || line->starts_with('Y'));
+  }
 };
 
 }  // namespace ghostforce

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <glm/common.hpp>
 
 #include "app/console/quoted.h"
 #include "app/doctor/measure/steps.h"
@@ -16,14 +17,9 @@ namespace ghostforce {
 namespace {
 
 constexpr double mm = 1e-3;
-constexpr Vector<3> middle{0.0, 0.0, 0.125};
 
 Deed go_to(const Vector<3>& place) {
   return {.kind = Deed::Kind::go_to, .place = place};
-}
-
-std::string counts_words(const Vector<3>& counts) {
-  return fmt::format("{:.1f}, {:.1f}, {:.1f}", counts.x, counts.y, counts.z);
 }
 
 // --- Encoders ---
@@ -45,11 +41,11 @@ EncoderWiring take_wiring(MeasuringRig& rig, std::vector<std::string>& readings)
   for (std::size_t i = 0; i < moves.size(); ++i) {
     const Direction& direction = directions[i];
     moves[i].direction = direction.direction;
-    moves[i].from = rig.read_still_at(go_to(middle),
+    moves[i].from = rig.read_still_at(go_to(workspace_center),
                                       "Bring the handle to the middle of its space and hold it still. Enter: "
                                       "the encoders are read.");
     moves[i].to =
-        rig.read_still_at(go_to(middle + 0.03 * direction.direction),
+        rig.read_still_at(go_to(workspace_center + 0.03 * direction.direction),
                           fmt::format("{} and hold it still there. Enter: they are read again.", direction.words));
     readings.push_back(fmt::format("3 cm {}: encoders from {} to {} counts", direction.short_words,
                                    counts_words(moves[i].from), counts_words(moves[i].to)));
@@ -90,7 +86,7 @@ std::vector<Finding> measure_encoders(MeasuringRig& rig) {
   }
   FalconCalibration calibration = rig.calibration();
   calibration.encoder_of_leg = wiring.encoder_of_leg;
-  finding.state = wiring.encoder_of_leg == legs_in_order ? Finding::State::as_assumed : Finding::State::differs;
+  finding.state = Finding::as_assumed_if(wiring.encoder_of_leg == legs_in_order);
   finding.sentence = fmt::format(
       "The encoders of legs 1, 2, 3 are the numbers {} of a reply (a minus: it counts the other "
       "way); cosine {:.3f}, the next best order {:.3f}.",
@@ -103,10 +99,7 @@ std::vector<Finding> measure_encoders(MeasuringRig& rig) {
   stop.readings.push_back(fmt::format("pushed in to the stop: encoders {} counts", counts_words(at_stop)));
   calibration.encoder_offset = offsets_at_stop(at_stop, wiring.encoder_of_leg);
   rig.use(calibration);
-  const Vector<3> legs =
-      leg_counts({static_cast<std::int16_t>(std::lround(at_stop.x)), static_cast<std::int16_t>(std::lround(at_stop.y)),
-                  static_cast<std::int16_t>(std::lround(at_stop.z))},
-                 calibration);
+  const Vector<3> legs = leg_counts(glm::round(at_stop), calibration);
   const double spread = std::max({legs.x, legs.y, legs.z}) - std::min({legs.x, legs.y, legs.z});
   const bool is_reversed = std::ranges::any_of(wiring.encoder_of_leg, [](int number) { return number < 0; });
   if (spread > crooked_counts) {
@@ -163,19 +156,10 @@ constexpr std::array ruler_moves{
               "Pull it about 6 cm straight out, along the ruler."},
 };
 
+constexpr std::array published_angles{35.0, 40.0, 50.0};  // at count zero [°]
+
 constexpr double degrees(double radians) {
   return radians / radians_per_degree;
-}
-
-Vector<3> legs_of(const Vector<3>& encoders, const FalconCalibration& calibration) {
-  Vector<3> legs;
-  for (std::size_t leg = 0; leg < 3; ++leg) {
-    const std::int8_t number = calibration.encoder_of_leg[leg];
-    const std::size_t place = place_in_frame(number);
-    legs[static_cast<glm::length_t>(leg)] =
-        sign_of(number) * (encoders[static_cast<glm::length_t>(place)] + calibration.encoder_offset[place]);
-  }
-  return legs;
 }
 
 std::string fit_words(const RulerFit& fit) {
@@ -183,17 +167,6 @@ std::string fit_words(const RulerFit& fit) {
   return fmt::format("{}: {:.1f} ± {:.1f}° at count zero, gear {:.3f} ± {:.3f}, {:.2f} mm off the ruler on average",
                      fit.preset->name, degrees(fit.angle_at_zero_count), degrees(fit.angle_uncertainty), fit.gear_ratio,
                      fit.gear_uncertainty, fit.misfit / mm);
-}
-
-// Of 35, 40 and 50 degrees.
-std::string published_angles(const RulerFit& fit) {
-  std::string words;
-  for (const double angle : {35.0, 40.0, 50.0}) {
-    if (std::abs(degrees(fit.angle_at_zero_count) - angle) > degrees(fit.angle_uncertainty)) continue;
-    words += fmt::format("{}{:.0f}°", words.empty() ? "" : " and ", angle);
-  }
-  return words.empty() ? "none of the published angles (35°, 40°, 50°) is within that"
-                       : fmt::format("of the published angles, {} is within that", words);
 }
 
 }  // namespace
@@ -206,11 +179,11 @@ std::vector<Finding> measure_lengths(MeasuringRig& rig) {
   for (const RulerMove& move : ruler_moves) {
     RulerReading reading;
     const FalconCalibration& calibration = rig.calibration();
-    reading.from =
-        legs_of(rig.read_still_at(go_to(move.from),
-                                  fmt::format("{} Note the ruler's mark. Enter: the encoders are read.", move.begin)),
-                calibration);
-    reading.to = legs_of(
+    reading.from = leg_counts(
+        rig.read_still_at(go_to(move.from),
+                          fmt::format("{} Note the ruler's mark. Enter: the encoders are read.", move.begin)),
+        calibration);
+    reading.to = leg_counts(
         rig.read_still_at(go_to(move.to), fmt::format("{} Hold it there. Enter: they are read again.", move.move)),
         calibration);
     reading.distance = mm * rig.ask_number({.kind = Deed::Kind::say_distance},
@@ -244,18 +217,17 @@ std::vector<Finding> measure_lengths(MeasuringRig& rig) {
   if (fit.has_gear) calibration.geometry.gear_ratio = fit.gear_ratio;
   rig.use(calibration);
 
-  angle.state = std::abs(fit.angle_at_zero_count - assumed.geometry.angle_at_zero_count) <= fit.angle_uncertainty
-                    ? Finding::State::as_assumed
-                    : Finding::State::differs;
-  angle.sentence = fmt::format("{:.1f} ± {:.1f}°; {}.", degrees(fit.angle_at_zero_count),
-                               degrees(fit.angle_uncertainty), published_angles(fit));
-  gear.state = std::abs(fit.gear_ratio - assumed.geometry.gear_ratio) <= fit.gear_uncertainty
-                   ? Finding::State::as_assumed
-                   : Finding::State::differs;
+  angle.state = Finding::as_assumed_if(std::abs(fit.angle_at_zero_count - assumed.geometry.angle_at_zero_count) <=
+                                       fit.angle_uncertainty);
+  angle.sentence =
+      fmt::format("{:.1f} ± {:.1f}°; {}.", degrees(fit.angle_at_zero_count), degrees(fit.angle_uncertainty),
+                  published_within("angles", published_angles, "°", degrees(fit.angle_at_zero_count),
+                                   degrees(fit.angle_uncertainty)));
+  gear.state = Finding::as_assumed_if(std::abs(fit.gear_ratio - assumed.geometry.gear_ratio) <= fit.gear_uncertainty);
   gear.sentence = fit.has_gear ? fmt::format("{:.3f} ± {:.3f}.", fit.gear_ratio, fit.gear_uncertainty)
                                : fmt::format("{:.3f}, as published with these lengths, fits within ± {:.3f}.",
                                              fit.gear_ratio, fit.gear_uncertainty);
-  lengths.state = fit.preset == &assumed ? Finding::State::as_assumed : Finding::State::differs;
+  lengths.state = Finding::as_assumed_if(fit.preset == &assumed);
   lengths.sentence = verdict.rivals.empty()
                          ? fmt::format("Only \"{}\" goes with the ruler.", fit.preset->name)
                          : fmt::format(

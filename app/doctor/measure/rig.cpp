@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <glm/geometric.hpp>
 
 #include "app/console/failure.h"
@@ -46,25 +48,33 @@ std::optional<double> number_in(std::string text) {
   return value;
 }
 
-std::string_view words_of(MotorStop stop) {
-  switch (stop) {
-    case MotorStop::none:
-      return {};
-    case MotorStop::released:
-      return "The button was let go of, so the motors are off. This step begins again.";
-    case MotorStop::too_fast:
-      return "The handle moved faster than 0.3 m/s, so the motors are off. Hold it more firmly; this step begins "
-             "again.";
-    case MotorStop::left_workspace:
-      return "The handle left the middle of its workspace, so the motors are off. This step begins again.";
-    case MotorStop::no_reply:
-      return "The device left a command unanswered for 20 ms, so the motors are off. Close what keeps this machine "
-             "busy; this step begins again.";
-  }
-  return {};
-}
+// In the order of MotorStop.
+constexpr std::array<std::string_view, 5> stop_words{
+    "",
+    "The button was let go of, so the motors are off. This step begins again.",
+    "The handle moved faster than 0.3 m/s, so the motors are off. Hold it more firmly; this step begins again.",
+    "The handle left the middle of its workspace, so the motors are off. This step begins again.",
+    "The device left a command unanswered for 20 ms, so the motors are off. Close what keeps this machine busy; this "
+    "step begins again.",
+};
 
 }  // namespace
+
+std::string counts_words(const Vector<3>& counts) {
+  return fmt::format("{:.1f}, {:.1f}, {:.1f}", counts.x, counts.y, counts.z);
+}
+
+std::string published_within(std::string_view what, std::span<const double> published, std::string_view unit,
+                             double found, double uncertainty) {
+  std::vector<std::string> all;
+  std::vector<std::string> within;
+  for (const double value : published) {
+    all.push_back(fmt::format("{:.0f}{}", value, unit));
+    if (std::abs(found - value) <= uncertainty) within.push_back(all.back());
+  }
+  return within.empty() ? fmt::format("none of the published {} ({}) is within that", what, fmt::join(all, ", "))
+                        : fmt::format("of the published {}, {} is within that", what, fmt::join(within, " and "));
+}
 
 MeasuringRig::MeasuringRig(Operator& person, FalconLink& link, const FalconCalibration& calibration)
     : person_(person), bench_(link), calibration_(calibration), kinematics_(calibration.geometry) {}
@@ -110,27 +120,23 @@ Vector<3> MeasuringRig::read_still_at(const Deed& deed, const std::string& words
     ask(deed, words);
     Vector<3> least(0.0);
     Vector<3> greatest(0.0);
-    Vector<3> sum(0.0);
-    int count = 0;
+    Mean mean;
     double since_s = -1.0;
     const double deadline_s = bench_.now_s() + still_patience_s;
     while (bench_.now_s() < deadline_s) {
-      const ReplyFrame reply = look();
-      const Vector<3> now(reply.encoders[0], reply.encoders[1], reply.encoders[2]);
+      const Vector<3> now = vector_of(look().encoders);
       least = glm::min(least, now);
       greatest = glm::max(greatest, now);
       const Vector<3> spread = greatest - least;
       if (since_s < 0.0 || std::max({spread.x, spread.y, spread.z}) > still_counts) {
         least = greatest = now;
-        sum = Vector<3>(0.0);
-        count = 0;
+        mean = {};
         since_s = bench_.now_s();
       }
       const double held_s = bench_.now_s() - since_s;
       if (held_s < still_s - reading_s) continue;
-      sum += now;
-      ++count;
-      if (held_s >= still_s) return sum / static_cast<double>(count);
+      mean.add(now);
+      if (held_s >= still_s) return mean.value();
     }
     person_.tell("The handle did not stay still. Rest your arm on the table and hold the handle there.");
   }
@@ -180,7 +186,7 @@ void MeasuringRig::rest(double seconds) {
 MotorStop MeasuringRig::see(const ReplyFrame& reply, Glimpse& glimpse) {
   if ((reply.status & 0x0F) == 0) return MotorStop::released;
   const Vector<3> start = place_count_ > 0 ? last_.position : cold_start;
-  glimpse.legs = leg_counts(reply.encoders, calibration_);
+  glimpse.legs = leg_counts(vector_of(reply.encoders), calibration_);
   const ForwardKinematics found = kinematics_.position(angles_of_counts(glimpse.legs, calibration_.geometry), start);
   const auto jacobian = kinematics_.jacobian(found.position);
   if (!found.has_converged || !jacobian || std::hypot(found.position.x, found.position.y) > widest ||
@@ -244,8 +250,7 @@ MotorStop MeasuringRig::be_silent(double seconds, const Watch& after) {
   }
   sent_ = Vector<3>(0.0);
   place_count_ = 0;  // a speed across the silence would be none
-  return drive(
-      0.0, [](const Glimpse&) { return Vector<3>(0.0); }, after);
+  return drive(0.0, no_counts, after);
 }
 
 void MeasuringRig::turn_off() {
@@ -277,7 +282,7 @@ bool MeasuringRig::with_button(const Deed& deed, const std::string& words, const
       stop = what();
       turn_off();
       if (stop == MotorStop::none) return true;
-      person_.tell(words_of(stop));
+      person_.tell(stop_words[static_cast<std::size_t>(stop)]);
     } else {
       person_.tell(
           "For 20 s no button of the grip was held down with the handle still and near where it should be. Go "

@@ -12,13 +12,34 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "app/doctor/measure/operator.h"
 #include "device/falcon/calibration.h"
 #include "device/falcon_measurement/bench.h"
 
 namespace ghostforce {
+
+// Three numbers of counts, for a reading.
+std::string counts_words(const Vector<3>& counts);
+
+// For a finding's sentence: which of the published values, "angles" or the like, what was found may be.
+std::string published_within(std::string_view what, std::span<const double> published, std::string_view unit,
+                             double found, double uncertainty);
+
+// The mean of something over a while.
+struct Mean {
+  Vector<3> sum{0.0};
+  int count = 0;
+
+  void add(const Vector<3>& value) {
+    sum += value;
+    ++count;
+  }
+  Vector<3> value() const { return count > 0 ? sum / static_cast<double>(count) : Vector<3>(0.0); }
+};
 
 struct LeaveMeasurement {};  // the person has typed q
 struct SkipMeasurement {};   // s
@@ -44,6 +65,7 @@ class MeasuringRig {
 
   using Law = std::function<Vector<3>(const Glimpse&)>;  // the motor counts to drive each leg with
   using Watch = std::function<void(const Glimpse&)>;
+  static Vector<3> no_counts(const Glimpse& /*glimpse*/) noexcept { return Vector<3>(0.0); }
 
   MeasuringRig(Operator& person, FalconLink& link, const FalconCalibration& calibration);
 

@@ -18,13 +18,9 @@ constexpr std::size_t widest_line = 78;
 
 // Broken between words; what begins with spaces goes on with as many.
 std::string wrapped(std::string_view words) {
-  std::string text;
   const std::size_t begin = std::min(words.find_first_not_of("\n "), words.size());
-  const std::string indent(words.substr(0, begin).find_last_of('\n') == std::string_view::npos
-                               ? begin
-                               : begin - words.substr(0, begin).find_last_of('\n') - 1,
-                           ' ');
-  text = words.substr(0, begin);
+  std::string text(words.substr(0, begin));
+  const std::string indent(begin - (text.find_last_of('\n') + 1), ' ');  // after no line's end: npos + 1 is 0
   std::size_t column = indent.size();
   for (std::size_t at = begin; at < words.size();) {
     const std::size_t end = std::min(words.find(' ', at), words.size());

@@ -48,7 +48,7 @@ TEST(FalconCalibrationFile, SaysEverything) {
       "angle_at_zero_count_deg = 50.0\nencoder_offset_counts = [1, -2, 3]\ncenter_mm = [1, -2.5, 110]\n"
       "right_axis = \"-z\"\nup_axis = \"-x\"\nscale = 2\ngear_ratio = 7.5\nmotor_strengths = [1, 0.6, 2]\n"
       "motor_of_leg = [1, -3, 2]\nencoder_of_leg = [-2, 1, 3]\n");
-  FalconGeometry geometry = find_geometry("martin-hillier")->geometry;
+  FalconGeometry geometry = geometry_catalog()[2].geometry;
   geometry.angle_at_zero_count = 50.0 * radians_per_degree;
   geometry.gear_ratio = 7.5;
   EXPECT_EQ(calibration.serial.text(), "12PZ657E");
@@ -140,7 +140,7 @@ TEST_F(FalconCalibrationFolderTest, IsEmptyAtFirst) {
 
 TEST_F(FalconCalibrationFolderTest, ReadsBackWhatItWrote) {
   FalconCalibration written = calibration_of("FTPNM0FB");
-  written.geometry = find_geometry("libnifalcon-2008")->geometry;
+  written.geometry = geometry_catalog()[1].geometry;
   written.geometry.angle_at_zero_count = 41.25 * radians_per_degree;
   written.geometry.gear_ratio = 7.9;
   written.motor_strengths = {1.0, 0.75, 0.5};

@@ -146,7 +146,7 @@ TEST_F(SessionTest, ADroppedFileIsOpened) {
   scene.title = "Dropped";
   session().scene = std::make_shared<const Scene>(scene);
   session().settings = scene.settings;
-  save_scene(session(), folder / "dropped.toml");
+  write_whole(folder / "dropped.toml", scene_text(scene_as_seen(session())));
   open({});
   drop({(folder / "dropped.toml").c_str()});
   EXPECT_EQ(session().scene->title, "Dropped");

@@ -47,7 +47,7 @@ TEST(FalconCalibration, LegsTakeTheirNumbersFromWhereTheyAre) {
   FalconCalibration calibration;
   calibration.encoder_of_leg = {3, -1, 2};
   calibration.encoder_offset = {1000, 0, 7};
-  EXPECT_EQ(leg_counts({10, 20, 30}, calibration), Vector<3>(37.0, -1010.0, 20.0));
+  EXPECT_EQ(leg_counts({10.0, 20.0, 30.0}, calibration), Vector<3>(37.0, -1010.0, 20.0));
   EXPECT_EQ(in_frame_order({100, 200, 300}, {3, -1, 2}), (MotorNumbers{-200, 300, 100}));
 }
 

@@ -6,10 +6,19 @@
 #include <optional>
 
 #include "core/conventions.h"
-#include "device/falcon/geometry.h"
+#include "device/falcon/kinematics.h"
 #include "tests/core/random_setting.h"
 
 namespace ghostforce {
+
+// With three motors that are alike.
+inline MotorCommand motor_counts(const Vector<3>& force, const Matrix<3>& jacobian, double motor_constant) noexcept {
+  return motor_counts(force, jacobian, Vector<3>(motor_constant));
+}
+inline Vector<3> force_of_motor_counts(const MotorNumbers& counts, const Matrix<3>& jacobian,
+                                       double motor_constant) noexcept {
+  return force_of_motor_counts(vector_of(counts), jacobian, Vector<3>(motor_constant));
+}
 
 inline std::optional<Vector<3>> reference_angles(const Vector<3>& p, const FalconGeometry& g) {
   Vector<3> angles;

@@ -49,7 +49,7 @@ TEST(Ruler, FindsWhatTheDeviceIs) {
     for (const double gear : {7.719, 7.4, 8.1}) {
       const FalconGeometry truth = geometry_with(degrees, gear);
       if (degrees < 0.0 && gear != 7.719) continue;
-      const RulerFit fit = fit_rulers(readings_of(truth, 0.0, random), true).front();
+      const RulerFit fit = fit_ruler(readings_of(truth, 0.0, random), geometry_catalog().front(), true);
       ASSERT_TRUE(fit.is_found);
       EXPECT_NEAR(fit.angle_at_zero_count, truth.angle_at_zero_count, 1e-6);
       EXPECT_NEAR(fit.gear_ratio, gear, 1e-5);
@@ -65,7 +65,8 @@ TEST(Ruler, IsAsUncertainAsItSays) {
   int angles_within = 0;
   int gears_within = 0;
   for (int i = 0; i < 100; ++i) {
-    const RulerFit fit = fit_rulers(readings_of(truth, 0.5 * ruler_uncertainty, random), true).front();
+    const RulerFit fit =
+        fit_ruler(readings_of(truth, 0.5 * ruler_uncertainty, random), geometry_catalog().front(), true);
     angles_within += std::abs(fit.angle_at_zero_count - truth.angle_at_zero_count) <= fit.angle_uncertainty ? 1 : 0;
     gears_within += std::abs(fit.gear_ratio - truth.gear_ratio) <= fit.gear_uncertainty ? 1 : 0;
     EXPECT_LT(fit.angle_uncertainty, 2.0 * radians_per_degree);
@@ -79,10 +80,13 @@ TEST(Ruler, TakesWhatWasAssumedWhileTheRulerAllowsIt) {
   std::mt19937 random{3};
   const GeometryPreset& assumed = geometry_catalog().front();
   const RulerVerdict good = judge_rulers(readings_of(FalconGeometry{}, 0.0, random), assumed);
-  EXPECT_TRUE(good.is_as_assumed);
+  EXPECT_TRUE(good.is_consistent);
+  EXPECT_EQ(good.fit.preset, &assumed);
+  EXPECT_NEAR(good.fit.angle_at_zero_count, assumed.geometry.angle_at_zero_count, good.fit.angle_uncertainty);
   EXPECT_FALSE(good.fit.has_gear);
   const RulerVerdict turned = judge_rulers(readings_of(geometry_with(40.0, 110.0 / 14.25), 0.0, random), assumed);
-  EXPECT_FALSE(turned.is_as_assumed);
+  EXPECT_GT(std::abs(turned.fit.angle_at_zero_count - assumed.geometry.angle_at_zero_count),
+            turned.fit.angle_uncertainty);
   EXPECT_TRUE(turned.is_consistent);
   EXPECT_FALSE(turned.fit.has_gear);
   EXPECT_NEAR(turned.fit.angle_at_zero_count, 40.0 * radians_per_degree, 1e-6);

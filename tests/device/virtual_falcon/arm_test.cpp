@@ -58,7 +58,7 @@ TEST(SimulatedArm, RestsWhereTheForcesBalance) {
     rest(arm, motors, goal, stiffness);
     const auto jacobian = kinematics.jacobian(arm.position());
     ASSERT_TRUE(jacobian);
-    const Vector<3> force = force_of_motor_counts(motors, *jacobian, 6600.0);
+    const Vector<3> force = force_of_motor_counts(vector_of(motors), *jacobian, Vector<3>(6600.0));
     EXPECT_GT(glm::length(force), 0.5);
     // Far below one count, which is some 15 µm.
     EXPECT_LT(glm::length(goal + force / stiffness - arm.position()), 1e-7);
