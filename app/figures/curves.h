@@ -2,7 +2,6 @@
 // Pure, any thread.
 #pragma once
 
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>

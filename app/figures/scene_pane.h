@@ -2,7 +2,6 @@
 // where they cover neither each other nor points, and lines as little as can be. Pure, any thread.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>

@@ -4,7 +4,6 @@
 
 #include "app/ui/plots/equilibrium_plots.h"
 #include "app/ui/plots/time_plots.h"
-#include "app/ui/widgets/controls.h"
 
 namespace ghostforce {
 namespace {
