@@ -2,7 +2,6 @@
 // without a special case. Pure, never allocates or throws, any thread.
 #pragma once
 
-
 #include <glm/geometric.hpp>
 
 #include "core/coupling.h"

@@ -63,6 +63,5 @@ Pane scene_pane(const ScenePicture& picture, const Place& place, const Vector<2>
 Spot goal_spot(const Vector<2>& at, std::string name, std::string subscript = {});
 Spot device_spot(StrategyId id, const Vector<2>& at, std::string name, std::string subscript = {});
 Trail device_trail(StrategyId id, std::vector<Vector<2>> points);
-LegendEntry goal_entry(std::string name);
 
 }  // namespace ghostforce
