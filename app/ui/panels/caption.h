@@ -1,7 +1,6 @@
 // The caption above the scene: what there is to see now, in a sentence; for a newcomer the hints.
 #pragma once
 
-
 #include "app/ui/widgets/panel_context.h"
 
 namespace ghostforce {

@@ -13,8 +13,8 @@
 
 #include <gtest/gtest.h>
 
-#include "app/paint/label_painter.h"
 #include "app/paint/gl_painter.h"
+#include "app/paint/label_painter.h"
 #include "app/paint/vector/vector_painter.h"
 #include "app/ui/window.h"
 #include "tests/app/paint/vector/vector_panes.h"
