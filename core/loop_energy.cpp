@@ -15,14 +15,14 @@ double period_of(const Circle& circle) noexcept {
   return 1.0 / std::abs(circle.turns_per_second);
 }
 
+}  // namespace
+
 double predicted_energy(const Strategy& entry, const Settings& settings, double area) noexcept {
   if (entry.has_every_motor) return 0.0;
   const Stiffnesses& k = settings.stiffnesses;
   return energy_per_loop(k.k_r, k.k_t, k.k_c, entry.tracking_ratio(k),
                          settings.actuated_angle - settings.wall_normal_angle, area);
 }
-
-}  // namespace
 
 void CircleEnergyMeter::start(const Settings& settings, const Circle& circle) noexcept {
   *this = {};

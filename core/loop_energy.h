@@ -5,7 +5,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -55,6 +54,9 @@ inline Circle circle_inside(const Wall<2>& wall, const Vector<2>& near, const Ci
   return circle;
 }
 
+// By energy_per_loop(), of a strategy whose device goes round such an area; 0 where it has every motor [J].
+double predicted_energy(const Strategy& strategy, const Settings& settings, double area) noexcept;
+
 // One loop of a device, as it was measured.
 struct MeasuredLoop {
   double area = 0.0;    // S, counter-clockwise + [m²]
@@ -91,7 +93,7 @@ class LoopEnergyMeter {
 struct CircleEnergy {
   MeasuredLoop last;
   MeasuredLoop mean;
-  double predicted = 0.0;    // by energy_per_loop(), for the mean area [J]
+  double predicted = 0.0;    // predicted_energy() for the mean area [J]
   bool stays_inside = true;  // the device was in contact all the way; if not, the formula does not hold
 };
 

@@ -2,8 +2,6 @@
 // without a special case. Pure, never allocates or throws, any thread.
 #pragma once
 
-#include <cmath>
-
 #include <glm/geometric.hpp>
 
 #include "core/coupling.h"

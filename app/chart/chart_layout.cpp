@@ -60,12 +60,20 @@ Range range_of(const Chart& chart, glm::length_t component) {
 class Arrangement {
  public:
   Arrangement(const Chart& chart, const Vector<2>& size, double unit, const MeasureText& measure)
-      : chart_(chart), unit_(unit), measure_(measure), size_(size) {}
+      : chart_(chart), unit_(unit), measure_(measure), size_(size) {
+    for (std::size_t i = 0; i < chart.series.size(); ++i) {
+      if (chart.series[i].name.empty()) continue;
+      std::string name =
+          shortened(chart.series[i].name, size.x - 2.0 * points(margin + padding) - name_left(), TextSize::small);
+      const double width = name_left() + width_of(name);
+      named_.push_back({i, std::move(name), width, {}});
+    }
+  }
 
   std::optional<ChartLayout> make() {
     for (const Legend where : {Legend::inside, Legend::right, Legend::below}) {
       divide(where);
-      if (!has_legend() || find_place_for_legend(where)) break;
+      if (named_.empty() || find_place_for_legend(where)) break;
     }
     if (!(plot_.extent().x >= points(least_plot) && plot_.extent().y >= points(least_plot))) return {};
     ChartLayout layout;
@@ -81,6 +89,12 @@ class Arrangement {
 
  private:
   enum class Legend : std::uint8_t { inside, right, below };
+  struct Entry {  // of the legend
+    std::size_t series;
+    std::string name;
+    double width;
+    Vector<2> upper_left;
+  };
 
   double points(double size) const { return size * unit_; }
   double height_of(TextSize size) const { return points(text_height(size)); }
@@ -215,49 +229,34 @@ class Arrangement {
 
   // ---- Legend -------------------------------------------------------------------------------------------------------
 
-  bool has_legend() const {
-    return std::ranges::any_of(chart_.series, [](const Series& series) { return !series.name.empty(); });
-  }
-
   double row_height() const { return 1.3 * height_of(TextSize::small); }
   double name_left() const { return points(sample_length + 7.0); }
-  std::string name_of(const Series& series) const {
-    return shortened(series.name, size_.x - 2.0 * points(margin + padding) - name_left(), TextSize::small);
-  }
 
   Vector<2> column_extent() const {
     Vector<2> extent(0.0);
-    for (const Series& series : chart_.series) {
-      if (series.name.empty()) continue;
-      extent = {std::max(extent.x, name_left() + width_of(name_of(series))), extent.y + row_height()};
-    }
+    for (const Entry& entry : named_) extent = {std::max(extent.x, entry.width), extent.y + row_height()};
     return extent + Vector<2>(2.0 * points(padding));
   }
 
   // Entries in a column.
   void stack_legend(const Vector<2>& corner) {
     legend_ = {corner, corner + column_extent()};
-    entries_.clear();
     Vector<2> at = corner + Vector<2>(points(padding));
-    for (const Series& series : chart_.series) {
-      if (series.name.empty()) continue;
-      entries_.push_back(at);
+    for (Entry& entry : named_) {
+      entry.upper_left = at;
       at.y += row_height();
     }
   }
 
   // Entries in rows, as many side by side as have room.
   void flow_legend(const Vector<2>& corner, double room) {
-    entries_.clear();
     Vector<2> at = corner;
-    for (const Series& series : chart_.series) {
-      if (series.name.empty()) continue;
-      const double width = name_left() + width_of(name_of(series));
-      if (at.x > corner.x && at.x + width > corner.x + room) at = {corner.x, at.y + row_height()};
-      entries_.push_back(at);
-      at.x += width + points(18.0);
+    for (Entry& entry : named_) {
+      if (at.x > corner.x && at.x + entry.width > corner.x + room) at = {corner.x, at.y + row_height()};
+      entry.upper_left = at;
+      at.x += entry.width + points(18.0);
     }
-    legend_ = {corner, {corner.x + room, at.y + (entries_.empty() ? 0.0 : row_height())}};
+    legend_ = {corner, {corner.x + room, at.y + row_height()}};
   }
 
   bool find_place_for_legend(Legend where) {
@@ -301,15 +300,11 @@ class Arrangement {
   }
 
   void place_legend(ChartLayout& layout) const {
-    std::size_t entry = 0;
-    for (std::size_t i = 0; i < chart_.series.size(); ++i) {
-      if (chart_.series[i].name.empty()) continue;
-      const Vector<2> at = entries_[entry++];
+    for (const auto& [series, name, width, at] : named_) {
       const Vector<2> middle = at + Vector<2>(0.0, 0.5 * row_height());
-      layout.legend.push_back({i,
+      layout.legend.push_back({series,
                                {middle, middle + Vector<2>(points(sample_length), 0.0)},
-                               {at + Vector<2>(name_left(), 0.5 * (row_height() - height_of(TextSize::small))),
-                                name_of(chart_.series[i])}});
+                               {at + Vector<2>(name_left(), 0.5 * (row_height() - height_of(TextSize::small))), name}});
     }
   }
 
@@ -357,7 +352,7 @@ class Arrangement {
 
   void place_references(ChartLayout& layout) {
     words_.clear();
-    if (!entries_.empty()) words_.push_back(legend_);
+    if (!named_.empty()) words_.push_back(legend_);
     for (std::size_t i = 0; i < chart_.references.size(); ++i) {
       const Reference& reference = chart_.references[i];
       const ScreenPiece piece = line_of(reference);
@@ -432,7 +427,7 @@ class Arrangement {
   std::vector<ChartLayout::VisibleSeries> series_;
   std::vector<ScreenBox> words_;  // of references, and the legend
   ScreenBox legend_;
-  std::vector<Vector<2>> entries_;  // upper left of each, in the legend
+  std::vector<Entry> named_;
 };
 
 }  // namespace

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "app/chart/chart.h"
-#include "app/chart/screen_box.h"
+#include "app/view/screen_box.h"
 #include "app/view/view.h"
 
 namespace ghostforce {

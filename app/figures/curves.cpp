@@ -31,11 +31,15 @@ CsvTable table_of(const Curves& curves, const std::string& x_name, const std::st
   return table;
 }
 
-std::string goal_comment(double depth_m) {
+Vector<2> goal_behind(const Wall<2>& wall) {
+  return wall.point - curve_goal_depth * wall.normal;
+}
+
+std::string goal_comment() {
   return fmt::format(
       "goal_depth_mm={:g}: the goal is that deep behind wall.point_mm, along the normal; simulated, it comes from {:g} "
       "mm outside in {:g} s by minimum jerk, and the row is of {:g} s.",
-      mm_per_m * depth_m, mm_per_m * outside, way_s, until_s);
+      mm_per_m * curve_goal_depth, mm_per_m * outside, way_s, until_s);
 }
 
 void add_series(const Curves& curves, std::string_view panel, std::string_view series, const Series& style,
@@ -51,6 +55,11 @@ void add_series(const Curves& curves, std::string_view panel, std::string_view s
   }
   chart.series.push_back(std::move(curve));
   chart.series.push_back(std::move(points));
+}
+
+Settings with_ratio(Settings settings, double ratio) {
+  settings.stiffnesses.chosen_tracking_ratio = ratio;
+  return settings;
 }
 
 Series style_of(StrategyId id) {

@@ -2,7 +2,6 @@
 // Pure, any thread.
 #pragma once
 
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,12 +26,17 @@ using Curves = std::vector<CurvePoint>;
 // `x_name` and `y_name` with their units, as columns.
 CsvTable table_of(const Curves& curves, const std::string& x_name, const std::string& y_name);
 
-// Where the goal of a curve's points is, which is none of the scene's.
-std::string goal_comment(double depth_m);
+// The goal of a curve's points, which is none of the scene's: so deep behind the wall's point, along the normal. And
+// what a table says of it.
+inline constexpr double curve_goal_depth = 0.020;  // d [m]
+Vector<2> goal_behind(const Wall<2>& wall);
+std::string goal_comment();
 
 // The curve and, as another series without a name, its points.
 void add_series(const Curves& curves, std::string_view panel, std::string_view series, const Series& style,
                 Chart& chart);
+
+Settings with_ratio(Settings settings, double ratio);
 
 // A strategy's line and shape, and its letter and title as a name.
 Series style_of(StrategyId id);

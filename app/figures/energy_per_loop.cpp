@@ -8,13 +8,9 @@
 
 #include <fmt/format.h>
 
-#include "app/chart/chart.h"
-#include "app/chart/chart_pane.h"
 #include "app/figures/curves.h"
 #include "app/figures/sheet.h"
 #include "app/files/scene_file.h"
-#include "app/paint/vector/vector_painter.h"
-#include "core/energy.h"
 #include "core/loop_energy.h"
 
 namespace ghostforce {
@@ -33,11 +29,6 @@ Circle circle_in(const Settings& settings, bool is_counter_clockwise) {
           .turns_per_second = is_counter_clockwise ? turns_per_second : -turns_per_second};
 }
 
-Settings with_ratio(Settings settings, double ratio) {
-  settings.stiffnesses.chosen_tracking_ratio = ratio;
-  return settings;
-}
-
 // At rest the device is a linear function of the goal: its loop has the circle's area times the function's determinant.
 double area_at_equilibrium(const Settings& settings, StrategyId id, const Circle& circle) {
   const auto device = [&](const Vector<2>& goal) { return equilibrium_of(id, settings, goal).device; };
@@ -46,13 +37,6 @@ double area_at_equilibrium(const Settings& settings, StrategyId id, const Circle
   const Vector<2> y = device(circle.center + Vector<2>(0.0, circle.radius)) - origin;
   const double sense = circle.turns_per_second > 0.0 ? 1.0 : -1.0;
   return sense * std::numbers::pi * (x.x * y.y - x.y * y.x);
-}
-
-double formula(const Settings& settings, StrategyId id, double area) {
-  if (strategy(id).has_every_motor) return 0.0;
-  const Stiffnesses& k = settings.stiffnesses;
-  return energy_per_loop(k.k_r, k.k_t, k.k_c, strategy(id).tracking_ratio(k),
-                         settings.actuated_angle - settings.wall_normal_angle, area);
 }
 
 // The second lap: on the first one the device still comes from where it started.
@@ -72,7 +56,7 @@ MeasuredLoop measured_loop(const Settings& settings, StrategyId id, const Circle
 
 void add_formula(const Settings& settings, StrategyId id, double ratio, bool sense, std::vector<EnergyOfLoop>& loops) {
   const double area = area_at_equilibrium(settings, id, circle_in(settings, sense));
-  loops.push_back({id, ratio, sense, false, area, formula(settings, id, area)});
+  loops.push_back({id, ratio, sense, false, area, predicted_energy(strategy(id), settings, area)});
 }
 
 void add_measured(const Settings& settings, StrategyId id, double ratio, bool sense, std::vector<EnergyOfLoop>& loops) {
@@ -162,10 +146,8 @@ Figure energy_per_loop_figure(const FigureRequest&) {
   chart.references = {{optimal_tracking_ratio(k.k_r, k.k_u), true, "optimal: 1 + kᵣ/kᵤ"}};
 
   Sheet sheet("Energy per closed loop, over the tracking ratio", 520.0);
-  sheet.add_row(340.0, 1, [&](const Place& place, std::size_t) {
-    return chart_pane(chart, place.corner, place.size, paper(), 1.0, measure_vector_text);
-  });
-  std::vector<LegendEntry> legend = strategy_legend(true);
+  sheet.add_row(340.0, 1, [&](const Place& place, std::size_t) { return chart_on(place, chart); });
+  std::vector<LegendEntry> legend = strategy_legend();
   legend[index_of(StrategyId::naive)].has_line = false;
   legend[index_of(StrategyId::naive)].name += " (ρ = 1)";
   for (const auto& [name, is_hollow] :

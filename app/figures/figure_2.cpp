@@ -9,7 +9,6 @@
 
 #include "app/figures/motion_picture.h"
 #include "app/files/scene_file.h"
-#include "core/ghost_force.h"
 
 namespace ghostforce {
 namespace {
@@ -21,7 +20,7 @@ const std::array<std::string, 3> softer{"rendering.k_r_N_per_m=200", "rendering.
 
 ScenePicture picture_of(const ThreeEquilibria& data, const Strategy& strategy) {
   const std::size_t i = index_of(strategy.id);
-  const Equilibrium<2>& rest = data.rest[i];
+  const Equilibrium<2>& rest = data.rest[i].at;
   const Colour colour = paper().strategy[i];
   ScenePicture picture{.title = fmt::format("{}  {}", strategy.letter, strategy.title),
                        .settings = data.scene.settings};
@@ -57,9 +56,7 @@ ScenePicture picture_of(const ThreeEquilibria& data, const Strategy& strategy) {
 
 ThreeEquilibria three_equilibria() {
   ThreeEquilibria data{.scene = load_scene(std::string(scene_name), softer)};
-  for (const Strategy& strategy : strategy_catalog()) {
-    data.rest[index_of(strategy.id)] = equilibrium_of(strategy.id, data.scene.settings, data.scene.goal.points.back());
-  }
+  data.rest = predicted_equilibria(data.scene.settings, data.scene.goal.points.back());
   return data;
 }
 
@@ -70,8 +67,7 @@ CsvTable table_of(const ThreeEquilibria& data) {
                    "proxy_x_m", "proxy_y_m",       "contact_x_m",    "contact_y_m", "force_x_N",
                    "force_y_N", "proxy_drift_x_m", "proxy_drift_y_m"};
   for (const Strategy& strategy : strategy_catalog()) {
-    const Equilibrium<2>& rest = data.rest[index_of(strategy.id)];
-    const Vector<2> drift = proxy_drift(wall_of(data.scene.settings), rest.proxy, rest.goal);
+    const auto& [rest, ghost_force, drift] = data.rest[index_of(strategy.id)];
     table.rows.push_back({std::string(strategy.name), rest.goal.x, rest.goal.y, rest.device.x, rest.device.y,
                           rest.proxy.x, rest.proxy.y, rest.contact.x, rest.contact.y, rest.force.x, rest.force.y,
                           drift.x, drift.y});

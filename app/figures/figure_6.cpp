@@ -9,11 +9,8 @@
 
 #include <fmt/format.h>
 
-#include "app/chart/chart.h"
-#include "app/chart/chart_pane.h"
 #include "app/figures/motion_picture.h"
 #include "app/files/scene_file.h"
-#include "app/paint/vector/vector_painter.h"
 #include "core/simulated_hand.h"
 
 namespace ghostforce {
@@ -143,7 +140,7 @@ Figure one_hand_figure(const FigureRequest& request) {
   const Frame frame = frame_for(std::span(&picture, 1), sheet.place_size(height, 2));
   sheet.add_row(height, 2, [&](const Place& place, std::size_t number) {
     return number == 0 ? scene_pane(picture, place, frame.centers.front(), frame.points_per_metre)
-                       : chart_pane(force_chart(motion), place.corner, place.size, paper(), 1.0, measure_vector_text);
+                       : chart_on(place, force_chart(motion));
   });
   sheet.add_legend(motion_legend());
   CsvTable table = table_of(std::span(&motion, 1));

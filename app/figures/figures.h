@@ -8,7 +8,7 @@
 #include "app/figures/curves.h"
 #include "app/figures/figure.h"
 #include "app/figures/simulated_motion.h"
-#include "core/equilibrium.h"
+#include "core/prediction.h"
 #include "core/strategy.h"
 
 namespace ghostforce {
@@ -20,7 +20,7 @@ Figure one_motion_figure(const FigureRequest& request);
 // Figure 2: the same hand at rest under each strategy: goal, device, proxy and contact.
 struct ThreeEquilibria {
   Scene scene;
-  PerStrategy<Equilibrium<2>> rest{};
+  PerStrategy<PredictedEquilibrium> rest{};
 };
 ThreeEquilibria three_equilibria();
 CsvTable table_of(const ThreeEquilibria& data);

@@ -6,15 +6,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/chart/chart_pane.h"
-#include "app/paint/vector/vector_painter.h"
-
 namespace ghostforce {
 namespace {
-
-Vector<2> goal_behind(const Wall<2>& wall) {
-  return wall.point - force_goal_depth * wall.normal;
-}
 
 double along_motor(const Settings& settings, const Vector<2>& force) {
   const Vector<2> axis = direction_at(settings.actuated_angle);
@@ -49,7 +42,7 @@ CsvTable force_table(const Curves& curves, const std::string& x_name) {
       fmt::format("One row per strategy and {}, by closed form, and at some values as simulated.", x_name),
       "force_N: what the device puts on the hand along the motor axis, positive away from the wall; the motor pushes "
       "to the left then, so that it is −force_x_N of the other figures.",
-      goal_comment(force_goal_depth)};
+      goal_comment()};
   return table;
 }
 
@@ -60,10 +53,8 @@ void add_force_chart(const Curves& curves, const Axis& x, Sheet& sheet) {
   for (const Strategy& strategy : strategy_catalog()) {
     add_series(curves, "", strategy.name, style_of(strategy.id), chart);
   }
-  sheet.add_row(340.0, 1, [&](const Place& place, std::size_t) {
-    return chart_pane(chart, place.corner, place.size, paper(), 1.0, measure_vector_text);
-  });
-  sheet.add_legend(strategy_legend(true));
+  sheet.add_row(340.0, 1, [&](const Place& place, std::size_t) { return chart_on(place, chart); });
+  sheet.add_legend(strategy_legend());
 }
 
 }  // namespace ghostforce

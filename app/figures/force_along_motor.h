@@ -7,10 +7,7 @@
 
 namespace ghostforce {
 
-inline constexpr double force_goal_depth = 0.020;  // d [m]
-
-// The goal is this deep behind the wall's point, along the normal. Forces away from the wall are positive. Closed forms
-// of all strategies at `x`.
+// The goal is goal_behind() the wall. Forces away from the wall are positive. Closed forms of all strategies at `x`.
 void add_closed_forms(const Settings& settings, double x, Curves& curves);
 
 // The simulated loop's force of one strategy at `x`.

@@ -45,8 +45,8 @@ ScenePicture picture_of(const SimulatedMotion& motion, const std::string& start,
 }
 
 std::vector<LegendEntry> motion_legend() {
-  std::vector<LegendEntry> entries = strategy_legend(true);
-  entries.push_back(goal_entry("hand's goal"));
+  std::vector<LegendEntry> entries = strategy_legend();
+  entries.push_back({.name = "hand's goal", .colour = paper().goal_rim, .has_line = true, .pattern = dotted_line});
   entries.push_back({.name = "proxies at rest", .colour = paper().faint_text, .shape = Shape::disc, .is_hollow = true});
   return entries;
 }

@@ -3,30 +3,17 @@
 #include <array>
 #include <string>
 
-#include "app/chart/chart_pane.h"
 #include "app/figures/sheet.h"
 #include "app/files/scene_file.h"
-#include "app/paint/vector/vector_painter.h"
 #include "core/ghost_force.h"
 
 namespace ghostforce {
 namespace {
 
 constexpr std::string_view scene_name = "fig3-normal";
-constexpr double goal_depth = 0.020;  // d [m]
 constexpr double greatest_ratio = 100.0;
 constexpr double greatest_belief = 10.0;
 constexpr double mm_per_m = 1000.0;
-
-Vector<2> goal_in(const Settings& settings) {
-  const Wall<2> wall = wall_of(settings);
-  return wall.point - goal_depth * wall.normal;
-}
-
-Settings with_ratio(Settings settings, double ratio) {
-  settings.stiffnesses.chosen_tracking_ratio = ratio;
-  return settings;
-}
 
 Settings with_belief(Settings settings, double share) {
   settings.stiffnesses.believed_k_u = share * settings.stiffnesses.k_u;
@@ -35,15 +22,16 @@ Settings with_belief(Settings settings, double share) {
 
 double signed_drift(const Settings& settings, const Vector<2>& proxy) {
   const Wall<2> wall = wall_of(settings);
+  const Vector<2> goal = goal_behind(wall);
   const Vector<2> along_wall{wall.normal.y, -wall.normal.x};
-  const Vector<2> naive = equilibrium_of(StrategyId::naive, settings, goal_in(settings)).proxy;
-  const double way = glm::dot(along_wall, naive - goal_in(settings)) > 0.0 ? 1.0 : -1.0;
-  return way * mm_per_m * glm::dot(along_wall, proxy_drift(wall, proxy, goal_in(settings)));
+  const Vector<2> naive = equilibrium_of(StrategyId::naive, settings, goal).proxy;
+  const double way = glm::dot(along_wall, naive - goal) > 0.0 ? 1.0 : -1.0;
+  return way * mm_per_m * glm::dot(along_wall, proxy_drift(wall, proxy, goal));
 }
 
 void add_point(const Settings& settings, std::string_view panel, double x, bool is_simulated, Curves& curves) {
   const StrategyId id = StrategyId::anisotropic;
-  const Vector<2> goal = goal_in(settings);
+  const Vector<2> goal = goal_behind(wall_of(settings));
   const Vector<2> proxy = is_simulated ? simulated_equilibrium(settings, goal).strategies[index_of(id)].proxy
                                        : equilibrium_of(id, settings, goal).proxy;
   curves.push_back(
@@ -66,7 +54,7 @@ CsvTable drift_table(const Curves& curves) {
   table.comments = {
       "One row per panel and x, which is the panel's parameter, by closed form, and at some values as simulated.",
       "drift_mm: of the proxy along the wall, positive the way in which naïve rendering (ρ = 1) drags it.",
-      goal_comment(goal_depth)};
+      goal_comment()};
   return table;
 }
 
@@ -106,9 +94,9 @@ Figure proxy_drift_figure(const FigureRequest&) {
       naive.points = {chart.series.front().points.front()};
       chart.series.push_back(naive);
     }
-    return chart_pane(chart, place.corner, place.size, paper(), 1.0, measure_vector_text);
+    return chart_on(place, chart);
   });
-  std::vector<LegendEntry> legend = strategy_legend(true);
+  std::vector<LegendEntry> legend = strategy_legend();
   legend.erase(legend.begin());
   legend.front().has_line = false;
   legend.front().name += " (ρ = 1)";

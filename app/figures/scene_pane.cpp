@@ -9,9 +9,9 @@
 #include <numbers>
 #include <utility>
 
-#include "app/chart/screen_box.h"
 #include "app/paint/vector/vector_painter.h"
 #include "app/view/layers.h"
+#include "app/view/screen_box.h"
 #include "app/view/trail_history.h"
 
 namespace ghostforce {
@@ -25,22 +25,14 @@ constexpr double dial_reach = 20.0;  // of each of its arrows
 constexpr double subscript_drop = 7.0;
 constexpr Vector<2> aside{0.0, 17.0};  // arrows, below what they are of
 
-struct Box {
-  Vector<2> least{std::numeric_limits<double>::infinity()};
-  Vector<2> most{-std::numeric_limits<double>::infinity()};
-
-  void add(const Vector<2>& point) {
-    least = glm::min(least, point);
-    most = glm::max(most, point);
-  }
-};
-
-Box extent_of(const ScenePicture& picture) {
-  Box box;
+// In the world [m].
+ScreenBox extent_of(const ScenePicture& picture) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  ScreenBox box{Vector<2>(infinity), Vector<2>(-infinity)};
   for (const Trail& trail : picture.trails) {
-    for (const Vector<2>& point : trail.points) box.add(point);
+    for (const Vector<2>& point : trail.points) box.include(point);
   }
-  for (const Spot& spot : picture.spots) box.add(spot.at);
+  for (const Spot& spot : picture.spots) box.include(spot.at);
   return box;
 }
 
@@ -280,9 +272,9 @@ Frame frame_for(std::span<const ScenePicture> pictures, const Vector<2>& size) {
   const double below = room_for_scale + 2.0 * (dial - scale_above_edge) + (has_arrows ? aside.y : 0.0);
   const Vector<2> room = size - Vector<2>(2.0 * room_at_sides, room_at_sides + below);
   for (const ScenePicture& picture : pictures) {
-    const Box box = extent_of(picture);
+    const ScreenBox box = extent_of(picture);
     constexpr double least_extent = 0.005;  // a hand that stands still [m]
-    const Vector<2> extent = glm::max(box.most - box.least, Vector<2>(least_extent));
+    const Vector<2> extent = glm::max(box.extent(), Vector<2>(least_extent));
     frame.points_per_metre = std::min({frame.points_per_metre, room.x / extent.x, room.y / extent.y});
     frame.centers.push_back(0.5 * (box.least + box.most));
   }
@@ -324,10 +316,6 @@ Trail device_trail(StrategyId id, std::vector<Vector<2>> points) {
           .colour = paper().strategy[index_of(id)],
           .pattern = strategy_style(id).pattern,
           .width = widths[index_of(id)]};
-}
-
-LegendEntry goal_entry(std::string name) {
-  return {.name = std::move(name), .colour = paper().goal_rim, .has_line = true, .pattern = dotted_line};
 }
 
 }  // namespace ghostforce

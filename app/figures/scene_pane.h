@@ -2,7 +2,6 @@
 // where they cover neither each other nor points, and lines as little as can be. Pure, any thread.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -64,6 +63,5 @@ Pane scene_pane(const ScenePicture& picture, const Place& place, const Vector<2>
 Spot goal_spot(const Vector<2>& at, std::string name, std::string subscript = {});
 Spot device_spot(StrategyId id, const Vector<2>& at, std::string name, std::string subscript = {});
 Trail device_trail(StrategyId id, std::vector<Vector<2>> points);
-LegendEntry goal_entry(std::string name);
 
 }  // namespace ghostforce

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "app/chart/chart_pane.h"
 #include "app/paint/vector/vector_painter.h"
 #include "ghostforce_version.h"
 
@@ -74,16 +75,20 @@ Vector<2> measure_on_paper(std::string_view text, TextSize size) {
   return measure_vector_text(text, text_height(size));
 }
 
-std::vector<LegendEntry> strategy_legend(bool has_line) {
+std::vector<LegendEntry> strategy_legend() {
   std::vector<LegendEntry> entries;
   for (const Strategy& strategy : strategy_catalog()) {
     entries.push_back({.name = fmt::format("{}  {}", strategy.letter, strategy.title),
                        .colour = paper().strategy[index_of(strategy.id)],
-                       .has_line = has_line,
+                       .has_line = true,
                        .pattern = strategy_style(strategy.id).pattern,
                        .shape = strategy_style(strategy.id).shape});
   }
   return entries;
+}
+
+Pane chart_on(const Place& place, const Chart& chart) {
+  return chart_pane(chart, place.corner, place.size, paper(), 1.0, measure_vector_text);
 }
 
 Sheet::Sheet(std::string title, double width) : bottom_(edge) {

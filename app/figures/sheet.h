@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/chart/chart.h"
 #include "app/figures/figure.h"
 #include "app/view/theme.h"
 
@@ -27,14 +28,16 @@ struct LegendEntry {
   std::optional<Shape> shape{};
   bool is_hollow = false;
 };
-// Colour, shape, line and letter of each strategy; `has_line` where its trajectories are to be seen.
-std::vector<LegendEntry> strategy_legend(bool has_line);
+// Colour, shape, line and letter of each strategy.
+std::vector<LegendEntry> strategy_legend();
 
 // What a pane of a row needs to know.
 struct Place {
   Vector<2> corner;
   Vector<2> size;
 };
+
+Pane chart_on(const Place& place, const Chart& chart);
 
 class Sheet {
  public:

@@ -14,7 +14,6 @@
 #include "app/console/interruption.h"
 #include "app/files/run_file.h"
 #include "core/divergence.h"
-#include "core/ghost_force.h"
 #include "core/simulate.h"
 
 namespace ghostforce {
@@ -32,17 +31,6 @@ struct Thinned {
   std::int64_t last;
   std::int64_t between;
 };
-
-void add_rest(SimulatedMotion& motion) {
-  const Vector<2> goal = motion.moments.back().goal;
-  const Settings& settings = last_settings(motion);
-  for (const Strategy& strategy : strategy_catalog()) {
-    const std::size_t i = index_of(strategy.id);
-    motion.rest[i] = equilibrium_of(strategy.id, settings, goal);
-    motion.ghost_at_equilibrium[i] =
-        ghost_force(actuation_of(settings), motion.rest[i].force, motion.rest[index_of(StrategyId::full)].force);
-  }
-}
 
 // What a recording says of each change.
 std::vector<std::string> change_lines(const SimulatedMotion& motion) {
@@ -90,7 +78,7 @@ SimulatedMotion simulate_motion(std::string name, const Scene& scene) {
   if (has_diverged(state)) {
     throw Failure(ExitCode::wrong_call, "with these settings the sampled loop is unstable and the device runs away");
   }
-  add_rest(motion);
+  motion.rest = predicted_equilibria(last_settings(motion), motion.moments.back().goal);
   return motion;
 }
 
@@ -125,7 +113,7 @@ SimulatedMotion simulate_hand(const RecordedHand& hand) {
                               "ghostforce replay RUN.csv --set rendering.k_r_N_per_m=500 -o calm.csv",
                               hand.name));
   }
-  add_rest(motion);
+  motion.rest = predicted_equilibria(last_settings(motion), motion.moments.back().goal);
   return motion;
 }
 
@@ -154,9 +142,9 @@ CsvTable table_of(std::span<const SimulatedMotion> motions) {
         table.rows.push_back(row_of(motion, strategy.id, "simulated", moment.time_s, moment.goal, now.device, now.proxy,
                                     now.force, now.ghost_force));
       }
-      const Equilibrium<2>& rest = motion.rest[i];
+      const auto& [rest, ghost_force, drift] = motion.rest[i];
       table.rows.push_back(row_of(motion, strategy.id, "closed form", std::numeric_limits<double>::quiet_NaN(),
-                                  rest.goal, rest.device, rest.proxy, rest.force, motion.ghost_at_equilibrium[i]));
+                                  rest.goal, rest.device, rest.proxy, rest.force, ghost_force));
     }
   }
   return table;

@@ -8,7 +8,7 @@
 
 #include "app/figures/figure.h"
 #include "app/files/csv_table.h"
-#include "core/equilibrium.h"
+#include "core/prediction.h"
 #include "core/scene.h"
 #include "core/snapshot.h"
 
@@ -17,10 +17,9 @@ namespace ghostforce {
 struct SimulatedMotion {
   std::string name;  // what sets it apart from the others of its figure
   Scene scene;
-  std::vector<SettingsChange> changes{};          // of the scene's settings
-  std::vector<Snapshot> moments{};                // every 5th tick, in long motions fewer, and the last one
-  PerStrategy<Equilibrium<2>> rest{};             // by closed form, under the last goal
-  PerStrategy<Vector<2>> ghost_at_equilibrium{};  // likewise [N]
+  std::vector<SettingsChange> changes{};     // of the scene's settings
+  std::vector<Snapshot> moments{};           // every 5th tick, in long motions fewer, and the last one
+  PerStrategy<PredictedEquilibrium> rest{};  // by closed form, under the last goal
 };
 
 // Throws Failure(wrong_call) where the loop is unstable.

@@ -1,11 +1,13 @@
 #include "app/paint/gl_painter.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <stdexcept>
 #include <utility>
 
 #include "app/paint/gl/shader_program.h"
+#include "app/paint/label_painter.h"
 #include "embedded_shaders.h"
 
 namespace ghostforce {
@@ -112,10 +114,10 @@ void GlPainter::fill(Colour colour, const PixelRect& rect) {
   glDisable(GL_SCISSOR_TEST);
 }
 
-void GlPainter::paint(const Marks& marks, const Camera& camera, const PixelRect& rect, double pixels_per_point) {
+void GlPainter::paint_marks(const Pane& pane, const PixelRect& rect, double pixels_per_point) {
   collected_.clear();
-  const Collect collect{collected_, camera, pixels_per_point};
-  for (const Mark& mark : marks) std::visit(collect, mark.form);
+  const Collect collect{collected_, pane.camera, pixels_per_point};
+  for (const Mark& mark : pane.marks) std::visit(collect, mark.form);
   if (collected_.empty() || rect.width <= 0 || rect.height <= 0) return;
 
   glViewport(rect.x, rect.y, rect.width, rect.height);
@@ -132,6 +134,27 @@ void GlPainter::paint(const Marks& marks, const Camera& camera, const PixelRect&
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(collected_.size()));
   glBindVertexArray(0);
   glDisable(GL_SCISSOR_TEST);
+}
+
+void GlPainter::paint(const std::vector<Pane>& panes, const Theme& theme, ImVec2 corner, double text_scale,
+                      int pixel_width, int pixel_height) {
+  const bool has_gaps = panes.size() > 1;
+  // Between panes the target shows through.
+  fill(has_gaps ? theme.panel_border : theme.background, {0, 0, pixel_width, pixel_height});
+  const double density = static_cast<double>(ImGui::GetIO().DisplayFramebufferScale.x);
+  const auto pixels = [density](double points) { return static_cast<int>(std::lround(points * density)); };
+  for (const Pane& pane : panes) {
+    const Vector<2> at = Vector<2>(static_cast<double>(corner.x), static_cast<double>(corner.y)) + pane.corner;
+    const int left = pixels(at.x);
+    const int top = pixels(at.y);
+    const int right = pixels(at.x + pane.camera.size.x);
+    const int bottom = pixels(at.y + pane.camera.size.y);
+    const PixelRect rect{left, pixel_height - bottom, right - left, bottom - top};
+    if (has_gaps) fill(theme.background, rect);
+    paint_marks(pane, rect, density);
+    paint_labels(pane.marks, pane.camera, {static_cast<float>(at.x), static_cast<float>(at.y)}, text_scale,
+                 *ImGui::GetBackgroundDrawList());
+  }
 }
 
 }  // namespace ghostforce

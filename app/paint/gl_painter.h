@@ -1,23 +1,17 @@
-// Paints marks with OpenGL 3.3 core: window and PNG alike. One instanced draw call for all forms; labels are letters
-// and belong to the label painter. Lives on the thread that holds the context.
+// Paints panes with OpenGL 3.3 core: window and PNG alike. One instanced draw call for all of a pane's forms, and the
+// words above them with the screen's font. Needs an ImGui frame, and the thread that holds the context.
 #pragma once
 
 #include <string_view>
 #include <vector>
 
+#include <imgui.h>
+
 #include "app/paint/gl/handle.h"
-#include "app/view/camera.h"
-#include "app/view/marks.h"
+#include "app/view/panes.h"
+#include "app/view/theme.h"
 
 namespace ghostforce {
-
-// A rectangle of the framebuffer [px], origin at the lower left as OpenGL counts.
-struct PixelRect {
-  int x = 0;
-  int y = 0;
-  int width = 0;
-  int height = 0;
-};
 
 class GlPainter {
  public:
@@ -27,10 +21,10 @@ class GlPainter {
   // Draws with other shaders from now on. Throws gl::ShaderError, and goes on with those in use.
   void use_shaders(std::string_view vertex_source, std::string_view fragment_source);
 
-  void fill(Colour colour, const PixelRect& rect);
-
-  // `pixels_per_point` is the framebuffer's density. Leaves blending and viewport changed.
-  void paint(const Marks& marks, const Camera& camera, const PixelRect& rect, double pixels_per_point);
+  // Clears the whole target of `pixel_width` × `pixel_height`, then paints. `corner` is the upper left of the panes'
+  // rectangle on the screen, `text_scale` turns a nominal text height into points. Leaves blending and viewport changed.
+  void paint(const std::vector<Pane>& panes, const Theme& theme, ImVec2 corner, double text_scale, int pixel_width,
+             int pixel_height);
 
  private:
   // Must match the inputs of shaders/mark.vert.
@@ -42,6 +36,13 @@ class GlPainter {
     Colour rim;
   };
   struct Collect;
+  // A rectangle of the framebuffer [px], origin at the lower left as OpenGL counts.
+  struct PixelRect {
+    int x, y, width, height;
+  };
+
+  static void fill(Colour colour, const PixelRect& rect);
+  void paint_marks(const Pane& pane, const PixelRect& rect, double pixels_per_point);
 
   gl::Program program_;
   gl::VertexArray attributes_;

@@ -9,6 +9,7 @@
 
 #include "app/ui/widgets/tooltips.h"
 #include "app/view/handles.h"
+#include "app/view/screen_box.h"
 #include "core/scene.h"
 
 namespace ghostforce {
@@ -151,30 +152,25 @@ void Gestures::turn(Session& session, const Pane& pane, const Vector<2>& pointer
 
 SceneView view_of_everything(const Session& session, const std::vector<Pane>& panes, const Vector<2>& size,
                              double unit) {
-  Vector<2> least = session.goal;
-  Vector<2> most = session.goal;
-  const auto include = [&](const Vector<2>& point) {
-    least = glm::min(least, point);
-    most = glm::max(most, point);
-  };
-  include(session.settings.wall_point);
+  ScreenBox all{session.goal, session.goal};
+  all.include(session.settings.wall_point);
   for (const Pane& pane : panes) {
     for (const Mark& mark : pane.marks) {
       const bool belongs = mark.role == Role::device || mark.role == Role::proxy || mark.role == Role::trail;
-      if (const auto* marker = std::get_if<Marker>(&mark.form); marker != nullptr && belongs) include(marker->center);
+      if (const auto* marker = std::get_if<Marker>(&mark.form); marker != nullptr && belongs)
+        all.include(marker->center);
       if (const auto* line = std::get_if<Line>(&mark.form); line != nullptr && belongs) {
-        include(line->from);
-        include(line->to);
+        all.include(line->from);
+        all.include(line->to);
       }
     }
   }
   const Vector<2> room = panes.empty() ? size : panes.front().camera.size;
   const Vector<2> margin = glm::min(Vector<2>(90.0 * unit), 0.25 * room);
-  const Vector<2> extent = most - least;
-  const Vector<2> fits = (room - 2.0 * margin) / glm::max(extent, Vector<2>(1e-3));
+  const Vector<2> fits = (room - 2.0 * margin) / glm::max(all.extent(), Vector<2>(1e-3));
   const double points_per_metre = std::min(fits.x, fits.y);
   const double width = std::min(room.x, room.y / 0.75) / points_per_metre;
-  return within_scene_limits({0.5 * (least + most), width});
+  return within_scene_limits({0.5 * (all.least + all.most), width});
 }
 
 SceneView zoomed(const SceneView& shown, double factor, const Vector<2>& at) {

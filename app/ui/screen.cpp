@@ -148,8 +148,7 @@ void Screen::draw_everything(Session& session, const Snapshot& snapshot, const H
   scene_corner_ = layout.scene.corner;
   scene_size_ = {std::max(1.0, static_cast<double>(layout.scene.size.x)),
                  std::max(1.0, static_cast<double>(layout.scene.size.y))};
-  const Fonts fonts{window_.regular_font(), window_.bold_font(), window_.number_font()};
-  const PanelContext context{session, snapshot, loop, theme, fonts, styled_scale_};
+  const PanelContext context{session, snapshot, loop, theme, window_.fonts(), styled_scale_};
 
   if (is_live) {
     std::vector<KeyPress> presses = window_.take_key_presses();

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "app/paint/scene_painter.h"
+#include "app/paint/gl_painter.h"
 #include "app/session/session.h"
 #include "app/ui/gestures.h"
 #include "app/ui/panels/hints.h"
@@ -42,7 +42,7 @@ class Screen {
   ImVec2 scene_corner() const noexcept { return scene_corner_; }
   // Of the scene in the window [points].
   Vector<2> scene_size() const noexcept { return scene_size_; }
-  GlPainter& painter() noexcept { return painter_.gl(); }
+  GlPainter& painter() noexcept { return painter_; }
 
  private:
   struct Layout;
@@ -54,7 +54,7 @@ class Screen {
 
   Window& window_;
   Part part_;
-  ScenePainter painter_;
+  GlPainter painter_;
   MeasureText measure_;
   Gestures gestures_;
   Hints hints_;

@@ -178,9 +178,9 @@ void Window::start_imgui(bool takes_mouse) {
   ImGui_ImplOpenGL3_Init("#version 330 core");
   // Letters are twice as wide in the atlas as on the screen: with one texel between them, a neighbour's edge showed.
   io.Fonts->TexGlyphPadding = 4;
-  regular_font_ = io.Fonts->AddFontFromFileTTF(font_file(label_font).c_str());
-  bold_font_ = io.Fonts->AddFontFromFileTTF(font_file("DejaVuSans-Bold.ttf").c_str());
-  number_font_ = io.Fonts->AddFontFromFileTTF(font_file("DejaVuSansMono.ttf").c_str());
+  fonts_.regular = io.Fonts->AddFontFromFileTTF(font_file(label_font).c_str());
+  fonts_.bold = io.Fonts->AddFontFromFileTTF(font_file("DejaVuSans-Bold.ttf").c_str());
+  fonts_.number = io.Fonts->AddFontFromFileTTF(font_file("DejaVuSansMono.ttf").c_str());
 }
 
 bool Window::should_close() const {

@@ -8,10 +8,9 @@
 #include <string>
 #include <vector>
 
-#include <imgui.h>
-
 #include "app/files/image.h"
 #include "app/session/key_bindings.h"
+#include "app/ui/widgets/panel_context.h"
 
 struct GLFWwindow;
 
@@ -93,9 +92,7 @@ class Window {
   // "renderer, version" of the OpenGL in use.
   std::string graphics_description() const;
 
-  ImFont* regular_font() const noexcept { return regular_font_; }
-  ImFont* bold_font() const noexcept { return bold_font_; }
-  ImFont* number_font() const noexcept { return number_font_; }
+  const Fonts& fonts() const noexcept { return fonts_; }
 
  private:
   struct Library {  // glfwInit … glfwTerminate
@@ -118,9 +115,7 @@ class Window {
 
   Library library_;
   std::unique_ptr<GLFWwindow, Destroy> window_;
-  ImFont* regular_font_ = nullptr;
-  ImFont* bold_font_ = nullptr;
-  ImFont* number_font_ = nullptr;
+  Fonts fonts_{};
   int density_ = 1;           // of the frame that is being drawn
   WindowSize restored_size_;  // the last one while neither maximised nor full screen
   struct {

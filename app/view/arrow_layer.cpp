@@ -8,19 +8,6 @@ constexpr double ghost_aside = 21.0;  // [points]
 constexpr double ruler_depth = 16.0;  // of the first ruler inside the wall [points]
 constexpr double ruler_step = 12.0;   // between rulers of different strategies [points]
 
-void add_drift_ruler(const View& view, StrategyId id, Marks& marks) {
-  const std::size_t i = index_of(id);
-  const Colour colour = view.theme.strategy[i];
-  const DriftRuler ruler = drift_ruler(view, id);
-  const Vector<2> normal = wall_of(view.settings).normal;
-  const double tick = view.metres(5.0);
-  const auto line = [&](const Vector<2>& from, const Vector<2>& to, double width) {
-    marks.push_back({Role::proxy_drift, id, Line{from, to, view.points(width), colour}});
-  };
-  line(ruler.from, ruler.to, 2.0);
-  for (const Vector<2>& end : {ruler.from, ruler.to}) line(end - normal * tick, end + normal * tick, 2.0);
-}
-
 }  // namespace
 
 Vector<2> ghost_arrow_offset(const View& view) {
@@ -45,12 +32,22 @@ DriftRuler drift_ruler(const View& view, StrategyId id) {
   return {projection(wall, view.snapshot.goal) + inside, view.snapshot.strategies[index_of(id)].contact + inside};
 }
 
+void add_ruler(const View& view, StrategyId id, const DriftRuler& ruler, Marks& marks) {
+  const Vector<2> normal = wall_of(view.settings).normal;
+  const double tick = view.metres(5.0);
+  const auto line = [&](const Vector<2>& from, const Vector<2>& to) {
+    marks.push_back({Role::proxy_drift, id, Line{from, to, view.points(2.0), view.theme.strategy[index_of(id)]}});
+  };
+  line(ruler.from, ruler.to);
+  for (const Vector<2>& end : {ruler.from, ruler.to}) line(end - normal * tick, end + normal * tick);
+}
+
 void add_arrows(const View& view, StrategyId id, Marks& marks) {
   const std::size_t i = index_of(id);
   const StrategySnapshot<2>& now = view.snapshot.strategies[i];
   const Colour colour = view.theme.strategy[i];
   const double size = view.in_front(id) ? 1.0 : 0.65;
-  if (has_drift_ruler(view, id)) add_drift_ruler(view, id, marks);
+  if (has_drift_ruler(view, id)) add_ruler(view, id, drift_ruler(view, id), marks);
   if (is_drawn(view, now.force)) {
     marks.push_back({Role::force, id,
                      Arrow{now.device, arrow_tip(view, now.device, now.force), view.points(5.0 * size), colour,

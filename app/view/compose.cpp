@@ -51,12 +51,4 @@ std::optional<Compare> find_compare(std::string_view name) noexcept {
   return std::nullopt;
 }
 
-std::string_view role_name(Role role) noexcept {
-  constexpr std::array names{"wall",       "hatching", "grid",  "motor_axis", "trail", "hand_spring", "tracking_link",
-                             "goal",       "device",   "proxy", "contact",    "force", "ghost_force", "proxy_drift",
-                             "prediction", "handle",   "scale", "legend",     "target"};
-  static_assert(names.size() == static_cast<std::size_t>(Role::target) + 1);
-  return names[static_cast<std::size_t>(role)];
-}
-
 }  // namespace ghostforce

@@ -101,13 +101,40 @@ constexpr std::array entries{
         "q_h − f_r / believed k_u", "mm"},
 };
 
-constexpr bool is_in_order() {
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    if (static_cast<std::size_t>(entries[i].id) != i) return false;
+struct RoleEntry {
+  Role id;
+  std::string_view name;
+  std::optional<Term> term;
+};
+constexpr std::array roles{
+    RoleEntry{Role::wall, "wall", Term::wall},
+    RoleEntry{Role::hatching, "hatching", Term::wall},
+    RoleEntry{Role::grid, "grid", std::nullopt},
+    RoleEntry{Role::motor_axis, "motor_axis", Term::motor_axis},
+    RoleEntry{Role::trail, "trail", Term::trail},
+    RoleEntry{Role::hand_spring, "hand_spring", Term::hand_spring},
+    RoleEntry{Role::tracking_link, "tracking_link", Term::tracking_link},
+    RoleEntry{Role::goal, "goal", Term::goal},
+    RoleEntry{Role::device, "device", Term::device},
+    RoleEntry{Role::proxy, "proxy", Term::proxy},
+    RoleEntry{Role::contact, "contact", Term::contact},
+    RoleEntry{Role::force, "force", Term::force},
+    RoleEntry{Role::ghost_force, "ghost_force", Term::ghost_force},
+    RoleEntry{Role::proxy_drift, "proxy_drift", Term::proxy_drift},
+    RoleEntry{Role::prediction, "prediction", Term::prediction},
+    RoleEntry{Role::handle, "handle", Term::wall},
+    RoleEntry{Role::scale, "scale", Term::force_scale},
+    RoleEntry{Role::legend, "legend", std::nullopt},
+    RoleEntry{Role::target, "target", Term::target},
+};
+
+constexpr bool is_in_order(const auto& catalog) {
+  for (std::size_t i = 0; i < catalog.size(); ++i) {
+    if (static_cast<std::size_t>(catalog[i].id) != i) return false;
   }
   return true;
 }
-static_assert(is_in_order());
+static_assert(is_in_order(entries) && is_in_order(roles) && roles.back().id == Role::target);
 
 }  // namespace
 
@@ -120,45 +147,11 @@ const GlossaryEntry& glossary(Term term) noexcept {
 }
 
 std::optional<Term> term_of(Role role) noexcept {
-  switch (role) {
-    case Role::wall:
-    case Role::hatching:
-      return Term::wall;
-    case Role::motor_axis:
-      return Term::motor_axis;
-    case Role::trail:
-      return Term::trail;
-    case Role::hand_spring:
-      return Term::hand_spring;
-    case Role::tracking_link:
-      return Term::tracking_link;
-    case Role::goal:
-      return Term::goal;
-    case Role::device:
-      return Term::device;
-    case Role::proxy:
-      return Term::proxy;
-    case Role::contact:
-      return Term::contact;
-    case Role::force:
-      return Term::force;
-    case Role::ghost_force:
-      return Term::ghost_force;
-    case Role::proxy_drift:
-      return Term::proxy_drift;
-    case Role::prediction:
-      return Term::prediction;
-    case Role::handle:
-      return Term::wall;
-    case Role::scale:
-      return Term::force_scale;
-    case Role::target:
-      return Term::target;
-    case Role::grid:
-    case Role::legend:
-      break;
-  }
-  return std::nullopt;
+  return roles[static_cast<std::size_t>(role)].term;
+}
+
+std::string_view role_name(Role role) noexcept {
+  return roles[static_cast<std::size_t>(role)].name;
 }
 
 }  // namespace ghostforce

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "app/view/handles.h"
 #include "app/view/layers.h"
@@ -25,10 +24,10 @@ struct Pen {
         {role, std::nullopt,
          Line{to_world(view.camera, from), to_world(view.camera, to), view.points(width), colour, pattern}});
   }
-  void text(const Vector<2>& upper_left, std::string words, Colour colour, TextSize size = TextSize::small,
-            Colour halo = Colour{0, 0, 0, 0}) const {
+  void text(const Vector<2>& upper_left, std::string words, Colour colour, TextSize size = TextSize::small) const {
     marks.push_back({role, std::nullopt,
-                     Label{to_world(view.camera, upper_left), Vector<2>(0.0), std::move(words), size, colour, halo}});
+                     Label{to_world(view.camera, upper_left), Vector<2>(0.0), std::move(words), size, colour,
+                           view.theme.background}});
   }
 };
 
@@ -57,7 +56,7 @@ void add_scales(const View& view, Marks& marks) {
     for (const Vector<2>& end : {from, to})
       pen.line(end - Vector<2>(0.0, tick), end + Vector<2>(0.0, tick), 2.0, view.theme.text);
     pen.text(to + Vector<2>(view.points(8.0), -0.62 * view.points(text_height(TextSize::small))), std::move(words),
-             view.theme.text, TextSize::small, view.theme.background);
+             view.theme.text);
   };
   // In a narrow pane the motor dial is close.
   const double metres = round_length(view, std::min(110.0, 0.22 * view.camera.size.x / view.points(1.0)));
@@ -96,7 +95,7 @@ void add_motor_axis(const View& view, Marks& marks) {
   motor(axis, is_hovered ? view.theme.accent : view.theme.text);
   const std::string_view words = every_motor ? "motor axes" : "motor axis";
   pen.text({middle.x - 0.5 * text_width(view, words), middle.y + radius + view.points(4.0)}, std::string(words),
-           view.theme.text, TextSize::small, view.theme.background);
+           view.theme.text);
 }
 
 // Two round grips on the wall, where a person can turn it.
@@ -127,8 +126,7 @@ void add_title(const View& view, Marks& marks) {
   const double height = view.points(text_height(TextSize::normal));
   const double left = at.x + view.points(18.0);
   const bool fits = left + view.measure(in_full, height).x < view.camera.size.x - view.points(4.0);
-  pen.text({left, at.y - 0.6 * height}, fits ? in_full : letter, view.theme.strategy_text[i], TextSize::normal,
-           view.theme.background);
+  pen.text({left, at.y - 0.6 * height}, fits ? in_full : letter, view.theme.strategy_text[i], TextSize::normal);
   marks.back().strategy = entry.id;
   marks.back().about = Role::device;
 }
@@ -144,7 +142,7 @@ void add_legend(const View& view, Marks& marks) {
     pen.line(at, {text_x + text_width(view, words), at.y}, 22.0, view.theme.background.with_alpha(215));
     marker.center = to_world(view.camera, at);
     marks.push_back({Role::legend, id, marker, about});
-    pen.text({text_x, at.y - text_up}, std::move(words), colour, TextSize::small, view.theme.background);
+    pen.text({text_x, at.y - text_up}, std::move(words), colour);
     marks.back().strategy = id;
     marks.back().about = about;
     at.y += row_height;

@@ -8,20 +8,10 @@
 #include <vector>
 
 #include "app/view/layers.h"
+#include "app/view/screen_box.h"
 
 namespace ghostforce {
 namespace {
-
-struct Box {
-  Vector<2> least;
-  Vector<2> most;
-};
-
-double overlap(const Box& a, const Box& b) {
-  const double width = std::min(a.most.x, b.most.x) - std::max(a.least.x, b.least.x);
-  const double height = std::min(a.most.y, b.most.y) - std::max(a.least.y, b.least.y);
-  return width > 0.0 && height > 0.0 ? width * height : 0.0;
-}
 
 class LabelPlacer {
  public:
@@ -49,8 +39,8 @@ class LabelPlacer {
     if (glm::distance(at, nearest) > view_.points(farthest_outside)) return;
     // Most of what is taken lies farther away than any place that is tried.
     const Vector<2> farthest = Vector<2>(gap * reaches.back()) + 0.5 * extent;
-    const Box tried{inside(at - farthest - 0.5 * extent, extent) - breath,
-                    inside(at + farthest - 0.5 * extent, extent) + extent + breath};
+    const ScreenBox tried{inside(at - farthest - 0.5 * extent, extent) - breath,
+                          inside(at + farthest - 0.5 * extent, extent) + extent + breath};
     near_.clear();
     std::ranges::copy_if(taken_, std::back_inserter(near_),
                          [&](const Obstacle& other) { return overlap(tried, other.box) > 0.0; });
@@ -77,7 +67,7 @@ class LabelPlacer {
   static constexpr double mark_weight = 1.0;
   static constexpr double text_weight = 100.0;
   struct Obstacle {
-    Box box;
+    ScreenBox box;
     double weight;
   };
 
@@ -95,7 +85,7 @@ class LabelPlacer {
   }
 
   // Counts no further than `enough`, where that is not negative: a place as crowded as that is not taken anyway.
-  double crowding(const Box& box, double enough) const {
+  double crowding(const ScreenBox& box, double enough) const {
     double cost = 0.0;
     for (const Obstacle& other : near_) {
       cost += other.weight * overlap(box, other.box);

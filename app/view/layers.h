@@ -51,5 +51,6 @@ struct DriftRuler {
 };
 bool has_drift_ruler(const View& view, StrategyId id);
 DriftRuler drift_ruler(const View& view, StrategyId id);
+void add_ruler(const View& view, StrategyId id, const DriftRuler& ruler, Marks& marks);
 
 }  // namespace ghostforce

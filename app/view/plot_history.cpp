@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <ranges>
 
 namespace ghostforce {
 namespace {
@@ -37,12 +38,8 @@ void merge(const PlotBucket& later, PlotBucket& into) {
 // The first bucket of a level that is not behind.
 template <typename Level, typename IsBehind>
 std::size_t first_ahead(const Level& level, IsBehind&& is_behind) {
-  std::size_t low = 0;
-  for (std::size_t high = level.size(); low < high;) {
-    const std::size_t middle = low + (high - low) / 2;
-    is_behind(level.at(middle)) ? low = middle + 1 : high = middle;
-  }
-  return low;
+  return *std::ranges::partition_point(std::views::iota(std::size_t{0}, level.size()),
+                                       [&](std::size_t i) { return is_behind(level.at(i)); });
 }
 
 }  // namespace

@@ -9,20 +9,13 @@ constexpr double target_radius = 12.0;  // [points]
 constexpr double line_length = 60.0;    // into the wall [points]
 constexpr double ruler_depth = 40.0;    // clear of the rulers of the drift [points]
 
-void add_ruler(const View& view, const Vector<2>& target, const Wall<2>& wall, Marks& marks) {
+void add_ruler_to_proxy(const View& view, const Vector<2>& target, const Wall<2>& wall, Marks& marks) {
   const StrategyId id = view.settings.active;
   const StrategySnapshot<2>& now = view.snapshot.strategies[index_of(id)];
   if (view.snapshot.measured != id || !now.in_contact) return;
   if (glm::distance(now.contact, target) < smallest_drift) return;
   const Vector<2> inside = -wall.normal * view.metres(ruler_depth);
-  const double tick = view.metres(5.0);
-  const auto line = [&](const Vector<2>& from, const Vector<2>& to) {
-    marks.push_back({Role::proxy_drift, id, Line{from, to, view.points(2.0), view.theme.strategy[index_of(id)]}});
-  };
-  line(target + inside, now.contact + inside);
-  for (const Vector<2>& end : {target + inside, now.contact + inside}) {
-    line(end - wall.normal * tick, end + wall.normal * tick);
-  }
+  add_ruler(view, id, {target + inside, now.contact + inside}, marks);
 }
 
 }  // namespace
@@ -40,7 +33,7 @@ void add_target(const View& view, Marks& marks) {
                      Marker{target, Shape::disc, view.points(radius), view.theme.background.with_alpha(0),
                             view.theme.text, view.points(2.4)}});
   }
-  add_ruler(view, target, wall, marks);
+  add_ruler_to_proxy(view, target, wall, marks);
 }
 
 }  // namespace ghostforce

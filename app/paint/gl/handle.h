@@ -7,12 +7,12 @@
 
 namespace ghostforce::gl {
 
-template <typename Traits>
+template <GLuint (*make)(), void (*destroy)(GLuint)>
 class Handle {
  public:
-  Handle() : name_(Traits::make()) {}
+  Handle() : name_(make()) {}
   ~Handle() {
-    if (name_ != 0) Traits::destroy(name_);
+    if (name_ != 0) destroy(name_);
   }
   Handle(Handle&& other) noexcept : name_(std::exchange(other.name_, 0)) {}
   Handle& operator=(Handle&& other) noexcept {
@@ -25,57 +25,37 @@ class Handle {
   GLuint name_;
 };
 
-struct BufferTraits {
-  static GLuint make() {
-    GLuint name = 0;
-    glGenBuffers(1, &name);
-    return name;
-  }
-  static void destroy(GLuint name) { glDeleteBuffers(1, &name); }
-};
-struct VertexArrayTraits {
-  static GLuint make() {
-    GLuint name = 0;
-    glGenVertexArrays(1, &name);
-    return name;
-  }
-  static void destroy(GLuint name) { glDeleteVertexArrays(1, &name); }
-};
-struct FramebufferTraits {
-  static GLuint make() {
-    GLuint name = 0;
-    glGenFramebuffers(1, &name);
-    return name;
-  }
-  static void destroy(GLuint name) { glDeleteFramebuffers(1, &name); }
-};
-struct RenderbufferTraits {
-  static GLuint make() {
-    GLuint name = 0;
-    glGenRenderbuffers(1, &name);
-    return name;
-  }
-  static void destroy(GLuint name) { glDeleteRenderbuffers(1, &name); }
-};
-struct ProgramTraits {
-  static GLuint make() { return glCreateProgram(); }
-  static void destroy(GLuint name) { glDeleteProgram(name); }
-};
-struct VertexShaderTraits {
-  static GLuint make() { return glCreateShader(GL_VERTEX_SHADER); }
-  static void destroy(GLuint name) { glDeleteShader(name); }
-};
-struct FragmentShaderTraits {
-  static GLuint make() { return glCreateShader(GL_FRAGMENT_SHADER); }
-  static void destroy(GLuint name) { glDeleteShader(name); }
-};
+// `generate` and `remove` are glad's pointers to functions of the glGen… and glDelete… kind.
+template <auto* generate>
+GLuint generated() {
+  GLuint name = 0;
+  (*generate)(1, &name);
+  return name;
+}
+template <auto* remove>
+void removed(GLuint name) {
+  (*remove)(1, &name);
+}
+template <GLenum kind>
+GLuint created_shader() {
+  return glCreateShader(kind);
+}
+inline GLuint created_program() {
+  return glCreateProgram();
+}
+inline void delete_shader(GLuint name) {
+  glDeleteShader(name);
+}
+inline void delete_program(GLuint name) {
+  glDeleteProgram(name);
+}
 
-using Buffer = Handle<BufferTraits>;
-using VertexArray = Handle<VertexArrayTraits>;
-using Framebuffer = Handle<FramebufferTraits>;
-using Renderbuffer = Handle<RenderbufferTraits>;
-using Program = Handle<ProgramTraits>;
-using VertexShader = Handle<VertexShaderTraits>;
-using FragmentShader = Handle<FragmentShaderTraits>;
+using Buffer = Handle<generated<&glGenBuffers>, removed<&glDeleteBuffers>>;
+using VertexArray = Handle<generated<&glGenVertexArrays>, removed<&glDeleteVertexArrays>>;
+using Framebuffer = Handle<generated<&glGenFramebuffers>, removed<&glDeleteFramebuffers>>;
+using Renderbuffer = Handle<generated<&glGenRenderbuffers>, removed<&glDeleteRenderbuffers>>;
+using Program = Handle<created_program, delete_program>;
+using VertexShader = Handle<created_shader<GL_VERTEX_SHADER>, delete_shader>;
+using FragmentShader = Handle<created_shader<GL_FRAGMENT_SHADER>, delete_shader>;
 
 }  // namespace ghostforce::gl

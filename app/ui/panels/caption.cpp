@@ -8,7 +8,7 @@
 
 #include "app/ui/panels/hints.h"
 #include "app/ui/widgets/controls.h"
-#include "core/ghost_force.h"
+#include "core/prediction.h"
 
 namespace ghostforce {
 namespace {
@@ -28,8 +28,7 @@ std::string_view caption_of(const Settings& settings, const Vector<2>& goal) {
   if (!active.has_every_motor && std::abs(glm::dot(wall.normal, direction_at(settings.actuated_angle))) < parallel) {
     return "The motor pushes along the wall: it cannot hold the hand back at all. Turn its arrow.";
   }
-  const Vector<2> ghost = ghost_force(actuation_of(settings), equilibrium_of(settings.active, settings, goal).force,
-                                      equilibrium_of(StrategyId::full, settings, goal).force);
+  const Vector<2> ghost = predicted_equilibria(settings, goal)[index_of(settings.active)].ghost_force;
   return glm::length(ghost) < visible_force ? active.without_ghost : active.with_ghost;
 }
 
@@ -68,9 +67,7 @@ void draw_caption(const PanelContext& context) {
   draw_glyph(*ImGui::GetWindowDrawList(), {corner.x + 0.6F * line, corner.y + 0.5F * line}, 0.42F * line,
              strategy_style(context.session.settings.active).shape, context.theme.strategy[i]);
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 1.6F * line);
-  ImGui::PushTextWrapPos(0.0F);
-  ImGui::TextUnformatted(words.c_str());
-  ImGui::PopTextWrapPos();
+  wrapped_text(words);
   ImGui::PopFont();
 }
 

@@ -1,8 +1,6 @@
 // The caption above the scene: what there is to see now, in a sentence; for a newcomer the hints.
 #pragma once
 
-#include <string>
-
 #include "app/ui/widgets/panel_context.h"
 
 namespace ghostforce {

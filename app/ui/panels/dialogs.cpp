@@ -77,16 +77,10 @@ void draw_notice(const PanelContext& context, ImVec2 corner, ImVec2 size) {
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_AlwaysAutoResize |
                    ImGuiWindowFlags_NoFocusOnAppearing);
-  if (session.notice->is_problem) {
-    ImGui::PushFont(context.fonts.bold, 0.0F);
-    ImGui::TextUnformatted("Please note");
-    ImGui::PopFont();
-  }
+  if (session.notice->is_problem) text_in(context.fonts.bold, "Please note");
   const std::string& words = session.notice->words;
   const float wrap = std::min(width - 32.0F * scale, ImGui::CalcTextSize(words.c_str()).x + 4.0F * scale);
-  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + wrap);
-  ImGui::TextUnformatted(words.c_str());
-  ImGui::PopTextWrapPos();
+  wrapped_text(words, ImGui::GetCursorPosX() + wrap);
   const bool enough = ImGui::SmallButton("Close");
   ImGui::End();
   ImGui::PopStyleColor(2);

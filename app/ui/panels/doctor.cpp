@@ -31,14 +31,10 @@ void draw_sign(const PanelContext& context, const ReadinessStepState& step) {
 void draw_step(const PanelContext& context, const ReadinessStepState& step, float end) {
   draw_sign(context, step);
   ImGui::SameLine();
-  ImGui::PushFont(step.is_current ? context.fonts.bold : context.fonts.regular, 0.0F);
-  ImGui::TextUnformatted(step.title.data(), step.title.data() + step.title.size());
-  ImGui::PopFont();
+  text_in(step.is_current ? context.fonts.bold : context.fonts.regular, step.title);
   if (step.words.empty()) return;
   ImGui::SameLine(200.0F * context.scale);
-  ImGui::PushTextWrapPos(end);
-  ImGui::TextUnformatted(step.words.c_str());
-  ImGui::PopTextWrapPos();
+  wrapped_text(step.words, end);
 }
 
 }  // namespace
@@ -52,9 +48,7 @@ void draw_doctor(const PanelContext& context) {
         "The input in use has no motors. In the panel Input, choose Falcon, or Virtual Falcon for a rehearsal without "
         "one. 'ghostforce doctor' looks at a device from the command line.");
   } else {
-    ImGui::PushFont(context.fonts.bold, 0.0F);
-    ImGui::TextUnformatted(context.loop.device.c_str());
-    ImGui::PopFont();
+    text_in(context.fonts.bold, context.loop.device);
     ImGui::Spacing();
     for (const ReadinessStepState& step : context.loop.readiness) draw_step(context, step, end);
     ImGui::Spacing();

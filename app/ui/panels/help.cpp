@@ -39,9 +39,7 @@ void draw_lines(const char* id, std::span<const HelpLine> lines, float first_col
     for (const HelpLine& line : lines) {
       ImGui::TableNextRow();
       ImGui::TableNextColumn();
-      ImGui::PushFont(context.fonts.bold, 0.0F);
-      ImGui::TextUnformatted(line.press.data(), line.press.data() + line.press.size());
-      ImGui::PopFont();
+      text_in(context.fonts.bold, line.press);
       ImGui::TableNextColumn();
       ImGui::TextUnformatted(line.sentence.data(), line.sentence.data() + line.sentence.size());
     }
@@ -62,16 +60,12 @@ void draw_help(const PanelContext& context) {
   // One above the other where the window is too narrow for both.
   const bool is_wide = ImGui::GetIO().DisplaySize.x > 980.0F * context.scale;
   const float widest = ImGui::GetIO().DisplaySize.x - 80.0F * context.scale;
-  ImGui::PushTextWrapPos(std::min((is_wide ? 930.0F : 520.0F) * context.scale, widest));
-  ImGui::TextUnformatted(subject.data(), subject.data() + subject.size());
-  ImGui::PopTextWrapPos();
+  wrapped_text(subject, std::min((is_wide ? 930.0F : 520.0F) * context.scale, widest));
   ImGui::Spacing();
   draw_lines("left", all.first(half), first_column, context);
   if (is_wide) ImGui::SameLine(0.0F, 18.0F * context.scale);
   draw_lines("right", all.subspan(half), first_column, context);
-  ImGui::PushStyleColor(ImGuiCol_Text, unpacked(context.theme.faint_text));
-  ImGui::TextUnformatted("Every name and every mark explains itself when the pointer rests on it.");
-  ImGui::PopStyleColor();
+  text_in(context.theme.faint_text, "Every name and every mark explains itself when the pointer rests on it.");
 }
 
 }  // namespace ghostforce

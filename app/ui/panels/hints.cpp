@@ -65,13 +65,9 @@ void draw_hint(const PanelContext& context) {
   const float button_width = ImGui::CalcTextSize(enough).x + 2.0F * ImGui::GetStyle().FramePadding.x;
   const float right = ImGui::GetContentRegionMax().x - button_width;
   ImGui::PushFont(context.fonts.bold, 0.0F);
-  ImGui::PushStyleColor(ImGuiCol_Text, unpacked(context.theme.accent));
-  ImGui::TextUnformatted(hint.sentence.data(), hint.sentence.data() + hint.sentence.size());
-  ImGui::PopStyleColor();
+  text_in(context.theme.accent, hint.sentence);
   ImGui::PopFont();
-  ImGui::PushTextWrapPos(right - 12.0F * context.scale);
-  ImGui::TextUnformatted(hint.detail.data(), hint.detail.data() + hint.detail.size());
-  ImGui::PopTextWrapPos();
+  wrapped_text(hint.detail, right - 12.0F * context.scale);
   ImGui::SetCursorPos({right, corner.y});
   ImGui::TextUnformatted(fmt::format("Hint {} of {}", *session.hint + 1, hints.size()).c_str());
   ImGui::SetCursorPos({right, corner.y + ImGui::GetTextLineHeightWithSpacing()});

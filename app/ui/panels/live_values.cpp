@@ -80,9 +80,7 @@ void draw_model_error(const PanelContext& context) {
   ImGui::BeginGroup();
   ImGui::TextUnformatted("model − simulation ≤");
   ImGui::SameLine();
-  ImGui::PushFont(context.fonts.number, 0.0F);
-  ImGui::TextUnformatted(fmt::format("{:>8} mm", in_fixed_width(model_error(context) * 1000.0, 3)).c_str());
-  ImGui::PopFont();
+  text_in(context.fonts.number, fmt::format("{:>8} mm", in_fixed_width(model_error(context) * 1000.0, 3)));
   ImGui::EndGroup();
   tooltip(Term::model_error);
 }

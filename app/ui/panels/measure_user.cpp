@@ -14,14 +14,8 @@ namespace {
 
 constexpr double ruler_reach = 0.010;  // to either side [m]
 
-void wrapped(const std::string& text) {
-  ImGui::PushTextWrapPos(0.0F);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
-}
-
 void draw_invitation(Session& session) {
-  wrapped(
+  wrapped_text(
       "How stiff is the hand? Turn the ratio ρ until the proxy no longer slides along the wall: that ρ tells. Five "
       "times, and the median counts.");
   if (ImGui::Button("Start measuring")) start_measuring(session);
@@ -35,7 +29,7 @@ void draw_step(const PanelContext& context, const UserMeasurement& measurement) 
   const float top = ImGui::GetCursorPosY();
   ImGui::PushFont(context.fonts.bold, 0.0F);
   const std::string words(words_for(measurement.step, measurement.target.has_value()));
-  wrapped(measurement.was_refused ? "Not taken. " + words : words);
+  wrapped_text(measurement.was_refused ? "Not taken. " + words : words);
   ImGui::PopFont();
   ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), top + 2.0F * ImGui::GetTextLineHeightWithSpacing()));
 }
@@ -87,11 +81,9 @@ void draw_ratio(const PanelContext& context) {
   row("Ratio ρ", Term::tracking_ratio);
   // Round what is believed, so that it stays where it is while ρ is turned.
   const double believed = optimal_tracking_ratio(stiffnesses.k_r, believed_user_stiffness(stiffnesses));
-  const double least = std::min(0.5, 0.1 * believed);
-  const double greatest = std::max(20.0, 10.0 * believed);
+  const SliderLimits limits{std::min(0.5, 0.1 * believed), std::max(20.0, 10.0 * believed)};
   double ratio = tracking_ratio(stiffnesses);
-  if (ImGui::SliderScalar("##ratio", ImGuiDataType_Double, &ratio, &least, &greatest, "%.2f",
-                          ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp)) {
+  if (slider("##ratio", ratio, limits, "%.2f", ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp)) {
     stiffnesses.chosen_tracking_ratio = ratio;
   }
   tooltip("Drag, or press − and +: 5 %, with Alt 1 %.");
@@ -103,7 +95,7 @@ void draw_nulling(const PanelContext& context) {
   const UserMeasurement& measurement = session.measurement;
   std::string head = fmt::format("Reading {} of {}", measurement.readings.size() + 1, readings_wanted);
   if (measurement.has_begun_anew) head += ": something was changed, so it begins anew.";
-  wrapped(head);
+  wrapped_text(head);
   draw_step(context, measurement);
   draw_drift(context, measurement);
   draw_ratio(context);
@@ -142,18 +134,14 @@ void draw_result(const PanelContext& context) {
   const UserMeasurement& measurement = session.measurement;
   draw_readings(context, measurement);
   const Spread spread = spread_of(measurement);
-  ImGui::PushFont(context.fonts.bold, 0.0F);
-  ImGui::TextUnformatted(fmt::format("measured k_u  {:7.1f} N/m", spread.median).c_str());
-  ImGui::PopFont();
+  text_in(context.fonts.bold, fmt::format("measured k_u  {:7.1f} N/m", spread.median));
   tooltip("The median of the readings.");
   ImGui::TextUnformatted(
       fmt::format("middle half of them  {:.1f} to {:.1f} N/m", spread.lower_quartile, spread.upper_quartile).c_str());
   tooltip("From the lower to the upper quartile: of five readings, the second to the fourth.");
   // Of a hand that is simulated there is a true value; it was given, not measured, and may be another by now.
   if (measurement.given_k_u) {
-    ImGui::PushStyleColor(ImGuiCol_Text, unpacked(context.theme.faint_text));
-    ImGui::TextUnformatted(fmt::format("(given: {:.1f} N/m)", *measurement.given_k_u).c_str());
-    ImGui::PopStyleColor();
+    text_in(context.theme.faint_text, fmt::format("(given: {:.1f} N/m)", *measurement.given_k_u));
     tooltip("The stiffness that the simulated hand was given.");
   }
   if (ImGui::Button("Believe it")) {

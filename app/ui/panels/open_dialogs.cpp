@@ -16,9 +16,7 @@ void draw_open_scene(const PanelContext& context) {
   ImGui::SameLine();
   if (ImGui::Button("Cancel")) session.dialog = Dialog::none;
   ImGui::SameLine();
-  ImGui::PushStyleColor(ImGuiCol_Text, unpacked(context.theme.faint_text));
-  ImGui::TextUnformatted("Or drop the file on the window.");
-  ImGui::PopStyleColor();
+  text_in(context.theme.faint_text, "Or drop the file on the window.");
   if ((entered || pressed) && !session.form.path.empty()) {
     session.requests.open_scene = session.form.path;
     session.dialog = Dialog::none;

@@ -8,16 +8,13 @@
 
 #include "app/ui/panels/panel_catalog.h"
 #include "app/ui/widgets/controls.h"
-#include "core/energy.h"
 
 namespace ghostforce {
 namespace {
 
 void draw_switch(Session& session) {
   if (!session.circle_test.is_on) {
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted("Round a closed loop a wall should give no energy. With one motor it does:");
-    ImGui::PopTextWrapPos();
+    wrapped_text("Round a closed loop a wall should give no energy. With one motor it does:");
     if (ImGui::Button("Circle test")) {
       session.circle_test.input_before = session.input;
       session.requests.input = "circle";
@@ -56,10 +53,8 @@ void draw_choice(const PanelContext& context, const Circle& circle) {
   ImGui::Checkbox("clockwise", &choice.is_clockwise);
   row("Radius",
       "Of the goal's circle, as large as the picture holds. One that does not fit into the wall is moved deeper.");
-  const double greatest_mm = 1000.0 * greatest_radius(context.session);
   double mm = 1000.0 * circle.radius;
-  if (ImGui::SliderScalar("##radius", ImGuiDataType_Double, &mm, &least_mm, &greatest_mm, "%.1f mm",
-                          ImGuiSliderFlags_AlwaysClamp)) {
+  if (slider("##radius", mm, {least_mm, 1000.0 * greatest_radius(context.session)}, "%.1f mm")) {
     choice.radius = 0.001 * mm;
   }
   end_rows();

@@ -20,8 +20,7 @@ void draw_constraint(Stiffnesses& stiffnesses, float scale) {
   if (hard) {
     ImGui::BeginDisabled();
     double shown = constraint_limits.greatest;
-    ImGui::SliderScalar("##k_c", ImGuiDataType_Double, &shown, &constraint_limits.least, &constraint_limits.greatest,
-                        "∞ N/m", ImGuiSliderFlags_Logarithmic);
+    slider("##k_c", shown, constraint_limits, "∞ N/m", ImGuiSliderFlags_Logarithmic);
     ImGui::EndDisabled();
   } else {
     stiffness_slider("##k_c", "k_c_N_per_m", stiffnesses.k_c, constraint_limits);

@@ -35,14 +35,9 @@ void draw_limits(const PanelContext& context) {
   if (!begin_rows("safety", context)) return;
   row("Force limit",
       "The longest force that is asked of the motors. A longer one is shortened and keeps its direction.");
-  constexpr double least_force = 0.5;
-  constexpr double greatest_force = force_ceiling;
-  ImGui::SliderScalar("##limit", ImGuiDataType_Double, &safety.force_limit, &least_force, &greatest_force, "%.1f N",
-                      ImGuiSliderFlags_AlwaysClamp);
+  slider("##limit", safety.force_limit, {0.5, force_ceiling}, "%.1f N");
   row("Stiffest wall", "k_r is held at this while the motors are on. To go beyond 800 N/m, Ctrl+click and type it.");
-  constexpr double least_k_r = 50.0;
-  constexpr double usual_k_r = SafetyOptions{}.greatest_k_r;
-  ImGui::SliderScalar("##stiffest", ImGuiDataType_Double, &safety.greatest_k_r, &least_k_r, &usual_k_r, "%.0f N/m");
+  slider("##stiffest", safety.greatest_k_r, {50.0, SafetyOptions{}.greatest_k_r}, "%.0f N/m", ImGuiSliderFlags_None);
   row("Dead man", "Motors are on only while a button of the grip is held.");
   ImGui::Checkbox("hold a grip button", &safety.needs_button);
   end_rows();
@@ -52,14 +47,9 @@ void draw_limits(const PanelContext& context) {
 
 void draw_safety(const PanelContext& context) {
   const MotorReport& motors = context.loop.motors;
-  ImGui::PushTextWrapPos(0.0F);
-  ImGui::TextUnformatted(words_about(motors).c_str());
-  ImGui::PopTextWrapPos();
-  ImGui::PushFont(context.fonts.number, 0.0F);
-  ImGui::TextUnformatted(fmt::format("{:4.2f} of {:4.2f} N{:9}  {:4.2f} m/s", glm::length(motors.sent), motors.limit,
-                                     motors.is_saturated ? ", limited" : "", motors.handle_speed)
-                             .c_str());
-  ImGui::PopFont();
+  wrapped_text(words_about(motors));
+  text_in(context.fonts.number, fmt::format("{:4.2f} of {:4.2f} N{:9}  {:4.2f} m/s", glm::length(motors.sent),
+                                            motors.limit, motors.is_saturated ? ", limited" : "", motors.handle_speed));
   tooltip("What goes to the motors after every limit, and what it may be at most; how fast the handle moves.");
   if (motors.held_k_r > 0.0) {
     ImGui::TextUnformatted(fmt::format("k_r is held at {:.0f} N/m on the motors.", motors.held_k_r).c_str());

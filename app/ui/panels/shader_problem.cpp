@@ -15,9 +15,7 @@ void draw_shader_problem(const PanelContext& context, ImVec2 corner, ImVec2 size
   ImGui::Begin("The shaders do not compile; those before are in use", nullptr,
                ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoFocusOnAppearing);
-  ImGui::PushFont(context.fonts.number, 0.0F);
-  ImGui::TextUnformatted(problem.data(), problem.data() + problem.size());
-  ImGui::PopFont();
+  text_in(context.fonts.number, problem);
   ImGui::End();
   ImGui::PopStyleColor();
   ImGui::PopStyleVar();

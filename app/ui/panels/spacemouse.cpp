@@ -47,9 +47,7 @@ void draw_axes(const PanelContext& context, const SpaceMouseReading& reading) {
 
 void draw_spacemouse(const PanelContext& context, const SpaceMouseReading& reading) {
   SpaceMouseSettings& settings = context.session.spacemouse;
-  ImGui::PushTextWrapPos(0.0F);
-  ImGui::TextUnformatted(words_about(reading).c_str());
-  ImGui::PopTextWrapPos();
+  wrapped_text(words_about(reading));
   draw_axes(context, reading);
   if (!begin_rows("spacemouse", context)) return;
   row("Cap moves", "The goal's place, or how fast it goes.");
@@ -66,12 +64,7 @@ void draw_spacemouse(const PanelContext& context, const SpaceMouseReading& readi
   settings.up = static_cast<SpaceMouseSettings::Up>(up);
   row("Dead zone", "So much of the cap's way moves nothing.");
   double percent = 100.0 * settings.dead_zone;
-  constexpr double least = 0.0;
-  constexpr double greatest = 50.0;
-  if (ImGui::SliderScalar("##dead", ImGuiDataType_Double, &percent, &least, &greatest, "%.0f %%",
-                          ImGuiSliderFlags_AlwaysClamp)) {
-    settings.dead_zone = percent / 100.0;
-  }
+  if (slider("##dead", percent, {0.0, 50.0}, "%.0f %%")) settings.dead_zone = percent / 100.0;
   end_rows();
 }
 

@@ -105,9 +105,7 @@ void draw_status_bar(const PanelContext& context) {
   tooltip("Who moves the goal, model time, ticks of the loop per second of real time, and ticks that came too late.");
   if (width(words) + width(remark) <= room) {
     ImGui::SameLine(0.0F, 0.0F);
-    ImGui::PushStyleColor(ImGuiCol_Text, unpacked(context.theme.faint_text));
-    ImGui::TextUnformatted(remark.c_str());
-    ImGui::PopStyleColor();
+    text_in(context.theme.faint_text, remark);
     tooltip("What the system grants the loop, so that its ticks come in time; ghostforce doctor says why not more.");
   }
   ImGui::SameLine(scene_x);

@@ -1,7 +1,6 @@
 // The bar on top: which strategy is on the device, what is compared, and how time runs.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <string>
 

@@ -1,12 +1,11 @@
 // The hand: how stiff it is, how stiff the renderer believes it to be, and what a wrong belief does.
 #include <fmt/format.h>
 
-#include <cmath>
 #include <string>
 
 #include "app/ui/panels/panel_catalog.h"
 #include "app/ui/widgets/controls.h"
-#include "core/ghost_force.h"
+#include "core/prediction.h"
 
 namespace ghostforce {
 namespace {
@@ -32,19 +31,15 @@ void draw_drift_of_belief(const PanelContext& context) {
     return;
   }
   const Vector<2> seen = context.snapshot.strategies[index_of(StrategyId::anisotropic)].proxy_drift;
-  const Equilibrium<2> rest = equilibrium_of(StrategyId::anisotropic, settings, context.snapshot.goal);
-  const Vector<2> predicted = proxy_drift(wall_of(settings), rest.proxy, rest.goal);
-  ImGui::PushFont(context.fonts.number, 0.0F);
-  ImGui::TextUnformatted(millimetres(seen).c_str());
-  ImGui::PopFont();
+  const Vector<2> predicted =
+      predicted_equilibria(settings, context.snapshot.goal)[index_of(StrategyId::anisotropic)].proxy_drift;
+  text_in(context.fonts.number, millimetres(seen));
   tooltip("Of the anisotropic strategy, along the wall, as simulated.");
   ImGui::SameLine();
   ImGui::PushStyleColor(ImGuiCol_Text, unpacked(context.theme.faint_text));
   ImGui::TextUnformatted("theory");
   ImGui::SameLine();
-  ImGui::PushFont(context.fonts.number, 0.0F);
-  ImGui::TextUnformatted(millimetres(predicted).c_str());
-  ImGui::PopFont();
+  text_in(context.fonts.number, millimetres(predicted));
   ImGui::PopStyleColor();
   tooltip("By the closed form, at rest.");
 }

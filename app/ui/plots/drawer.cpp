@@ -2,9 +2,7 @@
 
 #include <array>
 
-#include "app/ui/plots/equilibrium_plots.h"
-#include "app/ui/plots/time_plots.h"
-#include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/tooltips.h"
 
 namespace ghostforce {
 namespace {

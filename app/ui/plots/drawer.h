@@ -1,4 +1,4 @@
-// The drawer at the bottom with the plots, key F3.
+// The drawer at the bottom with the plots, key F3, and the plots themselves.
 #pragma once
 
 #include "app/ui/widgets/panel_context.h"
@@ -8,5 +8,10 @@ namespace ghostforce {
 
 // Into the current ImGui window. Edits session.plots, and settings where an operating point is dragged.
 void draw_plots(const PanelContext& context, const PlotHistory& history);
+
+// Each fills what remains of the current ImGui window and edits the session.
+void draw_time_plots(const PanelContext& context, const PlotHistory& history);
+void draw_wall_angle_plots(const PanelContext& context);
+void draw_ratio_plots(const PanelContext& context);
 
 }  // namespace ghostforce

@@ -1,5 +1,6 @@
-#include "app/ui/plots/equilibrium_plots.h"
-
+// Force and drift at rest over one setting: the wall's angle, or the tracking ratio. The curves are the closed forms,
+// rings mark them at the setting in use, shapes what the simulation does there. The operating point can be dragged, and
+// the scene follows.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "app/ui/panels/ratio_dial.h"
+#include "app/ui/plots/drawer.h"
 #include "app/ui/plots/equilibrium_curves.h"
 #include "app/ui/plots/plot_pieces.h"
 #include "app/ui/widgets/controls.h"
@@ -67,11 +69,7 @@ void draw_points(const PanelContext& context, const EquilibriumQuantity& quantit
 // Where the person drags the operating point to, if so: these plots have nothing else to take hold of, so that a drag
 // may begin anywhere in them, as in the scene.
 std::optional<double> draw_operating_point(const PanelContext& context, const EquilibriumAxis& axis) {
-  const float x = ImPlot::PlotToPixels(axis.now, 0.0).x;
-  const ImVec2 corner = ImPlot::GetPlotPos();
-  const float thickness = 1.5F * static_cast<float>(context.theme.thickness) * context.scale;
-  ImPlot::GetPlotDrawList()->AddLine({x, corner.y}, {x, corner.y + ImPlot::GetPlotSize().y},
-                                     packed(context.theme.accent), thickness);
+  draw_upright_line(context, axis.now, 1.5F);
   bool& is_held = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("held"));
   if (ImPlot::IsPlotHovered()) {
     ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
@@ -101,9 +99,7 @@ std::optional<double> draw_rest_plot(const PanelContext& context, const Equilibr
       ImPlotAxisFlags_NoMenus | ImPlotAxisFlags_NoSideSwitch | ImPlotAxisFlags_NoHighlight | ImPlotAxisFlags_Lock;
   ImPlot::SetupAxes(nullptr, nullptr, fixed_axis, fixed_axis);
   if (axis.is_logarithmic) ImPlot::SetupAxisScale(ImAxis_X1, ImPlotScale_Log10);
-  std::vector<const char*> labels;
-  for (const std::string& label : axis.labels) labels.push_back(label.c_str());
-  ImPlot::SetupAxisTicks(ImAxis_X1, axis.ticks.data(), static_cast<int>(axis.ticks.size()), labels.data());
+  set_up_ticks(ImAxis_X1, axis.ticks, axis.labels);
   set_up_ticks(ImAxis_Y1, range, size.y - 2.0F * ImGui::GetTextLineHeight(), "");
   ImPlot::SetupAxesLimits(axis.least, axis.greatest, range.least, range.greatest, ImPlotCond_Always);
   for_each_strategy(context, [&](StrategyId id) { draw_strategy_curve(context, id, axis.at, heights[index_of(id)]); });
@@ -112,7 +108,7 @@ std::optional<double> draw_rest_plot(const PanelContext& context, const Equilibr
   if (std::isnan(heights.front().front())) {
     const double middle =
         axis.is_logarithmic ? std::sqrt(axis.least * axis.greatest) : 0.5 * (axis.least + axis.greatest);
-    ImPlot::PlotText("— cannot be known", middle, 0.5 * (range.least + range.greatest));
+    ImPlot::PlotText(unknown, middle, 0.5 * (range.least + range.greatest));
   }
   ImPlot::EndPlot();
   return dragged;

@@ -81,13 +81,26 @@ void set_up_ticks(ImAxis axis, const PlotRange& range, float length, std::string
       choose_ticks({range.least, range.greatest, false, false, static_cast<double>(length), gap, extent});
   std::vector<double> values;
   std::vector<std::string> words;
-  std::vector<const char*> labels;
   for (const Tick& tick : ticks.named) {
     values.push_back(tick.value);
     words.push_back(tick.words + std::string(unit));
   }
+  set_up_ticks(axis, values, words);
+}
+
+void set_up_ticks(ImAxis axis, std::span<const double> marks, std::span<const std::string> words) {
+  std::vector<const char*> labels;
   for (const std::string& each : words) labels.push_back(each.c_str());
-  ImPlot::SetupAxisTicks(axis, values.data(), static_cast<int>(values.size()), labels.data());
+  ImPlot::SetupAxisTicks(axis, marks.data(), static_cast<int>(marks.size()), labels.data());
+}
+
+void draw_upright_line(const PanelContext& context, double x, float thickness) {
+  const float at = ImPlot::PlotToPixels(x, 0.0).x;
+  const ImVec2 corner = ImPlot::GetPlotPos();
+  if (at < corner.x || at > corner.x + ImPlot::GetPlotSize().x) return;
+  ImPlot::GetPlotDrawList()->AddLine({at, corner.y}, {at, corner.y + ImPlot::GetPlotSize().y},
+                                     packed(context.theme.accent),
+                                     thickness * static_cast<float>(context.theme.thickness) * context.scale);
 }
 
 void draw_strategy_point(const PanelContext& context, StrategyId id, double x, double y, bool is_hollow) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
 #include <implot.h>
@@ -31,6 +32,14 @@ void draw_strategy_curve(const PanelContext& context, StrategyId id, std::span<c
 // Marks of an axis, as many as have room on so many pixels, in the same words as those of charts. Before what is
 // plotted.
 void set_up_ticks(ImAxis axis, const PlotRange& range, float length, std::string_view unit);
+// The same with marks and words that are given, as many of the one as of the other.
+void set_up_ticks(ImAxis axis, std::span<const double> marks, std::span<const std::string> words);
+
+// An upright line in the accent's colour, across a plot; none where that lies outside. `thickness` in points.
+void draw_upright_line(const PanelContext& context, double x, float thickness);
+
+// Where no curve can be.
+inline constexpr const char* unknown = "— cannot be known";
 
 // The strategy's shape at a point; hollow for what is predicted, with a bold rim. Within a plot.
 void draw_strategy_point(const PanelContext& context, StrategyId id, double x, double y, bool is_hollow);

@@ -1,14 +1,13 @@
-#include "app/ui/plots/time_plots.h"
-
+// The quantities of the three strategies over time: four plots with one time axis and one cursor.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "app/ui/plots/drawer.h"
 #include "app/ui/plots/plot_pieces.h"
 #include "app/ui/widgets/controls.h"
 
@@ -97,23 +96,12 @@ void draw_head(const PanelContext& context, const Quantity& quantity, std::size_
     ImGui::SameLine();
     ImGui::SetCursorPosX(left + width - needed - ImGui::GetStyle().ItemSpacing.x);
     for (std::size_t i = 0; i < strategy_count; ++i) {
-      ImGui::PushStyleColor(ImGuiCol_Text, unpacked(context.theme.strategy_text[i]));
-      ImGui::TextUnformatted(words[i].c_str());
-      ImGui::PopStyleColor();
+      text_in(context.theme.strategy_text[i], words[i]);
       ImGui::SameLine(0.0F, 0.0F);
     }
     ImGui::NewLine();
   }
   ImGui::PopFont();
-}
-
-void draw_cursor(const PanelContext& context, double at_s) {
-  const float x = ImPlot::PlotToPixels(at_s, 0.0).x;
-  const ImVec2 corner = ImPlot::GetPlotPos();
-  if (x < corner.x || x > corner.x + ImPlot::GetPlotSize().x) return;
-  ImPlot::GetPlotDrawList()->AddLine({x, corner.y}, {x, corner.y + ImPlot::GetPlotSize().y},
-                                     packed(context.theme.accent),
-                                     static_cast<float>(context.theme.thickness) * context.scale);
 }
 
 // One quantity; the time under the pointer, if it is there.
@@ -136,13 +124,12 @@ std::optional<double> draw_plot(const PanelContext& context, const std::vector<P
     const Curve curve = curve_of(buckets, q, index_of(id));
     draw_strategy_curve(context, id, curve.x, curve.y);
   });
-  constexpr const char* unknown = "— cannot be known";
   const double seconds_per_pixel = view.span_s() / static_cast<double>(ImPlot::GetPlotSize().x);
   const double width_s = static_cast<double>(ImGui::CalcTextSize(unknown).x) * seconds_per_pixel;
   if (const auto middle = middle_of_unknown(buckets, q, width_s)) {
     ImPlot::PlotText(unknown, *middle, 0.5 * (range.least + range.greatest));
   }
-  if (view.cursor_s) draw_cursor(context, *view.cursor_s);
+  if (view.cursor_s) draw_upright_line(context, *view.cursor_s, 1.0F);
   if (ImPlot::IsPlotHovered()) cursor = ImPlot::GetPlotMousePos().x;
   ImPlot::EndPlot();
   return cursor;

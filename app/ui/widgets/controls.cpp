@@ -20,6 +20,24 @@ ImVec4 unpacked(Colour colour) {
   return ImGui::ColorConvertU32ToFloat4(packed(colour));
 }
 
+void text_in(ImFont* font, std::string_view words) {
+  ImGui::PushFont(font, 0.0F);
+  ImGui::TextUnformatted(words.data(), words.data() + words.size());
+  ImGui::PopFont();
+}
+
+void text_in(Colour colour, std::string_view words) {
+  ImGui::PushStyleColor(ImGuiCol_Text, unpacked(colour));
+  ImGui::TextUnformatted(words.data(), words.data() + words.size());
+  ImGui::PopStyleColor();
+}
+
+void wrapped_text(std::string_view words, float end) {
+  ImGui::PushTextWrapPos(end);
+  ImGui::TextUnformatted(words.data(), words.data() + words.size());
+  ImGui::PopTextWrapPos();
+}
+
 void draw_glyph(ImDrawList& draw_list, ImVec2 center, float radius, Shape shape, Colour fill) {
   const ImU32 colour = packed(fill);
   switch (shape) {
@@ -103,11 +121,12 @@ bool text_field(const char* id, const char* hint, std::string& text) {
       grow, &text);
 }
 
+bool slider(const char* id, double& value, const SliderLimits& limits, const char* format, ImGuiSliderFlags flags) {
+  return ImGui::SliderScalar(id, ImGuiDataType_Double, &value, &limits.least, &limits.greatest, format, flags);
+}
+
 bool stiffness_slider(const char* id, std::string_view key, double& newton_per_metre, const SliderLimits& limits) {
-  if (!ImGui::SliderScalar(id, ImGuiDataType_Double, &newton_per_metre, &limits.least, &limits.greatest,
-                           format_for(newton_per_metre), ImGuiSliderFlags_Logarithmic)) {
-    return false;
-  }
+  if (!slider(id, newton_per_metre, limits, format_for(newton_per_metre), ImGuiSliderFlags_Logarithmic)) return false;
   const SliderLimits range = range_of(key);
   newton_per_metre = std::clamp(newton_per_metre, range.least, range.greatest);
   return true;
@@ -123,13 +142,8 @@ void close_popup_on_escape() {
 
 bool angle_slider(const char* id, double& radians) {
   constexpr double degrees = 180.0 / std::numbers::pi;
-  constexpr double least = -180.0;
-  constexpr double greatest = 180.0;
   double shown = std::remainder(radians, 2.0 * std::numbers::pi) * degrees;
-  if (!ImGui::SliderScalar(id, ImGuiDataType_Double, &shown, &least, &greatest, "%.1f°",
-                           ImGuiSliderFlags_AlwaysClamp)) {
-    return false;
-  }
+  if (!slider(id, shown, {-180.0, 180.0}, "%.1f°")) return false;
   radians = shown / degrees;
   return true;
 }
@@ -142,18 +156,14 @@ void draw_strategy_name(const PanelContext& context, const Strategy& entry, ImFo
              strategy_style(entry.id).shape, context.theme.strategy[i]);
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 1.4F * height);
   ImGui::PushFont(font, 0.0F);
-  ImGui::PushStyleColor(ImGuiCol_Text, unpacked(context.theme.strategy_text[i]));
-  ImGui::Text("%c", entry.letter);
-  ImGui::PopStyleColor();
+  text_in(context.theme.strategy_text[i], {&entry.letter, 1});
   ImGui::PopFont();
   tooltip(entry.sentence);
 }
 
 void number_cell(const PanelContext& context, const std::string& text) {
   ImGui::TableNextColumn();
-  ImGui::PushFont(context.fonts.number, 0.0F);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopFont();
+  text_in(context.fonts.number, text);
 }
 
 }  // namespace ghostforce

@@ -15,6 +15,11 @@ namespace ghostforce {
 ImU32 packed(Colour colour);
 ImVec4 unpacked(Colour colour);
 
+// Words in another font or colour, or broken where they reach `end` of the window; 0: its right edge.
+void text_in(ImFont* font, std::string_view words);
+void text_in(Colour colour, std::string_view words);
+void wrapped_text(std::string_view words, float end = 0.0F);
+
 // ● ◆ ▲ as the scene draws them.
 void draw_glyph(ImDrawList& draw_list, ImVec2 center, float radius, Shape shape, Colour fill);
 
@@ -27,12 +32,15 @@ void end_rows();
 // A field for a line of text, as wide as the next item is set to be; true when Enter was pressed in it.
 bool text_field(const char* id, const char* hint, std::string& text);
 
-// A logarithmic slider between these, with the value and its unit in it. Ctrl+click types any number that the scene's
-// `key` may have.
 struct SliderLimits {
   double least;
   double greatest;
 };
+// Clamps what is typed into it as well, unless the flags are others.
+bool slider(const char* id, double& value, const SliderLimits& limits, const char* format,
+            ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp);
+
+// A logarithmic slider with the value and its unit in it. Ctrl+click types any number that the scene's `key` may have.
 bool stiffness_slider(const char* id, std::string_view key, double& newton_per_metre, const SliderLimits& limits);
 
 // Degrees on screen, radians inside. Drags without an end: angles have none.

@@ -85,9 +85,7 @@ bool draw_save_path(const PanelContext& context) {
   ImGui::SetNextItemWidth(dialog_field_width(480.0F, context));
   const bool entered = text_field("##path", "", form.path);
   const Verdict verdict = judge(form.path);
-  ImGui::PushStyleColor(ImGuiCol_Text, unpacked(context.theme.faint_text));
-  ImGui::TextUnformatted(verdict.remark.c_str());
-  ImGui::PopStyleColor();
+  text_in(context.theme.faint_text, verdict.remark);
   ImGui::BeginDisabled(!verdict.can_be_written);
   const bool pressed = ImGui::Button(fmt::format("{}###save", verdict.caption).c_str());
   ImGui::EndDisabled();

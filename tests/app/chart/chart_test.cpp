@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "app/chart/ticks.h"
-#include "app/paint/vector/image_painter.h"
+#include "app/paint/vector/file_painter.h"
 #include "app/paint/vector/vector_painter.h"
 
 namespace ghostforce {

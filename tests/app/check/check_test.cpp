@@ -25,8 +25,8 @@
 #include "app/check/comparison.h"
 #include "app/files/png_file.h"
 #include "app/files/scene_file.h"
+#include "app/paint/gl_painter.h"
 #include "app/paint/label_painter.h"
-#include "app/paint/scene_painter.h"
 #include "app/ui/offscreen.h"
 #include "app/ui/widgets/style.h"
 #include "app/ui/window.h"
@@ -47,7 +47,7 @@ Image painted(const PictureRequest& request, const std::function<void(Marks&)>& 
       {.title = "", .width = request.width, .height = request.height, .offscreen = true, .takes_mouse = false});
   const auto scale = static_cast<float>(request.appearance.scale);
   apply_style(*request.appearance.theme, scale);
-  ScenePainter painter;
+  GlPainter painter;
   for (int i = 0; i < 3; ++i) {
     window.frame(0.0, [&] {
       std::vector<Pane> panes = compose_moment(request, moment, {request.width, request.height}, measure_text);

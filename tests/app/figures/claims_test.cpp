@@ -73,12 +73,12 @@ TEST(Claims, TheCureDoesSoForSoftAndHardWalls) {
     scene.settings.stiffnesses.k_c = k_c;
     const SimulatedMotion motion = simulate_motion("", scene);
     const double near = claimed * depth_of(motion);
-    for (const auto& device_of : {+[](const SimulatedMotion&m, std::size_t i) { return m.rest[i].device; },
+    for (const auto& device_of : {+[](const SimulatedMotion&m, std::size_t i) { return m.rest[i].at.device; },
                                   +[](const SimulatedMotion&m, std::size_t i) { return at_rest(m, i).device; }}) {
       EXPECT_NEAR(device_of(motion, anisotropic).x, device_of(motion, full).x, near);
       EXPECT_GT(device_of(motion, full).x - device_of(motion, naive).x, 1000.0 * near);
     }
-    EXPECT_NEAR(motion.rest[anisotropic].force.x, motion.rest[full].force.x, 100.0 * near);
+    EXPECT_NEAR(motion.rest[anisotropic].at.force.x, motion.rest[full].at.force.x, 100.0 * near);
     EXPECT_NEAR(at_rest(motion, anisotropic).force.x, at_rest(motion, full).force.x, 100.0 * near);
   }
 }
@@ -95,8 +95,8 @@ TEST(Claims, TheNaiveDeviceEndsOnTheOtherSideOfWhereItEntered) {
     // Half of the last digit that is printed.
     EXPECT_NEAR(1000.0 * at_rest(motion, row.strategy).device.x, row.device_x_mm, 0.0005);
     EXPECT_NEAR(at_rest(motion, row.strategy).force.x, row.force_x_N, 0.0005);
-    EXPECT_NEAR(1000.0 * motion.rest[row.strategy].device.x, row.device_x_mm, 0.0005);
-    EXPECT_NEAR(motion.rest[row.strategy].force.x, row.force_x_N, 0.0005);
+    EXPECT_NEAR(1000.0 * motion.rest[row.strategy].at.device.x, row.device_x_mm, 0.0005);
+    EXPECT_NEAR(motion.rest[row.strategy].at.force.x, row.force_x_N, 0.0005);
   }
   EXPECT_GT(motion.moments.back().goal.x, 0.0);
   EXPECT_LT(at_rest(motion, naive).device.x, 0.0);
@@ -116,7 +116,7 @@ TEST(Claims, TheGhostForceGrowsWithTheStiffnessRatio) {
   for (const SimulatedMotion& motion : stiffness_ratios()) {
     const double ghost = glm::length(at_rest(motion, naive).ghost_force);
     EXPECT_GT(ghost, 1.1 * before) << motion.name;
-    EXPECT_NEAR(ghost, glm::length(motion.ghost_at_equilibrium[naive]), 1000.0 * rounding);
+    EXPECT_NEAR(ghost, glm::length(motion.rest[naive].ghost_force), 1000.0 * rounding);
     before = ghost;
   }
   const Curves curves = force_over_stiffness_ratio();
@@ -176,9 +176,9 @@ TEST(Claims, TheSimulatedLoopComesToRestWhereTheClosedFormsSay) {
   for (const SimulatedMotion& motion : simulated_to_rest()) {
     SCOPED_TRACE(motion.name);
     for (std::size_t i = 0; i < strategy_count; ++i) {
-      EXPECT_LT(glm::distance(at_rest(motion, i).device, motion.rest[i].device), rounding);
-      EXPECT_LT(glm::distance(at_rest(motion, i).proxy, motion.rest[i].proxy), rounding);
-      EXPECT_LT(glm::distance(at_rest(motion, i).force, motion.rest[i].force), 1000.0 * rounding);
+      EXPECT_LT(glm::distance(at_rest(motion, i).device, motion.rest[i].at.device), rounding);
+      EXPECT_LT(glm::distance(at_rest(motion, i).proxy, motion.rest[i].at.proxy), rounding);
+      EXPECT_LT(glm::distance(at_rest(motion, i).force, motion.rest[i].at.force), 1000.0 * rounding);
     }
   }
 }
@@ -325,14 +325,14 @@ TEST(Claims, TheDelayMovesTheEnergyAboveTheLineForSmallRatiosAndBelowItForLargeO
 TEST(Claims, EquilibriaAreLabelledWhereTheyAre) {
   const ThreeEquilibria data = three_equilibria();
   const Wall<2> wall = wall_of(data.scene.settings);
-  for (const Equilibrium<2>& rest : data.rest) {
+  for (const auto& [rest, ghost, drift] : data.rest) {
     EXPECT_LT(std::abs(depth(wall, rest.contact)), 1e-15);
     EXPECT_GT(depth(wall, rest.device), depth(wall, rest.proxy));
     EXPECT_GT(depth(wall, rest.goal), depth(wall, rest.device));
   }
-  EXPECT_LT(glm::length(proxy_drift(wall, data.rest[full].proxy, data.rest[full].goal)), rounding);
-  EXPECT_LT(glm::length(proxy_drift(wall, data.rest[anisotropic].proxy, data.rest[anisotropic].goal)), rounding);
-  EXPECT_GT(glm::length(proxy_drift(wall, data.rest[naive].proxy, data.rest[naive].goal)), 0.010);
+  EXPECT_LT(glm::length(proxy_drift(wall, data.rest[full].at.proxy, data.rest[full].at.goal)), rounding);
+  EXPECT_LT(glm::length(proxy_drift(wall, data.rest[anisotropic].at.proxy, data.rest[anisotropic].at.goal)), rounding);
+  EXPECT_GT(glm::length(proxy_drift(wall, data.rest[naive].at.proxy, data.rest[naive].at.goal)), 0.010);
 }
 
 }  // namespace

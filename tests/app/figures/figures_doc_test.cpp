@@ -26,9 +26,9 @@ std::string numbers_table() {
   std::ranges::move(stiffness_ratios(), std::back_inserter(motions));
   for (const SimulatedMotion& motion : motions) {
     table += "| " + motion.name + " |";
-    for (const Equilibrium<2>& rest : motion.rest) table += cell(1000.0 * rest.device.x);
-    for (const Equilibrium<2>& rest : motion.rest) table += cell(rest.force.x);
-    table += cell(motion.ghost_at_equilibrium[index_of(StrategyId::naive)].x) + "\n";
+    for (const PredictedEquilibrium& rest : motion.rest) table += cell(1000.0 * rest.at.device.x);
+    for (const PredictedEquilibrium& rest : motion.rest) table += cell(rest.at.force.x);
+    table += cell(motion.rest[index_of(StrategyId::naive)].ghost_force.x) + "\n";
   }
   return table;
 }

@@ -13,8 +13,8 @@
 
 #include <gtest/gtest.h>
 
+#include "app/paint/gl_painter.h"
 #include "app/paint/label_painter.h"
-#include "app/paint/scene_painter.h"
 #include "app/paint/vector/vector_painter.h"
 #include "app/ui/window.h"
 #include "tests/app/paint/vector/vector_panes.h"
@@ -54,7 +54,7 @@ class OpenGl {
 
  private:
   Window window_{{.title = "test", .width = width, .height = height, .offscreen = true, .takes_mouse = false}};
-  ScenePainter painter_;
+  GlPainter painter_;
 };
 
 int difference(const Image& a, const Image& b, std::size_t pixel) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "core/conventions.h"
@@ -15,6 +16,10 @@ struct ScreenBox {
   Vector<2> most{0.0};
 
   Vector<2> extent() const noexcept { return most - least; }
+  void include(const Vector<2>& point) noexcept {
+    least = glm::min(least, point);
+    most = glm::max(most, point);
+  }
   ScreenBox grown(double by) const noexcept { return {least - Vector<2>(by), most + Vector<2>(by)}; }
 };
 
