@@ -18,11 +18,11 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/command.h"
-#include "app/cli/command_catalog.h"
 #include "app/cli/desktop_inputs.h"
 #include "app/cli/falcon_options.h"
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
+#include "app/console/quoted.h"
 #include "app/console/words.h"
 #include "app/doctor/diagnosis.h"
 #include "app/doctor/examination.h"
@@ -164,11 +164,9 @@ std::function<int()> attach_doctor(CLI::App& command, FileOptions& files) {
               "Wait so long for a person to home the device and move its handle; default: 30 on a terminal, else 0")
           ->type_name("S")
           ->check(number_between(0.0, 3600.0, "s"));
-  std::vector<std::string_view> names;
-  for (const InputKind& kind : falcon_kinds({})) names.push_back(kind.name);
   command.add_option("--input", options->input, "falcon, or virtual-falcon to try this out; default: falcon")
       ->type_name("NAME")
-      ->check(one_of(names));
+      ->check(one_of(names_of(falcon_kinds({}))));
   CLI::Option* const measure = command.add_flag(
       "--measure", options->measure,
       "Measure the device with a ruler and a weight, ten minutes, motors below 2 N; see docs/falcon.md");

@@ -1,7 +1,6 @@
 // ghostforce equilibrium: where everything comes to rest, by closed form.
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,7 +11,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.h"
-#include "app/cli/command_catalog.h"
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
 #include "app/files/output_file.h"

@@ -1,7 +1,6 @@
 // ghostforce figures: the paper's figures, and further ones, each with the numbers that it was drawn from.
 #include <algorithm>
 #include <cstdint>
-#include <cstdio>
 #include <filesystem>
 #include <iterator>
 #include <memory>
@@ -13,7 +12,6 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/command.h"
-#include "app/cli/command_catalog.h"
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
 #include "app/console/progress.h"
@@ -103,15 +101,11 @@ std::function<int()> attach_figures(CLI::App& command, FileOptions& files) {
                  }
                  return paths;
                });
-  std::vector<std::string_view> names;
   std::string list;
-  for (const FigureEntry& entry : figure_catalog()) {
-    names.push_back(entry.name);
-    list += fmt::format("  {:28}{}\n", entry.name, entry.sentence);
-  }
+  for (const FigureEntry& entry : figure_catalog()) list += fmt::format("  {:28}{}\n", entry.name, entry.sentence);
   command.add_option("--only", options->only, "Make these figures alone, one or more")
       ->type_name("NAME")
-      ->check(one_of(names));
+      ->check(one_of(names_of(figure_catalog())));
   files.reads(command
                   .add_option("--hand", options->hand,
                               "A recording, or a CSV of simulate: figure-6 shows its hand in place of a simulated one")

@@ -12,7 +12,6 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/command.h"
-#include "app/cli/command_catalog.h"
 #include "app/cli/desktop_inputs.h"
 #include "app/cli/end_of_visit.h"
 #include "app/cli/falcon_options.h"

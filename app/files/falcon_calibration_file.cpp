@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 #include <iterator>
-#include <optional>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -77,17 +75,14 @@ std::vector<CalibrationFile> read_all() {
   const fs::path folder = calibration_folder();
   std::error_code error;
   if (folder.empty() || !fs::exists(folder, error)) return {};
-  std::vector<fs::path> paths;
-  for (fs::directory_iterator file(folder, error), end; !error && file != end; file.increment(error)) {
-    if (file->path().extension() == ".toml") paths.push_back(file->path());
-  }
+  std::vector<fs::path> paths = paths_in(folder, error);
   if (error) {
     throw ReadError(ReadError::Kind::unreadable, {{.file = "the folder " + quoted_text(folder.string(), longest_path),
                                                    .what = "cannot be read: " + error.message(),
                                                    .remedy = "look at its permissions",
                                                    .joint = " "}});
   }
-  std::sort(paths.begin(), paths.end());
+  std::erase_if(paths, [](const fs::path& path) { return path.extension() != ".toml"; });
 
   std::vector<CalibrationFile> files;
   std::vector<ReadProblem> problems;

@@ -9,7 +9,6 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
-#include <system_error>
 #include <utility>
 #include <variant>
 
@@ -41,18 +40,12 @@ const EmbeddedText* find_shipped(std::string_view name) noexcept {
 std::string hint_for(const std::filesystem::path& path) {
   const std::string stem = path.extension() == extension ? path.stem().string() : path.filename().string();
   const std::vector<std::string_view> shipped = shipped_scene_names();
-  std::vector<std::string> files;
-  std::error_code error;
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-  constexpr std::size_t most_files = 1000;
-  for (std::filesystem::directory_iterator file(folder, error), end; !error && file != end; file.increment(error)) {
-    if (file->path().extension() == extension) files.push_back(file->path().stem().string());
-    if (files.size() == most_files) break;
-  }
-  std::sort(files.begin(), files.end());
-  const std::vector<std::string_view> file_names(files.begin(), files.end());
-  if (const auto near = nearest_name(stem, file_names)) {
-    const std::string found = std::string(*near) + std::string(extension);
+  const auto name_of = [](const std::filesystem::path& file) {
+    return file.extension() == extension ? file.stem().string() : "";
+  };
+  if (const auto near = nearest_name_in(folder, stem, name_of)) {
+    const std::string found = *near + std::string(extension);
     return fmt::format("did you mean '{}'?", quoted_text(path.has_parent_path() ? (folder / found).string() : found));
   }
   if (const auto near = nearest_name(stem, shipped)) return fmt::format("did you mean '{}'?", *near);

@@ -86,7 +86,7 @@ void Replay::follow(const RunTick& now) {
 }
 
 bool Replay::is_any_known() const noexcept {
-  return std::ranges::any_of(is_known_, [](bool is_known) { return is_known; });
+  return std::ranges::any_of(is_known_, std::identity{});
 }
 
 // Compares one row of the file with the replay's, value by value.
