@@ -1,6 +1,5 @@
 #include "app/doctor/readiness.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -18,15 +17,16 @@ constexpr std::array steps{
     ReadinessEntry{ReadinessStep::seen, ExitCode::device_absent, "seen", "Plugged in",
                    "Plug in the Falcon's power supply, then its USB cable."},
     ReadinessEntry{ReadinessStep::allowed, ExitCode::device_refused, "allowed", "Allowed",
-                   "Run 'ghostforce doctor --install-udev' once, then plug it in again."},
+                   "Run 'ghostforce doctor --install-udev' once, then plug it in again.", "this user may open it"},
     ReadinessEntry{ReadinessStep::free, ExitCode::device_refused, "free", "Free",
-                   "Close the other program that has the device."},
+                   "Close the other program that has the device.", "no other program has it"},
     ReadinessEntry{ReadinessStep::firmware, ExitCode::device_failed, "firmware", "Firmware",
-                   "Give it a firmware file: --firmware FILE, see docs/falcon.md."},
+                   "Give it a firmware file: --firmware FILE, see docs/falcon.md.", "it answers"},
     ReadinessEntry{ReadinessStep::homed, ExitCode::device_failed, "homed", "Homed",
-                   "Pull the handle all the way out, then push it straight in until it stops."},
+                   "Pull the handle all the way out, then push it straight in until it stops.",
+                   "all three motors have found their zero"},
     ReadinessEntry{ReadinessStep::encoders_move, ExitCode::device_failed, "encoders_move", "Encoders move",
-                   "Move the handle up and down, left and right, out and in."},
+                   "Move the handle up and down, left and right, out and in.", "all three"},
     ReadinessEntry{ReadinessStep::fast_enough, ExitCode::answer_is_no, "fast_enough", "Fast enough",
                    "Use a USB port of the machine itself, without a hub, and close what keeps the machine busy."},
     ReadinessEntry{ReadinessStep::outside_wall, ExitCode::done, "outside_wall", "Outside the wall",
@@ -42,6 +42,7 @@ struct FaultEntry {
   ReadinessStep step;
   std::string_view remedy;
 };
+// In the order of FalconFault.
 constexpr std::array faults{
     FaultEntry{FalconFault::none, ReadinessStep::seen, ""},
     FaultEntry{FalconFault::not_allowed, ReadinessStep::allowed,
@@ -77,6 +78,7 @@ constexpr std::array faults{
                "The encoders tell a position that the arms cannot have: home the device again (F2), and check the "
                "geometry in its calibration file."},
 };
+static_assert(faults.size() == static_cast<std::size_t>(FalconFault::kinematics) + 1);
 
 // The wire to the device is dead, and what it was told last was a force.
 constexpr std::string_view still_pushing =
@@ -96,7 +98,7 @@ std::string motors_where(const std::array<bool, 3>& is_so, bool wanted) {
 }
 
 const FaultEntry& readiness_fault(FalconFault fault) noexcept {
-  return *std::ranges::find(faults, fault, &FaultEntry::id);
+  return faults[static_cast<std::size_t>(fault)];
 }
 
 // How far the device has come by itself, up to being homed: the first step that is not reached.
@@ -173,29 +175,26 @@ class ReadinessCheck {
   std::string words(const ReadinessEntry& entry, bool reached) const {
     switch (entry.id) {
       case ReadinessStep::seen:
-        if (!reached) break;
-        return report_.serial.text().empty() ? "" : fmt::format("serial number {}", report_.serial.text());
-      case ReadinessStep::allowed:
-        if (!reached) break;
-        return "this user may open it";
-      case ReadinessStep::free:
-        if (!reached) break;
-        return "no other program has it";
+        if (!reached || report_.serial.text().empty()) break;
+        return fmt::format("serial number {}", report_.serial.text());
       case ReadinessStep::firmware:
-        return reached ? "it answers" : firmware_words();
+        if (reached) break;
+        return firmware_words();
       case ReadinessStep::homed:
-        return reached ? "all three motors have found their zero" : homing_words(entry);
+        if (reached) break;
+        return fmt::format("homed: {}; counts {}, {}, {}. {}", motors_where(report_.has_homed, true),
+                           report_.encoders[0], report_.encoders[1], report_.encoders[2], entry.remedy);
       case ReadinessStep::encoders_move:
-        return reached ? "all three" : moving_words(entry);
+        if (reached) break;
+        return fmt::format("not moved yet: {}. {}", motors_where(report_.has_moved, false), entry.remedy);
       case ReadinessStep::fast_enough:
         return speed_words(entry, reached);
-      case ReadinessStep::outside_wall:
-        if (!reached) break;
-        return "";
       case ReadinessStep::armed:
         return armed_words(entry);
+      default:
+        break;
     }
-    return std::string(entry.remedy);
+    return std::string(reached ? entry.reached : entry.remedy);
   }
 
   std::string firmware_words() const {
@@ -204,15 +203,6 @@ class ReadinessCheck {
     if (report_.state == FalconState::opening) return "it is asked whether it has firmware" + before;
     return fmt::format("loading, attempt {} of {}, {} of {} bytes{}", report_.attempt, report_.attempts,
                        report_.bytes_echoed, report_.firmware_size, before);
-  }
-
-  std::string homing_words(const ReadinessEntry& entry) const {
-    return fmt::format("homed: {}; counts {}, {}, {}. {}", motors_where(report_.has_homed, true), report_.encoders[0],
-                       report_.encoders[1], report_.encoders[2], entry.remedy);
-  }
-
-  std::string moving_words(const ReadinessEntry& entry) const {
-    return fmt::format("not moved yet: {}. {}", motors_where(report_.has_moved, false), entry.remedy);
   }
 
   std::string speed_words(const ReadinessEntry& entry, bool reached) const {
