@@ -103,10 +103,9 @@ std::vector<CalibrationFile> read_all() {
       problems.insert(problems.end(), wrong.problems().begin(), wrong.problems().end());
       continue;
     }
-    const auto twin = std::find_if(files.begin(), std::prev(files.end()), [&](const CalibrationFile& other) {
-      return other.calibration.serial == files.back().calibration.serial;
-    });
-    if (twin != std::prev(files.end())) {
+    const auto serial_of = [](const CalibrationFile& each) { return each.calibration.serial; };
+    const auto twin = std::ranges::find(files, serial_of(files.back()), serial_of);
+    if (&*twin != &files.back()) {
       problems.push_back({.file = shown,
                           .what = "is about the same device as " + quoted_text(twin->path.string(), longest_path),
                           .remedy = "remove one",

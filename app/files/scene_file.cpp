@@ -6,7 +6,6 @@
 #include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -30,10 +29,8 @@ std::string_view name_of(const EmbeddedText& scene) noexcept {
 }
 
 const EmbeddedText* find_shipped(std::string_view name) noexcept {
-  for (const EmbeddedText& scene : embedded_scenes) {
-    if (name_of(scene) == name) return &scene;
-  }
-  return nullptr;
+  const auto found = std::ranges::find(embedded_scenes, name, name_of);
+  return found == embedded_scenes.end() ? nullptr : &*found;
 }
 
 // What the person may have meant by a name that is nothing: a shipped scene, or a file nearby.
@@ -143,10 +140,8 @@ struct Rounding {
   void operator()(const PointsKey& key) const {
     for (Vector<2>& point : key.in(scene)) round(point);
   }
-  void operator()(const OptionalNumberKey&) const {}
-  void operator()(const TextKey&) const {}
-  void operator()(const ChoiceKey&) const {}
-  void operator()(const TimesKey&) const {}
+  template <typename Other>
+  void operator()(const Other&) const {}
 };
 
 }  // namespace
