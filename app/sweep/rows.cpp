@@ -21,10 +21,6 @@ constexpr std::string_view simulated_columns =
 constexpr std::string_view not_settled = ",,,,,,,0";
 
 // −0 is a zero too.
-void append_number(fmt::memory_buffer& rows, double number) {
-  fmt::format_to(std::back_inserter(rows), FMT_COMPILE("{}"), number + 0.0);
-}
-
 void append_vector(fmt::memory_buffer& rows, const Vector<2>& vector) {
   fmt::format_to(std::back_inserter(rows), FMT_COMPILE(",{},{}"), vector.x + 0.0, vector.y + 0.0);
 }
@@ -51,16 +47,13 @@ void append_sweep_rows(fmt::memory_buffer& rows, const Grid& grid, std::int64_t 
   // The same in each row of the point, so made once.
   fmt::memory_buffer values;
   for (std::size_t i = 0; i < grid.ranges.size(); ++i) {
-    append_number(values, value_at(grid, i, point));
-    values.push_back(',');
+    fmt::format_to(std::back_inserter(values), FMT_COMPILE("{},"), value_at(grid, i, point) + 0.0);
   }
-  fmt::memory_buffer goal_depth;
-  append_number(goal_depth, rest.depth);
+  const std::string goal_depth = fmt::format(FMT_COMPILE(",{}"), rest.depth + 0.0);
 
   for (const Strategy& strategy : strategy_catalog()) {
     rows.append(values);
     rows.append(strategy.name);
-    rows.push_back(',');
     rows.append(goal_depth);
     if (kind.predicted) {
       const PredictedEquilibrium& predicted = rest.predicted[index_of(strategy.id)];
