@@ -1,5 +1,4 @@
 // ghostforce check: screenshot regression. Draws a folder of cases and compares each with the picture stored beside it.
-#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <memory>

@@ -84,6 +84,12 @@ CLI::Option* repeatable(CLI::Option* option) {
   return option->expected(1)->allow_extra_args(false)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
+void print(std::string_view text) {
+  OutputFile output("-");
+  output.write(text);
+  output.commit();
+}
+
 void write_played(OutputFile& file, std::string_view doing, const Scene& scene, const TickState<2>& state,
                   std::int64_t last, std::span<const StrategyId> ids) {
   // Well under a hundredth of a second.

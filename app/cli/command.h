@@ -66,6 +66,9 @@ WordCheck number_between(double least, double greatest, std::string unit);
 // The option may be given again and again, with one value each time.
 CLI::Option* repeatable(CLI::Option* option);
 
+// Writes this to the standard output. Throws what OutputFile does.
+void print(std::string_view text);
+
 // Plays the scene's hand from `state`, whose k is 0, to the tick `last`, and writes a row for each tick and each of
 // these strategies. `doing` is what the progress on a terminal is called. Unstable settings let the numbers grow until
 // they are none. That is an answer, but no data: throws Failure(wrong_call); interrupted; and what OutputFile throws.

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <string_view>
+#include <utility>
 
 #include <fmt/core.h>
 #include <CLI/CLI.hpp>
@@ -14,7 +15,6 @@
 #include "app/console/did_you_mean.h"
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
-#include "app/files/output_file.h"
 #include "app/files/scene_file.h"
 #include "ghostforce_version.h"
 
@@ -127,11 +127,11 @@ std::string words_about_extra(const CLI::App& app, const CLI::App* command, cons
   throw Failure(ExitCode::wrong_call, fmt::format("{}; '{}' tells more", what, help_call(command)));
 }
 
-int print(std::string_view text) {
-  OutputFile output("-");
-  output.write(text);
-  output.commit();
-  return static_cast<int>(ExitCode::done);
+std::function<int()> printing(std::string text) {
+  return [text = std::move(text)] {
+    print(text);
+    return static_cast<int>(ExitCode::done);
+  };
 }
 
 }  // namespace
@@ -161,9 +161,9 @@ std::function<int()> parse_command_line(std::vector<std::string> words) {
     app->parse(words);
   } catch (const CLI::CallForHelp&) {
     const CLI::App* const command = named_command(*app);
-    return [text = command == nullptr ? app->help() : command->help(std::string(program))] { return print(text); };
+    return printing(command == nullptr ? app->help() : command->help(std::string(program)));
   } catch (const CLI::CallForVersion& asked) {
-    return [text = fmt::format("{}\n", asked.what())] { return print(text); };
+    return printing(fmt::format("{}\n", asked.what()));
   } catch (const CLI::ParseError& error) {
     refuse(*app, error);
   }

@@ -10,7 +10,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -29,7 +28,6 @@
 #include "app/doctor/measure/measure_command.h"
 #include "app/doctor/readiness.h"
 #include "app/doctor/udev_rule.h"
-#include "app/files/output_file.h"
 #include "core/scene.h"
 #include "device/spacemouse/spacemouse_input.h"
 #include "device/virtual_falcon/virtual_falcon_input.h"
@@ -79,8 +77,7 @@ class LiveLine {
     if (now < next_) return;
     next_ = now + std::chrono::milliseconds(100);
     const std::vector<ReadinessStepState> readiness = readiness_of(report, nullptr);
-    const auto current =
-        std::find_if(readiness.begin(), readiness.end(), [](const auto& state) { return state.is_current; });
+    const auto current = std::ranges::find_if(readiness, &ReadinessStepState::is_current);
     if (current == readiness.end()) return;
     const std::string line = fmt::format("{}: {}", current->title, current->words);
     has_shown_ = true;
@@ -142,9 +139,7 @@ int doctor(const Options& options) {
   std::this_thread::sleep_until(began + time_to_look);
   diagnosis.spacemouse = spacemouse.reading();
   diagnosis.verdict = exit_code_of(diagnosis.report, wait_s > 0.0);
-  OutputFile output("-");
-  output.write(options.json ? json_of(diagnosis) : text_of(diagnosis));
-  output.commit();
+  print(options.json ? json_of(diagnosis) : text_of(diagnosis));
   return static_cast<int>(diagnosis.verdict);
 }
 

@@ -26,14 +26,11 @@ std::optional<UsbId> parse_usb_id(std::string_view text) {
   return vendor && product ? std::optional(UsbId{*vendor, *product}) : std::nullopt;
 }
 
-WordCheck is_usb_id() {
-  return [](const std::string& text) -> std::string {
-    if (parse_usb_id(text)) return {};
-    return fmt::format(
-        "'{}' is no USB id; give vendor and product as lsusb shows them, four hex digits each: "
-        "{:04x}:{:04x}",
-        quoted_text(text), falcon_usb_id.vendor, falcon_usb_id.product);
-  };
+std::string refuse_other_than_usb_id(const std::string& text) {
+  if (parse_usb_id(text)) return {};
+  return fmt::format(
+      "'{}' is no USB id; give vendor and product as lsusb shows them, four hex digits each: {:04x}:{:04x}",
+      quoted_text(text), falcon_usb_id.vendor, falcon_usb_id.product);
 }
 
 }  // namespace
@@ -50,7 +47,7 @@ void FalconSetUp::attach(CLI::App& command, FileOptions& files) {
       ->type_name("NUMBER");
   command.add_option("--falcon-usb-id", usb_id, "Another device than 0403:cb48 is a Falcon")
       ->type_name("VVVV:PPPP")
-      ->check(is_usb_id());
+      ->check(refuse_other_than_usb_id);
   const std::vector<std::string_view> names = names_of(injected_fault_catalog());
   repeatable(command
                  .add_option("--misbehave", misbehave,

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
-#include <iterator>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -59,7 +58,7 @@ int figures(const Options& options) {
   refuse_hand_without_figure(options);
   const FigureRequest request = request_of(options);
   OutputFolder folder(options.folder);
-  std::vector<NamedFile> files;
+  std::size_t count = 0;
   std::vector<std::string> lines;
   {
     Progress progress("drawing", static_cast<std::int64_t>(figure_catalog().size()), true);
@@ -68,19 +67,19 @@ int figures(const Options& options) {
       stop_if_interrupted();
       if (is_wanted(options, entry.name)) {
         const Figure figure = entry.make(request);
-        std::ranges::move(figure_files(entry.name, figure), std::back_inserter(files));
+        for (const NamedFile& file : figure_files(entry.name, figure)) {
+          folder.write(file.name, file.content);
+          ++count;
+        }
         lines.push_back(fmt::format("{}: {}", entry.name, figure.title));
       }
       progress.at(++done);
     }
   }
-  for (const NamedFile& file : files) {
-    stop_if_interrupted();
-    folder.write(file.name, file.content);
-  }
+  stop_if_interrupted();
   folder.commit();
   for (const std::string& line : lines) say("{}\n", line);
-  say("{} files in {}\n", files.size(), quoted_text(options.folder, longest_path));
+  say("{} files in {}\n", count, quoted_text(options.folder, longest_path));
   return static_cast<int>(ExitCode::done);
 }
 
