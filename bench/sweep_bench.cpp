@@ -46,8 +46,9 @@ BENCHMARK(sweep_by_closed_form)
 
 void simulate_one_point_to_equilibrium(benchmark::State& state) {
   const Scene scene = load_scene("fig3-normal");
+  const SimulatedPoint point{scene.settings, scene.duration};
   for (auto _ : state) {
-    const auto equilibria = simulate_to_equilibrium(scene);
+    const auto equilibria = simulate_to_equilibrium(scene.goal, {&point, 1});
     benchmark::DoNotOptimize(equilibria);
   }
 }

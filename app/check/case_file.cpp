@@ -24,15 +24,10 @@ std::string scene_hint(const std::filesystem::path& name, const std::filesystem:
   namespace fs = std::filesystem;
   const std::vector<std::string_view> shipped = shipped_scene_names();
   if (name.has_parent_path()) {
-    std::vector<std::string> files;
-    std::error_code error;
-    for (fs::directory_iterator file(case_folder / name.parent_path(), error), end; !error && file != end;
-         file.increment(error)) {
-      if (file->path().extension() == ".toml") files.push_back(file->path().filename().string());
-    }
-    std::sort(files.begin(), files.end());
-    const std::vector<std::string_view> views(files.begin(), files.end());
-    if (const auto near = nearest_name(name.filename().string(), views)) {
+    const auto name_of = [](const fs::path& file) {
+      return file.extension() == ".toml" ? file.filename().string() : "";
+    };
+    if (const auto near = nearest_name_in(case_folder / name.parent_path(), name.filename().string(), name_of)) {
       return fmt::format("did you mean '{}'?", quoted_text((name.parent_path() / *near).string(), longest_path));
     }
   }
@@ -106,8 +101,7 @@ void read_text(ReadCase& into, std::vector<ReadProblem>& problems) {
   PictureRequest& request = into.content.request;
   const std::filesystem::path path = summary.path;
   constexpr std::array<std::string_view, 2> parts{"window", "scene"};
-  std::vector<std::string_view> strategies;
-  for (const Strategy& strategy : strategy_catalog()) strategies.push_back(strategy.name);
+  std::vector<std::string_view> strategies = names_of(strategy_catalog());
   strategies.push_back(every_strategy);
 
   TomlReader reader(summary.path);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <system_error>
-#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,7 +13,6 @@
 #include "app/console/quoted.h"
 #include "app/console/unicode.h"
 #include "app/files/input_file.h"
-#include "app/files/output_file.h"
 
 namespace ghostforce {
 namespace {
@@ -27,22 +25,15 @@ std::string shown(const fs::path& path) {
   return quoted_text(path.string(), longest_path);
 }
 
-std::vector<std::string_view> views_of(const std::vector<std::string>& words) {
-  return {words.begin(), words.end()};
-}
-
 // Another folder beside the one that is not there.
 std::string folder_hint(const fs::path& folder) {
   const fs::path named = folder.filename().empty() ? folder.parent_path() : folder;
-  std::vector<std::string> names;
-  std::error_code error;
   const fs::path around = named.has_parent_path() ? named.parent_path() : fs::path(".");
-  for (fs::directory_iterator entry(around, error), end; !error && entry != end; entry.increment(error)) {
+  const auto name_of = [](const fs::path& path) {
     std::error_code unknown;
-    if (entry->is_directory(unknown)) names.push_back(entry->path().filename().string());
-  }
-  std::sort(names.begin(), names.end());
-  const auto near = nearest_name(named.filename().string(), views_of(names));
+    return fs::is_directory(path, unknown) ? path.filename().string() : "";
+  };
+  const auto near = nearest_name_in(around, named.filename().string(), name_of);
   if (!near) return "";
   const fs::path found = named.has_parent_path() ? around / *near : fs::path(*near);
   return fmt::format("; did you mean '{}'?", shown(found));
@@ -62,14 +53,11 @@ std::vector<fs::path> case_paths(const std::string& folder) {
                                                     "them with --only NAME",
                                                     shown(folder)));
   }
-  std::vector<fs::path> paths;
-  fs::directory_iterator entry(folder, error);
-  for (const fs::directory_iterator end; !error && entry != end; entry.increment(error)) {
-    const fs::path& path = entry->path();
-    if (path.extension() == extension && !path.filename().string().starts_with('.')) paths.push_back(path);
-  }
+  std::vector<fs::path> paths = paths_in(folder, error);
   if (error) throw unreadable(shown(folder), error.value());
-  std::sort(paths.begin(), paths.end());
+  std::erase_if(paths, [](const fs::path& path) {
+    return path.extension() != extension || path.filename().string().starts_with('.');
+  });
   return paths;
 }
 
@@ -84,8 +72,7 @@ bool has_control_character(std::string_view name) {
 
 // What no case can tell alone.
 void find_problems_between(const std::vector<Case>& cases, std::vector<ReadProblem>& problems) {
-  std::vector<std::string_view> names;
-  for (const Case& each : cases) names.push_back(each.name);
+  const std::vector<std::string_view> names = names_of(cases);
   for (const Case& each : cases) {
     if (each.other.empty()) continue;
     ReadProblem problem = each.other_place;
@@ -145,8 +132,7 @@ const Case* find_case(const std::vector<Case>& cases, std::string_view name) noe
 
 std::vector<const Case*> chosen_cases(const std::vector<Case>& cases, const std::vector<std::string>& names,
                                       std::string_view option) {
-  std::vector<std::string_view> known;
-  for (const Case& each : cases) known.push_back(each.name);
+  const std::vector<std::string_view> known = names_of(cases);
   std::vector<std::string> problems;
   for (const std::string& name : names) {
     if (find_case(cases, name) != nullptr) continue;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <climits>
 #include <cstddef>
 #include <cstdlib>
 #include <cstring>
@@ -124,16 +125,10 @@ Image difference_picture(const Image& expected, const Image& actual, const Toler
   picture.rgb.resize(place_of(picture, 0, picture.height));
   for (int y = 0; y < picture.height; ++y) {
     for (int x = 0; x < picture.width; ++x) {
-      if (!has(expected, x, y) || !has(actual, x, y)) {
-        put(picture, x, y, over_colour);
-        continue;
-      }
-      const int difference = difference_at(expected, actual, x, y);
-      if (difference == 0) {
-        put(picture, x, y, faded(actual, x, y));
-      } else {
-        put(picture, x, y, difference > tolerance.channel ? over_colour : slight_colour);
-      }
+      const bool is_in_both = has(expected, x, y) && has(actual, x, y);
+      const int difference = is_in_both ? difference_at(expected, actual, x, y) : INT_MAX;
+      const Pixel& differing = difference > tolerance.channel ? over_colour : slight_colour;
+      put(picture, x, y, difference == 0 ? faded(actual, x, y) : differing);
     }
   }
   if (const Comparison comparison = compare_pictures(expected, actual, tolerance); comparison.over > 0) {

@@ -30,8 +30,7 @@ std::string without_vector_width(std::string_view renderer) {
   const std::size_t comma = renderer.rfind(", ");
   if (comma == std::string_view::npos || !renderer.ends_with(end)) return std::string(renderer);
   const std::string_view width = renderer.substr(comma + 2, renderer.size() - end.size() - comma - 2);
-  const bool is_number =
-      !width.empty() && std::all_of(width.begin(), width.end(), [](char c) { return c >= '0' && c <= '9'; });
+  const bool is_number = !width.empty() && width.find_first_not_of("0123456789") == std::string_view::npos;
   return is_number ? fmt::format("{})", renderer.substr(0, comma)) : std::string(renderer);
 }
 
@@ -99,7 +98,8 @@ std::string with_origin(const std::string& case_text, const GoldenOrigin& origin
   }
   // From the end of the file, so that places before it stay what they are.
   const auto begin_of = [](const auto& entry) { return entry.first->source().begin; };
-  std::sort(values.begin(), values.end(), [&](const auto& a, const auto& b) { return begin_of(b) < begin_of(a); });
+  std::ranges::sort(
+      values, [](const auto& a, const auto& b) { return b < a; }, begin_of);
   for (const auto& [node, value] : values) {
     const std::size_t begin = offset_of(case_text, node->source().begin);
     text.replace(begin, offset_of(case_text, node->source().end) - begin, value);

@@ -70,7 +70,7 @@ std::string_view word_of(const Verdict& verdict) {
 }
 
 std::ptrdiff_t failures_in(const std::vector<Verdict>& verdicts) {
-  return std::count_if(verdicts.begin(), verdicts.end(), [](const Verdict& verdict) { return !verdict.passes; });
+  return std::ranges::count(verdicts, false, &Verdict::passes);
 }
 
 std::string section_about(const Verdict& verdict, std::size_t number) {
@@ -101,8 +101,7 @@ std::string made(const std::string& folder) {
                                                     quoted_text(folder, longest_path), reason_of(error.value())));
 }
 
-}  // namespace
-
+// The page shows the pictures as files beside it.
 std::string report_as_html(const std::vector<Verdict>& verdicts, std::string_view folder) {
   const std::string title = fmt::format("{} cases, {} failed", verdicts.size(), failures_in(verdicts));
   std::string html = fmt::format(
@@ -123,6 +122,7 @@ std::string report_as_html(const std::vector<Verdict>& verdicts, std::string_vie
   return html + "</tbody>\n</table>\n" + sections + "</body>\n</html>\n";
 }
 
+// A testcase per case, as JUnit's readers take it.
 std::string report_as_junit(const std::vector<Verdict>& verdicts, std::string_view folder) {
   double duration_s = 0.0;
   for (const Verdict& verdict : verdicts) duration_s += verdict.duration_s;
@@ -146,6 +146,8 @@ std::string report_as_junit(const std::vector<Verdict>& verdicts, std::string_vi
   }
   return xml + "  </testsuite>\n</testsuites>\n";
 }
+
+}  // namespace
 
 Report::Report(const std::string& to_folder)
     : to_folder_(made(to_folder)), html_(path_of(page_name)), junit_(path_of(junit_name)) {}

@@ -12,12 +12,6 @@
 
 namespace ghostforce {
 
-// The page shows the pictures as files beside it.
-std::string report_as_html(const std::vector<Verdict>& verdicts, std::string_view folder);
-
-// A testcase per case, as JUnit's readers take it.
-std::string report_as_junit(const std::vector<Verdict>& verdicts, std::string_view folder);
-
 class Report {
  public:
   // Makes the folder where there is none. Throws Failure(file_trouble) now where nothing can be written there.

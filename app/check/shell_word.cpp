@@ -1,7 +1,5 @@
 #include "app/check/shell_word.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 namespace ghostforce {

@@ -76,13 +76,6 @@ bool is_stored(const Case& each, const Image& image) {
   }
 }
 
-// Empty: it stays as it is.
-std::string changed_text(const Case& each, const GoldenOrigin& origin) {
-  const std::string before = content_of(each).text;
-  std::string after = with_origin(before, origin, each.path);
-  return after == before ? std::string() : after;
-}
-
 // On the disk already; commit_all() puts it in place in the end.
 void add_file(std::deque<OutputFile>& files, const std::string& path, const std::string& content) {
   OutputFile& file = files.emplace_back(path);
@@ -106,7 +99,9 @@ std::vector<std::string> update_goldens(const std::vector<Case>& all, const std:
     const bool is_equal = is_stored(*each, drawn.image);
     if (!is_equal) add_file(files, path, png_bytes(drawn.image));
     if (!is_equal || !each->origin) {
-      if (const std::string text = changed_text(*each, drawn.origin); !text.empty()) add_file(files, each->path, text);
+      const std::string before = content_of(*each).text;
+      const std::string after = with_origin(before, drawn.origin, each->path);
+      if (after != before) add_file(files, each->path, after);
     }
     const std::string shown = quoted_text(path, longest_path);
     lines.push_back(is_equal ? fmt::format("{} is equal already and stays as it is", shown)

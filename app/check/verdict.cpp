@@ -3,7 +3,6 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -33,10 +32,6 @@ std::unique_ptr<PngFile> open_golden(const Case& checked, Verdict& verdict) {
   return std::make_unique<PngFile>(path);
 }
 
-bool is_of_size(const PngFile& golden, const Case& checked) {
-  return golden.width() == checked.width && golden.height() == checked.height;
-}
-
 // What the case's picture is held against: the golden, or the other case's picture. Empty: there is none, or it is of
 // another size, and `verdict` says so.
 std::optional<Image> counterpart(const Case& checked, RenderedCases& rendered, Verdict& verdict) {
@@ -44,7 +39,7 @@ std::optional<Image> counterpart(const Case& checked, RenderedCases& rendered, V
   try {
     const std::unique_ptr<PngFile> golden = open_golden(checked, verdict);
     if (golden == nullptr) return std::nullopt;
-    if (is_of_size(*golden, checked)) return golden->read();
+    if (golden->width() == checked.width && golden->height() == checked.height) return golden->read();
     verdict.reason = fmt::format("the picture has {}x{} pixels and the golden {}x{}", checked.width, checked.height,
                                  golden->width(), golden->height());
   } catch (const Failure& failure) {

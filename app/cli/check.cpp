@@ -1,13 +1,10 @@
 // ghostforce check: screenshot regression. Draws a folder of cases and compares each with the picture stored beside it.
-#include <algorithm>
 #include <cstdint>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 #include <system_error>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -18,12 +15,12 @@
 #include "app/check/update.h"
 #include "app/check/verdict.h"
 #include "app/cli/command.h"
-#include "app/cli/command_catalog.h"
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
 #include "app/console/progress.h"
 #include "app/console/quoted.h"
 #include "app/console/words.h"
+#include "app/files/input_file.h"
 #include "app/files/output_file.h"
 
 namespace ghostforce {
@@ -55,19 +52,16 @@ class Lines {
   bool is_read_ = true;
 };
 
-std::vector<std::string> files_in(const std::string& folder) {
-  std::vector<std::string> files;
-  std::error_code error;  // where it cannot be read, that is said later
-  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-    files.push_back(entry->path().string());
-  }
-  return files;
+// Where it cannot be read, that is said later.
+std::vector<std::filesystem::path> files_in(const std::string& folder) {
+  std::error_code ignored;
+  return paths_in(folder, ignored);
 }
 
 // The cases and the goldens beside them: all that is read there.
 std::vector<std::string> cases_and_goldens_in(const std::string& folder) {
   std::vector<std::string> read;
-  for (const std::filesystem::path path : files_in(folder)) {
+  for (const std::filesystem::path& path : files_in(folder)) {
     if (path.extension() != ".toml") continue;
     read.push_back(path.string());
     read.push_back(std::filesystem::path(path).replace_extension(".png").string());
@@ -158,8 +152,10 @@ std::function<int()> attach_check(CLI::App& command, FileOptions& files) {
                    ->check([](const std::string& folder) { return std::string(folder.empty() ? "name a folder" : ""); })
                    ->excludes(update_option),
                [](const std::string& folder) {
-                 std::vector<std::string> paths = files_in(folder);
-                 std::erase_if(paths, [](const std::string& path) { return !Report::may_write(path); });
+                 std::vector<std::string> paths;
+                 for (const std::filesystem::path& path : files_in(folder)) {
+                   if (Report::may_write(path.string())) paths.push_back(path.string());
+                 }
                  return paths;
                });
   command.footer(

@@ -1,10 +1,9 @@
 #include "app/cli/command.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdlib>
-#include <system_error>
+#include <limits>
 
 #include <fmt/core.h>
 #include <CLI/CLI.hpp>
@@ -14,6 +13,7 @@
 #include "app/console/interruption.h"
 #include "app/console/progress.h"
 #include "app/console/quoted.h"
+#include "app/console/typed_text.h"
 #include "app/files/run_file.h"
 #include "app/files/scene_file.h"
 #include "core/simulate.h"
@@ -65,7 +65,7 @@ Scene SceneOptions::load() const {
 WordCheck one_of(std::vector<std::string_view> words) {
   const std::string all = listed(words);
   return [words = std::move(words), all](const std::string& word) -> std::string {
-    if (std::find(words.begin(), words.end(), word) != words.end()) return {};
+    if (std::ranges::find(words, word) != words.end()) return {};
     return fmt::format("'{}' is none of {}{}", quoted_text(word), all, did_you_mean(word, words));
   };
 }
@@ -82,6 +82,12 @@ WordCheck number_between(double least, double greatest, std::string unit) {
 
 CLI::Option* repeatable(CLI::Option* option) {
   return option->expected(1)->allow_extra_args(false)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void print(std::string_view text) {
+  OutputFile output("-");
+  output.write(text);
+  output.commit();
 }
 
 void write_played(OutputFile& file, std::string_view doing, const Scene& scene, const TickState<2>& state,
@@ -106,31 +112,15 @@ void write_played(OutputFile& file, std::string_view doing, const Scene& scene, 
 }
 
 Vector<2> position_from_mm(std::string_view option, std::string_view text) {
-  const auto refuse = [&] {
-    return Failure(ExitCode::wrong_call,
-                   fmt::format("{0} {1}: is no position; give two numbers from {2} to {3} mm, as in {0}=-10,5", option,
-                               quoted_text(text), -farthest_mm, farthest_mm));
-  };
-  Vector<2> position(0.0);
-  const char* at = text.data();
-  const char* const end = at + text.size();
-  for (const glm::length_t axis : {0, 1}) {
-    double mm = 0.0;
-    if (at != end && *at == '+') ++at;
-    const auto [after, error] = std::from_chars(at, end, mm);
-    if (error != std::errc{} || !(std::abs(mm) <= farthest_mm)) throw refuse();
-    position[axis] = mm / 1000.0;
-    at = after;
-    if (axis == 0 && (at == end || *at++ != ',')) throw refuse();
-  }
-  if (at != end) throw refuse();
-  return position;
-}
-
-std::vector<std::string_view> strategy_names() {
-  std::vector<std::string_view> names;
-  for (const Strategy& strategy : strategy_catalog()) names.push_back(strategy.name);
-  return names;
+  const std::size_t comma = text.find(',');
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  const double x = signed_number_in<double>(text.substr(0, comma)).value_or(none);
+  const double y =
+      comma == std::string_view::npos ? none : signed_number_in<double>(text.substr(comma + 1)).value_or(none);
+  if (std::abs(x) <= farthest_mm && std::abs(y) <= farthest_mm) return {x / 1000.0, y / 1000.0};
+  throw Failure(ExitCode::wrong_call,
+                fmt::format("{0} {1}: is no position; give two numbers from {2} to {3} mm, as in {0}=-10,5", option,
+                            quoted_text(text), -farthest_mm, farthest_mm));
 }
 
 }  // namespace ghostforce

@@ -1,10 +1,9 @@
-// What a command of the program is, and what commands share. A new command is one file beside this one and one row in
-// command_catalog.cpp.
+// What a command of the program is, and what commands share. A new command is one file beside this one, one line
+// here and one row in command_catalog.cpp.
 #pragma once
 
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,19 +14,26 @@
 #include "core/scene.h"
 #include "core/tick.h"
 
-namespace CLI {
-class App;
-class Option;
-}  // namespace CLI
-
 namespace ghostforce {
+
+// Adds options to `command`, those that name files to `files` too, and returns what runs once they are parsed; that
+// returns an exit code or throws Failure. Both outlive it.
+using AttachCommand = std::function<int()>(CLI::App& command, FileOptions& files);
+AttachCommand attach_run;
+AttachCommand attach_render;
+AttachCommand attach_simulate;
+AttachCommand attach_equilibrium;
+AttachCommand attach_figures;
+AttachCommand attach_sweep;
+AttachCommand attach_replay;
+AttachCommand attach_measure_user;
+AttachCommand attach_check;
+AttachCommand attach_doctor;
 
 struct Command {
   std::string_view name;
   std::string_view sentence;  // what it does, for the list of commands
-  // Adds options to `command`, those that name files to `files` too, and returns what runs once they are parsed; that
-  // returns an exit code or throws Failure. Both outlive it.
-  std::function<int()> (*attach)(CLI::App& command, FileOptions& files);
+  AttachCommand* attach;
 };
 
 // In the order in which --help lists them.
@@ -60,6 +66,9 @@ WordCheck number_between(double least, double greatest, std::string unit);
 // The option may be given again and again, with one value each time.
 CLI::Option* repeatable(CLI::Option* option);
 
+// Writes this to the standard output. Throws what OutputFile does.
+void print(std::string_view text);
+
 // Plays the scene's hand from `state`, whose k is 0, to the tick `last`, and writes a row for each tick and each of
 // these strategies. `doing` is what the progress on a terminal is called. Unstable settings let the numbers grow until
 // they are none. That is an answer, but no data: throws Failure(wrong_call); interrupted; and what OutputFile throws.
@@ -68,8 +77,5 @@ void write_played(OutputFile& file, std::string_view doing, const Scene& scene, 
 
 // An option's value "X,Y" in mm as a position [m]. Throws Failure(wrong_call).
 Vector<2> position_from_mm(std::string_view option, std::string_view text);
-
-// Names of the strategies, for --strategy.
-std::vector<std::string_view> strategy_names();
 
 }  // namespace ghostforce

@@ -1,8 +1,6 @@
-#include "app/cli/command_catalog.h"
+#include "app/cli/command.h"
 
 #include <array>
-
-#include "app/cli/command.h"
 
 namespace ghostforce {
 namespace {

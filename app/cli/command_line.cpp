@@ -1,12 +1,9 @@
 #include "app/cli/command_line.h"
 
 #include <algorithm>
-#include <cstddef>
-#include <functional>
 #include <iterator>
 #include <map>
 #include <memory>
-#include <span>
 #include <string_view>
 #include <utility>
 
@@ -18,7 +15,6 @@
 #include "app/console/did_you_mean.h"
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
-#include "app/files/output_file.h"
 #include "app/files/scene_file.h"
 #include "ghostforce_version.h"
 
@@ -58,19 +54,12 @@ constexpr std::string_view more_help =
     "  ghostforce equilibrium fig3-normal\n"
     "  ghostforce simulate wall45 --strategy all -o run.csv";
 
-std::vector<std::string_view> command_names() {
-  std::vector<std::string_view> names;
-  for (const Command& command : command_catalog()) names.push_back(command.name);
-  return names;
-}
-
 bool is_option(std::string_view word) noexcept {
   return word.starts_with('-') && word != "-";
 }
 
 bool is_command(std::string_view word) {
-  const std::vector<std::string_view> names = command_names();
-  return std::find(names.begin(), names.end(), word) != names.end();
+  return std::ranges::find(command_catalog(), word, &Command::name) != command_catalog().end();
 }
 
 // Options that are the program's own rather than a command's.
@@ -85,8 +74,7 @@ void insert_default_command(std::vector<std::string>& words) {
   if (!words.empty() && is_program_option(words.front())) return;
   if (!words.empty() && !is_option(words.front()) && !may_be_scene(words.front())) {
     const std::string& word = words.front();
-    const std::vector<std::string_view> commands = command_names();
-    std::vector<std::string_view> all = commands;
+    std::vector<std::string_view> all = names_of(command_catalog());
     std::ranges::copy(shipped_scene_names(), std::back_inserter(all));
     const auto near = nearest_name(word, all);
     throw Failure(ExitCode::wrong_call, fmt::format("no command or scene named '{}'{}", quoted_text(word),
@@ -123,7 +111,7 @@ std::string words_about_extra(const CLI::App& app, const CLI::App* command, cons
     words = fmt::format("no option {}{}", quoted_text(name), near);
     if (!near.empty()) return words;
   } else if (command == nullptr) {
-    words = fmt::format("no command '{}'{}", quoted_text(extra), did_you_mean(extra, command_names()));
+    words = fmt::format("no command '{}'{}", quoted_text(extra), did_you_mean(extra, names_of(command_catalog())));
   }
   return fmt::format("{}; '{}' lists what there is", words, help_call(command));
 }
@@ -139,11 +127,11 @@ std::string words_about_extra(const CLI::App& app, const CLI::App* command, cons
   throw Failure(ExitCode::wrong_call, fmt::format("{}; '{}' tells more", what, help_call(command)));
 }
 
-int print(std::string_view text) {
-  OutputFile output("-");
-  output.write(text);
-  output.commit();
-  return static_cast<int>(ExitCode::done);
+std::function<int()> printing(std::string text) {
+  return [text = std::move(text)] {
+    print(text);
+    return static_cast<int>(ExitCode::done);
+  };
 }
 
 }  // namespace
@@ -173,9 +161,9 @@ std::function<int()> parse_command_line(std::vector<std::string> words) {
     app->parse(words);
   } catch (const CLI::CallForHelp&) {
     const CLI::App* const command = named_command(*app);
-    return [text = command == nullptr ? app->help() : command->help(std::string(program))] { return print(text); };
+    return printing(command == nullptr ? app->help() : command->help(std::string(program)));
   } catch (const CLI::CallForVersion& asked) {
-    return [text = fmt::format("{}\n", asked.what())] { return print(text); };
+    return printing(fmt::format("{}\n", asked.what()));
   } catch (const CLI::ParseError& error) {
     refuse(*app, error);
   }

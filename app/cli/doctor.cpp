@@ -10,7 +10,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -18,18 +17,17 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/command.h"
-#include "app/cli/command_catalog.h"
 #include "app/cli/desktop_inputs.h"
 #include "app/cli/falcon_options.h"
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
+#include "app/console/quoted.h"
 #include "app/console/words.h"
 #include "app/doctor/diagnosis.h"
 #include "app/doctor/examination.h"
 #include "app/doctor/measure/measure_command.h"
 #include "app/doctor/readiness.h"
 #include "app/doctor/udev_rule.h"
-#include "app/files/output_file.h"
 #include "core/scene.h"
 #include "device/spacemouse/spacemouse_input.h"
 #include "device/virtual_falcon/virtual_falcon_input.h"
@@ -79,8 +77,7 @@ class LiveLine {
     if (now < next_) return;
     next_ = now + std::chrono::milliseconds(100);
     const std::vector<ReadinessStepState> readiness = readiness_of(report, nullptr);
-    const auto current =
-        std::find_if(readiness.begin(), readiness.end(), [](const auto& state) { return state.is_current; });
+    const auto current = std::ranges::find_if(readiness, &ReadinessStepState::is_current);
     if (current == readiness.end()) return;
     const std::string line = fmt::format("{}: {}", current->title, current->words);
     has_shown_ = true;
@@ -142,9 +139,7 @@ int doctor(const Options& options) {
   std::this_thread::sleep_until(began + time_to_look);
   diagnosis.spacemouse = spacemouse.reading();
   diagnosis.verdict = exit_code_of(diagnosis.report, wait_s > 0.0);
-  OutputFile output("-");
-  output.write(options.json ? json_of(diagnosis) : text_of(diagnosis));
-  output.commit();
+  print(options.json ? json_of(diagnosis) : text_of(diagnosis));
   return static_cast<int>(diagnosis.verdict);
 }
 
@@ -164,11 +159,9 @@ std::function<int()> attach_doctor(CLI::App& command, FileOptions& files) {
               "Wait so long for a person to home the device and move its handle; default: 30 on a terminal, else 0")
           ->type_name("S")
           ->check(number_between(0.0, 3600.0, "s"));
-  std::vector<std::string_view> names;
-  for (const InputKind& kind : falcon_kinds({})) names.push_back(kind.name);
   command.add_option("--input", options->input, "falcon, or virtual-falcon to try this out; default: falcon")
       ->type_name("NAME")
-      ->check(one_of(names));
+      ->check(one_of(names_of(falcon_kinds({}))));
   CLI::Option* const measure = command.add_flag(
       "--measure", options->measure,
       "Measure the device with a ruler and a weight, ten minutes, motors below 2 N; see docs/falcon.md");

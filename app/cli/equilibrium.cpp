@@ -1,7 +1,6 @@
 // ghostforce equilibrium: where everything comes to rest, by closed form.
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,10 +11,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.h"
-#include "app/cli/command_catalog.h"
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
-#include "app/files/output_file.h"
 #include "core/prediction.h"
 
 namespace ghostforce {
@@ -99,9 +96,7 @@ int equilibrium(const Options& options) {
   const Vector<2> goal = options.goal_mm ? position_from_mm("--goal-mm", *options.goal_mm) : scene.goal.points.back();
   const double goal_depth = depth(wall_of(scene.settings), goal);
   const PerStrategy<PredictedEquilibrium> equilibria = predicted_equilibria(scene.settings, goal);
-  OutputFile output("-");
-  output.write(options.json ? json_text(goal_depth, equilibria) : table_text(scene, goal_depth, equilibria));
-  output.commit();
+  print(options.json ? json_text(goal_depth, equilibria) : table_text(scene, goal_depth, equilibria));
   return static_cast<int>(ExitCode::done);
 }
 

@@ -7,13 +7,7 @@
 namespace ghostforce {
 
 constexpr ExitCode exit_code_of(ReadError::Kind kind) noexcept {
-  switch (kind) {
-    case ReadError::Kind::wrong:
-      return ExitCode::wrong_call;
-    case ReadError::Kind::unreadable:
-      return ExitCode::file_trouble;
-  }
-  return ExitCode::bug;
+  return kind == ReadError::Kind::wrong ? ExitCode::wrong_call : ExitCode::file_trouble;
 }
 
 }  // namespace ghostforce

@@ -1,6 +1,5 @@
 #include "app/cli/falcon_options.h"
 
-#include <charconv>
 #include <cstdint>
 #include <filesystem>
 #include <string_view>
@@ -11,6 +10,7 @@
 #include "app/cli/command.h"
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
+#include "app/console/typed_text.h"
 #include "app/files/config_folder.h"
 #include "app/files/falcon_calibration_file.h"
 #include "device/virtual_falcon/injected_fault.h"
@@ -18,31 +18,19 @@
 namespace ghostforce {
 namespace {
 
-std::optional<std::uint16_t> four_hex_digits(std::string_view text) {
-  std::uint16_t number = 0;
-  const char* const end = text.data() + text.size();
-  const auto [after, error] = std::from_chars(text.data(), end, number, 16);
-  if (text.size() != 4 || error != std::errc{} || after != end) return std::nullopt;
-  return number;
-}
-
 std::optional<UsbId> parse_usb_id(std::string_view text) {
-  const std::size_t colon = text.find(':');
-  if (colon == std::string_view::npos) return std::nullopt;
-  const auto vendor = four_hex_digits(text.substr(0, colon));
-  const auto product = four_hex_digits(text.substr(colon + 1));
-  if (!vendor || !product) return std::nullopt;
-  return UsbId{*vendor, *product};
+  constexpr std::size_t digits = 4;
+  if (text.size() != 2 * digits + 1 || text[digits] != ':') return std::nullopt;
+  const auto vendor = number_in<std::uint16_t>(text.substr(0, digits), 16);
+  const auto product = number_in<std::uint16_t>(text.substr(digits + 1), 16);
+  return vendor && product ? std::optional(UsbId{*vendor, *product}) : std::nullopt;
 }
 
-WordCheck is_usb_id() {
-  return [](const std::string& text) -> std::string {
-    if (parse_usb_id(text)) return {};
-    return fmt::format(
-        "'{}' is no USB id; give vendor and product as lsusb shows them, four hex digits each: "
-        "{:04x}:{:04x}",
-        quoted_text(text), falcon_usb_id.vendor, falcon_usb_id.product);
-  };
+std::string refuse_other_than_usb_id(const std::string& text) {
+  if (parse_usb_id(text)) return {};
+  return fmt::format(
+      "'{}' is no USB id; give vendor and product as lsusb shows them, four hex digits each: {:04x}:{:04x}",
+      quoted_text(text), falcon_usb_id.vendor, falcon_usb_id.product);
 }
 
 }  // namespace
@@ -59,9 +47,8 @@ void FalconSetUp::attach(CLI::App& command, FileOptions& files) {
       ->type_name("NUMBER");
   command.add_option("--falcon-usb-id", usb_id, "Another device than 0403:cb48 is a Falcon")
       ->type_name("VVVV:PPPP")
-      ->check(is_usb_id());
-  std::vector<std::string_view> names;
-  for (const InjectedFaultKind& kind : injected_fault_catalog()) names.push_back(kind.name);
+      ->check(refuse_other_than_usb_id);
+  const std::vector<std::string_view> names = names_of(injected_fault_catalog());
   repeatable(command
                  .add_option("--misbehave", misbehave,
                              fmt::format("With --input virtual-falcon: what goes wrong with it. {}", listed(names)))

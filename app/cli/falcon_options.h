@@ -11,10 +11,6 @@
 #include "device/falcon_usb/ftdi_link.h"
 #include "device/input_catalog.h"
 
-namespace CLI {
-class App;
-}
-
 namespace ghostforce {
 
 struct FalconSetUp {

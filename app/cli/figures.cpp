@@ -1,9 +1,7 @@
 // ghostforce figures: the paper's figures, and further ones, each with the numbers that it was drawn from.
 #include <algorithm>
 #include <cstdint>
-#include <cstdio>
 #include <filesystem>
-#include <iterator>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -13,7 +11,6 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/command.h"
-#include "app/cli/command_catalog.h"
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
 #include "app/console/progress.h"
@@ -61,7 +58,7 @@ int figures(const Options& options) {
   refuse_hand_without_figure(options);
   const FigureRequest request = request_of(options);
   OutputFolder folder(options.folder);
-  std::vector<NamedFile> files;
+  std::size_t count = 0;
   std::vector<std::string> lines;
   {
     Progress progress("drawing", static_cast<std::int64_t>(figure_catalog().size()), true);
@@ -70,19 +67,19 @@ int figures(const Options& options) {
       stop_if_interrupted();
       if (is_wanted(options, entry.name)) {
         const Figure figure = entry.make(request);
-        std::ranges::move(figure_files(entry.name, figure), std::back_inserter(files));
+        for (const NamedFile& file : figure_files(entry.name, figure)) {
+          folder.write(file.name, file.content);
+          ++count;
+        }
         lines.push_back(fmt::format("{}: {}", entry.name, figure.title));
       }
       progress.at(++done);
     }
   }
-  for (const NamedFile& file : files) {
-    stop_if_interrupted();
-    folder.write(file.name, file.content);
-  }
+  stop_if_interrupted();
   folder.commit();
   for (const std::string& line : lines) say("{}\n", line);
-  say("{} files in {}\n", files.size(), quoted_text(options.folder, longest_path));
+  say("{} files in {}\n", count, quoted_text(options.folder, longest_path));
   return static_cast<int>(ExitCode::done);
 }
 
@@ -103,15 +100,11 @@ std::function<int()> attach_figures(CLI::App& command, FileOptions& files) {
                  }
                  return paths;
                });
-  std::vector<std::string_view> names;
   std::string list;
-  for (const FigureEntry& entry : figure_catalog()) {
-    names.push_back(entry.name);
-    list += fmt::format("  {:28}{}\n", entry.name, entry.sentence);
-  }
+  for (const FigureEntry& entry : figure_catalog()) list += fmt::format("  {:28}{}\n", entry.name, entry.sentence);
   command.add_option("--only", options->only, "Make these figures alone, one or more")
       ->type_name("NAME")
-      ->check(one_of(names));
+      ->check(one_of(names_of(figure_catalog())));
   files.reads(command
                   .add_option("--hand", options->hand,
                               "A recording, or a CSV of simulate: figure-6 shows its hand in place of a simulated one")

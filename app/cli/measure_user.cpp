@@ -1,9 +1,9 @@
 // ghostforce measure-user: how stiff the hand of a run was, from the proxy drift wherever it came to rest at the wall.
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
+#include <iterator>
 #include <memory>
 #include <optional>
+#include <ranges>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,12 +14,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.h"
-#include "app/cli/command_catalog.h"
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
 #include "app/console/quoted.h"
 #include "app/console/words.h"
-#include "app/files/output_file.h"
 #include "app/files/run_reader.h"
 #include "core/user_measurement.h"
 
@@ -62,10 +60,6 @@ struct Hand {
   std::optional<double> given_k_u;
   std::vector<double> readings;
 };
-
-bool is_measured(const Run& run) {
-  return std::ranges::any_of(run.ticks, [](const RunTick& tick) { return tick.measured.has_value(); });
-}
 
 class RestFinder {
  public:
@@ -163,10 +157,10 @@ class RestFinder {
     if (!(asked > 0.0)) return false;
     const double share = sent / asked;
     if (!(share > 0.0)) return true;
-    for (std::size_t i = begin; i < end; ++i) {
-      if (!(glm::distance(*row(i).sent, share * row(i).force) <= same_force)) return true;
-    }
-    return false;
+    const auto is_share = [&](std::size_t i) {
+      return glm::distance(*row(i).sent, share * row(i).force) <= same_force;
+    };
+    return !std::ranges::all_of(std::views::iota(begin, end), is_share);
   }
 
   const Run& run_;
@@ -182,7 +176,7 @@ std::vector<Rest> find_rests(const Run& run, const std::optional<Vector<2>>& tar
   std::vector<Rest> rests;
   for (const Strategy& strategy : strategy_catalog()) {
     if (strategy.has_every_motor) continue;  // it has no ratio, and no drift
-    for (Rest& rest : RestFinder(run, strategy, target).find()) rests.push_back(std::move(rest));
+    std::ranges::move(RestFinder(run, strategy, target).find(), std::back_inserter(rests));
   }
   std::erase_if(rests, [](const Rest& rest) { return rest.reading.problem == NoReading::no_contact; });
   std::ranges::stable_sort(rests, {}, &Rest::from_s);
@@ -259,16 +253,6 @@ std::string table_text(const std::vector<Rest>& rests, const std::vector<Hand>& 
   return text;
 }
 
-// Why there is no number, for a person.
-std::string words_for_none(const std::string& path, const std::vector<Rest>& rests, const RestCriterion& criterion) {
-  std::string words = fmt::format(
-      "{}: no reading. The hand has to press into the wall with the naïve or the anisotropic strategy and hold still, "
-      "at least {} s",
-      quoted_text(path, longest_path), criterion.hold_s);
-  if (!rests.empty()) words += fmt::format("; where it did: {}", sentence_of(rests.front().reading.problem));
-  return words;
-}
-
 int measure_user(const Options& options) {
   std::optional<Vector<2>> target;
   if (options.target_mm) target = position_from_mm("--target-mm", *options.target_mm);
@@ -279,7 +263,7 @@ int measure_user(const Options& options) {
                                                     "of 'simulate', 'replay' or a recording",
                                                     quoted_text(options.run, longest_path)));
   }
-  const bool measured = is_measured(run);
+  const bool measured = std::ranges::any_of(run.ticks, [](const RunTick& tick) { return tick.measured.has_value(); });
   if (measured && !target) {
     throw Failure(ExitCode::wrong_call,
                   fmt::format("{}: a real device, whose hand's goal nobody knows: give the target on the wall that the "
@@ -292,15 +276,15 @@ int measure_user(const Options& options) {
   }
   const std::vector<Rest> rests = find_rests(run, measured ? target : std::nullopt);
   const std::vector<Hand> hands = hands_of(rests);
-  OutputFile output("-");
-  if (options.json) output.write(json_text(rests, hands, measured));
-  if (!options.json && !hands.empty()) output.write(table_text(rests, hands, measured));
-  output.commit();
-  if (hands.empty()) {
-    throw Failure(ExitCode::answer_is_no,
-                  words_for_none(options.run, rests, measured ? measured_rest : simulated_rest));
-  }
-  return static_cast<int>(ExitCode::done);
+  if (options.json) print(json_text(rests, hands, measured));
+  if (!options.json && !hands.empty()) print(table_text(rests, hands, measured));
+  if (!hands.empty()) return static_cast<int>(ExitCode::done);
+  throw Failure(
+      ExitCode::answer_is_no,
+      fmt::format("{}: no reading. The hand has to press into the wall with the naïve or the anisotropic strategy and "
+                  "hold still, at least {} s{}",
+                  quoted_text(options.run, longest_path), (measured ? measured_rest : simulated_rest).hold_s,
+                  rests.empty() ? "" : fmt::format("; where it did: {}", sentence_of(rests.front().reading.problem))));
 }
 
 }  // namespace

@@ -8,7 +8,6 @@
 #include <iterator>
 #include <map>
 #include <system_error>
-#include <utility>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -55,16 +54,8 @@ void refuse_equal_outputs(std::span<const FileOption> options) {
 
 }  // namespace
 
-CLI::Option* FileOptions::reads(CLI::Option* option, FilesOf files) {
-  return add(FileOption::Use::input, option, std::move(files));
-}
-
-CLI::Option* FileOptions::writes(CLI::Option* option, FilesOf files) {
-  return add(FileOption::Use::output, option, std::move(files));
-}
-
-CLI::Option* FileOptions::add(FileOption::Use use, CLI::Option* option, FilesOf files) {
-  list_.push_back({use, option->get_name(), [option, files = std::move(files)] {
+CLI::Option* FileOptions::add(FileOption::Use use, CLI::Option* option, const FilesOf& files) {
+  list_.push_back({use, option->get_name(), [option, files] {
                      if (!files) return option->results();
                      std::vector<std::string> paths;
                      for (const std::string& word : option->results())

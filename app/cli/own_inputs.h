@@ -8,8 +8,9 @@
 #include <vector>
 
 namespace CLI {
+class App;
 class Option;
-}
+}  // namespace CLI
 
 namespace ghostforce {
 
@@ -28,13 +29,17 @@ class FileOptions {
   using FilesOf = std::function<std::vector<std::string>(const std::string& word)>;
 
   // The option's value is the path of a file, or means files, that the command reads, or writes.
-  CLI::Option* reads(CLI::Option* option, FilesOf files = nullptr);
-  CLI::Option* writes(CLI::Option* option, FilesOf files = nullptr);
+  CLI::Option* reads(CLI::Option* option, FilesOf files = nullptr) {
+    return add(FileOption::Use::input, option, files);
+  }
+  CLI::Option* writes(CLI::Option* option, FilesOf files = nullptr) {
+    return add(FileOption::Use::output, option, files);
+  }
 
   std::span<const FileOption> list() const noexcept { return list_; }
 
  private:
-  CLI::Option* add(FileOption::Use use, CLI::Option* option, FilesOf files);
+  CLI::Option* add(FileOption::Use use, CLI::Option* option, const FilesOf& files);
 
   std::vector<FileOption> list_;
 };

@@ -3,11 +3,12 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/command.h"
+#include "app/console/quoted.h"
 
 namespace ghostforce {
 
 void PictureOptions::attach(CLI::App& command, bool with_all) {
-  std::vector<std::string_view> strategies = strategy_names();
+  std::vector<std::string_view> strategies = names_of(strategy_catalog());
   if (with_all) strategies.push_back(every_strategy);
   command
       .add_option("--strategy", strategy,
@@ -15,11 +16,9 @@ void PictureOptions::attach(CLI::App& command, bool with_all) {
                            : "full, naive or anisotropic: the one to start with; default: the scene's own")
       ->type_name("NAME")
       ->check(one_of(strategies));
-  std::vector<std::string_view> themes;
-  for (const Theme& each : theme_catalog()) themes.push_back(each.name);
   command.add_option("--theme", theme, "light, dark or projector; default: light")
       ->type_name("NAME")
-      ->check(one_of(themes));
+      ->check(one_of(names_of(theme_catalog())));
   command.add_option("--scale", scale, "Size of letters and lines, 0.75 to 3; default: 1")
       ->type_name("FACTOR")
       ->check(number_between(Appearance::least_scale, Appearance::greatest_scale, ""));

@@ -6,10 +6,8 @@
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 
 #include "app/cli/command.h"
-#include "app/cli/command_catalog.h"
 #include "app/cli/picture_options.h"
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
@@ -123,13 +121,11 @@ std::function<int()> attach_render(CLI::App& command, FileOptions& files) {
       ->type_name("PART")
       ->check(one_of({"window", "scene"}));
   options->picture.attach(command, true);
-  std::vector<std::string_view> modes;
-  for (const CompareMode& mode : compare_catalog()) modes.push_back(mode.name);
   command
       .add_option("--compare", options->compare,
                   "overlay, side-by-side or active-only; default: overlay with --strategy all, else active-only")
       ->type_name("MODE")
-      ->check(one_of(modes));
+      ->check(one_of(names_of(compare_catalog())));
   files.writes(command.add_option("--json", options->json, "Also write what was drawn, as JSON")->type_name("FILE"));
   command.footer(
       "Drawn offscreen: no display is needed, and the same call gives the same bytes.\n"

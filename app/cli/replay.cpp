@@ -13,7 +13,6 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/command.h"
-#include "app/cli/command_catalog.h"
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
 #include "app/console/words.h"
@@ -79,15 +78,12 @@ void tell_remarks(const RunFacts& run) {
   for (const std::string& warning : run.warnings) say("{}\n", warning);
 }
 
-[[noreturn]] void refuse_without_scene(const Options& options) {
-  throw Failure(ExitCode::wrong_call, fmt::format("{}: the run does not tell its scene; name one to replay its hand in",
-                                                  quoted_text(options.run, longest_path)));
+[[noreturn]] void refuse(const Options& options, std::string_view why) {
+  throw Failure(ExitCode::wrong_call, fmt::format("{}: {}", quoted_text(options.run, longest_path), why));
 }
 
-[[noreturn]] void refuse_without_tick(const Options& options) {
-  throw Failure(ExitCode::wrong_call,
-                fmt::format("{}: there is nothing to replay", quoted_text(options.run, longest_path)));
-}
+constexpr std::string_view no_scene = "the run does not tell its scene; name one to replay its hand in";
+constexpr std::string_view no_tick = "there is nothing to replay";
 
 int replay_exactly(const Options& options) {
   OutputFile file(options.output);
@@ -119,8 +115,8 @@ int replay_exactly(const Options& options) {
         replay.take(so_far, tick);
       });
   tell_remarks(run);
-  if (!run.scene) refuse_without_scene(options);
-  if (!is_begun) refuse_without_tick(options);
+  if (!run.scene) refuse(options, no_scene);
+  if (!is_begun) refuse(options, no_tick);
   file.commit();
   const ReplayReport& report = replay.report();
   say("{}: {}\n", quoted_text(options.run, longest_path), verdict(run, report));
@@ -157,8 +153,8 @@ Hand load_hand(const Options& options) {
     if (path) path->take(so_far, tick);
   });
   tell_remarks(run);
-  if (is_empty) refuse_without_tick(options);
-  if (!hand) refuse_without_scene(options);
+  if (is_empty) refuse(options, no_tick);
+  if (!hand) refuse(options, no_scene);
   hand->path = path->take_path();
   return *std::move(hand);
 }

@@ -12,7 +12,6 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/command.h"
-#include "app/cli/command_catalog.h"
 #include "app/cli/desktop_inputs.h"
 #include "app/cli/end_of_visit.h"
 #include "app/cli/falcon_options.h"
@@ -50,10 +49,6 @@ struct Options {
   std::optional<double> exit_after_s;
 };
 
-double seconds(Clock::duration duration) {
-  return std::chrono::duration<double>(duration).count();
-}
-
 // Keeps the stored preferences up to date. What the command line asked for holds for this run only.
 class Keeper {
  public:
@@ -77,11 +72,6 @@ class Keeper {
   Preferences seen_;
 };
 
-WindowLayout layout_of(const Window& window, const Session& session) {
-  const WindowSize size = window.restored_size();
-  return {size.width, size.height, window.is_maximized(), session.folded_panels};
-}
-
 // What stands before the recording that is to be replayed.
 std::string replay_begins() {
   return fmt::format("{}:", replay_kind.name);
@@ -102,10 +92,8 @@ WordCheck an_input() {
 }
 
 // A recording grows while the program runs, and words go to the terminal beside it.
-WordCheck a_file_of_its_own() {
-  return [](const std::string& path) -> std::string {
-    return path.empty() || path == "-" ? "name a file; it must not exist yet" : "";
-  };
+std::string refuse_standard_output(const std::string& path) {
+  return path.empty() || path == "-" ? "name a file; it must not exist yet" : "";
 }
 
 // The recording whose hand is to be replayed.
@@ -163,7 +151,7 @@ int run(const Options& options) {
   });
 
   const Clock::time_point began = Clock::now();
-  const auto clock_s = [began] { return seconds(Clock::now() - began); };
+  const auto clock_s = [began] { return std::chrono::duration<double>(Clock::now() - began).count(); };
   FramePacer pacer(0.0);
   const auto wait_for_person = [&](double frame_began_s) {
     const bool idle = application.is_idle();
@@ -196,7 +184,8 @@ int run(const Options& options) {
   }
   try {
     keeper.keep(application.session());
-    save(layout_of(window, application.session()));
+    const WindowSize size = window.restored_size();
+    save(WindowLayout{size.width, size.height, window.is_maximized(), application.session().folded_panels});
   } catch (const Failure& failure) {
     // The visit is over and went well; the window only opens in its usual size the next time.
     say("{}\n", failure.what());
@@ -238,7 +227,7 @@ std::function<int()> attach_run(CLI::App& command, FileOptions& files) {
                    .add_option("--record", options->record,
                                "Record every tick, from the first, to this CSV file, which must not exist yet")
                    ->type_name("FILE")
-                   ->check(a_file_of_its_own()));
+                   ->check(refuse_standard_output));
   options->picture.attach(command, false);
   options->falcon.attach(command, files);
   command.add_flag("--no-hints", options->no_hints, "No hints for newcomers in this run");

@@ -4,12 +4,11 @@
 #include <string_view>
 #include <vector>
 
-#include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include "app/cli/command.h"
-#include "app/cli/command_catalog.h"
 #include "app/console/failure.h"
+#include "app/console/quoted.h"
 #include "app/files/output_file.h"
 #include "app/files/run_file.h"
 #include "core/goal_path.h"
@@ -46,7 +45,7 @@ int simulate(const Options& options) {
 std::function<int()> attach_simulate(CLI::App& command, FileOptions& files) {
   const auto options = std::make_shared<Options>();
   options->scene.attach(command, files, true);
-  std::vector<std::string_view> strategies = strategy_names();
+  std::vector<std::string_view> strategies = names_of(strategy_catalog());
   strategies.push_back(every_strategy);
   command.add_option("--strategy", options->strategy, "full, naive, anisotropic or all; default: the scene's own")
       ->type_name("NAME")

@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <memory>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -14,10 +13,10 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/command.h"
-#include "app/cli/command_catalog.h"
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
 #include "app/console/progress.h"
+#include "app/console/quoted.h"
 #include "app/console/words.h"
 #include "app/files/output_file.h"
 #include "app/files/run_file.h"
@@ -98,15 +97,13 @@ std::function<int()> attach_sweep(CLI::App& command, FileOptions& files) {
               "equal steps or, with :log, in equal ratios; once or twice")
           ->type_name("KEY=FROM:TO:COUNT[:log]")
           ->required());
-  std::vector<std::string_view> kinds;
-  for (const EquilibriumKind& kind : equilibrium_kinds) kinds.push_back(kind.name);
   command
       .add_option(
           "--at-rest", options->kind,
           "How to find where things come to rest: closed-form, simulated or both; default: both. The closed form "
           "is hundreds of times faster")
       ->type_name("HOW")
-      ->check(one_of(kinds));
+      ->check(one_of(names_of(equilibrium_kinds)));
   files.writes(
       command
           .add_option(

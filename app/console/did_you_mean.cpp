@@ -37,8 +37,7 @@ std::size_t slips_between(std::string_view a, std::string_view b) {
 }
 
 bool begins_with(std::string_view text, std::string_view beginning) noexcept {
-  return text.size() >= beginning.size() && std::equal(beginning.begin(), beginning.end(), text.begin(),
-                                                       [](char x, char y) { return lower(x) == lower(y); });
+  return std::ranges::equal(text.substr(0, beginning.size()), beginning, {}, lower, lower);
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include "app/console/unicode.h"
 
@@ -38,12 +38,7 @@ std::string quoted_text(std::string_view text, std::size_t longest) {
 }
 
 std::string listed(std::span<const std::string_view> words) {
-  std::string result;
-  for (const std::string_view word : words) {
-    if (!result.empty()) result += ", ";
-    result += word;
-  }
-  return result;
+  return fmt::format("{}", fmt::join(words, ", "));
 }
 
 }  // namespace ghostforce

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace ghostforce {
 
@@ -15,6 +16,14 @@ inline constexpr std::size_t longest_path = 4096;  // Linux opens no longer one
 // Control characters, what Unicode calls no character and bytes that are no UTF-8 become \xNN; what is longer than
 // `longest` bytes ends in "…".
 std::string quoted_text(std::string_view text, std::size_t longest = longest_quote);
+
+// The names of a catalog's entries, in their order.
+template <typename Catalog>
+std::vector<std::string_view> names_of(const Catalog& catalog) {
+  std::vector<std::string_view> names;
+  for (const auto& entry : catalog) names.push_back(entry.name);
+  return names;
+}
 
 // "full, naive, anisotropic"
 std::string listed(std::span<const std::string_view> words);

@@ -1,5 +1,7 @@
 #include "app/doctor/diagnosis.h"
 
+#include <array>
+#include <cstddef>
 #include <string_view>
 #include <system_error>
 
@@ -41,18 +43,16 @@ struct SpaceMouseWords {
   std::string_view words;
 };
 
-SpaceMouseWords words_about(SpaceMouseReading::Trouble trouble) {
-  switch (trouble) {
-    case SpaceMouseReading::Trouble::none:
-      return {"ready", "ready"};
-    case SpaceMouseReading::Trouble::absent:
-      return {"absent", "none is plugged in"};
-    case SpaceMouseReading::Trouble::not_allowed:
-      return {"not_allowed", "this user may not open it; 'ghostforce doctor --install-udev' helps"};
-    case SpaceMouseReading::Trouble::not_opened:
-      return {"not_opened", "it cannot be opened; close the other program that has it"};
-  }
-  return {};
+// In the order of SpaceMouseReading::Trouble.
+constexpr std::array<SpaceMouseWords, 4> spacemouse_words{{
+    {"ready", "ready"},
+    {"absent", "none is plugged in"},
+    {"not_allowed", "this user may not open it; 'ghostforce doctor --install-udev' helps"},
+    {"not_opened", "it cannot be opened; close the other program that has it"},
+}};
+
+const SpaceMouseWords& words_about(SpaceMouseReading::Trouble trouble) {
+  return spacemouse_words[static_cast<std::size_t>(trouble)];
 }
 
 std::string realtime_words(const RealtimeStatus& status) {
@@ -111,21 +111,16 @@ std::string json_of(const Diagnosis& diagnosis) {
   }
   Json devices = Json::array();
   for (const UsbDeviceFound& device : diagnosis.usb.devices) {
-    Json entry{{"bus", device.bus},
-               {"address", device.address},
-               {"node", device.node},
-               {"serial", quoted_text(device.serial)},
-               {"may_open", device.may_open},
-               {"open_error", open_error_words(device)},
-               {"owner", nullptr},
-               {"group", nullptr},
-               {"mode", nullptr}};
-    if (device.has_node) {
-      entry["owner"] = device.owner;
-      entry["group"] = device.group;
-      entry["mode"] = fmt::format("{:04o}", device.mode);
-    }
-    devices.push_back(entry);
+    const auto of_node = [&](const auto& value) { return device.has_node ? Json(value) : Json(); };
+    devices.push_back({{"bus", device.bus},
+                       {"address", device.address},
+                       {"node", device.node},
+                       {"serial", quoted_text(device.serial)},
+                       {"may_open", device.may_open},
+                       {"open_error", open_error_words(device)},
+                       {"owner", of_node(device.owner)},
+                       {"group", of_node(device.group)},
+                       {"mode", of_node(fmt::format("{:04o}", device.mode))}});
   }
   const Json udev_rule =
       diagnosis.udev_rule.empty() ? Json() : Json(quoted_text(diagnosis.udev_rule.string(), longest_path));

@@ -20,56 +20,31 @@ bool has_ended(const FalconReport& report) noexcept {
   return report.state == FalconState::absent || report.state == FalconState::fault;
 }
 
-bool has_been_moved(const FalconReport& report) noexcept {
-  return report.is_readable() && report.encoders_move();
-}
-
-class Examination {
- public:
-  Examination(FalconInput& falcon, const std::function<void(const FalconReport&)>& watch)
-      : falcon_(falcon), watch_(watch) {}
-
-  // Until the device is lost, `is_enough` says so, or the time is over.
-  template <typename IsEnough>
-  void go_on(double longest_s, IsEnough is_enough) {
-    const std::int64_t began_ns = falcon_.now_ns();
-    const auto elapsed_s = [&] { return static_cast<double>(falcon_.now_ns() - began_ns) * 1e-9; };
-    do {
-      falcon_.wait_until(falcon_.now_ns() + tick_ns);
-      falcon_.read();
-      falcon_.set_force(Vector<2>(0.0), false);
-      report_ = falcon_.report();
-      watch_(report_);
-    } while (!has_ended(report_) && !is_enough(report_) && elapsed_s() < longest_s);
-  }
-
-  const FalconReport& report() const noexcept { return report_; }
-
- private:
-  FalconInput& falcon_;
-  const std::function<void(const FalconReport&)>& watch_;
-  FalconReport report_;
-};
-
 }  // namespace
 
 FalconReport examine(FalconInput& falcon, double wait_s, const std::function<void(const FalconReport&)>& watch) {
   // The driver itself gives up, after its attempts.
   constexpr double for_ever_s = 1e9;
-  Examination examination(falcon, watch);
-  examination.go_on(for_ever_s, [](const FalconReport& report) {
-    return report.state == FalconState::homing || report.is_readable();
-  });
-  if (!has_ended(examination.report())) {
-    examination.go_on(std::max(wait_s, first_replies_s), [&](const FalconReport& report) {
-      return wait_s > 0.0 ? has_been_moved(report) : report.is_readable();
-    });
-  }
-  if (!has_ended(examination.report())) {
-    examination.go_on(measuring_s, [](const FalconReport&) { return false; });
-  }
+  FalconReport report;
+  // Until the device is lost, `is_enough` says so, or the time is over.
+  const auto go_on = [&](double longest_s, const auto& is_enough) {
+    if (has_ended(report)) return;
+    const std::int64_t began_ns = falcon.now_ns();
+    const auto elapsed_s = [&] { return static_cast<double>(falcon.now_ns() - began_ns) * 1e-9; };
+    do {
+      falcon.wait_until(falcon.now_ns() + tick_ns);
+      falcon.read();
+      falcon.set_force(Vector<2>(0.0), false);
+      report = falcon.report();
+      watch(report);
+    } while (!has_ended(report) && !is_enough() && elapsed_s() < longest_s);
+  };
+  go_on(for_ever_s, [&] { return report.state == FalconState::homing || report.is_readable(); });
+  go_on(std::max(wait_s, first_replies_s),
+        [&] { return report.is_readable() && (report.encoders_move() || !(wait_s > 0.0)); });
+  go_on(measuring_s, [] { return false; });
   falcon.shut_down();
-  return examination.report();
+  return report;
 }
 
 }  // namespace ghostforce

@@ -1,6 +1,5 @@
 #include "app/doctor/readiness.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -15,59 +14,71 @@ namespace {
 
 // In the order of ReadinessStep.
 constexpr std::array steps{
-    ReadinessEntry{ReadinessStep::seen, "seen", "Plugged in", "Plug in the Falcon's power supply, then its USB cable."},
-    ReadinessEntry{ReadinessStep::allowed, "allowed", "Allowed",
-                   "Run 'ghostforce doctor --install-udev' once, then plug it in again."},
-    ReadinessEntry{ReadinessStep::free, "free", "Free", "Close the other program that has the device."},
-    ReadinessEntry{ReadinessStep::firmware, "firmware", "Firmware",
-                   "Give it a firmware file: --firmware FILE, see docs/falcon.md."},
-    ReadinessEntry{ReadinessStep::homed, "homed", "Homed",
-                   "Pull the handle all the way out, then push it straight in until it stops."},
-    ReadinessEntry{ReadinessStep::encoders_move, "encoders_move", "Encoders move",
-                   "Move the handle up and down, left and right, out and in."},
-    ReadinessEntry{ReadinessStep::fast_enough, "fast_enough", "Fast enough",
+    ReadinessEntry{ReadinessStep::seen, ExitCode::device_absent, "seen", "Plugged in",
+                   "Plug in the Falcon's power supply, then its USB cable."},
+    ReadinessEntry{ReadinessStep::allowed, ExitCode::device_refused, "allowed", "Allowed",
+                   "Run 'ghostforce doctor --install-udev' once, then plug it in again.", "this user may open it"},
+    ReadinessEntry{ReadinessStep::free, ExitCode::device_refused, "free", "Free",
+                   "Close the other program that has the device.", "no other program has it"},
+    ReadinessEntry{ReadinessStep::firmware, ExitCode::device_failed, "firmware", "Firmware",
+                   "Give it a firmware file: --firmware FILE, see docs/falcon.md.", "it answers"},
+    ReadinessEntry{ReadinessStep::homed, ExitCode::device_failed, "homed", "Homed",
+                   "Pull the handle all the way out, then push it straight in until it stops.",
+                   "all three motors have found their zero"},
+    ReadinessEntry{ReadinessStep::encoders_move, ExitCode::device_failed, "encoders_move", "Encoders move",
+                   "Move the handle up and down, left and right, out and in.", "all three"},
+    ReadinessEntry{ReadinessStep::fast_enough, ExitCode::answer_is_no, "fast_enough", "Fast enough",
                    "Use a USB port of the machine itself, without a hub, and close what keeps the machine busy."},
-    ReadinessEntry{ReadinessStep::outside_wall, "outside_wall", "Outside the wall", "Move the handle out of the wall."},
-    ReadinessEntry{ReadinessStep::armed, "armed", "Armed", "Hold the handle and press the safety button."},
+    ReadinessEntry{ReadinessStep::outside_wall, ExitCode::done, "outside_wall", "Outside the wall",
+                   "Move the handle out of the wall."},
+    ReadinessEntry{ReadinessStep::armed, ExitCode::done, "armed", "Armed",
+                   "Hold the handle and press the safety button."},
 };
 
-struct FaultRemedy {
-  FalconFault fault;
+struct FaultEntry {
+  FalconFault id;
+  // At which it keeps the device. The link tells what is wrong before it tells anything else, so all below has been
+  // reached.
+  ReadinessStep step;
   std::string_view remedy;
 };
-constexpr std::array fault_remedies{
-    FaultRemedy{FalconFault::not_allowed,
-                "This user may not open the device. Run 'ghostforce doctor --install-udev' once, then plug the device "
-                "in again."},
-    FaultRemedy{FalconFault::busy, "Close the other program that has the device."},
-    FaultRemedy{FalconFault::unsupported,
-                "What is plugged in has not the one interface with two bulk endpoints that a Falcon has."},
-    FaultRemedy{FalconFault::unplugged,
-                "Plug it in again: it is looked for all the time. Motors stay off until you arm them."},
-    FaultRemedy{FalconFault::broken, "Use another cable or another USB port, one of the machine itself."},
-    FaultRemedy{FalconFault::no_firmware,
-                "The device has no firmware and there is no file to give it: name one with --firmware FILE, or see "
-                "docs/falcon.md for where to put it."},
-    FaultRemedy{FalconFault::no_handshake,
-                "The device does not answer its boot loader's call. Unplug both its cables, wait 5 s, plug power in "
-                "first; then another USB port."},
-    FaultRemedy{
-        FalconFault::no_baud_answer,
+// In the order of FalconFault.
+constexpr std::array faults{
+    FaultEntry{FalconFault::none, ReadinessStep::seen, ""},
+    FaultEntry{FalconFault::not_allowed, ReadinessStep::allowed,
+               "This user may not open the device. Run 'ghostforce doctor --install-udev' once, then plug the device "
+               "in again."},
+    FaultEntry{FalconFault::busy, ReadinessStep::free, "Close the other program that has the device."},
+    FaultEntry{FalconFault::unsupported, ReadinessStep::free,
+               "What is plugged in has not the one interface with two bulk endpoints that a Falcon has."},
+    FaultEntry{FalconFault::unplugged, ReadinessStep::seen,
+               "Plug it in again: it is looked for all the time. Motors stay off until you arm them."},
+    FaultEntry{FalconFault::broken, ReadinessStep::firmware,
+               "Use another cable or another USB port, one of the machine itself."},
+    FaultEntry{FalconFault::no_firmware, ReadinessStep::firmware,
+               "The device has no firmware and there is no file to give it: name one with --firmware FILE, or see "
+               "docs/falcon.md for where to put it."},
+    FaultEntry{FalconFault::no_handshake, ReadinessStep::firmware,
+               "The device does not answer its boot loader's call. Unplug both its cables, wait 5 s, plug power in "
+               "first; then another USB port."},
+    FaultEntry{
+        FalconFault::no_baud_answer, ReadinessStep::firmware,
         "The device does not follow to the upload's rate. Unplug both its cables, wait 5 s, and plug them in again."},
-    FaultRemedy{FalconFault::echo_missing,
-                "A byte of the firmware was not echoed. Use another cable or USB port; if it stays, unplug both cables "
-                "for 5 s."},
-    FaultRemedy{FalconFault::echo_differs,
-                "A byte of the firmware came back as another. Use another cable or USB port, without a hub."},
-    FaultRemedy{FalconFault::firmware_silent,
-                "The firmware is loaded and answers nothing: is it the file for this device? Compare its SHA-256 with "
-                "docs/falcon.md."},
-    FaultRemedy{FalconFault::no_replies,
-                "Is the device's power supply plugged in? It is being opened again by itself."},
-    FaultRemedy{FalconFault::kinematics,
-                "The encoders tell a position that the arms cannot have: home the device again (F2), and check the "
-                "geometry in its calibration file."},
+    FaultEntry{FalconFault::echo_missing, ReadinessStep::firmware,
+               "A byte of the firmware was not echoed. Use another cable or USB port; if it stays, unplug both cables "
+               "for 5 s."},
+    FaultEntry{FalconFault::echo_differs, ReadinessStep::firmware,
+               "A byte of the firmware came back as another. Use another cable or USB port, without a hub."},
+    FaultEntry{FalconFault::firmware_silent, ReadinessStep::firmware,
+               "The firmware is loaded and answers nothing: is it the file for this device? Compare its SHA-256 with "
+               "docs/falcon.md."},
+    FaultEntry{FalconFault::no_replies, ReadinessStep::firmware,
+               "Is the device's power supply plugged in? It is being opened again by itself."},
+    FaultEntry{FalconFault::kinematics, ReadinessStep::homed,
+               "The encoders tell a position that the arms cannot have: home the device again (F2), and check the "
+               "geometry in its calibration file."},
 };
+static_assert(faults.size() == static_cast<std::size_t>(FalconFault::kinematics) + 1);
 
 // The wire to the device is dead, and what it was told last was a force.
 constexpr std::string_view still_pushing =
@@ -86,31 +97,8 @@ std::string motors_where(const std::array<bool, 3>& is_so, bool wanted) {
   return names.empty() ? "none" : names;
 }
 
-// The step at which a fault keeps the device. The link tells what is wrong before it tells anything else, so all below
-// has been reached.
-ReadinessStep step_of(FalconFault fault) noexcept {
-  switch (fault) {
-    case FalconFault::none:
-    case FalconFault::unplugged:
-      return ReadinessStep::seen;
-    case FalconFault::not_allowed:
-      return ReadinessStep::allowed;
-    case FalconFault::busy:
-    case FalconFault::unsupported:
-      return ReadinessStep::free;
-    case FalconFault::broken:
-    case FalconFault::no_firmware:
-    case FalconFault::no_handshake:
-    case FalconFault::no_baud_answer:
-    case FalconFault::echo_missing:
-    case FalconFault::echo_differs:
-    case FalconFault::firmware_silent:
-    case FalconFault::no_replies:
-      return ReadinessStep::firmware;
-    case FalconFault::kinematics:
-      return ReadinessStep::homed;
-  }
-  return ReadinessStep::seen;
+const FaultEntry& readiness_fault(FalconFault fault) noexcept {
+  return faults[static_cast<std::size_t>(fault)];
 }
 
 // How far the device has come by itself, up to being homed: the first step that is not reached.
@@ -119,7 +107,7 @@ ReadinessStep way_of(const FalconReport& report) noexcept {
     case FalconState::absent:
       return ReadinessStep::seen;
     case FalconState::fault:
-      return step_of(report.fault);
+      return readiness_fault(report.fault).step;
     case FalconState::opening:
     case FalconState::loading_firmware:
       return ReadinessStep::firmware;
@@ -165,12 +153,6 @@ class ReadinessCheck {
  private:
   bool is_reached(ReadinessStep step) const noexcept {
     switch (step) {
-      case ReadinessStep::seen:
-      case ReadinessStep::allowed:
-      case ReadinessStep::free:
-      case ReadinessStep::firmware:
-      case ReadinessStep::homed:
-        return step < way_;
       case ReadinessStep::encoders_move:
         return report_.is_readable() && report_.encoders_move();
       case ReadinessStep::fast_enough:
@@ -180,8 +162,9 @@ class ReadinessCheck {
         return motors_ != nullptr && motors_->is_handle_known && (motors_->is_outside_wall || are_on(*motors_));
       case ReadinessStep::armed:
         return motors_ != nullptr && are_on(*motors_);
+      default:
+        return step < way_;
     }
-    return false;
   }
 
   // Needs no hand, so it may fail before its turn.
@@ -192,29 +175,26 @@ class ReadinessCheck {
   std::string words(const ReadinessEntry& entry, bool reached) const {
     switch (entry.id) {
       case ReadinessStep::seen:
-        if (!reached) break;
-        return report_.serial.text().empty() ? "" : fmt::format("serial number {}", report_.serial.text());
-      case ReadinessStep::allowed:
-        if (!reached) break;
-        return "this user may open it";
-      case ReadinessStep::free:
-        if (!reached) break;
-        return "no other program has it";
+        if (!reached || report_.serial.text().empty()) break;
+        return fmt::format("serial number {}", report_.serial.text());
       case ReadinessStep::firmware:
-        return reached ? "it answers" : firmware_words();
+        if (reached) break;
+        return firmware_words();
       case ReadinessStep::homed:
-        return reached ? "all three motors have found their zero" : homing_words(entry);
+        if (reached) break;
+        return fmt::format("homed: {}; counts {}, {}, {}. {}", motors_where(report_.has_homed, true),
+                           report_.encoders[0], report_.encoders[1], report_.encoders[2], entry.remedy);
       case ReadinessStep::encoders_move:
-        return reached ? "all three" : moving_words(entry);
+        if (reached) break;
+        return fmt::format("not moved yet: {}. {}", motors_where(report_.has_moved, false), entry.remedy);
       case ReadinessStep::fast_enough:
         return speed_words(entry, reached);
-      case ReadinessStep::outside_wall:
-        if (!reached) break;
-        return "";
       case ReadinessStep::armed:
         return armed_words(entry);
+      default:
+        break;
     }
-    return std::string(entry.remedy);
+    return std::string(reached ? entry.reached : entry.remedy);
   }
 
   std::string firmware_words() const {
@@ -223,15 +203,6 @@ class ReadinessCheck {
     if (report_.state == FalconState::opening) return "it is asked whether it has firmware" + before;
     return fmt::format("loading, attempt {} of {}, {} of {} bytes{}", report_.attempt, report_.attempts,
                        report_.bytes_echoed, report_.firmware_size, before);
-  }
-
-  std::string homing_words(const ReadinessEntry& entry) const {
-    return fmt::format("homed: {}; counts {}, {}, {}. {}", motors_where(report_.has_homed, true), report_.encoders[0],
-                       report_.encoders[1], report_.encoders[2], entry.remedy);
-  }
-
-  std::string moving_words(const ReadinessEntry& entry) const {
-    return fmt::format("not moved yet: {}. {}", motors_where(report_.has_moved, false), entry.remedy);
   }
 
   std::string speed_words(const ReadinessEntry& entry, bool reached) const {
@@ -275,8 +246,7 @@ const ReadinessEntry& entry_of(ReadinessStep step) noexcept {
 }
 
 std::string_view remedy_of(FalconFault fault) noexcept {
-  const auto found = std::ranges::find(fault_remedies, fault, &FaultRemedy::fault);
-  return found == fault_remedies.end() ? "" : found->remedy;
+  return readiness_fault(fault).remedy;
 }
 
 double attainable_exchange_hz(const FalconReport& report) noexcept {
@@ -296,25 +266,10 @@ std::vector<ReadinessStepState> readiness_of(const FalconReport& report, const M
 
 ExitCode exit_code_of(std::span<const ReadinessStepState> readiness, bool needs_homing) {
   for (const ReadinessStepState& state : readiness) {
-    if (state.is_reached) continue;
-    switch (state.step) {
-      case ReadinessStep::seen:
-        return ExitCode::device_absent;
-      case ReadinessStep::allowed:
-      case ReadinessStep::free:
-        return ExitCode::device_refused;
-      case ReadinessStep::firmware:
-        return ExitCode::device_failed;
-      case ReadinessStep::homed:
-      case ReadinessStep::encoders_move:
-        if (needs_homing) return ExitCode::device_failed;
-        break;
-      case ReadinessStep::fast_enough:
-        return ExitCode::answer_is_no;
-      case ReadinessStep::outside_wall:
-      case ReadinessStep::armed:
-        break;
-    }
+    const bool is_left_out =
+        !needs_homing && (state.step == ReadinessStep::homed || state.step == ReadinessStep::encoders_move);
+    const ExitCode code = entry_of(state.step).exit_code;
+    if (!state.is_reached && !is_left_out && code != ExitCode::done) return code;
   }
   return ExitCode::done;
 }

@@ -19,9 +19,11 @@ struct MotorReport;
 
 struct ReadinessEntry {
   ReadinessStep id;
-  std::string_view name;    // in JSON
-  std::string_view title;   // on screen
-  std::string_view remedy;  // what to do to reach it, where no fault says it better
+  ExitCode exit_code;          // of a program that could not reach it; done: that is no failure
+  std::string_view name;       // in JSON
+  std::string_view title;      // on screen
+  std::string_view remedy;     // what to do to reach it, where no fault says it better
+  std::string_view reached{};  // what is so then, where no report says more
 };
 
 // In the order of ReadinessStep.

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 #include <iterator>
-#include <optional>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -77,17 +75,14 @@ std::vector<CalibrationFile> read_all() {
   const fs::path folder = calibration_folder();
   std::error_code error;
   if (folder.empty() || !fs::exists(folder, error)) return {};
-  std::vector<fs::path> paths;
-  for (fs::directory_iterator file(folder, error), end; !error && file != end; file.increment(error)) {
-    if (file->path().extension() == ".toml") paths.push_back(file->path());
-  }
+  std::vector<fs::path> paths = paths_in(folder, error);
   if (error) {
     throw ReadError(ReadError::Kind::unreadable, {{.file = "the folder " + quoted_text(folder.string(), longest_path),
                                                    .what = "cannot be read: " + error.message(),
                                                    .remedy = "look at its permissions",
                                                    .joint = " "}});
   }
-  std::sort(paths.begin(), paths.end());
+  std::erase_if(paths, [](const fs::path& path) { return path.extension() != ".toml"; });
 
   std::vector<CalibrationFile> files;
   std::vector<ReadProblem> problems;
@@ -108,10 +103,9 @@ std::vector<CalibrationFile> read_all() {
       problems.insert(problems.end(), wrong.problems().begin(), wrong.problems().end());
       continue;
     }
-    const auto twin = std::find_if(files.begin(), std::prev(files.end()), [&](const CalibrationFile& other) {
-      return other.calibration.serial == files.back().calibration.serial;
-    });
-    if (twin != std::prev(files.end())) {
+    const auto serial_of = [](const CalibrationFile& each) { return each.calibration.serial; };
+    const auto twin = std::ranges::find(files, serial_of(files.back()), serial_of);
+    if (&*twin != &files.back()) {
       problems.push_back({.file = shown,
                           .what = "is about the same device as " + quoted_text(twin->path.string(), longest_path),
                           .remedy = "remove one",

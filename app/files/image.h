@@ -1,7 +1,6 @@
 // A picture in memory: rows from the top, three bytes (red, green, blue) a pixel.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 

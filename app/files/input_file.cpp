@@ -3,11 +3,12 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
-#include <system_error>
 #include <utility>
 
+#include "app/console/did_you_mean.h"
 #include "app/console/interruption.h"
 
 namespace ghostforce {
@@ -60,6 +61,25 @@ FileContents file_contents(const std::filesystem::path& path) {
   if (error != 0) return {{}, error};
   if (text.size() > largest_text_file) return {{}, EFBIG};
   return {std::move(text), 0};
+}
+
+std::vector<std::filesystem::path> paths_in(const std::filesystem::path& folder, std::error_code& error) {
+  std::vector<std::filesystem::path> paths;
+  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    paths.push_back(entry->path());
+  }
+  std::ranges::sort(paths);
+  return paths;
+}
+
+std::optional<std::string> nearest_name_in(const std::filesystem::path& folder, std::string_view word,
+                                           const std::function<std::string(const std::filesystem::path&)>& name_of) {
+  std::error_code ignored;
+  std::vector<std::string> names;
+  for (const std::filesystem::path& path : paths_in(folder, ignored)) names.push_back(name_of(path));
+  std::ranges::sort(names);
+  const auto near = nearest_name(word, std::vector<std::string_view>(names.begin(), names.end()));
+  return near ? std::optional<std::string>(*near) : std::nullopt;
 }
 
 std::string_view kind_instead_of_file(const std::filesystem::path& path) {

@@ -6,8 +6,11 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
+#include <vector>
 
 #include "app/files/read_error.h"
 
@@ -28,6 +31,14 @@ FileContents file_contents(const std::filesystem::path& path);
 // Hands the file on in pieces, as long as `take` returns true. Returns the errno of what went wrong; 0: nothing did.
 // Waits as above. Throws Failure(interrupted), and what `take` throws.
 int read_pieces(const std::filesystem::path& path, const std::function<bool(std::string_view piece)>& take);
+
+// What is in a folder, sorted. Where it cannot be read to its end `error` says why.
+std::vector<std::filesystem::path> paths_in(const std::filesystem::path& folder, std::error_code& error);
+
+// The name nearest to `word` (did_you_mean.h) of those that `name_of` makes of what is in a folder; an empty one is
+// none.
+std::optional<std::string> nearest_name_in(const std::filesystem::path& folder, std::string_view word,
+                                           const std::function<std::string(const std::filesystem::path&)>& name_of);
 
 // "a folder", "a pipe", "a link that leads nowhere", …. Empty: a file or a link to one, nothing at all, or what cannot
 // be looked at.

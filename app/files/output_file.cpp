@@ -7,11 +7,9 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <charconv>
 #include <climits>
 #include <cstdio>
 #include <cstring>
-#include <filesystem>
 #include <system_error>
 #include <utility>
 
@@ -20,6 +18,7 @@
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
 #include "app/console/quoted.h"
+#include "app/console/typed_text.h"
 #include "app/files/disk_sync.h"
 #include "app/files/part_file.h"
 
@@ -35,10 +34,7 @@ constexpr int patience_ms = 1000;
 int descriptor_named(std::string_view path) {
   for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
     if (!path.starts_with(folder)) continue;
-    int descriptor = -1;
-    const std::string_view number = path.substr(folder.size());
-    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), descriptor);
-    if (error == std::errc() && end == number.data() + number.size()) return descriptor;
+    if (const auto descriptor = number_in<int>(path.substr(folder.size()))) return *descriptor;
   }
   return -1;
 }

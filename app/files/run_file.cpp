@@ -54,7 +54,7 @@ void append_set_lines(fmt::memory_buffer& rows, double time_s, Settings& known, 
     const std::string value = value_text(after, key);
     if (value == value_text(before, key)) continue;
     fmt::format_to(std::back_inserter(rows), FMT_COMPILE("{}{}{} {}={}\n"), set_begins, time_begins, time_s,
-                   dotted_name(key.table, key.name), value);
+                   dotted_name(key), value);
   }
   known = after.settings;
 }

@@ -6,10 +6,8 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <functional>
 #include <map>
 #include <new>
-#include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
@@ -382,8 +380,7 @@ ReadError why_unreadable(const std::string& shown, int error) {
     case ENAMETOOLONG:
       return {ReadError::Kind::wrong, {{.file = shown, .what = "there is no such file", .remedy = "name a recording"}}};
     default:
-      return {ReadError::Kind::unreadable,
-              {{.what = fmt::format("{} cannot be read: {}", shown, unreadable_words(error))}}};
+      return unreadable(shown, error);
   }
 }
 

@@ -6,10 +6,8 @@
 #include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstddef>
 #include <filesystem>
 #include <optional>
-#include <system_error>
 #include <utility>
 #include <variant>
 
@@ -31,28 +29,20 @@ std::string_view name_of(const EmbeddedText& scene) noexcept {
 }
 
 const EmbeddedText* find_shipped(std::string_view name) noexcept {
-  for (const EmbeddedText& scene : embedded_scenes) {
-    if (name_of(scene) == name) return &scene;
-  }
-  return nullptr;
+  const auto found = std::ranges::find(embedded_scenes, name, name_of);
+  return found == embedded_scenes.end() ? nullptr : &*found;
 }
 
 // What the person may have meant by a name that is nothing: a shipped scene, or a file nearby.
 std::string hint_for(const std::filesystem::path& path) {
   const std::string stem = path.extension() == extension ? path.stem().string() : path.filename().string();
   const std::vector<std::string_view> shipped = shipped_scene_names();
-  std::vector<std::string> files;
-  std::error_code error;
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-  constexpr std::size_t most_files = 1000;
-  for (std::filesystem::directory_iterator file(folder, error), end; !error && file != end; file.increment(error)) {
-    if (file->path().extension() == extension) files.push_back(file->path().stem().string());
-    if (files.size() == most_files) break;
-  }
-  std::sort(files.begin(), files.end());
-  const std::vector<std::string_view> file_names(files.begin(), files.end());
-  if (const auto near = nearest_name(stem, file_names)) {
-    const std::string found = std::string(*near) + std::string(extension);
+  const auto name_of = [](const std::filesystem::path& file) {
+    return file.extension() == extension ? file.stem().string() : "";
+  };
+  if (const auto near = nearest_name_in(folder, stem, name_of)) {
+    const std::string found = *near + std::string(extension);
     return fmt::format("did you mean '{}'?", quoted_text(path.has_parent_path() ? (folder / found).string() : found));
   }
   if (const auto near = nearest_name(stem, shipped)) return fmt::format("did you mean '{}'?", *near);
@@ -150,10 +140,8 @@ struct Rounding {
   void operator()(const PointsKey& key) const {
     for (Vector<2>& point : key.in(scene)) round(point);
   }
-  void operator()(const OptionalNumberKey&) const {}
-  void operator()(const TextKey&) const {}
-  void operator()(const ChoiceKey&) const {}
-  void operator()(const TimesKey&) const {}
+  template <typename Other>
+  void operator()(const Other&) const {}
 };
 
 }  // namespace

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <optional>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <fmt/core.h>
@@ -24,23 +24,27 @@ std::pair<std::string_view, std::string_view> split(std::string_view dotted) noe
 
 std::vector<std::string> dotted_names() {
   std::vector<std::string> names;
-  for (const SceneKey& key : scene_keys()) names.push_back(dotted_name(key.table, key.name));
+  for (const SceneKey& key : scene_keys()) names.push_back(dotted_name(key));
+  return names;
+}
+
+std::vector<std::string_view> names_in(std::string_view table) {
+  std::vector<std::string_view> names;
+  for (const SceneKey& key : scene_keys()) {
+    if (key.table == table) names.push_back(key.name);
+  }
   return names;
 }
 
 // Dotted: of the same name in another table first, then of what is near in this one, in all, and but for the table.
 std::optional<std::string> nearest_scene_key(std::string_view table, std::string_view name) {
-  std::vector<std::string_view> here;
-  std::vector<std::string_view> names;
-  for (const SceneKey& key : scene_keys()) {
-    if (key.table == table) here.push_back(key.name);
-    names.push_back(key.name);
-  }
+  const std::vector<std::string_view> here = names_in(table);
+  const std::vector<std::string_view> names = names_of(scene_keys());
   const std::vector<std::string> dotted = dotted_names();
   const auto whole = [&](std::string_view found) {
-    return dotted[static_cast<std::size_t>(std::find(names.begin(), names.end(), found) - names.begin())];
+    return dotted[static_cast<std::size_t>(std::ranges::find(names, found) - names.begin())];
   };
-  if (std::find(names.begin(), names.end(), name) != names.end()) return whole(name);
+  if (std::ranges::find(names, name) != names.end()) return whole(name);
   if (const auto near = nearest_name(name, here)) return dotted_name(table, *near);
   const std::vector<std::string_view> all(dotted.begin(), dotted.end());
   if (const auto near = nearest_name(dotted_name(table, name), all)) return std::string(*near);
@@ -68,10 +72,7 @@ const SceneKey* find_scene_key(std::string_view dotted) noexcept {
 
 std::string suggest_scene_key(std::string_view table, std::string_view name) {
   if (const auto near = nearest_scene_key(table, name)) return ask(*near);
-  std::vector<std::string_view> here;
-  for (const SceneKey& key : scene_keys()) {
-    if (key.table == table) here.push_back(key.name);
-  }
+  const std::vector<std::string_view> here = names_in(table);
   if (here.empty()) return "";
   return fmt::format("; {} has {}", table.empty() ? "the file" : fmt::format("[{}]", table), listed(here));
 }
@@ -82,6 +83,10 @@ std::string suggest_scene_key(std::string_view dotted) {
   if (const auto near = nearest_scene_key(table, name)) return ask(*near);
   const std::vector<std::string> names = dotted_names();
   return fmt::format("; the keys are {}", listed(std::vector<std::string_view>(names.begin(), names.end())));
+}
+
+std::string dotted_name(const SceneKey& key) {
+  return dotted_name(key.table, key.name);
 }
 
 std::string_view unit_of(std::string_view key_name) noexcept {
@@ -98,6 +103,15 @@ std::string_view unit_of(std::string_view key_name) noexcept {
     if (key_name.ends_with(end)) return unit;
   }
   return {};
+}
+
+std::optional<NumberLimits> limits_of(const SceneKey& key) noexcept {
+  const std::string_view unit = unit_of(key.name);
+  if (const auto* const number = std::get_if<NumberKey>(&key.value)) {
+    return NumberLimits{number->least, number->greatest, unit, number->may_be_infinite, number->whole};
+  }
+  const auto* const optional = std::get_if<OptionalNumberKey>(&key.value);
+  return optional == nullptr ? std::nullopt : std::optional(NumberLimits{optional->least, optional->greatest, unit});
 }
 
 }  // namespace ghostforce

@@ -2,10 +2,11 @@
 // thread.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
-#include "app/files/toml_document.h"  // dotted_name()
+#include "app/files/toml_document.h"
 #include "core/scene.h"
 
 namespace ghostforce {
@@ -20,8 +21,14 @@ const SceneKey* find_scene_key(std::string_view dotted) noexcept;
 std::string suggest_scene_key(std::string_view table, std::string_view name);
 std::string suggest_scene_key(std::string_view dotted);
 
+// "TABLE.NAME"
+std::string dotted_name(const SceneKey& key);
+
 // The unit that a key's name ends in, as people write it: N/m for k_r_N_per_m;
 // empty where there is none.
 std::string_view unit_of(std::string_view key_name) noexcept;
+
+// What the number of a key may be; empty: the key holds no number, or several.
+std::optional<NumberLimits> limits_of(const SceneKey& key) noexcept;
 
 }  // namespace ghostforce

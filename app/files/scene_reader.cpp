@@ -2,13 +2,13 @@
 
 #include <cstddef>
 #include <optional>
-#include <utility>
 #include <variant>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "app/console/quoted.h"
+#include "app/console/typed_text.h"
 #include "app/files/scene_keys.h"
 #include "app/files/toml_document.h"
 
@@ -34,15 +34,13 @@ std::size_t read_count(const TomlValue& value, std::string_view of_what) {
 struct ValueReader {
   Scene& scene;
   const TomlValue& value;
-  std::string_view unit;
+  NumberLimits limits;
 
   void operator()(const NumberKey& key) const {
-    const NumberLimits limits{key.least, key.greatest, unit, key.may_be_infinite, key.whole};
     if (const auto number = value.number(limits)) key.in(scene) = *number / key.per_si;
   }
 
   void operator()(const OptionalNumberKey& key) const {
-    const NumberLimits limits{key.least, key.greatest, unit};
     const std::string* const word = key.word_for_empty.empty() ? nullptr : value.as_text();
     if (word == nullptr) {
       key.in(scene) = value.number(limits);
@@ -71,7 +69,7 @@ struct ValueReader {
     std::vector<double>& times = key.in(scene);
     const std::size_t count = read_count(value, "times, [0.0, …]");
     for (std::size_t i = 0; i < count; ++i) {
-      const auto time = value[i].number({.unit = unit});
+      const auto time = value[i].number(limits);
       if (!time) return;
       if (times.empty() && *time != 0.0) {
         value[i].refuse(fmt::format("the first time is {} s", *time), "it must be 0");
@@ -82,13 +80,6 @@ struct ValueReader {
     }
   }
 };
-
-std::string_view trimmed(std::string_view text) noexcept {
-  constexpr std::string_view blanks = " \t\r\n";
-  const std::size_t begin = text.find_first_not_of(blanks);
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
-}
 
 // KEY=VALUE, blanks around both allowed.
 void read_override(TomlReader& reader, std::string_view argument) {
@@ -113,7 +104,8 @@ Scene read_scene(std::string_view text, std::string_view shown_path, std::span<c
   std::vector<TomlKey> keys{{"", "format", nullptr}};
   for (const SceneKey& key : scene_keys()) {
     const auto read = [&](const TomlValue& value) {
-      std::visit(ValueReader{scene, value, unit_of(key.name)}, key.value);
+      std::visit(ValueReader{scene, value, limits_of(key).value_or(NumberLimits{.unit = unit_of(key.name)})},
+                 key.value);
     };
     keys.push_back({key.table, key.name, read, key.required ? std::optional("") : std::nullopt});
   }

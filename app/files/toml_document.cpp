@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "app/console/did_you_mean.h"
-#include "app/console/quoted.h"
 #include "app/console/unicode.h"
 #include "app/files/first_problems.h"
 #include "app/files/toml_parse.h"
@@ -68,17 +67,19 @@ std::optional<toml::table> parse_override(bool holds_text, std::string_view valu
 }
 
 const TomlKey* find_key(std::span<const TomlKey> keys, std::string_view table, std::string_view name) {
-  const auto is_it = [&](const TomlKey& key) { return key.table == table && key.name == name; };
-  const auto found = std::find_if(keys.begin(), keys.end(), is_it);
+  const auto found =
+      std::ranges::find_if(keys, [&](const TomlKey& key) { return key.table == table && key.name == name; });
   return found == keys.end() ? nullptr : &*found;
+}
+
+bool contains(std::span<const std::string_view> words, std::string_view word) {
+  return std::ranges::find(words, word) != words.end();
 }
 
 std::vector<std::string_view> tables_of(std::span<const TomlKey> keys) {
   std::vector<std::string_view> tables;
   for (const TomlKey& key : keys) {
-    if (!key.table.empty() && std::find(tables.begin(), tables.end(), key.table) == tables.end()) {
-      tables.push_back(key.table);
-    }
+    if (!key.table.empty() && !contains(tables, key.table)) tables.push_back(key.table);
   }
   return tables;
 }
@@ -93,7 +94,7 @@ std::string suggestion(std::span<const TomlKey> keys, std::string_view table, st
     if (key.table == table) here.push_back(key.name);
   }
   if (table.empty()) {
-    for (const std::string_view known : tables_of(keys)) here.push_back(known);
+    std::ranges::copy(tables_of(keys), std::back_inserter(here));
   }
   const std::string near = did_you_mean(name, here);
   return near.empty() ? fmt::format("; there is {}", listed(here)) : near;
@@ -207,7 +208,7 @@ std::optional<std::size_t> TomlValue::word(std::span<const std::string_view> wor
     refuse_type(fmt::format("give one of {}", listed(words)));
     return std::nullopt;
   }
-  const auto found = std::find(words.begin(), words.end(), *value);
+  const auto found = std::ranges::find(words, *value);
   if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
   refuse(fmt::format("'{}' is none of {}", quoted_text(*value), listed(words)), did_you_mean(*value, words));
   return std::nullopt;
@@ -329,7 +330,7 @@ void TomlReader::find_unknown() {
   };
   for (const auto& [key, node] : content_->file) {
     const std::string_view name = key.str();
-    if (std::find(tables.begin(), tables.end(), name) != tables.end()) {
+    if (contains(tables, name)) {
       if (const toml::table* const table = node.as_table()) {
         for (const auto& [inner, value] : *table) {
           if (find_key(content_->keys, name, inner.str()) == nullptr) refuse_key(name, inner);
@@ -360,7 +361,7 @@ void TomlReader::find_missing() {
     if (!key.if_missing || find(key.table, key.name)) continue;
     const toml::node* const table = content_->file.get(key.table);
     if (!key.table.empty() && table == nullptr) {
-      if (std::find(absent_tables.begin(), absent_tables.end(), key.table) != absent_tables.end()) continue;
+      if (contains(absent_tables, key.table)) continue;
       absent_tables.push_back(key.table);
       refuse(fmt::format("the table [{}] is missing", key.table), "");
     } else if (key.table.empty() || table->is_table()) {

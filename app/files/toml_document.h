@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/console/quoted.h"
 #include "app/files/read_error.h"
 
 namespace ghostforce {
@@ -97,9 +98,7 @@ inline auto yes_or_no_into(bool& into) {
 template <typename Entry, typename Take>
 auto catalog_entry(std::span<const Entry> catalog, Take take) {
   return [catalog, take](const TomlValue& value) {
-    std::vector<std::string_view> names;
-    for (const Entry& entry : catalog) names.push_back(entry.name);
-    if (const auto word = value.word(names)) take(catalog[*word]);
+    if (const auto word = value.word(names_of(catalog))) take(catalog[*word]);
   };
 }
 

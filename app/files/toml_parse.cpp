@@ -1,7 +1,5 @@
 #include "app/files/toml_parse.h"
 
-#include <algorithm>
-
 #include "app/console/quoted.h"
 
 namespace ghostforce {
@@ -53,10 +51,7 @@ ParsedToml parse_toml(std::string_view text) {
   try {
     return {toml::parse(text), std::nullopt};
   } catch (const toml::parse_error& error) {
-    toml::source_position position = error.source().begin;
-    position.line = std::max<toml::source_index>(position.line, 1);
-    position.column = std::max<toml::source_index>(position.column, 1);
-    return {{}, TomlProblem{position, quoted_text(error.description(), longest_description)}};
+    return {{}, TomlProblem{error.source().begin, quoted_text(error.description(), longest_description)}};
   }
 }
 

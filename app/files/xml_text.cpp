@@ -9,19 +9,10 @@
 namespace ghostforce {
 namespace {
 
-struct Escape {
-  char character;
-  std::string_view reference;
-};
-// Line breaks and tabs too: else an attribute would lose them.
-constexpr std::array<Escape, 8> escapes{{{'&', "&amp;"},
-                                         {'<', "&lt;"},
-                                         {'>', "&gt;"},
-                                         {'"', "&quot;"},
-                                         {'\'', "&#39;"},
-                                         {'\n', "&#10;"},
-                                         {'\r', "&#13;"},
-                                         {'\t', "&#9;"}}};
+// What stands for these in XML; for line breaks and tabs too, else an attribute would lose them.
+constexpr std::string_view escaped = "&<>\"'\n\r\t";
+constexpr std::array<std::string_view, escaped.size()> references{"&amp;", "&lt;",  "&gt;",  "&quot;",
+                                                                  "&#39;", "&#10;", "&#13;", "&#9;"};
 
 // The length of the character that a text begins with; 0: it begins with none that XML allows.
 std::size_t allowed_length(std::string_view text) {
@@ -36,11 +27,11 @@ std::string xml_text(std::string_view text) {
   std::string result;
   while (!text.empty()) {
     const std::size_t length = allowed_length(text);
-    const auto* const escape = std::ranges::find(escapes, text[0], &Escape::character);
+    const std::size_t escape = escaped.find(text[0]);
     if (length == 0) {
       result += "\xEF\xBF\xBD";
     } else {
-      result += escape == escapes.end() ? text.substr(0, length) : escape->reference;
+      result += escape == std::string_view::npos ? text.substr(0, length) : references[escape];
     }
     text.remove_prefix(std::max<std::size_t>(length, 1));
   }

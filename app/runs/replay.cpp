@@ -40,7 +40,8 @@ void Replay::take(const RunFacts& run, const RunTick& tick) {
 bool Replay::go_to(const RunTick& tick, const Settings& settings, const RunState* state) {
   if (settings_ != settings) use(settings);
   if (state != nullptr) {
-    resume(tick, *state);
+    state_ = recorded_state(tick, *state);
+    std::ranges::transform(tick.rows, is_known_.begin(), [](const auto& row) { return row.has_value(); });
   } else if (is_first_ && tick.tick == 0) {
     state_ = state_at_start(tick.goal);
     is_known_.fill(true);
@@ -62,11 +63,6 @@ void Replay::use(const Settings& settings) {
   coefficients_ = coefficients_of(settings);
 }
 
-void Replay::resume(const RunTick& tick, const RunState& recorded) {
-  state_ = recorded_state(tick, recorded);
-  for (std::size_t i = 0; i < strategy_count; ++i) is_known_[i] = tick.rows[i].has_value();
-}
-
 void Replay::follow(const RunTick& now) {
   const TickState<2> before = state_;
   tick(coefficients_, now.goal, state_);
@@ -86,7 +82,7 @@ void Replay::follow(const RunTick& now) {
 }
 
 bool Replay::is_any_known() const noexcept {
-  return std::ranges::any_of(is_known_, [](bool is_known) { return is_known; });
+  return std::ranges::any_of(is_known_, std::identity{});
 }
 
 // Compares one row of the file with the replay's, value by value.

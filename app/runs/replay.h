@@ -55,7 +55,6 @@ class Replay {
  private:
   bool go_to(const RunTick& tick, const Settings& settings, const RunState* state);
   void use(const Settings& settings);
-  void resume(const RunTick& tick, const RunState& recorded);
   void follow(const RunTick& now);
   bool is_any_known() const noexcept;
   bool compare_row(const RunTick& tick, const Snapshot& snapshot, StrategyId id);

@@ -7,11 +7,6 @@
 
 namespace ghostforce {
 
-void HandPath::reserve(std::size_t ticks) {
-  path_.points.reserve(ticks);
-  path_.times.reserve(ticks);
-}
-
 void HandPath::take(const RunFacts& run, const RunTick& tick) {
   if (is_over_) return;
   const double time_s = time_of_tick(run, tick);
@@ -40,7 +35,6 @@ double HandPath::time_of_tick(const RunFacts& run, const RunTick& tick) {
 GoalPath goal_path_of(const Run& run, double rate) {
   if (run.ticks.empty()) throw Failure(ExitCode::wrong_call, "the run holds no row: there is no hand to replay");
   HandPath path(rate);
-  path.reserve(run.ticks.size());
   for (const RunTick& tick : run.ticks) path.take(run, tick);
   return path.take_path();
 }

@@ -2,7 +2,6 @@
 // where that holds, else at rest. Pure, any thread.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <utility>
 
@@ -19,7 +18,6 @@ class HandPath {
   // `rate`: that of the loop that shall play it [Hz]; 0: the run's own, with which its length was looked at already.
   explicit HandPath(double rate) : rate_(rate) {}
 
-  void reserve(std::size_t ticks);
   // In the file's order. Throws ReadError(wrong) where the path gets longer than a scene may be (most_ticks).
   void take(const RunFacts& run, const RunTick& tick);
 

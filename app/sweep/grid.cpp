@@ -17,14 +17,10 @@ namespace {
   throw Failure(ExitCode::wrong_call, fmt::format("--over {}: {}", quoted_text(argument), what));
 }
 
-std::string name_of(const Range& range) {
-  return dotted_name(range.key->table, range.key->name);
-}
-
 std::string words_about(const Grid& grid, std::int64_t point) {
   std::string words;
   for (std::size_t i = 0; i < grid.ranges.size(); ++i) {
-    words += fmt::format("{}{}={}", i == 0 ? "" : " and ", name_of(grid.ranges[i]), value_at(grid, i, point));
+    words += fmt::format("{}{}={}", i == 0 ? "" : " and ", dotted_name(*grid.ranges[i].key), value_at(grid, i, point));
   }
   return words;
 }
@@ -50,7 +46,7 @@ Grid make_grid(std::span<const std::string> arguments, const Scene& scene) {
     Range& range = std::get<Range>(parsed);
     for (const Range& other : grid.ranges) {
       if (other.key == range.key) {
-        refuse(argument, fmt::format("the key {} is swept already; give it one range", name_of(range)));
+        refuse(argument, fmt::format("the key {} is swept already; give it one range", dotted_name(*range.key)));
       }
     }
     if (grid.ranges.size() == most_swept_keys) {

@@ -23,10 +23,4 @@ std::vector<PointEquilibrium> PointEquilibria::take(const GoalPath& path) {
   return std::move(points_);
 }
 
-PointEquilibrium point_equilibrium(const Scene& scene, const EquilibriumKind& kind) {
-  PointEquilibria points(kind, 1);
-  points.add(scene);
-  return points.take(scene.goal).front();
-}
-
 }  // namespace ghostforce

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -28,17 +27,14 @@ inline constexpr std::array equilibrium_kinds{
     EquilibriumKind{"both", true, true},
 };
 
+// Under the last waypoint of the scene's path.
 struct PointEquilibrium {
   double depth = 0.0;                                            // of the goal, (8) [m]
   PerStrategy<PredictedEquilibrium> predicted{};                 // where the kind has it
   PerStrategy<std::optional<SimulatedEquilibrium>> simulated{};  // likewise; empty: does not come to rest
 };
 
-// Under the last waypoint of the scene's path.
-PointEquilibrium point_equilibrium(const Scene& scene, const EquilibriumKind& kind);
-
-// The same for points put into one scene, one after the other; simulated side by side in the end, which is several
-// times faster.
+// Points put into one scene, one after the other; simulated side by side in the end, which is several times faster.
 class PointEquilibria {
  public:
   // Has room for `expected` points.

@@ -6,60 +6,22 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <system_error>
-#include <vector>
 
 #include <fmt/compile.h>
 
 #include "app/console/quoted.h"
+#include "app/console/typed_text.h"
 #include "app/files/scene_keys.h"
 
 namespace ghostforce {
 namespace {
 
-// What a key lets its number be.
-struct Limits {
-  double least;
-  double greatest;
-  bool may_be_infinite;
-  bool whole;
-};
-
-struct LimitsOf {
-  std::optional<Limits> operator()(const NumberKey& key) const {
-    return Limits{key.least, key.greatest, key.may_be_infinite, key.whole};
-  }
-  std::optional<Limits> operator()(const OptionalNumberKey& key) const {
-    return Limits{key.least, key.greatest, false, false};
-  }
-  template <typename Other>
-  std::optional<Limits> operator()(const Other&) const {
-    return std::nullopt;
-  }
-};
-
-struct Put {
-  Scene& scene;
-  double value;
-  void operator()(const NumberKey& key) const noexcept { key.in(scene) = value / key.per_si; }
-  void operator()(const OptionalNumberKey& key) const noexcept { key.in(scene) = value; }
-  template <typename Other>
-  void operator()(const Other&) const noexcept {}  // no Range has such a key
-};
-
 std::string keys_with_a_number() {
   std::vector<std::string> names;
   for (const SceneKey& key : scene_keys()) {
-    if (std::visit(LimitsOf{}, key.value)) names.push_back(dotted_name(key.table, key.name));
+    if (limits_of(key)) names.push_back(dotted_name(key));
   }
   return listed(std::vector<std::string_view>(names.begin(), names.end()));
-}
-
-std::string_view trimmed(std::string_view text) noexcept {
-  constexpr std::string_view blanks = " \t\r\n";
-  const std::size_t begin = text.find_first_not_of(blanks);
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
 }
 
 std::vector<std::string_view> parts_of(std::string_view text) {
@@ -72,24 +34,14 @@ std::vector<std::string_view> parts_of(std::string_view text) {
   }
 }
 
-template <typename Number>
-std::optional<Number> parse_number(std::string_view text) noexcept {
-  if (text.starts_with('+')) text.remove_prefix(1);
-  Number number{};
-  const char* const end = text.data() + text.size();
-  const auto [after, error] = std::from_chars(text.data(), end, number);
-  if (error != std::errc{} || after != end) return std::nullopt;
-  return number;
-}
-
 std::string shown(std::string_view part) {
   return part.empty() ? "nothing" : fmt::format("'{}'", quoted_text(part));
 }
 
 // What is wrong with one end of the range, if something is.
 std::optional<std::string> find_problem_of_end(std::string_view which, std::string_view text, std::string_view key_name,
-                                               const Limits& limits, double& end) {
-  const std::optional<double> number = parse_number<double>(text);
+                                               const NumberLimits& limits, double& end) {
+  const std::optional<double> number = signed_number_in<double>(text);
   if (!number || !std::isfinite(*number)) {
     const bool is_infinite = number && std::isinf(*number) && limits.may_be_infinite;
     return fmt::format(
@@ -98,19 +50,16 @@ std::optional<std::string> find_problem_of_end(std::string_view which, std::stri
   }
   end = *number + 0.0;  // −0 is a zero too
   if (end >= limits.least && end <= limits.greatest) return std::nullopt;
-  const std::string_view unit = unit_of(key_name);
-  return fmt::format("{} is {}, out of the key's range; give {} to {}{}{}", which, end, limits.least, limits.greatest,
-                     unit.empty() ? "" : " ", unit);
+  return fmt::format("{} is {}, out of the key's range; give {}", which, end,
+                     range_words({limits.least, limits.greatest, limits.unit}));
 }
 
 std::optional<std::string> find_fraction(const std::vector<double>& values) {
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (values[i] == std::trunc(values[i])) continue;
-    return fmt::format(
-        "it takes whole numbers only, and number {} of {} would be {}; choose FROM, TO and COUNT so that all are whole",
-        i + 1, values.size(), values[i]);
-  }
-  return std::nullopt;
+  const auto found = std::ranges::find_if(values, [](double value) { return value != std::trunc(value); });
+  if (found == values.end()) return std::nullopt;
+  return fmt::format(
+      "it takes whole numbers only, and number {} of {} would be {}; choose FROM, TO and COUNT so that all are whole",
+      found - values.begin() + 1, values.size(), *found);
 }
 
 // To 15 digits, which every double has: 0.6 and not 0.6000000000000001, as a person would write it and compare with it.
@@ -146,7 +95,7 @@ std::variant<Range, std::string> parse_range(std::string_view argument) {
   if (name.empty()) return std::string(form);
   const SceneKey* const key = find_scene_key(name);
   if (key == nullptr) return fmt::format("the key {} is unknown{}", quoted_text(name), suggest_scene_key(name));
-  const std::optional<Limits> limits = std::visit(LimitsOf{}, key->value);
+  const std::optional<NumberLimits> limits = limits_of(*key);
   if (!limits) {
     return fmt::format("the key {} is not one number; a sweep can go over {}", name, keys_with_a_number());
   }
@@ -161,7 +110,7 @@ std::variant<Range, std::string> parse_range(std::string_view argument) {
   double to = 0.0;
   if (const auto what = find_problem_of_end("FROM", parts[0], name, *limits, from)) return problem(*what);
   if (const auto what = find_problem_of_end("TO", parts[1], name, *limits, to)) return problem(*what);
-  const std::optional<std::int64_t> count = parse_number<std::int64_t>(parts[2]);
+  const std::optional<std::int64_t> count = signed_number_in<std::int64_t>(parts[2]);
   if (!count || *count < 1 || *count > most_points) {
     return problem(fmt::format("COUNT is {}; give a whole number from 1 to {}", shown(parts[2]), most_points));
   }
@@ -184,7 +133,11 @@ std::variant<Range, std::string> parse_range(std::string_view argument) {
 }
 
 void put(const Range& range, double value, Scene& scene) noexcept {
-  std::visit(Put{scene, value}, range.key->value);
+  if (const auto* const number = std::get_if<NumberKey>(&range.key->value)) {
+    number->in(scene) = value / number->per_si;
+  } else {
+    std::get<OptionalNumberKey>(range.key->value).in(scene) = value;
+  }
 }
 
 }  // namespace ghostforce

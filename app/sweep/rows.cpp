@@ -20,19 +20,7 @@ constexpr std::string_view simulated_columns =
     "simulated_force_y_N,settled";
 constexpr std::string_view not_settled = ",,,,,,,0";
 
-std::string name_of(const Range& range) {
-  return dotted_name(range.key->table, range.key->name);
-}
-
-void append(fmt::memory_buffer& rows, std::string_view text) {
-  rows.append(text.data(), text.data() + text.size());
-}
-
 // −0 is a zero too.
-void append_number(fmt::memory_buffer& rows, double number) {
-  fmt::format_to(std::back_inserter(rows), FMT_COMPILE("{}"), number + 0.0);
-}
-
 void append_vector(fmt::memory_buffer& rows, const Vector<2>& vector) {
   fmt::format_to(std::back_inserter(rows), FMT_COMPILE(",{},{}"), vector.x + 0.0, vector.y + 0.0);
 }
@@ -43,9 +31,9 @@ std::string sweep_header(const Scene& scene, const Grid& grid, const Equilibrium
   std::string header = provenance(scene);
   std::string columns;
   for (const Range& range : grid.ranges) {
-    header += fmt::format("# over {}={}:{}:{}{}\n", name_of(range), range.values.front(), range.values.back(),
+    header += fmt::format("# over {}={}:{}:{}{}\n", dotted_name(*range.key), range.values.front(), range.values.back(),
                           range.values.size(), range.logarithmic ? ":log" : "");
-    columns += name_of(range) + ",";
+    columns += dotted_name(*range.key) + ",";
   }
   return header +
          fmt::format(
@@ -59,17 +47,14 @@ void append_sweep_rows(fmt::memory_buffer& rows, const Grid& grid, std::int64_t 
   // The same in each row of the point, so made once.
   fmt::memory_buffer values;
   for (std::size_t i = 0; i < grid.ranges.size(); ++i) {
-    append_number(values, value_at(grid, i, point));
-    values.push_back(',');
+    fmt::format_to(std::back_inserter(values), FMT_COMPILE("{},"), value_at(grid, i, point) + 0.0);
   }
-  fmt::memory_buffer goal_depth;
-  append_number(goal_depth, rest.depth);
+  const std::string goal_depth = fmt::format(FMT_COMPILE(",{}"), rest.depth + 0.0);
 
   for (const Strategy& strategy : strategy_catalog()) {
-    append(rows, {values.data(), values.size()});
-    append(rows, strategy.name);
-    rows.push_back(',');
-    append(rows, {goal_depth.data(), goal_depth.size()});
+    rows.append(values);
+    rows.append(strategy.name);
+    rows.append(goal_depth);
     if (kind.predicted) {
       const PredictedEquilibrium& predicted = rest.predicted[index_of(strategy.id)];
       append_vector(rows, predicted.at.device);
@@ -83,9 +68,9 @@ void append_sweep_rows(fmt::memory_buffer& rows, const Grid& grid, std::int64_t 
         append_vector(rows, simulated->device);
         append_vector(rows, simulated->proxy);
         append_vector(rows, simulated->force);
-        append(rows, ",1");
+        rows.append(std::string_view(",1"));
       } else {
-        append(rows, not_settled);
+        rows.append(not_settled);
       }
     }
     rows.push_back('\n');

@@ -135,9 +135,4 @@ std::vector<SimulatedEquilibria> simulate_to_equilibrium(const GoalPath& path, s
   return equilibria;
 }
 
-SimulatedEquilibria simulate_to_equilibrium(const Scene& scene) {
-  const SimulatedPoint point{scene.settings, scene.duration};
-  return simulate_to_equilibrium(scene.goal, {&point, 1}).front();
-}
-
 }  // namespace ghostforce

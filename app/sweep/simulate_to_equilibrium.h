@@ -33,7 +33,6 @@ inline constexpr std::int64_t most_held_ticks = 1'000'000;
 // Empty for a strategy that does not come to rest: its loop is unstable, or goes on swinging against the wall, or takes
 // longer than most_held_ticks.
 using SimulatedEquilibria = PerStrategy<std::optional<SimulatedEquilibrium>>;
-SimulatedEquilibria simulate_to_equilibrium(const Scene& scene);
 
 // What of a scene may differ between those that are simulated together.
 struct SimulatedPoint {
@@ -41,7 +40,7 @@ struct SimulatedPoint {
   double duration;  // of the scene [s]
 };
 
-// The same for many points under one path, several times faster; not a bit of a point's result depends on the others.
+// Not a bit of a point's result depends on the others; together they are several times faster.
 std::vector<SimulatedEquilibria> simulate_to_equilibrium(const GoalPath& path, std::span<const SimulatedPoint> points);
 
 }  // namespace ghostforce

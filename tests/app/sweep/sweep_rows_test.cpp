@@ -28,6 +28,12 @@
 namespace ghostforce {
 namespace {
 
+PointEquilibrium point_equilibrium(const Scene& scene, const EquilibriumKind& kind) {
+  PointEquilibria points(kind, 1);
+  points.add(scene);
+  return points.take(scene.goal).front();
+}
+
 std::vector<std::string> split(std::string_view line) {
   std::vector<std::string> fields;
   for (;;) {

@@ -36,6 +36,12 @@
 namespace ghostforce {
 namespace {
 
+PointEquilibrium point_equilibrium(const Scene& scene, const EquilibriumKind& kind) {
+  PointEquilibria points(kind, 1);
+  points.add(scene);
+  return points.take(scene.goal).front();
+}
+
 Outcome run(std::vector<std::string> words) {
   words.insert(words.begin(), "sweep");
   return run_program(GHOSTFORCE_PROGRAM, std::move(words));
