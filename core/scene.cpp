@@ -13,7 +13,11 @@ constexpr double any = std::numeric_limits<double>::max();
 constexpr double degrees = 180.0 / std::numbers::pi;
 constexpr double millimetres = 1000.0;
 
-constexpr std::array<std::string_view, strategy_count> strategy_words{"full", "naive", "anisotropic"};
+const auto strategy_words = [] {
+  std::array<std::string_view, strategy_count> words;
+  for (const Strategy& entry : strategy_catalog()) words[index_of(entry.id)] = entry.name;
+  return words;
+}();
 constexpr std::array<std::string_view, 2> motion_words{"linear", "minimum-jerk"};
 
 // clang-format off

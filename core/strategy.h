@@ -1,5 +1,6 @@
 // The catalog of rendering strategies: the one list that the tick, the window, the command line and the tests walk. A
-// new strategy is one more identifier and one more row in strategy.cpp. Immutable after start, any thread.
+// new strategy is one more identifier and one more row in strategy.cpp, its colours (app/view/theme.cpp) and its key
+// (app/session/key_bindings.cpp). Immutable after start, any thread.
 #pragma once
 
 #include <array>

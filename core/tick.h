@@ -98,10 +98,17 @@ using StrategyCoefficients = typename TickCoefficients<D>::StrategyCoefficients;
 template <glm::length_t D>
 using StrategyState = typename TickState<D>::StrategyState;
 
-// f_r of the state as it stands.
+// (5)  f_r = K_r (q_p − q_h)
+template <glm::length_t D>
+Vector<D> rendered_force(const StrategyCoefficients<D>& coefficients, const Vector<D>& proxy,
+                         const Vector<D>& device) noexcept {
+  return coefficients.rendering * (proxy - device);
+}
+
+// Of the state as it stands.
 template <glm::length_t D>
 Vector<D> force_of(const StrategyCoefficients<D>& coefficients, const StrategyState<D>& state) noexcept {
-  return coefficients.rendering * (state.proxy - state.motion.position);
+  return rendered_force<D>(coefficients, state.proxy, state.motion.position);
 }
 
 // The device has moved under the force held since the tick before, and the proxy belongs to `tracked`.

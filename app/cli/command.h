@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/cli/own_inputs.h"
+#include "app/cli/overwrite_guard.h"
 #include "app/files/output_file.h"
 #include "core/scene.h"
 #include "core/tick.h"

@@ -11,7 +11,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/command.h"
-#include "app/cli/own_inputs.h"
+#include "app/cli/overwrite_guard.h"
 #include "app/console/did_you_mean.h"
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
@@ -168,7 +168,7 @@ std::function<int()> parse_command_line(std::vector<std::string> words) {
     refuse(*app, error);
   }
   return [app, action = actions.at(named_command(*app))] {
-    refuse_own_inputs(action.files.list());
+    refuse_to_overwrite(action.files.list());
     return action.act();
   };
 }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/own_inputs.h"
+#include "app/cli/overwrite_guard.h"
 #include "device/falcon_usb/firmware_file.h"
 #include "device/falcon_usb/ftdi_link.h"
 #include "device/input_catalog.h"

@@ -170,8 +170,8 @@ bool Servo::put_sample(double loop_s, SampleRing& ring) const noexcept {
 // What the active strategy's force would be with the device there, at the handle [N].
 Vector<2> Servo::force_at(const Vector<2>& handle) const noexcept {
   const auto& active = coefficients_.strategies[index_of(settings_.active)];
-  return device_->force_at_handle() *
-         (active.rendering * (proxy_of(handle, coefficients_.wall, active.proxy_gain).position - handle));
+  const Vector<2> proxy = proxy_of(handle, coefficients_.wall, active.proxy_gain).position;
+  return device_->force_at_handle() * rendered_force<2>(active, proxy, handle);
 }
 
 void Servo::watch_handle() noexcept {

@@ -46,6 +46,6 @@ class FileOptions {
 
 // The standard output counts as an output of every command. Throws Failure(wrong_call) where an output is a plain file
 // that is an input or another output too.
-void refuse_own_inputs(std::span<const FileOption> options);
+void refuse_to_overwrite(std::span<const FileOption> options);
 
 }  // namespace ghostforce

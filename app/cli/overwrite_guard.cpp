@@ -1,4 +1,4 @@
-#include "app/cli/own_inputs.h"
+#include "app/cli/overwrite_guard.h"
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -65,7 +65,7 @@ CLI::Option* FileOptions::add(FileOption::Use use, CLI::Option* option, const Fi
   return option;
 }
 
-void refuse_own_inputs(std::span<const FileOption> options) {
+void refuse_to_overwrite(std::span<const FileOption> options) {
   refuse_equal_outputs(options);
   struct stat status {};
   std::vector<Input> inputs;
