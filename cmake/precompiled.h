@@ -1,5 +1,5 @@
 // What nearly every source of app/ includes, directly or not: read once for each way of compiling, not once for each
-// source (rooms.cmake). A source still names all that it uses.
+// source (rooms.cmake). A source still names all that it uses: the preset clang builds without this.
 #pragma once
 
 #include <algorithm>

@@ -1,7 +1,8 @@
 # ghostforce_add_room(SOURCES file...)
 #
 # One folder as one CMake library, named after it: app/ui/plots is app_ui_plots. What it links is its line of rooms.txt,
-# so that a folder which reaches where it must not does not link, and each folder can be built and tested by itself.
+# so that each folder can be built and tested by itself. That it includes no more is kept by the architecture test, which
+# reads the same lines: links hand on, and what is inline needs none.
 
 # What that file calls the libraries: dependencies.cmake finds them.
 set(library_glm glm::glm)
@@ -47,6 +48,9 @@ function(room_links folder result)
     list(APPEND links ${library})
   endforeach()
   foreach(library IN LISTS libraries)
+    if(NOT DEFINED library_${library})
+      message(FATAL_ERROR "cmake/rooms.txt: ${folder} wants ${library}, which is no library that cmake/rooms.cmake knows.")
+    endif()
     list(APPEND links ${library_${library}})
   endforeach()
   list(REMOVE_DUPLICATES links)

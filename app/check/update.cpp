@@ -16,6 +16,7 @@
 #include "app/files/input_file.h"
 #include "app/files/output_file.h"
 #include "app/files/png_file.h"
+#include "app/files/read_error.h"
 
 namespace ghostforce {
 namespace {
@@ -71,7 +72,7 @@ bool is_stored(const Case& each, const Image& image) {
   try {
     PngFile golden(each.golden_path());
     return golden.width() == image.width && golden.height() == image.height && golden.read() == image;
-  } catch (const Failure&) {
+  } catch (const ReadError&) {
     return false;  // what cannot be read is to be replaced
   }
 }

@@ -12,6 +12,7 @@
 #include "app/console/quoted.h"
 #include "app/files/input_file.h"
 #include "app/files/png_file.h"
+#include "app/files/read_error.h"
 
 namespace ghostforce {
 namespace {
@@ -42,8 +43,8 @@ std::optional<Image> counterpart(const Case& checked, RenderedCases& rendered, V
     if (golden->width() == checked.width && golden->height() == checked.height) return golden->read();
     verdict.reason = fmt::format("the picture has {}x{} pixels and the golden {}x{}", checked.width, checked.height,
                                  golden->width(), golden->height());
-  } catch (const Failure& failure) {
-    verdict.reason = failure.what();
+  } catch (const ReadError& error) {
+    verdict.reason = error.what();
     verdict.is_file_trouble = true;
   }
   return std::nullopt;

@@ -1,5 +1,7 @@
 #include "app/cli/desktop_inputs.h"
 
+#include <algorithm>
+
 #include "app/cli/spacemouse_input_link.h"
 #include "app/doctor/readiness.h"
 #include "app/live/portable_inputs.h"
@@ -28,8 +30,10 @@ InputMaker<FalconInput> falcon_kind(const FtdiLinkOptions& cable) {
 std::vector<InputEntry> desktop_inputs(const FtdiLinkOptions& cable) {
   std::vector<InputEntry> inputs = portable_inputs(readiness_with_motors);
   // A rehearsal comes after the device that it rehearses.
-  inputs.insert(inputs.end() - 1, {linked<SpaceMouseInputLink>(spacemouse_kind),
-                                   falcon_entry(falcon_kind(cable), readiness_with_motors)});
+  const auto rehearsal =
+      std::ranges::find_if(inputs, [](const InputEntry& entry) { return entry.name == virtual_falcon_kind.name; });
+  inputs.insert(rehearsal, {linked<SpaceMouseInputLink>(spacemouse_kind),
+                            falcon_entry(falcon_kind(cable), readiness_with_motors)});
   return inputs;
 }
 

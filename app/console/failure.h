@@ -1,6 +1,6 @@
-// How the program ends, as a number for scripts and as words for people. Anything under app/ may throw a Failure;
-// main() is the only place that catches one. Readers of files throw a ReadError (app/files/read_error.h). Not for the
-// servo thread, which never throws.
+// How the program ends, as a number for scripts and as words for people. Anything under app/ may throw a Failure,
+// but readers of files, which throw a ReadError (app/files/read_error.h). main() is the only place that catches both and
+// ends the program. Not for the servo thread, which never throws.
 #pragma once
 
 #include <stdexcept>

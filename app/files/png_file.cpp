@@ -13,8 +13,8 @@
 #include <new>
 #include <vector>
 
-#include "app/console/failure.h"
 #include "app/console/quoted.h"
+#include "app/files/read_error.h"
 
 namespace ghostforce {
 namespace {
@@ -145,8 +145,8 @@ struct PngFile::Reading {
 
   void require(bool is_good, const char* why) const {
     if (is_good) return;
-    throw Failure(ExitCode::file_trouble,
-                  fmt::format("{}: cannot be read as a PNG picture: {}", quoted_text(path, longest_path), why));
+    throw ReadError(ReadError::Kind::unreadable, {{.file = quoted_text(path, longest_path),
+                                                   .what = fmt::format("cannot be read as a PNG picture: {}", why)}});
   }
 };
 

@@ -12,7 +12,7 @@ namespace ghostforce {
 std::string png_bytes(const Image& image);
 
 // A PNG file that is open. Its size is known at once, so that nobody has to decode a picture that is too large. Each
-// function throws Failure(file_trouble) where the file cannot be read, is no PNG, or is damaged: each checksum of the
+// function throws ReadError(unreadable) where the file cannot be read, is no PNG, or is damaged: each checksum of the
 // format is looked at.
 class PngFile {
  public:

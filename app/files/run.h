@@ -34,7 +34,7 @@ struct RunRow {
 struct RunTick {
   static constexpr std::uint32_t none = UINT32_MAX;
 
-  std::int64_t tick = 0;               // k; t_k = k / rate. Where there is no scene: how manieth tick it is
+  std::int64_t tick = 0;               // k; t_k = k / rate. Where there is no scene: the number of the tick
   double time_s = 0.0;                 // t_k, as the file has it
   Vector<2> goal{0.0};                 // q_u [m]
   std::optional<StrategyId> measured;  // whose device is a real one; the goal is then an estimate

@@ -31,7 +31,7 @@ constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 constexpr std::size_t longest_line = std::size_t{1} << 24;
 constexpr std::size_t most_values = 256;  // in a row
 
-// So far off a tick's time may be, in ticks: programs that wrote it out again may have rounded it.
+// A tick's time may be this far off, in ticks: programs that wrote it out again may have rounded it.
 constexpr double time_tolerance = 0.01;
 constexpr double last_tick_ever = 1e12;
 
@@ -131,7 +131,11 @@ class RunReader {
     } else if (run_.version != version) {
       warn(fmt::format("written by version {}; this is version {}", quoted_text(run_.version), version));
     }
-    if (!run_.scene) warn("the scene is not told, or not to its end");
+    if (!scene_problem_.empty()) {
+      warn(scene_problem_);
+    } else if (!run_.scene) {
+      warn("the scene is not told, or not to its end");
+    }
     if (run_.dropped > 0) warn(fmt::format("{} samples were lost while it was recorded", run_.dropped));
     if (!rest_.empty()) warn("its last line is cut and left out");
     if (tick_count_ == 0) warn("it holds no row");
@@ -146,13 +150,15 @@ class RunReader {
                                               .remedy = "give a CSV file that ghostforce has recorded or simulated"}});
   }
   [[noreturn]] void damaged(std::string_view what, std::size_t column = 1) const {
-    throw ReadError(ReadError::Kind::wrong, {{.file = run_.name,
-                                              .line = line_number_,
-                                              .column = column,
-                                              .what = std::string(what),
-                                              .remedy = fmt::format("mend the line, or cut the file before it:\n"
-                                                                    "head -n {} RUN.csv > shorter.csv",
-                                                                    line_number_ - 1)}});
+    throw ReadError(ReadError::Kind::wrong,
+                    {{.file = run_.name,
+                      .line = line_number_,
+                      .column = column,
+                      .what = std::string(what),
+                      .remedy = tick_count_ == 0 ? "mend the line"
+                                                 : fmt::format("mend the line, or cut the file before it:\n"
+                                                               "head -n {} RUN.csv > shorter.csv",
+                                                               line_number_ - 1)}});
   }
 
   void take_line(std::string_view line) {
@@ -206,8 +212,15 @@ class RunReader {
     if (scene_text_.size() > largest_text_file) damaged("the scene is longer than any scene may be");
   }
 
+  // Another version of this program may know other keys. The hand can be played all the same, in another scene.
   void read_scene_text() {
-    run_.scene = read_scene(scene_text_, run_.name);
+    try {
+      run_.scene = read_scene(scene_text_, run_.name);
+    } catch (const ReadError& error) {
+      const std::string_view words = error.what();
+      scene_problem_ = fmt::format("the scene in it cannot be read ({})", words.substr(0, words.find('\n')));
+      return;
+    }
     run_.settings = {run_.scene->settings};
     settings_ = run_.scene->settings;
     // Settings alone, so that a change is quick to read however long the path is.
@@ -229,8 +242,7 @@ class RunReader {
     try {
       settings_ = read_scene(scene_text_, run_.name, arguments).settings;
     } catch (const ReadError& error) {
-      const std::string_view words = error.what();
-      damaged(words.substr(0, words.find('\n')));
+      damaged(error.problems().front().what);
     }
   }
 
@@ -357,6 +369,7 @@ class RunReader {
 
   bool is_within_scene_ = false;
   std::string scene_text_;                        // once it is read: one of the header's settings
+  std::string scene_problem_;                     // why there is none; empty: it was read, or is not told
   std::map<std::string, std::string> overrides_;  // by key, the newest change of it
   Settings settings_;                             // in use
   std::optional<RunState> pending_state_;

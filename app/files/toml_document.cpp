@@ -20,7 +20,7 @@ constexpr std::int64_t known_format = 1;
 
 // Where something is wrong; sorts as a person reads.
 struct Place {
-  std::size_t override_number = 0;  // 0: in the file; else the how manieth --set
+  std::size_t override_number = 0;  // 0: in the file; else the number of the --set, from 1
   toml::source_index line = 1;
   toml::source_index column = 1;
 
@@ -174,9 +174,8 @@ std::optional<double> TomlValue::number(const NumberLimits& limits) const {
     refuse_type(need);
   } else if (limits.whole && integer == nullptr && std::isfinite(*number)) {
     refuse("has a decimal point or an exponent", need);
-    // Written so that NaN is out of range too.
   } else if (!(*number >= limits.least && *number <= limits.greatest) &&
-             !(limits.may_be_infinite && *number == std::numeric_limits<double>::infinity())) {
+             !(limits.may_be_infinite && *number == std::numeric_limits<double>::infinity())) {  // NaN, too
     refuse(fmt::format("{} is out of range", *number), need);
   } else {
     return number;

@@ -70,7 +70,7 @@ class TomlValue {
 
   TomlReader* reader_ = nullptr;
   const void* node_ = nullptr;       // a toml::node
-  std::size_t override_number_ = 0;  // 0: in the file; else the how manieth --set
+  std::size_t override_number_ = 0;  // 0: in the file; else the number of the --set, from 1
   std::string_view table_{};
   std::string_view name_{};
 };

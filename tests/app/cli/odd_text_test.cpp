@@ -145,6 +145,10 @@ TEST(SceneTexts, OfAnOddKindAreAWrongCallEverywhere) {
     const Outcome replayed = run_program(GHOSTFORCE_PROGRAM, {"replay", folder / "odd.csv"});
     EXPECT_EQ(replayed.exit_code, 2) << replayed.err;
     EXPECT_NE(replayed.err.find("odd.csv:4:11: the key title: holds "), std::string::npos) << replayed.err;
+    // Its hand can be played in another one.
+    const Outcome elsewhere = run_program(GHOSTFORCE_PROGRAM, {"replay", folder / "odd.csv", "wall45"});
+    EXPECT_EQ(elsewhere.exit_code, 0) << elsewhere.err;
+    EXPECT_NE(elsewhere.err.find("the scene in it cannot be read"), std::string::npos) << elsewhere.err;
   }
 }
 

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/console/failure.h"
+#include "app/files/read_error.h"
 #include "tests/app/files/png_pieces.h"
 #include "tests/support/read_png.h"
 #include "tests/support/temporary_folder.h"
@@ -39,10 +39,10 @@ class PngFileTest : public testing::Test {
   std::string refusal(std::string_view bytes) const {
     try {
       read(bytes);
-    } catch (const Failure& failure) {
-      EXPECT_EQ(failure.code(), ExitCode::file_trouble);
-      EXPECT_NE(std::string(failure.what()).find("a.png: cannot be read as a PNG picture: "), std::string::npos);
-      return failure.what();
+    } catch (const ReadError& error) {
+      EXPECT_EQ(error.kind(), ReadError::Kind::unreadable);
+      EXPECT_NE(std::string(error.what()).find("a.png: cannot be read as a PNG picture: "), std::string::npos);
+      return error.what();
     }
     return "";
   }
@@ -120,9 +120,9 @@ TEST_F(PngFileTest, TellsWhyAFileCannotBeRead) {
   const auto why = [](const std::string& path) -> std::string {
     try {
       read_png(path);
-    } catch (const Failure& failure) {
-      EXPECT_EQ(failure.code(), ExitCode::file_trouble);
-      return failure.what();
+    } catch (const ReadError& error) {
+      EXPECT_EQ(error.kind(), ReadError::Kind::unreadable);
+      return error.what();
     }
     return "";
   };

@@ -17,7 +17,7 @@ namespace {
 TEST(ServoHeap, IsNotTouchedByAnyInputOrStrategy) {
   const Scene scene = slanted_wall();
   for (const InputEntry& kind : desktop_inputs()) {
-    // Those with motors have a clock of their own: see falcon_rehearsal_heap_test.cpp.
+    // Those with motors have a clock of their own: see driver_heap_test.cpp.
     if (kind.make(scene, {}).input->haptic_device() != nullptr) continue;
     for (const Strategy& strategy : strategy_catalog()) {
       SCOPED_TRACE(kind.name);
