@@ -155,10 +155,10 @@ class RunReader {
                       .line = line_number_,
                       .column = column,
                       .what = std::string(what),
-                      .remedy = tick_count_ == 0 ? "mend the line"
-                                                 : fmt::format("mend the line, or cut the file before it:\n"
-                                                               "head -n {} RUN.csv > shorter.csv",
-                                                               line_number_ - 1)}});
+                      .remedy = values_per_row_ == 0 ? "mend the line"
+                                                     : fmt::format("mend the line, or cut the file before it:\n"
+                                                                   "head -n {} RUN.csv > shorter.csv",
+                                                                   line_number_ - 1)}});
   }
 
   void take_line(std::string_view line) {
