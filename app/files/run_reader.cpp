@@ -217,8 +217,7 @@ class RunReader {
     try {
       run_.scene = read_scene(scene_text_, run_.name);
     } catch (const ReadError& error) {
-      const std::string_view words = error.what();
-      scene_problem_ = fmt::format("the scene in it cannot be read ({})", words.substr(0, words.find('\n')));
+      scene_problem_ = fmt::format("the scene in it cannot be read:\n{}", error.what());
       return;
     }
     run_.settings = {run_.scene->settings};
