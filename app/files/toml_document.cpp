@@ -166,17 +166,20 @@ const std::string* TomlValue::as_text() const {
 }
 
 std::optional<double> TomlValue::number(const NumberLimits& limits) const {
-  const std::string need = fmt::format("give {}{}", limits.whole ? "a whole number, " : "", range_words(limits));
+  // A path has a hundred thousand numbers: words are made for those that are wrong.
+  const auto need = [&] {
+    return fmt::format("give {}{}", limits.whole ? "a whole number, " : "", range_words(limits));
+  };
   const toml::value<std::int64_t>* const integer = node_at(node_).as_integer();
   const std::optional<double> number =
       integer != nullptr ? static_cast<double>(integer->get()) : node_at(node_).value_exact<double>();
   if (!number) {
-    refuse_type(need);
+    refuse_type(need());
   } else if (limits.whole && integer == nullptr && std::isfinite(*number)) {
-    refuse("has a decimal point or an exponent", need);
+    refuse("has a decimal point or an exponent", need());
   } else if (!(*number >= limits.least && *number <= limits.greatest) &&
              !(limits.may_be_infinite && *number == std::numeric_limits<double>::infinity())) {  // NaN, too
-    refuse(fmt::format("{} is out of range", *number), need);
+    refuse(fmt::format("{} is out of range", *number), need());
   } else {
     return number;
   }
