@@ -35,6 +35,11 @@ class OwnInputs : public testing::Test {
     return run_program("/bin/sh", call);
   }
 
+  void expect_done(const std::string& words) {
+    const Outcome outcome = in_folder(words);
+    EXPECT_EQ(outcome.exit_code, 0) << words << "\n" << outcome.out << outcome.err;
+  }
+
   void expect_refused(const std::string& words, const std::string& input) {
     SCOPED_TRACE(words);
     const std::string before = read_whole(folder_ / input);
@@ -97,10 +102,8 @@ TEST_F(OwnInputs, AreRefusedWhereAReportWouldBe) {
 TEST_F(OwnInputs, OfACheckAreItsCasesAndGoldens) {
   fs::create_directory(folder_ / "cases");
   write_whole(folder_ / "cases/a.toml", "scene = \"wall45\"\nsize = [320, 240]\n");
-  EXPECT_EQ(in_folder("check cases --update a").exit_code, 0);
-  for (const char* const log : {"log.txt", "other.png"}) {
-    EXPECT_EQ(in_folder(fmt::format("check cases > cases/{}", log)).exit_code, 0) << log;
-  }
+  expect_done("check cases --update a");
+  for (const char* const log : {"log.txt", "other.png"}) expect_done(fmt::format("check cases > cases/{}", log));
   expect_refused("check cases >> cases/a.toml", "cases/a.toml");
   expect_refused("check cases >> cases/a.png", "cases/a.png");
 }
@@ -141,15 +144,15 @@ TEST_F(OwnInputs, TwoOutputsAreTwoFiles) {
 // What is no file, or another one, is no input.
 TEST_F(OwnInputs, NothingElseIsRefused) {
   fs::create_symlink("run.csv", folder_ / "link.csv");
-  EXPECT_EQ(in_folder("replay link.csv -o again.csv").exit_code, 0);
-  EXPECT_EQ(in_folder("replay run.csv -o again.csv").exit_code, 0) << "once more";
-  EXPECT_EQ(in_folder("replay run.csv -o /dev/null").exit_code, 0);
-  EXPECT_EQ(in_folder("replay run.csv > other.csv").exit_code, 0);
-  EXPECT_EQ(in_folder("simulate wall45 -o wall45").exit_code, 0);
-  EXPECT_EQ(in_folder("simulate wall45 -o wall45").exit_code, 0) << "the shipped scene is no file";
-  EXPECT_EQ(in_folder("figures --only figure-6 --hand run.csv -o .").exit_code, 0);
+  expect_done("replay link.csv -o again.csv");
+  expect_done("replay run.csv -o again.csv");
+  expect_done("replay run.csv -o /dev/null");
+  expect_done("replay run.csv > other.csv");
+  expect_done("simulate wall45 -o wall45");
+  expect_done("simulate wall45 -o wall45");  // the shipped scene is no file
+  expect_done("figures --only figure-6 --hand run.csv -o .");
   fs::rename(folder_ / "run.csv", folder_ / "figure-1.csv");
-  EXPECT_EQ(in_folder("figures --only figure-6 --hand figure-1.csv -o .").exit_code, 0) << "figure 1 is not made";
+  expect_done("figures --only figure-6 --hand figure-1.csv -o .");  // figure 1 is not made
 }
 
 }  // namespace
