@@ -14,13 +14,12 @@
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
 #include "core/prediction.h"
+#include "core/units.h"
 
 namespace ghostforce {
 namespace {
 
-constexpr double mm_per_m = 1000.0;
-
-struct Options {
+struct EquilibriumOptions {
   SceneOptions scene;
   std::optional<std::string> goal_mm;  // empty: the scene's last waypoint
   bool json = false;
@@ -91,7 +90,7 @@ std::string table_text(const Scene& scene, double goal_depth, const PerStrategy<
   return text;
 }
 
-int equilibrium(const Options& options) {
+int equilibrium(const EquilibriumOptions& options) {
   const Scene scene = options.scene.load();
   const Vector<2> goal = options.goal_mm ? position_from_mm("--goal-mm", *options.goal_mm) : scene.goal.points.back();
   const double goal_depth = depth(wall_of(scene.settings), goal);
@@ -103,7 +102,7 @@ int equilibrium(const Options& options) {
 }  // namespace
 
 std::function<int()> attach_equilibrium(CLI::App& command, FileOptions& files) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<EquilibriumOptions>();
   options->scene.attach(command, files, true);
   command
       .add_option("--goal-mm", options->goal_mm,

@@ -10,6 +10,7 @@
 #include "app/figures/sheet.h"
 #include "core/divergence.h"
 #include "core/simulate.h"
+#include "core/units.h"
 
 namespace ghostforce {
 namespace {
@@ -17,7 +18,6 @@ namespace {
 constexpr double outside = 0.010;  // where the way begins, before the wall [m]
 constexpr double way_s = 0.5;
 constexpr double until_s = 4.0;
-constexpr double mm_per_m = 1000.0;
 
 }  // namespace
 

@@ -12,15 +12,16 @@
 #include "app/figures/sheet.h"
 #include "app/files/scene_file.h"
 #include "core/loop_energy.h"
+#include "core/units.h"
 
 namespace ghostforce {
 namespace {
 
-constexpr std::string_view scene_name = "wall45";
+constexpr std::string_view energy_scene = "wall45";
 constexpr double depth_of_center = 0.025;  // the device stays inside all the way round [m]
 constexpr double radius = 0.010;           // [m]
 constexpr double turns_per_second = 0.1;   // so slow that the loop's delay is lost in the line's width
-constexpr double greatest_ratio = 20.0;
+constexpr double greatest_tracking_ratio = 20.0;
 
 Circle circle_in(const Settings& settings, bool is_counter_clockwise) {
   const Wall<2> wall = wall_of(settings);
@@ -67,10 +68,10 @@ void add_measured(const Settings& settings, StrategyId id, double ratio, bool se
 }  // namespace
 
 std::vector<EnergyOfLoop> energies_of_loops() {
-  const Settings settings = load_scene(std::string(scene_name)).settings;
+  const Settings settings = load_scene(std::string(energy_scene)).settings;
   std::vector<EnergyOfLoop> loops;
   for (const bool sense : {false, true}) {
-    for (const double ratio : evenly_in_ratio(1.0, greatest_ratio, 81)) {
+    for (const double ratio : evenly_in_ratio(1.0, greatest_tracking_ratio, 81)) {
       add_formula(with_ratio(settings, ratio), StrategyId::anisotropic, ratio, sense, loops);
     }
     for (const double ratio : {1.0, 1.5, 2.0, 3.0, 5.0, 7.0, 10.0, 15.0, 20.0}) {
@@ -87,7 +88,6 @@ std::vector<EnergyOfLoop> energies_of_loops() {
 namespace {
 
 constexpr double mj_per_j = 1000.0;
-constexpr double mm_per_m = 1000.0;
 
 CsvTable table_of(const std::vector<EnergyOfLoop>& loops) {
   CsvTable table;
@@ -125,13 +125,13 @@ Series series_of(const std::vector<EnergyOfLoop>& loops, StrategyId id, bool sen
 
 Figure energy_per_loop_figure(const FigureRequest&) {
   const std::vector<EnergyOfLoop> loops = energies_of_loops();
-  const Stiffnesses k = load_scene(std::string(scene_name)).settings.stiffnesses;
+  const Stiffnesses k = load_scene(std::string(energy_scene)).settings.stiffnesses;
   Chart chart;
-  chart.x = {.title = "tracking ratio ρ", .is_logarithmic = true, .range = Vector<2>(1.0, greatest_ratio)};
+  chart.x = {.title = "tracking ratio ρ", .is_logarithmic = true, .range = Vector<2>(1.0, greatest_tracking_ratio)};
   chart.y = {.title = "energy given to the hand per loop [mJ]"};
   Series zero = style_of(StrategyId::full);
   zero.shape.reset();
-  zero.points = {{1.0, 0.0}, {greatest_ratio, 0.0}};
+  zero.points = {{1.0, 0.0}, {greatest_tracking_ratio, 0.0}};
   chart.series.push_back(zero);
   for (const bool sense : {false, true}) {
     for (const bool is_simulated : {false, true}) {
@@ -158,7 +158,7 @@ Figure energy_per_loop_figure(const FigureRequest&) {
   return sheet.finish(
       "The hand goes slowly round a circle of 10 mm radius inside the wall; lines: the formula; points: measured on "
       "the simulated loop. One sense makes energy, the other takes the same away; the larger ρ, the less of either.",
-      provenance_of_scene(std::string(scene_name) + ", tracking ratio varied"), table_of(loops));
+      provenance_of_scene(std::string(energy_scene) + ", tracking ratio varied"), table_of(loops));
 }
 
 }  // namespace ghostforce

@@ -13,7 +13,7 @@
 namespace ghostforce {
 namespace {
 
-constexpr std::string_view scene_name = "fig3-normal";
+constexpr std::string_view figure_2_scene = "fig3-normal";
 // Softer than in the other figures, so that proxy and contact are seen apart.
 const std::array<std::string, 3> softer{"rendering.k_r_N_per_m=200", "rendering.k_t_N_per_m=300",
                                         "rendering.k_c_N_per_m=1000"};
@@ -55,7 +55,7 @@ ScenePicture picture_of(const ThreeEquilibria& data, const Strategy& strategy) {
 }  // namespace
 
 ThreeEquilibria three_equilibria() {
-  ThreeEquilibria data{.scene = load_scene(std::string(scene_name), softer)};
+  ThreeEquilibria data{.scene = load_scene(std::string(figure_2_scene), softer)};
   data.rest = predicted_equilibria(data.scene.settings, data.scene.goal.points.back());
   return data;
 }
@@ -85,7 +85,7 @@ Figure three_equilibria_figure(const FigureRequest&) {
       {{.name = "hand's spring, kᵤ", .colour = paper().faint_text, .has_line = true, .pattern = dotted_line},
        {.name = "rendering and tracking, Kᵣ and Kₜ", .colour = paper().text, .has_line = true},
        {.name = "wall's spring", .colour = paper().wall_edge, .has_line = true, .pattern = {4.0, 3.0, 4.0, 3.0}}});
-  std::string scene(scene_name);
+  std::string scene(figure_2_scene);
   for (const std::string& value : softer) scene += " --set " + value;
   return sheet.finish(
       "One hand that wants to be at qᵤ, at rest: device qₕ, proxy qₚ, and its contact on the wall. Without drift the "

@@ -12,11 +12,12 @@
 #include "app/figures/motion_picture.h"
 #include "app/files/scene_file.h"
 #include "core/simulated_hand.h"
+#include "core/units.h"
 
 namespace ghostforce {
 namespace {
 
-constexpr std::string_view scene_name = "wall45";
+constexpr std::string_view figure_6_scene = "wall45";
 
 // Into the wall, along it, out, and to rest inside.
 GoalPath simulated_aim() {
@@ -26,7 +27,7 @@ GoalPath simulated_aim() {
 }
 
 Scene simulated_scene() {
-  Scene scene = load_scene(std::string(scene_name));
+  Scene scene = load_scene(std::string(figure_6_scene));
   scene.duration = 5.0;
   scene.goal = simulated_hand(simulated_aim(), {.seed = figure_seed}, scene.duration, scene.settings.rate);
   return scene;
@@ -115,7 +116,6 @@ std::string caption_of(const FigureRequest& request, const SimulatedMotion& moti
 
 // The simulated hand's way, as a scene's keys; what it is made of besides, the scene tells.
 std::string aim_comment() {
-  constexpr double mm_per_m = 1000.0;
   const GoalPath aim = simulated_aim();
   std::string points;
   for (const Vector<2>& point : aim.points) {
@@ -147,7 +147,7 @@ Figure one_hand_figure(const FigureRequest& request) {
   if (!request.hand) table.comments.push_back(aim_comment());
   return sheet.finish(
       caption_of(request, motion),
-      request.hand ? provenance_of_hand(request.hand->name) : provenance_of_scene(std::string(scene_name)),
+      request.hand ? provenance_of_hand(request.hand->name) : provenance_of_scene(std::string(figure_6_scene)),
       std::move(table));
 }
 

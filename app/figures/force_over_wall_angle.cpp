@@ -9,9 +9,9 @@
 namespace ghostforce {
 namespace {
 
-constexpr std::string_view scene_name = "fig3-normal";
+constexpr std::string_view wall_angle_scene = "fig3-normal";
 
-Settings settings_at(Settings settings, double angle_deg) {
+Settings settings_at_wall_angle(Settings settings, double angle_deg) {
   // The motor pushes to the left, away from a wall at the right.
   settings.wall_normal_angle = std::numbers::pi - angle_deg * std::numbers::pi / 180.0;
   return settings;
@@ -20,17 +20,18 @@ Settings settings_at(Settings settings, double angle_deg) {
 }  // namespace
 
 Curves force_over_wall_angle() {
-  const Settings settings = load_scene(std::string(scene_name)).settings;
+  const Settings settings = load_scene(std::string(wall_angle_scene)).settings;
   Curves curves;
-  for (const double angle : evenly(0.0, 90.0, 181)) add_closed_forms(settings_at(settings, angle), angle, curves);
+  for (const double angle : evenly(0.0, 90.0, 181))
+    add_closed_forms(settings_at_wall_angle(settings, angle), angle, curves);
   // F and A lie on one curve: they are simulated at angles of their own, so that both are seen.
   for (const double angle : evenly(0.0, 90.0, 10)) {
     for (const StrategyId id : {StrategyId::full, StrategyId::naive}) {
-      add_simulated(settings_at(settings, angle), id, angle, curves);
+      add_simulated(settings_at_wall_angle(settings, angle), id, angle, curves);
     }
   }
   for (const double angle : evenly(5.0, 85.0, 9)) {
-    add_simulated(settings_at(settings, angle), StrategyId::anisotropic, angle, curves);
+    add_simulated(settings_at_wall_angle(settings, angle), StrategyId::anisotropic, angle, curves);
   }
   return curves;
 }
@@ -43,7 +44,7 @@ Figure force_over_wall_angle_figure(const FigureRequest&) {
   return sheet.finish(
       "Goal 20 mm inside the wall; lines: equations (11), (15) and (20); points: the simulated loop. A lies on F at "
       "every angle. What N has above them is the ghost force.",
-      provenance_of_scene(std::string(scene_name) + ", wall turned"), force_table(curves, "wall_angle_deg"));
+      provenance_of_scene(std::string(wall_angle_scene) + ", wall turned"), force_table(curves, "wall_angle_deg"));
 }
 
 }  // namespace ghostforce

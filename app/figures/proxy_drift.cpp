@@ -6,14 +6,14 @@
 #include "app/figures/sheet.h"
 #include "app/files/scene_file.h"
 #include "core/ghost_force.h"
+#include "core/units.h"
 
 namespace ghostforce {
 namespace {
 
-constexpr std::string_view scene_name = "fig3-normal";
-constexpr double greatest_ratio = 100.0;
+constexpr std::string_view drift_scene = "fig3-normal";
+constexpr double greatest_drift_ratio = 100.0;
 constexpr double greatest_belief = 10.0;
-constexpr double mm_per_m = 1000.0;
 
 Settings with_belief(Settings settings, double share) {
   settings.stiffnesses.believed_k_u = share * settings.stiffnesses.k_u;
@@ -45,7 +45,7 @@ struct Panel {
   double least;
   double greatest;
 };
-constexpr std::array panels{Panel{over_ratio, "tracking ratio ρ", with_ratio, 1.0, greatest_ratio},
+constexpr std::array panels{Panel{over_ratio, "tracking ratio ρ", with_ratio, 1.0, greatest_drift_ratio},
                             Panel{over_belief, "believed over true stiffness of the hand", with_belief,
                                   1.0 / greatest_belief, greatest_belief}};
 
@@ -61,7 +61,7 @@ CsvTable drift_table(const Curves& curves) {
 }  // namespace
 
 Curves proxy_drifts() {
-  const Settings settings = load_scene(std::string(scene_name)).settings;
+  const Settings settings = load_scene(std::string(drift_scene)).settings;
   Curves curves;
   for (const Panel& panel : panels) {
     for (const double x : evenly_in_ratio(panel.least, panel.greatest, 121)) {
@@ -76,7 +76,7 @@ Curves proxy_drifts() {
 
 Figure proxy_drift_figure(const FigureRequest&) {
   const Curves curves = proxy_drifts();
-  const Stiffnesses k = load_scene(std::string(scene_name)).settings.stiffnesses;
+  const Stiffnesses k = load_scene(std::string(drift_scene)).settings.stiffnesses;
   Sheet sheet("Proxy drift, over the tracking ratio and over a wrong belief", 860.0);
   sheet.add_row(330.0, panels.size(), [&](const Place& place, std::size_t number) {
     const Panel& panel = panels[number];
@@ -105,7 +105,7 @@ Figure proxy_drift_figure(const FigureRequest&) {
       "Wall at 45° to the motor, goal 20 mm inside; lines: closed form; points: the simulated loop. The drift vanishes "
       "at the optimal ratio, which takes the true stiffness of the hand: with a belief that is too low the proxy "
       "drifts against the naïve way, with one that is too high along it.",
-      provenance_of_scene(std::string(scene_name) + ", tracking ratio and believed k_u varied"), drift_table(curves));
+      provenance_of_scene(std::string(drift_scene) + ", tracking ratio and believed k_u varied"), drift_table(curves));
 }
 
 }  // namespace ghostforce

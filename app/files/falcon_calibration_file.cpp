@@ -14,13 +14,13 @@
 #include "app/files/input_file.h"
 #include "app/files/output_file.h"
 #include "app/files/toml_document.h"
+#include "core/units.h"
 
 namespace ghostforce {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double mm_per_m = 1000.0;
 
 // In the order of FalconAxis.
 constexpr std::array<std::string_view, 6> axis_words{"x", "-x", "y", "-y", "z", "-z"};

@@ -17,6 +17,7 @@
 #include "app/console/quoted.h"
 #include "app/files/input_file.h"
 #include "app/files/toml_document.h"
+#include "core/units.h"
 #include "embedded_scenes.h"
 
 namespace ghostforce {
@@ -87,7 +88,6 @@ double file_value(double si, double per_si) {
   return exact;
 }
 
-constexpr double mm_per_m = 1000.0;
 
 // A real number as TOML has it: what looks like an integer loses the sign of zero.
 std::string toml_number(double value) {

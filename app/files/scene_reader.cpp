@@ -11,13 +11,13 @@
 #include "app/console/typed_text.h"
 #include "app/files/scene_keys.h"
 #include "app/files/toml_document.h"
+#include "core/units.h"
 
 namespace ghostforce {
 namespace {
 
 // [x, y] in mm -> m.
 std::optional<Vector<2>> read_point(const TomlValue& value) {
-  constexpr double mm_per_m = 1000.0;
   const auto mm = value.numbers<2>({-farthest_mm, farthest_mm, "mm"}, "give a position as [x, y]");
   return mm ? std::optional(Vector<2>((*mm)[0] / mm_per_m, (*mm)[1] / mm_per_m)) : std::nullopt;
 }

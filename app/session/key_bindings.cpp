@@ -8,11 +8,11 @@
 #include <numbers>
 
 #include "app/session/measurement_guide.h"
+#include "core/units.h"
 
 namespace ghostforce {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
 
 template <StrategyId id>
 void activate(Session& session) {
@@ -30,7 +30,7 @@ template <int degrees>
 void turn_motor_axis(Session& session) {
   double& angle = session.settings.actuated_angle;
   // To whole steps, so that holding the key down runs through round angles.
-  const double step = std::abs(degrees) * degree;
+  const double step = std::abs(degrees) * radians_per_degree;
   angle = std::remainder((std::round(angle / step) + (degrees > 0 ? 1.0 : -1.0)) * step, 2.0 * std::numbers::pi);
 }
 

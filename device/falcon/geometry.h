@@ -9,15 +9,13 @@
 
 #include <array>
 #include <cstdint>
-#include <numbers>
 #include <span>
 #include <string_view>
 
 #include "core/conventions.h"
+#include "core/units.h"
 
 namespace ghostforce {
-
-inline constexpr double radians_per_degree = std::numbers::pi / 180.0;
 
 // One 16-bit number per motor, as frames carry them.
 using MotorNumbers = std::array<std::int16_t, 3>;

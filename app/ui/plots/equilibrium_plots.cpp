@@ -16,11 +16,11 @@
 #include "app/ui/plots/equilibrium_curves.h"
 #include "app/ui/plots/plot_pieces.h"
 #include "app/ui/widgets/controls.h"
+#include "core/units.h"
 
 namespace ghostforce {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
 constexpr double whole_turn = 2.0 * std::numbers::pi;
 constexpr float snap_points = 7.0F;
 
@@ -162,12 +162,12 @@ void draw_wall_angle_plots(const PanelContext& context) {
     axis.ticks.push_back(tick);
     axis.labels.push_back(angle_words(tick));
   }
-  for (const double angle : curves.at) axis.at.push_back(angle / degree);
+  for (const double angle : curves.at) axis.at.push_back(angle / radians_per_degree);
   const double remainder = std::fmod(settings.wall_normal_angle, whole_turn);
-  axis.now = (remainder < 0.0 ? remainder + whole_turn : remainder) / degree;
+  axis.now = (remainder < 0.0 ? remainder + whole_turn : remainder) / radians_per_degree;
   if (const auto dragged = draw_equilibrium_plots(context, curves, axis, question)) {
     const double angle = std::clamp(*dragged, axis.least, axis.greatest);
-    settings.wall_normal_angle = (ImGui::GetIO().KeyCtrl ? angle : std::round(angle)) * degree;
+    settings.wall_normal_angle = (ImGui::GetIO().KeyCtrl ? angle : std::round(angle)) * radians_per_degree;
   }
 }
 

@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -17,11 +16,11 @@
 #include "app/ui/panels/ratio_dial.h"
 #include "app/ui/plots/equilibrium_curves.h"
 #include "app/ui/widgets/save_path.h"
+#include "core/units.h"
 
 namespace ghostforce {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
 constexpr std::size_t every_tick = std::numeric_limits<std::size_t>::max();
 
 // A picture: two charts in a row, as in the drawer [points].
@@ -144,13 +143,13 @@ Export export_of(const Session& session, const Snapshot& snapshot, const PlotHis
       return whole_history ? over_time(history, history.oldest_s(), history.newest_s(), theme)
                            : over_time(history, session.plots.from_s, session.plots.to_s, theme);
     case PlotTab::wall_angle: {
-      const double turn = std::floor(settings.wall_normal_angle / (360.0 * degree));
+      const double turn = std::floor(settings.wall_normal_angle / (360.0 * radians_per_degree));
       return over_setting(equilibria_over_wall_angle(question, curve_points),
                           {.column = "wall_normal_deg",
                            .title = "angle of the wall's normal [°]",
                            .is_logarithmic = false,
-                           .per_si = 1.0 / degree,
-                           .now = settings.wall_normal_angle / degree - 360.0 * turn},
+                           .per_si = 1.0 / radians_per_degree,
+                           .now = settings.wall_normal_angle / radians_per_degree - 360.0 * turn},
                           question.goal_is_inferred, theme);
     }
     case PlotTab::ratio: {

@@ -1,0 +1,11 @@
+// What millimetres and degrees are in SI units: they exist in files and on the screen only (core/conventions.h).
+#pragma once
+
+#include <numbers>
+
+namespace ghostforce {
+
+inline constexpr double mm_per_m = 1000.0;
+inline constexpr double radians_per_degree = std::numbers::pi / 180.0;
+
+}  // namespace ghostforce
