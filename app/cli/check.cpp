@@ -26,7 +26,7 @@
 namespace ghostforce {
 namespace {
 
-struct Options {
+struct CheckOptions {
   std::string folder;
   std::vector<std::string> only;
   std::vector<std::string> update;
@@ -70,7 +70,7 @@ std::vector<std::string> cases_and_goldens_in(const std::string& folder) {
 }
 
 // The report's pictures would lie among the goldens.
-void refuse_report_among_cases(const Options& options) {
+void refuse_report_among_cases(const CheckOptions& options) {
   std::error_code error;
   if (options.report.empty() || !std::filesystem::equivalent(options.report, options.folder, error)) return;
   throw Failure(ExitCode::wrong_call, fmt::format("--report {}: the cases are there; name another folder",
@@ -83,7 +83,7 @@ void tell_of_failure(const Verdict& verdict) {
   if (!verdict.remedy.empty()) say("  if the new picture is right: {}\n", verdict.remedy);
 }
 
-int update(const Options& options) {
+int update(const CheckOptions& options) {
   const std::vector<Case> cases = read_case_folder(options.folder);
   Lines lines;
   for (const std::string& line : update_goldens(cases, chosen_cases(cases, options.update, "--update"))) {
@@ -92,7 +92,7 @@ int update(const Options& options) {
   return static_cast<int>(ExitCode::done);
 }
 
-int check(const Options& options) {
+int check(const CheckOptions& options) {
   const std::vector<Case> cases = read_case_folder(options.folder);
   const std::vector<const Case*> chosen = chosen_cases(cases, options.only, "--only");
   refuse_report_among_cases(options);
@@ -131,7 +131,7 @@ int check(const Options& options) {
 }  // namespace
 
 std::function<int()> attach_check(CLI::App& command, FileOptions& files) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CheckOptions>();
   files.reads(
       command.add_option("DIR", options->folder, "The folder with the cases, NAME.toml each and its golden NAME.png")
           ->type_name("")

@@ -40,7 +40,7 @@ constexpr double wait_on_terminal_s = 30.0;
 // Long enough for the SpaceMouse's thread to have looked once.
 constexpr std::chrono::milliseconds time_to_look{200};
 
-struct Options {
+struct DoctorOptions {
   FalconSetUp falcon;
   std::string input = "falcon";
   std::optional<double> wait_s;  // empty: as long as somebody is probably there
@@ -97,7 +97,7 @@ class LiveLine {
   std::chrono::steady_clock::time_point next_{};
 };
 
-int doctor(const Options& options) {
+int doctor(const DoctorOptions& options) {
   if (options.install_udev) {
     install_udev_rule(options.is_udev_announced);
     return static_cast<int>(ExitCode::done);
@@ -146,7 +146,7 @@ int doctor(const Options& options) {
 }  // namespace
 
 std::function<int()> attach_doctor(CLI::App& command, FileOptions& files) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<DoctorOptions>();
   CLI::Option* const json = command.add_flag("--json", options->json, "For programs: JSON in SI units");
   CLI::Option* const install =
       command.add_flag("--install-udev", options->install_udev,

@@ -25,24 +25,24 @@
 namespace ghostforce {
 namespace {
 
-struct Options {
+struct FiguresOptions {
   std::string folder;
   std::vector<std::string> only;  // empty: all
   std::string hand;               // empty: simulated
 };
 
-bool is_wanted(const Options& options, std::string_view name) {
+bool is_wanted(const FiguresOptions& options, std::string_view name) {
   return options.only.empty() || std::ranges::find(options.only, name) != options.only.end();
 }
 
 // A recording that no figure is made of would go unseen.
-void refuse_hand_without_figure(const Options& options) {
+void refuse_hand_without_figure(const FiguresOptions& options) {
   const auto shows_hand = [&](const FigureEntry& entry) { return entry.takes_hand && is_wanted(options, entry.name); };
   if (options.hand.empty() || std::ranges::any_of(figure_catalog(), shows_hand)) return;
   throw Failure(ExitCode::wrong_call, "--hand: only figure-6 shows a hand; add it to --only, or leave --hand out");
 }
 
-FigureRequest request_of(const Options& options) {
+FigureRequest request_of(const FiguresOptions& options) {
   if (options.hand.empty()) return {};
   const Run run = load_run(options.hand);
   for (const std::string& warning : run.warnings) say("{}\n", warning);
@@ -51,7 +51,7 @@ FigureRequest request_of(const Options& options) {
   return request;
 }
 
-int figures(const Options& options) {
+int figures(const FiguresOptions& options) {
   if (options.folder.empty()) {
     throw Failure(ExitCode::wrong_call, "-o: the name of the folder is empty; '.' is the one that you are in");
   }
@@ -86,7 +86,7 @@ int figures(const Options& options) {
 }  // namespace
 
 std::function<int()> attach_figures(CLI::App& command, FileOptions& files) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<FiguresOptions>();
   files.writes(command.add_option("-o,--output", options->folder, "The folder for the files; made if it is not there")
                    ->type_name("DIR")
                    ->required(),

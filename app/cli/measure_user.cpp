@@ -37,7 +37,7 @@ constexpr double same_force = 1e-6;
 
 constexpr std::size_t ticks_between_looks = 1024;  // at interruptions
 
-struct Options {
+struct MeasureUserOptions {
   std::string run;
   std::optional<std::string> target_mm;
   bool json = false;
@@ -253,7 +253,7 @@ std::string table_text(const std::vector<Rest>& rests, const std::vector<Hand>& 
   return text;
 }
 
-int measure_user(const Options& options) {
+int measure_user(const MeasureUserOptions& options) {
   std::optional<Vector<2>> target;
   if (options.target_mm) target = position_from_mm("--target-mm", *options.target_mm);
   const Run run = load_run(options.run);
@@ -290,7 +290,7 @@ int measure_user(const Options& options) {
 }  // namespace
 
 std::function<int()> attach_measure_user(CLI::App& command, FileOptions& files) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<MeasureUserOptions>();
   files.reads(command.add_option("RUN.csv", options->run, "What 'simulate', 'replay' or a recording has written")
                   ->type_name("")
                   ->required());

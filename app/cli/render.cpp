@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include "app/cli/command.h"
 #include "app/cli/picture_options.h"
@@ -19,7 +20,7 @@
 namespace ghostforce {
 namespace {
 
-struct Options {
+struct RenderOptions {
   SceneOptions scene;
   PictureOptions picture;
   std::string output;
@@ -40,7 +41,7 @@ void apply_size(const std::string& text, PictureRequest& request) {
                                                   quoted_text(text), smallest_picture, largest_picture));
 }
 
-PictureRequest request_of(const Options& options) {
+PictureRequest request_of(const RenderOptions& options) {
   PictureRequest request;
   apply_size(options.size, request);
   request.scene = options.scene.load();
@@ -53,7 +54,7 @@ PictureRequest request_of(const Options& options) {
 }
 
 // Panels and bars are drawn in pixels.
-void refuse_window_as_vectors(const Options& options) {
+void refuse_window_as_vectors(const RenderOptions& options) {
   if (options.part != "window" || !vector_format_of(options.output)) return;
   throw Failure(ExitCode::wrong_call,
                 fmt::format("--part window: {} would hold lines and letters, and panels are drawn in pixels; leave "
@@ -81,7 +82,7 @@ Rendering paint_moment(const PictureRequest& request, const Moment& moment, cons
   return {std::move(file), std::move(panes), Vector<2>(0.0)};
 }
 
-int render(const Options& options) {
+int render(const RenderOptions& options) {
   refuse_window_as_vectors(options);
   const PictureRequest request = request_of(options);
   OutputFile picture_file(options.output);
@@ -100,7 +101,7 @@ int render(const Options& options) {
 }  // namespace
 
 std::function<int()> attach_render(CLI::App& command, FileOptions& files) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<RenderOptions>();
   options->scene.attach(command, files, true);
   files.writes(
       command

@@ -27,7 +27,7 @@
 namespace ghostforce {
 namespace {
 
-struct Options {
+struct ReplayOptions {
   std::string run;
   SceneOptions scene;  // not named: the run's own
   std::string output = "-";
@@ -78,14 +78,14 @@ void tell_remarks(const RunFacts& run) {
   for (const std::string& warning : run.warnings) say("{}\n", warning);
 }
 
-[[noreturn]] void refuse(const Options& options, std::string_view why) {
+[[noreturn]] void refuse(const ReplayOptions& options, std::string_view why) {
   throw Failure(ExitCode::wrong_call, fmt::format("{}: {}", quoted_text(options.run, longest_path), why));
 }
 
 constexpr std::string_view no_scene = "the run does not tell its scene; name one to replay its hand in";
 constexpr std::string_view no_tick = "there is nothing to replay";
 
-int replay_exactly(const Options& options) {
+int replay_exactly(const ReplayOptions& options) {
   OutputFile file(options.output);
   fmt::memory_buffer lines;
   Settings known;
@@ -126,7 +126,7 @@ int replay_exactly(const Options& options) {
 // --- Its hand in another scene ---
 
 // The run's own is known once its first tick comes. None: it tells none.
-std::optional<Scene> other_scene(const RunFacts& run, const Options& options) {
+std::optional<Scene> other_scene(const RunFacts& run, const ReplayOptions& options) {
   if (options.scene.is_named()) return options.scene.load();
   if (!run.scene) return std::nullopt;
   return read_scene(scene_text(*run.scene), options.run, options.scene.overrides);
@@ -139,7 +139,7 @@ struct Hand {
   GoalPath path;
 };
 
-Hand load_hand(const Options& options) {
+Hand load_hand(const ReplayOptions& options) {
   std::optional<Hand> hand;
   std::optional<HandPath> path;
   bool is_empty = true;
@@ -175,7 +175,7 @@ RunState run_state_of(const TickState<2>& state) {
   return told;
 }
 
-int replay_hand(const Options& options) {
+int replay_hand(const ReplayOptions& options) {
   OutputFile file(options.output);
   Hand hand = load_hand(options);
   file.write(run_header(hand.scene));
@@ -201,7 +201,7 @@ int replay_hand(const Options& options) {
   return static_cast<int>(ExitCode::done);
 }
 
-int replay_run(const Options& options) {
+int replay_run(const ReplayOptions& options) {
   const bool is_as_recorded = !options.scene.is_named() && options.scene.overrides.empty();
   return is_as_recorded ? replay_exactly(options) : replay_hand(options);
 }
@@ -209,7 +209,7 @@ int replay_run(const Options& options) {
 }  // namespace
 
 std::function<int()> attach_replay(CLI::App& command, FileOptions& files) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ReplayOptions>();
   files.reads(command.add_option("RUN", options->run, "A CSV file that was recorded, simulated or replayed")
                   ->type_name("")
                   ->required());

@@ -38,7 +38,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-struct Options {
+struct RunOptions {
   SceneOptions scene;
   PictureOptions picture;
   std::string input = "mouse";
@@ -97,19 +97,19 @@ std::string refuse_standard_output(const std::string& path) {
 }
 
 // The recording whose hand is to be replayed.
-std::optional<Run> load_recording(const Options& options) {
+std::optional<Run> load_recording(const RunOptions& options) {
   if (!options.input.starts_with(replay_begins())) return std::nullopt;
   Run run = load_run(options.input.substr(replay_begins().size()));
   for (const std::string& warning : run.warnings) say("{}\n", warning);
   return run;
 }
 
-Scene scene_for(const Options& options, const std::optional<Run>& recording) {
+Scene scene_for(const RunOptions& options, const std::optional<Run>& recording) {
   if (!recording || !recording->scene || options.scene.is_named()) return options.scene.load();
   return read_scene(scene_text(*recording->scene), options.input, options.scene.overrides);
 }
 
-int run(const Options& options) {
+int run(const RunOptions& options) {
   const std::optional<Run> recording = load_recording(options);
   Scene scene = scene_for(options, recording);
   options.picture.apply_strategy(scene);
@@ -208,7 +208,7 @@ int run(const Options& options) {
 }  // namespace
 
 std::function<int()> attach_run(CLI::App& command, FileOptions& files) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<RunOptions>();
   options->scene.attach(command, files, false);
   files.reads(
       command

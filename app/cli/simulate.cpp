@@ -16,13 +16,13 @@
 namespace ghostforce {
 namespace {
 
-struct Options {
+struct SimulateOptions {
   SceneOptions scene;
   std::string strategy;  // empty: the scene's
   std::string output = "-";
 };
 
-int simulate(const Options& options) {
+int simulate(const SimulateOptions& options) {
   Scene scene = options.scene.load();
   std::vector<StrategyId> ids;
   if (options.strategy == every_strategy) {
@@ -43,7 +43,7 @@ int simulate(const Options& options) {
 }  // namespace
 
 std::function<int()> attach_simulate(CLI::App& command, FileOptions& files) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SimulateOptions>();
   options->scene.attach(command, files, true);
   std::vector<std::string_view> strategies = names_of(strategy_catalog());
   strategies.push_back(every_strategy);

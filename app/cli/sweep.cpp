@@ -29,7 +29,7 @@ namespace {
 using Seconds = std::chrono::duration<double>;
 using Clock = std::chrono::steady_clock;
 
-struct Options {
+struct SweepOptions {
   SceneOptions scene;
   std::vector<std::string> ranges;
   std::string kind = "both";
@@ -49,7 +49,7 @@ void tell(const Spent& spent, std::size_t thread_count, Seconds in_all) {
       spent.writing.count());
 }
 
-int sweep_command(const Options& options) {
+int sweep_command(const SweepOptions& options) {
   const Scene scene = options.scene.load();
   const Grid grid = make_grid(options.ranges, scene);
   const EquilibriumKind& kind = *std::ranges::find(equilibrium_kinds, options.kind, &EquilibriumKind::name);
@@ -87,7 +87,7 @@ int sweep_command(const Options& options) {
 }  // namespace
 
 std::function<int()> attach_sweep(CLI::App& command, FileOptions& files) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SweepOptions>();
   options->scene.attach(command, files, true);
   repeatable(
       command

@@ -4,9 +4,9 @@
 namespace ghostforce {
 namespace {
 
-constexpr double ghost_aside = 21.0;  // [points]
-constexpr double ruler_depth = 16.0;  // of the first ruler inside the wall [points]
-constexpr double ruler_step = 12.0;   // between rulers of different strategies [points]
+constexpr double ghost_aside = 21.0;        // [points]
+constexpr double drift_ruler_depth = 16.0;  // of the first ruler inside the wall [points]
+constexpr double ruler_step = 12.0;         // between rulers of different strategies [points]
 
 }  // namespace
 
@@ -28,7 +28,7 @@ bool has_drift_ruler(const View& view, StrategyId id) {
 DriftRuler drift_ruler(const View& view, StrategyId id) {
   const Wall<2> wall = wall_of(view.settings);
   const double rank = view.options.compare == Compare::overlay ? static_cast<double>(index_of(id)) : 0.0;
-  const Vector<2> inside = -wall.normal * view.metres(ruler_depth + ruler_step * rank);
+  const Vector<2> inside = -wall.normal * view.metres(drift_ruler_depth + ruler_step * rank);
   return {projection(wall, view.snapshot.goal) + inside, view.snapshot.strategies[index_of(id)].contact + inside};
 }
 

@@ -3,15 +3,15 @@
 namespace ghostforce {
 namespace {
 
-constexpr double device_radius = 9.0;  // [points], of the active strategy
-constexpr double behind = 0.78;        // size of the others
-constexpr double goal_radius = 10.5;   // [points]
+constexpr double device_radius = 9.0;          // [points], of the active strategy
+constexpr double inactive_marker_size = 0.78;  // size of the others
+constexpr double goal_radius = 10.5;           // [points]
 
 void add_proxy(const View& view, StrategyId id, Marks& marks) {
   const std::size_t i = index_of(id);
   const StrategySnapshot<2>& now = view.snapshot.strategies[i];
   if (!now.in_contact) return;  // in free space the proxy is the device
-  const double size = view.in_front(id) ? 1.0 : behind;
+  const double size = view.in_front(id) ? 1.0 : inactive_marker_size;
   const Colour colour = view.theme.strategy[i];
   const Wall<2> wall = wall_of(view.settings);
   const double tick = view.metres(7.0 * size);
@@ -28,7 +28,7 @@ void add_proxy(const View& view, StrategyId id, Marks& marks) {
 // Filled: the device itself; measured, it has an eye. Hollow: it is only simulated beside a measured one.
 void add_device(const View& view, StrategyId id, Marks& marks) {
   const std::size_t i = index_of(id);
-  const double size = view.in_front(id) ? 1.0 : behind;
+  const double size = view.in_front(id) ? 1.0 : inactive_marker_size;
   const Vector<2> at = view.snapshot.strategies[i].device;
   const Shape shape = strategy_style(id).shape;
   const Colour colour = view.theme.strategy[i];

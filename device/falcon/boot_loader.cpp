@@ -59,32 +59,32 @@ void BootLoader::enter(Stage stage) noexcept {
   if (stage == Stage::baud) link_script_ = LinkScript(baud);
 }
 
-Progress BootLoader::fail(BootFault fault) noexcept {
+LinkProgress BootLoader::fail(BootFault fault) noexcept {
   fault_ = fault;
   stage_ = Stage::failed;
-  return Progress::failed;
+  return LinkProgress::failed;
 }
 
-Progress BootLoader::update(FalconLink& link) noexcept {
-  if (stage_ == Stage::done) return Progress::done;
-  if (stage_ == Stage::failed) return Progress::failed;
+LinkProgress BootLoader::update(FalconLink& link) noexcept {
+  if (stage_ == Stage::done) return LinkProgress::done;
+  if (stage_ == Stage::failed) return LinkProgress::failed;
   if (stage_ == Stage::upload) return upload(link);
   switch (link_script_.update(link)) {
-    case Progress::running:
+    case LinkProgress::running:
       break;
-    case Progress::done:
+    case LinkProgress::done:
       enter(stage_ == Stage::set_up ? Stage::handshake : stage_ == Stage::handshake ? Stage::baud : Stage::upload);
       break;
-    case Progress::failed:
+    case LinkProgress::failed:
       if (stage_ == Stage::baud) return fail(BootFault::no_baud_answer);
       if (stage_ == Stage::set_up || --handshakes_left_ == 0) return fail(BootFault::no_handshake);
       enter(Stage::handshake);
       break;
   }
-  return Progress::running;
+  return LinkProgress::running;
 }
 
-Progress BootLoader::upload(FalconLink& link) noexcept {
+LinkProgress BootLoader::upload(FalconLink& link) noexcept {
   std::array<std::uint8_t, chunk_size> echo;
   while (const std::size_t came = link.read(std::span(echo).first(std::min(chunk_size, sent_ - echoed_)))) {
     for (std::size_t i = 0; i < came; ++i) {
@@ -94,18 +94,18 @@ Progress BootLoader::upload(FalconLink& link) noexcept {
   }
   if (echoed_ == firmware_.size()) {
     stage_ = Stage::done;
-    return Progress::done;
+    return LinkProgress::done;
   }
   if (echoed_ < sent_) {
     const bool is_over = link.now_ns() - chunk_began_ns_ >= std::int64_t{longest_echo_ms} * 1'000'000;
-    return is_over ? fail(BootFault::echo_missing) : Progress::running;
+    return is_over ? fail(BootFault::echo_missing) : LinkProgress::running;
   }
   const std::size_t size = std::min(chunk_size, firmware_.size() - sent_);
   if (link.write(firmware_.subspan(sent_, size))) {
     sent_ += size;
     chunk_began_ns_ = link.now_ns();
   }
-  return Progress::running;
+  return LinkProgress::running;
 }
 
 }  // namespace ghostforce

@@ -31,7 +31,7 @@ class BootLoader {
   // A validated image (firmware_file.h), which must outlive the loader.
   explicit BootLoader(std::span<const std::uint8_t> firmware) noexcept;
 
-  Progress update(FalconLink& link) noexcept;
+  LinkProgress update(FalconLink& link) noexcept;
 
   BootFault fault() const noexcept { return fault_; }
   std::size_t bytes_echoed() const noexcept { return echoed_; }  // of the firmware; where a fault occurred
@@ -40,8 +40,8 @@ class BootLoader {
   enum class Stage : std::uint8_t { set_up, handshake, baud, upload, done, failed };
 
   void enter(Stage stage) noexcept;
-  Progress fail(BootFault fault) noexcept;
-  Progress upload(FalconLink& link) noexcept;
+  LinkProgress fail(BootFault fault) noexcept;
+  LinkProgress upload(FalconLink& link) noexcept;
 
   std::span<const std::uint8_t> firmware_;
   Stage stage_ = Stage::set_up;

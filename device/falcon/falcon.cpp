@@ -151,9 +151,9 @@ void Falcon::opened(LinkFault fault) noexcept {
 }
 
 void Falcon::configure() noexcept {
-  const Progress progress = link_script_.update(link());
-  if (progress == Progress::running) return;
-  if (progress == Progress::failed) return end(FalconFault::broken);
+  const LinkProgress progress = link_script_.update(link());
+  if (progress == LinkProgress::running) return;
+  if (progress == LinkProgress::failed) return end(FalconFault::broken);
   questions_left_ = has_answered_ ? patient_questions : first_questions;
   packets_before_ = link().counters().packets_in;
   begin_exchanging();
@@ -196,10 +196,10 @@ void Falcon::ask() noexcept {
 }
 
 void Falcon::load() noexcept {
-  const Progress progress = boot_loader_.update(link());
+  const LinkProgress progress = boot_loader_.update(link());
   report_.bytes_echoed = static_cast<std::uint32_t>(boot_loader_.bytes_echoed());
-  if (progress == Progress::failed) return try_loading_again(fault_of(boot_loader_.fault()));
-  if (progress == Progress::running) return;
+  if (progress == LinkProgress::failed) return try_loading_again(fault_of(boot_loader_.fault()));
+  if (progress == LinkProgress::running) return;
   link_script_ = LinkScript(run_time);
   phase_ = Phase::configuring;
 }
@@ -260,7 +260,7 @@ void Falcon::exchange() noexcept {
   if (is_purging_) {
     follow_stop();
     if (link().owes_stop() && !link().is_sending()) stop_motors();
-    is_purging_ = link_script_.update(link()) == Progress::running;
+    is_purging_ = link_script_.update(link()) == LinkProgress::running;
     if (is_purging_) return;
     reader_.reset();
     replies_.reset();

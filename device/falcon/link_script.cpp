@@ -15,56 +15,56 @@ void flush(FalconLink& link) noexcept {
 
 }  // namespace
 
-Progress LinkScript::update(FalconLink& link) noexcept {
+LinkProgress LinkScript::update(FalconLink& link) noexcept {
   while (at_ < steps_.size()) {
     const LinkScriptStep& step = steps_[at_];
     if (!has_begun_) {
       const std::span bytes(reinterpret_cast<const std::uint8_t*>(step.bytes.data()), step.bytes.size());
-      if (step.kind == LinkScriptStep::Kind::request && !link.request(step.asked)) return Progress::running;
-      if (step.kind == LinkScriptStep::Kind::send && !link.write(bytes)) return Progress::running;
+      if (step.kind == LinkScriptStep::Kind::request && !link.request(step.asked)) return LinkProgress::running;
+      if (step.kind == LinkScriptStep::Kind::send && !link.write(bytes)) return LinkProgress::running;
       if (step.kind == LinkScriptStep::Kind::flush) flush(link);
       has_begun_ = true;
       began_ns_ = link.now_ns();
       received_ = 0;
     }
-    const Progress progress = pursue(step, link);
-    if (progress != Progress::done) return progress;
+    const LinkProgress progress = pursue(step, link);
+    if (progress != LinkProgress::done) return progress;
     has_begun_ = false;
     attempts_ = 0;
     ++at_;
   }
-  return Progress::done;
+  return LinkProgress::done;
 }
 
-Progress LinkScript::pursue(const LinkScriptStep& step, FalconLink& link) noexcept {
+LinkProgress LinkScript::pursue(const LinkScriptStep& step, FalconLink& link) noexcept {
   const bool is_over = link.now_ns() - began_ns_ >= std::int64_t{step.duration_ms} * 1'000'000;
-  const auto done_if = [](bool is_done) { return is_done ? Progress::done : Progress::running; };
+  const auto done_if = [](bool is_done) { return is_done ? LinkProgress::done : LinkProgress::running; };
   switch (step.kind) {
     case LinkScriptStep::Kind::request:
-      return link.is_sending() ? Progress::running : pursue_request(link);
+      return link.is_sending() ? LinkProgress::running : pursue_request(link);
     case LinkScriptStep::Kind::send:
       return done_if(!link.is_sending());
     case LinkScriptStep::Kind::expect:
-      return receives(step.bytes, link) ? Progress::done : is_over ? Progress::failed : Progress::running;
+      return receives(step.bytes, link) ? LinkProgress::done : is_over ? LinkProgress::failed : LinkProgress::running;
     case LinkScriptStep::Kind::wait:
       return done_if(is_over);
     case LinkScriptStep::Kind::await_clear_to_send:
       return done_if(is_over || (link.modem_status() & clear_to_send) != 0);
     case LinkScriptStep::Kind::flush:
-      return Progress::done;
+      return LinkProgress::done;
   }
-  return Progress::done;
+  return LinkProgress::done;
 }
 
-Progress LinkScript::pursue_request(const FalconLink& link) noexcept {
+LinkProgress LinkScript::pursue_request(const FalconLink& link) noexcept {
   const RequestOutcome outcome = link.request_outcome();
-  if (outcome == RequestOutcome::done) return Progress::done;
+  if (outcome == RequestOutcome::done) return LinkProgress::done;
   if (++attempts_ < request_attempts) {
     has_begun_ = false;
-    return Progress::running;
+    return LinkProgress::running;
   }
   was_refused_ |= outcome == RequestOutcome::refused;
-  return outcome == RequestOutcome::refused ? Progress::done : Progress::failed;
+  return outcome == RequestOutcome::refused ? LinkProgress::done : LinkProgress::failed;
 }
 
 // None of the answers that there are repeats its own beginning before its end, so that a byte that does not fit can

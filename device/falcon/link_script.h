@@ -32,7 +32,7 @@ constexpr LinkScriptStep ask(const VendorRequest& request) noexcept {
   return {.kind = LinkScriptStep::Kind::request, .asked = request};
 }
 
-enum class Progress : std::uint8_t { running, done, failed };
+enum class LinkProgress : std::uint8_t { running, done, failed };
 
 class LinkScript {
  public:
@@ -43,14 +43,14 @@ class LinkScript {
   static constexpr int request_attempts = 3;
 
   // failed: an answer did not come, to a request least of all. The fault of a link is the caller's to look at.
-  Progress update(FalconLink& link) noexcept;
+  LinkProgress update(FalconLink& link) noexcept;
 
   // The chip has refused a request, each time that it was asked; the rest has been gone through without it.
   bool was_refused() const noexcept { return was_refused_; }
 
  private:
-  Progress pursue(const LinkScriptStep& step, FalconLink& link) noexcept;
-  Progress pursue_request(const FalconLink& link) noexcept;
+  LinkProgress pursue(const LinkScriptStep& step, FalconLink& link) noexcept;
+  LinkProgress pursue_request(const FalconLink& link) noexcept;
   bool receives(std::string_view bytes, FalconLink& link) noexcept;
 
   std::span<const LinkScriptStep> steps_;

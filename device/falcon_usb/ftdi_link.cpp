@@ -14,7 +14,6 @@
 namespace ghostforce {
 namespace {
 
-constexpr std::size_t status_size = 2;  // at the beginning of every packet that comes in
 constexpr std::uint8_t line_error_bits = 0x0E;
 constexpr std::uint8_t vendor_request_type = 0x40;  // to the device, of the maker's, without data
 
@@ -232,14 +231,14 @@ void FtdiLink::received(Receiver& receiver) noexcept {
 }
 
 void FtdiLink::take_packets(std::span<const std::uint8_t> bytes) noexcept {
-  while (bytes.size() >= status_size) {
+  while (bytes.size() >= ftdi_status_size) {
     const auto packet = bytes.first(std::min(bytes.size(), usb_.packet_size()));
     bytes = bytes.subspan(packet.size());
     ++counters_.packets_in;
     modem_status_ = packet[0];
     if ((packet[1] & line_error_bits) != 0) ++counters_.line_errors;
-    if (packet.size() == status_size) ++counters_.status_packets;
-    keep(packet.subspan(status_size));
+    if (packet.size() == ftdi_status_size) ++counters_.status_packets;
+    keep(packet.subspan(ftdi_status_size));
   }
 }
 

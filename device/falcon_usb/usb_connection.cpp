@@ -17,7 +17,6 @@ namespace ghostforce {
 namespace {
 
 constexpr int interface_number = 0;
-constexpr std::size_t status_size = 2;      // at the beginning of every packet that comes in
 constexpr std::size_t transfer_unit = 512;  // a transfer from the device is a multiple of this
 
 // Right after a device was plugged in, the kernel has shown it and not yet given it its interfaces.
@@ -165,7 +164,7 @@ LinkFault UsbConnection::find_endpoints(libusb_device_handle* handle) {
   libusb_free_config_descriptor(configuration);
   // A transfer has to end where a packet ends.
   const bool fits =
-      in_endpoint_ != 0 && out_endpoint_ != 0 && packet_size_ > status_size && transfer_unit % packet_size_ == 0;
+      in_endpoint_ != 0 && out_endpoint_ != 0 && packet_size_ > ftdi_status_size && transfer_unit % packet_size_ == 0;
   return fits ? LinkFault::none : LinkFault::unsupported;
 }
 

@@ -18,6 +18,9 @@ struct libusb_device_handle;
 
 namespace ghostforce {
 
+// At the beginning of every packet that comes in from an FTDI chip [bytes].
+inline constexpr std::size_t ftdi_status_size = 2;
+
 class UsbConnection {
  public:
   UsbConnection() = default;

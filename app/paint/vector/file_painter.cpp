@@ -16,7 +16,7 @@
 namespace ghostforce {
 namespace {
 
-void require(cairo_status_t status) {
+void require_painted(cairo_status_t status) {
   if (status == CAIRO_STATUS_SUCCESS) return;
   throw Failure(ExitCode::bug,
                 fmt::format("Cairo cannot paint this picture ({}); try a smaller one", cairo_status_to_string(status)));
@@ -30,12 +30,12 @@ Image paint_image(const std::vector<Pane>& panes, const Theme& theme, const Vect
   const int height = static_cast<int>(std::lround(size.y * density));
   const std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t*)> surface(
       cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height), cairo_surface_destroy);
-  require(cairo_surface_status(surface.get()));
+  require_painted(cairo_surface_status(surface.get()));
   {
     const std::unique_ptr<cairo_t, void (*)(cairo_t*)> target(cairo_create(surface.get()), cairo_destroy);
     cairo_scale(target.get(), density, density);
     paint_panes(panes, theme, size, text_scale, target.get());
-    require(cairo_status(target.get()));
+    require_painted(cairo_status(target.get()));
   }
   cairo_surface_flush(surface.get());
 
