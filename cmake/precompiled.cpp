@@ -1,1 +1,0 @@
-// Only so that the precompiled header has a library to belong to (rooms.cmake).
