@@ -21,7 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-
 // In the order of FalconAxis.
 constexpr std::array<std::string_view, 6> axis_words{"x", "-x", "y", "-y", "z", "-z"};
 

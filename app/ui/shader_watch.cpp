@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double interval_s = 0.25;
+constexpr double look_interval_s = 0.25;
 
 std::string contents_of(const fs::path& file) {
   FileContents contents = file_contents(file);
@@ -50,7 +50,7 @@ ShaderWatch::Stamps ShaderWatch::stamps() const {
 
 void ShaderWatch::look(GlPainter& painter, double now_s) {
   if (has_looked_ && now_s < next_look_s_) return;
-  next_look_s_ = now_s + interval_s;
+  next_look_s_ = now_s + look_interval_s;
   const Stamps now = stamps();
   if (has_looked_ && now == seen_) return;
   has_looked_ = true;

@@ -11,7 +11,7 @@ constexpr double dial_margin = 32.0;   // to the right and lower edge [points]
 constexpr double caption_room = 17.0;  // below the dial [points]
 constexpr double grip_inset = 74.0;    // from the picture's edge: scale bars and legend stand closer to it [points]
 constexpr double shortest_wall = 60.0;
-constexpr double reach = 15.0;  // of the pointer round a grip [points]
+constexpr double grip_reach = 15.0;  // of the pointer round a grip [points]
 
 }  // namespace
 
@@ -49,7 +49,7 @@ Handle handle_at(const Settings& settings, const Camera& camera, double unit, co
   if (glm::distance(pointer, dial.middle) <= dial.radius + 6.0 * unit) return Handle::motor_axis;
   if (const auto grips = wall_grips(wall_of(settings), camera, unit)) {
     for (const Vector<2>& grip : *grips) {
-      if (glm::distance(pointer, grip) <= reach * unit) return Handle::wall;
+      if (glm::distance(pointer, grip) <= grip_reach * unit) return Handle::wall;
     }
   }
   return Handle::none;

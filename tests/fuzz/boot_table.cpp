@@ -28,13 +28,13 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   VirtualLink link({.clock = VirtualLink::Clock::stepped});
   require(link.open() == LinkFault::none, "the virtual Falcon is plugged in");
   BootLoader loader(image.bytes);
-  Progress progress = Progress::running;
+  LinkProgress progress = LinkProgress::running;
   const std::int64_t latest_ns = link.now_ns() + 60'000'000'000;
-  while (progress == Progress::running && link.now_ns() < latest_ns) {
+  while (progress == LinkProgress::running && link.now_ns() < latest_ns) {
     progress = loader.update(link);
     link.wait_until(link.now_ns() + 10'000'000);
   }
-  require(progress == Progress::done && loader.bytes_echoed() == size, "the device echoes every byte");
+  require(progress == LinkProgress::done && loader.bytes_echoed() == size, "the device echoes every byte");
   require(link.device().runs_firmware(), "and runs what it was given");
   return 0;
 }
