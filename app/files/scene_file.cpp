@@ -88,7 +88,6 @@ double file_value(double si, double per_si) {
   return exact;
 }
 
-
 // A real number as TOML has it: what looks like an integer loses the sign of zero.
 std::string toml_number(double value) {
   std::string text = fmt::format("{}", value);

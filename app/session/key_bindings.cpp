@@ -13,7 +13,6 @@
 namespace ghostforce {
 namespace {
 
-
 template <StrategyId id>
 void activate(Session& session) {
   session.settings.active = id;
