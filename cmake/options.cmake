@@ -66,6 +66,7 @@ target_compile_options(project_warnings INTERFACE
   $<$<CXX_COMPILER_ID:GNU>:-Wdouble-promotion>
   # g++ takes the sanitizers' own bookkeeping for uses of uninitialised values; its manual says so.
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${GHOSTFORCE_SANITIZE}>>:-Wno-maybe-uninitialized>
-  # Sources that are compiled together are headers to g++, in which such a type would be in several objects.
-  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${CMAKE_UNITY_BUILD}>>:-Wno-subobject-linkage>
+  # Of sources that are compiled together g++ thinks that they are headers, and that the names of one are in the way of
+  # the next. Where each is compiled by itself, clang warns of what is really shadowed.
+  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${CMAKE_UNITY_BUILD}>>:-Wno-subobject-linkage -Wno-shadow>
   $<$<BOOL:${GHOSTFORCE_WARNINGS_AS_ERRORS}>:-Werror>)
