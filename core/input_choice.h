@@ -11,7 +11,11 @@ struct InputChoice {
   std::string_view sentence;  // what it does, for a person who hovers over it
 };
 
-// The hand of every picture that is made without a person.
+// Those that the program asks for by itself: at its start, for the energy test, and for every picture that is made
+// without a person.
+inline constexpr InputChoice mouse_hand{"mouse", "Mouse", "Drag in the scene: the goal follows the pointer."};
+inline constexpr InputChoice circling_hand{
+    "circle", "Circle", "The goal goes round a circle inside the wall: the motion of the energy test."};
 inline constexpr InputChoice scripted_hand{"script", "Scripted hand",
                                            "The goal follows the scene's path, the same way every time."};
 

@@ -8,8 +8,7 @@
 namespace ghostforce {
 
 const InputMaker<MouseInput> mouse_kind{
-    {{"mouse", "Mouse", "Drag in the scene: the goal follows the pointer."}},
-    [](const Scene&, const InputOptions&) { return std::make_unique<MouseInput>(); }};
+    {mouse_hand}, [](const Scene&, const InputOptions&) { return std::make_unique<MouseInput>(); }};
 
 const InputMaker<ScriptedInput> script_kind{
     {scripted_hand, /*is_scripted=*/true},
@@ -24,8 +23,7 @@ const InputMaker<ScriptedInput> replay_kind{
     }};
 
 const InputMaker<CircleInput> circle_kind{
-    {{"circle", "Circle", "The goal goes round a circle inside the wall: the motion of the energy test."}},
-    [](const Scene& scene, const InputOptions&) {
+    {circling_hand}, [](const Scene& scene, const InputOptions&) {
       return std::make_unique<CircleInput>(circle_inside(wall_of(scene.settings), scene.goal.points.back(), {}));
     }};
 

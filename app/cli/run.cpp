@@ -29,6 +29,7 @@
 #include "app/runs/replay_start.h"
 #include "app/ui/display_loss.h"
 #include "app/ui/panels/panel_catalog.h"
+#include "core/input_choice.h"
 #include "core/safety.h"
 #include "device/falcon/emergency_stop.h"
 #include "device/servo/realtime.h"
@@ -41,7 +42,7 @@ using Clock = std::chrono::steady_clock;
 struct RunOptions {
   SceneOptions scene;
   PictureOptions picture;
-  std::string input = "mouse";
+  std::string input{mouse_hand.name};
   std::optional<std::string> record;
   FalconSetUp falcon;
   std::string shader_folder;

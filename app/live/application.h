@@ -17,6 +17,7 @@
 #include "app/ui/screen.h"
 #include "app/ui/shader_watch.h"
 #include "app/view/trail_history.h"
+#include "core/input_choice.h"
 #include "device/servo/servo.h"
 
 namespace ghostforce {
@@ -25,7 +26,7 @@ struct ApplicationOptions {
   Part part = Part::window;
   Appearance appearance{};
   std::vector<InputEntry> inputs{};     // all that there are
-  std::string input = "mouse";          // the name of one of them
+  std::string input{mouse_hand.name};   // the name of one of them
   FilePainter painter{};                // for what is saved as lines and letters
   std::optional<std::string> record{};  // from the first tick, to a file of this name
   InputOptions input_options{};

@@ -90,9 +90,9 @@ struct Notice {
 // The circle test, as the person wants it.
 struct CircleTest {
   CircleChoice choice;
-  std::string input_before = "mouse";  // to go back to
-  bool is_on = false;                  // a circle is the input in use
-  bool has_news = false;               // its table has just appeared; who has brought it into sight clears it
+  std::string input_before{mouse_hand.name};  // to go back to
+  bool is_on = false;                         // a circle is the input in use
+  bool has_news = false;                      // its table has just appeared; who has brought it into sight clears it
 };
 
 struct Session {
@@ -117,13 +117,13 @@ struct Session {
   SpaceMouseSettings spacemouse;
   UserMeasurement measurement;
   CircleTest circle_test;
-  std::string injected_fault;       // of a virtual device, a name of loop.injected_faults; empty: as it was started
-  std::string input = "mouse";      // who moves the goal, a name of the input catalog
-  bool pointer_moves_goal = true;   // that input follows the mouse
-  bool hand_is_simulated = false;   // though that input has motors
-  std::string recording_path;       // in the panel's field; empty: a name is proposed when recording begins
-  bool has_handles = false;         // there is a person who can take hold of wall and motor axis
-  std::optional<std::size_t> hint;  // offered to somebody who is new here: the number of it in hint_catalog()
+  std::string injected_fault;          // of a virtual device, a name of loop.injected_faults; empty: as it was started
+  std::string input{mouse_hand.name};  // who moves the goal, a name of the input catalog
+  bool pointer_moves_goal = true;      // that input follows the mouse
+  bool hand_is_simulated = false;      // though that input has motors
+  std::string recording_path;          // in the panel's field; empty: a name is proposed when recording begins
+  bool has_handles = false;            // there is a person who can take hold of wall and motor axis
+  std::optional<std::size_t> hint;     // offered to somebody who is new here: the number of it in hint_catalog()
   Dialog dialog = Dialog::none;
   Form form;
   std::optional<Notice> notice;

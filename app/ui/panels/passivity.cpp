@@ -8,6 +8,7 @@
 
 #include "app/ui/panels/panel_catalog.h"
 #include "app/ui/widgets/controls.h"
+#include "core/input_choice.h"
 
 namespace ghostforce {
 namespace {
@@ -17,7 +18,7 @@ void draw_switch(Session& session) {
     wrapped_text("Round a closed loop a wall should give no energy. With one motor it does:");
     if (ImGui::Button("Circle test")) {
       session.circle_test.input_before = session.input;
-      session.requests.input = "circle";
+      session.requests.input = circling_hand.name;
     }
     tooltip("The goal goes round a circle inside the wall, and each turn is measured.");
     return;
