@@ -4,9 +4,10 @@
 # so that each folder can be built and tested by itself. That it includes no more is kept by the architecture test, which
 # reads the same lines: links hand on, and what is inline needs none.
 #
-# Presets with CMAKE_UNITY_BUILD compile up to twelve sources of a room as one, so that headers are read once for all of
-# them: half the processor time. A source still names all that it uses; the preset clang, which compiles each by itself,
-# sees to that. SEPARATE: each by itself in every preset.
+# Presets with CMAKE_UNITY_BUILD compile all sources of a room as one, so that headers are read once for all of them:
+# less than half the processor time. A source still names all that it uses; the preset clang, which compiles each by
+# itself, sees to that, and the preset dev is the quicker one for a change of one source. SEPARATE: each by itself in
+# every preset.
 
 # What that file calls the libraries: dependencies.cmake finds them.
 set(library_glm glm::glm)
@@ -68,7 +69,7 @@ function(ghostforce_add_room)
   room_links(${folder} links)
   add_library(${name} STATIC ${arg_SOURCES})
   target_link_libraries(${name} PUBLIC ${links} project_options PRIVATE project_warnings)
-  set_property(TARGET ${name} PROPERTY UNITY_BUILD_BATCH_SIZE 12)
+  set_property(TARGET ${name} PROPERTY UNITY_BUILD_BATCH_SIZE 0)  # no limit
   if(arg_SEPARATE)
     set_property(TARGET ${name} PROPERTY UNITY_BUILD OFF)
   endif()

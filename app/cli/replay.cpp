@@ -133,20 +133,20 @@ std::optional<Scene> other_scene(const RunFacts& run, const ReplayOptions& optio
 }
 
 // All that is needed of a run to play its hand: of its ticks the goals alone.
-struct Hand {
+struct ReplayedHand {
   Scene scene;  // that it is played in
   ReplayStart start;
   GoalPath path;
 };
 
-Hand load_hand(const ReplayOptions& options) {
-  std::optional<Hand> hand;
+ReplayedHand load_hand(const ReplayOptions& options) {
+  std::optional<ReplayedHand> hand;
   std::optional<HandPath> path;
   bool is_empty = true;
   const RunFacts run = stream_run(options.run, "reading", true, [&](const RunFacts& so_far, const RunTick& tick) {
     if (std::exchange(is_empty, false)) {
       if (const std::optional<Scene> scene = other_scene(so_far, options)) {
-        hand = Hand{*scene, replay_start(so_far, tick, scene->settings), {}};
+        hand = ReplayedHand{*scene, replay_start(so_far, tick, scene->settings), {}};
         path.emplace(scene->settings.rate);
       }
     }
@@ -177,7 +177,7 @@ RunState run_state_of(const TickState<2>& state) {
 
 int replay_hand(const ReplayOptions& options) {
   OutputFile file(options.output);
-  Hand hand = load_hand(options);
+  ReplayedHand hand = load_hand(options);
   file.write(run_header(hand.scene));
   file.write(fmt::format("{}{}\n", hand_begins, quoted_text(options.run, longest_path)));
   Scene played = std::move(hand.scene);
