@@ -66,7 +66,8 @@ target_compile_options(project_warnings INTERFACE
   $<$<CXX_COMPILER_ID:GNU>:-Wdouble-promotion>
   # g++ takes the sanitizers' own bookkeeping for uses of uninitialised values; its manual says so.
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${GHOSTFORCE_SANITIZE}>>:-Wno-maybe-uninitialized>
-  # Of sources that are compiled together g++ thinks that they are headers, and that the names of one are in the way of
-  # the next. Where each is compiled by itself, clang warns of what is really shadowed.
-  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${CMAKE_UNITY_BUILD}>>:-Wno-subobject-linkage -Wno-shadow>
+  # g++ takes sources that are compiled together for headers, and a name of one for shadowed in the next. Where each is
+  # compiled by itself, clang warns of what is shadowed.
+  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>:-Wno-subobject-linkage>
+  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>:-Wno-shadow>
   $<$<BOOL:${GHOSTFORCE_WARNINGS_AS_ERRORS}>:-Werror>)

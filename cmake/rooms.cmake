@@ -5,9 +5,9 @@
 # reads the same lines: links hand on, and what is inline needs none.
 #
 # Presets with CMAKE_UNITY_BUILD compile all sources of a room as one, so that headers are read once for all of them:
-# less than half the processor time. A source still names all that it uses; the preset clang, which compiles each by
-# itself, sees to that, and the preset dev is the quicker one for a change of one source. SEPARATE: each by itself in
-# every preset.
+# less than half the processor time. So names must differ within a room, in unnamed namespaces too. The preset clang sees
+# that each source can be compiled by itself, and dev is the quicker one after a change of one source. SEPARATE: each by
+# itself in every preset.
 
 # What that file calls the libraries: dependencies.cmake finds them.
 set(library_glm glm::glm)

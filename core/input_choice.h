@@ -11,8 +11,8 @@ struct InputChoice {
   std::string_view sentence;  // what it does, for a person who hovers over it
 };
 
-// Those that the program asks for by itself: at its start, for the energy test, and for every picture that is made
-// without a person.
+// Those that the window asks for by itself, at its start and for the energy test, and the hand of every picture that is
+// made without a person.
 inline constexpr InputChoice mouse_hand{"mouse", "Mouse", "Drag in the scene: the goal follows the pointer."};
 inline constexpr InputChoice circling_hand{
     "circle", "Circle", "The goal goes round a circle inside the wall: the motion of the energy test."};

@@ -4,14 +4,15 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
+
+#include "core/units.h"
 
 namespace ghostforce {
 namespace {
 
 constexpr double any = std::numeric_limits<double>::max();
-constexpr double degrees = 180.0 / std::numbers::pi;
-constexpr double millimetres = 1000.0;
+constexpr double degrees = 1.0 / radians_per_degree;
+constexpr double millimetres = mm_per_m;
 
 const auto strategy_words = [] {
   std::array<std::string_view, strategy_count> words;

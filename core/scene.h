@@ -16,6 +16,7 @@
 
 #include "core/goal_path.h"
 #include "core/settings.h"
+#include "core/units.h"
 
 namespace ghostforce {
 
@@ -110,7 +111,7 @@ inline constexpr double farthest_mm = 1000.0;
 
 // The nearest position that a scene may hold [m].
 inline Vector<2> nearest_in_scene(const Vector<2>& position) noexcept {
-  constexpr double farthest = farthest_mm / 1000.0;
+  constexpr double farthest = farthest_mm / mm_per_m;
   return glm::clamp(position, Vector<2>(-farthest), Vector<2>(farthest));
 }
 

@@ -1,4 +1,5 @@
-// What millimetres and degrees are in SI units: they exist in files and on the screen only (core/conventions.h).
+// What millimetres and degrees are in SI units: they exist in files, on the screen and in
+// published angles of devices (core/conventions.h).
 #pragma once
 
 #include <numbers>

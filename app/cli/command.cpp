@@ -17,6 +17,7 @@
 #include "app/files/run_file.h"
 #include "app/files/scene_file.h"
 #include "core/simulate.h"
+#include "core/units.h"
 
 namespace ghostforce {
 namespace {
@@ -117,7 +118,7 @@ Vector<2> position_from_mm(std::string_view option, std::string_view text) {
   const double x = signed_number_in<double>(text.substr(0, comma)).value_or(none);
   const double y =
       comma == std::string_view::npos ? none : signed_number_in<double>(text.substr(comma + 1)).value_or(none);
-  if (std::abs(x) <= farthest_mm && std::abs(y) <= farthest_mm) return {x / 1000.0, y / 1000.0};
+  if (std::abs(x) <= farthest_mm && std::abs(y) <= farthest_mm) return {x / mm_per_m, y / mm_per_m};
   throw Failure(ExitCode::wrong_call,
                 fmt::format("{0} {1}: is no position; give two numbers from {2} to {3} mm, as in {0}=-10,5", option,
                             quoted_text(text), -farthest_mm, farthest_mm));

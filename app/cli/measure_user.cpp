@@ -19,6 +19,7 @@
 #include "app/console/quoted.h"
 #include "app/console/words.h"
 #include "app/files/run_reader.h"
+#include "core/units.h"
 #include "core/user_measurement.h"
 
 namespace ghostforce {
@@ -236,7 +237,7 @@ std::string table_text(const std::vector<Rest>& rests, const std::vector<Hand>& 
       "", "N/m");
   for (const Rest& rest : rests) {
     text += fmt::format("{:12} {:8.3f} {:8.3f} {:8.3f} {:9.3f} {:9.3f}", strategy(rest.strategy).name, rest.from_s,
-                        rest.to_s, rest.tracking_ratio, 1000.0 * rest.reading.drift, rest.force);
+                        rest.to_s, rest.tracking_ratio, mm_per_m * rest.reading.drift, rest.force);
     if (rest.given_k_u) text += fmt::format("{:10.2f}", *rest.given_k_u);
     text += rest.reading.problem == NoReading::none
                 ? fmt::format(" {:8.3f} {:10.2f}\n", rest.reading.null_ratio, rest.reading.k_u)

@@ -18,7 +18,7 @@
 namespace ghostforce {
 namespace {
 
-struct ReadFile {
+struct KnownInput {
   std::string option;
   std::string path;
   dev_t device;
@@ -68,7 +68,7 @@ CLI::Option* FileOptions::add(FileOption::Use use, CLI::Option* option, const Fi
 void refuse_to_overwrite(std::span<const FileOption> options) {
   refuse_equal_outputs(options);
   struct stat status {};
-  std::vector<ReadFile> inputs;
+  std::vector<KnownInput> inputs;
   for (const FileOption& option : options) {
     if (option.use != FileOption::Use::input) continue;
     for (const std::string& path : option.paths()) {
@@ -76,8 +76,9 @@ void refuse_to_overwrite(std::span<const FileOption> options) {
     }
   }
   const auto input_at = [&] {
-    return std::ranges::find_if(
-        inputs, [&](const ReadFile& input) { return input.device == status.st_dev && input.number == status.st_ino; });
+    return std::ranges::find_if(inputs, [&](const KnownInput& input) {
+      return input.device == status.st_dev && input.number == status.st_ino;
+    });
   };
   for (const FileOption& option : options) {
     if (option.use != FileOption::Use::output) continue;

@@ -22,8 +22,9 @@ Settings settings_at_wall_angle(Settings settings, double angle_deg) {
 Curves force_over_wall_angle() {
   const Settings settings = load_scene(std::string(wall_angle_scene)).settings;
   Curves curves;
-  for (const double angle : evenly(0.0, 90.0, 181))
+  for (const double angle : evenly(0.0, 90.0, 181)) {
     add_closed_forms(settings_at_wall_angle(settings, angle), angle, curves);
+  }
   // F and A lie on one curve: they are simulated at angles of their own, so that both are seen.
   for (const double angle : evenly(0.0, 90.0, 10)) {
     for (const StrategyId id : {StrategyId::full, StrategyId::naive}) {

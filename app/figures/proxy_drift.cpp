@@ -12,7 +12,7 @@ namespace ghostforce {
 namespace {
 
 constexpr std::string_view drift_scene = "fig3-normal";
-constexpr double greatest_drift_ratio = 100.0;
+constexpr double greatest_ratio_shown = 100.0;
 constexpr double greatest_belief = 10.0;
 
 Settings with_belief(Settings settings, double share) {
@@ -45,7 +45,7 @@ struct Panel {
   double least;
   double greatest;
 };
-constexpr std::array panels{Panel{over_ratio, "tracking ratio ρ", with_ratio, 1.0, greatest_drift_ratio},
+constexpr std::array panels{Panel{over_ratio, "tracking ratio ρ", with_ratio, 1.0, greatest_ratio_shown},
                             Panel{over_belief, "believed over true stiffness of the hand", with_belief,
                                   1.0 / greatest_belief, greatest_belief}};
 

@@ -13,6 +13,7 @@
 #include "app/view/layers.h"
 #include "app/view/screen_box.h"
 #include "app/view/trail_history.h"
+#include "core/units.h"
 
 namespace ghostforce {
 namespace {
@@ -154,7 +155,7 @@ class Drawing {
     const Vector<2> from{12.0, size_.y - scale_above_edge};
     const Vector<2> to = from + Vector<2>(length, 0.0);
     // Hatching steps back behind them.
-    const std::string name = fmt::format("{:g} mm", metres * 1000.0);
+    const std::string name = fmt::format("{:g} mm", metres * mm_per_m);
     const std::string motor = "motor axis";
     const double name_width = measure_on_paper(name, TextSize::small).x;
     const double height = text_height(TextSize::small);

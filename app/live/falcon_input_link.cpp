@@ -8,6 +8,7 @@
 
 #include "app/live/pointer_link.h"
 #include "app/live/portable_inputs.h"
+#include "core/units.h"
 #include "device/virtual_falcon/virtual_falcon_input.h"
 
 namespace ghostforce {
@@ -44,7 +45,7 @@ class FalconInputLink : public InputLink {
     return fmt::format(
         "This scene reaches {:.0f} mm from the middle of the view, and the handle {:.0f} mm: set scale = {:.1f} or "
         "more in the device's calibration file.",
-        1000.0 * workspace_radius * needed, 1000.0 * workspace_radius * calibration.scale,
+        mm_per_m * workspace_radius * needed, mm_per_m * workspace_radius * calibration.scale,
         std::ceil(10.0 * needed) / 10.0);
   }
 

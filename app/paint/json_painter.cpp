@@ -4,13 +4,15 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/units.h"
+
 namespace ghostforce {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
 Json millimetres(const Vector<2>& world) {
-  return Json::array({world.x * 1000.0, world.y * 1000.0});
+  return Json::array({world.x * mm_per_m, world.y * mm_per_m});
 }
 
 std::string hex(Colour colour) {

@@ -11,12 +11,13 @@
 #include "app/view/handles.h"
 #include "app/view/screen_box.h"
 #include "core/scene.h"
+#include "core/units.h"
 
 namespace ghostforce {
 namespace {
 
 constexpr double zoom_per_notch = 1.15;
-constexpr double snap = 5.0 * std::numbers::pi / 180.0;
+constexpr double snap = 5.0 * radians_per_degree;
 // A click on a handle is no turn yet [points].
 constexpr double first_turn = 2.0;
 

@@ -12,6 +12,7 @@
 #include "app/ui/window.h"
 #include "core/divergence.h"
 #include "core/simulate.h"
+#include "core/units.h"
 #include "ghostforce_version.h"
 
 namespace ghostforce {
@@ -29,8 +30,8 @@ nlohmann::ordered_json describe_pane(const Pane& pane, const Vector<2>& corner) 
   const Camera& camera = pane.camera;
   const Vector<2> at = corner + pane.corner;
   nlohmann::ordered_json description;
-  description["camera"] = {{"center_mm", {camera.center.x * 1000.0, camera.center.y * 1000.0}},
-                           {"points_per_mm", camera.points_per_metre / 1000.0},
+  description["camera"] = {{"center_mm", {camera.center.x * mm_per_m, camera.center.y * mm_per_m}},
+                           {"points_per_mm", camera.points_per_metre / mm_per_m},
                            {"size", {camera.size.x, camera.size.y}},
                            {"corner", {at.x, at.y}}};
   description["marks"] = marks_as_json(pane.marks);

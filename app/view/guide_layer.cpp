@@ -4,6 +4,7 @@
 
 #include "app/view/handles.h"
 #include "app/view/layers.h"
+#include "core/units.h"
 
 namespace ghostforce {
 namespace {
@@ -60,7 +61,7 @@ void add_scales(const View& view, Marks& marks) {
   };
   // In a narrow pane the motor dial is close.
   const double metres = round_length(view, std::min(110.0, 0.22 * view.camera.size.x / view.points(1.0)));
-  bar(margin, metres * view.camera.points_per_metre, fmt::format("{:g} mm", metres * 1000.0));
+  bar(margin, metres * view.camera.points_per_metre, fmt::format("{:g} mm", metres * mm_per_m));
   bar(margin + 22.0, view.points(points_per_newton(view)), "1 N");
 }
 

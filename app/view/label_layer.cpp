@@ -9,6 +9,7 @@
 
 #include "app/view/layers.h"
 #include "app/view/screen_box.h"
+#include "core/units.h"
 
 namespace ghostforce {
 namespace {
@@ -170,7 +171,7 @@ void add_measures(const View& view, StrategyId id, LabelPlacer& placer) {
   if (has_drift_ruler(view, id)) {
     const DriftRuler ruler = drift_ruler(view, id);
     placer.place(Role::proxy_drift, id, 0.5 * (ruler.from + ruler.to), view.points(8.0),
-                 fmt::format("{}drift {:.1f} mm", whose, glm::length(now.proxy_drift) * 1000.0), TextSize::normal,
+                 fmt::format("{}drift {:.1f} mm", whose, glm::length(now.proxy_drift) * mm_per_m), TextSize::normal,
                  colour);
   }
 }

@@ -2,6 +2,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/units.h"
+
 namespace ghostforce {
 namespace {
 
@@ -10,7 +12,7 @@ constexpr std::array<Quantity, quantity_count> quantities{{
     {"ghost", "N", "ghost_force_N", Term::ghost_force,
      [](const StrategySnapshot<2>& now) { return glm::length(now.ghost_force); }, 2, true},
     {"drift", "mm", "proxy_drift_mm", Term::proxy_drift,
-     [](const StrategySnapshot<2>& now) { return glm::length(now.proxy_drift) * 1000.0; }, 1, true},
+     [](const StrategySnapshot<2>& now) { return glm::length(now.proxy_drift) * mm_per_m; }, 1, true},
     {"energy", "mJ", "energy_mJ", Term::energy, [](const StrategySnapshot<2>& now) { return now.energy * 1000.0; }, 1},
 }};
 

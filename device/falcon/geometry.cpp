@@ -1,5 +1,9 @@
 #include "device/falcon/geometry.h"
 
+#include <numbers>
+
+#include "core/units.h"
+
 namespace ghostforce {
 namespace {
 

@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/units.h"
 #include "device/falcon/kinematics.h"
 
 namespace ghostforce {

@@ -10,6 +10,7 @@
 
 #include "app/console/quoted.h"
 #include "app/doctor/measure/steps.h"
+#include "core/units.h"
 #include "device/falcon_measurement/encoder_wiring.h"
 #include "device/falcon_measurement/ruler.h"
 

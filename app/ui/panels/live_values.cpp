@@ -8,6 +8,7 @@
 #include "app/ui/widgets/controls.h"
 #include "app/view/quantities.h"
 #include "core/settings.h"
+#include "core/units.h"
 
 namespace ghostforce {
 namespace {
@@ -80,7 +81,7 @@ void draw_model_error(const PanelContext& context) {
   ImGui::BeginGroup();
   ImGui::TextUnformatted("model − simulation ≤");
   ImGui::SameLine();
-  text_in(context.fonts.number, fmt::format("{:>8} mm", in_fixed_width(model_error(context) * 1000.0, 3)));
+  text_in(context.fonts.number, fmt::format("{:>8} mm", in_fixed_width(model_error(context) * mm_per_m, 3)));
   ImGui::EndGroup();
   tooltip(Term::model_error);
 }

@@ -9,6 +9,7 @@
 #include "app/ui/panels/panel_catalog.h"
 #include "app/ui/widgets/controls.h"
 #include "core/input_choice.h"
+#include "core/units.h"
 
 namespace ghostforce {
 namespace {
@@ -54,8 +55,8 @@ void draw_choice(const PanelContext& context, const Circle& circle) {
   ImGui::Checkbox("clockwise", &choice.is_clockwise);
   row("Radius",
       "Of the goal's circle, as large as the picture holds. One that does not fit into the wall is moved deeper.");
-  double mm = 1000.0 * circle.radius;
-  if (slider("##radius", mm, {least_mm, 1000.0 * greatest_radius(context.session)}, "%.1f mm")) {
+  double mm = mm_per_m * circle.radius;
+  if (slider("##radius", mm, {least_mm, mm_per_m * greatest_radius(context.session)}, "%.1f mm")) {
     choice.radius = 0.001 * mm;
   }
   end_rows();

@@ -6,13 +6,14 @@
 #include "app/ui/panels/panel_catalog.h"
 #include "app/ui/widgets/controls.h"
 #include "core/prediction.h"
+#include "core/units.h"
 
 namespace ghostforce {
 namespace {
 
 // Seven characters at least.
 std::string millimetres(const Vector<2>& drift) {
-  return fmt::format("{:4.1f} mm", 1000.0 * glm::length(drift));
+  return fmt::format("{:4.1f} mm", mm_per_m * glm::length(drift));
 }
 
 // The error of the belief, where it can be seen: the drift that the anisotropic strategy is left with.

@@ -41,7 +41,7 @@ constexpr std::array quantities{
         "proxy drift along the wall [mm]",
         "At rest, by closed form: how far the proxy stands beside the goal. Where the curve crosses 0, nothing "
         "drags the hand along the wall.",
-        [](const EquilibriumValue& value) { return 1000.0 * value.drift; }, 1.0},
+        [](const EquilibriumValue& value) { return mm_per_m * value.drift; }, 1.0},
 };
 
 struct EquilibriumAxis {

@@ -123,9 +123,9 @@ Export over_setting(const EquilibriumCurves& curves, const SweptSetting& setting
     for (std::size_t k = 0; k < curves.at.size(); ++k) {
       const EquilibriumValue& value = curves.values[index_of(entry.id)][k];
       const double at = curves.at[k] * setting.per_si;
-      result.table.rows.push_back({at, std::string(entry.name), value.force, cell_of(1000.0 * value.drift)});
+      result.table.rows.push_back({at, std::string(entry.name), value.force, cell_of(mm_per_m * value.drift)});
       forces.points.emplace_back(at, value.force);
-      drifts.points.emplace_back(at, 1000.0 * value.drift);
+      drifts.points.emplace_back(at, mm_per_m * value.drift);
     }
     force.series.push_back(std::move(forces));
     drift.series.push_back(std::move(drifts));

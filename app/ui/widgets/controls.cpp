@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "core/scene.h"
+#include "core/units.h"
 
 namespace ghostforce {
 
@@ -141,7 +142,7 @@ void close_popup_on_escape() {
 }
 
 bool angle_slider(const char* id, double& radians) {
-  constexpr double degrees = 180.0 / std::numbers::pi;
+  constexpr double degrees = 1.0 / radians_per_degree;
   double shown = std::remainder(radians, 2.0 * std::numbers::pi) * degrees;
   if (!slider(id, shown, {-180.0, 180.0}, "%.1f°")) return false;
   radians = shown / degrees;

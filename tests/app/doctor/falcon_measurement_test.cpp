@@ -9,6 +9,7 @@
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
 #include "app/files/falcon_calibration_file.h"
+#include "core/units.h"
 #include "device/falcon/emergency_stop.h"
 #include "device/falcon_measurement/encoder_wiring.h"
 #include "tests/app/doctor/measured_rehearsal.h"

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "app/console/failure.h"
+#include "core/units.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce {

@@ -1,5 +1,6 @@
 // The catalog of geometries, and counts as angles.
 #include "device/falcon/geometry.h"
+#include "core/units.h"
 
 #include <algorithm>
 #include <cmath>

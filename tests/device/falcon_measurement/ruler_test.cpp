@@ -1,5 +1,6 @@
 // Distances off a ruler tell the angle at count zero and the gear, within the uncertainty that is said to be theirs.
 #include "device/falcon_measurement/ruler.h"
+#include "core/units.h"
 
 #include <cmath>
 #include <random>
