@@ -68,6 +68,5 @@ target_compile_options(project_warnings INTERFACE
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${GHOSTFORCE_SANITIZE}>>:-Wno-maybe-uninitialized>
   # g++ takes sources that are compiled together for headers, and a name of one for shadowed in the next. Where each is
   # compiled by itself, clang warns of what is shadowed.
-  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>:-Wno-subobject-linkage>
-  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>:-Wno-shadow>
+  "$<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>:-Wno-shadow;-Wno-subobject-linkage>"
   $<$<BOOL:${GHOSTFORCE_WARNINGS_AS_ERRORS}>:-Werror>)

@@ -102,6 +102,12 @@ build() {
   exec {lock}>&-
 }
 
+# configure_and_build PRESET TARGET [-DNAME=VALUE...]: for a tree that may have been configured with other values.
+configure_and_build() {
+  configure "$1" "${@:3}"
+  build "$@"
+}
+
 # configure PRESET [-DNAME=VALUE...]
 configure() {
   local preset=$1 tree=$root/build/$1

@@ -11,8 +11,6 @@ namespace ghostforce {
 namespace {
 
 constexpr double any = std::numeric_limits<double>::max();
-constexpr double degrees = 1.0 / radians_per_degree;
-constexpr double millimetres = mm_per_m;
 
 const auto strategy_words = [] {
   std::array<std::string_view, strategy_count> words;
@@ -28,10 +26,10 @@ const std::array keys{
 
     SceneKey{"wall", "point_mm", true, PointKey{[](Scene& s) -> auto& { return s.settings.wall_point; }}},
     SceneKey{"wall", "normal_deg", true,
-             NumberKey{[](Scene& s) -> auto& { return s.settings.wall_normal_angle; }, degrees, -any, any}},
+             NumberKey{[](Scene& s) -> auto& { return s.settings.wall_normal_angle; }, degrees_per_radian, -any, any}},
 
     SceneKey{"device", "actuated_deg", true,
-             NumberKey{[](Scene& s) -> auto& { return s.settings.actuated_angle; }, degrees, -any, any}},
+             NumberKey{[](Scene& s) -> auto& { return s.settings.actuated_angle; }, degrees_per_radian, -any, any}},
     SceneKey{"device", "mass_kg", true,
              NumberKey{[](Scene& s) -> auto& { return s.settings.mass; }, 1.0, 0.001, 100.0}},
     SceneKey{"device", "damping_N_s_per_m", true,
@@ -69,7 +67,7 @@ const std::array keys{
 
     SceneKey{"view", "center_mm", false, PointKey{[](Scene& s) -> auto& { return s.view.center; }}},
     SceneKey{"view", "width_mm", false,
-             NumberKey{[](Scene& s) -> auto& { return s.view.width; }, millimetres, 1.0, 10000.0}},
+             NumberKey{[](Scene& s) -> auto& { return s.view.width; }, mm_per_m, 1.0, 10000.0}},
 };
 // clang-format on
 

@@ -158,8 +158,9 @@ SceneView view_of_everything(const Session& session, const std::vector<Pane>& pa
   for (const Pane& pane : panes) {
     for (const Mark& mark : pane.marks) {
       const bool belongs = mark.role == Role::device || mark.role == Role::proxy || mark.role == Role::trail;
-      if (const auto* marker = std::get_if<Marker>(&mark.form); marker != nullptr && belongs)
+      if (const auto* marker = std::get_if<Marker>(&mark.form); marker != nullptr && belongs) {
         all.include(marker->center);
+      }
       if (const auto* line = std::get_if<Line>(&mark.form); line != nullptr && belongs) {
         all.include(line->from);
         all.include(line->to);

@@ -285,8 +285,9 @@ std::vector<Finding> measure_motor_constant(MeasuringRig& rig) {
   }
   FalconCalibration calibration = rig.calibration();
   const bool is_as_assumed = std::abs(found.counts_per_newton_metre - measured_motor_constant) <= found.uncertainty;
-  if (!is_as_assumed || !found.are_alike)
+  if (!is_as_assumed || !found.are_alike) {
     calibration.counts_per_newton_metre = std::clamp(found.counts_per_newton_metre, 1000.0, 100000.0);
+  }
   calibration.motor_strengths = glm::clamp(found.strengths, 0.2, 2.0);
   rig.use(calibration);
   constant.state = Finding::as_assumed_if(is_as_assumed);

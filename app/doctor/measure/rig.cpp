@@ -1,7 +1,6 @@
 #include "app/doctor/measure/rig.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <vector>
 
@@ -12,6 +11,7 @@
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
 #include "app/console/quoted.h"
+#include "app/console/typed_text.h"
 
 namespace ghostforce {
 namespace {
@@ -33,20 +33,6 @@ constexpr double widest = 0.055;    // from the axis [m]
 constexpr double nearest = 0.075;   // z [m]
 constexpr double farthest = 0.172;  // z [m]
 constexpr int unhomed_to_believe = 3;
-
-std::string trimmed(std::string_view text) {
-  const auto begin = text.find_first_not_of(" \t\r\n");
-  if (begin == std::string_view::npos) return {};
-  return std::string(text.substr(begin, text.find_last_not_of(" \t\r\n") - begin + 1));
-}
-
-std::optional<double> number_in(std::string text) {
-  std::ranges::replace(text, ',', '.');
-  double value = 0.0;
-  const auto [after, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || after != text.data() + text.size()) return std::nullopt;
-  return value;
-}
 
 // In the order of MotorStop.
 constexpr std::array<std::string_view, 5> stop_words{
@@ -97,7 +83,7 @@ std::string MeasuringRig::ask(const Deed& deed, const std::string& words) {
         "The input ended before the measurement did; nothing was written. Give every answer, or type q to end "
         "with a report of what was measured until then.");
   }
-  std::string answer = trimmed(*line);
+  std::string answer(trimmed(*line));
   if (answer == "q") throw LeaveMeasurement{};
   if (answer == "s") throw SkipMeasurement{};
   return answer;
@@ -107,7 +93,9 @@ double MeasuringRig::ask_number(const Deed& deed, const std::string& words, doub
                                 std::string_view unit) {
   for (;;) {
     const std::string answer = ask(deed, words);
-    const std::optional<double> value = number_in(answer);
+    std::string with_point = answer;
+    std::ranges::replace(with_point, ',', '.');
+    const std::optional<double> value = number_in<double>(with_point);
     // Written so that NaN is asked again too.
     if (value && *value >= least && *value <= greatest) return *value;
     person_.tell(fmt::format("'{}' is no number from {} to {} {}. Type the number alone, such as {}.",

@@ -148,7 +148,7 @@ Export export_of(const Session& session, const Snapshot& snapshot, const PlotHis
                           {.column = "wall_normal_deg",
                            .title = "angle of the wall's normal [°]",
                            .is_logarithmic = false,
-                           .per_si = 1.0 / radians_per_degree,
+                           .per_si = degrees_per_radian,
                            .now = settings.wall_normal_angle / radians_per_degree - 360.0 * turn},
                           question.goal_is_inferred, theme);
     }

@@ -142,10 +142,9 @@ void close_popup_on_escape() {
 }
 
 bool angle_slider(const char* id, double& radians) {
-  constexpr double degrees = 1.0 / radians_per_degree;
-  double shown = std::remainder(radians, 2.0 * std::numbers::pi) * degrees;
+  double shown = std::remainder(radians, 2.0 * std::numbers::pi) * degrees_per_radian;
   if (!slider(id, shown, {-180.0, 180.0}, "%.1f°")) return false;
-  radians = shown / degrees;
+  radians = shown / degrees_per_radian;
   return true;
 }
 

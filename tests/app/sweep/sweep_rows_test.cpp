@@ -22,17 +22,12 @@
 #include "app/sweep/sweep.h"
 #include "core/equilibrium.h"
 #include "core/ghost_force.h"
+#include "tests/app/sweep/point_equilibrium.h"
 #include "tests/core/linear_equilibrium.h"
 #include "tests/support/program.h"
 
 namespace ghostforce {
 namespace {
-
-PointEquilibrium point_equilibrium(const Scene& scene, const EquilibriumKind& kind) {
-  PointEquilibria points(kind, 1);
-  points.add(scene);
-  return points.take(scene.goal).front();
-}
 
 std::vector<std::string> split(std::string_view line) {
   std::vector<std::string> fields;

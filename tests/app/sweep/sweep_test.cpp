@@ -29,18 +29,13 @@
 #include "app/files/scene_keys.h"
 #include "app/sweep/rows.h"
 #include "app/sweep/sweep.h"
+#include "tests/app/sweep/point_equilibrium.h"
 #include "tests/support/program.h"
 #include "tests/support/scene_values.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce {
 namespace {
-
-PointEquilibrium point_equilibrium(const Scene& scene, const EquilibriumKind& kind) {
-  PointEquilibria points(kind, 1);
-  points.add(scene);
-  return points.take(scene.goal).front();
-}
 
 Outcome run(std::vector<std::string> words) {
   words.insert(words.begin(), "sweep");
