@@ -37,6 +37,17 @@ enum class Role : std::uint8_t {
   scale,
   legend,
   target,
+  hand,
+  wall_share,
+  expected_rest,
+  expected_contact,
+  guess,
+  area,
+  map,
+  sentence,
+  number,
+  button,
+  hint,
 };
 std::string_view role_name(Role role) noexcept;
 
@@ -73,16 +84,53 @@ struct Arrow {
   Colour fill;
   Colour rim;
   double rim_width;
-  Vector<2> offset{0.0};  // [points], x right, y down
+  Vector<2> offset{0.0};    // [points], x right, y down
+  bool has_head = true;     // without: a bar, cut straight at both ends
+  bool is_hatched = false;  // stripes of the rim's colour over the fill, across the arrow's axis at 45°
 };
 
-enum class TextSize : std::uint8_t { small, normal, large };
+// An upright rectangle with round corners.
+struct Box {
+  Vector<2> corner;  // upper left
+  Vector<2> size;    // [points], x right, y down
+  double radius;     // of its corners [points]
+  Colour fill;       // alpha 0: hollow
+  Colour rim;
+  double rim_width;
+  Vector<2> offset{0.0};  // of the corner [points], x right, y down
+};
+
+// The inside of a closed curve; where the curve crosses itself, what it encloses an odd number of times.
+struct Area {
+  std::vector<Vector<2>> corners;
+  Colour fill;
+};
+
+// A picture of cells over an upright rectangle, smooth between their middles.
+struct Raster {
+  Vector<2> corner;  // upper left
+  Vector<2> size;    // [points], x right, y down
+  int columns;
+  int rows;
+  std::vector<Colour> cells;  // row by row from the upper left, opaque
+};
+
+struct TextStyle {
+  double height;  // of a line of text, from the highest to the lowest letter [points]
+  bool is_bold = false;
+
+  friend constexpr bool operator==(const TextStyle&, const TextStyle&) noexcept = default;
+};
+// The letters of the workbench's scene, before the UI scale.
+inline constexpr TextStyle small_text{13.0};
+inline constexpr TextStyle normal_text{15.0};
+inline constexpr TextStyle large_text{19.0};
 
 struct Label {
   Vector<2> anchor;
   Vector<2> offset;  // of the text box's upper left corner [points], x right, y down
   std::string text;
-  TextSize size;
+  TextStyle style;  // its height before the UI scale
   Colour colour;
   Colour halo;  // behind the letters, so that they stand out from lines
 };
@@ -90,23 +138,10 @@ struct Label {
 struct Mark {
   Role role;
   std::optional<StrategyId> strategy;
-  std::variant<HalfPlane, Line, Marker, Arrow, Label> form;
+  std::variant<HalfPlane, Line, Marker, Arrow, Box, Area, Raster, Label> form;
   std::optional<Role> about{};  // of an entry of the legend: what it names
 };
 
 using Marks = std::vector<Mark>;
-
-// Height of a line of text [points] before the UI scale.
-constexpr double text_height(TextSize size) noexcept {
-  switch (size) {
-    case TextSize::small:
-      return 13.0;
-    case TextSize::normal:
-      return 15.0;
-    case TextSize::large:
-      return 19.0;
-  }
-  return 15.0;
-}
 
 }  // namespace ghostforce

@@ -1,0 +1,28 @@
+#include "app/view/stage/stage_mode.h"
+
+#include <algorithm>
+#include <array>
+
+namespace ghostforce {
+namespace {
+
+constexpr std::array modes{
+    StageModeEntry{StageMode::predict, "predict", "Q", "Predict", "Guess where the handle comes to rest."},
+    StageModeEntry{StageMode::why, "why", "Y", "Why?", "Where the ghost force comes from, in four steps."},
+    StageModeEntry{StageMode::landscape, "landscape", "L", "Landscape", "At which walls and hands it is bad."},
+    StageModeEntry{StageMode::round, "round", "O", "Round and round", "What the wall gives the hand on a closed way."},
+    StageModeEntry{StageMode::ribbon, "ribbon", "H", "Last minute", "Look again at what has just happened."},
+};
+
+}  // namespace
+
+std::span<const StageModeEntry> stage_mode_catalog() noexcept {
+  return modes;
+}
+
+std::string_view stage_mode_name(StageMode id) noexcept {
+  const auto* const found = std::ranges::find(modes, id, &StageModeEntry::id);
+  return found == modes.end() ? "none" : found->name;
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,25 @@
+// The modes of the stage: further things to do there, each on one key. The one list that the keys, the strip of icons,
+// the command line and the tests walk. Immutable, any thread.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace ghostforce {
+
+enum class StageMode : std::uint8_t { none, predict, why, landscape, round, ribbon };
+
+struct StageModeEntry {
+  StageMode id;
+  std::string_view name;      // in files and on the command line
+  std::string_view key;       // as printed on it
+  std::string_view title;     // on screen
+  std::string_view sentence;  // what there is to do, for who hovers over its icon
+};
+// Without `none`.
+std::span<const StageModeEntry> stage_mode_catalog() noexcept;
+std::string_view stage_mode_name(StageMode id) noexcept;  // "none" for none
+
+}  // namespace ghostforce
