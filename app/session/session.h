@@ -15,6 +15,7 @@
 
 #include "app/session/measurement.h"
 #include "app/session/plot_view.h"
+#include "app/session/stage_choice.h"
 #include "app/view/theme.h"
 #include "app/view/view.h"
 #include "core/input_choice.h"
@@ -101,7 +102,10 @@ struct Session {
   Vector<2> goal{0.0};                 // where the person wants the goal [m]
   bool drags_goal = false;             // the pointer holds the goal
   bool is_editing = false;             // a control or a handle is held: its change is not complete yet
-  SceneView shown;                     // the part of the world in the picture
+  Face face = Face::workbench;
+  StageChoice stage;
+  SceneView shown;        // the part of the world in the workbench's picture,
+  SceneView stage_shown;  // and in the stage's
   ViewOptions options;
   PlotView plots;
   Appearance appearance;

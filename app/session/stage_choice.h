@@ -4,13 +4,11 @@
 #include <cstdint>
 #include <optional>
 
+#include "app/view/stage/face.h"
 #include "app/view/stage/stage_mode.h"
 #include "core/conventions.h"
 
 namespace ghostforce {
-
-// The two faces of the window.
-enum class Face : std::uint8_t { stage, workbench };
 
 struct StageChoice {
   StageMode mode = StageMode::none;
