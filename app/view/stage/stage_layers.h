@@ -1,0 +1,57 @@
+// The layers of the stage, back to front; each appends its marks and says what no label may cover.
+#pragma once
+
+#include "app/view/stage/stage.h"
+#include "app/view/stage/stage_canvas.h"
+
+namespace ghostforce {
+
+struct StageLayer {
+  const StageContent& content;
+  const StageLayout& layout;
+  StageCanvas& canvas;
+};
+
+void add_stage_wall(const StageLayer& layer);    // wall, hatching, grips
+void add_rail(const StageLayer& layer);          // along which the motors push
+void add_expectations(const StageLayer& layer);  // where the wall should hold and the handle should rest
+void add_springs(const StageLayer& layer);       // the hand's and the wall's
+void add_stage_hand(const StageLayer& layer);    // fist and goal
+void add_stage_force(const StageLayer& layer);   // the wall's share and the ghost
+void add_slide(const StageLayer& layer);         // the ruler along the wall
+void add_handle(const StageLayer& layer);        // handle and proxy
+void add_stage_words(const StageLayer& layer);   // beside all these
+void add_sentence(const StageLayer& layer);      // above
+void add_numbers(const StageLayer& layer);
+void add_buttons(const StageLayer& layer);         // below, and the strip of icons
+void add_guess(const StageLayer& layer);           // of Predict
+void add_force_triangle(const StageLayer& layer);  // of Why?
+void add_round(const StageLayer& layer);           // of Round and round
+
+// --- Where layers must agree -----------------------------------------------------------------------------------------
+
+// A colour mixed of the strategies' own, by their weights.
+Colour stage_colour(const StageMoment& moment, const PerStrategy<Colour>& colours);
+// How a force is drawn along one line, in points from the handle's middle.
+struct ForceArrow {
+  Vector<2> start;      // of the wall's share
+  Vector<2> direction;  // on the screen
+  double share;         // length of the wall's share
+  double ghost;         // of the ghost force; negative: it folds back over the share
+  Vector<2> share_end() const { return start + direction * share; }
+  Vector<2> tip() const { return start + direction * (share + ghost); }
+};
+std::optional<ForceArrow> force_arrow(const StageLayer& layer);
+
+// The slide as a ruler on the free side of the wall.
+struct SlideRuler {
+  Vector<2> from;  // beside where the wall should hold
+  Vector<2> to;    // beside the proxy
+  Vector<2> out;   // away from the wall, on the screen
+};
+std::optional<SlideRuler> slide_ruler(const StageLayer& layer);
+
+inline constexpr double handle_radius = 17.0;  // [points of the design]
+inline constexpr double arrow_width = 14.0;
+
+}  // namespace ghostforce

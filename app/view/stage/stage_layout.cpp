@@ -1,0 +1,205 @@
+#include "app/view/stage/stage_layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "app/view/stage/stage_sentence.h"
+#include "core/prediction.h"
+
+namespace ghostforce {
+namespace {
+
+// In points of a picture 720 points high.
+constexpr double height_of_design = 720.0;
+constexpr double line_of_em = 1.17;  // height of a line of text over its nominal size
+constexpr double words_em = 24.0;    // a thirtieth of the height, which the last row of a lecture hall can read
+constexpr double sentence_em = 30.0;
+constexpr double number_em = 74.0;
+constexpr double unit_em = 34.0;
+constexpr double margin = 36.0;
+constexpr double button_height = 56.0;
+constexpr double icon_side = 46.0;
+constexpr double gap = 14.0;
+constexpr double glyph_room = 78.0;  // of a button: its key, the strategy's shape, and the space around them
+constexpr double button_padding = 18.0;
+
+// The number block must leave the lower half to the scene.
+constexpr double greatest_block = 0.66;
+constexpr std::size_t most_lines = 2;
+
+// The longest that the stage has to say: letters must be small enough for it, so that they do not change with it.
+constexpr std::string_view longest_sentence = "In your hand: the goal is inferred, so the ghost force cannot be known.";
+
+struct ButtonWords {
+  StrategyId id;
+  std::string_view in_full;
+  std::string_view in_short;
+};
+constexpr std::array button_words{
+    ButtonWords{StrategyId::full, "Two motors", "Two motors"},
+    ButtonWords{StrategyId::naive, "One motor, naïve", "Naïve"},
+    ButtonWords{StrategyId::anisotropic, "One motor, anisotropic", "Anisotropic"},
+};
+constexpr std::string_view keys_words = "F1 keys";
+
+class Arrangement {
+ public:
+  Arrangement(const Vector<2>& size, double scale, const MeasureText& measure, bool has_full)
+      : measure_(measure), has_full_(has_full) {
+    layout_.size = size;
+    layout_.unit = size.y / height_of_design * scale;
+    layout_.margin = points(margin);
+    layout_.letters = {letters(words_em), letters(words_em, true), letters(sentence_em, true), letters(number_em, true),
+                       letters(unit_em)};
+  }
+
+  // False where something does not fit.
+  bool arrange(bool in_full) {
+    layout_.strategies.clear();
+    arrange_icons();
+    const bool buttons_fit = arrange_buttons(in_full);
+    arrange_numbers();
+    const bool sentence_fits = lines(longest_sentence).size() <= most_lines;
+    const double block_height =
+        layout_.margin + static_cast<double>(most_lines) * layout_.letters.sentence.height + layout_.numbers_size.y;
+    return buttons_fit && sentence_fits && block_height <= greatest_block * layout_.size.y;
+  }
+
+  StageLayout finished(std::string_view sentence) {
+    layout_.sentence = lines(sentence);
+    layout_.sentence_box.least = Vector<2>(layout_.margin, layout_.margin - points(8.0));
+    double width = 0.0;
+    for (const std::string& line : layout_.sentence) {
+      width = std::max(width, measure_(line, layout_.letters.sentence).x);
+    }
+    layout_.sentence_box.most =
+        layout_.sentence_box.least +
+        Vector<2>(width, static_cast<double>(layout_.sentence.size()) * layout_.letters.sentence.height);
+    return std::move(layout_);
+  }
+
+ private:
+  double points(double of_design) const { return of_design * layout_.unit; }
+  TextStyle letters(double em, bool is_bold = false) const { return {points(em * line_of_em), is_bold}; }
+
+  std::vector<std::string> lines(std::string_view words) const {
+    const double end = layout_.icons.front().box.least.x - points(gap);
+    return broken_into_lines(words, end - layout_.margin, layout_.letters.sentence, measure_);
+  }
+
+  void arrange_icons() {
+    layout_.icons.clear();
+    const Vector<2> side(points(icon_side));
+    const double step = side.x + points(0.5 * gap);
+    const std::size_t count = stage_mode_catalog().size() + 1;
+    Vector<2> corner(layout_.size.x - layout_.margin - static_cast<double>(count) * step + points(0.5 * gap),
+                     layout_.margin - points(10.0));
+    const auto add = [&](const StageAction& action) {
+      layout_.icons.push_back({action, {corner, corner + side}, {}});
+      corner.x += step;
+    };
+    for (const StageModeEntry& mode : stage_mode_catalog()) add(mode.id);
+    add(Face::workbench);
+  }
+
+  bool arrange_buttons(bool in_full) {
+    const double bottom = layout_.size.y - layout_.margin - points(10.0);
+    double x = layout_.margin;
+    for (const ButtonWords& words : button_words) {
+      if (words.id == StrategyId::full && !has_full_) continue;
+      const std::string_view shown = in_full ? words.in_full : words.in_short;
+      const double width = points(glyph_room + button_padding) + measure_(shown, layout_.letters.bold_words).x;
+      layout_.strategies.push_back({words.id, {{x, bottom - points(button_height)}, {x + width, bottom}}, shown});
+      x += width + points(gap);
+    }
+    const double right = layout_.size.x - layout_.margin;
+    const Vector<2> extent = measure_(keys_words, layout_.letters.words);
+    layout_.keys.reset();
+    if (x + extent.x <= right) {
+      const double top = bottom - 0.5 * (points(button_height) + extent.y);
+      layout_.keys = StageButton{StageHelp::keys, {{right - extent.x, top}, {right, top + extent.y}}, keys_words};
+    }
+    return x - points(gap) <= right;
+  }
+
+  void arrange_numbers() {
+    const StageLetters& all = layout_.letters;
+    layout_.number_width = measure_("88.8", all.number).x;
+    const double unit_width = points(gap) + measure_("mm", all.unit).x;
+    const double words_width = measure_("ghost force, too weak", all.words).x;
+    layout_.numbers_size = {std::max(layout_.number_width + unit_width, words_width),
+                            2.0 * (all.number.height + all.words.height) - points(8.0)};
+  }
+
+  const MeasureText& measure_;
+  bool has_full_;
+  StageLayout layout_;
+};
+
+}  // namespace
+
+StageLayout stage_layout(const Vector<2>& size, double scale, const MeasureText& measure, std::string_view sentence,
+                         bool has_full) {
+  constexpr double step = 0.97;
+  constexpr double least = 0.2;
+  for (double fitting = scale;; fitting *= step) {
+    for (const bool in_full : {true, false}) {
+      Arrangement arrangement(size, fitting, measure, has_full);
+      if (arrangement.arrange(in_full) || fitting < least) return arrangement.finished(sentence);
+    }
+  }
+}
+
+std::vector<std::string> broken_into_lines(std::string_view words, double width, const TextStyle& style,
+                                           const MeasureText& measure) {
+  std::vector<std::string> lines(1);
+  for (std::size_t at = 0; at < words.size();) {
+    const std::size_t end = std::min(words.find(' ', at), words.size());
+    const std::string word(words.substr(at, end - at));
+    const std::string longer = lines.back().empty() ? word : lines.back() + ' ' + word;
+    if (lines.back().empty() || measure(longer, style).x <= width) {
+      lines.back() = longer;
+    } else {
+      lines.push_back(word);
+    }
+    at = end + 1;
+  }
+  return lines;
+}
+
+SceneView stage_view_of(const Settings& settings, const Vector<2>& goal) {
+  // Shares of the picture's width, and of three quarters of it.
+  constexpr double across = 0.40;
+  constexpr double upwards = 0.27;
+  constexpr double least_width = 0.03;  // [m]
+  ScreenBox box{goal, goal};            // of the world
+  box.include(projection(wall_of(settings), goal));
+  for (const PredictedEquilibrium& rest : predicted_equilibria(settings, goal)) {
+    box.include(rest.at.device);
+    box.include(rest.at.proxy);
+  }
+  const Vector<2> extent = box.extent();
+  return {.center = 0.5 * (box.least + box.most),
+          .width = std::max({least_width, extent.x / across, extent.y / upwards})};
+}
+
+Camera stage_camera(const SceneView& shown, const Vector<2>& size) {
+  constexpr Vector<2> middle{0.55, 0.58};  // of the picture, from its upper left corner
+  Camera camera = camera_on(shown.center, shown.width, size);
+  const Vector<2> offset = (middle - Vector<2>(0.5)) * size;
+  camera.center -= Vector<2>(offset.x, -offset.y) / camera.points_per_metre;
+  return camera;
+}
+
+std::string hover_words(const StageAction& action) {
+  if (const auto* const mode = std::get_if<StageMode>(&action)) {
+    const auto entry = std::ranges::find(stage_mode_catalog(), *mode, &StageModeEntry::id);
+    return fmt::format("{} ({}): {}", entry->title, entry->key, entry->sentence);
+  }
+  if (std::holds_alternative<Face>(action)) return "Workbench (F4): all settings, numbers and plots.";
+  return {};
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,78 @@
+// StageLayout: where words, numbers, buttons and icons of the stage stand, and how large all is. Letters grow with the
+// window's height and with the UI scale, as far as everything fits. Points of the window, y down; pure, any thread.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "app/view/camera.h"
+#include "app/view/screen_box.h"
+#include "app/view/stage/face.h"
+#include "app/view/stage/stage_mode.h"
+#include "app/view/view.h"
+#include "core/scene.h"
+
+namespace ghostforce {
+
+// Something else than a strategy, a mode or a face that the stage can be asked for.
+enum class StageHelp : std::uint8_t { keys };
+
+// What a press on a part of the stage asks for.
+using StageAction = std::variant<StrategyId, StageMode, Face, StageHelp>;
+
+struct StageButton {
+  StageAction action;
+  ScreenBox box;
+  std::string_view words;
+};
+
+// The sizes of the stage's letters [points].
+struct StageLetters {
+  TextStyle words;
+  TextStyle bold_words;
+  TextStyle sentence;
+  TextStyle number;
+  TextStyle unit;
+};
+
+struct StageLayout {
+  Vector<2> size{1.0};
+  double unit = 1.0;    // a point of a picture 720 points high, at the scale that fits
+  double margin = 1.0;  // to the window's edges
+  StageLetters letters{};
+  std::vector<std::string> sentence;  // its lines
+  ScreenBox sentence_box;
+  std::vector<StageButton> strategies;  // the row below
+  std::vector<StageButton> icons;       // the strip above, modes and workbench
+  std::optional<StageButton> keys;      // where there is room for it
+  Vector<2> numbers_size{0.0};          // of the two numbers with their words
+  double number_width = 0.0;            // of the widest number
+
+  // Above and below lies the scene.
+  double top() const { return sentence_box.most.y; }
+  double bottom() const { return strategies.front().box.least.y; }
+};
+
+// `has_full`: the strategy with every motor can be chosen.
+StageLayout stage_layout(const Vector<2>& size, double scale, const MeasureText& measure, std::string_view sentence,
+                         bool has_full);
+
+// Breaks words into lines that are no wider, where that can be.
+std::vector<std::string> broken_into_lines(std::string_view words, double width, const TextStyle& style,
+                                           const MeasureText& measure);
+
+// The part of the world with hand, wall, and where all strategies come to rest, under this goal.
+SceneView stage_view_of(const Settings& settings, const Vector<2>& goal);
+
+// Its middle stands a little to the right of and below the window's, clear of the numbers.
+Camera stage_camera(const SceneView& shown, const Vector<2>& size);
+
+// How to say what a button does when it is pressed, and its key.
+std::string hover_words(const StageAction& action);
+
+}  // namespace ghostforce

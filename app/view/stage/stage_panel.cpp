@@ -1,0 +1,233 @@
+// The frame round the scene of the stage: the sentence and the two numbers above, the buttons below, the strip of icons.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include "app/view/stage/stage_layers.h"
+
+namespace ghostforce {
+namespace {
+
+bool is_hovered(const StageContent& content, const StageAction& action) {
+  return content.hovered == action;
+}
+
+void add_strategy_button(const StageLayer& layer, const StageButton& button) {
+  const auto& [content, layout, canvas] = layer;
+  const Theme& theme = content.theme;
+  const StrategyId id = std::get<StrategyId>(button.action);
+  const bool is_active = content.settings.active == id;
+  const Colour colour = theme.strategy[index_of(id)];
+  const Colour rim = is_active ? colour : is_hovered(content, button.action) ? theme.accent : theme.panel_border;
+  canvas.box(Role::button, button.box, canvas.points(12.0), is_active ? theme.panel_field : theme.background, rim,
+             canvas.width(is_active ? 4.0 : 2.0));
+  const double middle = 0.5 * (button.box.least.y + button.box.most.y);
+  const double left = button.box.least.x;
+  const StageLetters& letters = layout.letters;
+  const double text_top = middle - 0.5 * letters.words.height;
+  canvas.text(Role::button, {left + canvas.points(15.0), text_top}, fmt::format("{}", index_of(id) + 1),
+              letters.bold_words, theme.faint_text, false);
+  canvas.marks.push_back({Role::button, id,
+                          Marker{to_world(canvas.camera, {left + canvas.points(53.0), middle}),
+                                 strategy_style(id).shape, canvas.points(10.0), colour, theme.background, 0.0}});
+  canvas.text(Role::button, {left + canvas.points(74.0), text_top}, std::string(button.words),
+              is_active ? letters.bold_words : letters.words, is_active ? theme.text : theme.faint_text, false);
+}
+
+// What the icons show, in a square of 2 × 2 round the middle, y down.
+struct IconPen {
+  StageCanvas& canvas;
+  Vector<2> middle;
+  double reach;
+  Colour colour;
+
+  Vector<2> at(double x, double y) const { return middle + reach * Vector<2>(x, y); }
+  void curve(const std::vector<Vector<2>>& corners) const {
+    std::vector<Vector<2>> placed;
+    for (const Vector<2>& corner : corners) placed.push_back(at(corner.x, corner.y));
+    canvas.curve(Role::button, placed, canvas.width(2.5), colour);
+  }
+  void arc(const Vector<2>& center, double radius, double from_turn, double to_turn) const {
+    constexpr int pieces = 14;
+    std::vector<Vector<2>> corners;
+    for (int i = 0; i <= pieces; ++i) {
+      const double angle = 2.0 * std::numbers::pi * (from_turn + (to_turn - from_turn) * i / pieces);
+      corners.push_back(center + radius * Vector<2>(std::cos(angle), std::sin(angle)));
+    }
+    curve(corners);
+  }
+};
+
+struct Icon {
+  StageAction action;
+  void (*draw)(const IconPen&);
+};
+
+const std::array<Icon, 6>& icons() {
+  static const std::array<Icon, 6> all{{
+      // A target to aim at.
+      {StageMode::predict,
+       [](const IconPen& pen) {
+         pen.canvas.ring(Role::button, pen.middle, 0.8 * pen.reach, pen.canvas.width(2.5), pen.colour);
+         pen.arc({0.0, 0.0}, 0.2, 0.0, 1.0);
+       }},
+      // The triangle of forces.
+      {StageMode::why,
+       [](const IconPen& pen) {
+         pen.curve({{0.8, 0.7}, {-0.8, -0.8}, {-0.8, 0.7}, {0.8, 0.7}});
+       }},
+      // Contour lines.
+      {StageMode::landscape,
+       [](const IconPen& pen) {
+         pen.arc({0.1, 0.1}, 0.85, 0.0, 1.0);
+         pen.arc({0.25, -0.05}, 0.42, 0.0, 1.0);
+       }},
+      // A round way with its direction.
+      {StageMode::round,
+       [](const IconPen& pen) {
+         pen.arc({0.0, 0.0}, 0.75, 0.0, 0.85);
+         pen.curve({{0.2, -0.95}, {0.5, -0.58}, {0.1, -0.3}});
+       }},
+      // A line over time with a cursor.
+      {StageMode::ribbon,
+       [](const IconPen& pen) {
+         pen.curve({{-0.9, 0.4}, {-0.5, 0.4}, {-0.2, -0.3}, {0.2, 0.1}, {0.9, 0.1}});
+         pen.curve({{0.2, -0.8}, {0.2, 0.8}});
+       }},
+      // Sliders.
+      {Face::workbench,
+       [](const IconPen& pen) {
+         for (const double y : {-0.55, 0.0, 0.55}) pen.curve({{-0.85, y}, {0.85, y}});
+         for (const Vector<2>& knob : {Vector<2>(-0.3, -0.55), Vector<2>(0.4, 0.0), Vector<2>(-0.1, 0.55)}) {
+           pen.arc(knob, 0.14, 0.0, 1.0);
+         }
+       }},
+  }};
+  return all;
+}
+
+void add_icon(const StageLayer& layer, const StageButton& button) {
+  const auto& [content, layout, canvas] = layer;
+  const Theme& theme = content.theme;
+  const bool is_on = button.action == StageAction(content.mode);
+  const bool is_hot = is_hovered(content, button.action);
+  canvas.box(Role::button, button.box, canvas.points(10.0), is_on ? theme.panel_field : theme.background,
+             is_on || is_hot ? theme.accent : theme.panel_border, canvas.width(is_on ? 3.0 : 2.0));
+  const Vector<2> middle = 0.5 * (button.box.least + button.box.most);
+  const double reach = 0.34 * (button.box.most.x - button.box.least.x);
+  const auto icon = std::ranges::find(icons(), button.action, &Icon::action);
+  if (icon != icons().end()) icon->draw({canvas, middle, reach, is_on || is_hot ? theme.accent : theme.faint_text});
+}
+
+// Below the strip, to the right.
+void add_hover_words(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  if (!content.hovered) return;
+  const std::string words = hover_words(*content.hovered);
+  if (words.empty()) return;
+  const TextStyle& style = layout.letters.words;
+  const double widest = 0.45 * layout.size.x;
+  const std::vector<std::string> lines = broken_into_lines(words, widest, style, content.measure);
+  const Vector<2> extent = canvas.labels.extent_of(lines, style);
+  const double padding = canvas.points(10.0);
+  const ScreenBox& strip = layout.icons.back().box;
+  const Vector<2> corner(strip.most.x - extent.x - padding, strip.most.y + canvas.points(8.0) + padding);
+  const ScreenBox box = ScreenBox{corner, corner + extent}.grown(padding);
+  canvas.box(Role::hint, box, canvas.points(10.0), content.theme.panel, content.theme.panel_border, canvas.width(1.5));
+  canvas.text(Role::hint, corner, lines, style, content.theme.text, false);
+  canvas.labels.keep_clear(box);
+}
+
+struct LargeNumber {
+  std::string number;  // empty: it cannot be known
+  std::string_view unit;
+  std::string_view words;
+};
+
+void add_number(const StageLayer& layer, const LargeNumber& number, const Vector<2>& corner, double strength) {
+  const auto& [content, layout, canvas] = layer;
+  const StageLetters& letters = layout.letters;
+  const Theme& theme = content.theme;
+  // Pale on the way from one strategy to another: then it is no strategy's own.
+  const Colour colour = stage_colour(content.moment, theme.strategy_text);
+  const Colour shown = content.moment.is_between() ? mix(theme.background, colour, 0.55) : colour;
+  const std::string digits = number.number.empty() ? "–" : number.number;
+  const double width = content.measure(digits, letters.number).x;
+  canvas.text(Role::number, corner + Vector<2>(layout.number_width - width, 0.0), digits, letters.number,
+              faded(shown, strength));
+  canvas.text(Role::number,
+              corner + Vector<2>(layout.number_width + canvas.points(14.0),
+                                 0.79 * letters.number.height - 0.79 * letters.unit.height),
+              std::string(number.unit), letters.unit, faded(theme.faint_text, strength));
+  canvas.text(Role::number, corner + Vector<2>(0.0, letters.number.height - canvas.points(6.0)),
+              std::string(number.words), letters.words, faded(theme.faint_text, strength));
+}
+
+// From the upper left to the lower right, the left side first.
+std::vector<Vector<2>> places_for_numbers(const StageLayout& layout) {
+  constexpr int across = 7;
+  constexpr int down = 5;
+  const double top = layout.top() + 4.0 * layout.unit;
+  const Vector<2> first(layout.margin, top);
+  const Vector<2> last(layout.size.x - layout.margin - layout.numbers_size.x,
+                       layout.bottom() - 12.0 * layout.unit - layout.numbers_size.y);
+  std::vector<Vector<2>> places;
+  for (int column = 0; column < across; ++column) {
+    for (int row = 0; row < down; ++row) {
+      const Vector<2> share(static_cast<double>(column) / (across - 1), static_cast<double>(row) / (down - 1));
+      places.push_back(first + (last - first) * share);
+    }
+  }
+  return places;
+}
+
+}  // namespace
+
+void add_sentence(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  canvas.text(Role::sentence, layout.sentence_box.least, layout.sentence, layout.letters.sentence,
+              content.warning.empty() ? content.theme.text : content.theme.problem);
+}
+
+void add_numbers(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  const StageMoment& moment = content.moment;
+  const auto found = canvas.labels.place_block(StageLabel::numbers, layout.numbers_size, places_for_numbers(layout));
+  if (!found) return;
+  const bool is_known = !moment.is_measured;
+  const double ghost = signed_ghost_force(moment);
+  const std::string_view ghost_words = !is_known                     ? "ghost force: unknown"
+                                       : ghost <= -least_shown_force ? "ghost force, too weak"
+                                                                     : "ghost force";
+  add_number(layer, {is_known ? force_number(ghost) : "", "N", ghost_words}, found->box.least, found->strength);
+  const Vector<2> below(0.0, 0.5 * (layout.numbers_size.y + 8.0 * layout.unit));
+  add_number(layer,
+             {is_known ? slide_number(glm::length(moment.slide)) : "", "mm",
+              is_known ? "slid along the wall" : "slide: unknown"},
+             found->box.least + below, found->strength);
+}
+
+void add_buttons(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  for (const StageButton& button : layout.strategies) add_strategy_button(layer, button);
+  for (const StageButton& button : layout.icons) add_icon(layer, button);
+  if (const auto& keys = layout.keys) {
+    canvas.text(Role::button, keys->box.least, std::string(keys->words), layout.letters.words,
+                is_hovered(content, keys->action) ? content.theme.accent : content.theme.faint_text);
+  }
+  add_hover_words(layer);
+  if (content.hint != StageHint::cure) return;
+  // Above the button that it speaks of.
+  const ScreenBox& button = layout.strategies.back().box;
+  const std::string words = "press 3: the cure";
+  const Vector<2> extent = content.measure(words, layout.letters.bold_words);
+  const Vector<2> corner(button.least.x, button.least.y - extent.y - canvas.points(6.0));
+  canvas.text(Role::hint, corner, words, layout.letters.bold_words, content.theme.accent);
+  canvas.labels.keep_clear(ScreenBox{corner, corner + extent});
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,31 @@
+// The words of the stage that depend on the moment: the one sentence, which is true of what is shown, and the numbers.
+// Pure, any thread.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "app/view/stage/stage_moment.h"
+
+namespace ghostforce {
+
+// Who the words are for.
+struct StageAudience {
+  bool can_drag = true;     // the hand follows the pointer
+  bool looks_back = false;  // an earlier moment is shown
+};
+
+std::string_view stage_sentence(const Settings& settings, const StageMoment& moment, const StageAudience& audience);
+
+// What is smaller is shown as nothing, and called so.
+inline constexpr double least_shown_force = 0.005;    // [N]
+inline constexpr double least_shown_slide = 0.00005;  // [m]
+
+// A size with its sign left out, three digits wide at all sizes: "1.27", "12.7", "127".
+std::string force_number(double newton);
+std::string slide_number(double metres);
+
+// "left and right", "up and down", or "at 30°".
+std::string motor_direction_words(double actuated_angle);
+
+}  // namespace ghostforce
