@@ -7,10 +7,10 @@
 
 #include <imgui.h>
 
+#include "app/session/scene_view_limits.h"
 #include "app/ui/widgets/tooltips.h"
 #include "app/view/handles.h"
 #include "app/view/screen_box.h"
-#include "core/scene.h"
 #include "core/units.h"
 
 namespace ghostforce {
@@ -173,21 +173,6 @@ SceneView view_of_everything(const Session& session, const std::vector<Pane>& pa
   const double points_per_metre = std::min(fits.x, fits.y);
   const double width = std::min(room.x, room.y / 0.75) / points_per_metre;
   return within_scene_limits({0.5 * (all.least + all.most), width});
-}
-
-SceneView zoomed(const SceneView& shown, double factor, const Vector<2>& at) {
-  const double width = within_scene_limits({shown.center, shown.width / factor}).width;
-  return within_scene_limits({at + (shown.center - at) * (width / shown.width), width});
-}
-
-SceneView within_scene_limits(SceneView shown) {
-  for (const SceneKey& key : scene_keys()) {
-    if (key.table != "view" || key.name != "width_mm") continue;
-    const auto& width = std::get<NumberKey>(key.value);
-    shown.width = std::clamp(shown.width, width.least / width.per_si, width.greatest / width.per_si);
-  }
-  shown.center = nearest_in_scene(shown.center);
-  return shown;
 }
 
 }  // namespace ghostforce

@@ -47,10 +47,4 @@ class Gestures {
 SceneView view_of_everything(const Session& session, const std::vector<Pane>& panes, const Vector<2>& size,
                              double unit);
 
-// The nearest view that a scene's file can hold.
-SceneView within_scene_limits(SceneView shown);
-
-// Zooms by `factor` (above 1: closer), so that the world point `at` stays where it is.
-SceneView zoomed(const SceneView& shown, double factor, const Vector<2>& at);
-
 }  // namespace ghostforce

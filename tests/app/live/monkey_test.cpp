@@ -17,6 +17,7 @@
 
 #include "app/session/key_bindings.h"
 #include "app/session/scene_as_seen.h"
+#include "app/session/scene_view_limits.h"
 #include "app/ui/gestures.h"
 #include "tests/app/live/driven_window.h"
 #include "tests/device/servo/servo_scenes.h"
