@@ -33,6 +33,8 @@ constexpr std::array themes{
           .panel_field = rgb(0xFFFFFF),
           .panel_border = rgb(0xD3CEC4),
           .accent = rgb(0x2F6FB0),
+          .excess = rgb(0x961E05),
+          .shortfall = rgb(0x2C506B),
           .problem = rgb(0x9E1B32)},
     Theme{.name = "dark",
           .dark = true,
@@ -52,6 +54,8 @@ constexpr std::array themes{
           .panel_field = rgb(0x2A2F37),
           .panel_border = rgb(0x3A404A),
           .accent = rgb(0x5FA3E6),
+          .excess = rgb(0xFF7A52),
+          .shortfall = rgb(0xA4C4DE),
           .problem = rgb(0xFF7A8A)},
     // White, black and thick: a beamer washes out everything in between.
     Theme{.name = "projector",
@@ -72,6 +76,8 @@ constexpr std::array themes{
           .panel_field = rgb(0xF0EEE9),
           .panel_border = rgb(0x8C867A),
           .accent = rgb(0x1F5FA8),
+          .excess = rgb(0x961E05),
+          .shortfall = rgb(0x2C506B),
           .problem = rgb(0x9E1B32)},
 };
 

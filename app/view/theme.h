@@ -63,7 +63,8 @@ struct Theme {
   Colour background, wall, hatch, wall_edge, grid;
   Colour text, faint_text;
   Colour panel, panel_field, panel_border, accent;
-  Colour problem;  // the border of bad news
+  Colour excess, shortfall;  // of a force: the deep ends of a map's colours, and the letters that go with them
+  Colour problem;            // the border of bad news
 };
 
 std::span<const Theme> theme_catalog() noexcept;
