@@ -64,7 +64,7 @@ class Arrangement {
     for (std::size_t i = 0; i < chart.series.size(); ++i) {
       if (chart.series[i].name.empty()) continue;
       std::string name =
-          shortened(chart.series[i].name, size.x - 2.0 * points(margin + padding) - name_left(), TextSize::small);
+          shortened(chart.series[i].name, size.x - 2.0 * points(margin + padding) - name_left(), small_text);
       const double width = name_left() + width_of(name);
       named_.push_back({i, std::move(name), width, {}});
     }
@@ -97,33 +97,36 @@ class Arrangement {
   };
 
   double points(double size) const { return size * unit_; }
-  double height_of(TextSize size) const { return points(text_height(size)); }
-  double width_of(std::string_view words, TextSize size = TextSize::small) const {
-    return measure_(words, height_of(size)).x;
+  double height_of(const TextStyle& style) const { return points(style.height); }
+  Vector<2> extent_of(std::string_view words, const TextStyle& style) const {
+    return measure_(words, {height_of(style), style.is_bold});
+  }
+  double width_of(std::string_view words, const TextStyle& style = small_text) const {
+    return extent_of(words, style).x;
   }
 
   // ---- Words --------------------------------------------------------------------------------------------------------
 
   // Broken where there is a blank, in two lines at most; what has no room in them is cut.
-  std::vector<std::string> broken(std::string_view text, double room, TextSize size) const {
+  std::vector<std::string> broken(std::string_view text, double room, const TextStyle& style) const {
     std::string first;
     while (!text.empty()) {
       const std::size_t end = std::min(text.find(' ', 1), text.size());
       const std::string joined = first + std::string(text.substr(0, end));
-      if (!first.empty() && width_of(joined, size) > room) break;
+      if (!first.empty() && width_of(joined, style) > room) break;
       first = joined;
       text.remove_prefix(end);
     }
     std::vector<std::string> lines;
-    if (!first.empty()) lines.push_back(shortened(first, room, size));
-    if (!text.empty()) lines.push_back(shortened(std::string(text.substr(1)), room, size));
+    if (!first.empty()) lines.push_back(shortened(first, room, style));
+    if (!text.empty()) lines.push_back(shortened(std::string(text.substr(1)), room, style));
     return lines;
   }
 
-  std::string shortened(std::string text, double room, TextSize size) const {
-    if (width_of(text, size) <= room) return text;
+  std::string shortened(std::string text, double room, const TextStyle& style) const {
+    if (width_of(text, style) <= room) return text;
     const auto is_within_letter = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };
-    while (!text.empty() && width_of(text + "…", size) > room) {
+    while (!text.empty() && width_of(text + "…", style) > room) {
       while (text.size() > 1 && is_within_letter(text.back())) text.pop_back();
       text.pop_back();
     }
@@ -135,26 +138,24 @@ class Arrangement {
   // Titles, plot and axes, if the legend is there.
   void divide(Legend where) {
     const double room = size_.x - 2.0 * points(margin);
-    const double small = line_step * height_of(TextSize::small);
-    title_ = broken(chart_.title, room, TextSize::normal);
-    y_title_ = broken(chart_.y.title, room, TextSize::small);
-    x_title_ = broken(chart_.x.title, room, TextSize::small);
+    const double small = line_step * height_of(small_text);
+    title_ = broken(chart_.title, room, normal_text);
+    y_title_ = broken(chart_.y.title, room, small_text);
+    x_title_ = broken(chart_.x.title, room, small_text);
 
-    plot_.least.y = points(margin) + static_cast<double>(title_.size()) * line_step * height_of(TextSize::normal) +
-                    static_cast<double>(y_title_.size()) * small + points(word_gap) + 0.5 * height_of(TextSize::small);
-    plot_.most.y = size_.y - points(margin) - static_cast<double>(x_title_.size()) * small -
-                   height_of(TextSize::small) - points(tick_length + word_gap + title_gap);
+    plot_.least.y = points(margin) + static_cast<double>(title_.size()) * line_step * height_of(normal_text) +
+                    static_cast<double>(y_title_.size()) * small + points(word_gap) + 0.5 * height_of(small_text);
+    plot_.most.y = size_.y - points(margin) - static_cast<double>(x_title_.size()) * small - height_of(small_text) -
+                   points(tick_length + word_gap + title_gap);
     if (where == Legend::below) {
       flow_legend(Vector<2>(points(margin), 0.0), room);
       plot_.most.y -= legend_.extent().y + points(word_gap);
     }
 
     const Range y = range_of(chart_, 1);
-    const std::function<double(std::string_view)> line_height = [&](std::string_view) {
-      return height_of(TextSize::small);
-    };
+    const std::function<double(std::string_view)> line_height = [&](std::string_view) { return height_of(small_text); };
     y_ticks_ = choose_ticks({y.least, y.greatest, chart_.y.is_logarithmic, !chart_.y.range, plot_.extent().y,
-                             1.1 * height_of(TextSize::small), line_height});
+                             1.1 * height_of(small_text), line_height});
     double widest = 0.0;
     for (const Tick& tick : y_ticks_.named) widest = std::max(widest, width_of(tick.words));
     plot_.least.x = points(margin) + widest + points(word_gap + tick_length);
@@ -166,7 +167,7 @@ class Arrangement {
     // The words of the last tick may reach beyond the axis.
     for (int pass = 0; pass < 2; ++pass) {
       x_ticks_ = choose_ticks({x.least, x.greatest, chart_.x.is_logarithmic, !chart_.x.range, plot_.extent().x,
-                               1.6 * height_of(TextSize::small), width});
+                               1.6 * height_of(small_text), width});
       if (x_ticks_.named.empty()) break;
       const Tick& last = x_ticks_.named.back();
       const double end = on_screen({last.value, y_ticks_.least}).x + 0.5 * width_of(last.words);
@@ -229,7 +230,7 @@ class Arrangement {
 
   // ---- Legend -------------------------------------------------------------------------------------------------------
 
-  double row_height() const { return 1.3 * height_of(TextSize::small); }
+  double row_height() const { return 1.3 * height_of(small_text); }
   double name_left() const { return points(sample_length + 7.0); }
 
   Vector<2> column_extent() const {
@@ -304,7 +305,7 @@ class Arrangement {
       const Vector<2> middle = at + Vector<2>(0.0, 0.5 * row_height());
       layout.legend.push_back({series,
                                {middle, middle + Vector<2>(points(sample_length), 0.0)},
-                               {at + Vector<2>(name_left(), 0.5 * (row_height() - height_of(TextSize::small))), name}});
+                               {at + Vector<2>(name_left(), 0.5 * (row_height() - height_of(small_text))), name}});
     }
   }
 
@@ -324,7 +325,7 @@ class Arrangement {
     const Reference& reference = chart_.references[i];
     const ScreenPiece piece = line_of(reference);
     if (std::isnan(piece.from.x) || reference.word.empty()) return {};
-    const Vector<2> extent = measure_(reference.word, height_of(TextSize::small));
+    const Vector<2> extent = extent_of(reference.word, small_text);
     const double gap = points(word_gap);
     const Vector<2> room = glm::max(plot_.extent() - extent - Vector<2>(2.0 * gap), Vector<2>(0.0));
     ScreenBox best;
@@ -390,8 +391,7 @@ class Arrangement {
     for (const Tick& tick : y_ticks_.named) {
       const Vector<2> at = on_screen({x_ticks_.least, tick.value});
       const Vector<2> end = at - Vector<2>(points(tick_length), 0.0);
-      const Vector<2> corner =
-          end - Vector<2>(points(word_gap) + width_of(tick.words), 0.5 * height_of(TextSize::small));
+      const Vector<2> corner = end - Vector<2>(points(word_gap) + width_of(tick.words), 0.5 * height_of(small_text));
       layout.y_ticks.push_back({{at, end}, {corner, tick.words}});
     }
   }
@@ -400,19 +400,19 @@ class Arrangement {
     Vector<2> at(points(margin));
     for (const std::string& line : title_) {
       layout.title.push_back({at, line});
-      at.y += line_step * height_of(TextSize::normal);
+      at.y += line_step * height_of(normal_text);
     }
     for (const std::string& line : y_title_) {
       layout.y_title.push_back({at, line});
-      at.y += line_step * height_of(TextSize::small);
+      at.y += line_step * height_of(small_text);
     }
-    at.y = plot_.most.y + points(tick_length + word_gap + title_gap) + height_of(TextSize::small);
+    at.y = plot_.most.y + points(tick_length + word_gap + title_gap) + height_of(small_text);
     for (const std::string& line : x_title_) {
       const double width = width_of(line);
       const double middle = 0.5 * (plot_.least.x + plot_.most.x) - 0.5 * width;
       at.x = std::clamp(middle, points(margin), std::max(points(margin), size_.x - points(margin) - width));
       layout.x_title.push_back({at, line});
-      at.y += line_step * height_of(TextSize::small);
+      at.y += line_step * height_of(small_text);
     }
   }
 

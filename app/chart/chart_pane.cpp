@@ -20,11 +20,11 @@ class Painter {
     for (const ScreenPiece& piece : layout_.references) put(Role::scale, piece, 1.4, theme_.faint_text, dotted_line);
     paint_axes();
     paint_series();
-    for (const ChartLayout::Words& line : layout_.title) write(Role::legend, line, theme_.text, TextSize::normal);
+    for (const ChartLayout::Words& line : layout_.title) write(Role::legend, line, theme_.text, normal_text);
     for (const ChartLayout::Words& line : layout_.y_title) write(Role::scale, line, theme_.faint_text);
     for (const ChartLayout::Words& line : layout_.x_title) write(Role::scale, line, theme_.faint_text);
     for (const ChartLayout::Words& words : layout_.reference_words) {
-      write(Role::scale, words, theme_.text, TextSize::small, theme_.background);
+      write(Role::scale, words, theme_.text, small_text, theme_.background);
     }
     paint_legend();
   }
@@ -40,10 +40,10 @@ class Painter {
                            Line{in_world(piece.from), in_world(piece.to), points(width), colour, scaled, piece.start}});
   }
 
-  void write(Role role, const ChartLayout::Words& words, Colour colour, TextSize size = TextSize::small,
+  void write(Role role, const ChartLayout::Words& words, Colour colour, const TextStyle& style = small_text,
              Colour halo = none) {
     pane_.marks.push_back(
-        {role, std::nullopt, Label{in_world(words.upper_left), Vector<2>(0.0), words.text, size, colour, halo}});
+        {role, std::nullopt, Label{in_world(words.upper_left), Vector<2>(0.0), words.text, style, colour, halo}});
   }
 
   void put_shape(Role role, const Vector<2>& at, const Series& series) {

@@ -97,12 +97,12 @@ class Drawing {
     pane_.marks.push_back({role, std::nullopt, Line{in_world(from), in_world(to), width, colour, pattern}});
   }
 
-  void words(const Vector<2>& upper_left, std::string text, TextSize size, Colour colour) {
-    const Vector<2> extent = measure_on_paper(text, size);
+  void words(const Vector<2>& upper_left, std::string text, const TextStyle& style, Colour colour) {
+    const Vector<2> extent = measure_on_paper(text, style);
     taken_.push_back({upper_left, upper_left + extent});
     pane_.marks.push_back(
         {Role::legend, std::nullopt,
-         Label{in_world(upper_left), Vector<2>(0.0), std::move(text), size, colour, paper().background}});
+         Label{in_world(upper_left), Vector<2>(0.0), std::move(text), style, colour, paper().background}});
   }
 
   void add_trail(const Trail& trail) {
@@ -127,9 +127,9 @@ class Drawing {
                arrow.is_hollow ? 1.4 : 0.0}});
     lines_.push_back({tail, tip});
     // Its words stand at the blunt end.
-    const Vector<2> extent = measure_on_paper(arrow.name, TextSize::small);
+    const Vector<2> extent = measure_on_paper(arrow.name, small_text);
     const double side = arrow.force.x < 0.0 ? 7.0 : -7.0 - extent.x;
-    words(tail + Vector<2>(side, -0.55 * extent.y), arrow.name, TextSize::small, arrow.letters);
+    words(tail + Vector<2>(side, -0.55 * extent.y), arrow.name, small_text, arrow.letters);
   }
 
   void add_spot(const Spot& spot) {
@@ -157,11 +157,11 @@ class Drawing {
     // Hatching steps back behind them.
     const std::string name = fmt::format("{:g} mm", metres * mm_per_m);
     const std::string motor = "motor axis";
-    const double name_width = measure_on_paper(name, TextSize::small).x;
-    const double height = text_height(TextSize::small);
+    const double name_width = measure_on_paper(name, small_text).x;
+    const double height = small_text.height;
     const Vector<2> dial{to.x + name_width + 46.0, size_.y - dial_above_edge(picture_.settings)};
     const Vector<2> motor_words = dial + Vector<2>(28.0, -0.55 * height);
-    const double right = motor_words.x + measure_on_paper(motor, TextSize::small).x;
+    const double right = motor_words.x + measure_on_paper(motor, small_text).x;
     const Colour backdrop = paper().background.with_alpha(225);
     if (dial.y == from.y) {
       line(Role::scale, from, {right, from.y}, 22.0, backdrop);
@@ -175,23 +175,23 @@ class Drawing {
     for (const Vector<2>& end : {from, to}) {
       line(Role::scale, end - Vector<2>(0.0, 4.0), end + Vector<2>(0.0, 4.0), 1.8, paper().text);
     }
-    words(to + Vector<2>(7.0, -0.55 * height), name, TextSize::small, paper().text);
+    words(to + Vector<2>(7.0, -0.55 * height), name, small_text, paper().text);
     const Vector<2> reach = to_screen_direction(direction_at(picture_.settings.actuated_angle)) * dial_reach;
     for (const double sign : {-1.0, 1.0}) {
       pane_.marks.push_back(
           {Role::motor_axis, std::nullopt,
            Arrow{in_world(dial), in_world(dial + sign * reach), 2.6, paper().text, paper().text, 0.0}});
     }
-    words(motor_words, motor, TextSize::small, paper().text);
+    words(motor_words, motor, small_text, paper().text);
   }
 
   // Beside its point, where least is covered.
   void place_name(const Vector<2>& at, double gap, const Spot& spot) {
     if (spot.name.empty()) return;
-    Vector<2> extent = measure_on_paper(spot.name, spot.size);
+    Vector<2> extent = measure_on_paper(spot.name, spot.style);
     const double name_width = extent.x;
     if (!spot.subscript.empty()) {
-      extent += Vector<2>(measure_on_paper(spot.subscript, TextSize::small).x + 1.0, 0.0);
+      extent += Vector<2>(measure_on_paper(spot.subscript, small_text).x + 1.0, 0.0);
     }
     const Vector<2> room = size_ - extent - Vector<2>(3.0);
     Vector<2> best(0.0);
@@ -215,11 +215,11 @@ class Drawing {
       }
     }
     const Colour colour = letter_colour(spot);
-    const double small = text_height(TextSize::small);
-    words(best, spot.name, spot.size, colour);
+    const double small = small_text.height;
+    words(best, spot.name, spot.style, colour);
     if (!spot.subscript.empty()) {
       const double drop = extent.y - small + 0.2 * subscript_drop;
-      words(best + Vector<2>(name_width + 0.5, drop), spot.subscript, TextSize::small, colour);
+      words(best + Vector<2>(name_width + 0.5, drop), spot.subscript, small_text, colour);
     }
   }
 

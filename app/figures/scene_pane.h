@@ -23,11 +23,11 @@ struct Spot {
   Shape shape = Shape::disc;
   Colour fill;
   Colour rim;
-  double radius = 6.0;              // [points]
-  std::string name{};               // beside it; empty: none
-  std::string subscript{};          // of the name
-  TextSize size = TextSize::large;  // of the name
-  bool has_cross = false;           // the goal's
+  double radius = 6.0;           // [points]
+  std::string name{};            // beside it; empty: none
+  std::string subscript{};       // of the name
+  TextStyle style = large_text;  // of the name
+  bool has_cross = false;        // the goal's
 };
 
 struct ForceArrow {

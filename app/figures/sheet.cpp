@@ -25,20 +25,21 @@ Pane empty_pane(const Vector<2>& corner, const Vector<2>& size) {
   return {corner, Camera{0.5 * size, 1.0, size}, StrategyId::full, {}};
 }
 
-Mark words_at(const Pane& pane, const Vector<2>& upper_left, std::string words, TextSize size, Colour colour) {
-  return {Role::legend, std::nullopt,
-          Label{to_world(pane.camera, upper_left), Vector<2>(0.0), std::move(words), size, colour, Colour{0, 0, 0, 0}}};
+Mark words_at(const Pane& pane, const Vector<2>& upper_left, std::string words, const TextStyle& style, Colour colour) {
+  return {
+      Role::legend, std::nullopt,
+      Label{to_world(pane.camera, upper_left), Vector<2>(0.0), std::move(words), style, colour, Colour{0, 0, 0, 0}}};
 }
 
 // Broken where there is a blank, so that each line has room.
-std::vector<std::string> broken(std::string_view text, double room, TextSize size) {
+std::vector<std::string> broken(std::string_view text, double room, const TextStyle& style) {
   std::vector<std::string> lines;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find(' '), text.size());
     const std::string word(text.substr(0, end));
     text.remove_prefix(std::min(end + 1, text.size()));
     const std::string joined = lines.empty() ? word : lines.back() + " " + word;
-    if (!lines.empty() && measure_on_paper(joined, size).x <= room) {
+    if (!lines.empty() && measure_on_paper(joined, style).x <= room) {
       lines.back() = joined;
     } else {
       lines.push_back(word);
@@ -71,8 +72,8 @@ const Theme& paper() {
   return theme;
 }
 
-Vector<2> measure_on_paper(std::string_view text, TextSize size) {
-  return measure_vector_text(text, text_height(size));
+Vector<2> measure_on_paper(std::string_view text, const TextStyle& style) {
+  return measure_vector_text(text, style);
 }
 
 std::vector<LegendEntry> strategy_legend() {
@@ -94,18 +95,18 @@ Pane chart_on(const Place& place, const Chart& chart) {
 Sheet::Sheet(std::string title, double width) : bottom_(edge) {
   figure_.title = std::move(title);
   figure_.size.x = width;
-  add_words(figure_.title, TextSize::large, paper().text);
+  add_words(figure_.title, large_text, paper().text);
   bottom_ += 4.0;
 }
 
-void Sheet::add_words(const std::string& text, TextSize size, Colour colour) {
+void Sheet::add_words(const std::string& text, const TextStyle& style, Colour colour) {
   const double room = figure_.size.x - 2.0 * edge;
-  const std::vector<std::string> lines = broken(text, room, size);
-  const double step = line_step * text_height(size);
+  const std::vector<std::string> lines = broken(text, room, style);
+  const double step = line_step * style.height;
   Pane pane = empty_pane({edge, bottom_}, {room, step * static_cast<double>(lines.size())});
   Vector<2> at(0.0);
   for (const std::string& line : lines) {
-    pane.marks.push_back(words_at(pane, at, line, size, colour));
+    pane.marks.push_back(words_at(pane, at, line, style, colour));
     at.y += step;
   }
   bottom_ += pane.camera.size.y;
@@ -127,24 +128,24 @@ void Sheet::add_row(double height, std::size_t count,
 }
 
 void Sheet::add_titles(std::span<const std::string> titles) {
-  constexpr double height = line_step * text_height(TextSize::normal);
+  constexpr double height = line_step * normal_text.height;
   add_row(height, titles.size(), [&](const Place& place, std::size_t number) {
     Pane pane = empty_pane(place.corner, place.size);
-    pane.marks.push_back(words_at(pane, {2.0, 4.0}, titles[number], TextSize::normal, paper().text));
+    pane.marks.push_back(words_at(pane, {2.0, 4.0}, titles[number], normal_text, paper().text));
     return pane;
   });
 }
 
 void Sheet::add_legend(const std::vector<LegendEntry>& entries) {
   const double room = figure_.size.x - 2.0 * edge;
-  const double height = text_height(TextSize::small);
+  const double height = small_text.height;
   const double row = 1.6 * height;
   const auto sample_of = [](const LegendEntry& entry) { return entry.has_line ? sample_length : 16.0; };
   // Where each begins; at first in a pane that is high enough for one entry a row.
   std::vector<Vector<2>> starts;
   Vector<2> at(0.0);
   for (const LegendEntry& entry : entries) {
-    const double width = sample_of(entry) + 7.0 + measure_on_paper(entry.name, TextSize::small).x;
+    const double width = sample_of(entry) + 7.0 + measure_on_paper(entry.name, small_text).x;
     if (at.x > 0.0 && at.x + width > room) at = {0.0, at.y + row};
     starts.push_back(at);
     at.x += width + entry_gap;
@@ -167,16 +168,16 @@ void Sheet::add_legend(const std::vector<LegendEntry>& entries) {
                                    entry.is_hollow ? entry.colour : paper().background, entry.is_hollow ? 1.6 : 0.8}});
     }
     pane.marks.push_back(
-        words_at(pane, middle + Vector<2>(sample + 7.0, -0.55 * height), entry.name, TextSize::small, paper().text));
+        words_at(pane, middle + Vector<2>(sample + 7.0, -0.55 * height), entry.name, small_text, paper().text));
   }
   bottom_ += pane.camera.size.y + 4.0;
   figure_.panes.push_back(std::move(pane));
 }
 
 Figure Sheet::finish(const std::string& caption, const std::string& provenance, CsvTable data) {
-  add_words(caption, TextSize::small, paper().text);
+  add_words(caption, small_text, paper().text);
   bottom_ += 3.0;
-  add_words(provenance, TextSize::small, paper().faint_text);
+  add_words(provenance, small_text, paper().faint_text);
   figure_.size.y = std::ceil(bottom_ + edge);  // whole pixels
   figure_.data = std::move(data);
   figure_.data.comments.insert(figure_.data.comments.begin(), {provenance, figure_.title + ". " + caption});

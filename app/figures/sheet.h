@@ -17,7 +17,7 @@ namespace ghostforce {
 const Theme& paper();
 
 // Letters as they are painted by Cairo.
-Vector<2> measure_on_paper(std::string_view text, TextSize size);
+Vector<2> measure_on_paper(std::string_view text, const TextStyle& style);
 
 // One thing that the legend names.
 struct LegendEntry {
@@ -57,7 +57,7 @@ class Sheet {
   Figure finish(const std::string& caption, const std::string& provenance, CsvTable data);
 
  private:
-  void add_words(const std::string& text, TextSize size, Colour colour);
+  void add_words(const std::string& text, const TextStyle& style, Colour colour);
 
   Figure figure_;
   double bottom_;  // of what is there [points]

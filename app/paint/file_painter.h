@@ -25,7 +25,7 @@ struct FilePicture {
 // As it is, the painter of a program that has none: it says so.
 struct FilePainter {
   // Of the letters that are painted, for those who place labels.
-  MeasureText measure = [](std::string_view, double) -> Vector<2> { throw no_painter(); };
+  MeasureText measure = [](std::string_view, const TextStyle&) -> Vector<2> { throw no_painter(); };
   // The file's content, of the format that the path ends in: .svg, .pdf, or else PNG. Throws Failure.
   std::function<std::string(const FilePicture& picture, std::string_view path)> paint =
       [](const FilePicture&, std::string_view) -> std::string { throw no_painter(); };

@@ -7,7 +7,8 @@
 namespace ghostforce {
 
 // For labels in the scene, on the screen and in vector pictures.
-inline constexpr std::string_view label_font = "DejaVuSans.ttf";
+inline constexpr std::string_view label_font_file = "DejaVuSans.ttf";
+inline constexpr std::string_view bold_label_font_file = "DejaVuSans-Bold.ttf";
 
 // The path of a font by its file's name. Throws Failure(file_trouble) where it is not beside the program.
 std::string font_file(std::string_view name);

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "app/paint/gl/shader_program.h"
-#include "app/paint/label_painter.h"
 #include "embedded_shaders.h"
 
 namespace ghostforce {
@@ -78,10 +77,14 @@ struct GlPainter::Collect {
     add(pixels(form.tail, form.offset), pixels(form.tip, form.offset), arrow_kind, 0.5 * form.width, form.rim_width,
         0.0, solid_line, form.fill, form.rim);
   }
+  void operator()(const Box&) const {}
+  void operator()(const Area&) const {}
+  void operator()(const Raster&) const {}
   void operator()(const Label&) const {}
 };
 
-GlPainter::GlPainter() : program_(gl::link_program(shader("mark.vert"), shader("mark.frag"))) {
+GlPainter::GlPainter(const LabelFonts& fonts)
+    : fonts_(fonts), program_(gl::link_program(shader("mark.vert"), shader("mark.frag"))) {
   viewport_uniform_ = glGetUniformLocation(program_.name(), "viewport");
   glBindVertexArray(attributes_.name());
   glBindBuffer(GL_ARRAY_BUFFER, instances_.name());
@@ -152,7 +155,7 @@ void GlPainter::paint(const std::vector<Pane>& panes, const Theme& theme, ImVec2
     const PixelRect rect{left, pixel_height - bottom, right - left, bottom - top};
     if (has_gaps) fill(theme.background, rect);
     paint_marks(pane, rect, density);
-    paint_labels(pane.marks, pane.camera, {static_cast<float>(at.x), static_cast<float>(at.y)}, text_scale,
+    paint_labels(pane.marks, pane.camera, fonts_, {static_cast<float>(at.x), static_cast<float>(at.y)}, text_scale,
                  *ImGui::GetBackgroundDrawList());
   }
 }

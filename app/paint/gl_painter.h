@@ -1,5 +1,5 @@
 // Paints panes with OpenGL 3.3 core: window and PNG alike. One instanced draw call for all of a pane's forms, and the
-// words above them with the screen's font. Needs an ImGui frame, and the thread that holds the context.
+// words above them with the screen's fonts. Needs an ImGui frame, and the thread that holds the context.
 #pragma once
 
 #include <string_view>
@@ -8,6 +8,7 @@
 #include <imgui.h>
 
 #include "app/paint/gl/handle.h"
+#include "app/paint/label_painter.h"
 #include "app/view/panes.h"
 #include "app/view/theme.h"
 
@@ -16,7 +17,7 @@ namespace ghostforce {
 class GlPainter {
  public:
   // Throws gl::ShaderError. Needs a current context.
-  GlPainter();
+  explicit GlPainter(const LabelFonts& fonts);
 
   // Draws with other shaders from now on. Throws gl::ShaderError, and goes on with those in use.
   void use_shaders(std::string_view vertex_source, std::string_view fragment_source);
@@ -44,6 +45,7 @@ class GlPainter {
   static void fill(Colour colour, const PixelRect& rect);
   void paint_marks(const Pane& pane, const PixelRect& rect, double pixels_per_point);
 
+  LabelFonts fonts_;
   gl::Program program_;
   gl::VertexArray attributes_;
   gl::Buffer instances_;

@@ -64,6 +64,9 @@ struct Describe {
     mark["fill"] = hex(form.fill);
     mark["rim"] = hex(form.rim);
   }
+  void operator()(const Box&) const { mark["form"] = "box"; }
+  void operator()(const Area&) const { mark["form"] = "area"; }
+  void operator()(const Raster&) const { mark["form"] = "raster"; }
   void operator()(const Label& form) const {
     mark["form"] = "label";
     mark["text"] = form.text;

@@ -7,15 +7,25 @@ ImU32 packed(Colour colour) {
   return IM_COL32(colour.red, colour.green, colour.blue, colour.alpha);
 }
 
+ImFont& font_of(const LabelFonts& fonts, const TextStyle& style) {
+  return style.is_bold ? *fonts.bold : *fonts.regular;
+}
+
 }  // namespace
 
-Vector<2> measure_text(std::string_view text, double height) {
+Vector<2> measure_text(const LabelFonts& fonts, std::string_view text, const TextStyle& style) {
   const ImVec2 size =
-      ImGui::GetFont()->CalcTextSizeA(static_cast<float>(height), 1e9F, 0.0F, text.data(), text.data() + text.size());
+      font_of(fonts, style)
+          .CalcTextSizeA(static_cast<float>(style.height), 1e9F, 0.0F, text.data(), text.data() + text.size());
   return {static_cast<double>(size.x), static_cast<double>(size.y)};
 }
 
-void paint_labels(const Marks& marks, const Camera& camera, ImVec2 origin, double height_scale, ImDrawList& draw_list) {
+MeasureText measure_with(const LabelFonts& fonts) {
+  return [fonts](std::string_view text, const TextStyle& style) { return measure_text(fonts, text, style); };
+}
+
+void paint_labels(const Marks& marks, const Camera& camera, const LabelFonts& fonts, ImVec2 origin, double height_scale,
+                  ImDrawList& draw_list) {
   draw_list.PushClipRect(origin,
                          {origin.x + static_cast<float>(camera.size.x), origin.y + static_cast<float>(camera.size.y)});
   for (const Mark& mark : marks) {
@@ -23,10 +33,10 @@ void paint_labels(const Marks& marks, const Camera& camera, ImVec2 origin, doubl
     if (label == nullptr) continue;
     const Vector<2> at = to_screen(camera, label->anchor) + label->offset;
     const ImVec2 corner{origin.x + static_cast<float>(at.x), origin.y + static_cast<float>(at.y)};
-    const auto height = static_cast<float>(text_height(label->size) * height_scale);
+    const auto height = static_cast<float>(label->style.height * height_scale);
     const auto write = [&](float dx, float dy, ImU32 colour) {
-      draw_list.AddText(ImGui::GetFont(), height, {corner.x + dx, corner.y + dy}, colour, label->text.data(),
-                        label->text.data() + label->text.size());
+      draw_list.AddText(&font_of(fonts, label->style), height, {corner.x + dx, corner.y + dy}, colour,
+                        label->text.data(), label->text.data() + label->text.size());
     };
     if (label->halo.alpha > 0) {
       const float reach = 0.1F * height;

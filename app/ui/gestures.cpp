@@ -63,7 +63,7 @@ void Gestures::take(Session& session, const std::vector<Pane>& panes, const Vect
     const Vector<2> inside = pointer - pane.corner;
     hovered_ = handle_at(session.settings, pane.camera, unit, inside);
     if (hovered_ != Handle::none) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    if (session.dialog == Dialog::none) mark_tooltip(pane, inside, unit, is_goal_estimated);
+    if (session.dialog == Dialog::none) mark_tooltip(pane, fonts_, inside, unit, is_goal_estimated);
   }
   if (const float wheel = ImGui::GetIO().MouseWheel; is_hovered && wheel != 0.0F) {
     const Pane& pane = pane_at(panes, pointer);
@@ -91,7 +91,7 @@ void Gestures::begin(Session& session, const Pane& pane, const Vector<2>& pointe
     return;
   }
   // The legend is no place for a goal: its entries choose the strategy that they name.
-  if (const Mark* const mark = mark_at(pane, pointer, unit); mark != nullptr && mark->role == Role::legend) {
+  if (const Mark* const mark = mark_at(pane, fonts_, pointer, unit); mark != nullptr && mark->role == Role::legend) {
     grip_ = Grip::nothing;
     if (mark->strategy) session.settings.active = *mark->strategy;
     return;

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "app/paint/label_painter.h"
 #include "app/session/session.h"
 #include "app/view/panes.h"
 
@@ -12,6 +13,9 @@ namespace ghostforce {
 
 class Gestures {
  public:
+  // Of the words in the scene.
+  explicit Gestures(const LabelFonts& fonts) : fonts_(fonts) {}
+
   // To be called inside an ImGui window that covers the scene. `panes` are the ones that the person sees: those of the
   // last frame; none yet: nothing happens. `unit` is the size of a point in the scene. `is_goal_estimated`: the goal in
   // the panes is not where anybody has put it.
@@ -28,6 +32,7 @@ class Gestures {
   void go_on(Session& session, const Pane& pane, const Vector<2>& pointer, double unit);
   void turn(Session& session, const Pane& pane, const Vector<2>& pointer, double unit) const;
 
+  LabelFonts fonts_;
   Grip grip_ = Grip::nothing;
   Handle hovered_ = Handle::none;
   Handle held_ = Handle::none;

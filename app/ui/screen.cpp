@@ -104,7 +104,12 @@ struct Screen::Layout {
   }
 };
 
-Screen::Screen(Window& window, Part part) : window_(window), part_(part), measure_(measure_text) {}
+Screen::Screen(Window& window, Part part)
+    : window_(window),
+      part_(part),
+      painter_(window.fonts()),
+      measure_(measure_with(window.fonts())),
+      gestures_(window.fonts()) {}
 
 void Screen::draw(Session& session, const Snapshot& snapshot, const History& history, const LoopReading& loop,
                   double interval_s) {

@@ -178,8 +178,8 @@ void Window::start_imgui(bool takes_mouse) {
   ImGui_ImplOpenGL3_Init("#version 330 core");
   // Letters are twice as wide in the atlas as on the screen: with one texel between them, a neighbour's edge showed.
   io.Fonts->TexGlyphPadding = 4;
-  fonts_.regular = io.Fonts->AddFontFromFileTTF(font_file(label_font).c_str());
-  fonts_.bold = io.Fonts->AddFontFromFileTTF(font_file("DejaVuSans-Bold.ttf").c_str());
+  fonts_.regular = io.Fonts->AddFontFromFileTTF(font_file(label_font_file).c_str());
+  fonts_.bold = io.Fonts->AddFontFromFileTTF(font_file(bold_label_font_file).c_str());
   fonts_.number = io.Fonts->AddFontFromFileTTF(font_file("DejaVuSansMono.ttf").c_str());
 }
 

@@ -126,6 +126,17 @@ constexpr std::array roles{
     RoleEntry{Role::scale, "scale", Term::force_scale},
     RoleEntry{Role::legend, "legend", std::nullopt},
     RoleEntry{Role::target, "target", Term::target},
+    RoleEntry{Role::hand, "hand", std::nullopt},
+    RoleEntry{Role::wall_share, "wall_share", std::nullopt},
+    RoleEntry{Role::expected_rest, "expected_rest", std::nullopt},
+    RoleEntry{Role::expected_contact, "expected_contact", std::nullopt},
+    RoleEntry{Role::guess, "guess", std::nullopt},
+    RoleEntry{Role::area, "area", std::nullopt},
+    RoleEntry{Role::map, "map", std::nullopt},
+    RoleEntry{Role::sentence, "sentence", std::nullopt},
+    RoleEntry{Role::number, "number", std::nullopt},
+    RoleEntry{Role::button, "button", std::nullopt},
+    RoleEntry{Role::hint, "hint", std::nullopt},
 };
 
 constexpr bool is_in_order(const auto& catalog) {
@@ -134,7 +145,7 @@ constexpr bool is_in_order(const auto& catalog) {
   }
   return true;
 }
-static_assert(is_in_order(entries) && is_in_order(roles) && roles.back().id == Role::target);
+static_assert(is_in_order(entries) && is_in_order(roles) && roles.back().id == Role::hint);
 
 }  // namespace
 

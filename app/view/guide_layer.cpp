@@ -25,15 +25,15 @@ struct Pen {
         {role, std::nullopt,
          Line{to_world(view.camera, from), to_world(view.camera, to), view.points(width), colour, pattern}});
   }
-  void text(const Vector<2>& upper_left, std::string words, Colour colour, TextSize size = TextSize::small) const {
+  void text(const Vector<2>& upper_left, std::string words, Colour colour, const TextStyle& style = small_text) const {
     marks.push_back({role, std::nullopt,
-                     Label{to_world(view.camera, upper_left), Vector<2>(0.0), std::move(words), size, colour,
+                     Label{to_world(view.camera, upper_left), Vector<2>(0.0), std::move(words), style, colour,
                            view.theme.background}});
   }
 };
 
 double text_width(const View& view, std::string_view words) {
-  return view.measure(words, view.points(text_height(TextSize::small))).x;
+  return view.measure(words, view.drawn(small_text)).x;
 }
 
 // The greatest of 1, 2, 5, 10, 20 … mm that is at most `longest` points long.
@@ -56,7 +56,7 @@ void add_scales(const View& view, Marks& marks) {
     pen.line(from, to, 2.0, view.theme.text);
     for (const Vector<2>& end : {from, to})
       pen.line(end - Vector<2>(0.0, tick), end + Vector<2>(0.0, tick), 2.0, view.theme.text);
-    pen.text(to + Vector<2>(view.points(8.0), -0.62 * view.points(text_height(TextSize::small))), std::move(words),
+    pen.text(to + Vector<2>(view.points(8.0), -0.62 * view.points(small_text.height)), std::move(words),
              view.theme.text);
   };
   // In a narrow pane the motor dial is close.
@@ -124,10 +124,10 @@ void add_title(const View& view, Marks& marks) {
                    Role::device});
   const std::string letter(1, entry.letter);
   const std::string in_full = fmt::format("{}  {}", entry.letter, entry.title);
-  const double height = view.points(text_height(TextSize::normal));
+  const double height = view.points(normal_text.height);
   const double left = at.x + view.points(18.0);
-  const bool fits = left + view.measure(in_full, height).x < view.camera.size.x - view.points(4.0);
-  pen.text({left, at.y - 0.6 * height}, fits ? in_full : letter, view.theme.strategy_text[i], TextSize::normal);
+  const bool fits = left + view.measure(in_full, view.drawn(normal_text)).x < view.camera.size.x - view.points(4.0);
+  pen.text({left, at.y - 0.6 * height}, fits ? in_full : letter, view.theme.strategy_text[i], normal_text);
   marks.back().strategy = entry.id;
   marks.back().about = Role::device;
 }
@@ -136,7 +136,7 @@ void add_legend(const View& view, Marks& marks) {
   const Pen pen{view, marks, Role::legend};
   const double row_height = view.points(22.0);
   const double text_x = view.points(margin + 26.0);
-  const double text_up = 0.62 * view.points(text_height(TextSize::small));
+  const double text_up = 0.62 * view.points(small_text.height);
   Vector<2> at{view.points(margin + 8.0), view.points(margin + 8.0)};
   const auto entry = [&](Role about, std::optional<StrategyId> id, Marker marker, std::string words, Colour colour) {
     // Trails and grid may run below: they step back behind the words.

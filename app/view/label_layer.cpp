@@ -32,8 +32,8 @@ class LabelPlacer {
 
   // `gap` is the distance between anchor and text [points].
   void place(Role role, std::optional<StrategyId> id, const Vector<2>& anchor, double gap, std::string text,
-             TextSize size, Colour colour) {
-    const Vector<2> extent = view_.measure(text, view_.points(text_height(size)));
+             const TextStyle& style, Colour colour) {
+    const Vector<2> extent = view_.measure(text, view_.drawn(style));
     const Vector<2> at = to_screen(view_.camera, anchor);
     // What is far outside the picture is not there to be named.
     const Vector<2> nearest = glm::clamp(at, Vector<2>(0.0), view_.camera.size);
@@ -59,7 +59,7 @@ class LabelPlacer {
       if (least == 0.0) break;
     }
     keep_clear_of_text(best, extent);
-    marks_.push_back({role, id, Label{anchor, best - at, std::move(text), size, colour, view_.theme.background}});
+    marks_.push_back({role, id, Label{anchor, best - at, std::move(text), style, colour, view_.theme.background}});
   }
 
  private:
@@ -112,7 +112,7 @@ void keep_marks_clear(const View& view, const Marks& marks, LabelPlacer& placer)
                         to_screen(view.camera, arrow->tip) + arrow->offset, arrow->width + 2.0);
     } else if (const auto* label = std::get_if<Label>(&mark.form)) {
       const Vector<2> at = to_screen(view.camera, label->anchor) + label->offset;
-      const Vector<2> extent = view.measure(label->text, view.points(text_height(label->size)));
+      const Vector<2> extent = view.measure(label->text, view.drawn(label->style));
       placer.keep_clear_of_text(at, extent);
     } else if (const auto* line = std::get_if<Line>(&mark.form);
                line != nullptr &&
@@ -138,8 +138,8 @@ void add_letters(const View& view, LabelPlacer& placer) {
       letters += strategy(id).letter;
       return true;
     });
-    placer.place(Role::device, first, at, view.points(11.0), letters,
-                 view.in_front(first) ? TextSize::large : TextSize::normal, view.theme.strategy_text[index_of(first)]);
+    placer.place(Role::device, first, at, view.points(11.0), letters, view.in_front(first) ? large_text : normal_text,
+                 view.theme.strategy_text[index_of(first)]);
   }
 }
 
@@ -162,17 +162,16 @@ void add_measures(const View& view, StrategyId id, LabelPlacer& placer) {
     const Vector<2> tip =
         arrow_tip(view, now.device, now.ghost_force) + to_screen_direction(offset) / view.camera.points_per_metre;
     placer.place(Role::ghost_force, id, tip, view.points(9.0),
-                 fmt::format("{}ghost force {:.2f} N", whose, glm::length(now.ghost_force)), TextSize::normal, colour);
+                 fmt::format("{}ghost force {:.2f} N", whose, glm::length(now.ghost_force)), normal_text, colour);
   }
   if (view.in_front(id) && is_drawn(view, now.force)) {
     placer.place(Role::force, id, arrow_tip(view, now.device, now.force), view.points(9.0),
-                 fmt::format("{}force {:.2f} N", whose, glm::length(now.force)), TextSize::normal, colour);
+                 fmt::format("{}force {:.2f} N", whose, glm::length(now.force)), normal_text, colour);
   }
   if (has_drift_ruler(view, id)) {
     const DriftRuler ruler = drift_ruler(view, id);
     placer.place(Role::proxy_drift, id, 0.5 * (ruler.from + ruler.to), view.points(8.0),
-                 fmt::format("{}drift {:.1f} mm", whose, glm::length(now.proxy_drift) * mm_per_m), TextSize::normal,
-                 colour);
+                 fmt::format("{}drift {:.1f} mm", whose, glm::length(now.proxy_drift) * mm_per_m), normal_text, colour);
   }
 }
 
@@ -183,10 +182,9 @@ void add_labels(const View& view, Marks& marks) {
   keep_marks_clear(view, marks, placer);
   add_letters(view, placer);
   placer.place(Role::goal, std::nullopt, view.snapshot.goal, view.points(15.0),
-               view.snapshot.measured ? "goal, estimated" : "goal", TextSize::normal, view.theme.text);
+               view.snapshot.measured ? "goal, estimated" : "goal", normal_text, view.theme.text);
   if (view.target) {
-    placer.place(Role::target, std::nullopt, *view.target, view.points(15.0), "aim here", TextSize::normal,
-                 view.theme.text);
+    placer.place(Role::target, std::nullopt, *view.target, view.points(15.0), "aim here", normal_text, view.theme.text);
   }
   for_each_shown(view, [&](StrategyId id) { add_measures(view, id, placer); });
 }

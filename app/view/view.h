@@ -46,8 +46,8 @@ struct ViewOptions {
 // What the pointer can take hold of in the scene (view/handles.h).
 enum class Handle : std::uint8_t { none, motor_axis, wall };
 
-// Width and height of a line of text [points] at a height of text [points].
-using MeasureText = std::function<Vector<2>(std::string_view text, double height)>;
+// Width and height of a line of text [points] in a style whose height is the one that is drawn: after the UI scale.
+using MeasureText = std::function<Vector<2>(std::string_view text, const TextStyle& style)>;
 
 struct View {
   const Settings& settings;
@@ -71,6 +71,8 @@ struct View {
   bool is_predicted(StrategyId id) const noexcept { return snapshot.measured && *snapshot.measured != id; }
   // A size in points, grown by the UI scale and the theme.
   double points(double size) const noexcept { return size * scale * theme.thickness; }
+  // As it is drawn.
+  TextStyle drawn(const TextStyle& style) const noexcept { return {points(style.height), style.is_bold}; }
   // How long that is in the world [m].
   double metres(double size) const noexcept { return size * scale * theme.thickness / camera.points_per_metre; }
 };

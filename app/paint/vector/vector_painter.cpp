@@ -1,11 +1,9 @@
 #include "app/paint/vector/vector_painter.h"
 
-#include <cairo-ft.h>
 #include <cairo-pdf.h>
 #include <cairo-svg.h>
 #include <cairo.h>
 #include <fmt/format.h>
-#include <freetype/freetype.h>
 
 #include <algorithm>
 #include <array>
@@ -17,99 +15,15 @@
 #include <span>
 
 #include "app/console/failure.h"
-#include "app/console/quoted.h"
 #include "app/files/xml_text.h"
-#include "app/paint/font_file.h"
+#include "app/paint/vector/letters.h"
 #include "ghostforce_version.h"
 
 namespace ghostforce {
 namespace {
 
-template <auto destroy>
-struct Destroy {
-  void operator()(auto* object) const { destroy(object); }
-};
 using Context = std::unique_ptr<cairo_t, Destroy<cairo_destroy>>;
 using Surface = std::unique_ptr<cairo_surface_t, Destroy<cairo_surface_destroy>>;
-using FontOptions = std::unique_ptr<cairo_font_options_t, Destroy<cairo_font_options_destroy>>;
-using FontFace = std::unique_ptr<cairo_font_face_t, Destroy<cairo_font_face_destroy>>;
-using ScaledFont = std::unique_ptr<cairo_scaled_font_t, Destroy<cairo_scaled_font_destroy>>;
-using FontLibrary = std::unique_ptr<FT_LibraryRec_, Destroy<FT_Done_FreeType>>;
-using FontOutlines = std::unique_ptr<FT_FaceRec_, Destroy<FT_Done_Face>>;
-
-// Words may come from a file's name, and Cairo takes nothing but UTF-8 without any of what Unicode calls no character.
-std::string drawable(std::string_view words) {
-  return quoted_text(words, words.size());
-}
-
-// ---- Letters --------------------------------------------------------------------------------------------------------
-
-// Sizes follow the screen's convention: a height is that of a line of text, from the highest to the lowest letter.
-class Font {
- public:
-  Font() {
-    const std::string path = font_file(label_font);
-    FT_Library library = nullptr;
-    require(FT_Init_FreeType(&library), path);
-    library_.reset(library);
-    FT_Face outlines = nullptr;
-    require(FT_New_Face(library, path.c_str(), 0, &outlines), path);
-    outlines_.reset(outlines);
-    const double line = static_cast<double>(outlines->ascender) - static_cast<double>(outlines->descender);
-    em_ = static_cast<double>(outlines->units_per_EM) / line;
-    ascent_ = static_cast<double>(outlines->ascender) / line;
-
-    // Letters fitted to pixels would be as wide as one size of pixel wants them.
-    options_.reset(cairo_font_options_create());
-    cairo_font_options_set_hint_style(options_.get(), CAIRO_HINT_STYLE_NONE);
-    cairo_font_options_set_hint_metrics(options_.get(), CAIRO_HINT_METRICS_OFF);
-    cairo_font_options_set_antialias(options_.get(), CAIRO_ANTIALIAS_GRAY);
-    face_.reset(cairo_ft_font_face_create_for_ft_face(outlines, FT_LOAD_NO_HINTING));
-    cairo_matrix_t size;
-    cairo_matrix_init_scale(&size, measured_em, measured_em);
-    cairo_matrix_t upright;
-    cairo_matrix_init_identity(&upright);
-    measured_.reset(cairo_scaled_font_create(face_.get(), &size, &upright, options_.get()));
-  }
-
-  double width(std::string_view text, double height) const {
-    cairo_text_extents_t extents;
-    cairo_scaled_font_text_extents(measured_.get(), drawable(text).c_str(), &extents);
-    return extents.x_advance / measured_em * em_ * height;
-  }
-  // Of the baseline below the upper edge of the line.
-  double ascent(double height) const { return ascent_ * height; }
-  void choose_on(cairo_t* target, double height) const {
-    cairo_set_font_face(target, face_.get());
-    cairo_set_font_options(target, options_.get());
-    cairo_set_font_size(target, em_ * height);
-  }
-
- private:
-  static constexpr double measured_em = 1000.0;  // large, so that no advance is rounded
-
-  static void require(FT_Error error, const std::string& path) {
-    if (error == 0) return;
-    throw Failure(ExitCode::file_trouble,
-                  fmt::format("the font {} cannot be read (FreeType error {}); build again with ./demo, or install the "
-                              "program with cmake --install",
-                              quoted_text(path, longest_path), error));
-  }
-
-  FontLibrary library_;
-  FontOutlines outlines_;
-  FontOptions options_;
-  FontFace face_;
-  ScaledFont measured_;
-  double em_ = 1.0;  // of the height
-  double ascent_ = 1.0;
-};
-
-// Kept until the program ends: Cairo's own caches may hold a font longer than any picture.
-const Font& font() {
-  static const Font only;
-  return only;
-}
 
 // ---- Marks ----------------------------------------------------------------------------------------------------------
 
@@ -177,6 +91,9 @@ class MarkPainter {
   }
 
   void paint_form(const Line&) const {}   // see paint_curve()
+  void paint_form(const Box&) const {}
+  void paint_form(const Area&) const {}
+  void paint_form(const Raster&) const {}
   void paint_form(const Label&) const {}  // see paint()
 
   // What of the pane's rectangle lies behind the edge.
@@ -312,10 +229,11 @@ class MarkPainter {
   }
 
   void paint_label(const Label& label) const {
-    const double height = text_height(label.size) * text_scale_;
-    const Vector<2> at = on_screen(label.anchor, label.offset) + Vector<2>(0.0, font().ascent(height));
+    const double height = label.style.height * text_scale_;
+    const LabelFont& font = label_font(label.style.is_bold);
+    const Vector<2> at = on_screen(label.anchor, label.offset) + Vector<2>(0.0, font.ascent(height));
     const std::string words = drawable(label.text);
-    font().choose_on(target_, height);
+    font.choose_on(target_, height);
     if (label.halo.alpha > 0) {
       // An outline round the letters, not more letters: a search in a PDF should find each word once.
       cairo_move_to(target_, at.x, at.y);
@@ -399,8 +317,8 @@ std::optional<VectorFormat> vector_format_of(std::string_view path) {
   return std::nullopt;
 }
 
-Vector<2> measure_vector_text(std::string_view text, double height) {
-  return {font().width(text, height), height};
+Vector<2> measure_vector_text(std::string_view text, const TextStyle& style) {
+  return {label_font(style.is_bold).width(text, style.height), style.height};
 }
 
 void paint_panes(const std::vector<Pane>& panes, const Theme& theme, const Vector<2>& size, double text_scale,

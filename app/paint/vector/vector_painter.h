@@ -24,7 +24,7 @@ std::optional<VectorFormat> vector_format_of(std::string_view path);
 
 // The measure of the letters that are painted here, for those who place labels. Throws Failure(file_trouble) where the
 // font cannot be read.
-Vector<2> measure_vector_text(std::string_view text, double height);
+Vector<2> measure_vector_text(std::string_view text, const TextStyle& style);
 
 // The whole file's content; the same call gives the same bytes. `size` is the panes' rectangle [points], `text_scale`
 // turns a nominal text height into points. In a PDF letters are text, to be searched and copied; in an SVG they are

@@ -6,15 +6,14 @@
 
 #include <imgui.h>
 
+#include "app/paint/label_painter.h"
 #include "app/session/session.h"
 #include "app/view/theme.h"
 #include "core/snapshot.h"
 
 namespace ghostforce {
 
-struct Fonts {
-  ImFont* regular;
-  ImFont* bold;
+struct Fonts : LabelFonts {
   ImFont* number;  // all digits equally wide
 };
 

@@ -60,6 +60,7 @@ void write_entry(const GlossaryEntry& entry, std::string_view whose) {
 
 struct DistanceTo {
   const Camera& camera;
+  const LabelFonts& fonts;
   Vector<2> pointer;
   double unit;
 
@@ -69,11 +70,14 @@ struct DistanceTo {
     const double share = squared > 0.0 ? std::clamp(glm::dot(pointer - from, along) / squared, 0.0, 1.0) : 0.0;
     return glm::distance(pointer, from + along * share);
   }
+  double to_rectangle(const Vector<2>& corner, const Vector<2>& extent) const {
+    return glm::distance(pointer, glm::clamp(pointer, corner, corner + extent));
+  }
   double operator()(const HalfPlane&) const { return 1e9; }  // everywhere: of no help to anybody
   double operator()(const Label& form) const {
     const Vector<2> corner = to_screen(camera, form.anchor) + form.offset;
-    const Vector<2> extent = measure_text(form.text, text_height(form.size) * unit);
-    return glm::distance(pointer, glm::clamp(pointer, corner, corner + extent));
+    const Vector<2> extent = measure_text(fonts, form.text, {form.style.height * unit, form.style.is_bold});
+    return to_rectangle(corner, extent);
   }
   double operator()(const Line& form) const {
     return to_segment(to_screen(camera, form.from), to_screen(camera, form.to)) - 0.5 * form.width;
@@ -87,6 +91,24 @@ struct DistanceTo {
   double operator()(const Arrow& form) const {
     return to_segment(to_screen(camera, form.tail) + form.offset, to_screen(camera, form.tip) + form.offset) -
            form.width;
+  }
+  double operator()(const Box& form) const {
+    return to_rectangle(to_screen(camera, form.corner) + form.offset, form.size);
+  }
+  double operator()(const Raster& form) const { return to_rectangle(to_screen(camera, form.corner), form.size); }
+  double operator()(const Area& form) const {
+    double nearest = 1e9;
+    bool is_inside = false;
+    for (std::size_t i = 0; i < form.corners.size(); ++i) {
+      const Vector<2> from = to_screen(camera, form.corners[i]);
+      const Vector<2> to = to_screen(camera, form.corners[(i + 1) % form.corners.size()]);
+      nearest = std::min(nearest, to_segment(from, to));
+      if ((from.y > pointer.y) != (to.y > pointer.y) &&
+          pointer.x < from.x + (to.x - from.x) * (pointer.y - from.y) / (to.y - from.y)) {
+        is_inside = !is_inside;
+      }
+    }
+    return is_inside ? 0.0 : nearest;
   }
 };
 
@@ -104,20 +126,21 @@ void tooltip(Term term) {
   end_explanation();
 }
 
-const Mark* mark_at(const Pane& pane, const Vector<2>& pointer, double unit) {
+const Mark* mark_at(const Pane& pane, const LabelFonts& fonts, const Vector<2>& pointer, double unit) {
   // Springs and trails are thin and everywhere: whoever points at an arrow that one crosses means the arrow.
   for (const bool is_line : {false, true}) {
     for (auto mark = pane.marks.rbegin(); mark != pane.marks.rend(); ++mark) {
       if (!term_of(*mark) || std::holds_alternative<Line>(mark->form) != is_line) continue;
-      if (std::visit(DistanceTo{pane.camera, pointer, unit}, mark->form) <= slack * unit) return &*mark;
+      if (std::visit(DistanceTo{pane.camera, fonts, pointer, unit}, mark->form) <= slack * unit) return &*mark;
     }
   }
   return nullptr;
 }
 
-void mark_tooltip(const Pane& pane, const Vector<2>& pointer, double unit, bool is_goal_estimated) {
+void mark_tooltip(const Pane& pane, const LabelFonts& fonts, const Vector<2>& pointer, double unit,
+                  bool is_goal_estimated) {
   if (!ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip)) return;
-  const Mark* const mark = mark_at(pane, pointer, unit);
+  const Mark* const mark = mark_at(pane, fonts, pointer, unit);
   if (mark == nullptr || !begin_explanation()) return;
   write_entry(glossary(term_of(*mark, is_goal_estimated).value()),
               mark->strategy ? strategy(*mark->strategy).title : "");

@@ -3,6 +3,7 @@
 
 #include <string_view>
 
+#include "app/paint/label_painter.h"
 #include "app/view/glossary.h"
 #include "app/view/panes.h"
 
@@ -13,9 +14,10 @@ void tooltip(std::string_view sentence);
 void tooltip(Term term);
 
 // On the mark of the scene under the pointer, where the item just drawn is the scene. `pointer` in the pane [points].
-void mark_tooltip(const Pane& pane, const Vector<2>& pointer, double unit, bool is_goal_estimated);
+void mark_tooltip(const Pane& pane, const LabelFonts& fonts, const Vector<2>& pointer, double unit,
+                  bool is_goal_estimated);
 
 // The uppermost mark with a meaning at that place; null if there is none. Words count as far as they reach.
-const Mark* mark_at(const Pane& pane, const Vector<2>& pointer, double unit);
+const Mark* mark_at(const Pane& pane, const LabelFonts& fonts, const Vector<2>& pointer, double unit);
 
 }  // namespace ghostforce

@@ -97,7 +97,7 @@ std::vector<Words> words_in(const Pane& pane, double scale) {
     const auto* label = std::get_if<Label>(&mark.form);
     if (label == nullptr) continue;
     const Vector<2> at = to_screen(pane.camera, label->anchor) + label->offset;
-    all.push_back({label->text, {at, at + measure(label->text, text_height(label->size) * scale)}, mark.role});
+    all.push_back({label->text, {at, at + measure(label->text, {label->style.height * scale})}, mark.role});
   }
   return all;
 }

@@ -47,10 +47,11 @@ Image painted(const PictureRequest& request, const std::function<void(Marks&)>& 
       {.title = "", .width = request.width, .height = request.height, .offscreen = true, .takes_mouse = false});
   const auto scale = static_cast<float>(request.appearance.scale);
   apply_style(*request.appearance.theme, scale);
-  GlPainter painter;
+  GlPainter painter(window.fonts());
   for (int i = 0; i < 3; ++i) {
     window.frame(0.0, [&] {
-      std::vector<Pane> panes = compose_moment(request, moment, {request.width, request.height}, measure_text);
+      std::vector<Pane> panes =
+          compose_moment(request, moment, {request.width, request.height}, measure_with(window.fonts()));
       for (Pane& pane : panes) alter(pane.marks);
       painter.paint(panes, *request.appearance.theme, {0.0F, 0.0F},
                     request.appearance.scale * request.appearance.theme->thickness, window.pixel_width(),

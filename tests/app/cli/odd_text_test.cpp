@@ -174,10 +174,10 @@ TEST(VectorWords, AreDrawnWhateverTheyAre) {
     for (const VectorFormat format : {VectorFormat::pdf, VectorFormat::svg}) {
       std::vector<Pane> panes = panes_of("fig1", Compare::overlay, light);
       panes.front().marks.push_back(
-          {Role::legend, {}, Label{{}, {}, std::string(odd), TextSize::normal, light.text, light.background}});
+          {Role::legend, {}, Label{{}, {}, std::string(odd), normal_text, light.text, light.background}});
       EXPECT_NO_THROW(paint_vector(panes, light, size, 1.0, format, odd)) << odd;
     }
-    EXPECT_GE(measure_vector_text(odd, 10.0).x, 0.0);
+    EXPECT_GE(measure_vector_text(odd, {10.0}).x, 0.0);
   }
 }
 

@@ -107,7 +107,7 @@ TEST_P(EachFigure, HasItsWordsOnThePaperAndApart) {
       const auto* label = std::get_if<Label>(&mark.form);
       if (label == nullptr) continue;
       const Vector<2> at = to_screen(pane.camera, label->anchor) + label->offset;
-      all.push_back({label->text, at, at + measure_on_paper(label->text, label->size)});
+      all.push_back({label->text, at, at + measure_on_paper(label->text, label->style)});
       has_provenance |= label->text.starts_with("ghostforce " GHOSTFORCE_VERSION);
     }
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -259,7 +259,7 @@ TEST(Figures, PutLettersNearestToTheirOwnDevices) {
         const auto* label = std::get_if<Label>(&mark.form);
         if (label == nullptr || (label->text != "F" && label->text != "N" && label->text != "A")) continue;
         const Vector<2> middle =
-            to_screen(pane.camera, label->anchor) + label->offset + 0.5 * measure_on_paper(label->text, label->size);
+            to_screen(pane.camera, label->anchor) + label->offset + 0.5 * measure_on_paper(label->text, label->style);
         double own = 1e9;
         double other = 1e9;
         for (const Mark& spot : pane.marks) {

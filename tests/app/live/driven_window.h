@@ -47,6 +47,7 @@ class DrivenWindow : public testing::Test {
   const Snapshot& now() const { return application_->report().snapshot; }
   // Where that is the input in use.
   VirtualFalconInput& virtual_falcon() { return dynamic_cast<VirtualFalconInput&>(application_->servo().input()); }
+  const Window& window() const { return *window_; }
   Image picture() const { return window_->picture(); }
 
   // A frame of the window and the ticks that the servo makes meanwhile.

@@ -59,6 +59,9 @@ struct IsSound {
   bool operator()(const Line& line) const { return at(line.from) && at(line.to) && std::isfinite(line.pattern_start); }
   bool operator()(const Marker& marker) const { return at(marker.center) && at(marker.offset); }
   bool operator()(const Arrow& arrow) const { return at(arrow.tail) && at(arrow.tip); }
+  bool operator()(const Box& box) const { return at(box.corner) && at(box.size) && at(box.offset); }
+  bool operator()(const Area& area) const { return std::ranges::all_of(area.corners, at); }
+  bool operator()(const Raster& raster) const { return at(raster.corner) && at(raster.size); }
   bool operator()(const Label& label) const {
     return at(label.anchor) && at(label.offset) && no_number_in(label.text).empty();
   }

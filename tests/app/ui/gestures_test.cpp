@@ -161,7 +161,7 @@ TEST_F(GesturesTest, WordsOfSceneAndLegendNameWhatTheyAreAbout) {
     const auto* label = std::get_if<Label>(&mark.form);
     if (label == nullptr) continue;
     const Vector<2> inside = to_screen(camera(), label->anchor) + label->offset + Vector<2>(4.0, 6.0);
-    const Mark* const hit = mark_at(screen().panes()[0], inside, 1.0);
+    const Mark* const hit = mark_at(screen().panes()[0], window().fonts(), inside, 1.0);
     ASSERT_NE(hit, nullptr) << label->text;
     found.push_back(term_of(*hit).value());
   }
@@ -178,7 +178,7 @@ TEST_F(GesturesTest, AnArrowIsMeantWhereASpringCrossesIt) {
     if (arrow == nullptr) continue;
     const Vector<2> tail = to_screen(camera(), arrow->tail) + arrow->offset;
     const Vector<2> tip = to_screen(camera(), arrow->tip) + arrow->offset;
-    EXPECT_EQ(term_of(*mark_at(screen().panes()[0], 0.5 * (tail + tip), 1.0)), Term::ghost_force);
+    EXPECT_EQ(term_of(*mark_at(screen().panes()[0], window().fonts(), 0.5 * (tail + tip), 1.0)), Term::ghost_force);
   }
 }
 

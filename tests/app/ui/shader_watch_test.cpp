@@ -72,7 +72,7 @@ TEST_F(ShaderWatchTest, ABrokenShaderIsShownAndTheOldOneGoesOn) {
 }
 
 TEST_F(ShaderWatchTest, TheMessageHoldsTheLogAndTheNumberedSource) {
-  GlPainter painter;
+  GlPainter painter(window().fonts());
   ShaderWatch watch(folder_.path());
   watch.look(painter, 0.0);
   EXPECT_EQ(watch.problem(), "");

@@ -18,8 +18,8 @@ namespace ghostforce {
 namespace {
 
 // Letters of a fixed width: close to DejaVu Sans, and the same everywhere.
-const MeasureText measure = [](std::string_view text, double height) {
-  return Vector<2>(0.58 * height * static_cast<double>(text.size()), 1.17 * height);
+const MeasureText measure = [](std::string_view text, const TextStyle& style) {
+  return Vector<2>(0.58 * style.height * static_cast<double>(text.size()), 1.17 * style.height);
 };
 
 struct Picture {
@@ -152,7 +152,7 @@ std::vector<Box> text_boxes(const Picture& picture) {
   for (const Mark& mark : picture.marks) {
     if (const auto* label = std::get_if<Label>(&mark.form)) {
       const Vector<2> corner = to_screen(picture.camera, label->anchor) + label->offset;
-      boxes.push_back({label->text, corner, corner + measure(label->text, text_height(label->size))});
+      boxes.push_back({label->text, corner, corner + measure(label->text, label->style)});
     }
   }
   return boxes;

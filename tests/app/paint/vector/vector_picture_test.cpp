@@ -54,7 +54,7 @@ class OpenGl {
 
  private:
   Window window_{{.title = "test", .width = width, .height = height, .offscreen = true, .takes_mouse = false}};
-  GlPainter painter_;
+  GlPainter painter_{window_.fonts()};
 };
 
 int difference(const Image& a, const Image& b, std::size_t pixel) {
@@ -205,11 +205,11 @@ TEST(VectorPicture, DrawsEachFormAsOpenGlDoes) {
 
 TEST(VectorPicture, MeasuresLettersAsTheScreenDoes) {
   OpenGl gl;
-  gl.window().frame(0.0, [] {
+  gl.window().frame(0.0, [&] {
     for (const std::string_view text : {"ghost force 1.27 N", "N  device, Naïve", "ρ κ", "A"}) {
       for (const double line : {13.0, 19.0, 57.0}) {
-        const Vector<2> expected = measure_text(text, line);
-        const Vector<2> measured = measure_vector_text(text, line);
+        const Vector<2> expected = measure_text(gl.window().fonts(), text, {line});
+        const Vector<2> measured = measure_vector_text(text, {line});
         EXPECT_NEAR(measured.x, expected.x, 0.01 * line) << text;  // ImGui's are rounded to fractions of a pixel
         EXPECT_EQ(measured.y, expected.y) << text;
       }
@@ -218,12 +218,12 @@ TEST(VectorPicture, MeasuresLettersAsTheScreenDoes) {
 }
 
 // The box of all that is not paper [px].
-struct Box {
+struct InkBox {
   int left = width, right = 0, top = height, bottom = 0;
 };
 
-Box box_of_ink(const Image& image, Colour paper) {
-  Box box;
+InkBox box_of_ink(const Image& image, Colour paper) {
+  InkBox box;
   for (int i = 0; i < width * height; ++i) {
     if (std::abs(int{image.rgb[3 * static_cast<std::size_t>(i) + 1]} - int{paper.green}) < 64) continue;
     box.left = std::min(box.left, i % width);
@@ -234,30 +234,30 @@ Box box_of_ink(const Image& image, Colour paper) {
   return box;
 }
 
-bool are_close(const Box& a, const Box& b) {
+bool are_close(const InkBox& a, const InkBox& b) {
   const auto near = [](int x, int y) { return std::abs(x - y) <= 1; };
   return near(a.left, b.left) && near(a.right, b.right) && near(a.top, b.top) && near(a.bottom, b.bottom);
 }
 
 TEST(VectorPicture, SetsLettersAndTheirHaloWhereTheScreenDoes) {
   OpenGl gl;
-  for (const TextSize text_size : {TextSize::small, TextSize::normal, TextSize::large}) {
+  for (const TextStyle& style : {small_text, normal_text, large_text}) {
     for (const Colour halo : {rgb(0x000000), Colour{0, 0, 0, 0}}) {
-      const auto panes_with = [&](const Vector<2>& aside, TextSize other_size) {
+      const auto panes_with = [&](const Vector<2>& aside, const TextStyle& other_style) {
         // Letters stand on whole pixels on the screen and anywhere here, so ask for a place in between.
         const Vector<2> offset = Vector<2>(40.5, -59.5) + aside;
         return std::vector<Pane>{
             pane_with({Mark{Role::legend, std::nullopt,
-                            Label{Vector<2>(0.0), offset, "Force Egj 3.39 N", other_size, rgb(0x000000), halo}}})};
+                            Label{Vector<2>(0.0), offset, "Force Egj 3.39 N", other_style, rgb(0x000000), halo}}})};
       };
-      const auto drawn = [&](const Vector<2>& aside, TextSize other_size) {
-        return box_of_ink(drawn_by_cairo(panes_with(aside, other_size), light), light.background);
+      const auto drawn = [&](const Vector<2>& aside, const TextStyle& other_style) {
+        return box_of_ink(drawn_by_cairo(panes_with(aside, other_style), light), light.background);
       };
-      const Box expected = box_of_ink(gl.draw(panes_with(Vector<2>(0.0), text_size), light), light.background);
-      EXPECT_TRUE(are_close(drawn(Vector<2>(0.0), text_size), expected)) << text_height(text_size) << ' ' << halo.alpha;
-      EXPECT_FALSE(are_close(drawn({3.0, 0.0}, text_size), expected));
-      EXPECT_FALSE(are_close(drawn({0.0, 3.0}, text_size), expected));
-      const TextSize other = text_size == TextSize::small ? TextSize::normal : TextSize::small;
+      const InkBox expected = box_of_ink(gl.draw(panes_with(Vector<2>(0.0), style), light), light.background);
+      EXPECT_TRUE(are_close(drawn(Vector<2>(0.0), style), expected)) << style.height << ' ' << halo.alpha;
+      EXPECT_FALSE(are_close(drawn({3.0, 0.0}, style), expected));
+      EXPECT_FALSE(are_close(drawn({0.0, 3.0}, style), expected));
+      const TextStyle& other = style == small_text ? normal_text : small_text;
       EXPECT_FALSE(are_close(drawn(Vector<2>(0.0), other), expected));
     }
   }
