@@ -98,7 +98,12 @@ void escape(Session& session) {
   const bool closes_more = session.dialog != Dialog::none || session.notice;
   session.dialog = Dialog::none;
   session.notice.reset();
-  if (!closes_more) session.hint.reset();
+  if (closes_more) return;
+  if (session.stage.looks_back_to_s) {
+    go_on_live(session);
+  } else {
+    session.hint.reset();
+  }
 }
 
 constexpr int none = 0;
@@ -112,8 +117,9 @@ constexpr std::array bindings{
     KeyBinding{GLFW_KEY_2, none, "2", "Naïve rendering", activate<StrategyId::naive>},
     KeyBinding{GLFW_KEY_3, none, "3", "Anisotropic rendering", activate<StrategyId::anisotropic>},
     KeyBinding{GLFW_KEY_0, none, "0", "Compare: overlay, side by side, active only", next_compare_mode},
-    KeyBinding{GLFW_KEY_SPACE, none, "Space", "Pause, and go on", toggle_pause},
-    KeyBinding{GLFW_KEY_PERIOD, none, ".", "One tick, then pause", single_step, true},
+    KeyBinding{GLFW_KEY_SPACE, none, "Space", "Pause, and go on; from looking back too", toggle_pause},
+    KeyBinding{GLFW_KEY_COMMA, none, ",", "Pause, and one tick back, up to a minute", step_back, true},
+    KeyBinding{GLFW_KEY_PERIOD, none, ".", "Pause, and one tick on", step_on, true},
     KeyBinding{GLFW_KEY_R, none, "R", "Reset the motion", restart},
     KeyBinding{GLFW_KEY_R, alt, "Alt+R", "Reset motion and all settings", restart_with_scene_settings},
 
@@ -169,7 +175,7 @@ constexpr std::array bindings{
     KeyBinding{GLFW_KEY_MINUS, ctrl, "", "", change_scale<-1>, true},
     KeyBinding{GLFW_KEY_KP_SUBTRACT, ctrl, "", "", change_scale<-1>, true},
     KeyBinding{GLFW_KEY_0, ctrl, "", "", usual_scale},
-    KeyBinding{GLFW_KEY_ESCAPE, none, "Esc", "Motors off; close what is open; it never quits", escape, false, true},
+    KeyBinding{GLFW_KEY_ESCAPE, none, "Esc", "Motors off; close what is open, or go on live; it never quits", escape, false, true},
     KeyBinding{GLFW_KEY_Q, ctrl, "Ctrl+Q", "Quit", ask<&Requests::quit>, false, true},
 };
 
@@ -209,12 +215,30 @@ void next_compare_mode(Session& session) {
 }
 
 void toggle_pause(Session& session) {
+  if (session.stage.looks_back_to_s) return go_on_live(session);
   session.paused = !session.paused;
+}
+
+void go_on_live(Session& session) {
+  session.stage.looks_back_to_s.reset();
+  session.paused = false;
 }
 
 void single_step(Session& session) {
   session.paused = true;
   ++session.steps_asked;
+}
+
+void step_back(Session& session) {
+  session.paused = true;
+  --session.requests.ticks_through_history;
+}
+
+void step_on(Session& session) {
+  const bool looks_back = session.stage.looks_back_to_s || session.requests.ticks_through_history < 0;
+  if (!looks_back) return single_step(session);
+  session.paused = true;
+  ++session.requests.ticks_through_history;
 }
 
 void press_safety_button(Session& session, const MotorReport& motors) {

@@ -43,6 +43,11 @@ void act_on_keys(Session& session, std::span<const KeyPress> presses, bool is_ty
 void next_compare_mode(Session& session);
 void toggle_pause(Session& session);
 void single_step(Session& session);
+// One tick back, into what has been; and on, through that to its end and then through what has not been yet.
+void step_back(Session& session);
+void step_on(Session& session);
+// No longer looks back.
+void go_on_live(Session& session);
 void restart(Session& session);
 void restart_with_scene_settings(Session& session);
 // The one button of the motors: reads why they are off, arms them, or turns them off.

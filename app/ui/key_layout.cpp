@@ -13,6 +13,8 @@ int key_by_layout(int key, const char* name) noexcept {
   switch (sign) {
     case '.':
       return GLFW_KEY_PERIOD;
+    case ',':
+      return GLFW_KEY_COMMA;
     case '[':
       return GLFW_KEY_LEFT_BRACKET;
     case ']':

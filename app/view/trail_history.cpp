@@ -27,6 +27,12 @@ bool is_straight(const HistoryPoint& before, const HistoryPoint& point, const Hi
 void History::clear() {
   points_.clear();
   plots_.clear();
+  moments_.clear();
+}
+
+void History::add(const Snapshot& snapshot, const Settings& settings) {
+  moments_.add(snapshot, settings);
+  add(snapshot);
 }
 
 void History::add(const Snapshot& snapshot) {

@@ -1,10 +1,12 @@
-// History: where goal and devices have been, thinned out to what a trail needs, and what the plots show. Bounded: a
-// window that runs for days holds no more than one that runs for seconds. One thread.
+// History: where goal and devices have been, thinned out to what a trail needs, what the plots show, and the moments that
+// a person can look back at. Bounded: a window that runs for days holds no more than one that runs for seconds. One
+// thread.
 #pragma once
 
 #include <cstddef>
 #include <deque>
 
+#include "app/view/moment_history.h"
 #include "app/view/plot_history.h"
 #include "core/snapshot.h"
 
@@ -31,15 +33,19 @@ class History {
   static constexpr double longest_piece = 4.0 * spacing;
 
   void add(const Snapshot& snapshot);
+  // The same, and it can be looked back at; `settings`: those under which this tick ran.
+  void add(const Snapshot& snapshot, const Settings& settings);
   void clear();
   const std::deque<HistoryPoint>& points() const noexcept { return points_; }
   const PlotHistory& plots() const noexcept { return plots_; }
+  const MomentHistory& moments() const noexcept { return moments_; }
 
  private:
   void thin_out();
 
   std::deque<HistoryPoint> points_;
   PlotHistory plots_;
+  MomentHistory moments_;
 };
 
 }  // namespace ghostforce

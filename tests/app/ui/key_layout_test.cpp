@@ -31,6 +31,7 @@ TEST(KeyLayout, APlusOfItsOwnIsAPlus) {
 TEST(KeyLayout, SignsAreWhereTheyArePrinted) {
   EXPECT_EQ(key_by_layout(GLFW_KEY_SLASH, "-"), GLFW_KEY_MINUS) << "QWERTZ";
   EXPECT_EQ(key_by_layout(GLFW_KEY_PERIOD, "."), GLFW_KEY_PERIOD);
+  EXPECT_EQ(key_by_layout(GLFW_KEY_M, ","), GLFW_KEY_COMMA) << "as France has it";
   EXPECT_EQ(key_by_layout(GLFW_KEY_SEMICOLON, "["), GLFW_KEY_LEFT_BRACKET);
   EXPECT_EQ(key_by_layout(GLFW_KEY_APOSTROPHE, "]"), GLFW_KEY_RIGHT_BRACKET);
 }

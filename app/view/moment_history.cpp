@@ -1,0 +1,121 @@
+#include "app/view/moment_history.h"
+
+#include <algorithm>
+#include <array>
+#include <ranges>
+
+#include <glm/geometric.hpp>
+
+namespace ghostforce {
+namespace {
+
+// Less than these nobody sees: a tenth of what the finest number on screen shows, and less than a pixel.
+constexpr double visible_step = 0.00001;  // [m]
+constexpr double visible_force = 0.001;   // [N]
+
+bool looks_other(const Snapshot& before, const Snapshot& now) noexcept {
+  if (now.measured != before.measured || glm::distance(now.goal, before.goal) > visible_step) return true;
+  for (std::size_t i = 0; i < strategy_count; ++i) {
+    const StrategySnapshot<2>& a = before.strategies[i];
+    const StrategySnapshot<2>& b = now.strategies[i];
+    if (a.in_contact != b.in_contact || glm::distance(a.device, b.device) > visible_step ||
+        glm::distance(a.proxy, b.proxy) > visible_step || glm::distance(a.force, b.force) > visible_force ||
+        glm::distance(a.ghost_force, b.ghost_force) > visible_force) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+void MomentHistory::Queue::push(const Kept& kept) {
+  const std::size_t place = begin_ + size_;
+  if (place == blocks_.size() * block_size) blocks_.emplace_back(block_size);
+  blocks_[place / block_size][place % block_size] = kept;
+  ++size_;
+}
+
+void MomentHistory::Queue::pop() noexcept {
+  --size_;
+  if (++begin_ < block_size) return;
+  begin_ = 0;
+  std::ranges::rotate(blocks_, blocks_.begin() + 1);
+}
+
+void MomentHistory::add(const Snapshot& snapshot, const Settings& settings) {
+  const bool is_first = is_empty();
+  if (!is_first && snapshot.time_s <= kept(size() - 1).snapshot.time_s) return;
+  const bool has_other_settings = is_first || eras_.back() != settings;
+  if (has_other_settings) eras_.push_back(settings);
+  const Kept now{snapshot, first_era_ + eras_.size() - 1};
+  if (has_other_settings || looks_other(seen_, snapshot)) {
+    for (; resting_.size() > 0; resting_.pop()) keep_moving(resting_.oldest());
+    keep_moving(now);
+    seen_ = snapshot;
+  } else {
+    resting_.push(now);
+    while (resting_.size() > resting_capacity || snapshot.time_s - resting_.oldest().snapshot.time_s > span_s) {
+      resting_.pop();
+    }
+  }
+  forget_settings();
+}
+
+void MomentHistory::keep_moving(const Kept& kept) {
+  plots_.add(kept.snapshot);
+  moving_.push(kept);
+  while (moving_.size() > capacity - resting_capacity ||
+         kept.snapshot.time_s - moving_.oldest().snapshot.time_s > span_s) {
+    moving_.pop();
+  }
+}
+
+void MomentHistory::forget_settings() noexcept {
+  for (; first_era_ < kept(0).era; ++first_era_) eras_.pop_front();
+}
+
+void MomentHistory::clear() {
+  moving_.clear();
+  resting_.clear();
+  eras_.clear();
+  plots_.clear();
+}
+
+std::optional<ShownMoment> MomentHistory::moment(std::size_t i) const {
+  if (i >= size()) return std::nullopt;
+  const Kept& found = kept(i);
+  return ShownMoment{eras_[found.era - first_era_], found.snapshot, true};
+}
+
+std::size_t MomentHistory::first_not_before(double time_s) const {
+  return *std::ranges::partition_point(std::views::iota(std::size_t{0}, size()),
+                                       [&](std::size_t i) { return kept(i).snapshot.time_s < time_s; });
+}
+
+std::size_t MomentHistory::first_after(double time_s) const {
+  return *std::ranges::partition_point(std::views::iota(std::size_t{0}, size()),
+                                       [&](std::size_t i) { return kept(i).snapshot.time_s <= time_s; });
+}
+
+std::optional<ShownMoment> MomentHistory::oldest() const {
+  return moment(0);
+}
+
+std::optional<ShownMoment> MomentHistory::newest() const {
+  return moment(size() - 1);  // of none: far beyond
+}
+
+std::optional<ShownMoment> MomentHistory::at(double time_s) const {
+  return moment(first_after(time_s) - 1);
+}
+
+std::optional<ShownMoment> MomentHistory::before(double time_s) const {
+  return moment(first_not_before(time_s) - 1);
+}
+
+std::optional<ShownMoment> MomentHistory::after(double time_s) const {
+  return moment(first_after(time_s));
+}
+
+}  // namespace ghostforce
