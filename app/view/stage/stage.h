@@ -10,7 +10,10 @@
 #include <variant>
 #include <vector>
 
+#include "app/view/moment_history.h"
 #include "app/view/panes.h"
+#include "app/view/stage/landscape_layout.h"
+#include "app/view/stage/ribbon_layer.h"
 #include "app/view/stage/stage_labels.h"
 #include "app/view/stage/stage_layout.h"
 #include "app/view/stage/stage_moment.h"
@@ -38,9 +41,17 @@ struct StageRound {
   CircleReading reading{};
 };
 
+// Where the motor's rail and the wall can be taken hold of, in points of the window.
+struct StageGrips {
+  std::array<Vector<2>, 2> motor;
+  std::optional<std::array<Vector<2>, 2>> wall;
+};
+StageGrips stage_grips(const Settings& settings, const StageMoment& moment, const Camera& camera, double unit);
+inline constexpr double stage_grip_reach = 22.0;  // of the pointer round one [points of the design]
+
 struct StageContent {
   const Settings& settings;  // of the moment that is shown
-  const StageMoment& moment;
+  StageMoment moment;
   const Theme& theme;
   const MeasureText& measure;
   SceneView shown;
@@ -55,27 +66,31 @@ struct StageContent {
   bool has_grips = false;                // a person can take hold of motor and wall
   StageGuess guess{};
   int why_step = 0;
-  StageRound round{};
-  std::string_view warning{};  // what must be said instead of the sentence; may be empty
+  std::optional<StageRound> round{};
+  double landscape_dial = 0.0;
+  const MomentHistory* moments = nullptr;    // of the ribbon; null: there is none
+  std::optional<double> looks_back_to_s{};   // its cursor [s]
+  std::string_view warning{};                // what must be said instead of the sentence; may be empty
 };
 
+// The picture, and what of it a person can take hold of.
 struct StagePicture {
-  Pane pane;
-  std::vector<StageButton> buttons;
-  double unit = 1.0;  // a point of the design, for who looks for grips
+  struct RibbonPlace {
+    ScreenBox box;
+    RibbonAxis axis;
+  };
+  Pane pane{};
+  double unit = 1.0;  // a point of the design
+  std::vector<StageButton> buttons{};
+  Vector<2> pivot{0.0};                        // that the motor's rail turns about [m]
+  std::optional<StageGrips> grips{};           // empty: nothing can be turned
+  std::optional<LandscapeLayout> landscape{};  // empty: there is no map
+  std::optional<RibbonPlace> ribbon{};
 };
 
 // `interval_s`: since the picture before, which `memory` is of.
 StagePicture compose_stage(const StageContent& content, StageLabelMemory& memory, double interval_s,
                            Marks earlier = {});
-
-// Where the motor's rail and the wall can be taken hold of, in points of the window.
-struct StageGrips {
-  std::array<Vector<2>, 2> motor;
-  std::optional<std::array<Vector<2>, 2>> wall;
-};
-StageGrips stage_grips(const Settings& settings, const StageMoment& moment, const Camera& camera, double unit);
-inline constexpr double stage_grip_reach = 22.0;  // of the pointer round one [points of the design]
 
 // A force for reference_force: what the naïve device pushes at rest where the scene's hand ends [N].
 double reference_force_of(const Settings& settings, const Vector<2>& goal);

@@ -24,9 +24,21 @@ void add_stage_words(const StageLayer& layer);   // beside all these
 void add_sentence(const StageLayer& layer);      // above
 void add_numbers(const StageLayer& layer);
 void add_buttons(const StageLayer& layer);         // below, and the strip of icons
-void add_guess(const StageLayer& layer);           // of Predict
-void add_force_triangle(const StageLayer& layer);  // of Why?
-void add_round(const StageLayer& layer);           // of Round and round
+
+// What a mode draws and says instead, where it does. One file a mode.
+struct StageModeLayers {
+  StageMode id;
+  void (*add)(const StageLayer& layer);                    // the scene
+  std::string (*sentence)(const StageContent& content);    // empty: the moment's own
+};
+extern const StageModeLayers predict_layers;
+extern const StageModeLayers why_layers;
+extern const StageModeLayers landscape_layers;
+extern const StageModeLayers round_layers;
+extern const StageModeLayers ribbon_layers;
+
+// All things of the scene and the words beside them.
+void add_whole_scene(const StageLayer& layer);
 
 // --- Where layers must agree -----------------------------------------------------------------------------------------
 

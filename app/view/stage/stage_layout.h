@@ -53,9 +53,9 @@ struct StageLayout {
   Vector<2> numbers_size{0.0};          // of the two numbers with their words
   double number_width = 0.0;            // of the widest number
 
-  // Above and below lies the scene.
-  double top() const { return sentence_box.most.y; }
-  double bottom() const { return strategies.front().box.least.y; }
+  // Between them lies the scene.
+  double top = 0.0;
+  double bottom = 0.0;
 };
 
 // `has_full`: the strategy with every motor can be chosen.

@@ -171,10 +171,10 @@ void add_number(const StageLayer& layer, const LargeNumber& number, const Vector
 std::vector<Vector<2>> places_for_numbers(const StageLayout& layout) {
   constexpr int across = 7;
   constexpr int down = 5;
-  const double top = layout.top() + 4.0 * layout.unit;
+  const double top = layout.sentence_box.most.y + 4.0 * layout.unit;
   const Vector<2> first(layout.margin, top);
   const Vector<2> last(layout.size.x - layout.margin - layout.numbers_size.x,
-                       layout.bottom() - 12.0 * layout.unit - layout.numbers_size.y);
+                       layout.bottom - 12.0 * layout.unit - layout.numbers_size.y);
   std::vector<Vector<2>> places;
   for (int column = 0; column < across; ++column) {
     for (int row = 0; row < down; ++row) {

@@ -65,89 +65,90 @@ void add_slide_words(const StageLayer& layer) {
                stage_colour(content.moment, content.theme.strategy_text));
 }
 
-void add_thing_words(const StageLayer& layer) {
+void add_handle_words(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
-  const Theme& theme = content.theme;
-  const StageMoment& moment = content.moment;
-  const StageLetters& letters = layout.letters;
-  const Vector<2> handle = canvas.at(moment.handle);
-  const Vector<2> goal = canvas.at(moment.goal);
-  const Vector<2> inwards = -to_screen_direction(direction_at(content.settings.wall_normal_angle));
-  const Vector<2> rail = to_screen_direction(direction_at(content.settings.actuated_angle));
-
   canvas.label(Role::device,
-               {StageLabel::handle,
-                {"handle"},
-                letters.bold_words,
-                handle,
-                canvas.points(1.4 * handle_radius),
-                Vector<2>(0.6, -1.0)},
-               stage_colour(moment, theme.strategy_text));
-  add_share_words(layer);
-  const bool is_asked_to_drag = content.hint == StageHint::drag;
-  std::string hand_words = is_asked_to_drag ? "drag me: your hand pulls here" : "your hand pulls here";
-  if (moment.is_measured) hand_words = "your hand, inferred";
-  canvas.label(Role::hand,
-               {StageLabel::hand,
-                {std::move(hand_words)},
-                is_asked_to_drag ? letters.bold_words : letters.words,
-                goal,
-                canvas.points(34.0),
-                Vector<2>(0.5, -1.0)},
-               is_asked_to_drag ? theme.accent : theme.text);
-  if (moment.in_contact && !moment.is_measured) {
-    const Vector<2> rest = canvas.at(moment.expected_rest);
-    if (glm::distance(rest, handle) > canvas.points(2.0 * handle_radius)) {
-      canvas.label(Role::expected_rest,
-                   {StageLabel::expected_rest,
-                    {"where it should rest"},
-                    letters.words,
-                    rest,
-                    canvas.points(handle_radius),
-                    Vector<2>(0.0, -1.0)},
-                   theme.faint_text);
-    }
-    const Vector<2> foot = canvas.at(moment.expected_contact);
-    if (glm::distance(foot, canvas.at(moment.proxy)) > canvas.points(26.0)) {
-      canvas.label(Role::expected_contact,
-                   {StageLabel::expected_contact,
-                    {"the wall should hold here"},
-                    letters.words,
-                    foot,
-                    canvas.points(7.0),
-                    inwards + Vector<2>(0.6, -0.6)},
-                   theme.faint_text);
-    }
+               {StageLabel::handle, {"handle"}, layout.letters.bold_words, canvas.at(content.moment.handle),
+                canvas.points(1.4 * handle_radius), Vector<2>(0.6, -1.0)},
+               stage_colour(content.moment, content.theme.strategy_text));
+}
+
+Vector<2> into_the_wall(const StageContent& content) {
+  return -to_screen_direction(direction_at(content.settings.wall_normal_angle));
+}
+
+void add_expectation_words(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  const StageMoment& moment = content.moment;
+  if (!moment.in_contact || moment.is_measured) return;
+  const Vector<2> rest = canvas.at(moment.expected_rest);
+  if (glm::distance(rest, canvas.at(moment.handle)) > canvas.points(2.0 * handle_radius)) {
+    canvas.label(Role::expected_rest,
+                 {StageLabel::expected_rest, {"where it should rest"}, layout.letters.words, rest,
+                  canvas.points(handle_radius), Vector<2>(0.0, -1.0)},
+                 content.theme.faint_text);
   }
-  if (moment.weights[index_of(StrategyId::full)] == 0.0) {
-    const bool is_asked_to_turn = content.hint == StageHint::motor;
-    const std::string words = is_asked_to_turn
-                                  ? "turn the motor by its ends"
-                                  : "the only motor pushes " + motor_direction_words(content.settings.actuated_angle);
-    const auto ends = stage_grips(content.settings, moment, canvas.camera, canvas.unit).motor;
-    const bool is_right = ends[1].x > ends[0].x;
-    const Vector<2> end = is_right ? ends[1] : ends[0];
-    canvas.label(Role::motor_axis,
-                 {StageLabel::motor,
-                  {words},
-                  is_asked_to_turn ? letters.bold_words : letters.words,
-                  0.35 * handle + 0.65 * end,
-                  canvas.points(10.0),
-                  lower_side(rail)},
-                 is_asked_to_turn ? theme.accent : theme.faint_text);
+  const Vector<2> foot = canvas.at(moment.expected_contact);
+  if (glm::distance(foot, canvas.at(moment.proxy)) > canvas.points(26.0)) {
+    canvas.label(Role::expected_contact,
+                 {StageLabel::expected_contact, {"the wall should hold here"}, layout.letters.words, foot,
+                  canvas.points(7.0), into_the_wall(content) + Vector<2>(0.6, -0.6)},
+                 content.theme.faint_text);
   }
-  // Deep in the wall, above the hand.
-  const Vector<2> inside = canvas.at(wall_of(content.settings).point) + inwards * canvas.points(150.0) +
-                           Vector<2>(-inwards.y, inwards.x) * canvas.points(inwards.x >= 0.0 ? -230.0 : 230.0);
-  canvas.label(Role::wall, {StageLabel::wall, {"virtual wall"}, letters.words, inside, 0.0, inwards}, theme.faint_text);
+}
+
+// Deep in the wall, beside where things happen.
+void add_wall_words(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  const Vector<2> inwards = into_the_wall(content);
+  const Vector<2> aside = Vector<2>(-inwards.y, inwards.x) * (inwards.x >= 0.0 ? -1.0 : 1.0);
+  const Vector<2> place = canvas.at(wall_of(content.settings).point) + inwards * canvas.points(150.0) +
+                          aside * canvas.points(230.0);
+  canvas.label(Role::wall, {StageLabel::wall, {"virtual wall"}, layout.letters.words, place, 0.0, inwards},
+               content.theme.faint_text);
 }
 
 }  // namespace
 
+void add_hand_words(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  const bool is_asked_to_drag = content.hint == StageHint::drag;
+  const std::string_view words = content.moment.is_measured ? "your hand, inferred"
+                                 : is_asked_to_drag         ? "drag me: your hand pulls here"
+                                                            : "your hand pulls here";
+  canvas.label(Role::hand,
+               {StageLabel::hand, {std::string(words)},
+                is_asked_to_drag ? layout.letters.bold_words : layout.letters.words,
+                canvas.at(content.moment.goal), canvas.points(34.0), Vector<2>(0.5, -1.0)},
+               is_asked_to_drag ? content.theme.accent : content.theme.text);
+}
+
+void add_motor_words(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  if (content.moment.weights[index_of(StrategyId::full)] > 0.0) return;
+  const bool is_asked_to_turn = content.hint == StageHint::motor;
+  const std::string words =
+      is_asked_to_turn ? "turn the motor by its ends"
+                       : "the only motor pushes " + motor_direction_words(content.settings.actuated_angle);
+  const auto ends = stage_grips(content.settings, content.moment, canvas.camera, canvas.unit).motor;
+  const Vector<2> handle = canvas.at(content.moment.handle);
+  const Vector<2> end = ends[1].x > ends[0].x ? ends[1] : ends[0];
+  const Vector<2> rail = to_screen_direction(direction_at(content.settings.actuated_angle));
+  canvas.label(Role::motor_axis,
+               {StageLabel::motor, {words}, is_asked_to_turn ? layout.letters.bold_words : layout.letters.words,
+                0.35 * handle + 0.65 * end, canvas.points(10.0), lower_side(rail)},
+               is_asked_to_turn ? content.theme.accent : content.theme.faint_text);
+}
+
 void add_stage_words(const StageLayer& layer) {
   add_force_words(layer);
   add_slide_words(layer);
-  add_thing_words(layer);
+  add_handle_words(layer);
+  add_share_words(layer);
+  add_hand_words(layer);
+  add_expectation_words(layer);
+  add_motor_words(layer);
+  add_wall_words(layer);
 }
 
 }  // namespace ghostforce

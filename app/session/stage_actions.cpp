@@ -1,0 +1,119 @@
+#include "app/session/stage_actions.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/input_choice.h"
+
+namespace ghostforce {
+namespace {
+
+void begin_mode(Session& session, StageMode mode) {
+  leave_stage_mode(session);
+  StageChoice& stage = session.stage;
+  stage.mode = mode;
+  if (mode == StageMode::why) stage.why_step = 1;
+  if (mode == StageMode::round && !session.circle_test.is_on) {
+    session.circle_test.input_before = session.input;
+    session.requests.input = circling_hand.name;
+  }
+}
+
+template <StrategyId id>
+void show_strategy(Session& session) {
+  leave_stage_mode(session);
+  switch_slowly(session, id);
+}
+
+template <int step>
+void show_why(Session& session) {
+  if (session.stage.mode != StageMode::why) begin_mode(session, StageMode::why);
+  session.stage.why_step = step;
+}
+
+template <StageMode mode>
+void show_mode(Session& session) {
+  if (session.stage.mode != mode) begin_mode(session, mode);
+}
+
+// From the wall as it should be to the cure, and where it matters.
+constexpr std::array<void (*)(Session&), 9> talk{
+    show_strategy<StrategyId::full>, show_strategy<StrategyId::naive>, show_why<1>, show_why<2>, show_why<3>,
+    show_why<4>, show_strategy<StrategyId::anisotropic>, show_mode<StageMode::landscape>, show_mode<StageMode::round>};
+
+void go_to_talk_step(Session& session, int step) {
+  if (step < 0 || step >= static_cast<int>(talk.size())) return;
+  session.face = Face::stage;
+  session.stage.talk_step = step;
+  talk[static_cast<std::size_t>(step)](session);
+}
+
+}  // namespace
+
+void show_face(Session& session, Face face) {
+  if (face == Face::workbench) leave_stage_mode(session);
+  session.face = face;
+}
+
+void toggle_stage_mode(Session& session, StageMode mode) {
+  session.face = Face::stage;
+  if (session.stage.mode == mode) {
+    leave_stage_mode(session);
+  } else {
+    begin_mode(session, mode);
+  }
+}
+
+void leave_stage_mode(Session& session) {
+  StageChoice& stage = session.stage;
+  if (stage.mode == StageMode::round && session.circle_test.is_on) {
+    session.requests.input = session.circle_test.input_before;
+  }
+  if (stage.mode == StageMode::ribbon) stage.looks_back_to_s.reset();
+  // Wall and hand may be others now.
+  if (stage.mode == StageMode::landscape) session.requests.fit_view = true;
+  stage.mode = StageMode::none;
+  stage.why_step = 0;
+  stage.guess.reset();
+  stage.landscape_dial.reset();
+}
+
+void switch_slowly(Session& session, StrategyId id) {
+  session.settings.active = id;
+  session.stage.switches_slowly = true;
+  session.stage.landscape_dial.reset();
+}
+
+void act_on_stage(Session& session, const StageAction& action) {
+  if (const auto* const id = std::get_if<StrategyId>(&action)) {
+    session.settings.active = *id;
+    session.stage.switches_slowly = false;
+    session.stage.landscape_dial.reset();
+  } else if (const auto* const mode = std::get_if<StageMode>(&action)) {
+    toggle_stage_mode(session, *mode);
+  } else if (const auto* const face = std::get_if<Face>(&action)) {
+    show_face(session, *face);
+  } else {
+    session.dialog = Dialog::help;
+  }
+}
+
+void confirm_on_stage(Session& session) {
+  StageChoice& stage = session.stage;
+  if (stage.mode == StageMode::predict) ++stage.reveals_asked;
+  if (stage.mode == StageMode::why) stage.why_step = std::min(stage.why_step + 1, last_why_step);
+}
+
+void next_talk_step(Session& session) {
+  go_to_talk_step(session, session.stage.talk_step.value_or(-1) + 1);
+}
+
+void previous_talk_step(Session& session) {
+  go_to_talk_step(session, session.stage.talk_step.value_or(0) - 1);
+}
+
+std::size_t talk_length() noexcept {
+  return talk.size();
+}
+
+}  // namespace ghostforce

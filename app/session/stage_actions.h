@@ -1,0 +1,29 @@
+// What buttons, keys and a clicker do on the stage. Edits the session; UI thread.
+#pragma once
+
+#include "app/session/session.h"
+#include "app/view/stage/stage.h"
+
+namespace ghostforce {
+
+// A press on a part of the stage.
+void act_on_stage(Session& session, const StageAction& action);
+
+void show_face(Session& session, Face face);
+// Begins a mode, or ends it where it is on.
+void toggle_stage_mode(Session& session, StageMode mode);
+void leave_stage_mode(Session& session);
+// On the stage, and slowly: 6 s instead of 0.6.
+void switch_slowly(Session& session, StrategyId id);
+
+// What Enter means in the mode that is on: the answer to a guess, the next step.
+void confirm_on_stage(Session& session);
+
+// The talk that a clicker goes through, step by step; before its first and after its last nothing happens.
+void next_talk_step(Session& session);
+void previous_talk_step(Session& session);
+std::size_t talk_length() noexcept;
+
+inline constexpr int last_why_step = 4;
+
+}  // namespace ghostforce

@@ -1,0 +1,58 @@
+#include "app/ui/stage/guess_game.h"
+
+#include <algorithm>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace ghostforce {
+
+Vector<2> GuessGame::first_guess(const Session& session) {
+  // Somewhere between hand and wall, which tells nothing.
+  const Vector<2> foot = projection(wall_of(session.settings), session.goal);
+  return glm::mix(session.goal, foot, 0.45);
+}
+
+void GuessGame::update(Session& session, double interval_s) {
+  StageChoice& stage = session.stage;
+  const bool was_on = is_on_;
+  is_on_ = stage.mode == StageMode::predict;
+  if (!is_on_) {
+    stage.guess.reset();
+    return;
+  }
+  const bool is_new = !was_on || session.settings != settings_ || session.goal != goal_ || !stage.guess;
+  if (is_new) {
+    settings_ = session.settings;
+    goal_ = session.goal;
+    is_open_ = true;
+    reveal_s_ = reveal_lasts_s;
+    reveals_ = stage.reveals_asked;
+    if (!was_on || !stage.guess) stage.guess = first_guess(session);
+    return;
+  }
+  if (stage.reveals_asked != reveals_) {
+    reveals_ = stage.reveals_asked;
+    // Asked again after the answer: a new guess.
+    is_open_ = !is_open_;
+    reveal_s_ = is_open_ ? reveal_lasts_s : 0.0;
+    return;
+  }
+  reveal_s_ = std::min(reveal_lasts_s, reveal_s_ + interval_s);
+}
+
+StageGuess GuessGame::guess(const Session& session) const {
+  StageGuess guess{.at = session.stage.guess, .is_open = is_open_};
+  if (guess.at && !is_open_ && !is_revealing()) {
+    guess.missed_by = glm::distance(*guess.at, stage_moment_at_rest(session.settings, session.goal).handle);
+  }
+  return guess;
+}
+
+StageMoment GuessGame::moment(const Session& session) const {
+  const double share = std::clamp(reveal_s_ / (0.85 * reveal_lasts_s), 0.0, 1.0);
+  const Vector<2> foot = projection(wall_of(session.settings), session.goal);
+  return stage_moment_at_rest(session.settings, glm::mix(foot, session.goal, share));
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,21 @@
+// StageFrame: what a frame of the stage is made from. Refers to what others hold for as long as the frame lasts.
+#pragma once
+
+#include "app/session/session.h"
+#include "app/view/moment_history.h"
+#include "app/view/shown_moment.h"
+#include "app/view/view.h"
+
+namespace ghostforce {
+
+struct StageFrame {
+  const ShownMoment& shown;
+  const History& history;
+  const LoopReading& loop;
+  const Theme& theme;
+  const MeasureText& measure;
+  Vector<2> size;  // of the window [points]
+  double scale;    // UI scale
+};
+
+}  // namespace ghostforce

@@ -1,0 +1,172 @@
+#include "app/ui/stage/stage_pointer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <imgui.h>
+
+#include "app/session/scene_view_limits.h"
+#include "app/session/stage_actions.h"
+#include "app/view/screen_box.h"
+#include "app/view/stage/landscape_layout.h"
+#include "core/units.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr double stage_zoom_per_notch = 1.15;
+constexpr double stage_snap = 5.0 * radians_per_degree;
+constexpr double stage_first_turn = 2.0;  // a click is no turn yet [points]
+
+Vector<2> point_of(ImVec2 point) {
+  return {static_cast<double>(point.x), static_cast<double>(point.y)};
+}
+
+double angle_of_direction(const Vector<2>& direction) {
+  return std::atan2(-direction.y, direction.x);
+}
+
+}  // namespace
+
+struct StagePointer::Scene {
+  const StageFrame& frame;
+  const StagePicture& picture;
+
+  Vector<2> world(const Vector<2>& pointer) const { return to_world(picture.pane.camera, pointer); }
+  Vector<2> screen(const Vector<2>& world) const { return to_screen(picture.pane.camera, world); }
+  bool is_near(const Vector<2>& pointer, const Vector<2>& place, double reach) const {
+    return glm::distance(pointer, place) <= reach * picture.unit;
+  }
+};
+
+StagePointer::Hold StagePointer::hold_at(const Session& session, const Scene& scene, const Vector<2>& pointer,
+                                         bool guess_is_open) const {
+  const StagePicture& picture = scene.picture;
+  if (session.stage.mode == StageMode::landscape && picture.landscape) {
+    switch (landscape_handle_under(*picture.landscape, pointer)) {
+      case LandscapeHandle::ring:
+        return Hold::landscape_ring;
+      case LandscapeHandle::dial:
+        return Hold::landscape_dial;
+      case LandscapeHandle::none:
+        return Hold::nothing;
+    }
+  }
+  if (picture.ribbon && contains(picture.ribbon->box, pointer)) return Hold::ribbon;
+  if (guess_is_open && session.stage.guess &&
+      scene.is_near(pointer, scene.screen(*session.stage.guess), 1.5 * stage_grip_reach)) {
+    return Hold::guess;
+  }
+  if (session.stage.mode == StageMode::why) return Hold::nothing;
+  const auto is_at = [&](const std::array<Vector<2>, 2>& ends) {
+    return std::ranges::any_of(ends, [&](const Vector<2>& end) { return scene.is_near(pointer, end, stage_grip_reach); });
+  };
+  if (picture.grips && is_at(picture.grips->motor)) return Hold::motor;
+  if (picture.grips && picture.grips->wall && is_at(*picture.grips->wall)) return Hold::wall;
+  return session.pointer_moves_goal ? Hold::goal : Hold::nothing;
+}
+
+void StagePointer::update(Session& session, const StageFrame& frame, const StagePicture& picture, bool guess_is_open) {
+  ImGui::SetCursorPos({0.0F, 0.0F});
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  ImGui::InvisibleButton("stage", {static_cast<float>(frame.size.x), static_cast<float>(frame.size.y)},
+                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool is_held = ImGui::IsItemActive();
+  const bool is_hovered = ImGui::IsItemHovered();
+  const Vector<2> pointer = point_of(io.MousePos) - point_of(corner);
+  const Scene scene{frame, picture};
+  has_touched_ = is_held || (is_hovered && (pointer != last_ || io.MouseWheel != 0.0F));
+  session.drags_goal = false;
+  session.is_editing = false;
+
+  if (!is_held) {
+    hold_ = Hold::nothing;
+    hovered_.reset();
+    hovered_grip_ = StageGrip::none;
+    if (is_hovered) {
+      const auto button = std::ranges::find_if(
+          picture.buttons, [&](const StageButton& entry) { return contains(entry.box, pointer); });
+      if (button != picture.buttons.end()) {
+        hovered_ = button->action;
+      } else {
+        const Hold hold = hold_at(session, scene, pointer, guess_is_open);
+        if (hold == Hold::motor) hovered_grip_ = StageGrip::motor;
+        if (hold == Hold::wall) hovered_grip_ = StageGrip::wall;
+        if (hold != Hold::nothing && hold != Hold::goal) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+      }
+    }
+  }
+  const bool has_map = session.stage.mode == StageMode::landscape;
+  if (is_hovered && io.MouseWheel != 0.0F && !has_map) {
+    session.stage_shown =
+        stage_zoomed(session.stage_shown, std::pow(stage_zoom_per_notch, static_cast<double>(io.MouseWheel)),
+                     scene.world(pointer), frame.size);
+  }
+  if (ImGui::IsItemActivated()) {
+    began_at_ = last_ = pointer;
+    hold_ = Hold::nothing;
+    if (ImGui::IsMouseDown(ImGuiMouseButton_Right)) {
+      if (!has_map) hold_ = Hold::picture;
+    } else if (hovered_) {
+      act_on_stage(session, *hovered_);
+    } else {
+      hold_ = hold_at(session, scene, pointer, guess_is_open);
+      if (hold_ == Hold::motor) began_angle_ = session.settings.actuated_angle;
+      if (hold_ == Hold::wall) began_angle_ = session.settings.wall_normal_angle;
+    }
+  }
+  if (is_held) drag(session, scene, pointer);
+  last_ = pointer;
+}
+
+void StagePointer::drag(Session& session, const Scene& scene, const Vector<2>& pointer) {
+  const Vector<2> inside = glm::clamp(pointer, Vector<2>(0.0), scene.frame.size);
+  switch (hold_) {
+    case Hold::nothing:
+      return;
+    case Hold::goal:
+      if (!session.pointer_moves_goal) return;
+      session.goal = nearest_in_scene(scene.world(inside));
+      session.drags_goal = true;
+      return;
+    case Hold::guess:
+      session.stage.guess = nearest_in_scene(scene.world(inside));
+      return;
+    case Hold::motor:
+      session.is_editing = true;
+      return turn(session.settings.actuated_angle, scene.screen(scene.picture.pivot), pointer);
+    case Hold::wall:
+      session.is_editing = true;
+      return turn(session.settings.wall_normal_angle, scene.screen(session.settings.wall_point), pointer);
+    case Hold::picture: {
+      const Vector<2> moved = pointer - last_;
+      session.stage_shown = within_scene_limits(
+          {session.stage_shown.center - Vector<2>(moved.x, -moved.y) / scene.picture.pane.camera.points_per_metre,
+           session.stage_shown.width});
+      return;
+    }
+    case Hold::landscape_ring:
+      session.is_editing = true;
+      session.settings =
+          with_landscape_point(session.settings, landscape_point_under(*scene.picture.landscape, pointer));
+      return;
+    case Hold::landscape_dial:
+      session.stage.landscape_dial = dial_under(*scene.picture.landscape, pointer);
+      return;
+    case Hold::ribbon:
+      if (scene.picture.ribbon) session.stage.looks_back_to_s = scene.picture.ribbon->axis.time_at(pointer.x);
+      return;
+  }
+}
+
+// By as much as the pointer has gone round the pivot since the grip was taken: it never jumps to the pointer.
+void StagePointer::turn(double& angle, const Vector<2>& pivot, const Vector<2>& pointer) const {
+  if (glm::distance(pointer, began_at_) < stage_first_turn || glm::distance(pointer, pivot) < stage_first_turn) return;
+  double turned = began_angle_ + angle_of_direction(pointer - pivot) - angle_of_direction(began_at_ - pivot);
+  if (!ImGui::GetIO().KeyCtrl) turned = std::round(turned / stage_snap) * stage_snap;
+  angle = std::remainder(turned, 2.0 * std::numbers::pi);
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,41 @@
+// StagePointer: what the mouse does on the stage. Drag: the hand follows; the ends of the motor's rail and the wall's grips
+// turn them (in steps of 5°, with Ctrl without steps); buttons; the wheel zooms, a right drag moves the picture; and what
+// the mode has to take hold of. Between ImGui's NewFrame and Render, UI thread.
+#pragma once
+
+#include <optional>
+
+#include "app/session/session.h"
+#include "app/ui/stage/stage_frame.h"
+#include "app/view/stage/stage.h"
+
+namespace ghostforce {
+
+class StagePointer {
+ public:
+  // `picture`: what the person sees, of the frame before.
+  void update(Session& session, const StageFrame& frame, const StagePicture& picture, bool guess_is_open);
+
+  StageGrip hovered_grip() const noexcept { return hovered_grip_; }
+  const std::optional<StageAction>& hovered() const noexcept { return hovered_; }
+  bool has_touched() const noexcept { return has_touched_; }  // in this frame
+
+ private:
+  enum class Hold : std::uint8_t { nothing, goal, motor, wall, picture, guess, landscape_ring, landscape_dial, ribbon };
+  struct Scene;
+
+  Hold hold_at(const Session& session, const Scene& scene, const Vector<2>& pointer, bool guess_is_open) const;
+  void press(Session& session, const Scene& scene, const StageAction& action);
+  void drag(Session& session, const Scene& scene, const Vector<2>& pointer);
+  void turn(double& angle, const Vector<2>& pivot, const Vector<2>& pointer) const;
+
+  Hold hold_ = Hold::nothing;
+  StageGrip hovered_grip_ = StageGrip::none;
+  std::optional<StageAction> hovered_;
+  bool has_touched_ = false;
+  Vector<2> began_at_{0.0};   // [points]
+  double began_angle_ = 0.0;  // [rad]
+  Vector<2> last_{0.0};       // a frame ago [points]
+};
+
+}  // namespace ghostforce

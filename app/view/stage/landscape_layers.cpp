@@ -1,0 +1,25 @@
+// The landscape as a mode of the stage.
+#include "app/view/stage/landscape_layer.h"
+#include "app/view/stage/stage_layers.h"
+
+namespace ghostforce {
+namespace {
+
+void add_map(const StageLayer& layer) {
+  const StageContent& content = layer.content;
+  add_landscape(stage_landscape(content, layer.canvas.camera), layer.canvas.marks);
+}
+
+std::string no_sentence(const StageContent& /*content*/) {
+  return {};
+}
+
+}  // namespace
+
+LandscapeView stage_landscape(const StageContent& content, const Camera& camera) {
+  return {content.settings, content.landscape_dial, content.theme, camera, content.scale, content.measure};
+}
+
+const StageModeLayers landscape_layers{StageMode::landscape, add_map, no_sentence};
+
+}  // namespace ghostforce

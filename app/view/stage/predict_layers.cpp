@@ -1,0 +1,62 @@
+// Predict: a ring to drag to where one thinks that the handle comes to rest. The answer is hidden until it is asked for.
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include "app/view/stage/stage_layers.h"
+
+namespace ghostforce {
+namespace {
+
+void add_guess(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  const StageGuess& guess = content.guess;
+  if (!guess.at) return;
+  const Theme& theme = content.theme;
+  const Vector<2> at = canvas.at(*guess.at);
+  const double radius = canvas.points(20.0);
+  canvas.ring(Role::guess, at, radius, canvas.width(4.0), faded(theme.accent, guess.is_open ? 1.0 : 0.55));
+  canvas.labels.keep_clear(at, at, radius + canvas.width(2.0));
+  canvas.label(Role::guess,
+               {StageLabel::guess, {guess.is_open ? "your guess: drag me" : "your guess"}, layout.letters.bold_words,
+                at, radius, Vector<2>(-0.4, -1.0)},
+               theme.accent);
+}
+
+void add_predict(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  if (!content.guess.is_open) {
+    add_guess(layer);
+    add_whole_scene(layer);
+    return;
+  }
+  // Where the handle is shall not be seen: the rail lies through the hand, and the spring leads to the guess.
+  StageContent question = content;
+  question.moment.handle = question.moment.proxy = content.moment.goal;
+  const StageLayer asked{question, layout, canvas};
+  add_stage_wall(asked);
+  add_rail(asked);
+  if (content.guess.at) {
+    canvas.coil(Role::hand_spring, canvas.at(*content.guess.at), canvas.at(content.moment.goal), 9, canvas.width(3.0),
+                content.theme.text);
+  }
+  add_stage_hand(layer);
+  add_guess(layer);
+  add_hand_words(layer);
+  add_motor_words(asked);
+}
+
+std::string predict_sentence(const StageContent& content) {
+  if (content.guess.missed_by) {
+    return fmt::format("Your guess was {} mm off. Enter: guess again.", slide_number(*content.guess.missed_by));
+  }
+  if (!content.guess.is_open) return "The hand presses in, slowly.";
+  if (depth(wall_of(content.settings), content.moment.goal) <= 0.0) return "Drag the hand into the wall, then guess.";
+  return content.settings.active == StrategyId::full ? "Two motors. Where will the handle come to rest?"
+                                                     : "One motor. Where will the handle come to rest?";
+}
+
+}  // namespace
+
+const StageModeLayers predict_layers{StageMode::predict, add_predict, predict_sentence};
+
+}  // namespace ghostforce

@@ -1,0 +1,108 @@
+// Round and round: the hand goes round a circle inside the wall. What the rendering gives it on the way stands in a
+// battery: a wall should give nothing.
+#include <cmath>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include "app/view/stage/stage_layers.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr double least_energy = 0.00005;  // [J], so much that a tenth of a millijoule is shown
+
+const CircleEnergy* energy_of(const StageContent& content) {
+  if (!content.round || content.round->reading.turns == 0) return nullptr;
+  return &content.round->reading.strategies[index_of(content.settings.active)];
+}
+
+// The most that any strategy gives or takes on a turn: what a full battery is.
+double greatest_energy(const StageRound& round) {
+  double greatest = least_energy;
+  for (const CircleEnergy& energy : round.reading.strategies) {
+    greatest = std::max(greatest, std::abs(energy.last.energy));
+  }
+  return greatest;
+}
+
+void add_loop(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  if (!content.round || content.round->loop.size() < 3) return;
+  const Colour colour = stage_colour(content.moment, content.theme.strategy);
+  canvas.marks.push_back({Role::area, content.settings.active, Area{content.round->loop, colour.with_alpha(70)}});
+  std::vector<Vector<2>> corners;
+  for (const Vector<2>& corner : content.round->loop) corners.push_back(canvas.at(corner));
+  canvas.curve(Role::area, corners, canvas.width(2.5), colour);
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    canvas.labels.keep_clear(corners[i - 1], corners[i], canvas.width(1.5));
+  }
+}
+
+void add_battery(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  const CircleEnergy* const energy = energy_of(content);
+  const Theme& theme = content.theme;
+  const std::string words =
+      energy == nullptr ? "the first round" : fmt::format("{:+.1f} mJ a round", 1e3 * energy->last.energy + 0.0);
+  const TextStyle& style = layout.letters.bold_words;
+  const Vector<2> cell(canvas.points(84.0), canvas.points(170.0));
+  const Vector<2> extent(std::max(cell.x, content.measure("+888.8 mJ a round", style).x), cell.y + style.height);
+  const double top = layout.top + canvas.points(20.0);
+  const std::vector<Vector<2>> corners{
+      {layout.margin, top},
+      {layout.size.x - layout.margin - extent.x, top},
+      {layout.margin, layout.bottom - canvas.points(14.0) - extent.y},
+      {layout.size.x - layout.margin - extent.x, layout.bottom - canvas.points(14.0) - extent.y}};
+  const auto found = canvas.labels.place_block(StageLabel::numbers, extent, corners);
+  if (!found) return;
+  const Vector<2> corner = found->box.least;
+  const double width = canvas.width(3.5);
+  const ScreenBox body{corner + Vector<2>(0.0, canvas.points(14.0)), corner + cell};
+  const Vector<2> knob(canvas.points(34.0), canvas.points(18.0));
+  const Vector<2> knob_corner = corner + Vector<2>(0.5 * (cell.x - knob.x), 0.0);
+  canvas.box(Role::number, {knob_corner, knob_corner + knob}, canvas.points(4.0), theme.text, theme.text, 0.0);
+  canvas.box(Role::number, body, canvas.points(12.0), theme.background, theme.text, width);
+  // Full from below where the wall gives, from above where it takes.
+  const double level = energy == nullptr ? 0.0 : energy->last.energy / greatest_energy(*content.round);
+  const double inset = 2.0 * width;
+  const ScreenBox inside = body.grown(-inset);
+  const double height = std::abs(level) * inside.extent().y;
+  if (height > 1.0) {
+    const bool gives = level > 0.0;
+    const ScreenBox fill{{inside.least.x, gives ? inside.most.y - height : inside.least.y},
+                         {inside.most.x, gives ? inside.most.y : inside.least.y + height}};
+    const Colour colour = gives ? theme.strategy[index_of(StrategyId::naive)] : theme.accent;
+    canvas.box(Role::number, fill, std::min(canvas.points(8.0), 0.5 * height), colour, colour, 0.0);
+  }
+  canvas.text(Role::number, corner + Vector<2>(0.0, cell.y), words, style,
+              stage_colour(content.moment, theme.strategy_text));
+}
+
+void add_round(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  add_stage_wall(layer);
+  add_rail(layer);
+  add_loop(layer);
+  add_springs(layer);
+  add_stage_hand(layer);
+  add_stage_force(layer);
+  add_handle(layer);
+  add_battery(layer);
+  add_hand_words(layer);
+}
+
+std::string round_sentence(const StageContent& content) {
+  const CircleEnergy* const energy = energy_of(content);
+  if (energy == nullptr) return "Round and round: a real wall would give the hand nothing.";
+  if (!energy->stays_inside) return "The handle leaves the wall on its way round.";
+  if (energy->last.energy >= least_energy) return "Each round the wall gives energy: it pushes the hand along.";
+  if (energy->last.energy <= -least_energy) return "Each round the wall takes energy from the hand.";
+  return "Round and round, and nothing is gained: like a real wall.";
+}
+
+}  // namespace
+
+const StageModeLayers round_layers{StageMode::round, add_round, round_sentence};
+
+}  // namespace ghostforce
