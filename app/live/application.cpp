@@ -130,6 +130,7 @@ void Application::use(const InputEntry& entry, std::shared_ptr<const Scene> scen
 TickState<2> Application::start_state() {
   history_.clear();
   session_.plots.follows = true;  // what was looked back at is gone
+  session_.stage.looks_back_to_s.reset();
   Scene scene = *session_.scene;
   scene.settings = session_.settings;
   const bool is_replay = input_->needs_recording && input_options_.recorded_hand;
@@ -137,7 +138,7 @@ TickState<2> Application::start_state() {
   const Vector<2> first = goal_at(scene.goal, 0.0);
   const TickState<2> state = simulate_from(is_replay ? equilibrium_state(scene.settings, first) : state_at_start(first),
                                            scene, input_->is_scripted ? 0 : last_tick(scene),
-                                           [this](const Snapshot& snapshot) { history_.add(snapshot); });
+                                           [&](const Snapshot& snapshot) { history_.add(snapshot, scene.settings); });
   if (!has_diverged(state)) return state;
   // Unstable settings have no rest to start from: start where the hand is, and let the servo say what it finds.
   history_.clear();
@@ -161,7 +162,8 @@ void Application::frame(double interval_s) {
   }
   follow_measurement(session_, report_.snapshot, report_.motors);
   if (shader_watch_) shader_watch_->look(screen_.painter(), clock_s_);
-  screen_.draw(session_, report_.snapshot, history_, reading(), interval_s);
+  screen_.draw(session_, shown(), history_, reading(), interval_s);
+  looking_back_.follow(session_, report_.snapshot, history_.moments());
   handle_requests();
   undo_.note({session_.scene, session_.settings}, session_.is_editing || is_measuring(session_));
   if (session_.notice && !session_.notice->is_problem) {
@@ -192,7 +194,7 @@ void Application::take_samples() {
   while (servo_->take_sample(sample)) {
     // Samples of a run that has been reset meanwhile belong to no picture any more.
     if (sample.restarts != command_.restarts_asked) continue;
-    history_.add(sample.snapshot);
+    history_.add(sample.snapshot, sample.settings);
     link_->add(sample.snapshot);
   }
 }
@@ -263,7 +265,7 @@ void Application::handle_requests() {
     if (const auto& path = requests.save_scene) save(*path, [&] { return scene_text(scene_as_seen(session_)); });
     if (const auto& picture = requests.save_picture) save(picture->path, [&] { return picture_bytes(*picture); });
     if (const auto& plots = requests.save_plots) {
-      save(plots->path, [&] { return plot_file(session_, report_.snapshot, history_.plots(), *plots, painter_); });
+      save(plots->path, [&] { return plot_file(session_, shown(), history_.plots(), *plots, painter_); });
     }
     if (requests.record) start_recording(*requests.record);
     if (requests.stop_recording) {
@@ -383,14 +385,15 @@ void Application::read_recording() {
 std::string Application::picture_bytes(const SavePictureRequest& request) {
   constexpr std::array vectors{"svg", "pdf"};
   if (format_of(request.path, vectors) == nullptr) {
-    return png_bytes(screen_.picture(session_, report_.snapshot, history_, reading(),
+    return png_bytes(screen_.picture(session_, shown(), history_, reading(),
                                      request.scene_alone ? Part::scene : Part::window, request.density));
   }
   // As large as on this display, without the handles, which are for a pointer.
   const double scale = session_.appearance.scale * static_cast<double>(window_.display_scale());
   const Theme& theme = *session_.appearance.theme;
-  const std::vector<Pane> panes = compose_panes({.settings = session_.settings,
-                                                 .snapshot = report_.snapshot,
+  const ShownMoment moment = shown();
+  const std::vector<Pane> panes = compose_panes({.settings = moment.settings,
+                                                 .snapshot = moment.snapshot,
                                                  .history = history_,
                                                  .theme = theme,
                                                  .options = session_.options,

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/live/input_link.h"
+#include "app/live/looking_back.h"
 #include "app/paint/file_painter.h"
 #include "app/runs/recording.h"
 #include "app/session/session.h"
@@ -77,6 +78,9 @@ class Application {
   // Why the last recording is not complete; empty: it is.
   const std::string& recording_problem() const noexcept { return recording_problem_; }
 
+  // What the screen shows: the present, or a moment that somebody looks back at.
+  ShownMoment shown() const { return shown_moment(session_, report_.snapshot, history_.moments()); }
+
   // What the screen shows of servo and input.
   LoopReading reading() const;
 
@@ -107,6 +111,7 @@ class Application {
   InputOptions input_options_;
   FilePainter painter_;
   History history_;
+  LookingBack looking_back_;
   ServoCommand command_;
   Settings sent_settings_;  // the session's, of which those in the command are the nearest that a file can hold
   std::unique_ptr<Servo> servo_;

@@ -37,9 +37,15 @@ void show_mode(Session& session) {
 }
 
 // From the wall as it should be to the cure, and where it matters.
-constexpr std::array<void (*)(Session&), 9> talk{
-    show_strategy<StrategyId::full>, show_strategy<StrategyId::naive>, show_why<1>, show_why<2>, show_why<3>,
-    show_why<4>, show_strategy<StrategyId::anisotropic>, show_mode<StageMode::landscape>, show_mode<StageMode::round>};
+constexpr std::array<void (*)(Session&), 9> talk{show_strategy<StrategyId::full>,
+                                                 show_strategy<StrategyId::naive>,
+                                                 show_why<1>,
+                                                 show_why<2>,
+                                                 show_why<3>,
+                                                 show_why<4>,
+                                                 show_strategy<StrategyId::anisotropic>,
+                                                 show_mode<StageMode::landscape>,
+                                                 show_mode<StageMode::round>};
 
 void go_to_talk_step(Session& session, int step) {
   if (step < 0 || step >= static_cast<int>(talk.size())) return;

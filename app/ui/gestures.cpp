@@ -42,7 +42,7 @@ const Pane& pane_of(const std::vector<Pane>& panes, StrategyId id) {
 }  // namespace
 
 void Gestures::take(Session& session, const std::vector<Pane>& panes, const Vector<2>& size, double unit,
-                    bool is_goal_estimated) {
+                    const ShownMoment& moment) {
   ImGui::SetCursorPos({0.0F, 0.0F});
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImGui::InvisibleButton("scene", {static_cast<float>(size.x), static_cast<float>(size.y)},
@@ -61,9 +61,9 @@ void Gestures::take(Session& session, const std::vector<Pane>& panes, const Vect
   if (is_hovered && !is_held) {
     const Pane& pane = pane_at(panes, pointer);
     const Vector<2> inside = pointer - pane.corner;
-    hovered_ = handle_at(session.settings, pane.camera, unit, inside);
+    hovered_ = handle_at(moment.settings, pane.camera, unit, inside);
     if (hovered_ != Handle::none) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    if (session.dialog == Dialog::none) mark_tooltip(pane, fonts_, inside, unit, is_goal_estimated);
+    if (session.dialog == Dialog::none) mark_tooltip(pane, fonts_, inside, unit, moment.snapshot.measured.has_value());
   }
   if (const float wheel = ImGui::GetIO().MouseWheel; is_hovered && wheel != 0.0F) {
     const Pane& pane = pane_at(panes, pointer);
@@ -73,16 +73,16 @@ void Gestures::take(Session& session, const std::vector<Pane>& panes, const Vect
   if (ImGui::IsItemActivated()) {
     const Pane& pane = pane_at(panes, pointer);
     pane_ = pane.active;
-    begin(session, pane, pointer - pane.corner, unit);
+    begin(session, moment.settings, pane, pointer - pane.corner, unit);
   }
   if (is_held) {
     // The active strategy may change during a drag; where there is one pane, it is the one.
     const Pane& pane = pane_of(panes, pane_);
-    go_on(session, pane, pointer - pane.corner, unit);
+    go_on(session, moment.settings, pane, pointer - pane.corner, unit);
   }
 }
 
-void Gestures::begin(Session& session, const Pane& pane, const Vector<2>& pointer, double unit) {
+void Gestures::begin(Session& session, const Settings& shown, const Pane& pane, const Vector<2>& pointer, double unit) {
   began_at_ = pointer;
   last_ = pointer;
   has_turned_ = false;
@@ -96,10 +96,10 @@ void Gestures::begin(Session& session, const Pane& pane, const Vector<2>& pointe
     if (mark->strategy) session.settings.active = *mark->strategy;
     return;
   }
-  held_ = handle_at(session.settings, pane.camera, unit, pointer);
+  held_ = handle_at(shown, pane.camera, unit, pointer);
   hovered_ = held_;
   if (held_ != Handle::none) {
-    Settings settings = session.settings;
+    Settings settings = shown;
     grip_ = Grip::handle;
     began_angle_ = angle_of(held_, settings);
   } else {
@@ -107,7 +107,7 @@ void Gestures::begin(Session& session, const Pane& pane, const Vector<2>& pointe
   }
 }
 
-void Gestures::go_on(Session& session, const Pane& pane, const Vector<2>& pointer, double unit) {
+void Gestures::go_on(Session& session, const Settings& shown, const Pane& pane, const Vector<2>& pointer, double unit) {
   switch (grip_) {
     case Grip::nothing:
       break;
@@ -127,7 +127,7 @@ void Gestures::go_on(Session& session, const Pane& pane, const Vector<2>& pointe
       break;
     case Grip::handle:
       ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-      turn(session, pane, pointer, unit);
+      turn(session, shown, pane, pointer, unit);
       has_turned_ = has_turned_ || glm::distance(pointer, began_at_) >= first_turn * unit;
       break;
     case Grip::picture: {
@@ -142,9 +142,10 @@ void Gestures::go_on(Session& session, const Pane& pane, const Vector<2>& pointe
 }
 
 // By as much as the pointer has gone round the pivot since the handle was grabbed: it never jumps to the pointer.
-void Gestures::turn(Session& session, const Pane& pane, const Vector<2>& pointer, double unit) const {
+void Gestures::turn(Session& session, const Settings& shown, const Pane& pane, const Vector<2>& pointer,
+                    double unit) const {
   if (!has_turned_ && glm::distance(pointer, began_at_) < first_turn * unit) return;
-  const Vector<2> pivot = pivot_of(held_, session.settings, pane.camera, unit);
+  const Vector<2> pivot = pivot_of(held_, shown, pane.camera, unit);
   if (glm::distance(pointer, pivot) < first_turn * unit) return;  // no direction there
   double angle = began_angle_ + angle_on_screen(pointer - pivot) - angle_on_screen(began_at_ - pivot);
   if (!ImGui::GetIO().KeyCtrl) angle = std::round(angle / snap) * snap;

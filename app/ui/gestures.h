@@ -8,6 +8,7 @@
 #include "app/paint/label_painter.h"
 #include "app/session/session.h"
 #include "app/view/panes.h"
+#include "app/view/shown_moment.h"
 
 namespace ghostforce {
 
@@ -17,10 +18,9 @@ class Gestures {
   explicit Gestures(const LabelFonts& fonts) : fonts_(fonts) {}
 
   // To be called inside an ImGui window that covers the scene. `panes` are the ones that the person sees: those of the
-  // last frame; none yet: nothing happens. `unit` is the size of a point in the scene. `is_goal_estimated`: the goal in
-  // the panes is not where anybody has put it.
+  // last frame; none yet: nothing happens. `unit` is the size of a point in the scene. `moment`: what they show.
   void take(Session& session, const std::vector<Pane>& panes, const Vector<2>& size, double unit,
-            bool is_goal_estimated);
+            const ShownMoment& moment);
 
   // The handle under the pointer or in the hand.
   Handle hovered() const noexcept { return hovered_; }
@@ -28,9 +28,9 @@ class Gestures {
  private:
   enum class Grip : std::uint8_t { nothing, goal, circle, handle, picture };
 
-  void begin(Session& session, const Pane& pane, const Vector<2>& pointer, double unit);
-  void go_on(Session& session, const Pane& pane, const Vector<2>& pointer, double unit);
-  void turn(Session& session, const Pane& pane, const Vector<2>& pointer, double unit) const;
+  void begin(Session& session, const Settings& shown, const Pane& pane, const Vector<2>& pointer, double unit);
+  void go_on(Session& session, const Settings& shown, const Pane& pane, const Vector<2>& pointer, double unit);
+  void turn(Session& session, const Settings& shown, const Pane& pane, const Vector<2>& pointer, double unit) const;
 
   LabelFonts fonts_;
   Grip grip_ = Grip::nothing;

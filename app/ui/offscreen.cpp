@@ -99,7 +99,7 @@ Drawing draw_moment(const PictureRequest& request, const Moment& moment) {
   for (int i = 0; i < frames_to_settle; ++i) {
     window.set_visible_drawing(i + 1 == frames_to_settle);
     screen.draw(
-        session, moment.snapshot, moment.history,
+        session, {session.settings, moment.snapshot}, moment.history,
         {.input_title = scripted_hand.title, .rate_hz = session.settings.rate, .inputs = std::span(&scripted_hand, 1)},
         0.0);
   }

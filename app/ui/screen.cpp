@@ -111,22 +111,21 @@ Screen::Screen(Window& window, Part part)
       measure_(measure_with(window.fonts())),
       gestures_(window.fonts()) {}
 
-void Screen::draw(Session& session, const Snapshot& snapshot, const History& history, const LoopReading& loop,
+void Screen::draw(Session& session, const ShownMoment& moment, const History& history, const LoopReading& loop,
                   double interval_s) {
   if (window_.pixel_width() <= 0 || window_.pixel_height() <= 0) return;  // minimised
   // The style must not change within a frame.
   apply_appearance(session.appearance);
-  window_.frame(interval_s, [&] { draw_everything(session, snapshot, history, loop, part_, true); });
+  window_.frame(interval_s, [&] { draw_everything(session, moment, history, loop, part_, true); });
 }
 
-Image Screen::picture(const Session& session, const Snapshot& snapshot, const History& history, const LoopReading& loop,
-                      Part part, int density) {
+Image Screen::picture(const Session& session, const ShownMoment& moment, const History& history,
+                      const LoopReading& loop, Part part, int density) {
   // Nobody can take hold of a picture or follow its hints.
   Session copy = session;
   copy.hint.reset();
   copy.has_handles = false;
-  const Image image =
-      window_.picture_of(density, [&] { draw_everything(copy, snapshot, history, loop, part_, false); });
+  const Image image = window_.picture_of(density, [&] { draw_everything(copy, moment, history, loop, part_, false); });
   if (part == Part::window) return image;
   const auto pixels = [&](double points) {
     return static_cast<int>(std::lround(points * image.width / static_cast<double>(ImGui::GetIO().DisplaySize.x)));
@@ -144,7 +143,7 @@ void Screen::apply_appearance(const Appearance& appearance) {
   styled_scale_ = scale;
 }
 
-void Screen::draw_everything(Session& session, const Snapshot& snapshot, const History& history,
+void Screen::draw_everything(Session& session, const ShownMoment& moment, const History& history,
                              const LoopReading& loop, Part part, bool is_live) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   const Layout layout(part, size, styled_scale_, session.plots.is_open);
@@ -153,7 +152,7 @@ void Screen::draw_everything(Session& session, const Snapshot& snapshot, const H
   scene_corner_ = layout.scene.corner;
   scene_size_ = {std::max(1.0, static_cast<double>(layout.scene.size.x)),
                  std::max(1.0, static_cast<double>(layout.scene.size.y))};
-  const PanelContext context{session, snapshot, loop, theme, window_.fonts(), styled_scale_};
+  const PanelContext context{session, moment.snapshot, moment.settings, loop, theme, window_.fonts(), styled_scale_};
 
   if (is_live) {
     std::vector<KeyPress> presses = window_.take_key_presses();
@@ -163,7 +162,7 @@ void Screen::draw_everything(Session& session, const Snapshot& snapshot, const H
     }
     act_on_keys(session, presses, ImGui::GetIO().WantTextInput);
     begin_fixed("scene", layout.scene, ImGuiWindowFlags_NoBackground);
-    gestures_.take(session, panes_, scene_size_, unit, snapshot.measured.has_value());
+    gestures_.take(session, panes_, scene_size_, unit, moment);
     ImGui::End();
     if (std::exchange(session.requests.fit_view, false)) {
       session.shown = view_of_everything(session, panes_, scene_size_, unit);
@@ -202,7 +201,7 @@ void Screen::draw_everything(Session& session, const Snapshot& snapshot, const H
     hints_.follow(session);
   }
   // After the panels, so that a change made in this frame is seen in this frame.
-  compose_scene(session, snapshot, history, is_live);
+  compose_scene(session, moment, history, is_live);
   painter_.paint(panes_, theme, scene_corner_, unit, window_.pixel_width(), window_.pixel_height());
   if (!is_live) return;
   draw_shader_problem(context, layout.scene.corner, layout.scene.size);
@@ -233,12 +232,12 @@ void Screen::draw_column(const PanelContext& context) {
   }
 }
 
-void Screen::compose_scene(const Session& session, const Snapshot& snapshot, const History& history, bool is_live) {
+void Screen::compose_scene(const Session& session, const ShownMoment& moment, const History& history, bool is_live) {
   const Handle hovered = !is_live                                     ? Handle::none
                          : points_at(session, HintTarget::motor_axis) ? Handle::motor_axis
                                                                       : gestures_.hovered();
-  panes_ = compose_panes({.settings = session.settings,
-                          .snapshot = snapshot,
+  panes_ = compose_panes({.settings = moment.settings,
+                          .snapshot = moment.snapshot,
                           .history = history,
                           .theme = *styled_appearance_.theme,
                           .options = session.options,

@@ -12,6 +12,7 @@
 #include "app/ui/widgets/panel_context.h"
 #include "app/ui/window.h"
 #include "app/view/panes.h"
+#include "app/view/shown_moment.h"
 #include "app/view/trail_history.h"
 
 namespace ghostforce {
@@ -27,13 +28,14 @@ class Screen {
   Screen(Window& window, Part part);
 
   // Draws and shows one frame, `interval_s` after the one before; panels, keys and gestures edit the session. Nothing
-  // is drawn while the window has no pixels.
-  void draw(Session& session, const Snapshot& snapshot, const History& history, const LoopReading& loop,
+  // is drawn while the window has no pixels. `moment` is what the frame shows: at present, the session's own settings,
+  // so that a change shows at once; while somebody looks back, those of that time.
+  void draw(Session& session, const ShownMoment& moment, const History& history, const LoopReading& loop,
             double interval_s);
 
   // The same frame as a picture, `density` times as fine, without pointer, hints and dialogs. Throws Failure where the
   // graphics driver cannot make one that large.
-  Image picture(const Session& session, const Snapshot& snapshot, const History& history, const LoopReading& loop,
+  Image picture(const Session& session, const ShownMoment& moment, const History& history, const LoopReading& loop,
                 Part part, int density);
 
   // What the last frame showed, for the JSON painter and for tests.
@@ -46,10 +48,10 @@ class Screen {
 
  private:
   struct Layout;
-  void draw_everything(Session& session, const Snapshot& snapshot, const History& history, const LoopReading& loop,
+  void draw_everything(Session& session, const ShownMoment& moment, const History& history, const LoopReading& loop,
                        Part part, bool is_live);
   static void draw_column(const PanelContext& context);
-  void compose_scene(const Session& session, const Snapshot& snapshot, const History& history, bool is_live);
+  void compose_scene(const Session& session, const ShownMoment& moment, const History& history, bool is_live);
   void apply_appearance(const Appearance& appearance);
 
   Window& window_;

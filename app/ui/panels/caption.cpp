@@ -45,7 +45,7 @@ std::string words_of(const PanelContext& context) {
     return fmt::format("The wall wants to push harder than the motors may: they give {:.1f} N. Press less deep.",
                        glm::length(motors.sent));
   }
-  const std::string words(caption_of(context.session.settings, context.snapshot.goal));
+  const std::string words(caption_of(context.settings, context.snapshot.goal));
   return context.snapshot.measured ? words + " In your hand: the goal is inferred." : words;
 }
 
@@ -61,11 +61,11 @@ void draw_caption(const PanelContext& context) {
   const float needed = large * ImGui::CalcTextSize(words.c_str()).x;
   const bool fits = needed < 1.8F * ImGui::GetContentRegionAvail().x;
   ImGui::PushFont(context.fonts.regular, (fits ? large : 1.0F) * ImGui::GetStyle().FontSizeBase);
-  const std::size_t i = index_of(context.session.settings.active);
+  const std::size_t i = index_of(context.settings.active);
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float line = ImGui::GetTextLineHeight();
   draw_glyph(*ImGui::GetWindowDrawList(), {corner.x + 0.6F * line, corner.y + 0.5F * line}, 0.42F * line,
-             strategy_style(context.session.settings.active).shape, context.theme.strategy[i]);
+             strategy_style(context.settings.active).shape, context.theme.strategy[i]);
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 1.6F * line);
   wrapped_text(words);
   ImGui::PopFont();

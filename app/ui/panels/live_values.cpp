@@ -42,7 +42,7 @@ void draw_head() {
 
 void draw_row(const PanelContext& context, const Strategy& entry) {
   const std::size_t i = index_of(entry.id);
-  const bool active = entry.id == context.session.settings.active;
+  const bool active = entry.id == context.settings.active;
   ImGui::TableNextRow();
   if (active)
     ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0,
@@ -63,7 +63,7 @@ void draw_row(const PanelContext& context, const Strategy& entry) {
 double model_error(const PanelContext& context) {
   double largest = 0.0;
   for (const Strategy& entry : strategy_catalog()) {
-    const Equilibrium<2> rest = equilibrium_of(entry.id, context.session.settings, context.snapshot.goal);
+    const Equilibrium<2> rest = equilibrium_of(entry.id, context.settings, context.snapshot.goal);
     largest = std::max(largest, glm::distance(rest.device, context.snapshot.strategies[index_of(entry.id)].device));
   }
   return largest;

@@ -20,7 +20,7 @@ std::string millimetres(const Vector<2>& drift) {
 void draw_drift_of_belief(const PanelContext& context) {
   row("Drift of A", Term::drift_of_belief);
   ImGui::AlignTextToFramePadding();
-  const Settings& settings = context.session.settings;
+  const Settings& settings = context.settings;
   if (context.snapshot.measured) {
     ImGui::TextUnformatted("—");
     tooltip("Cannot be known: the goal of a real hand is only inferred, with this very belief. Measure the hand.");

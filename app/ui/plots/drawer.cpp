@@ -17,7 +17,9 @@ struct Tab {
 
 constexpr std::array tabs{
     Tab{PlotTab::time, "Time", "Time",
-        "What has been. The wheel chooses how long a time is in sight; drag to look back.", draw_time_plots},
+        "What has been. The wheel chooses how long a time is in sight; drag to look back, and click to see that moment "
+        "again.",
+        draw_time_plots},
     Tab{PlotTab::wall_angle, "Wall angle", "Angle",
         "Where everything comes to rest, were the wall at another angle. Drag: the wall follows. Ctrl: "
         "freely.",
@@ -35,8 +37,12 @@ void draw_buttons(const PanelContext& context) {
   const float close = ImGui::CalcTextSize("×").x + pad;
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
   ImGui::SameLine(ImGui::GetContentRegionMax().x - live - save - close - 2.0F * spacing);
-  ImGui::BeginDisabled(view.follows || view.tab != PlotTab::time);
-  if (ImGui::Button("Live")) view.follows = true;
+  std::optional<double>& looks_back_to_s = context.session.stage.looks_back_to_s;
+  ImGui::BeginDisabled((view.follows && !looks_back_to_s) || view.tab != PlotTab::time);
+  if (ImGui::Button("Live")) {
+    view.follows = true;
+    looks_back_to_s.reset();
+  }
   ImGui::EndDisabled();
   tooltip("The newest moment at the right edge again.");
   ImGui::SameLine();

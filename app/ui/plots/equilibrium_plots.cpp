@@ -151,7 +151,7 @@ std::size_t samples_for(float width) {
 }  // namespace
 
 void draw_wall_angle_plots(const PanelContext& context) {
-  Settings& settings = context.session.settings;
+  const Settings& settings = context.settings;
   const float width = ImGui::GetContentRegionAvail().x;
   const EquilibriumQuestion question = equilibrium_question(settings, context.snapshot);
   const EquilibriumCurves curves = equilibria_over_wall_angle(question, samples_for(width));
@@ -167,16 +167,17 @@ void draw_wall_angle_plots(const PanelContext& context) {
   axis.now = (remainder < 0.0 ? remainder + whole_turn : remainder) / radians_per_degree;
   if (const auto dragged = draw_equilibrium_plots(context, curves, axis, question)) {
     const double angle = std::clamp(*dragged, axis.least, axis.greatest);
-    settings.wall_normal_angle = (ImGui::GetIO().KeyCtrl ? angle : std::round(angle)) * radians_per_degree;
+    context.session.settings.wall_normal_angle =
+        (ImGui::GetIO().KeyCtrl ? angle : std::round(angle)) * radians_per_degree;
   }
 }
 
 void draw_ratio_plots(const PanelContext& context) {
-  Stiffnesses& stiffnesses = context.session.settings.stiffnesses;
+  const Stiffnesses& stiffnesses = context.settings.stiffnesses;
   const double optimal = optimal_tracking_ratio(stiffnesses.k_r, believed_user_stiffness(stiffnesses));
   const auto [least, greatest] = ratio_range(stiffnesses);
   const float width = ImGui::GetContentRegionAvail().x;
-  const EquilibriumQuestion question = equilibrium_question(context.session.settings, context.snapshot);
+  const EquilibriumQuestion question = equilibrium_question(context.settings, context.snapshot);
   const EquilibriumCurves curves = equilibria_over_ratio(question, least, greatest, samples_for(width));
   EquilibriumAxis axis{curves.at, tracking_ratio(stiffnesses), least, greatest, true, {1.0}, {"1 naïve"}};
   const double decades_per_pixel = std::log(greatest / least) / (0.45 * static_cast<double>(width));
@@ -197,7 +198,7 @@ void draw_ratio_plots(const PanelContext& context) {
   }
   const auto dragged = draw_equilibrium_plots(context, curves, axis, question);
   if (!dragged) return;
-  choose_ratio(stiffnesses, std::clamp(*dragged, least, greatest),
+  choose_ratio(context.session.settings.stiffnesses, std::clamp(*dragged, least, greatest),
                static_cast<double>(snap_points * context.scale) * decades_per_pixel);
 }
 

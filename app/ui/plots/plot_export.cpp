@@ -134,10 +134,10 @@ Export over_setting(const EquilibriumCurves& curves, const SweptSetting& setting
   return result;
 }
 
-Export export_of(const Session& session, const Snapshot& snapshot, const PlotHistory& history, bool whole_history) {
+Export export_of(const Session& session, const ShownMoment& moment, const PlotHistory& history, bool whole_history) {
   const Theme& theme = *session.appearance.theme;
-  const Settings& settings = session.settings;
-  const EquilibriumQuestion question = equilibrium_question(settings, snapshot);
+  const Settings& settings = moment.settings;
+  const EquilibriumQuestion question = equilibrium_question(settings, moment.snapshot);
   switch (session.plots.tab) {
     case PlotTab::time:
       return whole_history ? over_time(history, history.oldest_s(), history.newest_s(), theme)
@@ -187,9 +187,9 @@ std::string picture_of(const std::vector<Chart>& charts, const Session& session,
 
 }  // namespace
 
-std::string plot_file(const Session& session, const Snapshot& snapshot, const PlotHistory& history,
+std::string plot_file(const Session& session, const ShownMoment& moment, const PlotHistory& history,
                       const SavePlotsRequest& request, const FilePainter& painter) {
-  const Export result = export_of(session, snapshot, history, request.whole_history);
+  const Export result = export_of(session, moment, history, request.whole_history);
   constexpr std::array numbers{"csv"};
   if (format_of(request.path, numbers) != nullptr) return provenance(scene_as_seen(session)) + csv_text(result.table);
   return picture_of(result.charts, session, request.path, painter);

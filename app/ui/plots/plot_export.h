@@ -6,13 +6,13 @@
 #include "app/paint/file_painter.h"
 #include "app/session/session.h"
 #include "app/view/plot_history.h"
-#include "core/snapshot.h"
+#include "app/view/shown_moment.h"
 
 namespace ghostforce {
 
 // The file's content; the ending of `request.path` says which format. Throws Failure where the painter of pictures
 // does.
-std::string plot_file(const Session& session, const Snapshot& snapshot, const PlotHistory& history,
+std::string plot_file(const Session& session, const ShownMoment& moment, const PlotHistory& history,
                       const SavePlotsRequest& request, const FilePainter& painter);
 
 }  // namespace ghostforce

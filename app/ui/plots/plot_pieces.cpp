@@ -51,7 +51,7 @@ void draw_strategy_curve(const PanelContext& context, StrategyId id, std::span<c
                          std::span<const double> y) {
   if (x.empty()) return;
   const std::size_t i = index_of(id);
-  const bool in_front = id == context.session.settings.active;
+  const bool in_front = id == context.settings.active;
   ImPlotSpec look;
   look.LineColor = unpacked(context.theme.strategy[i]);
   look.LineWeight = (in_front ? 2.4F : 1.5F) * static_cast<float>(context.theme.thickness) * context.scale;

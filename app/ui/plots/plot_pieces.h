@@ -47,7 +47,7 @@ void draw_strategy_point(const PanelContext& context, StrategyId id, double x, d
 // Calls visit(id) for all strategies, the active one last, so that it ends up on top.
 template <typename Visit>
 void for_each_strategy(const PanelContext& context, Visit&& visit) {
-  const StrategyId active = context.session.settings.active;
+  const StrategyId active = context.settings.active;
   for (const Strategy& entry : strategy_catalog()) {
     if (entry.id != active) visit(entry.id);
   }

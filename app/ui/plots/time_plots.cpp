@@ -104,9 +104,25 @@ void draw_head(const PanelContext& context, const Quantity& quantity, std::size_
   ImGui::PopFont();
 }
 
+// Whoever drags means the times in sight.
+bool is_click() {
+  const float threshold = ImGui::GetIO().MouseDragThreshold;
+  return ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
+         ImGui::GetIO().MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] < threshold * threshold;
+}
+
+void bring_into_sight(double time_s, PlotView& view) {
+  const double span = view.span_s();
+  const double margin = 0.1 * span;
+  if (time_s < view.from_s) view.from_s = time_s - margin;
+  if (time_s > view.to_s) view.from_s = time_s + margin - span;
+  view.to_s = view.from_s + span;
+}
+
 // One quantity; the time under the pointer, if it is there.
 std::optional<double> draw_plot(const PanelContext& context, const std::vector<PlotBucket>& buckets, std::size_t q,
                                 bool has_time_axis, ImVec2 size, float canvas) {
+  std::optional<double>& looks_back_to_s = context.session.stage.looks_back_to_s;
   PlotView& view = context.session.plots;
   std::optional<double> cursor;
   if (!ImPlot::BeginPlot("##plot", size, quiet_plot)) return cursor;
@@ -130,7 +146,11 @@ std::optional<double> draw_plot(const PanelContext& context, const std::vector<P
     ImPlot::PlotText(unknown, *middle, 0.5 * (range.least + range.greatest));
   }
   if (view.cursor_s) draw_upright_line(context, *view.cursor_s, 1.0F);
-  if (ImPlot::IsPlotHovered()) cursor = ImPlot::GetPlotMousePos().x;
+  if (looks_back_to_s) draw_upright_line(context, *looks_back_to_s, 2.0F);
+  if (ImPlot::IsPlotHovered()) {
+    cursor = ImPlot::GetPlotMousePos().x;
+    if (is_click()) looks_back_to_s = cursor;
+  }
   ImPlot::EndPlot();
   return cursor;
 }
@@ -144,6 +164,8 @@ void draw_time_plots(const PanelContext& context, const PlotHistory& history) {
     view.to_s = history.is_empty() ? span : history.newest_s();
     view.from_s = view.to_s - span;
   }
+  const std::optional<double> looks_back_to_s = context.session.stage.looks_back_to_s;
+  if (looks_back_to_s) bring_into_sight(*looks_back_to_s, view);
   const PlotView before = view;
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const ImVec2 spacing = ImGui::GetStyle().ItemSpacing;
@@ -154,7 +176,8 @@ void draw_time_plots(const PanelContext& context, const PlotHistory& history) {
 
   const std::vector<PlotBucket> buckets =
       history.between(view.from_s, view.to_s, std::max<std::size_t>(64, static_cast<std::size_t>(width)));
-  const PlotBucket* const under_cursor = view.cursor_s ? history.at(*view.cursor_s) : nullptr;
+  const std::optional<double> read_at = view.cursor_s ? view.cursor_s : looks_back_to_s;
+  const PlotBucket* const under_cursor = read_at ? history.at(*read_at) : nullptr;
   std::optional<double> cursor;
   for (std::size_t column = 0; column < columns; ++column) {
     if (column > 0) ImGui::SameLine();

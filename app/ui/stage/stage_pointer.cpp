@@ -60,7 +60,8 @@ StagePointer::Hold StagePointer::hold_at(const Session& session, const Scene& sc
   }
   if (session.stage.mode == StageMode::why) return Hold::nothing;
   const auto is_at = [&](const std::array<Vector<2>, 2>& ends) {
-    return std::ranges::any_of(ends, [&](const Vector<2>& end) { return scene.is_near(pointer, end, stage_grip_reach); });
+    return std::ranges::any_of(ends,
+                               [&](const Vector<2>& end) { return scene.is_near(pointer, end, stage_grip_reach); });
   };
   if (picture.grips && is_at(picture.grips->motor)) return Hold::motor;
   if (picture.grips && picture.grips->wall && is_at(*picture.grips->wall)) return Hold::wall;
@@ -86,8 +87,8 @@ void StagePointer::update(Session& session, const StageFrame& frame, const Stage
     hovered_.reset();
     hovered_grip_ = StageGrip::none;
     if (is_hovered) {
-      const auto button = std::ranges::find_if(
-          picture.buttons, [&](const StageButton& entry) { return contains(entry.box, pointer); });
+      const auto button =
+          std::ranges::find_if(picture.buttons, [&](const StageButton& entry) { return contains(entry.box, pointer); });
       if (button != picture.buttons.end()) {
         hovered_ = button->action;
       } else {

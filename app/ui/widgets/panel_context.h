@@ -20,6 +20,7 @@ struct Fonts : LabelFonts {
 struct PanelContext {
   Session& session;
   const Snapshot& snapshot;
+  const Settings& settings;  // of the moment that is shown; the session's own, but for one of the past
   const LoopReading& loop;
   const Theme& theme;
   const Fonts& fonts;

@@ -26,7 +26,7 @@ struct Alignment {
 class LandscapeWords {
  public:
   LandscapeWords(const LandscapeView& view, const LandscapeLayout& layout, Marks& marks)
-      : view_(view), layout_(layout), unit_(view.scale * view.theme.thickness), marks_(marks) {}
+      : view_(view), layout_(layout), marks_(marks) {}
 
   Vector<2> extent(std::string_view text, const TextStyle& drawn) const { return view_.measure(text, drawn); }
   // Letters of that many em.
@@ -43,11 +43,7 @@ class LandscapeWords {
     const Vector<2> size = extent(text, drawn);
     const Vector<2> corner = place - Vector<2>(alignment.across, alignment.down) * size;
     marks_.push_back({role, strategy,
-                      Label{to_world(view_.camera, corner),
-                            Vector<2>(0.0),
-                            std::move(text),
-                            {drawn.height / unit_, drawn.is_bold},
-                            colour,
+                      Label{to_world(view_.camera, corner), Vector<2>(0.0), std::move(text), drawn, colour,
                             view_.theme.background}});
     taken_.push_back({corner, corner + size});
     return taken_.back();
@@ -69,7 +65,6 @@ class LandscapeWords {
 
   const LandscapeView& view_;
   const LandscapeLayout& layout_;
-  double unit_;
   Marks& marks_;
   std::vector<ScreenBox> taken_;
 };

@@ -17,8 +17,12 @@ void add_guess(const StageLayer& layer) {
   canvas.ring(Role::guess, at, radius, canvas.width(4.0), faded(theme.accent, guess.is_open ? 1.0 : 0.55));
   canvas.labels.keep_clear(at, at, radius + canvas.width(2.0));
   canvas.label(Role::guess,
-               {StageLabel::guess, {guess.is_open ? "your guess: drag me" : "your guess"}, layout.letters.bold_words,
-                at, radius, Vector<2>(-0.4, -1.0)},
+               {StageLabel::guess,
+                {guess.is_open ? "your guess: drag me" : "your guess"},
+                layout.letters.bold_words,
+                at,
+                radius,
+                Vector<2>(-0.4, -1.0)},
                theme.accent);
 }
 

@@ -1,36 +1,53 @@
 #include "app/view/stage/stage.h"
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
+#include "app/view/stage/landscape_layer.h"
 #include "app/view/stage/stage_layers.h"
 
 namespace ghostforce {
 namespace {
+
+const StageModeLayers* layers_of(StageMode mode) {
+  static const std::array all{&predict_layers, &why_layers, &landscape_layers, &round_layers, &ribbon_layers};
+  const auto found = std::ranges::find(all, mode, &StageModeLayers::id);
+  return found == all.end() ? nullptr : *found;
+}
+
+std::string sentence_of(const StageContent& content, const StageModeLayers* mode) {
+  if (!content.warning.empty()) return std::string(content.warning);
+  if (mode != nullptr) {
+    if (std::string words = mode->sentence(content); !words.empty()) return words;
+  }
+  return std::string(stage_sentence(content.settings, content.moment, content.audience));
+}
 
 void keep_frame_clear(const StageLayout& layout, StageLabels& labels) {
   labels.keep_clear(layout.sentence_box);
   for (const StageButton& button : layout.strategies) labels.keep_clear(button.box);
   for (const StageButton& button : layout.icons) labels.keep_clear(button.box);
   if (layout.keys) labels.keep_clear(layout.keys->box);
+  if (layout.ribbon) labels.keep_clear(*layout.ribbon);
 }
 
-std::string_view sentence_of(const StageContent& content) {
-  if (!content.warning.empty()) return content.warning;
-  return stage_sentence(content.settings, content.moment, content.audience);
+void make_room_for_ribbon(const StageContent& content, const Camera& camera, StageLayout& layout) {
+  const Ribbon ribbon{.moments = *content.moments,
+                      .looks_back_to_s = content.looks_back_to_s,
+                      .theme = content.theme,
+                      .measure = content.measure,
+                      .camera = camera,
+                      .box = {},
+                      .unit = 1.0};
+  const double bottom = layout.bottom - 10.0 * layout.unit;
+  layout.ribbon = ScreenBox{{layout.margin, bottom - ribbon_height(ribbon)}, {layout.size.x - layout.margin, bottom}};
+  layout.bottom = layout.ribbon->least.y;
 }
 
 }  // namespace
 
-StagePicture compose_stage(const StageContent& content, StageLabelMemory& memory, double interval_s, Marks earlier) {
-  const Camera camera = stage_camera(content.shown, content.size);
-  Marks marks = std::move(earlier);
-  marks.clear();
-  StageLayout layout =
-      stage_layout(content.size, content.scale, content.measure, sentence_of(content), !content.moment.is_measured);
-  StageLabels labels(content.size, layout.unit, content.measure, memory, interval_s);
-  StageCanvas canvas{camera, content.theme, layout.unit, marks, labels};
-  const StageLayer layer{content, layout, canvas};
-  keep_frame_clear(layout, labels);
+void add_whole_scene(const StageLayer& layer) {
   add_stage_wall(layer);
   add_rail(layer);
   add_expectations(layer);
@@ -39,13 +56,37 @@ StagePicture compose_stage(const StageContent& content, StageLabelMemory& memory
   add_slide(layer);
   add_stage_force(layer);
   add_handle(layer);
-  add_buttons(layer);
-  add_sentence(layer);
   add_numbers(layer);
   add_stage_words(layer);
+}
 
-  StagePicture picture{{Vector<2>(0.0), camera, content.settings.active, std::move(marks)}, {}, layout.unit};
-  for (auto* const buttons : {&layout.strategies, &layout.icons}) {
+StagePicture compose_stage(const StageContent& content, StageLabelMemory& memory, double interval_s, Marks earlier) {
+  const StageModeLayers* const mode = layers_of(content.mode);
+  const Camera camera = stage_camera(content.shown, content.size);
+  const bool is_map = content.mode == StageMode::landscape;
+  StagePicture picture{.pane = {Vector<2>(0.0), camera, content.settings.active, std::move(earlier)}};
+  Marks& marks = picture.pane.marks;
+  marks.clear();
+  StageLayout layout = stage_layout(content.size, content.scale, content.measure, sentence_of(content, mode),
+                                    !content.moment.is_measured);
+  if (content.mode == StageMode::ribbon && content.moments != nullptr) make_room_for_ribbon(content, camera, layout);
+  picture.unit = layout.unit;
+  {
+    StageLabels labels(content.size, layout.unit, content.measure, memory, interval_s);
+    StageCanvas canvas{camera, content.theme, layout.unit, marks, labels};
+    const StageLayer layer{content, layout, canvas};
+    keep_frame_clear(layout, labels);
+    (mode != nullptr ? mode->add : add_whole_scene)(layer);
+    if (!is_map) add_sentence(layer);
+    add_buttons(layer);
+    if (const auto ribbon = stage_ribbon(layer)) picture.ribbon = {*layout.ribbon, ribbon_axis(*ribbon)};
+  }
+  picture.pivot = content.moment.handle;
+  if (content.has_grips && !is_map) {
+    picture.grips = stage_grips(content.settings, content.moment, camera, layout.unit);
+  }
+  if (is_map) picture.landscape = landscape_layout(stage_landscape(content, camera));
+  for (const auto* const buttons : {&layout.strategies, &layout.icons}) {
     picture.buttons.insert(picture.buttons.end(), buttons->begin(), buttons->end());
   }
   if (layout.keys) picture.buttons.push_back(*layout.keys);

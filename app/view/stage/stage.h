@@ -68,9 +68,9 @@ struct StageContent {
   int why_step = 0;
   std::optional<StageRound> round{};
   double landscape_dial = 0.0;
-  const MomentHistory* moments = nullptr;    // of the ribbon; null: there is none
-  std::optional<double> looks_back_to_s{};   // its cursor [s]
-  std::string_view warning{};                // what must be said instead of the sentence; may be empty
+  const MomentHistory* moments = nullptr;   // of the ribbon; null: there is none
+  std::optional<double> looks_back_to_s{};  // its cursor [s]
+  std::string_view warning{};               // what must be said instead of the sentence; may be empty
 };
 
 // The picture, and what of it a person can take hold of.

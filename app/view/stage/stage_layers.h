@@ -1,6 +1,7 @@
 // The layers of the stage, back to front; each appends its marks and says what no label may cover.
 #pragma once
 
+#include "app/view/stage/landscape_layer.h"
 #include "app/view/stage/stage.h"
 #include "app/view/stage/stage_canvas.h"
 
@@ -23,13 +24,13 @@ void add_handle(const StageLayer& layer);        // handle and proxy
 void add_stage_words(const StageLayer& layer);   // beside all these
 void add_sentence(const StageLayer& layer);      // above
 void add_numbers(const StageLayer& layer);
-void add_buttons(const StageLayer& layer);         // below, and the strip of icons
+void add_buttons(const StageLayer& layer);  // below, and the strip of icons
 
 // What a mode draws and says instead, where it does. One file a mode.
 struct StageModeLayers {
   StageMode id;
-  void (*add)(const StageLayer& layer);                    // the scene
-  std::string (*sentence)(const StageContent& content);    // empty: the moment's own
+  void (*add)(const StageLayer& layer);                  // the scene
+  std::string (*sentence)(const StageContent& content);  // empty: the moment's own
 };
 extern const StageModeLayers predict_layers;
 extern const StageModeLayers why_layers;
@@ -39,6 +40,9 @@ extern const StageModeLayers ribbon_layers;
 
 // All things of the scene and the words beside them.
 void add_whole_scene(const StageLayer& layer);
+LandscapeView stage_landscape(const StageContent& content, const Camera& camera);
+// Empty where there is none.
+std::optional<Ribbon> stage_ribbon(const StageLayer& layer);
 
 // --- Where layers must agree -----------------------------------------------------------------------------------------
 

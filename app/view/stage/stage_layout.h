@@ -50,6 +50,7 @@ struct StageLayout {
   std::vector<StageButton> strategies;  // the row below
   std::vector<StageButton> icons;       // the strip above, modes and workbench
   std::optional<StageButton> keys;      // where there is room for it
+  std::optional<ScreenBox> ribbon;      // above the row, where there is one
   Vector<2> numbers_size{0.0};          // of the two numbers with their words
   double number_width = 0.0;            // of the widest number
 

@@ -68,8 +68,12 @@ void add_slide_words(const StageLayer& layer) {
 void add_handle_words(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   canvas.label(Role::device,
-               {StageLabel::handle, {"handle"}, layout.letters.bold_words, canvas.at(content.moment.handle),
-                canvas.points(1.4 * handle_radius), Vector<2>(0.6, -1.0)},
+               {StageLabel::handle,
+                {"handle"},
+                layout.letters.bold_words,
+                canvas.at(content.moment.handle),
+                canvas.points(1.4 * handle_radius),
+                Vector<2>(0.6, -1.0)},
                stage_colour(content.moment, content.theme.strategy_text));
 }
 
@@ -84,15 +88,23 @@ void add_expectation_words(const StageLayer& layer) {
   const Vector<2> rest = canvas.at(moment.expected_rest);
   if (glm::distance(rest, canvas.at(moment.handle)) > canvas.points(2.0 * handle_radius)) {
     canvas.label(Role::expected_rest,
-                 {StageLabel::expected_rest, {"where it should rest"}, layout.letters.words, rest,
-                  canvas.points(handle_radius), Vector<2>(0.0, -1.0)},
+                 {StageLabel::expected_rest,
+                  {"where it should rest"},
+                  layout.letters.words,
+                  rest,
+                  canvas.points(handle_radius),
+                  Vector<2>(0.0, -1.0)},
                  content.theme.faint_text);
   }
   const Vector<2> foot = canvas.at(moment.expected_contact);
   if (glm::distance(foot, canvas.at(moment.proxy)) > canvas.points(26.0)) {
     canvas.label(Role::expected_contact,
-                 {StageLabel::expected_contact, {"the wall should hold here"}, layout.letters.words, foot,
-                  canvas.points(7.0), into_the_wall(content) + Vector<2>(0.6, -0.6)},
+                 {StageLabel::expected_contact,
+                  {"the wall should hold here"},
+                  layout.letters.words,
+                  foot,
+                  canvas.points(7.0),
+                  into_the_wall(content) + Vector<2>(0.6, -0.6)},
                  content.theme.faint_text);
   }
 }
@@ -102,8 +114,8 @@ void add_wall_words(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   const Vector<2> inwards = into_the_wall(content);
   const Vector<2> aside = Vector<2>(-inwards.y, inwards.x) * (inwards.x >= 0.0 ? -1.0 : 1.0);
-  const Vector<2> place = canvas.at(wall_of(content.settings).point) + inwards * canvas.points(150.0) +
-                          aside * canvas.points(230.0);
+  const Vector<2> place =
+      canvas.at(wall_of(content.settings).point) + inwards * canvas.points(150.0) + aside * canvas.points(230.0);
   canvas.label(Role::wall, {StageLabel::wall, {"virtual wall"}, layout.letters.words, place, 0.0, inwards},
                content.theme.faint_text);
 }
@@ -117,9 +129,12 @@ void add_hand_words(const StageLayer& layer) {
                                  : is_asked_to_drag         ? "drag me: your hand pulls here"
                                                             : "your hand pulls here";
   canvas.label(Role::hand,
-               {StageLabel::hand, {std::string(words)},
+               {StageLabel::hand,
+                {std::string(words)},
                 is_asked_to_drag ? layout.letters.bold_words : layout.letters.words,
-                canvas.at(content.moment.goal), canvas.points(34.0), Vector<2>(0.5, -1.0)},
+                canvas.at(content.moment.goal),
+                canvas.points(34.0),
+                Vector<2>(0.5, -1.0)},
                is_asked_to_drag ? content.theme.accent : content.theme.text);
 }
 
@@ -127,16 +142,20 @@ void add_motor_words(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   if (content.moment.weights[index_of(StrategyId::full)] > 0.0) return;
   const bool is_asked_to_turn = content.hint == StageHint::motor;
-  const std::string words =
-      is_asked_to_turn ? "turn the motor by its ends"
-                       : "the only motor pushes " + motor_direction_words(content.settings.actuated_angle);
+  const std::string words = is_asked_to_turn
+                                ? "turn the motor by its ends"
+                                : "the only motor pushes " + motor_direction_words(content.settings.actuated_angle);
   const auto ends = stage_grips(content.settings, content.moment, canvas.camera, canvas.unit).motor;
   const Vector<2> handle = canvas.at(content.moment.handle);
   const Vector<2> end = ends[1].x > ends[0].x ? ends[1] : ends[0];
   const Vector<2> rail = to_screen_direction(direction_at(content.settings.actuated_angle));
   canvas.label(Role::motor_axis,
-               {StageLabel::motor, {words}, is_asked_to_turn ? layout.letters.bold_words : layout.letters.words,
-                0.35 * handle + 0.65 * end, canvas.points(10.0), lower_side(rail)},
+               {StageLabel::motor,
+                {words},
+                is_asked_to_turn ? layout.letters.bold_words : layout.letters.words,
+                0.35 * handle + 0.65 * end,
+                canvas.points(10.0),
+                lower_side(rail)},
                is_asked_to_turn ? content.theme.accent : content.theme.faint_text);
 }
 

@@ -96,9 +96,9 @@ void add_why(const StageLayer& layer) {
                   canvas.points(14.0), side},
                  colour);
   };
-  say(1, StageLabel::hand, Role::force, fmt::format("1  the wall pushes straight out: {} N",
-                                                    force_number(glm::length(forces.push))),
-      push_end, out, theme.text, false);
+  say(1, StageLabel::hand, Role::force,
+      fmt::format("1  the wall pushes straight out: {} N", force_number(glm::length(forces.push))), push_end, out,
+      theme.text, false);
   say(2, StageLabel::wall_share, Role::wall_share,
       fmt::format("2  the motor can give this much of it: {} N", force_number(glm::length(forces.share))),
       0.5 * (start + share_end), -missing, theme.text, false);

@@ -195,7 +195,7 @@ class PlotFile : public testing::Test {
   }
 
   std::string file(const std::string& path, bool whole_history = false) const {
-    return plot_file(session_, snapshot_, history_, {path, whole_history}, cairo_file_painter());
+    return plot_file(session_, {session_.settings, snapshot_}, history_, {path, whole_history}, cairo_file_painter());
   }
   // Without comments.
   static std::vector<std::string> rows(const std::string& text) {

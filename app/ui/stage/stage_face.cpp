@@ -1,0 +1,144 @@
+#include "app/ui/stage/stage_face.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app/ui/panels/hints.h"
+#include "app/view/stage/landscape_layer.h"
+
+namespace ghostforce {
+namespace {
+
+// Nothing must take the picture away from who is at work.
+bool may_show_itself(const Session& session, const StageFrame& frame) {
+  return session.face == Face::stage && session.stage.mode == StageMode::none && session.dialog == Dialog::none &&
+         !session.paused && !session.stage.looks_back_to_s && !session.stage.is_black && !session.notice &&
+         !frame.loop.recording.is_on && !frame.loop.motors.has_motors && !frame.shown.snapshot.measured &&
+         session.pointer_moves_goal;
+}
+
+// The handle's way on the last turn, thinned out.
+std::vector<Vector<2>> last_loop(const MomentHistory& moments, StrategyId id, double turn_s) {
+  constexpr int corners = 160;
+  std::vector<Vector<2>> loop;
+  const auto newest = moments.newest();
+  if (!newest) return loop;
+  const double end_s = newest->snapshot.time_s;
+  for (int i = 0; i <= corners; ++i) {
+    const auto moment = moments.at(end_s - turn_s + turn_s * i / corners);
+    if (moment) loop.push_back(moment->snapshot.strategies[index_of(id)].device);
+  }
+  return loop;
+}
+
+std::optional<StageHint> stage_hint(const Session& session) {
+  if (session.stage.mode != StageMode::none) return std::nullopt;
+  if (points_at(session, HintTarget::goal)) return StageHint::drag;
+  if (points_at(session, HintTarget::third_strategy)) return StageHint::cure;
+  if (points_at(session, HintTarget::motor_axis)) return StageHint::motor;
+  return std::nullopt;
+}
+
+// What is not as it should be comes before what there is to see.
+std::string_view warning_of(const LoopReading& loop) {
+  if (loop.diverged) return "These settings make the simulation unstable: F4, and a lower k_r.";
+  const auto step = std::ranges::find_if(loop.readiness, &ReadinessStepState::is_current);
+  if (loop.motors.has_motors && !loop.motors.is_ready && step != loop.readiness.end()) {
+    return "The device is not ready: F2 says what to do.";
+  }
+  return {};
+}
+
+}  // namespace
+
+void StageFace::follow_session(const Session& session, const StageFrame& frame) {
+  const bool is_other = std::exchange(scene_, session.scene) != session.scene;
+  // What a device shows is what it does, and what has been is as it was.
+  if (is_other || frame.shown.snapshot.measured || frame.shown.is_past) {
+    transition_.jump_to(frame.shown.settings.active);
+  } else {
+    transition_.go_to(session.settings.active, session.stage.switches_slowly);
+  }
+}
+
+void StageFace::update(Session& session, const StageFrame& frame, bool has_keys, double interval_s) {
+  pointer_.update(session, frame, picture_, guess_.guess(session).is_open);
+  if (std::exchange(session.requests.fit_view, false)) {
+    session.stage_shown = stage_view_of(session.settings, session.goal);
+  }
+  follow_session(session, frame);
+  transition_.advance(interval_s);
+  guess_.update(session, interval_s);
+  const bool is_changed = std::exchange(seen_settings_, session.settings) != session.settings ||
+                          std::exchange(seen_goal_, session.goal) != session.goal;
+  show_.update(has_keys || pointer_.has_touched() || is_changed, may_show_itself(session, frame), interval_s);
+}
+
+StageFace::Shown StageFace::shown_in(const Session& session, const StageFrame& frame) const {
+  const Settings& settings = frame.shown.settings;
+  const Snapshot& snapshot = frame.shown.snapshot;
+  // A hand that is dragged is where the pointer is, whatever the loop has seen of it yet.
+  const bool is_live = session.pointer_moves_goal && !frame.shown.is_past && !snapshot.measured;
+  const Vector<2> goal = is_live ? session.goal : snapshot.goal;
+  const StageBlend blend = transition_.is_running() ? transition_.blend() : stage_blend_of(settings.active);
+  Shown shown{settings, stage_moment_between(settings, snapshot, goal, blend)};
+  if (session.stage.mode == StageMode::predict && guess_.is_revealing()) shown.moment = guess_.moment(session);
+  if (show_.is_on()) {
+    StageShow show = show_.shown_instead_of(shown.moment, session);
+    shown = {show.settings, show.moment};
+  }
+  return shown;
+}
+
+StageContent StageFace::content_of(const Session& session, const StageFrame& frame, const Shown& shown) const {
+  const StageBlend blend = transition_.blend();
+  StageContent content{
+      .settings = shown.settings,
+      .moment = shown.moment,
+      .theme = frame.theme,
+      .measure = frame.measure,
+      .shown = session.stage_shown,
+      .reference_force = reference_force_of(session.scene->settings, session.scene->goal.points.back()),
+      .size = frame.size,
+      .scale = frame.scale,
+      .mode = session.stage.mode,
+      .audience = {.can_drag = session.pointer_moves_goal, .looks_back = frame.shown.is_past},
+      .guess = guess_.guess(session),
+      .why_step = session.stage.why_step,
+      .landscape_dial = session.stage.landscape_dial.value_or(std::max(blend.fullness, blend.cure)),
+      .looks_back_to_s = session.stage.looks_back_to_s,
+      .warning = warning_of(frame.loop)};
+  if (session.stage.mode == StageMode::ribbon) content.moments = &frame.history.moments();
+  if (session.stage.mode == StageMode::round && frame.loop.circle) {
+    const CircleReading& reading = *frame.loop.circle;
+    content.round = StageRound{reading.turns > 0 ? last_loop(frame.history.moments(), shown.settings.active,
+                                                             1.0 / std::abs(reading.circle.turns_per_second))
+                                                 : std::vector<Vector<2>>(),
+                               reading};
+  }
+  return content;
+}
+
+const StagePicture& StageFace::compose(const Session& session, const StageFrame& frame, double interval_s) {
+  const Shown shown = shown_in(session, frame);
+  StageContent content = content_of(session, frame, shown);
+  content.hovered = pointer_.hovered();
+  content.hovered_grip = pointer_.hovered_grip();
+  content.has_grips = session.has_handles;
+  content.hint = stage_hint(session);
+  picture_ = compose_stage(content, memory_, interval_s, std::move(picture_.pane.marks));
+  return picture_;
+}
+
+StagePicture StageFace::still(const Session& session, const StageFrame& frame) const {
+  const Shown shown = shown_in(session, frame);
+  StageLabelMemory memory;
+  return compose_stage(content_of(session, frame, shown), memory, 0.0);
+}
+
+bool StageFace::is_moving() const noexcept {
+  return transition_.is_running() || memory_.is_moving() || show_.is_on() || guess_.is_revealing();
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,55 @@
+// StageFace: the stage in the window. Takes the pointer, moves what moves by itself, and composes the picture. It edits
+// the session and knows neither servo nor file. Between ImGui's NewFrame and Render, UI thread.
+#pragma once
+
+#include <memory>
+
+#include "app/session/session.h"
+#include "app/ui/stage/guess_game.h"
+#include "app/ui/stage/idle_show.h"
+#include "app/ui/stage/stage_frame.h"
+#include "app/ui/stage/stage_pointer.h"
+#include "app/view/stage/stage.h"
+#include "app/view/stage/stage_transition.h"
+
+namespace ghostforce {
+
+class StageFace {
+ public:
+  // The pointer on the picture of the frame before, in an ImGui window that covers it; then time goes on.
+  // `has_keys`: a key was pressed in this frame.
+  void update(Session& session, const StageFrame& frame, bool has_keys, double interval_s);
+
+  // The picture of now.
+  const StagePicture& compose(const Session& session, const StageFrame& frame, double interval_s);
+
+  // The same for a file: nothing fades in, and nobody can take hold of anything.
+  StagePicture still(const Session& session, const StageFrame& frame) const;
+
+  // Something moves by itself, and wants to be drawn.
+  bool is_moving() const noexcept;
+  // How long until something begins to move, if nobody does anything [s].
+  double moves_in_s() const noexcept { return show_.begins_in_s(); }
+
+ private:
+  // What the content refers to.
+  struct Shown {
+    Settings settings;
+    StageMoment moment;
+  };
+  Shown shown_in(const Session& session, const StageFrame& frame) const;
+  StageContent content_of(const Session& session, const StageFrame& frame, const Shown& shown) const;
+  void follow_session(const Session& session, const StageFrame& frame);
+
+  StagePicture picture_;
+  StageLabelMemory memory_;
+  StageTransition transition_{StrategyId::full};
+  GuessGame guess_;
+  IdleShow show_;
+  StagePointer pointer_;
+  std::shared_ptr<const Scene> scene_;  // that the transition is in
+  Settings seen_settings_;              // a frame ago,
+  Vector<2> seen_goal_{0.0};            // both
+};
+
+}  // namespace ghostforce

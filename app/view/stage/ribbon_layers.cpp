@@ -1,0 +1,34 @@
+// The last minute as a mode of the stage: the scene as it was, and the ribbon below it.
+#include "app/view/stage/ribbon_layer.h"
+#include "app/view/stage/stage_layers.h"
+
+namespace ghostforce {
+namespace {
+
+void add_last_minute(const StageLayer& layer) {
+  if (const auto ribbon = stage_ribbon(layer)) add_ribbon(*ribbon, layer.canvas.marks);
+  add_whole_scene(layer);
+}
+
+std::string ribbon_sentence(const StageContent& content) {
+  if (content.looks_back_to_s) return {};
+  return "Drag along the ribbon: the last minute again.";
+}
+
+}  // namespace
+
+std::optional<Ribbon> stage_ribbon(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  if (content.moments == nullptr || !layout.ribbon) return std::nullopt;
+  return Ribbon{.moments = *content.moments,
+                .looks_back_to_s = content.looks_back_to_s,
+                .theme = content.theme,
+                .measure = content.measure,
+                .camera = canvas.camera,
+                .box = *layout.ribbon,
+                .unit = 1.0};
+}
+
+const StageModeLayers ribbon_layers{StageMode::ribbon, add_last_minute, ribbon_sentence};
+
+}  // namespace ghostforce
