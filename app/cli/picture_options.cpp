@@ -1,8 +1,10 @@
 #include "app/cli/picture_options.h"
 
+#include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include "app/cli/command.h"
+#include "app/console/failure.h"
 #include "app/console/quoted.h"
 
 namespace ghostforce {
@@ -16,12 +18,34 @@ void PictureOptions::attach(CLI::App& command, bool with_all) {
                            : "full, naive or anisotropic: the one to start with; default: the scene's own")
       ->type_name("NAME")
       ->check(one_of(strategies));
+  command
+      .add_option("--view", view,
+                  with_all ? "stage: what the window opens with; workbench: panels and numbers; default: workbench"
+                           : "stage or workbench; default: the one that was left last, the stage at first")
+      ->type_name("FACE")
+      ->check(one_of(names_of(face_catalog)));
+  command
+      .add_option("--mode", mode, "A mode of the stage: predict, why, landscape, round or ribbon; default: none of them")
+      ->type_name("NAME")
+      ->check(one_of(names_of(stage_mode_catalog())));
   command.add_option("--theme", theme, "light, dark or projector; default: light")
       ->type_name("NAME")
       ->check(one_of(names_of(theme_catalog())));
   command.add_option("--scale", scale, "Size of letters and lines, 0.75 to 3; default: 1")
       ->type_name("FACTOR")
       ->check(number_between(Appearance::least_scale, Appearance::greatest_scale, ""));
+}
+
+Face PictureOptions::face_or(Face usual) const {
+  if (mode.empty()) return find_face(view).value_or(usual);
+  if (view == face_name(Face::workbench)) {
+    throw Failure(ExitCode::wrong_call, fmt::format("--mode {} belongs to the stage: leave --view workbench out", mode));
+  }
+  return Face::stage;
+}
+
+StageMode PictureOptions::stage_mode() const {
+  return find_stage_mode(mode).value_or(StageMode::none);
 }
 
 void PictureOptions::apply_strategy(Scene& scene) const {

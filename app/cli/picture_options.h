@@ -17,10 +17,15 @@ struct PictureOptions {
   std::string strategy;  // empty: the scene's
   std::string theme;     // empty: what was used last, or the first of the catalog
   std::optional<double> scale;
+  std::string view;  // empty: as usual
+  std::string mode;  // of the stage; empty: none
 
   // `with_all`: "all" shows every strategy in one picture.
   void attach(CLI::App& command, bool with_all);
   void apply_strategy(Scene& scene) const;
+  // A mode belongs to the stage. Throws Failure(wrong_call) where it is asked for on the workbench.
+  Face face_or(Face usual) const;
+  StageMode stage_mode() const;
   // What was not asked for stays as it is.
   void apply_appearance(Appearance& appearance) const;
 };

@@ -29,6 +29,7 @@ struct RenderOptions {
   std::string size = "1280x800";
   std::string part;  // empty: what the file can hold
   std::string compare;
+  bool landscape = false;
 };
 
 void apply_size(const std::string& text, PictureRequest& request) {
@@ -46,11 +47,23 @@ PictureRequest request_of(const RenderOptions& options) {
   apply_size(options.size, request);
   request.scene = options.scene.load();
   request.at_s = options.at_s;
+  request.face = options.landscape ? Face::stage : options.picture.face_or(Face::workbench);
+  request.mode = options.landscape ? StageMode::landscape : options.picture.stage_mode();
   request.part = options.part == "scene" || vector_format_of(options.output) ? Part::scene : Part::window;
   apply_strategy_word(options.picture.strategy, request);
   if (const auto compare = find_compare(options.compare)) request.options.compare = *compare;
   options.picture.apply_appearance(request.appearance);
   return request;
+}
+
+// The stage shows one strategy, as a person has it in the hand.
+void refuse_all_on_stage(const RenderOptions& options) {
+  const bool is_stage = options.landscape || options.picture.face_or(Face::workbench) == Face::stage;
+  const bool has_many = options.picture.strategy == every_strategy || !options.compare.empty();
+  if (!is_stage || !has_many) return;
+  throw Failure(ExitCode::wrong_call,
+                "the stage shows one strategy at a time: name one with --strategy, leave --compare out, or use --view "
+                "workbench");
 }
 
 // Panels and bars are drawn in pixels.
@@ -78,12 +91,14 @@ Rendering paint_moment(const PictureRequest& request, const Moment& moment, cons
   const Theme& theme = *request.appearance.theme;
   std::vector<Pane> panes = compose_moment(request, moment, size, measure_vector_text);
   std::string file =
-      paint_vector(panes, theme, size, request.appearance.scale * theme.thickness, *format, request.scene.title);
+      paint_vector(panes, theme, size, text_scale_of(request.face, request.appearance.scale, theme), *format,
+                   request.scene.title);
   return {std::move(file), std::move(panes), Vector<2>(0.0)};
 }
 
 int render(const RenderOptions& options) {
   refuse_window_as_vectors(options);
+  refuse_all_on_stage(options);
   const PictureRequest request = request_of(options);
   OutputFile picture_file(options.output);
   std::optional<OutputFile> json_file;
@@ -127,6 +142,7 @@ std::function<int()> attach_render(CLI::App& command, FileOptions& files) {
                   "overlay, side-by-side or active-only; default: overlay with --strategy all, else active-only")
       ->type_name("MODE")
       ->check(one_of(names_of(compare_catalog())));
+  command.add_flag("--landscape", options->landscape, "The map of all walls and hands: short for --mode landscape");
   files.writes(command.add_option("--json", options->json, "Also write what was drawn, as JSON")->type_name("FILE"));
   command.footer(
       "Drawn offscreen: no display is needed, and the same call gives the same bytes.\n"
@@ -134,7 +150,9 @@ std::function<int()> attach_render(CLI::App& command, FileOptions& files) {
       "Examples:\n"
       "  ghostforce render wall45 -o wall45.png\n"
       "  ghostforce render fig3-normal --strategy all --part scene --size 1600x1200 --scale 2 -o figure.png\n"
-      "  ghostforce render fig3-normal --compare side-by-side -o figure.pdf");
+      "  ghostforce render fig3-normal --compare side-by-side -o figure.pdf\n"
+      "  ghostforce render wall45 --view stage --size 1280x720 -o stage.svg\n"
+      "  ghostforce render wall45 --landscape --theme projector -o landscape.png");
   return [options] { return render(*options); };
 }
 

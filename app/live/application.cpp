@@ -392,19 +392,11 @@ std::string Application::picture_bytes(const SavePictureRequest& request) {
   const double scale = session_.appearance.scale * static_cast<double>(window_.display_scale());
   const Theme& theme = *session_.appearance.theme;
   const ShownMoment moment = shown();
-  const std::vector<Pane> panes = compose_panes({.settings = moment.settings,
-                                                 .snapshot = moment.snapshot,
-                                                 .history = history_,
-                                                 .theme = theme,
-                                                 .options = session_.options,
-                                                 .shown = session_.shown,
-                                                 .size = screen_.scene_size(),
-                                                 .scale = scale,
-                                                 .measure = painter_.measure});
+  const std::vector<Pane> panes = screen_.panes_for_file(session_, moment, history_, reading(), painter_.measure);
   return painter_.paint({.panes = panes,
                          .theme = theme,
                          .size = screen_.scene_size(),
-                         .text_scale = scale * theme.thickness,
+                         .text_scale = text_scale_of(session_.face, scale, theme),
                          .title = session_.scene->title},
                         request.path);
 }

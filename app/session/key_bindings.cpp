@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "app/session/measurement_guide.h"
+#include "app/session/stage_actions.h"
 #include "core/units.h"
 
 namespace ghostforce {
@@ -15,7 +16,25 @@ namespace {
 
 template <StrategyId id>
 void activate(Session& session) {
-  session.settings.active = id;
+  act_on_stage(session, id);
+}
+
+template <StrategyId id>
+void activate_slowly(Session& session) {
+  switch_slowly(session, id);
+}
+
+template <StageMode mode>
+void toggle_mode(Session& session) {
+  toggle_stage_mode(session, mode);
+}
+
+void other_face(Session& session) {
+  show_face(session, session.face == Face::stage ? Face::workbench : Face::stage);
+}
+
+void hide_stage(Session& session) {
+  session.stage.is_black = !session.stage.is_black;
 }
 
 // Millimetres in steps of a tenth.
@@ -99,8 +118,12 @@ void escape(Session& session) {
   session.dialog = Dialog::none;
   session.notice.reset();
   if (closes_more) return;
-  if (session.stage.looks_back_to_s) {
+  if (session.stage.is_black) {
+    session.stage.is_black = false;
+  } else if (session.stage.looks_back_to_s) {
     go_on_live(session);
+  } else if (session.stage.mode != StageMode::none) {
+    leave_stage_mode(session);
   } else {
     session.hint.reset();
   }
@@ -116,6 +139,20 @@ constexpr std::array bindings{
     KeyBinding{GLFW_KEY_1, none, "1", "Fully actuated rendering", activate<StrategyId::full>},
     KeyBinding{GLFW_KEY_2, none, "2", "Naïve rendering", activate<StrategyId::naive>},
     KeyBinding{GLFW_KEY_3, none, "3", "Anisotropic rendering", activate<StrategyId::anisotropic>},
+    KeyBinding{GLFW_KEY_1, shift, "Shift+1 2 3", "The same in slow motion, on the stage", activate_slowly<StrategyId::full>},
+    KeyBinding{GLFW_KEY_2, shift, "", "", activate_slowly<StrategyId::naive>},
+    KeyBinding{GLFW_KEY_3, shift, "", "", activate_slowly<StrategyId::anisotropic>},
+    KeyBinding{GLFW_KEY_F4, none, "F4", "Stage or workbench", other_face, false, true},
+    KeyBinding{GLFW_KEY_Q, none, "Q", "Predict: guess where the handle comes to rest", toggle_mode<StageMode::predict>},
+    KeyBinding{GLFW_KEY_Y, none, "Y", "Why?: where the ghost force comes from", toggle_mode<StageMode::why>},
+    KeyBinding{GLFW_KEY_L, none, "L", "Landscape: at which walls and hands it is bad", toggle_mode<StageMode::landscape>},
+    KeyBinding{GLFW_KEY_O, none, "O", "Round and round: energy on a closed way", toggle_mode<StageMode::round>},
+    KeyBinding{GLFW_KEY_H, none, "H", "The last minute again", toggle_mode<StageMode::ribbon>},
+    KeyBinding{GLFW_KEY_ENTER, none, "Enter", "The answer to the guess; the next step of Why?", confirm_on_stage},
+    KeyBinding{GLFW_KEY_KP_ENTER, none, "", "", confirm_on_stage},
+    KeyBinding{GLFW_KEY_PAGE_DOWN, none, "PgDn PgUp", "A talk on the stage: next step, previous step", next_talk_step},
+    KeyBinding{GLFW_KEY_PAGE_UP, none, "", "", previous_talk_step},
+    KeyBinding{GLFW_KEY_B, none, "B", "Black: hides the stage, and shows it again", hide_stage},
     KeyBinding{GLFW_KEY_0, none, "0", "Compare: overlay, side by side, active only", next_compare_mode},
     KeyBinding{GLFW_KEY_SPACE, none, "Space", "Pause, and go on; from looking back too", toggle_pause},
     KeyBinding{GLFW_KEY_COMMA, none, ",", "Pause, and one tick back, up to a minute", step_back, true},

@@ -16,6 +16,7 @@
 #include "app/session/measurement.h"
 #include "app/session/plot_view.h"
 #include "app/session/stage_choice.h"
+#include "app/view/stage/stage_layout.h"
 #include "app/view/theme.h"
 #include "app/view/view.h"
 #include "core/input_choice.h"
@@ -141,6 +142,7 @@ inline Session session_of(const Scene& scene) {
   session.settings = scene.settings;
   session.goal = scene.goal.points.back();
   session.shown = scene.view;
+  session.stage_shown = stage_view_of(scene.settings, session.goal);
   return session;
 }
 

@@ -8,7 +8,9 @@
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
 #include "app/paint/json_painter.h"
+#include "app/session/stage_actions.h"
 #include "app/ui/panels/panel_catalog.h"
+#include "app/ui/stage/stage_face.h"
 #include "app/ui/window.h"
 #include "core/divergence.h"
 #include "core/simulate.h"
@@ -36,6 +38,19 @@ nlohmann::ordered_json describe_pane(const Pane& pane, const Vector<2>& corner) 
                            {"corner", {at.x, at.y}}};
   description["marks"] = marks_as_json(pane.marks);
   return description;
+}
+
+Session session_of(const PictureRequest& request) {
+  Session session = session_of(request.scene);
+  session.options = request.options;
+  session.appearance = request.appearance;
+  session.pointer_moves_goal = false;
+  session.input = scripted_hand.name;
+  session.goal = request.scene.goal.points.back();
+  session.face = request.face;
+  if (request.mode != StageMode::none) toggle_stage_mode(session, request.mode);
+  if (request.mode == StageMode::why) session.stage.why_step = last_why_step;
+  return session;
 }
 
 }  // namespace
@@ -69,6 +84,19 @@ Moment simulate_to_moment(const PictureRequest& request) {
 
 std::vector<Pane> compose_moment(const PictureRequest& request, const Moment& moment, const Vector<2>& size,
                                  const MeasureText& measure) {
+  if (request.face == Face::stage) {
+    const Session session = session_of(request);
+    const ShownMoment shown{request.scene.settings, moment.snapshot};
+    return {StageFace()
+                .still(session, {.shown = shown,
+                                 .history = moment.history,
+                                 .loop = {},
+                                 .theme = *request.appearance.theme,
+                                 .measure = measure,
+                                 .size = size,
+                                 .scale = request.appearance.scale})
+                .pane};
+  }
   return compose_panes({.settings = request.scene.settings,
                         .snapshot = moment.snapshot,
                         .history = moment.history,
@@ -81,11 +109,7 @@ std::vector<Pane> compose_moment(const PictureRequest& request, const Moment& mo
 }
 
 Drawing draw_moment(const PictureRequest& request, const Moment& moment) {
-  Session session = session_of(request.scene);
-  session.options = request.options;
-  session.appearance = request.appearance;
-  session.pointer_moves_goal = false;
-  session.input = scripted_hand.name;
+  Session session = session_of(request);
   session.folded_panels = panels_folded_at_first(request.height / request.appearance.scale);
 
   Window window({.title = "ghostforce",

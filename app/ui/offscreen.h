@@ -26,6 +26,8 @@ struct PictureRequest {
   int width = 1280;            // [px]
   int height = 800;
   Part part = Part::window;
+  Face face = Face::workbench;
+  StageMode mode = StageMode::none;  // of the stage
   ViewOptions options{.compare = Compare::active_only};
   Appearance appearance{};
 };

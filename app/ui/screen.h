@@ -7,20 +7,17 @@
 
 #include "app/paint/gl_painter.h"
 #include "app/session/session.h"
-#include "app/ui/gestures.h"
 #include "app/ui/panels/hints.h"
+#include "app/ui/part.h"
+#include "app/ui/stage/stage_face.h"
 #include "app/ui/widgets/panel_context.h"
 #include "app/ui/window.h"
+#include "app/ui/workbench.h"
 #include "app/view/panes.h"
 #include "app/view/shown_moment.h"
 #include "app/view/trail_history.h"
 
 namespace ghostforce {
-
-enum class Part : std::uint8_t {
-  window,  // scene, panels and bars
-  scene,   // the scene alone
-};
 
 class Screen {
  public:
@@ -45,21 +42,32 @@ class Screen {
   // Of the scene in the window [points].
   Vector<2> scene_size() const noexcept { return scene_size_; }
   GlPainter& painter() noexcept { return painter_; }
+  const StageFace& stage() const noexcept { return stage_; }
+
+  // The scene, or the stage, for a painter of files.
+  std::vector<Pane> panes_for_file(const Session& session, const ShownMoment& moment, const History& history,
+                                   const LoopReading& loop, const MeasureText& measure) const;
 
  private:
-  struct Layout;
+  // A frame that is not live is one for a file: without pointer and without anything that is for a person.
+  struct Frame {
+    Part part;
+    bool is_live;
+    double interval_s;
+  };
   void draw_everything(Session& session, const ShownMoment& moment, const History& history, const LoopReading& loop,
-                       Part part, bool is_live);
-  static void draw_column(const PanelContext& context);
-  void compose_scene(const Session& session, const ShownMoment& moment, const History& history, bool is_live);
+                       const Frame& frame);
+  void draw_stage(const PanelContext& context, const ShownMoment& moment, const History& history, const Frame& frame,
+                  bool has_keys);
   void apply_appearance(const Appearance& appearance);
 
   Window& window_;
   Part part_;
   GlPainter painter_;
   MeasureText measure_;
-  Gestures gestures_;
+  Workbench workbench_;
   Hints hints_;
+  StageFace stage_;
   Appearance styled_appearance_{.theme = nullptr};
   float styled_scale_ = 0.0F;
   std::vector<Pane> panes_;

@@ -102,8 +102,8 @@ void StagePointer::update(Session& session, const StageFrame& frame, const Stage
   const bool has_map = session.stage.mode == StageMode::landscape;
   if (is_hovered && io.MouseWheel != 0.0F && !has_map) {
     session.stage_shown =
-        stage_zoomed(session.stage_shown, std::pow(stage_zoom_per_notch, static_cast<double>(io.MouseWheel)),
-                     scene.world(pointer), frame.size);
+        zoomed(session.stage_shown, std::pow(stage_zoom_per_notch, static_cast<double>(io.MouseWheel)),
+               scene.world(pointer));
   }
   if (ImGui::IsItemActivated()) {
     began_at_ = last_ = pointer;

@@ -124,19 +124,17 @@ class RibbonPen {
       marks_.push_back(
           {Role::ghost_force, id, Line{world(from), world(to), 0.1 * em_, ribbon_.theme.strategy[i], pattern, start}});
     };
-    std::optional<Vector<2>> from;    // where the curve has come to,
-    std::optional<Vector<2>> beyond;  // and how far it goes on as flat as it was
-    const auto end_flat = [&] {
-      if (beyond) piece(*from, *beyond);
-      if (beyond) from = beyond;
-      beyond.reset();
+    std::vector<Vector<2>> corners;  // since the last gap
+    const auto end_piece = [&] {
+      for (std::size_t corner = 1; corner < corners.size(); ++corner) piece(corners[corner - 1], corners[corner]);
+      corners.clear();
     };
+    const auto is_flat = [](const Vector<2>& a, const Vector<2>& b) { return std::abs(a.y - b.y) < flat; };
     for (const PlotBucket& bucket : buckets) {
       double first = bucket.least[ghost_quantity][i];
       double second = bucket.greatest[ghost_quantity][i];
       if (std::isnan(first)) {  // nobody knew it
-        end_flat();
-        from.reset();
+        end_piece();
         continue;
       }
       const auto place = [&](double force) {
@@ -144,18 +142,20 @@ class RibbonPen {
                          band.most.y - std::clamp(force / top, 0.0, 1.0) * band.extent().y);
       };
       // From the end that is nearer to where the curve is.
-      if (from && std::abs(place(second).y - from->y) < std::abs(place(first).y - from->y)) std::swap(first, second);
+      if (!corners.empty()) {
+        const double now = corners.back().y;
+        if (std::abs(place(second).y - now) < std::abs(place(first).y - now)) std::swap(first, second);
+      }
       for (const Vector<2>& to : {place(first), place(second)}) {
-        if (from && std::abs(to.y - from->y) < flat) {
-          beyond = Vector<2>(to.x, from->y);
-          continue;
+        const std::size_t count = corners.size();
+        if (count > 1 && is_flat(corners[count - 2], corners[count - 1]) && is_flat(corners[count - 1], to)) {
+          corners.back().x = to.x;
+        } else {
+          corners.push_back(to);
         }
-        end_flat();
-        if (from) piece(*from, to);
-        from = to;
       }
     }
-    end_flat();
+    end_piece();
   }
 
   // A line across the band and something to take hold of.

@@ -80,7 +80,6 @@ void add_battery(const StageLayer& layer) {
 }
 
 void add_round(const StageLayer& layer) {
-  const auto& [content, layout, canvas] = layer;
   add_stage_wall(layer);
   add_rail(layer);
   add_loop(layer);

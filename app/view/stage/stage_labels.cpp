@@ -9,7 +9,7 @@ namespace {
 
 constexpr double fade_s = 0.25;
 constexpr double edge = 6.0;                           // to the window's edge [points of the design]
-constexpr double breath = 5.0;                         // to marks and other labels
+constexpr double label_breath = 5.0;                         // to marks and other labels
 constexpr std::array reaches{6.0, 26.0, 60.0, 110.0};  // from the anchor's rim to the label
 constexpr std::size_t near_reaches = 2;                // the nearest of these need no line to their anchor
 constexpr std::size_t directions = 16;
@@ -40,11 +40,11 @@ StageLabels::~StageLabels() {
 }
 
 void StageLabels::keep_clear(const Vector<2>& from, const Vector<2>& to, double radius) {
-  obstacles_.push_back({from, to, radius + breath * unit_});
+  obstacles_.push_back({from, to, radius + label_breath * unit_});
 }
 
 void StageLabels::keep_clear(const ScreenBox& box) {
-  boxes_.push_back(box.grown(breath * unit_));
+  boxes_.push_back(box.grown(label_breath * unit_));
 }
 
 bool StageLabels::is_free(const ScreenBox& box) const {
@@ -74,7 +74,7 @@ std::optional<StageLabels::Found> StageLabels::choose(StageLabel id, std::size_t
   if (!place.candidate) return std::nullopt;
   place.strength = memory_.has_begun ? std::min(1.0, place.strength + interval_s_ / fade_s) : 1.0;
   const ScreenBox box = box_of(*place.candidate);
-  boxes_.push_back(box.grown(breath * unit_));
+  boxes_.push_back(box.grown(label_breath * unit_));
   return Found{box, place.strength, *place.candidate >= first_far};
 }
 

@@ -21,7 +21,9 @@ void add_stage_hand(const StageLayer& layer);    // fist and goal
 void add_stage_force(const StageLayer& layer);   // the wall's share and the ghost
 void add_slide(const StageLayer& layer);         // the ruler along the wall
 void add_handle(const StageLayer& layer);        // handle and proxy
-void add_stage_words(const StageLayer& layer);   // beside all these
+void add_stage_words(const StageLayer& layer);   // beside all these,
+void add_hand_words(const StageLayer& layer);    // and beside some
+void add_motor_words(const StageLayer& layer);
 void add_sentence(const StageLayer& layer);      // above
 void add_numbers(const StageLayer& layer);
 void add_buttons(const StageLayer& layer);  // below, and the strip of icons

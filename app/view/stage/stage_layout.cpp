@@ -18,7 +18,7 @@ constexpr double words_em = 24.0;    // a thirtieth of the height, which the las
 constexpr double sentence_em = 30.0;
 constexpr double number_em = 74.0;
 constexpr double unit_em = 34.0;
-constexpr double margin = 36.0;
+constexpr double edge_margin = 36.0;
 constexpr double button_height = 56.0;
 constexpr double icon_side = 46.0;
 constexpr double gap = 14.0;
@@ -50,7 +50,7 @@ class Arrangement {
       : measure_(measure), has_full_(has_full) {
     layout_.size = size;
     layout_.unit = size.y / height_of_design * scale;
-    layout_.margin = points(margin);
+    layout_.margin = points(edge_margin);
     layout_.letters = {letters(words_em), letters(words_em, true), letters(sentence_em, true), letters(number_em, true),
                        letters(unit_em)};
   }

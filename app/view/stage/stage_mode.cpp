@@ -20,6 +20,11 @@ std::span<const StageModeEntry> stage_mode_catalog() noexcept {
   return modes;
 }
 
+std::optional<StageMode> find_stage_mode(std::string_view name) noexcept {
+  const auto* const found = std::ranges::find(modes, name, &StageModeEntry::name);
+  return found == modes.end() ? std::nullopt : std::optional(found->id);
+}
+
 std::string_view stage_mode_name(StageMode id) noexcept {
   const auto* const found = std::ranges::find(modes, id, &StageModeEntry::id);
   return found == modes.end() ? "none" : found->name;

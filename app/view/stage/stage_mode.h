@@ -20,6 +20,8 @@ struct StageModeEntry {
 };
 // Without `none`.
 std::span<const StageModeEntry> stage_mode_catalog() noexcept;
+// Empty when none has that name.
+std::optional<StageMode> find_stage_mode(std::string_view name) noexcept;
 std::string_view stage_mode_name(StageMode id) noexcept;  // "none" for none
 
 }  // namespace ghostforce

@@ -1,0 +1,169 @@
+#include "app/ui/workbench.h"
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "app/ui/fixed_window.h"
+#include "app/ui/panels/caption.h"
+#include "app/ui/panels/hints.h"
+#include "app/ui/panels/panel_catalog.h"
+#include "app/ui/plots/drawer.h"
+#include "app/ui/widgets/controls.h"
+
+namespace ghostforce {
+namespace {
+
+// Bold, low, and with a line above: a heading, not a bar of buttons.
+bool draw_panel_head(const Panel& panel, const PanelContext& context) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float y = ImGui::GetCursorScreenPos().y;
+  const float left = ImGui::GetWindowPos().x + style.WindowPadding.x;
+  const float right = ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x;
+  ImGui::PushFont(context.fonts.bold, 0.0F);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {4.0F * context.scale, 0.0F});
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {style.ItemSpacing.x, 4.0F * context.scale});
+  ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 0.0F);
+  ImGui::PushStyleColor(ImGuiCol_Header, unpacked(context.theme.panel));
+  const bool is_open = ImGui::CollapsingHeader(panel.title.data());
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar(3);
+  ImGui::PopFont();
+  ImGui::GetWindowDrawList()->AddLine({left, y}, {right, y}, packed(context.theme.panel_border), context.scale);
+  return is_open;
+}
+
+// Scrolls so that what lies between these heights of the window that is being drawn is all in sight, or else its
+// beginning.
+void bring_into_sight(float top, float bottom) {
+  const float view_top = ImGui::GetScrollY();
+  const float view_height = ImGui::GetWindowHeight();
+  if (top < view_top || bottom > view_top + view_height) ImGui::SetScrollY(top - ImGui::GetStyle().ItemSpacing.y);
+}
+
+void draw_column(const PanelContext& context) {
+  for (const Panel& panel : panel_catalog()) {
+    if (panel.is_there != nullptr && !panel.is_there(context.loop)) continue;
+    std::set<std::string, std::less<>>& folded = context.session.folded_panels;
+    const bool was_folded = folded.contains(panel.title);
+    ImGui::SetNextItemOpen(!was_folded);
+    // What a click makes appear is laid out in the frame after.
+    const bool has_news = panel.news != nullptr && panel.news(context.session);
+    const float top = ImGui::GetCursorPosY();
+    const bool is_open = draw_panel_head(panel, context);
+    if (is_open) {
+      folded.erase(std::string(panel.title));
+      panel.draw(context);
+      if (has_news && !ImGui::IsAnyItemActive()) {
+        bring_into_sight(top, ImGui::GetCursorPosY());
+        panel.news(context.session) = false;
+      }
+    } else if (!was_folded) {
+      folded.emplace(panel.title);
+    }
+  }
+}
+
+}  // namespace
+
+// Bar on top, bar at the bottom, panels on the right, and in what remains the scene under its caption and above the
+// drawer with the plots.
+struct Workbench::Layout {
+  Rect top, bottom, column, caption, scene, drawer;
+
+  Layout(Part part, ImVec2 size, float scale, bool has_drawer) {
+    if (part == Part::scene) {
+      scene = {{0.0F, 0.0F}, size};
+      return;
+    }
+    const float top_height = 46.0F * scale;
+    const float bottom_height = 32.0F * scale;
+    const float column_width = std::min(std::clamp(0.335F * size.x, 350.0F * scale, 470.0F * scale), 0.5F * size.x);
+    const float middle_height = size.y - top_height - bottom_height;
+    top = {{0.0F, 0.0F}, {size.x, top_height}};
+    bottom = {{0.0F, size.y - bottom_height}, {size.x, bottom_height}};
+    column = {{size.x - column_width, top_height}, {column_width, middle_height}};
+    const float caption_height = 62.0F * scale;
+    const float scene_width = size.x - column_width;
+    caption = {{0.0F, top_height}, {scene_width, caption_height}};
+    const float drawer_height = has_drawer ? std::clamp(0.4F * middle_height, 200.0F * scale, 340.0F * scale) : 0.0F;
+    const float scene_height = middle_height - caption_height - drawer_height;
+    scene = {{0.0F, top_height + caption_height}, {scene_width, scene_height}};
+    drawer = {{0.0F, scene.corner.y + scene_height}, {scene_width, drawer_height}};
+  }
+};
+
+void Workbench::draw_panels(const PanelContext& context, const Layout& layout, const History& history) {
+  const Session& session = context.session;
+  begin_fixed("strategies", layout.top, ImGuiWindowFlags_NoScrollWithMouse);
+  draw_strategy_bar(context);
+  ImGui::End();
+  begin_fixed("caption", layout.caption, ImGuiWindowFlags_NoScrollWithMouse);
+  draw_caption(context);
+  ImGui::End();
+  begin_fixed("status", layout.bottom, ImGuiWindowFlags_NoScrollWithMouse);
+  draw_status_bar(context);
+  ImGui::End();
+  if (session.plots.is_open) {
+    begin_fixed("plots", layout.drawer, ImGuiWindowFlags_NoScrollWithMouse);
+    draw_plots(context, history.plots());
+    ImGui::End();
+  }
+  // The one window that may hold more than it shows. Its scrollbar lies in the margin, so that nothing becomes
+  // narrower where it appears.
+  const ImVec2 padding = ImGui::GetStyle().WindowPadding;
+  ImGui::SetNextWindowPos(layout.column.corner);
+  ImGui::SetNextWindowSize(layout.column.size);
+  ImGui::SetNextWindowContentSize({layout.column.size.x - 2.0F * padding.x, 0.0F});
+  ImGui::PushStyleVar(ImGuiStyleVar_ScrollbarSize, padding.x - 2.0F * context.scale);
+  ImGui::Begin("panels", nullptr, fixed_window & ~ImGuiWindowFlags_NoScrollbar);
+  ImGui::PopStyleVar();
+  ImGui::SetScrollX(0.0F);  // what lies beneath the scrollbar is empty
+  draw_column(context);
+  ImGui::End();
+}
+
+void Workbench::draw(const PanelContext& context, const WorkbenchFrame& frame) {
+  Session& session = context.session;
+  const Layout layout(frame.part, ImGui::GetIO().DisplaySize, context.scale, session.plots.is_open);
+  const double unit = static_cast<double>(context.scale) * context.theme.thickness;
+  scene_corner_ = layout.scene.corner;
+  scene_size_ = {std::max(1.0, static_cast<double>(layout.scene.size.x)),
+                 std::max(1.0, static_cast<double>(layout.scene.size.y))};
+  if (frame.is_live) {
+    begin_fixed("scene", layout.scene, ImGuiWindowFlags_NoBackground);
+    gestures_.take(session, panes_, scene_size_, unit, frame.moment);
+    ImGui::End();
+    if (std::exchange(session.requests.fit_view, false)) {
+      session.shown = view_of_everything(session, panes_, scene_size_, unit);
+    }
+  }
+  if (frame.part == Part::window) draw_panels(context, layout, frame.history);
+  // After the panels, so that a change made in this frame is seen in this frame.
+  compose(context, frame);
+}
+
+void Workbench::compose(const PanelContext& context, const WorkbenchFrame& frame) {
+  const Session& session = context.session;
+  const bool is_live = frame.is_live;
+  const Handle hovered = !is_live                                     ? Handle::none
+                         : points_at(session, HintTarget::motor_axis) ? Handle::motor_axis
+                                                                      : gestures_.hovered();
+  panes_ = compose_panes({.settings = frame.moment.settings,
+                          .snapshot = frame.moment.snapshot,
+                          .history = frame.history,
+                          .theme = context.theme,
+                          .options = session.options,
+                          .shown = session.shown,
+                          .size = scene_size_,
+                          .scale = static_cast<double>(context.scale),
+                          .measure = frame.measure,
+                          .has_handles = session.has_handles,
+                          .hovered = hovered,
+                          .is_goal_hot = is_live && points_at(session, HintTarget::goal),
+                          .target = session.measurement.target},
+                         std::move(panes_));
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,50 @@
+// Workbench: the face of the window for those who change and measure: bars, scene, panels and plots. Edits the session.
+// Between ImGui's NewFrame and Render, UI thread.
+#pragma once
+
+#include <vector>
+
+#include "app/session/session.h"
+#include "app/ui/gestures.h"
+#include "app/ui/part.h"
+#include "app/ui/widgets/panel_context.h"
+#include "app/view/panes.h"
+#include "app/view/shown_moment.h"
+#include "app/view/trail_history.h"
+
+namespace ghostforce {
+
+struct WorkbenchFrame {
+  const ShownMoment& moment;
+  const History& history;
+  const MeasureText& measure;
+  Part part;
+  bool is_live;  // a person looks; else it is a picture for a file
+};
+
+class Workbench {
+ public:
+  // Of the words in the scene.
+  explicit Workbench(const LabelFonts& fonts) : gestures_(fonts) {}
+
+  // All but the scene, whose marks are for the caller to paint beneath.
+  void draw(const PanelContext& context, const WorkbenchFrame& frame);
+
+  const std::vector<Pane>& panes() const noexcept { return panes_; }
+  // Upper left corner of the scene in the window [points].
+  ImVec2 scene_corner() const noexcept { return scene_corner_; }
+  // Of the scene in the window [points].
+  Vector<2> scene_size() const noexcept { return scene_size_; }
+
+ private:
+  struct Layout;
+  static void draw_panels(const PanelContext& context, const Layout& layout, const History& history);
+  void compose(const PanelContext& context, const WorkbenchFrame& frame);
+
+  Gestures gestures_;
+  std::vector<Pane> panes_;
+  ImVec2 scene_corner_{0.0F, 0.0F};
+  Vector<2> scene_size_{1.0};
+};
+
+}  // namespace ghostforce
