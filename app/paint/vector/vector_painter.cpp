@@ -182,16 +182,17 @@ class MarkPainter {
       const double step = stripe_step * form.width;
       choose(form.rim);
       cairo_set_line_width(target_, stripe_share * step);
-      // Stripe by stripe, by where its middle crosses the axis.
+      // By where their middles cross the axis.
       const double apart = step * std::numbers::sqrt2;
-      for (double at = 0.5 * apart - std::ceil(half_head / apart) * apart; at < length + half_head + apart;
-           at += apart) {
-        for (const double side : {-2.0 * half_head, 2.0 * half_head}) {
-          const Vector<2> end = corner(at - side, side);
-          cairo_line_to(target_, end.x, end.y);
-        }
-        cairo_stroke(target_);
+      const double first = 0.5 * apart - std::ceil(half_head / apart) * apart;
+      cairo_new_path(target_);
+      for (double at = first; at < length + half_head + apart; at += apart) {
+        const Vector<2> upper = corner(at + 2.0 * half_head, -2.0 * half_head);
+        const Vector<2> lower = corner(at - 2.0 * half_head, 2.0 * half_head);
+        cairo_move_to(target_, upper.x, upper.y);
+        cairo_line_to(target_, lower.x, lower.y);
       }
+      cairo_stroke(target_);
       cairo_restore(target_);
       cairo_append_path(target_, shape.get());
     }
@@ -353,13 +354,29 @@ Surface surface_for(VectorFormat format, const Vector<2>& size, std::string_view
   return surface;
 }
 
-// Cairo numbers its surfaces as long as the program runs, which would make each file another, and gives none a title.
-void tidy_svg(std::string& file, std::string_view title) {
-  constexpr std::string_view numbered = "id=\"surface";
-  if (const std::size_t at = file.find(numbered); at != std::string::npos) {
-    const std::size_t number = at + numbered.size();
+// Cairo numbers surfaces and images as long as the program runs, which would make each file another.
+void number_anew(std::string& file) {
+  constexpr std::string_view surface = "id=\"surface";
+  if (const std::size_t at = file.find(surface); at != std::string::npos) {
+    const std::size_t number = at + surface.size();
     file.erase(number, file.find('"', number) - number);
   }
+  constexpr std::string_view image = "<image id=\"";
+  int count = 0;
+  for (std::size_t at = file.find(image); at != std::string::npos; at = file.find(image, at)) {
+    at += image.size();
+    const std::string old = file.substr(at, file.find('"', at) - at) + '"';
+    const std::string name = fmt::format("picture{}\"", ++count);
+    file.replace(at, old.size(), name);
+    for (std::size_t use = file.find('#' + old); use != std::string::npos; use = file.find('#' + old, use)) {
+      file.replace(use + 1, old.size(), name);
+    }
+  }
+}
+
+// Nor does it give a title.
+void tidy_svg(std::string& file, std::string_view title) {
+  number_anew(file);
   const std::size_t root = file.find('>', file.find("<svg"));
   const std::string words = xml_text(drawable(title));
   if (root != std::string::npos) file.insert(root + 1, "\n<title>" + words + "</title>");
