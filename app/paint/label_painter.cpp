@@ -1,5 +1,8 @@
 #include "app/paint/label_painter.h"
 
+#include <cmath>
+#include <cstddef>
+
 namespace ghostforce {
 namespace {
 
@@ -10,6 +13,39 @@ ImU32 packed(Colour colour) {
 ImFont& font_of(const LabelFonts& fonts, const TextStyle& style) {
   return style.is_bold ? *fonts.bold : *fonts.regular;
 }
+
+// ImGui rasterises higher letters no finer than they are drawn [px].
+constexpr float finely_rasterised = 36.0F;
+
+struct Pen {
+  ImDrawList& draw_list;
+  ImFont& font;
+  float height;  // [points]
+  bool on_whole_pixels;
+
+  void write(ImVec2 corner, ImU32 colour, std::string_view text) const {
+    if (!on_whole_pixels) {
+      draw(corner, colour, text);
+      return;
+    }
+    for (float along = 0.0F; !text.empty();) {
+      const std::string_view letter = text.substr(0, length_of_first(text));
+      draw({std::trunc(corner.x) + std::round(along), corner.y}, colour, letter);
+      along += font.CalcTextSizeA(height, 1e9F, 0.0F, letter.data(), letter.data() + letter.size()).x;
+      text.remove_prefix(letter.size());
+    }
+  }
+
+ private:
+  void draw(ImVec2 corner, ImU32 colour, std::string_view text) const {
+    draw_list.AddText(&font, height, corner, colour, text.data(), text.data() + text.size());
+  }
+  static std::size_t length_of_first(std::string_view text) {
+    std::size_t length = 1;
+    while (length < text.size() && (static_cast<unsigned char>(text[length]) & 0xC0U) == 0x80U) ++length;
+    return length;
+  }
+};
 
 }  // namespace
 
@@ -34,9 +70,12 @@ void paint_labels(const Marks& marks, const Camera& camera, const LabelFonts& fo
     const Vector<2> at = to_screen(camera, label->anchor) + label->offset;
     const ImVec2 corner{origin.x + static_cast<float>(at.x), origin.y + static_cast<float>(at.y)};
     const auto height = static_cast<float>(label->style.height * height_scale);
+    // Between pixels, the empty texels round a large letter would darken its edges, which shows where it is a halo.
+    const bool is_large = label->style.height > large_text.height &&
+                          height * ImGui::GetIO().DisplayFramebufferScale.x > finely_rasterised;
+    const Pen pen{draw_list, font_of(fonts, label->style), height, is_large};
     const auto write = [&](float dx, float dy, ImU32 colour) {
-      draw_list.AddText(&font_of(fonts, label->style), height, {corner.x + dx, corner.y + dy}, colour,
-                        label->text.data(), label->text.data() + label->text.size());
+      pen.write({corner.x + dx, corner.y + dy}, colour, label->text);
     };
     if (label->halo.alpha > 0) {
       const float reach = 0.1F * height;

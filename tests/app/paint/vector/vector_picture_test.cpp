@@ -1,6 +1,4 @@
 // Vector pictures: the same marks as OpenGL draws, measured against it pixel by pixel.
-#include <cairo.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdlib>
@@ -13,64 +11,13 @@
 
 #include <gtest/gtest.h>
 
-#include "app/paint/gl_painter.h"
 #include "app/paint/label_painter.h"
 #include "app/paint/vector/vector_painter.h"
-#include "app/ui/window.h"
+#include "tests/app/paint/vector/both_painters.h"
 #include "tests/app/paint/vector/vector_panes.h"
 
 namespace ghostforce {
 namespace {
-
-// ---- Both painters --------------------------------------------------------------------------------------------------
-
-Image drawn_by_cairo(const std::vector<Pane>& panes, const Theme& theme) {
-  cairo_surface_t* surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height);
-  cairo_t* target = cairo_create(surface);
-  paint_panes(panes, theme, size, theme.thickness, target);
-  EXPECT_EQ(cairo_status(target), CAIRO_STATUS_SUCCESS);
-  cairo_surface_flush(surface);
-  Image image{width, height, {}};
-  const int stride = cairo_image_surface_get_stride(surface);
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      const unsigned char* pixel = cairo_image_surface_get_data(surface) + y * stride + 4 * x;  // blue, green, red
-      for (const int channel : {2, 1, 0}) image.rgb.push_back(pixel[channel]);
-    }
-  }
-  cairo_destroy(target);
-  cairo_surface_destroy(surface);
-  return image;
-}
-
-// One window for all of a test's pictures.
-class OpenGl {
- public:
-  Image draw(const std::vector<Pane>& panes, const Theme& theme) {
-    window_.frame(0.0, [&] { painter_.paint(panes, theme, {0.0F, 0.0F}, theme.thickness, width, height); });
-    return window_.picture();
-  }
-  Window& window() { return window_; }
-
- private:
-  Window window_{{.title = "test", .width = width, .height = height, .offscreen = true, .takes_mouse = false}};
-  GlPainter painter_{window_.fonts()};
-};
-
-int difference(const Image& a, const Image& b, std::size_t pixel) {
-  int greatest = 0;
-  for (std::size_t i = 3 * pixel; i < 3 * pixel + 3; ++i) {
-    greatest = std::max(greatest, std::abs(int{a.rgb[i]} - int{b.rgb[i]}));
-  }
-  return greatest;
-}
-
-// How many pixels differ by more than a quarter of white in some channel: more than two ways to smooth an edge do.
-int unlike_pixels(const Image& a, const Image& b) {
-  int count = 0;
-  for (std::size_t pixel = 0; pixel < a.rgb.size() / 3; ++pixel) count += difference(a, b, pixel) > 64 ? 1 : 0;
-  return count;
-}
 
 // Letters are smoothed in another way by ImGui, and stand on whole pixels there: they are compared for themselves.
 std::vector<Pane> without_labels(std::vector<Pane> panes) {
@@ -78,10 +25,6 @@ std::vector<Pane> without_labels(std::vector<Pane> panes) {
     std::erase_if(pane.marks, [](const Mark& mark) { return std::holds_alternative<Label>(mark.form); });
   }
   return panes;
-}
-
-Pane pane_with(Marks marks) {
-  return {Vector<2>(0.0), camera_on(Vector<2>(0.0), 0.09, size), StrategyId::full, std::move(marks)};
 }
 
 struct Setting {
@@ -193,6 +136,22 @@ TEST(VectorPicture, DrawsEachFormAsOpenGlDoes) {
       {"triangle without rim", {marker(Shape::triangle, fill, 0.0)}},
       {"arrow", {mark(Arrow{left, right, 25.0, fill, rim, 8.0, {10.0, -21.0}})}},
       {"short arrow", {mark(Arrow{left, left + Vector<2>(0.0, 4.0 * mm), 25.0, fill, rim, 2.0})}},
+      {"bar", {mark(Arrow{left, right, 25.0, fill, rim, 8.0, {10.0, -21.0}, false})}},
+      {"hatched arrow", {mark(Arrow{left, right, 60.0, fill, rim, 4.0, {}, true, true})}},
+      {"hatched bar", {mark(Arrow{right, left, 40.0, fill, rim, 4.0, {}, false, true})}},
+      {"hollow hatched bar", {mark(Arrow{right, middle, 40.0, {0, 0, 0, 0}, rim, 4.0, {}, false, true})}},
+      {"box", {mark(Box{middle, {301.0, 97.5}, 24.0, fill, rim, 6.0, {-30.5, 12.25}})}},
+      {"box with sharp corners", {mark(Box{middle, {301.0, 97.0}, 0.0, fill, rim, 0.0})}},
+      {"box that is all corners", {mark(Box{middle, {120.0, 80.0}, 500.0, fill, rim, 3.0})}},
+      {"hollow box", {mark(Line{left, right, 17.0, fill}), mark(Box{left, {90.0, 70.0}, 9.0, {0, 0, 0, 0}, rim, 5.0})}},
+      {"area", {mark(Area{{left, middle, right, {0.0, -40.0 * mm}, {-3.0 * mm, 5.0 * mm}}, fill})}},
+      {"translucent area that crosses itself",
+       {mark(Line{left, right, 17.0, rim}),
+        mark(Area{{left, right, {-30.0 * mm, 20.0 * mm}, {10.0 * mm, -26.0 * mm}, {5.0 * mm, 28.0 * mm}},
+                  fill.with_alpha(90)})}},
+      {"area beyond the pane", {mark(Area{{{-1.0, -0.9}, {0.0, 0.01}, {0.8, -1.0}}, fill})}},
+      {"raster", {mark(Raster{middle, {300.0, 200.0}, 3, 2, {fill, rim, fill, rim, fill, fill}})}},
+      {"raster between pixels", {mark(Raster{left, {150.3, 90.4}, 1, 4, {fill, rim, fill, rim}})}},
   };
   OpenGl gl;
   for (const Case& each : cases) {
