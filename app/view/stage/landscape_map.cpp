@@ -59,15 +59,15 @@ double contour_width(const LandscapeLayout& layout) noexcept {
 
 // ---- Their labels ---------------------------------------------------------------------------------------------------
 
-int lines_through(const ScreenBox& box, const std::vector<DrawnContour>& contours) {
-  int count = 0;
+bool is_crossed(const ScreenBox& box, const std::vector<DrawnContour>& contours, std::optional<double> but_level) {
   for (const DrawnContour& contour : contours) {
+    if (contour.level == but_level) continue;
     for (std::size_t i = 1; i < contour.corners.size(); ++i) {
       ScreenPiece piece{contour.corners[i - 1], contour.corners[i]};
-      if (clip(box, piece)) ++count;
+      if (clip(box, piece)) return true;
     }
   }
-  return count;
+  return false;
 }
 
 // A point of the contour on each line of text from the map's top downwards.
@@ -85,28 +85,48 @@ std::vector<Vector<2>> places_along(const DrawnContour& contour, const Landscape
   return places;
 }
 
-void add_contour_label(const LandscapeView& view, const LandscapeLayout& layout, const DrawnContour& contour,
-                       const std::vector<DrawnContour>& contours, LandscapeWords& words) {
-  const TextStyle drawn = words.style(1.0);
+struct ContourLabel {
+  std::string text;
+  ScreenBox box;
+};
+
+// Beside its line, to the right, or upon it: the first place from the top that is free and that no other line crosses.
+std::optional<ContourLabel> contour_label(const LandscapeLayout& layout, const DrawnContour& contour, bool is_upon,
+                                          const std::vector<DrawnContour>& contours,
+                                          const std::vector<ContourLabel>& placed, const LandscapeWords& words) {
   const std::string text = share_words(contour.level);
-  const Vector<2> extent = words.extent(text, drawn);
+  const Vector<2> extent = words.extent(text, words.style(1.0));
   const ScreenBox inside = layout.map.grown(-0.15 * layout.em);
   const double gap = 0.25 * layout.em;
-  std::optional<Vector<2>> best;
-  int fewest = 0;
   for (const Vector<2>& place : places_along(contour, layout)) {
-    for (const double side : {gap, -gap - extent.x}) {
-      const Vector<2> corner = place + Vector<2>(side, -0.5 * extent.y);
-      const ScreenBox box{corner, corner + extent};
-      if (!contains(inside, box.least) || !contains(inside, box.most) || !words.is_free(box.grown(0.5 * gap))) continue;
-      const int count = lines_through(box, contours);
-      if (best && count >= fewest) continue;
-      best = corner;
-      fewest = count;
+    const Vector<2> corner = place + Vector<2>(is_upon ? -0.5 * extent.x : gap, -0.5 * extent.y);
+    const ScreenBox box{corner, corner + extent};
+    const ScreenBox taken = box.grown(0.5 * gap);
+    if (!contains(inside, taken.least) || !contains(inside, taken.most) || !words.is_free(taken)) continue;
+    if (std::ranges::any_of(placed, [&](const ContourLabel& other) { return overlap(taken, other.box) > 0.0; })) {
+      continue;
     }
-    if (best && fewest == 0) break;
+    if (!is_crossed(taken, contours, is_upon ? std::optional(contour.level) : std::nullopt)) {
+      return ContourLabel{text, box};
+    }
   }
-  if (best) words.put(Role::map, text, drawn, view.theme.text, *best);
+  return std::nullopt;
+}
+
+// One a level, of the first of its pieces that has room.
+std::vector<ContourLabel> contour_labels(const LandscapeLayout& layout, bool is_upon,
+                                         const std::vector<DrawnContour>& contours, const LandscapeWords& words) {
+  std::vector<ContourLabel> placed;
+  for (const double level : contour_levels) {
+    for (const DrawnContour& contour : contours) {
+      if (contour.level != level) continue;
+      auto label = contour_label(layout, contour, is_upon, contours, placed, words);
+      if (!label) continue;
+      placed.push_back(*std::move(label));
+      break;
+    }
+  }
+  return placed;
 }
 
 // ---- The scale of colours -------------------------------------------------------------------------------------------
@@ -192,10 +212,13 @@ void add_contours(const LandscapeView& view, const LandscapeLayout& layout, cons
 
 void add_contour_labels(const LandscapeView& view, const LandscapeLayout& layout,
                         const std::vector<DrawnContour>& contours, LandscapeWords& words) {
-  // One a level: of several pieces the first that has room.
-  for (const double level : contour_levels) {
-    const auto of_level = std::ranges::find(contours, level, &DrawnContour::level);
-    if (of_level != contours.end()) add_contour_label(view, layout, *of_level, contours, words);
+  // All in the same way, or one would not know which of two lines a word between them belongs to: beside the lines,
+  // or, where these are too near each other for that, upon them.
+  const std::vector<ContourLabel> beside = contour_labels(layout, false, contours, words);
+  const std::vector<ContourLabel> upon = contour_labels(layout, true, contours, words);
+  const std::vector<ContourLabel>& placed = upon.size() > beside.size() ? upon : beside;
+  for (const ContourLabel& label : placed) {
+    words.put(Role::map, label.text, words.style(1.0), view.theme.text, label.box.least);
   }
 }
 
