@@ -17,7 +17,9 @@ const float diamond = 2.0;
 const float triangle = 3.0;
 const float arrow = 4.0;
 const float half_plane = 5.0;
+const float box = 6.0;
 const float arrow_head = 2.3;
+const float stripe_share = 0.4;  // of the way from stripe to stripe
 
 float to_segment(vec2 p, float length_along) {
   return length(p - vec2(clamp(p.x, 0.0, length_along), 0.0));
@@ -59,6 +61,11 @@ float to_arrow(vec2 p, float length_along, float half_width) {
   return inside ? -nearest : nearest;
 }
 
+float to_box(vec2 p, vec2 half_size, float radius) {
+  vec2 q = abs(p) - half_size + radius;
+  return length(max(q, 0.0)) + min(max(q.x, q.y), 0.0) - radius;
+}
+
 // Equilateral, point up (y is down), with the area of a disc of the same radius or a little more.
 float to_triangle(vec2 p, float radius) {
   const float k = 1.7320508;
@@ -78,8 +85,19 @@ float to_outline() {
   if (mark_form.x == disc) return length(at) - radius;
   if (mark_form.x == diamond) return (abs(at.x) + abs(at.y) - 1.3 * radius) * 0.70710678;
   if (mark_form.x == triangle) return to_triangle(at, radius);
-  if (mark_form.x == arrow) return to_arrow(at, extent, radius);
+  if (mark_form.x == arrow) {
+    if (mark_pattern.x == 0.0) return to_arrow(at, extent, radius);
+    return to_box(at - vec2(0.5 * extent, 0.0), vec2(0.5 * extent, radius), 0.0);
+  }
+  if (mark_form.x == box) return to_box(at, mark_pattern.xy, min(radius, min(mark_pattern.x, mark_pattern.y)));
   return at.x;  // half plane
+}
+
+// How much of this pixel stripes cover that lie at 45° across an arrow, still where its tail is.
+float striped() {
+  float period = mark_pattern.y;
+  float from_middle = abs(mod((at.x + at.y) * 0.70710678, period) - 0.5 * period);
+  return clamp(0.5 - (from_middle - 0.5 * stripe_share * period), 0.0, 1.0);
 }
 
 void main() {
@@ -87,7 +105,9 @@ void main() {
   float half_rim = 0.5 * mark_form.z;
   float covered = clamp(0.5 - (distance - half_rim), 0.0, 1.0);
   float filled = clamp(0.5 - (distance + half_rim), 0.0, 1.0);
-  colour = mix(mark_rim, mark_fill, filled);
+  vec4 inside = mark_fill;
+  if (mark_form.x == arrow && mark_pattern.y > 0.0) inside = mix(mark_fill, mark_rim, striped());
+  colour = mix(mark_rim, inside, filled);
   colour.a *= covered;
   if (colour.a <= 0.0) discard;
 }

@@ -3,7 +3,8 @@
 
 layout(location = 0) in vec4 ends;     // from.xy, to.xy [px], y down, from the viewport's upper left corner
 layout(location = 1) in vec4 form;     // kind, radius or half width [px], rim width [px], start of the pattern [px]
-layout(location = 2) in vec4 pattern;  // drawn, left out, drawn, left out [px]
+layout(location = 2) in vec4 pattern;  // of a line: drawn, left out, drawn, left out; of an arrow: 1 without head, and
+                                       // from stripe to stripe, 0 for none; of a box: half its width and height [px]
 layout(location = 3) in vec4 fill;
 layout(location = 4) in vec4 rim;
 
@@ -17,6 +18,7 @@ flat out vec4 mark_fill;
 flat out vec4 mark_rim;
 
 const float half_plane = 5.0;
+const float box = 6.0;
 const float arrow = 4.0;
 const float arrow_head = 2.3;  // half width of the head over that of the shaft; the fragment shader has the same
 
@@ -30,6 +32,12 @@ void main() {
     position = corner * viewport;
     extent = 0.0;
     at = vec2(dot(position - start, ends.zw), 0.0);
+  } else if (form.x == box) {
+    // Its frame: upright, from its middle; ends are its upper left and lower right corner.
+    float reach = form.z + 1.5;
+    position = mix(ends.xy - reach, ends.zw + reach, corner);
+    extent = 0.0;
+    at = position - 0.5 * (ends.xy + ends.zw);
   } else {
     extent = length(axis);
     axis = extent > 0.0 ? axis / extent : vec2(1.0, 0.0);

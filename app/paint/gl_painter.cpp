@@ -1,13 +1,12 @@
 #include "app/paint/gl_painter.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <stdexcept>
 #include <utility>
 
+#include "app/paint/area_coverage.h"
+#include "app/paint/embedded_shader.h"
 #include "app/paint/gl/shader_program.h"
-#include "embedded_shaders.h"
 
 namespace ghostforce {
 namespace {
@@ -19,6 +18,7 @@ constexpr float diamond_kind = 2.0F;
 constexpr float triangle_kind = 3.0F;
 constexpr float arrow_kind = 4.0F;
 constexpr float half_plane_kind = 5.0F;
+constexpr float box_kind = 6.0F;
 
 float kind_of(Shape shape) {
   switch (shape) {
@@ -32,11 +32,12 @@ float kind_of(Shape shape) {
   return disc_kind;
 }
 
-std::string_view shader(std::string_view name) {
-  const auto found = std::find_if(embedded_shaders.begin(), embedded_shaders.end(),
-                                  [&](const auto& text) { return text.name == name; });
-  if (found == embedded_shaders.end()) throw std::logic_error("no embedded shader " + std::string(name));
-  return found->contents;
+// From stripe to stripe of a hatched arrow, as a share of its width.
+constexpr double stripe_step = 0.53;
+
+// What is hollow takes the rim's colour for its edge, else another would shine through there.
+Colour fill_within(Colour fill, Colour rim) {
+  return fill.alpha == 0 ? rim.with_alpha(0) : fill;
 }
 
 }  // namespace
@@ -74,17 +75,21 @@ struct GlPainter::Collect {
     add(center, center, kind_of(form.shape), form.radius, form.rim_width, 0.0, solid_line, form.fill, form.rim);
   }
   void operator()(const Arrow& form) const {
+    const double step = form.is_hatched ? stripe_step * form.width : 0.0;
     add(pixels(form.tail, form.offset), pixels(form.tip, form.offset), arrow_kind, 0.5 * form.width, form.rim_width,
-        0.0, solid_line, form.fill, form.rim);
+        0.0, {form.has_head ? 0.0 : 1.0, step}, fill_within(form.fill, form.rim), form.rim);
   }
-  void operator()(const Box&) const {}
-  void operator()(const Area&) const {}
-  void operator()(const Raster&) const {}
-  void operator()(const Label&) const {}
+  void operator()(const Box& form) const {
+    add(pixels(form.corner, form.offset), pixels(form.corner, form.offset + form.size), box_kind, form.radius,
+        form.rim_width, 0.0, {0.5 * form.size.x, 0.5 * form.size.y}, fill_within(form.fill, form.rim), form.rim);
+  }
+  void operator()(const Area&) const {}    // see paint_marks()
+  void operator()(const Raster&) const {}  // see paint_marks()
+  void operator()(const Label&) const {}   // see paint()
 };
 
 GlPainter::GlPainter(const LabelFonts& fonts)
-    : fonts_(fonts), program_(gl::link_program(shader("mark.vert"), shader("mark.frag"))) {
+    : fonts_(fonts), program_(gl::link_program(embedded_shader("mark.vert"), embedded_shader("mark.frag"))) {
   viewport_uniform_ = glGetUniformLocation(program_.name(), "viewport");
   glBindVertexArray(attributes_.name());
   glBindBuffer(GL_ARRAY_BUFFER, instances_.name());
@@ -118,16 +123,33 @@ void GlPainter::fill(Colour colour, const PixelRect& rect) {
 }
 
 void GlPainter::paint_marks(const Pane& pane, const PixelRect& rect, double pixels_per_point) {
-  collected_.clear();
-  const Collect collect{collected_, pane.camera, pixels_per_point};
-  for (const Mark& mark : pane.marks) std::visit(collect, mark.form);
-  if (collected_.empty() || rect.width <= 0 || rect.height <= 0) return;
-
+  if (rect.width <= 0 || rect.height <= 0) return;
   glViewport(rect.x, rect.y, rect.width, rect.height);
   glEnable(GL_SCISSOR_TEST);
   glScissor(rect.x, rect.y, rect.width, rect.height);
   glEnable(GL_BLEND);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  const Vector<2> viewport{rect.width, rect.height};
+  const Collect collect{collected_, pane.camera, pixels_per_point};
+  for (const Mark& mark : pane.marks) {
+    if (const auto* area = std::get_if<Area>(&mark.form)) {
+      paint_instances(rect);
+      std::vector<Vector<2>> corners;
+      for (const Vector<2>& corner : area->corners) corners.push_back(collect.pixels(corner));
+      textures_.paint(area_coverage(corners, rect.width, rect.height), area->fill, viewport);
+    } else if (const auto* raster = std::get_if<Raster>(&mark.form)) {
+      paint_instances(rect);
+      textures_.paint(*raster, collect.pixels(raster->corner), raster->size * pixels_per_point, viewport);
+    } else {
+      std::visit(collect, mark.form);
+    }
+  }
+  paint_instances(rect);
+  glDisable(GL_SCISSOR_TEST);
+}
+
+void GlPainter::paint_instances(const PixelRect& rect) {
+  if (collected_.empty()) return;
   glUseProgram(program_.name());
   glUniform2f(viewport_uniform_, static_cast<float>(rect.width), static_cast<float>(rect.height));
   glBindVertexArray(attributes_.name());
@@ -136,7 +158,7 @@ void GlPainter::paint_marks(const Pane& pane, const PixelRect& rect, double pixe
                GL_STREAM_DRAW);
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(collected_.size()));
   glBindVertexArray(0);
-  glDisable(GL_SCISSOR_TEST);
+  collected_.clear();
 }
 
 void GlPainter::paint(const std::vector<Pane>& panes, const Theme& theme, ImVec2 corner, double text_scale,

@@ -1,5 +1,6 @@
-// Paints panes with OpenGL 3.3 core: window and PNG alike. One instanced draw call for all of a pane's forms, and the
-// words above them with the screen's fonts. Needs an ImGui frame, and the thread that holds the context.
+// Paints panes with OpenGL 3.3 core: window and PNG alike. Forms that follow each other are one instanced draw call,
+// areas and rasters one each; the words stand above them in the screen's fonts. Needs an ImGui frame, and the thread
+// that holds the context.
 #pragma once
 
 #include <string_view>
@@ -9,6 +10,7 @@
 
 #include "app/paint/gl/handle.h"
 #include "app/paint/label_painter.h"
+#include "app/paint/texture_painter.h"
 #include "app/view/panes.h"
 #include "app/view/theme.h"
 
@@ -44,9 +46,12 @@ class GlPainter {
 
   static void fill(Colour colour, const PixelRect& rect);
   void paint_marks(const Pane& pane, const PixelRect& rect, double pixels_per_point);
+  // Those that are collected.
+  void paint_instances(const PixelRect& rect);
 
   LabelFonts fonts_;
   gl::Program program_;
+  TexturePainter textures_;
   gl::VertexArray attributes_;
   gl::Buffer instances_;
   GLint viewport_uniform_;

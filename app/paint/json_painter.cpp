@@ -15,6 +15,10 @@ Json millimetres(const Vector<2>& world) {
   return Json::array({world.x * mm_per_m, world.y * mm_per_m});
 }
 
+Json points(const Vector<2>& screen) {
+  return Json::array({screen.x, screen.y});
+}
+
 std::string hex(Colour colour) {
   return fmt::format("#{:02X}{:02X}{:02X}{:02X}", colour.red, colour.green, colour.blue, colour.alpha);
 }
@@ -59,20 +63,44 @@ struct Describe {
     mark["form"] = "arrow";
     mark["tail_mm"] = millimetres(form.tail);
     mark["tip_mm"] = millimetres(form.tip);
-    mark["offset"] = Json::array({form.offset.x, form.offset.y});
+    mark["offset"] = points(form.offset);
     mark["width"] = form.width;
     mark["fill"] = hex(form.fill);
     mark["rim"] = hex(form.rim);
+    if (!form.has_head) mark["head"] = false;
+    if (form.is_hatched) mark["hatched"] = true;
   }
-  void operator()(const Box&) const { mark["form"] = "box"; }
-  void operator()(const Area&) const { mark["form"] = "area"; }
-  void operator()(const Raster&) const { mark["form"] = "raster"; }
+  void operator()(const Box& form) const {
+    mark["form"] = "box";
+    mark["corner_mm"] = millimetres(form.corner);
+    mark["offset"] = points(form.offset);
+    mark["size"] = points(form.size);
+    mark["radius"] = form.radius;
+    mark["fill"] = hex(form.fill);
+    mark["rim"] = hex(form.rim);
+  }
+  void operator()(const Area& form) const {
+    mark["form"] = "area";
+    mark["corners_mm"] = Json::array();
+    for (const Vector<2>& corner : form.corners) mark["corners_mm"].push_back(millimetres(corner));
+    mark["fill"] = hex(form.fill);
+  }
+  void operator()(const Raster& form) const {
+    mark["form"] = "raster";
+    mark["corner_mm"] = millimetres(form.corner);
+    mark["size"] = points(form.size);
+    mark["columns"] = form.columns;
+    mark["rows"] = form.rows;
+  }
   void operator()(const Label& form) const {
     mark["form"] = "label";
     mark["text"] = form.text;
     mark["anchor_mm"] = millimetres(form.anchor);
-    mark["offset"] = Json::array({form.offset.x, form.offset.y});
+    mark["offset"] = points(form.offset);
     mark["colour"] = hex(form.colour);
+    const bool is_of_workbench = form.style == small_text || form.style == normal_text || form.style == large_text;
+    if (!is_of_workbench || form.style.is_bold) mark["height"] = form.style.height;
+    if (form.style.is_bold) mark["bold"] = true;
   }
 };
 

@@ -54,6 +54,7 @@ using Buffer = Handle<generated<&glGenBuffers>, removed<&glDeleteBuffers>>;
 using VertexArray = Handle<generated<&glGenVertexArrays>, removed<&glDeleteVertexArrays>>;
 using Framebuffer = Handle<generated<&glGenFramebuffers>, removed<&glDeleteFramebuffers>>;
 using Renderbuffer = Handle<generated<&glGenRenderbuffers>, removed<&glDeleteRenderbuffers>>;
+using Texture = Handle<generated<&glGenTextures>, removed<&glDeleteTextures>>;
 using Program = Handle<created_program, delete_program>;
 using VertexShader = Handle<created_shader<GL_VERTEX_SHADER>, delete_shader>;
 using FragmentShader = Handle<created_shader<GL_FRAGMENT_SHADER>, delete_shader>;

@@ -17,23 +17,27 @@
 #include "app/console/failure.h"
 #include "app/files/xml_text.h"
 #include "app/paint/vector/letters.h"
+#include "app/paint/vector/raster_painter.h"
 #include "ghostforce_version.h"
 
 namespace ghostforce {
 namespace {
 
 using Context = std::unique_ptr<cairo_t, Destroy<cairo_destroy>>;
+using PathHolder = std::unique_ptr<cairo_path_t, Destroy<cairo_path_destroy>>;
 using Surface = std::unique_ptr<cairo_surface_t, Destroy<cairo_surface_destroy>>;
 
 // ---- Marks ----------------------------------------------------------------------------------------------------------
 
-// Must match shaders/mark.frag.
+// Must match shaders/mark.frag and gl_painter.cpp.
 constexpr double arrow_head = 2.3;
 constexpr double head_slenderness = 1.9;
 constexpr double longest_head = 0.8;
 constexpr double diamond_reach = 1.3;
 constexpr double triangle_half_side = 1.25;
 constexpr double triangle_rise = 0.12;
+constexpr double stripe_step = 0.53;  // in widths of the arrow
+constexpr double stripe_share = 0.4;  // of that
 
 constexpr double turn = 2.0 * std::numbers::pi;
 
@@ -77,10 +81,17 @@ class MarkPainter {
 
   // Half of the rim lies on the fill, so a translucent rim would show it; themes have none.
   void fill_and_rim(Colour fill, Colour rim, double rim_width, cairo_line_join_t join) const {
-    if (fill.alpha > 0) {
-      choose(fill);
-      cairo_fill_preserve(target_);
-    }
+    fill_outline(fill);
+    add_rim(rim, rim_width, join);
+  }
+
+  void fill_outline(Colour fill) const {
+    if (fill.alpha == 0) return;
+    choose(fill);
+    cairo_fill_preserve(target_);
+  }
+
+  void add_rim(Colour rim, double rim_width, cairo_line_join_t join) const {
     if (rim_width > 0.0) {
       choose(rim);
       cairo_set_line_join(target_, join);
@@ -91,9 +102,6 @@ class MarkPainter {
   }
 
   void paint_form(const Line&) const {}   // see paint_curve()
-  void paint_form(const Box&) const {}
-  void paint_form(const Area&) const {}
-  void paint_form(const Raster&) const {}
   void paint_form(const Label&) const {}  // see paint()
 
   // What of the pane's rectangle lies behind the edge.
@@ -155,14 +163,72 @@ class MarkPainter {
     const Vector<2> along = length > 0.0 ? reach / length : Vector<2>(1.0, 0.0);
     const Vector<2> across{-along.y, along.x};
     const double half_width = 0.5 * form.width;
-    const double half_head = arrow_head * half_width;
-    const double neck = length - std::min(head_slenderness * half_head, longest_head * length);
+    const double half_head = form.has_head ? arrow_head * half_width : half_width;
     const auto corner = [&](double x, double y) { return tail + along * x + across * y; };
-    outline(std::array<Vector<2>, 7>{{corner(0.0, -half_width), corner(neck, -half_width), corner(neck, -half_head),
-                                      corner(length, 0.0), corner(neck, half_head), corner(neck, half_width),
-                                      corner(0.0, half_width)}});
+    if (form.has_head) {
+      const double neck = length - std::min(head_slenderness * half_head, longest_head * length);
+      outline(std::array<Vector<2>, 7>{{corner(0.0, -half_width), corner(neck, -half_width), corner(neck, -half_head),
+                                        corner(length, 0.0), corner(neck, half_head), corner(neck, half_width),
+                                        corner(0.0, half_width)}});
+    } else {
+      outline(std::array<Vector<2>, 4>{{corner(0.0, -half_width), corner(length, -half_width),
+                                        corner(length, half_width), corner(0.0, half_width)}});
+    }
+    fill_outline(form.fill);
+    if (form.is_hatched && form.width > 0.0) {
+      const PathHolder shape(cairo_copy_path(target_));
+      cairo_save(target_);
+      cairo_clip(target_);
+      const double step = stripe_step * form.width;
+      choose(form.rim);
+      cairo_set_line_width(target_, stripe_share * step);
+      // Stripe by stripe, by where its middle crosses the axis.
+      const double apart = step * std::numbers::sqrt2;
+      for (double at = 0.5 * apart - std::ceil(half_head / apart) * apart; at < length + half_head + apart;
+           at += apart) {
+        for (const double side : {-2.0 * half_head, 2.0 * half_head}) {
+          const Vector<2> end = corner(at - side, side);
+          cairo_line_to(target_, end.x, end.y);
+        }
+        cairo_stroke(target_);
+      }
+      cairo_restore(target_);
+      cairo_append_path(target_, shape.get());
+    }
+    add_rim(form.rim, form.rim_width, CAIRO_LINE_JOIN_ROUND);
+  }
+
+  void paint_form(const Box& form) const {
+    const Vector<2> corner = on_screen(form.corner, form.offset);
+    const double radius = std::min({form.radius, 0.5 * form.size.x, 0.5 * form.size.y});
+    if (radius > 0.0) {
+      const Vector<2> least = corner + Vector<2>(radius);
+      const Vector<2> most = corner + form.size - Vector<2>(radius);
+      cairo_arc(target_, least.x, least.y, radius, 0.5 * turn, 0.75 * turn);
+      cairo_arc(target_, most.x, least.y, radius, 0.75 * turn, turn);
+      cairo_arc(target_, most.x, most.y, radius, 0.0, 0.25 * turn);
+      cairo_arc(target_, least.x, most.y, radius, 0.25 * turn, 0.5 * turn);
+      cairo_close_path(target_);
+    } else {
+      cairo_rectangle(target_, corner.x, corner.y, form.size.x, form.size.y);
+    }
     fill_and_rim(form.fill, form.rim, form.rim_width, CAIRO_LINE_JOIN_ROUND);
   }
+
+  void paint_form(const Area& form) const {
+    if (form.corners.empty()) return;
+    for (const Vector<2>& corner : form.corners) {
+      const Vector<2> at = on_screen(corner);
+      cairo_line_to(target_, at.x, at.y);
+    }
+    cairo_close_path(target_);
+    choose(form.fill);
+    cairo_set_fill_rule(target_, CAIRO_FILL_RULE_EVEN_ODD);
+    cairo_fill(target_);
+    cairo_set_fill_rule(target_, CAIRO_FILL_RULE_WINDING);
+  }
+
+  void paint_form(const Raster& form) const { paint_raster(form, on_screen(form.corner), target_); }
 
   // A trail is hundreds of short lines, each beginning where the last one ended. As one stroke it looks the same and
   // can be changed as one in a drawing program. Translucent lines stay apart: on the screen they darken where they
