@@ -6,8 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <optional>
-#include <span>
+#include <tuple>
 #include <utility>
 
 namespace ghostforce {
@@ -59,7 +58,7 @@ double contour_width(const LandscapeLayout& layout) noexcept {
 
 // ---- Their labels ---------------------------------------------------------------------------------------------------
 
-bool is_crossed(const ScreenBox& box, const std::vector<DrawnContour>& contours, std::optional<double> but_level) {
+bool is_crossed(const ScreenBox& box, const std::vector<DrawnContour>& contours, double but_level) {
   for (const DrawnContour& contour : contours) {
     if (contour.level == but_level) continue;
     for (std::size_t i = 1; i < contour.corners.size(); ++i) {
@@ -85,48 +84,22 @@ std::vector<Vector<2>> places_along(const DrawnContour& contour, const Landscape
   return places;
 }
 
-struct ContourLabel {
-  std::string text;
-  ScreenBox box;
-};
-
-// Beside its line, to the right, or upon it: the first place from the top that is free and that no other line crosses.
-std::optional<ContourLabel> contour_label(const LandscapeLayout& layout, const DrawnContour& contour, bool is_upon,
-                                          const std::vector<DrawnContour>& contours,
-                                          const std::vector<ContourLabel>& placed, const LandscapeWords& words) {
+// Upon its line, which its halo breaks: between two lines one would not know to which of them it belongs. The first place
+// from the top that is free and that no other line crosses; false where there is none.
+bool add_contour_label(const LandscapeView& view, const LandscapeLayout& layout, const DrawnContour& contour,
+                       const std::vector<DrawnContour>& contours, LandscapeWords& words) {
+  const TextStyle drawn = words.style(1.0);
   const std::string text = share_words(contour.level);
-  const Vector<2> extent = words.extent(text, words.style(1.0));
+  const Vector<2> extent = words.extent(text, drawn);
   const ScreenBox inside = layout.map.grown(-0.15 * layout.em);
-  const double gap = 0.25 * layout.em;
   for (const Vector<2>& place : places_along(contour, layout)) {
-    const Vector<2> corner = place + Vector<2>(is_upon ? -0.5 * extent.x : gap, -0.5 * extent.y);
-    const ScreenBox box{corner, corner + extent};
-    const ScreenBox taken = box.grown(0.5 * gap);
-    if (!contains(inside, taken.least) || !contains(inside, taken.most) || !words.is_free(taken)) continue;
-    if (std::ranges::any_of(placed, [&](const ContourLabel& other) { return overlap(taken, other.box) > 0.0; })) {
-      continue;
-    }
-    if (!is_crossed(taken, contours, is_upon ? std::optional(contour.level) : std::nullopt)) {
-      return ContourLabel{text, box};
-    }
+    const ScreenBox box{place - 0.5 * extent, place + 0.5 * extent};
+    if (!contains(inside, box.least) || !contains(inside, box.most)) continue;
+    if (!words.is_free(box.grown(0.4 * layout.em)) || is_crossed(box, contours, contour.level)) continue;
+    words.put(Role::map, text, drawn, view.theme.text, box.least);
+    return true;
   }
-  return std::nullopt;
-}
-
-// One a level, of the first of its pieces that has room.
-std::vector<ContourLabel> contour_labels(const LandscapeLayout& layout, bool is_upon,
-                                         const std::vector<DrawnContour>& contours, const LandscapeWords& words) {
-  std::vector<ContourLabel> placed;
-  for (const double level : contour_levels) {
-    for (const DrawnContour& contour : contours) {
-      if (contour.level != level) continue;
-      auto label = contour_label(layout, contour, is_upon, contours, placed, words);
-      if (!label) continue;
-      placed.push_back(*std::move(label));
-      break;
-    }
-  }
-  return placed;
+  return false;
 }
 
 // ---- The scale of colours -------------------------------------------------------------------------------------------
@@ -212,13 +185,11 @@ void add_contours(const LandscapeView& view, const LandscapeLayout& layout, cons
 
 void add_contour_labels(const LandscapeView& view, const LandscapeLayout& layout,
                         const std::vector<DrawnContour>& contours, LandscapeWords& words) {
-  // All in the same way, or one would not know which of two lines a word between them belongs to: beside the lines,
-  // or, where these are too near each other for that, upon them.
-  const std::vector<ContourLabel> beside = contour_labels(layout, false, contours, words);
-  const std::vector<ContourLabel> upon = contour_labels(layout, true, contours, words);
-  const std::vector<ContourLabel>& placed = upon.size() > beside.size() ? upon : beside;
-  for (const ContourLabel& label : placed) {
-    words.put(Role::map, label.text, words.style(1.0), view.theme.text, label.box.least);
+  // One a level, on the first of its pieces that has room.
+  for (const double level : contour_levels) {
+    std::ignore = std::ranges::any_of(contours, [&](const DrawnContour& contour) {
+      return contour.level == level && add_contour_label(view, layout, contour, contours, words);
+    });
   }
 }
 

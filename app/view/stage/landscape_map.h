@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/view/stage/landscape_contours.h"
-#include "app/view/stage/landscape_layer.h"
+#include "app/view/stage/landscape_view.h"
 #include "app/view/stage/landscape_words.h"
 
 namespace ghostforce {

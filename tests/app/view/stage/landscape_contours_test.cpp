@@ -21,7 +21,7 @@ bool is_at_the_edge(const LandscapePoint& point) {
 TEST(LandscapeContours, LieOnTheirLevel) {
   RandomSettings random(1);
   std::size_t count = 0;
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < 80; ++i) {
     const Landscape landscape = landscape_of(random.next(), random.between(0.0, 1.0));
     for (const Contour& contour : contours_of(landscape)) {
       for (const LandscapePoint& point : contour.points) {
@@ -36,7 +36,7 @@ TEST(LandscapeContours, LieOnTheirLevel) {
 
 TEST(LandscapeContours, AreUnbrokenAndEndAtTheMapsEdge) {
   RandomSettings random(2);
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < 80; ++i) {
     for (const Contour& contour : contours_of(landscape_of(random.next(), random.between(0.0, 1.0)))) {
       ASSERT_GE(contour.points.size(), 2U);
       for (std::size_t j = 1; j < contour.points.size(); ++j) {
@@ -96,7 +96,7 @@ TEST(LandscapeContours, OfTooLittleAreThereWhereTheHandIsSofterThanBelieved) {
 
 TEST(LandscapeContours, PlacesOnTheMapAreThereAndBackTheSame) {
   RandomSettings random(4);
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < 80; ++i) {
     const Vector<2> place{random.between(0.0, 1.0), random.between(0.0, 1.0)};
     const Vector<2> back = map_place(landscape_point_at(place));
     EXPECT_NEAR(back.x, place.x, 1e-12);

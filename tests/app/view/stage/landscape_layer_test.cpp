@@ -123,7 +123,7 @@ void expect_readable(const Picture& picture, const std::string& where) {
 
 TEST(LandscapeLayer, NoWordsOverlapAndNoneIsCutOff) {
   RandomSettings random(1);
-  for (int i = 0; i < 600; ++i) {
+  for (int i = 0; i < 300; ++i) {
     Picture picture(wall45());
     picture.settings = random.next();
     picture.dial = random.coin() ? 0.0 : random.between(0.0, 1.0);
