@@ -185,10 +185,6 @@ double landscape_dial_of(StrategyId id) noexcept {
   return id == StrategyId::naive ? 0.0 : 1.0;
 }
 
-LandscapeLayout landscape_layout(const LandscapeView& view) noexcept {
-  return landscape_layout(view.camera.size, view.scale * view.theme.thickness);
-}
-
 void add_landscape(const LandscapeView& view, Marks& marks) {
   LandscapePainter(view, marks).compose();
 }

@@ -6,8 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <optional>
-#include <span>
+#include <tuple>
 #include <utility>
 
 namespace ghostforce {
@@ -59,15 +58,15 @@ double contour_width(const LandscapeLayout& layout) noexcept {
 
 // ---- Their labels ---------------------------------------------------------------------------------------------------
 
-int lines_through(const ScreenBox& box, const std::vector<DrawnContour>& contours) {
-  int count = 0;
+bool is_crossed(const ScreenBox& box, const std::vector<DrawnContour>& contours, double but_level) {
   for (const DrawnContour& contour : contours) {
+    if (contour.level == but_level) continue;
     for (std::size_t i = 1; i < contour.corners.size(); ++i) {
       ScreenPiece piece{contour.corners[i - 1], contour.corners[i]};
-      if (clip(box, piece)) ++count;
+      if (clip(box, piece)) return true;
     }
   }
-  return count;
+  return false;
 }
 
 // A point of the contour on each line of text from the map's top downwards.
@@ -85,28 +84,22 @@ std::vector<Vector<2>> places_along(const DrawnContour& contour, const Landscape
   return places;
 }
 
-void add_contour_label(const LandscapeView& view, const LandscapeLayout& layout, const DrawnContour& contour,
+// Upon its line, which its halo breaks: between two lines one would not know to which of them it belongs. The first place
+// from the top that is free and that no other line crosses; false where there is none.
+bool add_contour_label(const LandscapeView& view, const LandscapeLayout& layout, const DrawnContour& contour,
                        const std::vector<DrawnContour>& contours, LandscapeWords& words) {
   const TextStyle drawn = words.style(1.0);
   const std::string text = share_words(contour.level);
   const Vector<2> extent = words.extent(text, drawn);
   const ScreenBox inside = layout.map.grown(-0.15 * layout.em);
-  const double gap = 0.25 * layout.em;
-  std::optional<Vector<2>> best;
-  int fewest = 0;
   for (const Vector<2>& place : places_along(contour, layout)) {
-    for (const double side : {gap, -gap - extent.x}) {
-      const Vector<2> corner = place + Vector<2>(side, -0.5 * extent.y);
-      const ScreenBox box{corner, corner + extent};
-      if (!contains(inside, box.least) || !contains(inside, box.most) || !words.is_free(box.grown(0.5 * gap))) continue;
-      const int count = lines_through(box, contours);
-      if (best && count >= fewest) continue;
-      best = corner;
-      fewest = count;
-    }
-    if (best && fewest == 0) break;
+    const ScreenBox box{place - 0.5 * extent, place + 0.5 * extent};
+    if (!contains(inside, box.least) || !contains(inside, box.most)) continue;
+    if (!words.is_free(box.grown(0.4 * layout.em)) || is_crossed(box, contours, contour.level)) continue;
+    words.put(Role::map, text, drawn, view.theme.text, box.least);
+    return true;
   }
-  if (best) words.put(Role::map, text, drawn, view.theme.text, *best);
+  return false;
 }
 
 // ---- The scale of colours -------------------------------------------------------------------------------------------
@@ -192,10 +185,11 @@ void add_contours(const LandscapeView& view, const LandscapeLayout& layout, cons
 
 void add_contour_labels(const LandscapeView& view, const LandscapeLayout& layout,
                         const std::vector<DrawnContour>& contours, LandscapeWords& words) {
-  // One a level: of several pieces the first that has room.
+  // One a level, on the first of its pieces that has room.
   for (const double level : contour_levels) {
-    const auto of_level = std::ranges::find(contours, level, &DrawnContour::level);
-    if (of_level != contours.end()) add_contour_label(view, layout, *of_level, contours, words);
+    std::ignore = std::ranges::any_of(contours, [&](const DrawnContour& contour) {
+      return contour.level == level && add_contour_label(view, layout, contour, contours, words);
+    });
   }
 }
 

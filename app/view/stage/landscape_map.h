@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/view/stage/landscape_contours.h"
-#include "app/view/stage/landscape_layer.h"
+#include "app/view/stage/landscape_view.h"
 #include "app/view/stage/landscape_words.h"
 
 namespace ghostforce {
@@ -30,7 +30,7 @@ std::vector<DrawnContour> drawn_contours(const Landscape& landscape, const Lands
 void add_map(const LandscapeView& view, const LandscapeLayout& layout, const Landscape& landscape, Marks& marks);
 void add_contours(const LandscapeView& view, const LandscapeLayout& layout, const std::vector<DrawnContour>& contours,
                   Marks& marks);
-// Beside their lines where there is room; the scale of colours tells what is left out.
+// Where there is room; the scale of colours tells what is left out.
 void add_contour_labels(const LandscapeView& view, const LandscapeLayout& layout,
                         const std::vector<DrawnContour>& contours, LandscapeWords& words);
 // With numbers; of what is too little only where the map has any.

@@ -10,7 +10,7 @@
 
 #include "app/view/marks.h"
 #include "app/view/screen_box.h"
-#include "app/view/stage/landscape_layer.h"
+#include "app/view/stage/landscape_view.h"
 
 namespace ghostforce {
 

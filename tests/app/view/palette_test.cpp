@@ -190,5 +190,24 @@ TEST(Palette, MarksStandOutFromTheScene) {
   }
 }
 
+TEST(Palette, TooMuchAndTooLittleDifferForEveryVision) {
+  for (const Theme& theme : theme_catalog()) {
+    for (const Vision& vision : visions) {
+      // From a fifth of the way on, where the map's colours begin to be seen at all.
+      for (const double depth : {0.2, 0.4, 0.6, 1.0}) {
+        const Colour excess = mix(theme.background, theme.excess, depth);
+        const Colour shortfall = mix(theme.background, theme.shortfall, depth);
+        EXPECT_GE(difference(lab(applied(vision.transform, linear(excess))),
+                             lab(applied(vision.transform, linear(shortfall)))),
+                  10.0 * std::min(1.0, 2.0 * depth))
+            << theme.name << ", " << vision.name << ", " << depth;
+      }
+    }
+    EXPECT_GE(contrast(theme.excess, theme.background), 4.5) << theme.name;
+    EXPECT_GE(contrast(theme.shortfall, theme.background), 4.5) << theme.name;
+    EXPECT_GE(contrast(theme.accent, theme.background), 4.5) << theme.name << ": the ring's words";
+  }
+}
+
 }  // namespace
 }  // namespace ghostforce

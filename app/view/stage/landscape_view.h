@@ -1,0 +1,25 @@
+// LandscapeView: all that is needed to draw one picture of the landscape. Values, read only; any thread.
+#pragma once
+
+#include "app/view/camera.h"
+#include "app/view/stage/landscape_layout.h"
+#include "app/view/theme.h"
+#include "app/view/view.h"
+
+namespace ghostforce {
+
+struct LandscapeView {
+  const Settings& settings;
+  double dial;  // from 0, naïve, to 1: what anisotropic rendering runs with
+  const Theme& theme;
+  Camera camera;
+  double scale;  // UI scale, 1 is normal
+  const MeasureText& measure;
+};
+
+// Where things are, as add_landscape() draws them.
+inline LandscapeLayout landscape_layout(const LandscapeView& view) noexcept {
+  return landscape_layout(view.camera.size, view.scale * view.theme.thickness);
+}
+
+}  // namespace ghostforce

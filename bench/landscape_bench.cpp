@@ -1,0 +1,43 @@
+// How long the stage's landscape takes to compose, at the size of the default window: it is made anew for every frame
+// in which somebody drags its ring or turns its dial.
+#include <cstdint>
+
+#include <benchmark/benchmark.h>
+
+#include "app/files/scene_file.h"
+#include "app/paint/vector/vector_painter.h"
+#include "app/view/stage/landscape_contours.h"
+#include "app/view/stage/landscape_layer.h"
+
+namespace ghostforce {
+namespace {
+
+void compose_landscape(benchmark::State& state) {
+  Settings settings = load_scene("wall45").settings;
+  settings.stiffnesses.believed_k_u = 0.3 * settings.stiffnesses.k_u;  // so that there is too little somewhere
+  const MeasureText measure = measure_vector_text;
+  const Camera camera{{0.0, 0.0}, 4000.0, {1280.0, 800.0}};
+  const double dial = 0.01 * static_cast<double>(state.range(0));
+  Marks marks;
+  for (auto _ : state) {
+    marks.clear();
+    add_landscape({settings, dial, *find_theme("light"), camera, 1.0, measure}, marks);
+    benchmark::DoNotOptimize(marks.data());
+  }
+  state.counters["marks"] = static_cast<double>(marks.size());
+}
+BENCHMARK(compose_landscape)
+    ->Name("landscape/1280x800/dial-percent")
+    ->Arg(0)
+    ->Arg(50)
+    ->Arg(100)
+    ->Unit(benchmark::kMillisecond);
+
+void find_contours(benchmark::State& state) {
+  const Landscape landscape = landscape_of(load_scene("wall45").settings, 0.0);
+  for (auto _ : state) benchmark::DoNotOptimize(contours_of(landscape));
+}
+BENCHMARK(find_contours)->Name("contours")->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace ghostforce
