@@ -14,8 +14,9 @@ namespace ghostforce {
 namespace {
 
 constexpr std::size_t ghost_quantity = 1;  // of the quantity catalog
-constexpr double points_per_bucket = 2.0;
+constexpr double points_per_bucket = 1.0;
 constexpr double flat = 0.25;  // less of a change of height shows no more [points]
+constexpr double stair = 3.0;  // and a longer way within a bucket is drawn as one [points]
 // Smaller ghost forces would be magnified to what nobody can feel [N].
 constexpr double smallest_top = 0.5;
 
@@ -65,6 +66,18 @@ double round_up(double value) noexcept {
     if (step * power >= value) return step * power;
   }
   return 10.0 * power;
+}
+
+// What is flat becomes one piece.
+void add_point(const Vector<2>& point, std::vector<Vector<2>>& points) {
+  const std::size_t count = points.size();
+  if (count == 0 || std::abs(point.y - points.back().y) >= flat) {
+    points.push_back(point);
+  } else if (count > 1 && points[count - 2].y == points.back().y) {
+    points.back().x = point.x;
+  } else {
+    points.emplace_back(point.x, points.back().y);
+  }
 }
 
 // A moment in words; milliseconds where tenths of a second would hide a tick.
@@ -124,38 +137,29 @@ class RibbonPen {
       marks_.push_back(
           {Role::ghost_force, id, Line{world(from), world(to), 0.1 * em_, ribbon_.theme.strategy[i], pattern, start}});
     };
-    std::optional<Vector<2>> from;    // where the curve has come to,
-    std::optional<Vector<2>> beyond;  // and how far it goes on as flat as it was
-    const auto end_flat = [&] {
-      if (beyond) piece(*from, *beyond);
-      if (beyond) from = beyond;
-      beyond.reset();
+    std::vector<Vector<2>> points;  // up to a gap
+    const auto end_piece = [&] {
+      for (std::size_t k = 1; k < points.size(); ++k) piece(points[k - 1], points[k]);
+      points.clear();
     };
     for (const PlotBucket& bucket : buckets) {
-      double first = bucket.least[ghost_quantity][i];
-      double second = bucket.greatest[ghost_quantity][i];
-      if (std::isnan(first)) {  // nobody knew it
-        end_flat();
-        from.reset();
+      if (std::isnan(bucket.least[ghost_quantity][i])) {  // nobody knew it
+        end_piece();
         continue;
       }
-      const auto place = [&](double force) {
-        return Vector<2>(axis.x_at(0.5 * (bucket.from_s + bucket.to_s)),
-                         band.most.y - std::clamp(force / top, 0.0, 1.0) * band.extent().y);
-      };
-      // From the end that is nearer to where the curve is.
-      if (from && std::abs(place(second).y - from->y) < std::abs(place(first).y - from->y)) std::swap(first, second);
-      for (const Vector<2>& to : {place(first), place(second)}) {
-        if (from && std::abs(to.y - from->y) < flat) {
-          beyond = Vector<2>(to.x, from->y);
-          continue;
-        }
-        end_flat();
-        if (from) piece(*from, to);
-        from = to;
+      const double x = axis.x_at(0.5 * (bucket.from_s + bucket.to_s));
+      const auto y = [&](double force) { return band.most.y - std::clamp(force / top, 0.0, 1.0) * band.extent().y; };
+      double first = y(bucket.least[ghost_quantity][i]);
+      double second = y(bucket.greatest[ghost_quantity][i]);
+      // A stroke from the end that is nearer to where the curve is; a short one would only look like a stair.
+      if (std::abs(second - first) < stair) first = second = 0.5 * (first + second);
+      if (!points.empty() && std::abs(second - points.back().y) < std::abs(first - points.back().y)) {
+        std::swap(first, second);
       }
+      add_point({x, first}, points);
+      if (second != first) points.emplace_back(x, second);
     }
-    end_flat();
+    end_piece();
   }
 
   // A line across the band and something to take hold of.
