@@ -14,8 +14,9 @@ namespace ghostforce {
 namespace {
 
 constexpr std::size_t ghost_quantity = 1;  // of the quantity catalog
-constexpr double points_per_bucket = 2.0;
+constexpr double points_per_bucket = 1.0;
 constexpr double flat = 0.25;  // less of a change of height shows no more [points]
+constexpr double stair = 3.0;  // and a longer way within a bucket is drawn as one [points]
 // Smaller ghost forces would be magnified to what nobody can feel [N].
 constexpr double smallest_top = 0.5;
 
@@ -65,6 +66,18 @@ double round_up(double value) noexcept {
     if (step * power >= value) return step * power;
   }
   return 10.0 * power;
+}
+
+// What is flat becomes one piece.
+void add_point(const Vector<2>& point, std::vector<Vector<2>>& points) {
+  const std::size_t count = points.size();
+  if (count == 0 || std::abs(point.y - points.back().y) >= flat) {
+    points.push_back(point);
+  } else if (count > 1 && points[count - 2].y == points.back().y) {
+    points.back().x = point.x;
+  } else {
+    points.emplace_back(point.x, points.back().y);
+  }
 }
 
 // A moment in words; milliseconds where tenths of a second would hide a tick.
@@ -124,36 +137,27 @@ class RibbonPen {
       marks_.push_back(
           {Role::ghost_force, id, Line{world(from), world(to), 0.1 * em_, ribbon_.theme.strategy[i], pattern, start}});
     };
-    std::vector<Vector<2>> corners;  // since the last gap
+    std::vector<Vector<2>> points;  // up to a gap
     const auto end_piece = [&] {
-      for (std::size_t corner = 1; corner < corners.size(); ++corner) piece(corners[corner - 1], corners[corner]);
-      corners.clear();
+      for (std::size_t k = 1; k < points.size(); ++k) piece(points[k - 1], points[k]);
+      points.clear();
     };
-    const auto is_flat = [](const Vector<2>& a, const Vector<2>& b) { return std::abs(a.y - b.y) < flat; };
     for (const PlotBucket& bucket : buckets) {
-      double first = bucket.least[ghost_quantity][i];
-      double second = bucket.greatest[ghost_quantity][i];
-      if (std::isnan(first)) {  // nobody knew it
+      if (std::isnan(bucket.least[ghost_quantity][i])) {  // nobody knew it
         end_piece();
         continue;
       }
-      const auto place = [&](double force) {
-        return Vector<2>(axis.x_at(0.5 * (bucket.from_s + bucket.to_s)),
-                         band.most.y - std::clamp(force / top, 0.0, 1.0) * band.extent().y);
-      };
-      // From the end that is nearer to where the curve is.
-      if (!corners.empty()) {
-        const double now = corners.back().y;
-        if (std::abs(place(second).y - now) < std::abs(place(first).y - now)) std::swap(first, second);
+      const double x = axis.x_at(0.5 * (bucket.from_s + bucket.to_s));
+      const auto y = [&](double force) { return band.most.y - std::clamp(force / top, 0.0, 1.0) * band.extent().y; };
+      double first = y(bucket.least[ghost_quantity][i]);
+      double second = y(bucket.greatest[ghost_quantity][i]);
+      // A stroke from the end that is nearer to where the curve is; a short one would only look like a stair.
+      if (std::abs(second - first) < stair) first = second = 0.5 * (first + second);
+      if (!points.empty() && std::abs(second - points.back().y) < std::abs(first - points.back().y)) {
+        std::swap(first, second);
       }
-      for (const Vector<2>& to : {place(first), place(second)}) {
-        const std::size_t count = corners.size();
-        if (count > 1 && is_flat(corners[count - 2], corners[count - 1]) && is_flat(corners[count - 1], to)) {
-          corners.back().x = to.x;
-        } else {
-          corners.push_back(to);
-        }
-      }
+      add_point({x, first}, points);
+      if (second != first) points.emplace_back(x, second);
     }
     end_piece();
   }

@@ -70,6 +70,25 @@ TEST_F(RehearsalWindow, TakesEveryStepAndPushes) {
   EXPECT_FALSE(now().measured);
 }
 
+TEST_F(RehearsalWindow, OneCanLookBackAndTheHandGoesOn) {
+  turn_on();
+  lead_slowly(outside, inside);
+  frames(5, ticks);
+  press(GLFW_KEY_COMMA);
+  ASSERT_TRUE(session().stage.looks_back_to_s);
+  const double looked_at_s = *session().stage.looks_back_to_s;
+  const std::int64_t present = now().tick;
+  frames(10, ticks);
+  EXPECT_FALSE(session().paused) << "nobody stops the time of a real hand";
+  EXPECT_GT(now().tick, present);
+  EXPECT_EQ(motors().state, SafetyState::on);
+  EXPECT_EQ(session().stage.looks_back_to_s, looked_at_s);
+  EXPECT_LE(application_->shown().snapshot.time_s, looked_at_s);
+  press(GLFW_KEY_ESCAPE);
+  EXPECT_FALSE(session().stage.looks_back_to_s);
+  EXPECT_TRUE(frames_until(1.0, [&] { return motors().state == SafetyState::off; }));
+}
+
 TEST_F(RehearsalWindow, EveryStepChangesThePicture) {
   const Image at_first = picture();
   ASSERT_TRUE(frames_until(30.0, [&] { return state() == FalconState::idle; }));
