@@ -6,8 +6,8 @@ namespace ghostforce {
 namespace {
 
 void add_last_minute(const StageLayer& layer) {
-  if (const auto ribbon = stage_ribbon(layer)) add_ribbon(*ribbon, layer.canvas.marks);
   add_whole_scene(layer);
+  if (const auto ribbon = stage_ribbon(layer)) add_ribbon(*ribbon, layer.canvas.marks);
 }
 
 std::string ribbon_sentence(const StageContent& content) {

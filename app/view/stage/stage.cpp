@@ -32,12 +32,13 @@ void keep_frame_clear(const StageLayout& layout, StageLabels& labels) {
   if (layout.ribbon) labels.keep_clear(*layout.ribbon);
 }
 
-void make_room_for_ribbon(const StageContent& content, const Camera& camera, StageLayout& layout) {
+void make_room_for_ribbon(const StageContent& content, StageLayout& layout) {
+  // Its height is a matter of its letters alone.
   const Ribbon ribbon{.moments = *content.moments,
                       .looks_back_to_s = content.looks_back_to_s,
                       .theme = content.theme,
                       .measure = content.measure,
-                      .camera = camera,
+                      .camera = {.size = content.size},
                       .box = {},
                       .unit = 1.0};
   const double bottom = layout.bottom - 10.0 * layout.unit;
@@ -62,15 +63,15 @@ void add_whole_scene(const StageLayer& layer) {
 
 StagePicture compose_stage(const StageContent& content, StageLabelMemory& memory, double interval_s, Marks earlier) {
   const StageModeLayers* const mode = layers_of(content.mode);
-  const Camera camera = stage_camera(content.shown, content.size);
   const bool is_map = content.mode == StageMode::landscape;
-  StagePicture picture{.pane = {Vector<2>(0.0), camera, content.settings.active, std::move(earlier)}};
-  Marks& marks = picture.pane.marks;
-  marks.clear();
   StageLayout layout = stage_layout(content.size, content.scale, content.measure, sentence_of(content, mode),
                                     !content.moment.is_measured);
-  if (content.mode == StageMode::ribbon && content.moments != nullptr) make_room_for_ribbon(content, camera, layout);
-  picture.unit = layout.unit;
+  if (content.mode == StageMode::ribbon && content.moments != nullptr) make_room_for_ribbon(content, layout);
+  const Camera camera = stage_camera(content.shown, content.size, layout.bottom);
+  StagePicture picture{.pane = {Vector<2>(0.0), camera, content.settings.active, std::move(earlier)},
+                       .unit = layout.unit};
+  Marks& marks = picture.pane.marks;
+  marks.clear();
   {
     StageLabels labels(content.size, layout.unit, content.measure, memory, interval_s);
     StageCanvas canvas{camera, content.theme, layout.unit, marks, labels};

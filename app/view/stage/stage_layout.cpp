@@ -187,10 +187,12 @@ SceneView stage_view_of(const Settings& settings, const Vector<2>& goal) {
           .width = std::max({least_width, extent.x / across, extent.y / upwards})};
 }
 
-Camera stage_camera(const SceneView& shown, const Vector<2>& size) {
-  constexpr Vector<2> middle{0.55, 0.58};  // of the picture, from its upper left corner
-  Camera camera = camera_on(shown.center, shown.width, size);
-  const Vector<2> offset = (middle - Vector<2>(0.5)) * size;
+Camera stage_camera(const SceneView& shown, const Vector<2>& size, double bottom) {
+  constexpr Vector<2> middle{0.55, 0.66};      // of what is above `bottom`, from its upper left corner
+  constexpr double with_buttons = 1.0 / 0.86;  // the picture's height over that
+  Camera camera = camera_on(shown.center, shown.width, {size.x, with_buttons * bottom});
+  camera.size = size;
+  const Vector<2> offset = middle * Vector<2>(size.x, bottom) - 0.5 * size;
   camera.center -= Vector<2>(offset.x, -offset.y) / camera.points_per_metre;
   return camera;
 }

@@ -71,7 +71,8 @@ std::vector<std::string> broken_into_lines(std::string_view words, double width,
 SceneView stage_view_of(const Settings& settings, const Vector<2>& goal);
 
 // Its middle stands a little to the right of and below the window's, clear of the numbers.
-Camera stage_camera(const SceneView& shown, const Vector<2>& size);
+// `bottom`: where the scene ends, as in the layout.
+Camera stage_camera(const SceneView& shown, const Vector<2>& size, double bottom);
 
 // How to say what a button does when it is pressed, and its key.
 std::string hover_words(const StageAction& action);

@@ -25,6 +25,7 @@ Vector<2> motor_on_screen(const StageContent& content) {
 // Half the rail's length to either side of the handle [points of the design].
 constexpr double short_rail = 72.0;
 constexpr double long_rail = 340.0;
+constexpr double beyond_hand = 130.0;
 constexpr double chevron = 11.0;
 
 double fullness_of(const StageMoment& moment) {
@@ -42,10 +43,16 @@ double reach_inside(const Vector<2>& middle, const Vector<2>& direction, double 
 std::array<Vector<2>, 2> rail_ends(const Settings& settings, const StageMoment& moment, const Camera& camera,
                                    double unit) {
   const Vector<2> along = to_screen_direction(direction_at(settings.actuated_angle));
-  const double reach = glm::mix(long_rail, short_rail, fullness_of(moment)) * unit;
   const Vector<2> middle = to_screen(camera, moment.handle);
-  return {middle - along * reach_inside(middle, -along, reach, camera.size, 30.0 * unit),
-          middle + along * reach_inside(middle, along, reach, camera.size, 30.0 * unit)};
+  const double to_hand = glm::dot(to_screen(camera, moment.goal) - middle, along);
+  // One motor's rail can be seen beyond the hand, too.
+  const auto end = [&](double side) {
+    const double of_one_motor = std::max(long_rail * unit, side * to_hand + beyond_hand * unit);
+    const double reach = glm::mix(of_one_motor, short_rail * unit, fullness_of(moment));
+    const Vector<2> direction = side * along;
+    return middle + direction * reach_inside(middle, direction, reach, camera.size, 30.0 * unit);
+  };
+  return {end(-1.0), end(1.0)};
 }
 
 void add_chevron(const StageCanvas& canvas_in, const Vector<2>& tip, const Vector<2>& direction, Colour colour) {
@@ -184,7 +191,7 @@ void add_stage_hand(const StageLayer& layer) {
       }
     }
   };
-  add({{{36.0, -9.0}, {70.0, -9.0}, 26.0}, {{36.0, 9.0}, {70.0, 9.0}, 26.0}});
+  add({{{36.0, -9.0}, {70.0, -9.0}, 26.0}, {{36.0, 9.0}, {70.0, 9.0}, 26.0}, {{36.0, 0.0}, {70.0, 0.0}, 26.0}});
   for (const double finger : {-18.0, -6.0, 6.0, 18.0}) add({{{0.0, finger}, {24.0, finger}, 12.5}});
   add({{{14.0, 24.0}, {42.0, 15.0}, 13.0}});
   canvas.disc(Role::goal, goal, canvas.points(9.0), theme.goal, theme.goal_rim, canvas.width(2.5));
