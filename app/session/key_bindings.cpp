@@ -154,7 +154,7 @@ constexpr std::array bindings{
     KeyBinding{GLFW_KEY_PAGE_UP, none, "", "", previous_talk_step},
     KeyBinding{GLFW_KEY_B, none, "B", "Black: hides the stage, and shows it again", hide_stage},
     KeyBinding{GLFW_KEY_0, none, "0", "Compare: overlay, side by side, active only", next_compare_mode},
-    KeyBinding{GLFW_KEY_SPACE, none, "Space", "Pause, and go on; from looking back too", toggle_pause},
+    KeyBinding{GLFW_KEY_SPACE, none, "Space", "Pause, and go on; looking back ends too", toggle_pause},
     KeyBinding{GLFW_KEY_COMMA, none, ",", "Pause, and one tick back, up to a minute", step_back, true},
     KeyBinding{GLFW_KEY_PERIOD, none, ".", "Pause, and one tick on", step_on, true},
     KeyBinding{GLFW_KEY_R, none, "R", "Reset the motion", restart},
@@ -212,7 +212,7 @@ constexpr std::array bindings{
     KeyBinding{GLFW_KEY_MINUS, ctrl, "", "", change_scale<-1>, true},
     KeyBinding{GLFW_KEY_KP_SUBTRACT, ctrl, "", "", change_scale<-1>, true},
     KeyBinding{GLFW_KEY_0, ctrl, "", "", usual_scale},
-    KeyBinding{GLFW_KEY_ESCAPE, none, "Esc", "Motors off; close what is open, or go on live; it never quits", escape, false, true},
+    KeyBinding{GLFW_KEY_ESCAPE, none, "Esc", "Motors off; close what is open; it never quits", escape, false, true},
     KeyBinding{GLFW_KEY_Q, ctrl, "Ctrl+Q", "Quit", ask<&Requests::quit>, false, true},
 };
 

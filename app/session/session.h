@@ -64,7 +64,7 @@ struct Requests {
   bool undo = false;
   bool redo = false;
   bool fit_view = false;
-  int ticks_through_history = 0;  // to look at the moment so many ticks later; negative: earlier
+  int ticks_through_history = 0;     // to look at the moment so many ticks later; negative: earlier
   std::optional<std::string> input;  // a name of the input catalog
   std::optional<std::string> open_scene;
   std::optional<std::string> save_scene;

@@ -15,8 +15,9 @@ namespace {
 
 constexpr std::size_t ghost_quantity = 1;  // of the quantity catalog
 constexpr double points_per_bucket = 1.0;
-constexpr double flat = 0.25;  // less of a change of height shows no more [points]
-constexpr double stair = 3.0;  // and a longer way within a bucket is drawn as one [points]
+// Heights [points]. A smaller change is none; and what changes by less within a bucket is drawn as the middle of it.
+constexpr double flat = 0.25;
+constexpr double stair = 3.0;
 // Smaller ghost forces would be magnified to what nobody can feel [N].
 constexpr double smallest_top = 0.5;
 
@@ -131,7 +132,7 @@ class RibbonPen {
     const double period = std::accumulate(pattern.begin(), pattern.end(), 0.0);
     const double points_per_second = (axis.right - axis.left) / MomentHistory::span_s;
     const double began_s = axis.end_s - MomentHistory::span_s;  // of the axis
-    const double began_at = axis.left - (period > 0.0 ? std::fmod(began_s * points_per_second, period) : 0.0);
+    const double began_at = axis.left - (period > 0.0 ? std::fmod(began_s * points_per_second, period) + period : 0.0);
     const auto piece = [&](const Vector<2>& from, const Vector<2>& to) {
       const double start = (from.x - began_at) / ribbon_.camera.points_per_metre;
       marks_.push_back(
@@ -151,7 +152,7 @@ class RibbonPen {
       const auto y = [&](double force) { return band.most.y - std::clamp(force / top, 0.0, 1.0) * band.extent().y; };
       double first = y(bucket.least[ghost_quantity][i]);
       double second = y(bucket.greatest[ghost_quantity][i]);
-      // A stroke from the end that is nearer to where the curve is; a short one would only look like a stair.
+      // A stroke from the end that is nearer to where the curve is; a row of short ones would look like stairs.
       if (std::abs(second - first) < stair) first = second = 0.5 * (first + second);
       if (!points.empty() && std::abs(second - points.back().y) < std::abs(first - points.back().y)) {
         std::swap(first, second);
