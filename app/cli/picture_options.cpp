@@ -25,7 +25,8 @@ void PictureOptions::attach(CLI::App& command, bool with_all) {
       ->type_name("FACE")
       ->check(one_of(names_of(face_catalog)));
   command
-      .add_option("--mode", mode, "A mode of the stage: predict, why, landscape, round or ribbon; default: none of them")
+      .add_option("--mode", mode,
+                  "A mode of the stage: predict, why, landscape, round or ribbon; default: none of them")
       ->type_name("NAME")
       ->check(one_of(names_of(stage_mode_catalog())));
   command.add_option("--theme", theme, "light, dark or projector; default: light")
@@ -39,7 +40,8 @@ void PictureOptions::attach(CLI::App& command, bool with_all) {
 Face PictureOptions::face_or(Face usual) const {
   if (mode.empty()) return find_face(view).value_or(usual);
   if (view == face_name(Face::workbench)) {
-    throw Failure(ExitCode::wrong_call, fmt::format("--mode {} belongs to the stage: leave --view workbench out", mode));
+    throw Failure(ExitCode::wrong_call,
+                  fmt::format("--mode {} belongs to the stage: leave --view workbench out", mode));
   }
   return Face::stage;
 }

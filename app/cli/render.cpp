@@ -90,9 +90,8 @@ Rendering paint_moment(const PictureRequest& request, const Moment& moment, cons
   const Vector<2> size{static_cast<double>(request.width), static_cast<double>(request.height)};
   const Theme& theme = *request.appearance.theme;
   std::vector<Pane> panes = compose_moment(request, moment, size, measure_vector_text);
-  std::string file =
-      paint_vector(panes, theme, size, text_scale_of(request.face, request.appearance.scale, theme), *format,
-                   request.scene.title);
+  std::string file = paint_vector(panes, theme, size, text_scale_of(request.face, request.appearance.scale, theme),
+                                  *format, request.scene.title);
   return {std::move(file), std::move(panes), Vector<2>(0.0)};
 }
 

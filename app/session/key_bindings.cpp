@@ -16,12 +16,12 @@ namespace {
 
 template <StrategyId id>
 void activate(Session& session) {
-  act_on_stage(session, id);
+  choose_strategy(session, id, false);
 }
 
 template <StrategyId id>
 void activate_slowly(Session& session) {
-  switch_slowly(session, id);
+  choose_strategy(session, id, true);
 }
 
 template <StageMode mode>
@@ -276,16 +276,6 @@ void step_on(Session& session) {
   if (!looks_back) return single_step(session);
   session.paused = true;
   ++session.requests.ticks_through_history;
-}
-
-void press_safety_button(Session& session, const MotorReport& motors) {
-  if (motors.state != SafetyState::off) {
-    ++session.offs_asked;
-  } else if (motors.reason != OffReason::none) {
-    ++session.acknowledgements;
-  } else {
-    ++session.arms_asked;
-  }
 }
 
 void restart(Session& session) {

@@ -50,8 +50,6 @@ void step_on(Session& session);
 void go_on_live(Session& session);
 void restart(Session& session);
 void restart_with_scene_settings(Session& session);
-// The one button of the motors: reads why they are off, arms them, or turns them off.
-void press_safety_button(Session& session, const MotorReport& motors);
 template <Dialog which>
 void open_dialog(Session& session) {
   session.dialog = session.dialog == which ? Dialog::none : which;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "app/session/motor_button.h"
 #include "core/input_choice.h"
 
 namespace ghostforce {
@@ -22,7 +23,7 @@ void begin_mode(Session& session, StageMode mode) {
 template <StrategyId id>
 void show_strategy(Session& session) {
   leave_stage_mode(session);
-  switch_slowly(session, id);
+  choose_strategy(session, id, true);
 }
 
 template <int step>
@@ -84,21 +85,21 @@ void leave_stage_mode(Session& session) {
   stage.landscape_dial.reset();
 }
 
-void switch_slowly(Session& session, StrategyId id) {
+void choose_strategy(Session& session, StrategyId id, bool slowly) {
   session.settings.active = id;
-  session.stage.switches_slowly = true;
+  session.stage.switches_slowly = slowly;
   session.stage.landscape_dial.reset();
 }
 
-void act_on_stage(Session& session, const StageAction& action) {
+void act_on_stage(Session& session, const StageAction& action, const MotorReport& motors) {
   if (const auto* const id = std::get_if<StrategyId>(&action)) {
-    session.settings.active = *id;
-    session.stage.switches_slowly = false;
-    session.stage.landscape_dial.reset();
+    choose_strategy(session, *id, false);
   } else if (const auto* const mode = std::get_if<StageMode>(&action)) {
     toggle_stage_mode(session, *mode);
   } else if (const auto* const face = std::get_if<Face>(&action)) {
     show_face(session, *face);
+  } else if (action == StageAction(StageHelp::motors)) {
+    press_safety_button(session, motors);
   } else {
     session.dialog = Dialog::help;
   }

@@ -7,14 +7,14 @@
 namespace ghostforce {
 
 // A press on a part of the stage.
-void act_on_stage(Session& session, const StageAction& action);
+void act_on_stage(Session& session, const StageAction& action, const MotorReport& motors);
 
 void show_face(Session& session, Face face);
 // Begins a mode, or ends it where it is on.
 void toggle_stage_mode(Session& session, StageMode mode);
 void leave_stage_mode(Session& session);
-// On the stage, and slowly: 6 s instead of 0.6.
-void switch_slowly(Session& session, StrategyId id);
+// The active one. `slowly`: the stage takes 6 s for it instead of 0.6.
+void choose_strategy(Session& session, StrategyId id, bool slowly);
 
 // What Enter means in the mode that is on: the answer to a guess, the next step.
 void confirm_on_stage(Session& session);

@@ -100,6 +100,12 @@ void Screen::draw_everything(Session& session, const ShownMoment& moment, const 
     hints_.follow(session);
   }
   const double text_scale = text_scale_of(session.face, static_cast<double>(styled_scale_), theme);
+  if (session.face == Face::stage && session.stage.is_black && frame.is_live) {
+    Theme black = theme;
+    black.background = rgb(0x000000);
+    painter_.paint({}, black, scene_corner_, text_scale, window_.pixel_width(), window_.pixel_height());
+    return;
+  }
   painter_.paint(panes_, theme, scene_corner_, text_scale, window_.pixel_width(), window_.pixel_height());
   if (!frame.is_live) return;
   const ImVec2 size{static_cast<float>(scene_size_.x), static_cast<float>(scene_size_.y)};

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/session/key_bindings.h"
+#include "app/session/motor_button.h"
 #include "app/ui/panels/hints.h"
 #include "app/ui/panels/panel_catalog.h"
 #include "app/ui/panels/recording.h"
@@ -168,24 +169,6 @@ void draw_record_button(const PanelContext& context, float height) {
                 : "Records every tick to a new file, which any spreadsheet opens and which can be replayed.");
 }
 
-// What the button of the motors says; pressed, it does what its words ask for.
-std::string safety_words(const MotorReport& motors) {
-  if (!motors.has_motors) return "no motor";
-  switch (motors.state) {
-    case SafetyState::off:
-      if (motors.reason != OffReason::none) return fmt::format("OFF: {}. OK?", entry_of(motors.reason).title);
-      return motors.is_ready ? "Arm the motors" : "Motors: not ready";
-    case SafetyState::arming:
-      return "Arming… Esc: off";
-    case SafetyState::ramp:
-    case SafetyState::on:
-      return "MOTORS ON. Esc: off";
-    case SafetyState::fade:
-      return "Going off";
-  }
-  return {};
-}
-
 void draw_safety_button(const PanelContext& context, float height) {
   const MotorReport& motors = context.loop.motors;
   const std::string words = safety_words(motors);
@@ -200,9 +183,7 @@ void draw_safety_button(const PanelContext& context, float height) {
   ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - width);
   const bool stands_out = motors.has_motors && (motors.state != SafetyState::off || motors.reason != OffReason::none);
   const Colour rim = motors.state == SafetyState::off ? context.theme.accent : context.theme.problem;
-  const bool has_nothing_to_do =
-      !motors.has_motors || (motors.state == SafetyState::off && motors.reason == OffReason::none && !motors.is_ready);
-  ImGui::BeginDisabled(has_nothing_to_do);
+  ImGui::BeginDisabled(!can_press_safety_button(motors));
   if (stands_out) {
     ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 2.5F * context.scale);
     ImGui::PushStyleColor(ImGuiCol_Border, unpacked(rim));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/session/motor_button.h"
 #include "app/ui/panels/hints.h"
 #include "app/view/stage/landscape_layer.h"
 
@@ -109,6 +110,9 @@ StageContent StageFace::content_of(const Session& session, const StageFrame& fra
       .landscape_dial = session.stage.landscape_dial.value_or(std::max(blend.fullness, blend.cure)),
       .looks_back_to_s = session.stage.looks_back_to_s,
       .warning = warning_of(frame.loop)};
+  if (frame.loop.motors.has_motors) {
+    content.motors = StageMotors{safety_words(frame.loop.motors), frame.loop.motors.state != SafetyState::off};
+  }
   if (session.stage.mode == StageMode::ribbon) content.moments = &frame.history.moments();
   if (session.stage.mode == StageMode::round && frame.loop.circle) {
     const CircleReading& reading = *frame.loop.circle;

@@ -101,9 +101,8 @@ void StagePointer::update(Session& session, const StageFrame& frame, const Stage
   }
   const bool has_map = session.stage.mode == StageMode::landscape;
   if (is_hovered && io.MouseWheel != 0.0F && !has_map) {
-    session.stage_shown =
-        zoomed(session.stage_shown, std::pow(stage_zoom_per_notch, static_cast<double>(io.MouseWheel)),
-               scene.world(pointer));
+    session.stage_shown = zoomed(
+        session.stage_shown, std::pow(stage_zoom_per_notch, static_cast<double>(io.MouseWheel)), scene.world(pointer));
   }
   if (ImGui::IsItemActivated()) {
     began_at_ = last_ = pointer;
@@ -111,7 +110,7 @@ void StagePointer::update(Session& session, const StageFrame& frame, const Stage
     if (ImGui::IsMouseDown(ImGuiMouseButton_Right)) {
       if (!has_map) hold_ = Hold::picture;
     } else if (hovered_) {
-      act_on_stage(session, *hovered_);
+      act_on_stage(session, *hovered_, frame.loop.motors);
     } else {
       hold_ = hold_at(session, scene, pointer, guess_is_open);
       if (hold_ == Hold::motor) began_angle_ = session.settings.actuated_angle;

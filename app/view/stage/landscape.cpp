@@ -39,14 +39,6 @@ double kappa_of(const Stiffnesses& stiffnesses) noexcept {
   return tamed(stiffnesses.k_r / stiffnesses.k_u, kappas, shown_kappas.least);
 }
 
-// k_t with it, as far as both may go.
-void set_rendering_stiffness(Stiffnesses& stiffnesses, double k_r) noexcept {
-  const double kept_ratio = stiffnesses.k_t / stiffnesses.k_r;
-  stiffnesses.k_r = rendering_stiffness_range.nearest_to(k_r);
-  const double k_t = kept_ratio * stiffnesses.k_r;  // no number where there was no k_r to be in a ratio to
-  if (std::isfinite(k_t)) stiffnesses.k_t = tracking_stiffness_range.nearest_to(k_t);
-}
-
 }  // namespace
 
 Landscape landscape_of(const Settings& settings, double dial) noexcept {
@@ -113,7 +105,7 @@ Settings with_landscape_point(Settings settings, const LandscapePoint& point) no
   }
   Stiffnesses& stiffnesses = settings.stiffnesses;
   if (point.kappa != kappa_of(stiffnesses) && std::isfinite(point.kappa * stiffnesses.k_u)) {
-    set_rendering_stiffness(stiffnesses, point.kappa * stiffnesses.k_u);
+    stiffnesses.k_r = rendering_stiffness_range.nearest_to(point.kappa * stiffnesses.k_u);
   }
   return settings;
 }

@@ -56,10 +56,10 @@ NumberRange ghost_share_range(const Landscape& landscape) noexcept;
 
 LandscapePoint landscape_point(const Settings& settings) noexcept;
 
-// Turns the wall about its own point and makes the renderer so stiff that the set-up lies at `point`; k_t keeps its
-// ratio to k_r. The wall stays on its side of the motor, and the normal in its quadrant, however far one drags: at 0°
-// and 90° it stops a micro-radian short of where both sides would be the same. k_r and k_t stay within what a scene may
-// hold, so that κ may stop short of what was asked for, and the ratio give way.
+// Turns the wall about its own point and makes the renderer so stiff that the set-up lies at `point`. k_t stays, and with
+// it ε: the map stands still while one drags. The wall stays on its side of the motor, and the normal in its quadrant,
+// however far one drags: at 0° and 90° it stops a micro-radian short of where both sides would be the same. k_r stays
+// within what a scene may hold, so that κ may stop short of what was asked for.
 Settings with_landscape_point(Settings settings, const LandscapePoint& point) noexcept;
 
 }  // namespace ghostforce

@@ -28,7 +28,7 @@ void keep_frame_clear(const StageLayout& layout, StageLabels& labels) {
   labels.keep_clear(layout.sentence_box);
   for (const StageButton& button : layout.strategies) labels.keep_clear(button.box);
   for (const StageButton& button : layout.icons) labels.keep_clear(button.box);
-  if (layout.keys) labels.keep_clear(layout.keys->box);
+  if (layout.corner) labels.keep_clear(layout.corner->box);
   if (layout.ribbon) labels.keep_clear(*layout.ribbon);
 }
 
@@ -64,8 +64,11 @@ void add_whole_scene(const StageLayer& layer) {
 StagePicture compose_stage(const StageContent& content, StageLabelMemory& memory, double interval_s, Marks earlier) {
   const StageModeLayers* const mode = layers_of(content.mode);
   const bool is_map = content.mode == StageMode::landscape;
-  StageLayout layout = stage_layout(content.size, content.scale, content.measure, sentence_of(content, mode),
-                                    !content.moment.is_measured);
+  const std::string sentence = sentence_of(content, mode);
+  StageLayout layout = stage_layout(content.size, content.scale, content.measure,
+                                    {.sentence = sentence,
+                                     .motors = content.motors ? std::string_view(content.motors->words) : "",
+                                     .has_full = !content.moment.is_measured});
   if (content.mode == StageMode::ribbon && content.moments != nullptr) make_room_for_ribbon(content, layout);
   const Camera camera = stage_camera(content.shown, content.size, layout.bottom);
   StagePicture picture{.pane = {Vector<2>(0.0), camera, content.settings.active, std::move(earlier)},
@@ -90,7 +93,7 @@ StagePicture compose_stage(const StageContent& content, StageLabelMemory& memory
   for (const auto* const buttons : {&layout.strategies, &layout.icons}) {
     picture.buttons.insert(picture.buttons.end(), buttons->begin(), buttons->end());
   }
-  if (layout.keys) picture.buttons.push_back(*layout.keys);
+  if (layout.corner) picture.buttons.push_back(*layout.corner);
   return picture;
 }
 

@@ -49,6 +49,12 @@ struct StageGrips {
 StageGrips stage_grips(const Settings& settings, const StageMoment& moment, const Camera& camera, double unit);
 inline constexpr double stage_grip_reach = 22.0;  // of the pointer round one [points of the design]
 
+// The motors' button.
+struct StageMotors {
+  std::string words;
+  bool is_on = false;  // they may push
+};
+
 struct StageContent {
   const Settings& settings;  // of the moment that is shown
   StageMoment moment;
@@ -70,6 +76,7 @@ struct StageContent {
   double landscape_dial = 0.0;
   const MomentHistory* moments = nullptr;   // of the ribbon; null: there is none
   std::optional<double> looks_back_to_s{};  // its cursor [s]
+  std::optional<StageMotors> motors{};      // empty: there are none
   std::string_view warning{};               // what must be said instead of the sentence; may be empty
 };
 

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double fade_s = 0.25;
 constexpr double edge = 6.0;                           // to the window's edge [points of the design]
-constexpr double label_breath = 5.0;                         // to marks and other labels
+constexpr double label_breath = 5.0;                   // to marks and other labels
 constexpr std::array reaches{6.0, 26.0, 60.0, 110.0};  // from the anchor's rim to the label
 constexpr std::size_t near_reaches = 2;                // the nearest of these need no line to their anchor
 constexpr std::size_t directions = 16;

@@ -24,7 +24,7 @@ void add_handle(const StageLayer& layer);        // handle and proxy
 void add_stage_words(const StageLayer& layer);   // beside all these,
 void add_hand_words(const StageLayer& layer);    // and beside some
 void add_motor_words(const StageLayer& layer);
-void add_sentence(const StageLayer& layer);      // above
+void add_sentence(const StageLayer& layer);  // above
 void add_numbers(const StageLayer& layer);
 void add_buttons(const StageLayer& layer);  // below, and the strip of icons
 

@@ -46,8 +46,8 @@ constexpr std::string_view keys_words = "F1 keys";
 
 class Arrangement {
  public:
-  Arrangement(const Vector<2>& size, double scale, const MeasureText& measure, bool has_full)
-      : measure_(measure), has_full_(has_full) {
+  Arrangement(const Vector<2>& size, double scale, const MeasureText& measure, const StageFrameWords& words)
+      : measure_(measure), words_(words) {
     layout_.size = size;
     layout_.unit = size.y / height_of_design * scale;
     layout_.margin = points(edge_margin);
@@ -67,8 +67,8 @@ class Arrangement {
     return buttons_fit && sentence_fits && block_height <= greatest_block * layout_.size.y;
   }
 
-  StageLayout finished(std::string_view sentence) {
-    layout_.sentence = lines(sentence);
+  StageLayout finished() {
+    layout_.sentence = lines(words_.sentence);
     layout_.sentence_box.least = Vector<2>(layout_.margin, layout_.margin - points(8.0));
     double width = 0.0;
     for (const std::string& line : layout_.sentence) {
@@ -110,18 +110,24 @@ class Arrangement {
     const double bottom = layout_.size.y - layout_.margin - points(10.0);
     double x = layout_.margin;
     for (const ButtonWords& words : button_words) {
-      if (words.id == StrategyId::full && !has_full_) continue;
+      if (words.id == StrategyId::full && !words_.has_full) continue;
       const std::string_view shown = in_full ? words.in_full : words.in_short;
       const double width = points(glyph_room + button_padding) + measure_(shown, layout_.letters.bold_words).x;
       layout_.strategies.push_back({words.id, {{x, bottom - points(button_height)}, {x + width, bottom}}, shown});
       x += width + points(gap);
     }
     const double right = layout_.size.x - layout_.margin;
+    layout_.corner.reset();
+    if (!words_.motors.empty()) {
+      const double left = right - measure_(words_.motors, layout_.letters.bold_words).x - points(2.0 * button_padding);
+      layout_.corner =
+          StageButton{StageHelp::motors, {{left, bottom - points(button_height)}, {right, bottom}}, words_.motors};
+      return x <= left;
+    }
     const Vector<2> extent = measure_(keys_words, layout_.letters.words);
-    layout_.keys.reset();
     if (x + extent.x <= right) {
       const double top = bottom - 0.5 * (points(button_height) + extent.y);
-      layout_.keys = StageButton{StageHelp::keys, {{right - extent.x, top}, {right, top + extent.y}}, keys_words};
+      layout_.corner = StageButton{StageHelp::keys, {{right - extent.x, top}, {right, top + extent.y}}, keys_words};
     }
     return x - points(gap) <= right;
   }
@@ -136,20 +142,20 @@ class Arrangement {
   }
 
   const MeasureText& measure_;
-  bool has_full_;
+  const StageFrameWords& words_;
   StageLayout layout_;
 };
 
 }  // namespace
 
-StageLayout stage_layout(const Vector<2>& size, double scale, const MeasureText& measure, std::string_view sentence,
-                         bool has_full) {
+StageLayout stage_layout(const Vector<2>& size, double scale, const MeasureText& measure,
+                         const StageFrameWords& words) {
   constexpr double step = 0.97;
   constexpr double least = 0.2;
   for (double fitting = scale;; fitting *= step) {
     for (const bool in_full : {true, false}) {
-      Arrangement arrangement(size, fitting, measure, has_full);
-      if (arrangement.arrange(in_full) || fitting < least) return arrangement.finished(sentence);
+      Arrangement arrangement(size, fitting, measure, words);
+      if (arrangement.arrange(in_full) || fitting < least) return arrangement.finished();
     }
   }
 }

@@ -20,7 +20,7 @@
 namespace ghostforce {
 
 // Something else than a strategy, a mode or a face that the stage can be asked for.
-enum class StageHelp : std::uint8_t { keys };
+enum class StageHelp : std::uint8_t { keys, motors };
 
 // What a press on a part of the stage asks for.
 using StageAction = std::variant<StrategyId, StageMode, Face, StageHelp>;
@@ -49,7 +49,7 @@ struct StageLayout {
   ScreenBox sentence_box;
   std::vector<StageButton> strategies;  // the row below
   std::vector<StageButton> icons;       // the strip above, modes and workbench
-  std::optional<StageButton> keys;      // where there is room for it
+  std::optional<StageButton> corner;    // at the row's other end: the motors', or the help's where there is room for it
   std::optional<ScreenBox> ribbon;      // above the row, where there is one
   Vector<2> numbers_size{0.0};          // of the two numbers with their words
   double number_width = 0.0;            // of the widest number
@@ -59,9 +59,12 @@ struct StageLayout {
   double bottom = 0.0;
 };
 
-// `has_full`: the strategy with every motor can be chosen.
-StageLayout stage_layout(const Vector<2>& size, double scale, const MeasureText& measure, std::string_view sentence,
-                         bool has_full);
+struct StageFrameWords {
+  std::string_view sentence;
+  std::string_view motors{};  // of their button; empty: there are none
+  bool has_full = true;       // the strategy with every motor can be chosen
+};
+StageLayout stage_layout(const Vector<2>& size, double scale, const MeasureText& measure, const StageFrameWords& words);
 
 // Breaks words into lines that are no wider, where that can be.
 std::vector<std::string> broken_into_lines(std::string_view words, double width, const TextStyle& style,

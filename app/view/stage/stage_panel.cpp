@@ -38,6 +38,19 @@ void add_strategy_button(const StageLayer& layer, const StageButton& button) {
               is_active ? letters.bold_words : letters.words, is_active ? theme.text : theme.faint_text, false);
 }
 
+// Unmistakable from three metres while they may push.
+void add_motors_button(const StageLayer& layer, const StageButton& button) {
+  const auto& [content, layout, canvas] = layer;
+  const Theme& theme = content.theme;
+  const bool is_on = content.motors->is_on;
+  canvas.box(Role::button, button.box, canvas.points(12.0), is_on ? theme.problem : theme.panel_field,
+             is_on ? theme.problem : theme.accent, canvas.width(3.0));
+  const TextStyle& style = layout.letters.bold_words;
+  const Vector<2> extent = content.measure(button.words, style);
+  canvas.text(Role::button, 0.5 * (button.box.least + button.box.most - extent), std::string(button.words), style,
+              is_on ? theme.background : theme.text, false);
+}
+
 // What the icons show, in a square of 2 × 2 round the middle, y down.
 struct IconPen {
   StageCanvas& canvas;
@@ -215,7 +228,9 @@ void add_buttons(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   for (const StageButton& button : layout.strategies) add_strategy_button(layer, button);
   for (const StageButton& button : layout.icons) add_icon(layer, button);
-  if (const auto& keys = layout.keys) {
+  if (layout.corner && content.motors) {
+    add_motors_button(layer, *layout.corner);
+  } else if (const auto& keys = layout.corner) {
     canvas.text(Role::button, keys->box.least, std::string(keys->words), layout.letters.words,
                 is_hovered(content, keys->action) ? content.theme.accent : content.theme.faint_text);
   }
