@@ -96,7 +96,7 @@ Moment simulate_to_moment(const PictureRequest& request) {
   std::optional<CircleEnergyMeter> meter;
   if (request.mode == StageMode::round) {
     const Circle circle = circle_inside(wall_of(scene.settings), scene.goal.points.back(),
-                                        {.is_clockwise = makes_energy_clockwise(scene.settings)});
+                                        {.radius = {}, .is_clockwise = makes_energy_clockwise(scene.settings)});
     go_round(scene, circle);
     meter.emplace();
     meter->start(scene.settings, circle);
