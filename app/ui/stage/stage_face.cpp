@@ -35,6 +35,16 @@ std::vector<Vector<2>> last_loop(const MomentHistory& moments, StrategyId id, do
   return loop;
 }
 
+// All of the circle, and all that comes to rest round it.
+SceneView view_of_round(const Settings& settings, const Circle& circle) {
+  constexpr int places = 12;
+  std::vector<Vector<2>> goals;
+  for (int i = 0; i < places; ++i) {
+    goals.push_back(position_on(circle, static_cast<double>(i) / places / circle.turns_per_second));
+  }
+  return stage_view_of(settings, goals);
+}
+
 // Each only while it is true of the picture; until then it waits.
 std::optional<StageHint> stage_hint(const Session& session, const StageMoment& moment, const StageAudience& audience) {
   if (session.stage.mode != StageMode::none || audience.looks_back || moment.is_measured) return std::nullopt;
@@ -124,6 +134,7 @@ StageContent StageFace::content_of(const Session& session, const StageFrame& fra
   if (session.stage.mode == StageMode::ribbon) content.moments = &frame.history.moments();
   if (session.stage.mode == StageMode::round && frame.loop.circle) {
     const CircleReading& reading = *frame.loop.circle;
+    content.shown = view_of_round(shown.settings, reading.circle);
     content.round = StageRound{reading.turns > 0 ? last_loop(frame.history.moments(), shown.settings.active,
                                                              1.0 / std::abs(reading.circle.turns_per_second))
                                                  : std::vector<Vector<2>>(),

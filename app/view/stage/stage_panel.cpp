@@ -214,7 +214,7 @@ void add_numbers(const StageLayer& layer) {
   const bool is_known = !moment.is_measured;
   const double ghost = signed_ghost_force(moment);
   const std::string_view ghost_words = !is_known                     ? "ghost force: unknown"
-                                       : ghost <= -least_shown_force ? "ghost force, too weak"
+                                       : ghost <= -least_shown_force ? "ghost force (too little)"
                                                                      : "ghost force";
   add_number(layer, {is_known ? force_number(ghost) : "", "N", ghost_words}, found->box.least, found->strength);
   const Vector<2> below(0.0, 0.5 * (layout.numbers_size.y + 8.0 * layout.unit));

@@ -242,8 +242,10 @@ void add_stage_force(const StageLayer& layer) {
     add(ghostly > 0.0 ? Role::ghost_force : Role::wall_share, tip - arrow.direction * length, tip,
         mix(dark, theme.background, ghostly), mix(dark, red, ghostly), true, ghostly > 0.0);
   } else {
+    // Too little: it folds back over the share.
     add(Role::wall_share, arrow.start, arrow.share_end(), dark, dark, true, false);
-    add(Role::ghost_force, arrow.share_end(), tip, theme.background, red, true, true);
+    if (-arrow.ghost >= canvas.points(1.0))
+      add(Role::ghost_force, arrow.share_end(), tip, theme.background, red, true, true);
   }
   canvas.labels.keep_clear(arrow.start, arrow.share_end(), body);
   canvas.labels.keep_clear(arrow.start, tip, body);
