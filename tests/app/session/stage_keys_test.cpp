@@ -5,6 +5,8 @@
 #include <utility>
 #include <variant>
 
+#include <glad/gl.h>
+
 #include "app/session/stage_actions.h"
 #include "tests/app/live/driven_window.h"
 
@@ -111,6 +113,7 @@ TEST_F(StageKeysTest, ShiftSwitchesSlowly) {
 
 // Where the handle is drawn, slowly and at once, two seconds after the key.
 TEST_F(StageKeysTest, SlowMotionIsSeen) {
+  glEnable(GL_RASTERIZER_DISCARD);  // the marks are looked at, and no pixel
   const auto handle_after = [&](int modifiers) {
     press(GLFW_KEY_2);
     frames(60);
