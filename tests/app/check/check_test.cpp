@@ -222,7 +222,7 @@ TEST(Check, RunsBesideItself) {
   at_once({"--report", report}, 1);
   at_once({"--update", "window", "fig1", "panes", "stage"}, 0);
   at_once({"--report", report}, 0);
-  EXPECT_EQ(cases.files().size(), 6U) << "three cases, three goldens";
+  EXPECT_EQ(cases.files().size(), 8U) << "four cases, four goldens";
   EXPECT_EQ(Cases::files_in(report), (std::set<std::string>{"report.html", "junit.xml"}));
 }
 
