@@ -65,9 +65,9 @@ std::string_view warning_of(const LoopReading& loop) {
 
 void StageFace::follow_session(const Session& session, const StageFrame& frame) {
   const bool is_other = std::exchange(scene_, session.scene) != session.scene;
-  // What a device shows is what it does, and what has been is as it was.
-  if (is_other || frame.shown.snapshot.measured || frame.shown.is_past) {
-    transition_.jump_to(frame.shown.settings.active);
+  // What a device shows is what it does.
+  if (is_other || frame.shown.snapshot.measured) {
+    transition_.jump_to(session.settings.active);
   } else {
     transition_.go_to(session.settings.active, session.stage.switches_slowly);
   }
@@ -94,6 +94,9 @@ StageFace::Shown StageFace::shown_in(const Session& session, const StageFrame& f
   const Vector<2> goal = is_live ? session.goal : snapshot.goal;
   const StageBlend blend = transition_.is_running() ? transition_.blend() : stage_blend_of(settings.active);
   Shown shown{settings, stage_moment_between(settings, snapshot, goal, blend)};
+  if (const auto& target = session.measurement.target) {
+    shown.moment = with_target(shown.moment, wall_of(settings), *target);
+  }
   if (session.stage.mode == StageMode::predict && guess_.is_revealing()) shown.moment = guess_.moment(session);
   if (show_.is_on()) {
     StageShow show = show_.shown_instead_of(shown.moment, session);

@@ -28,6 +28,10 @@ struct StageMoment {
 // As the active strategy has it. `goal`: where the hand pulls, which may be newer than the snapshot.
 StageMoment stage_moment(const Settings& settings, const Snapshot& snapshot, const Vector<2>& goal) noexcept;
 
+// The same for a hand that was told to press at a place on the wall: against that its slide is known, whoever holds the
+// handle. Other moments stay as they are.
+StageMoment with_target(const StageMoment& moment, const Wall<2>& wall, const Vector<2>& target) noexcept;
+
 // At rest under a goal that is held still, by closed form.
 StageMoment stage_moment_at_rest(const Settings& settings, const Vector<2>& goal) noexcept;
 

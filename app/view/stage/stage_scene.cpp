@@ -255,7 +255,7 @@ void add_stage_force(const StageLayer& layer) {
 std::optional<SlideRuler> slide_ruler(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   const StageMoment& moment = content.moment;
-  if (moment.is_measured || !moment.in_contact) return std::nullopt;
+  if ((moment.is_measured && !moment.has_target) || !moment.in_contact) return std::nullopt;
   const Vector<2> out = normal_on_screen(content);
   const Vector<2> from = canvas.at(moment.expected_contact) + out * canvas.points(34.0);
   const Vector<2> to = from + to_screen_direction(moment.slide) * canvas.camera.points_per_metre;
