@@ -176,7 +176,12 @@ nlohmann::ordered_json describe_picture(const PictureRequest& request, const Mom
   picture["scene"] = request.scene.title;
   picture["t_s"] = moment.snapshot.time_s;
   picture["strategy"] = strategy(request.scene.settings.active).name;
-  picture["compare"] = compare_name(request.options.compare);
+  if (request.face == Face::stage) {
+    picture["view"] = face_name(request.face);
+    if (request.mode != StageMode::none) picture["mode"] = stage_mode_name(request.mode);
+  } else {
+    picture["compare"] = compare_name(request.options.compare);
+  }
   if (panes.size() == 1) {
     picture.update(describe_pane(panes.front(), corner));
     return picture;

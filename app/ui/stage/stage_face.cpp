@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include <glm/geometric.hpp>
+
 #include "app/session/motor_button.h"
 #include "app/ui/panels/hints.h"
 #include "app/view/stage/landscape_layer.h"
@@ -43,11 +45,17 @@ SceneView view_of_round(const Settings& settings, const Circle& circle) {
   return stage_view_of(settings, goals);
 }
 
-std::optional<StageHint> stage_hint(const Session& session) {
-  if (session.stage.mode != StageMode::none) return std::nullopt;
-  if (points_at(session, HintTarget::goal)) return StageHint::drag;
-  if (points_at(session, HintTarget::third_strategy)) return StageHint::cure;
-  if (points_at(session, HintTarget::motor_axis)) return StageHint::motor;
+// Each only while it is true of the picture; until then it waits.
+std::optional<StageHint> stage_hint(const Session& session, const StageMoment& moment, const StageAudience& audience) {
+  if (session.stage.mode != StageMode::none || audience.looks_back || moment.is_measured) return std::nullopt;
+  if (points_at(session, HintTarget::goal) && audience.can_drag) return StageHint::drag;
+  const bool has_ghost = glm::length(moment.ghost_force) >= least_shown_force;
+  if (points_at(session, HintTarget::third_strategy) && has_ghost &&
+      moment.weights[index_of(StrategyId::naive)] == 1.0) {
+    return StageHint::cure;
+  }
+  const bool has_one_motor = moment.weights[index_of(StrategyId::full)] == 0.0;
+  if (points_at(session, HintTarget::motor_axis) && has_one_motor && session.has_handles) return StageHint::motor;
   return std::nullopt;
 }
 
@@ -144,7 +152,7 @@ const StagePicture& StageFace::compose(const Session& session, const StageFrame&
   content.hovered = pointer_.hovered();
   content.hovered_grip = pointer_.hovered_grip();
   content.has_grips = session.has_handles;
-  content.hint = stage_hint(session);
+  content.hint = stage_hint(session, content.moment, content.audience);
   picture_ = compose_stage(content, memory_, interval_s, std::move(picture_.pane.marks));
   return picture_;
 }
