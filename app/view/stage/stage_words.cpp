@@ -173,10 +173,13 @@ void add_stage_words(const StageLayer& layer) {
   add_force_words(layer);
   add_slide_words(layer);
   add_handle_words(layer);
+  // What a newcomer is asked to do finds room before what there is to know.
+  const bool is_asked_to_turn = layer.content.hint == StageHint::motor;
+  if (is_asked_to_turn) add_motor_words(layer);
   add_share_words(layer);
   add_hand_words(layer);
   add_expectation_words(layer);
-  add_motor_words(layer);
+  if (!is_asked_to_turn) add_motor_words(layer);
   add_wall_words(layer);
 }
 
