@@ -17,6 +17,7 @@
 #include "app/runs/replay_start.h"
 #include "app/session/measurement_guide.h"
 #include "app/session/scene_as_seen.h"
+#include "app/session/stage_actions.h"
 #include "app/ui/plots/plot_export.h"
 #include "app/ui/widgets/save_path.h"
 #include "core/divergence.h"
@@ -40,6 +41,8 @@ Session session_with(const Scene& scene, const ApplicationOptions& options) {
   session.has_handles = true;
   session.folded_panels = options.folded_panels;
   if (options.offers_hints) session.hint = 0;
+  session.face = options.face;
+  if (options.mode != StageMode::none) toggle_stage_mode(session, options.mode);
   return session;
 }
 

@@ -27,6 +27,8 @@ namespace ghostforce {
 struct ApplicationOptions {
   Part part = Part::window;
   Appearance appearance{};
+  Face face = Face::workbench;
+  StageMode mode = StageMode::none;     // of the stage
   std::vector<InputEntry> inputs{};     // all that there are
   std::string input{mouse_hand.name};   // the name of one of them
   FilePainter painter{};                // for what is saved as lines and letters

@@ -16,6 +16,7 @@ void begin_mode(Session& session, StageMode mode) {
   if (mode == StageMode::why) stage.why_step = 1;
   if (mode == StageMode::round && !session.circle_test.is_on) {
     session.circle_test.input_before = session.input;
+    session.circle_test.choice.is_clockwise = makes_energy_clockwise(session.settings);
     session.requests.input = circling_hand.name;
   }
 }

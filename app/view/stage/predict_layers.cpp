@@ -29,8 +29,8 @@ void add_guess(const StageLayer& layer) {
 void add_predict(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   if (!content.guess.is_open) {
-    add_guess(layer);
     add_whole_scene(layer);
+    add_guess(layer);
     return;
   }
   // Where the handle is shall not be seen: the rail lies through the hand, and the spring leads to the guess.

@@ -136,7 +136,7 @@ class Arrangement {
     const StageLetters& all = layout_.letters;
     layout_.number_width = measure_("88.8", all.number).x;
     const double unit_width = points(gap) + measure_("mm", all.unit).x;
-    const double words_width = measure_("ghost force, too weak", all.words).x;
+    const double words_width = measure_("ghost force (too little)", all.words).x;
     layout_.numbers_size = {std::max(layout_.number_width + unit_width, words_width),
                             2.0 * (all.number.height + all.words.height) - points(8.0)};
   }
@@ -177,20 +177,27 @@ std::vector<std::string> broken_into_lines(std::string_view words, double width,
   return lines;
 }
 
-SceneView stage_view_of(const Settings& settings, const Vector<2>& goal) {
+SceneView stage_view_of(const Settings& settings, std::span<const Vector<2>> goals) {
   // Shares of the picture's width, and of three quarters of it.
   constexpr double across = 0.40;
   constexpr double upwards = 0.27;
-  constexpr double least_width = 0.03;  // [m]
-  ScreenBox box{goal, goal};            // of the world
-  box.include(projection(wall_of(settings), goal));
-  for (const PredictedEquilibrium& rest : predicted_equilibria(settings, goal)) {
-    box.include(rest.at.device);
-    box.include(rest.at.proxy);
+  constexpr double least_width = 0.03;          // [m]
+  ScreenBox box{goals.front(), goals.front()};  // of the world
+  for (const Vector<2>& goal : goals) {
+    box.include(goal);
+    box.include(projection(wall_of(settings), goal));
+    for (const PredictedEquilibrium& rest : predicted_equilibria(settings, goal)) {
+      box.include(rest.at.device);
+      box.include(rest.at.proxy);
+    }
   }
   const Vector<2> extent = box.extent();
   return {.center = 0.5 * (box.least + box.most),
           .width = std::max({least_width, extent.x / across, extent.y / upwards})};
+}
+
+SceneView stage_view_of(const Settings& settings, const Vector<2>& goal) {
+  return stage_view_of(settings, std::span(&goal, 1));
 }
 
 Camera stage_camera(const SceneView& shown, const Vector<2>& size, double bottom) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -70,7 +71,8 @@ StageLayout stage_layout(const Vector<2>& size, double scale, const MeasureText&
 std::vector<std::string> broken_into_lines(std::string_view words, double width, const TextStyle& style,
                                            const MeasureText& measure);
 
-// The part of the world with hand, wall, and where all strategies come to rest, under this goal.
+// The part of the world with hand, wall, and where all strategies come to rest, under each of these goals.
+SceneView stage_view_of(const Settings& settings, std::span<const Vector<2>> goals);
 SceneView stage_view_of(const Settings& settings, const Vector<2>& goal);
 
 // Its middle stands a little to the right of and below the window's, clear of the numbers.

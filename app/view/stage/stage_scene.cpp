@@ -242,8 +242,10 @@ void add_stage_force(const StageLayer& layer) {
     add(ghostly > 0.0 ? Role::ghost_force : Role::wall_share, tip - arrow.direction * length, tip,
         mix(dark, theme.background, ghostly), mix(dark, red, ghostly), true, ghostly > 0.0);
   } else {
+    // Too little: it folds back over the share.
     add(Role::wall_share, arrow.start, arrow.share_end(), dark, dark, true, false);
-    add(Role::ghost_force, arrow.share_end(), tip, theme.background, red, true, true);
+    if (-arrow.ghost >= canvas.points(1.0))
+      add(Role::ghost_force, arrow.share_end(), tip, theme.background, red, true, true);
   }
   canvas.labels.keep_clear(arrow.start, arrow.share_end(), body);
   canvas.labels.keep_clear(arrow.start, tip, body);
@@ -253,7 +255,7 @@ void add_stage_force(const StageLayer& layer) {
 std::optional<SlideRuler> slide_ruler(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   const StageMoment& moment = content.moment;
-  if (moment.is_measured || !moment.in_contact) return std::nullopt;
+  if ((moment.is_measured && !moment.has_target) || !moment.in_contact) return std::nullopt;
   const Vector<2> out = normal_on_screen(content);
   const Vector<2> from = canvas.at(moment.expected_contact) + out * canvas.points(34.0);
   const Vector<2> to = from + to_screen_direction(moment.slide) * canvas.camera.points_per_metre;

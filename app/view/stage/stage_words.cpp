@@ -84,6 +84,16 @@ Vector<2> into_the_wall(const StageContent& content) {
 void add_expectation_words(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   const StageMoment& moment = content.moment;
+  if (moment.has_target) {
+    canvas.label(Role::target,
+                 {StageLabel::expected_contact,
+                  {"aim here"},
+                  layout.letters.bold_words,
+                  canvas.at(moment.expected_contact),
+                  canvas.points(7.0),
+                  into_the_wall(content)},
+                 content.theme.text);
+  }
   if (!moment.in_contact || moment.is_measured) return;
   const Vector<2> rest = canvas.at(moment.expected_rest);
   if (glm::distance(rest, canvas.at(moment.handle)) > canvas.points(2.0 * handle_radius)) {
