@@ -19,6 +19,7 @@ void GuessGame::update(Session& session, double interval_s) {
   is_on_ = stage.mode == StageMode::predict;
   if (!is_on_) {
     stage.guess.reset();
+    reveal_s_ = reveal_lasts_s;
     return;
   }
   const bool is_new = !was_on || session.settings != settings_ || session.goal != goal_ || !stage.guess;

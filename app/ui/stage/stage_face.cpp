@@ -18,7 +18,7 @@ bool may_show_itself(const Session& session, const StageFrame& frame) {
   return session.face == Face::stage && session.stage.mode == StageMode::none && session.dialog == Dialog::none &&
          !session.paused && !session.stage.looks_back_to_s && !session.stage.is_black && !session.notice &&
          !frame.loop.recording.is_on && !frame.loop.motors.has_motors && !frame.shown.snapshot.measured &&
-         session.pointer_moves_goal;
+         session.pointer_moves_goal && !session.drags_goal;
 }
 
 // The handle's way on the last turn, thinned out.
@@ -164,7 +164,7 @@ StagePicture StageFace::still(const Session& session, const StageFrame& frame) c
 }
 
 bool StageFace::is_moving() const noexcept {
-  return transition_.is_running() || memory_.is_moving() || show_.is_on() || guess_.is_revealing();
+  return transition_.is_running() || memory_.is_moving() || show_.is_moving() || guess_.is_revealing();
 }
 
 }  // namespace ghostforce
