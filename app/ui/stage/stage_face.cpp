@@ -48,7 +48,7 @@ SceneView view_of_round(const Settings& settings, const Circle& circle) {
 // Each only while it is true of the picture; until then it waits.
 std::optional<StageHint> stage_hint(const Session& session, const StageMoment& moment, const StageAudience& audience) {
   if (session.stage.mode != StageMode::none || audience.looks_back || moment.is_measured) return std::nullopt;
-  if (points_at(session, HintTarget::goal) && audience.can_drag) return StageHint::drag;
+  if (points_at(session, HintTarget::goal) && audience.can_drag && !session.drags_goal) return StageHint::drag;
   const bool has_ghost = glm::length(moment.ghost_force) >= least_shown_force;
   if (points_at(session, HintTarget::third_strategy) && has_ghost &&
       moment.weights[index_of(StrategyId::naive)] == 1.0) {
@@ -125,10 +125,12 @@ StageContent StageFace::content_of(const Session& session, const StageFrame& fra
       .size = frame.size,
       .scale = frame.scale,
       .mode = session.stage.mode,
-      .audience = {.can_drag = session.pointer_moves_goal, .looks_back = frame.shown.is_past},
+      .audience = {.can_drag = session.pointer_moves_goal,
+                   .looks_back = frame.shown.is_past,
+                   .heads_for = shown.settings.active},
       .guess = guess_.guess(session),
       .why_step = session.stage.why_step,
-      .landscape_dial = session.stage.landscape_dial.value_or(std::max(blend.fullness, blend.cure)),
+      .landscape_dial = session.stage.landscape_dial.value_or(blend.cure),
       .looks_back_to_s = session.stage.looks_back_to_s,
       .warning = warning_of(frame.loop)};
   if (frame.loop.motors.has_motors) {

@@ -155,7 +155,7 @@ void add_motor_words(const StageLayer& layer) {
   const std::string words = is_asked_to_turn
                                 ? "turn the motor by its ends"
                                 : "the only motor pushes " + motor_direction_words(content.settings.actuated_angle);
-  const auto ends = stage_grips(content.settings, content.moment, canvas.camera, canvas.unit).motor;
+  const auto ends = stage_grips(content.settings, content.moment, canvas.camera, layout.scene(), canvas.unit).motor;
   const Vector<2> handle = canvas.at(content.moment.handle);
   const Vector<2> end = ends[1].x > ends[0].x ? ends[1] : ends[0];
   const Vector<2> rail = to_screen_direction(direction_at(content.settings.actuated_angle));
