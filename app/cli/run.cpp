@@ -175,34 +175,25 @@ int run(const RunOptions& options) {
   const Clock::time_point began = Clock::now();
   const auto clock_s = [began] { return std::chrono::duration<double>(Clock::now() - began).count(); };
   FramePacer pacer(0.0);
-  const auto wait_for_person = [&](double frame_began_s) {
-    const bool idle = application.is_idle();
-    const bool stirred = window.poll(pacer.wait_s(idle, frame_began_s, clock_s()));
-    pacer.waited(stirred, idle, clock_s());
-  };
-  double last_s = 0.0;  // frame, or look around
-  double last_drawn_s = 0.0;
+  double last_s = 0.0;
+  double drawn_s = 0.0;
   while (!window.should_close()) {
     stop_if_interrupted();
     const double now_s = clock_s();
     if (options.exit_after_s && now_s >= *options.exit_after_s) break;
-    const double interval_s = now_s - std::exchange(last_s, now_s);
-    // A caret blinks while somebody writes.
-    if (application.is_idle() && !application.session().is_editing && pacer.may_sleep(last_drawn_s, now_s) &&
-        !application.has_news()) {
-      application.heartbeat();
-      wait_for_person(now_s);
-      continue;
+    application.update(now_s - std::exchange(last_s, now_s));
+    if (pacer.is_due(drawn_s, now_s) || application.needs_drawing()) {
+      application.draw();
+      drawn_s = now_s;
+      try {
+        // A slow disk keeps this thread, and motors that are on go off without its heartbeat.
+        if (application.report().motors.state == SafetyState::off) keeper.keep(application.session());
+      } catch (const Failure& failure) {
+        application.show_notice(failure.what(), true);
+      }
     }
-    application.frame(interval_s);
-    last_drawn_s = now_s;
-    try {
-      // A slow disk keeps this thread, and motors that are on go off without its heartbeat.
-      if (application.report().motors.state == SafetyState::off) keeper.keep(application.session());
-    } catch (const Failure& failure) {
-      application.show_notice(failure.what(), true);
-    }
-    wait_for_person(now_s);
+    const bool is_stirred = window.poll(pacer.wait_s(application.is_idle(), now_s, clock_s()));
+    pacer.waited(is_stirred, clock_s());
   }
   try {
     keeper.keep(application.session());

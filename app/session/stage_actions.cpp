@@ -52,6 +52,7 @@ constexpr std::array<void (*)(Session&), 9> talk{show_strategy<StrategyId::full>
 void go_to_talk_step(Session& session, int step) {
   if (step < 0 || step >= static_cast<int>(talk.size())) return;
   session.face = Face::stage;
+  session.stage.is_black = false;
   session.stage.talk_step = step;
   talk[static_cast<std::size_t>(step)](session);
 }
@@ -65,6 +66,7 @@ void show_face(Session& session, Face face) {
 
 void toggle_stage_mode(Session& session, StageMode mode) {
   session.face = Face::stage;
+  session.stage.is_black = false;
   if (session.stage.mode == mode) {
     leave_stage_mode(session);
   } else {
@@ -88,6 +90,7 @@ void leave_stage_mode(Session& session) {
 
 void choose_strategy(Session& session, StrategyId id, bool slowly) {
   session.settings.active = id;
+  session.stage.is_black = false;
   session.stage.switches_slowly = slowly;
   session.stage.landscape_dial.reset();
 }

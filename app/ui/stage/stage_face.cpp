@@ -18,7 +18,7 @@ bool may_show_itself(const Session& session, const StageFrame& frame) {
   return session.face == Face::stage && session.stage.mode == StageMode::none && session.dialog == Dialog::none &&
          !session.paused && !session.stage.looks_back_to_s && !session.stage.is_black && !session.notice &&
          !frame.loop.recording.is_on && !frame.loop.motors.has_motors && !frame.shown.snapshot.measured &&
-         session.pointer_moves_goal;
+         session.pointer_moves_goal && !session.drags_goal;
 }
 
 // The handle's way on the last turn, thinned out.
@@ -48,7 +48,7 @@ SceneView view_of_round(const Settings& settings, const Circle& circle) {
 // Each only while it is true of the picture; until then it waits.
 std::optional<StageHint> stage_hint(const Session& session, const StageMoment& moment, const StageAudience& audience) {
   if (session.stage.mode != StageMode::none || audience.looks_back || moment.is_measured) return std::nullopt;
-  if (points_at(session, HintTarget::goal) && audience.can_drag) return StageHint::drag;
+  if (points_at(session, HintTarget::goal) && audience.can_drag && !session.drags_goal) return StageHint::drag;
   const bool has_ghost = glm::length(moment.ghost_force) >= least_shown_force;
   if (points_at(session, HintTarget::third_strategy) && has_ghost &&
       moment.weights[index_of(StrategyId::naive)] == 1.0) {
@@ -73,9 +73,9 @@ std::string_view warning_of(const LoopReading& loop) {
 
 void StageFace::follow_session(const Session& session, const StageFrame& frame) {
   const bool is_other = std::exchange(scene_, session.scene) != session.scene;
-  // What a device shows is what it does, and what has been is as it was.
-  if (is_other || frame.shown.snapshot.measured || frame.shown.is_past) {
-    transition_.jump_to(frame.shown.settings.active);
+  // What a device shows is what it does.
+  if (is_other || frame.shown.snapshot.measured) {
+    transition_.jump_to(session.settings.active);
   } else {
     transition_.go_to(session.settings.active, session.stage.switches_slowly);
   }
@@ -102,6 +102,9 @@ StageFace::Shown StageFace::shown_in(const Session& session, const StageFrame& f
   const Vector<2> goal = is_live ? session.goal : snapshot.goal;
   const StageBlend blend = transition_.is_running() ? transition_.blend() : stage_blend_of(settings.active);
   Shown shown{settings, stage_moment_between(settings, snapshot, goal, blend)};
+  if (const auto& target = session.measurement.target) {
+    shown.moment = with_target(shown.moment, wall_of(settings), *target);
+  }
   if (session.stage.mode == StageMode::predict && guess_.is_revealing()) shown.moment = guess_.moment(session);
   if (show_.is_on()) {
     StageShow show = show_.shown_instead_of(shown.moment, session);
@@ -122,10 +125,12 @@ StageContent StageFace::content_of(const Session& session, const StageFrame& fra
       .size = frame.size,
       .scale = frame.scale,
       .mode = session.stage.mode,
-      .audience = {.can_drag = session.pointer_moves_goal, .looks_back = frame.shown.is_past},
+      .audience = {.can_drag = session.pointer_moves_goal,
+                   .looks_back = frame.shown.is_past,
+                   .heads_for = shown.settings.active},
       .guess = guess_.guess(session),
       .why_step = session.stage.why_step,
-      .landscape_dial = session.stage.landscape_dial.value_or(std::max(blend.fullness, blend.cure)),
+      .landscape_dial = session.stage.landscape_dial.value_or(blend.cure),
       .looks_back_to_s = session.stage.looks_back_to_s,
       .warning = warning_of(frame.loop)};
   if (frame.loop.motors.has_motors) {
@@ -161,7 +166,7 @@ StagePicture StageFace::still(const Session& session, const StageFrame& frame) c
 }
 
 bool StageFace::is_moving() const noexcept {
-  return transition_.is_running() || memory_.is_moving() || show_.is_on() || guess_.is_revealing();
+  return transition_.is_running() || memory_.is_moving() || show_.is_moving() || guess_.is_revealing();
 }
 
 }  // namespace ghostforce

@@ -85,9 +85,10 @@ StagePicture compose_stage(const StageContent& content, StageLabelMemory& memory
     add_buttons(layer);
     if (const auto ribbon = stage_ribbon(layer)) picture.ribbon = {*layout.ribbon, ribbon_axis(*ribbon)};
   }
+  picture.scene = layout.scene();
   picture.pivot = content.moment.handle;
   if (content.has_grips && !is_map) {
-    picture.grips = stage_grips(content.settings, content.moment, camera, layout.unit);
+    picture.grips = stage_grips(content.settings, content.moment, camera, layout.scene(), layout.unit);
   }
   if (is_map) picture.landscape = landscape_layout(stage_landscape(content, camera));
   for (const auto* const buttons : {&layout.strategies, &layout.icons}) {

@@ -46,7 +46,8 @@ struct StageGrips {
   std::array<Vector<2>, 2> motor;
   std::optional<std::array<Vector<2>, 2>> wall;
 };
-StageGrips stage_grips(const Settings& settings, const StageMoment& moment, const Camera& camera, double unit);
+StageGrips stage_grips(const Settings& settings, const StageMoment& moment, const Camera& camera,
+                       const ScreenBox& scene, double unit);
 inline constexpr double stage_grip_reach = 22.0;  // of the pointer round one [points of the design]
 
 // The motors' button.
@@ -89,6 +90,7 @@ struct StagePicture {
   Pane pane{};
   double unit = 1.0;  // a point of the design
   std::vector<StageButton> buttons{};
+  ScreenBox scene{};                           // where a hand can be seen
   Vector<2> pivot{0.0};                        // that the motor's rail turns about [m]
   std::optional<StageGrips> grips{};           // empty: nothing can be turned
   std::optional<LandscapeLayout> landscape{};  // empty: there is no map

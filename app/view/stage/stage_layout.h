@@ -58,6 +58,7 @@ struct StageLayout {
   // Between them lies the scene.
   double top = 0.0;
   double bottom = 0.0;
+  ScreenBox scene() const noexcept { return {{0.0, top}, {size.x, bottom}}; }
 };
 
 struct StageFrameWords {

@@ -212,6 +212,7 @@ void add_numbers(const StageLayer& layer) {
   const auto found = canvas.labels.place_block(StageLabel::numbers, layout.numbers_size, places_for_numbers(layout));
   if (!found) return;
   const bool is_known = !moment.is_measured;
+  const bool knows_slide = is_known || moment.has_target;
   const double ghost = signed_ghost_force(moment);
   const std::string_view ghost_words = !is_known                     ? "ghost force: unknown"
                                        : ghost <= -least_shown_force ? "ghost force (too little)"
@@ -219,8 +220,8 @@ void add_numbers(const StageLayer& layer) {
   add_number(layer, {is_known ? force_number(ghost) : "", "N", ghost_words}, found->box.least, found->strength);
   const Vector<2> below(0.0, 0.5 * (layout.numbers_size.y + 8.0 * layout.unit));
   add_number(layer,
-             {is_known ? slide_number(glm::length(moment.slide)) : "", "mm",
-              is_known ? "slid along the wall" : "slide: unknown"},
+             {knows_slide ? slide_number(glm::length(moment.slide)) : "", "mm",
+              knows_slide ? "slid along the wall" : "slide: unknown"},
              found->box.least + below, found->strength);
 }
 
