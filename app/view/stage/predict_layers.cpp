@@ -21,7 +21,8 @@ void add_guess(const StageLayer& layer) {
                 {guess.is_open ? "your guess: drag me" : "your guess"},
                 layout.letters.bold_words,
                 at,
-                radius,
+                at,
+                radius + canvas.width(2.0),
                 Vector<2>(-0.4, -1.0)},
                theme.accent);
 }

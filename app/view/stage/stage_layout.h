@@ -13,6 +13,7 @@
 #include "app/view/camera.h"
 #include "app/view/screen_box.h"
 #include "app/view/stage/face.h"
+#include "app/view/stage/stage_lines.h"
 #include "app/view/stage/stage_mode.h"
 #include "app/view/view.h"
 #include "core/scene.h"
@@ -57,6 +58,10 @@ struct StageLayout {
   // Between them lies the scene.
   double top = 0.0;
   double bottom = 0.0;
+
+  // Where blocks of words may stand, and the best place for the two numbers: right below the sentence.
+  ScreenBox room() const { return {Vector<2>(10.0 * unit), {size.x - 10.0 * unit, bottom - 6.0 * unit}}; }
+  Vector<2> numbers_corner() const { return {margin, sentence_box.most.y + 6.0 * unit}; }
 };
 
 struct StageFrameWords {
@@ -65,10 +70,6 @@ struct StageFrameWords {
   bool has_full = true;       // the strategy with every motor can be chosen
 };
 StageLayout stage_layout(const Vector<2>& size, double scale, const MeasureText& measure, const StageFrameWords& words);
-
-// Breaks words into lines that are no wider, where that can be.
-std::vector<std::string> broken_into_lines(std::string_view words, double width, const TextStyle& style,
-                                           const MeasureText& measure);
 
 // The part of the world with hand, wall, and where all strategies come to rest, under this goal.
 SceneView stage_view_of(const Settings& settings, const Vector<2>& goal);
