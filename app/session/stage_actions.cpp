@@ -102,8 +102,10 @@ void act_on_stage(Session& session, const StageAction& action, const MotorReport
     toggle_stage_mode(session, *mode);
   } else if (const auto* const face = std::get_if<Face>(&action)) {
     show_face(session, *face);
-  } else if (action == StageAction(StageHelp::motors)) {
+  } else if (action == StageAction(StageCommand::motors)) {
     press_safety_button(session, motors);
+  } else if (action == StageAction(StageCommand::next)) {
+    confirm_on_stage(session);
   } else {
     session.dialog = Dialog::help;
   }

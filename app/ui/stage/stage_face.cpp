@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/session/motor_button.h"
+#include "app/session/stage_actions.h"
 #include "app/ui/panels/hints.h"
 #include "app/view/stage/landscape_layer.h"
 
@@ -57,6 +58,25 @@ std::optional<StageHint> stage_hint(const Session& session, const StageMoment& m
   const bool has_one_motor = moment.weights[index_of(StrategyId::full)] == 0.0;
   if (points_at(session, HintTarget::motor_axis) && has_one_motor && session.has_handles) return StageHint::motor;
   return std::nullopt;
+}
+
+// The motors' comes first; else what there is to do next, or the way back out of a mode.
+std::optional<StageCornerButton> corner_button(const Session& session, const MotorReport& motors,
+                                               const StageGuess& guess, bool is_revealing) {
+  if (motors.has_motors) {
+    return StageCornerButton{StageCommand::motors, safety_words(motors), motors.state != SafetyState::off};
+  }
+  const StageChoice& stage = session.stage;
+  if (stage.mode == StageMode::none) return std::nullopt;
+  if (stage.mode == StageMode::predict) {
+    const std::string_view words = guess.is_open  ? "Enter: show me"
+                                   : is_revealing ? "Enter: skip"
+                                                  : "Enter: guess again";
+    return StageCornerButton{StageCommand::next, std::string(words)};
+  }
+  const bool has_more = session.settings.active != StrategyId::full && stage.why_step < last_why_step;
+  if (stage.mode == StageMode::why && has_more) return StageCornerButton{StageCommand::next, "Enter: next step"};
+  return StageCornerButton{stage.mode, "Esc: back"};
 }
 
 // What is not as it should be comes before what there is to see.
@@ -133,9 +153,7 @@ StageContent StageFace::content_of(const Session& session, const StageFrame& fra
       .landscape_dial = session.stage.landscape_dial.value_or(blend.cure),
       .looks_back_to_s = session.stage.looks_back_to_s,
       .warning = warning_of(frame.loop)};
-  if (frame.loop.motors.has_motors) {
-    content.motors = StageMotors{safety_words(frame.loop.motors), frame.loop.motors.state != SafetyState::off};
-  }
+  content.corner = corner_button(session, frame.loop.motors, content.guess, guess_.is_revealing());
   if (session.stage.mode == StageMode::ribbon) content.moments = &frame.history.moments();
   if (session.stage.mode == StageMode::round && frame.loop.circle) {
     const CircleReading& reading = *frame.loop.circle;

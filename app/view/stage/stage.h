@@ -50,10 +50,11 @@ StageGrips stage_grips(const Settings& settings, const StageMoment& moment, cons
                        const ScreenBox& scene, double unit);
 inline constexpr double stage_grip_reach = 22.0;  // of the pointer round one [points of the design]
 
-// The motors' button.
-struct StageMotors {
+// A button of its own at the end of the row: what there is to do next, or the motors'.
+struct StageCornerButton {
+  StageAction action = StageCommand::keys;
   std::string words;
-  bool is_on = false;  // they may push
+  bool is_alarming = false;  // motors may push
 };
 
 struct StageContent {
@@ -77,8 +78,8 @@ struct StageContent {
   double landscape_dial = 0.0;
   const MomentHistory* moments = nullptr;   // of the ribbon; null: there is none
   std::optional<double> looks_back_to_s{};  // its cursor [s]
-  std::optional<StageMotors> motors{};      // empty: there are none
-  std::string_view warning{};               // what must be said instead of the sentence; may be empty
+  std::optional<StageCornerButton> corner{};
+  std::string_view warning{};  // what must be said instead of the sentence; may be empty
 };
 
 // The picture, and what of it a person can take hold of.

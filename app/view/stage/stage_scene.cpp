@@ -60,6 +60,7 @@ void add_chevron(const StageCanvas& canvas_in, const Vector<2>& tip, const Vecto
   const Vector<2> back = tip - direction * canvas.points(chevron);
   canvas.curve(Role::motor_axis, {back + across * canvas.points(chevron), tip, back - across * canvas.points(chevron)},
                canvas.width(4.0), colour);
+  canvas.labels.keep_clear(back, back, canvas.points(chevron) + canvas.width(2.0), Clearance::if_possible);
 }
 
 }  // namespace
@@ -95,7 +96,7 @@ void add_stage_wall(const StageLayer& layer) {
     canvas.line(Role::hatching, foot - along * reach, foot + along * reach, canvas.points(2.5), quiet);
   }
   canvas.line(Role::wall, edge - along * reach, edge + along * reach, canvas.width(5.0), theme.wall_edge);
-  canvas.labels.keep_clear(edge - along * reach, edge + along * reach, canvas.width(2.5));
+  canvas.labels.keep_clear(edge - along * reach, edge + along * reach, canvas.width(2.5), Clearance::if_possible);
   if (!content.has_grips) return;
   if (const auto grips =
           stage_grips(content.settings, content.moment, canvas.camera, layout.scene(), canvas.unit).wall) {
@@ -122,7 +123,7 @@ void add_rail(const StageLayer& layer) {
     add_chevron(canvas, piece[0] - along * canvas.points(14.0), -along, ends);
     add_chevron(canvas, piece[1] + along * canvas.points(14.0), along, ends);
     canvas.labels.keep_clear(piece[0] - along * canvas.points(14.0), piece[1] + along * canvas.points(14.0),
-                             canvas.points(7.0));
+                             canvas.points(7.0), Clearance::if_possible);
   };
   add(rail_ends(content.settings, content.moment, canvas.camera, canvas.unit));
   if (fullness <= 0.0) return;
@@ -140,7 +141,7 @@ void add_expectations(const StageLayer& layer) {
   const Vector<2> foot = canvas.at(moment.expected_contact);
   const Vector<2> goal = canvas.at(moment.goal);
   canvas.line(Role::expected_contact, goal, foot, canvas.width(2.0), theme.faint_text, {2.0, 6.0, 2.0, 6.0});
-  canvas.labels.keep_clear(goal, foot, canvas.width(1.0));
+  canvas.labels.keep_clear(goal, foot, canvas.width(1.0), Clearance::if_possible);
   // Under the handle there is nothing to see of it.
   const Vector<2> rest = canvas.at(moment.expected_rest);
   const double apart = glm::distance(rest, canvas.at(moment.handle));
@@ -257,7 +258,7 @@ void add_stage_force(const StageLayer& layer) {
   }
   canvas.labels.keep_clear(arrow.start, arrow.share_end(), body);
   canvas.labels.keep_clear(arrow.start, tip, body);
-  canvas.labels.keep_clear(tip - arrow.direction * body, tip, 1.2 * body);
+  canvas.labels.keep_clear(tip - arrow.direction * body, tip, 1.3 * body);
 }
 
 std::optional<SlideRuler> slide_ruler(const StageLayer& layer) {

@@ -104,7 +104,7 @@ void add_why(const StageLayer& layer) {
     if (step < from_step) return;
     const TextStyle& style = is_bold ? layout.letters.bold_words : layout.letters.words;
     canvas.label(role,
-                 {id, broken_into_lines(said, 0.5 * layout.size.x, style, content.measure), style, anchor,
+                 {id, broken_into_lines(said, 0.5 * layout.size.x, style, content.measure), style, anchor, anchor,
                   canvas.points(14.0), side},
                  colour);
   };
