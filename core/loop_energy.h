@@ -54,6 +54,12 @@ inline Circle circle_inside(const Wall<2>& wall, const Vector<2>& near, const Ci
   return circle;
 }
 
+// The sense in which a loop of the naïve device takes energy out of the wall: W of energy_per_loop() is positive.
+inline bool makes_energy_clockwise(const Settings& settings) noexcept {
+  const double theta = settings.actuated_angle - settings.wall_normal_angle;
+  return std::sin(theta) * std::cos(theta) > 0.0;
+}
+
 // By energy_per_loop(), of a strategy whose device goes round such an area; 0 where it has every motor [J].
 double predicted_energy(const Strategy& strategy, const Settings& settings, double area) noexcept;
 

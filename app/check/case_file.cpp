@@ -4,6 +4,7 @@
 #include <array>
 #include <cerrno>
 #include <filesystem>
+#include <span>
 #include <system_error>
 #include <utility>
 
@@ -121,6 +122,11 @@ void read_text(ReadCase& into, std::vector<ReadProblem>& problems) {
       }
     };
   };
+  const auto refuse_on_stage = [&request](const TomlValue& value) {
+    if (request.face != Face::stage) return;
+    value.refuse("on the stage there is one strategy at a time",
+                 "name one with strategy, or leave view = \"stage\" out");
+  };
   const auto origin = [&](std::string GoldenOrigin::*member) {
     return [&summary, member](const TomlValue& value) { (*summary.origin).*member = value.text().value_or(""); };
   };
@@ -153,12 +159,25 @@ void read_text(ReadCase& into, std::vector<ReadProblem>& problems) {
        }},
       {"", "part",
        [&](const TomlValue& value) { request.part = value.word(parts) == 1U ? Part::scene : Part::window; }},
+      {"", "view",
+       catalog_entry(std::span<const FaceEntry>(face_catalog),
+                     [&](const FaceEntry& entry) { request.face = entry.id; })},
+      {"", "mode",
+       [&](const TomlValue& value) {
+         catalog_entry(stage_mode_catalog(), [&](const StageModeEntry& mode) { request.mode = mode.id; })(value);
+         if (request.face == Face::workbench) value.refuse("belongs to the stage", "give view = \"stage\" too");
+       }},
       {"", "strategy",
        [&](const TomlValue& value) {
-         if (const auto word = value.word(strategies)) apply_strategy_word(strategies[*word], request);
+         const auto word = value.word(strategies);
+         if (word) apply_strategy_word(strategies[*word], request);
+         if (word && strategies[*word] == every_strategy) refuse_on_stage(value);
        }},
       {"", "compare",
-       catalog_entry(compare_catalog(), [&](const CompareMode& mode) { request.options.compare = mode.id; })},
+       [&](const TomlValue& value) {
+         catalog_entry(compare_catalog(), [&](const CompareMode& mode) { request.options.compare = mode.id; })(value);
+         refuse_on_stage(value);
+       }},
       {"", "theme", catalog_entry(theme_catalog(), [&](const Theme& theme) { request.appearance.theme = &theme; })},
       {"", "scale", number_into(request.appearance.scale, {Appearance::least_scale, Appearance::greatest_scale})},
       {"", "set", nullptr},  // with the scene

@@ -18,6 +18,7 @@
 #include "app/cli/picture_options.h"
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
+#include "app/console/quoted.h"
 #include "app/console/words.h"
 #include "app/doctor/diagnosis.h"
 #include "app/files/run_reader.h"
@@ -43,6 +44,7 @@ struct RunOptions {
   SceneOptions scene;
   PictureOptions picture;
   std::string input{mouse_hand.name};
+  std::optional<std::string> goal_mm;  // empty: the scene's last waypoint
   std::optional<std::string> record;
   FalconSetUp falcon;
   std::string shader_folder;
@@ -62,12 +64,15 @@ class Keeper {
     if (now.appearance.theme != seen_.appearance.theme) kept_.appearance.theme = now.appearance.theme;
     if (now.appearance.scale != seen_.appearance.scale) kept_.appearance.scale = now.appearance.scale;
     if (!now.offers_hints && seen_.offers_hints) kept_.offers_hints = false;
+    if (now.face != seen_.face) kept_.face = now.face;
     seen_ = now;
     save(kept_);
   }
 
  private:
-  static Preferences seen_in(const Session& session) { return {session.appearance, session.hint.has_value()}; }
+  static Preferences seen_in(const Session& session) {
+    return {session.appearance, session.hint.has_value(), session.face};
+  }
 
   Preferences kept_;
   Preferences seen_;
@@ -110,10 +115,23 @@ Scene scene_for(const RunOptions& options, const std::optional<Run>& recording) 
   return read_scene(scene_text(*recording->scene), options.input, options.scene.overrides);
 }
 
+// Where the hand of a person is at first, and after a reset.
+void apply_goal(const RunOptions& options, Scene& scene) {
+  if (!options.goal_mm) return;
+  const Vector<2> goal = position_from_mm("--goal-mm", *options.goal_mm);
+  if (options.input == scripted_hand.name || options.input.starts_with(replay_begins())) {
+    throw Failure(ExitCode::wrong_call,
+                  fmt::format("--goal-mm is for a hand of your own, and --input {} brings one: leave one of them out",
+                              quoted_text(options.input, longest_path)));
+  }
+  scene.goal.points.back() = goal;
+}
+
 int run(const RunOptions& options) {
   const std::optional<Run> recording = load_recording(options);
   Scene scene = scene_for(options, recording);
   options.picture.apply_strategy(scene);
+  apply_goal(options, scene);
   const std::optional<FirmwareImage> firmware = options.falcon.read_firmware_file();
   if (firmware) say("{}\n", firmware_words(firmware));
   InputOptions input_options = options.falcon.input_options(firmware);
@@ -121,6 +139,7 @@ int run(const RunOptions& options) {
     input_options.recorded_hand = std::make_shared<const GoalPath>(goal_path_of(*recording, scene.settings.rate));
   }
   StoredPreferences stored = load_preferences();
+  const Face face = options.picture.face_or(stored.preferences.face);
   Appearance appearance = stored.preferences.appearance;
   options.picture.apply_appearance(appearance);
   const auto scaled = [&](int points) { return static_cast<int>(std::lround(points * appearance.scale)); };
@@ -132,6 +151,8 @@ int run(const RunOptions& options) {
   Application application(
       window, scene,
       {.appearance = appearance,
+       .face = face,
+       .mode = options.picture.stage_mode(),
        .inputs = desktop_inputs(options.falcon.cable()),
        .input = std::string(recording ? replay_kind.name : std::string_view(options.input)),
        .painter = cairo_file_painter(),
@@ -154,34 +175,25 @@ int run(const RunOptions& options) {
   const Clock::time_point began = Clock::now();
   const auto clock_s = [began] { return std::chrono::duration<double>(Clock::now() - began).count(); };
   FramePacer pacer(0.0);
-  const auto wait_for_person = [&](double frame_began_s) {
-    const bool idle = application.is_idle();
-    const bool stirred = window.poll(pacer.wait_s(idle, frame_began_s, clock_s()));
-    pacer.waited(stirred, idle, clock_s());
-  };
-  double last_s = 0.0;  // frame, or look around
-  double last_drawn_s = 0.0;
+  double last_s = 0.0;
+  double drawn_s = 0.0;
   while (!window.should_close()) {
     stop_if_interrupted();
     const double now_s = clock_s();
     if (options.exit_after_s && now_s >= *options.exit_after_s) break;
-    const double interval_s = now_s - std::exchange(last_s, now_s);
-    // A caret blinks while somebody writes.
-    if (application.is_idle() && !application.session().is_editing && pacer.may_sleep(last_drawn_s, now_s) &&
-        !application.has_news()) {
-      application.heartbeat();
-      wait_for_person(now_s);
-      continue;
+    application.update(now_s - std::exchange(last_s, now_s));
+    if (pacer.is_due(drawn_s, now_s) || application.needs_drawing()) {
+      application.draw();
+      drawn_s = now_s;
+      try {
+        // A slow disk keeps this thread, and motors that are on go off without its heartbeat.
+        if (application.report().motors.state == SafetyState::off) keeper.keep(application.session());
+      } catch (const Failure& failure) {
+        application.show_notice(failure.what(), true);
+      }
     }
-    application.frame(interval_s);
-    last_drawn_s = now_s;
-    try {
-      // A slow disk keeps this thread, and motors that are on go off without its heartbeat.
-      if (application.report().motors.state == SafetyState::off) keeper.keep(application.session());
-    } catch (const Failure& failure) {
-      application.show_notice(failure.what(), true);
-    }
-    wait_for_person(now_s);
+    const bool is_stirred = window.poll(pacer.wait_s(application.is_idle(), now_s, clock_s()));
+    pacer.waited(is_stirred, clock_s());
   }
   try {
     keeper.keep(application.session());
@@ -229,6 +241,10 @@ std::function<int()> attach_run(CLI::App& command, FileOptions& files) {
                                "Record every tick, from the first, to this CSV file, which must not exist yet")
                    ->type_name("FILE")
                    ->check(refuse_standard_output));
+  command
+      .add_option("--goal-mm", options->goal_mm,
+                  "Where your hand is at first, in mm: it rests there; default: the scene's last waypoint")
+      ->type_name("X,Y");
   options->picture.attach(command, false);
   options->falcon.attach(command, files);
   command.add_flag("--no-hints", options->no_hints, "No hints for newcomers in this run");
@@ -240,12 +256,14 @@ std::function<int()> attach_run(CLI::App& command, FileOptions& files) {
       ->type_name("S")
       ->check(number_between(0.0, longest_s, "s"));
   command.footer(
-      "Drag anywhere in the scene: the goal of your hand follows.\n"
-      "Keys: 1 2 3 strategy, 0 compare, Space pause, F1 all others.\n"
+      "Drag anywhere in the scene: your hand follows.\n"
+      "Keys: 1 2 3 strategy, F4 stage or workbench, Space pause, F1 all others.\n"
       "\n"
       "Examples:\n"
       "  ghostforce run\n"
       "  ghostforce run fig1 --strategy anisotropic --theme projector --scale 1.5\n"
+      "  ghostforce run --goal-mm=25,-10 --mode why\n"
+      "  ghostforce run --view workbench\n"
       "  ghostforce run my_scene.toml --input script\n"
       "  ghostforce run --record visit.csv\n"
       "  ghostforce run --input replay:visit.csv");

@@ -24,9 +24,16 @@ void SpaceMouseInputLink::fill(LoopReading& reading) const {
   reading.draw_input = [this](const PanelContext& context) { draw_spacemouse(context, reading_); };
 }
 
-bool SpaceMouseInputLink::has_news() {
+void SpaceMouseInputLink::look() {
   const SpaceMouseReading& now = input_.reading();
-  return now.trouble != reading_.trouble || now.connection != reading_.connection || now.reports != reading_.reports;
+  has_news_ = has_news_ || now.trouble != reading_.trouble || now.connection != reading_.connection ||
+              now.reports != reading_.reports;
+  reading_ = now;
+}
+
+void SpaceMouseInputLink::send(Session& session, double /*interval_s*/) {
+  input_.set(session.spacemouse);
+  has_news_ = false;
 }
 
 }  // namespace ghostforce

@@ -13,15 +13,16 @@ class SpaceMouseInputLink final : public InputLink {
  public:
   SpaceMouseInputLink(SpaceMouseInput& input, const Scene&, const InputOptions&) : input_(input) {}
 
-  void look() override { reading_ = input_.reading(); }
+  void look() override;
   void fill(LoopReading& reading) const override;
-  void send(Session& session, double /*interval_s*/) override { input_.set(session.spacemouse); }
-  bool has_news() override;
+  void send(Session& session, double interval_s) override;
+  bool has_news() const noexcept override { return has_news_; }
   EndOfVisit end() const override { return end_with(reading_.trouble); }
 
  private:
   SpaceMouseInput& input_;
   SpaceMouseReading reading_;
+  bool has_news_ = false;
 };
 
 }  // namespace ghostforce

@@ -17,6 +17,7 @@
 #include "app/runs/replay_start.h"
 #include "app/session/measurement_guide.h"
 #include "app/session/scene_as_seen.h"
+#include "app/session/stage_actions.h"
 #include "app/ui/plots/plot_export.h"
 #include "app/ui/widgets/save_path.h"
 #include "core/divergence.h"
@@ -27,6 +28,12 @@ namespace {
 
 constexpr double news_last_s = 6.0;  // problems stay until they are dismissed
 
+// Model time in the status bar, ticks a second and ticks that came late change all the time: they can wait.
+constexpr double counts_last_s = 1.0;
+constexpr double paused_counts_last_s = 5.0;
+// What appears on the screen is measured in one frame and put in its place in the next.
+constexpr int settling_frames = 3;
+
 Session session_with(const Scene& scene, const ApplicationOptions& options) {
   Session session = session_of(scene);
   session.appearance = options.appearance;
@@ -34,6 +41,8 @@ Session session_with(const Scene& scene, const ApplicationOptions& options) {
   session.has_handles = true;
   session.folded_panels = options.folded_panels;
   if (options.offers_hints) session.hint = 0;
+  session.face = options.face;
+  if (options.mode != StageMode::none) toggle_stage_mode(session, options.mode);
   return session;
 }
 
@@ -146,7 +155,13 @@ TickState<2> Application::start_state() {
 }
 
 void Application::frame(double interval_s) {
+  update(interval_s);
+  draw();
+}
+
+void Application::update(double interval_s) {
   clock_s_ += interval_s;
+  interval_s_ = interval_s;
   take_samples();
   report_ = servo_->newest();
   if (recording_) {
@@ -161,16 +176,44 @@ void Application::frame(double interval_s) {
     report_.snapshot = snapshot_of(coefficients_of(session_.settings), command_.restart_state);
   }
   follow_measurement(session_, report_.snapshot, report_.motors);
-  if (shader_watch_) shader_watch_->look(screen_.painter(), clock_s_);
-  screen_.draw(session_, shown(), history_, reading(), interval_s);
-  looking_back_.follow(session_, report_.snapshot, history_.moments());
-  handle_requests();
-  undo_.note({session_.scene, session_.settings}, session_.is_editing || is_measuring(session_));
+  if (shader_watch_ && shader_watch_->look(screen_.painter(), clock_s_)) frames_to_settle_ = settling_frames;
   if (session_.notice && !session_.notice->is_problem) {
     session_.notice->age_s += interval_s;
     if (session_.notice->age_s > news_last_s) session_.notice.reset();
   }
-  send(interval_s);
+  screen_.wait(session_, interval_s);
+  heartbeat();
+}
+
+VisibleState Application::visible() const {
+  return visible_state(session_, shown(), history_.moments(), report_.snapshot.time_s, reading());
+}
+
+bool Application::has_changed() const {
+  if (!drawn_ || link_->has_news()) return true;
+  double points_per_metre = 1.0;
+  for (const Pane& pane : screen_.panes()) points_per_metre = std::max(points_per_metre, pane.camera.points_per_metre);
+  return looks_other(*drawn_, visible(), points_per_metre);
+}
+
+bool Application::needs_drawing() const {
+  // A caret blinks while somebody writes, and a button that is held may go on counting.
+  if (session_.is_editing && !session_.drags_goal) return true;
+  const bool has_counts = session_.face == Face::workbench;
+  const bool is_old = has_counts && clock_s_ - drawn_at_s_ >= (session_.paused ? paused_counts_last_s : counts_last_s);
+  return is_old || frames_to_settle_ > 0 || screen_.is_moving(session_) || has_changed();
+}
+
+void Application::draw() {
+  // What is changed within the frame, some of it shows and some does not: it is a reason for another one.
+  frames_to_settle_ = has_changed() ? settling_frames : std::max(0, frames_to_settle_ - 1);
+  drawn_ = visible();
+  drawn_at_s_ = clock_s_;
+  screen_.draw(session_, shown(), history_, reading(), interval_s_);
+  looking_back_.follow(session_, report_.snapshot, history_.moments());
+  handle_requests();
+  undo_.note({session_.scene, session_.settings}, session_.is_editing || is_measuring(session_));
+  send();
 }
 
 LoopReading Application::reading() const {
@@ -199,8 +242,8 @@ void Application::take_samples() {
   }
 }
 
-void Application::send(double interval_s) {
-  link_->send(session_, interval_s);
+void Application::send() {
+  link_->send(session_, interval_s_);
   if (session_.settings != sent_settings_) {
     ++command_.settings_generation;
     sent_settings_ = session_.settings;
@@ -228,14 +271,6 @@ void Application::heartbeat() {
   copy_motor_requests();
   ++command_.heartbeats;
   servo_->send(command_);
-}
-
-bool Application::has_news() {
-  if ((recording_ && recording_->progress().error != 0) || link_->has_news()) return true;
-  const ServoReport& now = servo_->newest();
-  return now.snapshot.tick != report_.snapshot.tick || now.restarts != report_.restarts ||
-         now.refused_commands != report_.refused_commands || now.diverged != report_.diverged ||
-         mode_of(now.realtime) != mode_of(report_.realtime);
 }
 
 void Application::show_notice(std::string words, bool is_problem) {

@@ -11,6 +11,7 @@
 
 #include "app/live/input_link.h"
 #include "app/live/looking_back.h"
+#include "app/live/visible_state.h"
 #include "app/paint/file_painter.h"
 #include "app/runs/recording.h"
 #include "app/session/session.h"
@@ -26,6 +27,8 @@ namespace ghostforce {
 struct ApplicationOptions {
   Part part = Part::window;
   Appearance appearance{};
+  Face face = Face::workbench;
+  StageMode mode = StageMode::none;     // of the stage
   std::vector<InputEntry> inputs{};     // all that there are
   std::string input{mouse_hand.name};   // the name of one of them
   FilePainter painter{};                // for what is saved as lines and letters
@@ -57,21 +60,25 @@ class Application {
   const History& history() const noexcept { return history_; }
   const ServoReport& report() const noexcept { return report_; }
 
-  // One frame. `interval_s`: real time since the frame before.
-  void frame(double interval_s);
+  // Takes what servo and input have made since the last time and tells the servo that the window is alive. Often, whether
+  // a frame is drawn or not. `interval_s`: real time since the last call.
+  void update(double interval_s);
 
-  // Instead of a frame, where nothing is to be drawn: the servo learns that the window is alive.
-  void heartbeat();
+  // Something that can be seen is other than in the last frame, or moves by itself. What the person does to the window is
+  // not known here.
+  bool needs_drawing() const;
+
+  // Shows what the last update() has found, and does what the person asked for.
+  void draw();
+
+  // Both.
+  void frame(double interval_s);
 
   // Tells the person something at the next frame.
   void show_notice(std::string words, bool is_problem);
 
-  // Nothing would change on screen until the person does something.
-  bool is_idle() const noexcept { return session_.paused && !session_.notice && !shader_watch_ && link_->is_idle(); }
-
-  // The servo or its input reports something else than what the last frame showed, or a recording ended. The servo's
-  // counts of ticks that came late and of ticks per second are no news: they can wait.
-  bool has_news();
+  // Time stands still: there will be something to draw when the person does something, and else hardly ever.
+  bool is_idle() const { return session_.paused && link_->is_idle() && !needs_drawing(); }
 
   // Returns what to tell the person; empty where nothing was being recorded.
   std::string end_recording();
@@ -88,7 +95,11 @@ class Application {
 
  private:
   void take_samples();
-  void send(double interval_s);
+  VisibleState visible() const;
+  // Since the last frame.
+  bool has_changed() const;
+  void send();
+  void heartbeat();
   void copy_motor_requests();
   void handle_requests();
   // A scene, or a recording to be replayed.
@@ -124,7 +135,11 @@ class Application {
   ServoReport report_;
   Screen screen_;
   std::optional<ShaderWatch> shader_watch_;
-  double clock_s_ = 0.0;  // sum of the frames' intervals
+  double clock_s_ = 0.0;     // sum of the intervals
+  double interval_s_ = 0.0;  // the newest
+  std::optional<VisibleState> drawn_;
+  double drawn_at_s_ = 0.0;   // by that clock
+  int frames_to_settle_ = 0;  // that follow a change
 };
 
 }  // namespace ghostforce

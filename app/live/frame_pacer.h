@@ -1,5 +1,5 @@
-// FramePacer: when a window draws again. Displays without vertical sync would otherwise draw as fast as they can, and a
-// window in which nothing moves has nothing to show. Told the time, by any clock that does not go back [s]. UI thread.
+// FramePacer: how long a window waits for the person between two looks at what there is to draw. Displays without vertical
+// sync would otherwise draw as fast as they can. Told the time, by any clock that does not go back [s]. UI thread.
 #pragma once
 
 #include <algorithm>
@@ -10,28 +10,27 @@ class FramePacer {
  public:
   explicit FramePacer(double now_s) : last_stir_s_(now_s) {}
 
-  // How long to wait for the person, after a frame or a look around that began then. `idle`: nothing moves by itself.
+  // A frame is due because the person has just done something, though nothing else is known to have changed: ImGui may
+  // not have taken all of it in, and what waits for a pointer to rest is still to come. `drawn_s`: the newest frame.
+  bool is_due(double drawn_s, double now_s) const noexcept {
+    return frames_to_settle_ > 0 || (now_s - last_stir_s_ <= stirred_s && now_s - drawn_s >= rest_look_s);
+  }
+
+  // How long to wait for the person, after a look that began then. `idle`: nothing goes on by itself.
   double wait_s(bool idle, double began_s, double now_s) const noexcept {
-    const double interval_s = idle && frames_to_settle_ == 0 ? look_s : frame_s;
+    const double interval_s = idle && frames_to_settle_ == 0 ? rest_look_s : frame_s;
     return std::max(0.0, interval_s - (now_s - began_s));
   }
 
   // After that wait; `stirred`: the person or the desktop did something with the window.
-  void waited(bool stirred, bool idle, double now_s) noexcept {
+  void waited(bool stirred, double now_s) noexcept {
     frames_to_settle_ = stirred ? settling_frames : std::max(0, frames_to_settle_ - 1);
-    if (stirred || !idle) last_stir_s_ = now_s;
-  }
-
-  // Nothing has happened for so long that even what waits for a pointer to rest has come, and what is on the screen is
-  // not old: an idle window need not draw.
-  bool may_sleep(double last_drawn_s, double now_s) const noexcept {
-    return now_s - last_stir_s_ > stirred_s && now_s - last_drawn_s < oldest_s;
+    if (stirred) last_stir_s_ = now_s;
   }
 
   static constexpr double frame_s = 1.0 / 60.0;
-  static constexpr double look_s = 0.1;     // how long news waits at most
-  static constexpr double stirred_s = 1.5;  // until a word of explanation is there
-  static constexpr double oldest_s = 5.0;   // of the status bar's counts
+  static constexpr double rest_look_s = 0.1;  // how long news waits at most
+  static constexpr double stirred_s = 1.5;    // until a word of explanation is there
   // ImGui takes what comes in at once apart, one event a frame.
   static constexpr int settling_frames = 6;
 

@@ -39,7 +39,7 @@ class InputLink {
   // Each sample of the run that is on the screen, in their order.
   virtual void add(const Snapshot& /*snapshot*/) {}
 
-  // At the beginning of a frame: what the input knows by now.
+  // Often, whether a frame is drawn or not: what the input knows by now.
   virtual void look() {}
 
   // What of that the screen shows; everything that is not the input's is in the reading already.
@@ -48,11 +48,11 @@ class InputLink {
   // At the end of a frame, before the session goes to the servo: what the input is told. `interval_s`: of real time.
   virtual void send(Session& /*session*/, double /*interval_s*/) {}
 
-  // What the screen shows of the input is still so while the person does nothing and time is paused.
+  // Nothing comes from the input while the person does nothing and time is paused: it need not be looked at often.
   virtual bool is_idle() const noexcept { return true; }
 
-  // The input knows something else than at the last look().
-  virtual bool has_news() { return false; }
+  // What the reading's draw_input shows has changed since the last frame; the rest of the reading tells it by itself.
+  virtual bool has_news() const noexcept { return false; }
 
   // Where the readiness that it shows does not tell it.
   virtual EndOfVisit end() const { return {}; }

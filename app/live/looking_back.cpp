@@ -27,13 +27,17 @@ void go_through(int ticks, Session& session, const Snapshot& present, const Mome
 ShownMoment shown_moment(const Session& session, const Snapshot& present, const MomentHistory& moments) {
   const std::optional<double> time_s = session.stage.looks_back_to_s;
   if (!time_s || !(*time_s < present.time_s) || moments.is_empty()) return {session.settings, present};
-  return *(*time_s < moments.oldest()->snapshot.time_s ? moments.oldest() : moments.at(*time_s));
+  ShownMoment past = *(*time_s < moments.oldest()->snapshot.time_s ? moments.oldest() : moments.at(*time_s));
+  past.settings.active = session.settings.active;
+  return past;
 }
 
 void LookingBack::follow(Session& session, const Snapshot& present, const MomentHistory& moments) {
   std::optional<double>& time_s = session.stage.looks_back_to_s;
   const bool has_left =
       std::exchange(mode_, session.stage.mode) != session.stage.mode && session.stage.mode != StageMode::ribbon;
+  // A moment is there for all strategies: another active one is no change of it.
+  settings_.active = session.settings.active;
   const bool has_changed = std::exchange(settings_, session.settings) != session.settings;
   const bool has_moved = std::exchange(goal_, session.goal) != session.goal || session.drags_goal;
   if (has_left || has_changed || has_moved) time_s.reset();

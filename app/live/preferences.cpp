@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <filesystem>
+#include <span>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -48,6 +49,9 @@ void read(TomlReader& reader, Preferences& preferences) {
       TomlKey{"", "scale",
               number_into(preferences.appearance.scale, {Appearance::least_scale, Appearance::greatest_scale})},
       TomlKey{"", "hints", yes_or_no_into(preferences.offers_hints)},
+      TomlKey{"", "view",
+              catalog_entry(std::span<const FaceEntry>(face_catalog),
+                            [&](const FaceEntry& entry) { preferences.face = entry.id; })},
   });
 }
 
@@ -71,9 +75,11 @@ void read(TomlReader& reader, WindowLayout& layout) {
 }
 
 std::string text_of(const Preferences& preferences) {
-  return fmt::format("# Written by ghostforce; what the View panel chooses.\ntheme = {}\nscale = {:.4f}\nhints = {}\n",
-                     toml_string(preferences.appearance.theme->name), preferences.appearance.scale,
-                     preferences.offers_hints);
+  return fmt::format(
+      "# Written by ghostforce; what the View panel and F4 choose.\ntheme = {}\nscale = {:.4f}\nhints = {}\nview = "
+      "{}\n",
+      toml_string(preferences.appearance.theme->name), preferences.appearance.scale, preferences.offers_hints,
+      toml_string(face_name(preferences.face)));
 }
 
 std::string text_of(const WindowLayout& layout) {

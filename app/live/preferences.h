@@ -16,6 +16,7 @@ namespace ghostforce {
 struct Preferences {
   Appearance appearance{};
   bool offers_hints = true;  // until they have been followed or declined
+  Face face = Face::stage;   // that was left last
 
   friend bool operator==(const Preferences&, const Preferences&) = default;
 };

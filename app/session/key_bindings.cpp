@@ -218,7 +218,7 @@ constexpr std::array bindings{
 
 constexpr std::array gestures{
     MouseGesture{"Drag", "The goal of your hand follows the pointer"},
-    MouseGesture{"Drag the arrow", "Turns the motor axis in steps of 5°; Ctrl: freely"},
+    MouseGesture{"Drag rail or arrow", "Turns the motor axis in steps of 5°; Ctrl: freely"},
     MouseGesture{"Drag a wall grip", "Turns the wall in steps of 5°; Ctrl: freely"},
     MouseGesture{"Wheel", "Zooms at the pointer"},
     MouseGesture{"Right drag", "Moves the picture"},

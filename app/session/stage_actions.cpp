@@ -16,6 +16,7 @@ void begin_mode(Session& session, StageMode mode) {
   if (mode == StageMode::why) stage.why_step = 1;
   if (mode == StageMode::round && !session.circle_test.is_on) {
     session.circle_test.input_before = session.input;
+    session.circle_test.choice.is_clockwise = makes_energy_clockwise(session.settings);
     session.requests.input = circling_hand.name;
   }
 }
@@ -51,6 +52,7 @@ constexpr std::array<void (*)(Session&), 9> talk{show_strategy<StrategyId::full>
 void go_to_talk_step(Session& session, int step) {
   if (step < 0 || step >= static_cast<int>(talk.size())) return;
   session.face = Face::stage;
+  session.stage.is_black = false;
   session.stage.talk_step = step;
   talk[static_cast<std::size_t>(step)](session);
 }
@@ -64,6 +66,7 @@ void show_face(Session& session, Face face) {
 
 void toggle_stage_mode(Session& session, StageMode mode) {
   session.face = Face::stage;
+  session.stage.is_black = false;
   if (session.stage.mode == mode) {
     leave_stage_mode(session);
   } else {
@@ -87,6 +90,7 @@ void leave_stage_mode(Session& session) {
 
 void choose_strategy(Session& session, StrategyId id, bool slowly) {
   session.settings.active = id;
+  session.stage.is_black = false;
   session.stage.switches_slowly = slowly;
   session.stage.landscape_dial.reset();
 }
@@ -98,8 +102,10 @@ void act_on_stage(Session& session, const StageAction& action, const MotorReport
     toggle_stage_mode(session, *mode);
   } else if (const auto* const face = std::get_if<Face>(&action)) {
     show_face(session, *face);
-  } else if (action == StageAction(StageHelp::motors)) {
+  } else if (action == StageAction(StageCommand::motors)) {
     press_safety_button(session, motors);
+  } else if (action == StageAction(StageCommand::next)) {
+    confirm_on_stage(session);
   } else {
     session.dialog = Dialog::help;
   }

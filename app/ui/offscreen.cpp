@@ -40,6 +40,21 @@ nlohmann::ordered_json describe_pane(const Pane& pane, const Vector<2>& corner) 
   return description;
 }
 
+// The hand of the scene goes round the circle, twice once it is on it.
+void go_round(Scene& scene, const Circle& circle) {
+  constexpr int corners_per_turn = 400;
+  constexpr int turns = 2;
+  const double turn_s = 1.0 / std::abs(circle.turns_per_second);
+  GoalPath path{.points = {circle.center}, .times = {0.0}};
+  for (int i = 0; i <= corners_per_turn * turns; ++i) {
+    const double on_circle_s = turn_s * i / corners_per_turn;
+    path.points.push_back(position_on(circle, on_circle_s));
+    path.times.push_back(circle_begins_s + on_circle_s);
+  }
+  scene.duration = path.times.back();
+  scene.goal = std::move(path);
+}
+
 Session session_of(const PictureRequest& request) {
   Session session = session_of(request.scene);
   session.options = request.options;
@@ -51,6 +66,13 @@ Session session_of(const PictureRequest& request) {
   if (request.mode != StageMode::none) toggle_stage_mode(session, request.mode);
   if (request.mode == StageMode::why) session.stage.why_step = last_why_step;
   return session;
+}
+
+LoopReading loop_of(const PictureRequest& request, const Moment& moment) {
+  return {.input_title = scripted_hand.title,
+          .rate_hz = request.scene.settings.rate,
+          .inputs = std::span(&scripted_hand, 1),
+          .circle = moment.circle};
 }
 
 }  // namespace
@@ -70,12 +92,27 @@ bool apply_strategy_word(std::string_view word, PictureRequest& request) {
 
 Moment simulate_to_moment(const PictureRequest& request) {
   Moment moment;
-  const TickState<2> state =
-      simulate(request.scene, tick_at(request.scene, request.at_s), [&](const Snapshot& snapshot) {
-        moment.history.add(snapshot);
-        moment.snapshot = snapshot;
-        if (snapshot.tick % 1024 == 0) stop_if_interrupted();
-      });
+  Scene scene = request.scene;
+  std::optional<CircleEnergyMeter> meter;
+  if (request.mode == StageMode::round) {
+    const Circle circle = circle_inside(wall_of(scene.settings), scene.goal.points.back(),
+                                        {.radius = {}, .is_clockwise = makes_energy_clockwise(scene.settings)});
+    go_round(scene, circle);
+    meter.emplace();
+    meter->start(scene.settings, circle);
+  }
+  const bool is_looked_back_at = request.mode == StageMode::ribbon || meter;
+  const TickState<2> state = simulate(scene, tick_at(scene, request.at_s), [&](const Snapshot& snapshot) {
+    if (is_looked_back_at) {
+      moment.history.add(snapshot, scene.settings);
+    } else {
+      moment.history.add(snapshot);
+    }
+    if (meter) meter->add(snapshot);
+    moment.snapshot = snapshot;
+    if (snapshot.tick % 1024 == 0) stop_if_interrupted();
+  });
+  if (meter) moment.circle = meter->reading();
   if (!has_diverged(state)) return moment;
   throw Failure(ExitCode::wrong_call,
                 "there is nothing to draw: with these settings the sampled loop is unstable and the device runs away; "
@@ -90,7 +127,7 @@ std::vector<Pane> compose_moment(const PictureRequest& request, const Moment& mo
     return {StageFace()
                 .still(session, {.shown = shown,
                                  .history = moment.history,
-                                 .loop = {},
+                                 .loop = loop_of(request, moment),
                                  .theme = *request.appearance.theme,
                                  .measure = measure,
                                  .size = size,
@@ -122,10 +159,7 @@ Drawing draw_moment(const PictureRequest& request, const Moment& moment) {
   constexpr int frames_to_settle = 3;
   for (int i = 0; i < frames_to_settle; ++i) {
     window.set_visible_drawing(i + 1 == frames_to_settle);
-    screen.draw(
-        session, {session.settings, moment.snapshot}, moment.history,
-        {.input_title = scripted_hand.title, .rate_hz = session.settings.rate, .inputs = std::span(&scripted_hand, 1)},
-        0.0);
+    screen.draw(session, {session.settings, moment.snapshot}, moment.history, loop_of(request, moment), 0.0);
   }
   stop_if_interrupted();
   const ImVec2 corner = screen.scene_corner();
@@ -142,7 +176,12 @@ nlohmann::ordered_json describe_picture(const PictureRequest& request, const Mom
   picture["scene"] = request.scene.title;
   picture["t_s"] = moment.snapshot.time_s;
   picture["strategy"] = strategy(request.scene.settings.active).name;
-  picture["compare"] = compare_name(request.options.compare);
+  if (request.face == Face::stage) {
+    picture["view"] = face_name(request.face);
+    if (request.mode != StageMode::none) picture["mode"] = stage_mode_name(request.mode);
+  } else {
+    picture["compare"] = compare_name(request.options.compare);
+  }
   if (panes.size() == 1) {
     picture.update(describe_pane(panes.front(), corner));
     return picture;

@@ -13,6 +13,7 @@
 #include "app/ui/screen.h"
 #include "app/view/panes.h"
 #include "app/view/trail_history.h"
+#include "core/loop_energy.h"
 #include "core/scene.h"
 
 namespace ghostforce {
@@ -41,6 +42,7 @@ bool apply_strategy_word(std::string_view word, PictureRequest& request);
 struct Moment {
   Snapshot snapshot;
   History history;
+  std::optional<CircleReading> circle{};  // of Round and round, for which the hand goes round twice
 };
 Moment simulate_to_moment(const PictureRequest& request);
 

@@ -47,6 +47,14 @@ void Screen::draw(Session& session, const ShownMoment& moment, const History& hi
   window_.frame(interval_s, [&] { draw_everything(session, moment, history, loop, {part_, true, interval_s}); });
 }
 
+void Screen::wait(const Session& session, double interval_s) noexcept {
+  if (session.face == Face::stage) stage_.wait(interval_s);
+}
+
+bool Screen::is_moving(const Session& session) const noexcept {
+  return session.face == Face::stage && stage_.is_moving();
+}
+
 Image Screen::picture(const Session& session, const ShownMoment& moment, const History& history,
                       const LoopReading& loop, Part part, int density) {
   // Nobody can take hold of a picture or follow its hints.

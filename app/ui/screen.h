@@ -30,6 +30,11 @@ class Screen {
   void draw(Session& session, const ShownMoment& moment, const History& history, const LoopReading& loop,
             double interval_s);
 
+  // Time goes on, whether a frame is drawn or not.
+  void wait(const Session& session, double interval_s) noexcept;
+  // The next frame would show something else, though nothing that draw() is given has changed.
+  bool is_moving(const Session& session) const noexcept;
+
   // The same frame as a picture, `density` times as fine, without pointer, hints and dialogs. Throws Failure where the
   // graphics driver cannot make one that large.
   Image picture(const Session& session, const ShownMoment& moment, const History& history, const LoopReading& loop,

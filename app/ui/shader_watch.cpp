@@ -48,11 +48,11 @@ ShaderWatch::Stamps ShaderWatch::stamps() const {
   return stamps;
 }
 
-void ShaderWatch::look(GlPainter& painter, double now_s) {
-  if (has_looked_ && now_s < next_look_s_) return;
+bool ShaderWatch::look(GlPainter& painter, double now_s) {
+  if (has_looked_ && now_s < next_look_s_) return false;
   next_look_s_ = now_s + look_interval_s;
   const Stamps now = stamps();
-  if (has_looked_ && now == seen_) return;
+  if (has_looked_ && now == seen_) return false;
   has_looked_ = true;
   seen_ = now;
   try {
@@ -61,6 +61,7 @@ void ShaderWatch::look(GlPainter& painter, double now_s) {
   } catch (const gl::ShaderError& error) {
     problem_ = error.what();
   }
+  return true;
 }
 
 }  // namespace ghostforce

@@ -15,8 +15,9 @@ class ShaderWatch {
   // Throws Failure(wrong_call) where the folder does not hold the shaders.
   explicit ShaderWatch(const std::string& folder);
 
-  // Often; looks at the files four times a second. `now_s`: seconds on any clock that only goes forward.
-  void look(GlPainter& painter, double now_s);
+  // Often; looks at the files four times a second. True: they are others than the last time. `now_s`: seconds on any
+  // clock that only goes forward.
+  bool look(GlPainter& painter, double now_s);
 
   // Why the newest shaders are not in use: the driver's log and the numbered source. Empty: they are.
   const std::string& problem() const noexcept { return problem_; }

@@ -1,31 +1,15 @@
 #include "app/view/moment_history.h"
 
 #include <algorithm>
-#include <array>
 #include <ranges>
 
-#include <glm/geometric.hpp>
+#include "app/view/visible_change.h"
 
 namespace ghostforce {
 namespace {
 
-// Less than these nobody sees: a tenth of what the finest number on screen shows, and less than a pixel.
-constexpr double visible_step = 0.00001;  // [m]
-constexpr double visible_force = 0.001;   // [N]
-
-bool looks_other(const Snapshot& before, const Snapshot& now) noexcept {
-  if (now.measured != before.measured || glm::distance(now.goal, before.goal) > visible_step) return true;
-  for (std::size_t i = 0; i < strategy_count; ++i) {
-    const StrategySnapshot<2>& a = before.strategies[i];
-    const StrategySnapshot<2>& b = now.strategies[i];
-    if (a.in_contact != b.in_contact || glm::distance(a.device, b.device) > visible_step ||
-        glm::distance(a.proxy, b.proxy) > visible_step || glm::distance(a.force, b.force) > visible_force ||
-        glm::distance(a.ghost_force, b.ghost_force) > visible_force) {
-      return true;
-    }
-  }
-  return false;
-}
+// A tenth of what the finest number on screen shows, and less than a pixel.
+constexpr LeastVisible least_visible{.step = 0.00001, .force = 0.001};
 
 }  // namespace
 
@@ -49,7 +33,7 @@ void MomentHistory::add(const Snapshot& snapshot, const Settings& settings) {
   const bool has_other_settings = is_first || eras_.back() != settings;
   if (has_other_settings) eras_.push_back(settings);
   const Kept now{snapshot, first_era_ + eras_.size() - 1};
-  if (has_other_settings || looks_other(seen_, snapshot)) {
+  if (has_other_settings || looks_other(seen_, snapshot, least_visible)) {
     for (; resting_.size() > 0; resting_.pop()) keep_moving(resting_.oldest());
     keep_moving(now);
     seen_ = snapshot;

@@ -1,5 +1,5 @@
-// ShownMoment: a tick's snapshot and the settings under which it ran, together: what a picture is of. Refers to what
-// others hold.
+// ShownMoment: a tick's snapshot and the settings under which it ran, together: what a picture is of. Which strategy is
+// the active one is the person's choice, whenever the moment was. Refers to a snapshot that others hold.
 #pragma once
 
 #include "core/settings.h"
@@ -8,7 +8,7 @@
 namespace ghostforce {
 
 struct ShownMoment {
-  const Settings& settings;
+  Settings settings;
   const Snapshot& snapshot;
   bool is_past = false;  // somebody looks back: nothing newer than this is to be seen
 };

@@ -1,13 +1,23 @@
 #include "app/ui/panels/hints.h"
 
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 
 #include "app/ui/widgets/controls.h"
+#include "app/view/stage/landscape.h"
 
 namespace ghostforce {
 namespace {
+
+// By closed form: where the motor pushes straight at the wall, or along it, there is nothing to cure.
+bool is_there_a_ghost_force(const Session& session) {
+  constexpr double least_share = 0.01;  // of the push that the wall should give
+  constexpr double naive_dial = 0.0;
+  return std::abs(ghost_share(landscape_of(session.settings, naive_dial), landscape_point(session.settings))) >=
+         least_share;
+}
 
 constexpr std::array hints{
     Hint{"Drag: this is where your hand wants to be.",
@@ -16,19 +26,22 @@ constexpr std::array hints{
          HintTarget::goal,
          [](const Session& session, const HintProgress& progress) {
            return progress.has_dragged && !session.drags_goal;
-         }},
-    Hint{
-        "Press 3. Same hand, same wall.",
-        "Same motor, too: watch the hollow arrow and the drift along the wall go. This is the cure.",
-        HintTarget::third_strategy,
-        [](const Session& session, const HintProgress&) { return session.settings.active == StrategyId::anisotropic; }},
+         },
+         // A goal that a script moves cannot be dragged.
+         [](const Session& session) { return session.pointer_moves_goal; }},
+    Hint{"Press 3. Same hand, same wall.",
+         "Same motor, too: watch the hollow arrow and the drift along the wall go. This is the cure.",
+         HintTarget::third_strategy,
+         [](const Session& session, const HintProgress&) { return session.settings.active == StrategyId::anisotropic; },
+         is_there_a_ghost_force},
     Hint{
         "Turn the arrow.",
         "The motor axis, lower right: then it pushes another way. Where is there no ghost force even without the cure?",
         HintTarget::motor_axis,
         [](const Session& session, const HintProgress& progress) {
           return session.settings.actuated_angle != progress.actuated_angle && !session.is_editing;
-        }},
+        },
+        [](const Session& session) { return session.has_handles; }},
 };
 
 }  // namespace
@@ -50,9 +63,7 @@ void Hints::follow(Session& session) {
   }
   progress_.has_dragged = progress_.has_dragged || session.drags_goal;
   const Hint& hint = hints[*session.hint];
-  // A goal that a script moves cannot be dragged.
-  const bool is_impossible = hint.target == HintTarget::goal && !session.pointer_moves_goal;
-  if (!is_impossible && !hint.is_followed(session, progress_)) return;
+  if (hint.is_possible(session) && !hint.is_followed(session, progress_)) return;
   const std::size_t next = *session.hint + 1;
   session.hint = next < hints.size() ? std::optional(next) : std::nullopt;
 }

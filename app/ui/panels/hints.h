@@ -26,6 +26,7 @@ struct Hint {
   std::string_view detail;  // what to look at
   HintTarget target;
   bool (*is_followed)(const Session&, const HintProgress&);
+  bool (*is_possible)(const Session&);  // with this input and set-up; it is passed over where it is not
 };
 // In their order.
 std::span<const Hint> hint_catalog() noexcept;
@@ -35,7 +36,7 @@ bool points_at(const Session& session, HintTarget target) noexcept;
 
 class Hints {
  public:
-  // Goes on to the next hint when this one has been followed.
+  // Goes on to the next hint when this one has been followed, or cannot be.
   void follow(Session& session);
 
  private:

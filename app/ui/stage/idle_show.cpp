@@ -10,8 +10,9 @@ constexpr double fades_out_s = 0.25;
 
 }  // namespace
 
-void IdleShow::update(bool is_touched, bool is_allowed, double interval_s) noexcept {
-  idle_s_ = is_touched || !is_allowed ? 0.0 : idle_s_ + interval_s;
+void IdleShow::update(bool is_touched, bool may_begin, double interval_s) noexcept {
+  may_begin_ = may_begin;
+  if (is_touched || !may_begin) idle_s_ = 0.0;
   if (idle_s_ >= begins_after_s) {
     show_s_ += interval_s;
     strength_ = std::min(1.0, strength_ + interval_s / fades_in_s);

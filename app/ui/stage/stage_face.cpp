@@ -4,7 +4,10 @@
 #include <cmath>
 #include <utility>
 
+#include <glm/geometric.hpp>
+
 #include "app/session/motor_button.h"
+#include "app/session/stage_actions.h"
 #include "app/ui/panels/hints.h"
 #include "app/view/stage/landscape_layer.h"
 
@@ -16,7 +19,7 @@ bool may_show_itself(const Session& session, const StageFrame& frame) {
   return session.face == Face::stage && session.stage.mode == StageMode::none && session.dialog == Dialog::none &&
          !session.paused && !session.stage.looks_back_to_s && !session.stage.is_black && !session.notice &&
          !frame.loop.recording.is_on && !frame.loop.motors.has_motors && !frame.shown.snapshot.measured &&
-         session.pointer_moves_goal;
+         session.pointer_moves_goal && !session.drags_goal;
 }
 
 // The handle's way on the last turn, thinned out.
@@ -33,12 +36,47 @@ std::vector<Vector<2>> last_loop(const MomentHistory& moments, StrategyId id, do
   return loop;
 }
 
-std::optional<StageHint> stage_hint(const Session& session) {
-  if (session.stage.mode != StageMode::none) return std::nullopt;
-  if (points_at(session, HintTarget::goal)) return StageHint::drag;
-  if (points_at(session, HintTarget::third_strategy)) return StageHint::cure;
-  if (points_at(session, HintTarget::motor_axis)) return StageHint::motor;
+// All of the circle, and all that comes to rest round it.
+SceneView view_of_round(const Settings& settings, const Circle& circle) {
+  constexpr int places = 12;
+  std::vector<Vector<2>> goals;
+  for (int i = 0; i < places; ++i) {
+    goals.push_back(position_on(circle, static_cast<double>(i) / places / circle.turns_per_second));
+  }
+  return stage_view_of(settings, goals);
+}
+
+// Each only while it is true of the picture; until then it waits.
+std::optional<StageHint> stage_hint(const Session& session, const StageMoment& moment, const StageAudience& audience) {
+  if (session.stage.mode != StageMode::none || audience.looks_back || moment.is_measured) return std::nullopt;
+  if (points_at(session, HintTarget::goal) && audience.can_drag && !session.drags_goal) return StageHint::drag;
+  const bool has_ghost = glm::length(moment.ghost_force) >= least_shown_force;
+  if (points_at(session, HintTarget::third_strategy) && has_ghost &&
+      moment.weights[index_of(StrategyId::naive)] == 1.0) {
+    return StageHint::cure;
+  }
+  const bool has_one_motor = moment.weights[index_of(StrategyId::full)] == 0.0;
+  if (points_at(session, HintTarget::motor_axis) && has_one_motor && session.has_handles) return StageHint::motor;
   return std::nullopt;
+}
+
+// The motors' comes first; else what there is to do next, or the way back out of a mode.
+std::optional<StageCornerButton> corner_button(const Session& session, const MotorReport& motors,
+                                               const StageGuess& guess, bool is_revealing) {
+  if (motors.has_motors) {
+    return StageCornerButton{StageCommand::motors, safety_words(motors), motors.state != SafetyState::off};
+  }
+  const StageChoice& stage = session.stage;
+  if (stage.mode == StageMode::none) return std::nullopt;
+  if (stage.mode == StageMode::predict) {
+    const std::string_view words = guess.is_open  ? "Enter: show me"
+                                   : is_revealing ? "Enter: skip"
+                                                  : "Enter: guess again";
+    return StageCornerButton{StageCommand::next, std::string(words)};
+  }
+  const bool has_more = session.settings.active != StrategyId::full && stage.why_step < last_why_step;
+  if (stage.mode == StageMode::why && has_more) return StageCornerButton{StageCommand::next, "Enter: next step"};
+  return StageCornerButton{stage.mode, "Esc: back"};
 }
 
 // What is not as it should be comes before what there is to see.
@@ -55,9 +93,9 @@ std::string_view warning_of(const LoopReading& loop) {
 
 void StageFace::follow_session(const Session& session, const StageFrame& frame) {
   const bool is_other = std::exchange(scene_, session.scene) != session.scene;
-  // What a device shows is what it does, and what has been is as it was.
-  if (is_other || frame.shown.snapshot.measured || frame.shown.is_past) {
-    transition_.jump_to(frame.shown.settings.active);
+  // What a device shows is what it does.
+  if (is_other || frame.shown.snapshot.measured) {
+    transition_.jump_to(session.settings.active);
   } else {
     transition_.go_to(session.settings.active, session.stage.switches_slowly);
   }
@@ -84,6 +122,9 @@ StageFace::Shown StageFace::shown_in(const Session& session, const StageFrame& f
   const Vector<2> goal = is_live ? session.goal : snapshot.goal;
   const StageBlend blend = transition_.is_running() ? transition_.blend() : stage_blend_of(settings.active);
   Shown shown{settings, stage_moment_between(settings, snapshot, goal, blend)};
+  if (const auto& target = session.measurement.target) {
+    shown.moment = with_target(shown.moment, wall_of(settings), *target);
+  }
   if (session.stage.mode == StageMode::predict && guess_.is_revealing()) shown.moment = guess_.moment(session);
   if (show_.is_on()) {
     StageShow show = show_.shown_instead_of(shown.moment, session);
@@ -104,18 +145,19 @@ StageContent StageFace::content_of(const Session& session, const StageFrame& fra
       .size = frame.size,
       .scale = frame.scale,
       .mode = session.stage.mode,
-      .audience = {.can_drag = session.pointer_moves_goal, .looks_back = frame.shown.is_past},
+      .audience = {.can_drag = session.pointer_moves_goal,
+                   .looks_back = frame.shown.is_past,
+                   .heads_for = shown.settings.active},
       .guess = guess_.guess(session),
       .why_step = session.stage.why_step,
-      .landscape_dial = session.stage.landscape_dial.value_or(std::max(blend.fullness, blend.cure)),
+      .landscape_dial = session.stage.landscape_dial.value_or(blend.cure),
       .looks_back_to_s = session.stage.looks_back_to_s,
       .warning = warning_of(frame.loop)};
-  if (frame.loop.motors.has_motors) {
-    content.motors = StageMotors{safety_words(frame.loop.motors), frame.loop.motors.state != SafetyState::off};
-  }
+  content.corner = corner_button(session, frame.loop.motors, content.guess, guess_.is_revealing());
   if (session.stage.mode == StageMode::ribbon) content.moments = &frame.history.moments();
   if (session.stage.mode == StageMode::round && frame.loop.circle) {
     const CircleReading& reading = *frame.loop.circle;
+    content.shown = view_of_round(shown.settings, reading.circle);
     content.round = StageRound{reading.turns > 0 ? last_loop(frame.history.moments(), shown.settings.active,
                                                              1.0 / std::abs(reading.circle.turns_per_second))
                                                  : std::vector<Vector<2>>(),
@@ -130,7 +172,7 @@ const StagePicture& StageFace::compose(const Session& session, const StageFrame&
   content.hovered = pointer_.hovered();
   content.hovered_grip = pointer_.hovered_grip();
   content.has_grips = session.has_handles;
-  content.hint = stage_hint(session);
+  content.hint = stage_hint(session, content.moment, content.audience);
   picture_ = compose_stage(content, memory_, interval_s, std::move(picture_.pane.marks));
   return picture_;
 }
@@ -142,7 +184,7 @@ StagePicture StageFace::still(const Session& session, const StageFrame& frame) c
 }
 
 bool StageFace::is_moving() const noexcept {
-  return transition_.is_running() || memory_.is_moving() || show_.is_on() || guess_.is_revealing();
+  return transition_.is_running() || memory_.is_moving() || show_.is_moving() || guess_.is_revealing();
 }
 
 }  // namespace ghostforce

@@ -23,13 +23,17 @@ class StageFace {
   // The picture of now.
   const StagePicture& compose(const Session& session, const StageFrame& frame, double interval_s);
 
+  // That of the last frame.
+  const StagePicture& picture() const noexcept { return picture_; }
+
   // The same for a file: nothing fades in, and nobody can take hold of anything.
   StagePicture still(const Session& session, const StageFrame& frame) const;
 
+  // Time goes on, whether a frame is drawn or not: left alone for long enough, the stage begins to move.
+  void wait(double interval_s) noexcept { show_.wait(interval_s); }
+
   // Something moves by itself, and wants to be drawn.
   bool is_moving() const noexcept;
-  // How long until something begins to move, if nobody does anything [s].
-  double moves_in_s() const noexcept { return show_.begins_in_s(); }
 
  private:
   // What the content refers to.

@@ -30,8 +30,8 @@ void add_guess(const StageLayer& layer) {
 void add_predict(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   if (!content.guess.is_open) {
-    add_guess(layer);
     add_whole_scene(layer);
+    add_guess(layer);
     return;
   }
   // Where the handle is shall not be seen: the rail lies through the hand, and the spring leads to the guess.
@@ -52,7 +52,7 @@ void add_predict(const StageLayer& layer) {
 
 std::string predict_sentence(const StageContent& content) {
   if (content.guess.missed_by) {
-    return fmt::format("Your guess was {} mm off. Enter: guess again.", slide_number(*content.guess.missed_by));
+    return fmt::format("Your guess was {} mm off.", slide_number(*content.guess.missed_by));
   }
   if (!content.guess.is_open) return "The hand presses in, slowly.";
   if (depth(wall_of(content.settings), content.moment.goal) <= 0.0) return "Drag the hand into the wall, then guess.";

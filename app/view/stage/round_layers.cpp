@@ -12,6 +12,11 @@ namespace {
 
 constexpr double least_energy = 0.00005;  // [J], so much that a tenth of a millijoule is shown
 
+std::string signed_number(double value) {
+  const std::string digits = fmt::format("{:.1f}", std::abs(value));
+  return (digits == "0.0" ? "" : value < 0.0 ? "−" : "+") + digits;
+}
+
 const CircleEnergy* energy_of(const StageContent& content) {
   if (!content.round || content.round->reading.turns == 0) return nullptr;
   return &content.round->reading.strategies[index_of(content.settings.active)];
@@ -44,7 +49,7 @@ void add_battery(const StageLayer& layer) {
   const CircleEnergy* const energy = energy_of(content);
   const Theme& theme = content.theme;
   const std::string words =
-      energy == nullptr ? "the first round" : fmt::format("{:+.1f} mJ a round", 1e3 * energy->last.energy + 0.0);
+      energy == nullptr ? "the first round" : fmt::format("{} mJ a round", signed_number(1e3 * energy->last.energy));
   const TextStyle& style = layout.letters.bold_words;
   const Vector<2> cell(canvas.points(84.0), canvas.points(170.0));
   const Vector<2> extent(std::max(cell.x, content.measure("+888.8 mJ a round", style).x),
@@ -94,9 +99,14 @@ std::string round_sentence(const StageContent& content) {
   const CircleEnergy* const energy = energy_of(content);
   if (energy == nullptr) return "Round and round: a real wall would give the hand nothing.";
   if (!energy->stays_inside) return "The handle leaves the wall on its way round.";
-  if (energy->last.energy >= least_energy) return "Each round the wall gives energy: it pushes the hand along.";
-  if (energy->last.energy <= -least_energy) return "Each round the wall takes energy from the hand.";
-  return "Round and round, and nothing is gained: like a real wall.";
+  // The sampled loop itself takes a little away.
+  const double little = std::max(least_energy, 0.03 * greatest_energy(*content.round));
+  if (energy->last.energy >= little) {
+    return content.settings.active == StrategyId::naive ? "Each round the wall gives energy: it pushes the hand along."
+                                                        : "No ghost force at rest, and yet each round gives energy.";
+  }
+  if (energy->last.energy <= -little) return "Each round the wall takes energy from the hand.";
+  return "Round and round, and hardly anything is gained or lost.";
 }
 
 }  // namespace

@@ -59,7 +59,8 @@ StagePicture compose_stage(const StageContent& content, StageLabelMemory& memory
   const std::string sentence = sentence_of(content, mode);
   StageLayout layout = stage_layout(content.size, content.scale, content.measure,
                                     {.sentence = sentence,
-                                     .motors = content.motors ? std::string_view(content.motors->words) : "",
+                                     .corner = content.corner ? std::string_view(content.corner->words) : "",
+                                     .corner_action = content.corner ? content.corner->action : StageCommand::keys,
                                      .has_full = !content.moment.is_measured});
   if (content.mode == StageMode::ribbon && content.moments != nullptr) make_room_for_ribbon(content, layout);
   const Camera camera = stage_camera(content.shown, content.size, layout.bottom);
@@ -78,9 +79,10 @@ StagePicture compose_stage(const StageContent& content, StageLabelMemory& memory
     canvas.add_labels();
     if (const auto ribbon = stage_ribbon(layer)) picture.ribbon = {*layout.ribbon, ribbon_axis(*ribbon)};
   }
+  picture.scene = layout.scene();
   picture.pivot = content.moment.handle;
   if (content.has_grips && !is_map) {
-    picture.grips = stage_grips(content.settings, content.moment, camera, layout.unit);
+    picture.grips = stage_grips(content.settings, content.moment, camera, layout.scene(), layout.unit);
   }
   if (is_map) picture.landscape = landscape_layout(stage_landscape(content, camera));
   for (const auto* const buttons : {&layout.strategies, &layout.icons}) {

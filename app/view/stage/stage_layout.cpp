@@ -119,16 +119,16 @@ class Arrangement {
     }
     const double right = layout_.size.x - layout_.margin;
     layout_.corner.reset();
-    if (!words_.motors.empty()) {
-      const double left = right - measure_(words_.motors, layout_.letters.bold_words).x - points(2.0 * button_padding);
+    if (!words_.corner.empty()) {
+      const double left = right - measure_(words_.corner, layout_.letters.bold_words).x - points(2.0 * button_padding);
       layout_.corner =
-          StageButton{StageHelp::motors, {{left, bottom - points(button_height)}, {right, bottom}}, words_.motors};
+          StageButton{words_.corner_action, {{left, bottom - points(button_height)}, {right, bottom}}, words_.corner};
       return x <= left;
     }
     const Vector<2> extent = measure_(keys_words, layout_.letters.words);
     if (x + extent.x <= right) {
       const double top = bottom - 0.5 * (points(button_height) + extent.y);
-      layout_.corner = StageButton{StageHelp::keys, {{right - extent.x, top}, {right, top + extent.y}}, keys_words};
+      layout_.corner = StageButton{StageCommand::keys, {{right - extent.x, top}, {right, top + extent.y}}, keys_words};
     }
     return x - points(gap) <= right;
   }
@@ -137,7 +137,7 @@ class Arrangement {
     const StageLetters& all = layout_.letters;
     layout_.number_width = measure_("88.8", all.number).x;
     const double unit_width = points(gap) + measure_("mm", all.unit).x;
-    const double words_width = measure_("ghost force, too weak", all.words).x;
+    const double words_width = measure_("ghost force (too little)", all.words).x;
     layout_.numbers_size = {std::max(layout_.number_width + unit_width, words_width),
                             2.0 * (all.number.height + all.words.height) - points(6.0)};
   }
@@ -173,20 +173,27 @@ StageLayout stage_layout(const Vector<2>& size, double scale, const MeasureText&
   return arrangement.finished();
 }
 
-SceneView stage_view_of(const Settings& settings, const Vector<2>& goal) {
+SceneView stage_view_of(const Settings& settings, std::span<const Vector<2>> goals) {
   // Shares of the picture's width, and of three quarters of it.
   constexpr double across = 0.40;
   constexpr double upwards = 0.27;
-  constexpr double least_width = 0.03;  // [m]
-  ScreenBox box{goal, goal};            // of the world
-  box.include(projection(wall_of(settings), goal));
-  for (const PredictedEquilibrium& rest : predicted_equilibria(settings, goal)) {
-    box.include(rest.at.device);
-    box.include(rest.at.proxy);
+  constexpr double least_width = 0.03;          // [m]
+  ScreenBox box{goals.front(), goals.front()};  // of the world
+  for (const Vector<2>& goal : goals) {
+    box.include(goal);
+    box.include(projection(wall_of(settings), goal));
+    for (const PredictedEquilibrium& rest : predicted_equilibria(settings, goal)) {
+      box.include(rest.at.device);
+      box.include(rest.at.proxy);
+    }
   }
   const Vector<2> extent = box.extent();
   return {.center = 0.5 * (box.least + box.most),
           .width = std::max({least_width, extent.x / across, extent.y / upwards})};
+}
+
+SceneView stage_view_of(const Settings& settings, const Vector<2>& goal) {
+  return stage_view_of(settings, std::span(&goal, 1));
 }
 
 Camera stage_camera(const SceneView& shown, const Vector<2>& size, double bottom) {

@@ -36,6 +36,15 @@ StageMoment stage_moment(const Settings& settings, const Snapshot& snapshot, con
   return moment;
 }
 
+StageMoment with_target(const StageMoment& moment, const Wall<2>& wall, const Vector<2>& target) noexcept {
+  if (!moment.is_measured) return moment;
+  StageMoment aimed = moment;
+  aimed.has_target = true;
+  aimed.expected_contact = projection(wall, target);
+  aimed.slide = moment.in_contact ? along(wall, moment.proxy - target) : Vector<2>(0.0);
+  return aimed;
+}
+
 StageMoment stage_moment_at_rest(const Settings& settings, const Vector<2>& goal) noexcept {
   const PredictedEquilibrium rest = predicted_equilibria(settings, goal)[index_of(settings.active)];
   StageMoment moment = moment_of_goal(settings, goal);

@@ -20,13 +20,18 @@ struct StageMoment {
   Vector<2> expected_rest{0.0};     // where the handle would rest without a ghost force [m]
   Vector<2> expected_contact{0.0};  // where the wall should hold: the foot of the goal's normal [m]
   bool in_contact = false;          // the wall acts
-  bool is_measured = false;  // the handle is a device's, and the goal inferred: ghost force and slide are unknown
+  bool is_measured = false;         // the handle is a device's, and the goal inferred: the ghost force is unknown
+  bool has_target = false;          // that hand was told where to press: its slide is known all the same
 
   bool is_between() const noexcept { return weights[0] < 1.0 && weights[1] < 1.0 && weights[2] < 1.0; }
 };
 
 // As the active strategy has it. `goal`: where the hand pulls, which may be newer than the snapshot.
 StageMoment stage_moment(const Settings& settings, const Snapshot& snapshot, const Vector<2>& goal) noexcept;
+
+// The same for a hand that was told to press at a place on the wall: against that its slide is known, whoever holds the
+// handle. Other moments stay as they are.
+StageMoment with_target(const StageMoment& moment, const Wall<2>& wall, const Vector<2>& target) noexcept;
 
 // At rest under a goal that is held still, by closed form.
 StageMoment stage_moment_at_rest(const Settings& settings, const Vector<2>& goal) noexcept;

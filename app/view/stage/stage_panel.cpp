@@ -38,11 +38,11 @@ void add_strategy_button(const StageLayer& layer, const StageButton& button) {
               is_active ? letters.bold_words : letters.words, is_active ? theme.text : theme.faint_text, false);
 }
 
-// Unmistakable from three metres while they may push.
-void add_motors_button(const StageLayer& layer, const StageButton& button) {
+// Unmistakable from three metres while motors may push.
+void add_corner_button(const StageLayer& layer, const StageButton& button) {
   const auto& [content, layout, canvas] = layer;
   const Theme& theme = content.theme;
-  const bool is_on = content.motors->is_on;
+  const bool is_on = content.corner->is_alarming;
   canvas.box(Role::button, button.box, canvas.points(12.0), is_on ? theme.problem : theme.panel_field,
              is_on ? theme.problem : theme.accent, canvas.width(3.0));
   const TextStyle& style = layout.letters.bold_words;
@@ -165,6 +165,13 @@ void add_hover_panel(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   const auto panel = hover_panel(layer);
   if (!panel) return;
+  // Letters stand above everything: none may shine through.
+  std::erase_if(canvas.marks, [&](const Mark& mark) {
+    const auto* const label = std::get_if<Label>(&mark.form);
+    if (label == nullptr) return false;
+    const Vector<2> corner = canvas.at(label->anchor) + label->offset;
+    return overlap({corner, corner + content.measure(label->text, label->style)}, panel->box) > 0.0;
+  });
   canvas.box(Role::hint, panel->box, canvas.points(10.0), content.theme.panel, content.theme.panel_border,
              canvas.width(1.5));
   canvas.text(Role::hint, panel->box.grown(-canvas.points(hover_padding)).least, panel->lines, layout.letters.words,
@@ -235,15 +242,16 @@ void add_numbers(const StageLayer& layer) {
                                                 .may_cover = true});
   if (!found || found->strength <= 0.0) return;
   const bool is_known = !moment.is_measured;
+  const bool knows_slide = is_known || moment.has_target;
   const double ghost = signed_ghost_force(moment);
   const std::string_view ghost_words = !is_known                     ? "ghost force: unknown"
-                                       : ghost <= -least_shown_force ? "ghost force, too weak"
+                                       : ghost <= -least_shown_force ? "ghost force (too little)"
                                                                      : "ghost force";
   add_number(layer, {is_known ? force_number(ghost) : "", "N", ghost_words}, found->box.least, found->strength);
   const Vector<2> below(0.0, 0.5 * (layout.numbers_size.y + canvas.points(6.0)));
   add_number(layer,
-             {is_known ? slide_number(glm::length(moment.slide)) : "", "mm",
-              is_known ? "slid along the wall" : "slide: unknown"},
+             {knows_slide ? slide_number(glm::length(moment.slide)) : "", "mm",
+              knows_slide ? "slid along the wall" : "slide: unknown"},
              found->box.least + below, found->strength);
 }
 
@@ -251,8 +259,8 @@ void add_buttons(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   for (const StageButton& button : layout.strategies) add_strategy_button(layer, button);
   for (const StageButton& button : layout.icons) add_icon(layer, button);
-  if (layout.corner && content.motors) {
-    add_motors_button(layer, *layout.corner);
+  if (layout.corner && content.corner) {
+    add_corner_button(layer, *layout.corner);
   } else if (const auto& keys = layout.corner) {
     canvas.text(Role::button, keys->box.least, std::string(keys->words), layout.letters.words,
                 is_hovered(content, keys->action) ? content.theme.accent : content.theme.faint_text);

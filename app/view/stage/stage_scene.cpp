@@ -5,7 +5,6 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/view/handles.h"
 #include "app/view/stage/stage_layers.h"
 
 namespace ghostforce {
@@ -99,7 +98,8 @@ void add_stage_wall(const StageLayer& layer) {
   canvas.line(Role::wall, edge - along * reach, edge + along * reach, canvas.width(5.0), theme.wall_edge);
   canvas.labels.keep_clear(edge - along * reach, edge + along * reach, canvas.width(2.5), Clearance::if_possible);
   if (!content.has_grips) return;
-  if (const auto grips = stage_grips(content.settings, content.moment, canvas.camera, canvas.unit).wall) {
+  if (const auto grips =
+          stage_grips(content.settings, content.moment, canvas.camera, layout.scene(), canvas.unit).wall) {
     const bool is_hot = content.hovered_grip == StageGrip::wall;
     for (const Vector<2>& grip : *grips) {
       canvas.disc(Role::handle, grip, canvas.points(is_hot ? 11.0 : 8.0), theme.background,
@@ -212,7 +212,12 @@ std::optional<ForceArrow> force_arrow(const StageLayer& layer) {
   const double per_newton = std::min(usual, most / longest);
   if (longest * per_newton < canvas.points(3.0)) return std::nullopt;
   const Vector<2> world = share > 0.0 ? moment.wall_share / share : glm::normalize(moment.ghost_force);
-  const Vector<2> direction = to_screen_direction(world);
+  Vector<2> direction = to_screen_direction(world);
+  // The loop may not have seen yet that the motor has been turned.
+  if (fullness_of(moment) == 0.0) {
+    const Vector<2> rail = motor_on_screen(content);
+    direction = glm::dot(rail, direction) < 0.0 ? -rail : rail;
+  }
   return ForceArrow{canvas.at(moment.handle), direction, share * per_newton, ghost * per_newton};
 }
 
@@ -226,7 +231,8 @@ void add_stage_force(const StageLayer& layer) {
   const Colour red = theme.strategy[index_of(StrategyId::naive)];
   const double body = canvas.points(arrow_width);
   const double rim = canvas.width(2.5);
-  const double with_head = 2.9 * body;  // the shortest arrow whose head has its full size
+  const double head = 2.185 * body;     // its length, as painters draw it
+  const double with_head = head / 0.8;  // the shortest arrow whose head has its full size
   const auto add = [&](Role role, const Vector<2>& from, const Vector<2>& to, Colour fill, Colour edge, bool has_head,
                        bool is_hatched) {
     canvas.marks.push_back({role,
@@ -239,12 +245,16 @@ void add_stage_force(const StageLayer& layer) {
     // One head for both: of the wall's colour without a ghost, and more and more the ghost's as that grows.
     const double length = std::min(std::max(arrow.ghost, with_head), arrow.share + arrow.ghost);
     const double ghostly = std::clamp(arrow.ghost / with_head, 0.0, 1.0);
-    if (arrow.share > 0.0) add(Role::wall_share, arrow.start, arrow.share_end(), dark, dark, false, false);
+    // The bar ends where the head begins, which is narrower at its tip.
+    const double bar = std::min(arrow.share, arrow.share + arrow.ghost - head * std::min(1.0, length / with_head));
+    if (bar > 0.0) add(Role::wall_share, arrow.start, arrow.start + arrow.direction * bar, dark, dark, false, false);
     add(ghostly > 0.0 ? Role::ghost_force : Role::wall_share, tip - arrow.direction * length, tip,
         mix(dark, theme.background, ghostly), mix(dark, red, ghostly), true, ghostly > 0.0);
   } else {
+    // Too little: it folds back over the share.
     add(Role::wall_share, arrow.start, arrow.share_end(), dark, dark, true, false);
-    add(Role::ghost_force, arrow.share_end(), tip, theme.background, red, true, true);
+    if (-arrow.ghost >= canvas.points(1.0))
+      add(Role::ghost_force, arrow.share_end(), tip, theme.background, red, true, true);
   }
   canvas.labels.keep_clear(arrow.start, arrow.share_end(), body);
   canvas.labels.keep_clear(arrow.start, tip, body);
@@ -254,7 +264,7 @@ void add_stage_force(const StageLayer& layer) {
 std::optional<SlideRuler> slide_ruler(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   const StageMoment& moment = content.moment;
-  if (moment.is_measured || !moment.in_contact) return std::nullopt;
+  if ((moment.is_measured && !moment.has_target) || !moment.in_contact) return std::nullopt;
   const Vector<2> out = normal_on_screen(content);
   const Vector<2> from = canvas.at(moment.expected_contact) + out * canvas.points(34.0);
   const Vector<2> to = from + to_screen_direction(moment.slide) * canvas.camera.points_per_metre;
@@ -311,8 +321,19 @@ void add_handle(const StageLayer& layer) {
   add(Role::device, moment.handle, handle_radius, true);
 }
 
-StageGrips stage_grips(const Settings& settings, const StageMoment& moment, const Camera& camera, double unit) {
-  return {rail_ends(settings, moment, camera, unit), wall_grips(wall_of(settings), camera, unit)};
+StageGrips stage_grips(const Settings& settings, const StageMoment& moment, const Camera& camera,
+                       const ScreenBox& scene, double unit) {
+  StageGrips grips{rail_ends(settings, moment, camera, unit), {}};
+  // The wall's edge, cut to the scene.
+  const Vector<2> at = to_screen(camera, settings.wall_point);
+  const Vector<2> normal = to_screen_direction(direction_at(settings.wall_normal_angle));
+  const Vector<2> along{-normal.y, normal.x};
+  const double reach = glm::distance(at, 0.5 * camera.size) + glm::length(camera.size);
+  ScreenPiece edge{at - along * reach, at + along * reach, 0.0};
+  constexpr double shortest = 120.0;  // of an edge that can be turned by its ends
+  const bool is_seen = clip(scene.grown(-26.0 * unit), edge) && glm::distance(edge.from, edge.to) > shortest * unit;
+  if (is_seen) grips.wall = std::array{edge.from, edge.to};
+  return grips;
 }
 
 double reference_force_of(const Settings& settings, const Vector<2>& goal) {

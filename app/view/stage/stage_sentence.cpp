@@ -53,12 +53,16 @@ constexpr std::array sentences{
              [](const Facts& now) { return now.moment.weights[index_of(StrategyId::full)] > 0.0; }},
     Sentence{"The only motor pushes along the wall: it cannot hold the hand.",
              [](const Facts& now) { return std::abs(now.motor_along) < 0.02; }},
-    Sentence{"Between naïve and anisotropic: a ghost force is left.",
+    Sentence{"On the way to the cure: still a ghost force.",
+             [](const Facts& now) {
+               return now.moment.is_between() && now.has_ghost() && now.audience.heads_for == StrategyId::anisotropic;
+             }},
+    Sentence{"On the way back to naïve: a ghost force.",
              [](const Facts& now) { return now.moment.is_between() && now.has_ghost(); }},
-    Sentence{"Between naïve and anisotropic: no ghost force.",
+    Sentence{"On the way from one to the other: no ghost force.",
              [](const Facts& now) { return now.moment.is_between(); }},
     // Naïve.
-    Sentence{"A ghost force drags your hand along the wall.",
+    Sentence{"A ghost force drags the handle along the wall.",
              [](const Facts& now) { return now.is(StrategyId::naive) && now.ghost >= least_shown_force; }},
     Sentence{"The motor pushes too little while the hand moves.",
              [](const Facts& now) { return now.is(StrategyId::naive) && now.has_ghost(); }},

@@ -86,6 +86,17 @@ Vector<2> into_the_wall(const StageContent& content) {
 void add_expectation_words(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   const StageMoment& moment = content.moment;
+  if (moment.has_target) {
+    canvas.label(Role::target,
+                 {StageLabel::expected_contact,
+                  {"aim here"},
+                  layout.letters.bold_words,
+                  canvas.at(moment.expected_contact),
+                  canvas.at(moment.expected_contact),
+                  canvas.points(7.0),
+                  into_the_wall(content)},
+                 content.theme.text);
+  }
   if (!moment.in_contact || moment.is_measured) return;
   const Vector<2> rest = canvas.at(moment.expected_rest);
   if (glm::distance(rest, canvas.at(moment.handle)) > canvas.points(2.0 * handle_radius)) {
@@ -165,7 +176,7 @@ void add_motor_words(const StageLayer& layer) {
   const std::string words = is_asked_to_turn
                                 ? "turn the motor by its ends"
                                 : "the only motor pushes " + motor_direction_words(content.settings.actuated_angle);
-  const auto ends = stage_grips(content.settings, content.moment, canvas.camera, canvas.unit).motor;
+  const auto ends = stage_grips(content.settings, content.moment, canvas.camera, layout.scene(), canvas.unit).motor;
   const Vector<2> handle = canvas.at(content.moment.handle);
   const Vector<2> end = ends[1].x > ends[0].x ? ends[1] : ends[0];
   const Vector<2> rail = to_screen_direction(direction_at(content.settings.actuated_angle));
@@ -185,10 +196,13 @@ void add_stage_words(const StageLayer& layer) {
   add_force_words(layer);
   add_slide_words(layer);
   add_handle_words(layer);
+  // What a newcomer is asked to do finds room before what there is to know.
+  const bool is_asked_to_turn = layer.content.hint == StageHint::motor;
+  if (is_asked_to_turn) add_motor_words(layer);
   add_share_words(layer);
   add_hand_words(layer);
   add_expectation_words(layer);
-  add_motor_words(layer);
+  if (!is_asked_to_turn) add_motor_words(layer);
   add_wall_words(layer);
 }
 

@@ -410,6 +410,15 @@ TEST(Simulate, SaysSoWhereTheLoopRunsAwayAndWritesNothing) {
   EXPECT_EQ(folder.count(), 0);
 }
 
+TEST(Run, RefusesWhatBelongsToAnotherFaceOrHand) {
+  expect_refused({"run", "--view", "bench"}, "is none of stage, workbench");
+  expect_refused({"run", "--mode", "lanscape"}, "did you mean 'landscape'?");
+  expect_refused({"run", "--mode", "why", "--view", "workbench"}, "--mode why belongs to the stage");
+  expect_refused({"run", "--goal-mm=5"}, "--goal-mm 5: is no position");
+  expect_refused({"run", "--goal-mm=5,nan"}, "--goal-mm");
+  expect_refused({"run", "--goal-mm=5,5", "--input", "script"}, "--goal-mm is for a hand of your own");
+}
+
 TEST(Run, RefusesATimeThatIsNoNumber) {
   for (const char* time : {"nan", "-1", "inf", "soon"}) {
     const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, {"run", "--exit-after", time});

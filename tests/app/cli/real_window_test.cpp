@@ -64,7 +64,7 @@ bool bar_shows(const Image& image, StrategyId id) {
 
 TEST(RealWindow, KeysAndADragChangeThePictureAsTheyShould) {
   const Display display(1280, 800);
-  BackgroundProgram program({GHOSTFORCE_PROGRAM, "run", "--no-hints"}, display.environment());
+  BackgroundProgram program({GHOSTFORCE_PROGRAM, "run", "--view", "workbench", "--no-hints"}, display.environment());
   const Colour goal = find_theme("light")->goal;
 
   ASSERT_TRUE(display.becomes([](const Image& image) { return bar_shows(image, StrategyId::naive); }))
@@ -104,7 +104,7 @@ TEST(RealWindow, RemembersTheThemeThatWasChosen) {
     return [theme](const Image& image) { return at(image, 300, 650) == find_theme(theme)->wall; };
   };
   {
-    BackgroundProgram program({GHOSTFORCE_PROGRAM, "run", "--no-hints"}, display.environment());
+    BackgroundProgram program({GHOSTFORCE_PROGRAM, "run", "--view", "workbench", "--no-hints"}, display.environment());
     ASSERT_TRUE(display.becomes(shows("light")));
     display.act({"key", "ctrl+t"});
     EXPECT_TRUE(display.becomes(shows("dark")));
@@ -113,9 +113,47 @@ TEST(RealWindow, RemembersTheThemeThatWasChosen) {
     EXPECT_EQ(program.end(0), 0);
   }
   EXPECT_NE(read_whole(display.preferences_file()).find("theme = \"dark\""), std::string::npos);
-  BackgroundProgram again({GHOSTFORCE_PROGRAM, "run", "--no-hints"}, display.environment());
+  BackgroundProgram again({GHOSTFORCE_PROGRAM, "run", "--view", "workbench", "--no-hints"}, display.environment());
   EXPECT_TRUE(display.becomes(shows("dark")));
   EXPECT_EQ(again.end(SIGINT), 130);
+}
+
+// Where the workbench has its lowest panels, the stage has the wall.
+bool shows_stage(const Image& image) {
+  return at(image, 1276, 796) == find_theme("light")->wall;
+}
+
+bool shows_workbench(const Image& image) {
+  return bar_shows(image, StrategyId::naive);
+}
+
+TEST(RealWindow, OpensWithTheStageAndThenWithWhatWasLeftLast) {
+  const Display display(1280, 800);
+  const auto quit = [&](BackgroundProgram& program) {
+    display.act({"key", "ctrl+q"});
+    EXPECT_TRUE(display.becomes([&](const Image&) { return !program.is_running(); }));
+    EXPECT_EQ(program.end(SIGTERM), 0);
+  };
+  {
+    BackgroundProgram program({GHOSTFORCE_PROGRAM, "run", "--no-hints"}, display.environment());
+    ASSERT_TRUE(display.becomes(shows_stage));
+    display.act({"key", "F4"});
+    EXPECT_TRUE(display.becomes(shows_workbench));
+    quit(program);
+  }
+  const auto is_kept = [&] {
+    return read_whole(display.preferences_file()).find("view = \"workbench\"") != std::string::npos;
+  };
+  EXPECT_TRUE(is_kept());
+  {
+    BackgroundProgram program({GHOSTFORCE_PROGRAM, "run", "--view", "stage"}, display.environment());
+    EXPECT_TRUE(display.becomes(shows_stage));
+    quit(program);
+  }
+  EXPECT_TRUE(is_kept()) << "what is asked for holds for one run";
+  BackgroundProgram program({GHOSTFORCE_PROGRAM}, display.environment());
+  EXPECT_TRUE(display.becomes(shows_workbench));
+  quit(program);
 }
 
 TEST(RealWindow, IsTwiceAsLargeOnADenseScreenAndStaysSo) {
@@ -128,7 +166,7 @@ TEST(RealWindow, IsTwiceAsLargeOnADenseScreenAndStaysSo) {
     return framed > 120 && at(image, 2556, 1596) == find_theme("light")->panel;
   };
   for (int start = 0; start < 2; ++start) {
-    BackgroundProgram program({GHOSTFORCE_PROGRAM, "run", "--no-hints"}, display.environment());
+    BackgroundProgram program({GHOSTFORCE_PROGRAM, "run", "--view", "workbench", "--no-hints"}, display.environment());
     EXPECT_TRUE(display.becomes(is_twice_as_large)) << "start " << start;
     display.act({"key", "ctrl+q"});
     EXPECT_TRUE(display.becomes([&](const Image&) { return !program.is_running(); }));
@@ -151,8 +189,9 @@ TEST(RealWindow, SaysWhichOpenGlThereIsWhenItIsTooOld) {
 
 TEST(RealWindow, ClosesByItselfWhenAsked) {
   const Display display(1280, 800);
-  BackgroundProgram program({GHOSTFORCE_PROGRAM, "run", "--exit-after", "0.5", "--theme", "dark"},
-                            display.environment());
+  BackgroundProgram program(
+      {GHOSTFORCE_PROGRAM, "run", "--view", "workbench", "--exit-after", "0.5", "--theme", "dark"},
+      display.environment());
   const Colour background = find_theme("dark")->background;
   EXPECT_TRUE(
       display.becomes([&](const Image& image) { return at(image, 200, 300) == background || !program.is_running(); }));

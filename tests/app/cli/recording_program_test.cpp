@@ -9,7 +9,9 @@
 #include <thread>
 
 #include "app/files/run_reader.h"
+#include "app/files/scene_file.h"
 #include "app/runs/replay.h"
+#include "core/settings.h"
 #include "tests/support/display.h"
 #include "tests/support/program.h"
 #include "tests/support/replay_run.h"
@@ -100,6 +102,30 @@ TEST(RecordingProgram, EndsByItselfAndOverwritesNothing) {
   EXPECT_TRUE(load_run(path).warnings.empty());
   EXPECT_EQ(record(), 8);
   EXPECT_EQ(read_whole(path), text);
+}
+
+// The same on either face: the simulation knows nothing of them.
+TEST(RecordingProgram, BeginsAtRestUnderTheGoalThatWasAskedFor) {
+  const Vector<2> goal{-0.005, -0.02};
+  const Equilibrium<2> rest = equilibrium_of(StrategyId::naive, load_scene("wall45").settings, goal);
+  for (const std::string face : {"stage", "workbench"}) {
+    const TemporaryFolder folder;
+    const Display display(1024, 640);
+    BackgroundProgram program({GHOSTFORCE_PROGRAM, "run", "--goal-mm=-5,-20", "--view", face, "--exit-after", "0.3",
+                               "--record", folder / "run.csv"},
+                              display.environment());
+    while (program.is_running()) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    EXPECT_EQ(program.end(0), 0);
+    const auto run = load_run(folder / "run.csv");
+    ASSERT_FALSE(run.ticks.empty());
+    for (const RunTick& tick : {run.ticks.front(), run.ticks.back()}) {
+      const auto& row = tick.rows[index_of(StrategyId::naive)];
+      ASSERT_TRUE(row);
+      EXPECT_EQ(tick.goal, goal);
+      // A millionth of a metre: a second after the hand has stopped.
+      EXPECT_LT(glm::distance(row->device, rest.device), 1e-6);
+    }
+  }
 }
 
 TEST(RecordingProgram, SaysWhereTheFileTookNoMore) {

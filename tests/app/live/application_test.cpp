@@ -43,35 +43,6 @@ TEST_F(ApplicationTest, SpacePausesAndAFullStopSteps) {
   EXPECT_GT(application_->report().snapshot.tick, paused_at + 1);
 }
 
-// A paused window sleeps: what happens meanwhile must wake it.
-TEST_F(ApplicationTest, APausedWindowHasNewsWhenTheServoHas) {
-  press(GLFW_KEY_SPACE);
-  frames(5);
-  ASSERT_TRUE(application_->is_idle());
-  application_->heartbeat();
-  for (int i = 0; i < 100; ++i) application_->servo().step();
-  EXPECT_FALSE(application_->has_news());
-
-  ServoCommand command;
-  command.paused = true;
-  command.speed = -1.0;
-  application_->servo().send(command);
-  EXPECT_FALSE(application_->has_news()) << "not seen yet";
-  application_->servo().step();
-  ASSERT_EQ(application_->servo().newest().refused_commands, application_->report().refused_commands + 1);
-  EXPECT_TRUE(application_->has_news());
-  application_->frame(frame_s);
-  EXPECT_FALSE(application_->has_news());
-
-  command.speed = 1.0;
-  ++command.steps_asked;
-  application_->servo().send(command);
-  application_->servo().step();
-  EXPECT_TRUE(application_->has_news()) << "another tick";
-  application_->frame(frame_s);
-  EXPECT_FALSE(application_->has_news());
-}
-
 TEST_F(ApplicationTest, TheGoalFollowsADragAnywhereInTheScene) {
   const Vector<2> target{0.005, 0.012};
   const Vector<2> there = on_window(target);

@@ -305,7 +305,7 @@ TEST_F(LookingBackTest, APausedWindowStaysIdle) {
   press(GLFW_KEY_COMMA);
   frames(5);
   EXPECT_TRUE(application_->is_idle());
-  EXPECT_FALSE(application_->has_news());
+  EXPECT_FALSE(application_->needs_drawing());
   const Image before = picture();
   frames(5);
   EXPECT_EQ(picture(), before);

@@ -41,7 +41,8 @@ TEST_F(PreferencesTest, KnowsNothingAtFirstAndWritesNothingUnasked) {
 }
 
 TEST_F(PreferencesTest, ReadsBackWhatItWrote) {
-  const Preferences written{.appearance = {.theme = find_theme("projector"), .scale = 1.25}, .offers_hints = false};
+  const Preferences written{
+      .appearance = {.theme = find_theme("projector"), .scale = 1.25}, .offers_hints = false, .face = Face::workbench};
   const WindowLayout window{.width = 1024, .height = 640, .is_maximized = true, .folded_panels = {"View", "A \"b\""}};
   save(written);
   save(window);
@@ -70,7 +71,8 @@ TEST_F(PreferencesTest, DamagedFilesAreSetAsideOneByOne) {
   for (const std::string& text :
        {std::string("theme = "), std::string("theme = \"pink\""), std::string("theme = 3"), std::string("scale = 99.0"),
         std::string("scale = nan"), std::string("scale = \"2\""), std::string("scale = true"),
-        std::string("hints = \"yes\""), std::string("\xff\xfe\0garbage", 10)}) {
+        std::string("hints = \"yes\""), std::string("view = \"bench\""), std::string("view = 1"),
+        std::string("\xff\xfe\0garbage", 10)}) {
     write_preferences(text);
     const StoredPreferences stored = load_preferences();
     EXPECT_EQ(stored.preferences, Preferences{}) << text;
@@ -118,6 +120,15 @@ TEST_F(PreferencesTest, MissingKeysKeepTheirUsualValue) {
   EXPECT_EQ(stored.preferences.appearance.scale, 2.0);
   EXPECT_EQ(stored.preferences.appearance.theme, Preferences{}.appearance.theme);
   EXPECT_TRUE(stored.remarks.empty());
+}
+
+TEST_F(PreferencesTest, TheStageIsFirstUntilTheWorkbenchWasLeftLast) {
+  EXPECT_EQ(load_preferences().preferences.face, Face::stage);
+  for (const FaceEntry& entry : face_catalog) {
+    save(Preferences{.face = entry.id});
+    EXPECT_EQ(load_preferences().preferences.face, entry.id);
+    EXPECT_NE(read_whole(preferences()).find("view = \"" + std::string(entry.name) + "\"\n"), std::string::npos);
+  }
 }
 
 TEST_F(PreferencesTest, AWholeNumberIsANumber) {

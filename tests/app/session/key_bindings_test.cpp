@@ -10,6 +10,7 @@
 #include <numbers>
 #include <string>
 
+#include "app/session/stage_actions.h"
 #include "app/view/handles.h"
 #include "tests/app/live/driven_window.h"
 #include "tests/support/temporary_folder.h"
@@ -35,7 +36,10 @@ TEST_F(KeysTest, NoTwoBindingsHaveTheSameChordAndEveryRowSaysWhatItDoes) {
 void prepare(const KeyBinding& binding, Session& session) {
   const auto is = [&](int key, int modifiers) { return binding.key == key && binding.modifiers == modifiers; };
   session.paused = true;  // nothing but the key moves the picture
-  if (is(GLFW_KEY_2, 0)) session.settings.active = StrategyId::full;
+  if (binding.key == GLFW_KEY_2) session.settings.active = StrategyId::full;
+  if (binding.key == GLFW_KEY_ENTER || binding.key == GLFW_KEY_KP_ENTER) toggle_stage_mode(session, StageMode::why);
+  if (is(GLFW_KEY_PAGE_UP, 0)) session.stage.talk_step = 3;
+  if (is(GLFW_KEY_B, 0)) show_face(session, Face::stage);
   if (is(GLFW_KEY_ESCAPE, 0)) session.dialog = Dialog::help;
   if (is(GLFW_KEY_0, GLFW_MOD_CONTROL)) session.appearance.scale = 1.5;
   if (is(GLFW_KEY_R, GLFW_MOD_ALT)) session.settings.stiffnesses.k_r = 900.0;
@@ -78,7 +82,7 @@ TEST_F(KeysTest, EachKeyChangesThePicture) {
     if (binding.key == GLFW_KEY_F11) {
       EXPECT_TRUE(window_->is_full_screen());
       press(GLFW_KEY_F11);
-    } else if (binding.key == GLFW_KEY_Q) {
+    } else if (binding.key == GLFW_KEY_Q && binding.modifiers == GLFW_MOD_CONTROL) {
       EXPECT_TRUE(window_->should_close());
     } else {
       EXPECT_NE(before, picture()) << binding.shown << ' ' << binding.sentence << ' ' << binding.key;

@@ -40,7 +40,7 @@ struct StageCase {
   std::optional<StageRound> round{};
   std::shared_ptr<const MomentHistory> moments{};
   std::optional<double> looks_back_to_s{};
-  std::optional<StageMotors> motors{};
+  std::optional<StageCornerButton> corner{};
   std::string_view warning{};
 
   StagePicture compose(StageLabelMemory& memory, double interval_s) const {
@@ -63,7 +63,7 @@ struct StageCase {
                           .round = round,
                           .moments = moments.get(),
                           .looks_back_to_s = looks_back_to_s,
-                          .motors = motors,
+                          .corner = corner,
                           .warning = warning},
                          memory, interval_s);
   }
@@ -205,7 +205,9 @@ inline StageCase stage_case_by(StageDice& dice) {
     snapshot.measured = settings.active;
     for (auto& strategy : snapshot.strategies) strategy.ghost_force = strategy.proxy_drift = Vector<2>(0.0);
     made.moment = stage_moment(settings, snapshot, goal);
-    if (dice.one_in(2)) made.motors = StageMotors{dice.one_in(2) ? "Arm the motors" : "MOTORS ON. Esc: off", true};
+    if (dice.one_in(2))
+      made.corner =
+          StageCornerButton{StageCommand::motors, dice.one_in(2) ? "Arm the motors" : "MOTORS ON. Esc: off", true};
   }
   // A loop that has run away is another sentence's matter.
   if (!(glm::length(made.moment.handle) < 10.0 && glm::length(made.moment.wall_share) < 1e7)) {

@@ -229,7 +229,7 @@ TEST(Stage, FindsAPlaceForTheNumbersAndCoversNothingWithThemIfItCan) {
       StageCase plain = stage_case_at(wall45(), wall45_goal);
       plain.size = shown.size;
       plain.scale = shown.scale;
-      plain.motors = shown.motors;
+      plain.corner = shown.corner;
       plain.moment.is_measured = shown.moment.is_measured;
       usual = Drawn(plain.compose()).numbers().extent();
       EXPECT_FALSE(has_clear_place(shown, drawn, usual, false)) << i << " " << words_for(shown);

@@ -1,0 +1,82 @@
+#include "app/live/visible_state.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include "app/view/visible_change.h"
+#include "core/units.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr double visible_share_of_point = 0.01;
+constexpr double finest_shown_step = 0.0000005;  // half of the last digit of the finest length in a panel [m]
+constexpr double finest_shown_force = 0.001;     // less than the last digit of any force [N]
+
+// In the words and to the digits that panels and dialogs show, in any order.
+void add_panel_words(const Session& session, const LoopReading& reading, std::string& words) {
+  const auto out = std::back_inserter(words);
+  fmt::format_to(out, "{}{}{}{}", reading.refused, reading.remark, reading.device, reading.device_remark);
+  for (const ReadinessStepState& step : reading.readiness) fmt::format_to(out, "{}{}", step.is_reached, step.words);
+  const RecordingReading& recording = reading.recording;
+  fmt::format_to(out, "{:.1f} {:.1f} {}", recording.seconds, 1e-6 * static_cast<double>(recording.bytes),
+                 recording.dropped);
+  if (const MotorReport& motors = reading.motors; motors.has_motors) {
+    fmt::format_to(out, "{:.2f} {:.2f} {:.2f} {:.0f} {:.2f}", glm::length(motors.sent), motors.limit,
+                   motors.handle_speed, motors.held_k_r, motors.gain);
+  }
+  if (reading.circle) fmt::format_to(out, "{:.2f}", reading.circle->share);
+  const UserMeasurement& measurement = session.measurement;
+  fmt::format_to(out, "{} {}{}{}", measurement.readings.size(), static_cast<int>(measurement.step),
+                 measurement.was_refused, measurement.has_begun_anew);
+  if (measurement.drift) fmt::format_to(out, "{:.2f}", mm_per_m * *measurement.drift);
+}
+
+std::string shown_words(const Session& session, const LoopReading& reading) {
+  const MotorReport& motors = reading.motors;
+  const auto step = std::ranges::find_if(reading.readiness, &ReadinessStepState::is_current);
+  std::string words =
+      fmt::format("{}{}{}{}{} {} {}{}{} {} {}", reading.diverged, motors.has_motors, motors.is_ready,
+                  motors.is_saturated, static_cast<int>(motors.state), static_cast<int>(motors.reason),
+                  static_cast<int>(motors.obstacle), step != reading.readiness.end() ? step->title : std::string_view(),
+                  reading.recording.is_on, reading.recording.path, reading.circle ? reading.circle->turns : 0);
+  words += reading.shader_problem;
+  if (session.face == Face::workbench || session.dialog != Dialog::none) add_panel_words(session, reading, words);
+  return words;
+}
+
+}  // namespace
+
+VisibleState visible_state(const Session& session, const ShownMoment& shown, const MomentHistory& moments,
+                           double present_s, const LoopReading& reading) {
+  VisibleState state{.snapshot = shown.snapshot,
+                     .settings = shown.settings,
+                     .is_past = shown.is_past,
+                     .is_paused = session.paused,
+                     .goal = session.goal,
+                     .notice = {},
+                     .plots_end_s = {},
+                     .ribbon_end_s = {},
+                     .words = shown_words(session, reading)};
+  if (session.notice) state.notice = session.notice->words;
+  const PlotView& plots = session.plots;
+  const bool has_plots = session.face == Face::workbench && plots.is_open && plots.tab == PlotTab::time;
+  if (has_plots && (plots.follows || present_s <= plots.to_s)) state.plots_end_s = present_s;
+  const bool has_ribbon = session.face == Face::stage && session.stage.mode == StageMode::ribbon;
+  if (has_ribbon) state.ribbon_end_s = moments.changed_s();
+  return state;
+}
+
+bool looks_other(const VisibleState& seen, const VisibleState& now, double points_per_metre) noexcept {
+  const LeastVisible least{.step = std::min(visible_share_of_point / points_per_metre, finest_shown_step),
+                           .force = finest_shown_force};
+  return looks_other(seen.snapshot, now.snapshot, least) || glm::distance(seen.goal, now.goal) > least.step ||
+         seen.settings != now.settings || seen.is_past != now.is_past || seen.is_paused != now.is_paused ||
+         seen.notice != now.notice || seen.plots_end_s != now.plots_end_s || seen.ribbon_end_s != now.ribbon_end_s ||
+         seen.words != now.words;
+}
+
+}  // namespace ghostforce

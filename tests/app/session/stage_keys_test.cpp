@@ -1,0 +1,184 @@
+// The keys of the stage: its face, its modes, the switch in slow motion and the talk with a clicker.
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <variant>
+
+#include <glad/gl.h>
+
+#include "app/session/stage_actions.h"
+#include "tests/app/live/driven_window.h"
+
+namespace ghostforce {
+namespace {
+
+struct ModeKey {
+  int key;
+  StageMode mode;
+};
+constexpr std::array mode_keys{ModeKey{GLFW_KEY_Q, StageMode::predict}, ModeKey{GLFW_KEY_Y, StageMode::why},
+                               ModeKey{GLFW_KEY_L, StageMode::landscape}, ModeKey{GLFW_KEY_O, StageMode::round},
+                               ModeKey{GLFW_KEY_H, StageMode::ribbon}};
+
+class StageKeysTest : public DrivenWindow {
+ protected:
+  StageKeysTest() { open({.face = Face::stage}); }
+};
+
+TEST_F(StageKeysTest, F4GoesToTheWorkbenchAndBackWhateverIsTyped) {
+  press(GLFW_KEY_F4);
+  EXPECT_EQ(session().face, Face::workbench);
+  press(GLFW_KEY_O, GLFW_MOD_CONTROL);
+  frames(2);
+  ASSERT_TRUE(ImGui::GetIO().WantTextInput);
+  press(GLFW_KEY_F4);
+  EXPECT_EQ(session().face, Face::stage);
+}
+
+TEST_F(StageKeysTest, AKeyBeginsItsModeAndEndsItAndTakesOverFromAnother) {
+  ASSERT_EQ(mode_keys.size(), stage_mode_catalog().size());
+  for (const ModeKey& each : mode_keys) {
+    press(each.key);
+    EXPECT_EQ(session().stage.mode, each.mode);
+    press(each.key);
+    EXPECT_EQ(session().stage.mode, StageMode::none) << stage_mode_name(each.mode);
+    press(each.key == GLFW_KEY_Q ? GLFW_KEY_L : GLFW_KEY_Q);
+    press(each.key);
+    EXPECT_EQ(session().stage.mode, each.mode);
+    press(GLFW_KEY_ESCAPE);
+    EXPECT_EQ(session().stage.mode, StageMode::none) << stage_mode_name(each.mode);
+  }
+}
+
+TEST_F(StageKeysTest, AModesKeyOpensTheStageAndTheWorkbenchEndsIt) {
+  for (const ModeKey& each : mode_keys) {
+    show_face(session(), Face::workbench);
+    press(each.key);
+    EXPECT_EQ(session().face, Face::stage);
+    EXPECT_EQ(session().stage.mode, each.mode);
+    press(GLFW_KEY_F4);
+    EXPECT_EQ(session().face, Face::workbench);
+    EXPECT_EQ(session().stage.mode, StageMode::none);
+  }
+}
+
+// The circle is the hand's while the mode lasts.
+TEST_F(StageKeysTest, RoundAndRoundGivesTheHandBack) {
+  press(GLFW_KEY_O);
+  EXPECT_EQ(session().input, "circle");
+  press(GLFW_KEY_O);
+  EXPECT_EQ(session().input, "mouse");
+}
+
+TEST_F(StageKeysTest, AModeCanBeOnFromTheBeginning) {
+  for (const ModeKey& each : mode_keys) {
+    open({.face = Face::stage, .mode = each.mode});
+    EXPECT_EQ(session().stage.mode, each.mode);
+    EXPECT_EQ(session().input, each.mode == StageMode::round ? "circle" : "mouse");
+    const Image with_mode = picture();
+    press(each.key);
+    EXPECT_EQ(session().stage.mode, StageMode::none);
+    EXPECT_NE(picture(), with_mode);
+  }
+}
+
+TEST_F(StageKeysTest, EnterIsTheNextStepOfWhyUpToTheLast) {
+  press(GLFW_KEY_Y);
+  for (int step = 1; step <= last_why_step; ++step) {
+    EXPECT_EQ(session().stage.why_step, step);
+    press(step % 2 == 0 ? GLFW_KEY_ENTER : GLFW_KEY_KP_ENTER);
+  }
+  EXPECT_EQ(session().stage.why_step, last_why_step);
+}
+
+TEST_F(StageKeysTest, EnterAnswersAGuess) {
+  press(GLFW_KEY_Q);
+  ASSERT_TRUE(session().stage.guess);
+  EXPECT_EQ(session().stage.reveals_asked, 0U);
+  press(GLFW_KEY_ENTER);
+  EXPECT_EQ(session().stage.reveals_asked, 1U);
+}
+
+TEST_F(StageKeysTest, ShiftSwitchesSlowly) {
+  for (const auto& [key, id] : {std::pair{GLFW_KEY_1, StrategyId::full}, std::pair{GLFW_KEY_3, StrategyId::anisotropic},
+                                std::pair{GLFW_KEY_2, StrategyId::naive}}) {
+    press(key, GLFW_MOD_SHIFT);
+    EXPECT_EQ(session().settings.active, id);
+    EXPECT_TRUE(session().stage.switches_slowly);
+    press(key);
+    EXPECT_FALSE(session().stage.switches_slowly);
+  }
+}
+
+// Where the handle is drawn, slowly and at once, two seconds after the key.
+TEST_F(StageKeysTest, SlowMotionIsSeen) {
+  glEnable(GL_RASTERIZER_DISCARD);  // the marks are looked at, and no pixel
+  const auto handle_after = [&](int modifiers) {
+    press(GLFW_KEY_2);
+    frames(60);
+    press(GLFW_KEY_3, modifiers);
+    frames(120);
+    for (const Mark& mark : screen().panes().front().marks) {
+      const auto* const marker = std::get_if<Marker>(&mark.form);
+      if (mark.role == Role::device && marker != nullptr) return marker->center;
+    }
+    return Vector<2>(0.0);
+  };
+  const Vector<2> rest = now().strategies[index_of(StrategyId::anisotropic)].device;
+  EXPECT_LT(glm::distance(handle_after(0), rest), 1e-5);
+  EXPECT_GT(glm::distance(handle_after(GLFW_MOD_SHIFT), rest), 1e-3);
+}
+
+TEST_F(StageKeysTest, AClickerGoesThroughTheTalkAndBack) {
+  struct Step {
+    StrategyId active;
+    StageMode mode;
+    int why_step;
+  };
+  constexpr std::array steps{
+      Step{StrategyId::full, StageMode::none, 0},        Step{StrategyId::naive, StageMode::none, 0},
+      Step{StrategyId::naive, StageMode::why, 1},        Step{StrategyId::naive, StageMode::why, 2},
+      Step{StrategyId::naive, StageMode::why, 3},        Step{StrategyId::naive, StageMode::why, 4},
+      Step{StrategyId::anisotropic, StageMode::none, 0}, Step{StrategyId::anisotropic, StageMode::landscape, 0},
+      Step{StrategyId::anisotropic, StageMode::round, 0}};
+  ASSERT_EQ(steps.size(), talk_length());
+  const auto expect_step = [&](std::size_t i) {
+    EXPECT_EQ(session().face, Face::stage);
+    EXPECT_EQ(session().stage.mode, steps[i].mode) << i;
+    EXPECT_EQ(session().stage.why_step, steps[i].why_step) << i;
+  };
+  press(GLFW_KEY_PAGE_UP);
+  EXPECT_FALSE(session().stage.talk_step) << "nothing is before the first";
+  show_face(session(), Face::workbench);
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    press(GLFW_KEY_PAGE_DOWN);
+    expect_step(i);
+    EXPECT_EQ(session().settings.active, steps[i].active) << i;
+  }
+  press(GLFW_KEY_PAGE_DOWN);
+  expect_step(steps.size() - 1);
+  for (std::size_t i = steps.size() - 1; i-- > 0;) {
+    press(GLFW_KEY_PAGE_UP);
+    expect_step(i);
+  }
+  press(GLFW_KEY_PAGE_UP);
+  expect_step(0);
+}
+
+TEST_F(StageKeysTest, BHidesThePictureAndEscapeShowsItToo) {
+  const auto is_black = [&] {
+    const Image image = picture();
+    return std::ranges::all_of(image.rgb, [](std::uint8_t value) { return value == 0; });
+  };
+  for (const int shows_again : {GLFW_KEY_B, GLFW_KEY_ESCAPE}) {
+    EXPECT_FALSE(is_black());
+    press(GLFW_KEY_B);
+    EXPECT_TRUE(is_black());
+    press(shows_again);
+  }
+  EXPECT_FALSE(is_black());
+}
+
+}  // namespace
+}  // namespace ghostforce
