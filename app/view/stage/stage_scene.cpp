@@ -285,6 +285,15 @@ void add_slide(const StageLayer& layer) {
   canvas.labels.keep_clear(ruler->from, ruler->to, canvas.points(10.0));
 }
 
+double shape_reach(const StageMoment& moment, double radius) {
+  constexpr PerStrategy<double> reach{1.0, 1.3, 1.57};  // of disc, diamond and triangle, as the painters draw them
+  double most = 0.0;
+  for (std::size_t i = 0; i < strategy_count; ++i) {
+    if (moment.weights[i] > 0.0) most = std::max(most, reach[i]);
+  }
+  return most * radius;
+}
+
 void add_handle(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   const Theme& theme = content.theme;
@@ -299,7 +308,8 @@ void add_handle(const StageLayer& layer) {
                               Marker{at, strategy_style(entry.id).shape, canvas.points(radius), is_filled ? own : paper,
                                      is_filled ? paper : own, canvas.width(4.0)}});
     }
-    canvas.labels.keep_clear(canvas.at(at), canvas.at(at), canvas.points(1.4 * radius));
+    canvas.labels.keep_clear(canvas.at(at), canvas.at(at),
+                             shape_reach(moment, canvas.points(radius)) + canvas.width(2.0));
   };
   if (moment.in_contact) {
     add(Role::proxy, moment.proxy, 11.0, false);
