@@ -17,7 +17,7 @@ namespace ghostforce {
 // In the order of their importance.
 enum class StageLabel : std::uint8_t {
   numbers,  // the block of the two large numbers
-  hint,
+  hint,     // what a newcomer is asked to do
   guess,
   ghost,
   slide,

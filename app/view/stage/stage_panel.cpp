@@ -171,13 +171,6 @@ void add_hover_panel(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   const auto panel = hover_panel(layer);
   if (!panel) return;
-  // Letters stand above everything: none may shine through.
-  std::erase_if(canvas.marks, [&](const Mark& mark) {
-    const auto* const label = std::get_if<Label>(&mark.form);
-    if (label == nullptr) return false;
-    const Vector<2> corner = canvas.at(label->anchor) + label->offset;
-    return overlap({corner, corner + content.measure(label->text, label->style)}, panel->box) > 0.0;
-  });
   canvas.box(Role::hint, panel->box, canvas.points(10.0), content.theme.panel, content.theme.panel_border,
              canvas.width(1.5));
   canvas.text(Role::hint, panel->box.grown(-canvas.points(hover_padding)).least, panel->lines, layout.letters.words,

@@ -133,8 +133,8 @@ void add_wall_words(const StageLayer& layer) {
   const Vector<2> edge = canvas.at(wall_of(content.settings).point);
   const ScreenBox room = layout.room().grown(-canvas.points(26.0));
   const double top = layout.top + canvas.points(16.0);
-  const std::array corners{Vector<2>(room.most.x - extent.x, top), Vector<2>(room.least.x, top), room.most - extent,
-                           Vector<2>(room.least.x, room.most.y - extent.y)};
+  const std::array corners{Vector<2>(room.most.x - extent.x, top), room.most - extent,
+                           Vector<2>(room.least.x, room.most.y - extent.y), Vector<2>(room.least.x, top)};
   const auto is_deep = [&](const Vector<2>& corner) {
     return glm::dot(corner + 0.5 * extent - edge, inwards) > 0.5 * extent.x + canvas.points(30.0);
   };
@@ -159,7 +159,7 @@ void add_hand_words(const StageLayer& layer) {
                                  : is_asked_to_drag         ? "drag me: your hand pulls here"
                                                             : "your hand pulls here";
   canvas.label(Role::hand,
-               {StageLabel::hand,
+               {is_asked_to_drag ? StageLabel::hint : StageLabel::hand,
                 {std::string(words)},
                 is_asked_to_drag ? layout.letters.bold_words : layout.letters.words,
                 canvas.at(content.moment.goal),
@@ -181,7 +181,7 @@ void add_motor_words(const StageLayer& layer) {
   const Vector<2> end = ends[1].x > ends[0].x ? ends[1] : ends[0];
   const Vector<2> rail = to_screen_direction(direction_at(content.settings.actuated_angle));
   canvas.label(Role::motor_axis,
-               {StageLabel::motor,
+               {is_asked_to_turn ? StageLabel::hint : StageLabel::motor,
                 {words},
                 is_asked_to_turn ? layout.letters.bold_words : layout.letters.words,
                 handle,
@@ -196,13 +196,10 @@ void add_stage_words(const StageLayer& layer) {
   add_force_words(layer);
   add_slide_words(layer);
   add_handle_words(layer);
-  // What a newcomer is asked to do finds room before what there is to know.
-  const bool is_asked_to_turn = layer.content.hint == StageHint::motor;
-  if (is_asked_to_turn) add_motor_words(layer);
   add_share_words(layer);
   add_hand_words(layer);
   add_expectation_words(layer);
-  if (!is_asked_to_turn) add_motor_words(layer);
+  add_motor_words(layer);
   add_wall_words(layer);
 }
 

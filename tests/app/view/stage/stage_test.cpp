@@ -282,15 +282,15 @@ TEST(Stage, SaysEverythingInTheUsualPictures) {
   }
 }
 
-// Of the ghost's piece, so far as it is seen.
-double arrow_length(const Drawn& drawn, const Vector<2>& size) {
+// Of a piece of the force, so far as it is seen.
+double arrow_length(const Drawn& drawn, Role role) {
   double length = 0.0;
   for (const Mark& mark : drawn.picture.pane.marks) {
     const auto* const arrow = std::get_if<Arrow>(&mark.form);
-    if (arrow == nullptr) continue;
+    if (arrow == nullptr || mark.role != role) continue;
     const Camera& camera = drawn.picture.pane.camera;
     ScreenPiece piece{to_screen(camera, arrow->tail), to_screen(camera, arrow->tip), 0.0};
-    if (clip({Vector<2>(0.0), size}, piece)) length = std::max(length, glm::distance(piece.from, piece.to));
+    if (clip(drawn.picture.scene, piece)) length = std::max(length, glm::distance(piece.from, piece.to));
   }
   return length;
 }
@@ -310,18 +310,16 @@ TEST(Stage, LeavesOutTheLessImportantWords) {
     const Camera& camera = drawn.picture.pane.camera;
     const StageMoment& moment = shown.moment;
     const auto is_seen = [&](const Vector<2>& world) {
-      return contains({Vector<2>(0.0), shown.size}, to_screen(camera, world));
+      return contains(drawn.picture.scene, to_screen(camera, world));
     };
-    // What lies beyond the window, or below a button, needs no words.
+    // What lies beyond the scene needs no words.
     if (!is_seen(moment.handle) || !is_seen(moment.goal) || !is_seen(moment.proxy)) continue;
-    tally(drawn, Role::device, "handle");
+    // In the fist there is no handle to be seen.
+    const double apart = glm::distance(moment.handle, moment.goal) * camera.points_per_metre;
+    if (apart > 60.0 * drawn.picture.unit) tally(drawn, Role::device, "handle");
     tally(drawn, Role::hand, "");
-    const double length = arrow_length(drawn, shown.size);
-    if (length > 20.0 && glm::length(moment.ghost_force) >= 0.1 * shown.reference_force) {
-      tally(drawn, Role::ghost_force, "ghost");
-    }
-    if (length > 20.0 && glm::length(moment.wall_share) >= 0.1 * shown.reference_force) {
-      tally(drawn, Role::wall_share, "");
+    for (const Role role : {Role::ghost_force, Role::wall_share}) {
+      if (arrow_length(drawn, role) > 30.0 * drawn.picture.unit) tally(drawn, role, "");
     }
     if (!moment.is_measured && moment.in_contact && glm::length(moment.slide) * camera.points_per_metre > 10.0) {
       tally(drawn, Role::proxy_drift, "slid");
