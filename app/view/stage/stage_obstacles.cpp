@@ -2,19 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 namespace ghostforce {
 namespace {
-
-double distance_to_line(const Vector<2>& point, const Vector<2>& from, const Vector<2>& to) {
-  const Vector<2> way = to - from;
-  const double length = glm::dot(way, way);
-  const double share = length > 0.0 ? std::clamp(glm::dot(point - from, way) / length, 0.0, 1.0) : 0.0;
-  return glm::distance(point, from + share * way);
-}
 
 std::array<Vector<2>, 4> corners_of(const ScreenBox& box) {
   return {box.least, {box.most.x, box.least.y}, box.most, {box.least.x, box.most.y}};
@@ -27,17 +21,6 @@ double distance_to_box(const ScreenBox& box, const Vector<2>& from, const Vector
                           glm::distance(to, glm::clamp(to, box.least, box.most)));
   for (const Vector<2>& corner : corners_of(box)) least = std::min(least, distance_to_line(corner, from, to));
   return least;
-}
-
-double distance_of_pieces(const ScreenPiece& a, const ScreenPiece& b) {
-  const auto side = [](const ScreenPiece& piece, const Vector<2>& point) {
-    const Vector<2> along = piece.to - piece.from;
-    const Vector<2> way = point - piece.from;
-    return along.x * way.y - along.y * way.x;
-  };
-  if (side(a, b.from) * side(a, b.to) < 0.0 && side(b, a.from) * side(b, a.to) < 0.0) return 0.0;
-  return std::min({distance_to_line(a.from, b.from, b.to), distance_to_line(a.to, b.from, b.to),
-                   distance_to_line(b.from, a.from, a.to), distance_to_line(b.to, a.from, a.to)});
 }
 
 struct Interval {
@@ -108,6 +91,46 @@ std::optional<double> nearest_in(const Interval& room, std::vector<Interval>& ta
 
 }  // namespace
 
+double distance_to_line(const Vector<2>& point, const Vector<2>& from, const Vector<2>& to) noexcept {
+  const Vector<2> way = to - from;
+  const double length = glm::dot(way, way);
+  const double share = length > 0.0 ? std::clamp(glm::dot(point - from, way) / length, 0.0, 1.0) : 0.0;
+  return glm::distance(point, from + share * way);
+}
+
+double distance_between_lines(const ScreenPiece& a, const ScreenPiece& b) noexcept {
+  const auto side = [](const ScreenPiece& piece, const Vector<2>& point) {
+    const Vector<2> along = piece.to - piece.from;
+    const Vector<2> way = point - piece.from;
+    return along.x * way.y - along.y * way.x;
+  };
+  if (side(a, b.from) * side(a, b.to) < 0.0 && side(b, a.from) * side(b, a.to) < 0.0) return 0.0;
+  return std::min({distance_to_line(a.from, b.from, b.to), distance_to_line(a.to, b.from, b.to),
+                   distance_to_line(b.from, a.from, a.to), distance_to_line(b.to, a.from, a.to)});
+}
+
+std::uint64_t StageObstacles::signature() const noexcept {
+  std::uint64_t mixed = 0;
+  const auto add = [&](double number) {
+    mixed = (mixed ^ std::bit_cast<std::uint64_t>(number)) * 0x9E3779B97F4A7C15ULL;
+    mixed ^= mixed >> 29;
+  };
+  const auto add_point = [&](const Vector<2>& point) {
+    add(point.x);
+    add(point.y);
+  };
+  for (const ThickLine& line : lines_) {
+    add_point(line.from);
+    add_point(line.to);
+    add(line.radius);
+  }
+  for (const ScreenBox& box : boxes_) {
+    add_point(box.least);
+    add_point(box.most);
+  }
+  return mixed;
+}
+
 bool StageObstacles::is_free(const ScreenBox& box, double air, Clearance clearance) const {
   const ScreenBox airy = box.grown(air);
   for (const ScreenBox& other : boxes_) {
@@ -126,7 +149,7 @@ bool StageObstacles::is_free(const ScreenBox& box, double air, Clearance clearan
   return true;
 }
 
-bool StageObstacles::can_pass(const Vector<2>& anchor, const Vector<2>& from, const Vector<2>& to) const {
+bool StageObstacles::can_pass(const Vector<2>& from, const Vector<2>& to) const {
   for (const ScreenBox& box : boxes_) {
     ScreenPiece piece{from, to, 0.0};
     if (clip(box, piece)) return false;
@@ -134,9 +157,8 @@ bool StageObstacles::can_pass(const Vector<2>& anchor, const Vector<2>& from, co
   const ScreenPiece way{from, to, 0.0};
   return std::ranges::none_of(lines_, [&](const ThickLine& line) {
     if (line.clearance == Clearance::if_possible) return false;
-    // It begins at the rim of what it leads to.
-    const bool is_own = distance_to_line(anchor, line.from, line.to) < 0.5 * line.radius;
-    return distance_of_pieces(way, {line.from, line.to, 0.0}) < (is_own ? 0.98 : 1.0) * line.radius;
+    // It may begin at a rim.
+    return distance_between_lines(way, {line.from, line.to, 0.0}) < 0.98 * line.radius;
   });
 }
 

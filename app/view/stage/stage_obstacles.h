@@ -2,6 +2,7 @@
 // down. Values; one thread.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -20,10 +21,13 @@ class StageObstacles {
   }
   void add(const ScreenBox& box) { boxes_.push_back(box); }
 
+  // Two with the same number have the same in them, most likely.
+  std::uint64_t signature() const noexcept;
+
   // Whether a box has so much air to all of them.
   bool is_free(const ScreenBox& box, double air, Clearance clearance) const;
-  // Whether a thin line that begins at the rim of what is at `anchor` crosses none but the long and thin ones.
-  bool can_pass(const Vector<2>& anchor, const Vector<2>& from, const Vector<2>& to) const;
+  // Whether a thin line crosses none but the long and thin ones.
+  bool can_pass(const Vector<2>& from, const Vector<2>& to) const;
 
   struct BlockRequest {
     Vector<2> extent;
@@ -47,6 +51,10 @@ class StageObstacles {
   std::vector<ThickLine> lines_;
   std::vector<ScreenBox> boxes_;
 };
+
+// Of a point from all of a line.
+double distance_to_line(const Vector<2>& point, const Vector<2>& from, const Vector<2>& to) noexcept;
+double distance_between_lines(const ScreenPiece& a, const ScreenPiece& b) noexcept;
 
 // Whether a box lies to the right of a line, looking along it, and so far from it.
 bool lies_right_of(const ScreenPiece& edge, const ScreenBox& box, double air) noexcept;
