@@ -29,7 +29,7 @@ namespace {
 constexpr double news_last_s = 6.0;  // problems stay until they are dismissed
 
 // Model time in the status bar, ticks a second and ticks that came late change all the time: they can wait.
-constexpr double counts_last_s = 1.0;
+constexpr double counts_last_s = 2.0;
 constexpr double paused_counts_last_s = 5.0;
 // What appears on the screen is measured in one frame and put in its place in the next.
 constexpr int settling_frames = 3;

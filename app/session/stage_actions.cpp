@@ -60,7 +60,10 @@ void go_to_talk_step(Session& session, int step) {
 }  // namespace
 
 void show_face(Session& session, Face face) {
-  if (face == Face::workbench) leave_stage_mode(session);
+  if (face == Face::workbench) {
+    leave_stage_mode(session);
+    session.notice = Notice{"The workbench: all settings, numbers and plots. F4 goes back to the stage."};
+  }
   session.face = face;
 }
 

@@ -114,9 +114,25 @@ void StageFace::update(Session& session, const StageFrame& frame, bool has_keys,
   show_.update(has_keys || pointer_.has_touched() || is_changed, may_show_itself(session, frame), interval_s);
 }
 
+namespace {
+
+// What is being turned is shown as the loop has it, so that all of the picture is of one moment: settings that it has not
+// seen yet come with the next frame.
+ShownMoment of_one_moment(const Session& session, const StageFrame& frame) {
+  const auto newest = frame.history.moments().newest();
+  const bool is_live = !session.paused && !frame.shown.is_past;
+  if (!is_live || !newest || newest->snapshot.tick == 0) return frame.shown;
+  ShownMoment moment = *newest;
+  moment.settings.active = frame.shown.settings.active;
+  return moment;
+}
+
+}  // namespace
+
 StageFace::Shown StageFace::shown_in(const Session& session, const StageFrame& frame) const {
-  const Settings& settings = frame.shown.settings;
-  const Snapshot& snapshot = frame.shown.snapshot;
+  const ShownMoment shown_moment = of_one_moment(session, frame);
+  const Settings& settings = shown_moment.settings;
+  const Snapshot& snapshot = shown_moment.snapshot;
   // A hand that is dragged is where the pointer is, whatever the loop has seen of it yet.
   const bool is_live = session.pointer_moves_goal && !frame.shown.is_past && !snapshot.measured;
   const Vector<2> goal = is_live ? session.goal : snapshot.goal;

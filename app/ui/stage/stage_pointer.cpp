@@ -175,6 +175,8 @@ void StagePointer::drag(Session& session, const Scene& scene, const Vector<2>& p
       return;
     case Hold::landscape_dial:
       session.stage.landscape_dial = dial_under(*scene.picture.landscape, pointer);
+      // The lit button is the nearer end's.
+      session.settings.active = *session.stage.landscape_dial < 0.5 ? StrategyId::naive : StrategyId::anisotropic;
       return;
     case Hold::ribbon:
       if (scene.picture.ribbon) session.stage.looks_back_to_s = scene.picture.ribbon->axis.time_at(pointer.x);

@@ -18,9 +18,10 @@ constexpr std::array reaches{6.0, 10.0, 15.0, 22.0, 30.0, 42.0, 58.0, 80.0, 110.
 constexpr double far_reach = 36.0;  // words beyond need a line to what they name
 
 // What else makes a place worse, in the same measure.
-constexpr double turn_cost = 20.0;    // for a place at right angles to the wanted direction
+constexpr double turn_cost = 15.0;    // for a place at right angles to the wanted direction
 constexpr double shift_cost = 24.0;   // for one at the end of a thing instead of at its middle, twice that
-constexpr double break_cost = 14.0;   // for two lines
+constexpr double break_cost = 14.0;   // for two lines,
+constexpr double split_cost = 30.0;   // and of words that are short enough for one
 constexpr double leader_cost = 45.0;  // for a line to what it names
 constexpr double doubt_cost = 40.0;   // for one that is nearer to something else,
 constexpr double full_doubt = 20.0;   // by so much
@@ -30,6 +31,7 @@ constexpr std::size_t most_options = 64;
 constexpr double same_place = 7.0;
 
 constexpr double long_thing = 80.0;
+constexpr std::size_t short_words = 16;  // [letters]
 
 // Of the box, going round it.
 constexpr std::array sides{Vector<2>(-1.0, -1.0), Vector<2>(-0.75, -1.0), Vector<2>(-0.5, -1.0), Vector<2>(-0.25, -1.0),
@@ -50,9 +52,13 @@ bool lies_within(const ScreenBox& region, const ScreenBox& box) {
   return contains(region, box.least) && contains(region, box.most);
 }
 
-// So much does it cost to leave words out: the more, the more important they are.
-double missing_cost(std::size_t rank, std::size_t count) {
-  return 250.0 * std::pow(1.7, static_cast<double>(count - 1 - rank));
+// So much does it cost to leave words out, and so much does a bad place of theirs count: the more, the more important
+// they are.
+double missing_cost(std::size_t less_important) {
+  return 250.0 * std::pow(1.7, static_cast<double>(less_important));
+}
+double weight_of(std::size_t less_important) {
+  return 1.0 + 0.15 * static_cast<double>(less_important);
 }
 
 }  // namespace
@@ -94,7 +100,7 @@ std::vector<double> LabelSearch::shares() const {
 double LabelSearch::cost_of(const LabelPlace& place) const {
   double cost = place.reach + turn_cost * (1.0 - glm::dot(glm::normalize(place.side), wanted_)) +
                 shift_cost * std::abs(place.share - request_.best_share);
-  if (place.is_broken) cost += break_cost;
+  if (place.is_broken) cost += request_.lines.front().size() < short_words ? split_cost : break_cost;
   if (place.reach > far_reach) cost += leader_cost;
   return cost;
 }
@@ -215,7 +221,8 @@ LabelPlan plan_in_order(std::vector<LabelSearch>& searches, const std::vector<st
 double cost_of_plan(const std::vector<std::optional<LabelOption>>& options) noexcept {
   double cost = 0.0;
   for (std::size_t i = 0; i < options.size(); ++i) {
-    cost += options[i] ? options[i]->cost : missing_cost(i, options.size());
+    const std::size_t less_important = options.size() - 1 - i;
+    cost += options[i] ? weight_of(less_important) * options[i]->cost : missing_cost(less_important);
   }
   return cost;
 }

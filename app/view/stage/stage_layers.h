@@ -70,6 +70,9 @@ struct SlideRuler {
 };
 std::optional<SlideRuler> slide_ruler(const StageLayer& layer);
 
+// How far handle and proxy reach from their middle, whatever their shape, without their rim.
+double shape_reach(const StageMoment& moment, double radius);
+
 inline constexpr double handle_radius = 17.0;  // [points of the design]
 inline constexpr double arrow_width = 14.0;
 

@@ -146,7 +146,13 @@ constexpr double hover_padding = 10.0;
 
 std::optional<HoverPanel> hover_panel(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
-  const std::string words = content.hovered ? hover_words(*content.hovered) : "";
+  // Who has pressed an icon has read what it does.
+  const bool is_on = content.hovered == StageAction(content.mode);
+  const std::string words = is_on                                      ? ""
+                            : content.hovered                          ? hover_words(*content.hovered)
+                            : content.hovered_grip == StageGrip::wall  ? "Drag to turn the wall."
+                            : content.hovered_grip == StageGrip::motor ? "Drag to turn the motor."
+                                                                       : "";
   if (words.empty()) return std::nullopt;
   const TextStyle& style = layout.letters.words;
   HoverPanel panel{broken_into_lines(words, 0.45 * layout.size.x, style, content.measure), {}};

@@ -31,16 +31,15 @@ double fullness_of(const StageMoment& moment) {
   return moment.weights[index_of(StrategyId::full)];
 }
 
-// Where a line through `middle` leaves the picture without its margin, at most `reach` away.
-double reach_inside(const Vector<2>& middle, const Vector<2>& direction, double reach, const Vector<2>& size,
-                    double inset) {
+// How far a line from `middle` goes before it leaves the box, at most `reach`.
+double reach_inside(const Vector<2>& middle, const Vector<2>& direction, double reach, const ScreenBox& box) {
   ScreenPiece piece{middle, middle + direction * reach, 0.0};
-  if (!clip({Vector<2>(inset), size - Vector<2>(inset)}, piece)) return 0.0;
+  if (!clip(box, piece)) return 0.0;
   return glm::distance(middle, piece.to);
 }
 
 std::array<Vector<2>, 2> rail_ends(const Settings& settings, const StageMoment& moment, const Camera& camera,
-                                   double unit) {
+                                   const ScreenBox& scene, double unit) {
   const Vector<2> along = to_screen_direction(direction_at(settings.actuated_angle));
   const Vector<2> middle = to_screen(camera, moment.handle);
   const double to_hand = glm::dot(to_screen(camera, moment.goal) - middle, along);
@@ -49,7 +48,7 @@ std::array<Vector<2>, 2> rail_ends(const Settings& settings, const StageMoment& 
     const double of_one_motor = std::max(long_rail * unit, side * to_hand + beyond_hand * unit);
     const double reach = glm::mix(of_one_motor, short_rail * unit, fullness_of(moment));
     const Vector<2> direction = side * along;
-    return middle + direction * reach_inside(middle, direction, reach, camera.size, 30.0 * unit);
+    return middle + direction * reach_inside(middle, direction, reach, scene.grown(-24.0 * unit));
   };
   return {end(-1.0), end(1.0)};
 }
@@ -125,7 +124,7 @@ void add_rail(const StageLayer& layer) {
     canvas.labels.keep_clear(piece[0] - along * canvas.points(14.0), piece[1] + along * canvas.points(14.0),
                              canvas.points(7.0), Clearance::if_possible);
   };
-  add(rail_ends(content.settings, content.moment, canvas.camera, canvas.unit));
+  add(rail_ends(content.settings, content.moment, canvas.camera, layout.scene(), canvas.unit));
   if (fullness <= 0.0) return;
   const Vector<2> along = motor_on_screen(content);
   const Vector<2> across = Vector<2>(-along.y, along.x) * canvas.points(short_rail * fullness);
@@ -286,6 +285,15 @@ void add_slide(const StageLayer& layer) {
   canvas.labels.keep_clear(ruler->from, ruler->to, canvas.points(10.0));
 }
 
+double shape_reach(const StageMoment& moment, double radius) {
+  constexpr PerStrategy<double> reach{1.0, 1.3, 1.57};  // of disc, diamond and triangle, as the painters draw them
+  double most = 0.0;
+  for (std::size_t i = 0; i < strategy_count; ++i) {
+    if (moment.weights[i] > 0.0) most = std::max(most, reach[i]);
+  }
+  return most * radius;
+}
+
 void add_handle(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   const Theme& theme = content.theme;
@@ -300,7 +308,8 @@ void add_handle(const StageLayer& layer) {
                               Marker{at, strategy_style(entry.id).shape, canvas.points(radius), is_filled ? own : paper,
                                      is_filled ? paper : own, canvas.width(4.0)}});
     }
-    canvas.labels.keep_clear(canvas.at(at), canvas.at(at), canvas.points(1.4 * radius));
+    canvas.labels.keep_clear(canvas.at(at), canvas.at(at),
+                             shape_reach(moment, canvas.points(radius)) + canvas.width(2.0));
   };
   if (moment.in_contact) {
     add(Role::proxy, moment.proxy, 11.0, false);
@@ -313,7 +322,7 @@ void add_handle(const StageLayer& layer) {
 
 StageGrips stage_grips(const Settings& settings, const StageMoment& moment, const Camera& camera,
                        const ScreenBox& scene, double unit) {
-  StageGrips grips{rail_ends(settings, moment, camera, unit), {}};
+  StageGrips grips{rail_ends(settings, moment, camera, scene, unit), {}};
   // The wall's edge, cut to the scene.
   const Vector<2> at = to_screen(camera, settings.wall_point);
   const Vector<2> normal = to_screen_direction(direction_at(settings.wall_normal_angle));

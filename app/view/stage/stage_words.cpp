@@ -1,4 +1,6 @@
 // The words beside the things of the stage, the most important first.
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -72,7 +74,7 @@ void add_handle_words(const StageLayer& layer) {
                 layout.letters.bold_words,
                 canvas.at(content.moment.handle),
                 canvas.at(content.moment.handle),
-                canvas.points(1.4 * handle_radius),
+                shape_reach(content.moment, canvas.points(handle_radius)) + canvas.width(2.0),
                 Vector<2>(1.0, -1.0)},
                stage_colour(content.moment, content.theme.strategy_text));
 }
@@ -122,19 +124,26 @@ void add_expectation_words(const StageLayer& layer) {
   }
 }
 
-// Deep in the wall, beside where things happen.
+// In a corner of the picture that is deep in the wall, above if there is one.
 void add_wall_words(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
-  const Vector<2> inwards = into_the_wall(content);
-  const Vector<2> aside = Vector<2>(-inwards.y, inwards.x) * (inwards.x >= 0.0 ? -1.0 : 1.0);
-  const Vector<2> edge = canvas.at(wall_of(content.settings).point);
   const std::string words = "virtual wall";
   const Vector<2> extent = content.measure(words, layout.letters.words);
-  const Vector<2> middle = edge + inwards * canvas.points(150.0) + aside * canvas.points(230.0);
+  const Vector<2> inwards = into_the_wall(content);
+  const Vector<2> edge = canvas.at(wall_of(content.settings).point);
+  const ScreenBox room = layout.room().grown(-canvas.points(26.0));
+  const double top = layout.top + canvas.points(16.0);
+  const std::array corners{Vector<2>(room.most.x - extent.x, top), Vector<2>(room.least.x, top), room.most - extent,
+                           Vector<2>(room.least.x, room.most.y - extent.y)};
+  const auto is_deep = [&](const Vector<2>& corner) {
+    return glm::dot(corner + 0.5 * extent - edge, inwards) > 0.5 * extent.x + canvas.points(30.0);
+  };
+  const auto* const corner = std::ranges::find_if(corners, is_deep);
+  if (corner == corners.end()) return;
   const LabelBlock block{.id = StageLabel::wall,
                          .extent = extent,
                          .region = layout.room(),
-                         .wanted = middle - 0.5 * extent,
+                         .wanted = *corner,
                          // What lies in the wall lies to the right of its edge.
                          .edge = ScreenPiece{edge, edge + Vector<2>(inwards.y, -inwards.x), 0.0}};
   canvas.label(Role::wall, {.id = StageLabel::wall, .lines = {words}, .style = layout.letters.words, .block = block},

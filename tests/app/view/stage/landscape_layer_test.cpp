@@ -37,7 +37,7 @@ struct Picture {
 
   void compose() {
     camera.size = size;
-    const LandscapeView view{settings, dial, *find_theme(theme), camera, scale, measure};
+    const LandscapeView view{settings, dial, false, *find_theme(theme), camera, scale, measure};
     layout = landscape_layout(view);
     marks.clear();
     add_landscape(view, marks);
