@@ -185,7 +185,7 @@ void add_cure_hint(const StageLayer& layer) {
   const TextStyle& style = layout.letters.bold_words;
   const std::string words = "press 3: the cure";
   const Vector<2> extent = content.measure(words, style);
-  const double above = canvas.points(70.0);
+  const double above = canvas.points(200.0);
   const ScreenBox region{{layout.margin, button.least.y - extent.y - above},
                          {layout.size.x - layout.margin, button.least.y - canvas.points(6.0)}};
   const auto found = canvas.labels.place_block({.id = StageLabel::hint,
