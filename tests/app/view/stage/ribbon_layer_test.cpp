@@ -103,7 +103,7 @@ TEST(Ribbon, PointerAndTimeLeadBackAndForth) {
   const MomentHistory moments = history_of(100.0, [](double) { return 1.0; });
   const Theme& theme = *find_theme("light");
   const Camera camera = camera_on({0.0, 0.0}, 0.1, {1280.0, 720.0});
-  const RibbonAxis axis = ribbon_axis({moments, {}, theme, measure, camera, {{40.0, 600.0}, {1240.0, 700.0}}, 1.0});
+  const RibbonAxis axis = ribbon_axis({moments, {}, theme, measure, camera, {{40.0, 600.0}, {1240.0, 700.0}}});
   EXPECT_EQ(axis.end_s, 100.0);
   EXPECT_EQ(axis.x_at(100.0), axis.right);
   EXPECT_EQ(axis.x_at(40.0), axis.left);
@@ -261,7 +261,7 @@ TEST(Ribbon, NoWordsOverlapOrAreCutOffInAnySize) {
 TEST(Ribbon, TheHeightItAsksForHasRoomForAll) {
   const MomentHistory moments = history_of(90.0, [](double) { return 1.0; });
   const Camera camera = camera_on({0.0, 0.0}, 0.1, {1024.0, 640.0});
-  const Ribbon ribbon{moments, {}, *find_theme("light"), measure, camera, {}, 1.0};
+  const Ribbon ribbon{moments, {}, *find_theme("light"), measure, camera, {}};
   const double height = ribbon_height(ribbon);
   EXPECT_LT(height, 0.25 * 640.0);
   const Drawn drawn = draw(moments, {}, {1024.0, 640.0}, ScreenBox{{20.0, 630.0 - height}, {1004.0, 630.0}});
