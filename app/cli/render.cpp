@@ -29,7 +29,6 @@ struct RenderOptions {
   std::string size = "1280x800";
   std::string part;  // empty: what the file can hold
   std::string compare;
-  bool landscape = false;
 };
 
 void apply_size(const std::string& text, PictureRequest& request) {
@@ -47,8 +46,8 @@ PictureRequest request_of(const RenderOptions& options) {
   apply_size(options.size, request);
   request.scene = options.scene.load();
   request.at_s = options.at_s;
-  request.face = options.landscape ? Face::stage : options.picture.face_or(Face::workbench);
-  request.mode = options.landscape ? StageMode::landscape : options.picture.stage_mode();
+  request.face = options.picture.face_or(Face::workbench);
+  request.mode = options.picture.stage_mode();
   request.part = options.part == "scene" || vector_format_of(options.output) ? Part::scene : Part::window;
   apply_strategy_word(options.picture.strategy, request);
   if (const auto compare = find_compare(options.compare)) request.options.compare = *compare;
@@ -58,7 +57,7 @@ PictureRequest request_of(const RenderOptions& options) {
 
 // The stage shows one strategy, as a person has it in the hand.
 void refuse_all_on_stage(const RenderOptions& options) {
-  const bool is_stage = options.landscape || options.picture.face_or(Face::workbench) == Face::stage;
+  const bool is_stage = options.picture.face_or(Face::workbench) == Face::stage;
   const bool has_many = options.picture.strategy == every_strategy || !options.compare.empty();
   if (!is_stage || !has_many) return;
   throw Failure(ExitCode::wrong_call,
@@ -141,7 +140,11 @@ std::function<int()> attach_render(CLI::App& command, FileOptions& files) {
                   "overlay, side-by-side or active-only; default: overlay with --strategy all, else active-only")
       ->type_name("MODE")
       ->check(one_of(names_of(compare_catalog())));
-  command.add_flag("--landscape", options->landscape, "The map of all walls and hands: short for --mode landscape");
+  command
+      .add_flag_callback(
+          "--landscape", [options] { options->picture.mode = stage_mode_name(StageMode::landscape); },
+          "The map of all walls and hands: short for --mode landscape")
+      ->excludes(command.get_option("--mode"));
   files.writes(command.add_option("--json", options->json, "Also write what was drawn, as JSON")->type_name("FILE"));
   command.footer(
       "Drawn offscreen: no display is needed, and the same call gives the same bytes.\n"

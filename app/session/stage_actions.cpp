@@ -52,6 +52,7 @@ constexpr std::array<void (*)(Session&), 9> talk{show_strategy<StrategyId::full>
 void go_to_talk_step(Session& session, int step) {
   if (step < 0 || step >= static_cast<int>(talk.size())) return;
   session.face = Face::stage;
+  session.stage.is_black = false;
   session.stage.talk_step = step;
   talk[static_cast<std::size_t>(step)](session);
 }
@@ -59,12 +60,16 @@ void go_to_talk_step(Session& session, int step) {
 }  // namespace
 
 void show_face(Session& session, Face face) {
-  if (face == Face::workbench) leave_stage_mode(session);
+  if (face == Face::workbench) {
+    leave_stage_mode(session);
+    session.notice = Notice{"The workbench: all settings, numbers and plots. F4 goes back to the stage."};
+  }
   session.face = face;
 }
 
 void toggle_stage_mode(Session& session, StageMode mode) {
   session.face = Face::stage;
+  session.stage.is_black = false;
   if (session.stage.mode == mode) {
     leave_stage_mode(session);
   } else {
@@ -88,6 +93,7 @@ void leave_stage_mode(Session& session) {
 
 void choose_strategy(Session& session, StrategyId id, bool slowly) {
   session.settings.active = id;
+  session.stage.is_black = false;
   session.stage.switches_slowly = slowly;
   session.stage.landscape_dial.reset();
 }
@@ -99,8 +105,10 @@ void act_on_stage(Session& session, const StageAction& action, const MotorReport
     toggle_stage_mode(session, *mode);
   } else if (const auto* const face = std::get_if<Face>(&action)) {
     show_face(session, *face);
-  } else if (action == StageAction(StageHelp::motors)) {
+  } else if (action == StageAction(StageCommand::motors)) {
     press_safety_button(session, motors);
+  } else if (action == StageAction(StageCommand::next)) {
+    confirm_on_stage(session);
   } else {
     session.dialog = Dialog::help;
   }

@@ -26,7 +26,8 @@ std::vector<HelpLine> help_lines() {
 }
 
 constexpr std::string_view subject =
-    "A hand (the goal) presses a device into a virtual wall. The device senses both directions, but its motor pushes "
+    "A hand (the goal) presses a handle (the device) into a virtual wall. The device senses both directions, but its "
+    "motor pushes "
     "in one only. Rendered as usual, the device follows its one motor sideways, the proxy follows the device along the "
     "wall, and the motor pulls after it: a ghost force. The cure lets the proxy follow more softly across the motor, "
     "by the ratio ρ*, so that it stays straight in front of the goal, and the motor has nothing more to pull than it "
@@ -65,7 +66,8 @@ void draw_help(const PanelContext& context) {
   draw_lines("left", all.first(half), first_column, context);
   if (is_wide) ImGui::SameLine(0.0F, 18.0F * context.scale);
   draw_lines("right", all.subspan(half), first_column, context);
-  text_in(context.theme.faint_text, "Every name and every mark explains itself when the pointer rests on it.");
+  text_in(context.theme.faint_text,
+          "On the workbench every name and every mark explains itself when the pointer rests on it.");
 }
 
 }  // namespace ghostforce

@@ -34,9 +34,10 @@ void GuessGame::update(Session& session, double interval_s) {
   }
   if (stage.reveals_asked != reveals_) {
     reveals_ = stage.reveals_asked;
-    // Asked again after the answer: a new guess.
-    is_open_ = !is_open_;
-    reveal_s_ = is_open_ ? reveal_lasts_s : 0.0;
+    // Asked again while the answer is on its way: at once. After it: a new guess.
+    const bool was_revealing = is_revealing();
+    is_open_ = !is_open_ && !was_revealing;
+    reveal_s_ = is_open_ || was_revealing ? reveal_lasts_s : 0.0;
     return;
   }
   reveal_s_ = std::min(reveal_lasts_s, reveal_s_ + interval_s);

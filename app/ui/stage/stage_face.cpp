@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/session/motor_button.h"
+#include "app/session/stage_actions.h"
 #include "app/ui/panels/hints.h"
 #include "app/view/stage/landscape_layer.h"
 
@@ -48,7 +49,7 @@ SceneView view_of_round(const Settings& settings, const Circle& circle) {
 // Each only while it is true of the picture; until then it waits.
 std::optional<StageHint> stage_hint(const Session& session, const StageMoment& moment, const StageAudience& audience) {
   if (session.stage.mode != StageMode::none || audience.looks_back || moment.is_measured) return std::nullopt;
-  if (points_at(session, HintTarget::goal) && audience.can_drag) return StageHint::drag;
+  if (points_at(session, HintTarget::goal) && audience.can_drag && !session.drags_goal) return StageHint::drag;
   const bool has_ghost = glm::length(moment.ghost_force) >= least_shown_force;
   if (points_at(session, HintTarget::third_strategy) && has_ghost &&
       moment.weights[index_of(StrategyId::naive)] == 1.0) {
@@ -57,6 +58,25 @@ std::optional<StageHint> stage_hint(const Session& session, const StageMoment& m
   const bool has_one_motor = moment.weights[index_of(StrategyId::full)] == 0.0;
   if (points_at(session, HintTarget::motor_axis) && has_one_motor && session.has_handles) return StageHint::motor;
   return std::nullopt;
+}
+
+// The motors' comes first; else what there is to do next, or the way back out of a mode.
+std::optional<StageCornerButton> corner_button(const Session& session, const MotorReport& motors,
+                                               const StageGuess& guess, bool is_revealing) {
+  if (motors.has_motors) {
+    return StageCornerButton{StageCommand::motors, safety_words(motors), motors.state != SafetyState::off};
+  }
+  const StageChoice& stage = session.stage;
+  if (stage.mode == StageMode::none) return std::nullopt;
+  if (stage.mode == StageMode::predict) {
+    const std::string_view words = guess.is_open  ? "Enter: show me"
+                                   : is_revealing ? "Enter: skip"
+                                                  : "Enter: guess again";
+    return StageCornerButton{StageCommand::next, std::string(words)};
+  }
+  const bool has_more = session.settings.active != StrategyId::full && stage.why_step < last_why_step;
+  if (stage.mode == StageMode::why && has_more) return StageCornerButton{StageCommand::next, "Enter: next step"};
+  return StageCornerButton{stage.mode, "Esc: back"};
 }
 
 // What is not as it should be comes before what there is to see.
@@ -94,9 +114,25 @@ void StageFace::update(Session& session, const StageFrame& frame, bool has_keys,
   show_.update(has_keys || pointer_.has_touched() || is_changed, may_show_itself(session, frame), interval_s);
 }
 
+namespace {
+
+// What is being turned is shown as the loop has it, so that all of the picture is of one moment: settings that it has not
+// seen yet come with the next frame.
+ShownMoment of_one_moment(const Session& session, const StageFrame& frame) {
+  const auto newest = frame.history.moments().newest();
+  const bool is_live = !session.paused && !frame.shown.is_past;
+  if (!is_live || !newest || newest->snapshot.tick == 0) return frame.shown;
+  ShownMoment moment = *newest;
+  moment.settings.active = frame.shown.settings.active;
+  return moment;
+}
+
+}  // namespace
+
 StageFace::Shown StageFace::shown_in(const Session& session, const StageFrame& frame) const {
-  const Settings& settings = frame.shown.settings;
-  const Snapshot& snapshot = frame.shown.snapshot;
+  const ShownMoment shown_moment = of_one_moment(session, frame);
+  const Settings& settings = shown_moment.settings;
+  const Snapshot& snapshot = shown_moment.snapshot;
   // A hand that is dragged is where the pointer is, whatever the loop has seen of it yet.
   const bool is_live = session.pointer_moves_goal && !frame.shown.is_past && !snapshot.measured;
   const Vector<2> goal = is_live ? session.goal : snapshot.goal;
@@ -125,15 +161,15 @@ StageContent StageFace::content_of(const Session& session, const StageFrame& fra
       .size = frame.size,
       .scale = frame.scale,
       .mode = session.stage.mode,
-      .audience = {.can_drag = session.pointer_moves_goal, .looks_back = frame.shown.is_past},
+      .audience = {.can_drag = session.pointer_moves_goal,
+                   .looks_back = frame.shown.is_past,
+                   .heads_for = shown.settings.active},
       .guess = guess_.guess(session),
       .why_step = session.stage.why_step,
-      .landscape_dial = session.stage.landscape_dial.value_or(std::max(blend.fullness, blend.cure)),
+      .landscape_dial = session.stage.landscape_dial.value_or(blend.cure),
       .looks_back_to_s = session.stage.looks_back_to_s,
       .warning = warning_of(frame.loop)};
-  if (frame.loop.motors.has_motors) {
-    content.motors = StageMotors{safety_words(frame.loop.motors), frame.loop.motors.state != SafetyState::off};
-  }
+  content.corner = corner_button(session, frame.loop.motors, content.guess, guess_.is_revealing());
   if (session.stage.mode == StageMode::ribbon) content.moments = &frame.history.moments();
   if (session.stage.mode == StageMode::round && frame.loop.circle) {
     const CircleReading& reading = *frame.loop.circle;

@@ -23,6 +23,9 @@ class StageFace {
   // The picture of now.
   const StagePicture& compose(const Session& session, const StageFrame& frame, double interval_s);
 
+  // That of the last frame.
+  const StagePicture& picture() const noexcept { return picture_; }
+
   // The same for a file: nothing fades in, and nobody can take hold of anything.
   StagePicture still(const Session& session, const StageFrame& frame) const;
 

@@ -27,6 +27,12 @@ double angle_of_direction(const Vector<2>& direction) {
   return std::atan2(-direction.y, direction.x);
 }
 
+std::optional<StageAction> button_at(const StagePicture& picture, const Vector<2>& pointer) {
+  const auto button =
+      std::ranges::find_if(picture.buttons, [&](const StageButton& entry) { return contains(entry.box, pointer); });
+  return button == picture.buttons.end() ? std::nullopt : std::optional(button->action);
+}
+
 }  // namespace
 
 struct StagePointer::Scene {
@@ -35,6 +41,18 @@ struct StagePointer::Scene {
 
   Vector<2> world(const Vector<2>& pointer) const { return to_world(picture.pane.camera, pointer); }
   Vector<2> screen(const Vector<2>& world) const { return to_screen(picture.pane.camera, world); }
+  // The outer pieces of the motor's rail, with what is at their ends.
+  bool is_at_rail_end(const Vector<2>& pointer) const {
+    const double reach = 0.7 * stage_grip_reach * picture.unit;
+    const Vector<2> middle = 0.5 * (picture.grips->motor[0] + picture.grips->motor[1]);
+    return std::ranges::any_of(picture.grips->motor, [&](const Vector<2>& end) {
+      const double half = glm::distance(middle, end);
+      const Vector<2> out = half > 0.0 ? (end - middle) / half : Vector<2>(1.0, 0.0);
+      const Vector<2> from = end - out * std::min(55.0 * picture.unit, 0.5 * half);
+      ScreenPiece piece{from, end + out * (18.0 * picture.unit), 0.0};
+      return clip({pointer - Vector<2>(reach), pointer + Vector<2>(reach)}, piece);
+    });
+  }
   bool is_near(const Vector<2>& pointer, const Vector<2>& place, double reach) const {
     return glm::distance(pointer, place) <= reach * picture.unit;
   }
@@ -48,7 +66,8 @@ StagePointer::Hold StagePointer::hold_at(const Session& session, const Scene& sc
       case LandscapeHandle::ring:
         return Hold::landscape_ring;
       case LandscapeHandle::dial:
-        return Hold::landscape_dial;
+        // With every motor there is none.
+        return session.settings.active == StrategyId::full ? Hold::nothing : Hold::landscape_dial;
       case LandscapeHandle::none:
         return Hold::nothing;
     }
@@ -63,7 +82,7 @@ StagePointer::Hold StagePointer::hold_at(const Session& session, const Scene& sc
     return std::ranges::any_of(ends,
                                [&](const Vector<2>& end) { return scene.is_near(pointer, end, stage_grip_reach); });
   };
-  if (picture.grips && is_at(picture.grips->motor)) return Hold::motor;
+  if (picture.grips && scene.is_at_rail_end(pointer)) return Hold::motor;
   if (picture.grips && picture.grips->wall && is_at(*picture.grips->wall)) return Hold::wall;
   return session.pointer_moves_goal ? Hold::goal : Hold::nothing;
 }
@@ -87,11 +106,8 @@ void StagePointer::update(Session& session, const StageFrame& frame, const Stage
     hovered_.reset();
     hovered_grip_ = StageGrip::none;
     if (is_hovered) {
-      const auto button =
-          std::ranges::find_if(picture.buttons, [&](const StageButton& entry) { return contains(entry.box, pointer); });
-      if (button != picture.buttons.end()) {
-        hovered_ = button->action;
-      } else {
+      hovered_ = button_at(picture, pointer);
+      if (!hovered_) {
         const Hold hold = hold_at(session, scene, pointer, guess_is_open);
         if (hold == Hold::motor) hovered_grip_ = StageGrip::motor;
         if (hold == Hold::wall) hovered_grip_ = StageGrip::wall;
@@ -109,8 +125,12 @@ void StagePointer::update(Session& session, const StageFrame& frame, const Stage
     hold_ = Hold::nothing;
     if (ImGui::IsMouseDown(ImGuiMouseButton_Right)) {
       if (!has_map) hold_ = Hold::picture;
-    } else if (hovered_) {
-      act_on_stage(session, *hovered_, frame.loop.motors);
+    } else if (session.stage.is_black) {
+      session.stage.is_black = false;
+    } else if (const auto action = button_at(picture, pointer)) {
+      // Where the pointer is now: who is quick comes and presses within one frame.
+      hovered_ = action;
+      act_on_stage(session, *action, frame.loop.motors);
     } else {
       hold_ = hold_at(session, scene, pointer, guess_is_open);
       if (hold_ == Hold::motor) began_angle_ = session.settings.actuated_angle;
@@ -122,7 +142,8 @@ void StagePointer::update(Session& session, const StageFrame& frame, const Stage
 }
 
 void StagePointer::drag(Session& session, const Scene& scene, const Vector<2>& pointer) {
-  const Vector<2> inside = glm::clamp(pointer, Vector<2>(0.0), scene.frame.size);
+  // The hand stays where it can be seen.
+  const Vector<2> inside = glm::clamp(pointer, scene.picture.scene.least, scene.picture.scene.most);
   switch (hold_) {
     case Hold::nothing:
       return;
@@ -154,6 +175,8 @@ void StagePointer::drag(Session& session, const Scene& scene, const Vector<2>& p
       return;
     case Hold::landscape_dial:
       session.stage.landscape_dial = dial_under(*scene.picture.landscape, pointer);
+      // The lit button is the nearer end's.
+      session.settings.active = *session.stage.landscape_dial < 0.5 ? StrategyId::naive : StrategyId::anisotropic;
       return;
     case Hold::ribbon:
       if (scene.picture.ribbon) session.stage.looks_back_to_s = scene.picture.ribbon->axis.time_at(pointer.x);

@@ -41,6 +41,13 @@ double kappa_of(const Stiffnesses& stiffnesses) noexcept {
 
 }  // namespace
 
+Landscape landscape_without_ghost(const Settings& settings) noexcept {
+  Landscape landscape = landscape_of(settings, 1.0);
+  landscape.true_over_believed = 1.0;
+  landscape.chosen_ratio.reset();
+  return landscape;
+}
+
 Landscape landscape_of(const Settings& settings, double dial) noexcept {
   const Stiffnesses& stiffnesses = settings.stiffnesses;
   Landscape landscape;

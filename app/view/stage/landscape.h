@@ -37,6 +37,9 @@ struct Landscape {
   double softness = 0.0;               // ε of the wall as it is set up [1]
 };
 
+// Without a ghost force anywhere.
+Landscape landscape_without_ghost(const Settings& settings) noexcept;
+
 // What is no number, or out of every range, is taken for the nearest that can be drawn.
 Landscape landscape_of(const Settings& settings, double dial) noexcept;
 

@@ -15,12 +15,17 @@
 namespace ghostforce {
 namespace {
 
+Landscape landscape_shown(const LandscapeView& view) {
+  if (view.has_every_motor) return landscape_without_ghost(view.settings);
+  return landscape_of(view.settings, view.dial);
+}
+
 class LandscapePainter {
  public:
   LandscapePainter(const LandscapeView& view, Marks& marks)
       : view_(view),
         layout_(landscape_layout(view)),
-        landscape_(landscape_of(view.settings, view.dial)),
+        landscape_(landscape_shown(view)),
         point_(landscape_point(view.settings)),
         share_(ghost_share(landscape_, point_)),
         range_(ghost_share_range(landscape_)),
@@ -37,7 +42,11 @@ class LandscapePainter {
     add_ring();
     add_contour_labels(view_, layout_, contours, words_);
     add_verdict();
-    add_dial();
+    if (view_.has_every_motor) {
+      add_words_of_every_motor();
+    } else {
+      add_dial();
+    }
   }
 
  private:
@@ -112,7 +121,7 @@ class LandscapePainter {
   void add_verdict() {
     const ScreenBox& column = layout_.column;
     const double room = column.extent().x;
-    const std::string title = "Where is it bad?";
+    const std::string title = "Where is the ghost force bad?";
     words_.put(Role::sentence, title, words_.fitted(title, words_.style(1.25, true), room), view_.theme.text,
                column.least);
     const std::string number = share_words(share_);
@@ -139,10 +148,18 @@ class LandscapePainter {
     const double then = ghost_share_range(landscape_of(view_.settings, 1.0)).greatest;
     constexpr double all_the_way = 0.99;
     if (landscape_.dial > all_the_way || is_no_share(now)) return {};
-    if (is_no_share(then)) return {{"turn me: the red drains away"}, {"turn me:", "the red drains away"}};
+    if (is_no_share(then)) return {{"slide me: the red drains away"}, {"slide me:", "the red drains away"}};
     constexpr double seen = 0.8;  // of the deepest red: more than that looks like no change
-    if (then < seen * now) return {{"turn me: less red"}};
+    if (then < seen * now) return {{"slide me: less red"}};
     return {};
+  }
+
+  void add_words_of_every_motor() {
+    const LineBreaks ways{{"Two motors: no ghost force at any wall."},
+                          {"Two motors:", "no ghost force at any wall."},
+                          {"Two motors:", "no ghost force", "at any wall."}};
+    words_.put_lines(Role::hint, ways, view_.theme.text, {layout_.column.least.x, layout_.dial.least.y},
+                     layout_.column.extent().x);
   }
 
   void add_dial() {

@@ -17,7 +17,13 @@ std::string no_sentence(const StageContent& /*content*/) {
 }  // namespace
 
 LandscapeView stage_landscape(const StageContent& content, const Camera& camera) {
-  return {content.settings, content.landscape_dial, content.theme, camera, content.scale, content.measure};
+  return {.settings = content.settings,
+          .dial = content.landscape_dial,
+          .has_every_motor = content.moment.weights[index_of(StrategyId::full)] == 1.0,
+          .theme = content.theme,
+          .camera = camera,
+          .scale = content.scale,
+          .measure = content.measure};
 }
 
 const StageModeLayers landscape_layers{StageMode::landscape, add_map, no_sentence};

@@ -10,7 +10,8 @@ namespace ghostforce {
 
 struct LandscapeView {
   const Settings& settings;
-  double dial;  // from 0, naïve, to 1: what anisotropic rendering runs with
+  double dial;           // from 0, naïve, to 1: what anisotropic rendering runs with
+  bool has_every_motor;  // then there is no ghost force anywhere, and no dial
   const Theme& theme;
   Camera camera;
   double scale;  // UI scale, 1 is normal

@@ -21,7 +21,8 @@ void add_guess(const StageLayer& layer) {
                 {guess.is_open ? "your guess: drag me" : "your guess"},
                 layout.letters.bold_words,
                 at,
-                radius,
+                at,
+                radius + canvas.width(2.0),
                 Vector<2>(-0.4, -1.0)},
                theme.accent);
 }
@@ -51,7 +52,7 @@ void add_predict(const StageLayer& layer) {
 
 std::string predict_sentence(const StageContent& content) {
   if (content.guess.missed_by) {
-    return fmt::format("Your guess was {} mm off. Enter: guess again.", slide_number(*content.guess.missed_by));
+    return fmt::format("Your guess was {} mm off.", slide_number(*content.guess.missed_by));
   }
   if (!content.guess.is_open) return "The hand presses in, slowly.";
   if (depth(wall_of(content.settings), content.moment.goal) <= 0.0) return "Drag the hand into the wall, then guess.";

@@ -52,14 +52,13 @@ void add_battery(const StageLayer& layer) {
       energy == nullptr ? "the first round" : fmt::format("{} mJ a round", signed_number(1e3 * energy->last.energy));
   const TextStyle& style = layout.letters.bold_words;
   const Vector<2> cell(canvas.points(84.0), canvas.points(170.0));
-  const Vector<2> extent(std::max(cell.x, content.measure("+888.8 mJ a round", style).x), cell.y + style.height);
-  const double top = layout.top + canvas.points(20.0);
-  const std::vector<Vector<2>> corners{
-      {layout.margin, top},
-      {layout.size.x - layout.margin - extent.x, top},
-      {layout.margin, layout.bottom - canvas.points(14.0) - extent.y},
-      {layout.size.x - layout.margin - extent.x, layout.bottom - canvas.points(14.0) - extent.y}};
-  const auto found = canvas.labels.place_block(StageLabel::numbers, extent, corners);
+  const Vector<2> extent(std::max(cell.x, content.measure("+888.8 mJ a round", style).x),
+                         cell.y + canvas.points(6.0) + style.height);
+  const auto found = canvas.labels.place_block({.id = StageLabel::numbers,
+                                                .extent = extent,
+                                                .region = layout.room(),
+                                                .wanted = layout.numbers_corner(),
+                                                .dearness = {3.0, 1.0}});
   if (!found) return;
   const Vector<2> corner = found->box.least;
   const double width = canvas.width(3.5);
@@ -80,7 +79,7 @@ void add_battery(const StageLayer& layer) {
     const Colour colour = gives ? theme.strategy[index_of(StrategyId::naive)] : theme.accent;
     canvas.box(Role::number, fill, std::min(canvas.points(8.0), 0.5 * height), colour, colour, 0.0);
   }
-  canvas.text(Role::number, corner + Vector<2>(0.0, cell.y), words, style,
+  canvas.text(Role::number, corner + Vector<2>(0.0, cell.y + canvas.points(6.0)), words, style,
               stage_colour(content.moment, theme.strategy_text));
 }
 
@@ -100,9 +99,14 @@ std::string round_sentence(const StageContent& content) {
   const CircleEnergy* const energy = energy_of(content);
   if (energy == nullptr) return "Round and round: a real wall would give the hand nothing.";
   if (!energy->stays_inside) return "The handle leaves the wall on its way round.";
-  if (energy->last.energy >= least_energy) return "Each round the wall gives energy: it pushes the hand along.";
-  if (energy->last.energy <= -least_energy) return "Each round the wall takes energy from the hand.";
-  return "Round and round, and nothing is gained: like a real wall.";
+  // The sampled loop itself takes a little away.
+  const double little = std::max(least_energy, 0.03 * greatest_energy(*content.round));
+  if (energy->last.energy >= little) {
+    return content.settings.active == StrategyId::naive ? "Each round the wall gives energy: it pushes the hand along."
+                                                        : "No ghost force at rest, and yet each round gives energy.";
+  }
+  if (energy->last.energy <= -little) return "Each round the wall takes energy from the hand.";
+  return "Round and round, and hardly anything is gained or lost.";
 }
 
 }  // namespace

@@ -24,14 +24,6 @@ std::string sentence_of(const StageContent& content, const StageModeLayers* mode
   return std::string(stage_sentence(content.settings, content.moment, content.audience));
 }
 
-void keep_frame_clear(const StageLayout& layout, StageLabels& labels) {
-  labels.keep_clear(layout.sentence_box);
-  for (const StageButton& button : layout.strategies) labels.keep_clear(button.box);
-  for (const StageButton& button : layout.icons) labels.keep_clear(button.box);
-  if (layout.corner) labels.keep_clear(layout.corner->box);
-  if (layout.ribbon) labels.keep_clear(*layout.ribbon);
-}
-
 void make_room_for_ribbon(const StageContent& content, StageLayout& layout) {
   // Its height is a matter of its letters alone.
   const Ribbon ribbon{.moments = *content.moments,
@@ -39,8 +31,7 @@ void make_room_for_ribbon(const StageContent& content, StageLayout& layout) {
                       .theme = content.theme,
                       .measure = content.measure,
                       .camera = {.size = content.size},
-                      .box = {},
-                      .unit = 1.0};
+                      .box = {}};
   const double bottom = layout.bottom - 10.0 * layout.unit;
   layout.ribbon = ScreenBox{{layout.margin, bottom - ribbon_height(ribbon)}, {layout.size.x - layout.margin, bottom}};
   layout.bottom = layout.ribbon->least.y;
@@ -67,7 +58,8 @@ StagePicture compose_stage(const StageContent& content, StageLabelMemory& memory
   const std::string sentence = sentence_of(content, mode);
   StageLayout layout = stage_layout(content.size, content.scale, content.measure,
                                     {.sentence = sentence,
-                                     .motors = content.motors ? std::string_view(content.motors->words) : "",
+                                     .corner = content.corner ? std::string_view(content.corner->words) : "",
+                                     .corner_action = content.corner ? content.corner->action : StageCommand::keys,
                                      .has_full = !content.moment.is_measured});
   if (content.mode == StageMode::ribbon && content.moments != nullptr) make_room_for_ribbon(content, layout);
   const Camera camera = stage_camera(content.shown, content.size, layout.bottom);
@@ -77,17 +69,19 @@ StagePicture compose_stage(const StageContent& content, StageLabelMemory& memory
   marks.clear();
   {
     StageLabels labels(content.size, layout.unit, content.measure, memory, interval_s);
-    StageCanvas canvas{camera, content.theme, layout.unit, marks, labels};
+    StageCanvas canvas{.camera = camera, .theme = content.theme, .unit = layout.unit, .marks = marks, .labels = labels};
     const StageLayer layer{content, layout, canvas};
-    keep_frame_clear(layout, labels);
+    keep_frame_clear(layer);
     (mode != nullptr ? mode->add : add_whole_scene)(layer);
     if (!is_map) add_sentence(layer);
     add_buttons(layer);
+    canvas.add_labels();
     if (const auto ribbon = stage_ribbon(layer)) picture.ribbon = {*layout.ribbon, ribbon_axis(*ribbon)};
   }
+  picture.scene = layout.scene();
   picture.pivot = content.moment.handle;
   if (content.has_grips && !is_map) {
-    picture.grips = stage_grips(content.settings, content.moment, camera, layout.unit);
+    picture.grips = stage_grips(content.settings, content.moment, camera, layout.scene(), layout.unit);
   }
   if (is_map) picture.landscape = landscape_layout(stage_landscape(content, camera));
   for (const auto* const buttons : {&layout.strategies, &layout.icons}) {

@@ -46,13 +46,15 @@ struct StageGrips {
   std::array<Vector<2>, 2> motor;
   std::optional<std::array<Vector<2>, 2>> wall;
 };
-StageGrips stage_grips(const Settings& settings, const StageMoment& moment, const Camera& camera, double unit);
+StageGrips stage_grips(const Settings& settings, const StageMoment& moment, const Camera& camera,
+                       const ScreenBox& scene, double unit);
 inline constexpr double stage_grip_reach = 22.0;  // of the pointer round one [points of the design]
 
-// The motors' button.
-struct StageMotors {
+// A button of its own at the end of the row: what there is to do next, or the motors'.
+struct StageCornerButton {
+  StageAction action = StageCommand::keys;
   std::string words;
-  bool is_on = false;  // they may push
+  bool is_alarming = false;  // motors may push
 };
 
 struct StageContent {
@@ -76,8 +78,8 @@ struct StageContent {
   double landscape_dial = 0.0;
   const MomentHistory* moments = nullptr;   // of the ribbon; null: there is none
   std::optional<double> looks_back_to_s{};  // its cursor [s]
-  std::optional<StageMotors> motors{};      // empty: there are none
-  std::string_view warning{};               // what must be said instead of the sentence; may be empty
+  std::optional<StageCornerButton> corner{};
+  std::string_view warning{};  // what must be said instead of the sentence; may be empty
 };
 
 // The picture, and what of it a person can take hold of.
@@ -89,6 +91,7 @@ struct StagePicture {
   Pane pane{};
   double unit = 1.0;  // a point of the design
   std::vector<StageButton> buttons{};
+  ScreenBox scene{};                           // where a hand can be seen
   Vector<2> pivot{0.0};                        // that the motor's rail turns about [m]
   std::optional<StageGrips> grips{};           // empty: nothing can be turned
   std::optional<LandscapeLayout> landscape{};  // empty: there is no map

@@ -76,19 +76,24 @@ void StageCanvas::text(Role role, const Vector<2>& corner, const std::vector<std
   }
 }
 
-void StageCanvas::label(Role role, const StageLabels::Request& request, Colour colour) {
-  const auto found = labels.place(request);
-  if (!found) return;
-  if (found->is_far) {
-    const Vector<2> nearest = glm::clamp(request.anchor, found->box.least, found->box.most);
-    const Vector<2> way = nearest - request.anchor;
-    const double length = glm::length(way);
-    if (length > request.clearance) {
-      line(role, request.anchor + way * (request.clearance / length), nearest, width(1.5),
-           faded(theme.faint_text, found->strength));
+void StageCanvas::add_labels() {
+  const auto found = labels.place(requests);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (!found[i] || found[i]->strength <= 0.0) continue;
+    const PlacedLabel& label = *found[i];
+    const TextStyle& style = requests[i].style;
+    const Colour colour = faded(colours_of_labels[i], label.strength);
+    if (label.leader) {
+      line(roles_of_labels[i], label.leader->from, label.leader->to, width(1.5),
+           faded(theme.faint_text, label.strength));
+    }
+    Vector<2> at = label.box.least;
+    for (const std::string& words : label.lines) {
+      at.x = label.box.least.x + label.aligned * (label.box.extent().x - labels.extent_of({words}, style).x);
+      text(roles_of_labels[i], at, words, style, colour);
+      at.y += style.height;
     }
   }
-  text(role, found->box.least, request.lines, request.style, faded(colour, found->strength));
 }
 
 }  // namespace ghostforce

@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/view/camera.h"
@@ -41,8 +42,18 @@ struct StageCanvas {
   // Lines of text, one below the other.
   void text(Role role, const Vector<2>& corner, const std::vector<std::string>& lines, const TextStyle& style,
             Colour colour, bool has_halo = true);
-  // Words beside what they name, where there is room; with a line to it where they stand far from it.
-  void label(Role role, const StageLabels::Request& request, Colour colour);
+  // Words beside what they name, where there is room; with a line to it where they stand far from it. They are kept
+  // until add_labels(), when all is known that they must not cover.
+  void label(Role role, LabelRequest request, Colour colour) {
+    roles_of_labels.push_back(role);
+    colours_of_labels.push_back(colour);
+    requests.push_back(std::move(request));
+  }
+  void add_labels();
+
+  std::vector<Role> roles_of_labels{};
+  std::vector<Colour> colours_of_labels{};
+  std::vector<LabelRequest> requests{};
 };
 
 // A colour that lets what is beneath it through: 0 all, 1 nothing.

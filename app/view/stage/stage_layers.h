@@ -26,7 +26,8 @@ void add_hand_words(const StageLayer& layer);    // and beside some
 void add_motor_words(const StageLayer& layer);
 void add_sentence(const StageLayer& layer);  // above
 void add_numbers(const StageLayer& layer);
-void add_buttons(const StageLayer& layer);  // below, and the strip of icons
+void add_buttons(const StageLayer& layer);       // below, and the strip of icons
+void keep_frame_clear(const StageLayer& layer);  // of labels: sentence, buttons and what is said of them
 
 // What a mode draws and says instead, where it does. One file a mode.
 struct StageModeLayers {
@@ -68,6 +69,9 @@ struct SlideRuler {
   Vector<2> out;   // away from the wall, on the screen
 };
 std::optional<SlideRuler> slide_ruler(const StageLayer& layer);
+
+// How far handle and proxy reach from their middle, whatever their shape, without their rim.
+double shape_reach(const StageMoment& moment, double radius);
 
 inline constexpr double handle_radius = 17.0;  // [points of the design]
 inline constexpr double arrow_width = 14.0;

@@ -26,8 +26,8 @@ constexpr double glyph_room = 78.0;  // of a button: its key, the strategy's sha
 constexpr double button_padding = 18.0;
 
 // The number block must leave the lower half to the scene.
-constexpr double greatest_block = 0.66;
-constexpr std::size_t most_lines = 2;
+constexpr double greatest_block = 0.6;
+constexpr std::size_t most_lines = 3;
 
 // The longest that the stage has to say: letters must be small enough for it, so that they do not change with it.
 constexpr std::string_view longest_sentence = "In your hand: the goal is inferred, so the ghost force cannot be known.";
@@ -84,7 +84,8 @@ class Arrangement {
 
  private:
   double points(double of_design) const { return of_design * layout_.unit; }
-  TextStyle letters(double em, bool is_bold = false) const { return {points(em * line_of_em), is_bold}; }
+  // Whole points: the letters that are painted then are as they were made.
+  TextStyle letters(double em, bool is_bold = false) const { return {std::ceil(points(em * line_of_em)), is_bold}; }
 
   std::vector<std::string> lines(std::string_view words) const {
     const double end = layout_.icons.front().box.least.x - points(gap);
@@ -118,16 +119,16 @@ class Arrangement {
     }
     const double right = layout_.size.x - layout_.margin;
     layout_.corner.reset();
-    if (!words_.motors.empty()) {
-      const double left = right - measure_(words_.motors, layout_.letters.bold_words).x - points(2.0 * button_padding);
+    if (!words_.corner.empty()) {
+      const double left = right - measure_(words_.corner, layout_.letters.bold_words).x - points(2.0 * button_padding);
       layout_.corner =
-          StageButton{StageHelp::motors, {{left, bottom - points(button_height)}, {right, bottom}}, words_.motors};
+          StageButton{words_.corner_action, {{left, bottom - points(button_height)}, {right, bottom}}, words_.corner};
       return x <= left;
     }
     const Vector<2> extent = measure_(keys_words, layout_.letters.words);
     if (x + extent.x <= right) {
       const double top = bottom - 0.5 * (points(button_height) + extent.y);
-      layout_.corner = StageButton{StageHelp::keys, {{right - extent.x, top}, {right, top + extent.y}}, keys_words};
+      layout_.corner = StageButton{StageCommand::keys, {{right - extent.x, top}, {right, top + extent.y}}, keys_words};
     }
     return x - points(gap) <= right;
   }
@@ -138,7 +139,7 @@ class Arrangement {
     const double unit_width = points(gap) + measure_("mm", all.unit).x;
     const double words_width = measure_("ghost force (too little)", all.words).x;
     layout_.numbers_size = {std::max(layout_.number_width + unit_width, words_width),
-                            2.0 * (all.number.height + all.words.height) - points(8.0)};
+                            2.0 * (all.number.height + all.words.height) - points(6.0)};
   }
 
   const MeasureText& measure_;
@@ -151,30 +152,25 @@ class Arrangement {
 StageLayout stage_layout(const Vector<2>& size, double scale, const MeasureText& measure,
                          const StageFrameWords& words) {
   constexpr double step = 0.97;
-  constexpr double least = 0.2;
-  for (double fitting = scale;; fitting *= step) {
-    for (const bool in_full : {true, false}) {
-      Arrangement arrangement(size, fitting, measure, words);
-      if (arrangement.arrange(in_full) || fitting < least) return arrangement.finished();
-    }
+  constexpr int most_steps = 100;
+  const auto scale_after = [&](int steps) { return scale * std::pow(step, steps); };
+  const auto fits = [&](int steps, bool in_full) {
+    return Arrangement(size, scale_after(steps), measure, words).arrange(in_full);
+  };
+  // The first that fits.
+  int too_large = -1;
+  int fitting = 0;
+  if (!fits(0, false)) {
+    too_large = 0;
+    fitting = most_steps;
   }
-}
-
-std::vector<std::string> broken_into_lines(std::string_view words, double width, const TextStyle& style,
-                                           const MeasureText& measure) {
-  std::vector<std::string> lines(1);
-  for (std::size_t at = 0; at < words.size();) {
-    const std::size_t end = std::min(words.find(' ', at), words.size());
-    const std::string word(words.substr(at, end - at));
-    const std::string longer = lines.back().empty() ? word : lines.back() + ' ' + word;
-    if (lines.back().empty() || measure(longer, style).x <= width) {
-      lines.back() = longer;
-    } else {
-      lines.push_back(word);
-    }
-    at = end + 1;
+  while (fitting - too_large > 1) {
+    const int between = (too_large + fitting) / 2;
+    (fits(between, false) ? fitting : too_large) = between;
   }
-  return lines;
+  Arrangement arrangement(size, scale_after(fitting), measure, words);
+  if (!arrangement.arrange(true)) arrangement.arrange(false);
+  return arrangement.finished();
 }
 
 SceneView stage_view_of(const Settings& settings, std::span<const Vector<2>> goals) {

@@ -14,17 +14,19 @@
 #include "app/view/camera.h"
 #include "app/view/screen_box.h"
 #include "app/view/stage/face.h"
+#include "app/view/stage/stage_lines.h"
 #include "app/view/stage/stage_mode.h"
 #include "app/view/view.h"
 #include "core/scene.h"
 
 namespace ghostforce {
 
-// Something else than a strategy, a mode or a face that the stage can be asked for.
-enum class StageHelp : std::uint8_t { keys, motors };
+// Something else than a strategy, a mode or a face that the stage can be asked for: the table of keys, the motors on or
+// off, the next step of the mode that is on.
+enum class StageCommand : std::uint8_t { keys, motors, next };
 
 // What a press on a part of the stage asks for.
-using StageAction = std::variant<StrategyId, StageMode, Face, StageHelp>;
+using StageAction = std::variant<StrategyId, StageMode, Face, StageCommand>;
 
 struct StageButton {
   StageAction action;
@@ -58,18 +60,20 @@ struct StageLayout {
   // Between them lies the scene.
   double top = 0.0;
   double bottom = 0.0;
+  ScreenBox scene() const noexcept { return {{0.0, top}, {size.x, bottom}}; }
+
+  // Where blocks of words may stand, and the best place for the two numbers: right below the sentence.
+  ScreenBox room() const { return {Vector<2>(10.0 * unit), {size.x - 10.0 * unit, bottom - 6.0 * unit}}; }
+  Vector<2> numbers_corner() const { return {margin, sentence_box.most.y + 6.0 * unit}; }
 };
 
 struct StageFrameWords {
   std::string_view sentence;
-  std::string_view motors{};  // of their button; empty: there are none
-  bool has_full = true;       // the strategy with every motor can be chosen
+  std::string_view corner{};  // of the button at the other end of the row; empty: the help's, where there is room
+  StageAction corner_action = StageCommand::keys;
+  bool has_full = true;  // the strategy with every motor can be chosen
 };
 StageLayout stage_layout(const Vector<2>& size, double scale, const MeasureText& measure, const StageFrameWords& words);
-
-// Breaks words into lines that are no wider, where that can be.
-std::vector<std::string> broken_into_lines(std::string_view words, double width, const TextStyle& style,
-                                           const MeasureText& measure);
 
 // The part of the world with hand, wall, and where all strategies come to rest, under each of these goals.
 SceneView stage_view_of(const Settings& settings, std::span<const Vector<2>> goals);

@@ -9,8 +9,10 @@ namespace {
 constexpr std::array modes{
     StageModeEntry{StageMode::predict, "predict", "Q", "Predict", "Guess where the handle comes to rest."},
     StageModeEntry{StageMode::why, "why", "Y", "Why?", "Where the ghost force comes from, in four steps."},
-    StageModeEntry{StageMode::landscape, "landscape", "L", "Landscape", "At which walls and hands it is bad."},
-    StageModeEntry{StageMode::round, "round", "O", "Round and round", "What the wall gives the hand on a closed way."},
+    StageModeEntry{StageMode::landscape, "landscape", "L", "Landscape",
+                   "How strong the ghost force is, for every wall and hand."},
+    StageModeEntry{StageMode::round, "round", "O", "Round and round",
+                   "What the wall gives to a hand that goes round in it."},
     StageModeEntry{StageMode::ribbon, "ribbon", "H", "Last minute", "Look again at what has just happened."},
 };
 

@@ -38,11 +38,11 @@ void add_strategy_button(const StageLayer& layer, const StageButton& button) {
               is_active ? letters.bold_words : letters.words, is_active ? theme.text : theme.faint_text, false);
 }
 
-// Unmistakable from three metres while they may push.
-void add_motors_button(const StageLayer& layer, const StageButton& button) {
+// Unmistakable from three metres while motors may push.
+void add_corner_button(const StageLayer& layer, const StageButton& button) {
   const auto& [content, layout, canvas] = layer;
   const Theme& theme = content.theme;
-  const bool is_on = content.motors->is_on;
+  const bool is_on = content.corner->is_alarming;
   canvas.box(Role::button, button.box, canvas.points(12.0), is_on ? theme.problem : theme.panel_field,
              is_on ? theme.problem : theme.accent, canvas.width(3.0));
   const TextStyle& style = layout.letters.bold_words;
@@ -137,22 +137,63 @@ void add_icon(const StageLayer& layer, const StageButton& button) {
 }
 
 // Below the strip, to the right.
-void add_hover_words(const StageLayer& layer) {
+struct HoverPanel {
+  std::vector<std::string> lines;
+  ScreenBox box;
+};
+
+constexpr double hover_padding = 10.0;
+
+std::optional<HoverPanel> hover_panel(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
-  if (!content.hovered) return;
-  const std::string words = hover_words(*content.hovered);
-  if (words.empty()) return;
+  // Who has pressed an icon has read what it does.
+  const bool is_on = content.hovered == StageAction(content.mode);
+  const std::string words = is_on                                      ? ""
+                            : content.hovered                          ? hover_words(*content.hovered)
+                            : content.hovered_grip == StageGrip::wall  ? "Drag to turn the wall."
+                            : content.hovered_grip == StageGrip::motor ? "Drag to turn the motor."
+                                                                       : "";
+  if (words.empty()) return std::nullopt;
   const TextStyle& style = layout.letters.words;
-  const double widest = 0.45 * layout.size.x;
-  const std::vector<std::string> lines = broken_into_lines(words, widest, style, content.measure);
-  const Vector<2> extent = canvas.labels.extent_of(lines, style);
-  const double padding = canvas.points(10.0);
+  HoverPanel panel{broken_into_lines(words, 0.45 * layout.size.x, style, content.measure), {}};
+  const Vector<2> extent = canvas.labels.extent_of(panel.lines, style);
+  const double padding = canvas.points(hover_padding);
   const ScreenBox& strip = layout.icons.back().box;
-  const Vector<2> corner(strip.most.x - extent.x - padding, strip.most.y + canvas.points(8.0) + padding);
-  const ScreenBox box = ScreenBox{corner, corner + extent}.grown(padding);
-  canvas.box(Role::hint, box, canvas.points(10.0), content.theme.panel, content.theme.panel_border, canvas.width(1.5));
-  canvas.text(Role::hint, corner, lines, style, content.theme.text, false);
-  canvas.labels.keep_clear(box);
+  const double left = strip.most.x - extent.x - 2.0 * padding;
+  const bool is_beside_sentence = left > layout.sentence_box.most.x + padding;
+  const double top = is_beside_sentence ? strip.most.y : std::max(strip.most.y, layout.sentence_box.most.y);
+  const Vector<2> corner = Vector<2>(left, top + canvas.points(8.0)) + Vector<2>(padding);
+  panel.box = ScreenBox{corner, corner + extent}.grown(padding);
+  return panel;
+}
+
+void add_hover_panel(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  const auto panel = hover_panel(layer);
+  if (!panel) return;
+  canvas.box(Role::hint, panel->box, canvas.points(10.0), content.theme.panel, content.theme.panel_border,
+             canvas.width(1.5));
+  canvas.text(Role::hint, panel->box.grown(-canvas.points(hover_padding)).least, panel->lines, layout.letters.words,
+              content.theme.text, false);
+}
+
+// Above the button that it speaks of.
+void add_cure_hint(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  if (content.hint != StageHint::cure) return;
+  const ScreenBox& button = layout.strategies.back().box;
+  const TextStyle& style = layout.letters.bold_words;
+  const std::string words = "press 3: the cure";
+  const Vector<2> extent = content.measure(words, style);
+  const double above = canvas.points(200.0);
+  const ScreenBox region{{layout.margin, button.least.y - extent.y - above},
+                         {layout.size.x - layout.margin, button.least.y - canvas.points(6.0)}};
+  const auto found = canvas.labels.place_block({.id = StageLabel::hint,
+                                                .extent = extent,
+                                                .region = region,
+                                                .wanted = {button.least.x, region.most.y - extent.y},
+                                                .may_cover = true});
+  if (found) canvas.text(Role::hint, found->box.least, words, style, faded(content.theme.accent, found->strength));
 }
 
 struct LargeNumber {
@@ -180,24 +221,6 @@ void add_number(const StageLayer& layer, const LargeNumber& number, const Vector
               std::string(number.words), letters.words, faded(theme.faint_text, strength));
 }
 
-// From the upper left to the lower right, the left side first.
-std::vector<Vector<2>> places_for_numbers(const StageLayout& layout) {
-  constexpr int across = 7;
-  constexpr int down = 5;
-  const double top = layout.sentence_box.most.y + 4.0 * layout.unit;
-  const Vector<2> first(layout.margin, top);
-  const Vector<2> last(layout.size.x - layout.margin - layout.numbers_size.x,
-                       layout.bottom - 12.0 * layout.unit - layout.numbers_size.y);
-  std::vector<Vector<2>> places;
-  for (int column = 0; column < across; ++column) {
-    for (int row = 0; row < down; ++row) {
-      const Vector<2> share(static_cast<double>(column) / (across - 1), static_cast<double>(row) / (down - 1));
-      places.push_back(first + (last - first) * share);
-    }
-  }
-  return places;
-}
-
 }  // namespace
 
 void add_sentence(const StageLayer& layer) {
@@ -209,8 +232,14 @@ void add_sentence(const StageLayer& layer) {
 void add_numbers(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   const StageMoment& moment = content.moment;
-  const auto found = canvas.labels.place_block(StageLabel::numbers, layout.numbers_size, places_for_numbers(layout));
-  if (!found) return;
+  // Rather farther down than away from the left side.
+  const auto found = canvas.labels.place_block({.id = StageLabel::numbers,
+                                                .extent = layout.numbers_size,
+                                                .region = layout.room(),
+                                                .wanted = layout.numbers_corner(),
+                                                .dearness = {3.0, 1.0},
+                                                .may_cover = true});
+  if (!found || found->strength <= 0.0) return;
   const bool is_known = !moment.is_measured;
   const bool knows_slide = is_known || moment.has_target;
   const double ghost = signed_ghost_force(moment);
@@ -218,7 +247,7 @@ void add_numbers(const StageLayer& layer) {
                                        : ghost <= -least_shown_force ? "ghost force (too little)"
                                                                      : "ghost force";
   add_number(layer, {is_known ? force_number(ghost) : "", "N", ghost_words}, found->box.least, found->strength);
-  const Vector<2> below(0.0, 0.5 * (layout.numbers_size.y + 8.0 * layout.unit));
+  const Vector<2> below(0.0, 0.5 * (layout.numbers_size.y + canvas.points(6.0)));
   add_number(layer,
              {knows_slide ? slide_number(glm::length(moment.slide)) : "", "mm",
               knows_slide ? "slid along the wall" : "slide: unknown"},
@@ -229,21 +258,26 @@ void add_buttons(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   for (const StageButton& button : layout.strategies) add_strategy_button(layer, button);
   for (const StageButton& button : layout.icons) add_icon(layer, button);
-  if (layout.corner && content.motors) {
-    add_motors_button(layer, *layout.corner);
+  if (layout.corner && content.corner) {
+    add_corner_button(layer, *layout.corner);
   } else if (const auto& keys = layout.corner) {
     canvas.text(Role::button, keys->box.least, std::string(keys->words), layout.letters.words,
                 is_hovered(content, keys->action) ? content.theme.accent : content.theme.faint_text);
   }
-  add_hover_words(layer);
-  if (content.hint != StageHint::cure) return;
-  // Above the button that it speaks of.
-  const ScreenBox& button = layout.strategies.back().box;
-  const std::string words = "press 3: the cure";
-  const Vector<2> extent = content.measure(words, layout.letters.bold_words);
-  const Vector<2> corner(button.least.x, button.least.y - extent.y - canvas.points(6.0));
-  canvas.text(Role::hint, corner, words, layout.letters.bold_words, content.theme.accent);
-  canvas.labels.keep_clear(ScreenBox{corner, corner + extent});
+  add_hover_panel(layer);
+  add_cure_hint(layer);
+}
+
+void keep_frame_clear(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  StageLabels& labels = canvas.labels;
+  labels.keep_clear(layout.sentence_box);
+  const double rim = canvas.width(2.0);
+  for (const StageButton& button : layout.strategies) labels.keep_clear(button.box.grown(rim));
+  for (const StageButton& button : layout.icons) labels.keep_clear(button.box.grown(rim));
+  if (layout.corner) labels.keep_clear(layout.corner->box.grown(rim));
+  if (layout.ribbon) labels.keep_clear(*layout.ribbon);
+  if (const auto panel = hover_panel(layer)) labels.keep_clear(panel->box.grown(rim));
 }
 
 }  // namespace ghostforce

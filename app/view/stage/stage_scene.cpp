@@ -5,7 +5,6 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/view/handles.h"
 #include "app/view/stage/stage_layers.h"
 
 namespace ghostforce {
@@ -32,16 +31,15 @@ double fullness_of(const StageMoment& moment) {
   return moment.weights[index_of(StrategyId::full)];
 }
 
-// Where a line through `middle` leaves the picture without its margin, at most `reach` away.
-double reach_inside(const Vector<2>& middle, const Vector<2>& direction, double reach, const Vector<2>& size,
-                    double inset) {
+// How far a line from `middle` goes before it leaves the box, at most `reach`.
+double reach_inside(const Vector<2>& middle, const Vector<2>& direction, double reach, const ScreenBox& box) {
   ScreenPiece piece{middle, middle + direction * reach, 0.0};
-  if (!clip({Vector<2>(inset), size - Vector<2>(inset)}, piece)) return 0.0;
+  if (!clip(box, piece)) return 0.0;
   return glm::distance(middle, piece.to);
 }
 
 std::array<Vector<2>, 2> rail_ends(const Settings& settings, const StageMoment& moment, const Camera& camera,
-                                   double unit) {
+                                   const ScreenBox& scene, double unit) {
   const Vector<2> along = to_screen_direction(direction_at(settings.actuated_angle));
   const Vector<2> middle = to_screen(camera, moment.handle);
   const double to_hand = glm::dot(to_screen(camera, moment.goal) - middle, along);
@@ -50,7 +48,7 @@ std::array<Vector<2>, 2> rail_ends(const Settings& settings, const StageMoment& 
     const double of_one_motor = std::max(long_rail * unit, side * to_hand + beyond_hand * unit);
     const double reach = glm::mix(of_one_motor, short_rail * unit, fullness_of(moment));
     const Vector<2> direction = side * along;
-    return middle + direction * reach_inside(middle, direction, reach, camera.size, 30.0 * unit);
+    return middle + direction * reach_inside(middle, direction, reach, scene.grown(-24.0 * unit));
   };
   return {end(-1.0), end(1.0)};
 }
@@ -61,6 +59,7 @@ void add_chevron(const StageCanvas& canvas_in, const Vector<2>& tip, const Vecto
   const Vector<2> back = tip - direction * canvas.points(chevron);
   canvas.curve(Role::motor_axis, {back + across * canvas.points(chevron), tip, back - across * canvas.points(chevron)},
                canvas.width(4.0), colour);
+  canvas.labels.keep_clear(back, back, canvas.points(chevron) + canvas.width(2.0), Clearance::if_possible);
 }
 
 }  // namespace
@@ -96,9 +95,10 @@ void add_stage_wall(const StageLayer& layer) {
     canvas.line(Role::hatching, foot - along * reach, foot + along * reach, canvas.points(2.5), quiet);
   }
   canvas.line(Role::wall, edge - along * reach, edge + along * reach, canvas.width(5.0), theme.wall_edge);
-  canvas.labels.keep_clear(edge - along * reach, edge + along * reach, canvas.width(2.5));
+  canvas.labels.keep_clear(edge - along * reach, edge + along * reach, canvas.width(2.5), Clearance::if_possible);
   if (!content.has_grips) return;
-  if (const auto grips = stage_grips(content.settings, content.moment, canvas.camera, canvas.unit).wall) {
+  if (const auto grips =
+          stage_grips(content.settings, content.moment, canvas.camera, layout.scene(), canvas.unit).wall) {
     const bool is_hot = content.hovered_grip == StageGrip::wall;
     for (const Vector<2>& grip : *grips) {
       canvas.disc(Role::handle, grip, canvas.points(is_hot ? 11.0 : 8.0), theme.background,
@@ -122,9 +122,9 @@ void add_rail(const StageLayer& layer) {
     add_chevron(canvas, piece[0] - along * canvas.points(14.0), -along, ends);
     add_chevron(canvas, piece[1] + along * canvas.points(14.0), along, ends);
     canvas.labels.keep_clear(piece[0] - along * canvas.points(14.0), piece[1] + along * canvas.points(14.0),
-                             canvas.points(7.0));
+                             canvas.points(7.0), Clearance::if_possible);
   };
-  add(rail_ends(content.settings, content.moment, canvas.camera, canvas.unit));
+  add(rail_ends(content.settings, content.moment, canvas.camera, layout.scene(), canvas.unit));
   if (fullness <= 0.0) return;
   const Vector<2> along = motor_on_screen(content);
   const Vector<2> across = Vector<2>(-along.y, along.x) * canvas.points(short_rail * fullness);
@@ -140,7 +140,7 @@ void add_expectations(const StageLayer& layer) {
   const Vector<2> foot = canvas.at(moment.expected_contact);
   const Vector<2> goal = canvas.at(moment.goal);
   canvas.line(Role::expected_contact, goal, foot, canvas.width(2.0), theme.faint_text, {2.0, 6.0, 2.0, 6.0});
-  canvas.labels.keep_clear(goal, foot, canvas.width(1.0));
+  canvas.labels.keep_clear(goal, foot, canvas.width(1.0), Clearance::if_possible);
   // Under the handle there is nothing to see of it.
   const Vector<2> rest = canvas.at(moment.expected_rest);
   const double apart = glm::distance(rest, canvas.at(moment.handle));
@@ -211,7 +211,12 @@ std::optional<ForceArrow> force_arrow(const StageLayer& layer) {
   const double per_newton = std::min(usual, most / longest);
   if (longest * per_newton < canvas.points(3.0)) return std::nullopt;
   const Vector<2> world = share > 0.0 ? moment.wall_share / share : glm::normalize(moment.ghost_force);
-  const Vector<2> direction = to_screen_direction(world);
+  Vector<2> direction = to_screen_direction(world);
+  // The loop may not have seen yet that the motor has been turned.
+  if (fullness_of(moment) == 0.0) {
+    const Vector<2> rail = motor_on_screen(content);
+    direction = glm::dot(rail, direction) < 0.0 ? -rail : rail;
+  }
   return ForceArrow{canvas.at(moment.handle), direction, share * per_newton, ghost * per_newton};
 }
 
@@ -225,7 +230,8 @@ void add_stage_force(const StageLayer& layer) {
   const Colour red = theme.strategy[index_of(StrategyId::naive)];
   const double body = canvas.points(arrow_width);
   const double rim = canvas.width(2.5);
-  const double with_head = 2.9 * body;  // the shortest arrow whose head has its full size
+  const double head = 2.185 * body;     // its length, as painters draw it
+  const double with_head = head / 0.8;  // the shortest arrow whose head has its full size
   const auto add = [&](Role role, const Vector<2>& from, const Vector<2>& to, Colour fill, Colour edge, bool has_head,
                        bool is_hatched) {
     canvas.marks.push_back({role,
@@ -238,7 +244,9 @@ void add_stage_force(const StageLayer& layer) {
     // One head for both: of the wall's colour without a ghost, and more and more the ghost's as that grows.
     const double length = std::min(std::max(arrow.ghost, with_head), arrow.share + arrow.ghost);
     const double ghostly = std::clamp(arrow.ghost / with_head, 0.0, 1.0);
-    if (arrow.share > 0.0) add(Role::wall_share, arrow.start, arrow.share_end(), dark, dark, false, false);
+    // The bar ends where the head begins, which is narrower at its tip.
+    const double bar = std::min(arrow.share, arrow.share + arrow.ghost - head * std::min(1.0, length / with_head));
+    if (bar > 0.0) add(Role::wall_share, arrow.start, arrow.start + arrow.direction * bar, dark, dark, false, false);
     add(ghostly > 0.0 ? Role::ghost_force : Role::wall_share, tip - arrow.direction * length, tip,
         mix(dark, theme.background, ghostly), mix(dark, red, ghostly), true, ghostly > 0.0);
   } else {
@@ -249,7 +257,7 @@ void add_stage_force(const StageLayer& layer) {
   }
   canvas.labels.keep_clear(arrow.start, arrow.share_end(), body);
   canvas.labels.keep_clear(arrow.start, tip, body);
-  canvas.labels.keep_clear(tip - arrow.direction * body, tip, 1.2 * body);
+  canvas.labels.keep_clear(tip - arrow.direction * body, tip, 1.3 * body);
 }
 
 std::optional<SlideRuler> slide_ruler(const StageLayer& layer) {
@@ -277,6 +285,15 @@ void add_slide(const StageLayer& layer) {
   canvas.labels.keep_clear(ruler->from, ruler->to, canvas.points(10.0));
 }
 
+double shape_reach(const StageMoment& moment, double radius) {
+  constexpr PerStrategy<double> reach{1.0, 1.3, 1.57};  // of disc, diamond and triangle, as the painters draw them
+  double most = 0.0;
+  for (std::size_t i = 0; i < strategy_count; ++i) {
+    if (moment.weights[i] > 0.0) most = std::max(most, reach[i]);
+  }
+  return most * radius;
+}
+
 void add_handle(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   const Theme& theme = content.theme;
@@ -291,7 +308,8 @@ void add_handle(const StageLayer& layer) {
                               Marker{at, strategy_style(entry.id).shape, canvas.points(radius), is_filled ? own : paper,
                                      is_filled ? paper : own, canvas.width(4.0)}});
     }
-    canvas.labels.keep_clear(canvas.at(at), canvas.at(at), canvas.points(1.4 * radius));
+    canvas.labels.keep_clear(canvas.at(at), canvas.at(at),
+                             shape_reach(moment, canvas.points(radius)) + canvas.width(2.0));
   };
   if (moment.in_contact) {
     add(Role::proxy, moment.proxy, 11.0, false);
@@ -302,8 +320,19 @@ void add_handle(const StageLayer& layer) {
   add(Role::device, moment.handle, handle_radius, true);
 }
 
-StageGrips stage_grips(const Settings& settings, const StageMoment& moment, const Camera& camera, double unit) {
-  return {rail_ends(settings, moment, camera, unit), wall_grips(wall_of(settings), camera, unit)};
+StageGrips stage_grips(const Settings& settings, const StageMoment& moment, const Camera& camera,
+                       const ScreenBox& scene, double unit) {
+  StageGrips grips{rail_ends(settings, moment, camera, scene, unit), {}};
+  // The wall's edge, cut to the scene.
+  const Vector<2> at = to_screen(camera, settings.wall_point);
+  const Vector<2> normal = to_screen_direction(direction_at(settings.wall_normal_angle));
+  const Vector<2> along{-normal.y, normal.x};
+  const double reach = glm::distance(at, 0.5 * camera.size) + glm::length(camera.size);
+  ScreenPiece edge{at - along * reach, at + along * reach, 0.0};
+  constexpr double shortest = 120.0;  // of an edge that can be turned by its ends
+  const bool is_seen = clip(scene.grown(-26.0 * unit), edge) && glm::distance(edge.from, edge.to) > shortest * unit;
+  if (is_seen) grips.wall = std::array{edge.from, edge.to};
+  return grips;
 }
 
 double reference_force_of(const Settings& settings, const Vector<2>& goal) {

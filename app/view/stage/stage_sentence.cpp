@@ -24,6 +24,11 @@ struct Facts {
 
   bool is(StrategyId id) const { return moment.weights[index_of(id)] == 1.0; }
   bool has_ghost() const { return std::abs(ghost) >= least_shown_force; }
+  bool has_none_at_rest() const { return std::abs(ghost_at_rest) < least_shown_force; }
+  bool is_at_rest() const {
+    constexpr double near = 0.0005;  // [m]
+    return glm::distance(moment.handle, moment.expected_rest) < near && glm::length(moment.slide) < near;
+  }
   bool slides() const { return glm::length(moment.slide) >= least_shown_slide; }
   bool believes_wrongly() const {
     const Stiffnesses& all = settings.stiffnesses;
@@ -49,16 +54,25 @@ constexpr std::array sentences{
     Sentence{"The handle is in front of the wall: nothing pushes it.",
              [](const Facts& now) { return !now.moment.in_contact; }},
     Sentence{"Two motors: the wall feels right.", [](const Facts& now) { return now.is(StrategyId::full); }},
-    Sentence{"Between two motors and one.",
+    Sentence{"One motor becomes two.",
+             [](const Facts& now) {
+               return now.moment.weights[index_of(StrategyId::full)] > 0.0 &&
+                      now.audience.heads_for == StrategyId::full;
+             }},
+    Sentence{"Two motors become one.",
              [](const Facts& now) { return now.moment.weights[index_of(StrategyId::full)] > 0.0; }},
     Sentence{"The only motor pushes along the wall: it cannot hold the hand.",
              [](const Facts& now) { return std::abs(now.motor_along) < 0.02; }},
-    Sentence{"Between naïve and anisotropic: a ghost force is left.",
+    Sentence{"On the way to the cure: still a ghost force.",
+             [](const Facts& now) {
+               return now.moment.is_between() && now.has_ghost() && now.audience.heads_for == StrategyId::anisotropic;
+             }},
+    Sentence{"On the way back to naïve: a ghost force.",
              [](const Facts& now) { return now.moment.is_between() && now.has_ghost(); }},
-    Sentence{"Between naïve and anisotropic: no ghost force.",
+    Sentence{"On the way from one to the other: no ghost force.",
              [](const Facts& now) { return now.moment.is_between(); }},
     // Naïve.
-    Sentence{"A ghost force drags your hand along the wall.",
+    Sentence{"A ghost force drags the handle along the wall.",
              [](const Facts& now) { return now.is(StrategyId::naive) && now.ghost >= least_shown_force; }},
     Sentence{"The motor pushes too little while the hand moves.",
              [](const Facts& now) { return now.is(StrategyId::naive) && now.has_ghost(); }},
@@ -68,9 +82,8 @@ constexpr std::array sentences{
              [](const Facts& now) { return now.is(StrategyId::naive); }},
     // Anisotropic.
     Sentence{"Same motor, same hand: the ghost force is gone.",
-             [](const Facts& now) { return !now.has_ghost() && std::abs(now.ghost_at_rest) < least_shown_force; }},
-    Sentence{"The hand moves: hold it still, and the ghost force goes.",
-             [](const Facts& now) { return std::abs(now.ghost_at_rest) < least_shown_force; }},
+             [](const Facts& now) { return !now.has_ghost() && now.is_at_rest() && now.has_none_at_rest(); }},
+    Sentence{"Hold the hand still: the ghost force goes.", [](const Facts& now) { return now.has_none_at_rest(); }},
     Sentence{"The hand is stiffer than believed: a ghost force is left.",
              [](const Facts& now) {
                return now.has_ghost() && now.believes_wrongly() &&

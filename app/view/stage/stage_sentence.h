@@ -11,8 +11,9 @@ namespace ghostforce {
 
 // Who the words are for.
 struct StageAudience {
-  bool can_drag = true;     // the hand follows the pointer
-  bool looks_back = false;  // an earlier moment is shown
+  bool can_drag = true;                      // the hand follows the pointer
+  bool looks_back = false;                   // an earlier moment is shown
+  StrategyId heads_for = StrategyId::naive;  // of a moment between two strategies
 };
 
 std::string_view stage_sentence(const Settings& settings, const StageMoment& moment, const StageAudience& audience);

@@ -1,4 +1,6 @@
 // The words beside the things of the stage, the most important first.
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -20,19 +22,16 @@ void add_force_words(const StageLayer& layer) {
   const StageMoment& moment = content.moment;
   const auto arrow = force_arrow(layer);
   if (!arrow) return;
-  const Vector<2> below = lower_side(arrow->direction);
-  const double half = canvas.points(arrow_width);
-  if (glm::length(moment.ghost_force) >= least_shown_force) {
-    const Vector<2> middle = arrow->share_end() + 0.5 * arrow->ghost * arrow->direction;
-    canvas.label(Role::ghost_force,
-                 {StageLabel::ghost,
-                  {fmt::format("ghost {} N", force_number(glm::length(moment.ghost_force)))},
-                  layout.letters.bold_words,
-                  middle,
-                  half,
-                  below + 0.4 * arrow->direction},
-                 content.theme.strategy_text[index_of(StrategyId::naive)]);
-  }
+  if (glm::length(moment.ghost_force) < least_shown_force) return;
+  canvas.label(Role::ghost_force,
+               {StageLabel::ghost,
+                {fmt::format("ghost {} N", force_number(glm::length(moment.ghost_force)))},
+                layout.letters.bold_words,
+                arrow->share_end(),
+                arrow->tip(),
+                canvas.points(arrow_width),
+                lower_side(arrow->direction)},
+               content.theme.strategy_text[index_of(StrategyId::naive)]);
 }
 
 void add_share_words(const StageLayer& layer) {
@@ -44,9 +43,10 @@ void add_share_words(const StageLayer& layer) {
                {StageLabel::wall_share,
                 {fmt::format("{} {} N", content.moment.is_measured ? "motor" : "wall", force_number(share))},
                 layout.letters.words,
-                arrow->start + 0.5 * arrow->share * arrow->direction,
+                arrow->start,
+                arrow->share_end(),
                 canvas.points(arrow_width),
-                lower_side(arrow->direction) - 0.3 * arrow->direction},
+                lower_side(arrow->direction)},
                content.theme.text);
 }
 
@@ -59,7 +59,8 @@ void add_slide_words(const StageLayer& layer) {
                {StageLabel::slide,
                 {fmt::format("slid {} mm", slide_number(slide))},
                 layout.letters.bold_words,
-                0.5 * (ruler->from + ruler->to),
+                ruler->from,
+                ruler->to,
                 canvas.points(12.0),
                 ruler->out},
                stage_colour(content.moment, content.theme.strategy_text));
@@ -72,8 +73,9 @@ void add_handle_words(const StageLayer& layer) {
                 {"handle"},
                 layout.letters.bold_words,
                 canvas.at(content.moment.handle),
-                canvas.points(1.4 * handle_radius),
-                Vector<2>(0.6, -1.0)},
+                canvas.at(content.moment.handle),
+                shape_reach(content.moment, canvas.points(handle_radius)) + canvas.width(2.0),
+                Vector<2>(1.0, -1.0)},
                stage_colour(content.moment, content.theme.strategy_text));
 }
 
@@ -90,6 +92,7 @@ void add_expectation_words(const StageLayer& layer) {
                   {"aim here"},
                   layout.letters.bold_words,
                   canvas.at(moment.expected_contact),
+                  canvas.at(moment.expected_contact),
                   canvas.points(7.0),
                   into_the_wall(content)},
                  content.theme.text);
@@ -102,6 +105,7 @@ void add_expectation_words(const StageLayer& layer) {
                   {"where it should rest"},
                   layout.letters.words,
                   rest,
+                  rest,
                   canvas.points(handle_radius),
                   Vector<2>(0.0, -1.0)},
                  content.theme.faint_text);
@@ -113,20 +117,36 @@ void add_expectation_words(const StageLayer& layer) {
                   {"the wall should hold here"},
                   layout.letters.words,
                   foot,
+                  foot,
                   canvas.points(7.0),
                   into_the_wall(content) + Vector<2>(0.6, -0.6)},
                  content.theme.faint_text);
   }
 }
 
-// Deep in the wall, beside where things happen.
+// In a corner of the picture that is deep in the wall, above if there is one.
 void add_wall_words(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
+  const std::string words = "virtual wall";
+  const Vector<2> extent = content.measure(words, layout.letters.words);
   const Vector<2> inwards = into_the_wall(content);
-  const Vector<2> aside = Vector<2>(-inwards.y, inwards.x) * (inwards.x >= 0.0 ? -1.0 : 1.0);
-  const Vector<2> place =
-      canvas.at(wall_of(content.settings).point) + inwards * canvas.points(150.0) + aside * canvas.points(230.0);
-  canvas.label(Role::wall, {StageLabel::wall, {"virtual wall"}, layout.letters.words, place, 0.0, inwards},
+  const Vector<2> edge = canvas.at(wall_of(content.settings).point);
+  const ScreenBox room = layout.room().grown(-canvas.points(26.0));
+  const double top = layout.top + canvas.points(16.0);
+  const std::array corners{Vector<2>(room.most.x - extent.x, top), room.most - extent,
+                           Vector<2>(room.least.x, room.most.y - extent.y), Vector<2>(room.least.x, top)};
+  const auto is_deep = [&](const Vector<2>& corner) {
+    return glm::dot(corner + 0.5 * extent - edge, inwards) > 0.5 * extent.x + canvas.points(30.0);
+  };
+  const auto* const corner = std::ranges::find_if(corners, is_deep);
+  if (corner == corners.end()) return;
+  const LabelBlock block{.id = StageLabel::wall,
+                         .extent = extent,
+                         .region = layout.room(),
+                         .wanted = *corner,
+                         // What lies in the wall lies to the right of its edge.
+                         .edge = ScreenPiece{edge, edge + Vector<2>(inwards.y, -inwards.x), 0.0}};
+  canvas.label(Role::wall, {.id = StageLabel::wall, .lines = {words}, .style = layout.letters.words, .block = block},
                content.theme.faint_text);
 }
 
@@ -139,9 +159,10 @@ void add_hand_words(const StageLayer& layer) {
                                  : is_asked_to_drag         ? "drag me: your hand pulls here"
                                                             : "your hand pulls here";
   canvas.label(Role::hand,
-               {StageLabel::hand,
+               {is_asked_to_drag ? StageLabel::hint : StageLabel::hand,
                 {std::string(words)},
                 is_asked_to_drag ? layout.letters.bold_words : layout.letters.words,
+                canvas.at(content.moment.goal),
                 canvas.at(content.moment.goal),
                 canvas.points(34.0),
                 Vector<2>(0.5, -1.0)},
@@ -155,17 +176,19 @@ void add_motor_words(const StageLayer& layer) {
   const std::string words = is_asked_to_turn
                                 ? "turn the motor by its ends"
                                 : "the only motor pushes " + motor_direction_words(content.settings.actuated_angle);
-  const auto ends = stage_grips(content.settings, content.moment, canvas.camera, canvas.unit).motor;
+  const auto ends = stage_grips(content.settings, content.moment, canvas.camera, layout.scene(), canvas.unit).motor;
   const Vector<2> handle = canvas.at(content.moment.handle);
   const Vector<2> end = ends[1].x > ends[0].x ? ends[1] : ends[0];
   const Vector<2> rail = to_screen_direction(direction_at(content.settings.actuated_angle));
   canvas.label(Role::motor_axis,
-               {StageLabel::motor,
+               {is_asked_to_turn ? StageLabel::hint : StageLabel::motor,
                 {words},
                 is_asked_to_turn ? layout.letters.bold_words : layout.letters.words,
-                0.35 * handle + 0.65 * end,
+                handle,
+                end,
                 canvas.points(10.0),
-                lower_side(rail)},
+                lower_side(rail),
+                0.75},
                is_asked_to_turn ? content.theme.accent : content.theme.faint_text);
 }
 

@@ -9,7 +9,7 @@
 namespace ghostforce {
 namespace {
 
-// At rest, and as the naïve device has it: the triangle explains what the others avoid.
+// At rest, of the active strategy.
 struct ForceTriangle {
   Vector<2> push{0.0};   // of the wall, straight out [N]
   Vector<2> share{0.0};  // of it, along the motor [N]
@@ -20,18 +20,30 @@ struct ForceTriangle {
 ForceTriangle triangle_of(const StageContent& content) {
   const auto equilibria = predicted_equilibria(content.settings, content.moment.goal);
   const PredictedEquilibrium& full = equilibria[index_of(StrategyId::full)];
-  const PredictedEquilibrium& naive = equilibria[index_of(StrategyId::naive)];
-  return {full.at.force, naive.at.force - naive.ghost_force, naive.ghost_force, full.at.in_contact};
+  const PredictedEquilibrium& active = equilibria[index_of(content.settings.active)];
+  return {full.at.force, active.at.force - active.ghost_force, active.ghost_force, full.at.in_contact};
 }
 
-struct Step {
-  Role role;
-  std::string words;
-  Vector<2> from;
-  Vector<2> to;
-  Vector<2> side;  // where its words stand, from the middle of it
-  bool is_bold = false;
+// What the sentence, and the third and the fourth step say. With every motor there is only the first step.
+struct WhyWords {
+  std::string_view sentence;
+  std::string_view missing;
+  std::string_view excess;
 };
+
+WhyWords words_of(StrategyId id, bool has_ghost) {
+  if (id == StrategyId::full) return {"Two motors push straight out, as a wall does.", "", ""};
+  if (id == StrategyId::anisotropic && !has_ghost) {
+    return {"The cure: where the motor cannot push, the wall gives way.",
+            "3  nobody gives this, and the wall gives way", "4  so nothing slides: ghost"};
+  }
+  if (!has_ghost) {
+    return {"Here the motor pushes straight out too: no ghost force.", "3  nothing is missing",
+            "4  nothing slides: ghost"};
+  }
+  return {"A wall pushes straight out. One motor cannot.", "3  nobody gives this: the handle slides",
+          "4  and the slide pulls: ghost"};
+}
 
 void add_why(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
@@ -46,8 +58,8 @@ void add_why(const StageLayer& layer) {
   StageContent corner = content;
   corner.moment = stage_moment_at_rest(content.settings, content.moment.goal);
   corner.moment.handle = equilibrium_of(StrategyId::full, content.settings, content.moment.goal).device;
-  corner.moment.weights = {};
-  corner.moment.weights[index_of(StrategyId::naive)] = 1.0;
+  const StrategyId id = content.settings.active;
+  const WhyWords words = words_of(id, glm::length(forces.ghost) >= least_shown_force);
   const StageLayer at_corner{corner, layout, canvas};
   add_rail(at_corner);
 
@@ -71,7 +83,7 @@ void add_why(const StageLayer& layer) {
                                   canvas.width(2.5), Vector<2>(0.0), true, is_hatched}});
     canvas.labels.keep_clear(from, to, 1.3 * body);
   };
-  const int step = content.why_step;
+  const int step = id == StrategyId::full ? std::min(content.why_step, 1) : content.why_step;
   if (step >= 1) add_arrow(Role::force, start, push_end, dark, dark, false);
   if (step >= 2) add_arrow(Role::wall_share, start, share_end, dark, dark, false);
   if (step >= 3) {
@@ -79,20 +91,20 @@ void add_why(const StageLayer& layer) {
     canvas.labels.keep_clear(push_end, share_end, canvas.width(2.0));
   }
   if (step >= 4) add_arrow(Role::ghost_force, share_end, ghost_end, theme.background, red, true);
-  canvas.marks.push_back({Role::device, StrategyId::naive,
-                          Marker{corner.moment.handle, strategy_style(StrategyId::naive).shape,
-                                 canvas.points(handle_radius), red, theme.background, canvas.width(4.0)}});
+  canvas.marks.push_back({Role::device, id,
+                          Marker{corner.moment.handle, strategy_style(id).shape, canvas.points(handle_radius),
+                                 theme.strategy[index_of(id)], theme.background, canvas.width(4.0)}});
   canvas.labels.keep_clear(start, start, canvas.points(1.4 * handle_radius));
 
   const Vector<2> out = to_screen_direction(direction_at(content.settings.wall_normal_angle));
   const Vector<2> along = glm::length(forces.share) > 0.0 ? glm::normalize(drawn(forces.share)) : out;
   const Vector<2> missing = push_end - share_end;
-  const auto say = [&](int from_step, StageLabel id, Role role, std::string words, const Vector<2>& anchor,
+  const auto say = [&](int from_step, StageLabel id, Role role, const std::string& said, const Vector<2>& anchor,
                        const Vector<2>& side, Colour colour, bool is_bold) {
     if (step < from_step) return;
     const TextStyle& style = is_bold ? layout.letters.bold_words : layout.letters.words;
     canvas.label(role,
-                 {id, broken_into_lines(words, 0.5 * layout.size.x, style, content.measure), style, anchor,
+                 {id, broken_into_lines(said, 0.5 * layout.size.x, style, content.measure), style, anchor, anchor,
                   canvas.points(14.0), side},
                  colour);
   };
@@ -102,21 +114,18 @@ void add_why(const StageLayer& layer) {
   say(2, StageLabel::wall_share, Role::wall_share,
       fmt::format("2  the motor can give this much of it: {} N", force_number(glm::length(forces.share))),
       0.5 * (start + share_end), -missing, theme.text, false);
-  say(3, StageLabel::expected_contact, Role::force, "3  nobody gives this: the handle slides",
-      0.5 * (push_end + share_end), along, theme.faint_text, false);
+  say(3, StageLabel::expected_contact, Role::force, std::string(words.missing), 0.5 * (push_end + share_end), along,
+      theme.faint_text, false);
   say(4, StageLabel::ghost, Role::ghost_force,
-      fmt::format("4  and the slide pulls: ghost {} N", force_number(glm::length(forces.ghost))),
-      0.5 * (share_end + ghost_end), along - 0.5 * missing / std::max(1.0, glm::length(missing)),
-      theme.strategy_text[index_of(StrategyId::naive)], true);
+      fmt::format("{} {} N", words.excess, force_number(glm::length(forces.ghost))), 0.5 * (share_end + ghost_end),
+      along - 0.5 * missing / std::max(1.0, glm::length(missing)), theme.strategy_text[index_of(StrategyId::naive)],
+      true);
 }
 
 std::string why_sentence(const StageContent& content) {
   const ForceTriangle forces = triangle_of(content);
   if (!forces.in_contact) return "Drag the hand into the wall first.";
-  if (glm::length(forces.ghost) < least_shown_force) {
-    return "Here the motor pushes straight out too: no ghost force.";
-  }
-  return "A wall pushes straight out. One motor cannot.";
+  return std::string(words_of(content.settings.active, glm::length(forces.ghost) >= least_shown_force).sentence);
 }
 
 }  // namespace

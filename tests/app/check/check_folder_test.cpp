@@ -234,6 +234,9 @@ TEST(Check, TellsAllThatIsWrongWithAllCasesBeforeItDraws) {
       {"j", "scene = \"wall45\"\nmatch = \"b\"\nsize = [100, 100]\n[golden]\n"},
       {"k", "scene = \"wall45\"\nat_s = 20000\nchannel = 3\nsize = [1.5, 100]\n"},
       {"l", "scene = \"broken.scene\"\n"},
+      {"m", "scene = \"wall45\"\nview = \"stage\"\nmode = \"whi\"\nstrategy = \"all\"\ncompare = \"overlay\"\n"},
+      {"n", "scene = \"wall45\"\nview = \"bench\"\n"},
+      {"o", "scene = \"wall45\"\nview = \"workbench\"\nmode = \"why\"\n"},
   });
   write_whole(cases / "broken.scene", "format = 1\n");
   const Outcome outcome = cases.check({"--report", cases.beside("report")});
@@ -269,7 +272,12 @@ TEST(Check, TellsAllThatIsWrongWithAllCasesBeforeItDraws) {
                                   "k.toml:3:1: the key channel is unknown; did you mean "
                                   "'tolerance.channel'?",
                                   "k.toml:4:9: the key size: has a decimal point",
-                                  "l.toml:1:9: the key scene: "}) {
+                                  "l.toml:1:9: the key scene: ",
+                                  "m.toml:3:8: the key mode: 'whi' is none of predict, why, landscape, round, ribbon",
+                                  "m.toml:4:12: the key strategy: on the stage there is one strategy at a time",
+                                  "m.toml:5:11: the key compare: on the stage there is one strategy at a time",
+                                  "n.toml:2:8: the key view: 'bench' is none of stage, workbench",
+                                  "o.toml:3:8: the key mode: belongs to the stage; give view = \"stage\" too"}) {
     EXPECT_TRUE(contains(outcome.err, words));
   }
   EXPECT_FALSE(fs::exists(cases.beside("report")));

@@ -150,7 +150,8 @@ std::map<std::string, std::string> varied_cases() {
           {"fig1", "scene = \"fig1\"\nsize = [320, 240]\npart = \"scene\"\nstrategy = \"all\"\nat_s = 0.8\n"},
           {"panes",
            "scene = \"wall45\"\nsize = [600, 240]\ncompare = \"side-by-side\"\nscale = 0.75\n"
-           "theme = \"projector\"\nset = [\"wall.normal_deg=120\", \"rendering.strategy=full\"]\n"}};
+           "theme = \"projector\"\nset = [\"wall.normal_deg=120\", \"rendering.strategy=full\"]\n"},
+          {"stage", "scene = \"wall45\"\nsize = [640, 360]\nview = \"stage\"\nmode = \"why\"\nstrategy = \"naive\"\n"}};
 }
 
 TEST(Check, DrawsWhatRenderDraws) {
@@ -161,7 +162,8 @@ TEST(Check, DrawsWhatRenderDraws) {
       {"fig1", {"fig1", "--size", "320x240", "--part", "scene", "--strategy", "all", "--at", "0.8"}},
       {"panes",
        {"wall45", "--size", "600x240", "--compare", "side-by-side", "--scale", "0.75", "--theme", "projector", "--set",
-        "wall.normal_deg=120", "--set", "rendering.strategy=full"}}};
+        "wall.normal_deg=120", "--set", "rendering.strategy=full"}},
+      {"stage", {"wall45", "--size", "640x360", "--view", "stage", "--mode", "why", "--strategy", "naive"}}};
   for (const auto& [name, words] : renders) {
     std::vector<std::string> call{"render", "-o", cases / (name + ".png")};
     call.insert(call.end(), words.begin(), words.end());
@@ -169,7 +171,7 @@ TEST(Check, DrawsWhatRenderDraws) {
   }
   const Outcome outcome = cases.check();
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_EQ(outcome.out, "pass fig1\npass panes\npass window\n3 cases, 0 failed\n");
+  EXPECT_EQ(outcome.out, "pass fig1\npass panes\npass stage\npass window\n4 cases, 0 failed\n");
   EXPECT_EQ(outcome.err, "");
 }
 
@@ -184,7 +186,7 @@ std::size_t an_allowed_processor() {
 
 TEST(Check, PassesAgainWhereverAndHoweverItRuns) {
   const Cases cases(varied_cases());
-  ASSERT_EQ(cases.check({"--update", "window", "fig1", "panes"}).exit_code, 0);
+  ASSERT_EQ(cases.check({"--update", "window", "fig1", "panes", "stage"}).exit_code, 0);
   for (const std::string variable : {"TWICE=1", "LC_ALL=C", "LC_ALL=C.UTF-8", "LC_ALL=xx_BOGUS.wrong",
                                      "LP_NUM_THREADS=1", "LP_NUM_THREADS=0", "TZ=Pacific/Chatham"}) {
     const Outcome outcome = cases.check_with({variable});
@@ -218,9 +220,9 @@ TEST(Check, RunsBesideItself) {
   };
   const std::string report = cases.beside("report");
   at_once({"--report", report}, 1);
-  at_once({"--update", "window", "fig1", "panes"}, 0);
+  at_once({"--update", "window", "fig1", "panes", "stage"}, 0);
   at_once({"--report", report}, 0);
-  EXPECT_EQ(cases.files().size(), 6U) << "three cases, three goldens";
+  EXPECT_EQ(cases.files().size(), 8U) << "four cases, four goldens";
   EXPECT_EQ(Cases::files_in(report), (std::set<std::string>{"report.html", "junit.xml"}));
 }
 

@@ -116,7 +116,7 @@ TEST(RecordingProgram, BeginsAtRestUnderTheGoalThatWasAskedFor) {
                               display.environment());
     while (program.is_running()) std::this_thread::sleep_for(std::chrono::milliseconds(10));
     EXPECT_EQ(program.end(0), 0);
-    const Run run = load_run(folder / "run.csv");
+    const auto run = load_run(folder / "run.csv");
     ASSERT_FALSE(run.ticks.empty());
     for (const RunTick& tick : {run.ticks.front(), run.ticks.back()}) {
       const auto& row = tick.rows[index_of(StrategyId::naive)];

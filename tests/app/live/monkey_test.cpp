@@ -18,6 +18,7 @@
 #include "app/session/key_bindings.h"
 #include "app/session/scene_as_seen.h"
 #include "app/session/scene_view_limits.h"
+#include "app/session/stage_actions.h"
 #include "app/ui/gestures.h"
 #include "tests/app/live/driven_window.h"
 #include "tests/device/servo/servo_scenes.h"
@@ -116,7 +117,7 @@ class MonkeyTest : public DrivenWindow {
       case 0:
       case 1: {
         const KeyBinding binding = any_of(key_table());
-        if (binding.key != GLFW_KEY_Q) {
+        if (binding.key != GLFW_KEY_Q || binding.modifiers != GLFW_MOD_CONTROL) {
           send_key(binding.key, any(4) == 0 ? GLFW_REPEAT : GLFW_PRESS, binding.modifiers);
           send_key(binding.key, GLFW_RELEASE, 0);
         }
@@ -180,6 +181,10 @@ class MonkeyTest : public DrivenWindow {
   // A real device, or a thread that looks for one, has no place here for long.
   void lead_back() {
     session().folded_panels.clear();
+    // Many keys lead to the stage, and one to the workbench.
+    if (any(20) == 0) show_face(session(), Face::workbench);
+    if (any(40) == 0) toggle_stage_mode(session(), any_of(stage_mode_catalog()).id);
+    ++frames_on_[session().face == Face::stage ? 0 : 1];
     if (any(20) == 0) session().plots.is_open = true;
     if (session().input == "falcon" || session().input == "spacemouse") session().requests.input = "virtual-falcon";
     // Motors that push want somebody who takes all the steps, and that takes its time.
@@ -198,6 +203,7 @@ class MonkeyTest : public DrivenWindow {
   TemporaryFolder folder_;
   std::filesystem::path before_ = std::filesystem::current_path();
   int pushes_ = 0;
+  std::array<int, 2> frames_on_{};  // the stage, the workbench
 };
 
 TEST_F(MonkeyTest, BreaksNothing) {
@@ -209,18 +215,22 @@ TEST_F(MonkeyTest, BreaksNothing) {
     ASSERT_TRUE(is_in_range(session().settings)) << i;
     ASSERT_TRUE(is_finite(now())) << i;
     ASSERT_LE(std::max(std::abs(session().goal.x), std::abs(session().goal.y)), farthest_mm / 1000.0) << i;
-    const SceneView nearest = within_scene_limits(session().shown);
-    ASSERT_EQ(nearest.width, session().shown.width) << i;
-    ASSERT_EQ(nearest.center, session().shown.center) << i;
+    for (const SceneView& shown : {session().shown, session().stage_shown}) {
+      const SceneView nearest = within_scene_limits(shown);
+      ASSERT_EQ(nearest.width, shown.width) << i;
+      ASSERT_EQ(nearest.center, shown.center) << i;
+    }
     ASSERT_GE(session().appearance.scale, Appearance::least_scale) << i;
     ASSERT_LE(session().appearance.scale, Appearance::greatest_scale) << i;
-    ASSERT_FALSE(words_.empty()) << i;
+    // The stage's words are marks, but for what lies in front of it.
+    ASSERT_TRUE(session().face == Face::stage || !words_.empty()) << i;
     ASSERT_EQ(no_number_in(words_), "") << i;
     for (const Pane& pane : screen().panes()) {
       for (const Mark& mark : pane.marks) ASSERT_TRUE(std::visit(IsSound(), mark.form)) << i;
     }
   }
   EXPECT_GT(pushes_, 0);  // motors were on
+  for (const int count : frames_on_) EXPECT_GT(count, events / 10);
   // And at the end all is as it was at the beginning for who asks for it.
   press(GLFW_KEY_ESCAPE);
   press(GLFW_KEY_ESCAPE);

@@ -2,11 +2,15 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <string>
 #include <utility>
 #include <variant>
 
+#include <glad/gl.h>
+
 #include "app/session/stage_actions.h"
 #include "tests/app/live/driven_window.h"
+#include "tests/support/temporary_folder.h"
 
 namespace ghostforce {
 namespace {
@@ -61,6 +65,15 @@ TEST_F(StageKeysTest, AModesKeyOpensTheStageAndTheWorkbenchEndsIt) {
   }
 }
 
+TEST_F(StageKeysTest, ThePagesNameEachMode) {
+  const std::string readme = read_whole(GHOSTFORCE_SOURCE_DIR "/README.md");
+  const std::string page = read_whole(GHOSTFORCE_SOURCE_DIR "/docs/stage.md");
+  for (const StageModeEntry& each : stage_mode_catalog()) {
+    EXPECT_NE(readme.find("- **" + std::string(each.key) + "**, "), std::string::npos) << each.name;
+    EXPECT_NE(page.find("\n**" + std::string(each.key) + ", "), std::string::npos) << each.name;
+  }
+}
+
 // The circle is the hand's while the mode lasts.
 TEST_F(StageKeysTest, RoundAndRoundGivesTheHandBack) {
   press(GLFW_KEY_O);
@@ -111,6 +124,7 @@ TEST_F(StageKeysTest, ShiftSwitchesSlowly) {
 
 // Where the handle is drawn, slowly and at once, two seconds after the key.
 TEST_F(StageKeysTest, SlowMotionIsSeen) {
+  glEnable(GL_RASTERIZER_DISCARD);  // the marks are looked at, and no pixel
   const auto handle_after = [&](int modifiers) {
     press(GLFW_KEY_2);
     frames(60);

@@ -1,0 +1,425 @@
+// The stage as a picture, over many moments by dice: no words over a mark, over each other or beyond the window; all of
+// them large enough for the last row; and the numbers always there.
+#include "app/view/stage/stage.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "tests/app/view/stage/stage_dice.h"
+#include "tests/app/view/stage/stage_extents.h"
+
+namespace ghostforce {
+namespace {
+
+const MeasureText measure = measure_vector_text;
+constexpr double rounding = 0.02;  // [points]
+
+// What may pass below the two numbers, with their halo, where there is no room beside it.
+bool is_soft(const Extent& extent) {
+  return extent.role == Role::motor_axis || extent.role == Role::wall ||
+         (extent.role == Role::expected_contact && extent.corners.size() == 2);
+}
+
+// Large letters without a tail below their line: what is below the line is free for the words there.
+ScreenBox ink_of(const LabelExtent& label) {
+  ScreenBox box = label.box;
+  if (label.role == Role::number && label.words.find_first_of("gy") == std::string::npos) {
+    box.most.y = box.least.y + 0.8 * label.style.height;
+  }
+  return box;
+}
+
+bool lies_in(const ScreenBox& box, const ScreenBox& other) {
+  return box.least.x >= other.least.x - rounding && box.least.y >= other.least.y - rounding &&
+         box.most.x <= other.most.x + rounding && box.most.y <= other.most.y + rounding;
+}
+
+struct Drawn {
+  StagePicture picture;
+  PictureExtents extents;
+
+  explicit Drawn(StagePicture made) : picture(std::move(made)), extents(picture.pane, measure) {}
+
+  bool is_in_ribbon(const ScreenBox& box) const { return picture.ribbon && lies_in(box, picture.ribbon->box); }
+  bool is_in_ribbon(const Extent& extent) const {
+    return picture.ribbon && std::ranges::all_of(extent.corners, [&](const Vector<2>& corner) {
+             return contains(picture.ribbon->box.grown(2.0), corner);
+           });
+  }
+  // That hides what is below it.
+  bool has_panel(const ScreenBox& box) const {
+    return std::ranges::any_of(picture.pane.marks, [&](const Mark& mark) {
+      const auto* const panel = std::get_if<Box>(&mark.form);
+      if (panel == nullptr || mark.role != Role::hint) return false;
+      const Vector<2> corner = to_screen(picture.pane.camera, panel->corner) + panel->offset;
+      return lies_in(box, {corner, corner + panel->size});
+    });
+  }
+  const LabelExtent* label(Role role, std::string_view words = "") const {
+    for (const LabelExtent& each : extents.labels) {
+      if (each.role == role && each.words.starts_with(words) && each.alpha > 0.0) return &each;
+    }
+    return nullptr;
+  }
+  ScreenBox numbers() const {
+    ScreenBox box{Vector<2>(1e9), Vector<2>(-1e9)};
+    for (const LabelExtent& each : extents.labels) {
+      if (each.role != Role::number) continue;
+      box.include(each.box.least);
+      box.include(each.box.most);
+    }
+    return box;
+  }
+  bool covers_soft_marks(const ScreenBox& box, double margin = 0.0) const {
+    return std::ranges::any_of(extents.marks, [&](const Extent& extent) {
+      return is_soft(extent) && !is_in_ribbon(extent) && reach_into(box, extent) > margin;
+    });
+  }
+};
+
+// What is wrong with it; nothing should be.
+std::vector<std::string> faults_of(const StageCase& shown, const Drawn& drawn) {
+  std::vector<std::string> faults;
+  const ScreenBox window{Vector<2>(-rounding), shown.size + Vector<2>(rounding)};
+  const std::vector<LabelExtent>& labels = drawn.extents.labels;
+  if (!drawn.extents.is_finite) faults.push_back("a number is not finite");
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const LabelExtent& label = labels[i];
+    if (label.alpha == 0.0) continue;
+    if (!lies_in(label.box, window)) faults.push_back(fmt::format("'{}' is cut off", label.words));
+    for (std::size_t j = 0; j < i; ++j) {
+      if (labels[j].alpha == 0.0 || overlap(ink_of(label), ink_of(labels[j])) <= rounding) continue;
+      faults.push_back(fmt::format("'{}' and '{}' overlap", labels[j].words, label.words));
+    }
+    if (label.role == Role::button) {
+      const bool has_button = std::ranges::any_of(
+          drawn.picture.buttons, [&](const StageButton& button) { return lies_in(label.box, button.box); });
+      if (!has_button) faults.push_back(fmt::format("'{}' sticks out of its button", label.words));
+      continue;
+    }
+    if (label.role == Role::sentence || drawn.is_in_ribbon(label.box) || drawn.has_panel(label.box)) continue;
+    for (const Extent& extent : drawn.extents.marks) {
+      const bool may_cover = label.role == Role::number || label.role == Role::hint;
+      if (may_cover && is_soft(extent)) continue;
+      const double reach = reach_into(ink_of(label), extent);
+      if (reach > rounding) {
+        faults.push_back(
+            fmt::format("'{}' lies {:.1f} on a mark: {}", label.words, std::min(reach, 1e3), role_name(extent.role)));
+        break;
+      }
+    }
+  }
+  for (const auto& leader : drawn.extents.leaders) {
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+      if (i == leader.label || labels[i].alpha == 0.0) continue;
+      ScreenPiece piece{leader.from, leader.to, 0.0};
+      if (!clip(labels[i].box.grown(-rounding), piece)) continue;
+      faults.push_back(fmt::format("the line to '{}' crosses '{}'", labels[leader.label].words, labels[i].words));
+    }
+    const std::set<Role> hard{Role::device, Role::proxy,      Role::goal,        Role::hand,  Role::guess,
+                              Role::force,  Role::wall_share, Role::ghost_force, Role::button};
+    for (const Extent& extent : drawn.extents.marks) {
+      const bool is_own = extent.role == labels[leader.label].role;
+      if (is_own || !hard.contains(extent.role) || reach_into(leader.from, leader.to, extent) <= rounding) continue;
+      faults.push_back(
+          fmt::format("the line to '{}' crosses a mark: {}", labels[leader.label].words, role_name(extent.role)));
+      break;
+    }
+  }
+  return faults;
+}
+
+std::string words_for(const StageCase& shown) {
+  return fmt::format("{}x{} scale {} {} mode {} strategy {}", shown.size.x, shown.size.y, shown.scale, shown.theme,
+                     stage_mode_name(shown.mode), strategy(shown.settings.active).name);
+}
+
+constexpr int cases = 700;
+
+TEST(Stage, HasNoWordsOverMarksOrEachOtherOrCutOff) {
+  StageDice dice(20261130);
+  int faulty = 0;
+  for (int i = 0; i < cases; ++i) {
+    const StageCase shown = stage_case_by(dice);
+    const Drawn drawn(shown.compose());
+    const std::vector<std::string> faults = faults_of(shown, drawn);
+    if (faults.empty()) continue;
+    if (++faulty > 20) continue;
+    for (const std::string& fault : faults) ADD_FAILURE() << "case " << i << " " << words_for(shown) << ": " << fault;
+  }
+  EXPECT_EQ(faulty, 0);
+}
+
+// Also where a label has just lost its place: in pictures that follow one another.
+TEST(Stage, HasNoWordsOverMarksFromMomentToMoment) {
+  StageDice dice(7);
+  int faulty = 0;
+  for (int round = 0; round < 25; ++round) {
+    StageLabelMemory memory;
+    StageCase shown = stage_case_by(dice);
+    const StageCase other = stage_case_by(dice);
+    const Vector<2> from = shown.moment.goal;
+    const Vector<2> to = to_world(stage_camera(shown.shown, shown.size, 0.86 * shown.size.y),
+                                  shown.size * Vector<2>(dice.between(0.0, 1.0), dice.between(0.0, 1.0)));
+    for (int i = 0; i < 30; ++i) {
+      shown.moment = stage_moment_at_rest(shown.settings, from + (to - from) * (i / 30.0));
+      if (i == 20) shown.size = other.size;
+      if (i == 25) shown.scale = other.scale;
+      const Drawn drawn(shown.compose(memory, 1.0 / 60.0));
+      const std::vector<std::string> faults = faults_of(shown, drawn);
+      if (faults.empty()) continue;
+      if (++faulty > 20) continue;
+      for (const std::string& fault : faults) {
+        ADD_FAILURE() << "round " << round << "." << i << " " << words_for(shown) << ": " << fault;
+      }
+    }
+  }
+  EXPECT_EQ(faulty, 0);
+}
+
+bool has_numbers(const StageCase& shown) {
+  return shown.mode == StageMode::none || shown.mode == StageMode::ribbon ||
+         (shown.mode == StageMode::predict && !shown.guess.is_open);
+}
+
+// Any place for so large a block that is clear of everything that it must not cover, with some air.
+bool has_clear_place(const StageCase& shown, const Drawn& drawn, const Vector<2>& extent, bool also_of_soft) {
+  const double air = 9.0 * drawn.picture.unit;
+  std::vector<ScreenBox> taken;
+  for (const LabelExtent& label : drawn.extents.labels) {
+    if (label.role == Role::sentence || label.role == Role::hint) taken.push_back(label.box.grown(air));
+  }
+  for (const StageButton& button : drawn.picture.buttons) taken.push_back(button.box.grown(air));
+  if (drawn.picture.ribbon) taken.push_back(drawn.picture.ribbon->box.grown(air));
+  for (double x = air; x + extent.x + air < shown.size.x; x += 16.0) {
+    for (double y = air; y + extent.y + air < shown.size.y; y += 16.0) {
+      const ScreenBox box{{x, y}, Vector<2>(x, y) + extent};
+      if (std::ranges::any_of(taken, [&](const ScreenBox& other) { return overlap(box, other) > 0.0; })) continue;
+      const bool is_covered = std::ranges::any_of(drawn.extents.marks, [&](const Extent& mark) {
+        return (also_of_soft || !is_soft(mark)) && !drawn.is_in_ribbon(mark) && reach_into(box.grown(air), mark) > 0.0;
+      });
+      if (!is_covered) return true;
+    }
+  }
+  return false;
+}
+
+TEST(Stage, FindsAPlaceForTheNumbersAndCoversNothingWithThemIfItCan) {
+  StageDice dice(31);
+  int asked = 0;
+  int over_soft = 0;
+  int gone = 0;
+  Vector<2> usual(0.0);
+  for (int i = 0; i < 500; ++i) {
+    const StageCase shown = stage_case_by(dice);
+    if (!has_numbers(shown)) continue;
+    const Drawn drawn(shown.compose());
+    ++asked;
+    if (drawn.label(Role::number) == nullptr) {
+      ++gone;
+      StageCase plain = stage_case_at(wall45(), wall45_goal);
+      plain.size = shown.size;
+      plain.scale = shown.scale;
+      plain.corner = shown.corner;
+      plain.moment.is_measured = shown.moment.is_measured;
+      usual = Drawn(plain.compose()).numbers().extent();
+      EXPECT_FALSE(has_clear_place(shown, drawn, usual, false)) << i << " " << words_for(shown);
+      continue;
+    }
+    const ScreenBox box = drawn.numbers();
+    if (!drawn.covers_soft_marks(box)) continue;
+    ++over_soft;
+    EXPECT_FALSE(has_clear_place(shown, drawn, box.extent(), true)) << i << " " << words_for(shown);
+  }
+  fmt::print("numbers: {} asked, {} over wall, rail or dotted line, {} without a place\n", asked, over_soft, gone);
+  EXPECT_LE(over_soft, asked / 5);
+  EXPECT_LE(gone, asked / 50);
+}
+
+// --- What is usual loses no words --------------------------------------------------------------------------------------
+
+std::vector<std::string> usual_words(StrategyId active, bool is_in_wall) {
+  if (!is_in_wall) return {"handle", "your hand pulls here", "virtual wall"};
+  std::vector<std::string> words{"handle", "wall ", "your hand pulls here", "virtual wall"};
+  if (active != StrategyId::full) words.push_back("the only motor pushes");
+  if (active == StrategyId::naive) {
+    words.insert(words.end(), {"ghost 1.27 N", "slid 12.0 mm", "where it should rest", "the wall should hold here"});
+  }
+  return words;
+}
+
+TEST(Stage, SaysEverythingInTheUsualPictures) {
+  for (const Vector<2>& size : {Vector<2>(1024.0, 640.0), Vector<2>(1024.0, 768.0), Vector<2>(1280.0, 720.0),
+                                Vector<2>(1280.0, 800.0), Vector<2>(1920.0, 1080.0), Vector<2>(3840.0, 2160.0)}) {
+    for (const double scale : {0.75, 1.0}) {
+      for (const Theme& theme : theme_catalog()) {
+        for (const Strategy& strategy : strategy_catalog()) {
+          StageCase shown = stage_case_at(wall45(strategy.id), wall45_goal);
+          shown.shown = stage_view_of(shown.settings, wall45_goal);
+          shown.size = size;
+          shown.scale = scale;
+          shown.theme = theme.name;
+          const Drawn drawn(shown.compose());
+          std::string all;
+          for (const LabelExtent& label : drawn.extents.labels) all += label.words + ' ';
+          for (const std::string& words : usual_words(strategy.id, true)) {
+            EXPECT_TRUE(all.find(words) != std::string::npos) << words << " in " << words_for(shown);
+          }
+          EXPECT_LE(drawn.extents.leaders.size(), 2U) << words_for(shown);
+          EXPECT_FALSE(drawn.covers_soft_marks(drawn.numbers())) << words_for(shown);
+        }
+      }
+    }
+  }
+}
+
+// Of a piece of the force, so far as it is seen.
+double arrow_length(const Drawn& drawn, Role role) {
+  double length = 0.0;
+  for (const Mark& mark : drawn.picture.pane.marks) {
+    const auto* const arrow = std::get_if<Arrow>(&mark.form);
+    if (arrow == nullptr || mark.role != role) continue;
+    const Camera& camera = drawn.picture.pane.camera;
+    ScreenPiece piece{to_screen(camera, arrow->tail), to_screen(camera, arrow->tip), 0.0};
+    if (clip(drawn.picture.scene, piece)) length = std::max(length, glm::distance(piece.from, piece.to));
+  }
+  return length;
+}
+
+TEST(Stage, LeavesOutTheLessImportantWords) {
+  StageDice dice(99);
+  std::map<Role, std::array<int, 2>> count;  // asked for, found
+  const auto tally = [&](const Drawn& drawn, Role role, std::string_view words) {
+    ++count[role][0];
+    if (drawn.label(role, words) != nullptr) ++count[role][1];
+  };
+  for (int i = 0; i < 400; ++i) {
+    StageCase shown = stage_case_by(dice);
+    shown.mode = StageMode::none;
+    shown.warning = {};
+    const Drawn drawn(shown.compose());
+    const Camera& camera = drawn.picture.pane.camera;
+    const StageMoment& moment = shown.moment;
+    const auto is_seen = [&](const Vector<2>& world) {
+      return contains(drawn.picture.scene, to_screen(camera, world));
+    };
+    // What lies beyond the scene needs no words.
+    if (!is_seen(moment.handle) || !is_seen(moment.goal) || !is_seen(moment.proxy)) continue;
+    // In the fist there is no handle to be seen.
+    const double apart = glm::distance(moment.handle, moment.goal) * camera.points_per_metre;
+    if (apart > 60.0 * drawn.picture.unit) tally(drawn, Role::device, "handle");
+    tally(drawn, Role::hand, "");
+    for (const Role role : {Role::ghost_force, Role::wall_share}) {
+      if (arrow_length(drawn, role) > 30.0 * drawn.picture.unit) tally(drawn, role, "");
+    }
+    if (!moment.is_measured && moment.in_contact && glm::length(moment.slide) * camera.points_per_metre > 10.0) {
+      tally(drawn, Role::proxy_drift, "slid");
+    }
+    if (moment.weights[index_of(StrategyId::full)] == 0.0) tally(drawn, Role::motor_axis, "");
+  }
+  for (const auto& [role, both] : count) fmt::print("{}: {} of {}\n", role_name(role), both[1], both[0]);
+  const auto share = [&](Role role) { return static_cast<double>(count[role][1]) / count[role][0]; };
+  EXPECT_GE(share(Role::ghost_force), 0.97);
+  EXPECT_GE(share(Role::proxy_drift), 0.95);
+  EXPECT_GE(share(Role::device), 0.95);
+  EXPECT_GE(share(Role::wall_share), 0.9);
+  EXPECT_GE(share(Role::hand), 0.85);
+}
+
+// --- Sizes -------------------------------------------------------------------------------------------------------------
+
+TEST(Stage, CanBeReadFromTheLastRow) {
+  StageDice dice(5);
+  for (const Vector<2>& size : {Vector<2>(1024.0, 768.0), Vector<2>(1280.0, 720.0), Vector<2>(1920.0, 1080.0)}) {
+    for (const double scale : {1.0, 2.0}) {
+      for (int i = 0; i < 60; ++i) {
+        StageCase shown = stage_case_by(dice);
+        shown.size = size;
+        shown.scale = scale;
+        for (const LabelExtent& label : Drawn(shown.compose()).extents.labels) {
+          EXPECT_GE(label.style.height / 1.17, size.y / 30.0 - 1e-9) << label.words << " in " << words_for(shown);
+        }
+      }
+    }
+  }
+}
+
+TEST(Stage, HasLettersOfWholePoints) {
+  StageDice dice(6);
+  for (int i = 0; i < 100; ++i) {
+    const StageCase shown = stage_case_by(dice);
+    const Drawn drawn(shown.compose());
+    for (const LabelExtent& label : drawn.extents.labels) {
+      if (drawn.is_in_ribbon(label.box)) continue;
+      EXPECT_EQ(label.style.height, std::round(label.style.height)) << label.words << " in " << words_for(shown);
+    }
+  }
+}
+
+TEST(Stage, GrowsWithTheWindow) {
+  for (const double ratio : {4.0 / 3.0, 1.6, 16.0 / 9.0, 21.0 / 9.0}) {
+    for (const double scale : {0.75, 1.0, 2.0, 3.0}) {
+      std::map<std::string, double> before;
+      for (double height = 640.0; height <= 2160.0; height += 76.0) {
+        StageCase shown = stage_case_at(wall45(), wall45_goal);
+        shown.size = {std::round(ratio * height), height};
+        shown.scale = scale;
+        for (const LabelExtent& label : Drawn(shown.compose()).extents.labels) {
+          const auto found = before.find(label.words);
+          const double least = found == before.end() ? 0.0 : found->second;
+          EXPECT_GE(label.style.height, least) << label.words << height;
+          before[label.words] = label.style.height;
+        }
+      }
+    }
+  }
+}
+
+// The scene may pass below the sentence; what matters should rarely be there.
+TEST(Stage, SeldomHasHandleHandOrArrowBelowTheSentence) {
+  StageDice dice(12);
+  int covered = 0;
+  constexpr int looked_at = 300;
+  for (int i = 0; i < looked_at; ++i) {
+    const Settings settings = dice.settings();
+    StageCase shown = stage_case_at(settings, dice.goal(settings));
+    shown.size = dice.size();
+    shown.scale = dice.one_in(2) ? 1.0 : dice.scale();
+    const Drawn drawn(shown.compose());
+    const std::set<Role> important{Role::device, Role::goal, Role::hand, Role::wall_share, Role::ghost_force};
+    const bool is_covered = std::ranges::any_of(drawn.extents.labels, [&](const LabelExtent& label) {
+      return label.role == Role::sentence && std::ranges::any_of(drawn.extents.marks, [&](const Extent& mark) {
+               return important.contains(mark.role) && reach_into(label.box, mark) > 0.0;
+             });
+    });
+    covered += is_covered ? 1 : 0;
+  }
+  fmt::print("handle, hand or arrow below the sentence: {} of {}\n", covered, looked_at);
+  EXPECT_LE(covered, looked_at / 10);
+}
+
+TEST(Stage, HasNumbersOfOneWidth) {
+  const Settings settings = wall45();
+  std::set<double> places;
+  for (double depth = 0.0005; depth < 0.06; depth += 0.0013) {
+    StageCase shown = stage_case_at(settings, wall45_goal);
+    shown.moment = stage_moment_at_rest(settings, Vector<2>(std::sqrt(0.5), -std::sqrt(0.5)) * depth);
+    shown.shown = {.center = {0.3, 0.3}, .width = 0.1};  // nothing of it is to be seen: the numbers alone
+    for (const LabelExtent& label : Drawn(shown.compose()).extents.labels) {
+      if (label.role == Role::number && (label.words == "N" || label.words == "mm")) places.insert(label.box.least.x);
+    }
+  }
+  EXPECT_EQ(places.size(), 1U);
+}
+
+}  // namespace
+}  // namespace ghostforce
