@@ -23,6 +23,8 @@ namespace ghostforce {
 struct SceneView {
   Vector<2> center{0.0};  // what is in the middle of the picture [m]
   double width = 0.2;     // how much of the world the picture's width shows, at least [m]
+
+  friend bool operator==(const SceneView&, const SceneView&) = default;
 };
 
 struct Scene {

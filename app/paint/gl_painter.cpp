@@ -7,6 +7,7 @@
 #include "app/paint/area_coverage.h"
 #include "app/paint/embedded_shader.h"
 #include "app/paint/gl/shader_program.h"
+#include "app/paint/half_plane_tiles.h"
 
 namespace ghostforce {
 namespace {
@@ -140,6 +141,10 @@ void GlPainter::paint_marks(const Pane& pane, const PixelRect& rect, double pixe
     } else if (const auto* raster = std::get_if<Raster>(&mark.form)) {
       paint_instances(rect);
       textures_.paint(*raster, collect.pixels(raster->corner), raster->size * pixels_per_point, viewport);
+    } else if (const auto* half_plane = std::get_if<HalfPlane>(&mark.form);
+               half_plane != nullptr && half_plane->fill.alpha == 255) {
+      paint_instances(rect);
+      paint_half_plane(*half_plane, collect, rect);
     } else {
       std::visit(collect, mark.form);
     }
@@ -148,7 +153,21 @@ void GlPainter::paint_marks(const Pane& pane, const PixelRect& rect, double pixe
   glDisable(GL_SCISSOR_TEST);
 }
 
-void GlPainter::paint_instances(const PixelRect& rect) {
+void GlPainter::paint_half_plane(const HalfPlane& form, const Collect& collect, const PixelRect& rect) {
+  const HalfPlaneTiles tiles =
+      half_plane_tiles(collect.pixels(form.point), to_screen_direction(form.normal), rect.width, rect.height);
+  const auto in_framebuffer = [&rect](const PixelTile& tile) {
+    return PixelRect{rect.x + tile.left, rect.y + rect.height - tile.top - tile.height, tile.width, tile.height};
+  };
+  for (const PixelTile& tile : tiles.whole) fill(form.fill, in_framebuffer(tile));
+  std::vector<PixelRect> edge;
+  for (const PixelTile& tile : tiles.edge) edge.push_back(in_framebuffer(tile));
+  collect(form);
+  glEnable(GL_SCISSOR_TEST);
+  paint_instances(rect, edge);
+}
+
+void GlPainter::paint_instances(const PixelRect& rect, std::span<const PixelRect> parts) {
   if (collected_.empty()) return;
   glUseProgram(program_.name());
   glUniform2f(viewport_uniform_, static_cast<float>(rect.width), static_cast<float>(rect.height));
@@ -156,7 +175,11 @@ void GlPainter::paint_instances(const PixelRect& rect) {
   glBindBuffer(GL_ARRAY_BUFFER, instances_.name());
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(collected_.size() * sizeof(Instance)), collected_.data(),
                GL_STREAM_DRAW);
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(collected_.size()));
+  for (const PixelRect& part : parts) {
+    glScissor(part.x, part.y, part.width, part.height);
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(collected_.size()));
+  }
+  glScissor(rect.x, rect.y, rect.width, rect.height);
   glBindVertexArray(0);
   collected_.clear();
 }

@@ -3,6 +3,7 @@
 // that holds the context.
 #pragma once
 
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -46,8 +47,11 @@ class GlPainter {
 
   static void fill(Colour colour, const PixelRect& rect);
   void paint_marks(const Pane& pane, const PixelRect& rect, double pixels_per_point);
-  // Those that are collected.
-  void paint_instances(const PixelRect& rect);
+  // Those that are collected; of the viewport `rect` only `parts`.
+  void paint_instances(const PixelRect& rect) { paint_instances(rect, {&rect, 1}); }
+  void paint_instances(const PixelRect& rect, std::span<const PixelRect> parts);
+  // One that nothing shines through.
+  void paint_half_plane(const HalfPlane& form, const Collect& collect, const PixelRect& rect);
 
   LabelFonts fonts_;
   gl::Program program_;

@@ -14,9 +14,6 @@ ImFont& font_of(const LabelFonts& fonts, const TextStyle& style) {
   return style.is_bold ? *fonts.bold : *fonts.regular;
 }
 
-// ImGui rasterises higher letters no finer than they are drawn [px].
-constexpr float finely_rasterised = 36.0F;
-
 struct Pen {
   ImDrawList& draw_list;
   ImFont& font;
@@ -71,8 +68,7 @@ void paint_labels(const Marks& marks, const Camera& camera, const LabelFonts& fo
     const ImVec2 corner{origin.x + static_cast<float>(at.x), origin.y + static_cast<float>(at.y)};
     const auto height = static_cast<float>(label->style.height * height_scale);
     // Between pixels, the empty texels round a large letter would darken its edges, which shows where it is a halo.
-    const bool is_large = label->style.height > large_text.height &&
-                          height * ImGui::GetIO().DisplayFramebufferScale.x > finely_rasterised;
+    const bool is_large = label->style.height > large_text.height;
     const Pen pen{draw_list, font_of(fonts, label->style), height, is_large};
     const auto write = [&](float dx, float dy, ImU32 colour) {
       pen.write({corner.x + dx, corner.y + dy}, colour, label->text);

@@ -55,13 +55,14 @@ void go_round(Scene& scene, const Circle& circle) {
   scene.goal = std::move(path);
 }
 
-Session session_of(const PictureRequest& request) {
+Session session_of(const PictureRequest& request, const Moment& moment) {
   Session session = session_of(request.scene);
   session.options = request.options;
   session.appearance = request.appearance;
   session.pointer_moves_goal = false;
   session.input = scripted_hand.name;
   session.goal = request.scene.goal.points.back();
+  session.stage_shown = stage_view_of(session.settings, moment.snapshot.goal);
   session.face = request.face;
   if (request.mode != StageMode::none) toggle_stage_mode(session, request.mode);
   if (request.mode == StageMode::why) session.stage.why_step = last_why_step;
@@ -122,7 +123,7 @@ Moment simulate_to_moment(const PictureRequest& request) {
 std::vector<Pane> compose_moment(const PictureRequest& request, const Moment& moment, const Vector<2>& size,
                                  const MeasureText& measure) {
   if (request.face == Face::stage) {
-    const Session session = session_of(request);
+    const Session session = session_of(request, moment);
     const ShownMoment shown{request.scene.settings, moment.snapshot};
     return {StageFace()
                 .still(session, {.shown = shown,
@@ -146,7 +147,7 @@ std::vector<Pane> compose_moment(const PictureRequest& request, const Moment& mo
 }
 
 Drawing draw_moment(const PictureRequest& request, const Moment& moment) {
-  Session session = session_of(request);
+  Session session = session_of(request, moment);
   session.folded_panels = panels_folded_at_first(request.height / request.appearance.scale);
 
   Window window({.title = "ghostforce",

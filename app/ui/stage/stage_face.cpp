@@ -101,11 +101,38 @@ void StageFace::follow_session(const Session& session, const StageFrame& frame) 
   }
 }
 
-void StageFace::update(Session& session, const StageFrame& frame, bool has_keys, double interval_s) {
-  pointer_.update(session, frame, picture_, guess_.guess(session).is_open);
+// What a person moves is there at once. A view that fits what has happened is glided to: when the handle or the hand has
+// left the scene, and nobody holds anything.
+void StageFace::follow_view(Session& session, const StageFrame& frame, double interval_s) {
+  constexpr double glides_s = 0.12;  // until two thirds of the way
+  const bool is_other_scene = scene_ != session.scene;
   if (std::exchange(session.requests.fit_view, false)) {
     session.stage_shown = stage_view_of(session.settings, session.goal);
+  } else if (session.stage_shown != wanted_view_ || is_other_scene || session.stage.mode == StageMode::landscape) {
+    view_ = session.stage_shown;
+  } else if (!pointer_.is_holding() && !transition_.is_running() && !show_.is_on() && !frame.shown.is_past) {
+    const StageMoment rest = stage_moment_at_rest(session.settings, session.goal);
+    const auto is_seen = [&](const Vector<2>& place) {
+      return contains(picture_.scene, to_screen(picture_.pane.camera, place));
+    };
+    const bool is_lost = !is_seen(rest.handle) || !is_seen(rest.proxy);
+    if (is_lost && session.pointer_moves_goal && is_seen(session.goal)) {
+      session.stage_shown = stage_view_of(session.settings, session.goal);
+    }
   }
+  wanted_view_ = session.stage_shown;
+  const double share = 1.0 - std::exp(-interval_s / glides_s);
+  view_.center = glm::mix(view_.center, session.stage_shown.center, share);
+  view_.width = glm::mix(view_.width, session.stage_shown.width, share);
+  const double apart =
+      glm::distance(view_.center, session.stage_shown.center) + std::abs(view_.width - session.stage_shown.width);
+  view_moves_ = apart > 2e-3 * view_.width;
+  if (!view_moves_) view_ = session.stage_shown;
+}
+
+void StageFace::update(Session& session, const StageFrame& frame, bool has_keys, double interval_s) {
+  pointer_.update(session, frame, picture_, guess_.guess(session).is_open);
+  follow_view(session, frame, interval_s);
   follow_session(session, frame);
   transition_.advance(interval_s);
   guess_.update(session, interval_s);
@@ -185,6 +212,7 @@ StageContent StageFace::content_of(const Session& session, const StageFrame& fra
 const StagePicture& StageFace::compose(const Session& session, const StageFrame& frame, double interval_s) {
   const Shown shown = shown_in(session, frame);
   StageContent content = content_of(session, frame, shown);
+  if (session.stage.mode != StageMode::round) content.shown = view_;
   content.hovered = pointer_.hovered();
   content.hovered_grip = pointer_.hovered_grip();
   content.has_grips = session.has_handles;
@@ -200,7 +228,7 @@ StagePicture StageFace::still(const Session& session, const StageFrame& frame) c
 }
 
 bool StageFace::is_moving() const noexcept {
-  return transition_.is_running() || memory_.is_moving() || show_.is_moving() || guess_.is_revealing();
+  return transition_.is_running() || memory_.is_moving() || show_.is_moving() || guess_.is_revealing() || view_moves_;
 }
 
 }  // namespace ghostforce

@@ -43,6 +43,7 @@ class StageFace {
   };
   Shown shown_in(const Session& session, const StageFrame& frame) const;
   StageContent content_of(const Session& session, const StageFrame& frame, const Shown& shown) const;
+  void follow_view(Session& session, const StageFrame& frame, double interval_s);
   void follow_session(const Session& session, const StageFrame& frame);
 
   StagePicture picture_;
@@ -52,8 +53,11 @@ class StageFace {
   IdleShow show_;
   StagePointer pointer_;
   std::shared_ptr<const Scene> scene_;  // that the transition is in
-  Settings seen_settings_;              // a frame ago,
-  Vector<2> seen_goal_{0.0};            // both
+  SceneView view_;                      // on its way to the session's
+  SceneView wanted_view_;               // of the frame before
+  bool view_moves_ = false;
+  Settings seen_settings_;    // a frame ago,
+  Vector<2> seen_goal_{0.0};  // both
 };
 
 }  // namespace ghostforce

@@ -17,6 +17,7 @@ namespace {
 
 constexpr double stage_zoom_per_notch = 1.15;
 constexpr double stage_snap = 5.0 * radians_per_degree;
+constexpr double hand_room = 30.0;        // of a fist round the goal [points of the design]
 constexpr double stage_first_turn = 2.0;  // a click is no turn yet [points]
 
 Vector<2> point_of(ImVec2 point) {
@@ -143,7 +144,8 @@ void StagePointer::update(Session& session, const StageFrame& frame, const Stage
 
 void StagePointer::drag(Session& session, const Scene& scene, const Vector<2>& pointer) {
   // The hand stays where it can be seen.
-  const Vector<2> inside = glm::clamp(pointer, scene.picture.scene.least, scene.picture.scene.most);
+  const ScreenBox box = scene.picture.scene.grown(-hand_room * scene.picture.unit);
+  const Vector<2> inside = glm::clamp(pointer, box.least, glm::max(box.least, box.most));
   switch (hold_) {
     case Hold::nothing:
       return;

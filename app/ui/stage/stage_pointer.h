@@ -18,6 +18,7 @@ class StagePointer {
 
   StageGrip hovered_grip() const noexcept { return hovered_grip_; }
   const std::optional<StageAction>& hovered() const noexcept { return hovered_; }
+  bool is_holding() const noexcept { return hold_ != Hold::nothing; }
   bool has_touched() const noexcept { return has_touched_; }  // in this frame
 
  private:

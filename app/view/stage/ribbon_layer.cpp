@@ -109,12 +109,7 @@ class RibbonPen {
     taken_.push_back(room);
     const TextStyle drawn = style_of(ribbon_, is_bold);
     marks_.push_back({Role::scale, std::nullopt,
-                      Label{world(corner),
-                            Vector<2>(0.0),
-                            std::move(text),
-                            {drawn.height / ribbon_.unit, is_bold},
-                            colour,
-                            ribbon_.theme.panel}});
+                      Label{world(corner), Vector<2>(0.0), std::move(text), drawn, colour, ribbon_.theme.panel}});
   }
 
   void ground() {
@@ -126,8 +121,7 @@ class RibbonPen {
   void curve(StrategyId id, const std::vector<PlotBucket>& buckets, const RibbonAxis& axis, const ScreenBox& band,
              double top) {
     const std::size_t i = index_of(id);
-    LinePattern pattern = strategy_style(id).pattern;
-    for (double& length : pattern) length *= ribbon_.unit;
+    const LinePattern& pattern = strategy_style(id).pattern;
     // Dashes hold on to their times: else they would crawl as time goes on.
     const double period = std::accumulate(pattern.begin(), pattern.end(), 0.0);
     const double points_per_second = (axis.right - axis.left) / MomentHistory::span_s;

@@ -23,7 +23,6 @@ struct Ribbon {
   const MeasureText& measure;
   Camera camera;  // of the picture that it is part of
   ScreenBox box;  // all of it, words too [points]
-  double unit;    // what painters multiply the height of a label's letters by: UI scale times the theme's thickness
 };
 
 // Time along the ribbon.

@@ -25,8 +25,7 @@ std::optional<Ribbon> stage_ribbon(const StageLayer& layer) {
                 .theme = content.theme,
                 .measure = content.measure,
                 .camera = canvas.camera,
-                .box = *layout.ribbon,
-                .unit = 1.0};
+                .box = *layout.ribbon};
 }
 
 const StageModeLayers ribbon_layers{StageMode::ribbon, add_last_minute, ribbon_sentence};

@@ -31,8 +31,7 @@ void make_room_for_ribbon(const StageContent& content, StageLayout& layout) {
                       .theme = content.theme,
                       .measure = content.measure,
                       .camera = {.size = content.size},
-                      .box = {},
-                      .unit = 1.0};
+                      .box = {}};
   const double bottom = layout.bottom - 10.0 * layout.unit;
   layout.ribbon = ScreenBox{{layout.margin, bottom - ribbon_height(ribbon)}, {layout.size.x - layout.margin, bottom}};
   layout.bottom = layout.ribbon->least.y;

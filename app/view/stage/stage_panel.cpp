@@ -185,7 +185,7 @@ void add_cure_hint(const StageLayer& layer) {
   const TextStyle& style = layout.letters.bold_words;
   const std::string words = "press 3: the cure";
   const Vector<2> extent = content.measure(words, style);
-  const double above = canvas.points(70.0);
+  const double above = canvas.points(200.0);
   const ScreenBox region{{layout.margin, button.least.y - extent.y - above},
                          {layout.size.x - layout.margin, button.least.y - canvas.points(6.0)}};
   const auto found = canvas.labels.place_block({.id = StageLabel::hint,
@@ -271,7 +271,9 @@ void add_buttons(const StageLayer& layer) {
 void keep_frame_clear(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   StageLabels& labels = canvas.labels;
-  labels.keep_clear(layout.sentence_box);
+  // Words beside it must not read as its end.
+  const Vector<2> aside(layout.unit * 16.0, 0.0);
+  labels.keep_clear(ScreenBox{layout.sentence_box.least - aside, layout.sentence_box.most + aside});
   const double rim = canvas.width(2.0);
   for (const StageButton& button : layout.strategies) labels.keep_clear(button.box.grown(rim));
   for (const StageButton& button : layout.icons) labels.keep_clear(button.box.grown(rim));

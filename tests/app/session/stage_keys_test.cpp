@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <string>
 #include <utility>
 #include <variant>
 
@@ -9,6 +10,7 @@
 
 #include "app/session/stage_actions.h"
 #include "tests/app/live/driven_window.h"
+#include "tests/support/temporary_folder.h"
 
 namespace ghostforce {
 namespace {
@@ -60,6 +62,15 @@ TEST_F(StageKeysTest, AModesKeyOpensTheStageAndTheWorkbenchEndsIt) {
     press(GLFW_KEY_F4);
     EXPECT_EQ(session().face, Face::workbench);
     EXPECT_EQ(session().stage.mode, StageMode::none);
+  }
+}
+
+TEST_F(StageKeysTest, ThePagesNameEachMode) {
+  const std::string readme = read_whole(GHOSTFORCE_SOURCE_DIR "/README.md");
+  const std::string page = read_whole(GHOSTFORCE_SOURCE_DIR "/docs/stage.md");
+  for (const StageModeEntry& each : stage_mode_catalog()) {
+    EXPECT_NE(readme.find("- **" + std::string(each.key) + "**, "), std::string::npos) << each.name;
+    EXPECT_NE(page.find("\n**" + std::string(each.key) + ", "), std::string::npos) << each.name;
   }
 }
 

@@ -1,4 +1,6 @@
 // The stage as users have it in files, by the program's own `render`: pixels, vectors and JSON, with its words in them.
+#include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <set>
 #include <string>
@@ -107,6 +109,25 @@ TEST(StagePicture, ShowsEachStrategyAndEachModeDifferently) {
     const auto picture = described({"--mode", std::string(each.name)});
     EXPECT_EQ(picture["mode"], each.name);
     EXPECT_TRUE(pictures.insert(picture["marks"].dump()).second) << each.name;
+  }
+}
+
+// The hand comes from 30 mm outside the wall.
+TEST(StagePicture, HasTheHandInSightAtEveryMoment) {
+  for (const char* at_s : {"0", "0.2", "0.5", "3"}) {
+    const auto picture = described({"--at", at_s, "--size", "1280x720"});
+    const auto& camera = picture["camera"];
+    bool has_goal = false;
+    for (const auto& mark : picture["marks"]) {
+      if (mark["role"] != "goal" || mark["form"] != "marker") continue;
+      has_goal = true;
+      for (const std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
+        const double from_middle = mark["center_mm"][axis].get<double>() - camera["center_mm"][axis].get<double>();
+        const double half = 0.5 * camera["size"][axis].get<double>() / camera["points_per_mm"].get<double>();
+        EXPECT_LT(std::abs(from_middle), 0.8 * half) << at_s << " s, axis " << axis;
+      }
+    }
+    EXPECT_TRUE(has_goal) << at_s;
   }
 }
 

@@ -43,7 +43,6 @@ struct Picture {
     add_landscape(view, marks);
   }
 
-  double unit() const { return scale * find_theme(theme)->thickness; }
 
   struct Words {
     std::string text;
@@ -55,7 +54,7 @@ struct Picture {
     for (const Mark& mark : marks) {
       const auto* const label = std::get_if<Label>(&mark.form);
       if (label == nullptr) continue;
-      const TextStyle drawn{label->style.height * unit(), label->style.is_bold};
+      const TextStyle& drawn = label->style;
       const Vector<2> corner = to_screen(camera, label->anchor) + label->offset;
       found.push_back({label->text, drawn, {corner, corner + measure(label->text, drawn)}});
     }

@@ -24,13 +24,12 @@ const MeasureText measure = [](std::string_view text, const TextStyle& style) {
 struct Drawn {
   Camera camera;
   ScreenBox box;
-  double unit;
   Marks marks;
 
   Vector<2> on_screen(const Vector<2>& world) const { return to_screen(camera, world); }
   ScreenBox extent_of(const Label& label) const {
     const Vector<2> corner = on_screen(label.anchor) + label.offset;
-    return {corner, corner + measure(label.text, {unit * label.style.height, label.style.is_bold})};
+    return {corner, corner + measure(label.text, label.style)};
   }
   std::vector<std::string> words() const {
     std::vector<std::string> all;
@@ -54,9 +53,9 @@ struct Drawn {
 };
 
 Drawn draw(const MomentHistory& moments, std::optional<double> looks_back_to_s = {}, Vector<2> size = {1280.0, 720.0},
-           std::optional<ScreenBox> box = {}, std::string_view theme = "light", double unit = 1.0) {
-  Drawn drawn{camera_on({0.01, 0.02}, 0.12, size), box.value_or(ScreenBox{{40.0, 560.0}, {1240.0, 700.0}}), unit, {}};
-  const Ribbon ribbon{moments, looks_back_to_s, *find_theme(theme), measure, drawn.camera, drawn.box, unit};
+           std::optional<ScreenBox> box = {}, std::string_view theme = "light") {
+  Drawn drawn{camera_on({0.01, 0.02}, 0.12, size), box.value_or(ScreenBox{{40.0, 560.0}, {1240.0, 700.0}}), {}};
+  const Ribbon ribbon{moments, looks_back_to_s, *find_theme(theme), measure, drawn.camera, drawn.box};
   add_ribbon(ribbon, drawn.marks);
   return drawn;
 }
@@ -104,7 +103,7 @@ TEST(Ribbon, PointerAndTimeLeadBackAndForth) {
   const MomentHistory moments = history_of(100.0, [](double) { return 1.0; });
   const Theme& theme = *find_theme("light");
   const Camera camera = camera_on({0.0, 0.0}, 0.1, {1280.0, 720.0});
-  const RibbonAxis axis = ribbon_axis({moments, {}, theme, measure, camera, {{40.0, 600.0}, {1240.0, 700.0}}, 1.0});
+  const RibbonAxis axis = ribbon_axis({moments, {}, theme, measure, camera, {{40.0, 600.0}, {1240.0, 700.0}}});
   EXPECT_EQ(axis.end_s, 100.0);
   EXPECT_EQ(axis.x_at(100.0), axis.right);
   EXPECT_EQ(axis.x_at(40.0), axis.left);
@@ -227,9 +226,8 @@ TEST(Ribbon, NoWordsOverlapOrAreCutOffInAnySize) {
     const Vector<2> size{any(200.0, 4000.0), any(150.0, 2400.0)};
     const Vector<2> corner{any(0.0, 0.4) * size.x, any(0.0, 0.6) * size.y};
     const ScreenBox box{corner, corner + Vector<2>{any(0.05, 0.6) * size.x, any(0.05, 0.4) * size.y}};
-    const double unit = any(0.75, 4.0);
     const std::optional<double> back = round % 3 == 0 ? std::nullopt : std::optional(any(20.0, 95.0));
-    const Drawn drawn = draw(moments, back, size, box, theme_catalog()[static_cast<std::size_t>(round % 3)].name, unit);
+    const Drawn drawn = draw(moments, back, size, box, theme_catalog()[static_cast<std::size_t>(round % 3)].name);
     const ScreenBox inside = box.grown(1e-6);
     std::vector<ScreenBox> words;
     for (const Mark& mark : drawn.marks) {
@@ -241,7 +239,7 @@ TEST(Ribbon, NoWordsOverlapOrAreCutOffInAnySize) {
         }
         words.push_back(extent);
         // 1.164 is the height of a line of DejaVu Sans over its em.
-        EXPECT_GE(label->style.height * unit / 1.164, size.y / 30.0 - 1e-9);
+        EXPECT_GE(label->style.height / 1.164, size.y / 30.0 - 1e-9);
       } else if (const auto* line = std::get_if<Line>(&mark.form)) {
         EXPECT_TRUE(contains(inside, drawn.on_screen(line->from))) << round;
         EXPECT_TRUE(contains(inside, drawn.on_screen(line->to))) << round;
@@ -263,7 +261,7 @@ TEST(Ribbon, NoWordsOverlapOrAreCutOffInAnySize) {
 TEST(Ribbon, TheHeightItAsksForHasRoomForAll) {
   const MomentHistory moments = history_of(90.0, [](double) { return 1.0; });
   const Camera camera = camera_on({0.0, 0.0}, 0.1, {1024.0, 640.0});
-  const Ribbon ribbon{moments, {}, *find_theme("light"), measure, camera, {}, 1.0};
+  const Ribbon ribbon{moments, {}, *find_theme("light"), measure, camera, {}};
   const double height = ribbon_height(ribbon);
   EXPECT_LT(height, 0.25 * 640.0);
   const Drawn drawn = draw(moments, {}, {1024.0, 640.0}, ScreenBox{{20.0, 630.0 - height}, {1004.0, 630.0}});
