@@ -7,15 +7,16 @@
 namespace ghostforce {
 namespace {
 
+constexpr double guess_radius = 20.0;
+
 void add_guess(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   const StageGuess& guess = content.guess;
   if (!guess.at) return;
   const Theme& theme = content.theme;
   const Vector<2> at = canvas.at(*guess.at);
-  const double radius = canvas.points(20.0);
+  const double radius = canvas.points(guess_radius);
   canvas.ring(Role::guess, at, radius, canvas.width(4.0), faded(theme.accent, guess.is_open ? 1.0 : 0.55));
-  canvas.labels.keep_clear(at, at, radius + canvas.width(2.0));
   canvas.label(Role::guess,
                {StageLabel::guess,
                 {guess.is_open ? "your guess: drag me" : "your guess"},
@@ -29,6 +30,10 @@ void add_guess(const StageLayer& layer) {
 
 void add_predict(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
+  if (content.guess.at) {
+    const Vector<2> at = canvas.at(*content.guess.at);
+    canvas.labels.keep_clear(at, at, canvas.points(guess_radius) + canvas.width(2.0));
+  }
   if (!content.guess.is_open) {
     add_whole_scene(layer);
     add_guess(layer);

@@ -3,20 +3,26 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace ghostforce {
 namespace {
 
 constexpr double fade_s = 0.25;
 // So long do words wait that had no place, those that could have a better one, and all until they are arranged anew.
-constexpr double comes_back_s = 0.2;
+constexpr double comes_back_s = 0.3;
 constexpr double moves_on_s = 0.7;
+constexpr double moves_on_in_motion_s = 2.0;
 constexpr double rests_s = 0.5;
 
 // In points of the design.
 constexpr double worth_moving = 30.0;     // so much better must a place be,
 constexpr double worth_arranging = 60.0;  // and so much all places together
 constexpr double crowding_cost = 25.0;    // of the place where less important words stand
+constexpr double narrow_cost = 20.0;      // of one that what moves may soon take away,
+constexpr double roomy_air = 30.0;        // with less air than this
+constexpr double very_roomy_air = 80.0;   // for what is large, and pushed away slowly
+constexpr double most_in_motion = 70.0;   // what is dearer, such as a line to far words, waits until nothing moves
 constexpr double row_height = 8.0;        // from one try to place a block to the next
 
 bool is_within(const ScreenBox& region, const ScreenBox& box) {
@@ -57,7 +63,11 @@ StageLabels::Place& StageLabels::remembered(StageLabel id) {
 }
 
 void StageLabels::move_to(Place& place, const LabelPlace& beside, const Vector<2>& corner) {
-  place = {.is_taken = true, .beside = beside, .corner = corner, .strength = memory_.has_begun ? 0.0 : 1.0};
+  place = {.is_taken = true,
+           .beside = beside,
+           .corner = corner,
+           .strength = memory_.has_begun ? 0.0 : 1.0,
+           .settled = place.settled};
 }
 
 bool StageLabels::has_waited(Place& place, double at_least_s) const {
@@ -157,6 +167,7 @@ void StageLabels::take_or_wait(LabelSearch& search, Place& place, const Options&
       for (const ScreenBox& other : others) {
         if (overlap(candidate.label.box.grown(points(new_label_air)), other) > 0.0) cost += crowding_cost;
       }
+      if (!obstacles_.is_free(candidate.label.box, points(roomy_air), Clearance::always)) cost += narrow_cost;
       if (cost >= least) continue;
       least = cost;
       best = &candidate;
@@ -173,19 +184,18 @@ void StageLabels::take_or_wait(LabelSearch& search, Place& place, const Options&
     }
   };
 
-  constexpr double any_cost = 1e9;
+  const bool is_still = memory_.picture == picture_;
+  const double most = is_still ? 1e9 : most_in_motion;
   if (option && !is_free(option->label, least_label_air)) option.reset();
   if (option) {
     if (option->cost <= worth_moving || place.settled == picture_) {
       place.waited_s = 0.0;
-    } else if (has_waited(place, moves_on_s)) {
+    } else if (has_waited(place, is_still ? moves_on_s : moves_on_in_motion_s)) {
       move_there(best_below(option->cost - worth_moving));
     }
-  } else if (place.is_taken) {
-    place = {};
-    move_there(best_below(any_cost));
-  } else if (place.settled != picture_ && has_waited(place, comes_back_s)) {
-    move_there(best_below(any_cost));
+  } else {
+    if (place.is_taken) place = {};
+    if (place.settled != picture_ && has_waited(place, comes_back_s)) move_there(best_below(most));
   }
 }
 
@@ -230,11 +240,28 @@ std::optional<StageLabels::PlacedBlock> StageLabels::place_block(const LabelBloc
            obstacles_.is_free(box, points(least_label_air), clearance);
   };
   const auto find = [&](Clearance clearance) {
-    return obstacles_.find_block(
-        {block.extent, block.region, block.wanted, block.dearness, block.edge, points(new_label_air), clearance},
-        points(row_height));
+    const auto with_air = [&](double air) {
+      return obstacles_.find_block({.extent = block.extent,
+                                    .region = block.region,
+                                    .wanted = block.wanted,
+                                    .dearness = block.dearness,
+                                    .edge = block.edge,
+                                    .air = points(air),
+                                    .air_to_boxes = points(new_label_air),
+                                    .clearance = clearance},
+                                   points(row_height));
+    };
+    // What moves shall not soon take it away again.
+    if (memory_.has_begun) {
+      for (const double air : {very_roomy_air, roomy_air}) {
+        if (const auto found = with_air(air)) return found;
+      }
+    }
+    return with_air(new_label_air);
   };
 
+  const std::uint64_t now = obstacles_.signature();
+  const bool is_still = std::exchange(place.settled, now) == now;
   const bool is_clear = can_stay(Clearance::always);
   const bool can_be_kept = is_clear || (block.may_cover && can_stay(Clearance::if_possible));
   const double cost = cost_of(place.corner);
@@ -245,10 +272,10 @@ std::optional<StageLabels::PlacedBlock> StageLabels::place_block(const LabelBloc
     if (can_be_kept) {
       const bool is_better = best && (!is_clear || cost_of(*best) + points(worth_moving) < cost);
       if (!is_better) place.waited_s = 0.0;
-      if (is_better && has_waited(place, moves_on_s)) move_to(place, {}, *best);
+      if (is_better && has_waited(place, is_still ? moves_on_s : moves_on_in_motion_s)) move_to(place, {}, *best);
     } else {
       if (!best && block.may_cover) best = find(Clearance::if_possible);
-      const bool comes_at_once = place.is_taken || !memory_.has_begun;
+      const bool comes_at_once = !memory_.has_begun || (place.is_taken && block.id == StageLabel::numbers);
       place.is_taken = false;
       if (!best) place.waited_s = 0.0;
       if (best && (comes_at_once || has_waited(place, comes_back_s))) move_to(place, {}, *best);

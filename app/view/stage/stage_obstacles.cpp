@@ -176,7 +176,7 @@ std::optional<Vector<2>> StageObstacles::find_block(const BlockRequest& request,
     if (request.edge) keep_right_of(*request.edge, request.air, top, extent, room);
     taken.clear();
     for (const ScreenBox& box : boxes_) {
-      const ScreenBox airy = box.grown(request.air);
+      const ScreenBox airy = box.grown(request.air_to_boxes);
       if (airy.most.y > top && airy.least.y < top + extent.y) taken.push_back({airy.least.x - extent.x, airy.most.x});
     }
     for (const ThickLine& line : lines_) {

@@ -35,7 +35,8 @@ class StageObstacles {
     Vector<2> wanted;                   // its upper left corner, best of all
     Vector<2> dearness;                 // of each point away from there, across and down
     std::optional<ScreenPiece> edge{};  // it must lie to the right of this, looking along it
-    double air = 0.0;
+    double air = 0.0;                   // to lines,
+    double air_to_boxes = 0.0;          // and to boxes
     Clearance clearance = Clearance::always;
   };
   // The upper left corner of the best free place.

@@ -177,18 +177,16 @@ void add_motor_words(const StageLayer& layer) {
                                 ? "turn the motor by its ends"
                                 : "the only motor pushes " + motor_direction_words(content.settings.actuated_angle);
   const auto ends = stage_grips(content.settings, content.moment, canvas.camera, layout.scene(), canvas.unit).motor;
-  const Vector<2> handle = canvas.at(content.moment.handle);
-  const Vector<2> end = ends[1].x > ends[0].x ? ends[1] : ends[0];
   const Vector<2> rail = to_screen_direction(direction_at(content.settings.actuated_angle));
   canvas.label(Role::motor_axis,
                {is_asked_to_turn ? StageLabel::hint : StageLabel::motor,
                 {words},
                 is_asked_to_turn ? layout.letters.bold_words : layout.letters.words,
-                handle,
-                end,
+                ends[0],
+                ends[1],
                 canvas.points(10.0),
                 lower_side(rail),
-                0.75},
+                ends[1].x > ends[0].x ? 0.85 : 0.15},
                is_asked_to_turn ? content.theme.accent : content.theme.faint_text);
 }
 

@@ -318,7 +318,9 @@ TEST(Stage, LeavesOutTheLessImportantWords) {
     const double apart = glm::distance(moment.handle, moment.goal) * camera.points_per_metre;
     if (apart > 60.0 * drawn.picture.unit) tally(drawn, Role::device, "handle");
     tally(drawn, Role::hand, "");
-    for (const Role role : {Role::ghost_force, Role::wall_share}) {
+    for (const auto& [role, force] :
+         {std::pair(Role::ghost_force, moment.ghost_force), std::pair(Role::wall_share, moment.wall_share)}) {
+      if (glm::length(force) < least_shown_force) continue;
       if (arrow_length(drawn, role) > 30.0 * drawn.picture.unit) tally(drawn, role, "");
     }
     if (!moment.is_measured && moment.in_contact && glm::length(moment.slide) * camera.points_per_metre > 10.0) {
