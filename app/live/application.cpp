@@ -162,6 +162,7 @@ void Application::frame(double interval_s) {
 void Application::update(double interval_s) {
   clock_s_ += interval_s;
   interval_s_ = interval_s;
+  since_drawn_s_ += interval_s;
   take_samples();
   report_ = servo_->newest();
   if (recording_) {
@@ -209,7 +210,10 @@ void Application::draw() {
   frames_to_settle_ = has_changed() ? settling_frames : std::max(0, frames_to_settle_ - 1);
   drawn_ = visible();
   drawn_at_s_ = clock_s_;
-  screen_.draw(session_, shown(), history_, reading(), interval_s_);
+  // After a rest the first frame must not leap over what begins with it.
+  constexpr double longest_step_s = 0.25;
+  const double since_drawn_s = std::min(std::exchange(since_drawn_s_, 0.0), longest_step_s);
+  screen_.draw(session_, shown(), history_, reading(), since_drawn_s);
   looking_back_.follow(session_, report_.snapshot, history_.moments());
   handle_requests();
   undo_.note({session_.scene, session_.settings}, session_.is_editing || is_measuring(session_));

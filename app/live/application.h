@@ -136,7 +136,8 @@ class Application {
   Screen screen_;
   std::optional<ShaderWatch> shader_watch_;
   double clock_s_ = 0.0;     // sum of the intervals
-  double interval_s_ = 0.0;  // the newest
+  double interval_s_ = 0.0;     // the newest
+  double since_drawn_s_ = 0.0;  // all that has passed since a frame was drawn
   std::optional<VisibleState> drawn_;
   double drawn_at_s_ = 0.0;   // by that clock
   int frames_to_settle_ = 0;  // that follow a change

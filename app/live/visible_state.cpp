@@ -4,7 +4,6 @@
 #include <iterator>
 
 #include <fmt/format.h>
-#include <glm/geometric.hpp>
 
 #include "app/view/visible_change.h"
 #include "core/units.h"

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "app/session/measurement_guide.h"
 #include "app/session/stage_actions.h"
@@ -114,13 +115,12 @@ void next_theme(Session& session) {
 // Before all else it turns motors off; it never quits.
 void escape(Session& session) {
   ++session.offs_asked;
-  const bool closes_more = session.dialog != Dialog::none || session.notice;
+  const bool was_black = std::exchange(session.stage.is_black, false);
+  const bool closes_more = was_black || session.dialog != Dialog::none || session.notice;
   session.dialog = Dialog::none;
   session.notice.reset();
   if (closes_more) return;
-  if (session.stage.is_black) {
-    session.stage.is_black = false;
-  } else if (session.stage.looks_back_to_s) {
+  if (session.stage.looks_back_to_s) {
     go_on_live(session);
   } else if (session.stage.mode != StageMode::none) {
     leave_stage_mode(session);

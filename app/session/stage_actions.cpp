@@ -51,7 +51,7 @@ constexpr std::array<void (*)(Session&), 9> talk{show_strategy<StrategyId::full>
 
 void go_to_talk_step(Session& session, int step) {
   if (step < 0 || step >= static_cast<int>(talk.size())) return;
-  session.face = Face::stage;
+  show_face(session, Face::stage);
   session.stage.is_black = false;
   session.stage.talk_step = step;
   talk[static_cast<std::size_t>(step)](session);
@@ -62,13 +62,18 @@ void go_to_talk_step(Session& session, int step) {
 void show_face(Session& session, Face face) {
   if (face == Face::workbench) {
     leave_stage_mode(session);
-    session.notice = Notice{"The workbench: all settings, numbers and plots. F4 goes back to the stage."};
+    // What went wrong stays to be read.
+    if (!session.notice || !session.notice->is_problem) {
+      session.notice = Notice{"The workbench: all settings, numbers and plots. F4 goes back to the stage."};
+    }
+  } else if (session.notice && !session.notice->is_problem) {
+    session.notice.reset();
   }
   session.face = face;
 }
 
 void toggle_stage_mode(Session& session, StageMode mode) {
-  session.face = Face::stage;
+  show_face(session, Face::stage);
   session.stage.is_black = false;
   if (session.stage.mode == mode) {
     leave_stage_mode(session);
@@ -79,7 +84,8 @@ void toggle_stage_mode(Session& session, StageMode mode) {
 
 void leave_stage_mode(Session& session) {
   StageChoice& stage = session.stage;
-  if (stage.mode == StageMode::round && session.circle_test.is_on) {
+  const bool goes_round = session.circle_test.is_on || session.requests.input == circling_hand.name;
+  if (stage.mode == StageMode::round && goes_round) {
     session.requests.input = session.circle_test.input_before;
   }
   if (stage.mode == StageMode::ribbon) stage.looks_back_to_s.reset();
@@ -106,7 +112,7 @@ void act_on_stage(Session& session, const StageAction& action, const MotorReport
   } else if (const auto* const face = std::get_if<Face>(&action)) {
     show_face(session, *face);
   } else if (action == StageAction(StageCommand::motors)) {
-    press_safety_button(session, motors);
+    if (can_press_safety_button(motors)) press_safety_button(session, motors);
   } else if (action == StageAction(StageCommand::next)) {
     confirm_on_stage(session);
   } else {
@@ -116,11 +122,15 @@ void act_on_stage(Session& session, const StageAction& action, const MotorReport
 
 void confirm_on_stage(Session& session) {
   StageChoice& stage = session.stage;
-  if (stage.mode == StageMode::predict) ++stage.reveals_asked;
+  const bool is_in_wall = depth(wall_of(session.settings), session.goal) > 0.0;
+  if (stage.mode == StageMode::predict && is_in_wall) ++stage.reveals_asked;
   if (stage.mode == StageMode::why) stage.why_step = std::min(stage.why_step + 1, last_why_step);
 }
 
 void next_talk_step(Session& session) {
+  // Who has come to Why? by its key goes on there.
+  const bool is_in_why = session.stage.mode == StageMode::why && session.stage.why_step < last_why_step;
+  if (is_in_why && !session.stage.talk_step) return confirm_on_stage(session);
   go_to_talk_step(session, session.stage.talk_step.value_or(-1) + 1);
 }
 

@@ -112,9 +112,9 @@ void Screen::draw_everything(Session& session, const ShownMoment& moment, const 
     Theme black = theme;
     black.background = rgb(0x000000);
     painter_.paint({}, black, scene_corner_, text_scale, window_.pixel_width(), window_.pixel_height());
-    return;
+  } else {
+    painter_.paint(panes_, theme, scene_corner_, text_scale, window_.pixel_width(), window_.pixel_height());
   }
-  painter_.paint(panes_, theme, scene_corner_, text_scale, window_.pixel_width(), window_.pixel_height());
   if (!frame.is_live) return;
   const ImVec2 size{static_cast<float>(scene_size_.x), static_cast<float>(scene_size_.y)};
   draw_shader_problem(context, scene_corner_, size);

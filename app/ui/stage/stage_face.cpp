@@ -68,7 +68,8 @@ std::optional<StageCornerButton> corner_button(const Session& session, const Mot
   }
   const StageChoice& stage = session.stage;
   if (stage.mode == StageMode::none) return std::nullopt;
-  if (stage.mode == StageMode::predict) {
+  const bool is_in_wall = depth(wall_of(session.settings), session.goal) > 0.0;
+  if (stage.mode == StageMode::predict && is_in_wall) {
     const std::string_view words = guess.is_open  ? "Enter: show me"
                                    : is_revealing ? "Enter: skip"
                                                   : "Enter: guess again";
@@ -133,8 +134,9 @@ void StageFace::follow_view(Session& session, const StageFrame& frame, double in
 void StageFace::update(Session& session, const StageFrame& frame, bool has_keys, double interval_s) {
   pointer_.update(session, frame, picture_, guess_.guess(session).is_open);
   follow_view(session, frame, interval_s);
-  follow_session(session, frame);
+  // What begins in this frame begins at its beginning.
   transition_.advance(interval_s);
+  follow_session(session, frame);
   guess_.update(session, interval_s);
   const bool is_changed = std::exchange(seen_settings_, session.settings) != session.settings ||
                           std::exchange(seen_goal_, session.goal) != session.goal;

@@ -37,7 +37,6 @@ std::optional<StageAction> button_at(const StagePicture& picture, const Vector<2
 }  // namespace
 
 struct StagePointer::Scene {
-  const StageFrame& frame;
   const StagePicture& picture;
 
   Vector<2> world(const Vector<2>& pointer) const { return to_world(picture.pane.camera, pointer); }
@@ -97,10 +96,9 @@ void StagePointer::update(Session& session, const StageFrame& frame, const Stage
   const bool is_held = ImGui::IsItemActive();
   const bool is_hovered = ImGui::IsItemHovered();
   const Vector<2> pointer = point_of(io.MousePos) - point_of(corner);
-  const Scene scene{frame, picture};
+  const Scene scene{picture};
   has_touched_ = is_held || (is_hovered && (pointer != last_ || io.MouseWheel != 0.0F));
   session.drags_goal = false;
-  session.is_editing = false;
 
   if (!is_held) {
     hold_ = Hold::nothing;
@@ -116,8 +114,8 @@ void StagePointer::update(Session& session, const StageFrame& frame, const Stage
       }
     }
   }
-  const bool has_map = session.stage.mode == StageMode::landscape;
-  if (is_hovered && io.MouseWheel != 0.0F && !has_map) {
+  const bool has_own_view = session.stage.mode == StageMode::landscape || session.stage.mode == StageMode::round;
+  if (is_hovered && io.MouseWheel != 0.0F && !has_own_view) {
     session.stage_shown = zoomed(
         session.stage_shown, std::pow(stage_zoom_per_notch, static_cast<double>(io.MouseWheel)), scene.world(pointer));
   }
@@ -125,7 +123,7 @@ void StagePointer::update(Session& session, const StageFrame& frame, const Stage
     began_at_ = last_ = pointer;
     hold_ = Hold::nothing;
     if (ImGui::IsMouseDown(ImGuiMouseButton_Right)) {
-      if (!has_map) hold_ = Hold::picture;
+      if (!has_own_view) hold_ = Hold::picture;
     } else if (session.stage.is_black) {
       session.stage.is_black = false;
     } else if (const auto action = button_at(picture, pointer)) {
@@ -146,6 +144,10 @@ void StagePointer::drag(Session& session, const Scene& scene, const Vector<2>& p
   // The hand stays where it can be seen.
   const ScreenBox box = scene.picture.scene.grown(-hand_room * scene.picture.unit);
   const Vector<2> inside = glm::clamp(pointer, box.least, glm::max(box.least, box.most));
+  // A key may have ended the mode that what is held belongs to.
+  const bool holds_map = hold_ == Hold::landscape_ring || hold_ == Hold::landscape_dial;
+  if (holds_map && (!scene.picture.landscape || session.stage.mode != StageMode::landscape)) hold_ = Hold::nothing;
+  if (hold_ == Hold::guess && session.stage.mode != StageMode::predict) hold_ = Hold::nothing;
   switch (hold_) {
     case Hold::nothing:
       return;
@@ -158,10 +160,8 @@ void StagePointer::drag(Session& session, const Scene& scene, const Vector<2>& p
       session.stage.guess = nearest_in_scene(scene.world(inside));
       return;
     case Hold::motor:
-      session.is_editing = true;
       return turn(session.settings.actuated_angle, scene.screen(scene.picture.pivot), pointer);
     case Hold::wall:
-      session.is_editing = true;
       return turn(session.settings.wall_normal_angle, scene.screen(session.settings.wall_point), pointer);
     case Hold::picture: {
       const Vector<2> moved = pointer - last_;
@@ -171,7 +171,6 @@ void StagePointer::drag(Session& session, const Scene& scene, const Vector<2>& p
       return;
     }
     case Hold::landscape_ring:
-      session.is_editing = true;
       session.settings =
           with_landscape_point(session.settings, landscape_point_under(*scene.picture.landscape, pointer));
       return;

@@ -26,7 +26,6 @@ class StagePointer {
   struct Scene;
 
   Hold hold_at(const Session& session, const Scene& scene, const Vector<2>& pointer, bool guess_is_open) const;
-  void press(Session& session, const Scene& scene, const StageAction& action);
   void drag(Session& session, const Scene& scene, const Vector<2>& pointer);
   void turn(double& angle, const Vector<2>& pivot, const Vector<2>& pointer) const;
 

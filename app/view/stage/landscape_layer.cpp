@@ -198,10 +198,6 @@ class LandscapePainter {
 
 }  // namespace
 
-double landscape_dial_of(StrategyId id) noexcept {
-  return id == StrategyId::naive ? 0.0 : 1.0;
-}
-
 void add_landscape(const LandscapeView& view, Marks& marks) {
   LandscapePainter(view, marks).compose();
 }

@@ -7,9 +7,6 @@
 
 namespace ghostforce {
 
-// Where a strategy stands on the dial; two motors are as good as the best of one.
-double landscape_dial_of(StrategyId id) noexcept;
-
 void add_landscape(const LandscapeView& view, Marks& marks);
 
 }  // namespace ghostforce

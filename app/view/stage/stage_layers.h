@@ -2,8 +2,9 @@
 #pragma once
 
 #include "app/view/stage/landscape_layer.h"
-#include "app/view/stage/stage.h"
+#include "app/view/stage/ribbon_layer.h"
 #include "app/view/stage/stage_canvas.h"
+#include "app/view/stage/stage_content.h"
 
 namespace ghostforce {
 

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/view/stage/stage_layers.h"
+#include "app/view/stage/stage_scene.h"
 
 namespace ghostforce {
 namespace {

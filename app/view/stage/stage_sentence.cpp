@@ -29,7 +29,6 @@ struct Facts {
     constexpr double near = 0.0005;  // [m]
     return glm::distance(moment.handle, moment.expected_rest) < near && glm::length(moment.slide) < near;
   }
-  bool slides() const { return glm::length(moment.slide) >= least_shown_slide; }
   bool believes_wrongly() const {
     const Stiffnesses& all = settings.stiffnesses;
     return !all.chosen_tracking_ratio && all.believed_k_u && *all.believed_k_u != all.k_u;
@@ -91,9 +90,9 @@ constexpr std::array sentences{
              }},
     Sentence{"The hand is softer than believed: a ghost force is left.",
              [](const Facts& now) { return now.has_ghost() && now.believes_wrongly(); }},
-    Sentence{"Not the ratio that this hand needs: a ghost force is left.",
+    Sentence{"This ratio does not fit the hand: a ghost force is left.",
              [](const Facts& now) { return now.has_ghost(); }},
-    Sentence{"Hold still: a little ghost force will be left.", [](const Facts&) { return true; }},
+    Sentence{"Hold the hand still: a small ghost force will remain.", [](const Facts&) { return true; }},
 };
 
 // Three digits, whatever the size.

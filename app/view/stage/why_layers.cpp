@@ -11,17 +11,18 @@ namespace {
 
 // At rest, of the active strategy.
 struct ForceTriangle {
-  Vector<2> push{0.0};   // of the wall, straight out [N]
-  Vector<2> share{0.0};  // of it, along the motor [N]
-  Vector<2> ghost{0.0};  // beyond that [N]
-  bool in_contact = false;
+  Vector<2> push{0.0};     // of the wall, straight out [N]
+  Vector<2> share{0.0};    // of it, along the motor [N]
+  Vector<2> ghost{0.0};    // beyond that [N]
+  bool is_pushed = false;  // by so much that there is something to explain
 };
 
 ForceTriangle triangle_of(const StageContent& content) {
   const auto equilibria = predicted_equilibria(content.settings, content.moment.goal);
   const PredictedEquilibrium& full = equilibria[index_of(StrategyId::full)];
   const PredictedEquilibrium& active = equilibria[index_of(content.settings.active)];
-  return {full.at.force, active.at.force - active.ghost_force, active.ghost_force, full.at.in_contact};
+  const bool is_pushed = full.at.in_contact && glm::length(full.at.force) >= least_shown_force;
+  return {full.at.force, active.at.force - active.ghost_force, active.ghost_force, is_pushed};
 }
 
 // What the sentence, and the third and the fourth step say. With every motor there is only the first step.
@@ -31,17 +32,26 @@ struct WhyWords {
   std::string_view excess;
 };
 
-WhyWords words_of(StrategyId id, bool has_ghost) {
+WhyWords words_of(StrategyId id, const ForceTriangle& forces) {
+  const bool has_ghost = glm::length(forces.ghost) >= least_shown_force;
   if (id == StrategyId::full) return {"Two motors push straight out, as a wall does.", "", ""};
+  if (glm::length(forces.share) < least_shown_force) {
+    return {"The motor pushes along the wall: it can give nothing of the push.", "3  all of it is missing",
+            "4  and there is no ghost force"};
+  }
+  if (glm::length(forces.push - forces.share) < least_shown_force) {
+    return {"Here the motor pushes straight out too: no ghost force.", "3  nothing is missing",
+            "4  so nothing slides: no ghost force"};
+  }
   if (id == StrategyId::anisotropic && !has_ghost) {
     return {"The cure: where the motor cannot push, the wall gives way.",
-            "3  nobody gives this, and the wall gives way", "4  so nothing slides: ghost"};
+            "3  no motor gives this, and the wall gives way", "4  so nothing slides: no ghost force"};
   }
   if (!has_ghost) {
-    return {"Here the motor pushes straight out too: no ghost force.", "3  nothing is missing",
-            "4  nothing slides: ghost"};
+    return {"Press deeper: there is hardly a ghost force here.", "3  no motor gives this: the handle slides",
+            "4  hardly any ghost force"};
   }
-  return {"A wall pushes straight out. One motor cannot.", "3  nobody gives this: the handle slides",
+  return {"A wall pushes straight out. One motor cannot.", "3  no motor gives this: the handle slides",
           "4  and the slide pulls: ghost"};
 }
 
@@ -49,7 +59,7 @@ void add_why(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   add_stage_wall(layer);
   const ForceTriangle forces = triangle_of(content);
-  if (!forces.in_contact) {
+  if (!forces.is_pushed) {
     add_stage_hand(layer);
     add_hand_words(layer);
     return;
@@ -59,7 +69,7 @@ void add_why(const StageLayer& layer) {
   corner.moment = stage_moment_at_rest(content.settings, content.moment.goal);
   corner.moment.handle = equilibrium_of(StrategyId::full, content.settings, content.moment.goal).device;
   const StrategyId id = content.settings.active;
-  const WhyWords words = words_of(id, glm::length(forces.ghost) >= least_shown_force);
+  const WhyWords words = words_of(id, forces);
   const StageLayer at_corner{corner, layout, canvas};
   add_rail(at_corner);
 
@@ -108,6 +118,9 @@ void add_why(const StageLayer& layer) {
                   canvas.points(14.0), side},
                  colour);
   };
+  const double ghost = glm::length(forces.ghost);
+  const std::string excess =
+      ghost < least_shown_force ? std::string(words.excess) : fmt::format("{} {} N", words.excess, force_number(ghost));
   say(1, StageLabel::hand, Role::force,
       fmt::format("1  the wall pushes straight out: {} N", force_number(glm::length(forces.push))), push_end, out,
       theme.text, false);
@@ -116,16 +129,15 @@ void add_why(const StageLayer& layer) {
       0.5 * (start + share_end), -missing, theme.text, false);
   say(3, StageLabel::expected_contact, Role::force, std::string(words.missing), 0.5 * (push_end + share_end), along,
       theme.faint_text, false);
-  say(4, StageLabel::ghost, Role::ghost_force,
-      fmt::format("{} {} N", words.excess, force_number(glm::length(forces.ghost))), 0.5 * (share_end + ghost_end),
+  say(4, StageLabel::ghost, Role::ghost_force, excess, 0.5 * (share_end + ghost_end),
       along - 0.5 * missing / std::max(1.0, glm::length(missing)), theme.strategy_text[index_of(StrategyId::naive)],
       true);
 }
 
 std::string why_sentence(const StageContent& content) {
   const ForceTriangle forces = triangle_of(content);
-  if (!forces.in_contact) return "Drag the hand into the wall first.";
-  return std::string(words_of(content.settings.active, glm::length(forces.ghost) >= least_shown_force).sentence);
+  if (!forces.is_pushed) return "Drag the hand deeper into the wall first.";
+  return std::string(words_of(content.settings.active, forces).sentence);
 }
 
 }  // namespace

@@ -45,8 +45,9 @@ Spot find_in_scene(const Image& image, Colour colour) {
   return spot;
 }
 
+// As near as can be told where something stands before a part of it.
 bool is_near(const Spot& spot, double x, double y) {
-  return spot.pixels > 0 && std::abs(spot.x - x) < 2.0 && std::abs(spot.y - y) < 2.0;
+  return spot.pixels > 0 && std::abs(spot.x - x) < 3.0 && std::abs(spot.y - y) < 3.0;
 }
 
 std::string describe(const Spot& spot) {

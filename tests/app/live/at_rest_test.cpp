@@ -20,7 +20,7 @@ class AtRestTest : public DrivenWindow {
   void show(Face face) {
     session().face = face;
     frames(1, ticks_per_look);
-    live_for(1.0);
+    settle();
   }
 
   // As `run` lives while the person does nothing: looks, and frames only where they are needed. Returns how many.
@@ -47,6 +47,8 @@ class AtRestTest : public DrivenWindow {
     ADD_FAILURE() << "not there";
     return {};
   }
+  // Labels take their time to find better places.
+  void settle() { live_for(4.0); }
   // A frame because the person did something.
   void stir() { frames(1, ticks_per_look); }
 };
@@ -64,7 +66,7 @@ TEST_F(AtRestTest, NothingIsDrawnInAnyModeOfTheStage) {
   for (const StageMode mode : {StageMode::predict, StageMode::why, StageMode::landscape, StageMode::ribbon}) {
     session().stage.mode = mode;
     stir();
-    live_for(2.0);
+    settle();
     EXPECT_EQ(live_for(30.0), 0) << static_cast<int>(mode);
   }
 }
@@ -134,7 +136,7 @@ TEST_F(AtRestTest, AKeyThatSwitchesTheStrategyMovesTheStageForItsTime) {
   EXPECT_EQ(session().settings.active, StrategyId::anisotropic);
   const int drawn = live_for(0.6);
   EXPECT_GE(drawn, 36) << "every frame of 0.6 s";
-  live_for(1.0);
+  settle();
   EXPECT_EQ(live_for(5.0), 0);
 }
 
@@ -145,7 +147,7 @@ TEST_F(AtRestTest, ARevealedGuessMovesTheStageAndNothingDoesAfterwards) {
   ++session().stage.reveals_asked;
   stir();
   EXPECT_GT(live_for(3.5), 200);
-  live_for(2.0);
+  settle();
   EXPECT_EQ(live_for(10.0), 0);
   ++session().stage.reveals_asked;
   stir();
@@ -154,7 +156,7 @@ TEST_F(AtRestTest, ARevealedGuessMovesTheStageAndNothingDoesAfterwards) {
   live_for(1.0);
   session().stage.mode = StageMode::none;  // in the middle of the answer
   stir();
-  live_for(2.0);
+  settle();
   EXPECT_EQ(live_for(10.0), 0);
 }
 
@@ -262,9 +264,10 @@ TEST_F(AtRestTest, AHandThatIsHeldStillIsAtRestToo) {
   point_at(at + Vector<2>(30.0, 10.0));
   stir();
   ASSERT_TRUE(session().drags_goal);
-  live_for(3.0);
+  settle();
   EXPECT_EQ(live_for(30.0), 0);
   release();
+  settle();
   EXPECT_EQ(live_for(5.0), 0);
 }
 

@@ -1,0 +1,26 @@
+// What of the stage's scene others must know: where it can be taken hold of, and how long its arrows are. Points of the
+// window, y down; pure, any thread.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "app/view/camera.h"
+#include "app/view/screen_box.h"
+#include "app/view/stage/stage_moment.h"
+
+namespace ghostforce {
+
+// Where the motor's rail and the wall can be taken hold of, in points of the window.
+struct StageGrips {
+  std::array<Vector<2>, 2> motor;
+  std::optional<std::array<Vector<2>, 2>> wall;
+};
+StageGrips stage_grips(const Settings& settings, const StageMoment& moment, const Camera& camera,
+                       const ScreenBox& scene, double unit);
+inline constexpr double stage_grip_reach = 22.0;  // of the pointer round one [points of the design]
+
+// A force for reference_force: what the naïve device pushes at rest where the scene's hand ends [N].
+double reference_force_of(const Settings& settings, const Vector<2>& goal);
+
+}  // namespace ghostforce

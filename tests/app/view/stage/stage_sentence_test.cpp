@@ -1,0 +1,173 @@
+// The one sentence against the numbers: whatever it claims must be so at that moment.
+#include "app/view/stage/stage_sentence.h"
+
+#include <cmath>
+#include <map>
+#include <random>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+
+#include "app/files/scene_file.h"
+#include "app/view/stage/stage_transition.h"
+#include "core/simulate.h"
+
+namespace ghostforce {
+namespace {
+
+bool says(std::string_view sentence, std::string_view words) {
+  return sentence.find(words) != std::string_view::npos;
+}
+
+void expect_true(std::string_view sentence, const Settings& settings, const StageMoment& moment) {
+  const double ghost = signed_ghost_force(moment);
+  const double rest_ghost = signed_ghost_force(stage_moment_at_rest(settings, moment.goal));
+  const double along =
+      std::abs(glm::dot(direction_at(settings.wall_normal_angle), direction_at(settings.actuated_angle)));
+  const Stiffnesses& stiffnesses = settings.stiffnesses;
+  SCOPED_TRACE(sentence);
+  const bool speaks_of_ghost_there = says(sentence, "A ghost force drags") || says(sentence, "a ghost force is left") ||
+                                     says(sentence, "still a ghost force") || says(sentence, "to naïve: a ghost force");
+  if (speaks_of_ghost_there) {
+    EXPECT_GE(std::abs(ghost), least_shown_force);
+  }
+  if (says(sentence, "is gone") || says(sentence, "no ghost force") || says(sentence, "hardly a ghost force")) {
+    EXPECT_LT(std::abs(ghost), least_shown_force);
+  }
+  if (says(sentence, "is gone")) {
+    EXPECT_LT(glm::length(moment.slide), 0.0005);
+    EXPECT_LT(std::abs(rest_ghost), least_shown_force);
+    EXPECT_EQ(settings.active, StrategyId::anisotropic);
+  }
+  if (says(sentence, "drags")) {
+    EXPECT_GT(ghost, 0.0) << "it pulls the other way";
+    EXPECT_EQ(settings.active, StrategyId::naive);
+  }
+  if (says(sentence, "the ghost force goes")) {
+    EXPECT_LT(std::abs(rest_ghost), least_shown_force);
+  }
+  if (says(sentence, "will remain")) {
+    EXPECT_GE(std::abs(rest_ghost), least_shown_force);
+  }
+  if (says(sentence, "stiffer than believed")) {
+    EXPECT_GT(stiffnesses.k_u, believed_user_stiffness(stiffnesses));
+  }
+  if (says(sentence, "softer than believed")) {
+    EXPECT_LT(stiffnesses.k_u, believed_user_stiffness(stiffnesses));
+  }
+  if (says(sentence, "in front of the wall") || says(sentence, "Drag the hand into")) {
+    EXPECT_FALSE(moment.in_contact);
+  }
+  if (says(sentence, "Drag the hand into")) {
+    EXPECT_LE(depth(wall_of(settings), moment.goal), 0.0);
+  }
+  if (says(sentence, "straight at the wall")) {
+    EXPECT_GT(along, 0.999);
+  }
+  if (says(sentence, "pushes along the wall")) {
+    EXPECT_LT(along, 0.03);
+  }
+  if (says(sentence, "Two motors:")) {
+    EXPECT_EQ(settings.active, StrategyId::full);
+  }
+  if (says(sentence, "On the way") || says(sentence, "becomes") || says(sentence, "become one")) {
+    EXPECT_TRUE(moment.is_between());
+  } else {
+    EXPECT_FALSE(moment.is_between() && !says(sentence, "along the wall") && moment.in_contact);
+  }
+  if (says(sentence, "inferred") || says(sentence, "Push the handle")) {
+    EXPECT_TRUE(moment.is_measured);
+  }
+}
+
+class Dice {
+ public:
+  double between(double least, double greatest) {
+    return least + (greatest - least) * (static_cast<double>(engine_() % 1'000'000) / 1e6);
+  }
+  double decades(double least, double greatest) { return std::pow(10.0, between(least, greatest)); }
+  bool coin() { return engine_() % 2 == 0; }
+  std::size_t below(std::size_t count) { return engine_() % count; }
+
+ private:
+  std::mt19937 engine_{20261122};
+};
+
+Settings any_settings(Dice& dice) {
+  Settings settings = load_scene("wall45").settings;
+  settings.active = strategy_catalog()[dice.below(strategy_count)].id;
+  settings.wall_normal_angle = dice.between(-4.0, 4.0);
+  settings.actuated_angle = dice.below(8) == 0 ? settings.wall_normal_angle : dice.between(-4.0, 4.0);
+  Stiffnesses& all = settings.stiffnesses;
+  all.k_u = dice.decades(1.5, 3.0);
+  all.k_r = all.k_u * dice.decades(-0.5, 1.5);
+  all.k_c = dice.decades(3.0, 6.0);
+  if (dice.below(3) == 0) all.believed_k_u = all.k_u * dice.decades(-0.7, 0.7);
+  if (dice.below(6) == 0) all.chosen_tracking_ratio = dice.decades(-1.0, 1.5);
+  return settings;
+}
+
+TEST(StageSentence, IsTrueAtRestAndBetweenStrategies) {
+  Dice dice;
+  std::map<std::string, int> seen;
+  for (int i = 0; i < 4000; ++i) {
+    const Settings settings = any_settings(dice);
+    const Vector<2> goal{dice.between(-0.03, 0.03), dice.between(-0.03, 0.03)};
+    const StageMoment moment = stage_moment_at_rest(settings, goal);
+    const std::string sentence(stage_sentence(settings, moment, {.can_drag = dice.coin(), .looks_back = dice.coin()}));
+    expect_true(sentence, settings, moment);
+    ++seen[sentence];
+    if (testing::Test::HasFailure()) return;
+  }
+  EXPECT_GE(seen.size(), 9U) << "the cases are too much alike";
+}
+
+TEST(StageSentence, IsTrueWhileEverythingMovesAndWhileOneSwitches) {
+  Dice dice;
+  std::map<std::string, int> seen;
+  for (int i = 0; i < 60; ++i) {
+    Scene scene = load_scene("wall45");
+    scene.settings = any_settings(dice);
+    // Soft enough for the sampled loop.
+    scene.settings.stiffnesses.k_r = std::min(scene.settings.stiffnesses.k_r, 1500.0);
+    scene.goal.points = {{dice.between(-0.03, 0.03), dice.between(-0.03, 0.03)},
+                         {dice.between(-0.03, 0.03), dice.between(-0.03, 0.03)}};
+    simulate(scene, 1500, [&](const Snapshot& snapshot) {
+      if (snapshot.tick % 37 != 0) return;
+      const StageBlend blend = dice.coin() ? stage_blend_of(scene.settings.active)
+                                           : StageBlend{.fullness = dice.coin() ? 0.0 : dice.between(0.01, 0.99),
+                                                        .cure = dice.between(0.01, 0.99)};
+      const StageMoment moment = stage_moment_between(scene.settings, snapshot, snapshot.goal, blend);
+      const std::string sentence(stage_sentence(scene.settings, moment, {.heads_for = scene.settings.active}));
+      expect_true(sentence, scene.settings, moment);
+      ++seen[sentence];
+    });
+    if (testing::Test::HasFailure()) return;
+  }
+  EXPECT_GE(seen.size(), 10U) << "the cases are too much alike";
+}
+
+TEST(StageSentence, OfADeviceSaysWhatCannotBeKnown) {
+  const Scene scene = load_scene("wall45");
+  StageMoment moment = stage_moment_at_rest(scene.settings, scene.goal.points.back());
+  moment.is_measured = true;
+  EXPECT_TRUE(says(stage_sentence(scene.settings, moment, {}), "cannot be known"));
+  moment.in_contact = false;
+  EXPECT_TRUE(says(stage_sentence(scene.settings, moment, {}), "Push the handle"));
+}
+
+TEST(StageNumbers, HaveThreeDigitsAtAnySize) {
+  EXPECT_EQ(force_number(0.0), "0.00");
+  EXPECT_EQ(force_number(-1.274), "1.27");
+  EXPECT_EQ(force_number(9.996), "10.0");
+  EXPECT_EQ(force_number(99.96), "100");
+  EXPECT_EQ(slide_number(0.012), "12.0");
+  EXPECT_EQ(slide_number(0.1234), "123");
+  EXPECT_EQ(motor_direction_words(0.0), "left and right");
+  EXPECT_EQ(motor_direction_words(-1.5707963), "up and down");
+  EXPECT_EQ(motor_direction_words(3.6651914), "at 30°");
+}
+
+}  // namespace
+}  // namespace ghostforce
