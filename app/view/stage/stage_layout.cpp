@@ -175,10 +175,12 @@ StageLayout stage_layout(const Vector<2>& size, double scale, const MeasureText&
 
 SceneView stage_view_of(const Settings& settings, std::span<const Vector<2>> goals) {
   // Shares of the picture's width, and of three quarters of it.
-  constexpr double across = 0.40;
-  constexpr double upwards = 0.27;
+  constexpr double across = 0.50;
+  constexpr double upwards = 0.32;
   constexpr double least_width = 0.03;          // [m]
+  constexpr double arrow = 0.20;                // share of the width that the naïve device's is long
   ScreenBox box{goals.front(), goals.front()};  // of the world
+  const auto width = [&] { return std::max({least_width, box.extent().x / across, box.extent().y / upwards}); };
   for (const Vector<2>& goal : goals) {
     box.include(goal);
     box.include(projection(wall_of(settings), goal));
@@ -187,9 +189,18 @@ SceneView stage_view_of(const Settings& settings, std::span<const Vector<2>> goa
       box.include(rest.at.proxy);
     }
   }
-  const Vector<2> extent = box.extent();
-  return {.center = 0.5 * (box.least + box.most),
-          .width = std::max({least_width, extent.x / across, extent.y / upwards})};
+  // Arrows are as long as the picture has it.
+  const double length = arrow * width();
+  for (const Vector<2>& goal : goals) {
+    const auto equilibria = predicted_equilibria(settings, goal);
+    const double usual = glm::length(equilibria[index_of(StrategyId::naive)].at.force);
+    if (!(usual > 0.0)) continue;
+    for (const PredictedEquilibrium& rest : equilibria) {
+      const double longest = std::max(1.0, glm::length(rest.at.force) / usual);
+      box.include(rest.at.device + rest.at.force / usual * (length / longest));
+    }
+  }
+  return {.center = 0.5 * (box.least + box.most), .width = width()};
 }
 
 SceneView stage_view_of(const Settings& settings, const Vector<2>& goal) {
@@ -197,7 +208,7 @@ SceneView stage_view_of(const Settings& settings, const Vector<2>& goal) {
 }
 
 Camera stage_camera(const SceneView& shown, const Vector<2>& size, double bottom) {
-  constexpr Vector<2> middle{0.55, 0.66};      // of what is above `bottom`, from its upper left corner
+  constexpr Vector<2> middle{0.52, 0.60};      // of what is above `bottom`, from its upper left corner
   constexpr double with_buttons = 1.0 / 0.86;  // the picture's height over that
   Camera camera = camera_on(shown.center, shown.width, {size.x, with_buttons * bottom});
   camera.size = size;
