@@ -121,7 +121,7 @@ class LandscapePainter {
   void add_verdict() {
     const ScreenBox& column = layout_.column;
     const double room = column.extent().x;
-    const std::string title = "Where is the ghost force bad?";
+    const std::string title = "Where is it bad?";
     words_.put(Role::sentence, title, words_.fitted(title, words_.style(1.25, true), room), view_.theme.text,
                column.least);
     const std::string number = share_words(share_);

@@ -272,7 +272,7 @@ void keep_frame_clear(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   StageLabels& labels = canvas.labels;
   // Words beside it must not read as its end.
-  const Vector<2> aside(layout.unit * 16.0, 0.0);
+  const Vector<2> aside(layout.unit * 4.0, 0.0);
   labels.keep_clear(ScreenBox{layout.sentence_box.least - aside, layout.sentence_box.most + aside});
   const double rim = canvas.width(2.0);
   for (const StageButton& button : layout.strategies) labels.keep_clear(button.box.grown(rim));

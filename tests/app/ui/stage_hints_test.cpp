@@ -56,7 +56,7 @@ TEST_F(StageHintsTest, LeadFromTheHandToTheCureToTheMotor) {
   EXPECT_EQ(session().hint, 1U);
   expect_only(cure_words);
   press(GLFW_KEY_3);
-  frames(60);
+  frames(150);  // the switch, and until words have found their places again
   expect_only(motor_words);
   press(GLFW_KEY_LEFT_BRACKET);
   frames(3);
