@@ -135,7 +135,7 @@ class Application {
   ServoReport report_;
   Screen screen_;
   std::optional<ShaderWatch> shader_watch_;
-  double clock_s_ = 0.0;     // sum of the intervals
+  double clock_s_ = 0.0;        // sum of the intervals
   double interval_s_ = 0.0;     // the newest
   double since_drawn_s_ = 0.0;  // all that has passed since a frame was drawn
   std::optional<VisibleState> drawn_;

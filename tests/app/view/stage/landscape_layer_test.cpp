@@ -43,7 +43,6 @@ struct Picture {
     add_landscape(view, marks);
   }
 
-
   struct Words {
     std::string text;
     TextStyle drawn;
