@@ -2,11 +2,8 @@
 // that outlives them. Two that do not look other make the same picture. UI thread.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "app/session/session.h"
 #include "app/view/moment_history.h"

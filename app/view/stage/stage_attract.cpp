@@ -1,7 +1,5 @@
 #include "app/view/stage/stage_attract.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <glm/common.hpp>
@@ -18,11 +16,6 @@ constexpr double slides = 6.0;
 constexpr double is_cured = 8.5;
 constexpr double rests = 11.5;
 constexpr double comes_back = 13.5;
-
-double eased_between(double time, double from, double to) {
-  const double share = std::clamp((time - from) / (to - from), 0.0, 1.0);
-  return share * share * (3.0 - 2.0 * share);
-}
 
 Snapshot snapshot_at_rest(const Settings& settings, const Vector<2>& goal) {
   Snapshot snapshot;
@@ -47,11 +40,11 @@ StageShow stage_show(const Scene& scene, const Settings& settings, double time_s
   const double time = std::fmod(time_s, comes_back);
   const Vector<2> outside = scene.goal.points.front();
   const Vector<2> inside = scene.goal.points.back();
-  const double way = eased_between(time, 0.0, goes_in) - eased_between(time, rests, comes_back);
+  const double way = glm::smoothstep(0.0, goes_in, time) - glm::smoothstep(rests, comes_back, time);
   const Vector<2> goal = glm::mix(outside, inside, way);
   StageShow show{settings, {}};
   show.settings.active = time < slides ? StrategyId::naive : StrategyId::anisotropic;
-  const double cure = eased_between(time, slides, is_cured);
+  const double cure = glm::smoothstep(slides, is_cured, time);
   show.moment =
       stage_moment_between(show.settings, snapshot_at_rest(show.settings, goal), goal, {.fullness = 0.0, .cure = cure});
   return show;

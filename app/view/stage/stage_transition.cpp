@@ -38,10 +38,6 @@ Fields rest_at(const Settings& settings, const Vector<2>& goal, double ratio) no
   return {rest.device, rest.proxy, ghost_force(actuation, rest.force, full_force), proxy_drift(wall, rest.proxy, goal)};
 }
 
-double eased(double share) noexcept {
-  return share * share * (3.0 - 2.0 * share);
-}
-
 }  // namespace
 
 StageBlend stage_blend_of(StrategyId id) noexcept {
@@ -100,7 +96,7 @@ void StageTransition::go_to(StrategyId id, bool slowly) noexcept {
 
 StageBlend StageTransition::blend() const noexcept {
   if (!is_running()) return stage_blend_of(target_);
-  const double share = eased(elapsed_s_ / duration_s_);
+  const double share = glm::smoothstep(0.0, duration_s_, elapsed_s_);
   return {from_.fullness + share * (to_.fullness - from_.fullness), from_.cure + share * (to_.cure - from_.cure)};
 }
 
