@@ -8,6 +8,8 @@
 #include <iterator>
 #include <limits>
 
+#include "app/view/number_text.h"
+
 namespace ghostforce {
 namespace {
 
@@ -23,10 +25,6 @@ std::string superscript(int number) {
   std::string words = number < 0 ? "⁻" : "";
   for (const char digit : std::to_string(std::abs(number))) words += digits[static_cast<std::size_t>(digit - '0')];
   return words;
-}
-
-std::string plain_words(double value, int digits) {
-  return fmt::format("{}{:.{}f}", value < 0.0 ? "−" : "", std::abs(value), digits);
 }
 
 std::string power_words(double value) {
@@ -71,7 +69,7 @@ Ticks linear_ticks(const TickRequest& request, int step, int exponent) {
       exponent >= finest_plain && std::max(std::abs(ticks.least), std::abs(ticks.greatest)) < greatest_plain;
   for (double i = first; i <= last; i += 1.0) {
     const double value = times_power(i * step, exponent) + 0.0;  // −0 is a zero too
-    ticks.named.push_back({value, is_plain ? plain_words(value, std::max(0, -exponent)) : power_words(value)});
+    ticks.named.push_back({value, is_plain ? decimal_text(value, std::max(0, -exponent)) : power_words(value)});
   }
   return ticks;
 }
@@ -108,7 +106,7 @@ Ticks logarithmic_ticks(const TickRequest& request, const std::vector<int>& mult
     for (const int multiple : multiples) {
       const double value = times_power(multiple, decade);
       const bool is_plain = decade >= finest_plain && value < greatest_plain;
-      all.push_back({value, is_plain ? plain_words(value, std::max(0, -decade)) : power_words(value)});
+      all.push_back({value, is_plain ? decimal_text(value, std::max(0, -decade)) : power_words(value)});
     }
   }
   Ticks ticks{request.least, request.greatest, {}, {}};

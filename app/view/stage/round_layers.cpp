@@ -5,17 +5,13 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "app/view/number_text.h"
 #include "app/view/stage/stage_layers.h"
 
 namespace ghostforce {
 namespace {
 
 constexpr double least_energy = 0.00005;  // [J], so much that a tenth of a millijoule is shown
-
-std::string signed_number(double value) {
-  const std::string digits = fmt::format("{:.1f}", std::abs(value));
-  return (digits == "0.0" ? "" : value < 0.0 ? "−" : "+") + digits;
-}
 
 const CircleEnergy* energy_of(const StageContent& content) {
   if (!content.round || content.round->reading.turns == 0) return nullptr;
@@ -48,8 +44,9 @@ void add_battery(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   const CircleEnergy* const energy = energy_of(content);
   const Theme& theme = content.theme;
-  const std::string words =
-      energy == nullptr ? "the first round" : fmt::format("{} mJ a round", signed_number(1e3 * energy->last.energy));
+  const std::string words = energy == nullptr
+                                ? "the first round"
+                                : fmt::format("{} mJ a round", signed_decimal_text(1e3 * energy->last.energy, 1));
   const TextStyle& style = layout.letters.bold_words;
   const Vector<2> cell(canvas.points(84.0), canvas.points(170.0));
   const Vector<2> extent(std::max(cell.x, content.measure("+888.8 mJ a round", style).x),

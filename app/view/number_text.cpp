@@ -1,0 +1,28 @@
+#include "app/view/number_text.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string_view>
+
+namespace ghostforce {
+namespace {
+
+std::string with_sign(double value, int decimals, std::string_view plus) {
+  const std::string digits = fmt::format("{:.{}f}", std::abs(value), decimals);
+  const bool is_zero = digits.find_first_not_of("0.") == std::string::npos;
+  if (is_zero) return digits;
+  return fmt::format("{}{}", value < 0.0 ? "−" : plus, digits);
+}
+
+}  // namespace
+
+std::string decimal_text(double value, int decimals) {
+  return with_sign(value, decimals, "");
+}
+
+std::string signed_decimal_text(double value, int decimals) {
+  return with_sign(value, decimals, "+");
+}
+
+}  // namespace ghostforce

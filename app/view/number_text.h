@@ -1,0 +1,14 @@
+// Numbers as a person reads them: with a real minus sign (U+2212), and never "−0". Pure; any thread.
+#pragma once
+
+#include <string>
+
+namespace ghostforce {
+
+// "−19.4", "0.0", "3.6".
+std::string decimal_text(double value, int decimals);
+
+// With a sign, but for zero: "−19.4", "0.0", "+3.6".
+std::string signed_decimal_text(double value, int decimals);
+
+}  // namespace ghostforce
