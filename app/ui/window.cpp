@@ -16,6 +16,7 @@
 
 #include "app/console/failure.h"
 #include "app/paint/font_file.h"
+#include "app/paint/font_texture.h"
 #include "app/paint/gl/handle.h"
 #include "app/ui/display_loss.h"
 #include "app/ui/drawing_memory.h"
@@ -38,6 +39,11 @@ std::string last_glfw_error() {
 // In place of the one that the backend measures by its own clock. ImGui wants time to pass in every frame.
 void set_interval(double interval_s) {
   ImGui::GetIO().DeltaTime = static_cast<float>(std::max(interval_s, 1e-6));
+}
+
+void draw_on_framebuffer() {
+  whiten_empty_texels(*ImGui::GetDrawData());
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
 constexpr const char* offscreen_advice =
@@ -176,8 +182,6 @@ void Window::start_imgui(bool takes_mouse) {
   ImGui_ImplGlfw_InitForOpenGL(handle(), true);
   imgl3wInit2(glfwGetProcAddress);
   ImGui_ImplOpenGL3_Init("#version 330 core");
-  // Letters are twice as wide in the atlas as on the screen: with one texel between them, a neighbour's edge showed.
-  io.Fonts->TexGlyphPadding = 4;
   fonts_.regular = io.Fonts->AddFontFromFileTTF(font_file(label_font_file).c_str());
   fonts_.bold = io.Fonts->AddFontFromFileTTF(font_file(bold_label_font_file).c_str());
   fonts_.number = io.Fonts->AddFontFromFileTTF(font_file("DejaVuSansMono.ttf").c_str());
@@ -349,7 +353,7 @@ void Window::frame(double interval_s, const std::function<void()>& draw) {
   ImGui::NewFrame();
   draw();
   ImGui::Render();
-  if (pixel_width() > 0 && pixel_height() > 0) ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  if (pixel_width() > 0 && pixel_height() > 0) draw_on_framebuffer();
   glfwSwapBuffers(handle());
 }
 
@@ -411,7 +415,7 @@ Image Window::picture_of(int density, const std::function<void()>& draw) {
   ImGui::NewFrame();
   draw();
   ImGui::Render();
-  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  draw_on_framebuffer();
   Image image = picture();
   io.AddMousePosEvent(pointer.x, pointer.y);
   return image;
