@@ -15,7 +15,7 @@ struct InputChoice {
 // made without a person.
 inline constexpr InputChoice mouse_hand{"mouse", "Mouse", "Drag in the scene: the goal follows the pointer."};
 inline constexpr InputChoice circling_hand{
-    "circle", "Circle", "The goal goes round a circle inside the wall: the motion of the energy test."};
+    "circle", "Circle", "The goal moves in a circle inside the wall, as in the circle test."};
 inline constexpr InputChoice scripted_hand{"script", "Scripted hand",
                                            "The goal follows the scene's path, the same way every time."};
 

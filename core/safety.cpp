@@ -10,44 +10,47 @@ namespace {
 
 // In the order of OffReason.
 constexpr std::array reasons{
-    OffReasonEntry{OffReason::none, "none", "off", "Press the safety button to arm.", false, false},
-    OffReasonEntry{OffReason::key, "key", "turned off", "Nothing is wrong: somebody pressed Esc or the safety button.",
-                   false, false},
+    OffReasonEntry{OffReason::none, "none", "off", "Press the button at the top right to arm the motors.", false,
+                   false},
+    OffReasonEntry{OffReason::key, "key", "turned off by you",
+                   "Nothing is wrong: you pressed Esc or the motors' button.", false, false},
     OffReasonEntry{OffReason::button_released, "button_released", "button released",
-                   "The button on the grip was let go of. Hold it while the motors are on.", false, false},
+                   "The deadman switch was released. Hold the grip button while the motors are on.", false, false},
     OffReasonEntry{OffReason::focus_lost, "focus_lost", "window not in front",
-                   "Esc would not have reached this window. Bring it to the front and arm again.", false, false},
+                   "Esc would not have reached this window. Bring it to the front, then arm the motors again.", false,
+                   false},
     OffReasonEntry{OffReason::too_fast, "too_fast", "too fast",
-                   "The handle moved faster than 1 m/s. Hold it more firmly, or make the wall softer.", false, true},
+                   "The handle moved faster than 1 m/s. Hold it more firmly, or lower the rendering stiffness.", false,
+                   true},
     OffReasonEntry{OffReason::over_force, "over_force", "over force",
-                   "The handle was so deep in the wall that it would have been thrown out. Leave the wall and arm "
-                   "again.",
+                   "The handle was so deep in the wall that the motors would have thrown it out. Move it out of the "
+                   "wall, then arm the motors again.",
                    false, true},
     OffReasonEntry{OffReason::loop_late, "loop_late", "loop late",
-                   "The device did not answer for 20 ms. Close what keeps the machine busy; use a USB port of the "
-                   "machine itself.",
+                   "The device did not answer for 20 ms. Close other busy programs, and plug the device directly into "
+                   "the computer.",
                    true, true},
     OffReasonEntry{OffReason::window_stalled, "window_stalled", "window stalled",
-                   "The window did not draw for half a second, and Esc would not have been heard.", false, true},
+                   "The window did not respond for half a second, so Esc would not have worked.", false, true},
     OffReasonEntry{OffReason::unplugged, "unplugged", "unplugged",
-                   "Plug the device in again; it is looked for all the time.", true, false},
+                   "Plug the device in again. The program keeps looking for it.", true, false},
     OffReasonEntry{OffReason::not_homed, "not_homed", "not homed",
-                   "The device no longer knows where its arms are, as after a loss of power: home it again.", true,
+                   "The device has lost track of its arms, for example after a power failure. Home it again.", true,
                    false},
-    OffReasonEntry{OffReason::program_ending, "program_ending", "program ending", "The program was about to end.", true,
+    OffReasonEntry{OffReason::program_ending, "program_ending", "program ending", "The program was closing.", true,
                    false},
-    OffReasonEntry{OffReason::fault, "fault", "fault", "Something failed: the ladder of the device (F2) says what.",
-                   true, false},
+    OffReasonEntry{OffReason::fault, "fault", "fault", "Something failed. The device status (F2) says what.", true,
+                   false},
 };
 
 // In the order of ArmingObstacle.
 constexpr std::array obstacles{
     ArmingObstacleEntry{ArmingObstacle::none, ""},
-    ArmingObstacleEntry{ArmingObstacle::device_not_ready, "the device is not ready yet: see its ladder (F2)"},
-    ArmingObstacleEntry{ArmingObstacle::loop_not_healthy, "waiting until the device answers fast and evenly"},
+    ArmingObstacleEntry{ArmingObstacle::device_not_ready, "the device is not ready yet, see the device status (F2)"},
+    ArmingObstacleEntry{ArmingObstacle::loop_not_healthy, "waiting for the device to answer quickly and steadily"},
     ArmingObstacleEntry{ArmingObstacle::inside_wall, "move the handle out of the wall"},
     ArmingObstacleEntry{ArmingObstacle::force, "hold the handle still, away from the wall"},
-    ArmingObstacleEntry{ArmingObstacle::button, "hold a button on the grip"},
+    ArmingObstacleEntry{ArmingObstacle::button, "hold the grip button"},
     ArmingObstacleEntry{ArmingObstacle::focus, "bring the window to the front"},
 };
 

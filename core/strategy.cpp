@@ -8,7 +8,7 @@ double isotropic(const Stiffnesses&) noexcept {
 }
 
 constexpr std::string_view full_sentence =
-    "A motor on every axis: the wall as it should feel. The reference for the other two.";
+    "A motor for every direction: the wall feels as it should. The reference for the other two.";
 
 constexpr PerStrategy<Strategy> catalog{{
     {StrategyId::full, "full", 'F', "Fully actuated", "two motors", full_sentence, full_sentence, full_sentence, true,
@@ -16,15 +16,15 @@ constexpr PerStrategy<Strategy> catalog{{
     {StrategyId::naive, "naive", 'N', "Naïve", "one motor",
      "One motor, rendered as if there were two: a ghost force drags the hand along the wall.",
      "One motor, rendered as if there were two: a ghost force drags the hand along the wall.",
-     "One motor, rendered as if there were two; here it makes no ghost force: the motor pushes straight out of the "
+     "One motor, rendered as if there were two. Here that makes no ghost force: the motor pushes straight out of the "
      "wall.",
      false, isotropic},
-    {StrategyId::anisotropic, "anisotropic", 'A', "Anisotropic", "one motor, cured",
-     "The cure: the same one motor, and a proxy that follows more softly across it. At the optimal ratio ρ* the ghost "
-     "force is gone.",
-     "The same one motor, and a proxy that follows more softly across it, but not by the ratio ρ that this hand needs: "
-     "a ghost force is left.",
-     "The cure: the same one motor, and a proxy that follows more softly across it. The ghost force is gone.", false,
+    {StrategyId::anisotropic, "anisotropic", 'A', "Anisotropic", "one motor, softer tracking",
+     "The cure: the same single motor, and a proxy that follows more softly across it. At the optimal ratio ρ* the "
+     "ghost force is gone.",
+     "The same single motor, and a proxy that follows more softly across it. But ρ is not the ratio that this hand "
+     "needs: a ghost force remains.",
+     "The cure: the same single motor, and a proxy that follows more softly across it. The ghost force is gone.", false,
      tracking_ratio},
 }};
 

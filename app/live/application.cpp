@@ -101,7 +101,8 @@ void Application::use(const InputEntry& entry, std::shared_ptr<const Scene> scen
   }
   // Its header would not be true any longer.
   if (const std::string words = end_recording(); !words.empty()) {
-    show_notice(fmt::format("Another scene or input ends the recording. {}", words), !recording_problem_.empty());
+    show_notice(fmt::format("Changing the scene or the input ends the recording. {}", words),
+                !recording_problem_.empty());
   }
   const bool is_other_scene = scene != session_.scene;
   input_ = &entry;
@@ -300,7 +301,7 @@ void Application::handle_requests() {
     }
     if (requests.open_scene) open(*requests.open_scene);
     if (!dropped.empty()) open(dropped.front());
-    if (dropped.size() > 1) show_notice("One scene at a time: the first of the files is open.", false);
+    if (dropped.size() > 1) show_notice("Only one scene can be open: the first file was opened.", false);
     if (const auto& path = requests.save_scene) save(*path, [&] { return scene_text(scene_as_seen(session_)); });
     if (const auto& picture = requests.save_picture) save(picture->path, [&] { return picture_bytes(*picture); });
     if (const auto& plots = requests.save_plots) {
@@ -316,7 +317,7 @@ void Application::handle_requests() {
   } catch (const ReadError& error) {
     show_notice(error.what(), true);
   } catch (const ReaderGone&) {
-    show_notice("Nobody reads that pipe any more; save to a file.", true);
+    show_notice("No program reads from that pipe any more. Save to a file instead.", true);
   }
 }
 
@@ -346,10 +347,11 @@ void Application::open(const std::string& name_or_path) {
 void Application::replay_run(const std::string& path) {
   const Run run = load_run(path);
   if (!run.scene) {
-    throw Failure(ExitCode::wrong_call,
-                  fmt::format("{}: the run does not tell its scene; on the command line one can be named, as in\n"
-                              "ghostforce run wall45 --input replay:RUN.csv",
-                              quoted_text(path, longest_path)));
+    throw Failure(
+        ExitCode::wrong_call,
+        fmt::format("{}: the run does not say which scene it belongs to. Name the scene on the command line, as in\n"
+                    "ghostforce run wall45 --input replay:RUN.csv",
+                    quoted_text(path, longest_path)));
   }
   input_options_.recorded_hand = std::make_shared<const GoalPath>(goal_path_of(run));
   input_choices_ = choices_of(inputs_, true);
@@ -384,22 +386,22 @@ std::string Application::end_recording() {
   const std::string shown = quoted_text(found_at.empty() ? recording_reading_.path : found_at, longest_path);
   if (found_at.empty()) {
     recording_problem_ = fmt::format(
-        "The recording is lost, {:.1f} s of it: {} was removed while it was written. Record again, to a folder that "
+        "{:.1f} s of recording are lost: {} was removed while it was being written. Record again, to a folder that "
         "stays.",
         recording_reading_.seconds, shown);
     return recording_problem_;
   }
   if (error == EOVERFLOW) {
     recording_problem_ = fmt::format(
-        "The recording has ended after {:.1f} s: {} is as long as a run may be, {:.0f} ticks. It is whole; record "
-        "again, to another file, for what comes.",
+        "The recording ended after {:.1f} s: {} has reached the greatest length of a run, {:.0f} ticks. It is "
+        "complete. "
+        "Record to another file to go on.",
         recording_reading_.seconds, shown, most_ticks);
     return recording_problem_;
   }
   if (error != 0) {
     recording_problem_ = fmt::format(
-        "The recording has ended after {:.1f} s: {} takes no more: {}. What is in it can "
-        "be read.",
+        "The recording ended after {:.1f} s: {} cannot be written any further: {}. What is in it can be read.",
         recording_reading_.seconds, shown, reason_of(error));
     return recording_problem_;
   }
@@ -407,7 +409,7 @@ std::string Application::end_recording() {
   const std::string words = fmt::format("Recorded {:.1f} s to {}{}", recording_reading_.seconds, shown,
                                         dropped > 0 ? fmt::format("; {} samples were lost", dropped) : "");
   if (found_at == recording_reading_.path) return words;
-  recording_problem_ = fmt::format("{}. It was moved there while it was written: {} is not it any more.", words,
+  recording_problem_ = fmt::format("{}. It was moved there while it was being written, so it is no longer {}.", words,
                                    quoted_text(recording_reading_.path, longest_path));
   return recording_problem_;
 }

@@ -43,7 +43,8 @@ class FalconInputLink : public InputLink {
     for (const Vector<2>& point : path_.points) needed = std::max(needed, plane.scale_to_reach(point));
     if (needed <= calibration.scale) return {};
     return fmt::format(
-        "This scene reaches {:.0f} mm from the middle of the view, and the handle {:.0f} mm: set scale = {:.1f} or "
+        "This scene reaches {:.0f} mm from the middle of the view, but the handle only {:.0f} mm. Set scale = {:.1f} "
+        "or "
         "more in the device's calibration file.",
         mm_per_m * workspace_radius * needed, mm_per_m * workspace_radius * calibration.scale,
         std::ceil(10.0 * needed) / 10.0);
@@ -92,7 +93,7 @@ class VirtualFalconInputLink final : public FalconInputLink {
  private:
   VirtualFalconInput& input_;
   PointerLink pointer_;
-  std::vector<InputChoice> injected_faults_{{"none", "none", "It does what a Falcon should."}};
+  std::vector<InputChoice> injected_faults_{{"none", "none", "It behaves as a Falcon should."}};
 };
 
 }  // namespace

@@ -76,7 +76,7 @@ void read(TomlReader& reader, WindowLayout& layout) {
 
 std::string text_of(const Preferences& preferences) {
   return fmt::format(
-      "# Written by ghostforce; what the View panel and F4 choose.\ntheme = {}\nscale = {:.4f}\nhints = {}\nview = "
+      "# Written by ghostforce: what the View panel and F4 choose.\ntheme = {}\nscale = {:.4f}\nhints = {}\nview = "
       "{}\n",
       toml_string(preferences.appearance.theme->name), preferences.appearance.scale, preferences.offers_hints,
       toml_string(face_name(preferences.face)));
@@ -110,13 +110,13 @@ std::optional<Value> load_from(const fs::path& file, std::vector<std::string>& r
   if (file.empty() || !fs::exists(file, error)) return std::nullopt;
   const std::string shown = quoted_text(file.string(), longest_path);
   if (!fs::is_regular_file(file, error)) {
-    remarks.push_back(fmt::format("{} is no file; the usual values are used", shown));
+    remarks.push_back(fmt::format("{} is not a file, so the defaults are used", shown));
     return std::nullopt;
   }
   const FileContents contents = file_contents(file);
   if (contents.error != 0) {
-    remarks.push_back(fmt::format("{} cannot be read ({}); the usual values are used, and the file stays as it is",
-                                  shown, unreadable_words(contents.error)));
+    remarks.push_back(fmt::format("{} cannot be read ({}), so the defaults are used; the file stays as it is", shown,
+                                  unreadable_words(contents.error)));
     return std::nullopt;
   }
   TomlReader reader(file.string());
@@ -134,8 +134,8 @@ std::optional<Value> load_from(const fs::path& file, std::vector<std::string>& r
   }
   const fs::path aside = name_aside(file);
   fs::rename(file, aside, error);
-  remarks.push_back(error ? fmt::format("{} is damaged ({}); the usual values are used", shown, damage)
-                          : fmt::format("{} was damaged ({}) and is now {}; the usual values are used", shown, damage,
+  remarks.push_back(error ? fmt::format("{} is damaged ({}), so the defaults are used", shown, damage)
+                          : fmt::format("{} was damaged ({}) and is now {}; the defaults are used", shown, damage,
                                         quoted_text(aside.string(), longest_path)));
   return std::nullopt;
 }

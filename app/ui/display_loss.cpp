@@ -47,8 +47,8 @@ Function* find_function(const char* library, const char* name) {
   while (has_begun.test_and_set()) pause();
   if (put_everything_in_order) put_everything_in_order();
   std::fputs(
-      "the display is gone: its server has ended, or the connection to it broke; start the program again when "
-      "there is one\n",
+      "the display is gone: its server ended, or the connection to it broke; start the program again when the display "
+      "is back\n",
       stderr);
   // No destructor and no library's last call: they would talk to the server, and never return.
   std::fflush(nullptr);

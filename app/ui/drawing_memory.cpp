@@ -61,8 +61,8 @@ void make_room_for_drawing(int width, int height, std::string_view remedy) {
     return;
   }
   throw Failure(ExitCode::file_trouble,
-                fmt::format("drawing needs about {} MB more memory, and this program may not have so much; raise its "
-                            "limit (ulimit -v), or {}",
+                fmt::format("drawing needs about {} MB more memory than this program is allowed; raise its limit "
+                            "(ulimit -v), or {}",
                             needed >> 20, remedy));
 }
 

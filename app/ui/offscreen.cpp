@@ -24,7 +24,7 @@ std::int64_t tick_at(const Scene& scene, const std::optional<double>& at_s) {
   if (!at_s) return last_tick(scene);
   const double tick = *at_s * scene.settings.rate;
   if (tick >= 0.0 && tick <= most_ticks) return std::llround(tick);
-  throw Failure(ExitCode::wrong_call, fmt::format("the moment {} s cannot be shown; want a time from 0 to {} s", *at_s,
+  throw Failure(ExitCode::wrong_call, fmt::format("the moment {} s cannot be shown; give a time from 0 to {} s", *at_s,
                                                   most_ticks / scene.settings.rate));
 }
 

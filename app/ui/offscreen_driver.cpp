@@ -44,7 +44,7 @@ void choose_offscreen_driver() {
   if (names.empty()) return;
   for (const std::string& name : names) unsetenv(name.c_str());
   std::ranges::sort(names);
-  say("Drawing offscreen with Mesa's own software renderer; {} {} not heeded for that.\n", fmt::join(names, ", "),
+  say("Drawing offscreen with Mesa's own software renderer, so {} {} ignored.\n", fmt::join(names, ", "),
       names.size() == 1 ? "is" : "are");
 }
 

@@ -100,11 +100,11 @@ GLFWwindow* create_window(const WindowOptions& options) {
   const std::string reason = last_glfw_error();
   if (options.offscreen) {
     throw Failure(ExitCode::no_display,
-                  fmt::format("cannot draw offscreen: {} (there is {}); OSMesa with OpenGL 3.3 is needed, Debian's "
+                  fmt::format("cannot draw offscreen: {} (there is {}); this needs OSMesa with OpenGL 3.3, Debian's "
                               "package libosmesa6",
                               reason, describe_lesser_opengl()));
   }
-  throw Failure(ExitCode::no_display, fmt::format("the window needs OpenGL 3.3 and there is {} ({}); a newer graphics "
+  throw Failure(ExitCode::no_display, fmt::format("the window needs OpenGL 3.3, but there is {} ({}); a newer graphics "
                                                   "driver may help, and {}",
                                                   describe_lesser_opengl(), reason, offscreen_advice));
 }
@@ -141,7 +141,7 @@ Window::Window(const WindowOptions& options) : library_(options), window_(create
   glfwMakeContextCurrent(handle());
   if (gladLoadGL(glfwGetProcAddress) < GLAD_MAKE_VERSION(3, 3)) {
     throw Failure(ExitCode::no_display,
-                  fmt::format("OpenGL 3.3 was promised, but cannot be loaded: {}", graphics_description()));
+                  fmt::format("the driver offers OpenGL 3.3, but it cannot be loaded: {}", graphics_description()));
   }
   glfwSwapInterval(options.offscreen ? 0 : 1);
   if (!options.offscreen) {

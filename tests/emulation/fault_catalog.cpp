@@ -175,7 +175,7 @@ constexpr std::array faults{
           .is_quick = false},
 
     // The person and the window.
-    Fault{.name = "Off", .title = "Esc, or the safety button", .promise = fade, .order = "off"},
+    Fault{.name = "Off", .title = "Esc, or the motors' button", .promise = fade, .order = "off"},
     Fault{
         .name = "FocusLost", .title = "window not in front", .promise = fade, .order = "focus lost", .is_quick = false},
     Fault{.name = "TornAway", .title = "handle torn away, over 1 m/s", .promise = fade, .hand_is_torn_away = true},

@@ -82,7 +82,7 @@ std::optional<StageCornerButton> corner_button(const Session& session, const Mot
 
 // What is not as it should be comes before what there is to see.
 std::string_view warning_of(const LoopReading& loop) {
-  if (loop.diverged) return "These settings make the simulation unstable: F4, and a lower k_r.";
+  if (loop.diverged) return "These settings make the simulation unstable. Press F4 and lower k_r.";
   const auto step = std::ranges::find_if(loop.readiness, &ReadinessStepState::is_current);
   if (loop.motors.has_motors && !loop.motors.is_ready && step != loop.readiness.end()) {
     return "The device is not ready: F2 says what to do.";

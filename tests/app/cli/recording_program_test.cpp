@@ -137,7 +137,8 @@ TEST(RecordingProgram, SaysWhereTheFileTookNoMore) {
   const SmallFiles small(100'000);
   const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, call);
   EXPECT_EQ(outcome.exit_code, 8);
-  EXPECT_NE(outcome.err.find("run.csv takes no more: File too large"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("run.csv cannot be written any further: File too large"), std::string::npos)
+      << outcome.err;
 }
 
 bool has_open(pid_t process, const std::string& path) {
@@ -168,8 +169,8 @@ TEST(RecordingProgram, SaysThatTheFolderHasVanished) {
   }
   EXPECT_EQ(program.end(0), 8);
   const std::string words = read_whole(folder / "words");
-  EXPECT_NE(words.find("The recording is lost, "), std::string::npos) << words;
-  EXPECT_NE(words.find("gone/run.csv was removed while it was written"), std::string::npos) << words;
+  EXPECT_NE(words.find(" s of recording are lost: "), std::string::npos) << words;
+  EXPECT_NE(words.find("gone/run.csv was removed while it was being written"), std::string::npos) << words;
 }
 
 TEST(RecordingProgram, IsAskedForAFile) {

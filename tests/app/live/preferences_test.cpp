@@ -198,7 +198,7 @@ TEST_F(PreferencesTest, WhatCannotBeReadIsSaidAndStaysAsItIs) {
   EXPECT_FALSE(stored.layout);
   ASSERT_EQ(stored.remarks.size(), 2U);
   EXPECT_TRUE(stored.remarks[0].starts_with(preferences() + " cannot be read (")) << stored.remarks[0];
-  EXPECT_TRUE(stored.remarks[0].ends_with("; the usual values are used, and the file stays as it is"));
+  EXPECT_TRUE(stored.remarks[0].ends_with(", so the defaults are used; the file stays as it is"));
   for (const std::string& trouble : {trouble_with(Preferences{}), trouble_with(WindowLayout{})}) {
     EXPECT_NE(trouble.find(" stays as it is"), std::string::npos) << trouble;
     EXPECT_NE(trouble.find("repair or remove it"), std::string::npos) << trouble;

@@ -329,12 +329,12 @@ TEST_F(RecordingWindow, AnotherSceneOrInputEndsIt) {
   frames(10);
   session().requests.open_scene = "fig1";
   frames(2);
-  EXPECT_TRUE(notice().starts_with("Another scene or input ends the recording. Recorded ")) << notice();
+  EXPECT_TRUE(notice().starts_with("Changing the scene or the input ends the recording. Recorded ")) << notice();
   record(folder_ / "input.csv");
   frames(10);
   session().requests.input = "script";
   frames(10);
-  EXPECT_TRUE(notice().starts_with("Another scene or input ends the recording. Recorded ")) << notice();
+  EXPECT_TRUE(notice().starts_with("Changing the scene or the input ends the recording. Recorded ")) << notice();
   EXPECT_EQ(load_run(folder_ / "scene.csv").scene->title, load_scene("wall45").title);
   EXPECT_EQ(load_run(folder_ / "input.csv").scene->title, load_scene("fig1").title);
   expect_repeats(folder_ / "scene.csv", 100);
@@ -363,7 +363,7 @@ TEST_F(RecordingWindow, SaysSoWhenWhatItRecordsIsGone) {
     return !notice().empty();
   });
   EXPECT_TRUE(session().notice->is_problem);
-  EXPECT_TRUE(notice().starts_with("The recording is lost, ")) << notice();
+  EXPECT_NE(notice().find(" s of recording are lost: "), std::string::npos) << notice();
   EXPECT_NE(notice().find(folder_ / "gone/run.csv was removed"), std::string::npos) << notice();
   EXPECT_EQ(application_->recording_problem(), notice());
 
@@ -373,7 +373,9 @@ TEST_F(RecordingWindow, SaysSoWhenWhatItRecordsIsGone) {
   std::filesystem::rename(folder_ / "here.csv", folder_ / "there.csv");
   stop();
   EXPECT_TRUE(session().notice->is_problem);
-  EXPECT_NE(notice().find("there.csv. It was moved there while it was written: "), std::string::npos) << notice();
+  EXPECT_NE(notice().find("there.csv. It was moved there while it was being written, so it is no longer "),
+            std::string::npos)
+      << notice();
   EXPECT_TRUE(load_run(folder_ / "there.csv").warnings.empty());
 }
 
