@@ -36,14 +36,14 @@ constexpr std::array reasons{
                    false},
     OffReasonEntry{OffReason::program_ending, "program_ending", "program ending", "The program was about to end.", true,
                    false},
-    OffReasonEntry{OffReason::fault, "fault", "fault", "Something failed: the ladder of the device (F2) says what.",
+    OffReasonEntry{OffReason::fault, "fault", "fault", "Something failed: the device status (F2) says what.",
                    true, false},
 };
 
 // In the order of ArmingObstacle.
 constexpr std::array obstacles{
     ArmingObstacleEntry{ArmingObstacle::none, ""},
-    ArmingObstacleEntry{ArmingObstacle::device_not_ready, "the device is not ready yet: see its ladder (F2)"},
+    ArmingObstacleEntry{ArmingObstacle::device_not_ready, "the device is not ready yet, see its status (F2)"},
     ArmingObstacleEntry{ArmingObstacle::loop_not_healthy, "waiting until the device answers fast and evenly"},
     ArmingObstacleEntry{ArmingObstacle::inside_wall, "move the handle out of the wall"},
     ArmingObstacleEntry{ArmingObstacle::force, "hold the handle still, away from the wall"},
