@@ -14,30 +14,30 @@ constexpr std::array reasons{
     OffReasonEntry{OffReason::key, "key", "turned off", "Nothing is wrong: somebody pressed Esc or the safety button.",
                    false, false},
     OffReasonEntry{OffReason::button_released, "button_released", "button released",
-                   "The button on the grip was let go of. Hold it while the motors are on.", false, false},
+                   "The button on the grip was released. Hold it while the motors are on.", false, false},
     OffReasonEntry{OffReason::focus_lost, "focus_lost", "window not in front",
                    "Esc would not have reached this window. Bring it to the front and arm again.", false, false},
     OffReasonEntry{OffReason::too_fast, "too_fast", "too fast",
                    "The handle moved faster than 1 m/s. Hold it more firmly, or make the wall softer.", false, true},
-    OffReasonEntry{OffReason::over_force, "over_force", "over force",
-                   "The handle was so deep in the wall that it would have been thrown out. Leave the wall and arm "
-                   "again.",
-                   false, true},
+    OffReasonEntry{
+        OffReason::over_force, "over_force", "over force",
+        "The handle was so deep in the wall that it would have been thrown out. Move it out of the wall and arm again.",
+        false, true},
     OffReasonEntry{OffReason::loop_late, "loop_late", "loop late",
-                   "The device did not answer for 20 ms. Close what keeps the machine busy; use a USB port of the "
+                   "The device did not answer for 20 ms. Close what keeps the machine busy, or use a USB port on the "
                    "machine itself.",
                    true, true},
     OffReasonEntry{OffReason::window_stalled, "window_stalled", "window stalled",
-                   "The window did not draw for half a second, and Esc would not have been heard.", false, true},
+                   "The window did not draw for half a second, so it would have missed Esc.", false, true},
     OffReasonEntry{OffReason::unplugged, "unplugged", "unplugged",
-                   "Plug the device in again; it is looked for all the time.", true, false},
+                   "Plug the device in again; the program keeps looking for it.", true, false},
     OffReasonEntry{OffReason::not_homed, "not_homed", "not homed",
-                   "The device no longer knows where its arms are, as after a loss of power: home it again.", true,
-                   false},
+                   "The device no longer knows where its arms are, for example after a power loss. Home it again.",
+                   true, false},
     OffReasonEntry{OffReason::program_ending, "program_ending", "program ending", "The program was about to end.", true,
                    false},
-    OffReasonEntry{OffReason::fault, "fault", "fault", "Something failed: the device status (F2) says what.",
-                   true, false},
+    OffReasonEntry{OffReason::fault, "fault", "fault", "Something failed: the device status (F2) says what.", true,
+                   false},
 };
 
 // In the order of ArmingObstacle.
