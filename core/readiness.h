@@ -23,10 +23,10 @@ enum class ReadinessStep : std::uint8_t {
 struct ReadinessStepState {
   ReadinessStep step = ReadinessStep::seen;
   std::string_view name;   // in JSON
-  std::string_view title;  // on screen
+  std::string_view title;  // on screen: what is so, or is still to come
   bool is_reached = false;
   bool is_current = false;  // the first that is not reached
-  std::string words;        // what is so, or what to do; empty: its turn has not come
+  std::string words;        // whole sentences: what is so, and what to do; empty: its turn has not come
 };
 
 }  // namespace ghostforce

@@ -79,7 +79,7 @@ class LiveLine {
     const std::vector<ReadinessStepState> readiness = readiness_of(report, nullptr);
     const auto current = std::ranges::find_if(readiness, &ReadinessStepState::is_current);
     if (current == readiness.end()) return;
-    const std::string line = fmt::format("{}: {}", current->title, current->words);
+    const std::string line = fmt::format("{}. {}", current->title, current->words);
     has_shown_ = true;
     say("\r{:.{}}\x1b[K", line, columns() - 1);
   }
@@ -174,8 +174,10 @@ std::function<int()> attach_doctor(CLI::App& command, FileOptions& files) {
                    ->type_name("FILE.toml"));
   options->falcon.attach(command, files);
   command.footer(
-      "The ladder: plugged in, allowed, free, firmware, homed, encoders move, fast enough. The first rung that is not\n"
-      "reached says what to do. The motors stay off all the time. Where nobody is waited for, a device that is not\n"
+      "The steps: plugged in, allowed, free, firmware answers, homed, encoders move, fast enough. The first one that "
+      "is\n"
+      "not reached says what to do. The motors stay off all the time. Where nobody is waited for, a device that is "
+      "not\n"
       "homed is no failure. Exit code 1: all is well but the speed. docs/falcon.md tells it from the beginning.\n"
       "\n"
       "Examples:\n"

@@ -76,7 +76,7 @@ std::string text_of(const Diagnosis& diagnosis) {
   std::string text;
   for (const ReadinessStepState& state : readiness_of(diagnosis.report, nullptr)) {
     text += state.words.empty() ? fmt::format("{} {}\n", mark_of(state), state.title)
-                                : fmt::format("{} {:14}  {}\n", mark_of(state), state.title, state.words);
+                                : fmt::format("{} {:24}  {}\n", mark_of(state), state.title, state.words);
   }
   text += "\n";
   if (diagnosis.report.is_virtual) text += "device: a virtual Falcon, which is not there\n";
@@ -98,7 +98,7 @@ std::string json_of(const Diagnosis& diagnosis) {
   Json readiness = Json::array();
   for (const ReadinessStepState& state : readiness_of(report, nullptr)) {
     readiness.push_back({{"rung", state.name},
-                         {"title", state.title},
+                         {"title", entry_of(state.step).title},
                          {"reached", state.is_reached},
                          {"current", state.is_current},
                          {"words", state.words}});

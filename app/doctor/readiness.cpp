@@ -1,7 +1,10 @@
 #include "app/doctor/readiness.h"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstddef>
+#include <cstdlib>
 
 #include <fmt/format.h>
 
@@ -14,25 +17,27 @@ namespace {
 
 // In the order of ReadinessStep.
 constexpr std::array steps{
-    ReadinessEntry{ReadinessStep::seen, ExitCode::device_absent, "seen", "Plugged in",
-                   "Plug in the Falcon's power supply, then its USB cable."},
-    ReadinessEntry{ReadinessStep::allowed, ExitCode::device_refused, "allowed", "Allowed",
-                   "Run 'ghostforce doctor --install-udev' once, then plug it in again.", "this user may open it"},
-    ReadinessEntry{ReadinessStep::free, ExitCode::device_refused, "free", "Free",
-                   "Close the other program that has the device.", "no other program has it"},
-    ReadinessEntry{ReadinessStep::firmware, ExitCode::device_failed, "firmware", "Firmware",
-                   "Give it a firmware file: --firmware FILE, see docs/falcon.md.", "it answers"},
-    ReadinessEntry{ReadinessStep::homed, ExitCode::device_failed, "homed", "Homed",
+    ReadinessEntry{ReadinessStep::seen, ExitCode::device_absent, "seen", "Plugged in", "Not plugged in",
+                   "Plug in the Falcon's power supply, then its USB cable.", "The computer sees the device."},
+    ReadinessEntry{ReadinessStep::allowed, ExitCode::device_refused, "allowed", "Allowed", "Not allowed",
+                   "Run 'ghostforce doctor --install-udev' once, then plug it in again.", "This user may open it."},
+    ReadinessEntry{ReadinessStep::free, ExitCode::device_refused, "free", "Free", "Not free",
+                   "Close the other program that has the device.", "No other program has it."},
+    ReadinessEntry{ReadinessStep::firmware, ExitCode::device_failed, "firmware", "Firmware answers",
+                   "Firmware does not answer", "Give it a firmware file: --firmware FILE, see docs/falcon.md.",
+                   "The firmware is loaded and running."},
+    ReadinessEntry{ReadinessStep::homed, ExitCode::device_failed, "homed", "Homed", "Not homed",
                    "Pull the handle all the way out, then push it straight in until it stops.",
-                   "all three motors have found their zero"},
+                   "All three motors have found their zero."},
     ReadinessEntry{ReadinessStep::encoders_move, ExitCode::device_failed, "encoders_move", "Encoders move",
-                   "Move the handle up and down, left and right, out and in.", "all three"},
-    ReadinessEntry{ReadinessStep::fast_enough, ExitCode::answer_is_no, "fast_enough", "Fast enough",
-                   "Use a USB port of the machine itself, without a hub, and close what keeps the machine busy."},
+                   "Encoders do not move", "Move the handle up and down, left and right, out and in.",
+                   "All three motors have moved."},
+    ReadinessEntry{ReadinessStep::fast_enough, ExitCode::answer_is_no, "fast_enough", "Fast enough", "Not fast enough",
+                   "Use a USB port of the machine itself, without a hub, and close what keeps the machine busy.", ""},
     ReadinessEntry{ReadinessStep::outside_wall, ExitCode::done, "outside_wall", "Outside the wall",
-                   "Move the handle out of the wall."},
-    ReadinessEntry{ReadinessStep::armed, ExitCode::done, "armed", "Armed",
-                   "Hold the handle and press the safety button."},
+                   "Not outside the wall", "Move the handle out of the wall.", "Nothing pushes on the handle yet."},
+    ReadinessEntry{ReadinessStep::armed, ExitCode::done, "armed", "Armed", "Not armed",
+                   "Hold the handle and press the button “Arm the motors”.", ""},
 };
 
 struct FaultEntry {
@@ -40,43 +45,43 @@ struct FaultEntry {
   // At which it keeps the device. The link tells what is wrong before it tells anything else, so all below has been
   // reached.
   ReadinessStep step;
+  std::string_view sentence;  // what is wrong
   std::string_view remedy;
 };
 // In the order of FalconFault.
 constexpr std::array faults{
-    FaultEntry{FalconFault::none, ReadinessStep::seen, ""},
-    FaultEntry{FalconFault::not_allowed, ReadinessStep::allowed,
-               "This user may not open the device. Run 'ghostforce doctor --install-udev' once, then plug the device "
-               "in again."},
-    FaultEntry{FalconFault::busy, ReadinessStep::free, "Close the other program that has the device."},
+    FaultEntry{FalconFault::none, ReadinessStep::seen, "", ""},
+    FaultEntry{FalconFault::not_allowed, ReadinessStep::allowed, "This user may not open the device.",
+               "Run 'ghostforce doctor --install-udev' once, then plug the device in again."},
+    FaultEntry{FalconFault::busy, ReadinessStep::free, "Another program has the device.", "Close that program."},
     FaultEntry{FalconFault::unsupported, ReadinessStep::free,
-               "What is plugged in has not the one interface with two bulk endpoints that a Falcon has."},
-    FaultEntry{FalconFault::unplugged, ReadinessStep::seen,
-               "Plug it in again: it is looked for all the time. Motors stay off until you arm them."},
-    FaultEntry{FalconFault::broken, ReadinessStep::firmware,
+               "What is plugged in lacks the one interface with two bulk endpoints that a Falcon has.",
+               "Plug in another Falcon."},
+    FaultEntry{FalconFault::unplugged, ReadinessStep::seen, "The device was unplugged.",
+               "Plug it in again: the program keeps looking for it. The motors stay off until you arm them."},
+    FaultEntry{FalconFault::broken, ReadinessStep::firmware, "The USB transfers fail.",
                "Use another cable or another USB port, one of the machine itself."},
     FaultEntry{FalconFault::no_firmware, ReadinessStep::firmware,
-               "The device has no firmware and there is no file to give it: name one with --firmware FILE, or see "
-               "docs/falcon.md for where to put it."},
-    FaultEntry{FalconFault::no_handshake, ReadinessStep::firmware,
-               "The device does not answer its boot loader's call. Unplug both its cables, wait 5 s, plug power in "
-               "first; then another USB port."},
-    FaultEntry{
-        FalconFault::no_baud_answer, ReadinessStep::firmware,
-        "The device does not follow to the upload's rate. Unplug both its cables, wait 5 s, and plug them in again."},
+               "The device has no firmware, and there is no file to give it.",
+               "Name one with --firmware FILE, or see docs/falcon.md for where to put it."},
+    FaultEntry{FalconFault::no_handshake, ReadinessStep::firmware, "The boot loader of the device does not answer.",
+               "Unplug both its cables, wait 5 s, and plug power in first. If that does not help, use another USB "
+               "port."},
+    FaultEntry{FalconFault::no_baud_answer, ReadinessStep::firmware,
+               "The boot loader stopped answering at the data rate of the upload.",
+               "Unplug both its cables, wait 5 s, and plug them in again."},
     FaultEntry{FalconFault::echo_missing, ReadinessStep::firmware,
-               "A byte of the firmware was not echoed. Use another cable or USB port; if it stays, unplug both cables "
-               "for 5 s."},
+               "The upload of the firmware broke off: a byte was not echoed.",
+               "Use another cable or USB port. If it happens again, unplug both cables for 5 s."},
     FaultEntry{FalconFault::echo_differs, ReadinessStep::firmware,
-               "A byte of the firmware came back as another. Use another cable or USB port, without a hub."},
-    FaultEntry{FalconFault::firmware_silent, ReadinessStep::firmware,
-               "The firmware is loaded and answers nothing: is it the file for this device? Compare its SHA-256 with "
-               "docs/falcon.md."},
-    FaultEntry{FalconFault::no_replies, ReadinessStep::firmware,
-               "Is the device's power supply plugged in? It is being opened again by itself."},
-    FaultEntry{FalconFault::kinematics, ReadinessStep::homed,
-               "The encoders tell a position that the arms cannot have: home the device again (F2), and check the "
-               "geometry in its calibration file."},
+               "The upload of the firmware was garbled: a byte came back as another.",
+               "Use another cable or USB port, without a hub."},
+    FaultEntry{FalconFault::firmware_silent, ReadinessStep::firmware, "The firmware is loaded but does not answer.",
+               "Check that the file is for this device: compare its SHA-256 with docs/falcon.md."},
+    FaultEntry{FalconFault::no_replies, ReadinessStep::firmware, "The device has stopped answering.",
+               "Check that its power supply is plugged in. The program opens the device again by itself."},
+    FaultEntry{FalconFault::kinematics, ReadinessStep::homed, "The encoders tell a position that the arms cannot have.",
+               "Home the device again (F2), and check the geometry in its calibration file."},
 };
 static_assert(faults.size() == static_cast<std::size_t>(FalconFault::kinematics) + 1);
 
@@ -84,17 +89,40 @@ static_assert(faults.size() == static_cast<std::size_t>(FalconFault::kinematics)
 constexpr std::string_view still_pushing =
     "The motors may still push, and nothing from here reaches them: pull the plug of the device's power supply. ";
 
-constexpr std::array<std::string_view, 3> motor_names{"motor 1", "motor 2", "motor 3"};
-
-// The motors of which `is_so` is `wanted`: "motor 1, motor 3".
+// The motors of which `is_so` is `wanted`: "motor 1 and motor 3".
 std::string motors_where(const std::array<bool, 3>& is_so, bool wanted) {
   std::string names;
   for (std::size_t i = 0; i < is_so.size(); ++i) {
-    if (is_so[i] != wanted) continue;
-    names += names.empty() ? "" : ", ";
-    names += motor_names[i];
+    if (is_so[i] == wanted) names += fmt::format("{}motor {}", names.empty() ? "" : " and ", i + 1);
   }
-  return names.empty() ? "none" : names;
+  return names;
+}
+
+std::string sentence_from(std::string words) {
+  words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));
+  return words;
+}
+
+std::string_view have(std::ptrdiff_t count) {
+  return count == 1 ? "has" : "have";
+}
+
+std::string homed_words(const std::array<bool, 3>& has_homed) {
+  const std::ptrdiff_t count = std::ranges::count(has_homed, true);
+  if (count == 0) return "No motor has found its zero yet.";
+  if (count == 3) return "All three motors have found their zero.";
+  return sentence_from(fmt::format("{} {} found {} zero, {} {} not.", motors_where(has_homed, true), have(count),
+                                   count == 1 ? "its" : "their", motors_where(has_homed, false), have(3 - count)));
+}
+
+std::string moved_words(const std::array<bool, 3>& has_moved) {
+  const std::ptrdiff_t count = std::ranges::count(has_moved, false);
+  if (count == 3) return "No motor has moved yet.";
+  return sentence_from(fmt::format("{} {} not moved yet.", motors_where(has_moved, false), have(count)));
+}
+
+std::string count_words(int count) {
+  return fmt::format("{}{}", count < 0 ? "−" : "", std::abs(count));
 }
 
 const FaultEntry& readiness_fault(FalconFault fault) noexcept {
@@ -138,11 +166,12 @@ class ReadinessCheck {
       state.is_reached = is_reached(entry.id);
       state.is_current = is_below_current && !state.is_reached;
       is_below_current = is_below_current && state.is_reached;
+      const bool has_failed = state.is_current || is_measured_too_slow(entry.id);
+      if (has_failed) state.title = entry.open_title;
       if (state.is_current && report_.state == FalconState::fault && report_.fault != FalconFault::none) {
-        const FalconFaultEntry& fault = entry_of(report_.fault);
-        state.words =
-            fmt::format("{}{}: {}", report_.may_still_push ? still_pushing : "", fault.title, remedy_of(fault.id));
-      } else if (state.is_reached || state.is_current || is_measured_too_slow(entry.id)) {
+        const FaultEntry& fault = readiness_fault(report_.fault);
+        state.words = fmt::format("{}{} {}", report_.may_still_push ? still_pushing : "", fault.sentence, fault.remedy);
+      } else if (state.is_reached || has_failed) {
         state.words = words(entry, state.is_reached);
       }
       states.push_back(std::move(state));
@@ -176,19 +205,24 @@ class ReadinessCheck {
     switch (entry.id) {
       case ReadinessStep::seen:
         if (!reached || report_.serial.text().empty()) break;
-        return fmt::format("serial number {}", report_.serial.text());
+        return fmt::format("Its serial number is {}.", report_.serial.text());
       case ReadinessStep::firmware:
         if (reached) break;
         return firmware_words();
       case ReadinessStep::homed:
         if (reached) break;
-        return fmt::format("homed: {}; counts {}, {}, {}. {}", motors_where(report_.has_homed, true),
-                           report_.encoders[0], report_.encoders[1], report_.encoders[2], entry.remedy);
+        return fmt::format("{} The encoders read {}, {} and {}. {}", homed_words(report_.has_homed),
+                           count_words(report_.encoders[0]), count_words(report_.encoders[1]),
+                           count_words(report_.encoders[2]), entry.remedy);
       case ReadinessStep::encoders_move:
         if (reached) break;
-        return fmt::format("not moved yet: {}. {}", motors_where(report_.has_moved, false), entry.remedy);
+        return fmt::format("{} {}", moved_words(report_.has_moved), entry.remedy);
       case ReadinessStep::fast_enough:
         return speed_words(entry, reached);
+      case ReadinessStep::outside_wall:
+        if (!reached && !motors_->is_handle_known) return "It is not known yet where the handle is.";
+        if (are_on(*motors_)) return "The handle was outside when the motors were armed.";
+        break;
       case ReadinessStep::armed:
         return armed_words(entry);
       default:
@@ -198,19 +232,20 @@ class ReadinessCheck {
   }
 
   std::string firmware_words() const {
-    const std::string before =
-        report_.fault == FalconFault::none ? "" : fmt::format("; before: {}", entry_of(report_.fault).title);
-    if (report_.state == FalconState::opening) return "it is asked whether it has firmware" + before;
-    return fmt::format("loading, attempt {} of {}, {} of {} bytes{}", report_.attempt, report_.attempts,
-                       report_.bytes_echoed, report_.firmware_size, before);
+    const std::string before = report_.fault == FalconFault::none
+                                   ? ""
+                                   : fmt::format(" The attempt before: {}.", entry_of(report_.fault).title);
+    if (report_.state == FalconState::opening) return "The program is asking it whether it has firmware." + before;
+    return fmt::format("It is being loaded, attempt {} of {}: {} of {} bytes are there.{}", report_.attempt,
+                       report_.attempts, report_.bytes_echoed, report_.firmware_size, before);
   }
 
   std::string speed_words(const ReadinessEntry& entry, bool reached) const {
-    if (report_.exchange_hz == 0.0) return "being measured";
+    if (report_.exchange_hz == 0.0) return "The speed is being measured.";
     const std::string measured =
-        fmt::format("{:.0f} exchanges/s, {:.2f} ms each, worst {:.1f} ms", attainable_exchange_hz(report_),
-                    1e3 * report_.exchange_s, 1e3 * report_.worst_exchange_s);
-    return reached ? measured : fmt::format("{}. {}", measured, entry.remedy);
+        fmt::format("The device exchanges {:.0f} times a second, in {:.2f} ms each and {:.1f} ms at worst.",
+                    attainable_exchange_hz(report_), 1e3 * report_.exchange_s, 1e3 * report_.worst_exchange_s);
+    return reached ? measured : fmt::format("{} {}", measured, entry.remedy);
   }
 
   std::string armed_words(const ReadinessEntry& entry) const {
@@ -219,13 +254,14 @@ class ReadinessCheck {
       case SafetyState::fade: {
         if (motors_->reason == OffReason::none) break;
         const OffReasonEntry& reason = entry_of(motors_->reason);
-        return fmt::format("{}: {}", reason.title, reason.remedy);
+        return fmt::format("The motors went off: {}. {}", reason.title, reason.remedy);
       }
       case SafetyState::arming:
-        return std::string(entry_of(motors_->obstacle).sentence);
+        if (motors_->obstacle == ArmingObstacle::none) return "The motors are being armed.";
+        return fmt::format("The motors wait: {}.", entry_of(motors_->obstacle).sentence);
       case SafetyState::ramp:
       case SafetyState::on:
-        return fmt::format("motors on, {:.1f} N at most", motors_->limit);
+        return fmt::format("The motors are on, with {:.1f} N at most.", motors_->limit);
     }
     return std::string(entry.remedy);
   }
@@ -243,6 +279,10 @@ std::span<const ReadinessEntry> readiness_catalog() noexcept {
 
 const ReadinessEntry& entry_of(ReadinessStep step) noexcept {
   return steps[static_cast<std::size_t>(step)];
+}
+
+std::string_view sentence_of(FalconFault fault) noexcept {
+  return readiness_fault(fault).sentence;
 }
 
 std::string_view remedy_of(FalconFault fault) noexcept {

@@ -19,18 +19,20 @@ struct MotorReport;
 
 struct ReadinessEntry {
   ReadinessStep id;
-  ExitCode exit_code;          // of a program that could not reach it; done: that is no failure
-  std::string_view name;       // in JSON
-  std::string_view title;      // on screen
-  std::string_view remedy;     // what to do to reach it, where no fault says it better
-  std::string_view reached{};  // what is so then, where no report says more
+  ExitCode exit_code;           // of a program that could not reach it; done: that is no failure
+  std::string_view name;        // in JSON
+  std::string_view title;       // on screen
+  std::string_view open_title;  // on screen while it is the next one to reach
+  std::string_view remedy;      // what to do to reach it, where no fault says it better
+  std::string_view reached;     // what is so then; empty where a report says more
 };
 
 // In the order of ReadinessStep.
 std::span<const ReadinessEntry> readiness_catalog() noexcept;
 const ReadinessEntry& entry_of(ReadinessStep step) noexcept;
 
-// What to do about a fault; empty for none.
+// What is wrong, and what to do about it, as sentences; empty for none.
+std::string_view sentence_of(FalconFault fault) noexcept;
 std::string_view remedy_of(FalconFault fault) noexcept;
 
 // Whether the device can exchange often enough, and answers none too late. Until it is homed the driver asks less often

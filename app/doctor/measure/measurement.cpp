@@ -46,8 +46,8 @@ void await_homed(Falcon& falcon, Operator& person) {
       throw Failure(ExitCode::device_absent, "No Falcon is plugged in. Plug in its power supply, then its USB cable.");
     }
     if (report.state == FalconState::fault) {
-      const FalconFaultEntry& fault = entry_of(report.fault);
-      throw Failure(exit_code_of(report, true), fmt::format("The Falcon: {}. {}", fault.title, remedy_of(fault.id)));
+      throw Failure(exit_code_of(report, true),
+                    fmt::format("{} {}", sentence_of(report.fault), remedy_of(report.fault)));
     }
     if (std::exchange(told, report.state) != report.state) {
       if (told == FalconState::loading_firmware) person.tell("The firmware is being loaded; that takes some seconds.");

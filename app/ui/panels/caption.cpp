@@ -39,7 +39,7 @@ std::string words_of(const PanelContext& context) {
   const MotorReport& motors = context.loop.motors;
   const auto step = std::ranges::find_if(context.loop.readiness, &ReadinessStepState::is_current);
   if (motors.has_motors && !motors.is_ready && step != context.loop.readiness.end()) {
-    return fmt::format("{}: {} {}", context.loop.input_title, step->title, step->words);
+    return fmt::format("{}: {}. {}", context.loop.input_title, step->title, step->words);
   }
   if (motors.is_saturated) {
     return fmt::format("The wall wants to push harder than the motors may: they give {:.1f} N. Press less deep.",

@@ -1,4 +1,4 @@
-// Who moves the goal; and for a device, how far it is.
+// Who moves the goal; and for a device, its status.
 #include <algorithm>
 #include <span>
 #include <string>
@@ -35,13 +35,13 @@ void draw_step(const PanelContext& context) {
   const auto step = std::ranges::find_if(context.loop.readiness, &ReadinessStepState::is_current);
   ImGui::PushTextWrapPos(0.0F);
   if (step != context.loop.readiness.end()) {
-    ImGui::TextUnformatted((std::string(step->title) + ": " + step->words).c_str());
+    ImGui::TextUnformatted((std::string(step->title) + ". " + step->words).c_str());
   } else {
     ImGui::TextUnformatted("The device is ready, and its motors are on.");
   }
   if (!context.loop.device_remark.empty()) ImGui::TextUnformatted(context.loop.device_remark.c_str());
   ImGui::PopTextWrapPos();
-  if (ImGui::SmallButton("F2  The whole ladder")) open_dialog<Dialog::doctor>(context.session);
+  if (ImGui::SmallButton("F2  Device status")) open_dialog<Dialog::doctor>(context.session);
 }
 
 }  // namespace
@@ -52,9 +52,9 @@ void draw_input(const PanelContext& context) {
     const std::string_view input = choose("##input", context.loop.inputs, context.session.input);
     if (!input.empty()) context.session.requests.input = input;
     if (!context.loop.injected_faults.empty()) {
-      row("Misbehaves", "What the virtual device does wrong, to see what the program makes of it.");
+      row("Injected fault", "What the virtual device does wrong, to see how the program reacts.");
       const std::string_view wrong =
-          choose("##misbehaviour", context.loop.injected_faults,
+          choose("##fault", context.loop.injected_faults,
                  context.session.injected_fault.empty() ? "none" : context.session.injected_fault);
       if (!wrong.empty()) context.session.injected_fault = wrong;
     }

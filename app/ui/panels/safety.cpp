@@ -15,7 +15,7 @@ std::string words_about(const MotorReport& motors) {
     case SafetyState::off:
       if (motors.reason == OffReason::none) {
         return motors.is_ready ? "Off. The button at the top right arms the motors."
-                               : "Off. The device is not ready yet: F2 says what is next.";
+                               : "Off. The device is not ready yet. F2 says what is next.";
       }
       return fmt::format("Off: {}. {}", entry_of(motors.reason).title, entry_of(motors.reason).remedy);
     case SafetyState::arming:
@@ -38,8 +38,8 @@ void draw_limits(const PanelContext& context) {
   slider("##limit", safety.force_limit, {0.5, force_ceiling}, "%.1f N");
   row("Stiffest wall", "k_r is held at this while the motors are on. To go beyond 800 N/m, Ctrl+click and type it.");
   slider("##stiffest", safety.greatest_k_r, {50.0, SafetyOptions{}.greatest_k_r}, "%.0f N/m", ImGuiSliderFlags_None);
-  row("Dead man", "Motors are on only while a button of the grip is held.");
-  ImGui::Checkbox("hold a grip button", &safety.needs_button);
+  row("Deadman switch", "Motors are on only while a grip button is held.");
+  ImGui::Checkbox("only while a button is held", &safety.needs_button);
   end_rows();
 }
 

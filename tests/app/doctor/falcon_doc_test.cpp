@@ -32,7 +32,7 @@ class FalconDoc : public testing::Test {
 
 TEST_F(FalconDoc, TellsEveryFaultAndItsRemedy) {
   for (const FalconFaultEntry& fault : falcon_fault_catalog()) {
-    if (fault.id != FalconFault::none) expect_row(doc_, fault.title, remedy_of(fault.id));
+    if (fault.id != FalconFault::none) expect_row(doc_, sentence_of(fault.id), remedy_of(fault.id));
   }
 }
 

@@ -4,7 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <cstddef>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "core/motor_report.h"
 #include "device/falcon/falcon_report.h"
@@ -56,7 +62,7 @@ TEST(Readiness, EveryFaultIsOneStepsAndTellsItsRemedyThere) {
     const auto readiness = readiness_of(in_state(FalconState::fault, fault.id), nullptr);
     const auto current = std::ranges::find(readiness, true, &ReadinessStepState::is_current);
     ASSERT_NE(current, readiness.end()) << fault.name;
-    EXPECT_NE(current->words.find(fault.title), std::string::npos) << current->words;
+    EXPECT_NE(current->words.find(sentence_of(fault.id)), std::string::npos) << current->words;
     EXPECT_TRUE(remedy_of(fault.id).ends_with(".")) << fault.name;
     EXPECT_NE(current->words.find(remedy_of(fault.id)), std::string::npos) << current->words;
     // All below is reached, nothing above.
@@ -90,25 +96,29 @@ TEST(Readiness, GrowsWithTheDevice) {
   report.firmware_size = 8492;
   const auto loading = readiness_of(report, nullptr);
   EXPECT_EQ(current_of(loading), "firmware");
-  EXPECT_EQ(step_in(loading, ReadinessStep::firmware).words,
-            "loading, attempt 2 of 10, 3100 of 8492 bytes; before: upload was garbled");
+  EXPECT_EQ(
+      step_in(loading, ReadinessStep::firmware).words,
+      "It is being loaded, attempt 2 of 10: 3100 of 8492 bytes are there. The attempt before: upload was garbled.");
 
   report = in_state(FalconState::homing);
   report.has_homed = {true, false, true};
   const auto homing = readiness_of(report, nullptr);
   EXPECT_EQ(current_of(homing), "homed");
-  EXPECT_TRUE(step_in(homing, ReadinessStep::homed).words.starts_with("homed: motor 1, motor 3;"));
+  EXPECT_TRUE(step_in(homing, ReadinessStep::homed)
+                  .words.starts_with(
+                      "Motor 1 and motor 3 have found their zero, motor 2 has not. The encoders read 0, 0 and 0."));
 
   report = well();
   report.has_moved = {false, true, false};
   const auto moving = readiness_of(report, nullptr);
   EXPECT_EQ(current_of(moving), "encoders_move");
-  EXPECT_TRUE(step_in(moving, ReadinessStep::encoders_move).words.starts_with("not moved yet: motor 1, motor 3."));
+  EXPECT_TRUE(
+      step_in(moving, ReadinessStep::encoders_move).words.starts_with("Motor 1 and motor 3 have not moved yet."));
 
   const auto all = readiness_of(well(), nullptr);
   EXPECT_EQ(current_of(all), "");
   EXPECT_EQ(all.back().step, ReadinessStep::fast_enough);
-  EXPECT_EQ(all.back().words, "975 exchanges/s, 1.02 ms each, worst 3.1 ms");
+  EXPECT_EQ(all.back().words, "The device exchanges 975 times a second, in 1.02 ms each and 3.1 ms at worst.");
 }
 
 // While it is homed the driver asks about 250 times a second, by its own choice.
@@ -140,17 +150,112 @@ TEST(Readiness, EndsWithThePersonsWill) {
   EXPECT_EQ(words(), entry_of(ReadinessStep::armed).remedy);
   motors.state = SafetyState::arming;
   motors.obstacle = ArmingObstacle::focus;
-  EXPECT_EQ(words(), entry_of(ArmingObstacle::focus).sentence);
+  EXPECT_EQ(words(), "The motors wait: bring the window to the front.");
   motors.state = SafetyState::on;
   motors.is_outside_wall = false;  // in contact
   motors.limit = 6.0;
   EXPECT_EQ(current(), "");
-  EXPECT_EQ(words(), "motors on, 6.0 N at most");
+  EXPECT_EQ(words(), "The motors are on, with 6.0 N at most.");
   motors.state = SafetyState::off;
   motors.is_outside_wall = true;
   motors.reason = OffReason::too_fast;
   EXPECT_EQ(current(), "armed");
   EXPECT_NE(words().find(entry_of(OffReason::too_fast).remedy), std::string::npos);
+}
+
+// ---- Every step in each of its states ---------------------------------------------------------------------------------
+
+// Begins with a capital letter, ends with a full stop, and so does each sentence in it.
+void expect_whole_sentences(std::string_view words) {
+  SCOPED_TRACE(std::string(words));
+  ASSERT_FALSE(words.empty());
+  EXPECT_TRUE(std::isupper(static_cast<unsigned char>(words.front())));
+  EXPECT_TRUE(words.ends_with('.'));
+  EXPECT_EQ(words.find("  "), std::string_view::npos);
+  EXPECT_EQ(words.find(".."), std::string_view::npos);
+  EXPECT_EQ(words.find(" ."), std::string_view::npos);
+  for (std::size_t at = words.find(". "); at != std::string_view::npos; at = words.find(". ", at + 1)) {
+    EXPECT_TRUE(std::isupper(static_cast<unsigned char>(words[at + 2])));
+  }
+}
+
+// All that a report, with or without motors, can be made of.
+std::vector<FalconReport> all_reports() {
+  std::vector<FalconReport> reports;
+  for (const FalconState state : {FalconState::absent, FalconState::opening, FalconState::loading_firmware,
+                                  FalconState::homing, FalconState::idle, FalconState::active, FalconState::fault}) {
+    for (const FalconFaultEntry& fault : falcon_fault_catalog()) {
+      for (int motors = 0; motors < 8; ++motors) {
+        for (const double hz : {0.0, 250.0, 975.0}) {
+          FalconReport report = in_state(state, fault.id);
+          for (std::size_t i = 0; i < 3; ++i) report.has_homed[i] = report.has_moved[i] = ((motors >> i) & 1) != 0;
+          report.encoders = {-120, 0, 7};
+          report.exchange_hz = hz;
+          report.exchange_s = hz > 0.0 ? 1.0 / hz : 0.0;
+          report.may_still_push = motors == 3;
+          if (motors == 5) report.serial = *FalconSerial::from("12PZ657E");
+          reports.push_back(report);
+        }
+      }
+    }
+  }
+  return reports;
+}
+
+std::vector<MotorReport> all_motor_reports() {
+  std::vector<MotorReport> reports;
+  for (const SafetyState state :
+       {SafetyState::off, SafetyState::arming, SafetyState::ramp, SafetyState::on, SafetyState::fade}) {
+    for (const OffReasonEntry& reason : off_reason_catalog()) {
+      for (int obstacle = 0; obstacle <= static_cast<int>(ArmingObstacle::focus); ++obstacle) {
+        for (const bool is_known : {false, true}) {
+          for (const bool is_outside : {false, true}) {
+            reports.push_back({.has_motors = true,
+                               .state = state,
+                               .reason = reason.id,
+                               .obstacle = static_cast<ArmingObstacle>(obstacle),
+                               .is_handle_known = is_known,
+                               .is_ready = true,
+                               .is_outside_wall = is_outside,
+                               .limit = 3.2});
+          }
+        }
+      }
+    }
+  }
+  return reports;
+}
+
+TEST(Readiness, EveryStepReadsAsWholeSentencesInEveryState) {
+  std::set<std::pair<std::string_view, std::string>> seen;
+  const auto expect_whole = [&](const std::vector<ReadinessStepState>& readiness) {
+    for (const ReadinessStepState& state : readiness) {
+      const ReadinessEntry& entry = entry_of(state.step);
+      EXPECT_EQ(state.title, state.is_current ? entry.open_title : state.title);
+      EXPECT_FALSE(state.is_reached && state.title != entry.title) << state.words;
+      EXPECT_TRUE(state.words.empty() ? !state.is_reached && !state.is_current : true) << state.title;
+      if (!state.words.empty() && seen.emplace(state.name, state.words).second) expect_whole_sentences(state.words);
+    }
+  };
+  for (const FalconReport& report : all_reports()) expect_whole(readiness_of(report, nullptr));
+  for (const MotorReport& motors : all_motor_reports()) expect_whole(readiness_of(well(), &motors));
+  EXPECT_GT(seen.size(), 90U) << "not only the same few again and again";
+}
+
+TEST(Readiness, SaysWhichEncodersDoNotMove) {
+  struct Case {
+    std::array<bool, 3> has_moved;
+    std::string_view words;
+  };
+  for (const Case& c :
+       {Case{{false, false, false}, "No motor has moved yet."}, Case{{false, true, true}, "Motor 1 has not moved yet."},
+        Case{{true, false, false}, "Motor 2 and motor 3 have not moved yet."}}) {
+    FalconReport report = well();
+    report.has_moved = c.has_moved;
+    const ReadinessStepState step = step_in(readiness_of(report, nullptr), ReadinessStep::encoders_move);
+    EXPECT_EQ(step.title, "Encoders do not move");
+    EXPECT_TRUE(step.words.starts_with(c.words)) << step.words;
+  }
 }
 
 }  // namespace
