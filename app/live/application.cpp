@@ -18,6 +18,7 @@
 #include "app/session/measurement_guide.h"
 #include "app/session/scene_as_seen.h"
 #include "app/session/stage_actions.h"
+#include "app/session/target.h"
 #include "app/ui/plots/plot_export.h"
 #include "app/ui/widgets/save_path.h"
 #include "core/divergence.h"
@@ -169,6 +170,7 @@ void Application::update(double interval_s) {
     read_recording();
     if (recording_->progress().error != 0) show_notice(end_recording(), true);
   }
+  see_target();
   link_->look();
   // Nobody stops the time of a real hand.
   if (report_.snapshot.measured) session_.paused = false;
@@ -241,9 +243,22 @@ void Application::take_samples() {
   while (servo_->take_sample(sample)) {
     // Samples of a run that has been reset meanwhile belong to no picture any more.
     if (sample.restarts != command_.restarts_asked) continue;
+    if (const auto target = target_of(session_, report_.motors)) {
+      measure_against_target(*target, sample.settings, !sample.is_saturated && report_.motors.gain == 1.0,
+                             sample.snapshot);
+    }
     history_.add(sample.snapshot, sample.settings);
     link_->add(sample.snapshot);
   }
+}
+
+void Application::see_target() {
+  const MotorReport& motors = report_.motors;
+  const std::optional<Vector<2>> target = target_of(session_, motors);
+  if (!target) return;
+  Settings settings = session_.settings;
+  if (motors.held_k_r > 0.0) settings.stiffnesses.k_r = motors.held_k_r;
+  measure_against_target(*target, settings, !motors.is_saturated && motors.gain == 1.0, report_.snapshot);
 }
 
 void Application::send() {

@@ -121,6 +121,7 @@ struct Session {
   std::uint32_t acknowledgements = 0;  // the person has read why they went off
   SafetyOptions safety;
   SpaceMouseSettings spacemouse;
+  bool aims_at_target = false;  // the hand at a device is told to aim at a target on the wall
   UserMeasurement measurement;
   CircleTest circle_test;
   std::string injected_fault;          // of a virtual device, a name of loop.injected_faults; empty: as it was started

@@ -15,7 +15,7 @@ void add_guides(const View& view, Marks& marks);       // legend and scale bars:
 void add_arrows(const View& view, StrategyId id, Marks& marks);   // rendered force, ghost force, proxy drift
 void add_markers(const View& view, StrategyId id, Marks& marks);  // proxy, contact, device
 void add_goal(const View& view, Marks& marks);
-void add_target(const View& view, Marks& marks);   // where a hand that is measured shall press
+void add_target(const View& view, Marks& marks);   // where the hand at a device is to aim
 void add_handles(const View& view, Marks& marks);  // motor axis, wall grips
 void add_labels(const View& view, Marks& marks);   // words and numbers beside the marks above
 
@@ -46,7 +46,7 @@ Vector<2> ghost_arrow_offset(const View& view);
 
 // The proxy drift as a ruler inside the wall, beside the edge: its two ends [m].
 struct DriftRuler {
-  Vector<2> from;  // beside the goal's projection on the wall
+  Vector<2> from;  // beside the projection of goal or target on the wall
   Vector<2> to;    // beside the contact
 };
 bool has_drift_ruler(const View& view, StrategyId id);

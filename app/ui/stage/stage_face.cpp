@@ -8,6 +8,7 @@
 
 #include "app/session/motor_button.h"
 #include "app/session/stage_actions.h"
+#include "app/session/target.h"
 #include "app/ui/panels/hints.h"
 #include "app/view/stage/landscape_layer.h"
 
@@ -167,7 +168,7 @@ StageFace::Shown StageFace::shown_in(const Session& session, const StageFrame& f
   const Vector<2> goal = is_live ? session.goal : snapshot.goal;
   const StageBlend blend = transition_.is_running() ? transition_.blend() : stage_blend_of(settings.active);
   Shown shown{settings, stage_moment_between(settings, snapshot, goal, blend)};
-  if (const auto& target = session.measurement.target) {
+  if (const auto target = target_of(session, frame.loop.motors)) {
     shown.moment = with_target(shown.moment, wall_of(settings), *target);
   }
   if (session.stage.mode == StageMode::predict && guess_.is_revealing()) shown.moment = guess_.moment(session);
