@@ -113,8 +113,8 @@ void Application::use(const InputEntry& entry, std::shared_ptr<const Scene> scen
   session_.injected_fault.clear();
   session_.scene = std::move(scene);
   session_.settings = settings;
-  session_.goal = session_.scene->goal.points.back();
   if (is_other_scene) {
+    session_.goal = session_.scene->goal.points.back();
     session_.shown = session_.scene->view;
     window_.set_title(window_title(*session_.scene));
   }
@@ -136,7 +136,7 @@ void Application::use(const InputEntry& entry, std::shared_ptr<const Scene> scen
 
 // A person at the mouse starts at rest where the scripted hand ends, so that the first picture already shows what the
 // scene is about; the scripted hand itself starts at the beginning. A recorded hand may begin in the wall: there it
-// starts at rest. A reset uses the settings of the moment.
+// starts at rest, and so does a person whose goal is elsewhere already. A reset uses the settings of the moment.
 TickState<2> Application::start_state() {
   history_.clear();
   session_.plots.follows = true;  // what was looked back at is gone
@@ -145,10 +145,13 @@ TickState<2> Application::start_state() {
   scene.settings = session_.settings;
   const bool is_replay = input_->needs_recording && input_options_.recorded_hand;
   if (is_replay) scene.goal = *input_options_.recorded_hand;
+  const bool is_elsewhere = !input_->is_scripted && session_.goal != scene.goal.points.back();
+  if (is_elsewhere) scene.goal = {.points = {session_.goal}, .times = {0.0}};
   const Vector<2> first = goal_at(scene.goal, 0.0);
-  const TickState<2> state = simulate_from(is_replay ? equilibrium_state(scene.settings, first) : state_at_start(first),
-                                           scene, input_->is_scripted ? 0 : last_tick(scene),
-                                           [&](const Snapshot& snapshot) { history_.add(snapshot, scene.settings); });
+  const TickState<2> state =
+      simulate_from(is_replay || is_elsewhere ? equilibrium_state(scene.settings, first) : state_at_start(first), scene,
+                    input_->is_scripted || is_elsewhere ? 0 : last_tick(scene),
+                    [&](const Snapshot& snapshot) { history_.add(snapshot, scene.settings); });
   if (!has_diverged(state)) return state;
   // Unstable settings have no rest to start from: start where the hand is, and let the servo say what it finds.
   history_.clear();

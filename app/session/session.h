@@ -177,4 +177,10 @@ struct LoopReading {
   std::string remark{};                   // what the operating system granted and refused the loop; may be empty
 };
 
+// How long the turn of the circle is that the picture shows; empty until the first is complete [s].
+inline std::optional<double> turn_to_show(const LoopReading& loop) noexcept {
+  if (!loop.circle || loop.circle->turns == 0) return std::nullopt;
+  return period_of(loop.circle->circle);
+}
+
 }  // namespace ghostforce

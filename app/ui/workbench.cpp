@@ -163,6 +163,7 @@ void Workbench::compose(const PanelContext& context, const WorkbenchFrame& frame
                           .has_handles = session.has_handles,
                           .hovered = hovered,
                           .is_goal_hot = is_live && points_at(session, HintTarget::goal),
+                          .turn_s = turn_to_show(context.loop),
                           .target = target_of(session, context.loop.motors)},
                          std::move(panes_));
 }

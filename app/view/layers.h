@@ -10,6 +10,7 @@ void add_wall(const View& view, Marks& marks);         // grid, wall, hatching
 void add_trails(const View& view, Marks& marks);       // where goal and devices have been
 void add_predictions(const View& view, Marks& marks);  // where the closed forms say that everything comes to rest
 void add_hand(const View& view, Marks& marks);         // the spring from the goal to the active device
+void add_loop(const View& view, Marks& marks);         // the active device's last turn of the circle test
 void add_guides(const View& view, Marks& marks);       // legend and scale bars: above trails, below all that moves
 // Strategy by strategy, so that all of the active one lies above all of the others.
 void add_arrows(const View& view, StrategyId id, Marks& marks);   // rendered force, ghost force, proxy drift

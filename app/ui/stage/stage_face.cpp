@@ -23,20 +23,6 @@ bool may_show_itself(const Session& session, const StageFrame& frame) {
          session.pointer_moves_goal && !session.drags_goal;
 }
 
-// The handle's way on the last turn, thinned out.
-std::vector<Vector<2>> last_loop(const MomentHistory& moments, StrategyId id, double turn_s) {
-  constexpr int corners = 160;
-  std::vector<Vector<2>> loop;
-  const auto newest = moments.newest();
-  if (!newest) return loop;
-  const double end_s = newest->snapshot.time_s;
-  for (int i = 0; i <= corners; ++i) {
-    const auto moment = moments.at(end_s - turn_s + turn_s * i / corners);
-    if (moment) loop.push_back(moment->snapshot.strategies[index_of(id)].device);
-  }
-  return loop;
-}
-
 // All of the circle, and all that comes to rest round it.
 SceneView view_of_round(const Settings& settings, const Circle& circle) {
   constexpr int places = 12;
@@ -204,10 +190,10 @@ StageContent StageFace::content_of(const Session& session, const StageFrame& fra
   if (session.stage.mode == StageMode::round && frame.loop.circle) {
     const CircleReading& reading = *frame.loop.circle;
     content.shown = view_of_round(shown.settings, reading.circle);
-    content.round = StageRound{reading.turns > 0 ? last_loop(frame.history.moments(), shown.settings.active,
-                                                             1.0 / std::abs(reading.circle.turns_per_second))
-                                                 : std::vector<Vector<2>>(),
-                               reading};
+    const std::optional<double> turn_s = turn_to_show(frame.loop);
+    content.round = StageRound{
+        turn_s ? last_loop(frame.history.moments(), shown.settings.active, *turn_s) : std::vector<Vector<2>>(),
+        reading};
   }
   return content;
 }
