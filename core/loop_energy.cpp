@@ -11,10 +11,6 @@ namespace {
 // Of a turn: after so much of it the device has forgotten how it came to the circle.
 constexpr double settling_share = 0.25;
 
-double period_of(const Circle& circle) noexcept {
-  return 1.0 / std::abs(circle.turns_per_second);
-}
-
 }  // namespace
 
 double predicted_energy(const Strategy& entry, const Settings& settings, double area) noexcept {

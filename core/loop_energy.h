@@ -27,6 +27,11 @@ struct Circle {
   friend bool operator==(const Circle&, const Circle&) = default;
 };
 
+// Of one turn [s].
+inline double period_of(const Circle& circle) noexcept {
+  return 1.0 / std::abs(circle.turns_per_second);
+}
+
 // Starts at the right of the center.
 inline Vector<2> position_on(const Circle& circle, double time_s) noexcept {
   const double angle = 2.0 * std::numbers::pi * circle.turns_per_second * time_s;

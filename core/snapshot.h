@@ -32,6 +32,9 @@ struct SnapshotIn {
   // estimate: nobody can measure it, and ghost forces and drifts against it would be circular: they are left at 0.
   // Empty: every device is simulated, under a goal that was given.
   std::optional<StrategyId> measured;
+  // The hand at the measured device was told to aim at a target: the ghost force and the drift of that strategy are
+  // against it (core/target_reading.h), NaN where they cannot be known. No tick says so, whoever draws the target does.
+  bool has_target = false;
   PerStrategy<StrategySnapshot<D>> strategies{};
 };
 

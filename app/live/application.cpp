@@ -18,6 +18,7 @@
 #include "app/session/measurement_guide.h"
 #include "app/session/scene_as_seen.h"
 #include "app/session/stage_actions.h"
+#include "app/session/target.h"
 #include "app/ui/plots/plot_export.h"
 #include "app/ui/widgets/save_path.h"
 #include "core/divergence.h"
@@ -113,8 +114,8 @@ void Application::use(const InputEntry& entry, std::shared_ptr<const Scene> scen
   session_.injected_fault.clear();
   session_.scene = std::move(scene);
   session_.settings = settings;
-  session_.goal = session_.scene->goal.points.back();
   if (is_other_scene) {
+    session_.goal = session_.scene->goal.points.back();
     session_.shown = session_.scene->view;
     window_.set_title(window_title(*session_.scene));
   }
@@ -136,7 +137,7 @@ void Application::use(const InputEntry& entry, std::shared_ptr<const Scene> scen
 
 // A person at the mouse starts at rest where the scripted hand ends, so that the first picture already shows what the
 // scene is about; the scripted hand itself starts at the beginning. A recorded hand may begin in the wall: there it
-// starts at rest. A reset uses the settings of the moment.
+// starts at rest, and so does a person whose goal is elsewhere already. A reset uses the settings of the moment.
 TickState<2> Application::start_state() {
   history_.clear();
   session_.plots.follows = true;  // what was looked back at is gone
@@ -145,10 +146,13 @@ TickState<2> Application::start_state() {
   scene.settings = session_.settings;
   const bool is_replay = input_->needs_recording && input_options_.recorded_hand;
   if (is_replay) scene.goal = *input_options_.recorded_hand;
+  const bool is_elsewhere = !input_->is_scripted && session_.goal != scene.goal.points.back();
+  if (is_elsewhere) scene.goal = {.points = {session_.goal}, .times = {0.0}};
   const Vector<2> first = goal_at(scene.goal, 0.0);
-  const TickState<2> state = simulate_from(is_replay ? equilibrium_state(scene.settings, first) : state_at_start(first),
-                                           scene, input_->is_scripted ? 0 : last_tick(scene),
-                                           [&](const Snapshot& snapshot) { history_.add(snapshot, scene.settings); });
+  const TickState<2> state =
+      simulate_from(is_replay || is_elsewhere ? equilibrium_state(scene.settings, first) : state_at_start(first), scene,
+                    input_->is_scripted || is_elsewhere ? 0 : last_tick(scene),
+                    [&](const Snapshot& snapshot) { history_.add(snapshot, scene.settings); });
   if (!has_diverged(state)) return state;
   // Unstable settings have no rest to start from: start where the hand is, and let the servo say what it finds.
   history_.clear();
@@ -170,6 +174,7 @@ void Application::update(double interval_s) {
     read_recording();
     if (recording_->progress().error != 0) show_notice(end_recording(), true);
   }
+  see_target();
   link_->look();
   // Nobody stops the time of a real hand.
   if (report_.snapshot.measured) session_.paused = false;
@@ -242,9 +247,22 @@ void Application::take_samples() {
   while (servo_->take_sample(sample)) {
     // Samples of a run that has been reset meanwhile belong to no picture any more.
     if (sample.restarts != command_.restarts_asked) continue;
+    if (const auto target = target_of(session_, report_.motors)) {
+      measure_against_target(*target, sample.settings, !sample.is_saturated && report_.motors.gain == 1.0,
+                             sample.snapshot);
+    }
     history_.add(sample.snapshot, sample.settings);
     link_->add(sample.snapshot);
   }
+}
+
+void Application::see_target() {
+  const MotorReport& motors = report_.motors;
+  const std::optional<Vector<2>> target = target_of(session_, motors);
+  if (!target) return;
+  Settings settings = session_.settings;
+  if (motors.held_k_r > 0.0) settings.stiffnesses.k_r = motors.held_k_r;
+  measure_against_target(*target, settings, !motors.is_saturated && motors.gain == 1.0, report_.snapshot);
 }
 
 void Application::send() {

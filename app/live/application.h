@@ -95,6 +95,8 @@ class Application {
 
  private:
   void take_samples();
+  // What the newest tick says against the target that is drawn, if one is.
+  void see_target();
   VisibleState visible() const;
   // Since the last frame.
   bool has_changed() const;

@@ -1,5 +1,6 @@
 // The circle test: leads the circle along with the wall, and measures what each turn makes of energy.
 #include "app/live/portable_inputs.h"
+#include "app/session/circle_test.h"
 #include "app/ui/panels/panel_catalog.h"
 #include "core/loop_energy.h"
 #include "device/input/circle_input.h"
@@ -23,8 +24,7 @@ class CircleInputLink final : public InputLink {
 
   void send(Session& session, double /*interval_s*/) override {
     // The circle lies in the wall as it is now. While the wall is being turned it waits.
-    const Circle circle =
-        circle_inside(wall_of(session.settings), session.scene->goal.points.back(), session.circle_test.choice);
+    const Circle circle = circle_of(session);
     if (circle != sent_circle_ && !session.is_editing) {
       input_.go_round(circle);
       sent_circle_ = circle;

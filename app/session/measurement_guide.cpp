@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "app/session/target.h"
+
 namespace ghostforce {
 namespace {
 
@@ -151,8 +153,7 @@ void follow_measurement(Session& session, const Snapshot& snapshot, const MotorR
     begin_anew(session);
   }
   const Wall<2> wall = wall_of(session.settings);
-  measurement.target.reset();
-  if (motors.has_motors) measurement.target = projection(wall, session.scene->goal.points.back());
+  measurement.target = target_of(session, motors);
   // The hand at a virtual device is as simulated as the one that the mouse leads.
   const bool is_simulated = !motors.has_motors || session.hand_is_simulated;
   measurement.given_k_u = is_simulated ? std::optional(session.settings.stiffnesses.k_u) : std::nullopt;

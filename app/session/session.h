@@ -121,6 +121,7 @@ struct Session {
   std::uint32_t acknowledgements = 0;  // the person has read why they went off
   SafetyOptions safety;
   SpaceMouseSettings spacemouse;
+  bool aims_at_target = false;  // the hand at a device is told to aim at a target on the wall
   UserMeasurement measurement;
   CircleTest circle_test;
   std::string injected_fault;          // of a virtual device, a name of loop.injected_faults; empty: as it was started
@@ -175,5 +176,11 @@ struct LoopReading {
   std::optional<CircleReading> circle{};  // if the circle is the input
   std::string remark{};                   // what the operating system granted and refused the loop; may be empty
 };
+
+// How long the turn of the circle is that the picture shows; empty until the first is complete [s].
+inline std::optional<double> turn_to_show(const LoopReading& loop) noexcept {
+  if (!loop.circle || loop.circle->turns == 0) return std::nullopt;
+  return period_of(loop.circle->circle);
+}
 
 }  // namespace ghostforce

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "app/session/circle_test.h"
 #include "app/session/motor_button.h"
 #include "core/input_choice.h"
 
@@ -14,11 +15,7 @@ void begin_mode(Session& session, StageMode mode) {
   StageChoice& stage = session.stage;
   stage.mode = mode;
   if (mode == StageMode::why) stage.why_step = 1;
-  if (mode == StageMode::round && !session.circle_test.is_on) {
-    session.circle_test.input_before = session.input;
-    session.circle_test.choice.is_clockwise = makes_energy_clockwise(session.settings);
-    session.requests.input = circling_hand.name;
-  }
+  if (mode == StageMode::round) begin_circle_test(session);
 }
 
 template <StrategyId id>
@@ -85,9 +82,7 @@ void toggle_stage_mode(Session& session, StageMode mode) {
 void leave_stage_mode(Session& session) {
   StageChoice& stage = session.stage;
   const bool goes_round = session.circle_test.is_on || session.requests.input == circling_hand.name;
-  if (stage.mode == StageMode::round && goes_round) {
-    session.requests.input = session.circle_test.input_before;
-  }
+  if (stage.mode == StageMode::round && goes_round) end_circle_test(session);
   if (stage.mode == StageMode::ribbon) stage.looks_back_to_s.reset();
   // Wall and hand may be others now.
   if (stage.mode == StageMode::landscape) session.requests.fit_view = true;

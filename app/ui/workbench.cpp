@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "app/session/target.h"
 #include "app/ui/fixed_window.h"
 #include "app/ui/panels/caption.h"
 #include "app/ui/panels/hints.h"
@@ -162,7 +163,8 @@ void Workbench::compose(const PanelContext& context, const WorkbenchFrame& frame
                           .has_handles = session.has_handles,
                           .hovered = hovered,
                           .is_goal_hot = is_live && points_at(session, HintTarget::goal),
-                          .target = session.measurement.target},
+                          .turn_s = turn_to_show(context.loop),
+                          .target = target_of(session, context.loop.motors)},
                          std::move(panes_));
 }
 

@@ -29,7 +29,8 @@ DriftRuler drift_ruler(const View& view, StrategyId id) {
   const Wall<2> wall = wall_of(view.settings);
   const double rank = view.options.compare == Compare::overlay ? static_cast<double>(index_of(id)) : 0.0;
   const Vector<2> inside = -wall.normal * view.metres(drift_ruler_depth + ruler_step * rank);
-  return {projection(wall, view.snapshot.goal) + inside, view.snapshot.strategies[index_of(id)].contact + inside};
+  const Vector<2> aim = view.snapshot.has_target && view.target ? *view.target : view.snapshot.goal;
+  return {projection(wall, aim) + inside, view.snapshot.strategies[index_of(id)].contact + inside};
 }
 
 void add_ruler(const View& view, StrategyId id, const DriftRuler& ruler, Marks& marks) {

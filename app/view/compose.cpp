@@ -12,6 +12,7 @@ Marks compose(const View& view, Marks earlier) {
   marks.clear();
   add_wall(view, marks);
   if (view.options.trails) add_trails(view, marks);
+  add_loop(view, marks);
   add_guides(view, marks);
   if (view.options.predictions) add_predictions(view, marks);
   add_hand(view, marks);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/view/layers.h"
+#include "app/view/quantities.h"
 #include "app/view/screen_box.h"
 #include "core/units.h"
 
@@ -155,6 +156,7 @@ void add_measures(const View& view, StrategyId id, LabelPlacer& placer) {
   // Where there are several, each says whose it is.
   const std::string whose =
       view.options.compare == Compare::overlay ? fmt::format("{}: ", strategy(id).letter) : std::string();
+  const std::string against = view.snapshot.has_target ? fmt::format("{} ", target_sign) : std::string();
   const StrategySnapshot<2>& now = view.snapshot.strategies[i];
   const Colour colour = view.theme.strategy_text[i];
   if (has_ghost_arrow(view, id)) {
@@ -162,7 +164,8 @@ void add_measures(const View& view, StrategyId id, LabelPlacer& placer) {
     const Vector<2> tip =
         arrow_tip(view, now.device, now.ghost_force) + to_screen_direction(offset) / view.camera.points_per_metre;
     placer.place(Role::ghost_force, id, tip, view.points(9.0),
-                 fmt::format("{}ghost force {:.2f} N", whose, glm::length(now.ghost_force)), normal_text, colour);
+                 fmt::format("{}{}ghost force {:.2f} N", whose, against, glm::length(now.ghost_force)), normal_text,
+                 colour);
   }
   if (view.in_front(id) && is_drawn(view, now.force)) {
     placer.place(Role::force, id, arrow_tip(view, now.device, now.force), view.points(9.0),
@@ -171,7 +174,8 @@ void add_measures(const View& view, StrategyId id, LabelPlacer& placer) {
   if (has_drift_ruler(view, id)) {
     const DriftRuler ruler = drift_ruler(view, id);
     placer.place(Role::proxy_drift, id, 0.5 * (ruler.from + ruler.to), view.points(8.0),
-                 fmt::format("{}drift {:.1f} mm", whose, glm::length(now.proxy_drift) * mm_per_m), normal_text, colour);
+                 fmt::format("{}{}drift {:.1f} mm", whose, against, glm::length(now.proxy_drift) * mm_per_m),
+                 normal_text, colour);
   }
 }
 

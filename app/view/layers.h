@@ -10,12 +10,13 @@ void add_wall(const View& view, Marks& marks);         // grid, wall, hatching
 void add_trails(const View& view, Marks& marks);       // where goal and devices have been
 void add_predictions(const View& view, Marks& marks);  // where the closed forms say that everything comes to rest
 void add_hand(const View& view, Marks& marks);         // the spring from the goal to the active device
+void add_loop(const View& view, Marks& marks);         // the active device's last turn of the circle test
 void add_guides(const View& view, Marks& marks);       // legend and scale bars: above trails, below all that moves
 // Strategy by strategy, so that all of the active one lies above all of the others.
 void add_arrows(const View& view, StrategyId id, Marks& marks);   // rendered force, ghost force, proxy drift
 void add_markers(const View& view, StrategyId id, Marks& marks);  // proxy, contact, device
 void add_goal(const View& view, Marks& marks);
-void add_target(const View& view, Marks& marks);   // where a hand that is measured shall press
+void add_target(const View& view, Marks& marks);   // where the hand at a device is to aim
 void add_handles(const View& view, Marks& marks);  // motor axis, wall grips
 void add_labels(const View& view, Marks& marks);   // words and numbers beside the marks above
 
@@ -46,7 +47,7 @@ Vector<2> ghost_arrow_offset(const View& view);
 
 // The proxy drift as a ruler inside the wall, beside the edge: its two ends [m].
 struct DriftRuler {
-  Vector<2> from;  // beside the goal's projection on the wall
+  Vector<2> from;  // beside the projection of goal or target on the wall
   Vector<2> to;    // beside the contact
 };
 bool has_drift_ruler(const View& view, StrategyId id);

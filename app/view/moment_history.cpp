@@ -102,4 +102,17 @@ std::optional<ShownMoment> MomentHistory::after(double time_s) const {
   return moment(first_after(time_s));
 }
 
+std::vector<Vector<2>> last_loop(const MomentHistory& moments, StrategyId id, double turn_s) {
+  constexpr int corners = 160;
+  std::vector<Vector<2>> loop;
+  const auto newest = moments.newest();
+  if (!newest) return loop;
+  const double end_s = newest->snapshot.time_s;
+  for (int i = 0; i <= corners; ++i) {
+    const auto moment = moments.at(end_s - turn_s + turn_s * i / corners);
+    if (moment) loop.push_back(moment->snapshot.strategies[index_of(id)].device);
+  }
+  return loop;
+}
+
 }  // namespace ghostforce

@@ -89,4 +89,7 @@ class MomentHistory {
   PlotHistory plots_;
 };
 
+// Where a device was in the newest `turn_s` of them, thinned out; fewer points where there is no such time.
+std::vector<Vector<2>> last_loop(const MomentHistory& moments, StrategyId id, double turn_s);
+
 }  // namespace ghostforce

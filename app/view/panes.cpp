@@ -24,6 +24,7 @@ Pane compose_pane(const PictureContent& content, const Settings& settings, const
                         .is_goal_hot = content.is_goal_hot,
                         .is_pane = is_pane,
                         .has_scales = has_scales,
+                        .turn_s = content.turn_s,
                         .target = content.target},
                        std::move(earlier));
   return pane;

@@ -30,6 +30,7 @@ struct PictureContent {
   bool has_handles = false;
   Handle hovered = Handle::none;
   bool is_goal_hot = false;
+  std::optional<double> turn_s{};
   std::optional<Vector<2>> target{};
 };
 

@@ -14,8 +14,9 @@ PlotBucket bucket_of(const Snapshot& snapshot) {
   PlotBucket bucket{snapshot.time_s, snapshot.time_s, {}, {}};
   for (std::size_t q = 0; q < quantity_count; ++q) {
     for (std::size_t i = 0; i < strategy_count; ++i) {
-      const bool is_known = !quantity_catalog()[q].is_against_goal || !snapshot.measured;
-      bucket.least[q][i] = is_known ? quantity_catalog()[q].value(snapshot.strategies[i]) : unknown;
+      const Quantity& quantity = quantity_catalog()[q];
+      const bool has_value = is_known(quantity, snapshot, strategy_catalog()[i].id);
+      bucket.least[q][i] = has_value ? quantity.value(snapshot.strategies[i]) : unknown;
     }
   }
   bucket.greatest = bucket.least;

@@ -1,5 +1,7 @@
 #include "app/view/quantities.h"
 
+#include <cmath>
+
 #include <glm/geometric.hpp>
 
 #include "core/units.h"
@@ -17,6 +19,12 @@ constexpr std::array<Quantity, quantity_count> quantities{{
 }};
 
 }  // namespace
+
+bool is_known(const Quantity& quantity, const Snapshot& snapshot, StrategyId id) noexcept {
+  if (!quantity.is_against_goal || !snapshot.measured) return true;
+  return snapshot.has_target && snapshot.measured == id &&
+         !std::isnan(quantity.value(snapshot.strategies[index_of(id)]));
+}
 
 const std::array<Quantity, quantity_count>& quantity_catalog() noexcept {
   return quantities;

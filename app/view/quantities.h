@@ -17,11 +17,17 @@ struct Quantity {
   Term term;
   double (*value)(const StrategySnapshot<2>&);  // [unit]
   int decimals;
-  bool is_against_goal = false;  // and so nobody knows it where the goal is only inferred
+  bool is_against_goal = false;  // where that is only inferred, known against a target alone
 };
 
 inline constexpr std::size_t quantity_count = 4;
 
 const std::array<Quantity, quantity_count>& quantity_catalog() noexcept;
+
+// Whether anybody knows it of that strategy at that moment.
+bool is_known(const Quantity& quantity, const Snapshot& snapshot, StrategyId id) noexcept;
+
+// Before numbers that are against a target, not against a goal that was given: a sign like the target on the wall.
+inline constexpr std::string_view target_sign = "◎";
 
 }  // namespace ghostforce

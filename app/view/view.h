@@ -63,7 +63,8 @@ struct View {
   bool is_goal_hot = false;           // a hint speaks of it
   bool is_pane = false;               // one of several: its title says which, and no legend is needed
   bool has_scales = true;             // of several panes, one shows the scale bars
-  std::optional<Vector<2>> target{};  // on the wall, for a hand that is measured to aim at [m]
+  std::optional<double> turn_s{};     // of the circle test, once there is a turn to show
+  std::optional<Vector<2>> target{};  // on the wall, for the hand at a device to aim at [m]
 
   bool shows(StrategyId id) const noexcept { return options.compare == Compare::overlay || id == settings.active; }
   bool in_front(StrategyId id) const noexcept { return id == settings.active; }

@@ -34,6 +34,19 @@ std::string_view caption_of(const Settings& settings, const Vector<2>& goal) {
 
 namespace {
 
+// Where the goal is only inferred, what theory says of it would be said of the belief.
+std::string words_in_hand(const PanelContext& context) {
+  const Strategy& active = strategy(context.settings.active);
+  const StrategySnapshot<2>& now = context.snapshot.strategies[index_of(active.id)];
+  if (!now.in_contact) return "In your hand: push the handle into the wall.";
+  const double ghost = glm::length(now.ghost_force);
+  if (!context.snapshot.has_target || context.snapshot.measured != active.id || std::isnan(ghost)) {
+    return "In your hand: where you aim is only inferred, so the ghost force cannot be known.";
+  }
+  return fmt::format("{} In your hand, against the target.",
+                     ghost < visible_force ? active.without_ghost : active.with_ghost);
+}
+
 // A device that is on its way says how far it is; one in the hand, what is felt.
 std::string words_of(const PanelContext& context) {
   const MotorReport& motors = context.loop.motors;
@@ -45,8 +58,8 @@ std::string words_of(const PanelContext& context) {
     return fmt::format("The wall wants to push harder than the motors may: they give {:.1f} N. Press less deep.",
                        glm::length(motors.sent));
   }
-  const std::string words(caption_of(context.settings, context.snapshot.goal));
-  return context.snapshot.measured ? words + " In your hand: the goal is inferred." : words;
+  if (context.snapshot.measured) return words_in_hand(context);
+  return std::string(caption_of(context.settings, context.snapshot.goal));
 }
 
 }  // namespace

@@ -58,6 +58,12 @@ void draw_input(const PanelContext& context) {
                  context.session.injected_fault.empty() ? "none" : context.session.injected_fault);
       if (!wrong.empty()) context.session.injected_fault = wrong;
     }
+    if (context.loop.motors.has_motors) {
+      row("Aim at a target",
+          "Draws a target on the wall. Press straight into the wall at it: then ghost force and drift have numbers, "
+          "against the target. Nobody can measure where a hand aims of itself.");
+      ImGui::Checkbox("##target", &context.session.aims_at_target);
+    }
     end_rows();
   }
   if (!context.loop.readiness.empty()) draw_step(context);

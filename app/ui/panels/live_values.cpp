@@ -40,6 +40,18 @@ void draw_head() {
   }
 }
 
+// Why nobody knows a number against the goal.
+std::string_view words_of_unknown(const PanelContext& context, StrategyId id) {
+  if (!context.snapshot.has_target) {
+    return "Cannot be known: the goal of a real hand is only inferred from the force itself. Aim at a target: the "
+           "switch "
+           "is in the panel Input.";
+  }
+  if (context.snapshot.measured != id) return "Cannot be known: this strategy is only simulated beside the device.";
+  return "Cannot be known now: the hand does not pull towards the target, or the motors give less than was asked of "
+         "them.";
+}
+
 void draw_row(const PanelContext& context, const Strategy& entry) {
   const std::size_t i = index_of(entry.id);
   const bool active = entry.id == context.settings.active;
@@ -52,10 +64,18 @@ void draw_row(const PanelContext& context, const Strategy& entry) {
   for (const Quantity& quantity : quantity_catalog()) {
     ImGui::TableNextColumn();
     ImGui::PushFont(context.fonts.number, 0.0F);
-    const bool is_known = !quantity.is_against_goal || !context.snapshot.measured;
-    right_aligned(is_known ? in_fixed_width(quantity.value(context.snapshot.strategies[i]), quantity.decimals) : "—");
+    const bool has_value = is_known(quantity, context.snapshot, entry.id);
+    const bool is_against_target = quantity.is_against_goal && context.snapshot.has_target;
+    const double value = quantity.value(context.snapshot.strategies[i]);
+    std::string text = has_value ? in_fixed_width(value, quantity.decimals) : "—";
+    if (has_value && is_against_target) text = fmt::format("{} {}", target_sign, text);
+    right_aligned(text);
     ImGui::PopFont();
-    if (!is_known) tooltip("Cannot be known: the goal of a real hand is only inferred from the force itself.");
+    if (!has_value) {
+      tooltip(words_of_unknown(context, entry.id));
+    } else if (is_against_target) {
+      tooltip("Against the target: as if the hand aimed straight into the wall at it, and was at rest.");
+    }
   }
 }
 
@@ -72,10 +92,12 @@ double model_error(const PanelContext& context) {
 void draw_model_error(const PanelContext& context) {
   if (context.snapshot.measured) {
     ImGui::TextUnformatted(
-        fmt::format("{} measured, others simulated", strategy(*context.snapshot.measured).letter).c_str());
+        fmt::format("{} measured, others simulated{}", strategy(*context.snapshot.measured).title,
+                    context.snapshot.has_target ? fmt::format("; {} against the target", target_sign) : "")
+            .c_str());
     tooltip(
-        "Forces are what each strategy wants, before any limit. The others are simulated under the inferred goal; "
-        "ghost force and drift against that goal cannot be known.");
+        "Forces are what each strategy wants, before any limit. The others are simulated under the inferred goal, "
+        "against which ghost force and drift cannot be known.");
     return;
   }
   ImGui::BeginGroup();

@@ -6,26 +6,26 @@
 
 #include <glm/common.hpp>
 
+#include "app/session/circle_test.h"
 #include "app/ui/panels/panel_catalog.h"
 #include "app/ui/widgets/controls.h"
-#include "core/input_choice.h"
+#include "app/view/number_text.h"
 #include "core/units.h"
 
 namespace ghostforce {
 namespace {
 
-void draw_switch(Session& session) {
-  if (!session.circle_test.is_on) {
-    wrapped_text("Round a closed loop a wall should give no energy. With one motor it does:");
-    if (ImGui::Button("Circle test")) {
-      session.circle_test.input_before = session.input;
-      session.requests.input = circling_hand.name;
-    }
-    tooltip("The goal goes round a circle inside the wall, and each turn is measured.");
-    return;
+// One button in one place, whatever the state.
+void draw_switch(const PanelContext& context) {
+  Session& session = context.session;
+  const bool is_on = session.circle_test.is_on;
+  const float width = ImGui::CalcTextSize("Start the circle test").x + 2.0F * ImGui::GetStyle().FramePadding.x;
+  if (ImGui::Button(is_on ? "End the circle test###circle" : "Start the circle test###circle", {width, 0.0F})) {
+    is_on ? end_circle_test(session) : begin_circle_test(session);
   }
-  if (ImGui::Button("End the circle test")) session.requests.input = session.circle_test.input_before;
-  tooltip("Gives the goal back to what moved it before.");
+  tooltip(is_on ? "Gives the goal back to what moved it before, and puts it back where it was."
+                : "The goal goes round a circle inside the wall, and each turn is measured.");
+  if (!is_on) wrapped_text("Round a closed loop, a wall should give no energy. With one motor it does.");
 }
 
 constexpr double least_mm = 2.0;
@@ -37,7 +37,7 @@ double greatest_radius(const Session& session) {
   // Whatever the window's shape, this part of the world is shown.
   const Vector<2> reach = 0.5 * session.shown.width * Vector<2>(1.0, 0.75);
   const auto fits = [&](double mm) {
-    const Circle circle = circle_inside(wall, session.scene->goal.points.back(), {.radius = 0.001 * mm});
+    const Circle circle = circle_inside(wall, session.goal, {.radius = 0.001 * mm});
     const Vector<2> farthest = glm::abs(circle.center - session.shown.center) + circle.radius;
     return farthest.x <= reach.x && farthest.y <= reach.y;
   };
@@ -64,9 +64,7 @@ void draw_choice(const PanelContext& context, const Circle& circle) {
 
 // Seven characters, or eight from a metre's circle on.
 std::string shown(double value, int decimals) {
-  const double unit = std::pow(10.0, -decimals);
-  // + 0.0 turns the −0 that rounding leaves of a small negative number into 0.
-  return fmt::format("{:7.{}f}", std::round(value / unit) * unit + 0.0, decimals);
+  return fmt::format("{:>7}", decimal_text(value, decimals));
 }
 
 void head(const char* title, const char* unit, Term term) {
@@ -108,13 +106,14 @@ void draw_table(const PanelContext& context, const CircleReading& reading) {
 }  // namespace
 
 void draw_passivity(const PanelContext& context) {
-  draw_switch(context.session);
+  draw_switch(context);
   if (!context.loop.circle) return;
   const CircleReading& reading = *context.loop.circle;
   draw_choice(context, reading.circle);
   draw_table(context, reading);
-  ImGui::TextUnformatted(
-      fmt::format("{:3} turns measured, {:3.0f} % of the next", reading.turns, 100.0 * reading.share).c_str());
+  ImGui::TextUnformatted(fmt::format("{:3} {} measured, {:3.0f} % of the next", reading.turns,
+                                     reading.turns == 1 ? "turn" : "turns", 100.0 * reading.share)
+                             .c_str());
   tooltip("A turn takes 4 s of model time. A change of a setting, or of the circle, begins anew.");
 }
 

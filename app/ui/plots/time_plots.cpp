@@ -66,7 +66,8 @@ std::optional<double> middle_of_unknown(const std::vector<PlotBucket>& buckets, 
   std::optional<double> middle;
   std::size_t begin = 0;
   for (std::size_t end = 0; end <= buckets.size(); ++end) {
-    if (end < buckets.size() && std::isnan(buckets[end].least[quantity].front())) continue;
+    const auto is_unknown = [](double value) { return std::isnan(value); };
+    if (end < buckets.size() && std::ranges::all_of(buckets[end].least[quantity], is_unknown)) continue;
     if (end > begin && buckets[end - 1].to_s - buckets[begin].from_s >= shortest_s) {
       shortest_s = buckets[end - 1].to_s - buckets[begin].from_s;
       middle = 0.5 * (buckets[end - 1].to_s + buckets[begin].from_s);

@@ -8,6 +8,7 @@
 
 #include "app/session/motor_button.h"
 #include "app/session/stage_actions.h"
+#include "app/session/target.h"
 #include "app/ui/panels/hints.h"
 #include "app/view/stage/landscape_layer.h"
 
@@ -20,20 +21,6 @@ bool may_show_itself(const Session& session, const StageFrame& frame) {
          !session.paused && !session.stage.looks_back_to_s && !session.stage.is_black && !session.notice &&
          !frame.loop.recording.is_on && !frame.loop.motors.has_motors && !frame.shown.snapshot.measured &&
          session.pointer_moves_goal && !session.drags_goal;
-}
-
-// The handle's way on the last turn, thinned out.
-std::vector<Vector<2>> last_loop(const MomentHistory& moments, StrategyId id, double turn_s) {
-  constexpr int corners = 160;
-  std::vector<Vector<2>> loop;
-  const auto newest = moments.newest();
-  if (!newest) return loop;
-  const double end_s = newest->snapshot.time_s;
-  for (int i = 0; i <= corners; ++i) {
-    const auto moment = moments.at(end_s - turn_s + turn_s * i / corners);
-    if (moment) loop.push_back(moment->snapshot.strategies[index_of(id)].device);
-  }
-  return loop;
 }
 
 // All of the circle, and all that comes to rest round it.
@@ -167,7 +154,7 @@ StageFace::Shown StageFace::shown_in(const Session& session, const StageFrame& f
   const Vector<2> goal = is_live ? session.goal : snapshot.goal;
   const StageBlend blend = transition_.is_running() ? transition_.blend() : stage_blend_of(settings.active);
   Shown shown{settings, stage_moment_between(settings, snapshot, goal, blend)};
-  if (const auto& target = session.measurement.target) {
+  if (const auto target = target_of(session, frame.loop.motors)) {
     shown.moment = with_target(shown.moment, wall_of(settings), *target);
   }
   if (session.stage.mode == StageMode::predict && guess_.is_revealing()) shown.moment = guess_.moment(session);
@@ -203,10 +190,10 @@ StageContent StageFace::content_of(const Session& session, const StageFrame& fra
   if (session.stage.mode == StageMode::round && frame.loop.circle) {
     const CircleReading& reading = *frame.loop.circle;
     content.shown = view_of_round(shown.settings, reading.circle);
-    content.round = StageRound{reading.turns > 0 ? last_loop(frame.history.moments(), shown.settings.active,
-                                                             1.0 / std::abs(reading.circle.turns_per_second))
-                                                 : std::vector<Vector<2>>(),
-                               reading};
+    const std::optional<double> turn_s = turn_to_show(frame.loop);
+    content.round = StageRound{
+        turn_s ? last_loop(frame.history.moments(), shown.settings.active, *turn_s) : std::vector<Vector<2>>(),
+        reading};
   }
   return content;
 }

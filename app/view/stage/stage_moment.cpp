@@ -1,5 +1,7 @@
 #include "app/view/stage/stage_moment.h"
 
+#include <cmath>
+
 #include <glm/geometric.hpp>
 
 #include "core/prediction.h"
@@ -29,9 +31,10 @@ StageMoment stage_moment(const Settings& settings, const Snapshot& snapshot, con
   moment.proxy = now.proxy;
   moment.in_contact = now.in_contact;
   moment.is_measured = snapshot.measured.has_value();
+  moment.knows_ghost_force = !moment.is_measured || (snapshot.has_target && !std::isnan(now.ghost_force.x));
+  if (moment.knows_ghost_force) moment.ghost_force = now.ghost_force;
   // In free space the sampled loop has a force of its own, which is no wall's.
-  if (now.in_contact) moment.wall_share = now.force - now.ghost_force;
-  moment.ghost_force = now.ghost_force;
+  if (now.in_contact) moment.wall_share = now.force - moment.ghost_force;
   moment.slide = now.proxy_drift;
   return moment;
 }

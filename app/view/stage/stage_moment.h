@@ -20,8 +20,9 @@ struct StageMoment {
   Vector<2> expected_rest{0.0};     // where the handle would rest without a ghost force [m]
   Vector<2> expected_contact{0.0};  // where the wall should hold: the foot of the goal's normal [m]
   bool in_contact = false;          // the wall acts
-  bool is_measured = false;         // the handle is a device's, and the goal inferred: the ghost force is unknown
+  bool is_measured = false;         // the handle is a device's, and the goal inferred
   bool has_target = false;          // that hand was told where to press: its slide is known all the same
+  bool knows_ghost_force = true;    // of a measured handle only with a target; else ghost_force is 0
 
   bool is_between() const noexcept { return weights[0] < 1.0 && weights[1] < 1.0 && weights[2] < 1.0; }
 };

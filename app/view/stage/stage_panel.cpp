@@ -240,8 +240,8 @@ void add_numbers(const StageLayer& layer) {
                                                 .dearness = {3.0, 1.0},
                                                 .may_cover = true});
   if (!found || found->strength <= 0.0) return;
-  const bool is_known = !moment.is_measured;
-  const bool knows_slide = is_known || moment.has_target;
+  const bool is_known = moment.knows_ghost_force;
+  const bool knows_slide = !moment.is_measured || moment.has_target;
   const double ghost = signed_ghost_force(moment);
   const std::string_view ghost_words = !is_known                     ? "ghost force: unknown"
                                        : ghost <= -least_shown_force ? "ghost force (too little)"

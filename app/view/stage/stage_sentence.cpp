@@ -43,8 +43,18 @@ struct Sentence {
 // The first that is true is the one.
 constexpr std::array sentences{
     Sentence{"In your hand: the goal is inferred, so the ghost force cannot be known.",
-             [](const Facts& now) { return now.moment.is_measured && now.moment.in_contact; }},
-    Sentence{"Push the handle into the wall.", [](const Facts& now) { return now.moment.is_measured; }},
+             [](const Facts& now) {
+               return now.moment.is_measured && now.moment.in_contact && !now.moment.knows_ghost_force;
+             }},
+    Sentence{
+        "Aim at the target and push the handle into the wall.",
+        [](const Facts& now) { return now.moment.is_measured && !now.moment.in_contact && now.moment.has_target; }},
+    Sentence{"Push the handle into the wall.",
+             [](const Facts& now) { return now.moment.is_measured && !now.moment.in_contact; }},
+    Sentence{"You aim at the target, and a ghost force drags you along the wall.",
+             [](const Facts& now) { return now.moment.is_measured && now.has_ghost(); }},
+    Sentence{"You aim at the target, and there is no ghost force.",
+             [](const Facts& now) { return now.moment.is_measured; }},
     Sentence{"Drag the hand into the wall.",
              [](const Facts& now) {
                return !now.moment.in_contact && now.audience.can_drag && !now.audience.looks_back &&

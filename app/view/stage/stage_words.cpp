@@ -42,7 +42,7 @@ void add_share_words(const StageLayer& layer) {
   if (!arrow || share < least_shown_force) return;
   canvas.label(Role::wall_share,
                {StageLabel::wall_share,
-                {fmt::format("{} {} N", content.moment.is_measured ? "motor" : "wall", force_number(share))},
+                {fmt::format("{} {} N", content.moment.knows_ghost_force ? "wall" : "motor", force_number(share))},
                 layout.letters.words,
                 arrow->start,
                 arrow->share_end(),

@@ -1,0 +1,20 @@
+#include "app/session/circle_test.h"
+
+namespace ghostforce {
+
+void begin_circle_test(Session& session) {
+  if (session.circle_test.is_on) return;
+  session.circle_test.input_before = session.input;
+  session.circle_test.choice.is_clockwise = makes_energy_clockwise(session.settings);
+  session.requests.input = circling_hand.name;
+}
+
+void end_circle_test(Session& session) {
+  session.requests.input = session.circle_test.input_before;
+}
+
+Circle circle_of(const Session& session) noexcept {
+  return circle_inside(wall_of(session.settings), session.goal, session.circle_test.choice);
+}
+
+}  // namespace ghostforce
