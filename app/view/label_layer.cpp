@@ -14,9 +14,9 @@
 namespace ghostforce {
 namespace {
 
-class LabelPlacer {
+class WordPlacer {
  public:
-  LabelPlacer(const View& view, Marks& marks) : view_(view), marks_(marks) {}
+  WordPlacer(const View& view, Marks& marks) : view_(view), marks_(marks) {}
 
   void keep_clear(const Vector<2>& screen, double radius) {
     taken_.push_back({{screen - Vector<2>(radius), screen + Vector<2>(radius)}, mark_weight});
@@ -102,7 +102,7 @@ class LabelPlacer {
 };
 
 // Marks at the edge and on the scene that no label may cover.
-void keep_marks_clear(const View& view, const Marks& marks, LabelPlacer& placer) {
+void keep_marks_clear(const View& view, const Marks& marks, WordPlacer& placer) {
   for (const Mark& mark : marks) {
     if (mark.role == Role::prediction) continue;  // thin, and round a marker that is kept clear
     if (const auto* marker = std::get_if<Marker>(&mark.form)) {
@@ -123,7 +123,7 @@ void keep_marks_clear(const View& view, const Marks& marks, LabelPlacer& placer)
 }
 
 // One letter per device; devices in the same place share a label ("F N A" in free space).
-void add_letters(const View& view, LabelPlacer& placer) {
+void add_letters(const View& view, WordPlacer& placer) {
   std::vector<StrategyId> open;
   for_each_shown(view, [&](StrategyId id) { open.push_back(id); });
   std::reverse(open.begin(), open.end());  // the active one leads its group
@@ -149,7 +149,7 @@ bool is_behind_active(const View& view, StrategyId id) {
   return !view.in_front(id) && glm::distance(device(id), device(view.settings.active)) < view.metres(4.0);
 }
 
-void add_measures(const View& view, StrategyId id, LabelPlacer& placer) {
+void add_measures(const View& view, StrategyId id, WordPlacer& placer) {
   if (is_behind_active(view, id)) return;
   const std::size_t i = index_of(id);
   // Where there are several, each says whose it is.
@@ -178,7 +178,7 @@ void add_measures(const View& view, StrategyId id, LabelPlacer& placer) {
 }  // namespace
 
 void add_labels(const View& view, Marks& marks) {
-  LabelPlacer placer(view, marks);
+  WordPlacer placer(view, marks);
   keep_marks_clear(view, marks, placer);
   add_letters(view, placer);
   placer.place(Role::goal, std::nullopt, view.snapshot.goal, view.points(15.0),

@@ -43,7 +43,7 @@ struct StageCase {
   std::optional<StageCornerButton> corner{};
   std::string_view warning{};
 
-  StagePicture compose(StageLabelMemory& memory, double interval_s) const {
+  StagePicture compose(LabelMemory& memory, double interval_s) const {
     static const MeasureText measure = measure_vector_text;
     return compose_stage({.settings = settings,
                           .moment = moment,
@@ -68,7 +68,7 @@ struct StageCase {
                          memory, interval_s);
   }
   StagePicture compose() const {
-    StageLabelMemory memory;
+    LabelMemory memory;
     return compose(memory, 0.0);
   }
 };

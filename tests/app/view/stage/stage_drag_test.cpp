@@ -114,7 +114,7 @@ struct Unrest {
 
 Unrest drag(StageCase shown, int steps, const std::function<void(StageCase&, int)>& move_to) {
   Unrest unrest;
-  StageLabelMemory memory;
+  LabelMemory memory;
   std::optional<Seen> before;
   for (int step = 0; step <= steps; ++step) {
     move_to(shown, step);
@@ -267,7 +267,7 @@ TEST(StageDrag, EndsAtRest) {
     StageCase shown = stage_case_by(dice);
     const Settings settings = shown.settings;
     shown.mode = StageMode::none;
-    StageLabelMemory memory;
+    LabelMemory memory;
     const Vector<2> goal = shown.moment.goal;
     for (int step = 0; step < 40; ++step) {
       shown.moment = stage_moment_at_rest(settings, goal + Vector<2>(0.0005, 0.0003) * static_cast<double>(step));

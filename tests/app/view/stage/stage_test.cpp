@@ -164,7 +164,7 @@ TEST(Stage, HasNoWordsOverMarksFromMomentToMoment) {
   StageDice dice(7);
   int faulty = 0;
   for (int round = 0; round < 25; ++round) {
-    StageLabelMemory memory;
+    LabelMemory memory;
     StageCase shown = stage_case_by(dice);
     const StageCase other = stage_case_by(dice);
     const Vector<2> from = shown.moment.goal;
