@@ -115,6 +115,7 @@ void Application::use(const InputEntry& entry, std::shared_ptr<const Scene> scen
   session_.goal = session_.scene->goal.points.back();
   if (is_other_scene) {
     session_.shown = session_.scene->view;
+    session_.pane_views.reset();
     window_.set_title(window_title(*session_.scene));
   }
   sent_settings_ = session_.settings;
@@ -187,7 +188,7 @@ void Application::update(double interval_s) {
 }
 
 VisibleState Application::visible() const {
-  return visible_state(session_, shown(), history_.moments(), report_.snapshot.time_s, reading());
+  return visible_state(session_, shown(), history_, report_.snapshot.time_s, reading());
 }
 
 bool Application::has_changed() const {

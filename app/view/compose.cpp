@@ -7,22 +7,27 @@
 
 namespace ghostforce {
 
-Marks compose(const View& view, Marks earlier) {
+Marks compose(const View& view, PaneMemory& memory, double interval_s, Marks earlier) {
   Marks marks = std::move(earlier);
   marks.clear();
   add_wall(view, marks);
   if (view.options.trails) add_trails(view, marks);
-  add_guides(view, marks);
-  if (view.options.predictions) add_predictions(view, marks);
   add_hand(view, marks);
-  add_target(view, marks);
-  for_each_shown(view, [&](StrategyId id) {
-    add_arrows(view, id, marks);
-    add_markers(view, id, marks);
-  });
   add_goal(view, marks);
+  add_others(view, marks);
+  if (view.options.predictions) add_predictions(view, marks);
+  add_target(view, marks);
+  add_markers(view, marks);
+  add_drift(view, marks);
+  add_force(view, marks);
   add_handles(view, marks);
-  add_labels(view, marks);
+
+  LabelPlacer labels(view.camera.size, view.points(1.0), view.measure, memory.labels, interval_s);
+  keep_marks_clear(view, marks, labels);
+  add_dial_caption(view, labels, marks);
+  add_legend(view, labels, memory.legend, marks);
+  if (view.has_scales) add_scales(view, labels, memory.scales, marks);
+  add_labels(view, labels, marks);
   return marks;
 }
 

@@ -54,6 +54,13 @@ class LabelPlacer {
   }
   void keep_clear(const ScreenBox& box) { obstacles_.add(box); }
 
+  const LabelObstacles& obstacles() const noexcept { return obstacles_; }
+  const Vector<2>& size() const noexcept { return size_; }
+  double unit() const noexcept { return unit_; }
+  double interval_s() const noexcept { return interval_s_; }
+  // There was no picture before, so that all is there at once.
+  bool is_first() const noexcept { return !memory_.has_begun; }
+
   // Each request's place, in their order; empty: there is none. Once for each picture, after all that must be kept clear
   // is known.
   std::vector<std::optional<PlacedLabel>> place(const std::vector<LabelRequest>& requests);

@@ -5,17 +5,16 @@
 namespace ghostforce {
 namespace {
 
-constexpr double target_radius = 12.0;       // [points]
-constexpr double line_length = 60.0;         // into the wall [points]
-constexpr double target_ruler_depth = 40.0;  // clear of the rulers of the drift [points]
+constexpr double target_radius = 12.0;     // [points]
+constexpr double line_length = 60.0;       // into the wall [points]
+constexpr double target_ruler_out = 48.0;  // clear of the ruler of the drift [points]
 
-void add_ruler_to_proxy(const View& view, const Vector<2>& target, const Wall<2>& wall, Marks& marks) {
+void add_ruler_to_proxy(const View& view, const Vector<2>& target, Marks& marks) {
   const StrategyId id = view.settings.active;
   const StrategySnapshot<2>& now = view.snapshot.strategies[index_of(id)];
   if (view.snapshot.measured != id || !now.in_contact) return;
   if (glm::distance(now.contact, target) < smallest_drift) return;
-  const Vector<2> inside = -wall.normal * view.metres(target_ruler_depth);
-  add_ruler(view, id, {target + inside, now.contact + inside}, marks);
+  add_ruler(view, ruler_between(view, target, now.contact, target_ruler_out), marks);
 }
 
 }  // namespace
@@ -33,7 +32,7 @@ void add_target(const View& view, Marks& marks) {
                      Marker{target, Shape::disc, view.points(radius), view.theme.background.with_alpha(0),
                             view.theme.text, view.points(2.4)}});
   }
-  add_ruler_to_proxy(view, target, wall, marks);
+  add_ruler_to_proxy(view, target, marks);
 }
 
 }  // namespace ghostforce

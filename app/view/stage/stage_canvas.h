@@ -57,10 +57,4 @@ struct StageCanvas {
   std::vector<LabelRequest> requests{};
 };
 
-// A colour that lets what is beneath it through: 0 all, 1 nothing.
-inline Colour faded(Colour colour, double strength) noexcept {
-  const double alpha = std::clamp(strength, 0.0, 1.0) * static_cast<double>(colour.alpha);
-  return colour.with_alpha(static_cast<std::uint8_t>(alpha + 0.5));
-}
-
 }  // namespace ghostforce

@@ -15,7 +15,7 @@ constexpr double points_per_metre = 10000.0;
 class VisibleStateTest : public testing::Test {
  protected:
   VisibleState state() const {
-    return visible_state(session_, {session_.settings, snapshot_}, moments_, snapshot_.time_s, reading_);
+    return visible_state(session_, {session_.settings, snapshot_}, history_, snapshot_.time_s, reading_);
   }
   // Whether what `change` does can be seen.
   bool sees(const std::function<void()>& change) {
@@ -27,7 +27,7 @@ class VisibleStateTest : public testing::Test {
 
   Session session_ = session_of(load_scene("wall45"));
   Snapshot snapshot_;
-  MomentHistory moments_;
+  History history_;
   LoopReading reading_;
 };
 
@@ -107,7 +107,7 @@ TEST_F(VisibleStateTest, NumbersOfPanelsAreSeenWherePanelsAre) {
 TEST_F(VisibleStateTest, TimeIsSeenInPlotsAndOnTheRibbon) {
   const auto time_goes_on = [&] {
     snapshot_.time_s += 0.01;
-    moments_.add(snapshot_, session_.settings);
+    history_.add(snapshot_, session_.settings);
   };
   PlotView& plots = session_.plots;
   session_.face = Face::workbench;

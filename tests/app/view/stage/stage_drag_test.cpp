@@ -12,8 +12,8 @@
 #include <fmt/format.h>
 
 #include "core/units.h"
+#include "tests/app/view/picture_extents.h"
 #include "tests/app/view/stage/stage_dice.h"
-#include "tests/app/view/stage/stage_extents.h"
 
 namespace ghostforce {
 namespace {
@@ -232,7 +232,7 @@ TEST(StageDrag, OfTheMotorsAngleMovesWordsSmoothly) {
 
 // Also where it is not the shipped picture.
 TEST(StageDrag, OfTheHandMovesWordsSmoothlyWithAnySettings) {
-  StageDice dice(17);
+  PictureDice dice(17);
   int most = 0;
   int sum = 0;
   constexpr int drags = 30;
@@ -262,7 +262,7 @@ TEST(StageDrag, OfTheHandMovesWordsSmoothlyWithAnySettings) {
 
 // A label that has gone to a worse place comes back when there is room again, and then stands still.
 TEST(StageDrag, EndsAtRest) {
-  StageDice dice(3);
+  PictureDice dice(3);
   for (int i = 0; i < 40; ++i) {
     StageCase shown = stage_case_by(dice);
     const Settings settings = shown.settings;
