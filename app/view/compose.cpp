@@ -1,11 +1,20 @@
 #include "app/view/compose.h"
 
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "app/view/layers.h"
 
 namespace ghostforce {
+namespace {
+
+bool has_short_force(const View& view) {
+  const auto force = drawn_force(view);
+  return force && std::abs(force->share + force->ghost) < view.points(2.0 * device_radius);
+}
+
+}  // namespace
 
 Marks compose(const View& view, PaneMemory& memory, double interval_s, Marks earlier) {
   Marks marks = std::move(earlier);
@@ -17,9 +26,13 @@ Marks compose(const View& view, PaneMemory& memory, double interval_s, Marks ear
   add_others(view, marks);
   if (view.options.predictions) add_predictions(view, marks);
   add_target(view, marks);
-  add_markers(view, marks);
+  add_proxy(view, marks);
   add_drift(view, marks);
-  add_force(view, marks);
+  // The arrow begins below the device, unless it is so short that this would hide it.
+  const bool is_hidden = has_short_force(view);
+  if (!is_hidden) add_force(view, marks);
+  add_device(view, marks);
+  if (is_hidden) add_force(view, marks);
   add_handles(view, marks);
 
   LabelPlacer labels(view.camera.size, view.points(1.0), view.measure, memory.labels, interval_s);

@@ -69,7 +69,7 @@ void add_dial_caption(const View& view, LabelPlacer& labels, Marks& marks) {
   const double left = std::min(middle.x - 0.5 * extent.x, view.camera.size.x - margin - extent.x);
   const Vector<2> corner{left, middle.y + radius + margin};
   const ScreenBox box{corner, corner + extent};
-  const bool fits = box.least.x >= 0.0 && box.most.y <= view.camera.size.y;
+  const bool fits = box.least.x >= 0.0 && box.least.y >= 0.0 && box.most.y <= view.camera.size.y;
   if (!fits || !labels.obstacles().is_free(box, view.points(1.0), Clearance::if_possible)) return;
   labels.keep_clear(box);
   ScreenPen{view, marks, Role::motor_axis}.text(corner, words, view.theme.text);

@@ -1,5 +1,7 @@
 #include "app/view/fit.h"
 
+#include <algorithm>
+
 #include "app/view/camera.h"
 #include "app/view/screen_box.h"
 
@@ -24,7 +26,14 @@ double fitting_scale(std::span<const FitPoint> points, const Vector<2>& room, do
     return extent.x <= room.x && extent.y <= room.y;
   };
   if (points.empty() || fits(greatest)) return greatest;
-  // The extent is a convex function of the scale: what fits is one interval, and 0 is in it if any is.
+  if (!fits(0.0)) {
+    // What is as long at any distance is too long: the rest shall be seen at least.
+    ScreenBox world{points.front().world, points.front().world};
+    for (const FitPoint& point : points) world.include(point.world);
+    const Vector<2> scale = room / glm::max(world.extent(), Vector<2>(1e-12));
+    return std::min({scale.x, scale.y, greatest});
+  }
+  // The extent is a convex function of the scale: what fits is one interval, and 0 is in it.
   double least = 0.0;
   for (int i = 0; i < 60; ++i) {
     const double middle = 0.5 * (least + greatest);

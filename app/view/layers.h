@@ -17,10 +17,11 @@ void add_goal(const View& view, Marks& marks);         // where the hand pulls t
 void add_predictions(const View& view, Marks& marks);  // where the closed form says that the active device rests
 void add_others(const View& view, Marks& marks);       // the strategies that are not active: pale, and without words
 void add_target(const View& view, Marks& marks);       // where a hand that is measured is to press
-// Of the active strategy; the arrow above all that could hide it.
-void add_markers(const View& view, Marks& marks);  // proxy, contact, device
-void add_drift(const View& view, Marks& marks);    // the proxy drift, as a ruler
-void add_force(const View& view, Marks& marks);    // the rendered force, its ghost hatched
+// Of the active strategy.
+void add_proxy(const View& view, Marks& marks);  // and its contact
+void add_drift(const View& view, Marks& marks);  // the proxy drift, as a ruler
+void add_force(const View& view, Marks& marks);  // the rendered force, its ghost hatched
+void add_device(const View& view, Marks& marks);
 void add_handles(const View& view, Marks& marks);  // dial of the actuated direction, wall grips
 
 // What stands beside the scene, and the words: they need to know of all the marks above.
@@ -48,6 +49,7 @@ struct DrawnForce {
 // Empty in free space, and where it is too short to be seen.
 std::optional<DrawnForce> drawn_force(const View& view);
 inline constexpr double force_arrow_width = 8.0;  // [points]
+inline constexpr double device_radius = 9.0;
 
 // Along the wall on its free side, clear of everything in the wall: from beside where the wall should hold the proxy to
 // beside where it does.

@@ -23,19 +23,18 @@ struct LegendEntry {
   Role about;
   std::optional<StrategyId> strategy;
   std::variant<Marker, Arrow> icon;  // beside the middle of a row: its place is still to be added
-  std::string name;
-  std::string sense;  // what it is, in a few words
+  std::string words;
+  std::string in_brief;
   Colour colour;
 };
 
-// One entry below the other, as large as its words are.
 struct LegendForm {
-  bool has_senses;
+  bool is_brief;
   TextStyle style;
 };
 
-std::string words_of(const LegendEntry& entry, const LegendForm& form) {
-  return form.has_senses && !entry.sense.empty() ? fmt::format("{}: {}", entry.name, entry.sense) : entry.name;
+const std::string& words_of(const LegendEntry& entry, const LegendForm& form) {
+  return form.is_brief ? entry.in_brief : entry.words;
 }
 
 Vector<2> extent_of(const View& view, const std::vector<LegendEntry>& entries, const LegendForm& form) {
@@ -78,10 +77,10 @@ class LegendEntries {
   Marker marker(Shape shape, double radius, Colour fill, Colour rim, double rim_width) const {
     return {Vector<2>(0.0), shape, view_.points(radius), fill, rim, view_.points(rim_width)};
   }
-  void add(Role about, std::variant<Marker, Arrow> icon, std::string name, std::string sense,
+  void add(Role about, std::variant<Marker, Arrow> icon, const std::string& name, std::string_view sense,
            std::optional<StrategyId> id = {}) {
     const Colour colour = id ? theme_.strategy_text[index_of(*id)] : theme_.text;
-    entries_.push_back({about, id, icon, std::move(name), std::move(sense), colour});
+    entries_.push_back({about, id, icon, fmt::format("{}: {}", name, sense), name, colour});
   }
 
   void add_goal() {
@@ -100,8 +99,8 @@ class LegendEntries {
     const std::string_view sense = view_.is_predicted(entry.id)          ? "simulated"
                                    : view_.snapshot.measured == entry.id ? "device, measured in your hand"
                                                                          : "device (the handle), filled";
-    add(Role::device, marker(strategy_style(entry.id).shape, 7.0, fill, rim, 1.0), letter_and_title(entry),
-        std::string(sense), entry.id);
+    add(Role::device, marker(strategy_style(entry.id).shape, 7.0, fill, rim, 1.0), letter_and_title(entry), sense,
+        entry.id);
   }
   void add_others() {
     for (const Strategy& entry : strategy_catalog()) {
@@ -125,7 +124,7 @@ std::vector<LegendEntry> title_of_pane(const View& view) {
   const std::size_t i = index_of(entry.id);
   const Marker icon{Vector<2>(0.0),         strategy_style(entry.id).shape, view.points(8.0),
                     view.theme.strategy[i], view.theme.background,          view.points(1.0)};
-  return {{Role::device, entry.id, icon, std::string(1, entry.letter), std::string(entry.title),
+  return {{Role::device, entry.id, icon, letter_and_title(entry), std::string(1, entry.letter),
            view.theme.strategy_text[i]}};
 }
 
@@ -152,7 +151,7 @@ void draw(const View& view, const std::vector<LegendEntry>& entries, const Legen
       icon.rim = faded(icon.rim, strength);
       marks.push_back({Role::legend, entry.strategy, icon, entry.about});
     }
-    const std::string words = words_of(entry, form);
+    const std::string& words = words_of(entry, form);
     const double height = view.measure(words, view.drawn(form.style)).y;
     pen.text({box.least.x + padding + view.points(icon_width), middle.y - 0.55 * height}, words, entry.colour,
              form.style);
@@ -167,7 +166,7 @@ void draw(const View& view, const std::vector<LegendEntry>& entries, const Legen
 void add_legend(const View& view, LabelPlacer& labels, CornerMemory& memory, Marks& marks) {
   const std::vector<LegendEntry> entries = view.is_pane ? title_of_pane(view) : LegendEntries(view).all();
   const TextStyle& style = view.is_pane ? normal_text : small_text;
-  const std::array forms{LegendForm{true, style}, LegendForm{false, style}};
+  const std::array forms{LegendForm{false, style}, LegendForm{true, style}};
   constexpr std::array corners{Corner::upper_left, Corner::upper_right, Corner::lower_left};
   std::vector<ScreenBox> places;
   for (const LegendForm& form : forms) {

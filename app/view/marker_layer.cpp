@@ -3,43 +3,10 @@
 namespace ghostforce {
 namespace {
 
-constexpr double device_radius = 9.0;  // [points]
-constexpr double proxy_radius = 7.6;
+constexpr double proxy_radius = 7.6;  // [points]
 constexpr double goal_radius = 10.5;
-constexpr double pale_size = 0.72;   // of the strategies that are not active,
-constexpr double pale_share = 0.42;  // and of their colour
-
-void add_proxy(const View& view, StrategyId id, Marks& marks) {
-  const StrategySnapshot<2>& now = view.snapshot.strategies[index_of(id)];
-  if (!now.in_contact) return;  // in free space the proxy is the device
-  const Colour colour = view.theme.strategy[index_of(id)];
-  const Vector<2> tick = wall_of(view.settings).normal * view.metres(7.0);
-  marks.push_back(
-      {Role::tracking_link, id, Line{now.device, now.proxy, view.points(1.4), mix(view.theme.wall, colour, 0.7)}});
-  marks.push_back({Role::contact, id, Line{now.contact - tick, now.contact + tick, view.points(2.2), colour}});
-  marks.push_back({Role::proxy, id,
-                   Marker{now.proxy, strategy_style(id).shape, view.points(proxy_radius), view.theme.background, colour,
-                          view.points(2.2)}});
-}
-
-// Filled: the device itself; measured, it has an eye. Hollow: it is only simulated beside a measured one.
-void add_device(const View& view, StrategyId id, Marks& marks) {
-  const Vector<2> at = view.snapshot.strategies[index_of(id)].device;
-  const Shape shape = strategy_style(id).shape;
-  const Colour colour = view.theme.strategy[index_of(id)];
-  const Colour paper = view.theme.background;
-  if (view.is_predicted(id)) {
-    marks.push_back(
-        {Role::device, id,
-         Marker{at, shape, view.points(0.9 * device_radius), paper.with_alpha(150), colour, view.points(1.6)}});
-    return;
-  }
-  marks.push_back({Role::device, id, Marker{at, shape, view.points(device_radius), colour, paper, view.points(1.6)}});
-  if (view.snapshot.measured == id) {
-    marks.push_back(
-        {Role::device, id, Marker{at, Shape::disc, view.points(0.3 * device_radius), paper, colour, view.points(0.5)}});
-  }
-}
+constexpr double pale_size = 0.72;  // of the strategies that are not active,
+constexpr double pale_share = 0.5;  // and of their colour
 
 void add_pale(const View& view, StrategyId id, Marks& marks) {
   const StrategySnapshot<2>& now = view.snapshot.strategies[index_of(id)];
@@ -87,9 +54,38 @@ void add_others(const View& view, Marks& marks) {
   });
 }
 
-void add_markers(const View& view, Marks& marks) {
-  add_proxy(view, view.settings.active, marks);
-  add_device(view, view.settings.active, marks);
+void add_proxy(const View& view, Marks& marks) {
+  const StrategyId id = view.settings.active;
+  const StrategySnapshot<2>& now = view.snapshot.strategies[index_of(id)];
+  if (!now.in_contact) return;  // in free space the proxy is the device
+  const Colour colour = view.theme.strategy[index_of(id)];
+  const Vector<2> tick = wall_of(view.settings).normal * view.metres(7.0);
+  marks.push_back(
+      {Role::tracking_link, id, Line{now.device, now.proxy, view.points(1.4), mix(view.theme.wall, colour, 0.7)}});
+  marks.push_back({Role::contact, id, Line{now.contact - tick, now.contact + tick, view.points(2.2), colour}});
+  marks.push_back({Role::proxy, id,
+                   Marker{now.proxy, strategy_style(id).shape, view.points(proxy_radius), view.theme.background, colour,
+                          view.points(2.2)}});
+}
+
+// Filled: the device itself; measured, it has an eye. Hollow: it is only simulated beside a measured one.
+void add_device(const View& view, Marks& marks) {
+  const StrategyId id = view.settings.active;
+  const Vector<2> at = view.snapshot.strategies[index_of(id)].device;
+  const Shape shape = strategy_style(id).shape;
+  const Colour colour = view.theme.strategy[index_of(id)];
+  const Colour paper = view.theme.background;
+  if (view.is_predicted(id)) {
+    marks.push_back(
+        {Role::device, id,
+         Marker{at, shape, view.points(0.9 * device_radius), paper.with_alpha(150), colour, view.points(1.6)}});
+    return;
+  }
+  marks.push_back({Role::device, id, Marker{at, shape, view.points(device_radius), colour, paper, view.points(1.6)}});
+  if (view.snapshot.measured == id) {
+    marks.push_back(
+        {Role::device, id, Marker{at, Shape::disc, view.points(0.3 * device_radius), paper, colour, view.points(0.5)}});
+  }
 }
 
 void add_goal(const View& view, Marks& marks) {

@@ -54,8 +54,16 @@ void add_scales(const View& view, LabelPlacer& labels, CornerMemory& memory, Mar
   const double margin = std::min(view.points(scale_margin), 0.02 * view.camera.size.x);
   const Vector<2>& size = view.camera.size;
   std::vector<ScreenBox> places;
-  for (const Corner corner : {Corner::lower_left, Corner::upper_left, Corner::upper_right}) {
-    places.push_back(box_in_corner(corner, extent, size, margin));
+  const ScreenBox corner = box_in_corner(Corner::lower_left, extent, size, margin);
+  const Vector<2> above_caption(0.0, -2.0 * view.points(scale_row));
+  places.push_back(corner);
+  places.push_back({corner.least + above_caption, corner.most + above_caption});
+  for (const double share : {0.22, 0.44}) {
+    const Vector<2> along(share * size.x, 0.0);
+    places.push_back({corner.least + along, corner.most + along});
+  }
+  for (const Corner upper : {Corner::upper_left, Corner::upper_right}) {
+    places.push_back(box_in_corner(upper, extent, size, margin));
   }
   const auto found = place_in_corner(places, labels, memory);
   if (!found || found->strength <= 0.0) return;

@@ -143,7 +143,7 @@ TEST(Compose, LabelsOfTheActiveStrategyHaveNoLetterBeforeThem) {
   EXPECT_GE(found, 5) << "force, ghost force, proxy drift, device, proxy";
 }
 
-TEST(Compose, DrawsTheForceAboveMarkersAndRings) {
+TEST(Compose, DrawsTheForceAboveProxiesAndRings) {
   const Picture picture = picture_of("fig3-normal", StrategyId::naive, Compare::overlay);
   const auto last = [&](Role role) {
     std::size_t found = 0;
@@ -153,10 +153,22 @@ TEST(Compose, DrawsTheForceAboveMarkersAndRings) {
     }
     return found;
   };
-  for (const Role role : {Role::device, Role::proxy, Role::prediction, Role::goal, Role::proxy_drift}) {
+  for (const Role role : {Role::proxy, Role::prediction, Role::goal, Role::proxy_drift}) {
     EXPECT_LT(last(role), last(Role::force)) << role_name(role);
     EXPECT_LT(last(role), last(Role::ghost_force)) << role_name(role);
   }
+  EXPECT_LT(last(Role::force), last(Role::device)) << "it begins below its device";
+}
+
+TEST(Compose, DrawsAForceThatIsShorterThanItsDeviceAboveIt) {
+  const Picture picture = picture_of("fig3-normal", StrategyId::full, Compare::overlay, {853.0, 724.0},
+                                     {"goal.path_mm=[[3,-3]]", "goal.times_s=[0]"});
+  std::optional<Role> last;
+  for (const Mark& mark : picture.marks) {
+    const bool is_text = std::holds_alternative<Label>(mark.form);
+    if (!is_text && (mark.role == Role::device || mark.role == Role::force)) last = mark.role;
+  }
+  EXPECT_EQ(last, Role::force);
 }
 
 TEST(Compose, DrawsTheRulerAsLongAsTheDriftAndLeadsItToWhatItMeasures) {
