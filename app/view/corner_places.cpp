@@ -18,36 +18,42 @@ constexpr double corner_least_air = 3.0;  // as long as it stands there
 
 }  // namespace
 
-std::optional<CornerPlace> place_in_corner(const std::vector<ScreenBox>& places, LabelPlacer& labels,
-                                           CornerMemory& memory) {
+std::optional<CornerPlace> place_in_corner(const std::vector<ScreenBox>& places, std::size_t places_of_form,
+                                           LabelPlacer& labels, CornerMemory& memory) {
   const LabelObstacles& obstacles = labels.obstacles();
   const auto points = [&](double of_design) { return of_design * labels.unit(); };
   const auto fits = [&](const ScreenBox& box) {
     return box.least.x >= 0.0 && box.least.y >= 0.0 && box.most.x <= labels.size().x && box.most.y <= labels.size().y;
   };
-  const auto first_with = [&](double air, Clearance clearance) -> std::optional<std::size_t> {
-    for (std::size_t i = 0; i < places.size(); ++i) {
+  const auto first_of = [&](std::size_t form, double air, Clearance clearance) -> std::optional<std::size_t> {
+    for (std::size_t i = form; i < form + places_of_form; ++i) {
       if (fits(places[i]) && obstacles.is_free(places[i], points(air), clearance)) return i;
     }
     return std::nullopt;
   };
-  const auto best = [&] {
-    auto found = first_with(corner_roomy_air, Clearance::always);
-    if (!found) found = first_with(corner_air, Clearance::always);
-    return found ? found : first_with(corner_air, Clearance::if_possible);
+  const auto best = [&]() -> std::optional<std::size_t> {
+    for (const Clearance clearance : {Clearance::always, Clearance::if_possible}) {
+      for (std::size_t form = 0; form < places.size(); form += places_of_form) {
+        for (const double air : {corner_roomy_air, corner_air}) {
+          if (const auto found = first_of(form, air, clearance)) return found;
+        }
+      }
+    }
+    return std::nullopt;
   };
   const auto move_to = [&](std::size_t place) {
-    memory = {.place = place, .strength = labels.is_first() ? 1.0 : 0.0, .settled = memory.settled};
+    memory = {.place = place, .strength = labels.is_first() ? 1.0 : 0.0, .picture = memory.picture};
   };
 
   if (labels.is_first()) memory = {};
   const std::uint64_t now = obstacles.signature();
-  const bool is_still = std::exchange(memory.settled, now) == now;
+  const bool is_still = std::exchange(memory.picture, now) == now;
   memory.strength = std::min(1.0, memory.strength + labels.interval_s() / corner_fade_s);
   const bool can_stay = memory.place && *memory.place < places.size() && fits(places[*memory.place]) &&
                         obstacles.is_free(places[*memory.place], points(corner_least_air), Clearance::if_possible);
   const bool may_move = labels.is_first() || !can_stay || is_still;
   const std::optional<std::size_t> found = may_move ? best() : std::nullopt;
+  memory.is_best = may_move;
   if (!can_stay) memory.place.reset();
   if (!found || found == memory.place) {
     memory.waited_s = 0.0;

@@ -2,10 +2,15 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
 
 #include "app/view/handles.h"
 #include "app/view/layers.h"
 #include "app/view/screen_pen.h"
+#include "app/view/text_lines.h"
 
 namespace ghostforce {
 namespace {
@@ -62,9 +67,14 @@ void add_handles(const View& view, Marks& marks) {
 
 void add_dial_caption(const View& view, LabelPlacer& labels, Marks& marks) {
   const auto [middle, radius] = motor_dial(view.camera, view.points(1.0));
-  const std::string words =
-      strategy(view.settings.active).has_every_motor ? "actuated directions" : "actuated direction";
-  const Vector<2> extent = view.measure(words, view.drawn(small_text));
+  const std::string_view noun = strategy(view.settings.active).has_every_motor ? "directions" : "direction";
+  std::vector<std::string> lines{fmt::format("actuated {}", noun)};
+  const TextStyle style = view.drawn(small_text);
+  const auto width_of = [&](const std::string& words) { return view.measure(words, style).x; };
+  // Beside a small dial scale bars need the room.
+  if (width_of(lines.front()) > 3.0 * radius) lines = broken_in_two(lines.front(), style, view.measure);
+  Vector<2> extent(0.0, static_cast<double>(lines.size()) * style.height);
+  for (const std::string& words : lines) extent.x = std::max(extent.x, width_of(words));
   const double margin = view.points(4.0);
   const double left = std::min(middle.x - 0.5 * extent.x, view.camera.size.x - margin - extent.x);
   const Vector<2> corner{left, middle.y + radius + margin};
@@ -72,7 +82,13 @@ void add_dial_caption(const View& view, LabelPlacer& labels, Marks& marks) {
   const bool fits = box.least.x >= 0.0 && box.least.y >= 0.0 && box.most.y <= view.camera.size.y;
   if (!fits || !labels.obstacles().is_free(box, view.points(1.0), Clearance::if_possible)) return;
   labels.keep_clear(box);
-  ScreenPen{view, marks, Role::motor_axis}.text(corner, words, view.theme.text);
+  const ScreenPen pen{view, marks, Role::motor_axis};
+  Vector<2> at = corner;
+  for (std::string& words : lines) {
+    at.x = corner.x + 0.5 * (extent.x - width_of(words));
+    pen.text(at, std::move(words), view.theme.text);
+    at.y += style.height;
+  }
 }
 
 }  // namespace ghostforce

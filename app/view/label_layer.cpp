@@ -57,7 +57,7 @@ class SceneWords {
   Colour active() const { return view_.theme.strategy_text[index_of(view_.settings.active)]; }
 
   void add(LabelRequest request, Role role, Colour colour) {
-    request.style = view_.drawn(normal_text);
+    request.style = view_.drawn(style_);
     requests_.push_back(std::move(request));
     roles_.push_back(role);
     colours_.push_back(colour);
@@ -110,16 +110,17 @@ class SceneWords {
     }
     Vector<2> corner = label.box.least;
     for (const std::string& words : label.lines) {
-      const double width = view_.measure(words, view_.drawn(normal_text)).x;
+      const double width = view_.measure(words, view_.drawn(style_)).x;
       corner.x = label.box.least.x + label.aligned * (label.box.extent().x - width);
       marks.push_back(
-          {roles_[i], owner, Label{to_world(view_.camera, corner), Vector<2>(0.0), words, normal_text, colour, halo}});
-      corner.y += view_.drawn(normal_text).height;
+          {roles_[i], owner, Label{to_world(view_.camera, corner), Vector<2>(0.0), words, style_, colour, halo}});
+      corner.y += view_.drawn(style_).height;
     }
   }
 
   const View& view_;
   const StrategySnapshot<2>& now_;
+  TextStyle style_ = view_.is_pane ? small_text : normal_text;
   std::vector<LabelRequest> requests_;
   std::vector<Role> roles_;
   std::vector<Colour> colours_;

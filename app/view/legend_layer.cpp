@@ -175,7 +175,7 @@ void add_legend(const View& view, LabelPlacer& labels, CornerMemory& memory, Mar
       places.push_back(box_in_corner(corner, extent, view.camera.size, view.points(legend_margin)));
     }
   }
-  const auto found = place_in_corner(places, labels, memory);
+  const auto found = place_in_corner(places, corners.size(), labels, memory);
   if (!found || found->strength <= 0.0) return;
   draw(view, entries, forms[found->place / corners.size()], places[found->place], found->strength, marks);
 }

@@ -16,9 +16,10 @@ struct CornerMemory {
   std::optional<std::size_t> place{};
   double strength = 0.0;      // 0: not to be seen, 1: all there
   double waited_s = 0.0;      // for a place, or for a better one
-  std::uint64_t settled = 0;  // the picture in which there was none
+  std::uint64_t picture = 0;  // its number: the same where nothing moves
+  bool is_best = true;        // of that picture, as far as anybody has looked
 
-  bool is_moving() const noexcept { return waited_s > 0.0 || (place && strength < 1.0); }
+  bool is_moving() const noexcept { return !is_best || waited_s > 0.0 || (place && strength < 1.0); }
 };
 
 struct PaneMemory {

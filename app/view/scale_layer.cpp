@@ -65,7 +65,7 @@ void add_scales(const View& view, LabelPlacer& labels, CornerMemory& memory, Mar
   for (const Corner upper : {Corner::upper_left, Corner::upper_right}) {
     places.push_back(box_in_corner(upper, extent, size, margin));
   }
-  const auto found = place_in_corner(places, labels, memory);
+  const auto found = place_in_corner(places, places.size(), labels, memory);
   if (!found || found->strength <= 0.0) return;
   const ScreenBox& box = places[found->place];
   const ScreenPen pen{view, marks, Role::scale, found->strength};

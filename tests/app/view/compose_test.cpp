@@ -266,8 +266,9 @@ void expect_readable(const std::vector<Box>& boxes, const Vector<2>& size, const
         << where << ' ' << size.x << ": '" << a.text << "' is cut off";
     for (std::size_t j = 0; j < i; ++j) {
       const Box& b = boxes[j];
-      const bool apart =
-          a.most.x <= b.least.x || b.most.x <= a.least.x || a.most.y <= b.least.y || b.most.y <= a.least.y;
+      constexpr double rounding = 1e-9;  // of lines that stand one below the other
+      const bool apart = a.most.x <= b.least.x || b.most.x <= a.least.x || a.most.y <= b.least.y + rounding ||
+                         b.most.y <= a.least.y + rounding;
       EXPECT_TRUE(apart) << where << ' ' << size.x << ": '" << a.text << "' over '" << b.text << "'";
     }
   }
