@@ -77,7 +77,8 @@ class SceneWords {
     const auto force = drawn_force(view_);
     if (!force) return;
     const double half_width = 0.5 * view_.points(force_arrow_width);
-    const auto add_part = [&](LabelId id, Role role, std::string words, const Vector<2>& from, const Vector<2>& to) {
+    const auto add_part = [&](LabelId id, Role role, std::string words, const Vector<2>& from, const Vector<2>& to,
+                              double best_share, double weight_of_doubt) {
       const Vector<2> across{-force->direction.y, force->direction.x};
       add({.id = id,
            .lines = {std::move(words)},
@@ -85,16 +86,21 @@ class SceneWords {
            .from = from,
            .to = to,
            .clearance = 2.0 * half_width,
-           .direction = across.y < 0.0 ? across : -across},
+           .direction = across.y < 0.0 ? across : -across,
+           .best_share = best_share,
+           .weight_of_doubt = weight_of_doubt},
           role, active());
     };
     if (force->ghost != 0.0) {
       const double signed_newton = glm::length(now_.ghost_force) * (force->ghost < 0.0 ? -1.0 : 1.0);
       add_part(SceneLabel::ghost, Role::ghost_force, fmt::format("ghost force {} N", decimal_text(signed_newton, 2)),
-               force->share_end(), force->tip());
+               force->share_end(), force->tip(), 0.5, 3.0);
     }
+    // Beside what is not hatched, if possible.
+    const double whole = force->share + force->ghost;
+    const double best_share = force->ghost > 0.0 ? std::clamp(0.5 * force->share / whole, 0.0, 1.0) : 0.5;
     add_part(SceneLabel::force, Role::force, fmt::format("force {} N", decimal_text(glm::length(now_.force), 2)),
-             force->start, force->share > 0.0 ? force->share_end() : force->tip());
+             force->start, force->tip(), best_share, 1.0);
   }
 
   void draw(const PlacedLabel& label, std::size_t i, Marks& marks) const {

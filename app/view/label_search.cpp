@@ -110,7 +110,7 @@ double LabelSearch::cost_of_doubt(const ScreenBox& box) const {
   const double own = distance_to_line(middle, from_, to_);
   double least = own;
   for (const ScreenPiece& other : others_) least = std::min(least, distance_to_line(middle, other.from, other.to));
-  return doubt_cost * std::min(1.0, (own - least) / points(full_doubt));
+  return request_.weight_of_doubt * doubt_cost * std::min(1.0, (own - least) / points(full_doubt));
 }
 
 std::optional<LabelOption> LabelSearch::at(const LabelPlace& place, double air) {

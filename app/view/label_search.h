@@ -41,6 +41,7 @@ struct LabelRequest {
   Vector<2> direction{0.0};           // where from there it had best stand, of any length
   double best_share = 0.5;            // of the way from one end to the other
   bool is_of_long_thing = false;      // which nobody takes for something else, however near other words stand
+  double weight_of_doubt = 1.0;       // how bad it is to stand nearer to something else, against the usual
   std::optional<LabelBlock> block{};  // instead of all that: where these words are to stand
 };
 
