@@ -16,7 +16,7 @@ constexpr double share_of_longest = 0.4;  // of the longest arrow, of a pane's w
 constexpr double usual_depth = 0.02;      // of a goal in the wall, where nothing pushes yet [m]
 constexpr double least_shown = 0.012;     // across [m]
 // Round what is shown: for markers and their words, above that for the title, below for dial and scale bars [points].
-constexpr double room_beside = 46.0;
+constexpr double room_beside = 30.0;
 constexpr double room_above = 60.0;
 constexpr double room_below = 110.0;
 constexpr double ruler_reach = 40.0;  // of the drift's ruler from the wall

@@ -1,6 +1,7 @@
 #include "app/view/panes.h"
 
 #include <algorithm>
+#include <ranges>
 #include <utility>
 
 namespace ghostforce {
@@ -57,6 +58,8 @@ std::vector<Pane> compose_panes(const PictureContent& content, PictureMemory& me
     const Camera camera = camera_on(content.shown.center, content.shown.width, content.size);
     panes.push_back(compose_pane(content, content.settings, {Vector<2>(0.0), camera, usual_newton_length * unit},
                                  memory[0], interval_s, marks_of_earlier(0)));
+    // What is not there begins anew when it comes back.
+    std::ranges::fill(memory | std::views::drop(1), PaneMemory());
     return panes;
   }
   const Vector<2> size = pane_size(content.size, content.scale);

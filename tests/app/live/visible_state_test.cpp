@@ -31,6 +31,24 @@ class VisibleStateTest : public testing::Test {
   LoopReading reading_;
 };
 
+TEST_F(VisibleStateTest, ATrailIsSeenAsLongAsItFades) {
+  session_.face = Face::workbench;
+  for (int i = 0; i < 100; ++i) {
+    snapshot_.tick = i;
+    snapshot_.time_s = 0.01 * i;
+    snapshot_.goal.x = 0.001 * i;
+    history_.add(snapshot_);
+  }
+  const auto wait = [&](double seconds) { return [this, seconds] { snapshot_.time_s += seconds; }; };
+  EXPECT_TRUE(sees(wait(1.0)));
+  EXPECT_FALSE(sees(wait(0.0))) << "a paused picture stands still";
+  EXPECT_TRUE(sees(wait(2.5))) << "it is gone";
+  EXPECT_FALSE(sees(wait(1.0)));
+  snapshot_.time_s = 2.0;
+  session_.options.trails = false;
+  EXPECT_FALSE(sees(wait(0.5)));
+}
+
 TEST_F(VisibleStateTest, TimeAndCountsAreNotSeen) {
   EXPECT_FALSE(sees([&] {
     snapshot_.tick += 1000;

@@ -150,5 +150,19 @@ TEST(WorkbenchDrag, EndsAtRest) {
   }
 }
 
+TEST(WorkbenchDrag, PanesThatAreGoneLeaveNothingBehind) {
+  WorkbenchCase shown = usual(StrategyId::naive, {1280.0, 800.0});
+  shown.options.compare = Compare::side_by_side;
+  PictureMemory memory;
+  for (int step = 0; step < 60; ++step) {
+    shown.snapshot = snapshot_at_rest_of_all(shown.settings, usual_goal * (1.0 - step / 40.0));
+    shown.compose(memory, frame_s);
+  }
+  ASSERT_TRUE(std::ranges::any_of(memory, &PaneMemory::is_moving));
+  shown.options.compare = Compare::overlay;
+  shown.compose(memory, frame_s);
+  EXPECT_FALSE(std::ranges::any_of(memory, &PaneMemory::is_moving)) << "the one picture is new";
+}
+
 }  // namespace
 }  // namespace ghostforce
