@@ -11,15 +11,14 @@ constexpr std::string_view full_sentence =
     "A motor for every direction: the wall feels as it should. The reference for the other two.";
 
 constexpr PerStrategy<Strategy> catalog{{
-    {StrategyId::full, "full", 'F', "Fully actuated", "two motors", full_sentence, full_sentence, full_sentence, true,
-     isotropic},
-    {StrategyId::naive, "naive", 'N', "Naïve", "one motor",
+    {StrategyId::full, "full", 'F', "Fully actuated", full_sentence, full_sentence, full_sentence, true, isotropic},
+    {StrategyId::naive, "naive", 'N', "Naïve",
      "One motor, rendered as if there were two: a ghost force drags the hand along the wall.",
      "One motor, rendered as if there were two: a ghost force drags the hand along the wall.",
      "One motor, rendered as if there were two. Here that makes no ghost force: the motor pushes straight out of the "
      "wall.",
      false, isotropic},
-    {StrategyId::anisotropic, "anisotropic", 'A', "Anisotropic", "one motor, softer tracking",
+    {StrategyId::anisotropic, "anisotropic", 'A', "Anisotropic",
      "The cure: the same single motor, and a proxy that follows more softly across it. At the optimal ratio ρ* the "
      "ghost force is gone.",
      "The same single motor, and a proxy that follows more softly across it. But ρ is not the ratio that this hand "

@@ -31,7 +31,6 @@ struct Strategy {
   std::string_view name;                                  // in files and on the command line
   char letter;                                            // in pictures and tables
   std::string_view title;                                 // on screen
-  std::string_view in_brief;                              // beside the title, in a legend
   std::string_view sentence;                              // what it does, for a person who hovers over it
   std::string_view with_ghost;                            // what to see where it makes a ghost force,
   std::string_view without_ghost;                         // and where it makes none

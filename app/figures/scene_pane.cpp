@@ -76,6 +76,7 @@ class Drawing {
               .camera = pane_.camera,
               .options = {},
               .scale = 1.0,
+              .points_per_newton = points_per_newton_on_paper,
               .measure = measure},
              pane_.marks);
     std::erase_if(pane_.marks, [](const Mark& mark) { return mark.role == Role::grid; });

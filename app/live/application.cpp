@@ -117,6 +117,7 @@ void Application::use(const InputEntry& entry, std::shared_ptr<const Scene> scen
   if (is_other_scene) {
     session_.goal = session_.scene->goal.points.back();
     session_.shown = session_.scene->view;
+    session_.pane_views.reset();
     window_.set_title(window_title(*session_.scene));
   }
   sent_settings_ = session_.settings;
@@ -193,7 +194,7 @@ void Application::update(double interval_s) {
 }
 
 VisibleState Application::visible() const {
-  return visible_state(session_, shown(), history_.moments(), report_.snapshot.time_s, reading());
+  return visible_state(session_, shown(), history_, report_.snapshot.time_s, reading());
 }
 
 bool Application::has_changed() const {

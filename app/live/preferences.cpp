@@ -48,6 +48,9 @@ void read(TomlReader& reader, Preferences& preferences) {
               catalog_entry(theme_catalog(), [&](const Theme& theme) { preferences.appearance.theme = &theme; })},
       TomlKey{"", "scale",
               number_into(preferences.appearance.scale, {Appearance::least_scale, Appearance::greatest_scale})},
+      TomlKey{"", "arrows",
+              number_into(preferences.appearance.arrow_scale,
+                          {Appearance::least_arrow_scale, Appearance::greatest_arrow_scale})},
       TomlKey{"", "hints", yes_or_no_into(preferences.offers_hints)},
       TomlKey{"", "view",
               catalog_entry(std::span<const FaceEntry>(face_catalog),
@@ -76,10 +79,10 @@ void read(TomlReader& reader, WindowLayout& layout) {
 
 std::string text_of(const Preferences& preferences) {
   return fmt::format(
-      "# Written by ghostforce: what the View panel and F4 choose.\ntheme = {}\nscale = {:.4f}\nhints = {}\nview = "
-      "{}\n",
-      toml_string(preferences.appearance.theme->name), preferences.appearance.scale, preferences.offers_hints,
-      toml_string(face_name(preferences.face)));
+      "# Written by ghostforce: what the View panel and F4 choose.\ntheme = {}\nscale = {:.4f}\narrows = {:.4f}\n"
+      "hints = {}\nview = {}\n",
+      toml_string(preferences.appearance.theme->name), preferences.appearance.scale, preferences.appearance.arrow_scale,
+      preferences.offers_hints, toml_string(face_name(preferences.face)));
 }
 
 std::string text_of(const WindowLayout& layout) {

@@ -49,8 +49,8 @@ std::string shown_words(const Session& session, const LoopReading& reading) {
 
 }  // namespace
 
-VisibleState visible_state(const Session& session, const ShownMoment& shown, const MomentHistory& moments,
-                           double present_s, const LoopReading& reading) {
+VisibleState visible_state(const Session& session, const ShownMoment& shown, const History& history, double present_s,
+                           const LoopReading& reading) {
   VisibleState state{.snapshot = shown.snapshot,
                      .settings = shown.settings,
                      .is_past = shown.is_past,
@@ -59,13 +59,16 @@ VisibleState visible_state(const Session& session, const ShownMoment& shown, con
                      .notice = {},
                      .plots_end_s = {},
                      .ribbon_end_s = {},
+                     .trail_s = {},
                      .words = shown_words(session, reading)};
   if (session.notice) state.notice = session.notice->words;
   const PlotView& plots = session.plots;
   const bool has_plots = session.face == Face::workbench && plots.is_open && plots.tab == PlotTab::time;
   if (has_plots && (plots.follows || present_s <= plots.to_s)) state.plots_end_s = present_s;
   const bool has_ribbon = session.face == Face::stage && session.stage.mode == StageMode::ribbon;
-  if (has_ribbon) state.ribbon_end_s = moments.changed_s();
+  if (has_ribbon) state.ribbon_end_s = history.moments().changed_s();
+  const bool has_trail = session.face == Face::workbench && session.options.trails;
+  if (has_trail && history.has_trail_at(shown.snapshot.time_s)) state.trail_s = shown.snapshot.time_s;
   return state;
 }
 
@@ -75,7 +78,7 @@ bool looks_other(const VisibleState& seen, const VisibleState& now, double point
   return looks_other(seen.snapshot, now.snapshot, least) || glm::distance(seen.goal, now.goal) > least.step ||
          seen.settings != now.settings || seen.is_past != now.is_past || seen.is_paused != now.is_paused ||
          seen.notice != now.notice || seen.plots_end_s != now.plots_end_s || seen.ribbon_end_s != now.ribbon_end_s ||
-         seen.words != now.words;
+         seen.trail_s != now.trail_s || seen.words != now.words;
 }
 
 }  // namespace ghostforce

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "app/session/session.h"
-#include "app/view/moment_history.h"
 #include "app/view/shown_moment.h"
+#include "app/view/trail_history.h"
 
 namespace ghostforce {
 
@@ -20,12 +20,13 @@ struct VisibleState {
   std::optional<std::string> notice;   // its words
   std::optional<double> plots_end_s;   // of the plots over time, while the present is in sight
   std::optional<double> ribbon_end_s;  // of the last minute, while that is on the stage
+  std::optional<double> trail_s;       // of the moment, while a trail of it is fading
   std::string words;                   // that name what is so, or what to do: warnings, readiness, motors, recording
 };
 
 // `present_s`: model time of the newest tick.
-VisibleState visible_state(const Session& session, const ShownMoment& shown, const MomentHistory& moments,
-                           double present_s, const LoopReading& reading);
+VisibleState visible_state(const Session& session, const ShownMoment& shown, const History& history, double present_s,
+                           const LoopReading& reading);
 
 // Whether a person could see it, in a picture so fine [points/m].
 bool looks_other(const VisibleState& seen, const VisibleState& now, double points_per_metre) noexcept;

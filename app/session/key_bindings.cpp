@@ -189,7 +189,7 @@ constexpr std::array bindings{
     KeyBinding{GLFW_KEY_KP_SUBTRACT, alt, "", "", turn_ratio_by<-10>, true},
     KeyBinding{GLFW_KEY_KP_ADD, alt, "", "", turn_ratio_by<10>, true},
 
-    KeyBinding{GLFW_KEY_G, none, "G", "Ghost force arrows on and off", toggle<&ViewOptions::ghost_forces>},
+    KeyBinding{GLFW_KEY_G, none, "G", "Ghost force on and off: the hatched end of the arrow", toggle<&ViewOptions::ghost_forces>},
     KeyBinding{GLFW_KEY_P, none, "P", "Prediction rings on and off", toggle<&ViewOptions::predictions>},
     KeyBinding{GLFW_KEY_T, none, "T", "Trails on and off", toggle<&ViewOptions::trails>},
     KeyBinding{GLFW_KEY_F, none, "F", "Fit the view to what there is to see", ask<&Requests::fit_view>},

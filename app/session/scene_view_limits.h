@@ -1,6 +1,7 @@
 // What part of the world a person may look at: as much as a scene's file can hold. Pure, any thread.
 #pragma once
 
+#include "app/view/pane_views.h"
 #include "core/scene.h"
 
 namespace ghostforce {
@@ -10,5 +11,9 @@ SceneView within_scene_limits(SceneView shown);
 
 // Zooms by `factor` (above 1: closer), so that the world point `at` stays where it is.
 SceneView zoomed(const SceneView& shown, double factor, const Vector<2>& at);
+
+// The same of panes side by side: where the pointer is in one, all the others do likewise. `at`: in that pane.
+PaneViews zoomed(const PaneViews& views, double factor, StrategyId pane, const Vector<2>& at);
+PaneViews moved(const PaneViews& views, const Vector<2>& by);
 
 }  // namespace ghostforce

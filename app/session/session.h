@@ -16,6 +16,7 @@
 #include "app/session/measurement.h"
 #include "app/session/plot_view.h"
 #include "app/session/stage_choice.h"
+#include "app/view/pane_views.h"
 #include "app/view/stage/stage_layout.h"
 #include "app/view/theme.h"
 #include "app/view/view.h"
@@ -34,9 +35,12 @@ struct PanelContext;
 struct Appearance {
   static constexpr double least_scale = 0.75;
   static constexpr double greatest_scale = 3.0;
+  static constexpr double least_arrow_scale = 0.25;
+  static constexpr double greatest_arrow_scale = 4.0;
 
   const Theme* theme = &theme_catalog().front();
-  double scale = 1.0;  // of letters and lines, on top of the display's own
+  double scale = 1.0;        // of letters and lines, on top of the display's own
+  double arrow_scale = 1.0;  // of forces in the workbench's scene
 
   friend bool operator==(const Appearance&, const Appearance&) = default;
 };
@@ -106,8 +110,9 @@ struct Session {
   bool is_editing = false;             // a control or a handle is held: its change is not complete yet
   Face face = Face::workbench;
   StageChoice stage;
-  SceneView shown;        // the part of the world in the workbench's picture,
-  SceneView stage_shown;  // and in the stage's
+  SceneView shown;                      // the part of the world in the workbench's picture,
+  std::optional<PaneViews> pane_views;  // in its panes side by side; empty: the next picture fits them to its moment
+  SceneView stage_shown;                // and in the stage's
   ViewOptions options;
   PlotView plots;
   Appearance appearance;

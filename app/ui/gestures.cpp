@@ -3,14 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <variant>
 
 #include <imgui.h>
 
 #include "app/session/scene_view_limits.h"
 #include "app/ui/widgets/tooltips.h"
+#include "app/view/fit.h"
 #include "app/view/handles.h"
-#include "app/view/screen_box.h"
 #include "core/units.h"
 
 namespace ghostforce {
@@ -32,6 +33,23 @@ double angle_on_screen(const Vector<2>& direction) {
 
 double& angle_of(Handle handle, Settings& settings) {
   return handle == Handle::motor_axis ? settings.actuated_angle : settings.wall_normal_angle;
+}
+
+// Of the arrow that ends last, seen from the device.
+std::optional<FitPoint> tip_of_force(const Pane& pane) {
+  std::optional<Vector<2>> device;
+  std::optional<FitPoint> tip;
+  for (const Mark& mark : pane.marks) {
+    const bool is_active = mark.strategy == pane.active;
+    if (const auto* marker = std::get_if<Marker>(&mark.form); is_active && marker && mark.role == Role::device) {
+      device = marker->center;
+    }
+    const bool is_force = mark.role == Role::force || mark.role == Role::ghost_force;
+    if (const auto* arrow = std::get_if<Arrow>(&mark.form); device && is_force && arrow) {
+      tip = FitPoint{*device, to_screen(pane.camera, arrow->tip) - to_screen(pane.camera, *device)};
+    }
+  }
+  return tip;
 }
 
 const Pane& pane_of(const std::vector<Pane>& panes, StrategyId id) {
@@ -67,8 +85,13 @@ void Gestures::take(Session& session, const std::vector<Pane>& panes, const Vect
   }
   if (const float wheel = ImGui::GetIO().MouseWheel; is_hovered && wheel != 0.0F) {
     const Pane& pane = pane_at(panes, pointer);
-    session.shown = zoomed(session.shown, std::pow(zoom_per_notch, static_cast<double>(wheel)),
-                           to_world(pane.camera, pointer - pane.corner));
+    const double factor = std::pow(zoom_per_notch, static_cast<double>(wheel));
+    const Vector<2> at = to_world(pane.camera, pointer - pane.corner);
+    if (session.pane_views) {
+      session.pane_views = zoomed(*session.pane_views, factor, pane.active, at);
+    } else {
+      session.shown = zoomed(session.shown, factor, at);
+    }
   }
   if (ImGui::IsItemActivated()) {
     const Pane& pane = pane_at(panes, pointer);
@@ -132,9 +155,12 @@ void Gestures::go_on(Session& session, const Settings& shown, const Pane& pane, 
       break;
     case Grip::picture: {
       ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
-      const Vector<2> moved = pointer - last_;
-      session.shown = within_scene_limits(
-          {session.shown.center - Vector<2>(moved.x, -moved.y) / pane.camera.points_per_metre, session.shown.width});
+      const Vector<2> by = -to_screen_direction(pointer - last_) / pane.camera.points_per_metre;
+      if (session.pane_views) {
+        session.pane_views = moved(*session.pane_views, by);
+      } else {
+        session.shown = within_scene_limits({session.shown.center + by, session.shown.width});
+      }
       break;
     }
   }
@@ -154,26 +180,27 @@ void Gestures::turn(Session& session, const Settings& shown, const Pane& pane, c
 
 SceneView view_of_everything(const Session& session, const std::vector<Pane>& panes, const Vector<2>& size,
                              double unit) {
-  ScreenBox all{session.goal, session.goal};
-  all.include(session.settings.wall_point);
+  std::vector<FitPoint> points{{session.goal}, {session.settings.wall_point}};
   for (const Pane& pane : panes) {
     for (const Mark& mark : pane.marks) {
       const bool belongs = mark.role == Role::device || mark.role == Role::proxy || mark.role == Role::trail;
       if (const auto* marker = std::get_if<Marker>(&mark.form); marker != nullptr && belongs) {
-        all.include(marker->center);
-      }
-      if (const auto* line = std::get_if<Line>(&mark.form); line != nullptr && belongs) {
-        all.include(line->from);
-        all.include(line->to);
+        points.push_back({marker->center});
+      } else if (const auto* line = std::get_if<Line>(&mark.form); line != nullptr && belongs) {
+        points.push_back({line->from});
+        points.push_back({line->to});
       }
     }
+    // Arrows are as long at any distance.
+    if (const auto tip = tip_of_force(pane)) points.push_back({tip->world, tip->offset});
   }
   const Vector<2> room = panes.empty() ? size : panes.front().camera.size;
   const Vector<2> margin = glm::min(Vector<2>(90.0 * unit), 0.25 * room);
-  const Vector<2> fits = (room - 2.0 * margin) / glm::max(all.extent(), Vector<2>(1e-3));
-  const double points_per_metre = std::min(fits.x, fits.y);
+  constexpr double least_extent = 1e-3;  // [m]
+  const double closest = std::min(room.x, room.y) / least_extent;
+  const double points_per_metre = fitting_scale(points, room - 2.0 * margin, closest);
   const double width = std::min(room.x, room.y / 0.75) / points_per_metre;
-  return within_scene_limits({0.5 * (all.least + all.most), width});
+  return within_scene_limits({fitting_center(points, points_per_metre), width});
 }
 
 }  // namespace ghostforce

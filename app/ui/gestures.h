@@ -43,7 +43,7 @@ class Gestures {
   Vector<2> last_{0.0};  // pointer in its pane, a frame ago [points]
 };
 
-// Shows all that there is: goal, devices, proxies and trails.
+// Shows all that there is: goal, devices, proxies, trails and forces.
 SceneView view_of_everything(const Session& session, const std::vector<Pane>& panes, const Vector<2>& size,
                              double unit);
 

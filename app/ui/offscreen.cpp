@@ -143,6 +143,7 @@ std::vector<Pane> compose_moment(const PictureRequest& request, const Moment& mo
                         .shown = request.scene.view,
                         .size = size,
                         .scale = request.appearance.scale,
+                        .arrow_scale = request.appearance.arrow_scale,
                         .measure = measure});
 }
 

@@ -52,7 +52,7 @@ void Screen::wait(const Session& session, double interval_s) noexcept {
 }
 
 bool Screen::is_moving(const Session& session) const noexcept {
-  return session.face == Face::stage && stage_.is_moving();
+  return session.face == Face::stage ? stage_.is_moving() : workbench_.is_moving();
 }
 
 Image Screen::picture(const Session& session, const ShownMoment& moment, const History& history,
@@ -98,7 +98,7 @@ void Screen::draw_everything(Session& session, const ShownMoment& moment, const 
   if (session.face == Face::stage) {
     draw_stage(context, moment, history, frame, has_keys);
   } else {
-    workbench_.draw(context, {moment, history, measure_, frame.part, frame.is_live});
+    workbench_.draw(context, {moment, history, measure_, frame.part, frame.is_live, frame.interval_s});
     panes_ = workbench_.panes();
     scene_corner_ = workbench_.scene_corner();
     scene_size_ = workbench_.scene_size();
@@ -152,8 +152,10 @@ std::vector<Pane> Screen::panes_for_file(const Session& session, const ShownMome
                         .theme = theme,
                         .options = session.options,
                         .shown = session.shown,
+                        .pane_views = session.pane_views,
                         .size = scene_size_,
                         .scale = scale,
+                        .arrow_scale = session.appearance.arrow_scale,
                         .measure = measure});
 }
 

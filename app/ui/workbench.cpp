@@ -137,7 +137,10 @@ void Workbench::draw(const PanelContext& context, const WorkbenchFrame& frame) {
     gestures_.take(session, panes_, scene_size_, unit, frame.moment);
     ImGui::End();
     if (std::exchange(session.requests.fit_view, false)) {
-      session.shown = view_of_everything(session, panes_, scene_size_, unit);
+      session.pane_views.reset();
+      if (session.options.compare != Compare::side_by_side) {
+        session.shown = view_of_everything(session, panes_, scene_size_, unit);
+      }
     }
   }
   if (frame.part == Part::window) draw_panels(context, layout, frame.history);
@@ -146,26 +149,38 @@ void Workbench::draw(const PanelContext& context, const WorkbenchFrame& frame) {
 }
 
 void Workbench::compose(const PanelContext& context, const WorkbenchFrame& frame) {
-  const Session& session = context.session;
+  Session& session = context.session;
   const bool is_live = frame.is_live;
   const Handle hovered = !is_live                                     ? Handle::none
                          : points_at(session, HintTarget::motor_axis) ? Handle::motor_axis
                                                                       : gestures_.hovered();
-  panes_ = compose_panes({.settings = frame.moment.settings,
-                          .snapshot = frame.moment.snapshot,
-                          .history = frame.history,
-                          .theme = context.theme,
-                          .options = session.options,
-                          .shown = session.shown,
-                          .size = scene_size_,
-                          .scale = static_cast<double>(context.scale),
-                          .measure = frame.measure,
-                          .has_handles = session.has_handles,
-                          .hovered = hovered,
-                          .is_goal_hot = is_live && points_at(session, HintTarget::goal),
-                          .turn_s = turn_to_show(context.loop),
-                          .target = target_of(session, context.loop.motors)},
-                         std::move(panes_));
+  PictureContent content{.settings = frame.moment.settings,
+                         .snapshot = frame.moment.snapshot,
+                         .history = frame.history,
+                         .theme = context.theme,
+                         .options = session.options,
+                         .shown = session.shown,
+                         .size = scene_size_,
+                         .scale = static_cast<double>(context.scale),
+                         .arrow_scale = session.appearance.arrow_scale,
+                         .measure = frame.measure,
+                         .has_handles = session.has_handles,
+                         .hovered = hovered,
+                         .is_goal_hot = is_live && points_at(session, HintTarget::goal),
+                         .turn_s = turn_to_show(context.loop),
+                         .target = target_of(session, context.loop.motors)};
+  // They are fitted once, and not while something moves: the picture must not swim under the pointer.
+  if (session.options.compare != Compare::side_by_side) {
+    session.pane_views.reset();
+  } else if (!session.pane_views) {
+    session.pane_views = fitted_pane_views(content);
+  }
+  content.pane_views = session.pane_views;
+  if (is_live) {
+    panes_ = compose_panes(content, memory_, frame.interval_s, std::move(panes_));
+  } else {
+    panes_ = compose_panes(content);
+  }
 }
 
 }  // namespace ghostforce

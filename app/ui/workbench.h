@@ -2,6 +2,7 @@
 // Between ImGui's NewFrame and Render, UI thread.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "app/session/session.h"
@@ -20,6 +21,7 @@ struct WorkbenchFrame {
   const MeasureText& measure;
   Part part;
   bool is_live;  // a person looks; else it is a picture for a file
+  double interval_s;
 };
 
 class Workbench {
@@ -33,6 +35,8 @@ class Workbench {
   const std::vector<Pane>& panes() const noexcept { return panes_; }
   // Upper left corner of the scene in the window [points].
   ImVec2 scene_corner() const noexcept { return scene_corner_; }
+  // Words may yet find better places, or come into sight.
+  bool is_moving() const noexcept { return std::ranges::any_of(memory_, &PaneMemory::is_moving); }
   // Of the scene in the window [points].
   Vector<2> scene_size() const noexcept { return scene_size_; }
 
@@ -43,6 +47,7 @@ class Workbench {
 
   Gestures gestures_;
   std::vector<Pane> panes_;
+  PictureMemory memory_;
   ImVec2 scene_corner_{0.0F, 0.0F};
   Vector<2> scene_size_{1.0};
 };

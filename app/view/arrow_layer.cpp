@@ -1,65 +1,96 @@
+// The rendered force of the active strategy, and its proxy drift.
+#include <algorithm>
+#include <cmath>
+
 #include "app/view/layers.h"
 #include "core/wall.h"
 
 namespace ghostforce {
 namespace {
 
-constexpr double ghost_aside = 21.0;        // [points]
-constexpr double drift_ruler_depth = 16.0;  // of the first ruler inside the wall [points]
-constexpr double ruler_step = 12.0;         // between rulers of different strategies [points]
+constexpr double shortest_force = 4.0;  // [points]
+constexpr double shortest_ghost = 1.0;
+constexpr double ruler_out = 30.0;  // of the ruler from the wall: proxies on it are smaller [points]
 
 }  // namespace
 
-Vector<2> ghost_arrow_offset(const View& view) {
-  const Vector<2> axis = direction_at(view.settings.actuated_angle);
-  Vector<2> aside{-axis.y, axis.x};
-  if (glm::dot(aside, wall_of(view.settings).normal) < 0.0) aside = -aside;
-  return to_screen_direction(aside) * view.points(ghost_aside);
-}
-
-bool has_ghost_arrow(const View& view, StrategyId id) {
-  return view.options.ghost_forces && is_drawn(view, view.snapshot.strategies[index_of(id)].ghost_force);
-}
-
-bool has_drift_ruler(const View& view, StrategyId id) {
-  return view.shows(id) && glm::length(view.snapshot.strategies[index_of(id)].proxy_drift) >= smallest_drift;
-}
-
-DriftRuler drift_ruler(const View& view, StrategyId id) {
-  const Wall<2> wall = wall_of(view.settings);
-  const double rank = view.options.compare == Compare::overlay ? static_cast<double>(index_of(id)) : 0.0;
-  const Vector<2> inside = -wall.normal * view.metres(drift_ruler_depth + ruler_step * rank);
-  const Vector<2> aim = view.snapshot.has_target && view.target ? *view.target : view.snapshot.goal;
-  return {projection(wall, aim) + inside, view.snapshot.strategies[index_of(id)].contact + inside};
-}
-
-void add_ruler(const View& view, StrategyId id, const DriftRuler& ruler, Marks& marks) {
-  const Vector<2> normal = wall_of(view.settings).normal;
-  const double tick = view.metres(5.0);
-  const auto line = [&](const Vector<2>& from, const Vector<2>& to) {
-    marks.push_back({Role::proxy_drift, id, Line{from, to, view.points(2.0), view.theme.strategy[index_of(id)]}});
+std::optional<DrawnForce> drawn_force(const View& view) {
+  const StrategySnapshot<2>& now = view.snapshot.strategies[index_of(view.settings.active)];
+  // In free space the sampled loop has a force of its own, which is no wall's.
+  if (!now.in_contact) return std::nullopt;
+  const Vector<2> ghost_force = view.options.ghost_forces ? now.ghost_force : Vector<2>(0.0);
+  const Vector<2> share_force = now.force - ghost_force;
+  const double share = glm::length(share_force) * view.points_per_newton;
+  double ghost = glm::length(ghost_force) * view.points_per_newton;
+  if (std::max(share, ghost) < view.points(shortest_force)) return std::nullopt;
+  if (ghost < view.points(shortest_ghost)) ghost = 0.0;
+  const Vector<2> world = glm::normalize(share >= ghost ? share_force : ghost_force);
+  const auto along = [&](const Vector<2>& force, double length) {
+    return glm::dot(force, world) < 0.0 ? -length : length;
   };
-  line(ruler.from, ruler.to);
-  for (const Vector<2>& end : {ruler.from, ruler.to}) line(end - normal * tick, end + normal * tick);
+  return DrawnForce{to_screen(view.camera, now.device), to_screen_direction(world), along(share_force, share),
+                    along(ghost_force, ghost)};
 }
 
-void add_arrows(const View& view, StrategyId id, Marks& marks) {
-  const std::size_t i = index_of(id);
-  const StrategySnapshot<2>& now = view.snapshot.strategies[i];
-  const Colour colour = view.theme.strategy[i];
-  const double size = view.in_front(id) ? 1.0 : 0.65;
-  if (has_drift_ruler(view, id)) add_ruler(view, id, drift_ruler(view, id), marks);
-  if (is_drawn(view, now.force)) {
-    marks.push_back({Role::force, id,
-                     Arrow{now.device, arrow_tip(view, now.device, now.force), view.points(5.0 * size), colour,
-                           view.theme.background, view.points(1.2)}});
+void add_force(const View& view, Marks& marks) {
+  const auto found = drawn_force(view);
+  if (!found) return;
+  const DrawnForce& force = *found;
+  const StrategyId id = view.settings.active;
+  const Colour colour = view.theme.strategy[index_of(id)];
+  const Colour paper = view.theme.background;
+  const double body = view.points(force_arrow_width);
+  const double head = 2.185 * body;     // its length, as painters draw it
+  const double with_head = head / 0.8;  // the shortest arrow whose head has its full size
+  const auto add = [&](bool is_ghost, const Vector<2>& from, const Vector<2>& to, bool has_head) {
+    marks.push_back(
+        {is_ghost ? Role::ghost_force : Role::force, id,
+         Arrow{to_world(view.camera, from), to_world(view.camera, to), body, is_ghost ? paper : colour,
+               is_ghost ? colour : paper, view.points(is_ghost ? 1.8 : 1.2), Vector<2>(0.0), has_head, is_ghost}});
+  };
+  if (force.ghost == 0.0) {
+    add(false, force.start, force.tip(), true);
+  } else if (force.ghost > 0.0 && force.share >= 0.0) {
+    // One head for both, and it is the ghost's.
+    const double length = std::min(std::max(force.ghost, with_head), force.share + force.ghost);
+    // The bar ends where the head begins, which is narrower at its tip.
+    const double neck = force.share + force.ghost - head * std::min(1.0, length / with_head);
+    const double bar = std::min(force.share, neck);
+    if (bar > 0.0) add(false, force.start, force.start + force.direction * bar, false);
+    add(true, force.tip() - force.direction * length, force.tip(), true);
+  } else {
+    // Too little: it folds back over the share.
+    if (force.share != 0.0) add(false, force.start, force.share_end(), true);
+    add(true, force.share_end(), force.tip(), true);
   }
-  // The ghost force is hollow: it is not a force of its own, but a part of the rendered one that should not be there.
-  if (has_ghost_arrow(view, id)) {
-    marks.push_back({Role::ghost_force, id,
-                     Arrow{now.device, arrow_tip(view, now.device, now.ghost_force), view.points(7.5 * size),
-                           view.theme.background, colour, view.points(2.0), ghost_arrow_offset(view)}});
-  }
+}
+
+std::optional<Ruler> drift_ruler(const View& view) {
+  const StrategySnapshot<2>& now = view.snapshot.strategies[index_of(view.settings.active)];
+  if (glm::length(now.proxy_drift) < smallest_drift) return std::nullopt;
+  const Vector<2> aim = view.snapshot.has_target && view.target ? *view.target : view.snapshot.goal;
+  const Wall<2> wall = wall_of(view.settings);
+  const Vector<2> aside = wall.normal * view.metres(ruler_out);
+  return Ruler{projection(wall, aim) + aside, projection(wall, now.contact) + aside, aim, now.contact};
+}
+
+// As a drawing has it: thin lines lead from what is measured to the ends of the ruler, and a little beyond.
+void add_drift(const View& view, Marks& marks) {
+  const auto found = drift_ruler(view);
+  if (!found) return;
+  const Ruler& ruler = *found;
+  const StrategyId id = view.settings.active;
+  const Colour colour = view.theme.strategy[index_of(id)];
+  const Vector<2> normal = wall_of(view.settings).normal;
+  const Vector<2> tick = normal * view.metres(5.0);
+  const auto line = [&](const Vector<2>& from, const Vector<2>& to, double width) {
+    marks.push_back({Role::proxy_drift, id, Line{from, to, view.points(width), colour}});
+  };
+  line(ruler.from, ruler.to, 2.4);
+  line(ruler.from - tick, ruler.from + tick, 2.4);
+  line(ruler.to - tick, ruler.to + tick, 2.4);
+  line(ruler.foot, ruler.from, 1.0);
+  line(ruler.other, ruler.to, 1.0);
 }
 
 }  // namespace ghostforce

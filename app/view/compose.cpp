@@ -1,29 +1,47 @@
 #include "app/view/compose.h"
 
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "app/view/layers.h"
 
 namespace ghostforce {
+namespace {
 
-Marks compose(const View& view, Marks earlier) {
+bool has_short_force(const View& view) {
+  const auto force = drawn_force(view);
+  return force && std::abs(force->share + force->ghost) < view.points(2.0 * device_radius);
+}
+
+}  // namespace
+
+Marks compose(const View& view, PaneMemory& memory, double interval_s, Marks earlier) {
   Marks marks = std::move(earlier);
   marks.clear();
   add_wall(view, marks);
   if (view.options.trails) add_trails(view, marks);
   add_loop(view, marks);
-  add_guides(view, marks);
-  if (view.options.predictions) add_predictions(view, marks);
   add_hand(view, marks);
-  add_target(view, marks);
-  for_each_shown(view, [&](StrategyId id) {
-    add_arrows(view, id, marks);
-    add_markers(view, id, marks);
-  });
   add_goal(view, marks);
+  add_others(view, marks);
+  if (view.options.predictions) add_predictions(view, marks);
+  add_target(view, marks);
+  add_proxy(view, marks);
+  add_drift(view, marks);
+  // The arrow begins below the device, unless it is so short that this would hide it.
+  const bool is_hidden = has_short_force(view);
+  if (!is_hidden) add_force(view, marks);
+  add_device(view, marks);
+  if (is_hidden) add_force(view, marks);
   add_handles(view, marks);
-  add_labels(view, marks);
+
+  LabelPlacer labels(view.camera.size, view.points(1.0), view.measure, memory.labels, interval_s);
+  keep_marks_clear(view, marks, labels);
+  add_dial_caption(view, labels, marks);
+  add_legend(view, labels, memory.legend, marks);
+  if (view.has_scales) add_scales(view, labels, memory.scales, marks);
+  add_labels(view, labels, marks);
   return marks;
 }
 

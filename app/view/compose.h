@@ -3,12 +3,14 @@
 #pragma once
 
 #include "app/view/marks.h"
+#include "app/view/picture_memory.h"
 #include "app/view/view.h"
 
 namespace ghostforce {
 
-// `earlier`: marks of an earlier picture, to be thrown away; the new ones take their room, which a screen that is drawn
-// sixty times a second need not ask the system for each time.
-Marks compose(const View& view, Marks earlier = {});
+// `memory`: where words stood in the picture before, `interval_s` ago; as it is made: there was none. `earlier`: marks of
+// an earlier picture, to be thrown away; the new ones take their room, which a screen that is drawn sixty times a second
+// need not ask the system for each time.
+Marks compose(const View& view, PaneMemory& memory, double interval_s = 0.0, Marks earlier = {});
 
 }  // namespace ghostforce

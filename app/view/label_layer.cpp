@@ -1,196 +1,180 @@
-// Words and numbers beside the marks. Each label tries a few places round its anchor and takes the first that is free,
-// so that labels neither cover each other nor the markers.
+// Words and numbers beside the marks of the active strategy, and of what belongs to all.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <iterator>
+#include <string>
 #include <vector>
 
 #include "app/view/layers.h"
+#include "app/view/number_text.h"
 #include "app/view/quantities.h"
-#include "app/view/screen_box.h"
 #include "core/units.h"
 
 namespace ghostforce {
 namespace {
 
-class LabelPlacer {
+// In the order of their importance.
+struct SceneLabel {
+  enum Id : LabelId { ghost, force, drift, device, goal, target, proxy };
+};
+
+constexpr double air_round_lines = 2.0;  // [points]
+
+class SceneWords {
  public:
-  LabelPlacer(const View& view, Marks& marks) : view_(view), marks_(marks) {}
+  explicit SceneWords(const View& view) : view_(view), now_(view.snapshot.strategies[index_of(view.settings.active)]) {}
 
-  void keep_clear(const Vector<2>& screen, double radius) {
-    taken_.push_back({{screen - Vector<2>(radius), screen + Vector<2>(radius)}, mark_weight});
-  }
-  void keep_clear_of_text(const Vector<2>& upper_left, const Vector<2>& extent) {
-    taken_.push_back({{upper_left, upper_left + extent}, text_weight});
-  }
-  // A thin box per piece: a slanted line's bounding box would keep half the picture clear.
-  void keep_clear(const Vector<2>& from, const Vector<2>& to, double radius) {
-    const int pieces = static_cast<int>(std::clamp(glm::distance(from, to) / (2.0 * radius), 1.0, 256.0));
-    for (int i = 0; i <= pieces; ++i) keep_clear(from + (to - from) * (static_cast<double>(i) / pieces), radius);
-  }
-
-  // `gap` is the distance between anchor and text [points].
-  void place(Role role, std::optional<StrategyId> id, const Vector<2>& anchor, double gap, std::string text,
-             const TextStyle& style, Colour colour) {
-    const Vector<2> extent = view_.measure(text, view_.drawn(style));
-    const Vector<2> at = to_screen(view_.camera, anchor);
-    // What is far outside the picture is not there to be named.
-    const Vector<2> nearest = glm::clamp(at, Vector<2>(0.0), view_.camera.size);
-    if (glm::distance(at, nearest) > view_.points(farthest_outside)) return;
-    // Most of what is taken lies farther away than any place that is tried.
-    const Vector<2> farthest = Vector<2>(gap * reaches.back()) + 0.5 * extent;
-    const ScreenBox tried{inside(at - farthest - 0.5 * extent, extent) - breath,
-                          inside(at + farthest - 0.5 * extent, extent) + extent + breath};
-    near_.clear();
-    std::ranges::copy_if(taken_, std::back_inserter(near_),
-                         [&](const Obstacle& other) { return overlap(tried, other.box) > 0.0; });
-    Vector<2> best = at;
-    double least = -1.0;
-    for (const double reach : reaches) {
-      for (const Vector<2>& side : sides) {
-        const Vector<2> corner = inside(at + side * (Vector<2>(gap * reach) + 0.5 * extent) - 0.5 * extent, extent);
-        const double cost = crowding({corner - breath, corner + extent + breath}, least);
-        if (least < 0.0 || cost < least) {
-          least = cost;
-          best = corner;
-        }
-      }
-      if (least == 0.0) break;
+  void add_all() {
+    const Vector<2> normal = to_screen_direction(wall_of(view_.settings).normal);
+    add_force();
+    if (const auto ruler = drift_ruler(view_)) {
+      add({.id = SceneLabel::drift,
+           .lines = {fmt::format("{}proxy drift {} mm", against_target(),
+                                 decimal_text(glm::length(now_.proxy_drift) * mm_per_m, 1))},
+           .style = {},
+           .from = at(ruler->from),
+           .to = at(ruler->to),
+           .clearance = view_.points(3.0),
+           .direction = normal},
+          Role::proxy_drift, active());
     }
-    keep_clear_of_text(best, extent);
-    marks_.push_back({role, id, Label{anchor, best - at, std::move(text), style, colour, view_.theme.background}});
+    add_point(SceneLabel::device, Role::device, "device", now_.device, 15.0, -normal, active());
+    add_point(SceneLabel::goal, Role::goal, view_.snapshot.measured ? "goal, estimated" : "goal", view_.snapshot.goal,
+              16.0, {1.0, 0.4}, view_.theme.text);
+    if (view_.target) {
+      add_point(SceneLabel::target, Role::target, "aim here", *view_.target, 14.0, normal, view_.theme.text);
+    }
+    if (now_.in_contact) add_point(SceneLabel::proxy, Role::proxy, "proxy", now_.proxy, 13.0, normal, active());
+  }
+
+  void place(LabelPlacer& labels, Marks& marks) const {
+    const auto found = labels.place(requests_);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      if (found[i] && found[i]->strength > 0.0) draw(*found[i], i, marks);
+    }
   }
 
  private:
-  // Words over a line can still be read, words over words cannot.
-  static constexpr double farthest_outside = 60.0;  // [points]
-  static constexpr double mark_weight = 1.0;
-  static constexpr double text_weight = 100.0;
-  struct Obstacle {
-    ScreenBox box;
-    double weight;
-  };
+  Vector<2> at(const Vector<2>& world) const { return to_screen(view_.camera, world); }
+  Colour active() const { return view_.theme.strategy_text[index_of(view_.settings.active)]; }
 
-  static constexpr std::array reaches{1.0, 1.8, 3.0, 5.0, 8.0};  // distances that are tried, in those asked for
-  static constexpr Vector<2> margin{4.0, 4.0};                   // to the picture's edge [points]
-  // Between two labels, or a word ends where the next begins [points].
-  static constexpr Vector<2> breath{3.0, 1.0};
-  // Right first, as one reads; then above and below, then left.
-  static constexpr std::array<Vector<2>, 8> sides{
-      {{1.0, 0.0}, {0.7, -0.9}, {0.7, 0.9}, {0.0, -1.0}, {0.0, 1.0}, {-1.0, 0.0}, {-0.7, -0.9}, {-0.7, 0.9}}};
-
-  // The corner of a text that would leave the picture, moved so that it stays.
-  Vector<2> inside(const Vector<2>& corner, const Vector<2>& extent) const {
-    return glm::max(glm::min(corner, view_.camera.size - extent - margin), margin);
+  void add(LabelRequest request, Role role, Colour colour) {
+    request.style = view_.drawn(style_);
+    requests_.push_back(std::move(request));
+    roles_.push_back(role);
+    colours_.push_back(colour);
+  }
+  void add_point(LabelId id, Role role, std::string words, const Vector<2>& place, double reach,
+                 const Vector<2>& direction, Colour colour) {
+    add({.id = id,
+         .lines = {std::move(words)},
+         .style = {},
+         .from = at(place),
+         .to = at(place),
+         .clearance = view_.points(reach),
+         .direction = direction},
+        role, colour);
+  }
+  void add_force() {
+    const auto force = drawn_force(view_);
+    if (!force) return;
+    const double half_width = 0.5 * view_.points(force_arrow_width);
+    const auto add_part = [&](LabelId id, Role role, std::string words, const Vector<2>& from, const Vector<2>& to,
+                              double best_share, double weight_of_doubt) {
+      const Vector<2> across{-force->direction.y, force->direction.x};
+      add({.id = id,
+           .lines = {std::move(words)},
+           .style = {},
+           .from = from,
+           .to = to,
+           .clearance = 2.0 * half_width,
+           .direction = across.y < 0.0 ? across : -across,
+           .best_share = best_share,
+           .weight_of_doubt = weight_of_doubt},
+          role, active());
+    };
+    if (force->ghost != 0.0) {
+      const double signed_newton = glm::length(now_.ghost_force) * (force->ghost < 0.0 ? -1.0 : 1.0);
+      add_part(SceneLabel::ghost, Role::ghost_force,
+               fmt::format("{}ghost force {} N", against_target(), decimal_text(signed_newton, 2)), force->share_end(),
+               force->tip(), 0.5, 3.0);
+    }
+    // Beside what is not hatched, if possible.
+    const double whole = force->share + force->ghost;
+    const double best_share = force->ghost > 0.0 ? std::clamp(0.5 * force->share / whole, 0.0, 1.0) : 0.5;
+    add_part(SceneLabel::force, Role::force, fmt::format("force {} N", decimal_text(glm::length(now_.force), 2)),
+             force->start, force->tip(), best_share, 1.0);
   }
 
-  // Counts no further than `enough`, where that is not negative: a place as crowded as that is not taken anyway.
-  double crowding(const ScreenBox& box, double enough) const {
-    double cost = 0.0;
-    for (const Obstacle& other : near_) {
-      cost += other.weight * overlap(box, other.box);
-      if (enough >= 0.0 && cost >= enough) break;
+  void draw(const PlacedLabel& label, std::size_t i, Marks& marks) const {
+    const StrategyId id = view_.settings.active;
+    const bool is_of_all = roles_[i] == Role::goal || roles_[i] == Role::target;
+    const std::optional<StrategyId> owner = is_of_all ? std::nullopt : std::optional(id);
+    const Colour colour = faded(colours_[i], label.strength);
+    const Colour halo = view_.theme.background.with_alpha(label.strength < 1.0 ? 0 : 255);
+    if (label.leader) {
+      marks.push_back({roles_[i], owner,
+                       Line{to_world(view_.camera, label.leader->from), to_world(view_.camera, label.leader->to),
+                            view_.points(1.2), faded(view_.theme.faint_text, label.strength)}});
     }
-    return cost;
+    Vector<2> corner = label.box.least;
+    for (const std::string& words : label.lines) {
+      const double width = view_.measure(words, view_.drawn(style_)).x;
+      corner.x = label.box.least.x + label.aligned * (label.box.extent().x - width);
+      marks.push_back(
+          {roles_[i], owner, Label{to_world(view_.camera, corner), Vector<2>(0.0), words, style_, colour, halo}});
+      corner.y += view_.drawn(style_).height;
+    }
+  }
+
+  // Before numbers that are not against a given goal.
+  std::string against_target() const {
+    return view_.snapshot.has_target ? fmt::format("{} ", target_sign) : std::string();
   }
 
   const View& view_;
-  Marks& marks_;
-  std::vector<Obstacle> taken_;
-  std::vector<Obstacle> near_;  // of these, what the label that is being placed may meet
+  const StrategySnapshot<2>& now_;
+  TextStyle style_ = view_.is_pane ? small_text : normal_text;
+  std::vector<LabelRequest> requests_;
+  std::vector<Role> roles_;
+  std::vector<Colour> colours_;
 };
 
-// Marks at the edge and on the scene that no label may cover.
-void keep_marks_clear(const View& view, const Marks& marks, LabelPlacer& placer) {
-  for (const Mark& mark : marks) {
-    if (mark.role == Role::prediction) continue;  // thin, and round a marker that is kept clear
-    if (const auto* marker = std::get_if<Marker>(&mark.form)) {
-      placer.keep_clear(to_screen(view.camera, marker->center) + marker->offset, marker->radius + 2.0);
-    } else if (const auto* arrow = std::get_if<Arrow>(&mark.form)) {
-      placer.keep_clear(to_screen(view.camera, arrow->tail) + arrow->offset,
-                        to_screen(view.camera, arrow->tip) + arrow->offset, arrow->width + 2.0);
-    } else if (const auto* label = std::get_if<Label>(&mark.form)) {
-      const Vector<2> at = to_screen(view.camera, label->anchor) + label->offset;
-      const Vector<2> extent = view.measure(label->text, view.drawn(label->style));
-      placer.keep_clear_of_text(at, extent);
-    } else if (const auto* line = std::get_if<Line>(&mark.form);
-               line != nullptr &&
-               (mark.role == Role::proxy_drift || mark.role == Role::scale || mark.role == Role::wall)) {
-      placer.keep_clear(to_screen(view.camera, line->from), to_screen(view.camera, line->to), 4.0);
-    }
-  }
-}
-
-// One letter per device; devices in the same place share a label ("F N A" in free space).
-void add_letters(const View& view, LabelPlacer& placer) {
-  std::vector<StrategyId> open;
-  for_each_shown(view, [&](StrategyId id) { open.push_back(id); });
-  std::reverse(open.begin(), open.end());  // the active one leads its group
-  while (!open.empty()) {
-    const StrategyId first = open.front();
-    const Vector<2> at = view.snapshot.strategies[index_of(first)].device;
-    std::string letters;
-    std::erase_if(open, [&](StrategyId id) {
-      const double apart = glm::distance(at, view.snapshot.strategies[index_of(id)].device);
-      if (id != first && apart > view.metres(12.0)) return false;
-      letters += letters.empty() ? "" : " ";
-      letters += strategy(id).letter;
-      return true;
-    });
-    placer.place(Role::device, first, at, view.points(11.0), letters, view.in_front(first) ? large_text : normal_text,
-                 view.theme.strategy_text[index_of(first)]);
-  }
-}
-
-// Whether a device stands where the active one does: its numbers would be said twice.
-bool is_behind_active(const View& view, StrategyId id) {
-  const auto device = [&](StrategyId which) { return view.snapshot.strategies[index_of(which)].device; };
-  return !view.in_front(id) && glm::distance(device(id), device(view.settings.active)) < view.metres(4.0);
-}
-
-void add_measures(const View& view, StrategyId id, LabelPlacer& placer) {
-  if (is_behind_active(view, id)) return;
-  const std::size_t i = index_of(id);
-  // Where there are several, each says whose it is.
-  const std::string whose =
-      view.options.compare == Compare::overlay ? fmt::format("{}: ", strategy(id).letter) : std::string();
-  const std::string against = view.snapshot.has_target ? fmt::format("{} ", target_sign) : std::string();
-  const StrategySnapshot<2>& now = view.snapshot.strategies[i];
-  const Colour colour = view.theme.strategy_text[i];
-  if (has_ghost_arrow(view, id)) {
-    const Vector<2> offset = ghost_arrow_offset(view);
-    const Vector<2> tip =
-        arrow_tip(view, now.device, now.ghost_force) + to_screen_direction(offset) / view.camera.points_per_metre;
-    placer.place(Role::ghost_force, id, tip, view.points(9.0),
-                 fmt::format("{}{}ghost force {:.2f} N", whose, against, glm::length(now.ghost_force)), normal_text,
-                 colour);
-  }
-  if (view.in_front(id) && is_drawn(view, now.force)) {
-    placer.place(Role::force, id, arrow_tip(view, now.device, now.force), view.points(9.0),
-                 fmt::format("{}force {:.2f} N", whose, glm::length(now.force)), normal_text, colour);
-  }
-  if (has_drift_ruler(view, id)) {
-    const DriftRuler ruler = drift_ruler(view, id);
-    placer.place(Role::proxy_drift, id, 0.5 * (ruler.from + ruler.to), view.points(8.0),
-                 fmt::format("{}{}drift {:.1f} mm", whose, against, glm::length(now.proxy_drift) * mm_per_m),
-                 normal_text, colour);
-  }
+void keep_line_clear(const View& view, Role role, const Line& line, LabelPlacer& labels) {
+  const bool is_thin = role == Role::wall || role == Role::hand_spring;
+  const bool matters = is_thin || role == Role::proxy_drift || role == Role::tracking_link || role == Role::contact ||
+                       role == Role::target || role == Role::goal;
+  if (!matters) return;
+  labels.keep_clear(to_screen(view.camera, line.from), to_screen(view.camera, line.to),
+                    0.5 * line.width + (is_thin ? 0.0 : view.points(air_round_lines)),
+                    is_thin ? Clearance::if_possible : Clearance::always);
 }
 
 }  // namespace
 
-void add_labels(const View& view, Marks& marks) {
-  LabelPlacer placer(view, marks);
-  keep_marks_clear(view, marks, placer);
-  add_letters(view, placer);
-  placer.place(Role::goal, std::nullopt, view.snapshot.goal, view.points(15.0),
-               view.snapshot.measured ? "goal, estimated" : "goal", normal_text, view.theme.text);
-  if (view.target) {
-    placer.place(Role::target, std::nullopt, *view.target, view.points(15.0), "aim here", normal_text, view.theme.text);
+void keep_marks_clear(const View& view, const Marks& marks, LabelPlacer& labels) {
+  for (const Mark& mark : marks) {
+    if (const auto* marker = std::get_if<Marker>(&mark.form)) {
+      const Vector<2> middle = to_screen(view.camera, marker->center) + marker->offset;
+      labels.keep_clear(middle, middle, reach_of(marker->shape) * marker->radius + 0.5 * marker->rim_width);
+    } else if (const auto* arrow = std::get_if<Arrow>(&mark.form); arrow != nullptr && mark.role != Role::motor_axis) {
+      const Vector<2> tail = to_screen(view.camera, arrow->tail);
+      const Vector<2> tip = to_screen(view.camera, arrow->tip);
+      labels.keep_clear(tail, tip, 0.5 * arrow->width + arrow->rim_width);
+      const double length = glm::distance(tail, tip);
+      if (!arrow->has_head || length == 0.0) continue;
+      const Vector<2> neck = tip - (tip - tail) * std::min(1.0, 2.185 * arrow->width / length);
+      labels.keep_clear(neck, tip, 1.15 * arrow->width + arrow->rim_width);
+    } else if (const auto* line = std::get_if<Line>(&mark.form)) {
+      keep_line_clear(view, mark.role, *line, labels);
+    }
   }
-  for_each_shown(view, [&](StrategyId id) { add_measures(view, id, placer); });
+}
+
+void add_labels(const View& view, LabelPlacer& labels, Marks& marks) {
+  SceneWords words(view);
+  words.add_all();
+  words.place(labels, marks);
 }
 
 }  // namespace ghostforce

@@ -1,57 +1,71 @@
-// The layers of the picture, back to front; each appends its marks.
+// The layers of the workbench's picture, back to front; each appends its marks.
 #pragma once
 
+#include <optional>
+
+#include "app/view/label_placer.h"
 #include "app/view/marks.h"
+#include "app/view/picture_memory.h"
 #include "app/view/view.h"
 
 namespace ghostforce {
 
 void add_wall(const View& view, Marks& marks);         // grid, wall, hatching
 void add_trails(const View& view, Marks& marks);       // where goal and devices have been
-void add_predictions(const View& view, Marks& marks);  // where the closed forms say that everything comes to rest
 void add_hand(const View& view, Marks& marks);         // the spring from the goal to the active device
 void add_loop(const View& view, Marks& marks);         // the active device's last turn of the circle test
-void add_guides(const View& view, Marks& marks);       // legend and scale bars: above trails, below all that moves
-// Strategy by strategy, so that all of the active one lies above all of the others.
-void add_arrows(const View& view, StrategyId id, Marks& marks);   // rendered force, ghost force, proxy drift
-void add_markers(const View& view, StrategyId id, Marks& marks);  // proxy, contact, device
-void add_goal(const View& view, Marks& marks);
-void add_target(const View& view, Marks& marks);   // where the hand at a device is to aim
-void add_handles(const View& view, Marks& marks);  // motor axis, wall grips
-void add_labels(const View& view, Marks& marks);   // words and numbers beside the marks above
+void add_goal(const View& view, Marks& marks);         // where the hand pulls to
+void add_predictions(const View& view, Marks& marks);  // where the closed form says that the active device rests
+void add_others(const View& view, Marks& marks);       // the strategies that are not active: pale, and without words
+void add_target(const View& view, Marks& marks);       // where the hand at a device is to aim
+// Of the active strategy.
+void add_proxy(const View& view, Marks& marks);  // and its contact
+void add_drift(const View& view, Marks& marks);  // the proxy drift, as a ruler
+void add_force(const View& view, Marks& marks);  // the rendered force, its ghost hatched
+void add_device(const View& view, Marks& marks);
+void add_handles(const View& view, Marks& marks);  // dial of the actuated direction, wall grips
 
-// --- Where arrow and label layers must agree -------------------------------------------------------------------------
+// What stands beside the scene, and the words: they need to know of all the marks above.
+void keep_marks_clear(const View& view, const Marks& marks, LabelPlacer& labels);
+void add_legend(const View& view, LabelPlacer& labels, CornerMemory& memory, Marks& marks);  // or a pane's title
+void add_scales(const View& view, LabelPlacer& labels, CornerMemory& memory, Marks& marks);
+void add_dial_caption(const View& view, LabelPlacer& labels, Marks& marks);
+void add_labels(const View& view, LabelPlacer& labels, Marks& marks);
 
-// Length of an arrow per newton [points]; does not change with the zoom, so that pictures can be compared. Panes are
-// narrow: their arrows are a third as long, as the scale bar says.
-inline double points_per_newton(const View& view) {
-  return view.is_pane ? 10.0 : 30.0;
-}
-// Shorter arrows are not drawn: their head alone would be longer than they are [points].
-inline constexpr double shortest_arrow = 7.0;
+// --- Where layers must agree -----------------------------------------------------------------------------------------
+
 // Smaller drifts are not drawn [m].
 inline constexpr double smallest_drift = 0.0002;
 
-// Where an arrow for a force ends that starts at `tail` [m].
-inline Vector<2> arrow_tip(const View& view, const Vector<2>& tail, const Vector<2>& force) {
-  return tail + force * view.metres(points_per_newton(view));
-}
-inline bool is_drawn(const View& view, const Vector<2>& force) {
-  return glm::length(force) * points_per_newton(view) >= shortest_arrow;
-}
-bool has_ghost_arrow(const View& view, StrategyId id);
+// The force of the active strategy along one line from its device, in points of the picture.
+struct DrawnForce {
+  Vector<2> start;
+  Vector<2> direction;  // on the screen
+  double share;         // length of what the fully actuated rendering would push along the motors, too
+  double ghost;         // of the ghost force; negative: it folds back over the share
 
-// The ghost force lies on the same line as the rendered force: its arrow is moved aside, to the free side of the wall
-// [points, y down].
-Vector<2> ghost_arrow_offset(const View& view);
-
-// The proxy drift as a ruler inside the wall, beside the edge: its two ends [m].
-struct DriftRuler {
-  Vector<2> from;  // beside the projection of goal or target on the wall
-  Vector<2> to;    // beside the contact
+  Vector<2> share_end() const { return start + direction * share; }
+  Vector<2> tip() const { return start + direction * (share + ghost); }
 };
-bool has_drift_ruler(const View& view, StrategyId id);
-DriftRuler drift_ruler(const View& view, StrategyId id);
-void add_ruler(const View& view, StrategyId id, const DriftRuler& ruler, Marks& marks);
+// Empty in free space, and where it is too short to be seen.
+std::optional<DrawnForce> drawn_force(const View& view);
+inline constexpr double force_arrow_width = 8.0;  // [points]
+inline constexpr double device_radius = 9.0;
+
+// Along the wall on its free side, clear of everything in the wall: from beside where the wall should hold the proxy to
+// beside where it does.
+struct Ruler {
+  Vector<2> from;  // [m]
+  Vector<2> to;
+  Vector<2> foot;   // what its first end belongs to, and is led to by a thin line
+  Vector<2> other;  // and its second
+};
+std::optional<Ruler> drift_ruler(const View& view);
+
+// Of what belongs to a strategy that is not active.
+Colour pale_colour(const Theme& theme, StrategyId id) noexcept;
+
+// How far a marker reaches from its middle, without its rim, as a share of its radius; as the painters draw it.
+double reach_of(Shape shape) noexcept;
 
 }  // namespace ghostforce

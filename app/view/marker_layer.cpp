@@ -3,52 +3,43 @@
 namespace ghostforce {
 namespace {
 
-constexpr double device_radius = 9.0;          // [points], of the active strategy
-constexpr double inactive_marker_size = 0.78;  // size of the others
-constexpr double goal_radius = 10.5;           // [points]
+constexpr double proxy_radius = 7.6;  // [points]
+constexpr double goal_radius = 10.5;
+constexpr double pale_size = 0.72;  // of the strategies that are not active,
+constexpr double pale_share = 0.5;  // and of their colour
 
-void add_proxy(const View& view, StrategyId id, Marks& marks) {
-  const std::size_t i = index_of(id);
-  const StrategySnapshot<2>& now = view.snapshot.strategies[i];
-  if (!now.in_contact) return;  // in free space the proxy is the device
-  const double size = view.in_front(id) ? 1.0 : inactive_marker_size;
-  const Colour colour = view.theme.strategy[i];
-  const Wall<2> wall = wall_of(view.settings);
-  const double tick = view.metres(7.0 * size);
-  marks.push_back({Role::tracking_link, id,
-                   Line{now.device, now.proxy, view.points(1.4 * size), mix(view.theme.wall, colour, 0.7)}});
-  marks.push_back(
-      {Role::contact, id,
-       Line{now.contact - wall.normal * tick, now.contact + wall.normal * tick, view.points(2.2 * size), colour}});
-  marks.push_back({Role::proxy, id,
-                   Marker{now.proxy, strategy_style(id).shape, view.points(device_radius * 0.85 * size),
-                          view.theme.background, colour, view.points(2.2 * size)}});
-}
-
-// Filled: the device itself; measured, it has an eye. Hollow: it is only simulated beside a measured one.
-void add_device(const View& view, StrategyId id, Marks& marks) {
-  const std::size_t i = index_of(id);
-  const double size = view.in_front(id) ? 1.0 : inactive_marker_size;
-  const Vector<2> at = view.snapshot.strategies[i].device;
+void add_pale(const View& view, StrategyId id, Marks& marks) {
+  const StrategySnapshot<2>& now = view.snapshot.strategies[index_of(id)];
   const Shape shape = strategy_style(id).shape;
-  const Colour colour = view.theme.strategy[i];
-  if (view.is_predicted(id)) {
-    marks.push_back({Role::device, id,
-                     Marker{at, shape, view.points(0.9 * device_radius * size), view.theme.background.with_alpha(150),
-                            colour, view.points(1.6)}});
-    return;
+  const Colour paper = view.theme.background;
+  const Colour colour = pale_colour(view.theme, id);
+  if (now.in_contact) {
+    marks.push_back({Role::proxy, id,
+                     Marker{now.proxy, shape, view.points(pale_size * proxy_radius), paper, colour, view.points(1.6)}});
   }
-  marks.push_back(
-      {Role::device, id,
-       Marker{at, shape, view.points(device_radius * size), colour, view.theme.background, view.points(1.6)}});
-  if (view.snapshot.measured == id) {
-    marks.push_back(
-        {Role::device, id,
-         Marker{at, Shape::disc, view.points(0.3 * device_radius), view.theme.background, colour, view.points(0.5)}});
-  }
+  const bool is_hollow = view.is_predicted(id);
+  marks.push_back({Role::device, id,
+                   Marker{now.device, shape, view.points(pale_size * device_radius), is_hollow ? paper : colour,
+                          is_hollow ? colour : paper, view.points(1.4)}});
 }
 
 }  // namespace
+
+Colour pale_colour(const Theme& theme, StrategyId id) noexcept {
+  return mix(theme.background, theme.strategy[index_of(id)], pale_share);
+}
+
+double reach_of(Shape shape) noexcept {
+  switch (shape) {
+    case Shape::disc:
+      return 1.0;
+    case Shape::diamond:
+      return 1.3;
+    case Shape::triangle:
+      return 1.57;
+  }
+  return 1.0;
+}
 
 void add_hand(const View& view, Marks& marks) {
   const Vector<2> device = view.snapshot.strategies[index_of(view.settings.active)].device;
@@ -57,9 +48,44 @@ void add_hand(const View& view, Marks& marks) {
                    Line{view.snapshot.goal, device, view.points(2.0), view.theme.faint_text, dots}});
 }
 
-void add_markers(const View& view, StrategyId id, Marks& marks) {
-  add_proxy(view, id, marks);
-  add_device(view, id, marks);
+void add_others(const View& view, Marks& marks) {
+  for_each_shown(view, [&](StrategyId id) {
+    if (!view.in_front(id)) add_pale(view, id, marks);
+  });
+}
+
+void add_proxy(const View& view, Marks& marks) {
+  const StrategyId id = view.settings.active;
+  const StrategySnapshot<2>& now = view.snapshot.strategies[index_of(id)];
+  if (!now.in_contact) return;  // in free space the proxy is the device
+  const Colour colour = view.theme.strategy[index_of(id)];
+  const Vector<2> tick = wall_of(view.settings).normal * view.metres(7.0);
+  marks.push_back(
+      {Role::tracking_link, id, Line{now.device, now.proxy, view.points(1.4), mix(view.theme.wall, colour, 0.7)}});
+  marks.push_back({Role::contact, id, Line{now.contact - tick, now.contact + tick, view.points(2.2), colour}});
+  marks.push_back({Role::proxy, id,
+                   Marker{now.proxy, strategy_style(id).shape, view.points(proxy_radius), view.theme.background, colour,
+                          view.points(2.2)}});
+}
+
+// Filled: the device itself; measured, it has an eye. Hollow: it is only simulated beside a measured one.
+void add_device(const View& view, Marks& marks) {
+  const StrategyId id = view.settings.active;
+  const Vector<2> at = view.snapshot.strategies[index_of(id)].device;
+  const Shape shape = strategy_style(id).shape;
+  const Colour colour = view.theme.strategy[index_of(id)];
+  const Colour paper = view.theme.background;
+  if (view.is_predicted(id)) {
+    marks.push_back(
+        {Role::device, id,
+         Marker{at, shape, view.points(0.9 * device_radius), paper.with_alpha(150), colour, view.points(1.6)}});
+    return;
+  }
+  marks.push_back({Role::device, id, Marker{at, shape, view.points(device_radius), colour, paper, view.points(1.6)}});
+  if (view.snapshot.measured == id) {
+    marks.push_back(
+        {Role::device, id, Marker{at, Shape::disc, view.points(0.3 * device_radius), paper, colour, view.points(0.5)}});
+  }
 }
 
 void add_goal(const View& view, Marks& marks) {

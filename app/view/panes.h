@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/view/compose.h"
+#include "app/view/pane_views.h"
 #include "core/scene.h"
 
 namespace ghostforce {
@@ -23,9 +24,11 @@ struct PictureContent {
   const History& history;
   const Theme& theme;
   ViewOptions options;
-  SceneView shown;  // the part of the world
+  SceneView shown;                        // the part of the world in one picture,
+  std::optional<PaneViews> pane_views{};  // and in panes side by side; empty: fitted to this moment
   Vector<2> size;
-  double scale;  // UI scale, 1 is normal
+  double scale;              // UI scale, 1 is normal
+  double arrow_scale = 1.0;  // of forces, on top of that
   const MeasureText& measure;
   bool has_handles = false;
   Handle hovered = Handle::none;
@@ -34,8 +37,14 @@ struct PictureContent {
   std::optional<Vector<2>> target{};
 };
 
-// `earlier`: panes to be thrown away, as compose() has it.
-std::vector<Pane> compose_panes(const PictureContent& content, std::vector<Pane> earlier = {});
+// `memory`, `interval_s` and `earlier`: as compose() has them.
+std::vector<Pane> compose_panes(const PictureContent& content, PictureMemory& memory, double interval_s,
+                                std::vector<Pane> earlier = {});
+// A picture alone.
+std::vector<Pane> compose_panes(const PictureContent& content);
+
+// What its panes would show, side by side, fitted to its moment.
+PaneViews fitted_pane_views(const PictureContent& content);
 
 // The pane that holds a point of the rectangle; the nearest one for a point outside. `panes` is not empty.
 const Pane& pane_at(const std::vector<Pane>& panes, const Vector<2>& point);

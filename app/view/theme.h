@@ -35,6 +35,12 @@ constexpr Colour mix(Colour under, Colour over, double share) noexcept {
   return {channel(under.red, over.red), channel(under.green, over.green), channel(under.blue, over.blue)};
 }
 
+// A colour that lets what is beneath it through: 0 all, 1 nothing.
+constexpr Colour faded(Colour colour, double strength) noexcept {
+  const double share = strength < 0.0 ? 0.0 : strength > 1.0 ? 1.0 : strength;
+  return colour.with_alpha(static_cast<std::uint8_t>(share * static_cast<double>(colour.alpha) + 0.5));
+}
+
 enum class Shape : std::uint8_t { disc, diamond, triangle };
 
 // Drawn and left-out lengths, in turn [px]. All zero: a solid line.

@@ -1,5 +1,5 @@
-// History: where goal and devices have been, thinned out to what a trail needs, what the plots show, and the moments that
-// a person can look back at. Bounded: a window that runs for days holds no more than one that runs for seconds. One
+// History: where goal and devices have been, as far as a trail can show it, what the plots show, and the moments that a
+// person can look back at. Bounded: a window that runs for days holds no more than one that runs for a minute. One
 // thread.
 #pragma once
 
@@ -13,36 +13,35 @@
 namespace ghostforce {
 
 struct HistoryPoint {
+  double time_s;                         // model time
   Vector<2> goal;                        // [m]
   double goal_travelled;                 // length of the goal's path up to here [m]
   PerStrategy<Vector<2>> device;         // [m]
   PerStrategy<double> device_travelled;  // [m]
 };
 
+// A trail shows so much of the model time before the moment of the picture.
+inline constexpr double trail_lasts_s = 3.0;
+
 class History {
  public:
-  // A trail is a chain of this many points at most, each at least `spacing` from the one before. Only the newest
-  // `dense_points` are all there: of the older ones those are left out that lie on a straight line between their
-  // neighbours, to `straightness`, as long as pieces do not become longer than `longest_piece`: a trail is 0.15 m long
-  // where the hand curves all the way, 0.24 m where it goes straight.
-  static constexpr std::size_t most_points = 375;
-  static constexpr std::size_t dense_points = 300;
+  // Points are at least so far apart, in time and in place.
+  static constexpr double least_interval_s = 0.008;
   static constexpr double spacing = 0.0004;  // [m]
-  // [m], an eighth of a pixel in the view that scenes open with; up to three times that as pieces are joined again.
-  static constexpr double straightness = 0.00003;
-  static constexpr double longest_piece = 4.0 * spacing;
+  // Of a minute, so that whoever looks back finds the trail of that moment.
+  static constexpr std::size_t most_points = 7500;
 
   void add(const Snapshot& snapshot);
   // The same, and it can be looked back at; `settings`: those under which this tick ran.
   void add(const Snapshot& snapshot, const Settings& settings);
   void clear();
   const std::deque<HistoryPoint>& points() const noexcept { return points_; }
+  // Whether a picture of that moment has a trail.
+  bool has_trail_at(double time_s) const noexcept;
   const PlotHistory& plots() const noexcept { return plots_; }
   const MomentHistory& moments() const noexcept { return moments_; }
 
  private:
-  void thin_out();
-
   std::deque<HistoryPoint> points_;
   PlotHistory plots_;
   MomentHistory moments_;

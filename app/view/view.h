@@ -56,7 +56,8 @@ struct View {
   const Theme& theme;
   Camera camera;
   ViewOptions options;
-  double scale;  // UI scale, 1 is normal
+  double scale;              // UI scale, 1 is normal
+  double points_per_newton;  // of arrows; the same in all that is to be compared
   const MeasureText& measure;
   bool has_handles = false;           // a person can turn wall and motor axis here
   Handle hovered = Handle::none;      // the one under the pointer

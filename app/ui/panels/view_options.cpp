@@ -20,26 +20,28 @@ void draw_theme_choice(const PanelContext& context) {
 }
 
 // In steps: a slider would run away from the pointer as the screen grows.
-void draw_scale_choice(Appearance& appearance) {
+void draw_scale_choice(const char* id, double& scale, double least, double greatest) {
   constexpr double step = 0.25;
+  ImGui::PushID(id);
   const auto button = [&](const char* words, double direction) {
     if (ImGui::Button(words, {ImGui::GetFrameHeight(), 0.0F})) {
-      const double next = (std::round(appearance.scale / step) + direction) * step;
-      appearance.scale = std::clamp(next, Appearance::least_scale, Appearance::greatest_scale);
+      scale = std::clamp((std::round(scale / step) + direction) * step, least, greatest);
     }
   };
   button("−", -1.0);
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(fmt::format("{:3.0f} %", appearance.scale * 100.0).c_str());
+  ImGui::TextUnformatted(fmt::format("{:3.0f} %", scale * 100.0).c_str());
   ImGui::SameLine();
   button("+", 1.0);
+  ImGui::PopID();
 }
 
 }  // namespace
 
 void draw_view_options(const PanelContext& context) {
   Session& session = context.session;
+  Appearance& look = session.appearance;
   ImGui::Checkbox("ghost", &session.options.ghost_forces);
   tooltip(Term::ghost_force);
   ImGui::SameLine();
@@ -52,7 +54,9 @@ void draw_view_options(const PanelContext& context) {
   row("Theme", "Light, dark, or black on white for a projector. Ctrl+T takes the next one.");
   draw_theme_choice(context);
   row("Size", "Of letters and lines, 75 to 300 %. Ctrl and + or − do it too, Ctrl+0 takes the usual size.");
-  draw_scale_choice(session.appearance);
+  draw_scale_choice("size", look.scale, Appearance::least_scale, Appearance::greatest_scale);
+  row("Arrows", "How long the arrows of forces are, 25 to 400 %. The scale bar says how long one newton is.");
+  draw_scale_choice("arrows", look.arrow_scale, Appearance::least_arrow_scale, Appearance::greatest_arrow_scale);
   end_rows();
 }
 

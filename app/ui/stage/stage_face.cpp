@@ -212,7 +212,7 @@ const StagePicture& StageFace::compose(const Session& session, const StageFrame&
 
 StagePicture StageFace::still(const Session& session, const StageFrame& frame) const {
   const Shown shown = shown_in(session, frame);
-  StageLabelMemory memory;
+  LabelMemory memory;
   return compose_stage(content_of(session, frame, shown), memory, 0.0);
 }
 

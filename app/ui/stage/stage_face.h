@@ -47,7 +47,7 @@ class StageFace {
   void follow_session(const Session& session, const StageFrame& frame);
 
   StagePicture picture_;
-  StageLabelMemory memory_;
+  LabelMemory memory_;
   StageTransition transition_{StrategyId::full};
   GuessGame guess_;
   IdleShow show_;

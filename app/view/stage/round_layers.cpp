@@ -55,7 +55,8 @@ void add_battery(const StageLayer& layer) {
                                                 .extent = extent,
                                                 .region = layout.room(),
                                                 .wanted = layout.numbers_corner(),
-                                                .dearness = {3.0, 1.0}});
+                                                .dearness = {3.0, 1.0},
+                                                .is_never_missing = true});
   if (!found) return;
   const Vector<2> corner = found->box.least;
   const double width = canvas.width(3.5);

@@ -52,7 +52,7 @@ void add_whole_scene(const StageLayer& layer) {
   add_stage_words(layer);
 }
 
-StagePicture compose_stage(const StageContent& content, StageLabelMemory& memory, double interval_s, Marks earlier) {
+StagePicture compose_stage(const StageContent& content, LabelMemory& memory, double interval_s, Marks earlier) {
   const StageModeLayers* const mode = layers_of(content.mode);
   const bool is_map = content.mode == StageMode::landscape;
   const std::string sentence = sentence_of(content, mode);
@@ -68,7 +68,7 @@ StagePicture compose_stage(const StageContent& content, StageLabelMemory& memory
   Marks& marks = picture.pane.marks;
   marks.clear();
   {
-    StageLabels labels(content.size, layout.unit, content.measure, memory, interval_s);
+    LabelPlacer labels(content.size, layout.unit, content.measure, memory, interval_s);
     StageCanvas canvas{.camera = camera, .theme = content.theme, .unit = layout.unit, .marks = marks, .labels = labels};
     const StageLayer layer{content, layout, canvas};
     keep_frame_clear(layer);

@@ -7,11 +7,11 @@
 #include <optional>
 #include <vector>
 
+#include "app/view/label_placer.h"
 #include "app/view/panes.h"
 #include "app/view/stage/landscape_layout.h"
 #include "app/view/stage/ribbon_layer.h"
 #include "app/view/stage/stage_content.h"
-#include "app/view/stage/stage_labels.h"
 #include "app/view/stage/stage_scene.h"
 
 namespace ghostforce {
@@ -33,7 +33,6 @@ struct StagePicture {
 };
 
 // `interval_s`: since the picture before, which `memory` is of.
-StagePicture compose_stage(const StageContent& content, StageLabelMemory& memory, double interval_s,
-                           Marks earlier = {});
+StagePicture compose_stage(const StageContent& content, LabelMemory& memory, double interval_s, Marks earlier = {});
 
 }  // namespace ghostforce

@@ -8,9 +8,10 @@
 #include <vector>
 
 #include "app/view/camera.h"
+#include "app/view/label_placer.h"
 #include "app/view/marks.h"
 #include "app/view/screen_box.h"
-#include "app/view/stage/stage_labels.h"
+#include "app/view/stage/stage_label.h"
 #include "app/view/theme.h"
 
 namespace ghostforce {
@@ -20,7 +21,7 @@ struct StageCanvas {
   const Theme& theme;
   double unit;  // a point of the design
   Marks& marks;
-  StageLabels& labels;
+  LabelPlacer& labels;
 
   double points(double of_design) const { return of_design * unit; }
   // Of a line: beamers want them thicker.
@@ -55,11 +56,5 @@ struct StageCanvas {
   std::vector<Colour> colours_of_labels{};
   std::vector<LabelRequest> requests{};
 };
-
-// A colour that lets what is beneath it through: 0 all, 1 nothing.
-inline Colour faded(Colour colour, double strength) noexcept {
-  const double alpha = std::clamp(strength, 0.0, 1.0) * static_cast<double>(colour.alpha);
-  return colour.with_alpha(static_cast<std::uint8_t>(alpha + 0.5));
-}
 
 }  // namespace ghostforce

@@ -14,8 +14,8 @@
 #include "app/view/camera.h"
 #include "app/view/screen_box.h"
 #include "app/view/stage/face.h"
-#include "app/view/stage/stage_lines.h"
 #include "app/view/stage/stage_mode.h"
+#include "app/view/text_lines.h"
 #include "app/view/view.h"
 #include "core/scene.h"
 

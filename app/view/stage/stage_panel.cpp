@@ -238,7 +238,8 @@ void add_numbers(const StageLayer& layer) {
                                                 .region = layout.room(),
                                                 .wanted = layout.numbers_corner(),
                                                 .dearness = {3.0, 1.0},
-                                                .may_cover = true});
+                                                .may_cover = true,
+                                                .is_never_missing = true});
   if (!found || found->strength <= 0.0) return;
   const bool is_known = moment.knows_ghost_force;
   const bool knows_slide = !moment.is_measured || moment.has_target;
@@ -270,7 +271,7 @@ void add_buttons(const StageLayer& layer) {
 
 void keep_frame_clear(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
-  StageLabels& labels = canvas.labels;
+  LabelPlacer& labels = canvas.labels;
   // Words beside it must not read as its end.
   const Vector<2> aside(layout.unit * 4.0, 0.0);
   labels.keep_clear(ScreenBox{layout.sentence_box.least - aside, layout.sentence_box.most + aside});

@@ -187,7 +187,8 @@ void add_motor_words(const StageLayer& layer) {
                 ends[1],
                 canvas.points(10.0),
                 lower_side(rail),
-                ends[1].x > ends[0].x ? 0.85 : 0.15},
+                ends[1].x > ends[0].x ? 0.85 : 0.15,
+                !is_asked_to_turn},
                is_asked_to_turn ? content.theme.accent : content.theme.faint_text);
 }
 

@@ -109,7 +109,7 @@ void add_why(const StageLayer& layer) {
   const Vector<2> out = to_screen_direction(direction_at(content.settings.wall_normal_angle));
   const Vector<2> along = glm::length(forces.share) > 0.0 ? glm::normalize(drawn(forces.share)) : out;
   const Vector<2> missing = push_end - share_end;
-  const auto say = [&](int from_step, StageLabel id, Role role, const std::string& said, const Vector<2>& anchor,
+  const auto say = [&](int from_step, StageLabel::Id id, Role role, const std::string& said, const Vector<2>& anchor,
                        const Vector<2>& side, Colour colour, bool is_bold) {
     if (step < from_step) return;
     const TextStyle& style = is_bold ? layout.letters.bold_words : layout.letters.words;

@@ -15,7 +15,7 @@ constexpr double points_per_metre = 10000.0;
 class VisibleStateTest : public testing::Test {
  protected:
   VisibleState state() const {
-    return visible_state(session_, {session_.settings, snapshot_}, moments_, snapshot_.time_s, reading_);
+    return visible_state(session_, {session_.settings, snapshot_}, history_, snapshot_.time_s, reading_);
   }
   // Whether what `change` does can be seen.
   bool sees(const std::function<void()>& change) {
@@ -27,9 +27,27 @@ class VisibleStateTest : public testing::Test {
 
   Session session_ = session_of(load_scene("wall45"));
   Snapshot snapshot_;
-  MomentHistory moments_;
+  History history_;
   LoopReading reading_;
 };
+
+TEST_F(VisibleStateTest, ATrailIsSeenAsLongAsItFades) {
+  session_.face = Face::workbench;
+  for (int i = 0; i < 100; ++i) {
+    snapshot_.tick = i;
+    snapshot_.time_s = 0.01 * i;
+    snapshot_.goal.x = 0.001 * i;
+    history_.add(snapshot_);
+  }
+  const auto wait = [&](double seconds) { return [this, seconds] { snapshot_.time_s += seconds; }; };
+  EXPECT_TRUE(sees(wait(1.0)));
+  EXPECT_FALSE(sees(wait(0.0))) << "a paused picture stands still";
+  EXPECT_TRUE(sees(wait(2.5))) << "it is gone";
+  EXPECT_FALSE(sees(wait(1.0)));
+  snapshot_.time_s = 2.0;
+  session_.options.trails = false;
+  EXPECT_FALSE(sees(wait(0.5)));
+}
 
 TEST_F(VisibleStateTest, TimeAndCountsAreNotSeen) {
   EXPECT_FALSE(sees([&] {
@@ -107,7 +125,7 @@ TEST_F(VisibleStateTest, NumbersOfPanelsAreSeenWherePanelsAre) {
 TEST_F(VisibleStateTest, TimeIsSeenInPlotsAndOnTheRibbon) {
   const auto time_goes_on = [&] {
     snapshot_.time_s += 0.01;
-    moments_.add(snapshot_, session_.settings);
+    history_.add(snapshot_, session_.settings);
   };
   PlotView& plots = session_.plots;
   session_.face = Face::workbench;

@@ -8,6 +8,7 @@
 
 #include "app/ui/widgets/tooltips.h"
 #include "app/view/handles.h"
+#include "app/view/screen_box.h"
 #include "tests/app/live/driven_window.h"
 
 #include <imgui_internal.h>
@@ -147,6 +148,63 @@ TEST_F(GesturesTest, EachPaneOfTheComparisonTakesTheGoal) {
     EXPECT_NEAR(now().goal.x, target.x, point) << pane;
     EXPECT_NEAR(now().goal.y, target.y, point) << pane;
   }
+}
+
+TEST_F(GesturesTest, PanesSideBySideStandStillInADragAndAreZoomedAndMovedAlike) {
+  session().options.compare = Compare::side_by_side;
+  frames(3);
+  const auto cameras = [&] {
+    std::vector<Camera> all;
+    for (const Pane& pane : screen().panes()) all.push_back(pane.camera);
+    return all;
+  };
+  const std::vector<Camera> fitted = cameras();
+  const SceneView shown = session().shown;
+  // The picture must not swim under the pointer.
+  drag({300.0, 300.0}, {330.0, 420.0});
+  frames(5);
+  for (std::size_t i = 0; i < fitted.size(); ++i) {
+    EXPECT_EQ(cameras()[i].center, fitted[i].center);
+    EXPECT_EQ(cameras()[i].points_per_metre, fitted[i].points_per_metre);
+  }
+  point_at(300.0, 300.0);
+  frames(2);
+  scroll(3.0);
+  const std::vector<Camera> closer = cameras();
+  drag({300.0, 300.0}, {320.0, 330.0}, GLFW_MOUSE_BUTTON_RIGHT);
+  const std::vector<Camera> moved = cameras();
+  for (std::size_t i = 0; i < fitted.size(); ++i) {
+    EXPECT_GT(closer[i].points_per_metre, 1.4 * fitted[i].points_per_metre);
+    EXPECT_EQ(closer[i].points_per_metre, closer[0].points_per_metre);
+    const Vector<2> by = moved[i].center - closer[i].center;
+    EXPECT_LT(glm::distance(by, moved[0].center - closer[0].center), 1e-12);
+    EXPECT_LT(by.x, 0.0);
+  }
+  // F fits them to this moment; the one picture has kept its own view.
+  press(GLFW_KEY_F);
+  frames(2);
+  EXPECT_LT(glm::distance(cameras()[1].center, now().goal), 0.05);
+  EXPECT_NE(cameras()[1].points_per_metre, moved[1].points_per_metre);
+  session().options.compare = Compare::overlay;
+  frames(2);
+  EXPECT_EQ(session().shown.center, shown.center);
+  EXPECT_EQ(session().shown.width, shown.width);
+  EXPECT_FALSE(session().pane_views) << "who comes back finds them fitted anew";
+}
+
+TEST_F(GesturesTest, FitShowsTheArrowToo) {
+  session().appearance.arrow_scale = Appearance::greatest_arrow_scale;
+  frames(2);
+  press(GLFW_KEY_F);
+  frames(2);
+  int arrows = 0;
+  for (const Mark& mark : screen().panes()[0].marks) {
+    const auto* arrow = std::get_if<Arrow>(&mark.form);
+    if (arrow == nullptr || (mark.role != Role::force && mark.role != Role::ghost_force)) continue;
+    ++arrows;
+    EXPECT_TRUE(contains({Vector<2>(20.0), camera().size - Vector<2>(20.0)}, to_screen(camera(), arrow->tip)));
+  }
+  EXPECT_GT(arrows, 0);
 }
 
 TEST_F(GesturesTest, HandlesWorkWhileAScriptMovesTheGoal) {

@@ -19,7 +19,7 @@ namespace {
 
 // Letters of a fixed width: close to DejaVu Sans, and the same everywhere.
 const MeasureText measure = [](std::string_view text, const TextStyle& style) {
-  return Vector<2>(0.58 * style.height * static_cast<double>(text.size()), 1.17 * style.height);
+  return Vector<2>(0.58 * style.height * static_cast<double>(text.size()), style.height);
 };
 
 struct Picture {
@@ -40,6 +40,7 @@ Picture picture_of(const std::string& name, StrategyId active, Compare compare, 
     picture.snapshot = snapshot;
   });
   picture.camera = camera_on(picture.scene.view.center, picture.scene.view.width, size);
+  PaneMemory memory;
   picture.marks = compose({.settings = picture.scene.settings,
                            .snapshot = picture.snapshot,
                            .history = picture.history,
@@ -47,7 +48,9 @@ Picture picture_of(const std::string& name, StrategyId active, Compare compare, 
                            .camera = picture.camera,
                            .options = {.compare = compare},
                            .scale = 1.0,
-                           .measure = measure});
+                           .points_per_newton = 30.0,
+                           .measure = measure},
+                          memory);
   return picture;
 }
 
@@ -62,34 +65,132 @@ std::vector<const Form*> find_forms(const Picture& picture, Role role, std::opti
   return found;
 }
 
-TEST(Compose, DrawsTheNaiveGhostForceAsAnArrowOfItsLengthAndDirection) {
+// Its end on the screen, from where its device is.
+Vector<2> end_of(const Picture& picture, const Arrow& arrow, StrategyId id) {
+  return (arrow.tip - picture.snapshot.strategies[index_of(id)].device) * picture.camera.points_per_metre;
+}
+
+TEST(Compose, DrawsTheNaiveGhostForceAsTheHatchedEndOfItsForce) {
   const Picture picture = picture_of("wall45", StrategyId::naive, Compare::overlay);
-  const auto arrows = find_forms<Arrow>(picture, Role::ghost_force, StrategyId::naive);
-  ASSERT_EQ(arrows.size(), 1U);
+  const auto forces = find_forms<Arrow>(picture, Role::force, StrategyId::naive);
+  const auto ghosts = find_forms<Arrow>(picture, Role::ghost_force, StrategyId::naive);
+  ASSERT_EQ(forces.size(), 1U);
+  ASSERT_EQ(ghosts.size(), 1U);
+  EXPECT_TRUE(ghosts[0]->is_hatched);
+  EXPECT_TRUE(ghosts[0]->has_head);
+  EXPECT_FALSE(forces[0]->is_hatched);
+  EXPECT_FALSE(forces[0]->has_head) << "there is one head, and it is the ghost's";
   const StrategySnapshot<2>& naive = picture.snapshot.strategies[index_of(StrategyId::naive)];
-  const Vector<2> drawn = (arrows[0]->tip - arrows[0]->tail) * picture.camera.points_per_metre;
-  EXPECT_EQ(arrows[0]->tail, naive.device);
+  EXPECT_LT(glm::distance(forces[0]->tail, naive.device), 1e-12);
   // 1e-9 points: rounding of two conversions.
-  EXPECT_NEAR(drawn.x, naive.ghost_force.x * 30.0, 1e-9);
-  EXPECT_NEAR(drawn.y, naive.ghost_force.y * 30.0, 1e-9);
-  EXPECT_LT(drawn.x, -30.0) << "to the left, more than a newton";
+  const Vector<2> whole = end_of(picture, *ghosts[0], StrategyId::naive);
+  EXPECT_LT(glm::distance(whole, naive.force * 30.0), 1e-9);
+  EXPECT_LT(
+      glm::distance((ghosts[0]->tip - ghosts[0]->tail) * picture.camera.points_per_metre, naive.ghost_force * 30.0),
+      1e-9);
+  EXPECT_LT(whole.x, -30.0) << "to the left, more than a newton";
+}
+
+TEST(Compose, FoldsTheGhostBackWhereItIsTooLittle) {
+  const Picture picture = picture_of("fig3-normal", StrategyId::anisotropic, Compare::overlay, {853.0, 724.0},
+                                     {"rendering.tracking_ratio=40"});
+  const StrategySnapshot<2>& now = picture.snapshot.strategies[index_of(StrategyId::anisotropic)];
+  ASSERT_LT(glm::dot(now.force, now.ghost_force), 0.0);
+  const auto forces = find_forms<Arrow>(picture, Role::force, StrategyId::anisotropic);
+  const auto ghosts = find_forms<Arrow>(picture, Role::ghost_force, StrategyId::anisotropic);
+  ASSERT_EQ(forces.size(), 1U);
+  ASSERT_EQ(ghosts.size(), 1U);
+  EXPECT_LT(glm::distance(end_of(picture, *ghosts[0], StrategyId::anisotropic), now.force * 30.0), 1e-9);
+  EXPECT_LT(glm::distance(end_of(picture, *forces[0], StrategyId::anisotropic), (now.force - now.ghost_force) * 30.0),
+            1e-9);
 }
 
 TEST(Compose, DrawsNoGhostForceAndNoDriftWhereThereIsNone) {
   const Picture picture = picture_of("wall45", StrategyId::anisotropic, Compare::overlay);
-  for (const StrategyId id : {StrategyId::full, StrategyId::anisotropic}) {
-    EXPECT_TRUE(find_forms<Arrow>(picture, Role::ghost_force, id).empty());
-    EXPECT_TRUE(find_forms<Line>(picture, Role::proxy_drift, id).empty());
+  for (const Strategy& entry : strategy_catalog()) {
+    EXPECT_TRUE(find_forms<Arrow>(picture, Role::ghost_force, entry.id).empty());
+    EXPECT_TRUE(find_forms<Line>(picture, Role::proxy_drift, entry.id).empty());
   }
 }
 
-TEST(Compose, DrawsTheRulerAsLongAsTheDrift) {
+// Only the active strategy has words, numbers, arrows and rulers.
+TEST(Compose, LeavesTheOtherStrategiesPaleAndSilent) {
+  for (const Strategy& active : strategy_catalog()) {
+    const Picture picture = picture_of("fig3-normal", active.id, Compare::overlay);
+    for (const Mark& mark : picture.marks) {
+      if (!mark.strategy || *mark.strategy == active.id || mark.role == Role::legend) continue;
+      EXPECT_TRUE(mark.role == Role::device || mark.role == Role::proxy || mark.role == Role::trail)
+          << role_name(mark.role);
+      const auto* marker = std::get_if<Marker>(&mark.form);
+      if (marker == nullptr) continue;
+      const Colour full = find_theme("light")->strategy[index_of(*mark.strategy)];
+      EXPECT_NE(marker->fill, full);
+      EXPECT_NE(marker->rim, full);
+    }
+  }
+}
+
+// "N" is a newton there.
+TEST(Compose, LabelsOfTheActiveStrategyHaveNoLetterBeforeThem) {
+  const Picture picture = picture_of("fig3-normal", StrategyId::naive, Compare::overlay);
+  int found = 0;
+  for (const Mark& mark : picture.marks) {
+    const auto* label = std::get_if<Label>(&mark.form);
+    if (label == nullptr || mark.strategy != StrategyId::naive || mark.role == Role::legend) continue;
+    ++found;
+    EXPECT_FALSE(label->text.starts_with("N")) << label->text;
+  }
+  EXPECT_GE(found, 5) << "force, ghost force, proxy drift, device, proxy";
+}
+
+TEST(Compose, DrawsTheForceAboveProxiesAndRings) {
+  const Picture picture = picture_of("fig3-normal", StrategyId::naive, Compare::overlay);
+  const auto last = [&](Role role) {
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < picture.marks.size(); ++i) {
+      const bool is_text = std::holds_alternative<Label>(picture.marks[i].form);
+      if (picture.marks[i].role == role && !is_text) found = i;
+    }
+    return found;
+  };
+  for (const Role role : {Role::proxy, Role::prediction, Role::goal, Role::proxy_drift}) {
+    EXPECT_LT(last(role), last(Role::force)) << role_name(role);
+    EXPECT_LT(last(role), last(Role::ghost_force)) << role_name(role);
+  }
+  EXPECT_LT(last(Role::force), last(Role::device)) << "it begins below its device";
+}
+
+TEST(Compose, DrawsAForceThatIsShorterThanItsDeviceAboveIt) {
+  const Picture picture = picture_of("fig3-normal", StrategyId::full, Compare::overlay, {853.0, 724.0},
+                                     {"goal.path_mm=[[3,-3]]", "goal.times_s=[0]"});
+  std::optional<Role> last;
+  for (const Mark& mark : picture.marks) {
+    const bool is_text = std::holds_alternative<Label>(mark.form);
+    if (!is_text && (mark.role == Role::device || mark.role == Role::force)) last = mark.role;
+  }
+  EXPECT_EQ(last, Role::force);
+}
+
+TEST(Compose, DrawsTheRulerAsLongAsTheDriftAndLeadsItToWhatItMeasures) {
   const Picture picture = picture_of("fig3-normal", StrategyId::naive, Compare::active_only);
   const auto lines = find_forms<Line>(picture, Role::proxy_drift, StrategyId::naive);
-  ASSERT_EQ(lines.size(), 3U) << "a ruler and its two ends";
-  const double drift = glm::length(picture.snapshot.strategies[index_of(StrategyId::naive)].proxy_drift);
+  ASSERT_EQ(lines.size(), 5U) << "a ruler, its two ends, and a thin line to each";
+  const StrategySnapshot<2>& naive = picture.snapshot.strategies[index_of(StrategyId::naive)];
   // The device lags a nanometre behind rest after two seconds; the ruler is drawn from the same numbers.
-  EXPECT_NEAR(glm::distance(lines[0]->from, lines[0]->to), drift, 1e-12);
+  EXPECT_NEAR(glm::distance(lines[0]->from, lines[0]->to), glm::length(naive.proxy_drift), 1e-12);
+  EXPECT_EQ(lines[3]->from, picture.snapshot.goal);
+  EXPECT_EQ(lines[3]->to, lines[0]->from);
+  EXPECT_EQ(lines[4]->from, naive.contact);
+  EXPECT_EQ(lines[4]->to, lines[0]->to);
+  // Its ends are clear of every marker.
+  for (const Mark& mark : picture.marks) {
+    const auto* marker = std::get_if<Marker>(&mark.form);
+    if (marker == nullptr || mark.role == Role::legend || mark.role == Role::motor_axis) continue;
+    for (const Vector<2>& end : {lines[0]->from, lines[0]->to}) {
+      EXPECT_GT(glm::distance(end, marker->center) * picture.camera.points_per_metre, marker->radius + 5.0)
+          << role_name(mark.role);
+    }
+  }
 }
 
 TEST(Compose, ShowsTheDevicesWhereTheyAre) {
@@ -165,8 +266,9 @@ void expect_readable(const std::vector<Box>& boxes, const Vector<2>& size, const
         << where << ' ' << size.x << ": '" << a.text << "' is cut off";
     for (std::size_t j = 0; j < i; ++j) {
       const Box& b = boxes[j];
-      const bool apart =
-          a.most.x <= b.least.x || b.most.x <= a.least.x || a.most.y <= b.least.y || b.most.y <= a.least.y;
+      constexpr double rounding = 1e-9;  // of lines that stand one below the other
+      const bool apart = a.most.x <= b.least.x || b.most.x <= a.least.x || a.most.y <= b.least.y + rounding ||
+                         b.most.y <= a.least.y + rounding;
       EXPECT_TRUE(apart) << where << ' ' << size.x << ": '" << a.text << "' over '" << b.text << "'";
     }
   }
@@ -226,15 +328,15 @@ TEST(Panes, ThePointerBelongsToTheOneUnderIt) {
 }
 
 TEST(Compose, PutsPredictionRingsWhereTheClosedFormsDo) {
-  const Picture picture = picture_of("fig1", StrategyId::naive, Compare::overlay);
   for (const Strategy& entry : strategy_catalog()) {
-    const auto rings = find_forms<Marker>(picture, Role::prediction, entry.id);
+    const Picture active = picture_of("fig1", entry.id, Compare::overlay);
+    const auto rings = find_forms<Marker>(active, Role::prediction, entry.id);
     ASSERT_EQ(rings.size(), 2U) << entry.name;
-    const Equilibrium<2> rest = equilibrium_of(entry.id, picture.scene.settings, picture.snapshot.goal);
+    const Equilibrium<2> rest = equilibrium_of(entry.id, active.scene.settings, active.snapshot.goal);
     EXPECT_EQ(rings[0]->center, rest.device);
     EXPECT_EQ(rings[1]->center, rest.proxy);
     // Two seconds after the motion the simulation is within a micrometre of rest.
-    EXPECT_LT(glm::distance(rings[0]->center, picture.snapshot.strategies[index_of(entry.id)].device), 1e-6);
+    EXPECT_LT(glm::distance(rings[0]->center, active.snapshot.strategies[index_of(entry.id)].device), 1e-6);
   }
 }
 

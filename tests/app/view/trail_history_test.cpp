@@ -1,91 +1,53 @@
 #include "app/view/trail_history.h"
 
 #include <gtest/gtest.h>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <iterator>
-#include <limits>
-#include <vector>
 
 namespace ghostforce {
 namespace {
 
-Snapshot at(const Vector<2>& place) {
+// A millisecond after the one before.
+Snapshot at(int tick, double x) {
   Snapshot snapshot;
-  snapshot.goal = place;
-  for (auto& strategy : snapshot.strategies) strategy.device = place;
+  snapshot.tick = tick;
+  snapshot.time_s = 0.001 * tick;
+  snapshot.goal = {x, 0.0};
+  for (auto& strategy : snapshot.strategies) strategy.device = snapshot.goal;
   return snapshot;
-}
-
-Snapshot at(double x) {
-  return at(Vector<2>(x, 0.0));
-}
-
-double distance_to_piece(const Vector<2>& from, const Vector<2>& to, const Vector<2>& place) {
-  const Vector<2> piece = to - from;
-  const double share = glm::clamp(glm::dot(place - from, piece) / glm::dot(piece, piece), 0.0, 1.0);
-  return glm::distance(place, from + share * piece);
-}
-
-double distance_to_trail(const History& history, const Vector<2>& place) {
-  double nearest = std::numeric_limits<double>::infinity();
-  for (auto from = history.points().begin(), to = std::next(from); to != history.points().end(); from = to++) {
-    nearest = std::min(nearest, distance_to_piece(from->goal, to->goal, place));
-  }
-  return nearest;
 }
 
 TEST(History, KeepsNothingOfAHandThatRests) {
   History history;
-  for (int i = 0; i < 100000; ++i) history.add(at(0.01));
+  for (int i = 0; i < 100000; ++i) history.add(at(i, 0.01));
   EXPECT_EQ(history.points().size(), 1U);
 }
 
 TEST(History, IsBoundedAndKeepsTheNewest) {
   History history;
-  double x = 0.0;
-  for (int i = 0; i < 10000; ++i) history.add(at(x = 0.001 * i));
+  const int ticks = 10 * 8 * static_cast<int>(History::most_points);
+  for (int i = 0; i < ticks; ++i) history.add(at(i, 0.001 * i));
   EXPECT_EQ(history.points().size(), History::most_points);
-  EXPECT_EQ(history.points().back().goal.x, x);
+  EXPECT_LE(history.points().back().time_s, 0.001 * (ticks - 1));
+  EXPECT_GT(history.points().back().time_s, 0.001 * ticks - 2.0 * History::least_interval_s);
 }
 
-TEST(History, KeepsOfAStraightWayLongAgoOnlyLongPieces) {
-  History history;
-  for (int i = 0; i < 10000; ++i) history.add(at(0.0005 * i));
-  const auto& points = history.points();
-  ASSERT_EQ(points.size(), History::most_points);
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const bool is_old = i + History::dense_points < points.size();
-    EXPECT_NEAR(points[i].goal.x - points[i - 1].goal.x, is_old ? 0.0015 : 0.0005, 1e-12) << i;
-  }
-}
-
-// Round a small circle, over a corner and back the same way: what is left out was on the trail anyway.
-TEST(History, LeavesOutNothingThatWouldBeMissed) {
-  std::vector<Vector<2>> way;
-  for (int i = 0; i <= 250; ++i) way.push_back({0.01 * std::cos(0.05 * i), 0.01 * std::sin(0.05 * i)});
-  for (int i = 0; i < 100; ++i) way.push_back(way.back() + Vector<2>(0.0005, 0.0));
-  for (int i = 0; i < 50; ++i) way.push_back(way.back() + Vector<2>(0.0, 0.0005));
-  for (int i = 0; i < 50; ++i) way.push_back(way.back() - Vector<2>(0.0, 0.0005));
-  for (std::size_t i = 0; i < History::dense_points; ++i) way.push_back(way.back() + Vector<2>(0.0, -0.0005));
-  History history;
-  for (const Vector<2>& place : way) history.add(at(place));
-  const auto oldest = std::ranges::find(way, history.points().front().goal);
-  const auto kept_of_the_old = history.points().size() - History::dense_points;
-  const auto old = static_cast<std::size_t>(way.end() - oldest) - History::dense_points;
-  EXPECT_LT(kept_of_the_old, old / 2);
-  // Each point is measured against its own neighbours, and three of four may go.
-  for (auto place = oldest; place != way.end(); ++place) {
-    EXPECT_LE(distance_to_trail(history, *place), 3.0 * History::straightness);
+// However fast the hand is, a picture has a bounded number of pieces; however slow, none that nobody could see.
+TEST(History, KeepsPointsApartInTimeAndInPlace) {
+  for (const double step : {0.00001, 0.0001, 0.01}) {
+    History history;
+    for (int i = 0; i < 5000; ++i) history.add(at(i, step * i));
+    const auto& points = history.points();
+    ASSERT_GT(points.size(), 20U);
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      EXPECT_GE(points[i].time_s - points[i - 1].time_s, History::least_interval_s);
+      EXPECT_GE(points[i].goal.x - points[i - 1].goal.x, History::spacing);
+    }
   }
 }
 
 TEST(History, MeasuresTheWayTravelled) {
   History history;
-  for (int i = 0; i <= 100; ++i) history.add(at(0.001 * (i <= 50 ? i : 100 - i)));
+  for (int i = 0; i <= 100; ++i) history.add(at(10 * i, 0.001 * (i <= 50 ? i : 100 - i)));
   // There and back: 50 mm each way; 100 sums of 1 mm round to 1e-16 each.
   EXPECT_NEAR(history.points().back().goal_travelled, 0.1, 1e-14);
   EXPECT_NEAR(history.points().back().device_travelled[0], 0.1, 1e-14);
@@ -93,11 +55,23 @@ TEST(History, MeasuresTheWayTravelled) {
 
 TEST(History, AddsAPointWhenOnlyADeviceMoves) {
   History history;
-  history.add(at(0.0));
-  Snapshot moved = at(0.0);
+  history.add(at(0, 0.0));
+  Snapshot moved = at(10, 0.0);
   moved.strategies[index_of(StrategyId::naive)].device = {0.0, 2.0 * History::spacing};
   history.add(moved);
   EXPECT_EQ(history.points().size(), 2U);
+}
+
+TEST(History, HasATrailForThreeSecondsOfModelTime) {
+  History history;
+  history.add(at(0, 0.0));
+  EXPECT_FALSE(history.has_trail_at(0.0)) << "one point is no trail";
+  for (int i = 1; i <= 1000; ++i) history.add(at(i, 0.001 * i));
+  const double end_s = history.points().back().time_s;
+  EXPECT_FALSE(history.has_trail_at(-1.0));
+  EXPECT_TRUE(history.has_trail_at(0.5)) << "of a moment that somebody looks back at";
+  EXPECT_TRUE(history.has_trail_at(end_s + 0.99 * trail_lasts_s));
+  EXPECT_FALSE(history.has_trail_at(end_s + 1.01 * trail_lasts_s));
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <map>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -12,8 +11,8 @@
 #include <fmt/format.h>
 
 #include "core/units.h"
+#include "tests/app/view/label_unrest.h"
 #include "tests/app/view/stage/stage_dice.h"
-#include "tests/app/view/stage/stage_extents.h"
 
 namespace ghostforce {
 namespace {
@@ -21,125 +20,15 @@ namespace {
 const MeasureText measure = measure_vector_text;
 constexpr double frame_s = 1.0 / 60.0;
 
-// Two labels of two pictures are the same one: its role, and its words without the numbers in them.
-std::string name_of(const LabelExtent& label) {
-  std::string name = fmt::format("{} ", role_name(label.role));
-  if (label.role == Role::number) return name;
-  if (label.role == Role::motor_axis) return name;  // "left and right" turns into an angle
-  for (const char letter : label.words) {
-    if (letter != '.' && (letter < '0' || letter > '9')) name += letter;
-  }
-  return name;
-}
-
-bool stands_still_by_itself(Role role) {
-  return role == Role::sentence || role == Role::button || role == Role::hint;
-}
-
-struct Words {
-  ScreenBox box;  // of all lines
-  double alpha = 0.0;
-  Role role{};
-};
-
-// What was seen of one frame.
-struct Seen {
-  std::map<std::string, Words> words;
-  PictureExtents extents;
-
-  explicit Seen(const StagePicture& picture) : extents(picture.pane, measure) {
-    const LabelExtent* above = nullptr;
-    std::string key;
-    for (const LabelExtent& label : extents.labels) {
-      if (stands_still_by_itself(label.role) || label.alpha == 0.0) continue;
-      // A line below another belongs to it.
-      const bool goes_on = above != nullptr && above->mark + 1 == label.mark && above->role == label.role &&
-                           label.role != Role::number && std::abs(label.box.least.y - above->box.most.y) < 0.01;
-      if (goes_on) {
-        words[key].box.include(label.box.least);
-        words[key].box.include(label.box.most);
-      } else {
-        key = name_of(label);
-        // The numbers are a block; the first of it stands for all.
-        if (label.role == Role::number && words.contains(key)) {
-          words[key].box.include(label.box.least);
-          words[key].box.include(label.box.most);
-          continue;
-        }
-        words[key] = {label.box, label.alpha, label.role};
-      }
-      above = &label;
-    }
-  }
-
-  // What a label's thing has moved by since then [points].
-  double moved(Role role, const Seen& before) const {
-    if (role == Role::number) return 0.0;
-    double most = 0.0;
-    std::size_t i = 0;
-    for (const Extent& mark : extents.marks) {
-      if (mark.role != role) continue;
-      while (i < before.extents.marks.size() && before.extents.marks[i].role != role) ++i;
-      if (i == before.extents.marks.size()) return most;
-      const std::vector<Vector<2>>& was = before.extents.marks[i++].corners;
-      for (std::size_t corner = 0; corner < std::min(was.size(), mark.corners.size()); ++corner) {
-        most = std::max(most, glm::distance(was[corner], mark.corners[corner]));
-      }
-    }
-    return most;
-  }
-};
-
-// How often a label changed its place, or came and went.
-struct Unrest {
-  std::map<std::string, int> changes;
-  int jumps = 0;
-
-  int most() const {
-    int found = 0;
-    for (const auto& [name, count] : changes) found = std::max(found, count);
-    return found;
-  }
-  int sum() const {
-    int found = 0;
-    for (const auto& [name, count] : changes) found += count;
-    return found;
-  }
-  std::string words() const {
-    std::string all;
-    for (const auto& [name, count] : changes) all += fmt::format("  {}: {}\n", name, count);
-    return all;
-  }
-};
-
 Unrest drag(StageCase shown, int steps, const std::function<void(StageCase&, int)>& move_to) {
   Unrest unrest;
-  StageLabelMemory memory;
+  LabelMemory memory;
   std::optional<Seen> before;
   for (int step = 0; step <= steps; ++step) {
     move_to(shown, step);
     const StagePicture picture = shown.compose(memory, frame_s);
-    Seen now(picture);
-    if (before) {
-      // Words are as wide as their numbers, and letters stand on whole points.
-      const double bound = 3.0 * picture.unit + 1.0;
-      for (const auto& [name, words] : now.words) {
-        const auto was = before->words.find(name);
-        if (was == before->words.end()) {
-          ++unrest.changes[name];
-          EXPECT_LE(words.alpha, 0.2) << name << " is there at once at step " << step;
-          continue;
-        }
-        const Vector<2> grown = words.box.extent() - was->second.box.extent();
-        const double moved = std::max(glm::distance(words.box.least, was->second.box.least),
-                                      glm::distance(words.box.most, was->second.box.most));
-        const double allowed = now.moved(words.role, *before) + glm::length(grown) + bound;
-        if (moved <= allowed) continue;
-        if (++unrest.jumps <= 10) {
-          ADD_FAILURE() << name << " moves by " << moved << ", " << allowed << " allowed, at step " << step;
-        }
-      }
-    }
+    Seen now(picture.pane, measure, 1.0);
+    if (before) add_unrest(*before, now, 3.0 * picture.unit + 1.0, fmt::format("step {}", step), unrest);
     before.emplace(std::move(now));
   }
   return unrest;
@@ -232,7 +121,7 @@ TEST(StageDrag, OfTheMotorsAngleMovesWordsSmoothly) {
 
 // Also where it is not the shipped picture.
 TEST(StageDrag, OfTheHandMovesWordsSmoothlyWithAnySettings) {
-  StageDice dice(17);
+  PictureDice dice(17);
   int most = 0;
   int sum = 0;
   constexpr int drags = 30;
@@ -262,12 +151,12 @@ TEST(StageDrag, OfTheHandMovesWordsSmoothlyWithAnySettings) {
 
 // A label that has gone to a worse place comes back when there is room again, and then stands still.
 TEST(StageDrag, EndsAtRest) {
-  StageDice dice(3);
+  PictureDice dice(3);
   for (int i = 0; i < 40; ++i) {
     StageCase shown = stage_case_by(dice);
     const Settings settings = shown.settings;
     shown.mode = StageMode::none;
-    StageLabelMemory memory;
+    LabelMemory memory;
     const Vector<2> goal = shown.moment.goal;
     for (int step = 0; step < 40; ++step) {
       shown.moment = stage_moment_at_rest(settings, goal + Vector<2>(0.0005, 0.0003) * static_cast<double>(step));
@@ -279,8 +168,8 @@ TEST(StageDrag, EndsAtRest) {
       ++frames;
     }
     EXPECT_LT(frames, 300) << i;
-    const Seen rest(shown.compose(memory, frame_s));
-    const Seen later(shown.compose(memory, 10.0));
+    const Seen rest(shown.compose(memory, frame_s).pane, measure, 1.0);
+    const Seen later(shown.compose(memory, 10.0).pane, measure, 1.0);
     ASSERT_EQ(rest.words.size(), later.words.size()) << i;
     for (const auto& [name, words] : rest.words) {
       const auto found = later.words.find(name);

@@ -14,8 +14,8 @@
 
 #include <fmt/format.h>
 
+#include "tests/app/view/picture_extents.h"
 #include "tests/app/view/stage/stage_dice.h"
-#include "tests/app/view/stage/stage_extents.h"
 
 namespace ghostforce {
 namespace {
@@ -146,7 +146,7 @@ std::string words_for(const StageCase& shown) {
 constexpr int cases = 700;
 
 TEST(Stage, HasNoWordsOverMarksOrEachOtherOrCutOff) {
-  StageDice dice(20261130);
+  PictureDice dice(20261130);
   int faulty = 0;
   for (int i = 0; i < cases; ++i) {
     const StageCase shown = stage_case_by(dice);
@@ -161,10 +161,10 @@ TEST(Stage, HasNoWordsOverMarksOrEachOtherOrCutOff) {
 
 // Also where a label has just lost its place: in pictures that follow one another.
 TEST(Stage, HasNoWordsOverMarksFromMomentToMoment) {
-  StageDice dice(7);
+  PictureDice dice(7);
   int faulty = 0;
   for (int round = 0; round < 25; ++round) {
-    StageLabelMemory memory;
+    LabelMemory memory;
     StageCase shown = stage_case_by(dice);
     const StageCase other = stage_case_by(dice);
     const Vector<2> from = shown.moment.goal;
@@ -214,7 +214,7 @@ bool has_clear_place(const StageCase& shown, const Drawn& drawn, const Vector<2>
 }
 
 TEST(Stage, FindsAPlaceForTheNumbersAndCoversNothingWithThemIfItCan) {
-  StageDice dice(31);
+  PictureDice dice(31);
   int asked = 0;
   int over_soft = 0;
   int gone = 0;
@@ -299,7 +299,7 @@ double arrow_length(const Drawn& drawn, Role role) {
 }
 
 TEST(Stage, LeavesOutTheLessImportantWords) {
-  StageDice dice(99);
+  PictureDice dice(99);
   std::map<Role, std::array<int, 2>> count;  // asked for, found
   const auto tally = [&](const Drawn& drawn, Role role, std::string_view words) {
     ++count[role][0];
@@ -343,7 +343,7 @@ TEST(Stage, LeavesOutTheLessImportantWords) {
 // --- Sizes -------------------------------------------------------------------------------------------------------------
 
 TEST(Stage, CanBeReadFromTheLastRow) {
-  StageDice dice(5);
+  PictureDice dice(5);
   for (const Vector<2>& size : {Vector<2>(1024.0, 768.0), Vector<2>(1280.0, 720.0), Vector<2>(1920.0, 1080.0)}) {
     for (const double scale : {1.0, 2.0}) {
       for (int i = 0; i < 60; ++i) {
@@ -359,7 +359,7 @@ TEST(Stage, CanBeReadFromTheLastRow) {
 }
 
 TEST(Stage, HasLettersOfWholePoints) {
-  StageDice dice(6);
+  PictureDice dice(6);
   for (int i = 0; i < 100; ++i) {
     const StageCase shown = stage_case_by(dice);
     const Drawn drawn(shown.compose());
@@ -391,7 +391,7 @@ TEST(Stage, GrowsWithTheWindow) {
 
 // The scene may pass below the sentence; what matters should rarely be there.
 TEST(Stage, SeldomHasHandleHandOrArrowBelowTheSentence) {
-  StageDice dice(12);
+  PictureDice dice(12);
   int covered = 0;
   constexpr int looked_at = 300;
   for (int i = 0; i < looked_at; ++i) {

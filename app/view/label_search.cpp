@@ -1,4 +1,4 @@
-#include "app/view/stage/stage_label_search.h"
+#include "app/view/label_search.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include <numeric>
 #include <utility>
 
-#include "app/view/stage/stage_lines.h"
+#include "app/view/text_lines.h"
 
 namespace ghostforce {
 namespace {
@@ -73,8 +73,8 @@ LabelSearch::LabelSearch(const LabelRequest& request, const LabelRoom& room) : r
 }
 
 std::optional<ScreenPiece> LabelSearch::thing() const {
-  const bool is_long = request_.id == StageLabel::motor || request_.block;
-  return is_long || !is_seen_ ? std::nullopt : std::optional(ScreenPiece{from_, to_, 0.0});
+  const bool has_none = request_.is_of_long_thing || request_.block || !is_seen_;
+  return has_none ? std::nullopt : std::optional(ScreenPiece{from_, to_, 0.0});
 }
 
 const LabelSearch::Form& LabelSearch::form_of(bool is_broken) {
@@ -110,7 +110,7 @@ double LabelSearch::cost_of_doubt(const ScreenBox& box) const {
   const double own = distance_to_line(middle, from_, to_);
   double least = own;
   for (const ScreenPiece& other : others_) least = std::min(least, distance_to_line(middle, other.from, other.to));
-  return doubt_cost * std::min(1.0, (own - least) / points(full_doubt));
+  return request_.weight_of_doubt * doubt_cost * std::min(1.0, (own - least) / points(full_doubt));
 }
 
 std::optional<LabelOption> LabelSearch::at(const LabelPlace& place, double air) {

@@ -1,4 +1,4 @@
-// StageLabels: words beside the marks of the stage. They never cover a mark or each other and are never cut off: they
+// LabelPlacer: words beside the marks of a picture. They never cover a mark or each other and are never cut off: they
 // ask for a place, and where there is not room for all, the less important ones are left out. A label keeps its place
 // relative to what it names as long as that is free; one that must change sides fades in at the new one, so that nothing
 // jumps while something is dragged. Points of the window; one thread.
@@ -10,15 +10,15 @@
 #include <string>
 #include <vector>
 
+#include "app/view/label_obstacles.h"
+#include "app/view/label_search.h"
 #include "app/view/screen_box.h"
-#include "app/view/stage/stage_label_search.h"
-#include "app/view/stage/stage_obstacles.h"
 #include "app/view/view.h"
 
 namespace ghostforce {
 
 // Where the labels of the picture before stood. As it is made: there was none, and labels are there at once.
-struct StageLabelMemory {
+struct LabelMemory {
   struct Place {
     bool is_taken = false;
     LabelPlace beside{};        // what it names,
@@ -27,7 +27,7 @@ struct StageLabelMemory {
     double waited_s = 0.0;      // for a place, or for a better one
     std::uint64_t settled = 0;  // the picture in which there was none
   };
-  std::array<Place, stage_label_count> places{};
+  std::array<Place, most_labels> places{};
   bool has_begun = false;
   Vector<2> size{0.0};  // of that picture
   double unit = 0.0;
@@ -39,21 +39,27 @@ struct StageLabelMemory {
   bool is_moving() const noexcept;
 };
 
-class StageLabels {
+class LabelPlacer {
  public:
   // `interval_s`: since the picture before.
-  StageLabels(const Vector<2>& size, double unit, const MeasureText& measure, StageLabelMemory& memory,
-              double interval_s);
+  LabelPlacer(const Vector<2>& size, double unit, const MeasureText& measure, LabelMemory& memory, double interval_s);
   // A label that nobody asked for begins anew when it comes back.
-  ~StageLabels();
-  StageLabels(const StageLabels&) = delete;
-  StageLabels& operator=(const StageLabels&) = delete;
+  ~LabelPlacer();
+  LabelPlacer(const LabelPlacer&) = delete;
+  LabelPlacer& operator=(const LabelPlacer&) = delete;
 
   // What no label may cover: a thick line with round ends, or a rectangle.
   void keep_clear(const Vector<2>& from, const Vector<2>& to, double radius, Clearance clearance = Clearance::always) {
     obstacles_.add(from, to, radius, clearance);
   }
   void keep_clear(const ScreenBox& box) { obstacles_.add(box); }
+
+  const LabelObstacles& obstacles() const noexcept { return obstacles_; }
+  const Vector<2>& size() const noexcept { return size_; }
+  double unit() const noexcept { return unit_; }
+  double interval_s() const noexcept { return interval_s_; }
+  // There was no picture before, so that all is there at once.
+  bool is_first() const noexcept { return !memory_.has_begun; }
 
   // Each request's place, in their order; empty: there is none. Once for each picture, after all that must be kept clear
   // is known.
@@ -70,11 +76,11 @@ class StageLabels {
   Vector<2> extent_of(const std::vector<std::string>& lines, const TextStyle& style) const;
 
  private:
-  using Place = StageLabelMemory::Place;
+  using Place = LabelMemory::Place;
   using Options = std::vector<std::optional<LabelOption>>;
 
   double points(double of_design) const { return of_design * unit_; }
-  Place& remembered(StageLabel id);
+  Place& remembered(LabelId id);
   void move_to(Place& place, const LabelPlace& beside, const Vector<2>& corner);
   // Counts on a wait; true once it has been that long.
   bool has_waited(Place& place, double at_least_s) const;
@@ -88,10 +94,10 @@ class StageLabels {
   Vector<2> size_;
   double unit_;
   const MeasureText& measure_;
-  StageLabelMemory& memory_;
+  LabelMemory& memory_;
   double interval_s_;
-  StageObstacles obstacles_;
-  std::array<bool, stage_label_count> is_asked_for_{};
+  LabelObstacles obstacles_;
+  std::array<bool, most_labels> is_asked_for_{};
   std::uint64_t picture_ = 0;
 };
 

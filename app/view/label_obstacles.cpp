@@ -1,4 +1,4 @@
-#include "app/view/stage/stage_obstacles.h"
+#include "app/view/label_obstacles.h"
 
 #include <algorithm>
 #include <array>
@@ -109,7 +109,7 @@ double distance_between_lines(const ScreenPiece& a, const ScreenPiece& b) noexce
                    distance_to_line(b.from, a.from, a.to), distance_to_line(b.to, a.from, a.to)});
 }
 
-std::uint64_t StageObstacles::signature() const noexcept {
+std::uint64_t LabelObstacles::signature() const noexcept {
   std::uint64_t mixed = 0;
   const auto add = [&](double number) {
     mixed = (mixed ^ std::bit_cast<std::uint64_t>(number)) * 0x9E3779B97F4A7C15ULL;
@@ -131,7 +131,7 @@ std::uint64_t StageObstacles::signature() const noexcept {
   return mixed;
 }
 
-bool StageObstacles::is_free(const ScreenBox& box, double air, Clearance clearance) const {
+bool LabelObstacles::is_free(const ScreenBox& box, double air, Clearance clearance) const {
   const ScreenBox airy = box.grown(air);
   for (const ScreenBox& other : boxes_) {
     if (overlap(airy, other) > 0.0) return false;
@@ -149,7 +149,7 @@ bool StageObstacles::is_free(const ScreenBox& box, double air, Clearance clearan
   return true;
 }
 
-bool StageObstacles::can_pass(const Vector<2>& from, const Vector<2>& to) const {
+bool LabelObstacles::can_pass(const Vector<2>& from, const Vector<2>& to) const {
   for (const ScreenBox& box : boxes_) {
     ScreenPiece piece{from, to, 0.0};
     if (clip(box, piece)) return false;
@@ -162,7 +162,7 @@ bool StageObstacles::can_pass(const Vector<2>& from, const Vector<2>& to) const 
   });
 }
 
-std::optional<Vector<2>> StageObstacles::find_block(const BlockRequest& request, double row_height) const {
+std::optional<Vector<2>> LabelObstacles::find_block(const BlockRequest& request, double row_height) const {
   const Vector<2>& extent = request.extent;
   const double lowest = request.region.most.y - extent.y;
   std::optional<Vector<2>> best;

@@ -1,4 +1,4 @@
-// StageObstacles: what words on the stage must not cover, and where there is room beside it. Points of the window, y
+// LabelObstacles: what words must not cover, and where there is room beside it. Points of the window, y
 // down. Values; one thread.
 #pragma once
 
@@ -13,7 +13,7 @@ namespace ghostforce {
 // Long and thin, so that a large block may stand upon it where it finds no other place: rails, edges, dotted lines.
 enum class Clearance : std::uint8_t { always, if_possible };
 
-class StageObstacles {
+class LabelObstacles {
  public:
   // A thick line with round ends, or a rectangle.
   void add(const Vector<2>& from, const Vector<2>& to, double radius, Clearance clearance) {

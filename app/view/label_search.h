@@ -7,44 +7,32 @@
 #include <string>
 #include <vector>
 
+#include "app/view/label_obstacles.h"
 #include "app/view/marks.h"
 #include "app/view/screen_box.h"
-#include "app/view/stage/stage_obstacles.h"
 #include "app/view/view.h"
 
 namespace ghostforce {
 
-// In the order of their importance.
-enum class StageLabel : std::uint8_t {
-  numbers,  // the block of the two large numbers
-  hint,     // what a newcomer is asked to do
-  guess,
-  ghost,
-  slide,
-  handle,
-  wall_share,
-  hand,
-  expected_rest,
-  expected_contact,
-  motor,
-  wall,
-};
-inline constexpr std::size_t stage_label_count = 12;
+// Which words of a picture they are: the smaller, the more important. One thing has one set of words at a time.
+using LabelId = std::uint8_t;
+inline constexpr std::size_t most_labels = 16;
 
 // What is to stand somewhere in a region, as near to a place as there is room.
 struct LabelBlock {
-  StageLabel id;
+  LabelId id;
   Vector<2> extent;
   ScreenBox region;
   Vector<2> wanted;                   // of its upper left corner
   Vector<2> dearness{1.0, 1.0};       // of each point away from there, across and down
   std::optional<ScreenPiece> edge{};  // it must lie to the right of this, looking along it
   bool may_cover = false;             // what is to be kept clear if possible, where there is no other place
+  bool is_never_missing = false;      // where it loses its place, it takes the next one at once
 };
 
 // Words that are to stand beside a mark.
 struct LabelRequest {
-  StageLabel id;
+  LabelId id;
   std::vector<std::string> lines{};  // one may be broken in two
   TextStyle style;
   Vector<2> from{0.0};  // what it names: a point, or all between two
@@ -52,6 +40,8 @@ struct LabelRequest {
   double clearance = 0.0;             // half its thickness
   Vector<2> direction{0.0};           // where from there it had best stand, of any length
   double best_share = 0.5;            // of the way from one end to the other
+  bool is_of_long_thing = false;      // which nobody takes for something else, however near other words stand
+  double weight_of_doubt = 1.0;       // how bad it is to stand nearer to something else, against the usual
   std::optional<LabelBlock> block{};  // instead of all that: where these words are to stand
 };
 
@@ -89,7 +79,7 @@ struct LabelRoom {
   Vector<2> size;  // of the window
   double unit;     // a point of the design
   const MeasureText& measure;
-  const StageObstacles& obstacles;
+  const LabelObstacles& obstacles;
 };
 
 class LabelSearch {

@@ -1,4 +1,4 @@
-#include "app/view/stage/stage_labels.h"
+#include "app/view/label_placer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,13 +31,13 @@ bool is_within(const ScreenBox& region, const ScreenBox& box) {
 
 }  // namespace
 
-bool StageLabelMemory::is_moving() const noexcept {
+bool LabelMemory::is_moving() const noexcept {
   return rested_s > 0.0 || std::ranges::any_of(places, [](const Place& place) {
            return place.waited_s > 0.0 || (place.is_taken && place.strength < 1.0);
          });
 }
 
-StageLabels::StageLabels(const Vector<2>& size, double unit, const MeasureText& measure, StageLabelMemory& memory,
+LabelPlacer::LabelPlacer(const Vector<2>& size, double unit, const MeasureText& measure, LabelMemory& memory,
                          double interval_s)
     : size_(size), unit_(unit), measure_(measure), memory_(memory), interval_s_(interval_s) {
   // Another window: all is somewhere else anyway.
@@ -48,21 +48,21 @@ StageLabels::StageLabels(const Vector<2>& size, double unit, const MeasureText& 
   }
 }
 
-StageLabels::~StageLabels() {
-  for (std::size_t i = 0; i < stage_label_count; ++i) {
+LabelPlacer::~LabelPlacer() {
+  for (std::size_t i = 0; i < most_labels; ++i) {
     if (!is_asked_for_[i]) memory_.places[i] = {};
   }
   memory_.has_begun = true;
   memory_.picture = picture_;
 }
 
-StageLabels::Place& StageLabels::remembered(StageLabel id) {
-  Place& place = memory_.places[static_cast<std::size_t>(id)];
-  is_asked_for_[static_cast<std::size_t>(id)] = true;
+LabelPlacer::Place& LabelPlacer::remembered(LabelId id) {
+  Place& place = memory_.places[id];
+  is_asked_for_[id] = true;
   return place;
 }
 
-void StageLabels::move_to(Place& place, const LabelPlace& beside, const Vector<2>& corner) {
+void LabelPlacer::move_to(Place& place, const LabelPlace& beside, const Vector<2>& corner) {
   place = {.is_taken = true,
            .beside = beside,
            .corner = corner,
@@ -70,13 +70,13 @@ void StageLabels::move_to(Place& place, const LabelPlace& beside, const Vector<2
            .settled = place.settled};
 }
 
-bool StageLabels::has_waited(Place& place, double at_least_s) const {
+bool LabelPlacer::has_waited(Place& place, double at_least_s) const {
   // So that something is on its way, however short the first interval is.
   place.waited_s += std::max(interval_s_, 1e-6);
   return place.waited_s >= at_least_s;
 }
 
-std::vector<std::optional<PlacedLabel>> StageLabels::place(const std::vector<LabelRequest>& requests) {
+std::vector<std::optional<PlacedLabel>> LabelPlacer::place(const std::vector<LabelRequest>& requests) {
   const LabelRoom room{size_, unit_, measure_, obstacles_};
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < requests.size(); ++i) {
@@ -120,7 +120,7 @@ std::vector<std::optional<PlacedLabel>> StageLabels::place(const std::vector<Lab
   return found;
 }
 
-void StageLabels::arrange_anew(std::vector<LabelSearch>& searches, Options& options) {
+void LabelPlacer::arrange_anew(std::vector<LabelSearch>& searches, Options& options) {
   options = best_label_plan(searches, unit_).options;
   for (std::size_t i = 0; i < searches.size(); ++i) {
     Place& place = remembered(searches[i].request().id);
@@ -129,7 +129,7 @@ void StageLabels::arrange_anew(std::vector<LabelSearch>& searches, Options& opti
   memory_.arranged = picture_;
 }
 
-void StageLabels::keep_or_find(std::vector<LabelSearch>& searches, Options& options) {
+void LabelPlacer::keep_or_find(std::vector<LabelSearch>& searches, Options& options) {
   // Where all stand, if marks let them.
   Options held(searches.size());
   for (std::size_t i = 0; i < searches.size(); ++i) {
@@ -150,7 +150,7 @@ void StageLabels::keep_or_find(std::vector<LabelSearch>& searches, Options& opti
 }
 
 // `option`: where it stands, then where it is to stand. `options`: of the more important ones.
-void StageLabels::take_or_wait(LabelSearch& search, Place& place, const Options& options,
+void LabelPlacer::take_or_wait(LabelSearch& search, Place& place, const Options& options,
                                const std::vector<ScreenBox>& others, std::optional<LabelOption>& option) {
   const auto is_free = [&](const PlacedLabel& label, double air) {
     return std::ranges::all_of(options, [&](const std::optional<LabelOption>& other) {
@@ -200,7 +200,7 @@ void StageLabels::take_or_wait(LabelSearch& search, Place& place, const Options&
 }
 
 // Better places for all together, where some stand badly or not at all, once nothing moves any more.
-void StageLabels::arrange_at_rest(std::vector<LabelSearch>& searches, Options& options) {
+void LabelPlacer::arrange_at_rest(std::vector<LabelSearch>& searches, Options& options) {
   const bool could_be_better = std::ranges::any_of(searches, [&](const LabelSearch& search) {
     const std::optional<LabelOption>& option = options[static_cast<std::size_t>(&search - searches.data())];
     return search.is_seen() && (!option || option->cost > worth_arranging);
@@ -226,7 +226,7 @@ void StageLabels::arrange_at_rest(std::vector<LabelSearch>& searches, Options& o
   }
 }
 
-std::optional<StageLabels::PlacedBlock> StageLabels::place_block(const LabelBlock& block) {
+std::optional<LabelPlacer::PlacedBlock> LabelPlacer::place_block(const LabelBlock& block) {
   Place& place = remembered(block.id);
   place.strength = std::min(1.0, place.strength + interval_s_ / fade_s);
   const auto box_at = [&](const Vector<2>& corner) { return ScreenBox{corner, corner + block.extent}; };
@@ -275,7 +275,7 @@ std::optional<StageLabels::PlacedBlock> StageLabels::place_block(const LabelBloc
       if (is_better && has_waited(place, is_still ? moves_on_s : moves_on_in_motion_s)) move_to(place, {}, *best);
     } else {
       if (!best && block.may_cover) best = find(Clearance::if_possible);
-      const bool comes_at_once = !memory_.has_begun || (place.is_taken && block.id == StageLabel::numbers);
+      const bool comes_at_once = !memory_.has_begun || (place.is_taken && block.is_never_missing);
       place.is_taken = false;
       if (!best) place.waited_s = 0.0;
       if (best && (comes_at_once || has_waited(place, comes_back_s))) move_to(place, {}, *best);
@@ -286,7 +286,7 @@ std::optional<StageLabels::PlacedBlock> StageLabels::place_block(const LabelBloc
   return PlacedBlock{box_at(place.corner), place.strength};
 }
 
-Vector<2> StageLabels::extent_of(const std::vector<std::string>& lines, const TextStyle& style) const {
+Vector<2> LabelPlacer::extent_of(const std::vector<std::string>& lines, const TextStyle& style) const {
   Vector<2> extent(0.0, static_cast<double>(lines.size()) * style.height);
   for (const std::string& line : lines) extent.x = std::max(extent.x, measure_(line, style).x);
   return extent;

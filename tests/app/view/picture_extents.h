@@ -104,13 +104,15 @@ class PictureExtents {
     std::size_t label = 0;  // which of labels
   };
 
-  PictureExtents(const Pane& pane, const MeasureText& measure) : camera_(pane.camera) {
+  // `text_scale`: from a label's own height to the one that it is drawn with.
+  PictureExtents(const Pane& pane, const MeasureText& measure, double text_scale = 1.0) : camera_(pane.camera) {
     for (std::size_t i = 0; i < pane.marks.size(); ++i) {
       const Mark& mark = pane.marks[i];
       is_finite &= std::visit([](const auto& form) { return all_finite(form); }, mark.form);
       if (const auto* const label = std::get_if<Label>(&mark.form)) {
         const Vector<2> corner = to_screen(camera_, label->anchor) + label->offset;
-        const ScreenBox box{corner, corner + measure(label->text, label->style)};
+        const TextStyle drawn{label->style.height * text_scale, label->style.is_bold};
+        const ScreenBox box{corner, corner + measure(label->text, drawn)};
         labels.push_back({mark.role, label->text, label->style, box, label->colour.alpha / 255.0, i});
         continue;
       }

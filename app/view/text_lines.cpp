@@ -1,4 +1,4 @@
-#include "app/view/stage/stage_lines.h"
+#include "app/view/text_lines.h"
 
 #include <algorithm>
 
