@@ -79,7 +79,7 @@ std::string reason_of(int error) {
 
 OutputFile::OutputFile(const std::string& path) : shown_(path) {
   if (path == "-" || path == "/dev/stdout") {
-    shown_ = "the standard output";
+    shown_ = "standard output";
     descriptor_ = STDOUT_FILENO;
     return;
   }
