@@ -60,13 +60,13 @@ int main(int argc, char** argv) {
   } catch (const std::system_error& error) {
     if (error.code() != std::errc::resource_unavailable_try_again) return say_bug(error.what());
     std::fputs(
-        "The system lets this program start no further thread. Close other programs, or raise this one's limits "
+        "The system does not let this program start another thread. Close other programs, or raise this one's limits "
         "(ulimit -u, ulimit -v).\n",
         stderr);
     return static_cast<int>(ExitCode::file_trouble);
   } catch (const std::exception& error) {
     return say_bug(error.what());
   } catch (...) {
-    return say_bug("something unknown was thrown");
+    return say_bug("an unknown exception was thrown");
   }
 }

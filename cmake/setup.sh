@@ -41,7 +41,7 @@ install_packages() {
   done <"$root/packages.txt"
 
   if ! command -v dpkg-query >/dev/null; then
-    say "This is not Debian or a child of it: what the build does not find here is named in $root/packages.txt."
+    say "This is not Debian or a system based on it. $root/packages.txt names the packages that the build needs."
     return
   fi
   local name status missing=()
@@ -65,7 +65,7 @@ and start this again."
   # A fresh machine may be updating itself just now: wait for its lock.
   local apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get --yes -o DPkg::Lock::Timeout=300)
   logged packages "${apt[@]}" update ||
-    say "apt-get update did not reach every package source; trying with the lists that are there."
+    say "apt-get update did not reach every package source; trying with the existing lists."
   logged packages "${apt[@]}" install --no-install-recommends "${missing[@]}" ||
     fail_with packages "The packages could not be installed."
 }

@@ -1,10 +1,11 @@
 // Many independent simulations in the plane, a lane each: the loop of tick.h (23)(24)(25) for one strategy per lane,
-// advanced side by side, as many lanes per instruction as the processor has. For sweeps and other questions over many
-// settings; the servo and `simulate` run tick(). Not for the servo thread: adding lanes allocates, advancing does not.
-// No state is shared, so that each thread may have its own.
+// advanced side by side, as many lanes per instruction as the processor allows. For sweeps and other questions over
+// many settings; the servo and `simulate` run tick(). Not for the servo thread: adding lanes allocates, advancing does
+// not. No state is shared, so that each thread may have its own.
 //
-// The recurrence is that of tick(), with all that the settings fix multiplied out beforehand. With u = dt v the way of
-// a tick and h = max(0, n·(o − q_h)) the depth that the wall acts on, q_p,k − q_h,k = step h_k−1 − u_k, hence
+// The recurrence is that of tick(), with all that the settings fix multiplied out beforehand. With u = dt v the
+// displacement in a tick and h = max(0, n·(o − q_h)) the depth that the wall acts on, q_p,k − q_h,k = step h_k−1 − u_k,
+// hence
 //     u_k   = V u_k−1 + c (q_u(t_k) − q_h,k−1) + w h_k−2        (23)(25)
 //     q_h,k = q_h,k−1 + u_k                                     (24)
 // where
@@ -30,7 +31,7 @@ namespace ghostforce {
 
 // What a batch is computed with.
 enum class Instructions : std::uint8_t {
-  baseline,  // what each processor has that the program was compiled for: 2 lanes per instruction on x86-64
+  baseline,  // what every processor has that the program was compiled for: 2 lanes per instruction on x86-64
   avx2,      // 4 lanes
 };
 
@@ -50,10 +51,10 @@ class Batch {
   // `instructions` that this processor does not have end the program.
   explicit Batch(Instructions instructions = widest_instructions()) noexcept : instructions_(instructions) {}
 
-  // One more lane, the last one, as it is at k = 0: q_h = q_p = q_u = `goal` [m], v = 0, f_r = 0.
+  // Adds a lane at the end, as it is at k = 0: q_h = q_p = q_u = `goal` [m], v = 0, f_r = 0.
   void add(const TickCoefficients<2>& coefficients, StrategyId strategy, const Vector<2>& goal);
 
-  // The last lane takes the place of the one that goes.
+  // Removes a lane; the last lane takes its place.
   void remove(std::size_t lane) noexcept;
 
   std::size_t size() const noexcept { return readings_.size(); }
@@ -61,14 +62,14 @@ class Batch {
   // The goal that a lane holds from now on, q_u [m].
   void set_goal(std::size_t lane, const Vector<2>& goal) noexcept;
 
-  // A knock between two ticks: all devices are elsewhere by so much [m].
+  // A knock between two ticks: moves all devices by this much [m].
   void displace(const Vector<2>& way) noexcept;
 
-  // So many ticks, each lane under the goal that it holds.
+  // Advances by this many ticks, each lane under the goal that it holds.
   void hold(std::int64_t ticks) noexcept;
 
-  // One tick per goal, all lanes under the same; they hold the last one afterwards. The lanes' rates are the caller's
-  // business: a path in time is another sequence of goals at another rate.
+  // One tick per goal, the same goal for all lanes; they hold the last one afterwards. The caller has to mind the
+  // lanes' rates: at another rate, a path in time is another sequence of goals.
   void follow(std::span<const Vector<2>> goals) noexcept;
 
   Lane operator[](std::size_t lane) const noexcept;
@@ -81,7 +82,7 @@ class Batch {
     Lanes y{};
   };
 
-  // Eight lanes side by side. Where there is no lane all is 0, and stays 0.
+  // Eight lanes side by side. Unused lanes are 0 and stay 0.
   struct alignas(64) Block {
     Lanes v_xx{};  // V, symmetric [1]
     Lanes v_xy{};

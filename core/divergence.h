@@ -1,4 +1,4 @@
-// Divergence: whether the simulation has run away, so that its state cannot be gone on from. Settings can make the
+// Divergence: whether the simulation has run away, so that it cannot continue from its state. Settings can make the
 // sampled loop unstable; its numbers then grow without end. Pure, never allocates or throws, any thread.
 #pragma once
 
@@ -10,10 +10,10 @@
 
 namespace ghostforce {
 
-// Farther away than this no device is [m]; a scene lies within a metre.
+// No device is farther away than this [m]; a scene lies within a metre.
 inline constexpr double farthest_device_m = 1000.0;
 
-// Some number in it is not finite, or too far out to go on from.
+// Some number in it is not finite, or too large to continue from.
 inline bool has_diverged(const TickState<2>& state) noexcept {
   // A year and a half at the highest rate; far from where a tick number would overflow.
   constexpr std::int64_t last_tick_ever = 1'000'000'000'000;

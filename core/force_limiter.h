@@ -12,7 +12,7 @@
 
 namespace ghostforce {
 
-// A device for a desk pushes with a few newtons; more than this nobody may ask of it [N].
+// A desktop device pushes with a few newtons; nobody may ask it for more than this [N].
 inline constexpr double force_ceiling = 8.0;
 
 class ForceLimiter {

@@ -35,7 +35,7 @@ class LatestValue {
   // Reader only. True if the next latest() would be a value not seen before.
   bool has_news() const noexcept { return (middle_.load(std::memory_order_relaxed) & fresh) != 0; }
 
-  // Reader only. The newest value; the reference stays good until the next call.
+  // Reader only. The newest value; the reference stays valid until the next call.
   const T& latest() noexcept {
     if (has_news()) read_ = middle_.exchange(read_, std::memory_order_acq_rel) & slot_mask;
     return slots_[read_].value;

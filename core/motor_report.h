@@ -1,4 +1,4 @@
-// MotorReport: what the servo tells about the motors of an input and what watches over them. Trivially copyable: it
+// MotorReport: what the servo reports about the motors of an input and about their safety. Trivially copyable: it
 // crosses threads whole. SI units, in the plane of the scene.
 #pragma once
 
@@ -22,8 +22,8 @@ struct MotorReport {
   double handle_speed = 0.0;     // [m/s]
   Vector<2> sent{0.0};           // force at the handle, after every limit [N]
   bool is_saturated = false;     // the limit shortens it
-  double limit = 0.0;            // in use: lower than asked for by what is not known of the motors [N]
-  double held_k_r = 0.0;         // what k_r is held at while armed; 0: it is not [N/m]
+  double limit = 0.0;            // in use: lower than asked for, because the motors are not known well [N]
+  double held_k_r = 0.0;         // k_r is held at this while armed; 0: it is not held [N/m]
   double exchange_age_s = 0.0;   // of the newest reading
 };
 static_assert(std::is_trivially_copyable_v<MotorReport>);

@@ -1,4 +1,4 @@
-// Where the devices come to rest by closed form, with what it costs the hand: what `equilibrium` and `sweep` tell.
+// Where the devices come to rest by closed form, with what it costs the hand: what `equilibrium` and `sweep` report.
 // Pure, any thread; allocates nothing.
 #pragma once
 

@@ -62,8 +62,8 @@ std::string_view name_of(SafetyState state) noexcept;  // as on the button
 
 // What a person decides about it.
 struct SafetyOptions {
-  bool needs_button = false;    // a button on the grip must be held: dead-man
-  double force_limit = 6.0;     // of the force's length [N]
+  bool needs_button = false;    // a button on the grip must be held: deadman switch
+  double force_limit = 6.0;     // of the force's magnitude [N]
   double greatest_k_r = 800.0;  // held at this while armed, until a person types a larger one [N/m]
 
   friend bool operator==(const SafetyOptions&, const SafetyOptions&) = default;
@@ -74,13 +74,13 @@ struct SafetyReading {
   OffReason trouble = OffReason::none;  // what the device itself says: unplugged, not_homed, fault
   bool device_is_ready = false;         // every step up to the encoders is reached
   bool loop_is_healthy = false;         // exchanges come fast and evenly enough to start
-  double since_exchange_s = 0.0;        // the newest reading is so old
-  double since_window_s = 0.0;          // the window's last heartbeat was so long ago
+  double since_exchange_s = 0.0;        // age of the newest reading
+  double since_window_s = 0.0;          // time since the window's last heartbeat
   bool has_focus = true;                // keys reach the window
   bool deadman_held = false;            // on the grip
   bool is_outside_wall = false;         // the handle
   double speed = 0.0;                   // of the handle [m/s]
-  double wanted_force = 0.0;            // length of what the force law wants, before any limit [N]
+  double wanted_force = 0.0;            // magnitude of what the force law wants, before any limit [N]
 };
 
 class Safety {
@@ -93,7 +93,7 @@ class Safety {
   static constexpr double longest_exchange_s = 0.020;
   static constexpr double longest_window_s = 0.500;
 
-  // A person's, heeded at the next update(). arm() has no effect while a reason waits to be acknowledged.
+  // A person's requests, obeyed at the next update(). arm() has no effect while a reason waits to be acknowledged.
   void arm() noexcept { arm_asked_ = true; }
   void acknowledge() noexcept;
 

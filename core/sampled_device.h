@@ -15,8 +15,8 @@ struct SampledDevice {
   double velocity_per_force;  // dt / (m + dt b + dt² k_u) [m/s/N]
 };
 
-// What the other four decide is worked out here, once per change of a setting: a division takes longer than all the
-// rest of a tick.
+// Computes what the other four determine, once per change of a setting: a division takes longer than all the rest of a
+// tick.
 constexpr SampledDevice sampled_device(double mass, double damping, double user_stiffness, double period) noexcept {
   const double effective_mass = mass + period * damping + period * period * user_stiffness;
   return {mass, damping, user_stiffness, period, mass / effective_mass, period / effective_mass};

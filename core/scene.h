@@ -117,7 +117,7 @@ inline Vector<2> nearest_in_scene(const Vector<2>& position) noexcept {
   return glm::clamp(position, Vector<2>(-farthest), Vector<2>(farthest));
 }
 
-// What no single key can tell: as many times as waypoints, and not too many ticks. Names the key at fault.
+// What no single key shows: as many times as waypoints, and not too many ticks. Names the key at fault.
 struct SceneProblem {
   std::string_view table;
   std::string_view name;

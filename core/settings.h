@@ -20,14 +20,14 @@ struct NumberRange {
   constexpr double nearest_to(double number) const noexcept { return std::clamp(number, least, greatest); }
 };
 
-// A hand has some 10 to 10,000 N/m; what is far outside is a slip of the keyboard [N/m].
+// A hand has some 10 to 10,000 N/m; a value far outside is a typing error [N/m].
 inline constexpr NumberRange user_stiffness_range{0.1, 1e6};
 // Both ends of what a renderer may be given, k_r and k_t [N/m]; with a k_r of 0 there is no force.
 inline constexpr NumberRange rendering_stiffness_range{0.0, 1e6};
 inline constexpr NumberRange tracking_stiffness_range{0.1, 1e6};
 // ρ where a person chooses it: three decades to either side of the naive one.
 inline constexpr NumberRange tracking_ratio_range{1e-3, 1e3};
-// No computer of a desk keeps up with more; nor does the servo try [Hz].
+// No desktop computer keeps up with more, and the servo does not try [Hz].
 inline constexpr NumberRange rate_range{10.0, 20000.0};
 
 struct Settings {

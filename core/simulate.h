@@ -8,8 +8,8 @@
 
 namespace ghostforce {
 
-// Where all strategies come to rest under a goal that is held still, as a state to go on from: k = 0, v = 0, W = 0. In
-// free space it is state_at_start().
+// Where all strategies come to rest under a goal that is held still, as a state to continue from: k = 0, v = 0, W = 0.
+// In free space it is state_at_start().
 inline TickState<2> equilibrium_state(const Settings& settings, const Vector<2>& goal) noexcept {
   TickState<2> state = state_at_start(goal);
   for (const Strategy& each : strategy_catalog()) {
@@ -23,7 +23,7 @@ inline TickState<2> equilibrium_state(const Settings& settings, const Vector<2>&
 }
 
 // Calls on_tick(const Snapshot&) for k = 0 … last, beginning with `state`, whose k is 0, and returns the state after
-// the last tick, from which a servo may go on.
+// the last tick, from which a servo may continue.
 template <typename OnTick>
 TickState<2> simulate_from(TickState<2> state, const Scene& scene, std::int64_t last, OnTick&& on_tick) {
   const TickCoefficients<2> coefficients = coefficients_of(scene.settings);

@@ -31,7 +31,7 @@ struct SpaceMouseReading {
   };
 
   Trouble trouble = Trouble::absent;
-  std::uint32_t connection = 0;  // another number each time a device has been opened; 0: there is none
+  std::uint32_t connection = 0;  // a new number each time a device is opened; 0: there is none
   std::array<char, 64> name{};   // of the one that was seen last, ends in 0
   std::array<double, 6> axes{};  // -1 to 1: right, towards the user, down, turns about these
   std::uint32_t buttons = 0;     // bit 0: the first

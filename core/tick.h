@@ -16,7 +16,7 @@
 
 namespace ghostforce {
 
-// What a tick needs of the settings, worked out once per change of a setting.
+// What a tick needs of the settings, computed once per change of a setting.
 template <glm::length_t D>
 struct TickCoefficients {
   struct StrategyCoefficients {
@@ -67,9 +67,9 @@ void tick(const TickCoefficients<D>& coefficients, const Vector<D>& goal, TickSt
 // k ≥ 1 with a real device under `active`: nothing of it is simulated. q_h is measured and the proxy is that of the
 // same tick's q_h, so that free space is exactly force-free; the goal is inferred from the device's equilibrium (7),
 //     q_u ≈ q_h − f / k̂_u
-// with the force `motor_force` that the motors really make, f_r but for the limits on its way to them; 0 in free space.
-// The other strategies are simulated under that goal. `believed_k_u` is k̂_u [N/m]. Work is counted, and a velocity
-// known, from the second tick in a row that measures the device under `active`; after a gap in the measurements, reset
+// with the force `motor_force` that the motors really make, f_r after the limits on its way to them; 0 in free space.
+// The other strategies are simulated under that goal. `believed_k_u` is k̂_u [N/m]. Work is counted and the velocity is
+// known from the second tick in a row that measures the device under `active`; after a gap in the measurements, reset
 // state.measured.
 template <glm::length_t D>
 void tick_with_device(const TickCoefficients<D>& coefficients, StrategyId active, const Vector<D>& device,
@@ -89,9 +89,9 @@ void take_snapshot(const TickCoefficients<D>& coefficients, const TickState<D>& 
 
 // Inline, so that a loop over ticks can keep the state in registers.
 //
-// The state is written axis by axis: a vector that is copied as one is read back in other pieces than it was written
-// in, and for that the processor waits. For the same reason what calls these is compiled without gcc's pairing of
-// scalars (-fno-tree-slp-vectorize). The numbers are the same either way, to the last bit.
+// The state is written axis by axis: a vector that is copied as a whole is read back in other pieces than it was
+// written in, and the processor waits for that. For the same reason, the code that calls these is compiled without
+// gcc's pairing of scalars (-fno-tree-slp-vectorize). The numbers are the same either way, to the last bit.
 
 template <glm::length_t D>
 using StrategyCoefficients = typename TickCoefficients<D>::StrategyCoefficients;

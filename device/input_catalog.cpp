@@ -29,7 +29,7 @@ const InputMaker<CircleInput> circle_kind{
 
 const InputMaker<VirtualFalconInput> virtual_falcon_kind{
     {{"virtual-falcon", "Virtual Falcon",
-      "The Falcon's driver with a simulated device and hand behind it; drag in the scene to lead that hand."},
+      "The Falcon's driver with a simulated device and hand behind it; drag in the scene to guide that hand."},
      /*is_scripted=*/false,
      /*needs_recording=*/false,
      /*hand_is_simulated=*/true},

@@ -1,6 +1,6 @@
 // The catalog of inputs that need nothing but this program: no cable, no thread of their own. A new one is its own file
-// and one row here; what the desktop has besides is in app/cli/desktop_inputs.h. What is done with each in the window
-// is app/live/input_link.h's. Immutable after start, any thread; making an input allocates and may throw.
+// and one row here; the desktop's other inputs are in app/cli/desktop_inputs.h. app/live/input_link.h says what the
+// window does with each. Immutable after start, any thread; making an input allocates and may throw.
 #pragma once
 
 #include <functional>
@@ -24,7 +24,8 @@ struct InputOptions {
   FalconOptions falcon;
   InjectedFault injected_fault;  // of the virtual Falcon
   VirtualLink::Clock virtual_falcon_clock = VirtualLink::Clock::monotonic;
-  std::shared_ptr<const GoalPath> recorded_hand{};  // what replay replays; null: none is loaded, the scene's path
+  std::shared_ptr<const GoalPath>
+      recorded_hand{};  // what replay replays; null: none is loaded, replay the scene's path
 };
 
 struct InputKind : InputChoice {

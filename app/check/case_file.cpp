@@ -39,18 +39,18 @@ std::string scene_hint(const std::filesystem::path& name, const std::filesystem:
 
 // None where one of them is no text, so that each stands where it stands in the file.
 std::vector<std::string> read_overrides(const std::optional<TomlValue>& set) {
-  constexpr std::string_view need = R"(give texts, as in ["wall.normal_deg=120"])";
+  constexpr std::string_view need = R"(give strings, as in ["wall.normal_deg=120"])";
   constexpr std::size_t most = 1000;  // a scene has some thirty keys
   const std::size_t count = set ? set->count(need).value_or(0) : 0;
   if (count > most) {
-    set->refuse(fmt::format("holds {} texts", count), fmt::format("give {} at most", most));
+    set->refuse(fmt::format("has {} strings", count), fmt::format("give {} at most", most));
     return {};
   }
   std::vector<std::string> overrides;
   for (std::size_t i = 0; i < count; ++i) {
     const std::string* const text = (*set)[i].as_text();
     if (text == nullptr) {
-      (*set)[i].refuse_type(need, "holds");
+      (*set)[i].refuse_type(need, "contains");
       return {};
     }
     overrides.push_back(*text);
@@ -111,10 +111,10 @@ void read_text(ReadCase& into, std::vector<ReadProblem>& problems) {
       const std::optional<std::string> name = value.text();
       if (!name) return;
       if (summary.expectation != Expectation::golden) {
-        value.refuse(fmt::format("there is the key {} too", expectation_name(summary.expectation)),
-                     "a case has one of them");
+        value.refuse(fmt::format("the key {} is there too", expectation_name(summary.expectation)),
+                     "a case can have only one of them");
       } else if (*name == summary.name) {
-        value.refuse("names this case itself, which is always equal to itself", "name another");
+        value.refuse("names this case itself, which always equals itself", "name another");
       } else {
         summary.expectation = expectation;
         summary.other = *name;
@@ -124,8 +124,7 @@ void read_text(ReadCase& into, std::vector<ReadProblem>& problems) {
   };
   const auto refuse_on_stage = [&request](const TomlValue& value) {
     if (request.face != Face::stage) return;
-    value.refuse("on the stage there is one strategy at a time",
-                 "name one with strategy, or leave view = \"stage\" out");
+    value.refuse("the stage shows one strategy at a time", "name one with strategy, or leave out view = \"stage\"");
   };
   const auto origin = [&](std::string GoldenOrigin::*member) {
     return [&summary, member](const TomlValue& value) { (*summary.origin).*member = value.text().value_or(""); };
@@ -193,7 +192,7 @@ void read_text(ReadCase& into, std::vector<ReadProblem>& problems) {
   if (reader.parse(into.content.text)) {
     if (!reader.find("", "scene") && (reader.find("", "format") || reader.has_table("wall"))) {
       reader.refuse("this is a scene, not a case",
-                    fmt::format("put scenes into a subfolder, and name them as in scene = \"scenes/{}\"",
+                    fmt::format("put scenes into a subfolder, and refer to them as in scene = \"scenes/{}\"",
                                 quoted_text(path.filename().string())));
     } else {
       if (reader.has_table("golden")) summary.origin.emplace();
@@ -222,7 +221,7 @@ ReadCase read_case(const std::string& path, std::vector<ReadProblem>& problems) 
   FileContents file = file_contents(path);
   if (file.error == EFBIG) {
     problems.push_back({.file = quoted_text(path, longest_path),
-                        .what = fmt::format("is larger than {} MiB, which no case is", largest_text_file >> 20),
+                        .what = fmt::format("is larger than {} MiB, too large for a case", largest_text_file >> 20),
                         .remedy = "rename it, or remove it"});
   } else if (file.error != 0) {
     throw unreadable(quoted_text(path, longest_path), file.error);

@@ -1,4 +1,4 @@
-// A case of `check`: what shall be drawn, and what the picture must be equal to. One TOML file each, NAME.toml; strict
+// A case of `check`: what to draw, and what the picture must equal. One TOML file each, NAME.toml; strict
 // like a scene. Not for the servo thread.
 #pragma once
 

@@ -49,9 +49,9 @@ std::vector<fs::path> case_paths(const std::string& folder) {
     throw Failure(ExitCode::wrong_call, fmt::format("there is no folder '{}'{}", shown(folder), folder_hint(folder)));
   }
   if (!fs::is_directory(status)) {
-    throw Failure(ExitCode::wrong_call, fmt::format("'{}' is no folder; name the folder with the cases, and one of "
-                                                    "them with --only NAME",
-                                                    shown(folder)));
+    throw Failure(ExitCode::wrong_call,
+                  fmt::format("'{}' is not a folder; name the folder of the cases, and choose a case with --only NAME",
+                              shown(folder)));
   }
   std::vector<fs::path> paths = paths_in(folder, error);
   if (error) throw unreadable(shown(folder), error.value());
@@ -83,10 +83,10 @@ void find_problems_between(const std::vector<Case>& cases, std::vector<ReadProbl
                                  shown_other);
       if (const auto near = nearest_name(each.other, names)) problem.remedy = fmt::format("did you mean '{}'?", *near);
     } else if (other->width != each.width || other->height != each.height) {
-      problem.what = fmt::format("the key {}: this picture has {}x{} pixels and that of '{}' {}x{}",
+      problem.what = fmt::format("the key {}: this picture has {}x{} pixels, and that of '{}' has {}x{}",
                                  expectation_name(each.expectation), each.width, each.height, shown_other, other->width,
                                  other->height);
-      problem.remedy = "give both one size";
+      problem.remedy = "give both the same size";
     } else {
       continue;
     }
@@ -99,10 +99,10 @@ void find_problems_between(const std::vector<Case>& cases, std::vector<ReadProbl
 std::vector<Case> read_case_folder(const std::string& folder) {
   const std::vector<fs::path> paths = case_paths(folder);
   if (paths.empty()) {
-    throw Failure(ExitCode::wrong_call,
-                  fmt::format("there is no case in '{}'; a case is a file NAME.toml, with at least a line "
-                              "scene = \"wall45\"",
-                              shown(folder)));
+    throw Failure(
+        ExitCode::wrong_call,
+        fmt::format("there is no case in '{}'; a case is a file NAME.toml with at least a line scene = \"wall45\"",
+                    shown(folder)));
   }
   std::vector<Case> cases;
   std::vector<ReadProblem> problems;
@@ -114,7 +114,7 @@ std::vector<Case> read_case_folder(const std::string& folder) {
     }
     if (const std::string_view kind = kind_instead_of_file(path); !kind.empty()) {
       problems.push_back({.file = shown(path),
-                          .what = fmt::format("is {}, and a case is a file", kind),
+                          .what = fmt::format("is {}, but a case must be a file", kind),
                           .remedy = "rename it, or remove it"});
       continue;
     }
@@ -138,7 +138,7 @@ std::vector<const Case*> chosen_cases(const std::vector<Case>& cases, const std:
     if (find_case(cases, name) != nullptr) continue;
     const std::string near = did_you_mean(name, known);
     problems.push_back(fmt::format("{} {}: there is no such case{}", option, quoted_text(name),
-                                   near.empty() ? fmt::format("; there is {}", listed(known)) : near));
+                                   near.empty() ? fmt::format("; the cases are {}", listed(known)) : near));
   }
   if (!problems.empty()) throw Failure(ExitCode::wrong_call, fmt::format("{}", fmt::join(problems, "\n")));
   std::vector<const Case*> chosen;

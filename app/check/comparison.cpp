@@ -110,9 +110,10 @@ bool is_within(const Comparison& comparison, const Tolerance& tolerance) noexcep
 
 std::string difference_words(const Comparison& comparison, const Tolerance& tolerance) {
   if (comparison.over == 0) {
-    return comparison.greatest == 0 ? "no pixel differs"
-                                    : fmt::format("no pixel differs by more than {} of 255, the most is {}",
-                                                  tolerance.channel, comparison.greatest);
+    return comparison.greatest == 0
+               ? "no pixel differs"
+               : fmt::format("no pixel differs by more than {} of 255; the greatest difference is {}",
+                             tolerance.channel, comparison.greatest);
   }
   const std::string by = tolerance.channel == 0 ? "" : fmt::format("by more than {} of 255, ", tolerance.channel);
   return fmt::format("{} of {} pixels ({:.3g} %) differ {}by up to {}, all of them in {}x{} pixels at x {}, y {}",

@@ -78,7 +78,7 @@ std::string other_renderer_words(const GoldenOrigin& golden, const GoldenOrigin&
     if (origin.renderer.empty()) return fmt::format("Mesa {}", origin.mesa);
     return origin.mesa.empty() ? origin.renderer : fmt::format("{}, Mesa {}", origin.renderer, origin.mesa);
   };
-  return fmt::format("another renderer is probably the cause: the golden was drawn by {}, this picture by {}",
+  return fmt::format("the cause is probably another renderer: the golden was drawn by {}, this picture by {}",
                      quoted_text(words(golden), longest_path), quoted_text(words(present), longest_path));
 }
 
@@ -117,10 +117,9 @@ std::string with_origin(const std::string& case_text, const GoldenOrigin& origin
     }
   }
   if (is_as_wanted(before, text, origin)) return text;
-  throw Failure(ExitCode::wrong_call,
-                fmt::format("{}: its table golden is written in a way that --update cannot change; remove it, and "
-                            "--update will write it anew",
-                            quoted_text(shown_path, longest_path)));
+  throw Failure(ExitCode::wrong_call, fmt::format("{}: its table [golden] is written in a form that --update cannot "
+                                                  "change; remove it, and --update will write a new one",
+                                                  quoted_text(shown_path, longest_path)));
 }
 
 }  // namespace ghostforce

@@ -97,7 +97,7 @@ std::string made(const std::string& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (!error) return folder;
-  throw Failure(ExitCode::file_trouble, fmt::format("the folder {} cannot be made: {}",
+  throw Failure(ExitCode::file_trouble, fmt::format("the folder {} cannot be created: {}",
                                                     quoted_text(folder, longest_path), reason_of(error.value())));
 }
 

@@ -52,15 +52,14 @@ void refuse_what_cannot_be_written(const std::vector<const Case*>& chosen) {
     }
     std::error_code unknown;
     if (std::filesystem::weakly_canonical(golden, unknown).extension() != ".png") {
-      problems.push_back(fmt::format("{} cannot be written: it is a link to a file that is no picture; remove it",
+      problems.push_back(fmt::format("{} cannot be written: it is a link to a file that is not a picture; remove it",
                                      quoted_text(golden, longest_path)));
     }
     for (const std::string& path : {golden, each->path}) {
       if (!leads_out(path)) continue;
-      problems.push_back(
-          fmt::format("{} cannot be written: it is a link that leads out of its folder; put the file "
-                      "itself there",
-                      quoted_text(path, longest_path)));
+      problems.push_back(fmt::format(
+          "{} cannot be written: it is a link that leads out of its folder; replace it with the file itself",
+          quoted_text(path, longest_path)));
     }
   }
   if (!problems.empty()) throw Failure(ExitCode::file_trouble, fmt::format("{}", fmt::join(problems, "\n")));
@@ -105,7 +104,7 @@ std::vector<std::string> update_goldens(const std::vector<Case>& all, const std:
       if (after != before) add_file(files, each->path, after);
     }
     const std::string shown = quoted_text(path, longest_path);
-    lines.push_back(is_equal ? fmt::format("{} is equal already and stays as it is", shown)
+    lines.push_back(is_equal ? fmt::format("{} is already identical and stays as it is", shown)
                              : fmt::format("wrote {}; look at it before you commit it", shown));
     progress.at(static_cast<std::int64_t>(lines.size()));
   }

@@ -21,7 +21,8 @@ namespace {
 std::unique_ptr<PngFile> open_golden(const Case& checked, Verdict& verdict) {
   const std::string path = checked.golden_path();
   if (const std::string_view kind = kind_instead_of_file(path); !kind.empty()) {
-    verdict.reason = fmt::format("the golden {} is {}, no picture; remove it", quoted_text(path, longest_path), kind);
+    verdict.reason =
+        fmt::format("the golden {} is {}, not a picture; remove it", quoted_text(path, longest_path), kind);
     verdict.is_file_trouble = true;
     return nullptr;
   }
@@ -41,8 +42,8 @@ std::optional<Image> counterpart(const Case& checked, RenderedCases& rendered, V
     const std::unique_ptr<PngFile> golden = open_golden(checked, verdict);
     if (golden == nullptr) return std::nullopt;
     if (golden->width() == checked.width && golden->height() == checked.height) return golden->read();
-    verdict.reason = fmt::format("the picture has {}x{} pixels and the golden {}x{}", checked.width, checked.height,
-                                 golden->width(), golden->height());
+    verdict.reason = fmt::format("the picture has {}x{} pixels, but the golden has {}x{}", checked.width,
+                                 checked.height, golden->width(), golden->height());
   } catch (const ReadError& error) {
     verdict.reason = error.what();
     verdict.is_file_trouble = true;
@@ -53,7 +54,7 @@ std::optional<Image> counterpart(const Case& checked, RenderedCases& rendered, V
 std::string words_about(const Case& checked, const Comparison& comparison) {
   const std::string words = difference_words(comparison, checked.tolerance);
   if (checked.expectation == Expectation::golden) return words;
-  return fmt::format("against the picture of {}, which it must {}be equal to: {}", quoted_text(checked.other),
+  return fmt::format("compared with the picture of {}, which it must {}equal: {}", quoted_text(checked.other),
                      checked.expectation == Expectation::match ? "" : "not ", words);
 }
 

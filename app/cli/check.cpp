@@ -73,7 +73,7 @@ std::vector<std::string> cases_and_goldens_in(const std::string& folder) {
 void refuse_report_among_cases(const CheckOptions& options) {
   std::error_code error;
   if (options.report.empty() || !std::filesystem::equivalent(options.report, options.folder, error)) return;
-  throw Failure(ExitCode::wrong_call, fmt::format("--report {}: the cases are there; name another folder",
+  throw Failure(ExitCode::wrong_call, fmt::format("--report {}: this is the folder of the cases; name another",
                                                   quoted_text(options.report, longest_path)));
 }
 
@@ -133,16 +133,14 @@ int check(const CheckOptions& options) {
 std::function<int()> attach_check(CLI::App& command, FileOptions& files) {
   const auto options = std::make_shared<CheckOptions>();
   files.reads(
-      command.add_option("DIR", options->folder, "The folder with the cases, NAME.toml each and its golden NAME.png")
+      command
+          .add_option("DIR", options->folder, "The folder with the cases, each a NAME.toml with its golden NAME.png")
           ->type_name("")
           ->required(),
       cases_and_goldens_in);
-  CLI::Option* const only =
-      command.add_option("--only", options->only, "Check these cases, not all")->type_name("NAME...");
+  CLI::Option* const only = command.add_option("--only", options->only, "Check only these cases")->type_name("NAME...");
   CLI::Option* const update_option =
-      command
-          .add_option("--update", options->update,
-                      "Store these cases' pictures as they are drawn now, and check nothing")
+      command.add_option("--update", options->update, "Store new goldens for these cases, and check nothing")
           ->type_name("NAME...")
           ->excludes(only);
   files.writes(command
@@ -170,11 +168,11 @@ std::function<int()> attach_check(CLI::App& command, FileOptions& files) {
       "  scale = 1.0\n"
       "  set = [\"wall.normal_deg=120\"]\n"
       "  match = \"OTHER\"             # or mismatch: (un)equal to another case's picture, instead of a golden\n"
-      "  [tolerance]                 # default: none\n"
+      "  [tolerance]                 # default: exact\n"
       "  channel = 2                 # greatest difference of a channel that counts as none, 0-255\n"
       "  share = 0.001               # share of the pixels that may differ by more\n"
       "\n"
-      "Exit code 0: all pass; 1: at least one does not; 8: a golden cannot be read.\n"
+      "Exit codes: 0 all pass, 1 at least one fails, 8 a golden cannot be read.\n"
       "\n"
       "Examples:\n"
       "  ghostforce check pictures --report report\n"

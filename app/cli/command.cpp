@@ -37,7 +37,7 @@ void SceneOptions::attach(CLI::App& command, FileOptions& files, bool scene_requ
   option =
       files.reads(command
                       .add_option("SCENE", scene,
-                                  "Path of a scene file, or name of a shipped scene; 'ghostforce --help' lists those")
+                                  "Path of a scene file, or name of a shipped scene; 'ghostforce --help' lists them")
                       ->type_name(""),
                   [](const std::string& word) {
                     const std::vector<std::string_view> shipped = shipped_scene_names();
@@ -49,10 +49,9 @@ void SceneOptions::attach(CLI::App& command, FileOptions& files, bool scene_requ
   } else {
     option->default_str(scene);
   }
-  repeatable(command
-                 .add_option("--set", overrides,
-                             "Another value for a key of the scene, e.g. rendering.k_r_N_per_m=800; may be repeated")
-                 ->type_name("KEY=VALUE"));
+  repeatable(
+      command.add_option("--set", overrides, "Set a key of the scene, e.g. rendering.k_r_N_per_m=800; may be repeated")
+          ->type_name("KEY=VALUE"));
 }
 
 bool SceneOptions::is_named() const {
@@ -67,7 +66,7 @@ WordCheck one_of(std::vector<std::string_view> words) {
   const std::string all = listed(words);
   return [words = std::move(words), all](const std::string& word) -> std::string {
     if (std::ranges::find(words, word) != words.end()) return {};
-    return fmt::format("'{}' is none of {}{}", quoted_text(word), all, did_you_mean(word, words));
+    return fmt::format("'{}' is not one of {}{}", quoted_text(word), all, did_you_mean(word, words));
   };
 }
 
@@ -120,7 +119,7 @@ Vector<2> position_from_mm(std::string_view option, std::string_view text) {
       comma == std::string_view::npos ? none : signed_number_in<double>(text.substr(comma + 1)).value_or(none);
   if (std::abs(x) <= farthest_mm && std::abs(y) <= farthest_mm) return {x / mm_per_m, y / mm_per_m};
   throw Failure(ExitCode::wrong_call,
-                fmt::format("{0} {1}: is no position; give two numbers from {2} to {3} mm, as in {0}=-10,5", option,
+                fmt::format("{0} {1}: not a position; give two numbers from {2} to {3} mm, as in {0}=-10,5", option,
                             quoted_text(text), -farthest_mm, farthest_mm));
 }
 

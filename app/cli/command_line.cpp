@@ -27,27 +27,27 @@ constexpr std::string_view program = "ghostforce";
 constexpr std::string_view default_command = "run";
 
 constexpr std::string_view description =
-    "Virtual walls on underactuated haptic devices: see, feel and measure the ghost forces that ordinary\n"
-    "rendering makes, and the anisotropic tracking stiffness that takes them away.\n";
+    "See, feel and measure the ghost forces that ordinary rendering of virtual walls makes on underactuated\nhaptic "
+    "devices, and the anisotropic tracking stiffness that removes them.\n";
 
 constexpr std::string_view more_help =
-    "Without a command, run is meant: 'ghostforce fig1' opens the window on the scene fig1.\n"
-    "'ghostforce COMMAND --help' tells all about a command.\n"
+    "The default command is run: 'ghostforce fig1' opens the window with the scene fig1.\n"
+    "'ghostforce COMMAND --help' describes a command.\n"
     "\n"
     "SCENE is the path of a scene file, or the name of a shipped scene:\n"
     "  {}\n"
     "\n"
-    "Data goes to the standard output, words go to the error output. Exit codes:\n"
+    "Data go to standard output, messages to standard error. Exit codes:\n"
     "  0  done\n"
     "  1  ran, and the answer is no: pictures differ, a replay diverged, no reading\n"
-    "  2  wrong call, or a file that says something wrong\n"
+    "  2  wrong arguments, or an error in an input file\n"
     "  3  no such device plugged in\n"
     "  4  device seen, but not allowed or busy\n"
     "  5  firmware or homing failed\n"
     "  6  no display, or no usable OpenGL\n"
     "  7  stopped by a safety limit\n"
     "  8  a file cannot be read or written, or memory is short\n"
-    " 70  a bug of this program: please report it\n"
+    " 70  a bug in this program: please report it\n"
     "130  interrupted\n"
     "\n"
     "Examples:\n"
@@ -113,7 +113,7 @@ std::string words_about_extra(const CLI::App& app, const CLI::App* command, cons
   } else if (command == nullptr) {
     words = fmt::format("no command '{}'{}", quoted_text(extra), did_you_mean(extra, names_of(command_catalog())));
   }
-  return fmt::format("{}; '{}' lists what there is", words, help_call(command));
+  return fmt::format("{}; see '{}'", words, help_call(command));
 }
 
 [[noreturn]] void refuse(const CLI::App& app, const CLI::ParseError& error) {
@@ -124,7 +124,7 @@ std::string words_about_extra(const CLI::App& app, const CLI::App* command, cons
   }
   const std::string what = error.what();
   if (what.ends_with('?')) throw Failure(ExitCode::wrong_call, what);
-  throw Failure(ExitCode::wrong_call, fmt::format("{}; '{}' tells more", what, help_call(command)));
+  throw Failure(ExitCode::wrong_call, fmt::format("{}; see '{}'", what, help_call(command)));
 }
 
 std::function<int()> printing(std::string text) {
@@ -141,7 +141,7 @@ std::function<int()> parse_command_line(std::vector<std::string> words) {
 
   // Commands look at their options once more when they run.
   const auto app = std::make_shared<CLI::App>(std::string(description), std::string(program));
-  app->set_help_flag("-h,--help", "Print this and exit");
+  app->set_help_flag("-h,--help", "Print this help and exit");
   app->set_version_flag("--version", fmt::format("{} {}", program, version), "Print the program's version and exit");
   app->require_subcommand(1);
   app->footer(fmt::format(more_help, listed(shipped_scene_names())));

@@ -147,16 +147,16 @@ int doctor(const DoctorOptions& options) {
 
 std::function<int()> attach_doctor(CLI::App& command, FileOptions& files) {
   const auto options = std::make_shared<DoctorOptions>();
-  CLI::Option* const json = command.add_flag("--json", options->json, "For programs: JSON in SI units");
+  CLI::Option* const json = command.add_flag("--json", options->json, "Print JSON for programs, in SI units");
   CLI::Option* const install =
       command.add_flag("--install-udev", options->install_udev,
-                       "Install the rule by which a person at this machine may use the devices; asks for root");
+                       "Install the udev rule that lets the person at this machine use the devices; asks for root");
   command.add_flag("--udev-announced", options->is_udev_announced, "")->group("");
   CLI::Option* const wait =
       command
           .add_option(
               "--wait", options->wait_s,
-              "Wait so long for a person to home the device and move its handle; default: 30 on a terminal, else 0")
+              "How long to wait for a person to home the device and move its handle; default: 30 on a terminal, else 0")
           ->type_name("S")
           ->check(number_between(0.0, 3600.0, "s"));
   command.add_option("--input", options->input, "falcon, or virtual-falcon to try this out; default: falcon")
@@ -164,21 +164,24 @@ std::function<int()> attach_doctor(CLI::App& command, FileOptions& files) {
       ->check(one_of(names_of(falcon_kinds({}))));
   CLI::Option* const measure = command.add_flag(
       "--measure", options->measure,
-      "Measure the device with a ruler and a weight, ten minutes, motors below 2 N; see docs/falcon.md");
+      "Measure the device with a ruler and a weight; takes ten minutes, motors below 2 N; see docs/falcon.md");
   measure->excludes(json)->excludes(install)->excludes(wait);
-  files.writes(command.add_option("-o,--output", options->report, "With --measure: where the report goes; default: -")
-                   ->type_name("REPORT.md"));
   files.writes(command
-                   .add_option("--calibration", options->calibration,
-                               "With --measure: where the calibration goes; default: among the settings, after asking")
-                   ->type_name("FILE.toml"));
+                   .add_option("-o,--output", options->report,
+                               "With --measure: where the report goes; default: -, standard output")
+                   ->type_name("REPORT.md"));
+  files.writes(
+      command
+          .add_option("--calibration", options->calibration,
+                      "With --measure: where the calibration goes; default: ~/.config/ghostforce/falcon, after asking")
+          ->type_name("FILE.toml"));
   options->falcon.attach(command, files);
   command.footer(
-      "The steps: plugged in, allowed, free, firmware answers, homed, encoders move, fast enough. The first one that "
-      "is\n"
-      "not reached says what to do. The motors stay off all the time. Where nobody is waited for, a device that is "
+      "The steps: plugged in, allowed, free, firmware answers, homed, encoders move, fast enough. The first step that\n"
+      "is not complete says what to do. The motors stay off. If doctor does not wait for a person, a device that is "
       "not\n"
-      "homed is no failure. Exit code 1: all is well but the speed. docs/falcon.md tells it from the beginning.\n"
+      "homed is not a failure. Exit code 1: everything is well except the speed. docs/falcon.md explains everything\n"
+      "from the beginning.\n"
       "\n"
       "Examples:\n"
       "  ghostforce doctor\n"

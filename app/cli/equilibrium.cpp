@@ -108,10 +108,10 @@ std::function<int()> attach_equilibrium(CLI::App& command, FileOptions& files) {
       .add_option("--goal-mm", options->goal_mm,
                   "Where the hand wants to be, in mm; default: the scene's last waypoint")
       ->type_name("X,Y");
-  command.add_flag("--json", options->json, "For programs: JSON in SI units, all digits");
+  command.add_flag("--json", options->json, "Print JSON for programs, in SI units with all digits");
   command.footer(
-      "The anisotropic strategy is computed with the scene's tracking ratio, so that a wrong belief about the hand\n"
-      "shows. A goal outside the wall: device and proxy are at the goal, and there is no force.\n"
+      "The anisotropic strategy uses the scene's tracking ratio, so a wrong belief about the hand shows. If the "
+      "goal\nis outside the wall, device and proxy are at the goal and there is no force.\n"
       "\n"
       "Examples:\n"
       "  ghostforce equilibrium fig3-normal\n"

@@ -29,29 +29,27 @@ std::optional<UsbId> parse_usb_id(std::string_view text) {
 std::string refuse_other_than_usb_id(const std::string& text) {
   if (parse_usb_id(text)) return {};
   return fmt::format(
-      "'{}' is no USB id; give vendor and product as lsusb shows them, four hex digits each: {:04x}:{:04x}",
+      "'{}' is not a USB ID; give vendor and product as lsusb shows them, four hex digits each, as in {:04x}:{:04x}",
       quoted_text(text), falcon_usb_id.vendor, falcon_usb_id.product);
 }
 
 }  // namespace
 
 void FalconSetUp::attach(CLI::App& command, FileOptions& files) {
-  files.reads(
-      command
-          .add_option(
-              "--firmware", firmware,
-              "The Falcon's firmware; default: $GHOSTFORCE_FIRMWARE, else falcon/firmware.bin among the settings")
-          ->type_name("FILE"));
-  command
-      .add_option("--falcon-serial", serial, "Which Falcon, of several: its serial number; default: the first of them")
+  files.reads(command
+                  .add_option("--firmware", firmware,
+                              "The Falcon's firmware file; default: $GHOSTFORCE_FIRMWARE, else "
+                              "~/.config/ghostforce/falcon/firmware.bin")
+                  ->type_name("FILE"));
+  command.add_option("--falcon-serial", serial, "Serial number of the Falcon to use; default: the first Falcon")
       ->type_name("NUMBER");
-  command.add_option("--falcon-usb-id", usb_id, "Another device than 0403:cb48 is a Falcon")
+  command.add_option("--falcon-usb-id", usb_id, "USB ID of the Falcon, if it is not 0403:cb48")
       ->type_name("VVVV:PPPP")
       ->check(refuse_other_than_usb_id);
   const std::vector<std::string_view> names = names_of(injected_fault_catalog());
   repeatable(command
                  .add_option("--misbehave", misbehave,
-                             fmt::format("With --input virtual-falcon: what goes wrong with it. {}", listed(names)))
+                             fmt::format("With --input virtual-falcon: faults to inject. {}", listed(names)))
                  ->type_name("NAME[,NAME]")
                  ->delimiter(','))
       ->check(one_of(names));

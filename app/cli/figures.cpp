@@ -39,7 +39,7 @@ bool is_wanted(const FiguresOptions& options, std::string_view name) {
 void refuse_hand_without_figure(const FiguresOptions& options) {
   const auto shows_hand = [&](const FigureEntry& entry) { return entry.takes_hand && is_wanted(options, entry.name); };
   if (options.hand.empty() || std::ranges::any_of(figure_catalog(), shows_hand)) return;
-  throw Failure(ExitCode::wrong_call, "--hand: only figure-6 shows a hand; add it to --only, or leave --hand out");
+  throw Failure(ExitCode::wrong_call, "--hand: only figure-6 shows a hand; add it to --only, or leave out --hand");
 }
 
 FigureRequest request_of(const FiguresOptions& options) {
@@ -53,7 +53,7 @@ FigureRequest request_of(const FiguresOptions& options) {
 
 int figures(const FiguresOptions& options) {
   if (options.folder.empty()) {
-    throw Failure(ExitCode::wrong_call, "-o: the name of the folder is empty; '.' is the one that you are in");
+    throw Failure(ExitCode::wrong_call, "-o: the name of the folder is empty; '.' is the current folder");
   }
   refuse_hand_without_figure(options);
   const FigureRequest request = request_of(options);
@@ -87,7 +87,7 @@ int figures(const FiguresOptions& options) {
 
 std::function<int()> attach_figures(CLI::App& command, FileOptions& files) {
   const auto options = std::make_shared<FiguresOptions>();
-  files.writes(command.add_option("-o,--output", options->folder, "The folder for the files; made if it is not there")
+  files.writes(command.add_option("-o,--output", options->folder, "The folder for the files; created if necessary")
                    ->type_name("DIR")
                    ->required(),
                [options = options.get()](const std::string& folder) {
@@ -102,23 +102,25 @@ std::function<int()> attach_figures(CLI::App& command, FileOptions& files) {
                });
   std::string list;
   for (const FigureEntry& entry : figure_catalog()) list += fmt::format("  {:28}{}\n", entry.name, entry.sentence);
-  command.add_option("--only", options->only, "Make these figures alone, one or more")
+  command.add_option("--only", options->only, "Make only these figures")
       ->type_name("NAME")
       ->check(one_of(names_of(figure_catalog())));
-  files.reads(command
-                  .add_option("--hand", options->hand,
-                              "A recording, or a CSV of simulate: figure-6 shows its hand in place of a simulated one")
-                  ->type_name("RUN.csv"));
-  command.footer("Figures:\n" + list +
-                 "\n"
-                 "Each comes as NAME.png, NAME@2x.png, NAME.svg and NAME.pdf, and the numbers that it was drawn "
-                 "from as NAME.csv.\n"
-                 "No display is needed. All files are written or none; the same call gives the same bytes.\n"
-                 "\n"
-                 "Examples:\n"
-                 "  ghostforce figures -o figures\n"
-                 "  ghostforce figures -o figures --only figure-1 proxy-drift\n"
-                 "  ghostforce figures -o figures --only figure-6 --hand run.csv");
+  files.reads(
+      command
+          .add_option("--hand", options->hand,
+                      "A recording, or a CSV file from 'simulate': figure-6 shows its hand instead of a simulated one")
+          ->type_name("RUN.csv"));
+  command.footer(
+      "Figures:\n" + list +
+      "\n"
+      "Each comes as NAME.png, NAME@2x.png, NAME.svg and NAME.pdf, and the numbers that it was drawn "
+      "from as NAME.csv.\n"
+      "No display is needed. Either all files are written or none. The same call always gives the same bytes.\n"
+      "\n"
+      "Examples:\n"
+      "  ghostforce figures -o figures\n"
+      "  ghostforce figures -o figures --only figure-1 proxy-drift\n"
+      "  ghostforce figures -o figures --only figure-6 --hand run.csv");
   return [options] { return figures(*options); };
 }
 

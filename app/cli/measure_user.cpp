@@ -260,19 +260,18 @@ int measure_user(const MeasureUserOptions& options) {
   const Run run = load_run(options.run);
   for (const std::string& warning : run.warnings) say("{}\n", warning);
   if (!run.scene) {
-    throw Failure(ExitCode::wrong_call, fmt::format("{}: tells no scene, so wall and motor are not known; want a file "
-                                                    "of 'simulate', 'replay' or a recording",
+    throw Failure(ExitCode::wrong_call, fmt::format("{}: contains no scene, so wall and motor are not known; give a "
+                                                    "file from 'simulate', 'replay' or a recording",
                                                     quoted_text(options.run, longest_path)));
   }
   const bool measured = std::ranges::any_of(run.ticks, [](const RunTick& tick) { return tick.measured.has_value(); });
   if (measured && !target) {
-    throw Failure(ExitCode::wrong_call,
-                  fmt::format("{}: a real device, whose hand's goal nobody knows: give the target on the wall that the "
-                              "hand aimed at, as in --target-mm=0,0",
-                              quoted_text(options.run, longest_path)));
+    throw Failure(ExitCode::wrong_call, fmt::format("{}: nobody knows the goal of a hand on a real device; give the "
+                                                    "target on the wall that it aimed at, as in --target-mm=0,0",
+                                                    quoted_text(options.run, longest_path)));
   }
   if (!measured && target) {
-    say("{}: the goal of its hand is given; --target-mm is for a real device, and is not used\n",
+    say("{}: the goal of its hand is given, so --target-mm, which is for a real device, is not used\n",
         quoted_text(options.run, longest_path));
   }
   const std::vector<Rest> rests = find_rests(run, measured ? target : std::nullopt);
@@ -282,33 +281,35 @@ int measure_user(const MeasureUserOptions& options) {
   if (!hands.empty()) return static_cast<int>(ExitCode::done);
   throw Failure(
       ExitCode::answer_is_no,
-      fmt::format("{}: no reading. The hand has to press into the wall with the naïve or the anisotropic strategy and "
-                  "hold still, at least {} s{}",
-                  quoted_text(options.run, longest_path), (measured ? measured_rest : simulated_rest).hold_s,
-                  rests.empty() ? "" : fmt::format("; where it did: {}", sentence_of(rests.front().reading.problem))));
+      fmt::format(
+          "{}: no reading. The hand has to press into the wall with the naïve or the anisotropic strategy and "
+          "hold still for at least {} s{}",
+          quoted_text(options.run, longest_path), (measured ? measured_rest : simulated_rest).hold_s,
+          rests.empty() ? "" : fmt::format("; where it did so: {}", sentence_of(rests.front().reading.problem))));
 }
 
 }  // namespace
 
 std::function<int()> attach_measure_user(CLI::App& command, FileOptions& files) {
   const auto options = std::make_shared<MeasureUserOptions>();
-  files.reads(command.add_option("RUN.csv", options->run, "What 'simulate', 'replay' or a recording has written")
+  files.reads(command.add_option("RUN.csv", options->run, "A CSV file from 'simulate', 'replay' or a recording")
                   ->type_name("")
                   ->required());
   command
       .add_option("--target-mm", options->target_mm,
-                  "Where the hand aimed, in mm; its foot on the wall counts. Needed, and used, where the device "
-                  "is a real one")
+                  "Where the hand aimed, in mm; the nearest point of the wall counts. Needed for a real device, "
+                  "otherwise ignored")
       ->type_name("X,Y");
-  command.add_flag("--json", options->json, "For programs: JSON in SI units, all digits");
+  command.add_flag("--json", options->json, "Print JSON for programs, in SI units with all digits");
   command.footer(
-      "Wherever hand and device rest at the wall, the drift of the proxy along it tells the ratio at which there "
-      "would\n"
-      "be none, and that ratio the stiffness of the hand: k_u = k_r / (ρ° − 1). A positive drift: ρ was too low.\n"
-      "Each rest is one reading for each strategy, however long it was; the median is taken for each hand that was "
-      "given.\n"
-      "A rest in which the motors gave less than was asked of them is shown, and is no reading.\n"
-      "Exit code 1: there was no reading.\n"
+      "Wherever hand and device rest at the wall, the drift of the proxy along it gives the ratio ρ° at which there\n"
+      "would be no drift, and that ratio gives the stiffness of the hand: k_u = k_r / (ρ° − 1). A positive drift "
+      "means\n"
+      "that ρ was too low. Each rest is one reading for each strategy, however long it was. There is a median for "
+      "each\n"
+      "k_u that a simulated hand was given. A rest in which the motors gave less than was asked of them is listed, "
+      "but\n"
+      "is not a reading. Exit code 1: there was no reading.\n"
       "\n"
       "Examples:\n"
       "  ghostforce measure-user run.csv\n"

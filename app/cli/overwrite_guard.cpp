@@ -46,7 +46,7 @@ void refuse_equal_outputs(std::span<const FileOption> options) {
     for (const std::string& path : option.paths()) {
       const auto [other, is_first] = written.emplace(destination(path), option.name);
       if (is_first) continue;
-      throw Failure(ExitCode::wrong_call, fmt::format("{} {}: what {} writes goes there already; name another file",
+      throw Failure(ExitCode::wrong_call, fmt::format("{} {}: {} already writes to this file; name another",
                                                       option.name, quoted_text(path, longest_path), other->second));
     }
   }
@@ -88,15 +88,15 @@ void refuse_to_overwrite(std::span<const FileOption> options) {
       if (input == inputs.end()) continue;
       throw Failure(
           ExitCode::wrong_call,
-          fmt::format("{} {}: is the file {} that is read as {}, and would be lost; name another", option.name,
+          fmt::format("{} {}: would overwrite {}, which this command reads as {}; name another file", option.name,
                       quoted_text(path, longest_path), quoted_text(input->path, longest_path), input->option));
     }
   }
   if (fstat(STDOUT_FILENO, &status) != 0 || !S_ISREG(status.st_mode)) return;
   if (const auto input = input_at(); input != inputs.end()) {
-    throw Failure(ExitCode::wrong_call, fmt::format("the standard output goes into {}, which is read as {}; send it "
-                                                    "elsewhere",
-                                                    quoted_text(input->path, longest_path), input->option));
+    throw Failure(ExitCode::wrong_call,
+                  fmt::format("standard output goes to {}, which this command reads as {}; redirect it elsewhere",
+                              quoted_text(input->path, longest_path), input->option));
   }
 }
 

@@ -15,24 +15,22 @@ void PictureOptions::attach(CLI::App& command, bool with_all) {
   command
       .add_option("--strategy", strategy,
                   with_all ? "full, naive or anisotropic alone, or all in one picture; default: the scene's own"
-                           : "full, naive or anisotropic: the one to start with; default: the scene's own")
+                           : "full, naive or anisotropic: the strategy to start with; default: the scene's own")
       ->type_name("NAME")
       ->check(one_of(strategies));
   command
       .add_option("--view", view,
                   with_all ? "stage: what the window opens with; workbench: panels and numbers; default: workbench"
-                           : "stage or workbench; default: the one that was left last, the stage at first")
+                           : "stage or workbench; default: the one used last, at first the stage")
       ->type_name("FACE")
       ->check(one_of(names_of(face_catalog)));
-  command
-      .add_option("--mode", mode,
-                  "A mode of the stage: predict, why, landscape, round or ribbon; default: none of them")
+  command.add_option("--mode", mode, "A mode of the stage: predict, why, landscape, round or ribbon; default: none")
       ->type_name("NAME")
       ->check(one_of(names_of(stage_mode_catalog())));
   command.add_option("--theme", theme, "light, dark or projector; default: light")
       ->type_name("NAME")
       ->check(one_of(names_of(theme_catalog())));
-  command.add_option("--scale", scale, "Size of letters and lines, 0.75 to 3; default: 1")
+  command.add_option("--scale", scale, "Size of text and lines, 0.75 to 3; default: 1")
       ->type_name("FACTOR")
       ->check(number_between(Appearance::least_scale, Appearance::greatest_scale, ""));
 }
@@ -41,7 +39,7 @@ Face PictureOptions::face_or(Face usual) const {
   if (mode.empty()) return find_face(view).value_or(usual);
   if (view == face_name(Face::workbench)) {
     throw Failure(ExitCode::wrong_call,
-                  fmt::format("--mode {} belongs to the stage: leave --view workbench out", mode));
+                  fmt::format("--mode {} belongs to the stage; leave out --view workbench", mode));
   }
   return Face::stage;
 }

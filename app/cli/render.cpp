@@ -36,9 +36,9 @@ void apply_size(const std::string& text, PictureRequest& request) {
   const bool good = std::sscanf(text.c_str(), "%5dx%5d%c", &request.width, &request.height, &rest) == 2;
   const auto fits = [](int length) { return length >= smallest_picture && length <= largest_picture; };
   if (good && fits(request.width) && fits(request.height)) return;
-  throw Failure(ExitCode::wrong_call, fmt::format("--size {}: want WIDTHxHEIGHT in pixels, each {} to {}, for example "
-                                                  "1280x800",
-                                                  quoted_text(text), smallest_picture, largest_picture));
+  throw Failure(ExitCode::wrong_call,
+                fmt::format("--size {}: give WIDTHxHEIGHT in pixels, each {} to {}, for example 1280x800",
+                            quoted_text(text), smallest_picture, largest_picture));
 }
 
 PictureRequest request_of(const RenderOptions& options) {
@@ -60,18 +60,19 @@ void refuse_all_on_stage(const RenderOptions& options) {
   const bool is_stage = options.picture.face_or(Face::workbench) == Face::stage;
   const bool has_many = options.picture.strategy == every_strategy || !options.compare.empty();
   if (!is_stage || !has_many) return;
-  throw Failure(ExitCode::wrong_call,
-                "the stage shows one strategy at a time: name one with --strategy, leave --compare out, or use --view "
-                "workbench");
+  throw Failure(
+      ExitCode::wrong_call,
+      "the stage shows one strategy at a time; name one with --strategy, leave out --compare, or use --view workbench");
 }
 
 // Panels and bars are drawn in pixels.
 void refuse_window_as_vectors(const RenderOptions& options) {
   if (options.part != "window" || !vector_format_of(options.output)) return;
-  throw Failure(ExitCode::wrong_call,
-                fmt::format("--part window: {} would hold lines and letters, and panels are drawn in pixels; leave "
-                            "--part out, or write a .png",
-                            quoted_text(options.output, longest_path)));
+  throw Failure(
+      ExitCode::wrong_call,
+      fmt::format(
+          "--part window: panels are drawn in pixels, so {} cannot contain them; leave out --part, or write a .png",
+          quoted_text(options.output, longest_path)));
 }
 
 struct Rendering {
@@ -116,22 +117,22 @@ int render(const RenderOptions& options) {
 std::function<int()> attach_render(CLI::App& command, FileOptions& files) {
   const auto options = std::make_shared<RenderOptions>();
   options->scene.attach(command, files, true);
-  files.writes(
-      command
-          .add_option("-o,--output", options->output,
-                      "The file to write, all or nothing: .svg and .pdf hold vectors, any other name a PNG; - is the "
-                      "standard output")
-          ->type_name("FILE")
-          ->required());
-  command.add_option("--at", options->at_s, "The moment to show [s]; default: the scene's duration")
+  files.writes(command
+                   .add_option("-o,--output", options->output,
+                               "The file to write, whole or not at all: vectors for .svg and .pdf, a PNG for any other "
+                               "name; - is standard output")
+                   ->type_name("FILE")
+                   ->required());
+  command.add_option("--at", options->at_s, "The time to show [s]; default: the scene's duration")
       ->type_name("T")
       ->check(number_between(0.0, longest_s, "s"));
   command
-      .add_option("--size", options->size, "Pixels, or points of an SVG or PDF, 64 to 4096 each way; default: 1280x800")
+      .add_option("--size", options->size,
+                  "Size in pixels, or in points for SVG and PDF, 64 to 4096 each way; default: 1280x800")
       ->type_name("WxH");
   command
       .add_option("--part", options->part,
-                  "window: scene, panels and bars; scene: the scene alone; default: window, and scene for SVG and PDF")
+                  "window: scene, panels and bars; scene: the scene alone; default: window, but scene for SVG and PDF")
       ->type_name("PART")
       ->check(one_of({"window", "scene"}));
   options->picture.attach(command, true);
@@ -147,7 +148,7 @@ std::function<int()> attach_render(CLI::App& command, FileOptions& files) {
       ->excludes(command.get_option("--mode"));
   files.writes(command.add_option("--json", options->json, "Also write what was drawn, as JSON")->type_name("FILE"));
   command.footer(
-      "Drawn offscreen: no display is needed, and the same call gives the same bytes.\n"
+      "No display is needed, and the same call always gives the same bytes.\n"
       "\n"
       "Examples:\n"
       "  ghostforce render wall45 -o wall45.png\n"

@@ -43,32 +43,33 @@ std::string ticks(std::int64_t count) {
 std::string verdict(const RunFacts& run, const ReplayReport& report) {
   std::string words;
   if (report.compared == 0) {
-    words = "nothing can be compared: the state that the run goes on from is not known";
+    words = "nothing can be compared: the state from which the run continues is not known";
   } else if (!report.first) {
     words = fmt::format("identical bit for bit for {}", ticks(report.compared));
   } else {
     const Divergence& first = *report.first;
     words = fmt::format(
-        "diverges at t = {} s: {} of {} is {} in the run and {} here, which is {:.3g} off; {} of {} differ, by {:.3g} "
-        "m and {:.3g} N at most",
+        "diverges at t = {} s: {} of {} is {} in the run and {} here, a difference of {:.3g}; {} of {} differ, by at "
+        "most {:.3g} m and {:.3g} N",
         first.time_s, first.column, strategy(first.strategy).name, first.recorded, first.replayed,
         std::abs(first.recorded - first.replayed), report.diverging, ticks(report.compared), report.greatest_m,
         report.greatest_N);
   }
   if (report.measured > 0) {
-    words += fmt::format("\nin {} a device was measured: only the simulated ones are compared there",
+    words += fmt::format("\nin {} a device was measured; only the simulated ones are compared there",
                          ticks(report.measured));
   }
   if (report.skipped > 0 && report.compared > 0) {
-    words += fmt::format("\n{} left out: what they follow from is missing",
+    words += fmt::format("\n{} left out, because the state before is missing",
                          report.skipped == 1 ? "1 tick is" : fmt::format("{} ticks are", report.skipped));
   }
   if (run.dropped > 0) {
-    words += fmt::format("\n{} samples were lost in recording: the claim ends at the first and begins again after it",
-                         run.dropped);
+    words += fmt::format(
+        "\n{} samples were lost while recording; the comparison stops at each loss and starts again after it",
+        run.dropped);
   }
   if (run.version != version && report.first) {
-    words += "\nexact replay is promised for the same version only";
+    words += "\nexact replay is promised only for the same version";
   }
   return words;
 }
@@ -82,7 +83,7 @@ void tell_remarks(const RunFacts& run) {
   throw Failure(ExitCode::wrong_call, fmt::format("{}: {}", quoted_text(options.run, longest_path), why));
 }
 
-constexpr std::string_view no_scene = "the run does not tell its scene; name one to replay its hand in";
+constexpr std::string_view no_scene = "the run does not contain its scene; name a scene to replay its hand in";
 constexpr std::string_view no_tick = "there is nothing to replay";
 
 int replay_exactly(const ReplayOptions& options) {
@@ -195,8 +196,8 @@ int replay_hand(const ReplayOptions& options) {
   for (const Strategy& each : strategy_catalog()) ids.push_back(each.id);
   write_played(file, "replaying", played, hand.start.state, last, ids);
   file.commit();
-  say("{}: nothing is compared, since scene or settings were given. The hand was played from {} for {} s, without "
-      "what was changed live.\n",
+  say("{}: nothing was compared, because a scene or settings were given. The hand was played from {} for {} s, without "
+      "the changes that were made live.\n",
       quoted_text(options.run, longest_path), hand.start.is_recorded ? "the recorded state" : "rest", end_s);
   return static_cast<int>(ExitCode::done);
 }
@@ -210,21 +211,21 @@ int replay_run(const ReplayOptions& options) {
 
 std::function<int()> attach_replay(CLI::App& command, FileOptions& files) {
   const auto options = std::make_shared<ReplayOptions>();
-  files.reads(command.add_option("RUN", options->run, "A CSV file that was recorded, simulated or replayed")
+  files.reads(command.add_option("RUN", options->run, "A CSV file from a recording, 'simulate' or 'replay'")
                   ->type_name("")
                   ->required());
   options->scene.scene.clear();
   options->scene.attach(command, files, false);
   files.writes(command
                    .add_option("-o,--output", options->output,
-                               "The CSV file to write, all or nothing; default: -, the standard output")
+                               "The CSV file to write, whole or not at all; default: -, standard output")
                    ->type_name("FILE"));
   command.footer(
-      "Drives all three strategies with the hand of the run, and with what was changed while it ran, and says whether\n"
-      "every number repeats itself, bit for bit: exit code 0 if so, 1 if not. The same build of ghostforce promises "
-      "it.\n"
-      "With another scene, or with --set, the hand is played from rest in that scene, and nothing is compared. A file\n"
-      "that does not tell its scene needs one.\n"
+      "Drives all three strategies with the hand of the run, repeats the changes that were made while it ran, and\n"
+      "checks whether every number comes out the same, bit for bit: exit code 0 if so, 1 if not. This is promised for\n"
+      "the same build of ghostforce. With another scene, or with --set, the hand is played from rest in that scene, "
+      "and\n"
+      "nothing is compared. If a file does not contain its scene, name one.\n"
       "\n"
       "Examples:\n"
       "  ghostforce replay visit.csv -o again.csv\n"

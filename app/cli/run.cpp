@@ -120,9 +120,10 @@ void apply_goal(const RunOptions& options, Scene& scene) {
   if (!options.goal_mm) return;
   const Vector<2> goal = position_from_mm("--goal-mm", *options.goal_mm);
   if (options.input == scripted_hand.name || options.input.starts_with(replay_begins())) {
-    throw Failure(ExitCode::wrong_call,
-                  fmt::format("--goal-mm is for a hand of your own, and --input {} brings one: leave one of them out",
-                              quoted_text(options.input, longest_path)));
+    throw Failure(
+        ExitCode::wrong_call,
+        fmt::format("--goal-mm places your own hand, but --input {} brings a hand of its own; leave out one of them",
+                    quoted_text(options.input, longest_path)));
   }
   scene.goal.points.back() = goal;
 }
@@ -223,41 +224,39 @@ int run(const RunOptions& options) {
 std::function<int()> attach_run(CLI::App& command, FileOptions& files) {
   const auto options = std::make_shared<RunOptions>();
   options->scene.attach(command, files, false);
-  files.reads(
-      command
-          .add_option(
-              "--input", options->input,
-              "Who moves the goal: mouse, script (the scene's), circle (round it inside the wall), spacemouse, falcon, "
-              "virtual-falcon, a rehearsal, or replay:FILE, a recording, which brings its scene unless one is named; "
-              "default: mouse")
-          ->type_name("NAME")
-          ->check(an_input()),
-      [](const std::string& word) {
-        return word.starts_with(replay_begins()) ? std::vector{word.substr(replay_begins().size())}
-                                                 : std::vector<std::string>{};
-      });
+  files.reads(command
+                  .add_option("--input", options->input,
+                              "What moves the goal: mouse; script, the scene's scripted hand; circle, round a circle "
+                              "inside the wall; spacemouse; falcon; virtual-falcon, a rehearsal; or replay:FILE, a "
+                              "recording, with its own scene unless you name one; default: mouse")
+                  ->type_name("NAME")
+                  ->check(an_input()),
+              [](const std::string& word) {
+                return word.starts_with(replay_begins()) ? std::vector{word.substr(replay_begins().size())}
+                                                         : std::vector<std::string>{};
+              });
   files.writes(command
                    .add_option("--record", options->record,
-                               "Record every tick, from the first, to this CSV file, which must not exist yet")
+                               "Record every tick, starting with the first, to this CSV file, which must not exist yet")
                    ->type_name("FILE")
                    ->check(refuse_standard_output));
   command
       .add_option("--goal-mm", options->goal_mm,
-                  "Where your hand is at first, in mm: it rests there; default: the scene's last waypoint")
+                  "Where your hand starts, at rest, in mm; default: the scene's last waypoint")
       ->type_name("X,Y");
   options->picture.attach(command, false);
   options->falcon.attach(command, files);
-  command.add_flag("--no-hints", options->no_hints, "No hints for newcomers in this run");
+  command.add_flag("--no-hints", options->no_hints, "Do not show the hints for newcomers");
   command
       .add_option("--shader-dir", options->shader_folder,
-                  "Take the shaders from this folder, and again whenever one of them changes")
+                  "Load the shaders from this folder, and reload them whenever one changes")
       ->type_name("DIR");
-  command.add_option("--exit-after", options->exit_after_s, "Close the window by itself after so many seconds")
+  command.add_option("--exit-after", options->exit_after_s, "Close the window after this many seconds")
       ->type_name("S")
       ->check(number_between(0.0, longest_s, "s"));
   command.footer(
       "Drag anywhere in the scene: your hand follows.\n"
-      "Keys: 1 2 3 strategy, F4 stage or workbench, Space pause, F1 all others.\n"
+      "Keys: 1 2 3 choose the strategy, F4 switches between stage and workbench, Space pauses, F1 lists all keys.\n"
       "\n"
       "Examples:\n"
       "  ghostforce run\n"

@@ -52,7 +52,7 @@ std::function<int()> attach_simulate(CLI::App& command, FileOptions& files) {
       ->check(one_of(strategies));
   files.writes(command
                    .add_option("-o,--output", options->output,
-                               "The CSV file to write, all or nothing; default: -, the standard output")
+                               "The CSV file to write, whole or not at all; default: -, standard output")
                    ->type_name("FILE"));
   command.footer(
       "One row per tick and strategy, from t = 0 to the scene's duration, both included:\n"

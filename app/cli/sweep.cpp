@@ -44,7 +44,7 @@ struct Spent {
 
 void tell(const Spent& spent, std::size_t thread_count, Seconds in_all) {
   const double threads = static_cast<double>(thread_count);
-  say("{:.2f} s: computing {:.2f} s and making text {:.2f} s on each of {} threads; writing {:.2f} s\n", in_all.count(),
+  say("{:.2f} s: computing {:.2f} s and formatting {:.2f} s on each of {} threads; writing {:.2f} s\n", in_all.count(),
       Seconds(spent.computing).count() / threads, Seconds(spent.formatting).count() / threads, thread_count,
       spent.writing.count());
 }
@@ -79,7 +79,7 @@ int sweep_command(const SweepOptions& options) {
     file.commit();
     spent.writing += Clock::now() - before;
   }
-  if (!is_whole) throw Failure(ExitCode::interrupted, "interrupted; the rows so far are whole");
+  if (!is_whole) throw Failure(ExitCode::interrupted, "interrupted; the rows written so far are complete");
   if (!file.is_terminal() && isatty(STDERR_FILENO) != 0) tell(spent, thread_count, Clock::now() - start);
   return static_cast<int>(ExitCode::done);
 }
@@ -89,36 +89,33 @@ int sweep_command(const SweepOptions& options) {
 std::function<int()> attach_sweep(CLI::App& command, FileOptions& files) {
   const auto options = std::make_shared<SweepOptions>();
   options->scene.attach(command, files, true);
-  repeatable(
-      command
-          .add_option(
-              "--over", options->ranges,
-              "A key of the scene that holds a number, and COUNT values for it from FROM to TO, both included, in "
-              "equal steps or, with :log, in equal ratios; once or twice")
-          ->type_name("KEY=FROM:TO:COUNT[:log]")
-          ->required());
+  repeatable(command
+                 .add_option("--over", options->ranges,
+                             "Vary a numeric key of the scene over COUNT values from FROM to TO, both included, in "
+                             "equal steps or, with :log, in equal ratios; may be given twice")
+                 ->type_name("KEY=FROM:TO:COUNT[:log]")
+                 ->required());
   command
-      .add_option(
-          "--at-rest", options->kind,
-          "How to find where things come to rest: closed-form, simulated or both; default: both. The closed form "
-          "is hundreds of times faster")
+      .add_option("--at-rest", options->kind,
+                  "How to compute where things come to rest: closed-form, simulated or both; default: both. The closed "
+                  "form is hundreds of times faster")
       ->type_name("HOW")
       ->check(one_of(names_of(equilibrium_kinds)));
   files.writes(
       command
-          .add_option(
-              "-o,--output", options->output,
-              "The CSV file to write; default: -, the standard output. Ctrl+C leaves whole rows and a last line "
-              "'# interrupted'")
+          .add_option("-o,--output", options->output,
+                      "The CSV file to write; default: -, standard output. Ctrl+C leaves whole rows and a last line "
+                      "'# interrupted'")
           ->type_name("FILE"));
   command.footer(
-      "One row per point and strategy, all three, at rest under the last waypoint of the scene's path; the second key\n"
-      "runs fastest. The columns: each swept key by its name and in the file's unit, then\n"
+      "One row per point and strategy (all three), at rest under the last waypoint of the scene's path. The second "
+      "key\n"
+      "varies fastest. The columns are each swept key, by its name and in the unit of the scene file, then\n"
       "  strategy,depth_m\n"
-      "by closed form\n"
+      "then, in closed form,\n"
       "  device_x_m,device_y_m,proxy_x_m,proxy_y_m,force_x_N,force_y_N,ghost_force_x_N,ghost_force_y_N,\n"
       "  proxy_drift_x_m,proxy_drift_y_m\n"
-      "and simulated, where 'settled' is 1, or 0 after empty fields where the device never comes to rest\n"
+      "and simulated, where 'settled' is 1, or 0 after empty fields if the device never comes to rest,\n"
       "  simulated_device_x_m,simulated_device_y_m,simulated_proxy_x_m,simulated_proxy_y_m,simulated_force_x_N,\n"
       "  simulated_force_y_N,settled\n"
       "Lines that begin with # come first: the program's version, the scene and the ranges.\n"

@@ -36,12 +36,12 @@ bool is_noncharacter(char32_t code) noexcept {
 std::optional<std::string> unshowable_in(std::string_view text, bool may_have_lines) {
   while (!text.empty()) {
     const auto [code, length] = first_character(text);
-    if (length == 0) return fmt::format("the byte 0x{:02X}, which is no UTF-8", static_cast<unsigned char>(text[0]));
+    if (length == 0) return fmt::format("the byte 0x{:02X}, which is not UTF-8", static_cast<unsigned char>(text[0]));
     const bool is_layout = code == '\n' || code == '\t' || text.starts_with("\r\n");
     if (is_control(code) && !(is_layout && may_have_lines)) {
       return fmt::format("the control character U+{:04X}", static_cast<unsigned>(code));
     }
-    if (is_noncharacter(code)) return fmt::format("U+{:04X}, which is no character", static_cast<unsigned>(code));
+    if (is_noncharacter(code)) return fmt::format("U+{:04X}, which is not a character", static_cast<unsigned>(code));
     text.remove_prefix(length);
   }
   return std::nullopt;

@@ -33,9 +33,9 @@ std::string words_about(const UsbDeviceFound& device) {
 
 std::string calibration_words(const Diagnosis& diagnosis) {
   if (diagnosis.report.serial.text().empty()) return "calibration: not known before the device is open";
-  return diagnosis.has_calibration ? fmt::format("calibration: kept for {}", diagnosis.report.serial.text())
-                                   : fmt::format("calibration: none is kept for {}; the default values serve",
-                                                 diagnosis.report.serial.text());
+  return diagnosis.has_calibration
+             ? fmt::format("calibration: found for {}", diagnosis.report.serial.text())
+             : fmt::format("calibration: none for {}; the default values are used", diagnosis.report.serial.text());
 }
 
 struct SpaceMouseWords {
@@ -60,7 +60,7 @@ std::string realtime_words(const RealtimeStatus& status) {
       "real time: {}{}", describe(status),
       status.priority_error == 0
           ? ""
-          : "; allow this user a priority of 40, 'rtprio 40' in /etc/security/limits.d, and log in again");
+          : "; allow this user a priority of 40 ('rtprio 40' in /etc/security/limits.d) and log in again");
 }
 
 }  // namespace
@@ -69,7 +69,7 @@ std::string firmware_words(const std::optional<FirmwareImage>& image) {
   if (!image) return "firmware: no file; see docs/falcon.md for where to get one and where to put it";
   const std::string_view name = known_firmware(image->sha256);
   return fmt::format("firmware: {}, SHA-256 {}, {}", quoted_text(image->path.string(), longest_path), image->sha256,
-                     name.empty() ? "none of the published ones" : fmt::format("known as {}", name));
+                     name.empty() ? "not one of the published files" : fmt::format("known as {}", name));
 }
 
 std::string text_of(const Diagnosis& diagnosis) {
@@ -79,11 +79,11 @@ std::string text_of(const Diagnosis& diagnosis) {
                                 : fmt::format("{} {:24}  {}\n", mark_of(state), state.title, state.words);
   }
   text += "\n";
-  if (diagnosis.report.is_virtual) text += "device: a virtual Falcon, which is not there\n";
+  if (diagnosis.report.is_virtual) text += "device: a virtual Falcon, which is simulated\n";
   if (!diagnosis.usb.has_usb) text += "device: this system shows no USB devices to programs, as in many containers\n";
   for (const UsbDeviceFound& device : diagnosis.usb.devices) text += words_about(device) + "\n";
   text += diagnosis.udev_rule.empty()
-              ? "udev rule: not installed; 'ghostforce doctor --install-udev' does it\n"
+              ? "udev rule: not installed; 'ghostforce doctor --install-udev' installs it\n"
               : fmt::format("udev rule: {}\n", quoted_text(diagnosis.udev_rule.string(), longest_path));
   text += firmware_words(diagnosis.firmware) + "\n";
   text += calibration_words(diagnosis) + "\n";

@@ -64,7 +64,8 @@ int run_and_wait(const std::string& program, Words words) {
 }
 
 void announce(const fs::path& rule) {
-  fmt::print("This is written to {}, which needs root:\n\n{}\nThen udev is told:\n", rule.string(), udev_rule_text());
+  fmt::print("This will be written to {}, which needs root:\n\n{}\nThese commands then notify udev:\n", rule.string(),
+             udev_rule_text());
   for (const Words& words : reload) fmt::print("  {}\n", shown(words));
   fmt::print("\n");
   std::fflush(stdout);
@@ -84,19 +85,20 @@ void install_as_root(const fs::path& rule) {
     std::fflush(stdout);
     if (run_and_wait(program, words) == 0) return;
     throw Failure(ExitCode::file_trouble,
-                  fmt::format("{} has not written {}; as root, type: {}", asker, rule.string(), by_hand));
+                  fmt::format("{} did not write {}; as root, run: {}", asker, rule.string(), by_hand));
   }
-  throw Failure(ExitCode::file_trouble, fmt::format("only root may write {}; type: {}", rule.string(), by_hand));
+  throw Failure(ExitCode::file_trouble, fmt::format("only root may write {}; run: {}", rule.string(), by_hand));
 }
 
 void tell_udev() {
   const std::string udevadm = find_program("udevadm");
   if (udevadm.empty()) {
-    fmt::print("There is no udevadm here to tell udev; restart the machine, or plug the devices in again.\n");
+    fmt::print(
+        "There is no udevadm here, so udev was not notified. Restart the machine, or plug the devices in again.\n");
     return;
   }
   for (const Words& words : reload) {
-    if (run_and_wait(udevadm, words) != 0) fmt::print("'{}' has failed; plug the devices in again.\n", shown(words));
+    if (run_and_wait(udevadm, words) != 0) fmt::print("'{}' failed. Plug the devices in again.\n", shown(words));
   }
 }
 
@@ -123,7 +125,7 @@ fs::path write_udev_rule(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) {
-    throw Failure(ExitCode::file_trouble, fmt::format("the folder {} cannot be made: {}",
+    throw Failure(ExitCode::file_trouble, fmt::format("the folder {} cannot be created: {}",
                                                       quoted_text(folder.string(), longest_path), error.message()));
   }
   const fs::path rule = folder / udev_rule_name;

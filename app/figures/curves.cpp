@@ -37,8 +37,8 @@ Vector<2> goal_behind(const Wall<2>& wall) {
 
 std::string goal_comment() {
   return fmt::format(
-      "goal_depth_mm={:g}: the goal is that deep behind wall.point_mm, along the normal; simulated, it comes from {:g} "
-      "mm outside in {:g} s by minimum jerk, and the row is of {:g} s.",
+      "goal_depth_mm={:g}: the goal is that deep behind wall.point_mm, along the normal. In the simulation, it comes "
+      "from {:g} mm outside in {:g} s by minimum jerk, and the row is at {:g} s.",
       mm_per_m * curve_goal_depth, mm_per_m * outside, way_s, until_s);
 }
 

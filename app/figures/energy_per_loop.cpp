@@ -92,11 +92,11 @@ constexpr double mj_per_j = 1000.0;
 CsvTable table_of(const std::vector<EnergyOfLoop>& loops) {
   CsvTable table;
   table.comments = {
-      "One row per strategy, sense and tracking ratio, by the formula, and at some ratios as simulated.",
+      "One row per strategy, sense and tracking ratio, from the formula, and at some ratios also from the simulation.",
       "energy_J: positive where the rendering gives energy to the hand. device_loop_area_m2: positive "
       "counter-clockwise.",
-      fmt::format("circle_center_depth_mm={:g} circle_radius_mm={:g} turns_per_s={:g}: the goal's circle, its center "
-                  "that deep behind wall.point_mm, along the normal; simulated rows are of the second lap.",
+      fmt::format("circle_center_depth_mm={:g} circle_radius_mm={:g} turns_per_s={:g}: the goal's circle; its centre "
+                  "is that deep behind wall.point_mm, along the normal. Simulated rows are from the second lap.",
                   mm_per_m * depth_of_center, mm_per_m * radius, turns_per_second)};
   table.columns = {"series", "sense", "source", "tracking_ratio", "device_loop_area_m2", "energy_J"};
   for (const EnergyOfLoop& loop : loops) {
@@ -156,8 +156,8 @@ Figure energy_per_loop_figure(const FigureRequest&) {
   }
   sheet.add_legend(legend);
   return sheet.finish(
-      "The hand goes slowly round a circle of 10 mm radius inside the wall; lines: the formula; points: measured on "
-      "the simulated loop. One sense makes energy, the other takes the same away; the larger ρ, the less of either.",
+      "The hand goes slowly round a circle of 10 mm radius inside the wall. Lines: the formula. Points: the simulated "
+      "loop. One direction makes energy, the other takes the same amount away. The larger ρ, the less of both.",
       provenance_of_scene(std::string(energy_scene) + ", tracking ratio varied"), table_of(loops));
 }
 

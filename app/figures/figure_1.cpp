@@ -30,9 +30,9 @@ Figure one_motion_figure(const FigureRequest&) {
   add_scenes(sheet, 370.0, {std::move(picture)}, 1);
   sheet.add_legend(legend);
   return sheet.finish(
-      "The hand goes from A to B. The fully actuated device ends at F, the underactuated one at N under naïve "
-      "rendering: on the left of where it came in. Anisotropic rendering leaves it at O (A in the other figures), "
-      "below F: the motor axis feels the same wall.",
+      "The hand goes from A to B. The fully actuated device ends at F. With naïve rendering, the underactuated one "
+      "ends at N, to the left of where it came in. With anisotropic rendering, it ends at O (A in the other figures), "
+      "below F: along the actuated direction, the wall feels the same.",
       provenance_of_scene("fig1"), table_of(std::span(&motion, 1)));
 }
 

@@ -62,7 +62,7 @@ ThreeEquilibria three_equilibria() {
 
 CsvTable table_of(const ThreeEquilibria& data) {
   CsvTable table;
-  table.comments = {"One row per strategy, by closed form. Units: m, N."};
+  table.comments = {"One row per strategy, in closed form. Units: m, N."};
   table.columns = {"strategy",  "goal_x_m",        "goal_y_m",       "device_x_m",  "device_y_m",
                    "proxy_x_m", "proxy_y_m",       "contact_x_m",    "contact_y_m", "force_x_N",
                    "force_y_N", "proxy_drift_x_m", "proxy_drift_y_m"};
@@ -88,9 +88,9 @@ Figure three_equilibria_figure(const FigureRequest&) {
   std::string scene(figure_2_scene);
   for (const std::string& value : softer) scene += " --set " + value;
   return sheet.finish(
-      "One hand that wants to be at qᵤ, at rest: device qₕ, proxy qₚ, and its contact on the wall. Without drift the "
-      "proxy lies on the thin line from qᵤ normal to the wall: so it does for F and A; under naïve rendering it has "
-      "drifted along the wall, and drags the device with it.",
+      "The same hand with its goal qᵤ, at rest: device qₕ, proxy qₚ, and its contact on the wall. Without drift, the "
+      "proxy lies on the thin line from qᵤ normal to the wall, as it does for F and A. With naïve rendering, it has "
+      "drifted along the wall and drags the device with it.",
       provenance_of_scene(scene), table_of(data));
 }
 

@@ -21,9 +21,9 @@ Figure directions_of_intent_figure(const FigureRequest&) {
   add_scenes(sheet, 290.0, std::move(pictures), 3);
   sheet.add_legend(motion_legend());
   return sheet.finish(
-      "The hand goes down, where the device cannot push; straight into the wall; and to the right, where the motor is. "
-      "Along the motor axis A rests where F does, each time. N is dragged to the left; where the hand goes straight "
-      "in, it ends even on the other side of where it came in.",
+      "The hand goes down, where the device cannot push; straight into the wall; and to the right, where the motor can "
+      "push. Along the actuated direction, A rests where F does each time. N is dragged to the left. When the hand "
+      "goes straight in, N even ends on the other side of where it came in.",
       provenance_of_scene("fig3-nonactuated, fig3-normal, fig3-actuated"), table_of(motions));
 }
 

@@ -39,7 +39,7 @@ Figure stiffness_ratios_figure(const FigureRequest&) {
   add_scenes(sheet, 280.0, std::move(pictures), 2);
   sheet.add_legend(motion_legend());
   return sheet.finish(
-      "The same motion into the wall at four ratios of rendering stiffness to the hand's. Hollow arrow: the ghost "
+      "The same motion into the wall at four ratios of rendering stiffness to hand stiffness. Hollow arrow: the ghost "
       "force at rest under naïve rendering. With anisotropic rendering there is none at any ratio.",
       provenance_of_scene("fig4-ratio1, fig4-ratio5, fig4-ratio10, fig4-ratio20"), table_of(motions));
 }

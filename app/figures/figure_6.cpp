@@ -35,7 +35,7 @@ Scene simulated_scene() {
 
 Chart force_chart(const SimulatedMotion& motion) {
   Chart chart;
-  chart.title = "Force along the motor axis";
+  chart.title = "Force along the actuated direction";
   chart.x = {.title = "time [s]", .range = Vector<2>(0.0, motion.scene.duration)};
   chart.y = {.title = "force [N]"};
   for (const Strategy& strategy : strategy_catalog()) {
@@ -82,20 +82,19 @@ Feeling feeling_of(const SimulatedMotion& motion) {
 }
 
 std::string words_of(const Feeling& feeling) {
-  if (!feeling.presses)
-    return "The hand never goes into the wall: there is nothing that the strategies could differ in.";
+  if (!feeling.presses) return "The hand never goes into the wall, so the strategies do not differ.";
   constexpr double least_N = 0.005;  // 0.01 N is the last digit here
   const double nothing = std::max(least_N, 1e-6 * feeling.full_N);
   const bool has_ghost = feeling.naive_N > nothing;
   const std::string naive =
       has_ghost
           ? fmt::format("N is pulled away by a force that the wall should not have, up to {:.2f} N", feeling.naive_N)
-          : "N does so too";
-  if (feeling.cure_N <= nothing) return fmt::format("Along the motor axis A feels as F does at rest; {}.", naive);
+          : "so does N";
+  if (feeling.cure_N <= nothing) return fmt::format("Along the actuated direction, A feels like F at rest; {}.", naive);
   return fmt::format(
-      "Along the motor axis A does not feel as F does at rest: its tracking ratio is not the optimal one, and its "
-      "force is off by up to {:.2f} N. {}.",
-      feeling.cure_N, has_ghost ? naive : "N feels as F does");
+      "Along the actuated direction, A does not feel like F at rest: its tracking ratio is not the optimal one, and "
+      "its force is wrong by up to {:.2f} N. {}.",
+      feeling.cure_N, has_ghost ? naive : "N feels like F");
 }
 
 std::string caption_of(const FigureRequest& request, const SimulatedMotion& motion) {
@@ -104,9 +103,9 @@ std::string caption_of(const FigureRequest& request, const SimulatedMotion& moti
   if (request.hand) caption = request.hand->is_estimated ? "A recorded hand, its goal inferred," : "A recorded hand";
   caption += " and where it takes the device under each strategy. " + words_of(feeling);
   if (!motion.changes.empty()) {
-    caption += fmt::format(" Settings were changed {} while it was recorded, and are here{}.",
+    caption += fmt::format(" Settings were changed {} while it was recorded, and the same changes are made here{}.",
                            motion.changes.size() == 1 ? "once" : fmt::format("{} times", motion.changes.size()),
-                           feeling.sees_move ? "; wall and motor are drawn as they were in the end" : "");
+                           feeling.sees_move ? "; wall and motor are drawn as they were at the end" : "");
   }
   if (request.hand) {
     for (const std::string& sentence : request.hand->left_out) caption += " " + sentence;
@@ -121,7 +120,7 @@ std::string aim_comment() {
   for (const Vector<2>& point : aim.points) {
     points += fmt::format("{}[{:g}, {:g}]", points.empty() ? "" : ", ", mm_per_m * point.x, mm_per_m * point.y);
   }
-  return fmt::format("path_mm=[{}] times_s=[{:g}] motion=minimum-jerk duration_s=5; tremor of {:g} mm rms besides.",
+  return fmt::format("path_mm=[{}] times_s=[{:g}] motion=minimum-jerk duration_s=5; plus a tremor of {:g} mm rms.",
                      points, fmt::join(aim.times, ", "), mm_per_m * Tremor{}.rms);
 }
 

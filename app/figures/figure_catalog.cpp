@@ -13,8 +13,10 @@ constexpr std::array catalog{
     FigureEntry{"figure-3", "Three directions of intent", directions_of_intent_figure},
     FigureEntry{"figure-4", "Stiffness ratios k_r/k_u = 1, 5, 10, 20", stiffness_ratios_figure},
     FigureEntry{"figure-6", "One hand under the three strategies; see --hand", one_hand_figure, true},
-    FigureEntry{"force-over-wall-angle", "Force along the motor over the wall's angle", force_over_wall_angle_figure},
-    FigureEntry{"force-over-stiffness-ratio", "Force along the motor over k_r/k_u", force_over_stiffness_ratio_figure},
+    FigureEntry{"force-over-wall-angle", "Force along the actuated direction over the wall's angle",
+                force_over_wall_angle_figure},
+    FigureEntry{"force-over-stiffness-ratio", "Force along the actuated direction over k_r/k_u",
+                force_over_stiffness_ratio_figure},
     FigureEntry{"proxy-drift", "Proxy drift over the tracking ratio and over a wrong belief", proxy_drift_figure},
     FigureEntry{"energy-per-loop", "Energy per closed loop over the tracking ratio", energy_per_loop_figure},
 };

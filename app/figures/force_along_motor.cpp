@@ -39,9 +39,9 @@ void add_simulated(const Settings& settings, StrategyId id, double x, Curves& cu
 CsvTable force_table(const Curves& curves, const std::string& x_name) {
   CsvTable table = table_of(curves, x_name, "force_N");
   table.comments = {
-      fmt::format("One row per strategy and {}, by closed form, and at some values as simulated.", x_name),
-      "force_N: what the device puts on the hand along the motor axis, positive away from the wall; the motor pushes "
-      "to the left then, so that it is −force_x_N of the other figures.",
+      fmt::format("One row per strategy and {}, in closed form, and at some values also simulated.", x_name),
+      "force_N: the force of the device on the hand along the actuated direction, positive away from the wall. The "
+      "motor then pushes to the left, so this is −force_x_N of the other figures.",
       goal_comment()};
   return table;
 }
@@ -49,7 +49,7 @@ CsvTable force_table(const Curves& curves, const std::string& x_name) {
 void add_force_chart(const Curves& curves, const Axis& x, Sheet& sheet) {
   Chart chart;
   chart.x = x;
-  chart.y = {.title = "force along the motor axis at rest, away from the wall [N]"};
+  chart.y = {.title = "force along the actuated direction at rest, away from the wall [N]"};
   for (const Strategy& strategy : strategy_catalog()) {
     add_series(curves, "", strategy.name, style_of(strategy.id), chart);
   }

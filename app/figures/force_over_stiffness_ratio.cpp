@@ -40,15 +40,15 @@ Curves force_over_stiffness_ratio() {
 
 Figure force_over_stiffness_ratio_figure(const FigureRequest&) {
   const Curves curves = force_over_stiffness_ratio();
-  Sheet sheet("Force along the motor, over the stiffness ratio", 520.0);
+  Sheet sheet("Force along the actuated direction, over the stiffness ratio", 520.0);
   add_force_chart(curves,
-                  {.title = "rendering stiffness over the hand's, kᵣ/kᵤ",
+                  {.title = "rendering stiffness over hand stiffness, kᵣ/kᵤ",
                    .is_logarithmic = true,
                    .range = Vector<2>(least_ratio, greatest_stiffness_ratio)},
                   sheet);
   return sheet.finish(
-      "Wall at 45° to the motor, goal 20 mm inside; lines: equations (11), (15) and (20); points: the simulated loop. "
-      "A lies on F. What N has above them is the ghost force: it grows with the ratio.",
+      "Wall at 45° to the motor, goal 20 mm inside. Lines: equations (11), (15) and (20). Points: the simulated loop. "
+      "A lies on F. The excess of N over them is the ghost force, which grows with the ratio.",
       provenance_of_scene(std::string(stiffness_ratio_scene) + ", k_r = k_t varied"),
       force_table(curves, "stiffness_ratio"));
 }

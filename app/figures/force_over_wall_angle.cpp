@@ -39,12 +39,12 @@ Curves force_over_wall_angle() {
 
 Figure force_over_wall_angle_figure(const FigureRequest&) {
   const Curves curves = force_over_wall_angle();
-  Sheet sheet("Force along the motor, over the wall's angle", 520.0);
-  add_force_chart(curves, {.title = "angle between wall normal and motor axis [°]", .range = Vector<2>(0.0, 90.0)},
-                  sheet);
+  Sheet sheet("Force along the actuated direction, over the wall's angle", 520.0);
+  add_force_chart(
+      curves, {.title = "angle between wall normal and actuated direction [°]", .range = Vector<2>(0.0, 90.0)}, sheet);
   return sheet.finish(
-      "Goal 20 mm inside the wall; lines: equations (11), (15) and (20); points: the simulated loop. A lies on F at "
-      "every angle. What N has above them is the ghost force.",
+      "Goal 20 mm inside the wall. Lines: equations (11), (15) and (20). Points: the simulated loop. A lies on F at "
+      "every angle. The excess of N over them is the ghost force.",
       provenance_of_scene(std::string(wall_angle_scene) + ", wall turned"), force_table(curves, "wall_angle_deg"));
 }
 

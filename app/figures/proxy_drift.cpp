@@ -52,8 +52,9 @@ constexpr std::array panels{Panel{over_ratio, "tracking ratio ρ", with_ratio, 1
 CsvTable drift_table(const Curves& curves) {
   CsvTable table = table_of(curves, "x", "drift_mm");
   table.comments = {
-      "One row per panel and x, which is the panel's parameter, by closed form, and at some values as simulated.",
-      "drift_mm: of the proxy along the wall, positive the way in which naïve rendering (ρ = 1) drags it.",
+      "One row per panel and x (the panel's parameter), in closed form, and at some values also simulated.",
+      "drift_mm: drift of the proxy along the wall, positive in the direction in which naïve rendering (ρ = 1) drags "
+      "it.",
       goal_comment()};
   return table;
 }
@@ -83,11 +84,11 @@ Figure proxy_drift_figure(const FigureRequest&) {
     Chart chart;
     chart.x = {
         .title = std::string(panel.axis), .is_logarithmic = true, .range = Vector<2>(panel.least, panel.greatest)};
-    chart.y = {.title = "drift along the wall at rest, the naïve way positive [mm]"};
+    chart.y = {.title = "drift along the wall at rest, positive as with naïve rendering [mm]"};
     add_series(curves, panel.name, strategy(StrategyId::anisotropic).name, style_of(StrategyId::anisotropic), chart);
     chart.references = panel.name == over_ratio
                            ? std::vector<Reference>{{optimal_tracking_ratio(k.k_r, k.k_u), true, "optimal: 1 + kᵣ/kᵤ"}}
-                           : std::vector<Reference>{{1.0, true, "right belief"}};
+                           : std::vector<Reference>{{1.0, true, "correct belief"}};
     if (panel.name == over_ratio) {
       Series naive = style_of(StrategyId::naive);
       naive.has_line = false;
@@ -102,9 +103,9 @@ Figure proxy_drift_figure(const FigureRequest&) {
   legend.front().name += " (ρ = 1)";
   sheet.add_legend(legend);
   return sheet.finish(
-      "Wall at 45° to the motor, goal 20 mm inside; lines: closed form; points: the simulated loop. The drift vanishes "
-      "at the optimal ratio, which takes the true stiffness of the hand: with a belief that is too low the proxy "
-      "drifts against the naïve way, with one that is too high along it.",
+      "Wall at 45° to the motor, goal 20 mm inside. Lines: closed form. Points: the simulated loop. The drift vanishes "
+      "at the optimal ratio, which needs the true stiffness of the hand. If the belief is too low, the proxy drifts "
+      "against the direction of naïve rendering; if it is too high, in that direction.",
       provenance_of_scene(std::string(drift_scene) + ", tracking ratio and believed k_u varied"), drift_table(curves));
 }
 

@@ -13,19 +13,19 @@ namespace ghostforce {
 
 RecordedHand recorded_hand(const Run& run, std::string name) {
   if (!run.scene) {
-    throw Failure(ExitCode::wrong_call,
-                  fmt::format("{}: the run does not tell its scene; play its hand in one first, and give that file, as "
-                              "in\n"
-                              "ghostforce replay RUN.csv wall45 -o told.csv",
-                              name));
+    throw Failure(
+        ExitCode::wrong_call,
+        fmt::format(
+            "{}: the run does not contain its scene; play its hand in a scene first, and give that file, as in\n"
+            "ghostforce replay RUN.csv wall45 -o told.csv",
+            name));
   }
   RecordedHand hand{.name = std::move(name), .scene = *run.scene, .start = {}};
   if (!run.ticks.empty()) hand.scene.goal = goal_path_of(run);
   const GoalPath& path = hand.scene.goal;
   if (run.ticks.empty() || path.times.size() < 2) {
     throw Failure(ExitCode::wrong_call,
-                  fmt::format("{}: the hand does not move: the run has no two ticks one after the other; give a longer "
-                              "one",
+                  fmt::format("{}: the run has no two consecutive ticks, so the hand does not move; give a longer run",
                               hand.name));
   }
   hand.scene.duration = path.times.back();
@@ -43,12 +43,12 @@ RecordedHand recorded_hand(const Run& run, std::string name) {
   }
   if (jumps > 0) {
     hand.left_out.push_back(fmt::format(
-        "{} not shown (motors came on or went off, or samples were lost): the devices are simulated all the way.",
+        "{} not shown (motors came on or went off, or samples were lost): the devices are simulated throughout.",
         jumps == 1 ? "A jump of the recorded devices is" : fmt::format("{} jumps of the recorded devices are", jumps)));
   }
   if (shown < run.ticks.size()) {
     hand.left_out.push_back(
-        fmt::format("The run was reset after {:.3g} s: what comes after is not shown.", path.times.back()));
+        fmt::format("The run was reset after {:.3g} s; what follows is not shown.", path.times.back()));
   }
   return hand;
 }

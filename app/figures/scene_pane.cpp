@@ -157,7 +157,7 @@ class Drawing {
     const Vector<2> to = from + Vector<2>(length, 0.0);
     // Hatching steps back behind them.
     const std::string name = fmt::format("{:g} mm", metres * mm_per_m);
-    const std::string motor = "motor axis";
+    const std::string motor = "actuated";
     const double name_width = measure_on_paper(name, small_text).x;
     const double height = small_text.height;
     const Vector<2> dial{to.x + name_width + 46.0, size_.y - dial_above_edge(picture_.settings)};

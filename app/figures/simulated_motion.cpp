@@ -109,7 +109,7 @@ SimulatedMotion simulate_hand(const RecordedHand& hand) {
   if (has_diverged(state)) {
     throw Failure(ExitCode::wrong_call,
                   fmt::format("{}: with its settings the sampled loop is unstable and the device runs away; play its "
-                              "hand with others first, and give that file, as in\n"
+                              "hand with other settings first, and give that file, as in\n"
                               "ghostforce replay RUN.csv --set rendering.k_r_N_per_m=500 -o calm.csv",
                               hand.name));
   }
@@ -128,8 +128,9 @@ const Settings& last_settings(const SimulatedMotion& motion) {
 
 CsvTable table_of(std::span<const SimulatedMotion> motions) {
   CsvTable table;
-  table.comments = {"One row per pane, strategy and moment as simulated, and one of the closed form at rest (t_s nan).",
-                    "Units: s, m, N. The force is what the device puts on the hand."};
+  table.comments = {
+      "One row per pane, strategy and moment of the simulation, and one for the closed form at rest (t_s nan).",
+      "Units: s, m, N. The force is that of the device on the hand."};
   table.columns = {
       "pane",       "strategy",  "source",    "t_s",       "goal_x_m",  "goal_y_m",        "device_x_m",
       "device_y_m", "proxy_x_m", "proxy_y_m", "force_x_N", "force_y_N", "ghost_force_x_N", "ghost_force_y_N"};

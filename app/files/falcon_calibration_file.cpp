@@ -34,7 +34,7 @@ bool is_serial(std::string_view text) {
 // Into three numbers from `into` on. False: they are wrong, which has been told then.
 template <typename Number>
 bool read_three(const TomlValue& value, const NumberLimits& limits, Number* into, double per_si = 1.0) {
-  const auto numbers = value.numbers<3>(limits, "give three numbers, as [0, 0, 0]");
+  const auto numbers = value.numbers<3>(limits, "give three numbers, as in [0, 0, 0]");
   if (!numbers) return false;
   std::transform(numbers->begin(), numbers->end(), into,
                  [per_si](double number) { return static_cast<Number>(number / per_si); });
@@ -45,8 +45,8 @@ auto legs_into(LegNumbers& legs) {
   return [&legs](const TomlValue& value) {
     const NumberLimits limits{.least = -3.0, .greatest = 3.0, .whole = true};
     if (!read_three(value, limits, legs.data()) || are_leg_numbers(legs)) return;
-    value.refuse("does not have 1, 2 and 3 once each",
-                 "give them in some order, with a minus where one counts the other way, as [1, -3, 2]");
+    value.refuse("does not contain 1, 2 and 3 once each",
+                 "give them in any order, with a minus where one counts the other way, as in [1, -3, 2]");
   };
 }
 
@@ -78,7 +78,7 @@ std::vector<CalibrationFile> read_all() {
   if (error) {
     throw ReadError(ReadError::Kind::unreadable, {{.file = "the folder " + quoted_text(folder.string(), longest_path),
                                                    .what = "cannot be read: " + error.message(),
-                                                   .remedy = "look at its permissions",
+                                                   .remedy = "check its permissions",
                                                    .joint = " "}});
   }
   std::erase_if(paths, [](const fs::path& path) { return path.extension() != ".toml"; });
@@ -89,7 +89,7 @@ std::vector<CalibrationFile> read_all() {
     const std::string shown = quoted_text(path.string(), longest_path);
     if (const std::string_view kind = kind_instead_of_file(path); !kind.empty()) {
       problems.push_back({.file = shown,
-                          .what = fmt::format("is {}, and calibrations are files", kind),
+                          .what = fmt::format("is {}, but a calibration must be a file", kind),
                           .remedy = "remove it",
                           .joint = " "});
       continue;
@@ -106,7 +106,7 @@ std::vector<CalibrationFile> read_all() {
     const auto twin = std::ranges::find(files, serial_of(files.back()), serial_of);
     if (&*twin != &files.back()) {
       problems.push_back({.file = shown,
-                          .what = "is about the same device as " + quoted_text(twin->path.string(), longest_path),
+                          .what = "is for the same device as " + quoted_text(twin->path.string(), longest_path),
                           .remedy = "remove one",
                           .joint = " "});
     }
@@ -135,7 +135,7 @@ FalconCalibration read_falcon_calibration(std::string_view text, std::string_vie
          if (serial && is_serial(*serial)) {
            calibration.serial = *FalconSerial::from(*serial);
          } else if (serial) {
-           value.refuse(fmt::format("'{}' is no serial number", quoted_text(*serial)),
+           value.refuse(fmt::format("'{}' is not a serial number", quoted_text(*serial)),
                         fmt::format("give 1 to {} letters, digits, '-' or '_'", FalconSerial::longest));
          }
        },
@@ -173,7 +173,7 @@ FalconCalibration read_falcon_calibration(std::string_view text, std::string_vie
   if (are_axes_known && are_parallel(calibration.right_axis, calibration.up_axis)) {
     const auto up = reader.find("", "up_axis");
     (up ? up : reader.find("", "right_axis"))
-        ->refuse(fmt::format("right_axis is '{}' and up_axis '{}', and a plane needs two different ones",
+        ->refuse(fmt::format("right_axis is '{}' and up_axis is '{}', but a plane needs two different axes",
                              axis_words[static_cast<std::size_t>(calibration.right_axis)],
                              axis_words[static_cast<std::size_t>(calibration.up_axis)]),
                  "change one");
@@ -209,8 +209,9 @@ std::vector<FalconCalibration> load_falcon_calibrations() {
 fs::path save_falcon_calibration(const FalconCalibration& calibration) {
   const std::string_view serial = calibration.serial.text();
   if (!is_serial(serial)) {
-    throw Failure(ExitCode::wrong_call,
-                  fmt::format("'{}' is no serial number that a calibration could be kept by", quoted_text(serial)));
+    throw Failure(
+        ExitCode::wrong_call,
+        fmt::format("'{}' is not a serial number that a calibration could be kept under", quoted_text(serial)));
   }
   const std::string text = falcon_calibration_text(calibration);
   const fs::path folder = calibration_folder();
@@ -224,7 +225,7 @@ fs::path save_falcon_calibration(const FalconCalibration& calibration) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) {
-    throw Failure(ExitCode::file_trouble, fmt::format("the folder {} cannot be made: {}; calibrations are kept there",
+    throw Failure(ExitCode::file_trouble, fmt::format("the folder {} for calibrations cannot be created: {}",
                                                       quoted_text(folder.string(), longest_path), error.message()));
   }
   OutputFile output(path.string());

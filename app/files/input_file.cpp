@@ -20,12 +20,12 @@ std::string_view remedy_for(int error) noexcept {
     case EPERM:
       return "change its permissions";
     case EIO:
-      return "check the disk, or name another";
+      return "check the disk, or name another file";
     case EMFILE:
     case ENFILE:
       return "close other programs, or raise the limit of open files (ulimit -n)";
     default:
-      return "name another";
+      return "name another file";
   }
 }
 
@@ -104,7 +104,7 @@ std::string_view kind_instead_of_file(const std::filesystem::path& path) {
       if (error != std::errc::too_many_symbolic_link_levels) return "";
   }
   std::error_code none;
-  return fs::is_symlink(fs::symlink_status(path, none)) ? "a link that leads nowhere" : "";
+  return fs::is_symlink(fs::symlink_status(path, none)) ? "a broken link" : "";
 }
 
 std::string unreadable_words(int error) {

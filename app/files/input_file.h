@@ -40,7 +40,7 @@ std::vector<std::filesystem::path> paths_in(const std::filesystem::path& folder,
 std::optional<std::string> nearest_name_in(const std::filesystem::path& folder, std::string_view word,
                                            const std::function<std::string(const std::filesystem::path&)>& name_of);
 
-// "a folder", "a pipe", "a link that leads nowhere", …. Empty: a file or a link to one, nothing at all, or what cannot
+// "a folder", "a pipe", "a broken link", …. Empty: a file or a link to one, nothing at all, or what cannot
 // be looked at.
 std::string_view kind_instead_of_file(const std::filesystem::path& path);
 

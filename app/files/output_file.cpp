@@ -27,7 +27,7 @@ namespace {
 
 constexpr std::size_t buffer_size = 1 << 16;
 
-// How long a reader may take nothing, once the program shall stop.
+// How long a reader may take nothing once the program is to stop.
 constexpr int patience_ms = 1000;
 
 // What is open already is written on as it was opened, and no other file takes its place. -1: no such name.
@@ -79,7 +79,7 @@ std::string reason_of(int error) {
 
 OutputFile::OutputFile(const std::string& path) : shown_(path) {
   if (path == "-" || path == "/dev/stdout") {
-    shown_ = "the standard output";
+    shown_ = "standard output";
     descriptor_ = STDOUT_FILENO;
     return;
   }

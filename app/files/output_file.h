@@ -58,7 +58,7 @@ class OutputFile {
   [[noreturn]] void fail(int error) const;
 
   std::string shown_;      // the path, for messages
-  std::string target_;     // where the file shall be; empty: written directly
+  std::string target_;     // where the file will be; empty: written directly
   std::string temporary_;  // what is written until then, and the old file after; empty: there is none
   std::string buffer_;
   int descriptor_ = -1;

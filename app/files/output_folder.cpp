@@ -28,7 +28,7 @@ void remove_empty(const std::vector<fs::path>& folders) noexcept {
 }  // namespace
 
 OutputFolder::OutputFolder(const std::string& path) : path_(path) {
-  if (path.empty()) refuse("''", "is no folder; name one");
+  if (path.empty()) refuse("''", "is not a folder; name one");
   std::error_code error;
   // A slash at the end names the same folder.
   fs::path innermost = path_.has_filename() ? path_ : path_.parent_path();
@@ -42,10 +42,10 @@ OutputFolder::OutputFolder(const std::string& path) : path_(path) {
       if (fs::create_directory(folder, error)) {
         made_.insert(made_.begin(), folder);
       } else if (error) {
-        refuse(folder, fmt::format("the folder cannot be made: {}", reason_of(error.value())));
+        refuse(folder, fmt::format("the folder cannot be created: {}", reason_of(error.value())));
       }
     }
-    if (!fs::is_directory(path_, error)) refuse(path_, "is no folder; name another, or move away what is there");
+    if (!fs::is_directory(path_, error)) refuse(path_, "is not a folder; name another, or move what is there");
     if (access(path_.c_str(), W_OK | X_OK) != 0) {
       refuse(path_, fmt::format("nothing can be written there: {}", reason_of(errno)));
     }

@@ -22,10 +22,10 @@ ReadError too_long(const RunFacts& run, const RunTick& tick) {
           {{.file = run.name,
             .line = tick.line,
             .column = 1,
-            .what = fmt::format("with t_s = {} there the run is longer than {:.0f} ticks, which is the most",
+            .what = fmt::format("with t_s = {} here, the run is longer than {:.0f} ticks, which is the limit",
                                 tick.time_s, most_ticks),
-            .remedy = fmt::format("if that time is wrong, mend the line; if the run is simply that long, cut it before "
-                                  "there:\nhead -n {} RUN.csv > shorter.csv",
+            .remedy = fmt::format("if that time is wrong, correct the line; if the run really is that long, cut it "
+                                  "before this line:\nhead -n {} RUN.csv > shorter.csv",
                                   tick.line - 1)}}};
 }
 

@@ -25,7 +25,7 @@ std::string provenance(const Scene& scene) {
 std::string run_header(const Scene& scene, std::string_view further_columns) {
   return fmt::format(
       "{}"
-      "# One row per tick and strategy. Units: s, m, N. The force is what the device puts on the hand.\n"
+      "# One row per tick and strategy. Units: s, m, N. The force is that of the device on the hand.\n"
       "{}{}\n",
       provenance(scene), run_columns, further_columns);
 }

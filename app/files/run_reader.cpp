@@ -116,7 +116,7 @@ class RunReader {
       take_line(text.substr(0, end));
     }
     rest_.erase(0, rest_.size() - text.size());
-    if (rest_.size() > longest_line) refuse("this is no run");
+    if (rest_.size() > longest_line) refuse("this is not a run");
   }
 
   // What comes after the last line feed is left out: nobody can tell whether its last number is whole.
@@ -125,20 +125,20 @@ class RunReader {
     if (line_number_ == 0 && rest_.empty()) {
       refuse("the file is empty");
     }
-    if (run_.version.empty() && values_per_row_ == 0) refuse("this is no run");
+    if (run_.version.empty() && values_per_row_ == 0) refuse("this is not a run");
     if (run_.version.empty()) {
-      warn("which version of ghostforce wrote it is not told");
+      warn("it does not say which version of ghostforce wrote it");
     } else if (run_.version != version) {
       warn(fmt::format("written by version {}; this is version {}", quoted_text(run_.version), version));
     }
     if (!scene_problem_.empty()) {
       warn(scene_problem_);
     } else if (!run_.scene) {
-      warn("the scene is not told, or not to its end");
+      warn("its scene is missing or incomplete");
     }
     if (run_.dropped > 0) warn(fmt::format("{} samples were lost while it was recorded", run_.dropped));
-    if (!rest_.empty()) warn("its last line is cut and left out");
-    if (tick_count_ == 0) warn("it holds no row");
+    if (!rest_.empty()) warn("its last line is cut off and is left out");
+    if (tick_count_ == 0) warn("it has no rows");
     return std::move(run_);
   }
 
@@ -147,7 +147,7 @@ class RunReader {
   [[noreturn]] void refuse(std::string_view why) const {
     throw ReadError(ReadError::Kind::wrong, {{.file = run_.name,
                                               .what = std::string(why),
-                                              .remedy = "give a CSV file that ghostforce has recorded or simulated"}});
+                                              .remedy = "give a CSV file that ghostforce recorded or simulated"}});
   }
   [[noreturn]] void damaged(std::string_view what, std::size_t column = 1) const {
     throw ReadError(ReadError::Kind::wrong,
@@ -155,8 +155,8 @@ class RunReader {
                       .line = line_number_,
                       .column = column,
                       .what = std::string(what),
-                      .remedy = values_per_row_ == 0 ? "mend the line"
-                                                     : fmt::format("mend the line, or cut the file before it:\n"
+                      .remedy = values_per_row_ == 0 ? "correct the line"
+                                                     : fmt::format("correct the line, or cut the file before it:\n"
                                                                    "head -n {} RUN.csv > shorter.csv",
                                                                    line_number_ - 1)}});
   }
@@ -188,11 +188,11 @@ class RunReader {
     } else if (line.starts_with(state_begins)) {
       close_tick();
       pending_state_ = read_state(rest_after(state_begins));
-      if (!pending_state_) damaged("the state to go on from cannot be read");
+      if (!pending_state_) damaged("the state from which the run continues cannot be read");
     } else if (line.starts_with(dropped_begins)) {
       close_tick();
       std::uint64_t count = 0;
-      if (!read_number(rest_after(dropped_begins), count)) damaged("how many samples were lost cannot be read");
+      if (!read_number(rest_after(dropped_begins), count)) damaged("the number of lost samples cannot be read");
       run_.dropped += std::min(count, UINT64_MAX - run_.dropped);
     } else if (line == interrupted_line) {
       run_.is_interrupted = true;
@@ -209,7 +209,7 @@ class RunReader {
     // Blanks for the "# ", so that also the columns are those of this file.
     const std::size_t prefix = line.starts_with("# ") ? 2 : 1;
     scene_text_.append(prefix, ' ').append(line.substr(prefix)).push_back('\n');
-    if (scene_text_.size() > largest_text_file) damaged("the scene is longer than any scene may be");
+    if (scene_text_.size() > largest_text_file) damaged("the scene is longer than a scene can be");
   }
 
   // Another version of this program may know other keys. The hand can be played all the same, in another scene.
@@ -230,11 +230,11 @@ class RunReader {
   }
 
   void take_set(std::string_view rest) {
-    if (!take_time(rest)) damaged("when the setting was changed cannot be read");
+    if (!take_time(rest)) damaged("the time of the change cannot be read");
     if (!run_.scene) return;  // nothing to change
     const std::string_view name = rest.substr(0, rest.find('='));
     const SceneKey* const key = find_scene_key(name);
-    if (key == nullptr || !is_setting(*key)) damaged(fmt::format("'{}' is no setting", quoted_text(name)));
+    if (key == nullptr || !is_setting(*key)) damaged(fmt::format("'{}' is not a setting", quoted_text(name)));
     overrides_.insert_or_assign(std::string(name), std::string(rest));
     std::vector<std::string> arguments;
     for (const auto& [of, argument] : overrides_) arguments.push_back(argument);
@@ -248,7 +248,7 @@ class RunReader {
   // --- Rows ---
 
   void take_values(std::string_view line) {
-    if (is_within_scene_) damaged(fmt::format("the scene before it does not end with '{}'", scene_ends));
+    if (is_within_scene_) damaged(fmt::format("the scene above it does not end with '{}'", scene_ends));
     values_.clear();
     for (bool is_last = false; !is_last && values_.size() <= most_values;) {
       is_last = line.find(',') == std::string_view::npos;
@@ -268,7 +268,7 @@ class RunReader {
       if (i < needed_columns && !has(i)) missing.push_back(column_names[i]);
     }
     if (!missing.empty()) {
-      refuse(fmt::format("this is no run: line {} names no column {}", line_number_, listed(missing)));
+      refuse(fmt::format("this is not a run: line {} does not name the column {}", line_number_, listed(missing)));
     }
     values_per_row_ = values_.size();
   }
@@ -294,11 +294,11 @@ class RunReader {
                           values_per_row_));
     }
     const std::optional<StrategyId> id = find_strategy(value(strategy_column));
-    if (!id) damaged_value(strategy_column, "no strategy");
+    if (!id) damaged_value(strategy_column, "not a strategy");
     std::array<double, all_columns> number{};
     for (std::size_t i = time_column; i < goal_kind_column; ++i) {
       if (!has(i)) continue;
-      if (!read_number(value(i), number[i])) damaged_value(i, "no finite number");
+      if (!read_number(value(i), number[i])) damaged_value(i, "not a finite number");
       if (i >= active_column && number[i] != 0.0 && number[i] != 1.0) damaged_value(i, "neither 0 nor 1");
     }
     const bool is_measured = is_second(device_kind_column, "simulated", "measured");
@@ -321,11 +321,11 @@ class RunReader {
   void go_to(double time_s, const Vector<2>& goal, StrategyId id) {
     const bool is_same_tick = is_open_ && open_.time_s == time_s && !open_.rows[index_of(id)];
     if (is_same_tick && open_.goal == goal) return;
-    if (is_same_tick) damaged(fmt::format("the goal is another one than in line {}, of the same tick", open_.line));
+    if (is_same_tick) damaged(fmt::format("the goal is not the same as in line {}, of the same tick", open_.line));
     // A file without its scene has lost its other comments too, those that tell of resets among them.
     if (run_.scene && tick_count_ > 0 && !pending_state_ && !(time_s > open_.time_s)) {
-      damaged(fmt::format("t_s = {} does not come after the {} of line {}, and no '{}' line tells of a reset", time_s,
-                          open_.time_s, open_.line, state_begins.substr(0, state_begins.size() - 1)));
+      damaged(fmt::format("t_s = {} does not come after the {} of line {}, and there is no '{}' line to mark a reset",
+                          time_s, open_.time_s, open_.line, state_begins.substr(0, state_begins.size() - 1)));
     }
     close_tick();
     is_open_ = true;
@@ -351,7 +351,7 @@ class RunReader {
     const double tick = time_s * settings_.rate;
     // Written so that what is no tick's time is damaged, however far off.
     if (!(tick >= -time_tolerance && tick <= last_tick_ever && std::abs(tick - std::round(tick)) <= time_tolerance)) {
-      damaged(fmt::format("t_s = {} is the time of no tick at {} Hz", time_s, settings_.rate));
+      damaged(fmt::format("t_s = {} is not the time of a tick at {} Hz", time_s, settings_.rate));
     }
     return std::llround(tick);
   }
@@ -438,9 +438,10 @@ RunFacts stream_run(const std::string& path, std::string_view doing, bool shows_
     if (error != 0) throw why_unreadable(shown, error);
     return reader.finish();
   } catch (const std::bad_alloc&) {
-    throw ReadError(ReadError::Kind::unreadable, {{.file = shown,
-                                                   .what = "the run is too long for this machine's memory",
-                                                   .remedy = "cut it, as in\nhead -n 1000000 RUN.csv > shorter.csv"}});
+    throw ReadError(ReadError::Kind::unreadable,
+                    {{.file = shown,
+                      .what = "the run is too long for the memory of this machine",
+                      .remedy = "shorten it, as in\nhead -n 1000000 RUN.csv > shorter.csv"}});
   }
 }
 

@@ -68,7 +68,8 @@ std::string read_file(const std::string& path) {
     case EISDIR:
       throw fail("is a folder", "name a scene file in it");
     case EFBIG:
-      throw fail(fmt::format("is larger than {} MiB, which no scene is", largest_text_file >> 20), "name a scene file");
+      throw fail(fmt::format("is larger than {} MiB, too large for a scene", largest_text_file >> 20),
+                 "name a scene file");
     default:
       throw unreadable(quoted_text(path, longest_path), file.error, ": ");
   }

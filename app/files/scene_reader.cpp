@@ -112,7 +112,7 @@ Scene read_scene(std::string_view text, std::string_view shown_path, std::span<c
   TomlReader reader(shown_path);
   if (!reader.parse(text)) reader.finish();
   if (reader.is_empty()) {
-    reader.refuse("the file is empty", "begin it with format = 1, or start from a copy of a shipped scene");
+    reader.refuse("the file is empty", "start it with format = 1, or start from a copy of a shipped scene");
     reader.finish();
   }
   for (const std::string& override : overrides) read_override(reader, override);

@@ -39,7 +39,7 @@ struct Override {
 
 // What a person calls a value of this type.
 std::string_view type_words(const toml::node& node) noexcept {
-  constexpr std::array<std::string_view, 10> words{"nothing",        "a table",       "an array",      "a text",
+  constexpr std::array<std::string_view, 10> words{"nothing",        "a table",       "an array",      "a string",
                                                    "a number",       "a number",      "true or false", "a date or time",
                                                    "a date or time", "a date or time"};
   static_assert(static_cast<std::size_t>(toml::node_type::date_time) + 1 == words.size());
@@ -89,7 +89,7 @@ std::string suggestion(std::span<const TomlKey> keys, std::string_view table, st
   for (const TomlKey& key : keys) {
     if (key.name == name) {
       return fmt::format("; did you mean '{}'?{}", dotted_name(key.table, key.name),
-                         key.table.empty() ? " It stands before the first [table]" : "");
+                         key.table.empty() ? " It belongs before the first [table]" : "");
     }
     if (key.table == table) here.push_back(key.name);
   }
@@ -97,7 +97,7 @@ std::string suggestion(std::span<const TomlKey> keys, std::string_view table, st
     std::ranges::copy(tables_of(keys), std::back_inserter(here));
   }
   const std::string near = did_you_mean(name, here);
-  return near.empty() ? fmt::format("; there is {}", listed(here)) : near;
+  return near.empty() ? fmt::format("; the keys here are {}", listed(here)) : near;
 }
 
 ReadProblem problem(std::string what, std::string_view remedy) {
@@ -195,9 +195,9 @@ std::optional<bool> TomlValue::yes_or_no() const {
 std::optional<std::string> TomlValue::text(bool may_have_lines) const {
   const std::string* const value = as_text();
   if (value == nullptr) {
-    refuse_type("give a text in quotes");
+    refuse_type("give a string in quotes");
   } else if (const auto what = unshowable_in(*value, may_have_lines)) {
-    refuse(fmt::format("holds {}", *what), "remove it");
+    refuse(fmt::format("contains {}", *what), "remove it");
   } else {
     return *value;
   }
@@ -212,7 +212,7 @@ std::optional<std::size_t> TomlValue::word(std::span<const std::string_view> wor
   }
   const auto found = std::ranges::find(words, *value);
   if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
-  refuse(fmt::format("'{}' is none of {}", quoted_text(*value), listed(words)), did_you_mean(*value, words));
+  refuse(fmt::format("'{}' is not one of {}", quoted_text(*value), listed(words)), did_you_mean(*value, words));
   return std::nullopt;
 }
 
@@ -269,8 +269,10 @@ void TomlReader::override_key(std::string_view argument, std::string_view key, s
     return;
   }
   refuse_override(
-      argument, fmt::format("the key {}: {} is no value", key, value.empty() ? "nothing" : quoted_text(value)),
-      holds_text ? "give a text in UTF-8" : "give a number such as 1.5, inf, or an array such as [0.0, 10.0]");
+      argument,
+      fmt::format("the key {}: {}", key,
+                  value.empty() ? "it has no value" : fmt::format("{} is not a value", quoted_text(value))),
+      holds_text ? "give a string in UTF-8" : "give a number such as 1.5, inf, or an array such as [0.0, 10.0]");
 }
 
 void TomlReader::refuse_override(std::string_view argument, std::string_view what, std::string_view remedy) {
@@ -308,14 +310,15 @@ std::optional<TomlValue> TomlReader::find(std::string_view table, std::string_vi
 bool TomlReader::has_known_format() {
   const auto value = find("", format_name);
   if (!value) {
-    refuse("the key format is missing", "begin the file with format = 1");
+    refuse("the key format is missing", "start the file with format = 1");
     return true;
   }
   const auto* const number = node_at(value->node_).as_integer();
   if (number == nullptr) {
     value->refuse_type("write format = 1");
   } else if (number->get() != known_format) {
-    value->refuse(fmt::format("is {}, and this program knows format 1 only", number->get()), "a newer one may read it");
+    value->refuse(fmt::format("is {}, but this program only knows format 1", number->get()),
+                  "a newer version may read it");
     return false;
   }
   return true;
@@ -339,7 +342,7 @@ void TomlReader::find_unknown() {
         }
       } else {
         content_->problems.add(in_file(key.source().begin),
-                               problem(fmt::format("{} is {}, and must be a table", name, type_words(node)),
+                               problem(fmt::format("{} is {}, but must be a table", name, type_words(node)),
                                        fmt::format("write [{}] on a line of its own", name)));
       }
     } else if (find_key(content_->keys, "", name) != nullptr) {

@@ -37,7 +37,7 @@ std::optional<TomlProblem> find_too_many_dots(std::string_view text) {
     } else if (c == ',' || c == '=') {
       dots = 0;
     } else if (c == '.' && !is_comment && ++dots > most_dots) {
-      return TomlProblem{position, "there are too many dots in this name"};
+      return TomlProblem{position, "this name has too many dots"};
     }
     ++position.column;
   }

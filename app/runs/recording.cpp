@@ -80,8 +80,7 @@ Recording::Recording(const std::string& path, const Scene& scene, Servo& servo, 
   const auto fail = [&](int error) {
     return Failure(ExitCode::file_trouble,
                    error == EEXIST
-                       ? fmt::format("{} exists already, and a recording overwrites nothing; "
-                                     "choose another name",
+                       ? fmt::format("{} already exists, and a recording never overwrites a file; choose another name",
                                      quoted_text(path, longest_path))
                        : fmt::format("{} cannot be written: {}", quoted_text(path, longest_path), reason_of(error)));
   };

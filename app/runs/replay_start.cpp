@@ -33,7 +33,7 @@ double HandPath::time_of_tick(const RunFacts& run, const RunTick& tick) {
 }
 
 GoalPath goal_path_of(const Run& run, double rate) {
-  if (run.ticks.empty()) throw Failure(ExitCode::wrong_call, "the run holds no row: there is no hand to replay");
+  if (run.ticks.empty()) throw Failure(ExitCode::wrong_call, "the run has no rows, so there is no hand to replay");
   HandPath path(rate);
   for (const RunTick& tick : run.ticks) path.take(run, tick);
   return path.take_path();

@@ -15,7 +15,7 @@ namespace ghostforce {
 // reset if it was.
 class HandPath {
  public:
-  // `rate`: that of the loop that shall play it [Hz]; 0: the run's own, with which its length was looked at already.
+  // `rate`: that of the loop that plays it [Hz]; 0: the run's own, with which its length was looked at already.
   explicit HandPath(double rate) : rate_(rate) {}
 
   // In the file's order. Throws ReadError(wrong) where the path gets longer than a scene may be (most_ticks).

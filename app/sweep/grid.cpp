@@ -46,15 +46,15 @@ Grid make_grid(std::span<const std::string> arguments, const Scene& scene) {
     Range& range = std::get<Range>(parsed);
     for (const Range& other : grid.ranges) {
       if (other.key == range.key) {
-        refuse(argument, fmt::format("the key {} is swept already; give it one range", dotted_name(*range.key)));
+        refuse(argument, fmt::format("the key {} already has a range; give only one", dotted_name(*range.key)));
       }
     }
     if (grid.ranges.size() == most_swept_keys) {
-      refuse(argument, "a sweep goes over one or two keys; fix the others with --set");
+      refuse(argument, "a sweep varies one or two keys; set the others with --set");
     }
     grid.ranges.push_back(std::move(range));
     if (size_of(grid) > most_points) {
-      refuse(argument, fmt::format("the sweep would have {} points; {} are the most, so lower a COUNT", size_of(grid),
+      refuse(argument, fmt::format("the sweep would have {} points; the limit is {}, so lower a COUNT", size_of(grid),
                                    most_points));
     }
   }

@@ -35,7 +35,7 @@ std::vector<std::string_view> parts_of(std::string_view text) {
 }
 
 std::string shown(std::string_view part) {
-  return part.empty() ? "nothing" : fmt::format("'{}'", quoted_text(part));
+  return part.empty() ? "empty" : fmt::format("'{}'", quoted_text(part));
 }
 
 // What is wrong with one end of the range, if something is.
@@ -46,7 +46,7 @@ std::optional<std::string> find_problem_of_end(std::string_view which, std::stri
     const bool is_infinite = number && std::isinf(*number) && limits.may_be_infinite;
     return fmt::format(
         "{} is {}; give a finite number such as 1.5 or 1e5{}", which, shown(text),
-        is_infinite ? fmt::format(", and for the one value inf another call with --set {}=inf", key_name) : "");
+        is_infinite ? fmt::format("; for the value inf, make a separate call with --set {}=inf", key_name) : "");
   }
   end = *number + 0.0;  // −0 is a zero too
   if (end >= limits.least && end <= limits.greatest) return std::nullopt;
@@ -58,7 +58,7 @@ std::optional<std::string> find_fraction(const std::vector<double>& values) {
   const auto found = std::ranges::find_if(values, [](double value) { return value != std::trunc(value); });
   if (found == values.end()) return std::nullopt;
   return fmt::format(
-      "it takes whole numbers only, and number {} of {} would be {}; choose FROM, TO and COUNT so that all are whole",
+      "it takes only whole numbers, but number {} of {} would be {}; choose FROM, TO and COUNT so that all are whole",
       found - values.begin() + 1, values.size(), *found);
 }
 
@@ -97,12 +97,12 @@ std::variant<Range, std::string> parse_range(std::string_view argument) {
   if (key == nullptr) return fmt::format("the key {} is unknown{}", quoted_text(name), suggest_scene_key(name));
   const std::optional<NumberLimits> limits = limits_of(*key);
   if (!limits) {
-    return fmt::format("the key {} is not one number; a sweep can go over {}", name, keys_with_a_number());
+    return fmt::format("the key {} is not a single number; a sweep can vary {}", name, keys_with_a_number());
   }
   if (equals == std::string_view::npos) return std::string(form);
   const std::vector<std::string_view> parts = parts_of(argument.substr(equals + 1));
   if (parts.size() < 3 || parts.size() > 4) {
-    return fmt::format("the key {}: {} is no range; {}", name, shown(trimmed(argument.substr(equals + 1))), form);
+    return fmt::format("the key {}: the range is {}; {}", name, shown(trimmed(argument.substr(equals + 1))), form);
   }
 
   const auto problem = [name](const std::string& what) { return fmt::format("the key {}: {}", name, what); };
@@ -117,11 +117,11 @@ std::variant<Range, std::string> parse_range(std::string_view argument) {
   const bool logarithmic = parts.size() == 4;
   if (logarithmic) {
     if (parts[3] != "log") {
-      return problem(
-          fmt::format("the spacing is {}; write log, or leave it and its colon out for equal steps", shown(parts[3])));
+      return problem(fmt::format("the spacing is {}; write log, or leave out the spacing and its colon for equal steps",
+                                 shown(parts[3])));
     }
     if (!(from > 0.0 && to > 0.0)) {
-      return problem(fmt::format("log needs FROM and TO greater than 0, and {} is {}; leave :log out, or begin above 0",
+      return problem(fmt::format("log needs FROM and TO greater than 0, but {} is {}; leave out :log, or start above 0",
                                  from > 0.0 ? "TO" : "FROM", from > 0.0 ? to : from));
     }
   }

@@ -1,4 +1,4 @@
-// One argument of --over: a key of the scene that holds a number, and the values that it shall take. Pure, any thread.
+// One argument of --over: a key of the scene that holds a number, and the values that it takes. Pure, any thread.
 #pragma once
 
 #include <cstdint>

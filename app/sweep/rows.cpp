@@ -35,11 +35,12 @@ std::string sweep_header(const Scene& scene, const Grid& grid, const Equilibrium
                           range.values.size(), range.logarithmic ? ":log" : "");
     columns += dotted_name(*range.key) + ",";
   }
-  return header +
-         fmt::format(
-             "# One row per point and strategy, at rest under the last waypoint. Units: as the columns' names end.\n"
-             "{}{}{}{}\n",
-             columns, common_columns, kind.predicted ? predicted_columns : "", kind.simulated ? simulated_columns : "");
+  return header + fmt::format(
+                      "# One row per point and strategy, at rest under the last waypoint. The name of each column ends "
+                      "with its unit.\n"
+                      "{}{}{}{}\n",
+                      columns, common_columns, kind.predicted ? predicted_columns : "",
+                      kind.simulated ? simulated_columns : "");
 }
 
 void append_sweep_rows(fmt::memory_buffer& rows, const Grid& grid, std::int64_t point, const PointEquilibrium& rest,

@@ -1,6 +1,6 @@
 // BootLoader: puts the firmware into a Falcon, which forgets it whenever it loses power. The loader in the device's ROM
 // echoes every byte; that echo is the only proof that it arrived. One attempt takes 3 s; the first one after power-up
-// often fails, as everybody who has written such a driver has found, so that the driver tries again.
+// often fails, as everybody who has written such a driver has found, so the driver tries again.
 //
 // update() does what can be done now and never waits, allocates or throws. The driver's thread.
 #pragma once

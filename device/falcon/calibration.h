@@ -1,5 +1,5 @@
-// FalconCalibration: what is true of one particular Falcon, and how its handle is laid over the wall's plane. The
-// defaults serve a device of which nothing is known. Pure values, any thread, never allocate or throw.
+// FalconCalibration: what is true of one particular Falcon, and how its workspace maps to the plane of the wall. The
+// defaults are for a device of which nothing is known. Pure values, any thread, never allocate or throw.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 
 namespace ghostforce {
 
-// The number by which a device is told from others of its kind; 8 letters in all that were seen.
+// The number that distinguishes a device from others of its kind; 8 characters in all that were seen.
 class FalconSerial {
  public:
   static constexpr std::size_t longest = 31;
@@ -57,7 +57,7 @@ constexpr Vector<3> direction_of(FalconAxis axis) noexcept {
   return direction;
 }
 
-// Whether they are the same line, whatever their sense: no plane lies between such two.
+// Whether they are the same line, whatever their sense: two such axes do not span a plane.
 constexpr bool are_parallel(FalconAxis a, FalconAxis b) noexcept {
   return static_cast<std::uint8_t>(a) / 2 == static_cast<std::uint8_t>(b) / 2;
 }

@@ -9,7 +9,7 @@ class FalconLink;
 
 namespace emergency_stop {
 
-// The link whose motors are to be stopped; null: none. A link must be taken out before it goes.
+// The link whose motors are to be stopped; null: none. A link must be taken out before it is destroyed.
 void watch(FalconLink* link) noexcept;
 
 // Sends zero force, at once, to the link that is watched; returns when it has been sent, by whichever thread came
@@ -23,8 +23,8 @@ bool is_ordered() noexcept;
 // other thread needs one itself.
 void install_handlers() noexcept;
 
-// From here on this process does not heed what would stop it for a while (Ctrl+Z): stopped, it could not turn motors
-// off. Nobody can refuse SIGSTOP.
+// From now on this process ignores signals that would suspend it (Ctrl+Z), because it could not turn motors off while
+// it is suspended. SIGSTOP cannot be ignored.
 void refuse_to_be_stopped() noexcept;
 
 }  // namespace emergency_stop

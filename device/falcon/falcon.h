@@ -3,8 +3,8 @@
 // it again when it was lost. Frame: x right, y up, z out of the device towards the user, from the middle of its base;
 // m and N.
 //
-// One thread. update() does what can be done now: it never waits, throws or allocates. What takes a while, opening and
-// closing, is done by a thread of its own (link_opener.h).
+// One thread. update() does what can be done now: it never waits, throws or allocates. A separate thread does what
+// takes a while, opening and closing (link_opener.h).
 //
 // A reply that is lost or garbled is asked for again after 6 ms, and for up to 18 ms no new force goes out
 // (reply_matcher.h). After 20 ms without a reply the motors are told to stop. Encoders that leap farther than a hand
@@ -36,7 +36,7 @@ struct FalconOptions {
 
 class Falcon {
  public:
-  // To load the firmware; the first one after power-up fails more often than not.
+  // To load the firmware; the first one after power-up often fails.
   static constexpr int attempts = 10;
   static constexpr double look_again_s = 0.5;  // while absent
   static constexpr double try_again_s = 1.0;   // after a fault
@@ -48,7 +48,7 @@ class Falcon {
   static constexpr double keep_alive_s = 0.003;   // after a reply, if nobody commands anything
   static constexpr double first_reply_s = 0.020;  // of a device that may have firmware
   static constexpr int first_questions = 25;
-  // Of one that has answered before: it is not taken for one without firmware, and reset, because it is slow.
+  // The same for one that has answered before, so that a slow device is not taken for one without firmware and reset.
   static constexpr int patient_questions = 50;
 
   Falcon(std::unique_ptr<FalconLink> link, FalconOptions options);
@@ -59,10 +59,10 @@ class Falcon {
   void update() noexcept;
 
   // What the motors are to do, from now until the next call: force on the hand [N]. Goes out at once if the device has
-  // answered the last command, else as soon as it does. Heeded in idle and active only.
+  // answered the last command, else as soon as it does. Only has an effect in idle and active.
   void set_force(const Vector<3>& force, bool is_armed) noexcept;
 
-  // Motors off, and the device told so; waits for its answers, 0.1 s at most.
+  // Turns the motors off and tells the device; waits for its answers, 0.1 s at most.
   void shut_down() noexcept;
 
   const FalconReport& report() const noexcept { return report_; }

@@ -18,9 +18,9 @@ namespace ghostforce {
 
 class FalconInput : public Input, public HapticDevice {
  public:
-  // When the handle is found, the goal goes there in this time and does not leap [s].
+  // When the handle is found, the goal moves there in this time and does not jump [s].
   static constexpr double approach_s = 0.5;
-  // The speed of the handle is taken over so many readings: over one, a single count would be 5 cm/s.
+  // The speed of the handle is computed over this many readings: over one, a single count would be 5 cm/s.
   static constexpr std::size_t speed_readings = 8;
 
   // `view_center`: what lies in the middle of the workspace [m].
@@ -40,7 +40,7 @@ class FalconInput : public Input, public HapticDevice {
   double force_uncertainty() const noexcept override;
   void shut_down() noexcept override;
 
-  // UI thread: the newest. The reference stays good until the next call.
+  // UI thread: the newest. The reference stays valid until the next call.
   const FalconReport& report() noexcept { return reports_.latest(); }
 
  protected:

@@ -33,7 +33,7 @@ enum class LinkFault : std::uint8_t {
   broken,       // transfers fail for another reason
 };
 
-// What became of a request.
+// The outcome of a request.
 enum class RequestOutcome : std::uint8_t {
   done,
   refused,     // the chip does not know it, or not now
@@ -83,9 +83,9 @@ class FalconLink {
   virtual bool write(std::span<const std::uint8_t> bytes) noexcept = 0;
   virtual bool is_sending() const noexcept = 0;
 
-  // The motors' zero, ahead of everything: what is being written is taken back, and these bytes go out in its place,
-  // also after any fault but that of a device that has gone. At most 64 bytes. Returns at once; whether they have
-  // arrived tells owes_stop(): what is still owed, close() and the next open() insist on.
+  // The motors' zero, ahead of everything: what is being written is cancelled, and these bytes go out in its place,
+  // even after a fault, unless the device is gone. At most 64 bytes. Returns at once; owes_stop() says whether they
+  // have arrived. If not, close() and the next open() keep trying to send them.
   virtual void stop(std::span<const std::uint8_t> bytes) noexcept = 0;
   virtual bool owes_stop() const noexcept = 0;
 
@@ -101,7 +101,7 @@ class FalconLink {
   virtual std::int64_t now_ns() const noexcept = 0;
 
   // Lets transfers make progress; returns when bytes have come in or something has been sent, or on a fault, and at
-  // `deadline_ns` at the latest. A deadline that has passed: looks, and returns at once.
+  // `deadline_ns` at the latest. If the deadline has passed, looks and returns at once.
   virtual void wait_until(std::int64_t deadline_ns) noexcept = 0;
 
   // The emergency stop of a process that is about to die, from a signal handler, on any thread: sends these bytes past

@@ -50,7 +50,7 @@ FrameBytes encode(const ReplyFrame& frame) noexcept;
 
 // Takes frames of one kind out of a stream of bytes, whatever lies between them: a frame begins with '<', has '>' 15
 // bytes later and numbers in between; a byte that begins none is passed over and counted. No byte inside a frame can
-// look like its ends, so that no wrong place to begin is ever taken for a right one.
+// look like its ends, so a wrong place to begin is never taken for a right one.
 template <typename Frame>
 class FrameReader {
  public:

@@ -33,9 +33,10 @@ constexpr FalconGeometry martin_hillier = [] {
 }();
 
 constexpr std::array<GeometryPreset, 3> catalog{{
-    {"libnifalcon", "As libnifalcon has it since 2009: the set that most programs use.", FalconGeometry{}},
-    {"libnifalcon-2008", "As libnifalcon had it at first, from a model of the disassembled device.", libnifalcon_2008},
-    {"martin-hillier", "As Martin & Hillier measured it in 2009, by way of a program that cites them.", martin_hillier},
+    {"libnifalcon", "As in libnifalcon since 2009: the set that most programs use.", FalconGeometry{}},
+    {"libnifalcon-2008", "As in the first libnifalcon, from a model of the disassembled device.", libnifalcon_2008},
+    {"martin-hillier", "As measured by Martin & Hillier in 2009, taken from a program that cites them.",
+     martin_hillier},
 }};
 
 }  // namespace

@@ -1,6 +1,6 @@
-// FalconKinematics: from where the handle is to how far the three upper arms are swung, and back; and from a force at
-// the handle to what the motors must do. Exact for a geometry (geometry.h); how well that describes a device is another
-// matter. x right, y up, z out of the device towards the user; m, rad, N, N·m, from the middle of the base.
+// FalconKinematics: from the position of the handle to the angles of the three upper arms, and back; and from a force
+// at the handle to what the motors must do. Exact for a geometry (geometry.h); how well that describes a device is
+// another question. x right, y up, z out of the device towards the user; m, rad, N, N·m, from the middle of the base.
 // Made for the servo thread: never allocates or throws, and every call ends within a bounded number of steps.
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace ghostforce {
 
-// Where the search for a position begins when nothing is known: amidst the workspace, where every leg is bent.
+// Where the search for a position begins when nothing is known: inside the workspace, where every leg is bent.
 inline constexpr Vector<3> cold_start{0.0, 0.0, 0.11};
 
 struct ForwardKinematics {
@@ -80,11 +80,11 @@ class FalconKinematics {
   double handedness_ = 0.0;  // the sign of the parallelograms' triple product wherever a handle can be
 };
 
-// The greatest number that a motor is sent, either way; what a Falcon makes of more is not known [counts].
+// The greatest number that a motor is sent, either way; it is not known what a Falcon does with more [counts].
 inline constexpr double most_motor_counts = 4095.0;
 
-// What the upper arms must be turned with, each in the direction of its growing angle, so that the handle pushes the
-// hand with `force`: A⁻ᵀ F. Empty: A is singular, or something is not finite.
+// The torques on the upper arms, each in the direction of its growing angle, with which the handle pushes the hand with
+// `force`: A⁻ᵀ F. Empty: A is singular, or something is not finite.
 std::optional<Vector<3>> joint_torques(const Vector<3>& force, const Matrix<3>& jacobian) noexcept;
 
 struct MotorCommand {

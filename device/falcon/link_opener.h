@@ -1,6 +1,6 @@
-// LinkOpener: has a FalconLink opened and closed on a thread of its own, because both wait for the system and for the
-// device, seconds if these please, and allocate. The driver asks, goes on with its ticks, and is given an open link
-// whole. A link that never waits (FalconLink::waits_to_open) needs no thread: it is opened and closed as it is asked
+// LinkOpener: has a FalconLink opened and closed on a thread of its own, because both allocate and wait for the system
+// and for the device, perhaps for seconds. The driver asks, continues with its ticks, and is given a complete open
+// link. A link that never waits (FalconLink::waits_to_open) needs no thread: it is opened and closed as it is asked
 // for.
 //
 // The link belongs to one thread at a time: to the opener's while is_busy(), else to the driver's. Its now_ns() and
@@ -30,7 +30,7 @@ class LinkOpener {
   void open() noexcept { ask(Task::open); }
   void close() noexcept { ask(Task::close); }
   // For good: ends the thread with the link closed, and with a last attempt at a stop that the link still owes. Waits
-  // for what is under way: seconds, if the device pleases.
+  // for what is under way, perhaps for seconds.
   void end() noexcept;
   bool is_busy() const noexcept { return task_.load(std::memory_order_acquire) != Task::none; }
 

@@ -1,6 +1,6 @@
-// LinkScript: what is said to the chip and what it must answer, as a table of steps that are gone through one after
-// another, without ever waiting: update() does what can be done now. Trivial to make; the tables must outlive it. The
-// driver's thread; never allocates or throws.
+// LinkScript: what is sent to the chip and what it must answer, as a table of steps that are done one after another,
+// without ever waiting: update() does what can be done now. Trivial to make; the tables must outlive it. The driver's
+// thread; never allocates or throws.
 #pragma once
 
 #include <array>

@@ -8,7 +8,7 @@
 
 namespace ghostforce {
 
-// The handle reaches so far from the middle of the workspace in every direction [m].
+// How far the handle reaches from the middle of the workspace in every direction [m].
 inline constexpr double workspace_radius = 0.05;
 
 class FalconPlane {

@@ -1,5 +1,5 @@
 // FalconBench: exchanges single frames with a Falcon that has firmware and is homed, once a millisecond, as raw
-// numbers: for measurements, which may trust neither the calibration nor that a place can be found. It borrows the
+// numbers: for measurements, which can rely neither on the calibration nor on finding a position. It borrows the
 // driver's link while the driver rests. One thread; never allocates or throws.
 //
 // Motors are off unless the newest command says otherwise: whatever goes wrong ends with a frame of zeros.

@@ -30,12 +30,12 @@ struct EncoderWiring {
   bool is_certain() const noexcept { return has_moved && agreement >= least_agreement && agreement - runner_up >= 0.1; }
 };
 
-// A person who lifts the handle where it is to go right, and the other way round, is not found out: the legs look the
+// A person who lifts the handle when it should go right, and the other way round, is not noticed: the legs look the
 // same in that mirror.
 EncoderWiring find_encoder_wiring(std::span<const HandMove> moves, const FalconGeometry& geometry) noexcept;
 
-// With the handle pushed in to its stop, all three arms stand alike, at most so far apart as a hand is crooked: some
-// 80 counts for a millimetre across.
+// With the handle pushed in to its stop, all three arms are at the same angle, apart by at most as much as a hand is
+// crooked: some 80 counts for a millimetre across.
 inline constexpr double crooked_counts = 120.0;
 
 // What must be added to each number so that they do: for those that count the other way, of which nobody knows where

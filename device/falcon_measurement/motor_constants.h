@@ -27,15 +27,15 @@ struct WeightReading {
 
 // All uncertainties are two standard deviations.
 struct MotorConstants {
-  bool is_found = false;   // false: the readings do not hang together, or a motor did nothing against the weight
-  bool are_alike = false;  // no motor differs from the others by more than the uncertainty
+  bool is_found = false;                 // false: the readings do not agree, or a motor did nothing against the weight
+  bool are_alike = false;                // no motor differs from the others by more than the uncertainty
   double counts_per_newton_metre = 0.0;  // of all three, or of the strongest where they differ
   double uncertainty = 0.0;
   Vector<3> strengths{1.0};  // each leg's motor, beside the strongest; all 1 where they are alike
   Vector<3> strength_uncertainties{0.0};
   double misfit = 0.0;         // of the forces, root mean square [N]
   double friction = 0.0;       // felt at the handle [N]
-  double handle_weight = 0.0;  // what the motors carried without the weight: handle less what the finger bore [N]
+  double handle_weight = 0.0;  // what the motors carried without the weight: handle less what the finger carried [N]
 };
 
 // At least two places, so that every motor has something to carry at one of them.

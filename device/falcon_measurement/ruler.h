@@ -1,6 +1,6 @@
-// The angle of the arms at count zero and the gear's ratio, from distances that a person has read off a ruler: those
-// with which the legs' kinematics says the same distances. Pure; judge_rulers() allocates, any thread. m, rad, leg
-// counts.
+// The angle of the arms at count zero and the gear's ratio, from distances that a person has read off a ruler: the
+// values with which the legs' kinematics gives the same distances. Pure; judge_rulers() allocates, any thread. m, rad,
+// leg counts.
 #pragma once
 
 #include <span>
@@ -39,8 +39,8 @@ double distance_of(const RulerReading& reading, const FalconGeometry& geometry) 
 // With the lengths of a preset. `with_gear` false: the gear stays the preset's too.
 RulerFit fit_ruler(std::span<const RulerReading> readings, const GeometryPreset& preset, bool with_gear) noexcept;
 
-// What to take of all this. As long as the ruler allows it, that is the geometry as it was assumed, and then the gear
-// as it was assumed: a fit of more than the readings call for is a worse one.
+// What to use of all this. As long as the ruler allows it, that is the assumed geometry, and then the assumed gear: a
+// fit of more than the readings need is a worse one.
 struct RulerVerdict {
   RulerFit fit;                            // to take
   std::vector<RulerFit> others;            // all presets with a free gear, for the report

@@ -1,5 +1,5 @@
-// Whether a Falcon's firmware drops a force by itself when it hears nothing: from where the handle was after a silence,
-// between where the force had held it and where the hand alone does. Pure; allocates nothing, any thread.
+// Whether a Falcon's firmware drops a force by itself when it receives nothing: from where the handle was after a
+// silence, between where the force had held it and where the hand alone does. Pure; allocates nothing, any thread.
 #pragma once
 
 #include <cstdint>

@@ -22,7 +22,7 @@ constexpr std::size_t reserved_words = 8;
 constexpr std::uint32_t end_of_memory = 0x400000;
 
 constexpr std::string_view what_to_do =
-    "; give a Falcon's firmware as it was published (the firmware folder of libnifalcon has some)";
+    "; give a published firmware of the Falcon (the firmware folder of libnifalcon has some)";
 
 std::string hex(std::uint32_t number) {
   std::string digits;
@@ -40,8 +40,8 @@ class BootTable {
   void read_into(FirmwareImage& image) {
     if (bytes_.empty()) refuse(0, "the file is empty");
     if (bytes_.size() > largest_firmware) {
-      refuse(largest_firmware, "the file goes on, and no Falcon has the memory for more than " +
-                                   std::to_string(largest_firmware) + " bytes");
+      refuse(largest_firmware,
+             "the file is too long: no Falcon has memory for more than " + std::to_string(largest_firmware) + " bytes");
     }
     if (bytes_.size() % 2 != 0) {
       refuse(bytes_.size() - 1, "half a word is left over; the file must have an even number of bytes");
@@ -61,7 +61,7 @@ class BootTable {
     const bool is_inside = std::any_of(image.blocks.begin(), image.blocks.end(), [&](const FirmwareBlock& block) {
       return image.entry >= block.address && image.entry - block.address < block.words;
     });
-    if (!is_inside) refuse(entry_start, "the program begins at " + hex(image.entry) + ", where no block lies");
+    if (!is_inside) refuse(entry_start, "the program begins at " + hex(image.entry) + ", which is in no block");
   }
 
  private:
@@ -96,17 +96,18 @@ class BootTable {
       }
       for (const FirmwareBlock& other : blocks) {
         if (block.address < other.address + other.words && other.address < block.address + block.words) {
-          refuse(start + 2, "the block at " + hex(block.address) + " lies on top of the one at " + hex(other.address));
+          refuse(start + 2, "the block at " + hex(block.address) + " overlaps the one at " + hex(other.address));
         }
       }
       if ((bytes_.size() - at_) / 2 < block.words) {
-        refuse(start, "a block of " + std::to_string(block.words) + " words begins, and the file ends before it does");
+        refuse(start,
+               "a block of " + std::to_string(block.words) + " words begins here, but the file ends before it does");
       }
       at_ += std::size_t{2} * block.words;
       blocks.push_back(block);
     }
     if (blocks.empty()) refuse(at_ - 2, "there is no block");
-    if (at_ != bytes_.size()) refuse(at_, "the table has ended, and the file goes on");
+    if (at_ != bytes_.size()) refuse(at_, "the table has ended, but the file continues");
   }
 
   std::span<const std::uint8_t> bytes_;
@@ -117,7 +118,7 @@ std::string sha256_of(std::span<const std::uint8_t> bytes) {
   std::array<std::uint8_t, EVP_MAX_MD_SIZE> digest{};
   unsigned length = 0;
   if (EVP_Digest(bytes.data(), bytes.size(), digest.data(), &length, EVP_sha256(), nullptr) != 1) {
-    throw FirmwareError(FirmwareTrouble::unreadable, "libcrypto cannot compute a SHA-256; look at its configuration");
+    throw FirmwareError(FirmwareTrouble::unreadable, "libcrypto cannot compute a SHA-256; check its configuration");
   }
   std::string text;
   for (unsigned i = 0; i < length; ++i) {
@@ -132,16 +133,16 @@ std::vector<std::uint8_t> bytes_of_file(const fs::path& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (status.type() == fs::file_type::not_found) {
-    throw FirmwareError(FirmwareTrouble::missing, "there is no such file; look at the path");
+    throw FirmwareError(FirmwareTrouble::missing, "there is no such file; check the path");
   }
-  if (!fs::status_known(status)) refuse("cannot be looked at: " + error.message());
+  if (!fs::status_known(status)) refuse("cannot be examined: " + error.message());
   if (status.type() == fs::file_type::directory) refuse("is a folder; give the file in it");
   // Opening a pipe would wait for its other end.
-  if (status.type() != fs::file_type::regular) refuse("is no plain file; give one");
+  if (status.type() != fs::file_type::regular) refuse("is not a regular file; give one");
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   if (!file.is_open()) {
-    refuse("cannot be read: " + std::generic_category().message(errno) + "; look at its permissions");
+    refuse("cannot be read: " + std::generic_category().message(errno) + "; check its permissions");
   }
   // One more than may be: parse_firmware() refuses it with the right words, and nobody reads a disk image to its end.
   std::vector<char> read(largest_firmware + 1);

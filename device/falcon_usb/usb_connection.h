@@ -1,5 +1,5 @@
 // UsbConnection: a USB device that was found, opened and claimed through libusb: its handle, its two bulk endpoints and
-// the file behind them. Whatever waits for the system or for the device is here, for seconds if these please, and it
+// the file behind them. Everything that waits for the system or for the device is here. It may wait for seconds, and it
 // allocates: never on the servo's thread. One thread at a time; emergency code may read descriptor() on any.
 #pragma once
 
@@ -30,7 +30,7 @@ class UsbConnection {
 
   // Takes the first device with these ids, in the order of their serial numbers, that can be had; `serial` empty: any.
   // Clears the halt of both endpoints: a device that another driver or an earlier fault has left halted works again.
-  // `first_bytes` are sent before anything else is asked of the device, and insisted on.
+  // `first_bytes` are sent before anything else is asked of the device, and sent again until the device takes them.
   LinkFault open(const UsbId& id, const std::string& serial, std::span<const std::uint8_t> first_bytes = {}) noexcept;
   bool has_taken_first_bytes() const noexcept { return has_taken_first_bytes_; }
 

@@ -1,6 +1,6 @@
-// What of a kind of USB device is plugged in, and whether this user may have it: for the driver that takes one, and for
-// the diagnosis that tells a person why it could not. May take some ms, allocates; any thread. Never throws: what
-// cannot be found out is left empty.
+// Which devices of one kind are plugged in over USB, and whether this user may open them: for the driver that opens
+// one, and for the diagnosis that tells a person why it could not. May take some ms, allocates; any thread. Never
+// throws: what cannot be found out is left empty.
 #pragma once
 
 #include <sys/types.h>

@@ -31,23 +31,23 @@ class HapticDevice {
   virtual std::int64_t now_ns() const noexcept = 0;
 
   // Lets the device work until a tick is due at `deadline_ns`; a little longer if its answer is about to come, so that
-  // the tick has the newest.
+  // the tick has the newest reading.
   virtual void wait_until(std::int64_t deadline_ns) noexcept = 0;
 
   virtual HandleReading read() noexcept = 0;
 
-  // Newtons at the handle per newton in the scene, where ways are longer or shorter than the handle's: a wall is as
-  // stiff in the hand as it says.
+  // Newtons at the handle per newton in the scene, where distances may be longer or shorter than the handle's: it keeps
+  // a wall as stiff in the hand as its setting says.
   virtual double force_at_handle() const noexcept = 0;
 
-  // Drives the motors: the force at the handle, in the plane [N]. What goes on until the next call. `is_armed` false:
-  // motors off, whatever the force.
+  // Drives the motors: the force at the handle, in the plane [N]. It acts until the next call. `is_armed` false: motors
+  // off, whatever the force.
   virtual void set_force(const Vector<2>& force, bool is_armed) noexcept = 0;
 
-  // How much stronger the true force may be than the one asked for, by what is not known of the motors; 1 or more.
+  // How much stronger the true force may be than the one asked for, because the motors are not known well; 1 or more.
   virtual double force_uncertainty() const noexcept = 0;
 
-  // Motors off, and told so to the device; within 0.1 s. Before the thread ends.
+  // Turns the motors off and tells the device, within 0.1 s. Called before the thread ends.
   virtual void shut_down() noexcept = 0;
 };
 

@@ -13,7 +13,7 @@ inline std::int64_t monotonic_ns() noexcept {
   return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
 }
 
-// Signals do not cut it short; a time that has passed is not waited for.
+// Signals do not cut it short. Returns at once if the time has passed.
 inline void sleep_until_monotonic(std::int64_t time_ns) noexcept {
   if (time_ns <= 0) return;
   const std::timespec time{time_ns / 1'000'000'000, time_ns % 1'000'000'000};

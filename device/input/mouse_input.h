@@ -18,8 +18,8 @@ class MouseInput final : public Input, public PointerTarget {
   // A window that stalled does not make the goal crawl for longer than this [s].
   static constexpr double slowest_move_s = 0.1;
 
-  // Goals lie where positions in a scene do. Shorter than a tick is one tick. A restart forgets moves that the servo has
-  // not begun.
+  // Goals are limited to the range of positions in a scene. A duration shorter than a tick counts as one tick. A
+  // restart forgets moves that the servo has not begun.
   void move_to(const Vector<2>& goal, double duration_s) noexcept override;
   std::uint64_t ignored_moves() const noexcept override { return ignored_moves_; }
 

@@ -15,13 +15,13 @@ class PointerTarget {
   PointerTarget& operator=(const PointerTarget&) = delete;
   virtual ~PointerTarget() = default;
 
-  // The goal shall be at `goal` [m] after `duration_s` of model time, which is the time until the next call: frame
+  // Moves the goal to `goal` [m] within `duration_s` of model time, which is the time until the next call: frame
   // interval × speed. A goal that is not finite is ignored and counted.
   virtual void move_to(const Vector<2>& goal, double duration_s) noexcept = 0;
 
   virtual std::uint64_t ignored_moves() const noexcept = 0;
 
-  // The stiffness of the hand that the pointer leads, for a hand that is not part of the model [N/m].
+  // The stiffness of the hand that the pointer guides, for a hand that is not part of the model [N/m].
   virtual void set_user_stiffness(double /*k_u*/) noexcept {}
 };
 

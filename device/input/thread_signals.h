@@ -1,6 +1,5 @@
-// What each thread of this program needs so that a signal finds it ready: a stack for the handlers, beside its own, and
-// the process's signals left to others. Once per thread, at its beginning. Not while the servo ticks: both ask the
-// system.
+// What each thread of this program needs to be ready for signals: a separate stack for the handlers, and the process's
+// signals left to other threads. Once per thread, at its start. Not while the servo ticks: both are system calls.
 #pragma once
 
 #include <array>
@@ -9,19 +8,19 @@
 
 namespace ghostforce {
 
-// Of a thread's own doing. The process ends of them even where they are ignored or blocked.
+// Signals that a thread causes itself. They end the process even if they are ignored or blocked.
 inline constexpr std::array fault_signals{SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGSYS};
 
 // Leaves the signals that the process gets to other threads; the calling one keeps its own, which are faults and the
-// end of its time as a real-time thread. Were these blocked, the kernel would end the process without asking.
+// end of its time as a real-time thread. If these were blocked, the kernel would end the process without asking.
 void leave_process_signals() noexcept;
 
-// A stack for signal handlers. Where a thread has used up its own, a handler has room nowhere else, and the process
+// A stack for signal handlers. If a thread has used up its own, a handler has no room anywhere else, and the process
 // would end without an emergency stop (device/falcon/emergency_stop.h). Threads that others make get none from the
 // thread that made them.
 //
-// For the thread that makes it, which also must be the one to destroy it. Where there is no memory for it the thread
-// goes on without. Sizes in bytes.
+// For the thread that makes it, which also must be the one to destroy it. If there is no memory for it, the thread
+// continues without. Sizes in bytes.
 class AlternateStack {
  public:
   AlternateStack() noexcept;

@@ -1,6 +1,6 @@
 // HybridSleep: waits for a deadline by sleeping until shortly before it and spinning the rest, which is more punctual
-// than a system that wakes threads late. How much before is learnt from how late it was woken. Only for threads that
-// nobody can push aside while they spin: among ordinary ones it makes things worse. A value that is told by its caller
+// than a system that wakes threads late. How long before is learnt from how late it was woken. Only for threads that
+// cannot be preempted while they spin: among ordinary ones it makes things worse. A value that is told by its caller
 // what the time is and how to sleep. Never allocates, locks or throws; one thread; times in ns of CLOCK_MONOTONIC.
 #pragma once
 
@@ -52,14 +52,13 @@ class HybridSleep {
   }
 
  private:
-  // A deadline missed moves the margin up so much, one that is kept down so little that it is missed once in 2000
-  // times.
+  // A missed deadline moves the margin up so much, and a kept one moves it down so little, that one in 2000 is missed.
   static constexpr std::int64_t step_up_ns = 4'000;
   static constexpr std::int64_t step_down_ns = 2;
   static constexpr double newest_weight = 1.0 / 256.0;
 
-  // margin − overslept is what will be spun. Where that is less than nothing, nothing is: so the mean is one of what
-  // was overslept within the margin, and the mean of what is spun is the margin less that mean.
+  // margin − overslept is what will be spun. If that is negative, nothing is: so the mean is one of what was overslept
+  // within the margin, and the mean of what is spun is the margin less that mean.
   void learn(std::int64_t overslept_ns) noexcept {
     const std::int64_t within_ns = std::min(overslept_ns, margin_ns_);
     mean_overslept_ns_ += newest_weight * (static_cast<double>(within_ns) - mean_overslept_ns_);

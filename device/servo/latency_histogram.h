@@ -13,7 +13,7 @@ namespace ghostforce {
 
 class LatencyHistogram {
  public:
-  // What comes too soon is not late. Over 17 s count as 17 s, but in worst_ns().
+  // What comes too soon is not late. More than 17 s counts as 17 s, except in worst_ns().
   void add(std::int64_t late_ns, std::uint64_t ticks = 1) noexcept {
     const auto late = static_cast<std::uint64_t>(std::max<std::int64_t>(late_ns, 0));
     counts_[index_of(std::min(late, longest))] += ticks;

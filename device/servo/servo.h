@@ -2,9 +2,9 @@
 //
 // It and the window exchange whole values, each with one writer and one reader: the newest command goes in, the newest
 // report and every tick's sample come out. On its thread our code never allocates, locks, logs, throws, opens files or
-// frees. It starts no sooner than start() is called; tests call step() by hand instead and need no time to pass. With
-// real-time priority it spins through what is left before a deadline (hybrid_sleep.h); a device paces it instead.
-// SI units. Functions without a word about threads belong to the UI thread.
+// frees. It starts only when start() is called; tests call step() by hand instead, so that no time has to pass. With
+// real-time priority it spins through what is left before a deadline (hybrid_sleep.h); a device paces it instead. SI
+// units. Functions without a word about threads belong to the UI thread.
 #pragma once
 
 #include <atomic>
@@ -28,25 +28,25 @@
 
 namespace ghostforce {
 
-// What the window wants, whole. The servo may see only the newest of several, so what happens once is a count of how
-// often it was asked for since the program began.
+// What the window wants, whole. The servo may see only the newest of several, so an event is a count of how often it
+// was asked for since the program began.
 struct ServoCommand {
   Settings settings;
   std::uint32_t settings_generation = 0;  // another number: the settings have changed
   bool paused = false;
   double speed = 1.0;                // of model time against real time [1]; changes ticks per second, never dt
   std::uint32_t steps_asked = 0;     // single ticks asked for while paused
-  std::uint32_t restarts_asked = 0;  // another number: go on from restart_state
+  std::uint32_t restarts_asked = 0;  // another number: continue from restart_state
   TickState<2> restart_state{};
   std::uint32_t recording = 0;  // every sample goes to take_record() too, under this number; 0: none does
 
-  // For devices with motors. Somebody wants them on, off, or has read why they went off.
+  // For devices with motors. A person wants them on, wants them off, or has read why they went off.
   std::uint32_t arms_asked = 0;
   std::uint32_t offs_asked = 0;
   std::uint32_t acknowledgements = 0;
   SafetyOptions safety;
   bool has_focus = true;         // keys reach the window
-  std::uint32_t heartbeats = 0;  // another number: the window lives
+  std::uint32_t heartbeats = 0;  // another number: the window is alive
 };
 static_assert(std::is_trivially_copyable_v<ServoCommand>);
 
@@ -74,7 +74,7 @@ struct ServoReport {
 };
 static_assert(std::is_trivially_copyable_v<ServoReport>);
 
-// One per tick, the state that a run starts from included: all that is needed to go on from it exactly.
+// One per tick, the state that a run starts from included: all that is needed to continue from it exactly.
 struct Sample {
   Snapshot snapshot;
   PerStrategy<Vector<2>> velocity{};  // v of each device [m/s]
@@ -97,7 +97,7 @@ class Servo {
   static constexpr double fastest = 10.0;
   // Ticks never come faster than this [s]; a speed that asks for more gets this.
   static constexpr double shortest_period_s = 1.0 / rate_range.greatest;
-  // However slow the ticks, and while paused, commands are heeded this often [s].
+  // However slow the ticks, and while paused, commands are read this often [s].
   static constexpr double command_period_s = 0.005;
 
   // The first run starts from initial.restart_state. Throws std::invalid_argument if `initial` is out of range.
@@ -112,7 +112,7 @@ class Servo {
   void stop() noexcept;
 
   void send(const ServoCommand& command) noexcept { commands_.publish(command); }
-  // The reference stays good until the next call.
+  // The reference stays valid until the next call.
   const ServoReport& newest() noexcept { return reports_.latest(); }
   // The oldest sample not yet taken; false when there is none.
   bool take_sample(Sample& sample) noexcept { return samples_.take(sample); }
@@ -127,7 +127,7 @@ class Servo {
   // Servo thread, or whoever steps a servo that was not started: what happens at each deadline. Takes the newest
   // command; then records the state that a new run starts from, or else reads the input and ticks (when paused: only if
   // a step was asked for); then publishes. With new settings of another rate the tick number changes so that model time
-  // goes on.
+  // continues.
   //
   // An input with motors: its handle is read, and the motors get what the active strategy wants and the safety chain
   // leaves of it. While they are armed the handle is the device, and neither pause nor slow motion stops its time.

@@ -1,7 +1,7 @@
 // How the cap of a SpaceMouse moves the goal. Its sideways axis is x; y is lifting it, or pushing it away. Either the
-// goal is as far from its place of rest as the cap is deflected, or it goes as fast. Whatever happens, reports that
-// come late, another mode, a device that goes and comes back, the goal never goes faster than fastest_m_s and stays
-// where it is while there is no device. Stepped once per tick; allocates and throws nothing; one thread. SI units.
+// goal is as far from its place of rest as the cap is deflected, or it goes as fast. Whatever happens (late reports, a
+// change of mode, a device that goes and comes back), the goal never moves faster than fastest_m_s, and it stays where
+// it is while there is no device. Stepped once per tick; allocates and throws nothing; one thread. SI units.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@ class SpaceMouseMotion {
  public:
   static constexpr double farthest_m = 1.0;   // goals lie within ± this on each axis
   static constexpr double fastest_m_s = 0.6;  // of the goal
-  // The cap's deflection passes two of these lags, which make one motion of what comes in some hundred steps a second.
+  // The cap's deflection passes two of these lags, which turn some hundred steps a second into one smooth motion.
   static constexpr double lag_s = 0.010;
 
   void restart(const Vector<2>& goal) noexcept;

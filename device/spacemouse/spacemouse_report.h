@@ -1,6 +1,5 @@
 // What a SpaceMouse says, report by report. Older ones send translation and rotation in reports of their own, newer
-// ones all six axes in one; which of them comes is seen from its length. Pure values, any thread; never allocates or
-// throws.
+// ones all six axes in one; its length tells which one it is. Pure values, any thread; never allocates or throws.
 #pragma once
 
 #include <array>
@@ -17,7 +16,7 @@ struct SpaceMouseState {
   friend bool operator==(const SpaceMouseState&, const SpaceMouseState&) = default;
 };
 
-// Takes over what this report says, its number first. False, and nothing changes: it is none that is known here.
+// Takes over what this report says, its number first. False, and nothing changes: the report is not known here.
 bool take_report(std::span<const std::uint8_t> report, SpaceMouseState& state) noexcept;
 
 }  // namespace ghostforce

@@ -5,7 +5,7 @@
 // back.
 //
 // What it does is what was seen on real devices; where that leaves something open it is strict, so that a driver that
-// gets by here has kept to what is known to work.
+// works here keeps to what is known to work.
 #pragma once
 
 #include <array>
@@ -55,7 +55,7 @@ class FalconDsp {
   // Returns the packet's size, status bytes included; 0: none is due.
   std::size_t take_packet(std::span<std::uint8_t, packet_size> into, std::int64_t now_ns) noexcept;
 
-  // Lets happen what does by itself: bytes arrive, the watchdog bites.
+  // Lets happen what happens by itself: bytes arrive, the watchdog acts.
   void advance(std::int64_t now_ns) noexcept;
 
   // Where the arms are, counted from the geometry's zero, and the grip's buttons as in ReplyFrame.

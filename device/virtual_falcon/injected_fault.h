@@ -30,7 +30,7 @@ enum class ReplyFault : std::uint8_t {
 // As it is made: none.
 struct InjectedFault {
   // The link: not_allowed and busy keep it from opening; absent and unplugged do too, and end one that is open. A
-  // device off the cable has no current either.
+  // device off the cable has no power either.
   LinkFault link = LinkFault::none;
   bool is_off_the_cable() const noexcept { return link == LinkFault::absent || link == LinkFault::unplugged; }
 
@@ -62,7 +62,7 @@ struct InjectedFault {
   unsigned reply_interval = 1;  // of each so many answers the last one has this fault
   int faulty_replies = 0;       // so many of them, since the fault was asked for; 0: all
 
-  // No current in the device behind the USB chip: silence, and what was loaded and homed is forgotten.
+  // No power in the device behind the USB chip: silence, and what was loaded and homed is forgotten.
   bool power_lost = false;
   bool power_blinks = false;  // once, when the fault is asked for: forgets as well, and is there again
 

@@ -1,5 +1,5 @@
 // Bytes in the form of a Falcon's firmware (a boot table of TI's C28x, as its boot loader takes it) with nothing to run
-// in them: what a virtual Falcon is given, which takes any. A real one is nobody's to pass on.
+// in them: what a virtual Falcon is given, which takes any. Nobody here may pass on a real one.
 #pragma once
 
 #include <cstdint>

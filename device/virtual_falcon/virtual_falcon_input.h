@@ -1,6 +1,5 @@
-// VirtualFalconInput: a rehearsal. The Falcon's driver, the very same, on a device that is not there, held by a
-// simulated hand; the pointer of the window leads that hand, which homes the device when it is asked to, as a person
-// would.
+// VirtualFalconInput: a rehearsal. The same driver as for a real Falcon, on a simulated device in a simulated hand; the
+// pointer of the window guides that hand, which homes the device when it is asked to, as a person would.
 //
 // Made on the UI thread; functions of PointerTarget and inject() stay its, the rest is the servo thread's.
 #pragma once

@@ -1,6 +1,6 @@
-// VirtualLink: the FalconLink to a Falcon that is not there. Behind it are the far end of the cable (falcon_dsp.h), an
-// arm and a hand on it, which live on whenever a function of the link is asked for what has happened up to now. For
-// tests and rehearsals: the driver above goes every way that it goes with a real device.
+// VirtualLink: the FalconLink to a simulated Falcon. Behind it are the far end of the cable (falcon_dsp.h), an arm and
+// a hand on it, which live on whenever a function of the link is asked for what has happened up to now. For tests and
+// rehearsals: the driver above does everything that it does with a real device.
 //
 // The clock is CLOCK_MONOTONIC, or one that only wait_until() moves: from event to event, without waiting, the same way
 // every time. Nothing is allocated after the constructor. Threads as falcon_link.h says; besides, one thread may send

@@ -64,14 +64,14 @@ std::vector<Finding> measure_silence(MeasuringRig& rig) {
   };
   const bool is_done = rig.with_button(
       {.kind = Deed::Kind::hold_button},
-      "Hold the handle softly in the middle of its space and keep a button of the grip down. After Enter you feel up "
-      "to twelve pushes towards you, each below 1 N, for half a minute in all. In each, the program says nothing to "
-      "the device for 20 ms to one second, and hears your button again only after that. Let yourself be pushed, and "
-      "keep your hand as it is.",
+      "Hold the handle loosely in the middle of its workspace and hold down a button of the grip. After Enter you will "
+      "feel up to twelve pushes towards you, each below 1 N, for half a minute in all. During each push the program "
+      "sends nothing to the device for 20 ms to one second, and cannot see your button until that is over. Let the "
+      "device push you, and do not change your grip.",
       take_all);
   for (const SilenceReading& reading : readings) {
     finding.readings.push_back(
-        fmt::format("silent for {:.0f} ms: pushed {:.2f} mm before, {:.2f} mm after; the hand wandered by {:.2f} mm",
+        fmt::format("silent for {:.0f} ms: pushed {:.2f} mm before, {:.2f} mm after; the hand drifted by {:.2f} mm",
                     reading.silence_s / ms, reading.held / ms, reading.after / ms, reading.tremor / ms));
   }
   if (!is_done) {
@@ -81,7 +81,8 @@ std::vector<Finding> measure_silence(MeasuringRig& rig) {
   const SilenceVerdict verdict = judge_silences(readings);
   switch (verdict.outcome) {
     case SilenceOutcome::undecidable:
-      finding.sentence = "The hand moved too much beside the push, or the readings disagree: nothing can be concluded.";
+      finding.sentence =
+          "The hand moved too much on top of the push, or the readings disagree, so nothing can be concluded.";
       break;
     case SilenceOutcome::stays:
       finding.state = Finding::State::measured;
@@ -106,7 +107,7 @@ std::vector<Finding> measure_silence(MeasuringRig& rig) {
 std::vector<Finding> measure_exchanges(MeasuringRig& rig) {
   constexpr int count = 2000;
   rig.ask({.kind = Deed::Kind::take_again},
-          "Hold the handle still for three seconds. Enter: exchanges are counted, the motors stay off.");
+          "Hold the handle still for three seconds. Enter: the exchanges are counted. The motors stay off.");
   rig.rest(0.5);
   std::vector<double> times;
   const double began_s = rig.bench().now_s();
@@ -121,8 +122,8 @@ std::vector<Finding> measure_exchanges(MeasuringRig& rig) {
                     .title = "Exchanges a second",
                     .settles = {}};
   exchanges.sentence = fmt::format(
-      "{:.0f} a second; an answer takes {:.2f} ms on average, {:.2f} ms in 99 of 100 cases, "
-      "{:.2f} ms at most.",
+      "{:.0f} a second; an answer takes {:.2f} ms on average, up to {:.2f} ms in 99 of 100 cases, and {:.2f} ms at "
+      "most.",
       rate, mean / ms, times[count * 99 / 100] / ms, times.back() / ms);
   exchanges.readings.push_back(fmt::format("{} exchanges", count));
 
@@ -140,12 +141,12 @@ std::vector<Finding> measure_exchanges(MeasuringRig& rig) {
   }
   constexpr double most_leap = 20.0;  // from one exchange to the next, of a handle that is held [counts]
   homing.readings.push_back(
-      fmt::format("600 exchanges without the bit, 300 with it: the encoders changed by {:.0f} counts "
-                  "at most from one to the next, and stayed homed",
+      fmt::format("600 exchanges without the bit, 300 with it: from one to the next, the encoders changed by at most "
+                  "{:.0f} counts, and the device stayed homed",
                   leap));
   homing.state = Finding::as_assumed_if(leap <= most_leap);
-  homing.sentence = leap <= most_leap ? "It may be set or not: the device stays homed and its numbers go on."
-                                      : "The encoders' numbers leap when it changes.";
+  homing.sentence = leap <= most_leap ? "It may be set or not: the device stays homed and its numbers continue."
+                                      : "The encoders' numbers jump when it changes.";
   return {exchanges, homing};
 }
 
@@ -171,15 +172,16 @@ std::vector<Finding> check_lights(MeasuringRig& rig) {
   finding.state = Finding::State::as_assumed;
   for (const Bit& light : lights) {
     for (int i = 0; i < 50; ++i) rig.look(light.bit);
-    const std::string answer = rig.ask({.kind = Deed::Kind::say_light},
-                                       "Look at the ring of light on the device. What colour does it have? Type red, "
-                                       "green, blue, or other.");
-    finding.readings.push_back(fmt::format("bit {:#04x}, taken for {}: seen {}", light.bit, light.name,
+    const std::string answer =
+        rig.ask({.kind = Deed::Kind::say_light},
+                "Look at the ring of light on the device. What colour is it? Type red, green, blue or other.");
+    finding.readings.push_back(fmt::format("bit {:#04x}, assumed to be {}: seen as {}", light.bit, light.name,
                                            answer.empty() ? "nothing" : quoted_text(answer)));
     if (answer != light.name) finding.state = Finding::State::differs;
   }
-  finding.sentence = finding.state == Finding::State::as_assumed ? "Red, green and blue are where they were assumed."
-                                                                 : "At least one light is another than was assumed.";
+  finding.sentence = finding.state == Finding::State::as_assumed
+                         ? "Red, green and blue are where they were assumed to be."
+                         : "At least one light is not the one that was assumed.";
   return {finding};
 }
 
@@ -188,8 +190,9 @@ std::vector<Finding> check_buttons(MeasuringRig& rig) {
   Finding finding{.title = "Buttons", .settles = "which bit is which button"};
   finding.state = Finding::State::as_assumed;
   for (const Bit& button : buttons) {
-    rig.ask({.kind = Deed::Kind::press, .buttons = button.bit},
-            fmt::format("Press the button {} of the grip and let go, within ten seconds after Enter.", button.name));
+    rig.ask(
+        {.kind = Deed::Kind::press, .buttons = button.bit},
+        fmt::format("Within ten seconds after Enter, press the button {} of the grip and release it.", button.name));
     unsigned seen = 0;
     for (const double end_s = rig.bench().now_s() + patience_s; rig.bench().now_s() < end_s;) {
       const unsigned now = rig.look().status & 0x0FU;
@@ -197,14 +200,14 @@ std::vector<Finding> check_buttons(MeasuringRig& rig) {
       seen |= now;
     }
     finding.readings.push_back(
-        fmt::format("the button {}, taken for bit {:#04x}: seen {:#04x}", button.name, button.bit, seen));
+        fmt::format("the button {}, assumed to be bit {:#04x}: seen as {:#04x}", button.name, button.bit, seen));
     if (seen == 0) finding.state = Finding::State::not_measured;
     if (seen != button.bit && finding.state == Finding::State::as_assumed) finding.state = Finding::State::differs;
   }
-  finding.sentence = finding.state == Finding::State::as_assumed ? "All four are where they were assumed."
+  finding.sentence = finding.state == Finding::State::as_assumed ? "All four are where they were assumed to be."
                      : finding.state == Finding::State::not_measured
                          ? "At least one button was never seen."
-                         : "At least one button is another than was assumed.";
+                         : "At least one button is not the one that was assumed.";
   return {finding};
 }
 

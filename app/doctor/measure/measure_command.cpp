@@ -29,16 +29,16 @@ namespace {
 constexpr unsigned practice_words = 4000;
 
 constexpr std::string_view welcome =
-    "This measures a Falcon and takes about ten minutes. You need: a table for the device to stand on, a ruler of 10 "
-    "cm or more, a weight of 20 to 50 g that you know to a gram, half a metre of thread to hang it by, and a long, "
-    "soft rubber band. One hand holds the handle, the other one is for the keyboard.\n";
+    "This measures a Falcon and takes about ten minutes. You need: a table for the device, a ruler of 10 cm or more, a "
+    "weight of 20 to 50 g that you know to within a gram, half a metre of thread to hang it by, and a long, soft "
+    "rubber band. Hold the handle with one hand and type with the other.\n";
 constexpr std::string_view safety =
-    "Motors push with less than 2 N, and only as long as you hold a button of the grip down: letting go turns them "
-    "off. They go off too when the handle moves faster than 0.3 m/s or leaves the middle of its space. Keep the power "
-    "plug within reach, and face and fingers away from the arms.\n";
+    "The motors push with less than 2 N, and only while you hold down a button of the grip. They go off when you "
+    "release it, when the handle moves faster than 0.3 m/s, and when it leaves the middle of its workspace. Keep the "
+    "power plug within reach, and your face and fingers away from the arms.\n";
 constexpr std::string_view keys =
-    "Enter: it is done, go on. s: skip this step. q: end, with or without a report. Ctrl+C: end at once, nothing is "
-    "written.\n";
+    "Enter: done, continue. s: skip this step. q: end, with or without a report. Ctrl+C: end at once and write "
+    "nothing.\n";
 
 std::string now_in_words() {
   return fmt::format("{:%Y-%m-%d %H:%M UTC}", fmt::gmtime(std::time(nullptr)));
@@ -60,9 +60,9 @@ void write_calibration(const MeasureCall& call, std::optional<OutputFile>& file,
                        const FalconCalibration& calibration, bool is_kept, Operator& person) {
   if (file) {
     const std::string shown = quoted_text(*call.calibration, longest_path);
-    if (is_there && !person.says_yes(fmt::format(
-                        "{} is there already. Write the new calibration in its place? Type y or n.", shown))) {
-      person.tell("It was left as it is; the report has the calibration too.");
+    if (is_there &&
+        !person.says_yes(fmt::format("{} already exists. Replace it with the new calibration? Type y or n.", shown))) {
+      person.tell("It was not changed. The report also contains the calibration.");
       return;
     }
     file->write(falcon_calibration_text(calibration));
@@ -72,16 +72,16 @@ void write_calibration(const MeasureCall& call, std::optional<OutputFile>& file,
   }
   if (call.is_virtual) {
     person.tell(
-        "The calibration is in the report. Nothing is kept for a device that is not there; --calibration FILE "
-        "writes it to a file.");
+        "The calibration is in the report. It is not kept, because this device is simulated; --calibration FILE writes "
+        "it to a file.");
     return;
   }
   const bool wants =
-      person.says_yes(is_kept ? "A calibration is kept for this Falcon already. Keep the new one in its "
-                                "place, for every later start? Type y or n."
+      person.says_yes(is_kept ? "There is already a calibration for this Falcon. Replace it with the new one, for "
+                                "every later start? Type y or n."
                               : "Keep this calibration for this Falcon, for every later start? Type y or n.");
   if (!wants) {
-    person.tell("It was not kept; the report has it.");
+    person.tell("It was not kept. The report contains it.");
     return;
   }
   const std::filesystem::path path = save_falcon_calibration(calibration);
@@ -123,14 +123,15 @@ int measure_with_doctor(const MeasureCall& call) {
   const FalconMeasurement measurement = measure_falcon(falcon, person, is_kept ? *known : FalconCalibration{});
   falcon.shut_down();
 
-  report.write(
-      report_of(measurement, {.version = std::string(version),
-                              .when = now_in_words(),
-                              .firmware = call.is_virtual ? "firmware: a practice one" : firmware_words(call.firmware),
-                              .is_virtual = call.is_virtual}));
+  report.write(report_of(measurement,
+                         {.version = std::string(version),
+                          .when = now_in_words(),
+                          .firmware = call.is_virtual ? "firmware: practice firmware" : firmware_words(call.firmware),
+                          .is_virtual = call.is_virtual}));
   report.commit();
   if (call.report != "-") person.tell(fmt::format("The report is in {}.", quoted_text(call.report, longest_path)));
-  if (!call.is_virtual) person.tell("Please open an issue with it attached where you got this program from.");
+  if (!call.is_virtual)
+    person.tell("Please open an issue with the report attached, at the place where you got this program.");
   write_calibration(call, calibration_file, is_there, measurement.calibration, is_kept, person);
   return static_cast<int>(measurement.has_all_answers() ? ExitCode::done : ExitCode::answer_is_no);
 }

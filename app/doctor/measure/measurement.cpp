@@ -50,16 +50,17 @@ void await_homed(Falcon& falcon, Operator& person) {
                     fmt::format("{} {}", sentence_of(report.fault), remedy_of(report.fault)));
     }
     if (std::exchange(told, report.state) != report.state) {
-      if (told == FalconState::loading_firmware) person.tell("The firmware is being loaded; that takes some seconds.");
+      if (told == FalconState::loading_firmware) person.tell("The firmware is being loaded; this takes a few seconds.");
       if (told == FalconState::homing) {
         person.tell(
-            "Home the device: pull the handle all the way out, then push it straight in until it stops. Then the "
-            "program goes on by itself.");
+            "Home the device: pull the handle all the way out, then push it straight in until it stops. The program "
+            "then continues by itself.");
       }
     }
     if (waited_s > homing_patience_s) {
-      throw Failure(ExitCode::device_failed,
-                    "The Falcon was not homed within five minutes. Is its power supply plugged in? Then begin again.");
+      throw Failure(
+          ExitCode::device_failed,
+          "The Falcon was not homed within five minutes. Check that its power supply is plugged in, and start again.");
     }
     falcon.wait_until(now_ns() + tick_ns);
   }
@@ -83,7 +84,7 @@ FalconMeasurement measure_falcon(Falcon& falcon, Operator& person, const FalconC
       person.tell(fmt::format("\nStep {} of {}: {}. {}", i + 1, catalog.size(), step.title, step.outline));
       std::vector<Finding> findings;
       if (!has[static_cast<std::size_t>(step.needs)]) {
-        findings = {unmeasured(step.title, "It builds on a step before it that has no result.")};
+        findings = {unmeasured(step.title, "It needs the result of an earlier step that has none.")};
       } else {
         try {
           findings = step.take(rig);
@@ -100,8 +101,8 @@ FalconMeasurement measure_falcon(Falcon& falcon, Operator& person, const FalconC
     }
     measurement.is_complete = true;
   } catch (const LeaveMeasurement&) {
-    if (!person.says_yes("The motors are off. Write a report of what was measured so far? Type y or n.")) {
-      throw Failure(ExitCode::answer_is_no, "The measurement was ended; nothing was written.");
+    if (!person.says_yes("The motors are off. Write a report of what has been measured so far? Type y or n.")) {
+      throw Failure(ExitCode::answer_is_no, "The measurement was ended. Nothing was written.");
     }
   }
   measurement.calibration = rig.calibration();
@@ -112,11 +113,11 @@ std::string report_of(const FalconMeasurement& measurement, const MeasurementOri
   std::string text =
       fmt::format("# Measurement of a Novint Falcon\n\n- Program: ghostforce {}\n- When: {}\n- Device: {}{}\n- {}\n",
                   origin.version, origin.when, measurement.calibration.serial.text(),
-                  origin.is_virtual ? " (a rehearsal: this device is not there)" : "", origin.firmware);
-  if (!measurement.is_complete) text += "- Ended by the person before the last step.\n";
+                  origin.is_virtual ? " (a rehearsal: this device is simulated)" : "", origin.firmware);
+  if (!measurement.is_complete) text += "- The person ended it before the last step.\n";
   text +=
-      "\nUncertainties are two standard deviations. Please open an issue with this file attached where you got this "
-      "program from.\n\n## Results\n\n| What | | Result | Settles |\n|---|---|---|---|\n";
+      "\nUncertainties are two standard deviations. Please open an issue with this file attached, at the place where "
+      "you got this program.\n\n## Results\n\n| What | | Result | Settles |\n|---|---|---|---|\n";
   for (const FalconMeasurement::Step& step : measurement.steps) {
     for (const Finding& finding : step.findings) {
       text += fmt::format("| {} | {} | {} | {} |\n", finding.title, words_of(finding.state), finding.sentence,

@@ -57,9 +57,8 @@ std::vector<Finding> measure_motor_signs(MeasuringRig& rig) {
     const bool is_done = rig.with_button(
         {.kind = Deed::Kind::hold_button},
         fmt::format(
-            "Motor {} of 3. Hold the handle loosely in the middle of its space and keep a button of the grip "
-            "down. After Enter the motor pushes with less than 2 N for a second; letting go of the button turns "
-            "it off.",
+            "Motor {} of 3. Hold the handle loosely in the middle of its workspace and hold down a button of the grip. "
+            "After Enter the motor pushes with less than 2 N for a second. Releasing the button turns it off.",
             number + 1),
         [&] {
           for (const double force : {0.9, MeasuringRig::greatest_force}) {
@@ -78,22 +77,22 @@ std::vector<Finding> measure_motor_signs(MeasuringRig& rig) {
   const MotorWiring wiring = find_motor_wiring(pulses);
   if (wiring.problem == MotorProblem::no_movement) {
     finding.sentence =
-        "At least one motor moved nothing. Is the device's power supply plugged in? Hold the handle more "
-        "loosely, and measure again.";
+        "At least one motor did not move anything. Check that the device's power supply is plugged in, hold the handle "
+        "more loosely, and measure again.";
     return {finding};
   }
   if (wiring.problem == MotorProblem::same_leg_twice) {
     finding.state = Finding::State::contradicts;
-    finding.sentence = "Two motors moved the same leg most. Hold the handle more loosely and still, and measure again.";
+    finding.sentence =
+        "Two motors moved the same leg most. Hold the handle more loosely, keep it still, and measure again.";
     return {finding};
   }
   calibration.motor_of_leg = wiring.motor_of_leg;
   rig.use(calibration);
   finding.state = Finding::as_assumed_if(wiring.motor_of_leg == legs_in_order);
-  finding.sentence = fmt::format(
-      "The motors of legs 1, 2, 3 are the numbers {} of a command (a minus: it pushes the other "
-      "way).",
-      fmt::join(wiring.motor_of_leg, ", "));
+  finding.sentence =
+      fmt::format("The motors of legs 1, 2, 3 are the numbers {} of a command (a minus sign: it pushes the other way).",
+                  fmt::join(wiring.motor_of_leg, ", "));
   return {finding};
 }
 
@@ -194,10 +193,10 @@ MotorStop take_hold(MeasuringRig& rig, const Vector<3>& place, HoldTaken& taken)
 std::optional<HoldTaken> hold_at(MeasuringRig& rig, const Vector<3>& place, std::string_view load_words) {
   HoldTaken taken;
   const std::string words = fmt::format(
-      "Hold the handle {}{} and keep a button of the grip down. After Enter the motors take hold of it, with less than "
-      "2 N. Count to two, then let go of the handle but for one fingertip that keeps the button down, and let the "
-      "motors carry it for eight seconds: they move it slowly up and down. Then take it in your hand again.",
-      place == workspace_center ? "in the middle of its space"
+      "Hold the handle {}{} and hold down a button of the grip. After Enter the motors hold it with less than 2 N. "
+      "Count to two, then let go of the handle except for one fingertip that holds the button down. Let the motors "
+      "carry the handle for eight seconds; they move it slowly up and down. Then take it in your hand again.",
+      place == workspace_center ? "in the middle of its workspace"
                                 : "3 cm to the left of the middle, 3 cm lower and 1 cm further out",
       load_words);
   const bool is_done = rig.with_button({.kind = Deed::Kind::hold_button, .place = place}, words,
@@ -221,11 +220,10 @@ std::optional<WeightReadings> take_weights(MeasuringRig& rig, double grams, std:
   WeightReadings readings;
   for (const bool has_weight : {false, true}) {
     rig.ask({.kind = Deed::Kind::hang_weight, .weight = has_weight ? weight : 0.0},
-            has_weight
-                ? "Hang the weight on the grip by its thread, so that it hangs freely, and hold the handle. Enter: "
-                  "go on, the motors are still off."
-                : "No weight hangs on the grip yet; a rubber band may bear the handle, and then it stays until the end "
-                  "of this step. Enter: go on, the motors are still off.");
+            has_weight ? "Hang the weight on the grip by its thread, so that it hangs freely, and hold the handle. "
+                         "Enter: continue. The motors are still off."
+                       : "Do not hang the weight on the grip yet. If a rubber band supports the handle, leave it on "
+                         "until the end of this step. Enter: continue. The motors are still off.");
     for (std::size_t i = 0; i < places.size(); ++i) {
       const auto taken = hold_at(rig, places[i], has_weight ? ", with the weight hanging," : "");
       if (!taken) {
@@ -233,7 +231,7 @@ std::optional<WeightReadings> take_weights(MeasuringRig& rig, double grams, std:
                               ? "The motors did not carry the handle with this weight. Take a lighter one, or hang "
                                 "the handle higher on its rubber band."
                               : "The motors did not carry the handle alone. Hang it from above on a long, soft "
-                                "rubber band that bears most of it, or loosen your grip more.");
+                                "rubber band that supports most of it, or loosen your grip more.");
         return std::nullopt;
       }
       readings[i].weight = weight;
@@ -244,7 +242,7 @@ std::optional<WeightReadings> take_weights(MeasuringRig& rig, double grams, std:
     }
   }
   rig.ask({.kind = Deed::Kind::hang_weight, .weight = 0.0},
-          "Take the weight off, and the rubber band too if there is one. Enter: go on, the motors are off.");
+          "Take off the weight, and the rubber band if there is one. Enter: continue. The motors are off.");
   return readings;
 }
 
@@ -258,12 +256,11 @@ std::vector<Finding> measure_motor_constant(MeasuringRig& rig) {
                    .settles = "the handle's weight (0.09 kg was published)"};
   std::optional<WeightReadings> taken;
   for (int i = 0; i < MeasuringRig::tries && !taken; ++i) {
-    const double grams =
-        rig.ask_number({.kind = Deed::Kind::say_weight},
-                       "How heavy is the weight with its thread, in g? 20 to 50 g are best. The motors "
-                       "may push with less than 2 N here, and carry the handle too: if that is heavy, "
-                       "hang it from above on a long, soft rubber band.",
-                       5.0, 300.0, "g");
+    const double grams = rig.ask_number(
+        {.kind = Deed::Kind::say_weight},
+        "How heavy is the weight with its thread, in g? 20 to 50 g is best. The motors push with less than 2 N here "
+        "and also carry the handle. If the handle is heavy, hang it from above on a long, soft rubber band.",
+        5.0, 300.0, "g");
     constant.readings.push_back(fmt::format("the weight is {:g} g", grams));
     taken = take_weights(rig, grams, constant.readings);
   }
@@ -277,8 +274,8 @@ std::vector<Finding> measure_motor_constant(MeasuringRig& rig) {
   if (!found.is_found) {
     constant.state = Finding::State::contradicts;
     constant.sentence = fmt::format(
-        "The forces with and without the weight do not go together: they are {:.2f} N off on "
-        "average. Let the weight hang still and bear nothing with the finger.",
+        "The forces with and without the weight do not agree: they are {:.2f} N off on average. Let the weight hang "
+        "still, and do not support anything with your finger.",
         found.misfit);
     alike.sentence = friction.sentence = "The readings of the weight contradict each other.";
     return {constant, alike, friction};
@@ -301,12 +298,14 @@ std::vector<Finding> measure_motor_constant(MeasuringRig& rig) {
       found.are_alike
           ? fmt::format("The motors of legs 1, 2, 3 are alike within {:.0f}, {:.0f}, {:.0f} %.", 100.0 * off.x,
                         100.0 * off.y, 100.0 * off.z)
-          : fmt::format("Legs 1, 2, 3 beside the strongest motor: {:.2f} ± {:.2f}, {:.2f} ± {:.2f}, {:.2f} ± {:.2f}.",
-                        found.strengths.x, off.x, found.strengths.y, off.y, found.strengths.z, off.z);
+          : fmt::format(
+                "Legs 1, 2, 3 relative to the strongest motor: {:.2f} ± {:.2f}, {:.2f} ± {:.2f}, {:.2f} ± {:.2f}.",
+                found.strengths.x, off.x, found.strengths.y, off.y, found.strengths.z, off.z);
   friction.state = Finding::State::measured;
-  friction.sentence =
-      fmt::format("Friction {:.2f} N at 1 cm/s, felt at the handle; the handle, less what the finger bore, {:.2f} N.",
-                  found.friction, found.handle_weight);
+  friction.sentence = fmt::format(
+      "Friction: {:.2f} N at 1 cm/s, felt at the handle. Weight of the handle, less what the finger supported: {:.2f} "
+      "N.",
+      found.friction, found.handle_weight);
   return {constant, alike, friction};
 }
 

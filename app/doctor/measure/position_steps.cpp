@@ -42,9 +42,9 @@ EncoderWiring take_wiring(MeasuringRig& rig, std::vector<std::string>& readings)
   for (std::size_t i = 0; i < moves.size(); ++i) {
     const Direction& direction = directions[i];
     moves[i].direction = direction.direction;
-    moves[i].from = rig.read_still_at(go_to(workspace_center),
-                                      "Bring the handle to the middle of its space and hold it still. Enter: "
-                                      "the encoders are read.");
+    moves[i].from = rig.read_still_at(
+        go_to(workspace_center),
+        "Bring the handle to the middle of its workspace and hold it still. Enter: the encoders are read.");
     moves[i].to =
         rig.read_still_at(go_to(workspace_center + 0.03 * direction.direction),
                           fmt::format("{} and hold it still there. Enter: they are read again.", direction.words));
@@ -63,10 +63,10 @@ std::vector<Finding> measure_encoders(MeasuringRig& rig) {
   std::optional<LegNumbers> odd;  // what was found once and was not expected: motors will be driven by it
   for (int i = 0; i < MeasuringRig::tries && !wiring.is_certain(); ++i) {
     if (i > 0) {
-      rig.person().tell(odd ? "That is not how other devices are wired. Once more, to be sure."
+      rig.person().tell(odd ? "Other devices are not wired like this. Do it once more, to be sure."
                         : wiring.has_moved
-                            ? "These three movements do not go together. Once more, and along straight lines."
-                            : "The encoders hardly changed in one of the movements. Once more, 3 cm each.");
+                            ? "These three movements do not agree. Do it once more, along straight lines."
+                            : "The encoders hardly changed in one of the movements. Do it once more, 3 cm each.");
     }
     wiring = take_wiring(rig, finding.readings);
     if (!wiring.is_certain() || wiring.encoder_of_leg == legs_in_order || wiring.encoder_of_leg == odd) continue;
@@ -74,14 +74,13 @@ std::vector<Finding> measure_encoders(MeasuringRig& rig) {
     wiring.runner_up = wiring.agreement;
   }
   if (!wiring.has_moved) {
-    finding.sentence = "The encoders did not change with the handle. Home the device and begin again.";
+    finding.sentence = "The encoders did not change with the handle. Home the device and start again.";
     return {finding};
   }
   if (!wiring.is_certain()) {
     finding.state = Finding::State::contradicts;
     finding.sentence = fmt::format(
-        "No order and signs of the encoders go with all three movements: the best has a cosine "
-        "of {:.2f}, the next {:.2f}.",
+        "No order and signs of the encoders fit all three movements: the best has a cosine of {:.2f}, the next {:.2f}.",
         wiring.agreement, wiring.runner_up);
     return {finding};
   }
@@ -89,8 +88,8 @@ std::vector<Finding> measure_encoders(MeasuringRig& rig) {
   calibration.encoder_of_leg = wiring.encoder_of_leg;
   finding.state = Finding::as_assumed_if(wiring.encoder_of_leg == legs_in_order);
   finding.sentence = fmt::format(
-      "The encoders of legs 1, 2, 3 are the numbers {} of a reply (a minus: it counts the other "
-      "way); cosine {:.3f}, the next best order {:.3f}.",
+      "The encoders of legs 1, 2, 3 are the numbers {} of a reply (a minus sign: it counts the other way); cosine "
+      "{:.3f}, the next best order {:.3f}.",
       fmt::join(wiring.encoder_of_leg, ", "), wiring.agreement, wiring.runner_up);
 
   Finding stop{.title = "Where the encoders stand at the stop", .settles = "the encoders' offsets"};
@@ -106,9 +105,8 @@ std::vector<Finding> measure_encoders(MeasuringRig& rig) {
   if (spread > crooked_counts) {
     stop.state = Finding::State::contradicts;
     stop.sentence = fmt::format(
-        "At the stop the three arms differ by {:.0f} counts, and they should stand alike: the "
-        "handle was not pushed in straight, or an arm was homed in the wrong place. Home the "
-        "device and measure again.",
+        "At the stop, the three arms differ by {:.0f} counts, but they should be equal: the handle was not pushed in "
+        "straight, or an arm was homed in the wrong place. Home the device and measure again.",
         spread);
   } else if (is_reversed) {
     stop.state = Finding::State::differs;
@@ -116,7 +114,7 @@ std::vector<Finding> measure_encoders(MeasuringRig& rig) {
                                 fmt::join(calibration.encoder_offset, ", "), crooked_counts);
   } else {
     stop.state = Finding::State::as_assumed;
-    stop.sentence = fmt::format("At the stop the three arms stand alike, within {:.0f} counts: no offsets.", spread);
+    stop.sentence = fmt::format("At the stop, the three arms are equal to within {:.0f} counts: no offsets.", spread);
   }
   return {finding, stop};
 }
@@ -136,24 +134,24 @@ struct RulerMove {
 constexpr std::array ruler_moves{
     RulerMove{{-0.03, 0.0, 0.125},
               {0.03, 0.0, 0.125},
-              "Ruler lying flat in front of the device, left to right. Hold the handle 3 cm left of the middle, half "
-              "way out.",
+              "Lay the ruler flat in front of the device, from left to right. Hold the handle 3 cm left of the middle, "
+              "halfway out.",
               "Move it about 6 cm to the right, along the ruler."},
     RulerMove{{-0.03, 0.0, 0.092},
               {0.03, 0.0, 0.092},
-              "The same, pushed in: hold the handle 3 cm left of the middle, 2 cm before its inner stop.",
+              "Now pushed in: hold the handle 3 cm left of the middle, 2 cm before its inner stop.",
               "Move it about 6 cm to the right, along the ruler."},
     RulerMove{{-0.03, 0.0, 0.153},
               {0.03, 0.0, 0.153},
-              "The same, pulled out: hold the handle 3 cm left of the middle, 2 cm before its outer stop.",
+              "Now pulled out: hold the handle 3 cm left of the middle, 2 cm before its outer stop.",
               "Move it about 6 cm to the right, along the ruler."},
     RulerMove{{0.0, -0.03, 0.125},
               {0.0, 0.03, 0.125},
-              "Ruler upright. Hold the handle 3 cm below the middle, half way out.",
+              "Stand the ruler upright. Hold the handle 3 cm below the middle, halfway out.",
               "Lift it about 6 cm straight up, along the ruler."},
     RulerMove{{0.0, 0.0, 0.095},
               {0.0, 0.0, 0.155},
-              "Ruler pointing from the device towards you. Hold the handle in the middle, 2 cm before its inner stop.",
+              "Point the ruler from the device towards you. Hold the handle in the middle, 2 cm before its inner stop.",
               "Pull it about 6 cm straight out, along the ruler."},
 };
 
@@ -174,24 +172,25 @@ std::string fit_words(const RulerFit& fit) {
 
 std::vector<Finding> measure_lengths(MeasuringRig& rig) {
   Finding angle{.title = "Angle of the arms at count zero", .settles = "the angle at count zero (35°, 40° or 50°)"};
-  Finding gear{.title = "Gear ratio", .settles = "the gear's ratio (7.62 or 7.72)"};
-  Finding lengths{.title = "Lengths of the legs", .settles = "which set of lengths is truer"};
+  Finding gear{.title = "Gear ratio", .settles = "the gear ratio (7.62 or 7.72)"};
+  Finding lengths{.title = "Lengths of the legs", .settles = "which set of lengths is more accurate"};
   std::vector<RulerReading> readings;
   for (const RulerMove& move : ruler_moves) {
     RulerReading reading;
     const FalconCalibration& calibration = rig.calibration();
     reading.from = leg_counts(
         rig.read_still_at(go_to(move.from),
-                          fmt::format("{} Note the ruler's mark. Enter: the encoders are read.", move.begin)),
+                          fmt::format("{} Note the mark on the ruler. Enter: the encoders are read.", move.begin)),
         calibration);
     reading.to = leg_counts(
         rig.read_still_at(go_to(move.to), fmt::format("{} Hold it there. Enter: they are read again.", move.move)),
         calibration);
-    reading.distance = mm * rig.ask_number({.kind = Deed::Kind::say_distance},
-                                           "How far did the handle move along the ruler, in mm, to half a millimetre?",
-                                           20.0, 110.0, "mm");
+    reading.distance =
+        mm * rig.ask_number({.kind = Deed::Kind::say_distance},
+                            "How far did the handle move along the ruler, in mm, to the nearest half millimetre?", 20.0,
+                            110.0, "mm");
     angle.readings.push_back(
-        fmt::format("{:.1f} mm by the ruler, {:.1f} mm as assumed until now; legs from {} to {} "
+        fmt::format("{:.1f} mm by the ruler, {:.1f} mm with the values assumed so far; legs from {} to {} "
                     "counts",
                     reading.distance / mm, distance_of(reading, calibration.geometry) / mm, counts_words(reading.from),
                     counts_words(reading.to)));
@@ -203,8 +202,8 @@ std::vector<Finding> measure_lengths(MeasuringRig& rig) {
   if (!verdict.is_consistent) {
     angle.state = Finding::State::contradicts;
     angle.sentence = fmt::format(
-        "No angle and gear go with these distances: the best are {:.1f} mm off the ruler on "
-        "average. Measure again; every distance counts from the same point of the handle.",
+        "No angle and gear ratio fit these distances: the best are {:.1f} mm off the ruler on average. Measure again, "
+        "and measure every distance at the same point of the handle.",
         verdict.fit.is_found ? verdict.fit.misfit / mm : 0.0);
     gear.sentence = lengths.sentence = "The distances contradict each other.";
     return {angle, gear, lengths};
@@ -229,12 +228,11 @@ std::vector<Finding> measure_lengths(MeasuringRig& rig) {
                                : fmt::format("{:.3f}, as published with these lengths, fits within ± {:.3f}.",
                                              fit.gear_ratio, fit.gear_uncertainty);
   lengths.state = Finding::as_assumed_if(fit.preset == &assumed);
-  lengths.sentence = verdict.rivals.empty()
-                         ? fmt::format("Only \"{}\" goes with the ruler.", fit.preset->name)
-                         : fmt::format(
-                               "\"{}\" goes with the ruler, and so would {}, with another angle and gear: "
-                               "these distances do not tell them apart.",
-                               fit.preset->name, listed(verdict.rivals));
+  lengths.sentence = verdict.rivals.empty() ? fmt::format("Only \"{}\" fits the ruler.", fit.preset->name)
+                                            : fmt::format(
+                                                  "\"{}\" fits the ruler, but so does {}, with another angle and gear "
+                                                  "ratio: these distances do not tell them apart.",
+                                                  fit.preset->name, listed(verdict.rivals));
   if (!verdict.rivals.empty()) lengths.state = Finding::State::measured;
   return {angle, gear, lengths};
 }

@@ -37,11 +37,11 @@ constexpr int unhomed_to_believe = 3;
 // In the order of MotorStop.
 constexpr std::array<std::string_view, 5> stop_words{
     "",
-    "The button was let go of, so the motors are off. This step begins again.",
-    "The handle moved faster than 0.3 m/s, so the motors are off. Hold it more firmly; this step begins again.",
-    "The handle left the middle of its workspace, so the motors are off. This step begins again.",
-    "The device left a command unanswered for 20 ms, so the motors are off. Close what keeps this machine busy; this "
-    "step begins again.",
+    "The button was released, so the motors are off. This step starts again.",
+    "The handle moved faster than 0.3 m/s, so the motors are off. Hold it more firmly. This step starts again.",
+    "The handle left the middle of its workspace, so the motors are off. This step starts again.",
+    "The device did not answer a command for 20 ms, so the motors are off. Close what keeps this machine busy. This "
+    "step starts again.",
 };
 
 }  // namespace
@@ -58,8 +58,8 @@ std::string published_within(std::string_view what, std::span<const double> publ
     all.push_back(fmt::format("{:.0f}{}", value, unit));
     if (std::abs(found - value) <= uncertainty) within.push_back(all.back());
   }
-  return within.empty() ? fmt::format("none of the published {} ({}) is within that", what, fmt::join(all, ", "))
-                        : fmt::format("of the published {}, {} is within that", what, fmt::join(within, " and "));
+  return within.empty() ? fmt::format("none of the published {} ({}) is within that range", what, fmt::join(all, ", "))
+                        : fmt::format("of the published {}, {} is within that range", what, fmt::join(within, " and "));
 }
 
 MeasuringRig::MeasuringRig(Operator& person, FalconLink& link, const FalconCalibration& calibration)
@@ -78,10 +78,9 @@ std::string MeasuringRig::ask(const Deed& deed, const std::string& words) {
   const std::optional<std::string> line = person_.ask(deed, words);
   stop_if_interrupted();
   if (!line) {
-    throw Failure(
-        ExitCode::answer_is_no,
-        "The input ended before the measurement did; nothing was written. Give every answer, or type q to end "
-        "with a report of what was measured until then.");
+    throw Failure(ExitCode::answer_is_no,
+                  "The input ended before the measurement did. Nothing was written. Give every answer, or type q to "
+                  "end with a report of what has been measured.");
   }
   std::string answer(trimmed(*line));
   if (answer == "q") throw LeaveMeasurement{};
@@ -98,7 +97,7 @@ double MeasuringRig::ask_number(const Deed& deed, const std::string& words, doub
     const std::optional<double> value = number_in<double>(with_point);
     // Written so that NaN is asked again too.
     if (value && *value >= least && *value <= greatest) return *value;
-    person_.tell(fmt::format("'{}' is no number from {} to {} {}. Type the number alone, such as {}.",
+    person_.tell(fmt::format("'{}' is not a number from {} to {} {}. Type the number alone, such as {}.",
                              quoted_text(answer), least, greatest, unit, std::sqrt(least * greatest) > 10.0 ? 60 : 5));
   }
 }
@@ -143,20 +142,20 @@ ReplyFrame MeasuringRig::exchange(const CommandFrame& command) {
       const LinkFault fault = bench_.fault();
       if (fault == LinkFault::unplugged || fault == LinkFault::absent) {
         throw Failure(ExitCode::device_absent,
-                      "The Falcon has gone: its USB cable was unplugged. Plug it in and begin again.");
+                      "The Falcon is gone: its USB cable was unplugged. Plug it in and start again.");
       }
       if (fault != LinkFault::none || bench_.now_s() - began_s > 1.0) {
-        throw Failure(
-            ExitCode::device_failed,
-            "The Falcon stopped answering. Is its power supply plugged in? Unplug both cables, wait 5 s, plug "
-            "power in first, and begin again.");
+        throw Failure(ExitCode::device_failed,
+                      "The Falcon stopped answering. Check that its power supply is plugged in. If it is, unplug both "
+                      "cables, wait 5 s, plug in power first, and start again.");
       }
       continue;
     }
     unhomed_ = (reply->status & ReplyFrame::homed) == ReplyFrame::homed ? 0 : unhomed_ + 1;
     if (unhomed_ >= unhomed_to_believe) {
-      throw Failure(ExitCode::device_failed,
-                    "The Falcon has forgotten where home is, as after a loss of power. Home it and begin again.");
+      throw Failure(
+          ExitCode::device_failed,
+          "The Falcon has forgotten its home position, for example after a power loss. Home it and start again.");
     }
     return *reply;
   }
@@ -273,15 +272,15 @@ bool MeasuringRig::with_button(const Deed& deed, const std::string& words, const
       person_.tell(stop_words[static_cast<std::size_t>(stop)]);
     } else {
       person_.tell(
-          "For 20 s no button of the grip was held down with the handle still and near where it should be. Go "
-          "there first, then press any button and keep it down.");
+          "For 20 s, no button of the grip was held down while the handle was still and near its place. Go there "
+          "first, then press any button and hold it down.");
     }
   }
   if (stop == MotorStop::too_fast || stop == MotorStop::left_workspace) {
     throw Failure(ExitCode::safety_stop,
-                  fmt::format("{} times the handle {}, and the motors were turned off. Nothing was written. Hold the "
-                              "handle in the middle of its workspace, more firmly, and begin again.",
-                              tries, stop == MotorStop::too_fast ? "moved faster than 0.3 m/s" : "left its workspace"));
+                  fmt::format("The handle {} {} times, and the motors were turned off. Nothing was written. Hold the "
+                              "handle more firmly, in the middle of its workspace, and start again.",
+                              stop == MotorStop::too_fast ? "moved faster than 0.3 m/s" : "left its workspace", tries));
   }
   return false;
 }

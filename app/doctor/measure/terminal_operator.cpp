@@ -50,7 +50,7 @@ std::optional<std::string> TerminalOperator::ask(const Deed& deed, std::string_v
   tell(words);
   const std::string answer = simulated_ == nullptr ? "" : simulated_->act(deed);
   if (!answer.empty()) {
-    tell(fmt::format("(Rehearsal: Enter alone answers {}.)", answer));
+    tell(fmt::format("(Rehearsal: press Enter to answer {}.)", answer));
   } else if (simulated_ != nullptr) {
     tell("(Rehearsal: the simulated hand does it.)");
   }

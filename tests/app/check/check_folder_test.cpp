@@ -78,8 +78,8 @@ TEST(Check, SaysWhatAGoldenIsThatIsNoFile) {
   EXPECT_EQ(updated.exit_code, 8);
   EXPECT_EQ(updated.out, "");
   for (const auto& [name, words] : std::map<std::string, std::string>{{"folder", "is a folder"},
-                                                                      {"link", "is a link that leads nowhere"},
-                                                                      {"loop", "is a link that leads nowhere"},
+                                                                      {"link", "is a broken link"},
+                                                                      {"loop", "is a broken link"},
                                                                       {"pipe", "is a pipe"}}) {
     EXPECT_TRUE(contains(checked.err, fmt::format("the golden {} {}", cases / (name + ".png"), words)));
     EXPECT_TRUE(contains(updated.err, fmt::format("{} cannot be written: it {}", cases / (name + ".png"), words)));
@@ -242,42 +242,43 @@ TEST(Check, TellsAllThatIsWrongWithAllCasesBeforeItDraws) {
   const Outcome outcome = cases.check({"--report", cases.beside("report")});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.out, "");
-  for (const std::string words : {"a.toml:1:9: the key scene: no scene named",
-                                  "did you mean 'wall45'?",
-                                  "b.toml:2:1: the key stratgy is unknown; did you mean 'strategy'?",
-                                  "b.toml:4:1: the key tolerance.shares is unknown; did you mean 'share'?",
-                                  "c.toml:1:9: the key scene: is a number; give a text in quotes",
-                                  "c.toml:2:8: the key at_s: is a text; give 0 to",
-                                  "c.toml:3:15: the key size: 63 is out of range; give a whole number, 64 to 4096",
-                                  "c.toml:4:8: the key part: 'windw' is none of window, scene; did you mean 'window'?",
-                                  "c.toml:5:12: the key strategy: 'naiv' is none of",
-                                  "c.toml:6:9: the key theme: 'drak' is none of",
-                                  "c.toml:7:11: the key compare: 'overlai'",
-                                  "c.toml:8:9: the key scale: 5 is out of range; give 0.75 to 3",
-                                  "d.toml:2:9: the key match: there is no case 'aa'",
-                                  "d.toml:3:12: the key mismatch: there is the key match too",
-                                  "d.toml:5:11: the key tolerance.channel: 256 is out of range",
-                                  "d.toml:6:9: the key tolerance.share: nan",
-                                  "e.toml:2:9: the key match: names this case itself",
-                                  "f.toml:2:8: the key size: is a number; give [width",
-                                  "f.toml:3:7: the key set: is a text; give texts",
-                                  "f.toml:5:8: the key golden.mesa: is a number",
-                                  "g.toml:3:8: the key set: wall.normal_de=120: ",
-                                  "did you mean 'theme'? It stands before the first [table]",
-                                  "h.toml:1:1: the key scene is missing",
-                                  "i.toml:1:",
-                                  "j.toml:4:1: the table [golden]: with the key match",
-                                  "j.toml:2:9: the key match: this picture has 100x100 pixels and that of 'b' 1280x800",
-                                  "k.toml:2:8: the key at_s: 20000 s is out of range",
-                                  "k.toml:3:1: the key channel is unknown; did you mean "
-                                  "'tolerance.channel'?",
-                                  "k.toml:4:9: the key size: has a decimal point",
-                                  "l.toml:1:9: the key scene: ",
-                                  "m.toml:3:8: the key mode: 'whi' is none of predict, why, landscape, round, ribbon",
-                                  "m.toml:4:12: the key strategy: on the stage there is one strategy at a time",
-                                  "m.toml:5:11: the key compare: on the stage there is one strategy at a time",
-                                  "n.toml:2:8: the key view: 'bench' is none of stage, workbench",
-                                  "o.toml:3:8: the key mode: belongs to the stage; give view = \"stage\" too"}) {
+  for (const std::string words :
+       {"a.toml:1:9: the key scene: no scene named",
+        "did you mean 'wall45'?",
+        "b.toml:2:1: the key stratgy is unknown; did you mean 'strategy'?",
+        "b.toml:4:1: the key tolerance.shares is unknown; did you mean 'share'?",
+        "c.toml:1:9: the key scene: is a number; give a string in quotes",
+        "c.toml:2:8: the key at_s: is a string; give 0 to",
+        "c.toml:3:15: the key size: 63 is out of range; give a whole number, 64 to 4096",
+        "c.toml:4:8: the key part: 'windw' is not one of window, scene; did you mean 'window'?",
+        "c.toml:5:12: the key strategy: 'naiv' is not one of",
+        "c.toml:6:9: the key theme: 'drak' is not one of",
+        "c.toml:7:11: the key compare: 'overlai'",
+        "c.toml:8:9: the key scale: 5 is out of range; give 0.75 to 3",
+        "d.toml:2:9: the key match: there is no case 'aa'",
+        "d.toml:3:12: the key mismatch: the key match is there too",
+        "d.toml:5:11: the key tolerance.channel: 256 is out of range",
+        "d.toml:6:9: the key tolerance.share: nan",
+        "e.toml:2:9: the key match: names this case itself",
+        "f.toml:2:8: the key size: is a number; give [width",
+        "f.toml:3:7: the key set: is a string; give strings",
+        "f.toml:5:8: the key golden.mesa: is a number",
+        "g.toml:3:8: the key set: wall.normal_de=120: ",
+        "did you mean 'theme'? It belongs before the first [table]",
+        "h.toml:1:1: the key scene is missing",
+        "i.toml:1:",
+        "j.toml:4:1: the table [golden]: with the key match",
+        "j.toml:2:9: the key match: this picture has 100x100 pixels, and that of 'b' has 1280x800",
+        "k.toml:2:8: the key at_s: 20000 s is out of range",
+        "k.toml:3:1: the key channel is unknown; did you mean "
+        "'tolerance.channel'?",
+        "k.toml:4:9: the key size: has a decimal point",
+        "l.toml:1:9: the key scene: ",
+        "m.toml:3:8: the key mode: 'whi' is not one of predict, why, landscape, round, ribbon",
+        "m.toml:4:12: the key strategy: the stage shows one strategy at a time",
+        "m.toml:5:11: the key compare: the stage shows one strategy at a time",
+        "n.toml:2:8: the key view: 'bench' is not one of stage, workbench",
+        "o.toml:3:8: the key mode: belongs to the stage; give view = \"stage\" too"}) {
     EXPECT_TRUE(contains(outcome.err, words));
   }
   EXPECT_FALSE(fs::exists(cases.beside("report")));
@@ -292,7 +293,7 @@ TEST(Check, TellsASceneFromACase) {
   EXPECT_EQ(outcome.exit_code, 2);
   for (const char* name : {"half", "mine"}) {
     EXPECT_TRUE(contains(outcome.err, fmt::format("{}.toml:1:1: this is a scene, not a case; put scenes into a "
-                                                  "subfolder, and name them as in scene = \"scenes/{}.toml\"\n",
+                                                  "subfolder, and refer to them as in scene = \"scenes/{}.toml\"\n",
                                                   name, name)));
   }
   EXPECT_TRUE(contains(outcome.err, "mixed.toml:1:1: the key format is unknown")) << "it names a scene: a case";
@@ -306,8 +307,8 @@ TEST(Check, SaysWhatACaseIsThatIsNoFile) {
   ASSERT_EQ(mkfifo((cases / "pipe.toml").c_str(), 0600), 0);
   const Outcome outcome = cases.check();
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_TRUE(contains(outcome.err, "folder.toml: is a folder, and a case is a file; rename it, or remove it"));
-  EXPECT_TRUE(contains(outcome.err, "link.toml: is a link that leads nowhere"));
+  EXPECT_TRUE(contains(outcome.err, "folder.toml: is a folder, but a case must be a file; rename it, or remove it"));
+  EXPECT_TRUE(contains(outcome.err, "link.toml: is a broken link"));
   EXPECT_TRUE(contains(outcome.err, "pipe.toml: is a pipe"));
 }
 
@@ -362,7 +363,7 @@ TEST(Check, RefusesFoldersAndNamesThatAreNot) {
   };
   EXPECT_TRUE(contains(refusal({cases.beside("picture")}), "did you mean '" + cases.beside("pictures") + "'?"));
   EXPECT_TRUE(contains(refusal({cases.beside("pictures")}), "there is no case in"));
-  EXPECT_TRUE(contains(refusal({cases / "wall45-naive.toml"}), "is no folder"));
+  EXPECT_TRUE(contains(refusal({cases / "wall45-naive.toml"}), "is not a folder"));
   for (const char* option : {"--only", "--update"}) {
     EXPECT_TRUE(contains(refusal({cases.path(), option, "wall45-naiv"}),
                          fmt::format("{} wall45-naiv: there is no such case; did you mean 'wall45-naive'?", option)));

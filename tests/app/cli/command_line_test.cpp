@@ -65,7 +65,7 @@ TEST(CommandLine, HelpAtEveryLevel) {
     }
   }
   EXPECT_NE(program.out.find("a replay diverged, no reading"), std::string::npos) << "exit code 1 of measure-user";
-  EXPECT_NE(run({"measure-user", "--help"}).out.find("its foot on the wall counts"), std::string::npos);
+  EXPECT_NE(run({"measure-user", "--help"}).out.find("the nearest point of the wall counts"), std::string::npos);
   EXPECT_NE(run({"simulate", "--help"}).out.find("--strategy"), std::string::npos);
   EXPECT_NE(run({"equilibrium", "-h"}).out.find("--goal-mm"), std::string::npos);
 }
@@ -96,11 +96,11 @@ TEST(CommandLine, WrongCallsAreNamedAndExit2) {
   expect_refused({"simulate", "wall45", "--stratgy", "full"}, "no option --stratgy; did you mean '--strategy'?");
   expect_refused({"simulate", "wall45", "--stratgy=full"}, "no option --stratgy; did you mean '--strategy'?");
   expect_refused({"simulate", "--stratgy"}, "no option --stratgy; did you mean '--strategy'?");
-  expect_refused({"simulate", "wall45", "--zzz"}, "no option --zzz; 'ghostforce simulate --help' lists");
+  expect_refused({"simulate", "wall45", "--zzz"}, "no option --zzz; see 'ghostforce simulate --help'");
   expect_refused({"simulate", "wall45", "fig1"}, "unexpected argument 'fig1'");
   expect_refused({"simulate", "wall45", "--strategy", "naiv"}, "did you mean 'naive'?");
   expect_refused({"simulate", "wall45", "--strategy"}, "--strategy");
-  expect_refused({"simulate", "wall45", "--strategy", ""}, "is none of full, naive, anisotropic, all");
+  expect_refused({"simulate", "wall45", "--strategy", ""}, "is not one of full, naive, anisotropic, all");
   expect_refused({"simulate", "wall45", "-o"}, "--output");
   expect_refused({"simulate", "wall45", "--set"}, "--set");
   expect_refused({"simulate", "wall45", "--set", "k_r=1"}, "--set k_r=1: the key k_r is unknown");
@@ -138,7 +138,7 @@ TEST(CommandLine, FileTroubleExits8) {
     call.words = words;
     const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, call);
     EXPECT_EQ(outcome.exit_code, 8);
-    EXPECT_NE(outcome.err.find("the standard output cannot be written: No space left"), std::string::npos);
+    EXPECT_NE(outcome.err.find("standard output cannot be written: No space left"), std::string::npos);
   }
 }
 
@@ -411,12 +411,12 @@ TEST(Simulate, SaysSoWhereTheLoopRunsAwayAndWritesNothing) {
 }
 
 TEST(Run, RefusesWhatBelongsToAnotherFaceOrHand) {
-  expect_refused({"run", "--view", "bench"}, "is none of stage, workbench");
+  expect_refused({"run", "--view", "bench"}, "is not one of stage, workbench");
   expect_refused({"run", "--mode", "lanscape"}, "did you mean 'landscape'?");
   expect_refused({"run", "--mode", "why", "--view", "workbench"}, "--mode why belongs to the stage");
-  expect_refused({"run", "--goal-mm=5"}, "--goal-mm 5: is no position");
+  expect_refused({"run", "--goal-mm=5"}, "--goal-mm 5: not a position");
   expect_refused({"run", "--goal-mm=5,nan"}, "--goal-mm");
-  expect_refused({"run", "--goal-mm=5,5", "--input", "script"}, "--goal-mm is for a hand of your own");
+  expect_refused({"run", "--goal-mm=5,5", "--input", "script"}, "--goal-mm places your own hand");
 }
 
 TEST(Run, RefusesATimeThatIsNoNumber) {

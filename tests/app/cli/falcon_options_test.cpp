@@ -85,7 +85,7 @@ TEST_F(FalconSetUpTest, TakesAnIdAndInjectedFaults) {
 TEST_F(FalconSetUpTest, RefusesWhatIsNoIdAndNoInjectedFault) {
   for (const std::string id :
        {"0403", "0403:", ":cb48", "403:cb48", "0403:cb4x", "0403:cb48:1", "0x03:cb48", "-403:cb48", "04030:cb48"}) {
-    EXPECT_NE(parse("--falcon-usb-id=" + id).find("is no USB id"), std::string::npos) << id;
+    EXPECT_NE(parse("--falcon-usb-id=" + id).find("is not a USB ID"), std::string::npos) << id;
   }
   EXPECT_NE(parse("--misbehave busi").find("did you mean 'busy'?"), std::string::npos);
   EXPECT_NE(parse("--misbehave busy,garbig").find("did you mean 'garbage'?"), std::string::npos);
@@ -97,7 +97,7 @@ TEST_F(FalconSetUpTest, FindsTheFirmwareAndTellsWhichOne) {
   ASSERT_TRUE(usual);
   EXPECT_EQ(set_up_.input_options(usual).falcon.firmware, practice_firmware());
   EXPECT_EQ(firmware_words(usual),
-            "firmware: " + usual_firmware() + ", SHA-256 " + usual->sha256 + ", none of the published ones");
+            "firmware: " + usual_firmware() + ", SHA-256 " + usual->sha256 + ", not one of the published files");
   write_firmware(folder_ / "other.bin");
   setenv("GHOSTFORCE_FIRMWARE", (folder_ / "other.bin").c_str(), 1);
   EXPECT_EQ(set_up_.read_firmware_file()->path, folder_ / "other.bin");

@@ -47,7 +47,7 @@ TEST_F(MeasureCommand, WritesReportAndCalibration) {
   EXPECT_EQ(read_falcon_calibration(read_whole(calibration), calibration).serial.text(), "VIRTUAL1");
   EXPECT_NE(read_whole(report).find("# Measurement of a Novint Falcon"), std::string::npos);
   EXPECT_NE(read_whole(report).find(read_whole(calibration)), std::string::npos);
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "config")) << "nothing is kept for a device that is not there";
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "config")) << "It is not kept, because this device is simulated";
 }
 
 TEST_F(MeasureCommand, ReportGoesToTheStandardOutput) {

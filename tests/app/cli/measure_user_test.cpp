@@ -219,7 +219,7 @@ TEST_F(MeasureUser, SaysThatATargetIsOfNoUseWhereTheGoalIsGiven) {
   const std::string file = simulated({});
   const Outcome outcome = run({"measure-user", file, "--target-mm=0,0"});
   EXPECT_EQ(outcome.exit_code, 0);
-  EXPECT_NE(outcome.err.find("--target-mm is for a real device"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("--target-mm, which is for a real device, is not used"), std::string::npos) << outcome.err;
   EXPECT_EQ(outcome.out, run({"measure-user", file}).out);
 }
 
@@ -240,7 +240,7 @@ TEST_F(MeasureUser, SaysWhyThereIsNoReading) {
   expect_none(simulated({"wall.normal_deg=180"}), "turn one of them");
   expect_none(simulated({"rendering.k_r_N_per_m=0"}), "raise k_r");
   expect_none(simulated({"goal.path_mm=[[-20, 20], [-5, 5]]"}), "press into the wall");
-  expect_none(simulated({"goal.duration_s=1.1"}), "hold still, at least 0.25 s");
+  expect_none(simulated({"goal.duration_s=1.1"}), "hold still for at least 0.25 s");
 }
 
 TEST_F(MeasureUser, RefusesWhatItCannotRead) {

@@ -56,12 +56,12 @@ TEST(Unicode, NamesTheFirstThatCannotBeShown) {
   EXPECT_EQ(words("\xC2\xA0"), "") << "a space that keeps words together";
   EXPECT_EQ(words("\xEF\xBF\xBD"), "") << "U+FFFD is a character";
   EXPECT_EQ(words("\xEF\xB7\x8F"), "") << "U+FDCF";
-  EXPECT_EQ(words("\xEF\xB7\x90"), "U+FDD0, which is no character");
-  EXPECT_EQ(words("\xEF\xB7\xAF"), "U+FDEF, which is no character");
-  EXPECT_EQ(words("\xEF\xBF\xBF"), "U+FFFF, which is no character");
-  EXPECT_EQ(words("\xF0\x9F\xBF\xBE"), "U+1FFFE, which is no character");
-  EXPECT_EQ(words("a\xFF"), "the byte 0xFF, which is no UTF-8");
-  EXPECT_EQ(words("\xED\xA0\x80"), "the byte 0xED, which is no UTF-8") << "half of a pair of UTF-16";
+  EXPECT_EQ(words("\xEF\xB7\x90"), "U+FDD0, which is not a character");
+  EXPECT_EQ(words("\xEF\xB7\xAF"), "U+FDEF, which is not a character");
+  EXPECT_EQ(words("\xEF\xBF\xBF"), "U+FFFF, which is not a character");
+  EXPECT_EQ(words("\xF0\x9F\xBF\xBE"), "U+1FFFE, which is not a character");
+  EXPECT_EQ(words("a\xFF"), "the byte 0xFF, which is not UTF-8");
+  EXPECT_EQ(words("\xED\xA0\x80"), "the byte 0xED, which is not UTF-8") << "half of a pair of UTF-16";
   for (const std::string_view layout : {"a\nb", "a\r\nb", "\ta"}) {
     EXPECT_EQ(words(layout, true), "");
     EXPECT_NE(words(layout, false), "");
@@ -90,17 +90,17 @@ std::string refusal(std::string_view text, const std::vector<std::string>& overr
 TEST(SceneTexts, OfOneLineHoldNoControlCharacter) {
   for (const std::string_view code : {"0000", "0001", "0009", "000A", "000D", "001B", "007F", "0085", "009B"}) {
     EXPECT_EQ(refusal(scene_with(fmt::format(R"("a \u{} wall")", code), "\"b\"")),
-              fmt::format("f.toml:2:9: the key title: holds the control character U+{}; remove it", code));
+              fmt::format("f.toml:2:9: the key title: contains the control character U+{}; remove it", code));
   }
   EXPECT_EQ(refusal(scene_with("\"a\"", "\"b\""), {R"(title="\u0000x")"}),
-            R"(--set title="\u0000x": the key title: holds the control character U+0000; remove it)");
+            R"(--set title="\u0000x": the key title: contains the control character U+0000; remove it)");
   EXPECT_EQ(refusal(scene_with("\"a\"", "\"b\""), {"title=\x01x"}),
-            R"(--set title=\x01x: the key title: holds the control character U+0001; remove it)");
+            R"(--set title=\x01x: the key title: contains the control character U+0001; remove it)");
 }
 
 TEST(SceneTexts, HoldOnlyCharacters) {
   for (const std::string_view code : {"FFFE", "FFFF", "FDD0", "FDEF"}) {
-    const std::string words = fmt::format("holds U+{}, which is no character; remove it", code);
+    const std::string words = fmt::format("contains U+{}, which is not a character; remove it", code);
     EXPECT_EQ(refusal(scene_with(fmt::format(R"("\u{}")", code), "\"b\"")), "f.toml:2:9: the key title: " + words);
     EXPECT_EQ(refusal(scene_with("\"a\"", fmt::format(R"("\u{}")", code))), "f.toml:3:9: the key about: " + words);
   }
@@ -114,7 +114,7 @@ TEST(SceneTexts, AboutMayHaveLinesAndTabs) {
   const Scene scene = read_scene(scene_with("\"a\"", "\"\"\"\nFirst.\n\tThen.\r\nLast.\"\"\""), "f.toml");
   EXPECT_NE(scene.about.find("First.\n\tThen."), std::string::npos) << scene.about;
   EXPECT_EQ(read_scene(scene_text(scene), "g.toml").about, scene.about);
-  EXPECT_NE(refusal(scene_with("\"a\"", R"("\u0000")")).find("f.toml:3:9: the key about: holds"), std::string::npos);
+  EXPECT_NE(refusal(scene_with("\"a\"", R"("\u0000")")).find("f.toml:3:9: the key about: contains"), std::string::npos);
 }
 
 // What once ended each of these with 134 or 70.
@@ -138,13 +138,13 @@ TEST(SceneTexts, OfAnOddKindAreAWrongCallEverywhere) {
           {"check", folder / "cases"}}) {
       const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, words);
       EXPECT_EQ(outcome.exit_code, 2) << words[0] << ' ' << title << '\n' << outcome.err;
-      EXPECT_NE(outcome.err.find("odd.toml:2:9: the key title: holds "), std::string::npos) << outcome.err;
+      EXPECT_NE(outcome.err.find("odd.toml:2:9: the key title: contains "), std::string::npos) << outcome.err;
       EXPECT_EQ(outcome.err.find('\0'), std::string::npos);
     }
     // The scene of a recording stands in its lines, and so does the place.
     const Outcome replayed = run_program(GHOSTFORCE_PROGRAM, {"replay", folder / "odd.csv"});
     EXPECT_EQ(replayed.exit_code, 2) << replayed.err;
-    EXPECT_NE(replayed.err.find("odd.csv:4:11: the key title: holds "), std::string::npos) << replayed.err;
+    EXPECT_NE(replayed.err.find("odd.csv:4:11: the key title: contains "), std::string::npos) << replayed.err;
     // Its hand can be played in another one.
     const Outcome elsewhere = run_program(GHOSTFORCE_PROGRAM, {"replay", folder / "odd.csv", "wall45"});
     EXPECT_EQ(elsewhere.exit_code, 0) << elsewhere.err;
@@ -159,10 +159,11 @@ TEST(CaseTexts, OfAnOddKindAreToldWithTheirPlace) {
               "scene = \"\\u0000wall45\"\nmatch = \"\\uFFFF\"\ntheme = \"\\u001B\"\n[golden]\nmesa = \"\\u009B\"\n");
   const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, {"check", folder / "cases"});
   EXPECT_EQ(outcome.exit_code, 2);
-  for (const std::string_view words : {"a.toml:1:9: the key scene: holds the control character U+0000; remove it",
-                                       "a.toml:2:9: the key match: holds U+FFFF, which is no character; remove it",
-                                       "a.toml:3:9: the key theme: '\\x1B' is none of light, dark, projector",
-                                       "a.toml:5:8: the key golden.mesa: holds the control character U+009B"}) {
+  for (const std::string_view words :
+       {"a.toml:1:9: the key scene: contains the control character U+0000; remove it",
+        "a.toml:2:9: the key match: contains U+FFFF, which is not a character; remove it",
+        "a.toml:3:9: the key theme: '\\x1B' is not one of light, dark, projector",
+        "a.toml:5:8: the key golden.mesa: contains the control character U+009B"}) {
     EXPECT_NE(outcome.err.find(words), std::string::npos) << words << '\n' << outcome.err;
   }
 }

@@ -84,7 +84,7 @@ TEST_F(OwnInputs, AreKnownByEveryName) {
   expect_refused("replay /dev/stdin -o run.csv < run.csv", "run.csv");
   const Outcome outcome = in_folder("replay run.csv -o link.csv");
   EXPECT_EQ(outcome.err,
-            "--output link.csv: is the file run.csv that is read as RUN, and would be lost; name another\n");
+            "--output link.csv: would overwrite run.csv, which this command reads as RUN; name another file\n");
 }
 
 TEST_F(OwnInputs, AreRefusedWhereAReportWouldBe) {
@@ -115,7 +115,7 @@ TEST_F(OwnInputs, AreRefusedToAMeasurement) {
         "doctor --measure --input virtual-falcon --firmware firmware.bin {} firmware.bin < /dev/null", option);
     expect_refused(words, "firmware.bin");
     const Outcome outcome = in_folder(words);
-    EXPECT_NE(outcome.err.find("is the file firmware.bin that is read as --firmware, and would be lost"),
+    EXPECT_NE(outcome.err.find("would overwrite firmware.bin, which this command reads as --firmware"),
               std::string::npos)
         << outcome.err;
   }
@@ -127,8 +127,7 @@ TEST_F(OwnInputs, TwoOutputsAreTwoFiles) {
     const std::ptrdiff_t files = folder_.count();
     const Outcome outcome = in_folder(words);
     EXPECT_EQ(outcome.exit_code, 2) << words << "\n" << outcome.err;
-    EXPECT_NE(outcome.err.find("what --output writes goes there already; name another file"), std::string::npos)
-        << outcome.err;
+    EXPECT_NE(outcome.err.find("--output already writes to this file; name another"), std::string::npos) << outcome.err;
     EXPECT_EQ(folder_.count(), files) << words;
   };
   for (const std::string_view other : {"both.png", "./both.png", "here/both.png"}) {

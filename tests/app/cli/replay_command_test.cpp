@@ -91,7 +91,7 @@ TEST(ReplayCommand, SaysWhereARunDiverges) {
   write_whole(run, text.replace(0, text.find('\n'), "# ghostforce 0.0.1"));
   const Outcome older = run_ghostforce({"replay", run});
   EXPECT_TRUE(says(older, "written by version 0.0.1")) << older.err;
-  EXPECT_TRUE(says(older, "for the same version only")) << older.err;
+  EXPECT_TRUE(says(older, "only for the same version")) << older.err;
 }
 
 TEST(ReplayCommand, PlaysTheHandInAnotherSceneAndComparesNothing) {
@@ -101,7 +101,7 @@ TEST(ReplayCommand, PlaysTheHandInAnotherSceneAndComparesNothing) {
   const std::vector<std::string> other{"rendering.tracking_ratio=3"};
   const Outcome set = run_ghostforce({"replay", run, "--set", other[0], "-o", folder / "set.csv"});
   EXPECT_EQ(set.exit_code, 0) << set.err;
-  EXPECT_TRUE(says(set, "nothing is compared")) << set.err;
+  EXPECT_TRUE(says(set, "nothing was compared")) << set.err;
   const Scene scene = load_scene("fig1", other);
   const auto wanted = run_ghostforce({"simulate", "fig1", "--strategy", "all", "--set", other[0]});
   // The recorded hand is that of the scene: so are all rows.
@@ -140,7 +140,7 @@ TEST(ReplayCommand, SaysThatARunIsTooLongForTheMemory) {
       fmt::format("ulimit -v 300000 && exec {} measure-user {}", GHOSTFORCE_PROGRAM, folder / "long.csv");
   const Outcome outcome = run_program("/bin/sh", {"-c", limited});
   EXPECT_EQ(outcome.exit_code, 8) << outcome.err;
-  EXPECT_TRUE(says(outcome, "long.csv: the run is too long for this machine's memory; cut it")) << outcome.err;
+  EXPECT_TRUE(says(outcome, "long.csv: the run is too long for the memory of this machine; shorten it")) << outcome.err;
 }
 #endif
 
@@ -178,8 +178,8 @@ TEST(ReplayCommand, RefusesALengthThatAnotherRateMakesTooMuch) {
       {"-c", fmt::format("ulimit -t 60; ulimit -f 100000; exec {} replay {} --set device.rate_hz=20000 -o {}",
                          GHOSTFORCE_PROGRAM, run, folder / "out.csv")});
   EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
-  EXPECT_TRUE(says(outcome, "with t_s = 600 there the run is longer than 10000000 ticks")) << outcome.err;
-  EXPECT_TRUE(says(outcome, "if the run is simply that long, cut it before there:\nhead -n ")) << outcome.err;
+  EXPECT_TRUE(says(outcome, "with t_s = 600 here, the run is longer than 10000000 ticks")) << outcome.err;
+  EXPECT_TRUE(says(outcome, "if the run really is that long, cut it before this line:\nhead -n ")) << outcome.err;
 }
 
 // A terminal that a program writes to.
@@ -257,7 +257,7 @@ TEST(ReplayCommand, ShowsHowFarItIsAndEndsThatLineBeforeItsWords) {
     // As it was recorded, it is not held whole: reading and replaying are one.
     EXPECT_EQ(words.find("\rreading [") == std::string::npos, is_exact) << words;
     EXPECT_NE(words.find("\rreplaying ["), std::string::npos) << words;
-    const std::size_t verdict = words.rfind(run + ": " + (is_exact ? "identical" : "nothing is compared"));
+    const std::size_t verdict = words.rfind(run + ": " + (is_exact ? "identical" : "nothing was compared"));
     ASSERT_NE(verdict, std::string::npos) << words;
     EXPECT_TRUE(words.substr(0, verdict).ends_with("\r\x1b[K")) << words;
     std::filesystem::remove(folder / "out/again.csv");
@@ -316,7 +316,7 @@ TEST(ReplayCommand, PlaysAHandThatTellsNoSceneInTheNamedOne) {
   write_whole(folder / "untold.csv", text.substr(text.find("\nstrategy,") + 1));
   const Outcome alone = run_ghostforce({"replay", folder / "untold.csv"});
   EXPECT_EQ(alone.exit_code, 2);
-  EXPECT_TRUE(says(alone, "name one to replay its hand in")) << alone.err;
+  EXPECT_TRUE(says(alone, "name a scene to replay its hand in")) << alone.err;
   for (const std::string_view name : {"told", "untold"}) {
     const Outcome outcome = run_ghostforce(
         {"replay", folder / (std::string(name) + ".csv"), "fig3-normal", "-o", folder / (std::string(name) + "-out")});

@@ -195,8 +195,8 @@ TEST(FalconMeasurement, FindsAWeakMotor) {
     Vector<3> value;
     Vector<3> off;
     ASSERT_EQ(std::sscanf(finding.sentence.c_str(),
-                          "Legs 1, 2, 3 beside the strongest motor: %lf ± %lf, %lf ± %lf, %lf ± %lf", &value.x, &off.x,
-                          &value.y, &off.y, &value.z, &off.z),
+                          "Legs 1, 2, 3 relative to the strongest motor: %lf ± %lf, %lf ± %lf, %lf ± %lf", &value.x,
+                          &off.x, &value.y, &off.y, &value.z, &off.z),
               6)
         << finding.sentence;
     for (glm::length_t leg = 0; leg < 3; ++leg) {
@@ -293,7 +293,7 @@ TEST(FalconMeasurement, AsksAgainForADistanceThatIsNone) {
   EXPECT_EQ(finding_of(measurement, angle).state, State::as_assumed);
   EXPECT_EQ(rehearsal.person->asked[Deed::Kind::say_distance], 5 + 5)
       << "five are no numbers, five distances there are";
-  EXPECT_TRUE(rehearsal.person->has_heard("'about so much' is no number from 20 to 110 mm"));
+  EXPECT_TRUE(rehearsal.person->has_heard("'about so much' is not a number from 20 to 110 mm"));
 }
 
 TEST(FalconMeasurement, SaysThatDistancesContradictEachOther) {
@@ -318,7 +318,7 @@ TEST(FalconMeasurement, TurnsMotorsOffWhenTheButtonIsLetGoAndBeginsTheStepAgain)
   const FalconMeasurement measurement = rehearsal.measure({"Encoders", "Motors' directions"});
   EXPECT_EQ(finding_of(measurement, motors).state, State::as_assumed);
   EXPECT_EQ(rehearsal.person->asked[Deed::Kind::hold_button], 4) << "three motors, one of them twice";
-  EXPECT_TRUE(rehearsal.person->has_heard("The button was let go of"));
+  EXPECT_TRUE(rehearsal.person->has_heard("The button was released"));
 }
 
 TEST(FalconMeasurement, GivesUpAStepThatIsLetGoOfAgainAndAgain) {
@@ -329,7 +329,8 @@ TEST(FalconMeasurement, GivesUpAStepThatIsLetGoOfAgainAndAgain) {
   const FalconMeasurement measurement = rehearsal.measure({"Encoders", "Motors' directions", "Motors' strength"});
   EXPECT_EQ(finding_of(measurement, motors).state, State::not_measured);
   EXPECT_EQ(rehearsal.link->drives, 0);
-  EXPECT_EQ(finding_of(measurement, "Motors' strength").sentence, "It builds on a step before it that has no result.");
+  EXPECT_EQ(finding_of(measurement, "Motors' strength").sentence,
+            "It needs the result of an earlier step that has none.");
 }
 
 TEST(FalconMeasurement, EndsWhereTheHandleIsTooFastOrPulledOutOfItsWorkspaceEachTime) {
@@ -386,7 +387,7 @@ TEST(FalconMeasurement, LeavesWithOrWithoutAReport) {
   const FalconMeasurement measurement = rehearsal.measure({"Encoders", "Lengths"});
   EXPECT_FALSE(measurement.is_complete);
   ASSERT_EQ(measurement.steps.size(), 1U);
-  EXPECT_NE(report_of(measurement, {}).find("Ended by the person"), std::string::npos);
+  EXPECT_NE(report_of(measurement, {}).find("The person ended it"), std::string::npos);
   MeasuredRehearsal second;
   second.person->answers[Deed::Kind::say_distance] = {"q"};
   second.person->answers[Deed::Kind::say_yes_or_no] = {"n"};

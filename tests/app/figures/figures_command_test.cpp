@@ -118,19 +118,21 @@ TEST(FiguresHand, TakesWhatWasChangedAndSaysWhatItLeavesOut) {
   ASSERT_EQ(changed.outcome.exit_code, 0) << changed.outcome.err;
   EXPECT_LT(greatest_move(changed.table, 0.49), 1e-9);
   EXPECT_GT(greatest_move(changed.table, 1.0), 0.001);
-  EXPECT_TRUE(contains(changed.words, "Settings were changed once while it was recorded, and are here; wall and motor"))
+  EXPECT_TRUE(
+      contains(changed.words,
+               "Settings were changed once while it was recorded, and the same changes are made here; wall and motor"))
       << changed.words;
   EXPECT_NE(std::ranges::find(changed.table.comments, "# set t_s=0.5 rendering.tracking_ratio=2.0"),
             changed.table.comments.end())
       << testing::PrintToString(changed.table.comments);
   // The changed ratio is not the best one.
-  EXPECT_TRUE(contains(changed.words, "A does not feel as F does at rest")) << changed.words;
+  EXPECT_TRUE(contains(changed.words, "A does not feel like F at rest")) << changed.words;
 
   const std::string run = resting_run(std::string(state_at_2_s));
   const HandFigure reset = hand_figure(
       folder, run + "# state t_s=0 full=0,0,0 naive=0,0,0 anisotropic=0,0,0\n" + run.substr(run.find("\nfull,2,") + 1));
   for (const std::string& words : {reset.words, reset.outcome.err}) {
-    EXPECT_TRUE(contains(words, "The run was reset after 1 s: what comes after is not shown")) << words;
+    EXPECT_TRUE(contains(words, "The run was reset after 1 s; what follows is not shown")) << words;
   }
 }
 
@@ -140,9 +142,9 @@ TEST(FiguresHand, ClaimsNoMoreThanItsDataShow) {
     set.insert(set.begin(), {"simulate", "wall45", "--strategy", "all"});
     return hand_figure(folder, run_program(GHOSTFORCE_PROGRAM, std::move(set)).out).words;
   };
-  EXPECT_TRUE(contains(caption_with({}), "Along the motor axis A feels as F does at rest; N is pulled away"));
-  EXPECT_TRUE(contains(caption_with({"--set", "rendering.tracking_ratio=1"}), "A does not feel as F does at rest"));
-  EXPECT_TRUE(contains(caption_with({"--set", "wall.normal_deg=180"}), "A feels as F does at rest; N does so too"));
+  EXPECT_TRUE(contains(caption_with({}), "Along the actuated direction, A feels like F at rest; N is pulled away"));
+  EXPECT_TRUE(contains(caption_with({"--set", "rendering.tracking_ratio=1"}), "A does not feel like F at rest"));
+  EXPECT_TRUE(contains(caption_with({"--set", "wall.normal_deg=180"}), "A feels like F at rest; so does N"));
   EXPECT_TRUE(contains(caption_with({"--set", "wall.point_mm=[500, -500]"}), "The hand never goes into the wall"));
 }
 
@@ -151,7 +153,7 @@ TEST(FiguresHand, IsRefusedWithARemedy) {
   const std::string run = resting_run(std::string(state_at_2_s));
   const HandFigure one_tick = hand_figure(folder, run.substr(0, run.find("\nfull,2.001,") + 1));
   EXPECT_EQ(one_tick.outcome.exit_code, 2);
-  EXPECT_TRUE(contains(one_tick.outcome.err, "run.csv: the hand does not move")) << one_tick.outcome.err;
+  EXPECT_TRUE(contains(one_tick.outcome.err, "run.csv: the run has no two consecutive ticks")) << one_tick.outcome.err;
   const HandFigure untold = hand_figure(folder, run.substr(run.find("\nstrategy,") + 1));
   EXPECT_EQ(untold.outcome.exit_code, 2);
   EXPECT_TRUE(contains(untold.outcome.err, "ghostforce replay RUN.csv wall45 -o told.csv")) << untold.outcome.err;

@@ -67,23 +67,23 @@ TEST(FalconCalibrationFile, SaysEverything) {
 
 TEST(FalconCalibrationFile, SaysWhereWhatIsWrongAndWhatToDo) {
   EXPECT_EQ(refusal_of_line("scal = 1.0"), "f.toml:3:1: the key scal is unknown; did you mean 'scale'?");
-  EXPECT_EQ(refusal_of_line("scale = \"1\""), "f.toml:3:9: the key scale: is a text; give 0.1 to 10");
+  EXPECT_EQ(refusal_of_line("scale = \"1\""), "f.toml:3:9: the key scale: is a string; give 0.1 to 10");
   EXPECT_EQ(refusal_of_line("scale = 11"), "f.toml:3:9: the key scale: 11 is out of range; give 0.1 to 10");
   EXPECT_EQ(refusal_of_line("scale = nan"), "f.toml:3:9: the key scale: nan is out of range; give 0.1 to 10");
-  EXPECT_EQ(refusal_of_line("geometry = \"libnifalcn\""),
-            "f.toml:3:12: the key geometry: 'libnifalcn' is none of libnifalcon, libnifalcon-2008, martin-hillier; did "
-            "you mean 'libnifalcon'?");
+  EXPECT_EQ(
+      refusal_of_line("geometry = \"libnifalcn\""),
+      "f.toml:3:12: the key geometry: 'libnifalcn' is not one of libnifalcon, libnifalcon-2008, martin-hillier; did "
+      "you mean 'libnifalcon'?");
   EXPECT_EQ(refusal_of_line("center_mm = [0, 1]"),
-            "f.toml:3:13: the key center_mm: is an array of 2; give three numbers, as [0, 0, 0]");
+            "f.toml:3:13: the key center_mm: is an array of 2; give three numbers, as in [0, 0, 0]");
   EXPECT_EQ(refusal_of_line("encoder_offset_counts = [0, 1.5, 0]"),
             "f.toml:3:29: the key encoder_offset_counts: has a decimal point or an exponent; give whole numbers");
   EXPECT_EQ(refusal_of_line("up_axis = \"-x\""),
-            "f.toml:3:11: the key up_axis: right_axis is 'x' and up_axis '-x', and a plane needs two different ones; "
-            "change one");
-  EXPECT_EQ(
-      refusal_of_line("motor_of_leg = [1, -1, 3]"),
-      "f.toml:3:16: the key motor_of_leg: does not have 1, 2 and 3 once each; give them in some order, with a minus "
-      "where one counts the other way, as [1, -3, 2]");
+            "f.toml:3:11: the key up_axis: right_axis is 'x' and up_axis is '-x', but a plane needs two different "
+            "axes; change one");
+  EXPECT_EQ(refusal_of_line("motor_of_leg = [1, -1, 3]"),
+            "f.toml:3:16: the key motor_of_leg: does not contain 1, 2 and 3 once each; give them in any order, with a "
+            "minus where one counts the other way, as in [1, -3, 2]");
   EXPECT_NE(refusal_of_line("right_axis = \"w\"\nup_axis = \"x\""), "");
   for (const std::string_view line :
        {"motor_constant_counts_per_N_m = 0", "motor_constant_counts_per_N_m = inf", "angle_at_zero_count_deg = 91",
@@ -98,10 +98,11 @@ TEST(FalconCalibrationFile, SaysWhereWhatIsWrongAndWhatToDo) {
 TEST(FalconCalibrationFile, RefusesWhatIsNoCalibration) {
   EXPECT_NE(refusal("").find("the key format is missing"), std::string::npos);
   EXPECT_NE(refusal("").find("the key serial is missing"), std::string::npos);
-  EXPECT_EQ(refusal("format = 2\nserial = 5\n").find("f.toml:1:10: the key format: is 2, and this program knows"), 0U);
+  EXPECT_EQ(refusal("format = 2\nserial = 5\n").find("f.toml:1:10: the key format: is 2, but this program only knows"),
+            0U);
   EXPECT_EQ(refusal("format = \n").find("f.toml:1:"), 0U);
   for (const std::string_view serial : {"", "a/b", "..", "a b", "12345678901234567890123456789012"}) {
-    EXPECT_NE(refusal("format = 1\nserial = \"" + std::string(serial) + "\"\n").find("is no serial number"),
+    EXPECT_NE(refusal("format = 1\nserial = \"" + std::string(serial) + "\"\n").find("is not a serial number"),
               std::string::npos);
   }
 }
@@ -197,7 +198,7 @@ TEST_F(FalconCalibrationFolderTest, TellsOfEveryFileThatIsWrong) {
   } catch (const ReadError& error) {
     const std::string words = error.what();
     EXPECT_EQ(error.kind(), ReadError::Kind::wrong);
-    EXPECT_NE(words.find("b.toml is about the same device as"), std::string::npos) << words;
+    EXPECT_NE(words.find("b.toml is for the same device as"), std::string::npos) << words;
     EXPECT_NE(words.find("c.toml:1:1: the key serial is missing"), std::string::npos) << words;
     EXPECT_NE(words.find("d.toml is a folder"), std::string::npos) << words;
   }

@@ -69,7 +69,7 @@ bool operator==(const RunRow& a, const RunRow& b) {
 testing::AssertionResult invents_nothing(const Run& part, const Run& whole) {
   for (const RunTick& tick : part.ticks) {
     const auto same = std::ranges::find(whole.ticks, tick.time_s, &RunTick::time_s);
-    if (same == whole.ticks.end()) return testing::AssertionFailure() << "no tick at " << tick.time_s;
+    if (same == whole.ticks.end()) return testing::AssertionFailure() << "is not the time of a tick at " << tick.time_s;
     if (tick.goal != same->goal) return testing::AssertionFailure() << "another goal at " << tick.time_s;
     for (std::size_t s = 0; s < strategy_count; ++s) {
       if (tick.rows[s] && !(same->rows[s] && *tick.rows[s] == *same->rows[s])) {
@@ -232,37 +232,37 @@ TEST(RunReader, RefusesADamagedLineWithItsNumberAndWhatIsWrong) {
   };
   for (const Case& c : {
            Case{"naive,0.002,", "naive,0.002,,", "the row has 18 values, but there are 17 columns"},
-           Case{"naive,0.002,", "naive,nan,", "t_s is 'nan', which is no finite number"},
-           Case{"naive,0.002,", "naive,inf,", "t_s is 'inf', which is no finite number"},
-           Case{"naive,0.002,", "naive,0.0021,", "t_s = 0.0021 is the time of no tick at 1000 Hz"},
+           Case{"naive,0.002,", "naive,nan,", "t_s is 'nan', which is not a finite number"},
+           Case{"naive,0.002,", "naive,inf,", "t_s is 'inf', which is not a finite number"},
+           Case{"naive,0.002,", "naive,0.0021,", "t_s = 0.0021 is not the time of a tick at 1000 Hz"},
            Case{"naive,0.002,", "naive,-0.002,", "t_s = -0.002 does not come after the 0.002 of line"},
-           Case{"full,0,", "full,-0.002,", "t_s = -0.002 is the time of no tick at 1000 Hz"},
-           Case{"naive,0.002,", "naive,1e300,", "t_s = 1e+300 is the time of no tick at 1000 Hz"},
-           Case{"naive,0.002,", "naiv,0.002,", "strategy is 'naiv', which is no strategy"},
-           Case{"naive,0.002,", "naive,0.002x,", "t_s is '0.002x', which is no finite number"},
+           Case{"full,0,", "full,-0.002,", "t_s = -0.002 is not the time of a tick at 1000 Hz"},
+           Case{"naive,0.002,", "naive,1e300,", "t_s = 1e+300 is not the time of a tick at 1000 Hz"},
+           Case{"naive,0.002,", "naiv,0.002,", "strategy is 'naiv', which is not a strategy"},
+           Case{"naive,0.002,", "naive,0.002x,", "t_s is '0.002x', which is not a finite number"},
            Case{"naive,0.002,", "naive,0.006,", "t_s = 0.002 does not come after the 0.006 of line", 1},
            Case{"naive,0.002,", "full,0.002,", "t_s = 0.002 does not come after the 0.002 of line"},
            Case{"naive,0.002,", "naive,0.002,1e-9,", "the row has 18 values"},
            Case{"given,simulated", "given,real", "device_kind is 'real', which is neither simulated nor measured"},
            Case{"given,simulated", "gone,simulated", "goal_kind is 'gone', which is neither given nor estimated"},
-           Case{",0,given,simulated,", ",x,given,simulated,", "active is 'x', which is no finite number"},
-           Case{",0,given,simulated,", ",nan,given,simulated,", "active is 'nan', which is no finite number"},
+           Case{",0,given,simulated,", ",x,given,simulated,", "active is 'x', which is not a finite number"},
+           Case{",0,given,simulated,", ",nan,given,simulated,", "active is 'nan', which is not a finite number"},
            Case{",0,given,simulated,", ",2,given,simulated,", "active is '2', which is neither 0 nor 1"},
            Case{"simulated,0,0,0,0.001", "simulated,nan,0,0,0.001", "sent_x_N is 'nan'"},
-           Case{"simulated,0,0,0,0.001", "simulated,0,,0,0.001", "sent_y_N is '', which is no finite number"},
+           Case{"simulated,0,0,0,0.001", "simulated,0,,0,0.001", "sent_y_N is '', which is not a finite number"},
            Case{"simulated,0,0,0,0.001", "simulated,0,0,0.5,0.001", "saturated is '0.5', which is neither 0 nor 1"},
            Case{"simulated,0,0,0,0.001", "simulated,0,0,0,-inf", "loop_s is '-inf'"},
            Case{"simulated,0,0,0,0.001", "simulated,0,0,0,soon", "loop_s is 'soon'"},
            Case{"\nnaive,0.002,", ",naive,0.002,", "the row has 34 values, but there are 17 columns"},
            Case{"naive,0.002,", "# naive,0.002,", "the comment '# naive,0.002,"},
-           Case{"# set t_s=0.003 rend", "# set t_s=x rend", "when the setting was changed cannot be read"},
-           Case{"rendering.k_r_N_per_m=", "rendering.k_x=", "'rendering.k_x' is no setting"},
-           Case{"rendering.k_r_N_per_m=", "title=", "'title' is no setting"},
+           Case{"# set t_s=0.003 rend", "# set t_s=x rend", "the time of the change cannot be read"},
+           Case{"rendering.k_r_N_per_m=", "rendering.k_x=", "'rendering.k_x' is not a setting"},
+           Case{"rendering.k_r_N_per_m=", "title=", "'title' is not a setting"},
            Case{"rendering.k_r_N_per_m=812.5", "rendering.k_r_N_per_m=-1", "rendering.k_r_N_per_m"},
-           Case{"=0.005 full=0.1", "=0.005 full=nan", "the state to go on from cannot be read"},
-           Case{"# dropped 12", "# dropped -1", "how many samples were lost cannot be read"},
+           Case{"=0.005 full=0.1", "=0.005 full=nan", "the state from which the run continues cannot be read"},
+           Case{"# dropped 12", "# dropped -1", "the number of lost samples cannot be read"},
            Case{"\n# interrupted", "\n# interupted", "the comment '# interupted' is not understood"},
-           Case{"# end of scene\n", "", "the scene before it does not end with '# end of scene'", 1},
+           Case{"# end of scene\n", "", "the scene above it does not end with '# end of scene'", 1},
        }) {
     SCOPED_TRACE(c.by);
     const std::size_t at = text.find(c.what);
@@ -277,21 +277,21 @@ TEST(RunReader, RefusesADamagedLineWithItsNumberAndWhatIsWrong) {
     const bool has_rows_before = c.what != "# end of scene\n";
     const std::string remedy =
         has_rows_before
-            ? fmt::format("mend the line, or cut the file before it:\nhead -n {} RUN.csv > shorter.csv", line - 1)
-            : "mend the line";
+            ? fmt::format("correct the line, or cut the file before it:\nhead -n {} RUN.csv > shorter.csv", line - 1)
+            : "correct the line";
     EXPECT_TRUE(words.ends_with(remedy)) << words;
   }
 }
 
 TEST(RunReader, TellsTheColumnOfAWrongValue) {
   const std::string text = replaced(recording(), "naive,0.002,", "naive,nan,");
-  EXPECT_NE(words_of_refusal(text).find(":7: t_s is 'nan', which is no finite number; mend"), std::string::npos);
+  EXPECT_NE(words_of_refusal(text).find(":7: t_s is 'nan', which is not a finite number; correct"), std::string::npos);
 }
 
 TEST(RunReader, RefusesRowsOfOneTickThatHaveTwoGoals) {
   const std::string text = recording();
   const std::string other = replaced(text, "naive,0.002,-0.03984,", "naive,0.002,-0.03985,");
-  EXPECT_NE(words_of_refusal(other).find("the goal is another one than in line"), std::string::npos);
+  EXPECT_NE(words_of_refusal(other).find("the goal is not the same as in line"), std::string::npos);
 }
 
 // What the message asks for is enough.
@@ -310,7 +310,7 @@ TEST(RunReader, RefusesWhatADamagedTimeMakesTooLong) {
   const std::string last = replaced(text, "anisotropic,0.008,", "anisotropic,3e7,");
   const std::string line = std::to_string(std::count(text.begin(), text.end(), '\n'));
   const std::string words = words_of_refusal(last);
-  EXPECT_TRUE(words.starts_with("run.csv:" + line + ":1: with t_s = 30000000 there")) << words;
+  EXPECT_TRUE(words.starts_with("run.csv:" + line + ":1: with t_s = 30000000 here")) << words;
   EXPECT_NE(words_of_refusal(replaced(text, "naive,0.002,", "naive,3e7,")), "");
   EXPECT_NE(words_of_refusal(replaced(text, "\nfull,0.005,", "\nfull,3e7,")), "");
   // A recording begins when it likes, and is as long as its rows say.
@@ -344,7 +344,7 @@ TEST(RunReader, TakesWhatOtherProgramsMakeOfTheFile) {
       "hello,1,2,full,0,3,4,5,6,7,8\n",
       "run.csv");
   EXPECT_FALSE(moved.scene);
-  EXPECT_TRUE(has_warning(moved, "the scene is not told"));
+  EXPECT_TRUE(has_warning(moved, "its scene is missing or incomplete"));
   ASSERT_EQ(moved.ticks.size(), 1U);
   EXPECT_EQ(moved.ticks[0].goal, Vector<2>(3.0, 4.0));
   EXPECT_EQ(moved.ticks[0].rows[0]->force, Vector<2>(2.0, 1.0));
@@ -356,9 +356,9 @@ TEST(RunReader, SaysWhatItCannotKnow) {
   EXPECT_TRUE(has_warning(read_run(replaced(text, "# ghostforce " + std::string(version), "# ghostforce 99.1"), "f"),
                           "written by version 99.1"));
   const auto no_version = read_run(text.substr(text.find('\n') + 1), "f");
-  EXPECT_TRUE(has_warning(no_version, "which version of ghostforce wrote it is not told"));
+  EXPECT_TRUE(has_warning(no_version, "it does not say which version of ghostforce wrote it"));
   const auto no_scene = read_run(text.substr(text.find("\nstrategy,t_s") + 1), "f");
-  EXPECT_TRUE(has_warning(no_scene, "the scene is not told"));
+  EXPECT_TRUE(has_warning(no_scene, "its scene is missing or incomplete"));
   EXPECT_EQ(no_scene.ticks.size(), 9U);
   EXPECT_TRUE(no_scene.settings.empty());
 }

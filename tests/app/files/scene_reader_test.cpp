@@ -201,17 +201,17 @@ INSTANTIATE_TEST_SUITE_P(
                 "format = 1",
                 "format = 2\nnovelty = 1",
                 "1:10",
-                {"the key format", "is 2", "format 1 only"}},
-        BadFile{"FormatText", "format = 1", "format = \"1\"", "1:10", {"the key format: is a text", "format = 1"}},
+                {"the key format", "is 2", "only knows format 1"}},
+        BadFile{"FormatText", "format = 1", "format = \"1\"", "1:10", {"the key format: is a string", "format = 1"}},
         // wrong type
         BadFile{"TextForNumber",
                 "mass_kg = 0.1",
                 "mass_kg = \"0.1\"",
                 "9:11",
-                {"the key device.mass_kg: is a text", "give 0.001 to 100 kg"}},
+                {"the key device.mass_kg: is a string", "give 0.001 to 100 kg"}},
         BadFile{"BoolForNumber", "mass_kg = 0.1", "mass_kg = true", "9:11", {"is true or false"}},
         BadFile{"DateForNumber", "mass_kg = 0.1", "mass_kg = 2020-01-01", "9:11", {"is a date"}},
-        BadFile{"NumberForText", "\"A title\"", "42", "2:10", {"the key title: is a number", "a text in quotes"}},
+        BadFile{"NumberForText", "\"A title\"", "42", "2:10", {"the key title: is a number", "a string in quotes"}},
         BadFile{"NumberForChoice", "\"naive\"", "1", "16:12", {"is a number", "one of full, naive, anisotropic"}},
         BadFile{"NumberForPoint", "[1.0, -2]", "1.0", "5:14", {"is a number", "[x, y]"}},
         BadFile{"TableForNumber", "mass_kg = 0.1", "mass_kg = { kg = 1 }", "9:11", {"is a table"}},
@@ -236,7 +236,8 @@ INSTANTIATE_TEST_SUITE_P(
                 {"inf is out of range", "finite number of degrees"}},
         BadFile{"NanWall", "k_c_N_per_m = 1e5", "k_c_N_per_m = nan", "19:15", {"nan is out of range", "N/m, or inf"}},
         BadFile{"MinusInf", "k_c_N_per_m = 1e5", "k_c_N_per_m = -inf", "19:15", {"-inf is out of range"}},
-        BadFile{"UnknownWord", "\"naive\"", "\"naïve\"", "16:12", {"'naïve' is none of full", "did you mean 'naive'?"}},
+        BadFile{
+            "UnknownWord", "\"naive\"", "\"naïve\"", "16:12", {"'naïve' is not one of full", "did you mean 'naive'?"}},
         BadFile{"RatioWord", "11.5", "\"optimum\"", "20:18", {"'optimum'", "give 'optimal' or 0.001 to 1000"}},
         BadFile{"ThreeNumbers", "[1.0, -2]", "[1.0, -2, 3]", "5:14", {"is an array of 3", "[x, y]"}},
         BadFile{"FarPoint", "[1.0, -2]", "[1.0, -1000.5]", "5:20", {"-1000.5 is out of range", "-1000 to 1000 mm"}},
@@ -329,7 +330,7 @@ TEST(SceneReader, KeepsTerminalsSafe) {
   } catch (const ReadError& error) {
     EXPECT_STREQ(
         error.what(),
-        "\\x1B[31m.toml:1:1: the file is empty; begin it with format = 1, or start from a copy of a shipped scene");
+        "\\x1B[31m.toml:1:1: the file is empty; start it with format = 1, or start from a copy of a shipped scene");
   }
 }
 
@@ -392,19 +393,19 @@ INSTANTIATE_TEST_SUITE_P(
     Table, SceneReaderSetRefuses,
     testing::Values(
         BadSet{"NoEquals", "device.mass_kg", {"give KEY=VALUE"}}, BadSet{"NoKey", "=3", {"give KEY=VALUE"}},
-        BadSet{"NoValue", "device.mass_kg=", {"the key device.mass_kg: nothing is no value"}},
+        BadSet{"NoValue", "device.mass_kg=", {"the key device.mass_kg: it has no value"}},
         BadSet{"NoTable", "k_r_N_per_m=3", {"the key k_r_N_per_m is unknown", "did you mean 'rendering.k_r_N_per_m'?"}},
         BadSet{"NoUnit", "rendering.k_r=3", {"did you mean 'rendering.k_r_N_per_m'?"}},
         BadSet{"OtherTable", "wall.mass_kg=3", {"did you mean 'device.mass_kg'?"}},
         BadSet{"NearHereButExactThere", "user.k_r_N_per_m=3", {"did you mean 'rendering.k_r_N_per_m'?"}},
         BadSet{"TableSlip", "rendring.k_r_N_per_m=3", {"did you mean 'rendering.k_r_N_per_m'?"}},
         BadSet{"Nonsense", "banana=3", {"the key banana is unknown"}},
-        BadSet{"WordForNumber", "device.mass_kg=heavy", {"the key device.mass_kg: is a text", "0.001 to 100 kg"}},
-        BadSet{"NoToml", "device.mass_kg=1,5", {"the key device.mass_kg: 1,5 is no value"}},
-        BadSet{"OpenQuote", "title=\"x", {"the key title: \"x is no value"}},
-        BadSet{"NoUtf8", "title=\xFF", {"a text in UTF-8"}},
+        BadSet{"WordForNumber", "device.mass_kg=heavy", {"the key device.mass_kg: is a string", "0.001 to 100 kg"}},
+        BadSet{"NoToml", "device.mass_kg=1,5", {"the key device.mass_kg: 1,5 is not a value"}},
+        BadSet{"OpenQuote", "title=\"x", {"the key title: \"x is not a value"}},
+        BadSet{"NoUtf8", "title=\xFF", {"a string in UTF-8"}},
         BadSet{"OutOfRange", "device.mass_kg=1000", {"1000 is out of range", "0.001 to 100 kg"}},
-        BadSet{"Word", "rendering.strategy=naiv", {"'naiv' is none of", "did you mean 'naive'?"}},
+        BadSet{"Word", "rendering.strategy=naiv", {"'naiv' is not one of", "did you mean 'naive'?"}},
         BadSet{"RatioWord", "rendering.tracking_ratio=best", {"'best'", "give 'optimal'"}},
         BadSet{"Shape", "wall.point_mm=[1]", {"is an array of 1", "[x, y]"}},
         BadSet{"Entry", "goal.times_s=[0, -1]", {"-1 s comes after 0 s"}},
@@ -415,7 +416,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(SceneReaderSet, OneArgumentIsOneValue) {
   const std::string said = refusal(good_scene, {"device.mass_kg=1\nvalue2 = 3"});
-  EXPECT_NE(said.find("is no value"), std::string::npos) << said;
+  EXPECT_NE(said.find("is not a value"), std::string::npos) << said;
   EXPECT_EQ(said.find('\n'), std::string::npos) << said;
 }
 

@@ -61,13 +61,13 @@ TEST(TomlReader, TellsAllOfItInTheOrderOfTheFile) {
             "shelf.toml:1:1: the key height_m is missing; measure it\n"
             "shelf.toml:2:10: the key boards: has a decimal point or an exponent; give a whole number, 1 to 9\n"
             "shelf.toml:3:2: the table [woods] is unknown; did you mean 'wood'?\n"
-            "shelf.toml:4:3: wood is an array, and must be a table; write [wood] on a line of its own");
+            "shelf.toml:4:3: wood is an array, but must be a table; write [wood] on a line of its own");
   EXPECT_EQ(words_about("height_m = 1\n[banana]\n"),
             "shelf.toml:2:2: the table [banana] is unknown; the tables are wood");
-  EXPECT_EQ(words_about("height_m = 1\n[wood]\noak = 1\nboards = 2\n"),
-            "shelf.toml:3:7: the key wood.oak: is a number; give true or false\n"
-            "shelf.toml:4:1: the key wood.boards is unknown; did you mean 'boards'? It stands before the first "
-            "[table]");
+  EXPECT_EQ(
+      words_about("height_m = 1\n[wood]\noak = 1\nboards = 2\n"),
+      "shelf.toml:3:7: the key wood.oak: is a number; give true or false\n"
+      "shelf.toml:4:1: the key wood.boards is unknown; did you mean 'boards'? It belongs before the first [table]");
 }
 
 // No double is exactly this number, which is one all the same.

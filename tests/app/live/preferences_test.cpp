@@ -90,7 +90,7 @@ TEST_F(PreferencesTest, AllThatIsDamagedIsSaidWithItsLine) {
   write_preferences("theme = \"pink\"\nscale = 99\n");
   const StoredPreferences stored = load_preferences();
   ASSERT_EQ(stored.remarks.size(), 1U);
-  EXPECT_NE(stored.remarks[0].find("(line 1: the key theme: 'pink' is none of light, dark, projector; "
+  EXPECT_NE(stored.remarks[0].find("(line 1: the key theme: 'pink' is not one of light, dark, projector; "
                                    "line 2: the key scale: 99 is out of range; give 0.75 to 3)"),
             std::string::npos)
       << stored.remarks[0];

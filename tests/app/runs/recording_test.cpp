@@ -96,7 +96,7 @@ TEST(Recording, NeverOverwrites) {
     return "";
   };
   EXPECT_NE(
-      words_of(folder / "run.csv").find("exists already, and a recording overwrites nothing; choose another name"),
+      words_of(folder / "run.csv").find("already exists, and a recording never overwrites a file; choose another name"),
       std::string::npos);
   EXPECT_EQ(read_whole(folder / "run.csv"), "precious");
   EXPECT_NE(words_of(folder / "no/run.csv").find("create the folder"), std::string::npos);
@@ -344,7 +344,7 @@ TEST_F(RecordingWindow, AnotherSceneOrInputEndsIt) {
 TEST_F(RecordingWindow, TellsWhatCannotBeWrittenAndGoesOn) {
   write_whole(folder_ / "run.csv", "precious");
   record(folder_ / "run.csv");
-  EXPECT_NE(notice().find("overwrites nothing"), std::string::npos) << notice();
+  EXPECT_NE(notice().find("never overwrites a file"), std::string::npos) << notice();
   EXPECT_TRUE(session().notice->is_problem);
   EXPECT_EQ(read_whole(folder_ / "run.csv"), "precious");
   const std::int64_t tick = now().tick;
@@ -403,7 +403,7 @@ TEST_F(RecordingWindow, ReplaysARecordingThatIsDropped) {
   const std::string none = folder_ / "none.csv";
   write_whole(none, "hello");
   drop({none.c_str()});
-  EXPECT_NE(notice().find("this is no run"), std::string::npos) << notice();
+  EXPECT_NE(notice().find("this is not a run"), std::string::npos) << notice();
   EXPECT_EQ(session().input, "replay");
 }
 

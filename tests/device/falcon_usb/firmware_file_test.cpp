@@ -90,7 +90,7 @@ TEST(FirmwareFile, RefusesWhatGoesOn) {
   bytes.push_back(0);
   EXPECT_NE(refusal(bytes), "");
   bytes.push_back(0);
-  EXPECT_NE(refusal(bytes).find("the file goes on"), std::string::npos);
+  EXPECT_NE(refusal(bytes).find("the file continues"), std::string::npos);
 }
 
 // Every word that is not the program itself, with every single bit of it flipped.
@@ -116,12 +116,12 @@ TEST(FirmwareFile, RefusesEveryFieldThatIsWrong) {
 
 TEST(FirmwareFile, RefusesBlocksThatCannotBe) {
   EXPECT_NE(refusal(boot_table({})).find("there is no block"), std::string::npos);
-  EXPECT_NE(refusal(boot_table({{0x3F8000, 2}})).find("where no block lies"), std::string::npos);
-  EXPECT_NE(refusal(boot_table({{entry, 4}, {entry + 3, 4}})).find("lies on top of"), std::string::npos);
+  EXPECT_NE(refusal(boot_table({{0x3F8000, 2}})).find("which is in no block"), std::string::npos);
+  EXPECT_NE(refusal(boot_table({{entry, 4}, {entry + 3, 4}})).find("overlaps the one at"), std::string::npos);
   EXPECT_NE(refusal(boot_table({{entry, 4}, {0x3FFFFF, 2}})).find("outside"), std::string::npos);
   EXPECT_NE(refusal(boot_table({{entry, 4}, {0xFFFFFFFF, 2}})).find("outside"), std::string::npos);
   EXPECT_EQ(refusal(boot_table({{entry, 4}, {entry + 4, 4}})), "");
-  EXPECT_NE(refusal(boot_table({{entry, 40000}})).find("goes on"), std::string::npos);  // 80 kB
+  EXPECT_NE(refusal(boot_table({{entry, 40000}})).find("the file is too long"), std::string::npos);  // 80 kB
 }
 
 TEST(FirmwareFile, SaysAtWhichByteAndWhatToDo) {

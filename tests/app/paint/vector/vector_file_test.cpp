@@ -195,7 +195,7 @@ TEST(RenderVectors, RefusesTwoOutputsOfOneName) {
     call.folder = folder.path();
     const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, call);
     EXPECT_EQ(outcome.out, "");
-    return outcome.exit_code == 2 && outcome.err.find("what --output writes goes there already") != std::string::npos;
+    return outcome.exit_code == 2 && outcome.err.find("--output already writes to this file") != std::string::npos;
   };
   EXPECT_TRUE(refused("x.pdf", "./x.pdf"));
   EXPECT_TRUE(refused("x.pdf", "none/../x.pdf"));
