@@ -1,8 +1,6 @@
 #include "app/ui/gestures.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <optional>
 #include <variant>
 
@@ -12,44 +10,28 @@
 #include "app/ui/widgets/tooltips.h"
 #include "app/view/fit.h"
 #include "app/view/handles.h"
-#include "core/units.h"
+#include "app/view/screen_box.h"
 
 namespace ghostforce {
 namespace {
-
-constexpr double zoom_per_notch = 1.15;
-constexpr double snap = 5.0 * radians_per_degree;
-// A click on a handle is no turn yet [points].
-constexpr double first_turn = 2.0;
-
-Vector<2> vector_of(ImVec2 point) {
-  return {static_cast<double>(point.x), static_cast<double>(point.y)};
-}
-
-// Counter-clockwise, of a direction on the screen [rad].
-double angle_on_screen(const Vector<2>& direction) {
-  return std::atan2(-direction.y, direction.x);
-}
 
 double& angle_of(Handle handle, Settings& settings) {
   return handle == Handle::motor_axis ? settings.actuated_angle : settings.wall_normal_angle;
 }
 
-// Of the arrow that ends last, seen from the device.
+// Where the force ends, seen from the device.
 std::optional<FitPoint> tip_of_force(const Pane& pane) {
   std::optional<Vector<2>> device;
-  std::optional<FitPoint> tip;
+  std::optional<Vector<2>> tip;
   for (const Mark& mark : pane.marks) {
-    const bool is_active = mark.strategy == pane.active;
-    if (const auto* marker = std::get_if<Marker>(&mark.form); is_active && marker && mark.role == Role::device) {
-      device = marker->center;
-    }
-    const bool is_force = mark.role == Role::force || mark.role == Role::ghost_force;
-    if (const auto* arrow = std::get_if<Arrow>(&mark.form); device && is_force && arrow) {
-      tip = FitPoint{*device, to_screen(pane.camera, arrow->tip) - to_screen(pane.camera, *device)};
-    }
+    if (mark.strategy != pane.active) continue;
+    const auto* marker = std::get_if<Marker>(&mark.form);
+    const auto* arrow = std::get_if<Arrow>(&mark.form);
+    if (marker != nullptr && mark.role == Role::device) device = marker->center;
+    if (arrow != nullptr && (mark.role == Role::force || mark.role == Role::ghost_force)) tip = arrow->tip;
   }
-  return tip;
+  if (!device || !tip) return std::nullopt;
+  return FitPoint{*device, to_screen_direction(*tip - *device) * pane.camera.points_per_metre};
 }
 
 const Pane& pane_of(const std::vector<Pane>& panes, StrategyId id) {
@@ -85,7 +67,7 @@ void Gestures::take(Session& session, const std::vector<Pane>& panes, const Vect
   }
   if (const float wheel = ImGui::GetIO().MouseWheel; is_hovered && wheel != 0.0F) {
     const Pane& pane = pane_at(panes, pointer);
-    const double factor = std::pow(zoom_per_notch, static_cast<double>(wheel));
+    const double factor = zoom_factor(wheel);
     const Vector<2> at = to_world(pane.camera, pointer - pane.corner);
     if (session.pane_views) {
       session.pane_views = zoomed(*session.pane_views, factor, pane.active, at);
@@ -108,7 +90,6 @@ void Gestures::take(Session& session, const std::vector<Pane>& panes, const Vect
 void Gestures::begin(Session& session, const Settings& shown, const Pane& pane, const Vector<2>& pointer, double unit) {
   began_at_ = pointer;
   last_ = pointer;
-  has_turned_ = false;
   if (ImGui::IsMouseDown(ImGuiMouseButton_Right)) {
     grip_ = Grip::picture;
     return;
@@ -124,7 +105,7 @@ void Gestures::begin(Session& session, const Settings& shown, const Pane& pane, 
   if (held_ != Handle::none) {
     Settings settings = shown;
     grip_ = Grip::handle;
-    began_angle_ = angle_of(held_, settings);
+    held_angle_.begin(pointer, angle_of(held_, settings));
   } else {
     grip_ = session.pointer_moves_goal ? Grip::goal : session.circle_test.is_on ? Grip::circle : Grip::nothing;
   }
@@ -144,14 +125,16 @@ void Gestures::go_on(Session& session, const Settings& shown, const Pane& pane, 
     }
     case Grip::circle:
       // Whoever drags wants the goal back; a click is no drag.
-      if (glm::distance(pointer, began_at_) < first_turn * unit) break;
+      if (glm::distance(pointer, began_at_) < HeldAngle::first_turn * unit) break;
       session.requests.input = session.circle_test.input_before;
       grip_ = Grip::goal;
       break;
     case Grip::handle:
       ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-      turn(session, shown, pane, pointer, unit);
-      has_turned_ = has_turned_ || glm::distance(pointer, began_at_) >= first_turn * unit;
+      if (const auto angle =
+              held_angle_.turned(pivot_of(held_, shown, pane.camera, unit), pointer, unit, ImGui::GetIO().KeyCtrl)) {
+        angle_of(held_, session.settings) = *angle;
+      }
       break;
     case Grip::picture: {
       ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
@@ -165,17 +148,6 @@ void Gestures::go_on(Session& session, const Settings& shown, const Pane& pane, 
     }
   }
   last_ = pointer;
-}
-
-// By as much as the pointer has gone round the pivot since the handle was grabbed: it never jumps to the pointer.
-void Gestures::turn(Session& session, const Settings& shown, const Pane& pane, const Vector<2>& pointer,
-                    double unit) const {
-  if (!has_turned_ && glm::distance(pointer, began_at_) < first_turn * unit) return;
-  const Vector<2> pivot = pivot_of(held_, shown, pane.camera, unit);
-  if (glm::distance(pointer, pivot) < first_turn * unit) return;  // no direction there
-  double angle = began_angle_ + angle_on_screen(pointer - pivot) - angle_on_screen(began_at_ - pivot);
-  if (!ImGui::GetIO().KeyCtrl) angle = std::round(angle / snap) * snap;
-  angle_of(held_, session.settings) = std::remainder(angle, 2.0 * std::numbers::pi);
 }
 
 SceneView view_of_everything(const Session& session, const std::vector<Pane>& panes, const Vector<2>& size,

@@ -7,6 +7,7 @@
 
 #include "app/paint/label_painter.h"
 #include "app/session/session.h"
+#include "app/ui/widgets/pointing.h"
 #include "app/view/panes.h"
 #include "app/view/shown_moment.h"
 
@@ -30,7 +31,6 @@ class Gestures {
 
   void begin(Session& session, const Settings& shown, const Pane& pane, const Vector<2>& pointer, double unit);
   void go_on(Session& session, const Settings& shown, const Pane& pane, const Vector<2>& pointer, double unit);
-  void turn(Session& session, const Settings& shown, const Pane& pane, const Vector<2>& pointer, double unit) const;
 
   LabelFonts fonts_;
   Grip grip_ = Grip::nothing;
@@ -38,8 +38,7 @@ class Gestures {
   Handle held_ = Handle::none;
   StrategyId pane_ = StrategyId::full;  // in which the drag began
   Vector<2> began_at_{0.0};             // pointer in its pane [points]
-  double began_angle_ = 0.0;            // of the handle's setting [rad]
-  bool has_turned_ = false;
+  HeldAngle held_angle_;
   Vector<2> last_{0.0};  // pointer in its pane, a frame ago [points]
 };
 

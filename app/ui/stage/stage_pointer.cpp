@@ -1,8 +1,6 @@
 #include "app/ui/stage/stage_pointer.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include <imgui.h>
 
@@ -10,23 +8,11 @@
 #include "app/session/stage_actions.h"
 #include "app/view/screen_box.h"
 #include "app/view/stage/landscape_layout.h"
-#include "core/units.h"
 
 namespace ghostforce {
 namespace {
 
-constexpr double stage_zoom_per_notch = 1.15;
-constexpr double stage_snap = 5.0 * radians_per_degree;
-constexpr double hand_room = 30.0;        // of a fist round the goal [points of the design]
-constexpr double stage_first_turn = 2.0;  // a click is no turn yet [points]
-
-Vector<2> point_of(ImVec2 point) {
-  return {static_cast<double>(point.x), static_cast<double>(point.y)};
-}
-
-double angle_of_direction(const Vector<2>& direction) {
-  return std::atan2(-direction.y, direction.x);
-}
+constexpr double hand_room = 30.0;  // of a fist round the goal [points of the design]
 
 std::optional<StageAction> button_at(const StagePicture& picture, const Vector<2>& pointer) {
   const auto button =
@@ -95,7 +81,7 @@ void StagePointer::update(Session& session, const StageFrame& frame, const Stage
   const ImGuiIO& io = ImGui::GetIO();
   const bool is_held = ImGui::IsItemActive();
   const bool is_hovered = ImGui::IsItemHovered();
-  const Vector<2> pointer = point_of(io.MousePos) - point_of(corner);
+  const Vector<2> pointer = vector_of(io.MousePos) - vector_of(corner);
   const Scene scene{picture};
   has_touched_ = is_held || (is_hovered && (pointer != last_ || io.MouseWheel != 0.0F));
   session.drags_goal = false;
@@ -116,11 +102,10 @@ void StagePointer::update(Session& session, const StageFrame& frame, const Stage
   }
   const bool has_own_view = session.stage.mode == StageMode::landscape || session.stage.mode == StageMode::round;
   if (is_hovered && io.MouseWheel != 0.0F && !has_own_view) {
-    session.stage_shown = zoomed(
-        session.stage_shown, std::pow(stage_zoom_per_notch, static_cast<double>(io.MouseWheel)), scene.world(pointer));
+    session.stage_shown = zoomed(session.stage_shown, zoom_factor(io.MouseWheel), scene.world(pointer));
   }
   if (ImGui::IsItemActivated()) {
-    began_at_ = last_ = pointer;
+    last_ = pointer;
     hold_ = Hold::nothing;
     if (ImGui::IsMouseDown(ImGuiMouseButton_Right)) {
       if (!has_own_view) hold_ = Hold::picture;
@@ -132,8 +117,8 @@ void StagePointer::update(Session& session, const StageFrame& frame, const Stage
       act_on_stage(session, *action, frame.loop.motors);
     } else {
       hold_ = hold_at(session, scene, pointer, guess_is_open);
-      if (hold_ == Hold::motor) began_angle_ = session.settings.actuated_angle;
-      if (hold_ == Hold::wall) began_angle_ = session.settings.wall_normal_angle;
+      if (hold_ == Hold::motor) held_angle_.begin(pointer, session.settings.actuated_angle);
+      if (hold_ == Hold::wall) held_angle_.begin(pointer, session.settings.wall_normal_angle);
     }
   }
   if (is_held) drag(session, scene, pointer);
@@ -185,12 +170,8 @@ void StagePointer::drag(Session& session, const Scene& scene, const Vector<2>& p
   }
 }
 
-// By as much as the pointer has gone round the pivot since the grip was taken: it never jumps to the pointer.
-void StagePointer::turn(double& angle, const Vector<2>& pivot, const Vector<2>& pointer) const {
-  if (glm::distance(pointer, began_at_) < stage_first_turn || glm::distance(pointer, pivot) < stage_first_turn) return;
-  double turned = began_angle_ + angle_of_direction(pointer - pivot) - angle_of_direction(began_at_ - pivot);
-  if (!ImGui::GetIO().KeyCtrl) turned = std::round(turned / stage_snap) * stage_snap;
-  angle = std::remainder(turned, 2.0 * std::numbers::pi);
+void StagePointer::turn(double& angle, const Vector<2>& pivot, const Vector<2>& pointer) {
+  angle = held_angle_.turned(pivot, pointer, 1.0, ImGui::GetIO().KeyCtrl).value_or(angle);
 }
 
 }  // namespace ghostforce

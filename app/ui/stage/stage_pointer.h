@@ -7,6 +7,7 @@
 
 #include "app/session/session.h"
 #include "app/ui/stage/stage_frame.h"
+#include "app/ui/widgets/pointing.h"
 #include "app/view/stage/stage.h"
 
 namespace ghostforce {
@@ -27,15 +28,14 @@ class StagePointer {
 
   Hold hold_at(const Session& session, const Scene& scene, const Vector<2>& pointer, bool guess_is_open) const;
   void drag(Session& session, const Scene& scene, const Vector<2>& pointer);
-  void turn(double& angle, const Vector<2>& pivot, const Vector<2>& pointer) const;
+  void turn(double& angle, const Vector<2>& pivot, const Vector<2>& pointer);
 
   Hold hold_ = Hold::nothing;
   StageGrip hovered_grip_ = StageGrip::none;
   std::optional<StageAction> hovered_;
   bool has_touched_ = false;
-  Vector<2> began_at_{0.0};   // [points]
-  double began_angle_ = 0.0;  // [rad]
-  Vector<2> last_{0.0};       // a frame ago [points]
+  HeldAngle held_angle_;
+  Vector<2> last_{0.0};  // a frame ago [points]
 };
 
 }  // namespace ghostforce
