@@ -2,7 +2,8 @@
 
 #include <array>
 
-#include "app/ui/widgets/tooltips.h"
+#include "app/session/measurement_guide.h"
+#include "app/ui/widgets/controls.h"
 
 namespace ghostforce {
 namespace {
@@ -74,6 +75,11 @@ void draw_plots(const PanelContext& context, const PlotHistory& history) {
     ImGui::SameLine();
   }
   draw_buttons(context);
+  // Curves of theory know the hand.
+  if (view.tab != PlotTab::time && (hides_answer(context.session) || is_measuring(context.session))) {
+    wrapped_text("These curves are hidden while the hand is measured: they would show the answer.");
+    return;
+  }
   tabs[static_cast<std::size_t>(view.tab)].draw(context, history);
 }
 
