@@ -14,6 +14,8 @@ class CircleInputLink final : public InputLink {
 
   void begin(Session& session) override {
     session.folded_panels.erase(std::string(passivity_panel));
+    // The sense that is worth seeing: a wall that is rendered naïvely gives energy to the hand.
+    session.circle_test.choice.is_clockwise = makes_energy_clockwise(session.settings);
     session.circle_test.is_on = true;
     session.circle_test.has_news = true;
     measure(session);

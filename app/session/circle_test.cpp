@@ -5,7 +5,6 @@ namespace ghostforce {
 void begin_circle_test(Session& session) {
   if (session.circle_test.is_on) return;
   session.circle_test.input_before = session.input;
-  session.circle_test.choice.is_clockwise = makes_energy_clockwise(session.settings);
   session.requests.input = circling_hand.name;
 }
 

@@ -6,7 +6,7 @@
 
 namespace ghostforce {
 
-// In the sense in which a wall that is rendered naïvely gives energy to the hand. Does nothing while it is on.
+// Does nothing while it is on.
 void begin_circle_test(Session& session);
 
 void end_circle_test(Session& session);

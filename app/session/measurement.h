@@ -47,6 +47,9 @@ struct UserMeasurement {
   bool has_begun_anew = false;  // something was changed that the readings depended on
   std::optional<double> drift;  // as drift_direction() in core/user_measurement.h has it; empty: not in contact [m]
   double k_r = 0.0;             // that the readings are made with [N/m]
+  double first_ratio = 1.0;     // ρ at the start of this reading: what the range of its slider goes by
+  bool is_revealed = false;     // the person has asked for the stiffness that the hand was given
+  bool was_blind = true;        // not before the last reading
   bool has_news = false;        // something to look at has appeared; who has brought it into sight clears it
   // Of the hand that was measured, where it is a simulated one: what the median is to be compared with [N/m].
   std::optional<double> given_k_u;

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 #include "app/session/target.h"
 
@@ -22,17 +24,17 @@ constexpr double hand_average_s = 0.3;  // over which the drift of a trembling h
 // In the order of MeasuringStep.
 constexpr std::array<std::string_view, 13> step_words{
     "Time is paused: press Space.",
-    "The circle never rests: choose another input.",
-    "Turn the motors on: the button at the top right.",
-    "Press 3: the ratio ρ acts in anisotropic rendering.",
-    "Turn the wall or the motor: here the proxy never drifts.",
+    "The circle never rests: end the circle test.",
+    "Arm the motors with the button at the top right.",
+    "Press 3: the ratio ρ acts on anisotropic rendering only.",
+    "Turn the wall or the actuated direction: the proxy never drifts here.",
     "Raise k_r: nothing is rendered.",
     "Drag the goal into the hatched side, and let go.",
     "The motors are at their limit: press less deep.",
     "Raise ρ until the drift is gone.",
     "Lower ρ until the drift is gone.",
     "The drift is gone: hold still.",
-    "No hand has a ratio of 1 or less: press deeper, or raise k_r.",
+    "No hand has a ratio of 1 or less: press deeper or raise k_r.",
     "The drift is gone: take the reading.",
 };
 static_assert(step_words.size() == static_cast<std::size_t>(MeasuringStep::take) + 1);
@@ -45,11 +47,20 @@ Settings basis_of(Settings settings) {
   return settings;
 }
 
+// From 0 to 1, another one for each number, and the same one every time.
+double scattered(double number) {
+  std::uint64_t bits = std::bit_cast<std::uint64_t>(number) * 0x9e3779b97f4a7c15U;
+  bits = (bits ^ (bits >> 31)) * 0xbf58476d1ce4e5b9U;
+  return static_cast<double>((bits ^ (bits >> 29)) >> 11) * 0x1p-53;
+}
+
+// Nobody can tell from where the first reading starts what is believed, which may be the answer.
 double expected_ratio(const Session& session) {
   const UserMeasurement& measurement = session.measurement;
   const Stiffnesses& stiffnesses = session.settings.stiffnesses;
   if (measurement.readings.empty()) {
-    return optimal_tracking_ratio(stiffnesses.k_r, believed_user_stiffness(stiffnesses));
+    const double believed = optimal_tracking_ratio(stiffnesses.k_r, believed_user_stiffness(stiffnesses));
+    return believed * (0.8 + 0.7 * scattered(believed));
   }
   std::vector<double> ratios;
   for (const TakenReading& reading : measurement.readings) ratios.push_back(reading.tracking_ratio);
@@ -58,8 +69,9 @@ double expected_ratio(const Session& session) {
 
 void set_next_ratio(Session& session) {
   const std::size_t next = session.measurement.readings.size();
-  session.settings.stiffnesses.chosen_tracking_ratio =
-      tracking_ratio_range.nearest_to(expected_ratio(session) * first_ratios[next]);
+  const double ratio = tracking_ratio_range.nearest_to(expected_ratio(session) * first_ratios[next]);
+  session.measurement.first_ratio = ratio;
+  session.settings.stiffnesses.chosen_tracking_ratio = ratio;
 }
 
 void restore(Session& session) {
@@ -125,6 +137,17 @@ MeasuringStep next_step(const Session& session, const Snapshot& snapshot, const 
 
 bool is_measuring(const Session& session) noexcept {
   return session.measurement.stage == Stage::nulling;
+}
+
+bool hides_answer(const Session& session) noexcept {
+  const UserMeasurement& measurement = session.measurement;
+  const bool has_answer = is_measuring(session) || (measurement.stage == Stage::done && measurement.given_k_u);
+  return has_answer && !measurement.is_revealed;
+}
+
+void reveal_hand(Session& session) noexcept {
+  session.measurement.is_revealed = true;
+  if (is_measuring(session)) session.measurement.was_blind = false;
 }
 
 void start_measuring(Session& session) {

@@ -15,6 +15,13 @@ namespace ghostforce {
 
 bool is_measuring(const Session& session) noexcept;
 
+// The screen keeps what the measurement is to find out, or what theory makes of it: until it has ended, and of a hand that
+// is simulated until the person asks for its given stiffness.
+bool hides_answer(const Session& session) noexcept;
+
+// Shows what was hidden. A measurement that has not ended is not blind any more.
+void reveal_hand(Session& session) noexcept;
+
 // From the state that the session is in. The input stays: the first step says so where it never rests.
 void start_measuring(Session& session);
 

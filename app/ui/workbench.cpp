@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "app/session/measurement_guide.h"
 #include "app/session/target.h"
 #include "app/ui/fixed_window.h"
 #include "app/ui/panels/caption.h"
@@ -151,6 +152,8 @@ void Workbench::draw(const PanelContext& context, const WorkbenchFrame& frame) {
 void Workbench::compose(const PanelContext& context, const WorkbenchFrame& frame) {
   Session& session = context.session;
   const bool is_live = frame.is_live;
+  ViewOptions options = session.options;
+  options.predictions = options.predictions && !hides_answer(session);
   const Handle hovered = !is_live                                     ? Handle::none
                          : points_at(session, HintTarget::motor_axis) ? Handle::motor_axis
                                                                       : gestures_.hovered();
@@ -158,7 +161,7 @@ void Workbench::compose(const PanelContext& context, const WorkbenchFrame& frame
                          .snapshot = frame.moment.snapshot,
                          .history = frame.history,
                          .theme = context.theme,
-                         .options = session.options,
+                         .options = options,
                          .shown = session.shown,
                          .size = scene_size_,
                          .scale = static_cast<double>(context.scale),

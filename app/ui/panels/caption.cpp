@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "app/session/measurement_guide.h"
 #include "app/ui/panels/hints.h"
 #include "app/ui/widgets/controls.h"
 #include "core/prediction.h"
@@ -58,6 +59,7 @@ std::string words_of(const PanelContext& context) {
     return fmt::format("The wall wants to push harder than the motors may: they give {:.1f} N. Press less deep.",
                        glm::length(motors.sent));
   }
+  if (is_measuring(context.session)) return "The hand is being measured: the panel says what to do.";
   if (context.snapshot.measured) return words_in_hand(context);
   return std::string(caption_of(context.settings, context.snapshot.goal));
 }

@@ -8,6 +8,8 @@
 #include "app/session/measurement_guide.h"
 #include "app/ui/panels/panel_catalog.h"
 #include "app/ui/widgets/controls.h"
+#include "app/view/number_text.h"
+#include "core/units.h"
 
 namespace ghostforce {
 namespace {
@@ -16,12 +18,14 @@ constexpr double ruler_reach = 0.010;  // to either side [m]
 
 void draw_invitation(Session& session) {
   wrapped_text(
-      "How stiff is the hand? Turn the ratio ρ until the proxy no longer slides along the wall: that ρ tells. Five "
+      "How stiff is the hand? Turn the ratio ρ until the proxy no longer drifts along the wall: that ρ tells. Do it "
+      "five "
       "times, and the median counts.");
   if (ImGui::Button("Start measuring")) start_measuring(session);
   tooltip(
-      "Chooses the anisotropic strategy and a ratio that is off. Afterwards, or when it is cancelled, both are as "
-      "they were.");
+      "Chooses the anisotropic strategy and a wrong ratio, and hides what would give the answer away. Afterwards "
+      "strategy "
+      "and ratio are as they were.");
 }
 
 // Two lines, so that nothing below moves when the words change.
@@ -37,9 +41,8 @@ void draw_step(const PanelContext& context, const UserMeasurement& measurement) 
 void draw_drift(const PanelContext& context, const UserMeasurement& measurement) {
   ImGui::BeginGroup();
   ImGui::PushFont(context.fonts.number, 2.0F * ImGui::GetStyle().FontSizeBase);
-  // + 0.0 turns the −0 that rounding leaves into 0.
   const std::string number =
-      measurement.drift ? fmt::format("{:+7.2f}", std::round(*measurement.drift * 1e5) / 100.0 + 0.0) : "      —";
+      fmt::format("{:>7}", measurement.drift ? signed_decimal_text(mm_per_m * *measurement.drift, 2) : "—");
   ImGui::TextUnformatted(fmt::format("{} mm", number).c_str());
   ImGui::PopFont();
   const float width = ImGui::GetContentRegionAvail().x;
@@ -62,7 +65,7 @@ void draw_drift(const PanelContext& context, const UserMeasurement& measurement)
   for (const int mm : {-10, -5, 0, 5, 10}) {
     const float x = x_of(0.001 * mm);
     draw_list.AddLine({x, y - 0.6F * radius}, {x, y + 0.6F * radius}, ink, (mm == 0 ? 2.5F : 1.5F) * scale);
-    const std::string words = mm == 0 ? "0" : fmt::format("{:+d}", mm);
+    const std::string words = signed_decimal_text(mm, 0);
     const ImVec2 size = ImGui::CalcTextSize(words.c_str());
     draw_list.AddText({x - 0.5F * size.x, y + radius + 2.0F * scale}, packed(context.theme.faint_text), words.c_str());
   }
@@ -79,14 +82,14 @@ void draw_ratio(const PanelContext& context) {
   Stiffnesses& stiffnesses = context.session.settings.stiffnesses;
   if (!begin_rows("measured ratio", context)) return;
   row("Ratio ρ", Term::tracking_ratio);
-  // Round what is believed, so that it stays where it is while ρ is turned.
-  const double believed = optimal_tracking_ratio(stiffnesses.k_r, believed_user_stiffness(stiffnesses));
-  const SliderLimits limits{std::min(0.5, 0.1 * believed), std::max(20.0, 10.0 * believed)};
+  // A decade to either side of where the reading began: what is believed must not show.
+  const double first = context.session.measurement.first_ratio;
+  const SliderLimits limits{0.1 * first, 10.0 * first};
   double ratio = tracking_ratio(stiffnesses);
   if (slider("##ratio", ratio, limits, "%.2f", ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp)) {
     stiffnesses.chosen_tracking_ratio = ratio;
   }
-  tooltip("Drag, or press − and +: 5 %, with Alt 1 %.");
+  tooltip("Drag, or press − and + for 5 %, with Alt for 1 %.");
   end_rows();
 }
 
@@ -94,7 +97,7 @@ void draw_nulling(const PanelContext& context) {
   Session& session = context.session;
   const UserMeasurement& measurement = session.measurement;
   std::string head = fmt::format("Reading {} of {}", measurement.readings.size() + 1, readings_wanted);
-  if (measurement.has_begun_anew) head += ": something was changed, so it begins anew.";
+  if (measurement.has_begun_anew) head += ". Something was changed, so the measurement began again.";
   wrapped_text(head);
   draw_step(context, measurement);
   draw_drift(context, measurement);
@@ -106,7 +109,7 @@ void draw_nulling(const PanelContext& context) {
   tooltip("Takes this ρ as a reading: k_u = k_r / (ρ − 1).");
   ImGui::SameLine();
   if (ImGui::Button("Cancel")) cancel_measurement(session);
-  tooltip("Ratio and strategy as they were; no reading is kept.");
+  tooltip("Puts ratio and strategy back as they were, and keeps no reading.");
 }
 
 void draw_readings(const PanelContext& context, const UserMeasurement& measurement) {
@@ -140,15 +143,19 @@ void draw_result(const PanelContext& context) {
       fmt::format("middle half of them  {:.1f} to {:.1f} N/m", spread.lower_quartile, spread.upper_quartile).c_str());
   tooltip("From the lower to the upper quartile: of five readings, the second to the fourth.");
   // Of a hand that is simulated there is a true value; it was given, not measured, and may be another by now.
-  if (measurement.given_k_u) {
+  if (measurement.given_k_u && !measurement.is_revealed) {
+    if (ImGui::Button("Reveal the given k_u")) reveal_hand(session);
+    tooltip("Shows the stiffness that the simulated hand was given.");
+  } else if (measurement.given_k_u) {
     text_in(context.theme.faint_text, fmt::format("(given: {:.1f} N/m)", *measurement.given_k_u));
     tooltip("The stiffness that the simulated hand was given.");
   }
+  if (!measurement.was_blind) wrapped_text("Not a blind measurement: the given k_u was revealed on the way.");
   if (ImGui::Button("Believe it")) {
     believe_measurement(session);
     return;
   }
-  tooltip("The median becomes the k_u that the renderer believes in.");
+  tooltip("The renderer believes in this k_u from now on.");
   ImGui::SameLine();
   if (ImGui::Button("Again")) {
     start_measuring(session);

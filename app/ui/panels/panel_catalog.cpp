@@ -28,7 +28,7 @@ constexpr std::array panels{
     Panel{"Live", draw_live_values},
     Panel{.title = "Safety", .draw = draw_safety, .is_there = has_motors},
     Panel{"Rendering", draw_rendering},
-    Panel{"User", draw_user},
+    Panel{"Hand", draw_user},
     Panel{
         .title = "Measure the hand", .draw = draw_measure_user, .opens_from = when_asked, .news = news_of_measurement},
     Panel{.title = passivity_panel, .draw = draw_passivity, .opens_from = when_asked, .news = news_of_circle},

@@ -13,7 +13,7 @@ namespace ghostforce {
 std::span<const Panel> panel_catalog() noexcept;
 
 // The title of the one that whoever asks for a circle wants to see.
-inline constexpr std::string_view passivity_panel = "Energy";
+inline constexpr std::string_view passivity_panel = "Passivity";
 
 // The titles of those that are folded at first in a window so high [points].
 std::set<std::string, std::less<>> panels_folded_at_first(double height);

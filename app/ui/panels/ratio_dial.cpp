@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/session/measurement_guide.h"
 #include "app/ui/widgets/controls.h"
 
 namespace ghostforce {
@@ -44,6 +45,12 @@ void choose_ratio(Stiffnesses& stiffnesses, double ratio, double snap) {
 }
 
 void draw_ratio_dial(const PanelContext& context) {
+  if (hides_answer(context.session) || is_measuring(context.session)) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(is_measuring(context.session) ? "set in Measure the hand" : "hidden until you reveal k_u");
+    tooltip("The dial shows where the ratio is optimal, and so how stiff the hand is.");
+    return;
+  }
   Stiffnesses& stiffnesses = context.session.settings.stiffnesses;
   const double optimal = optimal_tracking_ratio(stiffnesses.k_r, believed_user_stiffness(stiffnesses));
   const Scale scale(optimal);

@@ -3,8 +3,10 @@
 
 #include <string>
 
+#include "app/session/measurement_guide.h"
 #include "app/ui/panels/panel_catalog.h"
 #include "app/ui/widgets/controls.h"
+#include "app/view/number_text.h"
 #include "core/prediction.h"
 #include "core/units.h"
 
@@ -13,12 +15,12 @@ namespace {
 
 // Seven characters at least.
 std::string millimetres(const Vector<2>& drift) {
-  return fmt::format("{:4.1f} mm", mm_per_m * glm::length(drift));
+  return fmt::format("{:>4} mm", decimal_text(mm_per_m * glm::length(drift), 1));
 }
 
 // The error of the belief, where it can be seen: the drift that the anisotropic strategy is left with.
 void draw_drift_of_belief(const PanelContext& context) {
-  row("Drift of A", Term::drift_of_belief);
+  row("Drift of anisotropic", Term::drift_of_belief);
   ImGui::AlignTextToFramePadding();
   const Settings& settings = context.settings;
   if (context.snapshot.measured) {
@@ -36,6 +38,7 @@ void draw_drift_of_belief(const PanelContext& context) {
       predicted_equilibria(settings, context.snapshot.goal)[index_of(StrategyId::anisotropic)].proxy_drift;
   text_in(context.fonts.number, millimetres(seen));
   tooltip("Of the anisotropic strategy, along the wall, as simulated.");
+  if (hides_answer(context.session)) return;
   ImGui::SameLine();
   ImGui::PushStyleColor(ImGuiCol_Text, unpacked(context.theme.faint_text));
   ImGui::TextUnformatted("theory");
@@ -45,12 +48,35 @@ void draw_drift_of_belief(const PanelContext& context) {
   tooltip("By the closed form, at rest.");
 }
 
+// While the hand is measured, or has been and is not revealed yet, its given stiffness stands nowhere.
+void draw_hidden_hand(const PanelContext& context) {
+  Session& session = context.session;
+  row("Hand k_u", Term::user_stiffness);
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("hidden");
+  tooltip("The hand is measured blind: its given stiffness would be the answer.");
+  ImGui::SameLine();
+  if (ImGui::Button("Reveal")) reveal_hand(session);
+  tooltip(is_measuring(session) ? "Shows the given k_u. The measurement is not blind then, and its result says so."
+                                : "Shows the stiffness that the simulated hand was given.");
+  row("Believed k_u", Term::believed_user_stiffness);
+  ImGui::AlignTextToFramePadding();
+  const std::optional<double>& believed = session.settings.stiffnesses.believed_k_u;
+  ImGui::TextUnformatted(believed ? fmt::format("{} N/m", decimal_text(*believed, 1)).c_str() : "same as the hand's");
+}
+
 }  // namespace
 
 void draw_user(const PanelContext& context) {
   constexpr SliderLimits limits{10.0, 10000.0};
   Stiffnesses& stiffnesses = context.session.settings.stiffnesses;
   if (!begin_rows("user", context)) return;
+  if (hides_answer(context.session)) {
+    draw_hidden_hand(context);
+    draw_drift_of_belief(context);
+    end_rows();
+    return;
+  }
   row("Hand k_u", Term::user_stiffness);
   stiffness_slider("##k_u", "k_u_N_per_m", stiffnesses.k_u, limits);
   row("Believed k_u", Term::believed_user_stiffness);

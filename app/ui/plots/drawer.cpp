@@ -2,7 +2,8 @@
 
 #include <array>
 
-#include "app/ui/widgets/tooltips.h"
+#include "app/session/measurement_guide.h"
+#include "app/ui/widgets/controls.h"
 
 namespace ghostforce {
 namespace {
@@ -17,15 +18,16 @@ struct Tab {
 
 constexpr std::array tabs{
     Tab{PlotTab::time, "Time", "Time",
-        "What has been. The wheel chooses how long a time is in sight; drag to look back, and click to see that moment "
+        "The past. Turn the wheel to see a longer or shorter time, drag to look back, and click to see that moment "
         "again.",
         draw_time_plots},
     Tab{PlotTab::wall_angle, "Wall angle", "Angle",
-        "Where everything comes to rest, were the wall at another angle. Drag: the wall follows. Ctrl: "
-        "freely.",
+        "Where everything would come to rest with the wall at another angle and the goal at the same depth. Drag to "
+        "turn "
+        "the wall, and the goal with it; with Ctrl in steps of less than a degree.",
         [](const PanelContext& context, const PlotHistory&) { draw_wall_angle_plots(context); }},
     Tab{PlotTab::ratio, "Ratio ρ", "ρ",
-        "Where everything comes to rest, were the tracking ratio another. Drag: the dial follows.",
+        "Where everything would come to rest at another tracking ratio. Drag to change the ratio.",
         [](const PanelContext& context, const PlotHistory&) { draw_ratio_plots(context); }},
 };
 
@@ -73,6 +75,11 @@ void draw_plots(const PanelContext& context, const PlotHistory& history) {
     ImGui::SameLine();
   }
   draw_buttons(context);
+  // Curves of theory know the hand.
+  if (view.tab != PlotTab::time && (hides_answer(context.session) || is_measuring(context.session))) {
+    wrapped_text("These curves are hidden while the hand is measured: they would show the answer.");
+    return;
+  }
   tabs[static_cast<std::size_t>(view.tab)].draw(context, history);
 }
 

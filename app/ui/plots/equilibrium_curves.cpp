@@ -13,18 +13,17 @@ namespace {
 
 struct Point {
   double at;
-  Settings settings;
+  EquilibriumQuestion question;
 };
 
 template <typename PointAt>
-EquilibriumCurves curves(EquilibriumQuestion question, std::size_t count, PointAt&& point_at) {
+EquilibriumCurves curves(std::size_t count, PointAt&& point_at) {
   EquilibriumCurves curves;
   for (std::size_t i = 0; i < count; ++i) {
     const Point point = point_at(static_cast<double>(i) / static_cast<double>(count - 1));
-    question.settings = point.settings;
     curves.at.push_back(point.at);
     for (const Strategy& entry : strategy_catalog()) {
-      curves.values[index_of(entry.id)].push_back(equilibrium_value(entry.id, question));
+      curves.values[index_of(entry.id)].push_back(equilibrium_value(entry.id, point.question));
     }
   }
   return curves;
@@ -52,19 +51,29 @@ EquilibriumValue equilibrium_value(StrategyId id, const EquilibriumQuestion& que
   return value;
 }
 
+Vector<2> goal_turned_with_wall(const Settings& settings, const Vector<2>& goal, double wall_normal_angle) noexcept {
+  const Vector<2> before = direction_at(settings.wall_normal_angle);
+  const Vector<2> normal = direction_at(wall_normal_angle);
+  const Vector<2> arm = goal - settings.wall_point;
+  const double out = glm::dot(before, arm);
+  const double beside = glm::dot(Vector<2>(-before.y, before.x), arm);
+  return settings.wall_point + out * normal + beside * Vector<2>(-normal.y, normal.x);
+}
+
 EquilibriumCurves equilibria_over_wall_angle(const EquilibriumQuestion& question, std::size_t count) {
-  return curves(question, count, [&](double share) {
-    Point point{share * 2.0 * std::numbers::pi, question.settings};
-    point.settings.wall_normal_angle = point.at;
+  return curves(count, [&](double share) {
+    Point point{share * 2.0 * std::numbers::pi, question};
+    point.question.settings.wall_normal_angle = point.at;
+    point.question.goal = goal_turned_with_wall(question.settings, question.goal, point.at);
     return point;
   });
 }
 
 EquilibriumCurves equilibria_over_ratio(const EquilibriumQuestion& question, double least, double greatest,
                                         std::size_t count) {
-  return curves(question, count, [&](double share) {
-    Point point{least * std::pow(greatest / least, share), question.settings};
-    point.settings.stiffnesses.chosen_tracking_ratio = point.at;
+  return curves(count, [&](double share) {
+    Point point{least * std::pow(greatest / least, share), question};
+    point.question.settings.stiffnesses.chosen_tracking_ratio = point.at;
     return point;
   });
 }

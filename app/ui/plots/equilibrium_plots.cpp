@@ -16,6 +16,7 @@
 #include "app/ui/plots/equilibrium_curves.h"
 #include "app/ui/plots/plot_pieces.h"
 #include "app/ui/widgets/controls.h"
+#include "app/view/number_text.h"
 #include "core/units.h"
 
 namespace ghostforce {
@@ -33,13 +34,13 @@ struct EquilibriumQuantity {
 };
 constexpr std::array quantities{
     EquilibriumQuantity{
-        "force along the motor axis [N]",
-        "At rest, by closed form; + is the way the motor axis points. All three push as hard where there is no "
-        "ghost force.",
+        "force along the actuated direction [N]",
+        "At rest, by closed form. Above zero it points the way the actuated direction does. All three push as hard "
+        "where there is no ghost force.",
         [](const EquilibriumValue& value) { return value.force; }, 1.0},
     EquilibriumQuantity{
         "proxy drift along the wall [mm]",
-        "At rest, by closed form: how far the proxy stands beside the goal. Where the curve crosses 0, nothing "
+        "At rest, by closed form: how far the proxy has drifted from the goal. Where the curve crosses 0, nothing "
         "drags the hand along the wall.",
         [](const EquilibriumValue& value) { return mm_per_m * value.drift; }, 1.0},
 };
@@ -116,7 +117,8 @@ std::optional<double> draw_rest_plot(const PanelContext& context, const Equilibr
 
 // Both plots, side by side; and where the operating point is dragged to, if so.
 std::optional<double> draw_equilibrium_plots(const PanelContext& context, const EquilibriumCurves& curves,
-                                             const EquilibriumAxis& axis, const EquilibriumQuestion& question) {
+                                             const EquilibriumAxis& axis, const EquilibriumQuestion& question,
+                                             const std::string& condition) {
   std::optional<double> dragged;
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
@@ -126,11 +128,16 @@ std::optional<double> draw_equilibrium_plots(const PanelContext& context, const 
     if (&quantity != quantities.data()) ImGui::SameLine();
     ImGui::BeginGroup();
     ImGui::TextUnformatted(quantity.title);
-    if (question.goal_is_inferred) {
-      ImGui::SameLine();
-      ImGui::TextUnformatted("goal estimated");
-    }
     tooltip(quantity.sentence);
+    // Both say it where there is room: each plot may be looked at alone.
+    const std::string under =
+        question.goal_is_inferred ? condition + (condition.empty() ? "" : ", ") + "goal estimated" : condition;
+    const float needed = ImGui::GetItemRectSize().x + ImGui::CalcTextSize(under.c_str()).x + ImGui::GetFontSize();
+    if (!under.empty() && needed < size.x) {
+      ImGui::SameLine();
+      text_in(context.theme.faint_text, under);
+      tooltip(quantity.sentence);
+    }
     ImGui::PushID(quantity.title);
     if (const auto at = draw_rest_plot(context, quantity, curves, axis, question, size)) dragged = at;
     ImGui::PopID();
@@ -141,7 +148,7 @@ std::optional<double> draw_equilibrium_plots(const PanelContext& context, const 
 
 // As the panel has it: from −180° to 180°.
 std::string angle_words(int degrees) {
-  return degrees <= 180 ? fmt::format("{}°", degrees) : degrees < 360 ? fmt::format("−{}°", 360 - degrees) : "0°";
+  return decimal_text(degrees <= 180 ? degrees : degrees - 360, 0) + "°";
 }
 
 std::size_t samples_for(float width) {
@@ -165,10 +172,18 @@ void draw_wall_angle_plots(const PanelContext& context) {
   for (const double angle : curves.at) axis.at.push_back(angle / radians_per_degree);
   const double remainder = std::fmod(settings.wall_normal_angle, whole_turn);
   axis.now = (remainder < 0.0 ? remainder + whole_turn : remainder) / radians_per_degree;
-  if (const auto dragged = draw_equilibrium_plots(context, curves, axis, question)) {
-    const double angle = std::clamp(*dragged, axis.least, axis.greatest);
-    context.session.settings.wall_normal_angle =
-        (ImGui::GetIO().KeyCtrl ? angle : std::round(angle)) * radians_per_degree;
+  const double goal_depth = depth(wall_of(question.settings), question.goal);
+  const std::string condition = goal_depth > 0.0
+                                    ? fmt::format("at a depth of {} mm", decimal_text(mm_per_m * goal_depth, 1))
+                                    : "goal not in the wall";
+  if (const auto dragged = draw_equilibrium_plots(context, curves, axis, question, condition)) {
+    const double degrees = std::clamp(*dragged, axis.least, axis.greatest);
+    const double angle = (ImGui::GetIO().KeyCtrl ? degrees : std::round(degrees)) * radians_per_degree;
+    Session& session = context.session;
+    if (session.pointer_moves_goal) {
+      session.goal = nearest_in_scene(goal_turned_with_wall(session.settings, session.goal, angle));
+    }
+    session.settings.wall_normal_angle = angle;
   }
 }
 
@@ -196,7 +211,7 @@ void draw_ratio_plots(const PanelContext& context) {
   for (const double ratio : {0.1, 10.0, 100.0, 1000.0, 0.2, 0.5, 2.0, 5.0, 20.0, 50.0, 200.0, 500.0}) {
     add_tick(ratio, fmt::format("{:g}", ratio));
   }
-  const auto dragged = draw_equilibrium_plots(context, curves, axis, question);
+  const auto dragged = draw_equilibrium_plots(context, curves, axis, question, "");
   if (!dragged) return;
   choose_ratio(context.session.settings.stiffnesses, std::clamp(*dragged, least, greatest),
                static_cast<double>(snap_points * context.scale) * decades_per_pixel);

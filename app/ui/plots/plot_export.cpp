@@ -16,6 +16,7 @@
 #include "app/ui/panels/ratio_dial.h"
 #include "app/ui/plots/equilibrium_curves.h"
 #include "app/ui/widgets/save_path.h"
+#include "app/view/number_text.h"
 #include "core/units.h"
 
 namespace ghostforce {
@@ -40,7 +41,7 @@ struct Export {
 Series series_of(StrategyId id, const Theme& theme) {
   const std::size_t i = index_of(id);
   Series series;
-  series.name = fmt::format("{} {}", strategy(id).letter, strategy(id).title);
+  series.name = strategy(id).title;
   series.colour = theme.strategy[i];
   series.pattern = strategy_style(id).pattern;
   return series;
@@ -97,13 +98,15 @@ struct SweptSetting {
   std::string title;
   bool is_logarithmic;
   double per_si;
-  double now;  // in the column's unit
+  double now;             // in the column's unit
+  std::string condition;  // what is held fixed; may be empty
 };
 
 Export over_setting(const EquilibriumCurves& curves, const SweptSetting& setting, bool goal_is_inferred,
                     const Theme& theme) {
   Export result;
   result.table.columns = {setting.column, "strategy", "force_along_motor_axis_N", "proxy_drift_along_wall_mm"};
+  if (!setting.condition.empty()) result.table.comments.push_back(setting.condition);
   const auto chart_of = [&](std::string title, std::string quantity) {
     Chart chart;
     chart.title = std::move(title);
@@ -114,9 +117,10 @@ Export over_setting(const EquilibriumCurves& curves, const SweptSetting& setting
     chart.references = {zero, {setting.now, true, "now"}};
     return chart;
   };
-  Chart force = chart_of(goal_is_inferred ? "Force at rest, for the estimated goal" : "Force at rest",
-                         "force along the motor axis [N]");
-  Chart drift = chart_of("Proxy drift at rest", "drift along the wall [mm]");
+  const std::string condition = setting.condition.empty() ? "" : ", " + setting.condition;
+  Chart force = chart_of((goal_is_inferred ? "Force at rest, for the estimated goal" : "Force at rest") + condition,
+                         "force along the actuated direction [N]");
+  Chart drift = chart_of("Proxy drift at rest" + condition, "drift along the wall [mm]");
   for (const Strategy& entry : strategy_catalog()) {
     Series forces = series_of(entry.id, theme);
     Series drifts = forces;
@@ -144,13 +148,16 @@ Export export_of(const Session& session, const ShownMoment& moment, const PlotHi
                            : over_time(history, session.plots.from_s, session.plots.to_s, theme);
     case PlotTab::wall_angle: {
       const double turn = std::floor(settings.wall_normal_angle / (360.0 * radians_per_degree));
-      return over_setting(equilibria_over_wall_angle(question, curve_points),
-                          {.column = "wall_normal_deg",
-                           .title = "angle of the wall's normal [°]",
-                           .is_logarithmic = false,
-                           .per_si = degrees_per_radian,
-                           .now = settings.wall_normal_angle / radians_per_degree - 360.0 * turn},
-                          question.goal_is_inferred, theme);
+      return over_setting(
+          equilibria_over_wall_angle(question, curve_points),
+          {.column = "wall_normal_deg",
+           .title = "angle of the wall's normal [°]",
+           .is_logarithmic = false,
+           .per_si = degrees_per_radian,
+           .now = settings.wall_normal_angle / radians_per_degree - 360.0 * turn,
+           .condition = fmt::format("goal at a depth of {} mm",
+                                    decimal_text(mm_per_m * depth(wall_of(settings), question.goal), 1))},
+          question.goal_is_inferred, theme);
     }
     case PlotTab::ratio: {
       const RatioRange range = ratio_range(settings.stiffnesses);
@@ -159,7 +166,8 @@ Export export_of(const Session& session, const ShownMoment& moment, const PlotHi
                            .title = "tracking ratio ρ",
                            .is_logarithmic = true,
                            .per_si = 1.0,
-                           .now = tracking_ratio(settings.stiffnesses)},
+                           .now = tracking_ratio(settings.stiffnesses),
+                           .condition = {}},
                           question.goal_is_inferred, theme);
     }
   }

@@ -10,6 +10,7 @@
 #include "app/ui/plots/drawer.h"
 #include "app/ui/plots/plot_pieces.h"
 #include "app/ui/widgets/controls.h"
+#include "app/view/number_text.h"
 
 namespace ghostforce {
 namespace {
@@ -85,18 +86,24 @@ void draw_head(const PanelContext& context, const Quantity& quantity, std::size_
   tooltip(quantity.term);
   if (cursor == nullptr) return;
   std::array<std::string, strategy_count> words;
+  const float glyph_room = ImGui::GetFontSize();
   float needed = 0.0F;
   ImGui::PushFont(context.fonts.number, 0.0F);
   for (std::size_t i = 0; i < strategy_count; ++i) {
     const double value = cursor->greatest[index][i];
-    words[i] = std::isnan(value) ? fmt::format("  {}{:>7}", strategy_catalog()[i].letter, "—")
-                                 : fmt::format("  {}{:7.{}f}", strategy_catalog()[i].letter, value, quantity.decimals);
-    needed += ImGui::CalcTextSize(words[i].c_str()).x;
+    words[i] = fmt::format("{:>8}", std::isnan(value) ? "—" : decimal_text(value, quantity.decimals));
+    needed += glyph_room + ImGui::CalcTextSize(words[i].c_str()).x;
   }
   if (ImGui::GetItemRectSize().x + needed < width) {
     ImGui::SameLine();
     ImGui::SetCursorPosX(left + width - needed - ImGui::GetStyle().ItemSpacing.x);
     for (std::size_t i = 0; i < strategy_count; ++i) {
+      // Its shape: the letter N would read as newton.
+      const ImVec2 corner = ImGui::GetCursorScreenPos();
+      draw_glyph(*ImGui::GetWindowDrawList(),
+                 {corner.x + 0.7F * glyph_room, corner.y + 0.5F * ImGui::GetTextLineHeight()}, 0.3F * glyph_room,
+                 strategy_style(strategy_catalog()[i].id).shape, context.theme.strategy[i]);
+      ImGui::SetCursorPosX(ImGui::GetCursorPosX() + glyph_room);
       text_in(context.theme.strategy_text[i], words[i]);
       ImGui::SameLine(0.0F, 0.0F);
     }

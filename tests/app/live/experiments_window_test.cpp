@@ -11,8 +11,10 @@
 
 #include "app/session/measurement_guide.h"
 #include "app/ui/panels/panel_catalog.h"
+#include "app/view/quantities.h"
 #include "core/energy.h"
 #include "core/ghost_force.h"
+#include "core/prediction.h"
 #include "tests/app/live/driven_window.h"
 #include "tests/support/temporary_folder.h"
 
@@ -33,9 +35,7 @@ class ExperimentsWindow : public DrivenWindow {
   static constexpr Vector<2> start_button{930.0, 199.0};
   static constexpr Vector<2> take_button{900.0, 321.0};
   static constexpr Vector<2> cancel_button{995.0, 321.0};
-  static constexpr Vector<2> believe_button{890.0, 340.0};
-  static constexpr Vector<2> circle_button{905.0, 205.0};
-  static constexpr Vector<2> end_circle_button{930.0, 170.0};
+  static constexpr Vector<2> circle_button{930.0, 170.0};  // whether it starts or ends
   static constexpr Vector<2> clockwise_box{1012.0, 202.0};
   static constexpr float button_x = 40.0F;  // in the column
   static constexpr double radius_y = 231.0;
@@ -68,6 +68,12 @@ class ExperimentsWindow : public DrivenWindow {
     while (is_there(range.x - 1.0F)) range.x -= 1.0F;
     while (is_there(range.y + 1.0F)) range.y += 1.0F;
     return range;
+  }
+  void click_button(const char* button) {
+    const std::optional<ImVec2> found = clickable(button);
+    ASSERT_TRUE(found) << button;
+    click({static_cast<double>(ImGui::FindWindowByName("panels")->Pos.x + button_x),
+           static_cast<double>(0.5F * (found->x + found->y))});
   }
   void expect_all_of_it_in_sight(const char* button) {
     const std::optional<ImVec2> found = clickable(button);
@@ -150,7 +156,7 @@ TEST_F(ExperimentsWindow, MeasuresTheHandWithTheMouse) {
   // k_u = k_r/(ρ − 1) within 2 % · ρ/(ρ − 1) = 2.7 %.
   EXPECT_NEAR(median, k_u, 0.027 * k_u);
 
-  click(believe_button);
+  click_button("Believe it");
   EXPECT_EQ(session().settings.stiffnesses.believed_k_u, median);
   EXPECT_EQ(measurement().stage, UserMeasurement::Stage::off);
   // The whole of it is one step to take back.
@@ -266,6 +272,65 @@ TEST_F(ExperimentsWindow, TheResultIsComparedWithTheHandThatWasMeasured) {
   EXPECT_NEAR(spread_of(measurement()).median, 200.0, 1e-9);
 }
 
+// Two hands that differ in nothing but their stiffness, before the wall: where it is not shown, the windows are the same.
+TEST_F(ExperimentsWindow, NothingShowsTheAnswerWhileTheHandIsMeasured) {
+  const auto picture_with = [this](double k_u, PlotTab tab, bool is_measuring, bool is_revealed) {
+    ApplicationOptions options;
+    for (const Panel& panel : panel_catalog()) options.folded_panels.emplace(panel.title);
+    for (const char* const open_panel : {"Rendering", "Hand", "Measure the hand"}) {
+      options.folded_panels.erase(open_panel);
+    }
+    open(options);
+    session().settings.stiffnesses.k_u = k_u;
+    session().goal = {-0.02, 0.02};
+    session().plots.is_open = tab != PlotTab::time;  // the times in sight are no matter of the hand
+    session().plots.tab = tab;
+    frames(3);
+    if (is_measuring) start_measuring(session());
+    session().measurement.first_ratio = 5.0;
+    session().settings.stiffnesses.chosen_tracking_ratio = 5.0;
+    if (is_revealed) reveal_hand(session());
+    // To a rest to the last pixel, and then at the same time.
+    frames(20, ticks);
+    session().options.trails = false;
+    session().paused = true;
+    frames(5, 0);
+    return picture();
+  };
+  for (const PlotTab tab : {PlotTab::time, PlotTab::wall_angle, PlotTab::ratio}) {
+    SCOPED_TRACE(static_cast<int>(tab));
+    EXPECT_NE(picture_with(200.0, tab, false, false), picture_with(310.0, tab, false, false));
+    EXPECT_EQ(picture_with(200.0, tab, true, false), picture_with(310.0, tab, true, false));
+    EXPECT_NE(picture_with(200.0, tab, true, true), picture_with(310.0, tab, true, true));
+  }
+}
+
+TEST_F(ExperimentsWindow, TheGivenStiffnessIsShownWhenItIsAskedFor) {
+  open(with_panel("Measure the hand"));
+  EXPECT_FALSE(hides_answer(session()));
+  start_measuring(session());
+  frames(3, ticks);
+  EXPECT_TRUE(hides_answer(session()));
+  EXPECT_EQ(count_marks(Role::prediction), 0) << "theory knows the hand";
+  take_readings(readings_wanted);
+  ASSERT_EQ(measurement().stage, UserMeasurement::Stage::done);
+  EXPECT_TRUE(measurement().was_blind);
+  EXPECT_TRUE(hides_answer(session())) << "the result first";
+  frames(3);
+  click_button("Reveal the given k_u");
+  EXPECT_FALSE(hides_answer(session()));
+  EXPECT_TRUE(measurement().was_blind);
+  frames(2);
+  EXPECT_GT(count_marks(Role::prediction), 0);
+
+  start_measuring(session());
+  EXPECT_TRUE(hides_answer(session()));
+  reveal_hand(session());
+  take_readings(readings_wanted);
+  ASSERT_EQ(measurement().stage, UserMeasurement::Stage::done);
+  EXPECT_FALSE(measurement().was_blind) << "it was shown on the way";
+}
+
 TEST_F(ExperimentsWindow, ReadingsOfAnotherHandBeginAnew) {
   open(with_panel("Measure the hand"));
   start_measuring(session());
@@ -293,7 +358,7 @@ TEST_F(ExperimentsWindow, ReadingsOfAnotherHandBeginAnew) {
 }
 
 TEST_F(ExperimentsWindow, AWrongBeliefShowsAsDrift) {
-  open(with_panel("User"));
+  open(with_panel("Hand"));
   const Image right = picture();
   session().settings.stiffnesses.believed_k_u = 60.0;
   frames(10, ticks);
@@ -307,7 +372,7 @@ TEST_F(ExperimentsWindow, AWrongBeliefShowsAsDrift) {
 
 // A ratio that was chosen by hand is no belief.
 TEST_F(ExperimentsWindow, ARatioChosenByHandShowsNoDriftOfTheBelief) {
-  open(with_panel("User"));
+  open(with_panel("Hand"));
   const auto column = [this] {
     frames(5, ticks);
     const Image whole = picture();
@@ -351,7 +416,7 @@ TEST_F(ExperimentsWindow, TheFirstRecordingCanBeNamed) {
 }
 
 TEST_F(ExperimentsWindow, TheCircleStaysInThePictureAndADragEndsIt) {
-  ApplicationOptions options = with_panel("Energy");
+  ApplicationOptions options = with_panel("Passivity");
   options.input = "circle";
   open(options);
   frames(3);
@@ -379,11 +444,11 @@ TEST_F(ExperimentsWindow, TheCircleStaysInThePictureAndADragEndsIt) {
 }
 
 TEST_F(ExperimentsWindow, ACircleHasTheEnergyOfTheFormulaInEitherSense) {
-  open(with_panel("Energy"));
+  open(with_panel("Passivity"));
   click(circle_button);
   EXPECT_EQ(session().input, "circle");
-  for (const bool is_clockwise : {false, true}) {
-    if (is_clockwise) click(clockwise_box);
+  for (const bool is_clockwise : {true, false}) {
+    if (!is_clockwise) click(clockwise_box);
     EXPECT_EQ(session().circle_test.choice.is_clockwise, is_clockwise);
     for (const double ratio : {1.0, 4.0, 12.0}) {
       SCOPED_TRACE(testing::Message() << is_clockwise << ' ' << ratio);
@@ -412,13 +477,63 @@ TEST_F(ExperimentsWindow, ACircleHasTheEnergyOfTheFormulaInEitherSense) {
       }
     }
   }
-  click(end_circle_button);
+  click(circle_button);
   EXPECT_EQ(session().input, "mouse");
   EXPECT_FALSE(application_->reading().circle);
 }
 
+// The circle is near to where the person's goal was, and so is the goal afterwards.
+TEST_F(ExperimentsWindow, TheCircleTestKeepsADraggedGoal) {
+  open(with_panel("Passivity"));
+  const Vector<2> first = session().goal;
+  drag(on_window(first), on_window({0.030, 0.012}));
+  frames(5, ticks);
+  const Vector<2> goal = session().goal;
+  ASSERT_GT(glm::distance(goal, first), 0.02);
+  const std::optional<ImVec2> start = clickable("Start the circle test###circle");
+  ASSERT_TRUE(start);
+  click_button("Start the circle test###circle");
+  frames(3);
+  EXPECT_EQ(session().input, "circle");
+  const Circle circle = application_->reading().circle->circle;
+  EXPECT_EQ(circle, circle_inside(wall_of(session().settings), goal, session().circle_test.choice));
+  EXPECT_LT(glm::distance(circle.center, goal), 0.02);
+  frames(5, 100);
+  EXPECT_LT(glm::distance(now().goal, goal), 0.05) << "it comes from where the goal was";
+  const std::optional<ImVec2> end = clickable("End the circle test###circle");
+  ASSERT_TRUE(end);
+  EXPECT_EQ(end->x, start->x) << "the button stays where it is";
+  EXPECT_EQ(end->y, start->y);
+  click_button("End the circle test###circle");
+  frames(3, ticks);
+  EXPECT_EQ(session().input, "mouse");
+  EXPECT_EQ(session().goal, goal);
+  EXPECT_EQ(now().goal, goal);
+  // At rest there from the first tick on.
+  const Equilibrium<2> rest = equilibrium_of(StrategyId::anisotropic, session().settings, goal);
+  EXPECT_NEAR(glm::distance(now().strategies[index_of(StrategyId::anisotropic)].device, rest.device), 0.0, 1e-6);
+}
+
+// Whichever way motor and wall are turned, the sense in which the circle begins is the one that makes energy, as the
+// words in the panel say.
+TEST_F(ExperimentsWindow, TheCircleTestBeginsInTheSenseThatMakesEnergy) {
+  for (const double motor : {0.0, -0.5 * std::numbers::pi}) {
+    SCOPED_TRACE(motor);
+    open(with_panel("Passivity"));
+    session().settings.actuated_angle = motor;
+    frames(3);
+    EXPECT_EQ(count_marks(Role::area), 0);
+    click(circle_button);
+    frames(16, 500);
+    const CircleReading reading = *application_->reading().circle;
+    ASSERT_GE(reading.turns, 1);
+    EXPECT_GT(reading.strategies[index_of(StrategyId::naive)].last.energy, 0.005);
+    EXPECT_EQ(count_marks(Role::area, session().settings.active), 161) << "an outline and what it encloses";
+  }
+}
+
 TEST_F(ExperimentsWindow, TheCircleFollowsTheWallAndBeginsAnew) {
-  ApplicationOptions options = with_panel("Energy");
+  ApplicationOptions options = with_panel("Passivity");
   options.input = "circle";
   open(options);
   frames(16, 500);
@@ -483,6 +598,72 @@ TEST_F(ExperimentsWindow, AHandOnADeviceIsMeasuredAgainstATarget) {
   // few per cent more, times ρ/(ρ − 1).
   const double k_u = session().settings.stiffnesses.k_u;
   EXPECT_NEAR(measurement().readings[0].k_u, k_u, 0.1 * k_u);
+  session().offs_asked++;
+  frames(2);
+}
+
+// Nobody knows the goal of a hand at a device. With a target to aim at there are numbers, of the strategy in the hand
+// alone, and they are those of the hand that is behind the device, not of the one that is believed to be there.
+TEST_F(ExperimentsWindow, AHandThatAimsAtATargetHasNumbersAgainstIt) {
+  ApplicationOptions options = with_panel("Live");
+  options.input = "virtual-falcon";
+  options.input_options.virtual_falcon_clock = VirtualLink::Clock::stepped;
+  open(options);
+  const auto lead_to = [&](const Vector<2>& goal) {
+    const Vector<2> from = session().goal;
+    for (int i = 1; i <= 10; ++i) {
+      session().goal = glm::mix(from, goal, i / 10.0);
+      frames(1, ticks / 2);
+    }
+    frames(10, ticks / 2);
+  };
+  const auto numbers_known = [&](StrategyId id) {
+    return is_known(quantity_catalog()[1], now(), id) && is_known(quantity_catalog()[2], now(), id);
+  };
+  for (int i = 0; i < 300 && virtual_falcon().report().state != FalconState::idle; ++i) frames(1, 100);
+  session().settings.active = StrategyId::naive;
+  lead_to({-0.015, 0.015});
+  ++session().arms_asked;
+  for (int i = 0; i < 60 && application_->report().motors.state != SafetyState::on; ++i) frames(1, 100);
+  ASSERT_EQ(application_->report().motors.state, SafetyState::on);
+  lead_to({0.008, -0.008});
+  frames(5, ticks);
+  ASSERT_EQ(now().measured, StrategyId::naive);
+  EXPECT_FALSE(numbers_known(StrategyId::naive));
+  EXPECT_EQ(count_marks(Role::target), 0);
+  EXPECT_EQ(count_marks(Role::proxy_drift), 0);
+
+  session().aims_at_target = true;
+  frames(10, ticks);
+  EXPECT_EQ(count_marks(Role::target), 4);
+  ASSERT_TRUE(numbers_known(StrategyId::naive));
+  EXPECT_FALSE(numbers_known(StrategyId::anisotropic)) << "it is only simulated beside the device";
+  EXPECT_GT(count_marks(Role::proxy_drift), 0);
+  ASSERT_FALSE(application_->report().motors.is_saturated);
+  // What theory says of the hand behind the device, whose goal and stiffness this test knows.
+  const auto expect_as_predicted = [&](StrategyId id) {
+    const PredictedEquilibrium predicted = predicted_equilibria(session().settings, session().goal)[index_of(id)];
+    const StrategySnapshot<2>& seen = now().strategies[index_of(id)];
+    // Encoders and friction of the simulated arm: some tenths of a millimetre, and those times k_r/(1 + κ).
+    EXPECT_NEAR(glm::distance(seen.proxy_drift, predicted.proxy_drift), 0.0, 0.0006);
+    EXPECT_NEAR(glm::distance(seen.ghost_force, predicted.ghost_force), 0.0, 0.1);
+    return glm::length(seen.ghost_force);
+  };
+  EXPECT_GT(expect_as_predicted(StrategyId::naive), 0.4);
+
+  session().settings.active = StrategyId::anisotropic;
+  frames(20, ticks);
+  ASSERT_TRUE(numbers_known(StrategyId::anisotropic));
+  EXPECT_LT(expect_as_predicted(StrategyId::anisotropic), 0.1);
+  // The inferred goal would say that this is as good; the target says that it is not.
+  session().settings.stiffnesses.believed_k_u = 800.0;
+  frames(20, ticks);
+  EXPECT_GT(glm::length(now().strategies[index_of(StrategyId::anisotropic)].ghost_force), 0.2);
+  // In the plots too, and in the past.
+  const PlotBucket* const newest = application_->history().plots().at(now().time_s);
+  ASSERT_NE(newest, nullptr);
+  EXPECT_GT(newest->least[1][index_of(StrategyId::anisotropic)], 0.2);
+  EXPECT_TRUE(std::isnan(newest->least[1][index_of(StrategyId::naive)]));
   session().offs_asked++;
   frames(2);
 }

@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include "app/figures/curves.h"
+#include "app/figures/figures.h"
 #include "app/files/scene_file.h"
 #include "app/paint/vector/file_painter.h"
 #include "app/ui/plots/equilibrium_curves.h"
@@ -148,8 +150,66 @@ TEST_F(EquilibriumCurvesTest, PassThroughTheSettingInUse) {
 }
 
 TEST_F(EquilibriumCurvesTest, AreFlatWhereTheGoalIsOutside) {
+  question_.goal = -question_.goal;
   const EquilibriumCurves curves = equilibria_over_wall_angle(question_, 9);
-  for (std::size_t i = 0; i < strategy_count; ++i) EXPECT_EQ(curves.values[i][7].force, 0.0);  // 315°
+  for (const auto& values : curves.values) {
+    for (const EquilibriumValue& value : values) EXPECT_EQ(value.force, 0.0);
+  }
+}
+
+TEST_F(EquilibriumCurvesTest, KeepTheDepthOverTheWallsAngle) {
+  question_.settings.wall_point = {0.012, -0.007};
+  const double before = depth(wall_of(question_.settings), question_.goal);
+  const EquilibriumCurves curves = equilibria_over_wall_angle(question_, 37);
+  for (std::size_t k = 0; k < curves.at.size(); ++k) {
+    Settings turned = question_.settings;
+    turned.wall_normal_angle = curves.at[k];
+    const Wall<2> wall = wall_of(turned);
+    const Vector<2> goal = goal_turned_with_wall(question_.settings, question_.goal, curves.at[k]);
+    // Rounding of positions of some centimetres.
+    EXPECT_NEAR(depth(wall, goal), before, 1e-15);
+    // Force and drift depend on the depth alone: any other goal that deep tells the same.
+    const Vector<2> behind = wall.point - before * wall.normal;
+    for (const Strategy& entry : strategy_catalog()) {
+      const EquilibriumValue& value = curves.values[index_of(entry.id)][k];
+      const Equilibrium<2> rest = equilibrium_of(entry.id, turned, behind);
+      EXPECT_NEAR(value.force, glm::dot(rest.force, direction_at(turned.actuated_angle)), 1e-12);
+      const Vector<2> along_wall(-wall.normal.y, wall.normal.x);
+      EXPECT_NEAR(value.drift, glm::dot(rest.proxy - behind, along_wall), 1e-12);
+    }
+  }
+  const Vector<2> same =
+      goal_turned_with_wall(question_.settings, question_.goal, question_.settings.wall_normal_angle);
+  EXPECT_NEAR(glm::distance(same, question_.goal), 0.0, 1e-16);
+}
+
+// `ghostforce figures --only force-over-wall-angle` draws the same curve, over the angle between normal and motor.
+TEST_F(EquilibriumCurvesTest, AreThoseOfTheFigure) {
+  const Curves figure = force_over_wall_angle();
+  EquilibriumQuestion question = question_;
+  question.goal = goal_behind(wall_of(question.settings));
+  std::size_t compared = 0;
+  for (const CurvePoint& point : figure) {
+    if (point.is_simulated) continue;
+    const double angle = std::numbers::pi - point.x * std::numbers::pi / 180.0;
+    EquilibriumQuestion turned = question;
+    turned.settings.wall_normal_angle = angle;
+    turned.goal = goal_turned_with_wall(question.settings, question.goal, angle);
+    const EquilibriumValue value = equilibrium_value(*find_strategy(point.series), turned);
+    EXPECT_NEAR(-value.force, point.y, 1e-12) << point.series << ' ' << point.x;  // the figure's is away from the wall
+    ++compared;
+  }
+  EXPECT_EQ(compared, 3U * 181U);
+  // And the plot's own samples: every whole degree.
+  const EquilibriumCurves curves = equilibria_over_wall_angle(question, 361);
+  compared = 0;
+  for (const CurvePoint& point : figure) {
+    if (point.is_simulated || point.x != std::floor(point.x)) continue;
+    const auto degrees = static_cast<std::size_t>(180.0 - point.x);
+    EXPECT_NEAR(-curves.values[index_of(*find_strategy(point.series))][degrees].force, point.y, 1e-12) << point.x;
+    ++compared;
+  }
+  EXPECT_EQ(compared, 3U * 91U);
 }
 
 TEST_F(EquilibriumCurvesTest, CrossTheFullyActuatedForceAndNoDriftAtTheOptimalRatio) {
@@ -272,6 +332,7 @@ TEST_F(PlotFile, HoldsTheCurvesOverASetting) {
   const auto angles = rows(file("plots.csv"));
   EXPECT_EQ(angles[0], "wall_normal_deg,strategy,force_along_motor_axis_N,proxy_drift_along_wall_mm");
   EXPECT_EQ(angles.size(), 1U + 3U * 361U);
+  EXPECT_NE(file("plots.csv").find("# goal at a depth of 20.0 mm"), std::string::npos);
   session_.plots.tab = PlotTab::ratio;
   EXPECT_TRUE(rows(file("plots.csv"))[0].starts_with("tracking_ratio,strategy,"));
 }
