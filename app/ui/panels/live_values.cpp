@@ -99,7 +99,14 @@ void draw_live_values(const PanelContext& context) {
   draw_head();
   for (const Strategy& entry : strategy_catalog()) draw_row(context, entry);
   ImGui::EndTable();
+  const float top = ImGui::GetCursorPosY();
   draw_model_error(context);
+  const char* const copy = "Copy";
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(copy).x -
+                  2.0F * ImGui::GetStyle().FramePadding.x);
+  ImGui::SetCursorPosY(top);
+  if (ImGui::SmallButton(copy)) context.session.requests.copy_table = true;
+  tooltip("Copies the values of all three strategies to the clipboard, for a spreadsheet. Ctrl+Shift+C.");
 }
 
 }  // namespace ghostforce
