@@ -11,9 +11,34 @@
 namespace ghostforce {
 namespace {
 
-// What stays of the marks is what the scene consists of: no legend, no scales.
+// What stays of the marks is where everything is: no forces, which would reach out of so small a picture, and nothing that
+// is there for its words.
 bool belongs_to_scene(const Mark& mark) {
-  return mark.role != Role::legend && mark.role != Role::scale && mark.role != Role::handle;
+  switch (mark.role) {
+    case Role::force:
+    case Role::ghost_force:
+    case Role::proxy_drift:
+    case Role::handle:
+    case Role::legend:
+    case Role::scale:
+      return false;
+    default:
+      return true;
+  }
+}
+
+bool is_ground(const Mark& mark) {
+  return mark.role == Role::wall || mark.role == Role::hatching || mark.role == Role::grid;
+}
+
+// Which way the hand takes, on the ground and under everything else.
+void add_path(const Scene& scene, const Theme& theme, double width, Marks& marks) {
+  auto place = std::ranges::find_if_not(marks, is_ground);
+  const std::vector<Vector<2>>& points = scene.goal.points;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    place = marks.insert(
+        place, {Role::trail, std::nullopt, Line{points[i - 1], points[i], width, theme.faint_text, dotted_line}});
+  }
 }
 
 Pane pane_at_rest(const Scene& scene, const Theme& theme, const Vector<2>& size, double scale) {
@@ -31,6 +56,7 @@ Pane pane_at_rest(const Scene& scene, const Theme& theme, const Vector<2>& size,
                                            .scale = scale,
                                            .measure = no_words});
   std::erase_if(panes.front().marks, [](const Mark& mark) { return !belongs_to_scene(mark); });
+  add_path(scene, theme, 2.0 * scale, panes.front().marks);
   return std::move(panes.front());
 }
 

@@ -106,7 +106,9 @@ void Workbench::draw_panels(const PanelContext& context, const Layout& layout, c
   begin_fixed("caption", layout.caption, ImGuiWindowFlags_NoScrollWithMouse);
   draw_caption(context);
   ImGui::End();
-  draw_motor_frame(context, layout.scene.corner, layout.scene.size);
+  begin_fixed("motor frame", layout.scene, ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoInputs);
+  draw_motor_frame(context);
+  ImGui::End();
   begin_fixed("status", layout.bottom, ImGuiWindowFlags_NoScrollWithMouse);
   draw_status_bar(context);
   ImGui::End();

@@ -73,14 +73,16 @@ float draw_paused(const PanelContext& context) {
 void draw_caption(const PanelContext& context) {
   const bool is_still = context.session.paused || context.session.stage.looks_back_to_s;
   const float end = is_still ? draw_paused(context) - ImGui::GetStyle().ItemSpacing.x : ImGui::GetContentRegionMax().x;
-  if (context.session.hint) {
+  if (context.session.hint && !is_still) {
     draw_hint(context);
     return;
   }
   const std::string words = words_of(context);
   // Large, to be read from the last row, where two lines have room for it.
-  const float needed = large * ImGui::CalcTextSize(words.c_str()).x;
-  const bool fits = needed < 1.8F * (end - ImGui::GetCursorPosX());
+  const float needed = ImGui::CalcTextSize(words.c_str()).x;
+  const float room = end - ImGui::GetCursorPosX();
+  const bool fits = large * needed < 1.8F * room;
+  if (is_still && needed > 2.2F * room) return;  // more lines than the bar has beside the large word
   ImGui::PushFont(context.fonts.regular, (fits ? large : 1.0F) * ImGui::GetStyle().FontSizeBase);
   const std::size_t i = index_of(context.settings.active);
   const ImVec2 corner = ImGui::GetCursorScreenPos();

@@ -90,7 +90,7 @@ ColumnWidths widths_of(std::span<const HelpGroup> groups, const PanelContext& co
   return widths;
 }
 
-void draw_groups(std::span<const HelpGroup> groups, float first_column, const PanelContext& context) {
+void draw_groups(std::span<const HelpGroup> groups, const ColumnWidths& widths, const PanelContext& context) {
   ImGui::BeginGroup();
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, line_gap * context.scale});
   const float left = ImGui::GetCursorPosX();
@@ -101,8 +101,9 @@ void draw_groups(std::span<const HelpGroup> groups, float first_column, const Pa
     ImGui::PopFont();
     for (const HelpLine& line : group.lines) {
       text_in(context.fonts.bold, line.press);
-      ImGui::SameLine(left + first_column);
-      ImGui::TextUnformatted(line.sentence.data(), line.sentence.data() + line.sentence.size());
+      ImGui::SameLine();
+      ImGui::SetCursorPosX(left + widths.press);
+      wrapped_text(line.sentence, left + widths.press + widths.sentence + context.scale);
     }
   }
   ImGui::PopStyleVar();
@@ -134,12 +135,16 @@ void draw_help(const PanelContext& context) {
   wrapped_text(subject, ImGui::GetCursorPosX() + std::min(both, room));
   ImGui::PushFont(nullptr, letters / context.scale);
   if (both <= room) {
-    draw_groups(parts[0], widths[0].press, context);
-    ImGui::SameLine(ImGui::GetCursorPosX() + widths[0].press + widths[0].sentence + column_gap * context.scale);
-    draw_groups(parts[1], widths[1].press, context);
+    const float left = ImGui::GetCursorPosX();
+    draw_groups(parts[0], widths[0], context);
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(left + widths[0].press + widths[0].sentence + column_gap * context.scale);
+    draw_groups(parts[1], widths[1], context);
   } else {
     // One above the other where the window is too narrow for both.
-    draw_groups(all, std::max(widths[0].press, widths[1].press), context);
+    const float press = std::max(widths[0].press, widths[1].press);
+    const float sentence = std::max(widths[0].sentence, widths[1].sentence);
+    draw_groups(all, {press, std::min(sentence, room - press - ImGui::GetStyle().ScrollbarSize)}, context);
   }
   ImGui::PopFont();
   text_in(context.theme.faint_text,

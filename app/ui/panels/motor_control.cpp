@@ -14,6 +14,7 @@ namespace {
 
 constexpr float large_letters = 1.25F;  // of the panels'
 constexpr float widest_words = 15.5F;   // large letters of "MOTORS ON. Esc: off" [heights]
+constexpr float least_width = 7.0F;     // of the button [heights of a letter]
 constexpr float frame_width = 8.0F;     // [points]
 
 bool may_push(const MotorReport& motors) noexcept {
@@ -40,15 +41,17 @@ void draw_motor_button(const PanelContext& context, float height) {
   ImFont* const font = is_on ? context.fonts.bold : context.fonts.regular;
   const float padding = ImGui::GetStyle().FramePadding.x;
   const float usual = ImGui::GetFontSize();
-  const float width =
+  const float wanted =
       motors.has_motors ? motor_button_room(context) : ImGui::CalcTextSize(words.c_str()).x + 2.0F * padding;
   ImGui::SameLine();
-  const bool fits = ImGui::GetContentRegionAvail().x >= width;
+  const float room = ImGui::GetContentRegionAvail().x;
+  const bool fits = room >= wanted;
   if (!fits && !motors.has_motors) {
     ImGui::NewLine();
     return;  // it says nothing that one has to know
   }
-  // With motors it is there, whatever it covers.
+  // With motors it is there, in smaller letters where there is little room.
+  const float width = fits ? wanted : std::max(room, least_width * usual);
   ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - width);
   const bool stands_out =
       is_on || (motors.has_motors && motors.reason != OffReason::none) || motors.state == SafetyState::arming;
@@ -77,14 +80,17 @@ void draw_motor_button(const PanelContext& context, float height) {
   }
 }
 
-void draw_motor_frame(const PanelContext& context, ImVec2 corner, ImVec2 size) {
+void draw_motor_frame(const PanelContext& context) {
   if (!may_push(context.loop.motors)) return;
   const float width = frame_width * context.scale;
   const float inset = 0.5F * width;
-  // Beneath the windows of dialogs, and above the scene.
-  ImGui::GetBackgroundDrawList()->AddRect({corner.x + inset, corner.y + inset},
-                                          {corner.x + size.x - inset, corner.y + size.y - inset},
-                                          packed(context.theme.problem), 0.0F, 0, width);
+  const ImVec2 corner = ImGui::GetWindowPos();
+  const ImVec2 end{corner.x + ImGui::GetWindowWidth(), corner.y + ImGui::GetWindowHeight()};
+  ImDrawList& draw_list = *ImGui::GetWindowDrawList();
+  draw_list.PushClipRect(corner, end);
+  draw_list.AddRect({corner.x + inset, corner.y + inset}, {end.x - inset, end.y - inset}, packed(context.theme.problem),
+                    0.0F, 0, width);
+  draw_list.PopClipRect();
 }
 
 }  // namespace ghostforce

@@ -15,7 +15,7 @@ namespace {
 
 // [points]
 constexpr float picture_width = 112.0F;
-constexpr float picture_height = 84.0F;
+constexpr float picture_height = 92.0F;
 constexpr float card_width = 296.0F;
 constexpr float card_padding = 6.0F;
 constexpr double mark_scale = 0.62;  // of lines and marks in the small pictures
@@ -166,7 +166,8 @@ void draw_open_scene(const PanelContext& context) {
   ImGui::PopStyleVar();
   ImGui::EndChild();
 
-  ImGui::TextUnformatted("Or the path of a scene or a recording; you can also drop the file on the window:");
+  wrapped_text("Or the path of a scene or a recording; you can also drop the file on the window:",
+               ImGui::GetCursorPosX() + width);
   const char* const open_words = "Open";
   const char* const cancel_words = "Cancel";
   const auto button_width = [&](const char* words) {

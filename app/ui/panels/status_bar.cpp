@@ -1,5 +1,7 @@
 // The bar at the bottom: who moves the goal, and which scene; what is not as it should be, and what to do about it; and the
 // ways to other scenes and to files.
+#include "app/ui/panels/status_bar.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -29,15 +31,28 @@ void draw_save_menu(Session& session) {
   ImGui::EndPopup();
 }
 
-// What is not as it should be, and what to do about it.
-std::vector<std::string> troubles(const PanelContext& context) {
-  const LoopReading& loop = context.loop;
+// What a narrow bar cuts off at its end says so.
+std::string shortened(const std::string& text, float room) {
+  constexpr std::size_t longest = 200;  // bytes; no bar has room for more
+  if (text.size() <= longest && ImGui::CalcTextSize(text.c_str()).x <= room) return text;
+  std::string kept = text.substr(0, longest);
+  do {
+    // Whole letters: the bytes that go on a letter in UTF-8 begin with the bits 10.
+    while (!kept.empty() && (static_cast<unsigned char>(kept.back()) & 0xC0U) == 0x80U) kept.pop_back();
+    if (!kept.empty()) kept.pop_back();
+  } while (!kept.empty() && ImGui::CalcTextSize((kept + "…").c_str()).x > room);
+  return kept + "…";
+}
+
+}  // namespace
+
+std::vector<std::string> troubles_of(const LoopReading& loop, const Settings& settings) {
   std::vector<std::string> words;
   if (loop.diverged) {
     words.emplace_back("Unstable: the device runs away. Change a setting, undo with Ctrl+Z, or press Alt+R.");
     return words;
   }
-  const double made = context.settings.rate * LoopReading::lately_s;
+  const double made = settings.rate * LoopReading::lately_s;
   if (static_cast<double>(loop.late_ticks_lately) > late_share_to_tell * made) {
     words.push_back(
         fmt::format("{} ticks late in {:.0f} s: close other programs", loop.late_ticks_lately, LoopReading::lately_s));
@@ -56,21 +71,6 @@ std::vector<std::string> troubles(const PanelContext& context) {
   return words;
 }
 
-// What a narrow bar cuts off at its end says so.
-std::string shortened(const std::string& text, float room) {
-  constexpr std::size_t longest = 200;  // bytes; no bar has room for more
-  if (text.size() <= longest && ImGui::CalcTextSize(text.c_str()).x <= room) return text;
-  std::string kept = text.substr(0, longest);
-  do {
-    // Whole letters: the bytes that go on a letter in UTF-8 begin with the bits 10.
-    while (!kept.empty() && (static_cast<unsigned char>(kept.back()) & 0xC0U) == 0x80U) kept.pop_back();
-    if (!kept.empty()) kept.pop_back();
-  } while (!kept.empty() && ImGui::CalcTextSize((kept + "…").c_str()).x > room);
-  return kept + "…";
-}
-
-}  // namespace
-
 void draw_status_bar(const PanelContext& context) {
   Session& session = context.session;
   const LoopReading& loop = context.loop;
@@ -78,7 +78,7 @@ void draw_status_bar(const PanelContext& context) {
   const auto width = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
   const auto button_width = [&](const std::string& text) { return width(text) + 2.0F * style.FramePadding.x; };
   const std::string words = fmt::format("{}   ·   t = {:8.3f} s", loop.input_title, context.snapshot.time_s);
-  const std::vector<std::string> problems = troubles(context);
+  const std::vector<std::string> problems = troubles_of(loop, context.settings);
   const std::string problem = problems.empty() ? "" : fmt::format("   ·   {}", fmt::join(problems, "   ·   "));
 
   // From the right: help, saving, the scene, and the loop's words in what remains.
