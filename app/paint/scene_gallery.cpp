@@ -11,8 +11,8 @@
 namespace ghostforce {
 namespace {
 
-// What stays of the marks is where everything is: no forces, which would reach out of so small a picture, and nothing that
-// is there for its words.
+// What stays of the marks is where everything is: no forces, which would reach out of so small a picture, and none of
+// what lies beside the scene.
 bool belongs_to_scene(const Mark& mark) {
   switch (mark.role) {
     case Role::force:
@@ -20,6 +20,7 @@ bool belongs_to_scene(const Mark& mark) {
     case Role::proxy_drift:
     case Role::handle:
     case Role::legend:
+    case Role::motor_axis:
     case Role::scale:
       return false;
     default:

@@ -43,7 +43,7 @@ bool draw_card(const PanelContext& context, std::size_t number, float width) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 end{corner.x + size.x, corner.y + size.y};
   ImGui::PushID(static_cast<int>(number));
-  const bool pressed = ImGui::InvisibleButton("scene", size);
+  const bool pressed = ImGui::InvisibleButton("scene", size, ImGuiButtonFlags_EnableNav);
   ImGui::PopID();
   const bool is_marked = context.session.form.marked_scene == number;
   const bool is_open = context.session.scene->title == shipped.scene.title;

@@ -99,7 +99,7 @@ void draw_strategy_button(const Bar& bar, const Strategy& entry) {
   const ImVec2 size{bar.width_of(entry), bar.height()};
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImGui::PushID(static_cast<int>(i));
-  if (ImGui::InvisibleButton("strategy", size)) context.session.settings.active = entry.id;
+  if (ImGui::InvisibleButton("strategy", size, ImGuiButtonFlags_EnableNav)) context.session.settings.active = entry.id;
   ImGui::PopID();
   const bool hovered = ImGui::IsItemHovered();
   const bool is_hinted = i == 2 && points_at(context.session, HintTarget::third_strategy);

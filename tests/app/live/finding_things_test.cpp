@@ -49,6 +49,7 @@ class FindingThings : public DrivenWindow {
   std::map<ImGuiID, Vector<2>> things_in_bar() {
     std::map<ImGuiID, Vector<2>> found;
     const double scale = session().appearance.scale;
+    window_->set_visible_drawing(false);  // nobody looks meanwhile
     const ImGuiWindow& bar = window_named("strategies");
     for (double y = 23.0 * scale; y < static_cast<double>(bar.Size.y); y += 35.0 * scale) {
       for (double x = 4.0; x < static_cast<double>(bar.Size.x); x += 8.0 * scale) {
@@ -57,6 +58,7 @@ class FindingThings : public DrivenWindow {
         if (hovered() != 0) found.try_emplace(hovered(), x + 4.0 * scale, y);
       }
     }
+    window_->set_visible_drawing(true);
     return found;
   }
   void click_on(const char* window, const char* name) {
