@@ -313,7 +313,10 @@ void Application::handle_requests() {
       use(input_of(*requests.input), session_.scene, session_.settings);
     }
     if (requests.open_scene) open_for_dialog(*requests.open_scene);
-    if (!dropped.empty()) open(dropped.front());
+    if (!dropped.empty()) {
+      open(dropped.front());
+      if (session_.dialog == Dialog::open_scene) session_.dialog = Dialog::none;
+    }
     if (dropped.size() > 1) show_notice("One scene at a time: the first of the files is open.", false);
     if (const auto& path = requests.save_scene) save(*path, [&] { return scene_text(scene_as_seen(session_)); });
     if (const auto& picture = requests.save_picture) save(picture->path, [&] { return picture_bytes(*picture); });
