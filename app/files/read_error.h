@@ -18,6 +18,7 @@ struct ReadProblem {
   std::string what{};
   std::string remedy{};           // may be empty
   std::string_view joint = ": ";  // " " where the file is the subject of `what`
+  std::string suggestion{};       // what may have been meant, as it would be given; empty: nothing is known
 };
 
 // "FILE:LINE:COLUMN", as far as it is known.

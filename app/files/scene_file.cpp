@@ -34,20 +34,19 @@ const EmbeddedText* find_shipped(std::string_view name) noexcept {
   return found == embedded_scenes.end() ? nullptr : &*found;
 }
 
-// What the person may have meant by a name that is nothing: a shipped scene, or a file nearby.
-std::string hint_for(const std::filesystem::path& path) {
+// What the person may have meant by a name that is nothing: a file nearby, or a shipped scene.
+std::optional<std::string> meant_by(const std::filesystem::path& path) {
   const std::string stem = path.extension() == extension ? path.stem().string() : path.filename().string();
-  const std::vector<std::string_view> shipped = shipped_scene_names();
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
   const auto name_of = [](const std::filesystem::path& file) {
     return file.extension() == extension ? file.stem().string() : "";
   };
   if (const auto near = nearest_name_in(folder, stem, name_of)) {
     const std::string found = *near + std::string(extension);
-    return fmt::format("did you mean '{}'?", quoted_text(path.has_parent_path() ? (folder / found).string() : found));
+    return path.has_parent_path() ? (folder / found).string() : found;
   }
-  if (const auto near = nearest_name(stem, shipped)) return fmt::format("did you mean '{}'?", *near);
-  return fmt::format("give the path of a file, or one of {}", listed(shipped));
+  if (const auto near = nearest_name(stem, shipped_scene_names())) return std::string(*near);
+  return std::nullopt;
 }
 
 std::string read_file(const std::string& path) {
@@ -61,10 +60,15 @@ std::string read_file(const std::string& path) {
       return std::move(file.text);
     case ENOENT:
     case ENOTDIR:
-    case ENAMETOOLONG:
+    case ENAMETOOLONG: {
+      const std::optional<std::string> meant = meant_by(path);
       throw ReadError(
           ReadError::Kind::wrong,
-          {{.what = fmt::format("no scene named '{}'", quoted_text(path, longest_path)), .remedy = hint_for(path)}});
+          {{.what = fmt::format("no scene named '{}'", quoted_text(path, longest_path)),
+            .remedy = meant ? fmt::format("did you mean '{}'?", quoted_text(*meant))
+                            : fmt::format("give the path of a file, or one of {}", listed(shipped_scene_names())),
+            .suggestion = meant.value_or("")}});
+    }
     case EISDIR:
       throw fail("is a folder", "name a scene file in it");
     case EFBIG:

@@ -15,10 +15,12 @@
 #include "app/files/run_reader.h"
 #include "app/files/scene_file.h"
 #include "app/runs/replay_start.h"
+#include "app/session/live_table.h"
 #include "app/session/measurement_guide.h"
 #include "app/session/scene_as_seen.h"
 #include "app/session/stage_actions.h"
 #include "app/session/target.h"
+#include "app/session/undo_words.h"
 #include "app/ui/plots/plot_export.h"
 #include "app/ui/widgets/save_path.h"
 #include "core/divergence.h"
@@ -177,6 +179,8 @@ void Application::update(double interval_s) {
   }
   see_target();
   link_->look();
+  late_ticks_.note(report_.loop.late_ticks, link_->is_opening(), interval_s);
+  if (const std::string problem = clipboard_tool_.look(); !problem.empty()) show_notice(problem, true);
   // Nobody stops the time of a real hand.
   if (report_.snapshot.measured) session_.paused = false;
   if (report_.restarts != command_.restarts_asked || report_.snapshot.tick == 0) {
@@ -224,13 +228,23 @@ void Application::draw() {
   looking_back_.follow(session_, report_.snapshot, history_.moments());
   handle_requests();
   undo_.note({session_.scene, session_.settings}, session_.is_editing || is_measuring(session_));
+  offer_undo();
   send();
+}
+
+void Application::offer_undo() {
+  const Edited* const before = undo_.before();
+  const Edited* const after = undo_.after();
+  session_.undo_offer = {.undo = before != nullptr ? words_of_change(*before, undo_.present()) : "",
+                         .redo = after != nullptr ? words_of_change(undo_.present(), *after) : ""};
+  if (is_measuring(session_)) session_.undo_offer.undo = "what the measurement has set, and end it";
 }
 
 LoopReading Application::reading() const {
   LoopReading reading{.input_title = input_->title,
                       .rate_hz = report_.loop.rate_hz,
-                      .late_ticks = report_.loop.late_ticks,
+                      .late_ticks = late_ticks_.all(),
+                      .late_ticks_lately = late_ticks_.lately(),
                       .dropped_samples = report_.loop.dropped_samples,
                       .refused = report_.refused_commands,
                       .diverged = report_.diverged,
@@ -238,7 +252,7 @@ LoopReading Application::reading() const {
                       .shader_problem = shader_watch_ ? std::string_view(shader_watch_->problem()) : std::string_view(),
                       .motors = report_.motors,
                       .recording = recording_reading_,
-                      .remark = mode_of(report_.realtime)};
+                      .refused_by_system = refused_words(report_.realtime)};
   link_->fill(reading);
   return reading;
 }
@@ -318,13 +332,21 @@ void Application::handle_requests() {
     if (requests.input && *requests.input != session_.input) {
       use(input_of(*requests.input), session_.scene, session_.settings);
     }
-    if (requests.open_scene) open(*requests.open_scene);
-    if (!dropped.empty()) open(dropped.front());
+    if (requests.open_scene) open_for_dialog(*requests.open_scene);
+    if (!dropped.empty()) {
+      open(dropped.front());
+      if (session_.dialog == Dialog::open_scene) session_.dialog = Dialog::none;
+    }
     if (dropped.size() > 1) show_notice("Only one scene can be open: the first file was opened.", false);
     if (const auto& path = requests.save_scene) save(*path, [&] { return scene_text(scene_as_seen(session_)); });
     if (const auto& picture = requests.save_picture) save(picture->path, [&] { return picture_bytes(*picture); });
     if (const auto& plots = requests.save_plots) {
       save(plots->path, [&] { return plot_file(session_, shown(), history_.plots(), *plots, painter_); });
+    }
+    if (requests.copy_picture) copy_picture(*requests.copy_picture);
+    if (requests.copy_table) {
+      window_.set_clipboard_text(live_table(shown().snapshot));
+      show_notice("Copied the live values. They can be pasted into a spreadsheet.", false);
     }
     if (requests.record) start_recording(*requests.record);
     if (requests.stop_recording) {
@@ -354,6 +376,23 @@ void Application::take_back(bool undo) {
     session_.settings = edited->settings;
   } else {
     use(*input_, edited->scene, edited->settings);
+  }
+}
+
+void Application::open_for_dialog(const std::string& name_or_path) {
+  if (session_.dialog != Dialog::open_scene) return open(name_or_path);
+  Form& form = session_.form;
+  form.problem.clear();
+  form.suggestion.clear();
+  try {
+    open(name_or_path);
+    session_.dialog = Dialog::none;
+  } catch (const Failure& failure) {
+    if (failure.code() == ExitCode::interrupted) throw;
+    form.problem = failure.what();
+  } catch (const ReadError& error) {
+    form.problem = error.what();
+    if (!error.problems().empty()) form.suggestion = error.problems().front().suggestion;
   }
 }
 
@@ -440,6 +479,14 @@ void Application::read_recording() {
                         .seconds = progress.seconds,
                         .bytes = progress.bytes,
                         .dropped = progress.dropped};
+}
+
+void Application::copy_picture(const CopyPictureRequest& request) {
+  const DisplayKind display = window_.display_kind();
+  const std::string png = png_bytes(screen_.picture(session_, shown(), history_, reading(),
+                                                    request.scene_alone ? Part::scene : Part::window, request.density));
+  const std::string problem = clipboard_tool_.copy_png(png, display);
+  show_notice(problem.empty() ? "Copied a picture. It can be pasted into other programs." : problem, !problem.empty());
 }
 
 std::string Application::picture_bytes(const SavePictureRequest& request) {

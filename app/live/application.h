@@ -9,7 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "app/files/clipboard_tool.h"
 #include "app/live/input_link.h"
+#include "app/live/late_ticks.h"
 #include "app/live/looking_back.h"
 #include "app/live/visible_state.h"
 #include "app/paint/file_painter.h"
@@ -104,13 +106,17 @@ class Application {
   void heartbeat();
   void copy_motor_requests();
   void handle_requests();
+  // As the picker of scenes asks for it: the dialog stays until there is something to show.
+  void open_for_dialog(const std::string& name_or_path);
   // A scene, or a recording to be replayed.
   void open(const std::string& name_or_path);
   void replay_run(const std::string& path);
   std::string picture_bytes(const SavePictureRequest& request);
+  void copy_picture(const CopyPictureRequest& request);
   void start_recording(const std::string& path);
   void read_recording();
   void take_back(bool undo);
+  void offer_undo();
   const InputEntry& input_of(std::string_view name) const;
   void use(const InputEntry& entry, std::shared_ptr<const Scene> scene, const Settings& settings);
   TickState<2> start_state();
@@ -124,6 +130,8 @@ class Application {
   InputOptions input_options_;
   FilePainter painter_;
   History history_;
+  LateTicks late_ticks_{LoopReading::lately_s};
+  ClipboardTool clipboard_tool_;
   LookingBack looking_back_;
   ServoCommand command_;
   Settings sent_settings_;  // the session's, of which those in the command are the nearest that a file can hold

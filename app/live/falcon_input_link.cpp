@@ -34,6 +34,10 @@ class FalconInputLink : public InputLink {
   // What a haptic device reports changes all the time.
   bool is_idle() const noexcept override { return false; }
 
+  bool is_opening() const noexcept override {
+    return report_.state < FalconState::homing || report_.state == FalconState::fault;
+  }
+
  private:
   // Empty: the handle reaches all of the scene's path.
   std::string remark() const {

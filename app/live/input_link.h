@@ -51,6 +51,10 @@ class InputLink {
   // Nothing comes from the input while the person does nothing and time is paused: it need not be looked at often.
   virtual bool is_idle() const noexcept { return true; }
 
+  // A device is looked for or opened, which takes the system as long as it takes: ticks that come late meanwhile say
+  // nothing about the loop.
+  virtual bool is_opening() const noexcept { return false; }
+
   // What the reading's draw_input shows has changed since the last frame; the rest of the reading tells it by itself.
   virtual bool has_news() const noexcept { return false; }
 

@@ -18,7 +18,7 @@ constexpr double finest_shown_force = 0.001;     // less than the last digit of 
 // In the words and to the digits that panels and dialogs show, in any order.
 void add_panel_words(const Session& session, const LoopReading& reading, std::string& words) {
   const auto out = std::back_inserter(words);
-  fmt::format_to(out, "{}{}{}{}", reading.refused, reading.remark, reading.device, reading.device_remark);
+  fmt::format_to(out, "{}{}{}{}", reading.refused, reading.refused_by_system, reading.device, reading.device_remark);
   for (const ReadinessStepState& step : reading.readiness) fmt::format_to(out, "{}{}", step.is_reached, step.words);
   const RecordingReading& recording = reading.recording;
   fmt::format_to(out, "{:.1f} {:.1f} {}", recording.seconds, 1e-6 * static_cast<double>(recording.bytes),

@@ -205,4 +205,27 @@ void GlPainter::paint(const std::vector<Pane>& panes, const Theme& theme, ImVec2
   }
 }
 
+gl::Texture GlPainter::texture_of(const Pane& pane, const Theme& theme) {
+  const PixelRect rect{0, 0, static_cast<int>(std::lround(pane.camera.size.x)),
+                       static_cast<int>(std::lround(pane.camera.size.y))};
+  gl::Texture texture;
+  glBindTexture(GL_TEXTURE_2D, texture.name());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, rect.width, rect.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_A, GL_ONE);  // blending leaves less than that in it
+  glBindTexture(GL_TEXTURE_2D, 0);
+  GLint before = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &before);
+  const gl::Framebuffer framebuffer;
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.name(), 0);
+  fill(theme.background, rect);
+  paint_marks(pane, rect, 1.0);
+  glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(before));
+  return texture;
+}
+
 }  // namespace ghostforce

@@ -30,6 +30,9 @@ class GlPainter {
   void paint(const std::vector<Pane>& panes, const Theme& theme, ImVec2 corner, double text_scale, int pixel_width,
              int pixel_height);
 
+  // A pane without its words, a pixel for each of its points, lowest row first. Leaves blending and viewport changed.
+  gl::Texture texture_of(const Pane& pane, const Theme& theme);
+
  private:
   // Must match the inputs of shaders/mark.vert.
   struct Instance {

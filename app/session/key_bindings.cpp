@@ -95,6 +95,10 @@ void ask(Session& session) {
   session.requests.*request = true;
 }
 
+void copy_picture(Session& session) {
+  session.requests.copy_picture = CopyPictureRequest{};
+}
+
 template <int steps>
 void change_scale(Session& session) {
   constexpr double step = 0.05;
@@ -136,31 +140,7 @@ constexpr int alt = GLFW_MOD_ALT;
 
 // clang-format off
 constexpr std::array bindings{
-    KeyBinding{GLFW_KEY_1, none, "1", "Fully actuated rendering", activate<StrategyId::full>},
-    KeyBinding{GLFW_KEY_2, none, "2", "Naïve rendering", activate<StrategyId::naive>},
-    KeyBinding{GLFW_KEY_3, none, "3", "Anisotropic rendering", activate<StrategyId::anisotropic>},
-    KeyBinding{GLFW_KEY_1, shift, "Shift+1 2 3", "The same in slow motion, on the stage", activate_slowly<StrategyId::full>},
-    KeyBinding{GLFW_KEY_2, shift, "", "", activate_slowly<StrategyId::naive>},
-    KeyBinding{GLFW_KEY_3, shift, "", "", activate_slowly<StrategyId::anisotropic>},
-    KeyBinding{GLFW_KEY_F4, none, "F4", "Stage or workbench", other_face, false, true},
-    KeyBinding{GLFW_KEY_Q, none, "Q", "Predict: guess where the handle comes to rest", toggle_mode<StageMode::predict>},
-    KeyBinding{GLFW_KEY_Y, none, "Y", "Why?: where the ghost force comes from", toggle_mode<StageMode::why>},
-    KeyBinding{GLFW_KEY_L, none, "L", "Landscape: at which walls and hands it is bad", toggle_mode<StageMode::landscape>},
-    KeyBinding{GLFW_KEY_O, none, "O", "Round and round: energy on a closed way", toggle_mode<StageMode::round>},
-    KeyBinding{GLFW_KEY_H, none, "H", "The last minute again", toggle_mode<StageMode::ribbon>},
-    KeyBinding{GLFW_KEY_ENTER, none, "Enter", "The answer to the guess; the next step of Why?", confirm_on_stage},
-    KeyBinding{GLFW_KEY_KP_ENTER, none, "", "", confirm_on_stage},
-    KeyBinding{GLFW_KEY_PAGE_DOWN, none, "PgDn PgUp", "A talk on the stage: next step, previous step", next_talk_step},
-    KeyBinding{GLFW_KEY_PAGE_UP, none, "", "", previous_talk_step},
-    KeyBinding{GLFW_KEY_B, none, "B", "Black: hides the stage, and shows it again", hide_stage},
-    KeyBinding{GLFW_KEY_0, none, "0", "Compare: overlay, side by side, active only", next_compare_mode},
-    KeyBinding{GLFW_KEY_SPACE, none, "Space", "Pause, and go on; looking back ends too", toggle_pause},
-    KeyBinding{GLFW_KEY_COMMA, none, ",", "Pause, and one tick back, up to a minute", step_back, true},
-    KeyBinding{GLFW_KEY_PERIOD, none, ".", "Pause, and one tick on", step_on, true},
-    KeyBinding{GLFW_KEY_R, none, "R", "Reset the motion", restart},
-    KeyBinding{GLFW_KEY_R, alt, "Alt+R", "Reset motion and all settings", restart_with_scene_settings},
-
-    KeyBinding{GLFW_KEY_LEFT, none, "Arrows", "Move the goal 1 mm; Shift 0.1 mm, Ctrl 10 mm", move_goal<-1, 0, 10>, true},
+    KeyBinding{GLFW_KEY_LEFT, none, "Arrows", "Move the goal 1 mm; Shift 0.1 mm, Ctrl 10 mm", move_goal<-1, 0, 10>, true, false, "Move and change"},
     KeyBinding{GLFW_KEY_RIGHT, none, "", "", move_goal<1, 0, 10>, true},
     KeyBinding{GLFW_KEY_UP, none, "", "", move_goal<0, 1, 10>, true},
     KeyBinding{GLFW_KEY_DOWN, none, "", "", move_goal<0, -1, 10>, true},
@@ -172,13 +152,11 @@ constexpr std::array bindings{
     KeyBinding{GLFW_KEY_RIGHT, ctrl, "", "", move_goal<1, 0, 100>, true},
     KeyBinding{GLFW_KEY_UP, ctrl, "", "", move_goal<0, 1, 100>, true},
     KeyBinding{GLFW_KEY_DOWN, ctrl, "", "", move_goal<0, -1, 100>, true},
-
     KeyBinding{GLFW_KEY_LEFT_BRACKET, none, "[  ]", "Turn the motor axis 5°; Shift 1°", turn_motor_axis<5>, true},
     KeyBinding{GLFW_KEY_RIGHT_BRACKET, none, "", "", turn_motor_axis<-5>, true},
     KeyBinding{GLFW_KEY_LEFT_BRACKET, shift, "", "", turn_motor_axis<1>, true},
     KeyBinding{GLFW_KEY_RIGHT_BRACKET, shift, "", "", turn_motor_axis<-1>, true},
     KeyBinding{GLFW_KEY_W, none, "W", "Turn the wall to the angle of largest naïve drift", turn_wall_to_largest_drift},
-
     KeyBinding{GLFW_KEY_MINUS, none, "−  +", "Turn the ratio ρ 5 % down or up; Alt 1 %", turn_ratio_by<-50>, true},
     KeyBinding{GLFW_KEY_EQUAL, none, "", "", turn_ratio_by<50>, true},
     KeyBinding{GLFW_KEY_KP_SUBTRACT, none, "", "", turn_ratio_by<-50>, true},
@@ -189,40 +167,69 @@ constexpr std::array bindings{
     KeyBinding{GLFW_KEY_KP_SUBTRACT, alt, "", "", turn_ratio_by<-10>, true},
     KeyBinding{GLFW_KEY_KP_ADD, alt, "", "", turn_ratio_by<10>, true},
 
+    KeyBinding{GLFW_KEY_1, none, "1", "Fully actuated rendering", activate<StrategyId::full>, false, false, "Strategies"},
+    KeyBinding{GLFW_KEY_2, none, "2", "Naïve rendering", activate<StrategyId::naive>},
+    KeyBinding{GLFW_KEY_3, none, "3", "Anisotropic rendering", activate<StrategyId::anisotropic>},
+    KeyBinding{GLFW_KEY_1, shift, "Shift+1 2 3", "The same in slow motion, on the stage", activate_slowly<StrategyId::full>},
+    KeyBinding{GLFW_KEY_2, shift, "", "", activate_slowly<StrategyId::naive>},
+    KeyBinding{GLFW_KEY_3, shift, "", "", activate_slowly<StrategyId::anisotropic>},
+
+    KeyBinding{GLFW_KEY_SPACE, none, "Space", "Pause, and go on; looking back ends too", toggle_pause, false, false, "Time"},
+    KeyBinding{GLFW_KEY_COMMA, none, ",", "Pause, and one tick back, up to a minute", step_back, true},
+    KeyBinding{GLFW_KEY_PERIOD, none, ".", "Pause, and one tick on", step_on, true},
+    KeyBinding{GLFW_KEY_R, none, "R", "Reset the motion", restart},
+    KeyBinding{GLFW_KEY_R, alt, "Alt+R", "Reset motion and all settings", restart_with_scene_settings},
+
+    KeyBinding{GLFW_KEY_0, none, "0", "Compare: overlay, side by side, active only", next_compare_mode, false, false, "View"},
     KeyBinding{GLFW_KEY_G, none, "G", "Ghost force on and off: the hatched end of the arrow", toggle<&ViewOptions::ghost_forces>},
     KeyBinding{GLFW_KEY_P, none, "P", "Prediction rings on and off", toggle<&ViewOptions::predictions>},
     KeyBinding{GLFW_KEY_T, none, "T", "Trails on and off", toggle<&ViewOptions::trails>},
     KeyBinding{GLFW_KEY_F, none, "F", "Fit the view to what there is to see", ask<&Requests::fit_view>},
 
-    KeyBinding{GLFW_KEY_Z, ctrl, "Ctrl+Z", "Undo the last change of a setting", ask<&Requests::undo>, true},
+    KeyBinding{GLFW_KEY_Q, none, "Q", "Predict: guess where the handle comes to rest", toggle_mode<StageMode::predict>, false, false, "Stage"},
+    KeyBinding{GLFW_KEY_Y, none, "Y", "Why?: where the ghost force comes from", toggle_mode<StageMode::why>},
+    KeyBinding{GLFW_KEY_L, none, "L", "Landscape: at which walls and hands it is bad", toggle_mode<StageMode::landscape>},
+    KeyBinding{GLFW_KEY_O, none, "O", "Round and round: energy on a closed way", toggle_mode<StageMode::round>},
+    KeyBinding{GLFW_KEY_H, none, "H", "The last minute again", toggle_mode<StageMode::ribbon>},
+    KeyBinding{GLFW_KEY_ENTER, none, "Enter", "The answer to the guess; the next step of Why?", confirm_on_stage},
+    KeyBinding{GLFW_KEY_KP_ENTER, none, "", "", confirm_on_stage},
+    KeyBinding{GLFW_KEY_PAGE_DOWN, none, "PgDn PgUp", "A talk on the stage: next step, previous step", next_talk_step},
+    KeyBinding{GLFW_KEY_PAGE_UP, none, "", "", previous_talk_step},
+    KeyBinding{GLFW_KEY_B, none, "B", "Black: hides the stage, and shows it again", hide_stage},
+
+    KeyBinding{GLFW_KEY_F2, none, "F2", "Device status: what is ready, and what to do", open_dialog<Dialog::doctor>, false, true, "Device"},
+    KeyBinding{GLFW_KEY_ESCAPE, none, "Esc", "Motors off; close what is open; it never quits", escape, false, true},
+
+    KeyBinding{GLFW_KEY_Z, ctrl, "Ctrl+Z", "Undo the last change of a setting", ask<&Requests::undo>, true, false, "Undo, files, clipboard"},
     KeyBinding{GLFW_KEY_Z, ctrl | shift, "Ctrl+Shift+Z", "Redo it; Ctrl+Y too", ask<&Requests::redo>, true},
     KeyBinding{GLFW_KEY_Y, ctrl, "", "", ask<&Requests::redo>, true},
     KeyBinding{GLFW_KEY_O, ctrl, "Ctrl+O", "Open a scene; or drop its file on the window", open_dialog<Dialog::open_scene>, false, true},
     KeyBinding{GLFW_KEY_S, ctrl, "Ctrl+S", "Save the scene with its settings as they are", open_dialog<Dialog::save_scene>, false, true},
     KeyBinding{GLFW_KEY_P, ctrl, "Ctrl+P", "Save a picture: PNG, SVG or PDF", open_dialog<Dialog::save_picture>, false, true},
+    KeyBinding{GLFW_KEY_P, ctrl | shift, "Ctrl+Shift+P", "Copy a picture to the clipboard", copy_picture, false, true},
+    KeyBinding{GLFW_KEY_C, ctrl | shift, "Ctrl+Shift+C", "Copy the live values to the clipboard", ask<&Requests::copy_table>, false, true},
 
-    KeyBinding{GLFW_KEY_F1, none, "F1", "This help", open_dialog<Dialog::help>, false, true},
-    KeyBinding{GLFW_KEY_F2, none, "F2", "The device: how far it is, and what to do", open_dialog<Dialog::doctor>, false, true},
+    KeyBinding{GLFW_KEY_F1, none, "F1", "This help", open_dialog<Dialog::help>, false, true, "Window"},
     KeyBinding{GLFW_KEY_F3, none, "F3", "Plots over time, wall angle and ratio ρ", toggle_plots, false, true},
+    KeyBinding{GLFW_KEY_F4, none, "F4", "Stage or workbench", other_face, false, true},
     KeyBinding{GLFW_KEY_F11, none, "F11", "Full screen, and back", ask<&Requests::toggle_full_screen>, false, true},
     KeyBinding{GLFW_KEY_T, ctrl, "Ctrl+T", "Next theme: light, dark, projector", next_theme},
-    KeyBinding{GLFW_KEY_EQUAL, ctrl, "Ctrl+ + − 0", "Letters larger, smaller, as usual", change_scale<1>, true},
+    KeyBinding{GLFW_KEY_EQUAL, ctrl, "Ctrl+ + − 0", "Text size: larger, smaller, default", change_scale<1>, true},
     KeyBinding{GLFW_KEY_EQUAL, ctrl | shift, "", "", change_scale<1>, true},
     KeyBinding{GLFW_KEY_KP_ADD, ctrl, "", "", change_scale<1>, true},
     KeyBinding{GLFW_KEY_MINUS, ctrl, "", "", change_scale<-1>, true},
     KeyBinding{GLFW_KEY_KP_SUBTRACT, ctrl, "", "", change_scale<-1>, true},
     KeyBinding{GLFW_KEY_0, ctrl, "", "", usual_scale},
-    KeyBinding{GLFW_KEY_ESCAPE, none, "Esc", "Motors off; close what is open; it never quits", escape, false, true},
     KeyBinding{GLFW_KEY_Q, ctrl, "Ctrl+Q", "Quit", ask<&Requests::quit>, false, true},
 };
 
 constexpr std::array gestures{
-    MouseGesture{"Drag", "The goal of your hand follows the pointer"},
-    MouseGesture{"Drag rail or arrow", "Turns the motor axis in steps of 5°; Ctrl: freely"},
-    MouseGesture{"Drag a wall grip", "Turns the wall in steps of 5°; Ctrl: freely"},
-    MouseGesture{"Wheel", "Zooms at the pointer"},
-    MouseGesture{"Right drag", "Moves the picture"},
-    MouseGesture{"Ctrl+click a slider", "Types a number into it"},
+    MouseGesture{"Move and change", "Drag", "The goal of your hand follows the pointer"},
+    MouseGesture{"Move and change", "Drag rail or arrow", "Turns the motor axis in steps of 5°; Ctrl: freely"},
+    MouseGesture{"Move and change", "Drag a wall grip", "Turns the wall in steps of 5°; Ctrl: freely"},
+    MouseGesture{"View", "Wheel", "Zooms at the pointer"},
+    MouseGesture{"View", "Right drag", "Moves the picture"},
+    MouseGesture{"Move and change", "Ctrl+click a slider", "Types a number into it"},
 };
 // clang-format on
 

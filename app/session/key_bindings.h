@@ -25,12 +25,14 @@ struct KeyBinding {
   void (*act)(Session&);
   bool repeats = false;         // holding it down does it again
   bool also_in_fields = false;  // even while the person types into a field, where most keys are letters
+  std::string_view group{};     // of this row and those that follow; empty: that of the row above
 };
 
 std::span<const KeyBinding> key_table() noexcept;
 
 // The mouse in the scene, in words: what the gestures do.
 struct MouseGesture {
+  std::string_view group;  // one of the keys'
   std::string_view shown;
   std::string_view sentence;
 };

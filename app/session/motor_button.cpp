@@ -8,15 +8,16 @@ std::string safety_words(const MotorReport& motors) {
   if (!motors.has_motors) return "no motor";
   switch (motors.state) {
     case SafetyState::off:
-      if (motors.reason != OffReason::none) return fmt::format("OFF: {}. OK?", entry_of(motors.reason).title);
-      return motors.is_ready ? "Arm the motors" : "Motors: not ready";
+      if (motors.reason == OffReason::key) return "Motors off. OK";
+      if (motors.reason != OffReason::none) return fmt::format("Motors off: {}. OK", entry_of(motors.reason).title);
+      return motors.is_ready ? "Arm the motors" : "Motors not ready";
     case SafetyState::arming:
       return "Arming… Esc: off";
     case SafetyState::ramp:
     case SafetyState::on:
       return "MOTORS ON. Esc: off";
     case SafetyState::fade:
-      return "Going off";
+      return "MOTORS going off";
   }
   return {};
 }

@@ -55,6 +55,12 @@ struct SavePictureRequest {
   bool scene_alone = true;  // without bars and panels, PNG only
 };
 
+// The same for the system's clipboard, as PNG.
+struct CopyPictureRequest {
+  int density = 2;
+  bool scene_alone = false;
+};
+
 // What the plots show, as numbers (.csv) or as a picture (.png, .svg, .pdf).
 struct SavePlotsRequest {
   std::string path;
@@ -74,6 +80,8 @@ struct Requests {
   std::optional<std::string> save_scene;
   std::optional<SavePictureRequest> save_picture;
   std::optional<SavePlotsRequest> save_plots;
+  std::optional<CopyPictureRequest> copy_picture;
+  bool copy_table = false;            // the live values, as text
   std::optional<std::string> record;  // to a file of this name
   bool stop_recording = false;
 };
@@ -85,6 +93,15 @@ struct Form {
   int density = 2;
   bool scene_alone = false;
   bool whole_history = false;
+  std::size_t marked_scene = 0;  // of those that the program brings along, in their order
+  std::string problem;           // why what was asked for last could not be done; empty: it could
+  std::string suggestion;        // a path that may have been meant; empty: none is known
+};
+
+// What undo and redo would change, in words; empty: there is nothing.
+struct UndoOffer {
+  std::string undo;
+  std::string redo;
 };
 
 // One thing to tell the person.
@@ -139,6 +156,7 @@ struct Session {
   Dialog dialog = Dialog::none;
   Form form;
   std::optional<Notice> notice;
+  UndoOffer undo_offer;
   Requests requests;
 };
 
@@ -163,9 +181,13 @@ struct RecordingReading {
 
 // What the loop reports about itself, for the status bar.
 struct LoopReading {
+  static constexpr double lately_s = 10.0;  // of real time
+
   std::string_view input_title;
   double rate_hz = 0.0;
+  // Ticks that came a period late or more, not counting those while a device is looked for or opened.
   std::uint64_t late_ticks = 0;
+  std::uint64_t late_ticks_lately = 0;  // of them, in the last lately_s
   std::uint64_t dropped_samples = 0;
   std::uint64_t refused = 0;  // settings and moves that the loop could not take
   bool diverged = false;      // the settings made the simulation unstable; it waits for others
@@ -179,7 +201,7 @@ struct LoopReading {
   std::function<void(const PanelContext&)> draw_input{};  // what else the input shows in its panel; may be empty
   RecordingReading recording{};
   std::optional<CircleReading> circle{};  // if the circle is the input
-  std::string remark{};                   // what the operating system granted and refused the loop; may be empty
+  std::string refused_by_system{};        // what the operating system does not grant the loop; may be empty
 };
 
 // How long the turn of the circle is that the picture shows; empty until the first is complete [s].

@@ -33,6 +33,11 @@ class UndoHistory {
     present_ = now;
   }
 
+  // What undo() and redo() would go to; null where there is nothing.
+  const Edited* before() const noexcept { return past_.empty() ? nullptr : &past_.back(); }
+  const Edited* after() const noexcept { return future_.empty() ? nullptr : &future_.back(); }
+  const Edited& present() const noexcept { return present_; }
+
   // What to go back or forward to; empty when there is nothing.
   std::optional<Edited> undo() { return step(past_, future_); }
   std::optional<Edited> redo() { return step(future_, past_); }

@@ -36,6 +36,7 @@ Screen::Screen(Window& window, Part part)
     : window_(window),
       part_(part),
       painter_(window.fonts()),
+      gallery_(painter_),
       measure_(measure_with(window.fonts())),
       workbench_(window.fonts()) {}
 
@@ -84,7 +85,8 @@ void Screen::apply_appearance(const Appearance& appearance) {
 void Screen::draw_everything(Session& session, const ShownMoment& moment, const History& history,
                              const LoopReading& loop, const Frame& frame) {
   const Theme& theme = *styled_appearance_.theme;
-  const PanelContext context{session, moment.snapshot, moment.settings, loop, theme, window_.fonts(), styled_scale_};
+  const PanelContext context{session, moment.snapshot, moment.settings, loop,
+                             theme,   window_.fonts(), styled_scale_,   gallery_};
   bool has_keys = false;
   if (frame.is_live) {
     std::vector<KeyPress> presses = window_.take_key_presses();
@@ -93,7 +95,7 @@ void Screen::draw_everything(Session& session, const ShownMoment& moment, const 
     if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup) && std::erase_if(presses, is_escape) > 0) {
       ++session.offs_asked;
     }
-    act_on_keys(session, presses, ImGui::GetIO().WantTextInput);
+    act_on_keys(session, presses, ImGui::GetIO().WantTextInput || has_field(session.dialog));
   }
   if (session.face == Face::stage) {
     draw_stage(context, moment, history, frame, has_keys);

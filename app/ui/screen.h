@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/paint/gl_painter.h"
+#include "app/paint/scene_gallery.h"
 #include "app/session/session.h"
 #include "app/ui/panels/hints.h"
 #include "app/ui/part.h"
@@ -69,6 +70,7 @@ class Screen {
   Window& window_;
   Part part_;
   GlPainter painter_;
+  SceneGallery gallery_;
   MeasureText measure_;
   Workbench workbench_;
   Hints hints_;

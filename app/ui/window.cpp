@@ -321,6 +321,21 @@ std::vector<KeyPress> Window::take_key_presses() {
   return std::exchange(key_presses_, {});
 }
 
+void Window::set_clipboard_text(const std::string& text) {
+  glfwSetClipboardString(handle(), text.c_str());
+}
+
+DisplayKind Window::display_kind() const {
+  switch (glfwGetPlatform()) {
+    case GLFW_PLATFORM_X11:
+      return DisplayKind::x11;
+    case GLFW_PLATFORM_WAYLAND:
+      return DisplayKind::wayland;
+    default:
+      return DisplayKind::none;
+  }
+}
+
 void Window::on_resize(GLFWwindow* handle, int width, int height) {
   auto& window = *static_cast<Window*>(glfwGetWindowUserPointer(handle));
   if (!window.is_full_screen() && !window.is_maximized()) window.restored_size_ = {width, height};

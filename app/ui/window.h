@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/files/clipboard_tool.h"
 #include "app/files/image.h"
 #include "app/session/key_bindings.h"
 #include "app/ui/widgets/panel_context.h"
@@ -66,6 +67,11 @@ class Window {
 
   // Since the last call, in their order.
   std::vector<KeyPress> take_key_presses();
+
+  // For other programs to paste.
+  void set_clipboard_text(const std::string& text);
+  // The desktop that a tool of the system would have to speak to.
+  DisplayKind display_kind() const;
 
   // Files that were dropped on the window since the last call.
   std::vector<std::string> take_dropped_files();

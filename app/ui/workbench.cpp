@@ -1,6 +1,7 @@
 #include "app/ui/workbench.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <string>
 #include <utility>
@@ -70,26 +71,29 @@ void draw_column(const PanelContext& context) {
 }  // namespace
 
 // Bar on top, bar at the bottom, panels on the right, and in what remains the scene under its caption and above the
-// drawer with the plots.
+// drawer with the plots. Their edges are whole points, as ImGui has its windows: else a column of pixels between two of
+// them would be nobody's.
 struct Workbench::Layout {
   Rect top, bottom, column, caption, scene, drawer;
 
-  Layout(Part part, ImVec2 size, float scale, bool has_drawer) {
+  Layout(Part part, ImVec2 size, float scale, float bar_height, bool has_drawer) {
     if (part == Part::scene) {
       scene = {{0.0F, 0.0F}, size};
       return;
     }
-    const float top_height = 46.0F * scale;
-    const float bottom_height = 32.0F * scale;
-    const float column_width = std::min(std::clamp(0.335F * size.x, 350.0F * scale, 470.0F * scale), 0.5F * size.x);
+    const float top_height = std::round(bar_height);
+    const float bottom_height = std::round(32.0F * scale);
+    const float column_width =
+        std::round(std::min(std::clamp(0.335F * size.x, 350.0F * scale, 470.0F * scale), 0.5F * size.x));
     const float middle_height = size.y - top_height - bottom_height;
     top = {{0.0F, 0.0F}, {size.x, top_height}};
     bottom = {{0.0F, size.y - bottom_height}, {size.x, bottom_height}};
     column = {{size.x - column_width, top_height}, {column_width, middle_height}};
-    const float caption_height = 62.0F * scale;
+    const float caption_height = std::round(62.0F * scale);
     const float scene_width = size.x - column_width;
     caption = {{0.0F, top_height}, {scene_width, caption_height}};
-    const float drawer_height = has_drawer ? std::clamp(0.4F * middle_height, 200.0F * scale, 340.0F * scale) : 0.0F;
+    const float drawer_height =
+        has_drawer ? std::round(std::clamp(0.4F * middle_height, 200.0F * scale, 340.0F * scale)) : 0.0F;
     const float scene_height = middle_height - caption_height - drawer_height;
     scene = {{0.0F, top_height + caption_height}, {scene_width, scene_height}};
     drawer = {{0.0F, scene.corner.y + scene_height}, {scene_width, drawer_height}};
@@ -103,6 +107,9 @@ void Workbench::draw_panels(const PanelContext& context, const Layout& layout, c
   ImGui::End();
   begin_fixed("caption", layout.caption, ImGuiWindowFlags_NoScrollWithMouse);
   draw_caption(context);
+  ImGui::End();
+  begin_fixed("motor frame", layout.scene, ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoInputs);
+  draw_motor_frame(context);
   ImGui::End();
   begin_fixed("status", layout.bottom, ImGuiWindowFlags_NoScrollWithMouse);
   draw_status_bar(context);
@@ -128,7 +135,8 @@ void Workbench::draw_panels(const PanelContext& context, const Layout& layout, c
 
 void Workbench::draw(const PanelContext& context, const WorkbenchFrame& frame) {
   Session& session = context.session;
-  const Layout layout(frame.part, ImGui::GetIO().DisplaySize, context.scale, session.plots.is_open);
+  const Layout layout(frame.part, ImGui::GetIO().DisplaySize, context.scale, strategy_bar_height(context),
+                      session.plots.is_open);
   const double unit = static_cast<double>(context.scale) * context.theme.thickness;
   scene_corner_ = layout.scene.corner;
   scene_size_ = {std::max(1.0, static_cast<double>(layout.scene.size.x)),

@@ -106,11 +106,9 @@ RealtimeStatus request_realtime() noexcept {
   return status;
 }
 
-std::string mode_of(const RealtimeStatus& status) {
-  if (status.priority_error != 0) {
-    return status.has_short_slice ? "no real-time priority, short time slices" : "no real-time priority";
-  }
-  return status.memory_lock_error == 0 ? "real-time priority, memory locked" : "real-time priority, memory not locked";
+std::string refused_words(const RealtimeStatus& status) {
+  if (status.priority_error != 0) return "no real-time priority";
+  return status.memory_lock_error == 0 ? "" : "memory not locked";
 }
 
 std::string describe(const RealtimeStatus& status) {

@@ -26,9 +26,9 @@ RealtimeStatus request_realtime() noexcept;
 // must before motors are armed. Once, before request_realtime().
 void leave_processor_to_servo() noexcept;
 
-// How the thread keeps time, in a few words for the status bar: "real-time priority, memory locked". Not for the servo
-// thread, nor is the next.
-std::string mode_of(const RealtimeStatus& status);
+// What was refused, in a few words for the status bar: "no real-time priority"; empty: nothing. Not for the servo thread,
+// nor is the next.
+std::string refused_words(const RealtimeStatus& status);
 
 // The same in one line that also says why it is no better.
 std::string describe(const RealtimeStatus& status);

@@ -16,7 +16,8 @@ namespace {
 
 constexpr double visible_force = 0.01;  // as in the table [N]
 constexpr float large = 1.2F;           // of the panels' letters
-constexpr double parallel = 0.02;       // sine of an angle that looks like none
+constexpr float paused_letters = 1.7F;
+constexpr double parallel = 0.02;  // sine of an angle that looks like none
 
 }  // namespace
 
@@ -64,17 +65,39 @@ std::string words_of(const PanelContext& context) {
   return std::string(caption_of(context.settings, context.snapshot.goal));
 }
 
+// At the right edge, as high as the bar: to be read from the last row. Returns where it begins.
+float draw_paused(const PanelContext& context) {
+  const char* const words = "PAUSED";
+  const char* const remedy = "Space goes on";
+  const float regular = ImGui::GetStyle().FontSizeBase;
+  const ImVec2 corner = ImGui::GetCursorPos();
+  const float right = ImGui::GetContentRegionMax().x;
+  ImGui::PushFont(context.fonts.bold, paused_letters * regular);
+  const float left = right - ImGui::CalcTextSize(words).x;
+  ImGui::SetCursorPosX(left);
+  text_in(context.theme.accent, words);
+  ImGui::PopFont();
+  ImGui::SetCursorPosX(right - ImGui::CalcTextSize(remedy).x);
+  text_in(context.theme.faint_text, remedy);
+  ImGui::SetCursorPos(corner);
+  return left;
+}
+
 }  // namespace
 
 void draw_caption(const PanelContext& context) {
-  if (context.session.hint) {
+  const bool is_still = context.session.paused || context.session.stage.looks_back_to_s;
+  const float end = is_still ? draw_paused(context) - ImGui::GetStyle().ItemSpacing.x : ImGui::GetContentRegionMax().x;
+  if (context.session.hint && !is_still) {
     draw_hint(context);
     return;
   }
   const std::string words = words_of(context);
   // Large, to be read from the last row, where two lines have room for it.
-  const float needed = large * ImGui::CalcTextSize(words.c_str()).x;
-  const bool fits = needed < 1.8F * ImGui::GetContentRegionAvail().x;
+  const float needed = ImGui::CalcTextSize(words.c_str()).x;
+  const float room = end - ImGui::GetCursorPosX();
+  const bool fits = large * needed < 1.8F * room;
+  if (is_still && needed > 2.2F * room) return;  // more lines than the bar has beside the large word
   ImGui::PushFont(context.fonts.regular, (fits ? large : 1.0F) * ImGui::GetStyle().FontSizeBase);
   const std::size_t i = index_of(context.settings.active);
   const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -82,7 +105,7 @@ void draw_caption(const PanelContext& context) {
   draw_glyph(*ImGui::GetWindowDrawList(), {corner.x + 0.6F * line, corner.y + 0.5F * line}, 0.42F * line,
              strategy_style(context.settings.active).shape, context.theme.strategy[i]);
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 1.6F * line);
-  wrapped_text(words);
+  wrapped_text(words, end);
   ImGui::PopFont();
 }
 

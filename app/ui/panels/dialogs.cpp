@@ -16,7 +16,7 @@ struct Entry {
 };
 constexpr std::array dialogs{
     Entry{Dialog::help, "Help", draw_help},
-    Entry{Dialog::doctor, "The device", draw_doctor, true},
+    Entry{Dialog::doctor, "Device status", draw_doctor, true},
     Entry{Dialog::open_scene, "Open a scene", draw_open_scene},
     Entry{Dialog::save_scene, "Save the scene", draw_save_scene},
     Entry{Dialog::save_picture, "Save a picture", draw_save_picture},
@@ -28,6 +28,10 @@ constexpr ImGuiWindowFlags dialog_window = ImGuiWindowFlags_NoResize | ImGuiWind
                                            ImGuiWindowFlags_AlwaysAutoResize;
 
 }  // namespace
+
+bool has_field(Dialog dialog) noexcept {
+  return dialog != Dialog::none && dialog != Dialog::help && dialog != Dialog::doctor;
+}
 
 void draw_dialog(const PanelContext& context) {
   Session& session = context.session;

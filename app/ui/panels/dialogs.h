@@ -6,6 +6,9 @@
 
 namespace ghostforce {
 
+// What is typed is meant for the dialog, even between two fields: keys are no shortcuts.
+bool has_field(Dialog dialog) noexcept;
+
 // The one that session.dialog names, in the middle of the window.
 void draw_dialog(const PanelContext& context);
 

@@ -121,7 +121,18 @@ void draw_live_values(const PanelContext& context) {
   draw_head();
   for (const Strategy& entry : strategy_catalog()) draw_row(context, entry);
   ImGui::EndTable();
+  const float top = ImGui::GetCursorPosY();
   draw_model_error(context);
+  const char* const copy = "Copy";
+  const float copy_x =
+      ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(copy).x - 2.0F * ImGui::GetStyle().FramePadding.x;
+  if (ImGui::GetItemRectMax().x < ImGui::GetWindowPos().x + copy_x) {
+    ImGui::SameLine();
+    ImGui::SetCursorPosY(top);
+  }
+  ImGui::SetCursorPosX(copy_x);
+  if (ImGui::SmallButton(copy)) context.session.requests.copy_table = true;
+  tooltip("Copies the values of all three strategies to the clipboard, for a spreadsheet. Ctrl+Shift+C.");
 }
 
 }  // namespace ghostforce

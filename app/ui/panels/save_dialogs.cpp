@@ -56,7 +56,16 @@ void draw_save_picture(const PanelContext& context) {
     ImGui::EndDisabled();
     end_rows();
   }
-  if (!draw_save_path_with(picture_formats, context)) return;
+  const bool shall_save = draw_save_path_with(picture_formats, context);
+  ImGui::SameLine();
+  ImGui::BeginDisabled(!is_png);
+  if (ImGui::Button("Copy to clipboard")) {
+    session.requests.copy_picture = CopyPictureRequest{form.density, form.scene_alone};
+    session.dialog = Dialog::none;
+  }
+  ImGui::EndDisabled();
+  tooltip("The picture as PNG, for other programs to paste. Ctrl+Shift+P.");
+  if (!shall_save) return;
   session.requests.save_picture = SavePictureRequest{form.path, form.density, form.scene_alone};
   session.dialog = Dialog::none;
 }

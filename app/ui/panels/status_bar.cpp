@@ -1,12 +1,14 @@
-// The bar at the bottom: where the goal comes from, how the loop keeps time, which scene; and the ways to others.
+// The bar at the bottom: who moves the goal, and which scene; what is not as it should be, and what to do about it; and the
+// ways to other scenes and to files.
+#include "app/ui/panels/status_bar.h"
+
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "app/files/scene_file.h"
 #include "app/session/key_bindings.h"
 #include "app/ui/panels/panel_catalog.h"
 #include "app/ui/widgets/controls.h"
@@ -14,46 +16,18 @@
 namespace ghostforce {
 namespace {
 
-struct ShippedScene {
-  std::string name;
-  std::string title;
-  std::string about;
-};
+// Fewer late ticks than this are felt by nobody and happen on every desktop [share of all].
+constexpr double late_share_to_tell = 1e-3;
 
-const std::vector<ShippedScene>& shipped_scenes() {
-  static const std::vector<ShippedScene> scenes = [] {
-    std::vector<ShippedScene> list;
-    for (const std::string_view name : shipped_scene_names()) {
-      const Scene scene = load_scene(std::string(name));
-      list.push_back({std::string(name), scene.title, scene.about});
-    }
-    // fig4-ratio5 comes before fig4-ratio10.
-    std::ranges::sort(list, {}, [](const ShippedScene& scene) {
-      const std::size_t digits = scene.name.find_last_not_of("0123456789") + 1;
-      const std::string number = scene.name.substr(digits);
-      return std::pair(scene.name.substr(0, digits), number.empty() ? 0 : std::stoi(number));
-    });
-    return list;
-  }();
-  return scenes;
-}
-
-void draw_scene_menu(Session& session) {
-  if (!ImGui::BeginPopup("scenes")) return;
+void draw_save_menu(Session& session) {
+  if (!ImGui::BeginPopup("save")) return;
   close_popup_on_escape();
-  for (const ShippedScene& scene : shipped_scenes()) {
-    if (ImGui::MenuItem(scene.title.c_str(), scene.name.c_str(), scene.title == session.scene->title))
-      session.requests.open_scene = scene.name;
-    tooltip(scene.about);
-  }
+  if (ImGui::MenuItem("Save this scene…", "Ctrl+S")) session.dialog = Dialog::save_scene;
+  if (ImGui::MenuItem("Save a picture…", "Ctrl+P")) session.dialog = Dialog::save_picture;
+  if (ImGui::MenuItem("Save the plots…", nullptr, false, session.plots.is_open)) session.dialog = Dialog::save_plots;
   ImGui::Separator();
-  const auto item = [](const char* words, const char* keys) { return ImGui::MenuItem(words, keys); };
-  if (item("Open a scene…", "Ctrl+O")) session.dialog = Dialog::open_scene;
-  if (item("Save this scene…", "Ctrl+S")) session.dialog = Dialog::save_scene;
-  if (item("Save a picture…", "Ctrl+P")) session.dialog = Dialog::save_picture;
-  ImGui::Separator();
-  if (item("Undo", "Ctrl+Z")) session.requests.undo = true;
-  if (item("Redo", "Ctrl+Shift+Z")) session.requests.redo = true;
+  if (ImGui::MenuItem("Copy a picture", "Ctrl+Shift+P")) session.requests.copy_picture = CopyPictureRequest{};
+  if (ImGui::MenuItem("Copy the live values", "Ctrl+Shift+C")) session.requests.copy_table = true;
   ImGui::EndPopup();
 }
 
@@ -72,48 +46,77 @@ std::string shortened(const std::string& text, float room) {
 
 }  // namespace
 
+std::vector<std::string> troubles_of(const LoopReading& loop, const Settings& settings) {
+  std::vector<std::string> words;
+  if (loop.diverged) {
+    words.emplace_back("Unstable: the device runs away. Change a setting, undo with Ctrl+Z, or press Alt+R.");
+    return words;
+  }
+  const double made = settings.rate * LoopReading::lately_s;
+  if (static_cast<double>(loop.late_ticks_lately) > late_share_to_tell * made) {
+    words.push_back(
+        fmt::format("{} ticks late in {:.0f} s: close other programs", loop.late_ticks_lately, LoopReading::lately_s));
+    if (!loop.refused_by_system.empty()) {
+      words.push_back(fmt::format("{}: 'ghostforce doctor' says why", loop.refused_by_system));
+    }
+  }
+  if (loop.dropped_samples > 0) {
+    words.push_back(fmt::format("{} samples missing in the plots: close other programs", loop.dropped_samples));
+  }
+  if (loop.recording.is_on && loop.recording.dropped > 0) {
+    words.push_back(fmt::format("{} samples not recorded: record to a faster disk", loop.recording.dropped));
+  }
+  if (loop.refused > 0)
+    words.push_back(fmt::format("{} changes refused: out of range; undo with Ctrl+Z", loop.refused));
+  return words;
+}
+
 void draw_status_bar(const PanelContext& context) {
   Session& session = context.session;
   const LoopReading& loop = context.loop;
-  std::string words = fmt::format("{}   ·   t = {:8.3f} s   ·   {:5.0f} ticks/s   ·   {:3} late", loop.input_title,
-                                  context.snapshot.time_s, loop.rate_hz, loop.late_ticks);
-  if (loop.dropped_samples > 0) words += fmt::format("   ·   {} samples dropped", loop.dropped_samples);
-  if (loop.recording.is_on && loop.recording.dropped > 0) {
-    words += fmt::format("   ·   {} samples not recorded", loop.recording.dropped);
-  }
-  if (loop.refused > 0) words += fmt::format("   ·   {} refused", loop.refused);
-  if (loop.diverged) words = "Unstable: the device runs away. Change a setting, undo with Ctrl+Z, or press Alt+R.";
-  const std::string remark = loop.remark.empty() ? "" : fmt::format("   ·   {}", loop.remark);
   const ImGuiStyle& style = ImGui::GetStyle();
   const auto width = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
-  const float spacing = style.ItemSpacing.x;
-  const float help_width = width("F1  Help") + 2.0F * style.FramePadding.x;
-  const float right_edge = ImGui::GetContentRegionMax().x;
+  const auto button_width = [&](const std::string& text) { return width(text) + 2.0F * style.FramePadding.x; };
+  const std::string words = fmt::format("{}   ·   t = {:8.3f} s", loop.input_title, context.snapshot.time_s);
+  const std::vector<std::string> problems = troubles_of(loop, context.settings);
+  const std::string problem = problems.empty() ? "" : fmt::format("   ·   {}", fmt::join(problems, "   ·   "));
 
-  // From the right: help, the scene, and the loop's words in what remains.
-  const float for_scene = right_edge - help_width - 2.0F * spacing - ImGui::GetCursorPosX() - width(words) -
-                          2.0F * style.FramePadding.x - width("  ▾");
-  const std::string title = shortened(session.scene->title, std::max(for_scene, 6.0F * ImGui::GetFontSize()));
-  const std::string caption = title + "  ▾";
-  const float scene_width = width(caption) + 2.0F * style.FramePadding.x;
-  const float scene_x = right_edge - help_width - spacing - scene_width;
-  const float room = scene_x - spacing - ImGui::GetCursorPosX();
+  // From the right: help, saving, the scene, and the loop's words in what remains.
+  const char* const help = "F1  Help";
+  const char* const save = "Save  ▾";
+  const float spacing = style.ItemSpacing.x;
+  const float left = ImGui::GetCursorPosX();
+  const float save_x = ImGui::GetContentRegionMax().x - button_width(help) - spacing - button_width(save);
+  const float for_scene = save_x - 2.0F * spacing - left - width(words) - width(problem) - button_width("");
+  const std::string title = shortened(session.scene->title, std::max(for_scene, 7.0F * ImGui::GetFontSize()));
+  const float scene_x = save_x - spacing - button_width(title);
+  const float room = scene_x - spacing - left;
 
   ImGui::SetCursorPosY(0.5F * (ImGui::GetWindowHeight() - ImGui::GetFrameHeight()));
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(shortened(words, room).c_str());
-  tooltip("Who moves the goal, model time, ticks of the loop per second of real time, and ticks that came too late.");
-  if (width(words) + width(remark) <= room) {
+  ImGui::BeginGroup();
+  // Where there is room for one of them, trouble is what has to be read.
+  const bool has_room_for_both = width(words) + width(problem) <= room;
+  if (problems.empty() || has_room_for_both) {
+    ImGui::TextUnformatted(shortened(words, room).c_str());
     ImGui::SameLine(0.0F, 0.0F);
-    text_in(context.theme.faint_text, remark);
-    tooltip("What the system grants the loop, so that its ticks come in time; ghostforce doctor says why not more.");
   }
+  if (!problems.empty()) {
+    text_in(context.theme.problem,
+            has_room_for_both ? problem : shortened(fmt::format("{}", fmt::join(problems, ". ")), room));
+  }
+  ImGui::EndGroup();
+  tooltip(fmt::format("Who moves the goal, and model time. {:.0f} ticks a second; {} late so far.{}{}", loop.rate_hz,
+                      loop.late_ticks, problems.empty() ? "" : "\n", fmt::join(problems, "\n")));
   ImGui::SameLine(scene_x);
-  if (ImGui::Button((caption + "###scene").c_str())) ImGui::OpenPopup("scenes");
-  tooltip(session.scene->about);
-  draw_scene_menu(session);
+  if (ImGui::Button((title + "###scene").c_str())) open_dialog<Dialog::open_scene>(session);
+  tooltip(fmt::format("{} Press to open another scene. Ctrl+O.", session.scene->about));
   ImGui::SameLine();
-  if (ImGui::Button("F1  Help", {help_width, 0.0F})) open_dialog<Dialog::help>(session);
+  if (ImGui::Button(save)) ImGui::OpenPopup("save");
+  tooltip("The scene, a picture or the plots as a file; the live values or a picture to the clipboard.");
+  draw_save_menu(session);
+  ImGui::SameLine();
+  if (ImGui::Button(help)) open_dialog<Dialog::help>(session);
   tooltip("Every key and every gesture.");
 }
 

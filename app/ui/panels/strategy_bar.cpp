@@ -1,12 +1,15 @@
-// The bar on top: which strategy is on the device, what is compared, and how time runs.
+// The bar on top: which strategy is on the device, what is compared, how time runs, and the ways back.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 
 #include "app/session/key_bindings.h"
-#include "app/session/motor_button.h"
+#include "app/session/stage_actions.h"
+#include "app/ui/panels/bar_signs.h"
 #include "app/ui/panels/hints.h"
+#include "app/ui/panels/motor_control.h"
 #include "app/ui/panels/panel_catalog.h"
 #include "app/ui/panels/recording.h"
 #include "app/ui/widgets/controls.h"
@@ -23,29 +26,80 @@ struct BarSizes {
   float sign;  // width of a button with a sign, in heights of it
   float gap;   // between groups [points]
 };
-constexpr BarSizes wide{.has_titles = true, .pad = 1.2F, .compare = 9.6F, .speed = 4.8F, .sign = 1.15F, .gap = 14.0F};
-constexpr BarSizes narrow{.has_titles = false, .pad = 0.7F, .compare = 7.6F, .speed = 4.0F, .sign = 0.9F, .gap = 6.0F};
+constexpr std::array bar_sizes{
+    BarSizes{.has_titles = true, .pad = 1.2F, .compare = 9.6F, .speed = 4.8F, .sign = 1.15F, .gap = 14.0F},
+    BarSizes{.has_titles = true, .pad = 0.6F, .compare = 7.6F, .speed = 4.0F, .sign = 0.9F, .gap = 7.0F},
+    BarSizes{.has_titles = false, .pad = 0.5F, .compare = 7.6F, .speed = 4.0F, .sign = 0.9F, .gap = 6.0F},
+};
 
-const BarSizes& bar_sizes(const PanelContext& context) {
-  // The button of the motors is one more thing to see.
-  const float needed = context.loop.motors.has_motors ? 1010.0F : 930.0F;
-  return ImGui::GetWindowWidth() < needed * context.scale ? narrow : wide;
+constexpr float row_height = 30.0F;  // of the buttons [points]
+constexpr const char* stage_words = "Stage (F4)";
+
+struct Bar {
+  const PanelContext& context;
+  const BarSizes& sizes;
+
+  float height() const { return row_height * context.scale; }
+  float letters() const { return 15.0F * context.scale; }  // their height
+  float icon() const { return sizes.sign * height(); }
+  float spacing() const { return ImGui::GetStyle().ItemSpacing.x; }
+  float gap() const { return sizes.gap * context.scale; }
+  std::string words_of(const Strategy& entry) const {
+    return sizes.has_titles ? std::string(entry.title) : std::string(1, entry.letter);
+  }
+  // As wide as the bold words, so that choosing does not make the bar jump.
+  float width_of(const Strategy& entry) const {
+    const std::string words = words_of(entry);
+    const float words_width = context.fonts.bold->CalcTextSizeA(letters(), 1e9F, 0.0F, words.c_str()).x;
+    return words_width + (1.5F + 2.6F * 0.4F + sizes.pad) * letters();
+  }
+  float stage_width() const { return ImGui::CalcTextSize(stage_words).x + 2.0F * ImGui::GetStyle().FramePadding.x; }
+
+  // Strategies and comparison; then time, what is taken back, and the way to the stage.
+  float choices_width() const {
+    float width = gap() + sizes.compare * letters();
+    for (const Strategy& entry : strategy_catalog()) width += width_of(entry) + spacing();
+    return width - spacing();
+  }
+  float actions_width() const {
+    constexpr int icons = 7;
+    constexpr int spaces = 5;  // between things that belong together
+    return icons * icon() + sizes.speed * letters() + stage_width() + spaces * spacing() + 3.0F * gap();
+  }
+};
+
+struct BarPlan {
+  const BarSizes& sizes;
+  bool has_two_rows;
+};
+
+// The largest with which everything has room in one row; else in two.
+BarPlan plan_bar(const PanelContext& context) {
+  const float room = ImGui::GetIO().DisplaySize.x - 2.0F * ImGui::GetStyle().WindowPadding.x;
+  const float motors = motor_button_room(context);
+  for (const BarSizes& sizes : bar_sizes) {
+    const Bar bar{context, sizes};
+    if (bar.choices_width() + bar.actions_width() + 2.0F * bar.gap() + motors <= room) return {sizes, false};
+  }
+  for (const BarSizes& sizes : bar_sizes) {
+    const Bar bar{context, sizes};
+    if (bar.actions_width() <= room && bar.choices_width() + bar.gap() + motors <= room) return {sizes, true};
+  }
+  return {bar_sizes.back(), true};
 }
 
-void draw_strategy_button(const PanelContext& context, const Strategy& entry, float height) {
+void draw_strategy_button(const Bar& bar, const Strategy& entry) {
+  const PanelContext& context = bar.context;
   const std::size_t i = index_of(entry.id);
   const bool active = entry.id == context.session.settings.active;
-  const BarSizes& sizes = bar_sizes(context);
-  const std::string words = sizes.has_titles ? std::string(entry.title) : std::string(1, entry.letter);
+  const std::string words = bar.words_of(entry);
   const float glyph = 0.4F * ImGui::GetFontSize();
   const float key_width = 1.5F * ImGui::GetFontSize();
   ImGui::PushFont(active ? context.fonts.bold : context.fonts.regular, 0.0F);
-  // As wide as the bold words, so that choosing does not make the bar jump.
-  const float words_width = context.fonts.bold->CalcTextSizeA(ImGui::GetFontSize(), 1e9F, 0.0F, words.c_str()).x;
-  const ImVec2 size{key_width + 2.6F * glyph + words_width + sizes.pad * ImGui::GetFontSize(), height};
+  const ImVec2 size{bar.width_of(entry), bar.height()};
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImGui::PushID(static_cast<int>(i));
-  if (ImGui::InvisibleButton("strategy", size)) context.session.settings.active = entry.id;
+  if (ImGui::InvisibleButton("strategy", size, ImGuiButtonFlags_EnableNav)) context.session.settings.active = entry.id;
   ImGui::PopID();
   const bool hovered = ImGui::IsItemHovered();
   const bool is_hinted = i == 2 && points_at(context.session, HintTarget::third_strategy);
@@ -103,62 +157,28 @@ void draw_speed(Session& session, float width, float height) {
   tooltip("Slow motion: fewer ticks per second, and the same physics.");
 }
 
-// Signs that everybody knows, drawn because the font has none of them. `unit` is half the sign's height.
-using DrawSign = void (*)(ImDrawList& draw_list, ImVec2 middle, float unit, ImU32 colour);
-
-void draw_play_sign(ImDrawList& draw_list, ImVec2 middle, float unit, ImU32 colour) {
-  draw_list.AddTriangleFilled({middle.x - 0.7F * unit, middle.y - unit}, {middle.x + unit, middle.y},
-                              {middle.x - 0.7F * unit, middle.y + unit}, colour);
-}
-
-void draw_pause_sign(ImDrawList& draw_list, ImVec2 middle, float unit, ImU32 colour) {
-  for (const float side : {-1.0F, 1.0F}) {
-    const float x = middle.x + 0.5F * side * unit;
-    draw_list.AddRectFilled({x - 0.28F * unit, middle.y - unit}, {x + 0.28F * unit, middle.y + unit}, colour);
-  }
-}
-
-void draw_step_sign(ImDrawList& draw_list, ImVec2 middle, float unit, ImU32 colour) {
-  draw_list.AddTriangleFilled({middle.x - unit, middle.y - unit}, {middle.x + 0.4F * unit, middle.y},
-                              {middle.x - unit, middle.y + unit}, colour);
-  draw_list.AddRectFilled({middle.x + 0.5F * unit, middle.y - unit}, {middle.x + 0.95F * unit, middle.y + unit},
-                          colour);
-}
-
-// Three quarters of a circle and an arrow head: once more.
-void draw_reset_sign(ImDrawList& draw_list, ImVec2 middle, float unit, ImU32 colour) {
-  constexpr float quarter = 1.5708F;
-  draw_list.PathArcTo(middle, 0.85F * unit, -0.6F * quarter, 2.6F * quarter, 24);
-  draw_list.PathStroke(colour, 0, 0.3F * unit);
-  const ImVec2 end{middle.x + 0.5F * unit, middle.y - 0.69F * unit};
-  draw_list.AddTriangleFilled({end.x - 0.75F * unit, end.y - 0.3F * unit}, {end.x + 0.5F * unit, end.y - 0.75F * unit},
-                              {end.x + 0.35F * unit, end.y + 0.6F * unit}, colour);
-}
-
-void draw_record_sign(ImDrawList& draw_list, ImVec2 middle, float unit, ImU32 colour) {
-  draw_list.AddCircleFilled(middle, unit, colour, 24);
-}
-
-bool icon_button(const char* id, DrawSign draw_sign, Colour colour, const PanelContext& context, float height) {
+bool icon_button(const Bar& bar, const char* id, DrawSign draw_sign, Colour colour, bool is_enabled = true) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const float width = bar_sizes(context).sign * height;
-  const bool pressed = ImGui::Button(id, {width, height});
-  draw_sign(*ImGui::GetWindowDrawList(), {corner.x + 0.5F * width, corner.y + 0.5F * height}, 0.22F * height,
-            packed(colour));
+  ImGui::BeginDisabled(!is_enabled);
+  const bool pressed = ImGui::Button(id, {bar.icon(), bar.height()});
+  ImGui::EndDisabled();
+  draw_sign(*ImGui::GetWindowDrawList(), {corner.x + 0.5F * bar.icon(), corner.y + 0.5F * bar.height()},
+            0.22F * bar.height(), packed(is_enabled ? colour : bar.context.theme.panel_border));
   return pressed;
 }
 
-bool icon_button(const char* id, DrawSign draw_sign, const PanelContext& context, float height) {
-  return icon_button(id, draw_sign, context.theme.text, context, height);
+bool icon_button(const Bar& bar, const char* id, DrawSign draw_sign, bool is_enabled = true) {
+  return icon_button(bar, id, draw_sign, bar.context.theme.text, is_enabled);
 }
 
-void draw_record_button(const PanelContext& context, float height) {
+void draw_record_button(const Bar& bar) {
+  const PanelContext& context = bar.context;
   const bool is_on = context.loop.recording.is_on;
   if (is_on) {
     ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 2.5F * context.scale);
     ImGui::PushStyleColor(ImGuiCol_Border, unpacked(context.theme.problem));
   }
-  if (icon_button("##record", draw_record_sign, is_on ? context.theme.problem : context.theme.text, context, height)) {
+  if (icon_button(bar, "##record", draw_record_sign, is_on ? context.theme.problem : context.theme.text)) {
     toggle_recording(context);
   }
   if (is_on) {
@@ -169,70 +189,71 @@ void draw_record_button(const PanelContext& context, float height) {
                 : "Records every tick to a new file, which any spreadsheet opens and which can be replayed.");
 }
 
-void draw_safety_button(const PanelContext& context, float height) {
-  const MotorReport& motors = context.loop.motors;
-  const std::string words = safety_words(motors);
-  const float width = ImGui::CalcTextSize(words.c_str()).x + 2.0F * ImGui::GetStyle().FramePadding.x;
+void draw_time(const Bar& bar) {
+  const PanelContext& context = bar.context;
+  Session& session = context.session;
+  const bool looks_back = session.stage.looks_back_to_s.has_value();
+  // Nobody stops the time of a real hand; one can look back at what it did.
+  const bool can_stop = !context.snapshot.measured;
+  const bool is_still = session.paused || looks_back;
+  if (icon_button(bar, "##pause", is_still ? draw_play_sign : draw_pause_sign, can_stop || looks_back)) {
+    toggle_pause(session);
+  }
+  tooltip(is_still ? "Lets model time go on. Space." : "Stops model time. Space.");
   ImGui::SameLine();
-  const bool fits = ImGui::GetContentRegionAvail().x >= width;
-  if (!fits && !motors.has_motors) {
-    ImGui::NewLine();
-    return;  // it says nothing that one has to know
-  }
-  // With motors it is there, whatever it covers.
-  ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - width);
-  const bool stands_out = motors.has_motors && (motors.state != SafetyState::off || motors.reason != OffReason::none);
-  const Colour rim = motors.state == SafetyState::off ? context.theme.accent : context.theme.problem;
-  ImGui::BeginDisabled(!can_press_safety_button(motors));
-  if (stands_out) {
-    ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 2.5F * context.scale);
-    ImGui::PushStyleColor(ImGuiCol_Border, unpacked(rim));
-  }
-  if (ImGui::Button((words + "###motors").c_str(), {width, height})) press_safety_button(context.session, motors);
-  if (stands_out) {
-    ImGui::PopStyleColor();
-    ImGui::PopStyleVar();
-  }
+  if (icon_button(bar, "##back", draw_step_back_sign)) step_back(session);
+  tooltip("Stops model time and looks one tick back, up to a minute. The key is the comma.");
+  ImGui::SameLine();
+  if (icon_button(bar, "##step", draw_step_on_sign, can_stop || looks_back)) step_on(session);
+  tooltip("Stops model time after one more tick of the loop. The key is the full stop.");
+  ImGui::SameLine();
+  if (icon_button(bar, "##reset", draw_reset_sign)) restart(session);
+  tooltip("Starts the motion again. Key R; Alt+R resets the settings too.");
+  ImGui::SameLine();
+  ImGui::BeginDisabled(!can_stop);
+  draw_speed(session, bar.sizes.speed, bar.height());
   ImGui::EndDisabled();
-  if (!motors.has_motors) {
-    tooltip("No device with a motor is in use: the forces on screen are the model's.");
-  } else if (motors.state == SafetyState::off && motors.reason != OffReason::none) {
-    tooltip(entry_of(motors.reason).remedy);
-  } else {
-    tooltip("Lets the device push. Esc turns it off at any time.");
-  }
+}
+
+void draw_undo_and_redo(const Bar& bar) {
+  Session& session = bar.context.session;
+  const UndoOffer& offer = session.undo_offer;
+  if (icon_button(bar, "##undo", draw_undo_sign, !offer.undo.empty())) session.requests.undo = true;
+  tooltip(offer.undo.empty() ? "There is nothing to undo." : fmt::format("Undo {}. Ctrl+Z.", offer.undo));
+  ImGui::SameLine();
+  if (icon_button(bar, "##redo", draw_redo_sign, !offer.redo.empty())) session.requests.redo = true;
+  tooltip(offer.redo.empty() ? "There is nothing to redo." : fmt::format("Redo {}. Ctrl+Shift+Z.", offer.redo));
 }
 
 }  // namespace
 
+float strategy_bar_height(const PanelContext& context) {
+  const float rows = plan_bar(context).has_two_rows ? 2.0F : 1.0F;
+  return (16.0F + rows * row_height) * context.scale + (rows - 1.0F) * ImGui::GetStyle().ItemSpacing.y;
+}
+
 void draw_strategy_bar(const PanelContext& context) {
   Session& session = context.session;
-  const float height = 30.0F * context.scale;
-  for (const Strategy& entry : strategy_catalog()) draw_strategy_button(context, entry, height);
-
-  const BarSizes& sizes = bar_sizes(context);
-  ImGui::SameLine(0.0F, sizes.gap * context.scale);
-  draw_compare(session, sizes.compare, height);
-  ImGui::SameLine(0.0F, sizes.gap * context.scale);
-  // Nobody stops the time of a real hand.
-  ImGui::BeginDisabled(context.snapshot.measured.has_value());
-  if (icon_button("##pause", session.paused ? draw_play_sign : draw_pause_sign, context, height)) toggle_pause(session);
-  tooltip(session.paused ? "Lets model time go on. Space." : "Stops model time. Space.");
+  const BarPlan plan = plan_bar(context);
+  const Bar bar{context, plan.sizes};
+  for (const Strategy& entry : strategy_catalog()) draw_strategy_button(bar, entry);
+  ImGui::SameLine(0.0F, bar.gap());
+  draw_compare(session, bar.sizes.compare, bar.height());
+  // The motors' button has its place at the right edge of the first row.
+  if (plan.has_two_rows) {
+    draw_motor_button(context, bar.height());
+  } else {
+    ImGui::SameLine(0.0F, bar.gap());
+  }
+  draw_time(bar);
   ImGui::SameLine();
-  if (icon_button("##step", draw_step_sign, context, height)) single_step(session);
-  tooltip("One tick of the loop, then pause. The key is the full stop.");
-  ImGui::EndDisabled();
-  ImGui::SameLine();
-  if (icon_button("##reset", draw_reset_sign, context, height)) restart(session);
-  tooltip("Starts the motion again. Key R; Alt+R resets the settings too.");
-  ImGui::SameLine();
-  ImGui::BeginDisabled(context.snapshot.measured.has_value());
-  draw_speed(session, sizes.speed, height);
-  ImGui::EndDisabled();
-  ImGui::SameLine();
-  draw_record_button(context, height);
-
-  draw_safety_button(context, height);
+  draw_record_button(bar);
+  ImGui::SameLine(0.0F, bar.gap());
+  draw_undo_and_redo(bar);
+  ImGui::SameLine(0.0F, bar.gap());
+  if (ImGui::Button(stage_words, {bar.stage_width(), bar.height()})) show_face(session, Face::stage);
+  tooltip("Back to the stage: one hand, one handle, one wall. F4.");
+  if (!plan.has_two_rows) draw_motor_button(context, bar.height());
 }
 
 }  // namespace ghostforce

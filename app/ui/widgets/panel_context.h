@@ -7,6 +7,7 @@
 #include <imgui.h>
 
 #include "app/paint/label_painter.h"
+#include "app/paint/scene_gallery.h"
 #include "app/session/session.h"
 #include "app/view/theme.h"
 #include "core/snapshot.h"
@@ -25,6 +26,7 @@ struct PanelContext {
   const Theme& theme;
   const Fonts& fonts;
   float scale;  // UI scale [1]
+  SceneGallery& gallery;
 };
 
 struct Panel {

@@ -70,6 +70,38 @@ TEST_F(RehearsalWindow, TakesEveryStepAndPushes) {
   EXPECT_FALSE(now().measured);
 }
 
+TEST_F(RehearsalWindow, AFrameRoundTheSceneAndAFilledButtonSayThatMotorsMayPush) {
+  EXPECT_TRUE(application_->input_link().is_opening()) << "late ticks do not count yet";
+  get_ready();
+  EXPECT_FALSE(application_->input_link().is_opening());
+  const auto has_problem_colour = [this](double x, double y) {
+    const Image shown = picture();
+    const std::size_t at =
+        3U * (static_cast<std::size_t>(y) * static_cast<std::size_t>(shown.width) + static_cast<std::size_t>(x));
+    return Colour{shown.rgb[at], shown.rgb[at + 1], shown.rgb[at + 2]} == session().appearance.theme->problem;
+  };
+  const auto shows_motors = [&](bool whether) {
+    const Vector<2> end = in_window(screen().scene_size());
+    const Vector<2> corner = in_window({0.0, 0.0});
+    for (const double inset : {1.0, 6.0}) {
+      EXPECT_EQ(has_problem_colour(corner.x + inset, 0.5 * (corner.y + end.y)), whether) << inset;
+      EXPECT_EQ(has_problem_colour(end.x - 1.0 - inset, 0.5 * (corner.y + end.y)), whether) << inset;
+      EXPECT_EQ(has_problem_colour(0.5 * (corner.x + end.x), corner.y + inset), whether) << inset;
+      EXPECT_EQ(has_problem_colour(0.5 * (corner.x + end.x), end.y - 1.0 - inset), whether) << inset;
+    }
+    EXPECT_EQ(has_problem_colour(1260.0, 14.0), whether) << "the button";
+  };
+  shows_motors(false);
+  turn_on();
+  point_at(600.0, 795.0);  // off the button
+  frames(3, ticks);
+  shows_motors(true);
+  press(GLFW_KEY_ESCAPE);
+  ASSERT_TRUE(frames_until(1.0, [&] { return motors().state == SafetyState::off; }));
+  frames(2, ticks);
+  shows_motors(false);
+}
+
 TEST_F(RehearsalWindow, OneCanLookBackAndTheHandGoesOn) {
   turn_on();
   lead_slowly(outside, inside);

@@ -8,7 +8,9 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <set>
 #include <string>
+#include <string_view>
 
 #include "app/session/stage_actions.h"
 #include "app/view/handles.h"
@@ -30,6 +32,17 @@ TEST_F(KeysTest, NoTwoBindingsHaveTheSameChordAndEveryRowSaysWhatItDoes) {
     EXPECT_EQ(a.shown.empty(), a.sentence.empty());
   }
   EXPECT_FALSE(key_table().front().shown.empty());
+}
+
+TEST(KeyTable, EveryGroupHasItsRowsTogetherAndTheMouseHasItsPlaceAmongThem) {
+  std::set<std::string_view> groups;
+  for (const KeyBinding& binding : key_table()) {
+    if (!binding.group.empty()) {
+      EXPECT_TRUE(groups.insert(binding.group).second) << binding.group;
+    }
+  }
+  EXPECT_FALSE(key_table().front().group.empty());
+  for (const MouseGesture& gesture : mouse_table()) EXPECT_TRUE(groups.contains(gesture.group)) << gesture.shown;
 }
 
 // What a key needs before it can do something that one sees.

@@ -124,11 +124,11 @@ TEST(Realtime, DrawingLeavesAProcessorToAnOrdinaryUsersServo) {
   munlockall();
 }
 
-TEST(Realtime, NamesTheModeInAFewWords) {
-  EXPECT_EQ(mode_of({0, 0}), "real-time priority, memory locked");
-  EXPECT_EQ(mode_of({0, ENOMEM}), "real-time priority, memory not locked");
-  EXPECT_EQ(mode_of({EPERM, EPERM, true}), "no real-time priority, short time slices");
-  EXPECT_EQ(mode_of({EPERM, 0}), "no real-time priority");
+TEST(Realtime, NamesWhatWasRefusedInAFewWords) {
+  EXPECT_EQ(refused_words({0, 0}), "");
+  EXPECT_EQ(refused_words({0, ENOMEM}), "memory not locked");
+  EXPECT_EQ(refused_words({EPERM, EPERM, true}), "no real-time priority");
+  EXPECT_EQ(refused_words({EPERM, 0}), "no real-time priority");
 }
 
 TEST(Realtime, SaysWhatWasGranted) {

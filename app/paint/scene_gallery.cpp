@@ -1,0 +1,96 @@
+#include "app/paint/scene_gallery.h"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "app/files/scene_file.h"
+#include "app/view/panes.h"
+#include "core/simulate.h"
+
+namespace ghostforce {
+namespace {
+
+// What stays of the marks is where everything is: no forces, which would reach out of so small a picture, and none of
+// what lies beside the scene.
+bool belongs_to_scene(const Mark& mark) {
+  switch (mark.role) {
+    case Role::force:
+    case Role::ghost_force:
+    case Role::proxy_drift:
+    case Role::handle:
+    case Role::legend:
+    case Role::motor_axis:
+    case Role::scale:
+      return false;
+    default:
+      return true;
+  }
+}
+
+bool is_ground(const Mark& mark) {
+  return mark.role == Role::wall || mark.role == Role::hatching || mark.role == Role::grid;
+}
+
+// Which way the hand takes, on the ground and under everything else.
+void add_path(const Scene& scene, const Theme& theme, double width, Marks& marks) {
+  auto place = std::ranges::find_if_not(marks, is_ground);
+  const std::vector<Vector<2>>& points = scene.goal.points;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    place = marks.insert(
+        place, {Role::trail, std::nullopt, Line{points[i - 1], points[i], width, theme.faint_text, dotted_line}});
+  }
+}
+
+Pane pane_at_rest(const Scene& scene, const Theme& theme, const Vector<2>& size, double scale) {
+  const Vector<2> goal = scene.goal.points.back();
+  const Snapshot rest = snapshot_of(coefficients_of(scene.settings), equilibrium_state(scene.settings, goal));
+  const History nothing;
+  const MeasureText no_words = [](std::string_view, const TextStyle&) { return Vector<2>(0.0); };
+  std::vector<Pane> panes = compose_panes({.settings = scene.settings,
+                                           .snapshot = rest,
+                                           .history = nothing,
+                                           .theme = theme,
+                                           .options = {.predictions = false, .trails = false},
+                                           .shown = scene.view,
+                                           .size = size,
+                                           .scale = scale,
+                                           .measure = no_words});
+  std::erase_if(panes.front().marks, [](const Mark& mark) { return !belongs_to_scene(mark); });
+  add_path(scene, theme, 2.0 * scale, panes.front().marks);
+  return std::move(panes.front());
+}
+
+}  // namespace
+
+const std::vector<ShippedScene>& shipped_scenes() {
+  static const std::vector<ShippedScene> scenes = [] {
+    std::vector<ShippedScene> list;
+    for (const std::string_view name : shipped_scene_names()) {
+      list.push_back({std::string(name), load_scene(std::string(name))});
+    }
+    // fig4-ratio5 comes before fig4-ratio10.
+    std::ranges::sort(list, {}, [](const ShippedScene& scene) {
+      const std::size_t digits = scene.name.find_last_not_of("0123456789") + 1;
+      const std::string number = scene.name.substr(digits);
+      return std::pair(scene.name.substr(0, digits), number.empty() ? 0 : std::stoi(number));
+    });
+    return list;
+  }();
+  return scenes;
+}
+
+unsigned int SceneGallery::picture(std::size_t number, const Theme& theme, int width, int height, double scale) {
+  if (theme_ != &theme || width_ != width || height_ != height) {
+    theme_ = &theme;
+    width_ = width;
+    height_ = height;
+    pictures_.clear();
+    for (const ShippedScene& shipped : shipped_scenes()) {
+      pictures_.push_back(painter_.texture_of(pane_at_rest(shipped.scene, theme, {width, height}, scale), theme));
+    }
+  }
+  return pictures_[number].name();
+}
+
+}  // namespace ghostforce

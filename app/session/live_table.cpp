@@ -1,0 +1,27 @@
+#include "app/session/live_table.h"
+
+#include <fmt/format.h>
+
+#include "app/view/quantities.h"
+#include "core/strategy.h"
+
+namespace ghostforce {
+
+std::string live_table(const Snapshot& snapshot) {
+  std::string text = "strategy";
+  for (const Quantity& quantity : quantity_catalog()) text += fmt::format("\t{} [{}]", quantity.title, quantity.unit);
+  text += '\n';
+  for (const Strategy& entry : strategy_catalog()) {
+    text += entry.title;
+    for (const Quantity& quantity : quantity_catalog()) {
+      text += '\t';
+      // More digits than on the screen, and a minus sign that spreadsheets read.
+      const bool is_known = !quantity.is_against_goal || !snapshot.measured;
+      if (is_known) text += fmt::format("{:.6g}", quantity.value(snapshot.strategies[index_of(entry.id)]) + 0.0);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,56 @@
+#include "app/session/undo_words.h"
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace ghostforce {
+namespace {
+
+struct Part {
+  std::string_view words;
+  bool (*is_same)(const Settings&, const Settings&);
+};
+
+template <auto Settings::*member>
+bool is_same(const Settings& a, const Settings& b) {
+  return a.*member == b.*member;
+}
+
+template <auto Stiffnesses::*member>
+bool is_same_stiffness(const Settings& a, const Settings& b) {
+  return a.stiffnesses.*member == b.stiffnesses.*member;
+}
+
+constexpr std::array parts{
+    Part{"the strategy", is_same<&Settings::active>},
+    Part{"k_r", is_same_stiffness<&Stiffnesses::k_r>},
+    Part{"k_t", is_same_stiffness<&Stiffnesses::k_t>},
+    Part{"k_c", is_same_stiffness<&Stiffnesses::k_c>},
+    Part{"the ratio ρ", is_same_stiffness<&Stiffnesses::chosen_tracking_ratio>},
+    Part{"k_u", is_same_stiffness<&Stiffnesses::k_u>},
+    Part{"the believed k_u", is_same_stiffness<&Stiffnesses::believed_k_u>},
+    Part{"the wall's angle", is_same<&Settings::wall_normal_angle>},
+    Part{"the wall's place", is_same<&Settings::wall_point>},
+    Part{"the actuated direction", is_same<&Settings::actuated_angle>},
+    Part{"the mass", is_same<&Settings::mass>},
+    Part{"the damping", is_same<&Settings::damping>},
+    Part{"the rate", is_same<&Settings::rate>},
+};
+
+}  // namespace
+
+std::string words_of_change(const Edited& before, const Edited& after) {
+  if (before.scene != after.scene) return fmt::format("the opening of “{}”", after.scene->title);
+  std::vector<std::string_view> changed;
+  for (const Part& part : parts) {
+    if (!part.is_same(before.settings, after.settings)) changed.push_back(part.words);
+  }
+  if (changed.size() == 1) return std::string(changed.front());
+  if (changed.size() == 2) return fmt::format("{} and {}", changed[0], changed[1]);
+  return "several settings";
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,13 @@
+// What a step of undo changes, in words for the button that takes it.
+#pragma once
+
+#include <string>
+
+#include "app/session/undo.h"
+
+namespace ghostforce {
+
+// "k_r", "the strategy and the wall's angle", "the opening of “A wall at 45 degrees”"; never empty.
+std::string words_of_change(const Edited& before, const Edited& after);
+
+}  // namespace ghostforce

@@ -1,0 +1,14 @@
+// The motors' button in the bar on top.
+#pragma once
+
+#include "app/ui/widgets/panel_context.h"
+
+namespace ghostforce {
+
+// At the right edge of the row that is being drawn; without motors only where there is room.
+void draw_motor_button(const PanelContext& context, float height);
+
+// What it needs of the row [points]; the same in every state of the motors.
+float motor_button_room(const PanelContext& context);
+
+}  // namespace ghostforce
