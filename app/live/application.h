@@ -101,6 +101,8 @@ class Application {
   void send();
   void heartbeat();
   void copy_motor_requests();
+  // What one key press, or one frame, has left in the session.
+  void do_what_is_asked();
   void handle_requests();
   // A scene, or a recording to be replayed.
   void open(const std::string& name_or_path);

@@ -112,6 +112,15 @@ void next_theme(Session& session) {
   session.appearance.theme = &themes[next % themes.size()];
 }
 
+// While the hand is measured, a reading; else what it means on the stage.
+void confirm(Session& session) {
+  if (session.measurement.stage == UserMeasurement::Stage::nulling && session.dialog == Dialog::none) {
+    take_reading(session);
+  } else {
+    confirm_on_stage(session);
+  }
+}
+
 // Before all else it turns motors off; it never quits.
 void escape(Session& session) {
   ++session.offs_asked;
@@ -148,8 +157,8 @@ constexpr std::array bindings{
     KeyBinding{GLFW_KEY_L, none, "L", "Landscape: at which walls and hands it is bad", toggle_mode<StageMode::landscape>},
     KeyBinding{GLFW_KEY_O, none, "O", "Round and round: energy on a closed way", toggle_mode<StageMode::round>},
     KeyBinding{GLFW_KEY_H, none, "H", "The last minute again", toggle_mode<StageMode::ribbon>},
-    KeyBinding{GLFW_KEY_ENTER, none, "Enter", "The answer to the guess; the next step of Why?", confirm_on_stage},
-    KeyBinding{GLFW_KEY_KP_ENTER, none, "", "", confirm_on_stage},
+    KeyBinding{GLFW_KEY_ENTER, none, "Enter", "The answer to the guess; the next step of Why?", confirm},
+    KeyBinding{GLFW_KEY_KP_ENTER, none, "", "", confirm},
     KeyBinding{GLFW_KEY_PAGE_DOWN, none, "PgDn PgUp", "A talk on the stage: next step, previous step", next_talk_step},
     KeyBinding{GLFW_KEY_PAGE_UP, none, "", "", previous_talk_step},
     KeyBinding{GLFW_KEY_B, none, "B", "Black: hides the stage, and shows it again", hide_stage},
@@ -236,13 +245,11 @@ std::span<const MouseGesture> mouse_table() noexcept {
   return gestures;
 }
 
-void act_on_keys(Session& session, std::span<const KeyPress> presses, bool is_typing) {
-  for (const KeyPress& press : presses) {
-    for (const KeyBinding& binding : bindings) {
-      if (binding.key != press.key || binding.modifiers != press.modifiers) continue;
-      if ((press.is_repeat && !binding.repeats) || (is_typing && !binding.also_in_fields)) continue;
-      binding.act(session);
-    }
+void act_on_key(Session& session, const KeyPress& press, bool is_typing) {
+  for (const KeyBinding& binding : bindings) {
+    if (binding.key != press.key || binding.modifiers != press.modifiers) continue;
+    if ((press.is_repeat && !binding.repeats) || (is_typing && !binding.also_in_fields)) continue;
+    binding.act(session);
   }
 }
 

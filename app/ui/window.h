@@ -3,6 +3,8 @@
 // one at a time.
 #pragma once
 
+#include <cstdint>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <string>
@@ -32,6 +34,14 @@ inline constexpr int least_window_height = 360;
 struct WindowSize {
   int width = 0;
   int height = 0;
+};
+
+// What the keyboard did: a key went down or up, or a character came without a key, from an input method.
+struct KeyEvent {
+  KeyPress press;               // press.key == 0: a character alone
+  bool is_down = true;          // false: the key went up
+  int scancode = 0;             // of the key
+  std::uint32_t character = 0;  // that it has typed; 0: none
 };
 
 class Window {
@@ -64,8 +74,9 @@ class Window {
   // As it is while neither maximised nor full screen, as WindowOptions has it: before the display's scale.
   WindowSize restored_size() const;
 
-  // Since the last call, in their order.
-  std::vector<KeyPress> take_key_presses();
+  // What the keyboard did and nobody has taken yet, in its order. Dear ImGui sees of it only what is handed on to it.
+  std::deque<KeyEvent>& key_events() noexcept { return key_events_; }
+  static void hand_on(const KeyEvent& event);
 
   // Files that were dropped on the window since the last call.
   std::vector<std::string> take_dropped_files();
@@ -121,7 +132,7 @@ class Window {
   struct {
     int x = 0, y = 0;
   } restored_corner_;
-  std::vector<KeyPress> key_presses_;
+  std::deque<KeyEvent> key_events_;
   bool awaits_character_ = false;  // of the newest of them it is not known yet what it types
   std::vector<std::string> dropped_files_;
   bool is_stirred_ = false;  // since the last poll

@@ -36,6 +36,7 @@ void apply_style(const Theme& theme, float scale) {
   set(ImGuiCol_Text, theme.text);
   set(ImGuiCol_TextDisabled, theme.faint_text);
   set(ImGuiCol_WindowBg, theme.panel);
+  set(ImGuiCol_ChildBg, theme.panel);
   set(ImGuiCol_PopupBg, theme.panel_field);
   set(ImGuiCol_Border, theme.panel_border);
   set(ImGuiCol_FrameBg, theme.panel_field);
@@ -51,6 +52,7 @@ void apply_style(const Theme& theme, float scale) {
   set(ImGuiCol_SliderGrab, mix(theme.panel_field, theme.accent, 0.45));
   set(ImGuiCol_SliderGrabActive, mix(theme.panel_field, theme.accent, 0.6));
   set(ImGuiCol_CheckMark, theme.accent);
+  set(ImGuiCol_NavCursor, theme.accent.with_alpha(0));  // the ring is drawn by draw_focus_ring()
   set(ImGuiCol_TitleBg, theme.panel_border);
   set(ImGuiCol_TitleBgActive, theme.panel_border);
   set(ImGuiCol_TextSelectedBg, mix(theme.panel_field, theme.accent, 0.4));
