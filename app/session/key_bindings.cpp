@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/session/measurement_guide.h"
+#include "app/session/scene_view_limits.h"
 #include "app/session/stage_actions.h"
 #include "core/units.h"
 
@@ -101,6 +102,30 @@ void change_scale(Session& session) {
   const double nearest = std::round(session.appearance.scale / step);
   session.appearance.scale = std::clamp((nearest + steps) * step, Appearance::least_scale, Appearance::greatest_scale);
 }
+
+// Where the mode that is on has a view of its own there is nothing to do.
+SceneView* view_of(Session& session) {
+  const StageMode mode = session.stage.mode;
+  if (mode == StageMode::landscape || mode == StageMode::round) return nullptr;
+  return session.face == Face::stage ? &session.stage_shown : &session.shown;
+}
+
+// In per cent.
+template <int percent>
+void zoom(Session& session) {
+  if (SceneView* const view = view_of(session)) *view = zoomed(*view, 0.01 * percent, view->center);
+}
+
+// By a twentieth of the picture's width; what is seen goes the other way.
+template <int x, int y>
+void move_picture(Session& session) {
+  SceneView* const view = view_of(session);
+  if (view == nullptr) return;
+  *view = within_scene_limits({view->center - 0.05 * view->width * Vector<2>(x, y), view->width});
+}
+
+// The focus is the screen's.
+void nothing_here(Session&) {}
 
 void usual_scale(Session& session) {
   session.appearance.scale = 1.0;
@@ -203,6 +228,15 @@ constexpr std::array bindings{
     KeyBinding{GLFW_KEY_T, none, "T", "Trails on and off", toggle<&ViewOptions::trails>},
     KeyBinding{GLFW_KEY_F, none, "F", "Fit the view to what there is to see", ask<&Requests::fit_view>},
 
+    KeyBinding{GLFW_KEY_Z, none, "Z", "Zoom in; Shift+Z out", zoom<125>, true},
+    KeyBinding{GLFW_KEY_Z, shift, "", "", zoom<80>, true},
+    KeyBinding{GLFW_KEY_LEFT, alt, "Alt+arrows", "Move the picture", move_picture<-1, 0>, true},
+    KeyBinding{GLFW_KEY_RIGHT, alt, "", "", move_picture<1, 0>, true},
+    KeyBinding{GLFW_KEY_UP, alt, "", "", move_picture<0, 1>, true},
+    KeyBinding{GLFW_KEY_DOWN, alt, "", "", move_picture<0, -1>, true},
+    KeyBinding{GLFW_KEY_TAB, none, "Tab", "To the next control; Shift+Tab back, Esc leaves", nothing_here, true},
+    KeyBinding{GLFW_KEY_TAB, shift, "", "", nothing_here, true},
+
     KeyBinding{GLFW_KEY_Z, ctrl, "Ctrl+Z", "Undo the last change of a setting", ask<&Requests::undo>, true},
     KeyBinding{GLFW_KEY_Z, ctrl | shift, "Ctrl+Shift+Z", "Redo it; Ctrl+Y too", ask<&Requests::redo>, true},
     KeyBinding{GLFW_KEY_Y, ctrl, "", "", ask<&Requests::redo>, true},
@@ -231,7 +265,7 @@ constexpr std::array gestures{
     MouseGesture{"Drag a wall grip", "Turns the wall in steps of 5°; Ctrl: freely"},
     MouseGesture{"Wheel", "Zooms at the pointer"},
     MouseGesture{"Right drag", "Moves the picture"},
-    MouseGesture{"Ctrl+click a slider", "Types a number into it"},
+    MouseGesture{"Ctrl+click a slider", "Types a number into it; where Tab leads: Enter"},
 };
 // clang-format on
 

@@ -10,6 +10,7 @@
 #include "app/ui/plots/plot_pieces.h"
 #include "app/ui/widgets/focus.h"
 #include "app/ui/widgets/style.h"
+#include "app/ui/widgets/tooltips.h"
 
 namespace ghostforce {
 namespace {
@@ -83,6 +84,7 @@ void Screen::draw_everything(Session& session, const ShownMoment& moment, const 
                              const LoopReading& loop, const Frame& frame) {
   const Theme& theme = *styled_appearance_.theme;
   const PanelContext context{session, moment.snapshot, moment.settings, loop, theme, window_.fonts(), styled_scale_};
+  if (frame.is_live) keep_tooltips_from_drags();
   if (session.face == Face::stage) {
     draw_stage(context, moment, history, frame);
   } else {

@@ -1,11 +1,14 @@
 #include "app/ui/panels/ratio_dial.h"
 
 #include <fmt/format.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/focus.h"
 
 namespace ghostforce {
 namespace {
@@ -24,6 +27,35 @@ class Scale {
  private:
   double decade_;
 };
+
+// Enter on the focused dial, as on a slider, makes it a field for a number; true while it is one.
+bool type_ratio(Stiffnesses& stiffnesses, ImVec2 size) {
+  const ImGuiContext& imgui = *ImGui::GetCurrentContext();
+  const ImGuiID id = ImGui::GetID("ratio");
+  const bool begins = imgui.NavActivateId == id && (imgui.NavActivateFlags & ImGuiActivateFlags_PreferInput) != 0;
+  if (!begins && !ImGui::TempInputIsActive(id)) return false;
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const ImRect field{corner, {corner.x + size.x, corner.y + ImGui::GetFrameHeight()}};
+  ImGui::ItemSize(size);
+  ImGui::ItemAdd(field, id, nullptr, ImGuiItemFlags_Inputable);
+  double ratio = tracking_ratio(stiffnesses);
+  if (ImGui::TempInputScalar(field, id, "ratio", ImGuiDataType_Double, &ratio, "%.2f")) {
+    stiffnesses.chosen_tracking_ratio = tracking_ratio_range.nearest_to(ratio);
+  }
+  return true;
+}
+
+// Somebody turns ρ, or has just done so: time to say whom it acts on.
+bool is_turning(const Stiffnesses& stiffnesses, bool is_held) {
+  constexpr float long_enough_s = 4.0F;
+  ImGuiStorage& storage = *ImGui::GetStateStorage();
+  const auto ratio = static_cast<float>(stiffnesses.chosen_tracking_ratio.value_or(0.0));
+  float& last = *storage.GetFloatRef(ImGui::GetID("last ratio"), ratio);
+  float& since_s = *storage.GetFloatRef(ImGui::GetID("since"), long_enough_s);
+  const bool is_other = std::exchange(last, ratio) != ratio;
+  since_s = is_held || is_other ? 0.0F : std::min(since_s + ImGui::GetIO().DeltaTime, long_enough_s);
+  return since_s < long_enough_s;
+}
 
 }  // namespace
 
@@ -60,13 +92,24 @@ void draw_ratio_dial(const PanelContext& context) {
   const float track_y = corner.y + line + radius + 3.0F * context.scale;
   const auto x_of = [&](double place) { return left + static_cast<float>(place) * length; };
 
-  ImGui::InvisibleButton("ratio", {width, 2.0F * line + 2.0F * radius + 8.0F * context.scale});
-  if (ImGui::IsItemActive()) {
+  const ImVec2 size{width, 2.0F * line + 2.0F * radius + 8.0F * context.scale};
+  if (type_ratio(stiffnesses, size)) return;
+  ImGui::InvisibleButton("ratio", size, ImGuiButtonFlags_EnableNav);
+  if (ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
     const float pointer = ImGui::GetIO().MousePos.x;
     const double place = std::clamp(static_cast<double>((pointer - left) / length), 0.0, 1.0);
     choose_ratio(stiffnesses, scale.ratio(place),
                  scale.decade() * static_cast<double>(snap_points * context.scale / length));
   }
+  for (const Nudge& nudge : take_nudges()) {
+    const double step = 0.01 * nudge.steps;
+    const double place = nudge.way == Nudge::Way::to_least      ? 0.0
+                         : nudge.way == Nudge::Way::to_greatest ? 1.0
+                                                                : scale.place(tracking_ratio(stiffnesses)) + step;
+    // Half a step: whoever leaves naïve or optimal does not fall back on it.
+    choose_ratio(stiffnesses, scale.ratio(std::clamp(place, 0.0, 1.0)), 0.5 * std::abs(step) * scale.decade());
+  }
+  const bool is_used = ImGui::IsItemActive() || is_focused();
   tooltip(Term::tracking_ratio);
 
   ImDrawList& draw_list = *ImGui::GetWindowDrawList();
@@ -98,6 +141,9 @@ void draw_ratio_dial(const PanelContext& context) {
                       other.c_str());
   } else {
     draw_list.AddText({left, text_y}, packed(theme.text), fmt::format("ρ = ρ* = {:.2f}", ratio).c_str());
+  }
+  if (is_turning(stiffnesses, is_used) && context.settings.active != StrategyId::anisotropic) {
+    text_in(theme.text, "Acts on Anisotropic only.");
   }
 }
 

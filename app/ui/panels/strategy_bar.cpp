@@ -45,7 +45,7 @@ void draw_strategy_button(const PanelContext& context, const Strategy& entry, fl
   const ImVec2 size{key_width + 2.6F * glyph + words_width + sizes.pad * ImGui::GetFontSize(), height};
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImGui::PushID(static_cast<int>(i));
-  if (ImGui::InvisibleButton("strategy", size)) context.session.settings.active = entry.id;
+  if (ImGui::InvisibleButton("strategy", size, ImGuiButtonFlags_EnableNav)) context.session.settings.active = entry.id;
   ImGui::PopID();
   const bool hovered = ImGui::IsItemHovered();
   const bool is_hinted = i == 2 && points_at(context.session, HintTarget::third_strategy);
