@@ -117,16 +117,25 @@ void draw_ratio_dial(const PanelContext& context) {
   draw_list.AddLine({left, track_y}, {left + length, track_y}, packed(theme.panel_border), thickness);
   draw_list.AddRectFilledMultiColor({x_of(0.25), track_y - 0.5F * thickness}, {x_of(0.75), track_y + 0.5F * thickness},
                                     packed(naive), packed(cure), packed(cure), packed(naive));
-  const auto stop = [&](double place, const char* word, Colour colour, Colour letters) {
+  const auto stop = [&](double place, Colour colour) {
     const float x = x_of(place);
     draw_list.AddLine({x, track_y - radius}, {x, track_y + radius}, packed(colour), 2.0F * context.scale);
-    const ImVec2 size = ImGui::CalcTextSize(word);
-    const float word_x = std::clamp(x - 0.5F * size.x, corner.x, std::max(corner.x, corner.x + width - size.x));
-    draw_list.AddText({word_x, corner.y}, packed(letters), word);
   };
-  stop(scale.place(1.0), "naïve", naive, theme.strategy_text[index_of(StrategyId::naive)]);
-  stop(scale.place(optimal), stiffnesses.believed_k_u ? "believed optimal" : "optimal", cure,
-       theme.strategy_text[index_of(StrategyId::anisotropic)]);
+  stop(scale.place(1.0), naive);
+  stop(scale.place(optimal), cure);
+  // The words over their stops, as far as both have room beside each other.
+  const char* const words_of_optimal = stiffnesses.believed_k_u ? "believed optimal" : "optimal";
+  const float naive_width = ImGui::CalcTextSize("naïve").x;
+  const float optimal_width = ImGui::CalcTextSize(words_of_optimal).x;
+  const float optimal_x = std::clamp(x_of(scale.place(optimal)) - 0.5F * optimal_width, corner.x,
+                                     std::max(corner.x, corner.x + width - optimal_width));
+  const float naive_end = optimal_x - 0.5F * ImGui::GetFontSize();
+  const float naive_x = std::min(x_of(scale.place(1.0)) - 0.5F * naive_width, naive_end - naive_width);
+  draw_list.AddText({optimal_x, corner.y}, packed(theme.strategy_text[index_of(StrategyId::anisotropic)]),
+                    words_of_optimal);
+  if (naive_x >= corner.x) {
+    draw_list.AddText({naive_x, corner.y}, packed(theme.strategy_text[index_of(StrategyId::naive)]), "naïve");
+  }
 
   const double ratio = tracking_ratio(stiffnesses);
   const ImVec2 knob{x_of(scale.place(ratio)), track_y};
@@ -135,15 +144,17 @@ void draw_ratio_dial(const PanelContext& context) {
 
   const float text_y = track_y + radius + 3.0F * context.scale;
   if (stiffnesses.chosen_tracking_ratio) {
-    draw_list.AddText({left, text_y}, packed(theme.text), fmt::format("ρ = {:.2f}", ratio).c_str());
+    const std::string own = fmt::format("ρ = {:.2f}", ratio);
+    draw_list.AddText({left, text_y}, packed(theme.text), own.c_str());
     const std::string other = fmt::format("ρ* = {:.2f}", optimal);
-    draw_list.AddText({left + length - ImGui::CalcTextSize(other.c_str()).x, text_y}, packed(theme.faint_text),
-                      other.c_str());
+    const float other_x = left + length - ImGui::CalcTextSize(other.c_str()).x;
+    const float end = left + ImGui::CalcTextSize(own.c_str()).x + 0.5F * ImGui::GetFontSize();
+    if (other_x >= end) draw_list.AddText({other_x, text_y}, packed(theme.faint_text), other.c_str());
   } else {
     draw_list.AddText({left, text_y}, packed(theme.text), fmt::format("ρ = ρ* = {:.2f}", ratio).c_str());
   }
   if (is_turning(stiffnesses, is_used) && context.settings.active != StrategyId::anisotropic) {
-    text_in(theme.text, "Acts on Anisotropic only.");
+    wrapped_text("Acts on Anisotropic only.", ImGui::GetCursorPosX() + width);
   }
 }
 

@@ -36,7 +36,7 @@ void draw_drift_of_belief(const PanelContext& context) {
       predicted_equilibria(settings, context.snapshot.goal)[index_of(StrategyId::anisotropic)].proxy_drift;
   text_in(context.fonts.number, millimetres(seen));
   tooltip("Of the anisotropic strategy, along the wall, as simulated.");
-  ImGui::SameLine();
+  same_line_if_room(ImGui::CalcTextSize("theory").x + ImGui::GetItemRectSize().x + ImGui::GetStyle().ItemSpacing.x);
   ImGui::PushStyleColor(ImGuiCol_Text, unpacked(context.theme.faint_text));
   ImGui::TextUnformatted("theory");
   ImGui::SameLine();

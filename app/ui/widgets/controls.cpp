@@ -62,7 +62,9 @@ void draw_glyph(ImDrawList& draw_list, ImVec2 center, float radius, Shape shape,
 
 bool begin_rows(const char* id, const PanelContext& context) {
   if (!ImGui::BeginTable(id, 2, ImGuiTableFlags_SizingFixedFit)) return false;
-  ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, 144.0F * context.scale);
+  // A narrow panel breaks the names rather than the controls.
+  const float names = std::min(144.0F * context.scale, 0.4F * ImGui::GetContentRegionAvail().x);
+  ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, names);
   ImGui::TableSetupColumn("control", ImGuiTableColumnFlags_WidthStretch);
   return true;
 }
@@ -74,7 +76,7 @@ void any_row(const char* name, const Explanation& explanation) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::AlignTextToFramePadding();
-  symbol_text(name);
+  symbol_text(name, ImGui::GetContentRegionAvail().x);
   tooltip(explanation);
   ImGui::TableNextColumn();
   ImGui::SetNextItemWidth(-1.0F);
@@ -116,6 +118,12 @@ void row(const char* name, std::string_view sentence) {
 
 void end_rows() {
   ImGui::EndTable();
+}
+
+void same_line_if_room(float width) {
+  const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+  const float end = ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width;
+  if (end <= right) ImGui::SameLine();
 }
 
 bool text_field(const char* id, const char* hint, std::string& text) {

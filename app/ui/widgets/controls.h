@@ -30,6 +30,9 @@ void row(const char* name, Term term);
 void row(const char* name, std::string_view sentence);
 void end_rows();
 
+// ImGui::SameLine() for an item of that width, unless it would be cut off there [points].
+void same_line_if_room(float width);
+
 // A field for a line of text, as wide as the next item is set to be; true when Enter was pressed in it.
 bool text_field(const char* id, const char* hint, std::string& text);
 

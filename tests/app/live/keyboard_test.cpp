@@ -2,6 +2,7 @@
 // to owns arrows and Enter, but never Space.
 #include "app/ui/keyboard.h"
 
+#include <algorithm>
 #include <set>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "app/session/stage_actions.h"
 #include "app/ui/widgets/focus.h"
 #include "tests/app/live/driven_window.h"
+#include "tests/support/screen_text.h"
 
 namespace ghostforce {
 namespace {
@@ -256,6 +258,25 @@ TEST_F(KeyboardTest, AnAngleTurnsOnBeyondHalfATurnAndShowsARealMinus) {
   EXPECT_NEAR(angle, -178.9 * degree, 1e-9);
   press(GLFW_KEY_LEFT, ctrl);
   EXPECT_NEAR(std::abs(angle), 180.0 * degree, 1e-9);
+}
+
+TEST_F(KeyboardTest, TheDialSaysWhomItActsOnWhileItIsTurned) {
+  const auto says_so = [] {
+    return std::ranges::any_of(words_on_screen(),
+                               [](const ScreenWords& words) { return words.text.starts_with("Acts on Anis"); });
+  };
+  press(GLFW_KEY_2);
+  EXPECT_FALSE(says_so());
+  press(GLFW_KEY_EQUAL);
+  EXPECT_TRUE(says_so());
+  press(GLFW_KEY_3);
+  EXPECT_FALSE(says_so());
+  press(GLFW_KEY_1);
+  frames(300, 0);
+  EXPECT_FALSE(says_so());
+  ASSERT_TRUE(tab_to(in_column("ratio", "rendering")));
+  frames(2, 0);
+  EXPECT_TRUE(says_so());
 }
 
 TEST_F(KeyboardTest, TheDialIsTurnedAndTypedInto) {
