@@ -217,6 +217,7 @@ bool Application::needs_drawing() const {
 }
 
 void Application::draw() {
+  screen_.take_keys(session_, [this] { do_what_is_asked(); });
   // What is changed within the frame, some of it shows and some does not: it is a reason for another one.
   frames_to_settle_ = has_changed() ? settling_frames : std::max(0, frames_to_settle_ - 1);
   drawn_ = visible();
@@ -225,11 +226,15 @@ void Application::draw() {
   constexpr double longest_step_s = 0.25;
   const double since_drawn_s = std::min(std::exchange(since_drawn_s_, 0.0), longest_step_s);
   screen_.draw(session_, shown(), history_, reading(), since_drawn_s);
+  do_what_is_asked();
+  send();
+}
+
+void Application::do_what_is_asked() {
   looking_back_.follow(session_, report_.snapshot, history_.moments());
   handle_requests();
   undo_.note({session_.scene, session_.settings}, session_.is_editing || is_measuring(session_));
   offer_undo();
-  send();
 }
 
 void Application::offer_undo() {
@@ -317,6 +322,7 @@ void Application::show_notice(std::string words, bool is_problem) {
 
 void Application::handle_requests() {
   const Requests requests = std::exchange(session_.requests, {});
+  session_.requests.fit_view = requests.fit_view;  // the face that is shown does it, in its next frame
   const std::vector<std::string> dropped = window_.take_dropped_files();
   // A path that cannot be written is found out before the work is done.
   const auto save = [this](const std::string& path, const auto& make_bytes) {

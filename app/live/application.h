@@ -105,6 +105,8 @@ class Application {
   void send();
   void heartbeat();
   void copy_motor_requests();
+  // What one key press, or one frame, has left in the session.
+  void do_what_is_asked();
   void handle_requests();
   // As the picker of scenes asks for it: the dialog stays until there is something to show.
   void open_for_dialog(const std::string& name_or_path);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/session/measurement_guide.h"
+#include "app/session/scene_view_limits.h"
 #include "app/session/stage_actions.h"
 #include "core/units.h"
 
@@ -106,6 +107,30 @@ void change_scale(Session& session) {
   session.appearance.scale = std::clamp((nearest + steps) * step, Appearance::least_scale, Appearance::greatest_scale);
 }
 
+// Where the mode that is on has a view of its own there is nothing to do.
+SceneView* view_of(Session& session) {
+  const StageMode mode = session.stage.mode;
+  if (mode == StageMode::landscape || mode == StageMode::round) return nullptr;
+  return session.face == Face::stage ? &session.stage_shown : &session.shown;
+}
+
+// In per cent.
+template <int percent>
+void zoom(Session& session) {
+  if (SceneView* const view = view_of(session)) *view = zoomed(*view, 0.01 * percent, view->center);
+}
+
+// By a twentieth of the picture's width; what is seen goes the other way.
+template <int x, int y>
+void move_picture(Session& session) {
+  SceneView* const view = view_of(session);
+  if (view == nullptr) return;
+  *view = within_scene_limits({view->center - 0.05 * view->width * Vector<2>(x, y), view->width});
+}
+
+// The focus is the screen's.
+void nothing_here(Session&) {}
+
 void usual_scale(Session& session) {
   session.appearance.scale = 1.0;
 }
@@ -114,6 +139,15 @@ void next_theme(Session& session) {
   const auto themes = theme_catalog();
   const std::size_t next = static_cast<std::size_t>(session.appearance.theme - themes.data()) + 1;
   session.appearance.theme = &themes[next % themes.size()];
+}
+
+// While the hand is measured, a reading; else what it means on the stage.
+void confirm(Session& session) {
+  if (session.measurement.stage == UserMeasurement::Stage::nulling && session.dialog == Dialog::none) {
+    take_reading(session);
+  } else {
+    confirm_on_stage(session);
+  }
 }
 
 // Before all else it turns motors off; it never quits.
@@ -152,7 +186,7 @@ constexpr std::array bindings{
     KeyBinding{GLFW_KEY_RIGHT, ctrl, "", "", move_goal<1, 0, 100>, true},
     KeyBinding{GLFW_KEY_UP, ctrl, "", "", move_goal<0, 1, 100>, true},
     KeyBinding{GLFW_KEY_DOWN, ctrl, "", "", move_goal<0, -1, 100>, true},
-    KeyBinding{GLFW_KEY_LEFT_BRACKET, none, "[  ]", "Turn the motor axis 5°; Shift 1°", turn_motor_axis<5>, true},
+    KeyBinding{GLFW_KEY_LEFT_BRACKET, none, "[  ]", "Turn the actuated direction 5°; Shift 1°", turn_motor_axis<5>, true},
     KeyBinding{GLFW_KEY_RIGHT_BRACKET, none, "", "", turn_motor_axis<-5>, true},
     KeyBinding{GLFW_KEY_LEFT_BRACKET, shift, "", "", turn_motor_axis<1>, true},
     KeyBinding{GLFW_KEY_RIGHT_BRACKET, shift, "", "", turn_motor_axis<-1>, true},
@@ -185,14 +219,20 @@ constexpr std::array bindings{
     KeyBinding{GLFW_KEY_P, none, "P", "Prediction rings on and off", toggle<&ViewOptions::predictions>},
     KeyBinding{GLFW_KEY_T, none, "T", "Trails on and off", toggle<&ViewOptions::trails>},
     KeyBinding{GLFW_KEY_F, none, "F", "Fit the view to what there is to see", ask<&Requests::fit_view>},
+    KeyBinding{GLFW_KEY_Z, none, "Z", "Zoom in; Shift+Z out", zoom<125>, true},
+    KeyBinding{GLFW_KEY_Z, shift, "", "", zoom<80>, true},
+    KeyBinding{GLFW_KEY_LEFT, alt, "Alt+arrows", "Move the picture", move_picture<-1, 0>, true},
+    KeyBinding{GLFW_KEY_RIGHT, alt, "", "", move_picture<1, 0>, true},
+    KeyBinding{GLFW_KEY_UP, alt, "", "", move_picture<0, 1>, true},
+    KeyBinding{GLFW_KEY_DOWN, alt, "", "", move_picture<0, -1>, true},
 
     KeyBinding{GLFW_KEY_Q, none, "Q", "Predict: guess where the handle comes to rest", toggle_mode<StageMode::predict>, false, false, "Stage"},
     KeyBinding{GLFW_KEY_Y, none, "Y", "Why?: where the ghost force comes from", toggle_mode<StageMode::why>},
     KeyBinding{GLFW_KEY_L, none, "L", "Landscape: at which walls and hands it is bad", toggle_mode<StageMode::landscape>},
     KeyBinding{GLFW_KEY_O, none, "O", "Round and round: energy on a closed way", toggle_mode<StageMode::round>},
     KeyBinding{GLFW_KEY_H, none, "H", "The last minute again", toggle_mode<StageMode::ribbon>},
-    KeyBinding{GLFW_KEY_ENTER, none, "Enter", "The answer to the guess; the next step of Why?", confirm_on_stage},
-    KeyBinding{GLFW_KEY_KP_ENTER, none, "", "", confirm_on_stage},
+    KeyBinding{GLFW_KEY_ENTER, none, "Enter", "The answer to the guess; the next step of Why?", confirm},
+    KeyBinding{GLFW_KEY_KP_ENTER, none, "", "", confirm},
     KeyBinding{GLFW_KEY_PAGE_DOWN, none, "PgDn PgUp", "A talk on the stage: next step, previous step", next_talk_step},
     KeyBinding{GLFW_KEY_PAGE_UP, none, "", "", previous_talk_step},
     KeyBinding{GLFW_KEY_B, none, "B", "Black: hides the stage, and shows it again", hide_stage},
@@ -220,16 +260,18 @@ constexpr std::array bindings{
     KeyBinding{GLFW_KEY_MINUS, ctrl, "", "", change_scale<-1>, true},
     KeyBinding{GLFW_KEY_KP_SUBTRACT, ctrl, "", "", change_scale<-1>, true},
     KeyBinding{GLFW_KEY_0, ctrl, "", "", usual_scale},
+    KeyBinding{GLFW_KEY_TAB, none, "Tab", "To the next control; Shift+Tab back, Esc leaves", nothing_here, true},
+    KeyBinding{GLFW_KEY_TAB, shift, "", "", nothing_here, true},
     KeyBinding{GLFW_KEY_Q, ctrl, "Ctrl+Q", "Quit", ask<&Requests::quit>, false, true},
 };
 
 constexpr std::array gestures{
     MouseGesture{"Move and change", "Drag", "The goal of your hand follows the pointer"},
-    MouseGesture{"Move and change", "Drag rail or arrow", "Turns the motor axis in steps of 5°; Ctrl: freely"},
+    MouseGesture{"Move and change", "Drag rail or arrow", "Turns the actuated direction in steps of 5°; Ctrl: freely"},
     MouseGesture{"Move and change", "Drag a wall grip", "Turns the wall in steps of 5°; Ctrl: freely"},
     MouseGesture{"View", "Wheel", "Zooms at the pointer"},
     MouseGesture{"View", "Right drag", "Moves the picture"},
-    MouseGesture{"Move and change", "Ctrl+click a slider", "Types a number into it"},
+    MouseGesture{"Move and change", "Ctrl+click a slider", "Types a number into it; where Tab leads: Enter"},
 };
 // clang-format on
 
@@ -243,13 +285,11 @@ std::span<const MouseGesture> mouse_table() noexcept {
   return gestures;
 }
 
-void act_on_keys(Session& session, std::span<const KeyPress> presses, bool is_typing) {
-  for (const KeyPress& press : presses) {
-    for (const KeyBinding& binding : bindings) {
-      if (binding.key != press.key || binding.modifiers != press.modifiers) continue;
-      if ((press.is_repeat && !binding.repeats) || (is_typing && !binding.also_in_fields)) continue;
-      binding.act(session);
-    }
+void act_on_key(Session& session, const KeyPress& press, bool is_typing) {
+  for (const KeyBinding& binding : bindings) {
+    if (binding.key != press.key || binding.modifiers != press.modifiers) continue;
+    if ((press.is_repeat && !binding.repeats) || (is_typing && !binding.also_in_fields)) continue;
+    binding.act(session);
   }
 }
 

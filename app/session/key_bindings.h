@@ -38,8 +38,8 @@ struct MouseGesture {
 };
 std::span<const MouseGesture> mouse_table() noexcept;
 
-// Does what the pressed keys ask for. `is_typing`: the person is typing into a field.
-void act_on_keys(Session& session, std::span<const KeyPress> presses, bool is_typing);
+// Does what the pressed key asks for. `is_typing`: the person is typing into a field.
+void act_on_key(Session& session, const KeyPress& press, bool is_typing);
 
 // The same actions, for buttons.
 void next_compare_mode(Session& session);

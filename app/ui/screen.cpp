@@ -1,24 +1,19 @@
 #include "app/ui/screen.h"
 
-#include <GLFW/glfw3.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "app/paint/label_painter.h"
-#include "app/session/key_bindings.h"
 #include "app/ui/fixed_window.h"
 #include "app/ui/panels/dialogs.h"
 #include "app/ui/plots/plot_pieces.h"
+#include "app/ui/widgets/focus.h"
 #include "app/ui/widgets/style.h"
+#include "app/ui/widgets/tooltips.h"
 
 namespace ghostforce {
 namespace {
-
-bool is_escape(const KeyPress& press) {
-  return press.key == GLFW_KEY_ESCAPE;
-}
 
 Image cut_out(const Image& image, int left, int top, int width, int height) {
   Image part{std::clamp(width, 1, image.width - left), std::clamp(height, 1, image.height - top), {}};
@@ -40,6 +35,10 @@ Screen::Screen(Window& window, Part part)
       measure_(measure_with(window.fonts())),
       workbench_(window.fonts()) {}
 
+void Screen::take_keys(Session& session, const std::function<void()>& do_what_is_asked) {
+  keyboard_.take(window_, session, do_what_is_asked);
+}
+
 void Screen::draw(Session& session, const ShownMoment& moment, const History& history, const LoopReading& loop,
                   double interval_s) {
   if (window_.pixel_width() <= 0 || window_.pixel_height() <= 0) return;  // minimised
@@ -53,7 +52,7 @@ void Screen::wait(const Session& session, double interval_s) noexcept {
 }
 
 bool Screen::is_moving(const Session& session) const noexcept {
-  return session.face == Face::stage ? stage_.is_moving() : workbench_.is_moving();
+  return Keyboard::is_waiting(window_) || (session.face == Face::stage ? stage_.is_moving() : workbench_.is_moving());
 }
 
 Image Screen::picture(const Session& session, const ShownMoment& moment, const History& history,
@@ -87,18 +86,9 @@ void Screen::draw_everything(Session& session, const ShownMoment& moment, const 
   const Theme& theme = *styled_appearance_.theme;
   const PanelContext context{session, moment.snapshot, moment.settings, loop,
                              theme,   window_.fonts(), styled_scale_,   gallery_};
-  bool has_keys = false;
-  if (frame.is_live) {
-    std::vector<KeyPress> presses = window_.take_key_presses();
-    has_keys = !presses.empty();
-    // An open menu takes Esc for itself, but not what matters most about it.
-    if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup) && std::erase_if(presses, is_escape) > 0) {
-      ++session.offs_asked;
-    }
-    act_on_keys(session, presses, ImGui::GetIO().WantTextInput || has_field(session.dialog));
-  }
+  if (frame.is_live) keep_tooltips_from_drags();
   if (session.face == Face::stage) {
-    draw_stage(context, moment, history, frame, has_keys);
+    draw_stage(context, moment, history, frame);
   } else {
     workbench_.draw(context, {moment, history, measure_, frame.part, frame.is_live, frame.interval_s});
     panes_ = workbench_.panes();
@@ -122,10 +112,11 @@ void Screen::draw_everything(Session& session, const ShownMoment& moment, const 
   draw_shader_problem(context, scene_corner_, size);
   draw_notice(context, scene_corner_, size);
   draw_dialog(context);
+  draw_focus_ring(theme, styled_scale_);
 }
 
 void Screen::draw_stage(const PanelContext& context, const ShownMoment& moment, const History& history,
-                        const Frame& frame, bool has_keys) {
+                        const Frame& frame) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   scene_corner_ = {0.0F, 0.0F};
   scene_size_ = {static_cast<double>(size.x), static_cast<double>(size.y)};
@@ -135,8 +126,8 @@ void Screen::draw_stage(const PanelContext& context, const ShownMoment& moment, 
     panes_ = {stage_.still(context.session, stage_frame).pane};
     return;
   }
-  begin_fixed("stage", {{0.0F, 0.0F}, size}, ImGuiWindowFlags_NoBackground);
-  stage_.update(context.session, stage_frame, has_keys, frame.interval_s);
+  begin_screen("stage");
+  stage_.update(context.session, stage_frame, keyboard_.has_pressed(), frame.interval_s);
   ImGui::End();
   panes_ = {stage_.compose(context.session, stage_frame, frame.interval_s).pane};
 }

@@ -3,11 +3,13 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "app/paint/gl_painter.h"
 #include "app/paint/scene_gallery.h"
 #include "app/session/session.h"
+#include "app/ui/keyboard.h"
 #include "app/ui/panels/hints.h"
 #include "app/ui/part.h"
 #include "app/ui/stage/stage_face.h"
@@ -25,7 +27,10 @@ class Screen {
   // Throws gl::ShaderError. The window must outlive the screen.
   Screen(Window& window, Part part);
 
-  // Draws and shows one frame, `interval_s` after the one before; panels, keys and gestures edit the session. Nothing
+  // What was pressed since the last time. `do_what_is_asked` does what a press has left in session.requests.
+  void take_keys(Session& session, const std::function<void()>& do_what_is_asked);
+
+  // Draws and shows one frame, `interval_s` after the one before; panels and gestures edit the session. Nothing
   // is drawn while the window has no pixels. `moment` is what the frame shows: at present, the session's own settings,
   // so that a change shows at once; while somebody looks back, those of that time.
   void draw(Session& session, const ShownMoment& moment, const History& history, const LoopReading& loop,
@@ -63,12 +68,12 @@ class Screen {
   };
   void draw_everything(Session& session, const ShownMoment& moment, const History& history, const LoopReading& loop,
                        const Frame& frame);
-  void draw_stage(const PanelContext& context, const ShownMoment& moment, const History& history, const Frame& frame,
-                  bool has_keys);
+  void draw_stage(const PanelContext& context, const ShownMoment& moment, const History& history, const Frame& frame);
   void apply_appearance(const Appearance& appearance);
 
   Window& window_;
   Part part_;
+  Keyboard keyboard_;
   GlPainter painter_;
   SceneGallery gallery_;
   MeasureText measure_;

@@ -23,6 +23,9 @@
 #include "app/ui/key_layout.h"
 #include "app/ui/offscreen_driver.h"
 
+// Of the GLFW backend, which exports it for those who feed Dear ImGui themselves, but declares it nowhere.
+ImGuiKey ImGui_ImplGlfw_KeyToImGuiKey(int key, int scancode);
+
 // ImGui's OpenGL backend has a loader of its own that looks into libGL, where it finds nothing under OSMesa. This is
 // its entry for a loader that knows better.
 extern "C" int imgl3wInit2(void (*(*)(const char*))());
@@ -157,11 +160,11 @@ Window::Window(const WindowOptions& options) : library_(options), window_(create
   glfwSetWindowIconifyCallback(handle(), on_anything);
   glfwSetFramebufferSizeCallback(handle(), on_anything);
   glfwSetDropCallback(handle(), on_drop);
-  glfwSetKeyCallback(handle(), on_key);            // before ImGui's, which then calls it
-  glfwSetCharCallback(handle(), on_character);     // as well
   glfwSetWindowSizeCallback(handle(), on_resize);  // ImGui has none
   glfwGetWindowSize(handle(), &restored_size_.width, &restored_size_.height);
   start_imgui(options.takes_mouse);
+  glfwSetKeyCallback(handle(), on_key);  // in place of ImGui's: it gets what is handed on
+  glfwSetCharCallback(handle(), on_character);
 }
 
 Window::~Window() {
@@ -178,6 +181,7 @@ void Window::start_imgui(bool takes_mouse) {
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;  // nothing is written to the working directory
   io.LogFilename = nullptr;
+  io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
   io.ConfigFlags |= takes_mouse ? ImGuiConfigFlags_None : ImGuiConfigFlags_NoMouse;
   ImGui_ImplGlfw_InitForOpenGL(handle(), true);
   imgl3wInit2(glfwGetProcAddress);
@@ -299,26 +303,71 @@ void Window::on_anything(GLFWwindow* handle, What...) {
   static_cast<Window*>(glfwGetWindowUserPointer(handle))->is_stirred_ = true;
 }
 
+namespace {
+
+constexpr int known_modifiers = GLFW_MOD_SHIFT | GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER;
+
+// Of a key that is a modifier itself; 0: it is none.
+int modifier_of(int key) {
+  switch (key) {
+    case GLFW_KEY_LEFT_SHIFT:
+    case GLFW_KEY_RIGHT_SHIFT:
+      return GLFW_MOD_SHIFT;
+    case GLFW_KEY_LEFT_CONTROL:
+    case GLFW_KEY_RIGHT_CONTROL:
+      return GLFW_MOD_CONTROL;
+    case GLFW_KEY_LEFT_ALT:
+    case GLFW_KEY_RIGHT_ALT:
+      return GLFW_MOD_ALT;
+    case GLFW_KEY_LEFT_SUPER:
+    case GLFW_KEY_RIGHT_SUPER:
+      return GLFW_MOD_SUPER;
+    default:
+      return 0;
+  }
+}
+
+}  // namespace
+
 void Window::on_key(GLFWwindow* handle, int key, int scancode, int action, int modifiers) {
   on_anything(handle);
-  if (action == GLFW_RELEASE) return;
-  constexpr int that_count = GLFW_MOD_SHIFT | GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER;
   auto& window = *static_cast<Window*>(glfwGetWindowUserPointer(handle));
+  const bool is_down = action != GLFW_RELEASE;
+  // X11 tells the modifiers as they were before a modifier's own key.
+  const int own = modifier_of(key);
+  modifiers = is_down ? modifiers | own : modifiers & ~own;
   const int chosen = key_by_layout(key, glfwGetKeyName(key, scancode));
-  window.key_presses_.push_back({chosen, modifiers & that_count, action == GLFW_REPEAT});
-  window.awaits_character_ = true;
+  window.key_events_.push_back({{chosen, modifiers & known_modifiers, action == GLFW_REPEAT}, is_down, scancode});
+  window.awaits_character_ = is_down;
 }
 
 // GLFW tells it right after the key that has typed it; what an input method composes has none.
 void Window::on_character(GLFWwindow* handle, unsigned int character) {
   on_anything(handle);
   auto& window = *static_cast<Window*>(glfwGetWindowUserPointer(handle));
-  if (!std::exchange(window.awaits_character_, false) || window.key_presses_.empty()) return;
-  window.key_presses_.back() = press_by_character(window.key_presses_.back(), character);
+  if (!std::exchange(window.awaits_character_, false) || window.key_events_.empty()) {
+    window.key_events_.push_back({.press = {}, .character = character});
+    return;
+  }
+  KeyEvent& event = window.key_events_.back();
+  event.press = press_by_character(event.press, character);
+  event.character = character;
 }
 
-std::vector<KeyPress> Window::take_key_presses() {
-  return std::exchange(key_presses_, {});
+void Window::hand_on(const KeyEvent& event) {
+  ImGuiIO& io = ImGui::GetIO();
+  if (event.press.key != 0) {
+    const auto is_held = [&](int modifier) { return (event.press.modifiers & modifier) != 0; };
+    io.AddKeyEvent(ImGuiMod_Ctrl, is_held(GLFW_MOD_CONTROL));
+    io.AddKeyEvent(ImGuiMod_Shift, is_held(GLFW_MOD_SHIFT));
+    io.AddKeyEvent(ImGuiMod_Alt, is_held(GLFW_MOD_ALT));
+    io.AddKeyEvent(ImGuiMod_Super, is_held(GLFW_MOD_SUPER));
+    // By themselves these keys would open menus that there are not.
+    if (modifier_of(event.press.key) == 0) {
+      io.AddKeyEvent(ImGui_ImplGlfw_KeyToImGuiKey(event.press.key, event.scancode), event.is_down);
+    }
+  }
+  if (event.character != 0) io.AddInputCharacter(event.character);
 }
 
 void Window::set_clipboard_text(const std::string& text) {

@@ -3,6 +3,8 @@
 // one at a time.
 #pragma once
 
+#include <cstdint>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <string>
@@ -35,6 +37,14 @@ struct WindowSize {
   int height = 0;
 };
 
+// What the keyboard did: a key went down or up, or a character came without a key, from an input method.
+struct KeyEvent {
+  KeyPress press;               // press.key == 0: a character alone
+  bool is_down = true;          // false: the key went up
+  int scancode = 0;             // of the key
+  std::uint32_t character = 0;  // that it has typed; 0: none
+};
+
 class Window {
  public:
   // Throws Failure(no_display): no display, or no OpenGL 3.3 (says which renderer and version there is).
@@ -65,8 +75,9 @@ class Window {
   // As it is while neither maximised nor full screen, as WindowOptions has it: before the display's scale.
   WindowSize restored_size() const;
 
-  // Since the last call, in their order.
-  std::vector<KeyPress> take_key_presses();
+  // What the keyboard did and nobody has taken yet, in its order. Dear ImGui sees of it only what is handed on to it.
+  std::deque<KeyEvent>& key_events() noexcept { return key_events_; }
+  static void hand_on(const KeyEvent& event);
 
   // For other programs to paste.
   void set_clipboard_text(const std::string& text);
@@ -127,7 +138,7 @@ class Window {
   struct {
     int x = 0, y = 0;
   } restored_corner_;
-  std::vector<KeyPress> key_presses_;
+  std::deque<KeyEvent> key_events_;
   bool awaits_character_ = false;  // of the newest of them it is not known yet what it types
   std::vector<std::string> dropped_files_;
   bool is_stirred_ = false;  // since the last poll

@@ -101,36 +101,33 @@ struct Workbench::Layout {
 };
 
 void Workbench::draw_panels(const PanelContext& context, const Layout& layout, const History& history) {
-  const Session& session = context.session;
-  begin_fixed("strategies", layout.top, ImGuiWindowFlags_NoScrollWithMouse);
+  begin_piece("strategies", layout.top, fixed_bar);
   draw_strategy_bar(context);
-  ImGui::End();
-  begin_fixed("caption", layout.caption, ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::EndChild();
+  begin_piece("caption", layout.caption, fixed_bar);
   draw_caption(context);
-  ImGui::End();
-  begin_fixed("motor frame", layout.scene, ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoInputs);
+  ImGui::EndChild();
+  begin_piece("motor frame", layout.scene, fixed_window | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoInputs);
   draw_motor_frame(context);
-  ImGui::End();
-  begin_fixed("status", layout.bottom, ImGuiWindowFlags_NoScrollWithMouse);
-  draw_status_bar(context);
-  ImGui::End();
-  if (session.plots.is_open) {
-    begin_fixed("plots", layout.drawer, ImGuiWindowFlags_NoScrollWithMouse);
-    draw_plots(context, history.plots());
-    ImGui::End();
-  }
+  ImGui::EndChild();
   // The one window that may hold more than it shows. Its scrollbar lies in the margin, so that nothing becomes
   // narrower where it appears.
   const ImVec2 padding = ImGui::GetStyle().WindowPadding;
-  ImGui::SetNextWindowPos(layout.column.corner);
-  ImGui::SetNextWindowSize(layout.column.size);
   ImGui::SetNextWindowContentSize({layout.column.size.x - 2.0F * padding.x, 0.0F});
   ImGui::PushStyleVar(ImGuiStyleVar_ScrollbarSize, padding.x - 2.0F * context.scale);
-  ImGui::Begin("panels", nullptr, fixed_window & ~ImGuiWindowFlags_NoScrollbar);
+  begin_piece("panels", layout.column, fixed_window & ~ImGuiWindowFlags_NoScrollbar);
   ImGui::PopStyleVar();
   ImGui::SetScrollX(0.0F);  // what lies beneath the scrollbar is empty
   draw_column(context);
-  ImGui::End();
+  ImGui::EndChild();
+  if (context.session.plots.is_open) {
+    begin_piece("plots", layout.drawer, fixed_bar);
+    draw_plots(context, history.plots());
+    ImGui::EndChild();
+  }
+  begin_piece("status", layout.bottom, fixed_bar);
+  draw_status_bar(context);
+  ImGui::EndChild();
 }
 
 void Workbench::draw(const PanelContext& context, const WorkbenchFrame& frame) {
@@ -141,10 +138,11 @@ void Workbench::draw(const PanelContext& context, const WorkbenchFrame& frame) {
   scene_corner_ = layout.scene.corner;
   scene_size_ = {std::max(1.0, static_cast<double>(layout.scene.size.x)),
                  std::max(1.0, static_cast<double>(layout.scene.size.y))};
+  begin_screen("workbench");
   if (frame.is_live) {
-    begin_fixed("scene", layout.scene, ImGuiWindowFlags_NoBackground);
+    begin_piece("scene", layout.scene, fixed_window | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNav);
     gestures_.take(session, panes_, scene_size_, unit, frame.moment);
-    ImGui::End();
+    ImGui::EndChild();
     if (std::exchange(session.requests.fit_view, false)) {
       session.pane_views.reset();
       if (session.options.compare != Compare::side_by_side) {
@@ -153,6 +151,7 @@ void Workbench::draw(const PanelContext& context, const WorkbenchFrame& frame) {
     }
   }
   if (frame.part == Part::window) draw_panels(context, layout, frame.history);
+  ImGui::End();
   // After the panels, so that a change made in this frame is seen in this frame.
   compose(context, frame);
 }

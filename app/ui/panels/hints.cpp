@@ -76,7 +76,9 @@ void draw_hint(const PanelContext& context) {
   const float button_width = ImGui::CalcTextSize(enough).x + 2.0F * ImGui::GetStyle().FramePadding.x;
   const float right = ImGui::GetContentRegionMax().x - button_width;
   ImGui::PushFont(context.fonts.bold, 0.0F);
-  text_in(context.theme.accent, hint.sentence);
+  ImGui::PushStyleColor(ImGuiCol_Text, unpacked(context.theme.accent));
+  wrapped_text(hint.sentence, right - 12.0F * context.scale);
+  ImGui::PopStyleColor();
   ImGui::PopFont();
   wrapped_text(hint.detail, right - 12.0F * context.scale);
   ImGui::SetCursorPos({right, corner.y});

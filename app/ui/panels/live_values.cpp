@@ -102,15 +102,14 @@ void draw_model_error(const PanelContext& context) {
   }
   ImGui::BeginGroup();
   ImGui::TextUnformatted("model − simulation ≤");
-  ImGui::SameLine();
-  text_in(context.fonts.number, fmt::format("{:>8} mm", in_fixed_width(model_error(context) * mm_per_m, 3)));
+  const std::string error = fmt::format("{:>8} mm", in_fixed_width(model_error(context) * mm_per_m, 3));
+  same_line_if_room(context.fonts.number->CalcTextSizeA(ImGui::GetFontSize(), 1e9F, 0.0F, error.c_str()).x);
+  text_in(context.fonts.number, error);
   ImGui::EndGroup();
   tooltip(Term::model_error);
 }
 
-}  // namespace
-
-void draw_live_values(const PanelContext& context) {
+void draw_table(const PanelContext& context) {
   if (!ImGui::BeginTable("live", 1 + static_cast<int>(quantity_count),
                          ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_PadOuterX)) {
     return;
@@ -121,8 +120,19 @@ void draw_live_values(const PanelContext& context) {
   draw_head();
   for (const Strategy& entry : strategy_catalog()) draw_row(context, entry);
   ImGui::EndTable();
-  const float top = ImGui::GetCursorPosY();
-  draw_model_error(context);
+}
+
+// Of the letters, so that all columns have room in a narrow panel: up to eight digits each, and a strategy's name.
+float size_that_fits(const PanelContext& context) {
+  const float digits = context.fonts.number->CalcTextSizeA(ImGui::GetFontSize(), 1e9F, 0.0F, "−1000.0").x;
+  const float padding = 2.0F * ImGui::GetStyle().CellPadding.x;
+  const float columns = static_cast<float>(quantity_count);
+  const float room = ImGui::GetContentRegionAvail().x - (columns + 1.0F) * padding;
+  const float needed = columns * digits + 2.6F * ImGui::GetFontSize();
+  return ImGui::GetStyle().FontSizeBase * std::clamp(room / needed, 0.6F, 1.0F);
+}
+
+void draw_copy_button(const PanelContext& context, float top) {
   const char* const copy = "Copy";
   const float copy_x =
       ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(copy).x - 2.0F * ImGui::GetStyle().FramePadding.x;
@@ -133,6 +143,17 @@ void draw_live_values(const PanelContext& context) {
   ImGui::SetCursorPosX(copy_x);
   if (ImGui::SmallButton(copy)) context.session.requests.copy_table = true;
   tooltip("Copies the values of all three strategies to the clipboard, for a spreadsheet. Ctrl+Shift+C.");
+}
+
+}  // namespace
+
+void draw_live_values(const PanelContext& context) {
+  ImGui::PushFont(nullptr, size_that_fits(context));
+  draw_table(context);
+  ImGui::PopFont();
+  const float top = ImGui::GetCursorPosY();
+  draw_model_error(context);
+  draw_copy_button(context, top);
 }
 
 }  // namespace ghostforce

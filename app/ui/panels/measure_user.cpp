@@ -102,10 +102,7 @@ void draw_nulling(const PanelContext& context) {
   draw_step(context, measurement);
   draw_drift(context, measurement);
   draw_ratio(context);
-  const bool is_typing = ImGui::GetIO().WantTextInput;
-  const bool wants =
-      !is_typing && (ImGui::IsKeyPressed(ImGuiKey_Enter, false) || ImGui::IsKeyPressed(ImGuiKey_KeypadEnter, false));
-  if (ImGui::Button("Take   Enter") || (wants && session.dialog == Dialog::none)) take_reading(session);
+  if (ImGui::Button("Take   Enter")) take_reading(session);
   tooltip("Takes this ρ as a reading: k_u = k_r / (ρ − 1).");
   ImGui::SameLine();
   if (ImGui::Button("Cancel")) cancel_measurement(session);

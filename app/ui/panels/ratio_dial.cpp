@@ -1,12 +1,15 @@
 #include "app/ui/panels/ratio_dial.h"
 
 #include <fmt/format.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/session/measurement_guide.h"
 #include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/focus.h"
 
 namespace ghostforce {
 namespace {
@@ -25,6 +28,35 @@ class Scale {
  private:
   double decade_;
 };
+
+// Enter on the focused dial, as on a slider, makes it a field for a number; true while it is one.
+bool type_ratio(Stiffnesses& stiffnesses, ImVec2 size) {
+  const ImGuiContext& imgui = *ImGui::GetCurrentContext();
+  const ImGuiID id = ImGui::GetID("ratio");
+  const bool begins = imgui.NavActivateId == id && (imgui.NavActivateFlags & ImGuiActivateFlags_PreferInput) != 0;
+  if (!begins && !ImGui::TempInputIsActive(id)) return false;
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const ImRect field{corner, {corner.x + size.x, corner.y + ImGui::GetFrameHeight()}};
+  ImGui::ItemSize(size);
+  ImGui::ItemAdd(field, id, nullptr, ImGuiItemFlags_Inputable);
+  double ratio = tracking_ratio(stiffnesses);
+  if (ImGui::TempInputScalar(field, id, "ratio", ImGuiDataType_Double, &ratio, "%.2f")) {
+    stiffnesses.chosen_tracking_ratio = tracking_ratio_range.nearest_to(ratio);
+  }
+  return true;
+}
+
+// Somebody turns ρ, or has just done so: time to say whom it acts on.
+bool is_turning(const Stiffnesses& stiffnesses, bool is_held) {
+  constexpr float long_enough_s = 4.0F;
+  ImGuiStorage& storage = *ImGui::GetStateStorage();
+  const auto ratio = static_cast<float>(stiffnesses.chosen_tracking_ratio.value_or(0.0));
+  float& last = *storage.GetFloatRef(ImGui::GetID("last ratio"), ratio);
+  float& since_s = *storage.GetFloatRef(ImGui::GetID("since"), long_enough_s);
+  const bool is_other = std::exchange(last, ratio) != ratio;
+  since_s = is_held || is_other ? 0.0F : std::min(since_s + ImGui::GetIO().DeltaTime, long_enough_s);
+  return since_s < long_enough_s;
+}
 
 }  // namespace
 
@@ -67,13 +99,24 @@ void draw_ratio_dial(const PanelContext& context) {
   const float track_y = corner.y + line + radius + 3.0F * context.scale;
   const auto x_of = [&](double place) { return left + static_cast<float>(place) * length; };
 
-  ImGui::InvisibleButton("ratio", {width, 2.0F * line + 2.0F * radius + 8.0F * context.scale});
-  if (ImGui::IsItemActive()) {
+  const ImVec2 size{width, 2.0F * line + 2.0F * radius + 8.0F * context.scale};
+  if (type_ratio(stiffnesses, size)) return;
+  ImGui::InvisibleButton("ratio", size, ImGuiButtonFlags_EnableNav);
+  if (ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
     const float pointer = ImGui::GetIO().MousePos.x;
     const double place = std::clamp(static_cast<double>((pointer - left) / length), 0.0, 1.0);
     choose_ratio(stiffnesses, scale.ratio(place),
                  scale.decade() * static_cast<double>(snap_points * context.scale / length));
   }
+  for (const Nudge& nudge : take_nudges()) {
+    const double step = 0.01 * nudge.steps;
+    const double place = nudge.way == Nudge::Way::to_least      ? 0.0
+                         : nudge.way == Nudge::Way::to_greatest ? 1.0
+                                                                : scale.place(tracking_ratio(stiffnesses)) + step;
+    // Half a step: whoever leaves naïve or optimal does not fall back on it.
+    choose_ratio(stiffnesses, scale.ratio(std::clamp(place, 0.0, 1.0)), 0.5 * std::abs(step) * scale.decade());
+  }
+  const bool is_used = ImGui::IsItemActive() || is_focused();
   tooltip(Term::tracking_ratio);
 
   ImDrawList& draw_list = *ImGui::GetWindowDrawList();
@@ -81,16 +124,25 @@ void draw_ratio_dial(const PanelContext& context) {
   draw_list.AddLine({left, track_y}, {left + length, track_y}, packed(theme.panel_border), thickness);
   draw_list.AddRectFilledMultiColor({x_of(0.25), track_y - 0.5F * thickness}, {x_of(0.75), track_y + 0.5F * thickness},
                                     packed(naive), packed(cure), packed(cure), packed(naive));
-  const auto stop = [&](double place, const char* word, Colour colour, Colour letters) {
+  const auto stop = [&](double place, Colour colour) {
     const float x = x_of(place);
     draw_list.AddLine({x, track_y - radius}, {x, track_y + radius}, packed(colour), 2.0F * context.scale);
-    const ImVec2 size = ImGui::CalcTextSize(word);
-    const float word_x = std::clamp(x - 0.5F * size.x, corner.x, std::max(corner.x, corner.x + width - size.x));
-    draw_list.AddText({word_x, corner.y}, packed(letters), word);
   };
-  stop(scale.place(1.0), "naïve", naive, theme.strategy_text[index_of(StrategyId::naive)]);
-  stop(scale.place(optimal), stiffnesses.believed_k_u ? "believed optimal" : "optimal", cure,
-       theme.strategy_text[index_of(StrategyId::anisotropic)]);
+  stop(scale.place(1.0), naive);
+  stop(scale.place(optimal), cure);
+  // The words over their stops, as far as both have room beside each other.
+  const char* const words_of_optimal = stiffnesses.believed_k_u ? "believed optimal" : "optimal";
+  const float naive_width = ImGui::CalcTextSize("naïve").x;
+  const float optimal_width = ImGui::CalcTextSize(words_of_optimal).x;
+  const float optimal_x = std::clamp(x_of(scale.place(optimal)) - 0.5F * optimal_width, corner.x,
+                                     std::max(corner.x, corner.x + width - optimal_width));
+  const float naive_end = optimal_x - 0.5F * ImGui::GetFontSize();
+  const float naive_x = std::min(x_of(scale.place(1.0)) - 0.5F * naive_width, naive_end - naive_width);
+  draw_list.AddText({optimal_x, corner.y}, packed(theme.strategy_text[index_of(StrategyId::anisotropic)]),
+                    words_of_optimal);
+  if (naive_x >= corner.x) {
+    draw_list.AddText({naive_x, corner.y}, packed(theme.strategy_text[index_of(StrategyId::naive)]), "naïve");
+  }
 
   const double ratio = tracking_ratio(stiffnesses);
   const ImVec2 knob{x_of(scale.place(ratio)), track_y};
@@ -99,12 +151,17 @@ void draw_ratio_dial(const PanelContext& context) {
 
   const float text_y = track_y + radius + 3.0F * context.scale;
   if (stiffnesses.chosen_tracking_ratio) {
-    draw_list.AddText({left, text_y}, packed(theme.text), fmt::format("ρ = {:.2f}", ratio).c_str());
+    const std::string own = fmt::format("ρ = {:.2f}", ratio);
+    draw_list.AddText({left, text_y}, packed(theme.text), own.c_str());
     const std::string other = fmt::format("ρ* = {:.2f}", optimal);
-    draw_list.AddText({left + length - ImGui::CalcTextSize(other.c_str()).x, text_y}, packed(theme.faint_text),
-                      other.c_str());
+    const float other_x = left + length - ImGui::CalcTextSize(other.c_str()).x;
+    const float end = left + ImGui::CalcTextSize(own.c_str()).x + 0.5F * ImGui::GetFontSize();
+    if (other_x >= end) draw_list.AddText({other_x, text_y}, packed(theme.faint_text), other.c_str());
   } else {
     draw_list.AddText({left, text_y}, packed(theme.text), fmt::format("ρ = ρ* = {:.2f}", ratio).c_str());
+  }
+  if (is_turning(stiffnesses, is_used) && context.settings.active != StrategyId::anisotropic) {
+    wrapped_text("Acts on Anisotropic only.", ImGui::GetCursorPosX() + width);
   }
 }
 

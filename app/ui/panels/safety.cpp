@@ -48,8 +48,10 @@ void draw_limits(const PanelContext& context) {
 void draw_safety(const PanelContext& context) {
   const MotorReport& motors = context.loop.motors;
   wrapped_text(words_about(motors));
-  text_in(context.fonts.number, fmt::format("{:4.2f} of {:4.2f} N{:9}  {:4.2f} m/s", glm::length(motors.sent),
-                                            motors.limit, motors.is_saturated ? ", limited" : "", motors.handle_speed));
+  ImGui::PushFont(context.fonts.number, 0.0F);
+  wrapped_text(fmt::format("{:4.2f} of {:4.2f} N{:9}  {:4.2f} m/s", glm::length(motors.sent), motors.limit,
+                           motors.is_saturated ? ", limited" : "", motors.handle_speed));
+  ImGui::PopFont();
   tooltip("What goes to the motors after every limit, and what it may be at most; how fast the handle moves.");
   if (motors.held_k_r > 0.0) {
     ImGui::TextUnformatted(fmt::format("k_r is held at {:.0f} N/m on the motors.", motors.held_k_r).c_str());

@@ -39,7 +39,7 @@ void draw_drift_of_belief(const PanelContext& context) {
   text_in(context.fonts.number, millimetres(seen));
   tooltip("Of the anisotropic strategy, along the wall, as simulated.");
   if (hides_answer(context.session)) return;
-  ImGui::SameLine();
+  same_line_if_room(ImGui::CalcTextSize("theory").x + ImGui::GetItemRectSize().x + ImGui::GetStyle().ItemSpacing.x);
   ImGui::PushStyleColor(ImGuiCol_Text, unpacked(context.theme.faint_text));
   ImGui::TextUnformatted("theory");
   ImGui::SameLine();

@@ -12,7 +12,8 @@ namespace {
 
 void draw_theme_choice(const PanelContext& context) {
   for (const Theme& theme : theme_catalog()) {
-    if (&theme != theme_catalog().data()) ImGui::SameLine();
+    const float width = ImGui::GetFrameHeightWithSpacing() + ImGui::CalcTextSize(theme.name.data()).x;
+    if (&theme != theme_catalog().data()) same_line_if_room(width);
     if (ImGui::RadioButton(theme.name.data(), context.session.appearance.theme == &theme)) {
       context.session.appearance.theme = &theme;
     }

@@ -9,7 +9,7 @@ void draw_wall_and_device(const PanelContext& context) {
   if (!begin_rows("wall", context)) return;
   row("Wall normal", Term::wall_normal);
   angle_slider("##normal", settings.wall_normal_angle);
-  row("Motor axis", Term::motor_axis);
+  row("Actuated direction", Term::motor_axis);
   angle_slider("##actuated", settings.actuated_angle);
   end_rows();
 }

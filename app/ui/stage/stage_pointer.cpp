@@ -123,6 +123,24 @@ void StagePointer::update(Session& session, const StageFrame& frame, const Stage
   }
   if (is_held) drag(session, scene, pointer);
   last_ = pointer;
+  press_by_key(session, frame, picture, corner);
+}
+
+// Each button once more, for the keyboard: the pointer belongs to the whole stage, which comes first.
+void StagePointer::press_by_key(Session& session, const StageFrame& frame, const StagePicture& picture, ImVec2 corner) {
+  for (const StageButton& button : picture.buttons) {
+    const Vector<2> least = point_of(corner) + button.box.least;
+    const Vector<2> size = glm::max(button.box.extent(), Vector<2>(1.0));
+    ImGui::SetCursorScreenPos({static_cast<float>(least.x), static_cast<float>(least.y)});
+    ImGui::PushID(static_cast<int>(button.action.index()));
+    ImGui::PushID(std::visit([](auto action) { return static_cast<int>(action); }, button.action));
+    if (ImGui::InvisibleButton("button", {static_cast<float>(size.x), static_cast<float>(size.y)},
+                               ImGuiButtonFlags_EnableNav)) {
+      act_on_stage(session, button.action, frame.loop.motors);
+    }
+    ImGui::PopID();
+    ImGui::PopID();
+  }
 }
 
 void StagePointer::drag(Session& session, const Scene& scene, const Vector<2>& pointer) {

@@ -5,6 +5,8 @@
 
 #include <optional>
 
+#include <imgui.h>
+
 #include "app/session/session.h"
 #include "app/ui/stage/stage_frame.h"
 #include "app/ui/widgets/pointing.h"
@@ -27,6 +29,7 @@ class StagePointer {
   struct Scene;
 
   Hold hold_at(const Session& session, const Scene& scene, const Vector<2>& pointer, bool guess_is_open) const;
+  static void press_by_key(Session& session, const StageFrame& frame, const StagePicture& picture, ImVec2 corner);
   void drag(Session& session, const Scene& scene, const Vector<2>& pointer);
   void turn(double& angle, const Vector<2>& pivot, const Vector<2>& pointer);
 

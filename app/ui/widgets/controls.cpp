@@ -1,13 +1,17 @@
 #include "app/ui/widgets/controls.h"
 
 #include <fmt/format.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 #include <variant>
 
+#include "app/ui/widgets/focus.h"
+#include "app/ui/widgets/symbol_text.h"
 #include "core/scene.h"
 #include "core/units.h"
 
@@ -34,9 +38,8 @@ void text_in(Colour colour, std::string_view words) {
 }
 
 void wrapped_text(std::string_view words, float end) {
-  ImGui::PushTextWrapPos(end);
-  ImGui::TextUnformatted(words.data(), words.data() + words.size());
-  ImGui::PopTextWrapPos();
+  const float right = end > 0.0F ? end : ImGui::GetContentRegionMax().x;
+  symbol_text(words, std::max(1.0F, right - ImGui::GetCursorPosX()));
 }
 
 void draw_glyph(ImDrawList& draw_list, ImVec2 center, float radius, Shape shape, Colour fill) {
@@ -59,7 +62,9 @@ void draw_glyph(ImDrawList& draw_list, ImVec2 center, float radius, Shape shape,
 
 bool begin_rows(const char* id, const PanelContext& context) {
   if (!ImGui::BeginTable(id, 2, ImGuiTableFlags_SizingFixedFit)) return false;
-  ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, 128.0F * context.scale);
+  // A narrow panel breaks the names rather than the controls.
+  const float names = std::min(144.0F * context.scale, 0.4F * ImGui::GetContentRegionAvail().x);
+  ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, names);
   ImGui::TableSetupColumn("control", ImGuiTableColumnFlags_WidthStretch);
   return true;
 }
@@ -71,7 +76,7 @@ void any_row(const char* name, const Explanation& explanation) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(name);
+  symbol_text(name, ImGui::GetContentRegionAvail().x);
   tooltip(explanation);
   ImGui::TableNextColumn();
   ImGui::SetNextItemWidth(-1.0F);
@@ -115,6 +120,12 @@ void end_rows() {
   ImGui::EndTable();
 }
 
+void same_line_if_room(float width) {
+  const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+  const float end = ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width;
+  if (end <= right) ImGui::SameLine();
+}
+
 bool text_field(const char* id, const char* hint, std::string& text) {
   return ImGui::InputTextWithHint(
       id, hint, text.data(), text.capacity() + 1,
@@ -122,8 +133,73 @@ bool text_field(const char* id, const char* hint, std::string& text) {
       grow, &text);
 }
 
+namespace {
+
+std::string number_in(const char* format, double value) {
+  std::array<char, 64> text{};
+  ImGui::DataTypeFormatString(text.data(), static_cast<int>(text.size()), ImGuiDataType_Double, &value, format);
+  std::string words = text.data();
+  if (words.starts_with('-')) {
+    const bool is_zero = words.find_first_of("123456789") == std::string::npos;
+    words.replace(0, 1, is_zero ? "" : "−");
+  }
+  return words;
+}
+
+// By Enter where it has the focus, or by a click with Ctrl.
+bool is_asked_for_a_number(ImGuiID id) {
+  const ImGuiContext& context = *ImGui::GetCurrentContext();
+  const bool by_enter = context.NavActivateId == id && (context.NavActivateFlags & ImGuiActivateFlags_PreferInput) != 0;
+  return by_enter || context.IO.KeyCtrl;
+}
+
+// A slider of Dear ImGui whose number is drawn here, with a real minus sign, and which obeys the keyboard.
+template <typename Nudged>
+bool any_slider(const char* id, double& value, const SliderLimits& limits, const char* format, ImGuiSliderFlags flags,
+                const Nudged& nudged) {
+  const ImGuiID own = ImGui::GetID(id);
+  const bool was_typing = ImGui::TempInputIsActive(own);
+  // Tab alone would turn it into a field at once.
+  if (!was_typing && !is_asked_for_a_number(own)) flags |= ImGuiSliderFlags_NoInput;
+  if (!was_typing) ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32_BLACK_TRANS);
+  bool is_changed =
+      ImGui::SliderScalar(id, ImGuiDataType_Double, &value, &limits.least, &limits.greatest, format, flags);
+  if (!was_typing) ImGui::PopStyleColor();
+  for (const Nudge& nudge : take_nudges()) {
+    const double before = value;
+    value = nudge.way == Nudge::Way::to_least      ? limits.least
+            : nudge.way == Nudge::Way::to_greatest ? limits.greatest
+                                                   : nudged(value, nudge.steps);
+    is_changed = is_changed || value != before;
+  }
+  if (!was_typing && !ImGui::TempInputIsActive(own)) {
+    const std::string words = number_in(format, value);
+    const ImVec2 size = ImGui::CalcTextSize(words.c_str());
+    const ImVec2 least = ImGui::GetItemRectMin();
+    const ImVec2 most = ImGui::GetItemRectMax();
+    ImGui::RenderTextClipped(least, most, words.c_str(), nullptr, &size, {0.5F, 0.5F});
+  }
+  return is_changed;
+}
+
+// As a file has it: three digits.
+double with_three_digits(double value) {
+  if (!(value > 0.0)) return value;
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 2.0);
+  return std::round(value / unit) * unit;
+}
+
+}  // namespace
+
 bool slider(const char* id, double& value, const SliderLimits& limits, const char* format, ImGuiSliderFlags flags) {
-  return ImGui::SliderScalar(id, ImGuiDataType_Double, &value, &limits.least, &limits.greatest, format, flags);
+  const bool is_logarithmic = (flags & ImGuiSliderFlags_Logarithmic) != 0;
+  return any_slider(id, value, limits, format, flags, [&](double before, double steps) {
+    const double after = is_logarithmic
+                             ? with_three_digits(before * std::pow(limits.greatest / limits.least, 0.01 * steps))
+                             : before + 0.01 * steps * (limits.greatest - limits.least);
+    // What was typed may lie beyond the slider's ends: no step leads farther.
+    return std::clamp(after, std::min(before, limits.least), std::max(before, limits.greatest));
+  });
 }
 
 bool stiffness_slider(const char* id, std::string_view key, double& newton_per_metre, const SliderLimits& limits) {
@@ -143,8 +219,15 @@ void close_popup_on_escape() {
 
 bool angle_slider(const char* id, double& radians) {
   double shown = std::remainder(radians, 2.0 * std::numbers::pi) * degrees_per_radian;
-  if (!slider(id, shown, {-180.0, 180.0}, "%.1f°")) return false;
-  radians = shown / degrees_per_radian;
+  const auto turned = [](double before, double steps) {
+    // To whole steps, so that holding the key down runs through round angles.
+    const double step = std::abs(steps);
+    constexpr double rounding = 1e-6;
+    return step *
+           (steps > 0.0 ? std::floor(before / step + rounding) + 1.0 : std::ceil(before / step - rounding) - 1.0);
+  };
+  if (!any_slider(id, shown, {-180.0, 180.0}, "%.1f°", ImGuiSliderFlags_None, turned)) return false;
+  radians = std::remainder(shown / degrees_per_radian, 2.0 * std::numbers::pi);
   return true;
 }
 

@@ -16,6 +16,7 @@ void apply_style(const Theme& theme, float scale) {
   }
   style.WindowRounding = 0.0F;
   style.WindowBorderSize = 0.0F;
+  style.ChildBorderSize = 0.0F;
   style.FrameRounding = 4.0F;
   style.GrabRounding = 4.0F;
   style.FrameBorderSize = 1.0F;
@@ -36,6 +37,7 @@ void apply_style(const Theme& theme, float scale) {
   set(ImGuiCol_Text, theme.text);
   set(ImGuiCol_TextDisabled, theme.faint_text);
   set(ImGuiCol_WindowBg, theme.panel);
+  set(ImGuiCol_ChildBg, theme.panel);
   set(ImGuiCol_PopupBg, theme.panel_field);
   set(ImGuiCol_Border, theme.panel_border);
   set(ImGuiCol_FrameBg, theme.panel_field);
@@ -48,9 +50,10 @@ void apply_style(const Theme& theme, float scale) {
   set(ImGuiCol_HeaderHovered, hovered);
   set(ImGuiCol_HeaderActive, pressed);
   // Pale enough to read the slider's number through it.
-  set(ImGuiCol_SliderGrab, mix(theme.panel_field, theme.accent, 0.45));
-  set(ImGuiCol_SliderGrabActive, mix(theme.panel_field, theme.accent, 0.6));
+  set(ImGuiCol_SliderGrab, mix(theme.panel_field, theme.accent, 0.3));
+  set(ImGuiCol_SliderGrabActive, mix(theme.panel_field, theme.accent, 0.42));
   set(ImGuiCol_CheckMark, theme.accent);
+  set(ImGuiCol_NavCursor, theme.accent.with_alpha(0));  // the ring is drawn by draw_focus_ring()
   set(ImGuiCol_TitleBg, theme.panel_border);
   set(ImGuiCol_TitleBgActive, theme.panel_border);
   set(ImGuiCol_TextSelectedBg, mix(theme.panel_field, theme.accent, 0.4));

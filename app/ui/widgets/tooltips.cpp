@@ -1,22 +1,21 @@
 #include "app/ui/widgets/tooltips.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
-#include <imgui.h>
+#include <imgui_internal.h>
 
 #include "app/paint/label_painter.h"
+#include "app/ui/widgets/symbol_text.h"
 
 namespace ghostforce {
 namespace {
 
 constexpr double slack = 4.0;  // round a mark [points]
-
-void write(std::string_view text) {
-  ImGui::TextUnformatted(text.data(), text.data() + text.size());
-}
 
 // Somebody who has just used a control knows what it is: no explanation until the pointer has left it.
 bool has_been_used() {
@@ -28,34 +27,84 @@ bool has_been_used() {
   return storage.GetBool(id);
 }
 
-bool begin_explanation() {
-  if (has_been_used()) return false;
-  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip | ImGuiHoveredFlags_AllowWhenDisabled)) return false;
-  // Beside the panels, not over the neighbours of what is explained.
-  const ImVec2 window = ImGui::GetWindowPos();
-  if (window.x > 0.4F * ImGui::GetIO().DisplaySize.x) {
-    ImGui::SetNextWindowPos({window.x - ImGui::GetStyle().ItemSpacing.x, ImGui::GetItemRectMin().y}, ImGuiCond_Always,
-                            {1.0F, 0.0F});
-  }
-  if (!ImGui::BeginTooltip()) return false;
-  ImGui::PushTextWrapPos(26.0F * ImGui::GetFontSize());
-  return true;
+// Whoever has just dragged something looks at what it does [s of frames].
+constexpr double quiet_after_drag_s = 2.0;
+double last_drag_s = -1e9;
+
+bool has_just_dragged() {
+  const double since_s = ImGui::GetTime() - last_drag_s;
+  return since_s >= 0.0 && since_s < quiet_after_drag_s;
 }
 
-void end_explanation() {
-  ImGui::PopTextWrapPos();
+struct Sentence {
+  std::string words;
+  ImGuiCol colour = ImGuiCol_Text;
+};
+using Explanation = std::vector<Sentence>;
+
+bool is_wanted() {
+  return !has_been_used() && !has_just_dragged() &&
+         ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip | ImGuiHoveredFlags_AllowWhenDisabled);
+}
+
+struct Neighbour {
+  ImRect item;      // what is explained,
+  ImRect surround;  // and what should stay in sight round it
+};
+
+// All of it in the window, beside what is explained: left of its panel, or else below or above it.
+ImVec2 place_beside(const Neighbour& neighbour, ImVec2 size) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const ImVec2 whole = ImGui::GetIO().DisplaySize;
+  const auto& [item, surround] = neighbour;
+  const std::array places{ImVec2(surround.Min.x - style.ItemSpacing.x - size.x, item.Min.y),
+                          ImVec2(item.Min.x, item.Max.y + style.ItemSpacing.y),
+                          ImVec2(item.Min.x, item.Min.y - style.ItemSpacing.y - size.y),
+                          ImVec2(surround.Max.x + style.ItemSpacing.x, item.Min.y)};
+  const auto moved_in = [&](ImVec2 place) {
+    return ImVec2(std::clamp(place.x, 0.0F, std::max(0.0F, whole.x - size.x)),
+                  std::clamp(place.y, 0.0F, std::max(0.0F, whole.y - size.y)));
+  };
+  for (const ImVec2 place : places) {
+    const ImVec2 inside = moved_in(place);
+    if (!ImRect(inside, {inside.x + size.x, inside.y + size.y}).Overlaps(item)) return inside;
+  }
+  return moved_in(places[1]);
+}
+
+void show(const Explanation& explanation, const Neighbour& neighbour) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float width =
+      std::min(26.0F * ImGui::GetFontSize(), ImGui::GetIO().DisplaySize.x - 2.0F * style.WindowPadding.x);
+  ImVec2 size{0.0F, -style.ItemSpacing.y};
+  for (const Sentence& sentence : explanation) {
+    const ImVec2 extent = symbol_text_size(sentence.words, width);
+    size = {std::max(size.x, extent.x), size.y + extent.y + style.ItemSpacing.y};
+  }
+  size = {size.x + 2.0F * style.WindowPadding.x, size.y + 2.0F * style.WindowPadding.y};
+  ImGui::SetNextWindowPos(place_beside(neighbour, size));
+  if (!ImGui::BeginTooltip()) return;
+  for (const Sentence& sentence : explanation) {
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(sentence.colour));
+    symbol_text(sentence.words, width);
+    ImGui::PopStyleColor();
+  }
   ImGui::EndTooltip();
 }
 
-void write_entry(const GlossaryEntry& entry, std::string_view whose) {
-  ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));
-  write(whose.empty() ? std::string(entry.title) : fmt::format("{} · {}", entry.title, whose));
-  ImGui::PopStyleColor();
-  write(entry.sentence);
-  const std::string formula = entry.unit.empty()      ? std::string(entry.formula)
-                              : entry.formula.empty() ? fmt::format("in {}", entry.unit)
-                                                      : fmt::format("{}   [{}]", entry.formula, entry.unit);
-  if (!formula.empty()) write(formula);
+Neighbour item_and_window() {
+  const ImVec2 corner = ImGui::GetWindowPos();
+  const ImVec2 size = ImGui::GetWindowSize();
+  return {{ImGui::GetItemRectMin(), ImGui::GetItemRectMax()}, {corner, {corner.x + size.x, corner.y + size.y}}};
+}
+
+Explanation entry_about(const GlossaryEntry& entry, std::string_view whose) {
+  Explanation explanation{
+      {whose.empty() ? std::string(entry.title) : fmt::format("{} · {}", entry.title, whose), ImGuiCol_CheckMark},
+      {std::string(entry.sentence)}};
+  if (!entry.formula.empty()) explanation.push_back({std::string(entry.formula)});
+  if (!entry.unit.empty()) explanation.push_back({fmt::format("Unit: {}", entry.unit)});
+  return explanation;
 }
 
 struct DistanceTo {
@@ -115,15 +164,17 @@ struct DistanceTo {
 }  // namespace
 
 void tooltip(std::string_view sentence) {
-  if (!begin_explanation()) return;
-  write(sentence);
-  end_explanation();
+  if (is_wanted()) show({{std::string(sentence)}}, item_and_window());
 }
 
 void tooltip(Term term) {
-  if (!begin_explanation()) return;
-  write_entry(glossary(term), "");
-  end_explanation();
+  if (is_wanted()) show(entry_about(glossary(term), ""), item_and_window());
+}
+
+void keep_tooltips_from_drags() {
+  for (const ImGuiMouseButton button : {ImGuiMouseButton_Left, ImGuiMouseButton_Right}) {
+    if (ImGui::IsMouseDragging(button)) last_drag_s = ImGui::GetTime();
+  }
 }
 
 const Mark* mark_at(const Pane& pane, const LabelFonts& fonts, const Vector<2>& pointer, double unit) {
@@ -141,10 +192,13 @@ void mark_tooltip(const Pane& pane, const LabelFonts& fonts, const Vector<2>& po
                   bool is_goal_estimated) {
   if (!ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip)) return;
   const Mark* const mark = mark_at(pane, fonts, pointer, unit);
-  if (mark == nullptr || !begin_explanation()) return;
-  write_entry(glossary(term_of(*mark, is_goal_estimated).value()),
-              mark->strategy ? strategy(*mark->strategy).title : "");
-  end_explanation();
+  if (mark == nullptr || !is_wanted()) return;
+  const ImVec2 at = ImGui::GetMousePos();
+  const float reach = ImGui::GetFontSize();
+  const ImRect under_pointer{{at.x, at.y - 0.5F * reach}, {at.x + reach, at.y + reach}};
+  show(entry_about(glossary(term_of(*mark, is_goal_estimated).value()),
+                   mark->strategy ? strategy(*mark->strategy).title : ""),
+       {under_pointer, under_pointer});
 }
 
 }  // namespace ghostforce

@@ -1,4 +1,5 @@
-// Explanations on hover, after a moment. Within an ImGui frame.
+// Explanations on hover, after a moment, beside what they explain and all inside the window. None while something is
+// dragged, and none for 2 s after. Within an ImGui frame.
 #pragma once
 
 #include <string_view>
@@ -12,6 +13,9 @@ namespace ghostforce {
 // On the item just drawn.
 void tooltip(std::string_view sentence);
 void tooltip(Term term);
+
+// Once in a frame, before what may have a tooltip.
+void keep_tooltips_from_drags();
 
 // On the mark of the scene under the pointer, where the item just drawn is the scene. `pointer` in the pane [points].
 void mark_tooltip(const Pane& pane, const LabelFonts& fonts, const Vector<2>& pointer, double unit,

@@ -101,13 +101,20 @@ class DrivenWindow : public testing::Test {
     frames(3);
   }
   void send_key(int key, int action, int modifiers) {
-    ImGui_ImplGlfw_KeyCallback(window_->handle(), key, glfwGetKeyScancode(key), action, modifiers);
+    const GLFWkeyfun on_key = glfwSetKeyCallback(window_->handle(), nullptr);
+    glfwSetKeyCallback(window_->handle(), on_key);
+    on_key(window_->handle(), key, glfwGetKeyScancode(key), action, modifiers);
+  }
+  void send_character(unsigned int character) {
+    const GLFWcharfun on_character = glfwSetCharCallback(window_->handle(), nullptr);
+    glfwSetCharCallback(window_->handle(), on_character);
+    on_character(window_->handle(), character);
   }
   // While it is held. The backend asks the platform which modifiers are down, and the null platform has none: this one
   // is told to ImGui itself.
   void hold_control(bool is_down) { ImGui::GetIO().AddKeyEvent(ImGuiMod_Ctrl, is_down); }
   void type(const std::string& text) {
-    for (const char c : text) ImGui_ImplGlfw_CharCallback(window_->handle(), static_cast<unsigned char>(c));
+    for (const char c : text) send_character(static_cast<unsigned char>(c));
     frames(2);
   }
   // Files as a file manager drops them.

@@ -172,7 +172,7 @@ class MonkeyTest : public DrivenWindow {
   void type_something() {
     for (const char c : std::string_view(any_of(std::array{"1e5", ".x", "-", "NAN", "INF", "0", "1e400", "%s%n",
                                                            "a.png", "b.toml", "c.csv", "d.svg", "-90", "0.001"}))) {
-      ImGui_ImplGlfw_CharCallback(window_->handle(), static_cast<unsigned char>(c));
+      send_character(static_cast<unsigned char>(c));
     }
     frame();
     if (any(4) != 0) send_key(GLFW_KEY_ENTER, GLFW_PRESS, 0);

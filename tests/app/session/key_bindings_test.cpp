@@ -236,7 +236,7 @@ TEST_F(KeysTest, PlusAndMinusTurnTheRatioByAsMuch) {
     session().settings.stiffnesses.chosen_tracking_ratio = 2.0;
     const double motor = session().settings.actuated_angle;
     send_key(c.key, GLFW_PRESS, c.modifiers);
-    if (c.character != 0) ImGui_ImplGlfw_CharCallback(window_->handle(), c.character);
+    if (c.character != 0) send_character(c.character);
     send_key(c.key, GLFW_RELEASE, 0);
     frames(2);
     EXPECT_NEAR(session().settings.stiffnesses.chosen_tracking_ratio.value_or(0.0), 2.0 * c.factor, 1e-12)

@@ -1,0 +1,156 @@
+#include "app/ui/keyboard.h"
+
+#include <GLFW/glfw3.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <optional>
+#include <tuple>
+
+#include "app/ui/panels/dialogs.h"
+#include "app/ui/widgets/focus.h"
+
+namespace ghostforce {
+namespace {
+
+// Until Dear ImGui has moved the focus, and until a window has appeared and its field takes letters [frames].
+constexpr int focus_moves = 2;
+constexpr int window_appears = 3;
+
+bool is_enter(int key) {
+  return key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER;
+}
+
+bool is_arrow(int key) {
+  return key == GLFW_KEY_LEFT || key == GLFW_KEY_RIGHT || key == GLFW_KEY_UP || key == GLFW_KEY_DOWN;
+}
+
+bool is_end(int key) {
+  return key == GLFW_KEY_HOME || key == GLFW_KEY_END;
+}
+
+bool is_typing() {
+  return ImGui::GetCurrentContext()->WantTextInputNextFrame > 0;
+}
+
+bool is_menu_open() {
+  return !ImGui::GetCurrentContext()->OpenPopupStack.empty();
+}
+
+// Of what was handed on. It takes one press of a key in a frame.
+bool has_imgui_more_to_take() {
+  return std::ranges::any_of(ImGui::GetCurrentContext()->InputEventsQueue, [](const ImGuiInputEvent& event) {
+    return event.Type == ImGuiInputEventType_Key || event.Type == ImGuiInputEventType_Text;
+  });
+}
+
+std::optional<Nudge> nudge_of(const KeyPress& press) {
+  if (press.key == GLFW_KEY_HOME) return Nudge{Nudge::Way::to_least};
+  if (press.key == GLFW_KEY_END) return Nudge{Nudge::Way::to_greatest};
+  if (!is_arrow(press.key)) return std::nullopt;
+  const bool is_fine = (press.modifiers & (GLFW_MOD_SHIFT | GLFW_MOD_ALT)) != 0;
+  const bool is_coarse = (press.modifiers & GLFW_MOD_CONTROL) != 0;
+  const double size = is_fine ? 0.1 : is_coarse ? 10.0 : 1.0;
+  const bool is_up = press.key == GLFW_KEY_RIGHT || press.key == GLFW_KEY_UP;
+  return Nudge{Nudge::Way::step, is_up ? size : -size};
+}
+
+}  // namespace
+
+bool Keyboard::is_waiting(Window& window) {
+  return !window.key_events().empty() || has_imgui_more_to_take();
+}
+
+void Keyboard::wait(int frames) {
+  frames_to_wait_ = std::max(frames_to_wait_, frames);
+}
+
+// A dialog that closes leaves the focus as it was when it opened, and another face begins without.
+void Keyboard::follow_windows(const Session& session) {
+  const bool was_open = dialog_ != Dialog::none;
+  const bool is_open = session.dialog != Dialog::none;
+  if (!was_open && is_open) had_focus_ = has_focus();
+  if (was_open && !is_open && !had_focus_) leave_focus();
+  if (face_ != session.face) leave_focus();
+  dialog_ = session.dialog;
+  face_ = session.face;
+}
+
+void Keyboard::take(Window& window, Session& session, const std::function<void()>& do_what_is_asked) {
+  has_pressed_ = false;
+  frames_to_wait_ = std::max(0, frames_to_wait_ - 1);
+  follow_windows(session);
+  std::deque<KeyEvent>& events = window.key_events();
+  if (!has_imgui_more_to_take()) {
+    while (!events.empty() && frames_to_wait_ == 0) {
+      const KeyEvent event = events.front();
+      events.pop_front();
+      act(event, session, do_what_is_asked);
+      follow_windows(session);
+    }
+  }
+  // Whatever waits, this does not.
+  const auto turns_off = [](const KeyEvent& event) { return event.is_down && event.press.key == GLFW_KEY_ESCAPE; };
+  if (std::ranges::any_of(events, turns_off)) ++session.offs_asked;
+}
+
+void Keyboard::act(const KeyEvent& event, Session& session, const std::function<void()>& do_what_is_asked) {
+  const KeyPress& press = event.press;
+  if (!event.is_down || press.key == 0) return Window::hand_on(event);
+  has_pressed_ = true;
+  if (press.key == GLFW_KEY_ESCAPE) {
+    Window::hand_on(event);
+    wait(focus_moves);
+    const bool leaves_dialog = session.dialog != Dialog::none && !is_menu_open();
+    const bool leaves_control = is_menu_open() || is_typing() || has_focus();
+    if (leaves_dialog || !leaves_control) return act_on_table(press, session, false, do_what_is_asked);
+    ++session.offs_asked;
+    leave_focus();
+    return;
+  }
+  if (press.key == GLFW_KEY_TAB) {
+    Window::hand_on(event);
+    return wait(focus_moves);
+  }
+  if (is_typing()) {
+    Window::hand_on(event);
+    if (is_enter(press.key)) wait(focus_moves);
+    return act_on_table(press, session, true, do_what_is_asked);
+  }
+  if (is_menu_open() && (is_arrow(press.key) || is_end(press.key) || is_enter(press.key))) {
+    Window::hand_on(event);
+    return wait(focus_moves);
+  }
+  if (has_focus() && is_enter(press.key)) {
+    Window::hand_on(event);
+    return wait(window_appears);
+  }
+  if (has_focus() && (is_arrow(press.key) || is_end(press.key))) {
+    if (const auto nudge = nudge_of(press); nudge && focus_takes_arrows()) {
+      nudge_focused(*nudge);
+      // Each press is a change of its own to take back; those of a key held down are one.
+      if (!press.is_repeat) wait(1);
+    } else {
+      Window::hand_on(event);
+      wait(focus_moves);
+    }
+    return;
+  }
+  // What is typed at a dialog whose field has lost the focus is for no shortcut.
+  act_on_table(press, session, has_field(session.dialog), do_what_is_asked);
+}
+
+void Keyboard::act_on_table(const KeyPress& press, Session& session, bool is_typing,
+                            const std::function<void()>& do_what_is_asked) {
+  const auto window_of = [&] { return std::tuple(session.dialog, session.face); };
+  const auto picture_of = [&] { return std::tuple(session.stage.mode, session.stage.reveals_asked, session.scene); };
+  const auto window_before = window_of();
+  const auto picture_before = picture_of();
+  act_on_key(session, press, is_typing);
+  do_what_is_asked();
+  if (window_of() != window_before) wait(window_appears);
+  // These are followed in a frame.
+  if (picture_of() != picture_before || session.requests.fit_view || is_enter(press.key)) wait(1);
+}
+
+}  // namespace ghostforce

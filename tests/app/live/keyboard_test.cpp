@@ -1,0 +1,317 @@
+// Key presses in the offscreen window: each acts by itself, however slow the frames are; and the control that Tab leads
+// to owns arrows and Enter, but never Space.
+#include "app/ui/keyboard.h"
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <imgui_internal.h>
+
+#include "app/session/measurement_guide.h"
+#include "app/session/stage_actions.h"
+#include "app/ui/widgets/focus.h"
+#include "tests/app/live/driven_window.h"
+#include "tests/support/screen_text.h"
+
+namespace ghostforce {
+namespace {
+
+struct Press {
+  int key;
+  int modifiers = 0;
+};
+constexpr int ctrl = GLFW_MOD_CONTROL;
+constexpr int shift = GLFW_MOD_SHIFT;
+
+class KeyboardTest : public DrivenWindow {
+ protected:
+  KeyboardTest() { window_->set_visible_drawing(false); }
+
+  void send(const Press& press) {
+    send_key(press.key, GLFW_PRESS, press.modifiers);
+    const bool types = press.modifiers == 0 && press.key >= GLFW_KEY_0 && press.key <= GLFW_KEY_Z;
+    if (types) send_character(static_cast<unsigned int>(press.key));
+    send_key(press.key, GLFW_RELEASE, 0);
+  }
+  // All of them before one frame, and then as many frames as they need.
+  void send_at_once(const std::vector<Press>& presses) {
+    for (const Press& press : presses) send(press);
+    frames(6 * static_cast<int>(presses.size()) + 4, 0);
+  }
+  void send_one_by_one(const std::vector<Press>& presses) {
+    for (const Press& press : presses) {
+      send(press);
+      frames(6, 0);
+    }
+    frames(4, 0);
+  }
+  static ImGuiID focused() { return has_focus() ? ImGui::GetCurrentContext()->NavId : 0; }
+  static ImGuiID in_column(const char* id, const char* table) {
+    return ImHashStr(id, 0, ImGui::FindWindowByName("panels")->GetID(table));
+  }
+  // All that Tab leads to, until it is where it was.
+  std::vector<ImGuiID> tab_stops() {
+    std::vector<ImGuiID> stops;
+    std::set<ImGuiID> seen;
+    for (int i = 0; i < 100; ++i) {
+      press(GLFW_KEY_TAB);
+      if (!seen.insert(focused()).second) break;
+      stops.push_back(focused());
+    }
+    return stops;
+  }
+  // Until the focus is there.
+  bool tab_to(ImGuiID wanted) {
+    for (int i = 0; i < 100 && focused() != wanted; ++i) press(GLFW_KEY_TAB);
+    return focused() == wanted;
+  }
+};
+
+struct Sequence {
+  const char* name;
+  std::vector<Press> presses;
+};
+
+TEST_F(KeyboardTest, ManyPressesBeforeASlowFrameDoWhatEachBeforeItsOwnDoes) {
+  const std::vector<Press> changes{{GLFW_KEY_W},     {GLFW_KEY_LEFT_BRACKET}, {GLFW_KEY_LEFT_BRACKET},
+                                   {GLFW_KEY_EQUAL}, {GLFW_KEY_EQUAL},        {GLFW_KEY_LEFT_BRACKET}};
+  const auto after_changes = [&](std::vector<Press> more) {
+    more.insert(more.begin(), changes.begin(), changes.end());
+    return more;
+  };
+  const std::vector<Sequence> sequences{
+      {"undo twice", after_changes({{GLFW_KEY_Z, ctrl}, {GLFW_KEY_Z, ctrl}})},
+      {"undo, undo, redo", after_changes({{GLFW_KEY_Z, ctrl}, {GLFW_KEY_Z, ctrl}, {GLFW_KEY_Z, ctrl | shift}})},
+      {"undo, change, undo, undo, redo",
+       after_changes({{GLFW_KEY_Z, ctrl}, {GLFW_KEY_W}, {GLFW_KEY_Z, ctrl}, {GLFW_KEY_Z, ctrl}, {GLFW_KEY_Y, ctrl}})},
+      {"full screen three times", {{GLFW_KEY_F11}, {GLFW_KEY_F11}, {GLFW_KEY_F11}}},
+      {"help three times", {{GLFW_KEY_F1}, {GLFW_KEY_F1}, {GLFW_KEY_F1}}},
+      {"plots and pause", {{GLFW_KEY_F3}, {GLFW_KEY_SPACE}, {GLFW_KEY_F3}, {GLFW_KEY_F3}, {GLFW_KEY_SPACE}}},
+      {"a step on and three back", {{GLFW_KEY_PERIOD}, {GLFW_KEY_COMMA}, {GLFW_KEY_COMMA}, {GLFW_KEY_COMMA}}},
+      {"a scene by its name, and a key after it",
+       {{GLFW_KEY_O, ctrl}, {GLFW_KEY_F}, {GLFW_KEY_I}, {GLFW_KEY_G}, {GLFW_KEY_1}, {GLFW_KEY_ENTER}, {GLFW_KEY_3}}},
+      {"the talk", {{GLFW_KEY_PAGE_DOWN}, {GLFW_KEY_PAGE_DOWN}, {GLFW_KEY_PAGE_DOWN}, {GLFW_KEY_ENTER}}},
+      {"a guess, its answer, and a new one", {{GLFW_KEY_Q}, {GLFW_KEY_ENTER}, {GLFW_KEY_ENTER}, {GLFW_KEY_ENTER}}},
+      {"a goal to and fro",
+       {{GLFW_KEY_RIGHT}, {GLFW_KEY_RIGHT, ctrl}, {GLFW_KEY_UP, shift}, {GLFW_KEY_LEFT}, {GLFW_KEY_DOWN, ctrl}}},
+      {"a focused control, and the goal afterwards",
+       {{GLFW_KEY_TAB}, {GLFW_KEY_TAB}, {GLFW_KEY_ENTER}, {GLFW_KEY_ESCAPE}, {GLFW_KEY_RIGHT}}},
+  };
+  for (const Sequence& sequence : sequences) {
+    SCOPED_TRACE(sequence.name);
+    struct End {
+      Settings settings;
+      std::string title;
+      Vector<2> goal;
+      Dialog dialog;
+      Face face;
+      StageMode mode;
+      int why_step;
+      bool paused, has_plots, is_full_screen;
+      std::int64_t tick;
+      std::optional<double> looks_back_to_s;
+      std::uint32_t offs;
+    };
+    const auto end_after = [&](bool at_once) {
+      open({});
+      frames(20);
+      if (window_->is_full_screen()) window_->toggle_full_screen();
+      at_once ? send_at_once(sequence.presses) : send_one_by_one(sequence.presses);
+      const Session& s = session();
+      return End{s.settings,   s.scene->title,          s.goal,      s.dialog,        s.face,
+                 s.stage.mode, s.stage.why_step,        s.paused,    s.plots.is_open, window_->is_full_screen(),
+                 now().tick,   s.stage.looks_back_to_s, s.offs_asked};
+    };
+    const End one_by_one = end_after(false);
+    const End at_once = end_after(true);
+    EXPECT_EQ(at_once.settings, one_by_one.settings);
+    EXPECT_EQ(at_once.title, one_by_one.title);
+    EXPECT_EQ(at_once.goal, one_by_one.goal);
+    EXPECT_EQ(at_once.dialog, one_by_one.dialog);
+    EXPECT_EQ(at_once.face, one_by_one.face);
+    EXPECT_EQ(at_once.mode, one_by_one.mode);
+    EXPECT_EQ(at_once.why_step, one_by_one.why_step);
+    EXPECT_EQ(at_once.paused, one_by_one.paused);
+    EXPECT_EQ(at_once.has_plots, one_by_one.has_plots);
+    EXPECT_EQ(at_once.is_full_screen, one_by_one.is_full_screen);
+    EXPECT_EQ(at_once.tick, one_by_one.tick);
+    EXPECT_EQ(at_once.looks_back_to_s, one_by_one.looks_back_to_s);
+    EXPECT_GE(at_once.offs, one_by_one.offs);
+    if (window_->is_full_screen()) window_->toggle_full_screen();
+  }
+}
+
+TEST_F(KeyboardTest, TwoQuickUndosUndoTwice) {
+  const Settings first = session().settings;
+  press(GLFW_KEY_LEFT_BRACKET);
+  press(GLFW_KEY_LEFT_BRACKET);
+  ASSERT_NE(session().settings, first);
+  send({GLFW_KEY_Z, ctrl});
+  send({GLFW_KEY_Z, ctrl});
+  frames(1);
+  EXPECT_EQ(session().settings, first) << "in one frame";
+}
+
+TEST_F(KeyboardTest, EscapeTurnsMotorsOffHoweverMuchWaitsBeforeIt) {
+  const std::uint32_t before = session().offs_asked;
+  for (int i = 0; i < 10; ++i) send({GLFW_KEY_TAB});
+  send({GLFW_KEY_ESCAPE});
+  frames(1);
+  EXPECT_GT(session().offs_asked, before);
+}
+
+TEST_F(KeyboardTest, TabGoesThroughBarsPanelsAndPlotsAndBack) {
+  session().folded_panels = {};
+  session().plots.is_open = true;
+  frames(3);
+  const std::vector<ImGuiID> stops = tab_stops();
+  const std::set<ImGuiID> all(stops.begin(), stops.end());
+  EXPECT_GT(stops.size(), 40U);
+  for (const char* window : {"strategies", "panels", "plots", "status"}) {
+    ASSERT_NE(ImGui::FindWindowByName(window), nullptr) << window;
+  }
+  const auto has = [&](const char* window, const char* id) {
+    return all.contains(ImGui::FindWindowByName(window)->GetID(id));
+  };
+  EXPECT_TRUE(has("strategies", "##pause"));
+  EXPECT_TRUE(has("panels", "Rendering")) << "the head of a panel";
+  EXPECT_TRUE(has("plots", "Save…"));
+  EXPECT_FALSE(has("scene", "scene")) << "its keys are the table's";
+  press(GLFW_KEY_TAB, shift);
+  press(GLFW_KEY_TAB, shift);
+  EXPECT_NE(focused(), stops.front());
+  press(GLFW_KEY_TAB);
+  press(GLFW_KEY_TAB);
+  EXPECT_EQ(focused(), stops.front());
+}
+
+TEST_F(KeyboardTest, TheStagesButtonsAndDialogsAreReachedToo) {
+  session().face = Face::stage;
+  frames(3);
+  const std::vector<ImGuiID> stops = tab_stops();
+  EXPECT_GE(stops.size(), 8U) << "three strategies, the modes and the way to the workbench";
+  press(GLFW_KEY_ESCAPE);
+  EXPECT_FALSE(has_focus());
+  press(GLFW_KEY_S, ctrl);
+  ASSERT_EQ(session().dialog, Dialog::save_scene);
+  EXPECT_GE(tab_stops().size(), 3U) << "the path, Save and Cancel";
+  press(GLFW_KEY_ESCAPE);
+  EXPECT_EQ(session().dialog, Dialog::none);
+  EXPECT_FALSE(has_focus()) << "as it was before";
+}
+
+TEST_F(KeyboardTest, AFocusedSliderOwnsArrowsAndEnterButNeverSpace) {
+  const ImGuiID k_r = in_column("##k_r", "rendering");
+  ASSERT_TRUE(tab_to(k_r));
+  const Vector<2> goal = session().goal;
+  double& value = session().settings.stiffnesses.k_r;
+  double before = value;
+  const auto ratio_after = [&](int key, int modifiers) {
+    before = value;
+    press(key, modifiers);
+    return value / before;
+  };
+  // A hundredth of a slider from 1 to 20000, which is logarithmic; 2 %: three digits.
+  EXPECT_NEAR(ratio_after(GLFW_KEY_RIGHT, 0), std::pow(20000.0, 0.01), 0.02);
+  EXPECT_NEAR(ratio_after(GLFW_KEY_DOWN, 0), std::pow(20000.0, -0.01), 0.02);
+  EXPECT_NEAR(ratio_after(GLFW_KEY_UP, shift), std::pow(20000.0, 0.001), 0.005);
+  EXPECT_NEAR(ratio_after(GLFW_KEY_LEFT, GLFW_MOD_ALT), std::pow(20000.0, -0.001), 0.005);
+  EXPECT_NEAR(ratio_after(GLFW_KEY_RIGHT, ctrl), std::pow(20000.0, 0.1), 0.05);
+  press(GLFW_KEY_HOME);
+  EXPECT_EQ(value, 1.0);
+  press(GLFW_KEY_END);
+  EXPECT_EQ(value, 20000.0);
+  press(GLFW_KEY_ENTER);
+  type("750");
+  EXPECT_FALSE(session().paused);
+  press(GLFW_KEY_ENTER);
+  EXPECT_EQ(value, 750.0);
+  EXPECT_EQ(session().goal, goal);
+  EXPECT_FALSE(session().paused);
+  press(GLFW_KEY_SPACE);
+  EXPECT_TRUE(session().paused);
+  EXPECT_EQ(value, 750.0);
+  const std::uint32_t offs = session().offs_asked;
+  ASSERT_TRUE(tab_to(k_r));
+  press(GLFW_KEY_ESCAPE);
+  EXPECT_EQ(session().offs_asked, offs + 1);
+  EXPECT_FALSE(has_focus());
+  press(GLFW_KEY_RIGHT);
+  EXPECT_NE(session().goal, goal) << "without a focus arrows move the goal";
+  EXPECT_EQ(value, 750.0);
+}
+
+TEST_F(KeyboardTest, AnAngleTurnsOnBeyondHalfATurnAndShowsARealMinus) {
+  session().folded_panels = {};
+  frames(3);
+  constexpr double degree = 3.14159265358979323846 / 180.0;
+  ASSERT_TRUE(tab_to(in_column("##normal", "wall")));
+  double& angle = session().settings.wall_normal_angle;
+  angle = 179.5 * degree;
+  press(GLFW_KEY_RIGHT);
+  EXPECT_NEAR(angle, 180.0 * degree, 1e-9);
+  press(GLFW_KEY_RIGHT);
+  EXPECT_NEAR(angle, -179.0 * degree, 1e-9);
+  press(GLFW_KEY_RIGHT, shift);
+  EXPECT_NEAR(angle, -178.9 * degree, 1e-9);
+  press(GLFW_KEY_LEFT, ctrl);
+  EXPECT_NEAR(std::abs(angle), 180.0 * degree, 1e-9);
+}
+
+TEST_F(KeyboardTest, TheDialSaysWhomItActsOnWhileItIsTurned) {
+  const auto says_so = [] {
+    return std::ranges::any_of(words_on_screen(),
+                               [](const ScreenWords& words) { return words.text.starts_with("Acts on Anis"); });
+  };
+  press(GLFW_KEY_2);
+  EXPECT_FALSE(says_so());
+  press(GLFW_KEY_EQUAL);
+  EXPECT_TRUE(says_so());
+  press(GLFW_KEY_3);
+  EXPECT_FALSE(says_so());
+  press(GLFW_KEY_1);
+  frames(300, 0);
+  EXPECT_FALSE(says_so());
+  ASSERT_TRUE(tab_to(in_column("ratio", "rendering")));
+  frames(2, 0);
+  EXPECT_TRUE(says_so());
+}
+
+TEST_F(KeyboardTest, TheDialIsTurnedAndTypedInto) {
+  ASSERT_TRUE(tab_to(in_column("ratio", "rendering")));
+  Stiffnesses& stiffnesses = session().settings.stiffnesses;
+  ASSERT_FALSE(stiffnesses.chosen_tracking_ratio);
+  press(GLFW_KEY_LEFT);
+  ASSERT_TRUE(stiffnesses.chosen_tracking_ratio) << "it leaves the optimum";
+  press(GLFW_KEY_RIGHT);
+  EXPECT_FALSE(stiffnesses.chosen_tracking_ratio) << "and finds it again";
+  press(GLFW_KEY_ENTER);
+  type("2.5");
+  press(GLFW_KEY_ENTER);
+  EXPECT_EQ(stiffnesses.chosen_tracking_ratio, 2.5);
+}
+
+TEST_F(KeyboardTest, KeysMoveThePicture) {
+  const SceneView before = session().shown;
+  press(GLFW_KEY_Z);
+  EXPECT_LT(session().shown.width, before.width);
+  press(GLFW_KEY_Z, shift);
+  EXPECT_NEAR(session().shown.width, before.width, 1e-12);
+  const Vector<2> goal = session().goal;
+  press(GLFW_KEY_RIGHT, GLFW_MOD_ALT);
+  EXPECT_LT(session().shown.center.x, before.center.x);
+  EXPECT_EQ(session().goal, goal);
+}
+
+TEST_F(KeyboardTest, WhatIsTypedNeverActsAsAKey) {
+  send({GLFW_KEY_O, ctrl});
+  for (const int key : {GLFW_KEY_W, GLFW_KEY_3, GLFW_KEY_R, GLFW_KEY_B}) send({key});
+  frames(20);
+  EXPECT_EQ(session().form.path.size(), 4U);
+  EXPECT_EQ(session().settings, load_scene("wall45").settings);
+}
+
+}  // namespace
+}  // namespace ghostforce
