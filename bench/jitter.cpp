@@ -325,8 +325,8 @@ int measure(int argc, char** argv) {
   report.row("frames beside: servo, real time · cyclictest · servo, ordinary user · sleep_until",
              fmt::format("{:.0f} · {:.0f} · {:.0f} · {:.0f} /s", servo.of_turns(frames), cyclictest.of_turns(frames),
                          ordinary_servo.of_turns(frames), naive_loop.of_turns(frames)));
-  report.note(fmt::format("What the status bar says of the servo: “{}”, and as an ordinary user “{}”.",
-                          mode_of(servo.turns.front().realtime), mode_of(ordinary_servo.turns.front().realtime)));
+  report.note(fmt::format("What the system grants the servo: “{}”, and as an ordinary user “{}”.",
+                          describe(servo.turns.front().realtime), describe(ordinary_servo.turns.front().realtime)));
   report.note(
       "An ordinary user's servo has short time slices and a processor that drawing leaves to it. It stays there: seen "
       "beside other programs that kept both processors busy, that lost 165 ticks of 5000 instead of 923 with the "
