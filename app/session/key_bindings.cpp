@@ -228,13 +228,13 @@ constexpr std::array bindings{
     KeyBinding{GLFW_KEY_T, none, "T", "Trails on and off", toggle<&ViewOptions::trails>},
     KeyBinding{GLFW_KEY_F, none, "F", "Fit the view to what there is to see", ask<&Requests::fit_view>},
 
-    KeyBinding{GLFW_KEY_Z, none, "Z", "Zoom in; Shift+Z out", zoom<125>, true},
+    KeyBinding{GLFW_KEY_Z, none, "Z", "Zoom in; Shift+Z out; Alt+arrows move the view", zoom<125>, true},
     KeyBinding{GLFW_KEY_Z, shift, "", "", zoom<80>, true},
-    KeyBinding{GLFW_KEY_LEFT, alt, "Alt+arrows", "Move the picture", move_picture<-1, 0>, true},
+    KeyBinding{GLFW_KEY_LEFT, alt, "", "", move_picture<-1, 0>, true},
     KeyBinding{GLFW_KEY_RIGHT, alt, "", "", move_picture<1, 0>, true},
     KeyBinding{GLFW_KEY_UP, alt, "", "", move_picture<0, 1>, true},
     KeyBinding{GLFW_KEY_DOWN, alt, "", "", move_picture<0, -1>, true},
-    KeyBinding{GLFW_KEY_TAB, none, "Tab", "To the next control; Shift+Tab back, Esc leaves", nothing_here, true},
+    KeyBinding{GLFW_KEY_TAB, none, "Tab", "Next control; Shift+Tab back", nothing_here, true},
     KeyBinding{GLFW_KEY_TAB, shift, "", "", nothing_here, true},
 
     KeyBinding{GLFW_KEY_Z, ctrl, "Ctrl+Z", "Undo the last change of a setting", ask<&Requests::undo>, true},
@@ -265,7 +265,7 @@ constexpr std::array gestures{
     MouseGesture{"Drag a wall grip", "Turns the wall in steps of 5°; Ctrl: freely"},
     MouseGesture{"Wheel", "Zooms at the pointer"},
     MouseGesture{"Right drag", "Moves the picture"},
-    MouseGesture{"Ctrl+click a slider", "Types a number into it; where Tab leads: Enter"},
+    MouseGesture{"Ctrl+click a slider", "Types a number into it"},
 };
 // clang-format on
 
