@@ -219,9 +219,9 @@ constexpr std::array bindings{
     KeyBinding{GLFW_KEY_P, none, "P", "Prediction rings on and off", toggle<&ViewOptions::predictions>},
     KeyBinding{GLFW_KEY_T, none, "T", "Trails on and off", toggle<&ViewOptions::trails>},
     KeyBinding{GLFW_KEY_F, none, "F", "Fit the view to what there is to see", ask<&Requests::fit_view>},
-    KeyBinding{GLFW_KEY_Z, none, "Z", "Zoom in; Shift+Z out", zoom<125>, true},
+    KeyBinding{GLFW_KEY_Z, none, "Z", "Zoom in; Shift+Z out; Alt+arrows move the view", zoom<125>, true},
     KeyBinding{GLFW_KEY_Z, shift, "", "", zoom<80>, true},
-    KeyBinding{GLFW_KEY_LEFT, alt, "Alt+arrows", "Move the picture", move_picture<-1, 0>, true},
+    KeyBinding{GLFW_KEY_LEFT, alt, "", "", move_picture<-1, 0>, true},
     KeyBinding{GLFW_KEY_RIGHT, alt, "", "", move_picture<1, 0>, true},
     KeyBinding{GLFW_KEY_UP, alt, "", "", move_picture<0, 1>, true},
     KeyBinding{GLFW_KEY_DOWN, alt, "", "", move_picture<0, -1>, true},
@@ -260,7 +260,7 @@ constexpr std::array bindings{
     KeyBinding{GLFW_KEY_MINUS, ctrl, "", "", change_scale<-1>, true},
     KeyBinding{GLFW_KEY_KP_SUBTRACT, ctrl, "", "", change_scale<-1>, true},
     KeyBinding{GLFW_KEY_0, ctrl, "", "", usual_scale},
-    KeyBinding{GLFW_KEY_TAB, none, "Tab", "To the next control; Shift+Tab back, Esc leaves", nothing_here, true},
+    KeyBinding{GLFW_KEY_TAB, none, "Tab", "Next control; Shift+Tab back", nothing_here, true},
     KeyBinding{GLFW_KEY_TAB, shift, "", "", nothing_here, true},
     KeyBinding{GLFW_KEY_Q, ctrl, "Ctrl+Q", "Quit", ask<&Requests::quit>, false, true},
 };
@@ -271,7 +271,7 @@ constexpr std::array gestures{
     MouseGesture{"Move and change", "Drag a wall grip", "Turns the wall in steps of 5°; Ctrl: freely"},
     MouseGesture{"View", "Wheel", "Zooms at the pointer"},
     MouseGesture{"View", "Right drag", "Moves the picture"},
-    MouseGesture{"Move and change", "Ctrl+click a slider", "Types a number into it; where Tab leads: Enter"},
+    MouseGesture{"Move and change", "Ctrl+click a slider", "Types a number into it"},
 };
 // clang-format on
 

@@ -129,7 +129,7 @@ void StagePointer::update(Session& session, const StageFrame& frame, const Stage
 // Each button once more, for the keyboard: the pointer belongs to the whole stage, which comes first.
 void StagePointer::press_by_key(Session& session, const StageFrame& frame, const StagePicture& picture, ImVec2 corner) {
   for (const StageButton& button : picture.buttons) {
-    const Vector<2> least = point_of(corner) + button.box.least;
+    const Vector<2> least = vector_of(corner) + button.box.least;
     const Vector<2> size = glm::max(button.box.extent(), Vector<2>(1.0));
     ImGui::SetCursorScreenPos({static_cast<float>(least.x), static_cast<float>(least.y)});
     ImGui::PushID(static_cast<int>(button.action.index()));

@@ -4,8 +4,6 @@
 
 #include <utility>
 
-#include "app/ui/widgets/controls.h"
-
 namespace ghostforce {
 namespace {
 
@@ -14,6 +12,10 @@ struct ArrowTaker {
   ImGuiID id = 0;
   std::vector<Nudge> nudges;
 } arrow_taker;
+
+ImU32 ink_of(Colour colour) {
+  return IM_COL32(colour.red, colour.green, colour.blue, colour.alpha);
+}
 
 }  // namespace
 
@@ -60,8 +62,8 @@ void draw_focus_ring(const Theme& theme, float scale) {
   ImDrawList& draw_list = *window.DrawList;
   draw_list.PushClipRect(window.OuterRectClipped.Min, window.OuterRectClipped.Max);
   // Light and dark, so that it stands out from whatever it lies on.
-  draw_list.AddRect(ring.Min, ring.Max, packed(theme.panel), rounding, 0, 6.0F * scale);
-  draw_list.AddRect(ring.Min, ring.Max, packed(theme.accent), rounding, 0, 3.0F * scale);
+  draw_list.AddRect(ring.Min, ring.Max, ink_of(theme.panel), rounding, 0, 6.0F * scale);
+  draw_list.AddRect(ring.Min, ring.Max, ink_of(theme.accent), rounding, 0, 3.0F * scale);
   draw_list.PopClipRect();
 }
 

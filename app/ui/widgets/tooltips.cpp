@@ -29,7 +29,8 @@ bool has_been_used() {
 
 // Whoever has just dragged something looks at what it does [s of frames].
 constexpr double quiet_after_drag_s = 2.0;
-double last_drag_s = -1e9;
+constexpr double never_s = -1e9;
+double last_drag_s = never_s;
 
 bool has_just_dragged() {
   const double since_s = ImGui::GetTime() - last_drag_s;
@@ -172,6 +173,7 @@ void tooltip(Term term) {
 }
 
 void keep_tooltips_from_drags() {
+  if (ImGui::GetFrameCount() <= 1) last_drag_s = never_s;  // another window than before
   for (const ImGuiMouseButton button : {ImGuiMouseButton_Left, ImGuiMouseButton_Right}) {
     if (ImGui::IsMouseDragging(button)) last_drag_s = ImGui::GetTime();
   }
