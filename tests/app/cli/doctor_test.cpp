@@ -41,7 +41,7 @@ nlohmann::json json_of(const Outcome& outcome) {
 TEST(Doctor, TellsThatThereIsNone) {
   const Outcome outcome = doctor({"--falcon-usb-id", "0000:0000"});
   EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
-  EXPECT_TRUE(outcome.out.starts_with("✗ Plugged in")) << outcome.out;
+  EXPECT_TRUE(outcome.out.starts_with("✗ Not plugged in")) << outcome.out;
   EXPECT_NE(outcome.out.find("– Fast enough"), std::string::npos) << outcome.out;
   for (const std::string_view words : {"udev rule: ", "firmware: ", "calibration: ", "SpaceMouse: ", "real time: "}) {
     EXPECT_NE(outcome.out.find(words), std::string::npos) << words;
