@@ -2,13 +2,13 @@
 
 #include <limits>
 
-#include "app/session/measurement_guide.h"
 #include "core/target_reading.h"
 
 namespace ghostforce {
 
 std::optional<Vector<2>> target_of(const Session& session, const MotorReport& motors) noexcept {
-  if (!motors.has_motors || !(session.aims_at_target || is_measuring(session))) return std::nullopt;
+  const bool is_wanted = session.aims_at_target || session.measurement.stage == UserMeasurement::Stage::nulling;
+  if (!motors.has_motors || !is_wanted) return std::nullopt;
   return projection(wall_of(session.settings), session.scene->goal.points.back());
 }
 

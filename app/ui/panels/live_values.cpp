@@ -6,6 +6,7 @@
 
 #include "app/ui/panels/panel_catalog.h"
 #include "app/ui/widgets/controls.h"
+#include "app/view/number_text.h"
 #include "app/view/quantities.h"
 #include "core/settings.h"
 #include "core/units.h"
@@ -15,10 +16,8 @@ namespace {
 
 // Eight characters at most, whatever the number.
 std::string in_fixed_width(double value, int decimals) {
-  const double unit = std::pow(10.0, -decimals);
-  // + 0.0 turns the −0 that rounding leaves of a small negative number into 0.
-  const std::string text = fmt::format("{:.{}f}", std::round(value / unit) * unit + 0.0, decimals);
-  return text.size() <= 8 ? text : fmt::format("{:.1e}", value);
+  const double too_long = std::pow(10.0, 6 - decimals) - 1.0;
+  return std::abs(value) < too_long ? decimal_text(value, decimals) : fmt::format("{:.1e}", value);
 }
 
 void right_aligned(std::string_view text) {

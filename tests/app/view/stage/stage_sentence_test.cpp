@@ -152,8 +152,18 @@ TEST(StageSentence, OfADeviceSaysWhatCannotBeKnown) {
   const Scene scene = load_scene("wall45");
   StageMoment moment = stage_moment_at_rest(scene.settings, scene.goal.points.back());
   moment.is_measured = true;
+  moment.knows_ghost_force = false;
   EXPECT_TRUE(says(stage_sentence(scene.settings, moment, {}), "cannot be known"));
+  moment.has_target = true;
+  EXPECT_TRUE(says(stage_sentence(scene.settings, moment, {}), "cannot be known"));
+  moment.knows_ghost_force = true;
+  moment.ghost_force = 0.5 * moment.wall_share;
+  EXPECT_TRUE(says(stage_sentence(scene.settings, moment, {}), "a ghost force drags you"));
+  moment.ghost_force = Vector<2>(0.0);
+  EXPECT_TRUE(says(stage_sentence(scene.settings, moment, {}), "there is no ghost force"));
   moment.in_contact = false;
+  EXPECT_TRUE(says(stage_sentence(scene.settings, moment, {}), "Aim at the target"));
+  moment.has_target = false;
   EXPECT_TRUE(says(stage_sentence(scene.settings, moment, {}), "Push the handle"));
 }
 
