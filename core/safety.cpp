@@ -36,8 +36,8 @@ constexpr std::array reasons{
                    false},
     OffReasonEntry{OffReason::program_ending, "program_ending", "program ending", "The program was about to end.", true,
                    false},
-    OffReasonEntry{OffReason::fault, "fault", "fault", "Something failed: the device status (F2) says what.",
-                   true, false},
+    OffReasonEntry{OffReason::fault, "fault", "fault", "Something failed: the device status (F2) says what.", true,
+                   false},
 };
 
 // In the order of ArmingObstacle.
