@@ -83,6 +83,7 @@ void add_dial_caption(const View& view, LabelPlacer& labels, Marks& marks) {
   if (!fits || !labels.obstacles().is_free(box, view.points(1.0), Clearance::if_possible)) return;
   labels.keep_clear(box);
   const ScreenPen pen{view, marks, Role::motor_axis};
+  pen.backdrop(box);
   Vector<2> at = corner;
   for (std::string& words : lines) {
     at.x = corner.x + 0.5 * (extent.x - width_of(words));

@@ -29,12 +29,11 @@ struct ScreenPen {
                      Label{to_world(view.camera, upper_left), Vector<2>(0.0), std::move(words), style,
                            faded(colour, strength), halo}});
   }
-  // Trails and grid may run below: they step back.
+  // Trails and grid run on below it.
   void backdrop(const ScreenBox& box) const {
-    marks.push_back(
-        {role, std::nullopt,
-         Box{to_world(view.camera, box.least), box.extent(), view.points(4.0),
-             faded(view.theme.background.with_alpha(225), strength), view.theme.background.with_alpha(0), 0.0}});
+    marks.push_back({role, std::nullopt,
+                     Box{to_world(view.camera, box.least), box.extent(), view.points(4.0),
+                         faded(view.theme.background, strength), view.theme.background.with_alpha(0), 0.0}});
   }
 };
 
