@@ -51,7 +51,7 @@ class Drawing {
   void draw() {
     add_scene();
     for (const Trail& trail : picture_.trails) add_trail(trail);
-    for (const ForceArrow& arrow : picture_.arrows) add_arrow(arrow);
+    for (const MotorForceArrow& arrow : picture_.arrows) add_arrow(arrow);
     for (const Spot& spot : picture_.spots) add_spot(spot);
     if (picture_.has_scale) add_scale();
     for (const Spot& spot : picture_.spots) place_name(on_screen(spot.at), spot.radius + 3.0, spot);
@@ -119,7 +119,7 @@ class Drawing {
     }
   }
 
-  void add_arrow(const ForceArrow& arrow) {
+  void add_arrow(const MotorForceArrow& arrow) {
     const Vector<2> tail = on_screen(arrow.tail) + aside;
     const Vector<2> tip = tail + on_screen_direction(arrow.force);
     pane_.marks.push_back(

@@ -30,7 +30,7 @@ struct Spot {
   bool has_cross = false;        // the goal's
 };
 
-struct ForceArrow {
+struct MotorForceArrow {
   Vector<2> tail;   // [m]
   Vector<2> force;  // [N]
   Colour colour;
@@ -43,7 +43,7 @@ struct ScenePicture {
   std::string title;  // above the pane
   Settings settings;  // of the scene: wall and motor axis
   std::vector<Trail> trails{};
-  std::vector<ForceArrow> arrows{};
+  std::vector<MotorForceArrow> arrows{};
   std::vector<Spot> spots{};
   bool has_scale = false;  // scale bar and motor axis
 };

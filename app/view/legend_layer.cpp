@@ -101,6 +101,7 @@ class LegendEntries {
                                                                          : "device (the handle), filled";
     add(Role::device, marker(strategy_style(entry.id).shape, 7.0, fill, rim, 1.0), letter_and_title(entry), sense,
         entry.id);
+    entries_.back().in_brief = "device";
   }
   void add_others() {
     for (const Strategy& entry : strategy_catalog()) {
