@@ -42,13 +42,12 @@ void draw_head() {
 // Why nobody knows a number against the goal.
 std::string_view words_of_unknown(const PanelContext& context, StrategyId id) {
   if (!context.snapshot.has_target) {
-    return "Cannot be known: the goal of a real hand is only inferred from the force itself. Aim at a target: the "
-           "switch "
-           "is in the panel Input.";
+    return "Cannot be known: the goal of a real hand is only inferred from the force itself. Tick “Aim at a target” in "
+           "the panel “Input”.";
   }
   if (context.snapshot.measured != id) return "Cannot be known: this strategy is only simulated beside the device.";
-  return "Cannot be known now: the hand does not pull towards the target, or the motors give less than was asked of "
-         "them.";
+  return "Cannot be known now: the hand does not pull towards the target, or the motors give less than they were asked "
+         "for.";
 }
 
 void draw_row(const PanelContext& context, const Strategy& entry) {
@@ -73,7 +72,7 @@ void draw_row(const PanelContext& context, const Strategy& entry) {
     if (!has_value) {
       tooltip(words_of_unknown(context, entry.id));
     } else if (is_against_target) {
-      tooltip("Against the target: as if the hand aimed straight into the wall at it, and was at rest.");
+      tooltip("Relative to the target: assumes a hand at rest that aims straight into the wall at it.");
     }
   }
 }
@@ -92,11 +91,11 @@ void draw_model_error(const PanelContext& context) {
   if (context.snapshot.measured) {
     ImGui::TextUnformatted(
         fmt::format("{} measured, others simulated{}", strategy(*context.snapshot.measured).title,
-                    context.snapshot.has_target ? fmt::format("; {} against the target", target_sign) : "")
+                    context.snapshot.has_target ? fmt::format("; {} relative to the target", target_sign) : "")
             .c_str());
     tooltip(
-        "Forces are what each strategy wants, before any limit. The others are simulated under the inferred goal, "
-        "against which ghost force and drift cannot be known.");
+        "Forces are what each strategy asks for, before any limit. The others are simulated with the inferred goal, so "
+        "their ghost force and drift cannot be known.");
     return;
   }
   ImGui::BeginGroup();
