@@ -107,6 +107,12 @@ void draw_model_error(const PanelContext& context) {
   tooltip(Term::model_error);
 }
 
+// For up to eight digits, and for the title.
+float column_room(const PanelContext& context, const Quantity& quantity) {
+  const float digits = context.fonts.number->CalcTextSizeA(ImGui::GetFontSize(), 1e9F, 0.0F, "−1000.0").x;
+  return std::max(digits, ImGui::CalcTextSize(quantity.title.data()).x);
+}
+
 void draw_table(const PanelContext& context) {
   if (!ImGui::BeginTable("live", 1 + static_cast<int>(quantity_count),
                          ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_PadOuterX)) {
@@ -114,19 +120,18 @@ void draw_table(const PanelContext& context) {
   }
   ImGui::TableSetupColumn("strategy", ImGuiTableColumnFlags_WidthFixed, 2.6F * ImGui::GetFontSize());
   for (const Quantity& quantity : quantity_catalog())
-    ImGui::TableSetupColumn(quantity.title.data(), ImGuiTableColumnFlags_WidthStretch);
+    ImGui::TableSetupColumn(quantity.title.data(), ImGuiTableColumnFlags_WidthStretch, column_room(context, quantity));
   draw_head();
   for (const Strategy& entry : strategy_catalog()) draw_row(context, entry);
   ImGui::EndTable();
 }
 
-// Of the letters, so that all columns have room in a narrow panel: up to eight digits each, and a strategy's name.
+// Of the letters, so that all columns and a strategy's name have room in a narrow panel.
 float size_that_fits(const PanelContext& context) {
-  const float digits = context.fonts.number->CalcTextSizeA(ImGui::GetFontSize(), 1e9F, 0.0F, "−1000.0").x;
   const float padding = 2.0F * ImGui::GetStyle().CellPadding.x;
-  const float columns = static_cast<float>(quantity_count);
-  const float room = ImGui::GetContentRegionAvail().x - (columns + 1.0F) * padding;
-  const float needed = columns * digits + 2.6F * ImGui::GetFontSize();
+  const float room = ImGui::GetContentRegionAvail().x - (static_cast<float>(quantity_count) + 1.0F) * padding;
+  float needed = 2.6F * ImGui::GetFontSize();
+  for (const Quantity& quantity : quantity_catalog()) needed += column_room(context, quantity);
   return ImGui::GetStyle().FontSizeBase * std::clamp(room / needed, 0.6F, 1.0F);
 }
 
