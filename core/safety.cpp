@@ -22,11 +22,11 @@ constexpr std::array reasons{
     OffReasonEntry{OffReason::too_fast, "too_fast", "too fast",
                    "The handle moved faster than 1 m/s. Hold it more firmly, or lower the rendering stiffness.", false,
                    true},
-    OffReasonEntry{OffReason::over_force, "over_force", "over force",
+    OffReasonEntry{OffReason::over_force, "over_force", "too much force",
                    "The handle was so deep in the wall that the motors would have thrown it out. Move it out of the "
                    "wall, then arm the motors again.",
                    false, true},
-    OffReasonEntry{OffReason::loop_late, "loop_late", "loop late",
+    OffReasonEntry{OffReason::loop_late, "loop_late", "late answer",
                    "The device did not answer for 20 ms. Close other busy programs, and plug the device directly into "
                    "the computer.",
                    true, true},
@@ -46,7 +46,7 @@ constexpr std::array reasons{
 // In the order of ArmingObstacle.
 constexpr std::array obstacles{
     ArmingObstacleEntry{ArmingObstacle::none, ""},
-    ArmingObstacleEntry{ArmingObstacle::device_not_ready, "the device is not ready yet, see the device status (F2)"},
+    ArmingObstacleEntry{ArmingObstacle::device_not_ready, "the device is not ready; see the device status (F2)"},
     ArmingObstacleEntry{ArmingObstacle::loop_not_healthy, "waiting for the device to answer quickly and steadily"},
     ArmingObstacleEntry{ArmingObstacle::inside_wall, "move the handle out of the wall"},
     ArmingObstacleEntry{ArmingObstacle::force, "hold the handle still, away from the wall"},

@@ -22,7 +22,7 @@ constexpr std::array steps{
     ReadinessEntry{ReadinessStep::allowed, ExitCode::device_refused, "allowed", "Allowed", "Not allowed",
                    "Run 'ghostforce doctor --install-udev' once, then plug it in again.", "This user may open it."},
     ReadinessEntry{ReadinessStep::free, ExitCode::device_refused, "free", "Free", "Not free",
-                   "Close the other program that has the device.", "No other program has it."},
+                   "Close the other program that is using the device.", "No other program is using it."},
     ReadinessEntry{ReadinessStep::firmware, ExitCode::device_failed, "firmware", "Firmware answers",
                    "Firmware does not answer", "Give it a firmware file: --firmware FILE, see docs/falcon.md.",
                    "The firmware is loaded and running."},
@@ -33,7 +33,7 @@ constexpr std::array steps{
                    "Encoders do not move", "Move the handle up and down, left and right, out and in.",
                    "All three motors have moved."},
     ReadinessEntry{ReadinessStep::fast_enough, ExitCode::answer_is_no, "fast_enough", "Fast enough", "Not fast enough",
-                   "Use a USB port of the machine itself, without a hub, and close what keeps the machine busy.", ""},
+                   "Use a USB port on the computer itself, without a hub, and close programs that keep it busy.", ""},
     ReadinessEntry{ReadinessStep::outside_wall, ExitCode::done, "outside_wall", "Outside the wall",
                    "Not outside the wall", "Move the handle out of the wall.", "Nothing pushes on the handle yet."},
     ReadinessEntry{ReadinessStep::armed, ExitCode::done, "armed", "Armed", "Not armed",
@@ -53,14 +53,14 @@ constexpr std::array faults{
     FaultEntry{FalconFault::none, ReadinessStep::seen, "", ""},
     FaultEntry{FalconFault::not_allowed, ReadinessStep::allowed, "This user may not open the device.",
                "Run 'ghostforce doctor --install-udev' once, then plug the device in again."},
-    FaultEntry{FalconFault::busy, ReadinessStep::free, "Another program has the device.", "Close that program."},
+    FaultEntry{FalconFault::busy, ReadinessStep::free, "Another program is using the device.", "Close that program."},
     FaultEntry{FalconFault::unsupported, ReadinessStep::free,
-               "What is plugged in lacks the one interface with two bulk endpoints that a Falcon has.",
+               "The device that is plugged in lacks the USB interface with two bulk endpoints that a Falcon has.",
                "Plug in another Falcon."},
     FaultEntry{FalconFault::unplugged, ReadinessStep::seen, "The device was unplugged.",
                "Plug it in again: the program keeps looking for it. The motors stay off until you arm them."},
     FaultEntry{FalconFault::broken, ReadinessStep::firmware, "The USB transfers fail.",
-               "Use another cable or another USB port, one of the machine itself."},
+               "Use another cable or another USB port, one on the computer itself."},
     FaultEntry{FalconFault::no_firmware, ReadinessStep::firmware,
                "The device has no firmware, and there is no file to give it.",
                "Name one with --firmware FILE, or see docs/falcon.md for where to put it."},
@@ -74,20 +74,21 @@ constexpr std::array faults{
                "The upload of the firmware broke off: a byte was not echoed.",
                "Use another cable or USB port. If it happens again, unplug both cables for 5 s."},
     FaultEntry{FalconFault::echo_differs, ReadinessStep::firmware,
-               "The upload of the firmware was garbled: a byte came back as another.",
+               "The upload of the firmware was garbled: a byte came back changed.",
                "Use another cable or USB port, without a hub."},
     FaultEntry{FalconFault::firmware_silent, ReadinessStep::firmware, "The firmware is loaded but does not answer.",
                "Check that the file is for this device: compare its SHA-256 with docs/falcon.md."},
     FaultEntry{FalconFault::no_replies, ReadinessStep::firmware, "The device has stopped answering.",
                "Check that its power supply is plugged in. The program opens the device again by itself."},
-    FaultEntry{FalconFault::kinematics, ReadinessStep::homed, "The encoders tell a position that the arms cannot have.",
+    FaultEntry{FalconFault::kinematics, ReadinessStep::homed,
+               "The encoders report a position that the arms cannot reach.",
                "Home the device again (F2), and check the geometry in its calibration file."},
 };
 static_assert(faults.size() == static_cast<std::size_t>(FalconFault::kinematics) + 1);
 
 // The wire to the device is dead, and what it was told last was a force.
 constexpr std::string_view still_pushing =
-    "The motors may still push, and nothing from here reaches them: pull the plug of the device's power supply. ";
+    "The motors may still push, and the program cannot stop them: unplug the device's power supply now. ";
 
 // The motors of which `is_so` is `wanted`: "motor 1 and motor 3".
 std::string motors_where(const std::array<bool, 3>& is_so, bool wanted) {
@@ -220,7 +221,7 @@ class ReadinessCheck {
       case ReadinessStep::fast_enough:
         return speed_words(entry, reached);
       case ReadinessStep::outside_wall:
-        if (!reached && !motors_->is_handle_known) return "It is not known yet where the handle is.";
+        if (!reached && !motors_->is_handle_known) return "The position of the handle is not known yet.";
         if (are_on(*motors_)) return "The handle was outside when the motors were armed.";
         break;
       case ReadinessStep::armed:
@@ -234,16 +235,16 @@ class ReadinessCheck {
   std::string firmware_words() const {
     const std::string before = report_.fault == FalconFault::none
                                    ? ""
-                                   : fmt::format(" The attempt before: {}.", entry_of(report_.fault).title);
+                                   : fmt::format(" The previous attempt: {}.", entry_of(report_.fault).title);
     if (report_.state == FalconState::opening) return "The program is asking it whether it has firmware." + before;
-    return fmt::format("It is being loaded, attempt {} of {}: {} of {} bytes are there.{}", report_.attempt,
+    return fmt::format("It is being loaded, attempt {} of {}: {} of {} bytes are done.{}", report_.attempt,
                        report_.attempts, report_.bytes_echoed, report_.firmware_size, before);
   }
 
   std::string speed_words(const ReadinessEntry& entry, bool reached) const {
     if (report_.exchange_hz == 0.0) return "The speed is being measured.";
     const std::string measured =
-        fmt::format("The device exchanges {:.0f} times a second, in {:.2f} ms each and {:.1f} ms at worst.",
+        fmt::format("The device answers {:.0f} times a second, after {:.2f} ms on average and {:.1f} ms at worst.",
                     attainable_exchange_hz(report_), 1e3 * report_.exchange_s, 1e3 * report_.worst_exchange_s);
     return reached ? measured : fmt::format("{} {}", measured, entry.remedy);
   }
@@ -258,10 +259,10 @@ class ReadinessCheck {
       }
       case SafetyState::arming:
         if (motors_->obstacle == ArmingObstacle::none) return "The motors are being armed.";
-        return fmt::format("The motors wait: {}.", entry_of(motors_->obstacle).sentence);
+        return fmt::format("The motors are not on yet: {}.", entry_of(motors_->obstacle).sentence);
       case SafetyState::ramp:
       case SafetyState::on:
-        return fmt::format("The motors are on, with {:.1f} N at most.", motors_->limit);
+        return fmt::format("The motors are on and push with {:.1f} N at most.", motors_->limit);
     }
     return std::string(entry.remedy);
   }

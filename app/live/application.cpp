@@ -104,7 +104,7 @@ void Application::use(const InputEntry& entry, std::shared_ptr<const Scene> scen
   }
   // Its header would not be true any longer.
   if (const std::string words = end_recording(); !words.empty()) {
-    show_notice(fmt::format("Changing the scene or the input ends the recording. {}", words),
+    show_notice(fmt::format("The recording ended because the scene or the input changed. {}", words),
                 !recording_problem_.empty());
   }
   const bool is_other_scene = scene != session_.scene;
@@ -242,7 +242,7 @@ void Application::offer_undo() {
   const Edited* const after = undo_.after();
   session_.undo_offer = {.undo = before != nullptr ? words_of_change(*before, undo_.present()) : "",
                          .redo = after != nullptr ? words_of_change(undo_.present(), *after) : ""};
-  if (is_measuring(session_)) session_.undo_offer.undo = "what the measurement has set, and end it";
+  if (is_measuring(session_)) session_.undo_offer.undo = "what the measurement has changed, and end it";
 }
 
 LoopReading Application::reading() const {
@@ -364,7 +364,7 @@ void Application::handle_requests() {
   } catch (const ReadError& error) {
     show_notice(error.what(), true);
   } catch (const ReaderGone&) {
-    show_notice("No program reads from that pipe any more. Save to a file instead.", true);
+    show_notice("No program is reading from that pipe any more. Save to a file instead.", true);
   }
 }
 
@@ -450,14 +450,13 @@ std::string Application::end_recording() {
   const std::string shown = quoted_text(found_at.empty() ? recording_reading_.path : found_at, longest_path);
   if (found_at.empty()) {
     recording_problem_ = fmt::format(
-        "{:.1f} s of recording are lost: {} was removed while it was being written. Record again, to a folder that "
-        "stays.",
+        "{:.1f} s of recording are lost: {} was removed while it was being written. Record again, to another folder.",
         recording_reading_.seconds, shown);
     return recording_problem_;
   }
   if (error == EOVERFLOW) {
     recording_problem_ = fmt::format(
-        "The recording ended after {:.1f} s: {} has reached the greatest length of a run, {:.0f} ticks. It is "
+        "The recording ended after {:.1f} s: {} has reached the maximum length of a run, {:.0f} ticks. It is "
         "complete. "
         "Record to another file to go on.",
         recording_reading_.seconds, shown, most_ticks);
@@ -465,7 +464,7 @@ std::string Application::end_recording() {
   }
   if (error != 0) {
     recording_problem_ = fmt::format(
-        "The recording ended after {:.1f} s: {} cannot be written any further: {}. What is in it can be read.",
+        "The recording ended after {:.1f} s: {} cannot be written any further: {}. What it contains can still be read.",
         recording_reading_.seconds, shown, reason_of(error));
     return recording_problem_;
   }

@@ -47,9 +47,8 @@ class FalconInputLink : public InputLink {
     for (const Vector<2>& point : path_.points) needed = std::max(needed, plane.scale_to_reach(point));
     if (needed <= calibration.scale) return {};
     return fmt::format(
-        "This scene reaches {:.0f} mm from the middle of the view, but the handle only {:.0f} mm. Set scale = {:.1f} "
-        "or "
-        "more in the device's calibration file.",
+        "This scene reaches {:.0f} mm from the middle of the view, but the handle reaches only {:.0f} mm. Set scale = "
+        "{:.1f} or more in the device's calibration file.",
         mm_per_m * workspace_radius * needed, mm_per_m * workspace_radius * calibration.scale,
         std::ceil(10.0 * needed) / 10.0);
   }
@@ -97,7 +96,7 @@ class VirtualFalconInputLink final : public FalconInputLink {
  private:
   VirtualFalconInput& input_;
   PointerLink pointer_;
-  std::vector<InputChoice> injected_faults_{{"none", "none", "It behaves as a Falcon should."}};
+  std::vector<InputChoice> injected_faults_{{"none", "none", "The virtual Falcon works as it should."}};
 };
 
 }  // namespace

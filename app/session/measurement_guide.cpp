@@ -24,17 +24,17 @@ constexpr double hand_average_s = 0.3;  // over which the drift of a trembling h
 // In the order of MeasuringStep.
 constexpr std::array<std::string_view, 13> step_words{
     "Time is paused: press Space.",
-    "The circle never rests: end the circle test.",
+    "The hand must come to rest: end the circle test.",
     "Arm the motors with the button at the top right.",
-    "Press 3: the ratio ρ acts on anisotropic rendering only.",
+    "Press 3: only anisotropic rendering uses the ratio ρ.",
     "Turn the wall or the actuated direction: the proxy never drifts here.",
     "Raise k_r: nothing is rendered.",
-    "Drag the goal into the hatched side, and let go.",
-    "The motors are at their limit: press less deep.",
+    "Drag the goal into the hatched side and let go.",
+    "The motors are at their limit: do not press so deep.",
     "Raise ρ until the drift is gone.",
     "Lower ρ until the drift is gone.",
     "The drift is gone: hold still.",
-    "No hand has a ratio of 1 or less: press deeper or raise k_r.",
+    "A ratio of 1 or less fits no hand: press deeper or raise k_r.",
     "The drift is gone: take the reading.",
 };
 static_assert(step_words.size() == static_cast<std::size_t>(MeasuringStep::take) + 1);
@@ -233,7 +233,7 @@ double null_drift(const UserMeasurement& measurement) noexcept {
 }
 
 std::string_view words_for(MeasuringStep step, bool has_target) noexcept {
-  if (step == MeasuringStep::press && has_target) return "Push straight into the wall at the target, and hold.";
+  if (step == MeasuringStep::press && has_target) return "Push straight into the wall at the target and hold.";
   return step_words[static_cast<std::size_t>(step)];
 }
 

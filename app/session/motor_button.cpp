@@ -17,7 +17,7 @@ std::string safety_words(const MotorReport& motors) {
     case SafetyState::on:
       return "MOTORS ON. Esc: off";
     case SafetyState::fade:
-      return "MOTORS going off";
+      return "MOTORS turning off";
   }
   return {};
 }

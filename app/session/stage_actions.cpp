@@ -61,7 +61,7 @@ void show_face(Session& session, Face face) {
     leave_stage_mode(session);
     // What went wrong stays to be read.
     if (!session.notice || !session.notice->is_problem) {
-      session.notice = Notice{"The workbench: all settings, numbers and plots. F4 goes back to the stage."};
+      session.notice = Notice{"The workbench has all settings, numbers and plots. F4 goes back to the stage."};
     }
   } else if (session.notice && !session.notice->is_problem) {
     session.notice.reset();

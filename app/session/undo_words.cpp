@@ -33,17 +33,17 @@ constexpr std::array parts{
     Part{"k_u", is_same_stiffness<&Stiffnesses::k_u>},
     Part{"the believed k_u", is_same_stiffness<&Stiffnesses::believed_k_u>},
     Part{"the wall's angle", is_same<&Settings::wall_normal_angle>},
-    Part{"the wall's place", is_same<&Settings::wall_point>},
+    Part{"the wall's position", is_same<&Settings::wall_point>},
     Part{"the actuated direction", is_same<&Settings::actuated_angle>},
     Part{"the mass", is_same<&Settings::mass>},
     Part{"the damping", is_same<&Settings::damping>},
-    Part{"the rate", is_same<&Settings::rate>},
+    Part{"the tick rate", is_same<&Settings::rate>},
 };
 
 }  // namespace
 
 std::string words_of_change(const Edited& before, const Edited& after) {
-  if (before.scene != after.scene) return fmt::format("the opening of “{}”", after.scene->title);
+  if (before.scene != after.scene) return fmt::format("opening “{}”", after.scene->title);
   std::vector<std::string_view> changed;
   for (const Part& part : parts) {
     if (!part.is_same(before.settings, after.settings)) changed.push_back(part.words);

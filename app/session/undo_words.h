@@ -7,7 +7,7 @@
 
 namespace ghostforce {
 
-// "k_r", "the strategy and the wall's angle", "the opening of “A wall at 45 degrees”"; never empty.
+// "k_r", "the strategy and the wall's angle", "opening “A wall at 45 degrees”"; never empty.
 std::string words_of_change(const Edited& before, const Edited& after);
 
 }  // namespace ghostforce

@@ -22,25 +22,24 @@ constexpr std::array entries{
         "n·(q − o) ≥ 0", ""},
     GlossaryEntry{Term::force, "Rendered force f_r", "How hard the device pushes on the hand.", "f_r = K_r (q_p − q_h)",
                   "N"},
-    GlossaryEntry{
-        Term::ghost_force, "Ghost force",
-        "What the device pushes along its motor beyond what a fully actuated device would. It should be zero.",
-        "P_A (f_r − f_r of F)", "N"},
-    GlossaryEntry{
-        Term::proxy_drift, "Proxy drift",
-        "How far the proxy has slid along the wall, away from where the hand aims (its slide). It should be zero.",
-        "(q_p − q_u) along the wall", "mm"},
+    GlossaryEntry{Term::ghost_force, "Ghost force",
+                  "How much harder the device pushes along its actuated direction than a fully actuated device would. "
+                  "It should be zero.",
+                  "P_A (f_r − f_r of F)", "N"},
+    GlossaryEntry{Term::proxy_drift, "Proxy drift (slide)",
+                  "How far the proxy has slid along the wall, away from where the hand aims. It should be zero.",
+                  "(q_p − q_u) along the wall", "mm"},
     GlossaryEntry{
         Term::energy, "Energy",
         "How much energy the rendering has given to the hand since the last reset. Over a closed loop it should be "
         "zero. Above zero, the rendering was active, not passive.",
         "Σ f_r,k−1 · (q_h,k − q_h,k−1)", "mJ"},
     GlossaryEntry{Term::model_error, "Model − simulation",
-                  "How far the simulated devices are from where the closed forms say they come to rest.",
+                  "How far the simulated devices are from where the closed forms say that they come to rest.",
                   "max |q_h − q_h of the paper's (9) to (20)|", "mm"},
     GlossaryEntry{
         Term::prediction, "Prediction",
-        "Where the closed form says device and proxy come to rest. The simulation reaches the rings by itself.",
+        "Where the closed form says that the device and the proxy come to rest. The simulation gets there on its own.",
         "equations (9) to (20) of the paper", "mm"},
     GlossaryEntry{Term::trail, "Trail", "Where the goal (dots) and the devices have been in the last 3 seconds.", "",
                   "mm"},
@@ -49,41 +48,40 @@ constexpr std::array entries{
     GlossaryEntry{Term::tracking_link, "Tracking", "The spring that makes the proxy follow the device.",
                   "f_t = K_t (q_h − q_p)", "N"},
     GlossaryEntry{Term::motor_axis, "Actuated direction",
-                  "The direction in which the device can push. Drag the arrow to turn it. Across it there is no motor.",
+                  "The direction in which the device can push. It has no motor across it. Drag the arrow to turn it.",
                   "counter-clockwise from x", "°"},
     GlossaryEntry{Term::wall_normal, "Wall normal n", "The direction in which the wall faces.",
                   "counter-clockwise from x", "°"},
     GlossaryEntry{Term::rendering_stiffness, "Rendering stiffness k_r",
-                  "The stiffness of the spring that pulls the device towards the proxy, where there are motors.",
+                  "The stiffness of the spring that pulls the device towards the proxy, in the actuated directions.",
                   "f_r = K_r (q_p − q_h)", "N/m"},
     GlossaryEntry{Term::tracking_stiffness, "Tracking stiffness k_t",
-                  "The stiffness of the spring that makes the proxy follow the device, along the motors.",
+                  "The stiffness of the spring that makes the proxy follow the device, in the actuated directions.",
                   "f_t = K_t (q_h − q_p)", "N/m"},
     GlossaryEntry{Term::constraint_stiffness, "Constraint stiffness k_c",
                   "The stiffness of the spring with which the wall holds the proxy back.", "f_c = k_c (q_c − q_p)",
                   "N/m"},
     GlossaryEntry{Term::hard_constraint, "Hard constraint", "The proxy never enters the wall.", "k_c = ∞", ""},
-    GlossaryEntry{
-        Term::tracking_ratio, "Tracking ratio ρ",
-        "How much more stiffly the proxy follows along the motors than across them. 1 is naïve; ρ* removes the "
-        "ghost force. Only anisotropic rendering uses it.",
-        "ρ = k_ta / k_tn,  ρ* = 1 + k_r / k_u", ""},
+    GlossaryEntry{Term::tracking_ratio, "Tracking ratio ρ",
+                  "How much more stiffly the proxy follows the device along the actuated direction than across it. 1 "
+                  "is naïve; ρ* removes the ghost force. Only anisotropic rendering uses it.",
+                  "ρ = k_ta / k_tn,  ρ* = 1 + k_r / k_u", ""},
     GlossaryEntry{Term::user_stiffness, "User stiffness k_u", "How stiffly the hand holds its goal.",
                   "f_u = k_u (q_u − q_h)", "N/m"},
     GlossaryEntry{Term::believed_user_stiffness, "Believed user stiffness",
-                  "The k_u that the renderer uses for ρ*. It cannot measure k_u, and with a wrong value the drift "
-                  "comes back.",
+                  "The k_u that the renderer uses to compute ρ*. If it is wrong, the drift comes back.",
                   "ρ* = 1 + k_r / believed k_u", "N/m"},
     GlossaryEntry{Term::right_belief, "Same", "The renderer knows the hand's true stiffness.", "believed k_u = k_u",
                   ""},
-    GlossaryEntry{Term::force_scale, "Scale", "How long an arrow is for a force, and a line for a distance.", "",
-                  "N, mm"},
-    GlossaryEntry{Term::target, "Target",
-                  "Aim here: press straight into the wall. Ghost force and drift are then shown against the target.",
-                  "", ""},
-    GlossaryEntry{Term::drift_of_belief, "Drift of anisotropic",
-                  "How far the anisotropic proxy still drifts along the wall. With the right belief it does not.",
-                  "(q_p − q_u) along the wall", "mm"},
+    GlossaryEntry{Term::force_scale, "Scale", "How long a force and a distance are drawn.", "", "N, mm"},
+    GlossaryEntry{
+        Term::target, "Target",
+        "Aim here: press straight into the wall. Ghost force and drift are then measured relative to the target.", "",
+        ""},
+    GlossaryEntry{
+        Term::drift_of_belief, "Anisotropic drift",
+        "How far the anisotropic proxy still drifts along the wall. If the belief is right, it does not drift.",
+        "(q_p − q_u) along the wall", "mm"},
     GlossaryEntry{Term::null_drift, "Drift to be nulled",
                   "How far the proxy has drifted along the wall from the goal. Above zero, ρ is too low.",
                   "(λ/k_t) (1 + k_r/k_u − ρ) √(α (1 − α)),  α = nᵀP_A n", "mm"},
@@ -92,20 +90,19 @@ constexpr std::array entries{
                   "(λ/k_t) (1 + k_r/k_u − ρ) √(α (1 − α)),  α = nᵀP_A n", "mm"},
     GlossaryEntry{Term::null_ratio, "Ratio ρ° without drift",
                   "Where the drift vanishes, ρ is optimal, and k_u follows from it.", "k_u = k_r / (ρ° − 1)", ""},
-    GlossaryEntry{
-        Term::loop_area, "Area of the loop",
-        "The area that the device, not the goal, went round in one turn. Above zero: counter-clockwise. The mean of "
-        "all turns.",
-        "S = ½ Σ q_h,k−1 × q_h,k", "mm²"},
+    GlossaryEntry{Term::loop_area, "Area of the loop",
+                  "The area that the path of the device (not the goal) encloses in one turn, on average. Above zero: "
+                  "counter-clockwise.",
+                  "S = ½ Σ q_h,k−1 × q_h,k", "mm²"},
     GlossaryEntry{
         Term::loop_energy, "Energy per turn",
         "How much energy the rendering gave to the hand in the last turn, and on average. Above zero, it was active. "
-        "The delay of the sampled loop takes a little of it away.",
+        "The delay of the sampled loop makes it slightly lower.",
         "Σ f_r,k−1 · (q_h,k − q_h,k−1)", "mJ"},
-    GlossaryEntry{
-        Term::loop_formula, "Energy by the formula",
-        "For a slow loop of the same area. θ is the angle from n to the actuated direction. Fully actuated: zero.",
-        "−k_r sinθ cosθ S / (cos²θ + ρ sin²θ + k_t/k_c)", "mJ"},
+    GlossaryEntry{Term::loop_formula, "Energy from the formula",
+                  "For a slow loop of the same area. θ is the angle from n to the actuated direction. With full "
+                  "actuation it is zero.",
+                  "−k_r sinθ cosθ S / (cos²θ + ρ sin²θ + k_t/k_c)", "mJ"},
     GlossaryEntry{
         Term::estimated_goal, "Goal q_u, estimated",
         "Where the hand seems to want the device to be. Nobody can measure this, so it is inferred from the force "

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::array<Quantity, quantity_count> quantities{{
     {"force", "N", "force_N", Term::force, [](const StrategySnapshot<2>& now) { return glm::length(now.force); }, 2},
-    {"ghost", "N", "ghost_force_N", Term::ghost_force,
+    {"ghost force", "N", "ghost_force_N", Term::ghost_force,
      [](const StrategySnapshot<2>& now) { return glm::length(now.ghost_force); }, 2, true},
     {"drift", "mm", "proxy_drift_mm", Term::proxy_drift,
      [](const StrategySnapshot<2>& now) { return glm::length(now.proxy_drift) * mm_per_m; }, 1, true},

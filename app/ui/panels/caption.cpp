@@ -40,12 +40,12 @@ namespace {
 std::string words_in_hand(const PanelContext& context) {
   const Strategy& active = strategy(context.settings.active);
   const StrategySnapshot<2>& now = context.snapshot.strategies[index_of(active.id)];
-  if (!now.in_contact) return "In your hand: push the handle into the wall.";
+  if (!now.in_contact) return "Push the handle into the wall.";
   const double ghost = glm::length(now.ghost_force);
   if (!context.snapshot.has_target || context.snapshot.measured != active.id || std::isnan(ghost)) {
-    return "In your hand: where you aim is only inferred, so the ghost force cannot be known.";
+    return "Where you aim is only inferred, so the ghost force cannot be known.";
   }
-  return fmt::format("{} In your hand, against the target.",
+  return fmt::format("{} Measured relative to the target.",
                      ghost < visible_force ? active.without_ghost : active.with_ghost);
 }
 
@@ -57,10 +57,10 @@ std::string words_of(const PanelContext& context) {
     return fmt::format("{}: {}. {}", context.loop.input_title, step->title, step->words);
   }
   if (motors.is_saturated) {
-    return fmt::format("The wall wants to push harder than the motors may: they give {:.1f} N. Press less deep.",
+    return fmt::format("The wall would push harder than the motors may: they give {:.1f} N. Do not press so deep.",
                        glm::length(motors.sent));
   }
-  if (is_measuring(context.session)) return "The hand is being measured: the panel says what to do.";
+  if (is_measuring(context.session)) return "The hand is being measured: follow the panel “Measure the hand”.";
   if (context.snapshot.measured) return words_in_hand(context);
   return std::string(caption_of(context.settings, context.snapshot.goal));
 }
@@ -68,7 +68,7 @@ std::string words_of(const PanelContext& context) {
 // At the right edge, as high as the bar: to be read from the last row. Returns where it begins.
 float draw_paused(const PanelContext& context) {
   const char* const words = "PAUSED";
-  const char* const remedy = "Space goes on";
+  const char* const remedy = "Space: resume";
   const float regular = ImGui::GetStyle().FontSizeBase;
   const ImVec2 corner = ImGui::GetCursorPos();
   const float right = ImGui::GetContentRegionMax().x;

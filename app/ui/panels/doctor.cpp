@@ -45,8 +45,8 @@ void draw_doctor(const PanelContext& context) {
   ImGui::PushTextWrapPos(end);
   if (context.loop.readiness.empty()) {
     ImGui::TextUnformatted(
-        "The input in use has no motors. In the panel Input, choose Falcon, or Virtual Falcon for a rehearsal without "
-        "one. 'ghostforce doctor' looks at a device from the command line.");
+        "This input has no motors. In the panel “Input”, choose Falcon, or Virtual Falcon to rehearse without one. "
+        "'ghostforce doctor' examines a device from the command line.");
   } else {
     text_in(context.fonts.bold, context.loop.device);
     ImGui::Spacing();

@@ -60,8 +60,8 @@ std::size_t left_groups(std::span<const HelpGroup> groups) {
 }
 
 constexpr std::string_view subject =
-    "A hand (the goal) presses a handle (the device) into a virtual wall. The device senses both directions, but its "
-    "motor pushes in one only: that is what makes the ghost force.";
+    "A hand (the goal) presses a handle (the device) into a virtual wall. The device senses motion in both directions, "
+    "but its motor pushes in only one: that causes the ghost force.";
 
 // [points]
 constexpr float line_gap = 1.5F;       // between lines
@@ -147,8 +147,7 @@ void draw_help(const PanelContext& context) {
     draw_groups(all, {press, std::min(sentence, room - press - ImGui::GetStyle().ScrollbarSize)}, context);
   }
   ImGui::PopFont();
-  text_in(context.theme.faint_text,
-          "On the workbench every name and every mark explains itself when the pointer rests on it.");
+  text_in(context.theme.faint_text, "On the workbench, rest the pointer on any name or mark to read what it means.");
 }
 
 }  // namespace ghostforce

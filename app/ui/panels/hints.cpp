@@ -21,27 +21,27 @@ bool is_there_a_ghost_force(const Session& session) {
 
 constexpr std::array hints{
     Hint{"Drag: this is where your hand wants to be.",
-         "You press a handle into a virtual wall. Its one motor only pushes left and right; the hollow arrow is what "
-         "goes wrong: the ghost force.",
+         "You press a handle into a virtual wall. Its only motor pushes left and right. The hatched end of the force "
+         "arrow is the ghost force: that is what goes wrong.",
          HintTarget::goal,
          [](const Session& session, const HintProgress& progress) {
            return progress.has_dragged && !session.drags_goal;
          },
          // A goal that a script moves cannot be dragged.
          [](const Session& session) { return session.pointer_moves_goal; }},
-    Hint{"Press 3. Same hand, same wall.",
-         "Same motor, too: watch the hollow arrow and the drift along the wall go. This is the cure.",
+    Hint{"Press 3: same hand, same wall.",
+         "Same motor, too. Watch the ghost force and the drift along the wall disappear: this is the cure.",
          HintTarget::third_strategy,
          [](const Session& session, const HintProgress&) { return session.settings.active == StrategyId::anisotropic; },
          is_there_a_ghost_force},
-    Hint{
-        "Turn the arrow.",
-        "The motor axis, lower right: then it pushes another way. Where is there no ghost force even without the cure?",
-        HintTarget::motor_axis,
-        [](const Session& session, const HintProgress& progress) {
-          return session.settings.actuated_angle != progress.actuated_angle && !session.is_editing;
-        },
-        [](const Session& session) { return session.has_handles; }},
+    Hint{"Turn the arrow.",
+         "Drag the actuated direction, lower right, and the motor pushes another way. Where is there no ghost force "
+         "even without the cure?",
+         HintTarget::motor_axis,
+         [](const Session& session, const HintProgress& progress) {
+           return session.settings.actuated_angle != progress.actuated_angle && !session.is_editing;
+         },
+         [](const Session& session) { return session.has_handles; }},
 };
 
 }  // namespace

@@ -48,11 +48,11 @@ void draw_step(const PanelContext& context) {
 
 void draw_input(const PanelContext& context) {
   if (begin_rows("input", context)) {
-    row("Goal from", "Who moves the goal of the hand.");
+    row("Goal from", "What moves the goal of the hand.");
     const std::string_view input = choose("##input", context.loop.inputs, context.session.input);
     if (!input.empty()) context.session.requests.input = input;
     if (!context.loop.injected_faults.empty()) {
-      row("Injected fault", "What the virtual device does wrong, to see how the program reacts.");
+      row("Injected fault", "Makes the virtual device misbehave, to show how the program reacts.");
       const std::string_view wrong =
           choose("##fault", context.loop.injected_faults,
                  context.session.injected_fault.empty() ? "none" : context.session.injected_fault);
@@ -60,8 +60,8 @@ void draw_input(const PanelContext& context) {
     }
     if (context.loop.motors.has_motors) {
       row("Aim at a target",
-          "Draws a target on the wall. Press straight into the wall at it: then ghost force and drift have numbers, "
-          "against the target. Nobody can measure where a hand aims of itself.");
+          "Draws a target on the wall. Press straight into the wall there, and ghost force and drift are measured "
+          "relative to the target. Without a target, nobody knows where a hand aims.");
       ImGui::Checkbox("##target", &context.session.aims_at_target);
     }
     end_rows();

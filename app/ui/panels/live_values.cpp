@@ -42,13 +42,12 @@ void draw_head() {
 // Why nobody knows a number against the goal.
 std::string_view words_of_unknown(const PanelContext& context, StrategyId id) {
   if (!context.snapshot.has_target) {
-    return "Cannot be known: the goal of a real hand is only inferred from the force itself. Aim at a target: the "
-           "switch "
-           "is in the panel Input.";
+    return "Cannot be known: the goal of a real hand is only inferred from the force itself. Tick “Aim at a target” in "
+           "the panel “Input”.";
   }
   if (context.snapshot.measured != id) return "Cannot be known: this strategy is only simulated beside the device.";
-  return "Cannot be known now: the hand does not pull towards the target, or the motors give less than was asked of "
-         "them.";
+  return "Cannot be known now: the hand does not pull towards the target, or the motors give less than they were asked "
+         "for.";
 }
 
 void draw_row(const PanelContext& context, const Strategy& entry) {
@@ -73,7 +72,7 @@ void draw_row(const PanelContext& context, const Strategy& entry) {
     if (!has_value) {
       tooltip(words_of_unknown(context, entry.id));
     } else if (is_against_target) {
-      tooltip("Against the target: as if the hand aimed straight into the wall at it, and was at rest.");
+      tooltip("Relative to the target: assumes a hand at rest that aims straight into the wall at it.");
     }
   }
 }
@@ -92,11 +91,11 @@ void draw_model_error(const PanelContext& context) {
   if (context.snapshot.measured) {
     ImGui::TextUnformatted(
         fmt::format("{} measured, others simulated{}", strategy(*context.snapshot.measured).title,
-                    context.snapshot.has_target ? fmt::format("; {} against the target", target_sign) : "")
+                    context.snapshot.has_target ? fmt::format("; {} relative to the target", target_sign) : "")
             .c_str());
     tooltip(
-        "Forces are what each strategy wants, before any limit. The others are simulated under the inferred goal, "
-        "against which ghost force and drift cannot be known.");
+        "Forces are what each strategy asks for, before any limit. The others are simulated with the inferred goal, so "
+        "their ghost force and drift cannot be known.");
     return;
   }
   ImGui::BeginGroup();
@@ -108,6 +107,12 @@ void draw_model_error(const PanelContext& context) {
   tooltip(Term::model_error);
 }
 
+// For up to eight digits, and for the title.
+float column_room(const PanelContext& context, const Quantity& quantity) {
+  const float digits = context.fonts.number->CalcTextSizeA(ImGui::GetFontSize(), 1e9F, 0.0F, "−1000.0").x;
+  return std::max(digits, ImGui::CalcTextSize(quantity.title.data()).x);
+}
+
 void draw_table(const PanelContext& context) {
   if (!ImGui::BeginTable("live", 1 + static_cast<int>(quantity_count),
                          ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_PadOuterX)) {
@@ -115,19 +120,18 @@ void draw_table(const PanelContext& context) {
   }
   ImGui::TableSetupColumn("strategy", ImGuiTableColumnFlags_WidthFixed, 2.6F * ImGui::GetFontSize());
   for (const Quantity& quantity : quantity_catalog())
-    ImGui::TableSetupColumn(quantity.title.data(), ImGuiTableColumnFlags_WidthStretch);
+    ImGui::TableSetupColumn(quantity.title.data(), ImGuiTableColumnFlags_WidthStretch, column_room(context, quantity));
   draw_head();
   for (const Strategy& entry : strategy_catalog()) draw_row(context, entry);
   ImGui::EndTable();
 }
 
-// Of the letters, so that all columns have room in a narrow panel: up to eight digits each, and a strategy's name.
+// Of the letters, so that all columns and a strategy's name have room in a narrow panel.
 float size_that_fits(const PanelContext& context) {
-  const float digits = context.fonts.number->CalcTextSizeA(ImGui::GetFontSize(), 1e9F, 0.0F, "−1000.0").x;
   const float padding = 2.0F * ImGui::GetStyle().CellPadding.x;
-  const float columns = static_cast<float>(quantity_count);
-  const float room = ImGui::GetContentRegionAvail().x - (columns + 1.0F) * padding;
-  const float needed = columns * digits + 2.6F * ImGui::GetFontSize();
+  const float room = ImGui::GetContentRegionAvail().x - (static_cast<float>(quantity_count) + 1.0F) * padding;
+  float needed = 2.6F * ImGui::GetFontSize();
+  for (const Quantity& quantity : quantity_catalog()) needed += column_room(context, quantity);
   return ImGui::GetStyle().FontSizeBase * std::clamp(room / needed, 0.6F, 1.0F);
 }
 

@@ -18,14 +18,12 @@ constexpr double ruler_reach = 0.010;  // to either side [m]
 
 void draw_invitation(Session& session) {
   wrapped_text(
-      "How stiff is the hand? Turn the ratio ρ until the proxy no longer drifts along the wall: that ρ tells. Do it "
-      "five "
-      "times, and the median counts.");
+      "How stiff is the hand? Change the ratio ρ until the proxy no longer drifts along the wall: that ρ gives k_u. Do "
+      "this five times; the median counts.");
   if (ImGui::Button("Start measuring")) start_measuring(session);
   tooltip(
-      "Chooses the anisotropic strategy and a wrong ratio, and hides what would give the answer away. Afterwards "
-      "strategy "
-      "and ratio are as they were.");
+      "Chooses the anisotropic strategy and a wrong ratio, and hides what would give the answer away. Afterwards, "
+      "strategy and ratio are restored.");
 }
 
 // Two lines, so that nothing below moves when the words change.
@@ -89,7 +87,7 @@ void draw_ratio(const PanelContext& context) {
   if (slider("##ratio", ratio, limits, "%.2f", ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp)) {
     stiffnesses.chosen_tracking_ratio = ratio;
   }
-  tooltip("Drag, or press − and + for 5 %, with Alt for 1 %.");
+  tooltip("Drag, or press − and + for 5 % (Alt: 1 %).");
   end_rows();
 }
 
@@ -97,16 +95,16 @@ void draw_nulling(const PanelContext& context) {
   Session& session = context.session;
   const UserMeasurement& measurement = session.measurement;
   std::string head = fmt::format("Reading {} of {}", measurement.readings.size() + 1, readings_wanted);
-  if (measurement.has_begun_anew) head += ". Something was changed, so the measurement began again.";
+  if (measurement.has_begun_anew) head += ". Something changed, so the measurement started over.";
   wrapped_text(head);
   draw_step(context, measurement);
   draw_drift(context, measurement);
   draw_ratio(context);
   if (ImGui::Button("Take   Enter")) take_reading(session);
-  tooltip("Takes this ρ as a reading: k_u = k_r / (ρ − 1).");
+  tooltip("Records this ρ as a reading: k_u = k_r / (ρ − 1).");
   ImGui::SameLine();
   if (ImGui::Button("Cancel")) cancel_measurement(session);
-  tooltip("Puts ratio and strategy back as they were, and keeps no reading.");
+  tooltip("Restores the ratio and the strategy, and discards the readings.");
 }
 
 void draw_readings(const PanelContext& context, const UserMeasurement& measurement) {
@@ -119,7 +117,7 @@ void draw_readings(const PanelContext& context, const UserMeasurement& measureme
   tooltip(Term::null_ratio);
   ImGui::TableNextColumn();
   ImGui::TextUnformatted("     k_u");
-  tooltip("By k_u = k_r / (ρ° − 1).");
+  tooltip("k_u = k_r / (ρ° − 1)");
   for (std::size_t i = 0; i < measurement.readings.size(); ++i) {
     ImGui::TableNextColumn();
     ImGui::Text("%zu", i + 1);
@@ -137,7 +135,7 @@ void draw_result(const PanelContext& context) {
   text_in(context.fonts.bold, fmt::format("measured k_u  {:7.1f} N/m", spread.median));
   tooltip("The median of the readings.");
   ImGui::TextUnformatted(
-      fmt::format("middle half of them  {:.1f} to {:.1f} N/m", spread.lower_quartile, spread.upper_quartile).c_str());
+      fmt::format("middle half  {:.1f} to {:.1f} N/m", spread.lower_quartile, spread.upper_quartile).c_str());
   tooltip("From the lower to the upper quartile: of five readings, the second to the fourth.");
   // Of a hand that is simulated there is a true value; it was given, not measured, and may be another by now.
   if (measurement.given_k_u && !measurement.is_revealed) {
@@ -147,14 +145,14 @@ void draw_result(const PanelContext& context) {
     text_in(context.theme.faint_text, fmt::format("(given: {:.1f} N/m)", *measurement.given_k_u));
     tooltip("The stiffness that the simulated hand was given.");
   }
-  if (!measurement.was_blind) wrapped_text("Not a blind measurement: the given k_u was revealed on the way.");
-  if (ImGui::Button("Believe it")) {
+  if (!measurement.was_blind) wrapped_text("Not a blind measurement: the given k_u was revealed early.");
+  if (ImGui::Button("Use as believed k_u")) {
     believe_measurement(session);
     return;
   }
-  tooltip("The renderer believes in this k_u from now on.");
+  tooltip("The renderer uses this k_u from now on.");
   ImGui::SameLine();
-  if (ImGui::Button("Again")) {
+  if (ImGui::Button("Measure again")) {
     start_measuring(session);
     return;
   }

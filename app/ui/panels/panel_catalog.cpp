@@ -25,7 +25,7 @@ constexpr double room_for_the_view = 880.0;
 constexpr double when_asked = std::numeric_limits<double>::infinity();
 
 constexpr std::array panels{
-    Panel{"Live", draw_live_values},
+    Panel{"Live values", draw_live_values},
     Panel{.title = "Safety", .draw = draw_safety, .is_there = has_motors},
     Panel{"Rendering", draw_rendering},
     Panel{"Hand", draw_user},

@@ -23,7 +23,7 @@ void draw_switch(const PanelContext& context) {
   if (ImGui::Button(is_on ? "End the circle test###circle" : "Start the circle test###circle", {width, 0.0F})) {
     is_on ? end_circle_test(session) : begin_circle_test(session);
   }
-  tooltip(is_on ? "Gives the goal back to what moved it before, and puts it back where it was."
+  tooltip(is_on ? "Returns the goal to where it was, and to what moved it before."
                 : "The goal goes round a circle inside the wall, and each turn is measured.");
   if (!is_on) wrapped_text("Round a closed loop, a wall should give no energy. With one motor it does.");
 }
@@ -49,12 +49,13 @@ double greatest_radius(const Session& session) {
 void draw_choice(const PanelContext& context, const Circle& circle) {
   CircleChoice& choice = context.session.circle_test.choice;
   if (!begin_rows("circle", context)) return;
-  row("Sense",
-      "One sense makes energy, the other takes as much away for a loop of the device with the same area. Round the "
-      "same goal circle the device's loops differ a little, and so do the energies.");
+  row("Direction",
+      "In one direction the wall gives energy. In the other it takes as much away, if the device's loop has the same "
+      "area. For the same circle of the goal the loops differ slightly, and so do the energies.");
   ImGui::Checkbox("clockwise", &choice.is_clockwise);
   row("Radius",
-      "Of the goal's circle, as large as the picture holds. One that does not fit into the wall is moved deeper.");
+      "The radius of the goal's circle, up to the size of the view. A circle that does not fit inside the wall is "
+      "moved deeper.");
   double mm = mm_per_m * circle.radius;
   if (slider("##radius", mm, {least_mm, mm_per_m * greatest_radius(context.session)}, "%.1f mm")) {
     choice.radius = 0.001 * mm;
@@ -98,7 +99,7 @@ void draw_table(const PanelContext& context, const CircleReading& reading) {
     number_cell(context, shown(1e3 * energy.last.energy, 2));
     number_cell(context, shown(1e3 * energy.mean.energy, 2));
     number_cell(context, energy.stays_inside ? shown(1e3 * energy.predicted, 2) : "      —");
-    if (!energy.stays_inside) tooltip("The device left the wall on its way: the formula does not hold.");
+    if (!energy.stays_inside) tooltip("The device left the wall, so the formula does not hold.");
   }
   ImGui::EndTable();
 }
@@ -114,7 +115,7 @@ void draw_passivity(const PanelContext& context) {
   ImGui::TextUnformatted(fmt::format("{:3} {} measured, {:3.0f} % of the next", reading.turns,
                                      reading.turns == 1 ? "turn" : "turns", 100.0 * reading.share)
                              .c_str());
-  tooltip("A turn takes 4 s of model time. A change of a setting, or of the circle, begins anew.");
+  tooltip("A turn takes 4 s of model time. Changing a setting or the circle starts the test over.");
 }
 
 }  // namespace ghostforce

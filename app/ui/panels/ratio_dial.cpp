@@ -79,8 +79,8 @@ void choose_ratio(Stiffnesses& stiffnesses, double ratio, double snap) {
 void draw_ratio_dial(const PanelContext& context) {
   if (hides_answer(context.session) || is_measuring(context.session)) {
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(is_measuring(context.session) ? "set in Measure the hand" : "hidden until you reveal k_u");
-    tooltip("The dial shows where the ratio is optimal, and so how stiff the hand is.");
+    ImGui::TextUnformatted(is_measuring(context.session) ? "set in “Measure the hand”" : "hidden until you reveal k_u");
+    tooltip("The dial would show the optimal ratio, and so how stiff the hand is.");
     return;
   }
   Stiffnesses& stiffnesses = context.session.settings.stiffnesses;
@@ -161,7 +161,7 @@ void draw_ratio_dial(const PanelContext& context) {
     draw_list.AddText({left, text_y}, packed(theme.text), fmt::format("ρ = ρ* = {:.2f}", ratio).c_str());
   }
   if (is_turning(stiffnesses, is_used) && context.settings.active != StrategyId::anisotropic) {
-    wrapped_text("Acts on Anisotropic only.", ImGui::GetCursorPosX() + width);
+    wrapped_text("Only Anisotropic uses it.", ImGui::GetCursorPosX() + width);
   }
 }
 

@@ -30,7 +30,7 @@ std::string words_about(const RecordingReading& recording) {
 void draw_recording(const PanelContext& context) {
   const RecordingReading& recording = context.loop.recording;
   if (begin_rows("recording", context)) {
-    row("File", "A new CSV file. Left empty, a name is made in the folder that the program was started in.");
+    row("File", "A new CSV file. If empty, a name is chosen in the folder that the program was started in.");
     ImGui::BeginDisabled(recording.is_on);
     std::string shown = recording.is_on ? recording.path : context.session.recording_path;
     const bool entered = text_field("##recording", "a new name", shown);
@@ -40,7 +40,7 @@ void draw_recording(const PanelContext& context) {
     end_rows();
   }
   if (ImGui::Button(recording.is_on ? "Stop###record" : "Start###record")) toggle_recording(context);
-  tooltip("Every tick of the three strategies, as it is made, to a file.");
+  tooltip("Writes every tick of the three strategies to a file.");
   if (recording.path.empty()) return;
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();

@@ -15,17 +15,17 @@ std::string words_about(const MotorReport& motors) {
     case SafetyState::off:
       if (motors.reason == OffReason::none) {
         return motors.is_ready ? "Off. The button at the top right arms the motors."
-                               : "Off. The device is not ready yet. F2 says what is next.";
+                               : "Off. The device is not ready. F2 says what to do next.";
       }
       return fmt::format("Off: {}. {}", entry_of(motors.reason).title, entry_of(motors.reason).remedy);
     case SafetyState::arming:
       return fmt::format("Arming: {}.", entry_of(motors.obstacle).sentence);
     case SafetyState::ramp:
-      return fmt::format("Coming on: {:.0f} %. Esc turns them off.", 100.0 * motors.gain);
+      return fmt::format("Turning on: {:.0f} %. Esc turns them off.", 100.0 * motors.gain);
     case SafetyState::on:
       return "On. Esc turns them off.";
     case SafetyState::fade:
-      return fmt::format("Going off: {}.", entry_of(motors.reason).title);
+      return fmt::format("Turning off: {}.", entry_of(motors.reason).title);
   }
   return {};
 }
@@ -33,10 +33,10 @@ std::string words_about(const MotorReport& motors) {
 void draw_limits(const PanelContext& context) {
   SafetyOptions& safety = context.session.safety;
   if (!begin_rows("safety", context)) return;
-  row("Force limit",
-      "The longest force that is asked of the motors. A longer one is shortened and keeps its direction.");
+  row("Force limit", "The largest force that is asked of the motors. A larger one is reduced and keeps its direction.");
   slider("##limit", safety.force_limit, {0.5, force_ceiling}, "%.1f N");
-  row("Stiffest wall", "k_r is held at this while the motors are on. To go beyond 800 N/m, Ctrl+click and type it.");
+  row("Stiffest wall",
+      "k_r is limited to this while the motors are on. For more than 800 N/m, Ctrl+click and type the value.");
   slider("##stiffest", safety.greatest_k_r, {50.0, SafetyOptions{}.greatest_k_r}, "%.0f N/m", ImGuiSliderFlags_None);
   row("Deadman switch", "Motors are on only while a grip button is held.");
   ImGui::Checkbox("only while a button is held", &safety.needs_button);
@@ -52,9 +52,9 @@ void draw_safety(const PanelContext& context) {
   wrapped_text(fmt::format("{:4.2f} of {:4.2f} N{:9}  {:4.2f} m/s", glm::length(motors.sent), motors.limit,
                            motors.is_saturated ? ", limited" : "", motors.handle_speed));
   ImGui::PopFont();
-  tooltip("What goes to the motors after every limit, and what it may be at most; how fast the handle moves.");
+  tooltip("The force sent to the motors after all limits, the largest force allowed, and the speed of the handle.");
   if (motors.held_k_r > 0.0) {
-    ImGui::TextUnformatted(fmt::format("k_r is held at {:.0f} N/m on the motors.", motors.held_k_r).c_str());
+    ImGui::TextUnformatted(fmt::format("k_r is limited to {:.0f} N/m on the motors.", motors.held_k_r).c_str());
   }
   if (ImGui::TreeNodeEx("Limits", ImGuiTreeNodeFlags_SpanAvailWidth)) {
     draw_limits(context);

@@ -44,12 +44,12 @@ void draw_save_picture(const PanelContext& context) {
   const char* const format = format_of(form.path, picture_formats);
   const bool is_png = format == nullptr || format == picture_formats.front();
   if (begin_rows("picture", context)) {
-    row("Format", "PNG: pixels, as on the screen. SVG and PDF: lines and letters of any size, for papers and slides.");
+    row("Format", "PNG: pixels, as on the screen. SVG and PDF: sharp at any size, for papers and slides.");
     draw_format_choice(form.path, picture_formats);
     ImGui::BeginDisabled(!is_png);
-    row("Size", "Pixels of the picture for each pixel of the screen.");
+    row("Size", "How many pixels the picture has for each pixel of the screen.");
     draw_density_choice(form);
-    row("Part", "The whole window, or the scene without bars and panels; SVG and PDF hold the scene.");
+    row("Part", "The whole window, or the scene without bars and panels. SVG and PDF contain only the scene.");
     if (ImGui::RadioButton("window", is_png && !form.scene_alone)) form.scene_alone = false;
     ImGui::SameLine();
     if (ImGui::RadioButton("scene", !is_png || form.scene_alone)) form.scene_alone = true;
@@ -81,8 +81,8 @@ void draw_save_plots(const PanelContext& context) {
     row("Format", "CSV: the numbers, for a spreadsheet or a script. PNG, SVG and PDF: the picture.");
     draw_format_choice(form.path, plot_formats);
     ImGui::BeginDisabled(session.plots.tab != PlotTab::time);
-    row("Times", "Those in sight, or all that the plots remember: a minute at 1000 ticks a second.");
-    if (ImGui::RadioButton("in sight", !form.whole_history)) form.whole_history = false;
+    row("Times", "The times shown, or all that the plots keep: one minute at 1000 ticks a second.");
+    if (ImGui::RadioButton("shown", !form.whole_history)) form.whole_history = false;
     ImGui::SameLine();
     if (ImGui::RadioButton("all", form.whole_history)) form.whole_history = true;
     ImGui::EndDisabled();
@@ -98,7 +98,7 @@ void draw_save_scene(const PanelContext& context) {
   if (session.form.belongs_to != Dialog::save_scene) {
     session.form.path = proposed_path(file_stem(session.scene->title), "toml");
   }
-  ImGui::TextUnformatted("The scene with all settings as they are, and a path that ends at the goal:");
+  ImGui::TextUnformatted("The scene with its current settings, and a path that ends at the goal:");
   if (!draw_save_path(context)) return;
   session.requests.save_scene = session.form.path;
   session.dialog = Dialog::none;

@@ -12,7 +12,7 @@ void draw_shader_problem(const PanelContext& context, ImVec2 corner, ImVec2 size
   ImGui::SetNextWindowSize({size.x - 2.0F * margin, 0.55F * size.y - margin});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 2.0F * context.scale);
   ImGui::PushStyleColor(ImGuiCol_Border, unpacked(context.theme.problem));
-  ImGui::Begin("The shaders do not compile; those before are in use", nullptr,
+  ImGui::Begin("The shaders do not compile; the previous ones are in use", nullptr,
                ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoFocusOnAppearing);
   text_in(context.fonts.number, problem);

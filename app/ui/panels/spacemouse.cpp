@@ -13,12 +13,12 @@ std::string words_about(const SpaceMouseReading& reading) {
     case SpaceMouseReading::Trouble::none:
       return reading.name.data();
     case SpaceMouseReading::Trouble::absent:
-      return "None is plugged in. It is looked for all the time.";
+      return "None is plugged in. The program keeps looking for one.";
     case SpaceMouseReading::Trouble::not_allowed:
-      return "There is one, and this user may not open it: run 'ghostforce doctor --install-udev' once, then plug it "
-             "in again.";
+      return "One is plugged in, but this user may not open it: run 'ghostforce doctor --install-udev' once, then plug "
+             "it in again.";
     case SpaceMouseReading::Trouble::not_opened:
-      return "There is one, and it cannot be opened: does another program have it?";
+      return "One is plugged in, but it cannot be opened: is another program using it?";
   }
   return {};
 }
@@ -50,19 +50,19 @@ void draw_spacemouse(const PanelContext& context, const SpaceMouseReading& readi
   wrapped_text(words_about(reading));
   draw_axes(context, reading);
   if (!begin_rows("spacemouse", context)) return;
-  row("Cap moves", "The goal's place, or how fast it goes.");
+  row("Cap sets", "Whether the cap sets the position of the goal or its speed.");
   int mode = static_cast<int>(settings.mode);
-  ImGui::RadioButton("place", &mode, static_cast<int>(SpaceMouseSettings::Mode::position));
+  ImGui::RadioButton("position", &mode, static_cast<int>(SpaceMouseSettings::Mode::position));
   ImGui::SameLine();
   ImGui::RadioButton("speed", &mode, static_cast<int>(SpaceMouseSettings::Mode::rate));
   settings.mode = static_cast<SpaceMouseSettings::Mode>(mode);
-  row("Up is", "Which way the cap moves the goal upwards.");
+  row("Up is", "Which motion of the cap moves the goal up.");
   int up = static_cast<int>(settings.up);
   ImGui::RadioButton("lifting", &up, static_cast<int>(SpaceMouseSettings::Up::lift));
   ImGui::SameLine();
   ImGui::RadioButton("pushing away", &up, static_cast<int>(SpaceMouseSettings::Up::push_away));
   settings.up = static_cast<SpaceMouseSettings::Up>(up);
-  row("Dead zone", "So much of the cap's way moves nothing.");
+  row("Dead zone", "A smaller deflection of the cap does not move the goal.");
   double percent = 100.0 * settings.dead_zone;
   if (slider("##dead", percent, {0.0, 50.0}, "%.0f %%")) settings.dead_zone = percent / 100.0;
   end_rows();

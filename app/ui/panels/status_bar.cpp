@@ -106,18 +106,18 @@ void draw_status_bar(const PanelContext& context) {
             has_room_for_both ? problem : shortened(fmt::format("{}", fmt::join(problems, ". ")), room));
   }
   ImGui::EndGroup();
-  tooltip(fmt::format("Who moves the goal, and model time. {:.0f} ticks a second; {} late so far.{}{}", loop.rate_hz,
-                      loop.late_ticks, problems.empty() ? "" : "\n", fmt::join(problems, "\n")));
+  tooltip(fmt::format("What moves the goal, and the model time. {:.0f} ticks a second; {} late so far.{}{}",
+                      loop.rate_hz, loop.late_ticks, problems.empty() ? "" : "\n", fmt::join(problems, "\n")));
   ImGui::SameLine(scene_x);
   if (ImGui::Button((title + "###scene").c_str())) open_dialog<Dialog::open_scene>(session);
-  tooltip(fmt::format("{} Press to open another scene. Ctrl+O.", session.scene->about));
+  tooltip(fmt::format("{} Click to open another scene. Ctrl+O.", session.scene->about));
   ImGui::SameLine();
   if (ImGui::Button(save)) ImGui::OpenPopup("save");
-  tooltip("The scene, a picture or the plots as a file; the live values or a picture to the clipboard.");
+  tooltip("Saves the scene, a picture or the plots; copies the live values or a picture.");
   draw_save_menu(session);
   ImGui::SameLine();
   if (ImGui::Button(help)) open_dialog<Dialog::help>(session);
-  tooltip("Every key and every gesture.");
+  tooltip("All keys and mouse gestures.");
 }
 
 }  // namespace ghostforce

@@ -154,7 +154,7 @@ void draw_speed(Session& session, float width, float height) {
       if (ImGui::Selectable(fmt::format("{:g}×", speed).c_str(), speed == session.speed)) session.speed = speed;
     }
   });
-  tooltip("Slow motion: fewer ticks per second, and the same physics.");
+  tooltip("Slow motion: fewer ticks per second, the same physics.");
 }
 
 bool icon_button(const Bar& bar, const char* id, DrawSign draw_sign, Colour colour, bool is_enabled = true) {
@@ -185,8 +185,8 @@ void draw_record_button(const Bar& bar) {
     ImGui::PopStyleColor();
     ImGui::PopStyleVar();
   }
-  tooltip(is_on ? fmt::format("Recording: {}. Press to stop.", words_about(context.loop.recording))
-                : "Records every tick to a new file, which any spreadsheet opens and which can be replayed.");
+  tooltip(is_on ? fmt::format("Recording: {}. Click to stop.", words_about(context.loop.recording))
+                : "Records every tick to a new file, for spreadsheets and for replay.");
 }
 
 void draw_time(const Bar& bar) {
@@ -199,16 +199,16 @@ void draw_time(const Bar& bar) {
   if (icon_button(bar, "##pause", is_still ? draw_play_sign : draw_pause_sign, can_stop || looks_back)) {
     toggle_pause(session);
   }
-  tooltip(is_still ? "Lets model time go on. Space." : "Stops model time. Space.");
+  tooltip(is_still ? "Resumes model time. Space." : "Pauses model time. Space.");
   ImGui::SameLine();
   if (icon_button(bar, "##back", draw_step_back_sign)) step_back(session);
-  tooltip("Stops model time and looks one tick back, up to a minute. The key is the comma.");
+  tooltip("Pauses and steps back one tick, up to a minute. The key is the comma.");
   ImGui::SameLine();
   if (icon_button(bar, "##step", draw_step_on_sign, can_stop || looks_back)) step_on(session);
-  tooltip("Stops model time after one more tick of the loop. The key is the full stop.");
+  tooltip("Pauses and steps forward one tick. The key is the full stop.");
   ImGui::SameLine();
   if (icon_button(bar, "##reset", draw_reset_sign)) restart(session);
-  tooltip("Starts the motion again. Key R; Alt+R resets the settings too.");
+  tooltip("Resets the motion. Key R; Alt+R also resets the settings.");
   ImGui::SameLine();
   ImGui::BeginDisabled(!can_stop);
   draw_speed(session, bar.sizes.speed, bar.height());

@@ -20,24 +20,26 @@ std::string millimetres(const Vector<2>& drift) {
 
 // The error of the belief, where it can be seen: the drift that the anisotropic strategy is left with.
 void draw_drift_of_belief(const PanelContext& context) {
-  row("Drift of anisotropic", Term::drift_of_belief);
+  row("Anisotropic drift", Term::drift_of_belief);
   ImGui::AlignTextToFramePadding();
   const Settings& settings = context.settings;
   if (context.snapshot.measured) {
     ImGui::TextUnformatted("—");
-    tooltip("Cannot be known: the goal of a real hand is only inferred, with this very belief. Measure the hand.");
+    tooltip(
+        "Cannot be known: the goal of a real hand is only inferred, from this very belief. Measure the hand instead.");
     return;
   }
   if (settings.stiffnesses.chosen_tracking_ratio) {
-    ImGui::TextUnformatted("—  ρ chosen by hand");
-    tooltip("The belief has no part in it. At the optimal ratio, a drift here is the error of the belief.");
+    ImGui::TextUnformatted("—  ρ chosen manually");
+    tooltip(
+        "The belief has no effect on a chosen ρ. At the optimal ratio, a drift here means that the belief is wrong.");
     return;
   }
   const Vector<2> seen = context.snapshot.strategies[index_of(StrategyId::anisotropic)].proxy_drift;
   const Vector<2> predicted =
       predicted_equilibria(settings, context.snapshot.goal)[index_of(StrategyId::anisotropic)].proxy_drift;
   text_in(context.fonts.number, millimetres(seen));
-  tooltip("Of the anisotropic strategy, along the wall, as simulated.");
+  tooltip("The simulated drift of the anisotropic strategy along the wall.");
   if (hides_answer(context.session)) return;
   same_line_if_room(ImGui::CalcTextSize("theory").x + ImGui::GetItemRectSize().x + ImGui::GetStyle().ItemSpacing.x);
   ImGui::PushStyleColor(ImGuiCol_Text, unpacked(context.theme.faint_text));
@@ -45,7 +47,7 @@ void draw_drift_of_belief(const PanelContext& context) {
   ImGui::SameLine();
   text_in(context.fonts.number, millimetres(predicted));
   ImGui::PopStyleColor();
-  tooltip("By the closed form, at rest.");
+  tooltip("The drift at rest, from the closed form.");
 }
 
 // While the hand is measured, or has been and is not revealed yet, its given stiffness stands nowhere.
@@ -54,7 +56,7 @@ void draw_hidden_hand(const PanelContext& context) {
   row("Hand k_u", Term::user_stiffness);
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("hidden");
-  tooltip("The hand is measured blind: its given stiffness would be the answer.");
+  tooltip("Hidden for a blind measurement: the given stiffness is the answer.");
   ImGui::SameLine();
   if (ImGui::Button("Reveal")) reveal_hand(session);
   tooltip(is_measuring(session) ? "Shows the given k_u. The measurement is not blind then, and its result says so."

@@ -43,7 +43,7 @@ void draw_scale_choice(const char* id, double& scale, double least, double great
 void draw_view_options(const PanelContext& context) {
   Session& session = context.session;
   Appearance& look = session.appearance;
-  ImGui::Checkbox("ghost", &session.options.ghost_forces);
+  ImGui::Checkbox("ghost force", &session.options.ghost_forces);
   tooltip(Term::ghost_force);
   ImGui::SameLine();
   ImGui::Checkbox("prediction", &session.options.predictions);
@@ -52,11 +52,11 @@ void draw_view_options(const PanelContext& context) {
   ImGui::Checkbox("trails", &session.options.trails);
   tooltip(Term::trail);
   if (!begin_rows("view", context)) return;
-  row("Theme", "Light, dark, or black on white for a projector. Ctrl+T takes the next one.");
+  row("Theme", "Light, dark, or black on white for a projector. Ctrl+T switches to the next one.");
   draw_theme_choice(context);
-  row("Size", "Of letters and lines, 75 to 300 %. Ctrl and + or − do it too, Ctrl+0 takes the usual size.");
+  row("Text size", "The size of text and lines, 75 to 300 %. Also Ctrl and + or −; Ctrl+0 restores the default.");
   draw_scale_choice("size", look.scale, Appearance::least_scale, Appearance::greatest_scale);
-  row("Arrows", "How long the arrows of forces are, 25 to 400 %. The scale bar says how long one newton is.");
+  row("Arrows", "The length of the force arrows, 25 to 400 %. The scale bar shows how long a force is drawn.");
   draw_scale_choice("arrows", look.arrow_scale, Appearance::least_arrow_scale, Appearance::greatest_arrow_scale);
   end_rows();
 }

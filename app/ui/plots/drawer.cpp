@@ -18,13 +18,12 @@ struct Tab {
 
 constexpr std::array tabs{
     Tab{PlotTab::time, "Time", "Time",
-        "The past. Turn the wheel to see a longer or shorter time, drag to look back, and click to see that moment "
+        "The recent past. Turn the wheel to show more or less time, drag to look back, and click to see a moment "
         "again.",
         draw_time_plots},
     Tab{PlotTab::wall_angle, "Wall angle", "Angle",
         "Where everything would come to rest with the wall at another angle and the goal at the same depth. Drag to "
-        "turn "
-        "the wall, and the goal with it; with Ctrl in steps of less than a degree.",
+        "turn the wall and the goal with it; hold Ctrl for steps of less than a degree.",
         [](const PanelContext& context, const PlotHistory&) { draw_wall_angle_plots(context); }},
     Tab{PlotTab::ratio, "Ratio ρ", "ρ",
         "Where everything would come to rest at another tracking ratio. Drag to change the ratio.",
@@ -46,10 +45,10 @@ void draw_buttons(const PanelContext& context) {
     looks_back_to_s.reset();
   }
   ImGui::EndDisabled();
-  tooltip("The newest moment at the right edge again.");
+  tooltip("Back to the newest moment, at the right edge.");
   ImGui::SameLine();
   if (ImGui::Button("Save…")) context.session.dialog = Dialog::save_plots;
-  tooltip("What is shown, as numbers (CSV) or as a picture (PNG, SVG, PDF).");
+  tooltip("Saves what is shown, as numbers (CSV) or as a picture (PNG, SVG, PDF).");
   ImGui::SameLine();
   if (ImGui::Button("×")) view.is_open = false;
   tooltip("Closes the plots. F3 opens them again.");

@@ -33,16 +33,14 @@ struct EquilibriumQuantity {
   double smallest_range;
 };
 constexpr std::array quantities{
-    EquilibriumQuantity{
-        "force along the actuated direction [N]",
-        "At rest, by closed form. Above zero it points the way the actuated direction does. All three push as hard "
-        "where there is no ghost force.",
-        [](const EquilibriumValue& value) { return value.force; }, 1.0},
-    EquilibriumQuantity{
-        "proxy drift along the wall [mm]",
-        "At rest, by closed form: how far the proxy has drifted from the goal. Where the curve crosses 0, nothing "
-        "drags the hand along the wall.",
-        [](const EquilibriumValue& value) { return mm_per_m * value.drift; }, 1.0},
+    EquilibriumQuantity{"force along the actuated direction [N]",
+                        "At rest, from the closed form. Positive values point along the actuated direction. Without a "
+                        "ghost force, all three strategies push equally hard.",
+                        [](const EquilibriumValue& value) { return value.force; }, 1.0},
+    EquilibriumQuantity{"proxy drift along the wall [mm]",
+                        "At rest, from the closed form: how far the proxy has drifted from the goal. Where the curve "
+                        "crosses 0, nothing drags the hand along the wall.",
+                        [](const EquilibriumValue& value) { return mm_per_m * value.drift; }, 1.0},
 };
 
 struct EquilibriumAxis {

@@ -12,7 +12,7 @@ constexpr std::array modes{
     StageModeEntry{StageMode::landscape, "landscape", "L", "Landscape",
                    "How strong the ghost force is, for every wall and hand."},
     StageModeEntry{StageMode::round, "round", "O", "Round and round",
-                   "What the wall gives to a hand that goes round in it."},
+                   "How much energy the wall gives to a hand that circles in it."},
     StageModeEntry{StageMode::ribbon, "ribbon", "H", "Last minute", "Look again at what has just happened."},
 };
 

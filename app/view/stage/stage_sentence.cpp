@@ -78,8 +78,7 @@ constexpr std::array sentences{
              }},
     Sentence{"On the way back to naïve: a ghost force.",
              [](const Facts& now) { return now.moment.is_between() && now.has_ghost(); }},
-    Sentence{"On the way from one to the other: no ghost force.",
-             [](const Facts& now) { return now.moment.is_between(); }},
+    Sentence{"Between naïve and the cure: no ghost force.", [](const Facts& now) { return now.moment.is_between(); }},
     // Naïve.
     Sentence{"A ghost force drags the handle along the wall.",
              [](const Facts& now) { return now.is(StrategyId::naive) && now.ghost >= least_shown_force; }},
@@ -87,12 +86,13 @@ constexpr std::array sentences{
              [](const Facts& now) { return now.is(StrategyId::naive) && now.has_ghost(); }},
     Sentence{"One motor, straight at the wall: no ghost force here.",
              [](const Facts& now) { return now.is(StrategyId::naive) && std::abs(now.motor_along) > 0.9998; }},
-    Sentence{"Press deeper: there is hardly a ghost force here.",
+    Sentence{"Press deeper: there is hardly any ghost force here.",
              [](const Facts& now) { return now.is(StrategyId::naive); }},
     // Anisotropic.
     Sentence{"Same motor, same hand: the ghost force is gone.",
              [](const Facts& now) { return !now.has_ghost() && now.is_at_rest() && now.has_none_at_rest(); }},
-    Sentence{"Hold the hand still: the ghost force goes.", [](const Facts& now) { return now.has_none_at_rest(); }},
+    Sentence{"Hold the hand still, and the ghost force goes away.",
+             [](const Facts& now) { return now.has_none_at_rest(); }},
     Sentence{"The hand is stiffer than believed: a ghost force is left.",
              [](const Facts& now) {
                return now.has_ghost() && now.believes_wrongly() &&

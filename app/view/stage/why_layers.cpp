@@ -36,7 +36,7 @@ WhyWords words_of(StrategyId id, const ForceTriangle& forces) {
   const bool has_ghost = glm::length(forces.ghost) >= least_shown_force;
   if (id == StrategyId::full) return {"Two motors push straight out, as a wall does.", "", ""};
   if (glm::length(forces.share) < least_shown_force) {
-    return {"The motor pushes along the wall: it can give nothing of the push.", "3  all of it is missing",
+    return {"The motor pushes along the wall: it can give none of the push.", "3  all of it is missing",
             "4  and there is no ghost force"};
   }
   if (glm::length(forces.push - forces.share) < least_shown_force) {
@@ -48,7 +48,7 @@ WhyWords words_of(StrategyId id, const ForceTriangle& forces) {
             "3  no motor gives this, and the wall gives way", "4  so nothing slides: no ghost force"};
   }
   if (!has_ghost) {
-    return {"Press deeper: there is hardly a ghost force here.", "3  no motor gives this: the handle slides",
+    return {"Press deeper: there is hardly any ghost force here.", "3  no motor gives this: the handle slides",
             "4  hardly any ghost force"};
   }
   return {"A wall pushes straight out. One motor cannot.", "3  no motor gives this: the handle slides",

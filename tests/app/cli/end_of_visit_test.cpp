@@ -58,7 +58,7 @@ TEST(EndOfVisit, SaysWhatKeepsTheFalcon) {
     EXPECT_NE(end.words.find(remedy_of(fault.id)), std::string::npos) << end.words;
   }
   const FalconReport busy = with_fault(FalconFault::busy);
-  expect_end(end_at(busy), ExitCode::device_refused, "The Falcon is not ready. Another program has the device.");
+  expect_end(end_at(busy), ExitCode::device_refused, "The Falcon is not ready. Another program is using the device.");
 }
 
 TEST(EndOfVisit, SaysWhatKeepsTheSpaceMouse) {

@@ -98,7 +98,7 @@ TEST(Readiness, GrowsWithTheDevice) {
   EXPECT_EQ(current_of(loading), "firmware");
   EXPECT_EQ(
       step_in(loading, ReadinessStep::firmware).words,
-      "It is being loaded, attempt 2 of 10: 3100 of 8492 bytes are there. The attempt before: upload was garbled.");
+      "It is being loaded, attempt 2 of 10: 3100 of 8492 bytes are done. The previous attempt: upload was garbled.");
 
   report = in_state(FalconState::homing);
   report.has_homed = {true, false, true};
@@ -118,7 +118,7 @@ TEST(Readiness, GrowsWithTheDevice) {
   const auto all = readiness_of(well(), nullptr);
   EXPECT_EQ(current_of(all), "");
   EXPECT_EQ(all.back().step, ReadinessStep::fast_enough);
-  EXPECT_EQ(all.back().words, "The device exchanges 975 times a second, in 1.02 ms each and 3.1 ms at worst.");
+  EXPECT_EQ(all.back().words, "The device answers 975 times a second, after 1.02 ms on average and 3.1 ms at worst.");
 }
 
 // While it is homed the driver asks about 250 times a second, by its own choice.
@@ -150,12 +150,12 @@ TEST(Readiness, EndsWithThePersonsWill) {
   EXPECT_EQ(words(), entry_of(ReadinessStep::armed).remedy);
   motors.state = SafetyState::arming;
   motors.obstacle = ArmingObstacle::focus;
-  EXPECT_EQ(words(), "The motors wait: bring the window to the front.");
+  EXPECT_EQ(words(), "The motors are not on yet: bring the window to the front.");
   motors.state = SafetyState::on;
   motors.is_outside_wall = false;  // in contact
   motors.limit = 6.0;
   EXPECT_EQ(current(), "");
-  EXPECT_EQ(words(), "The motors are on, with 6.0 N at most.");
+  EXPECT_EQ(words(), "The motors are on and push with 6.0 N at most.");
   motors.state = SafetyState::off;
   motors.is_outside_wall = true;
   motors.reason = OffReason::too_fast;

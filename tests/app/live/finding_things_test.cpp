@@ -88,7 +88,7 @@ TEST_F(FindingThings, ThePickerOpensTheSceneThatTheArrowsHaveMarked) {
   press(GLFW_KEY_ENTER);
   EXPECT_EQ(session().scene->title, title);
   EXPECT_EQ(session().dialog, Dialog::none);
-  EXPECT_EQ(session().undo_offer.undo, "the opening of “" + title + "”");
+  EXPECT_EQ(session().undo_offer.undo, "opening “" + title + "”");
 }
 
 TEST_F(FindingThings, ThePickerShowsAPictureOfEachSceneInEachTheme) {

@@ -60,7 +60,7 @@ TEST_F(ExperimentsWindow, MeasuresTheHandWithTheMouse) {
   // k_u = k_r/(ρ − 1) within 2 % · ρ/(ρ − 1) = 2.7 %.
   EXPECT_NEAR(median, k_u, 0.027 * k_u);
 
-  click_button("Believe it");
+  click_button("Use as believed k_u");
   EXPECT_EQ(session().settings.stiffnesses.believed_k_u, median);
   EXPECT_EQ(measurement().stage, UserMeasurement::Stage::off);
   // The whole of it is one step to take back.
@@ -160,7 +160,7 @@ TEST_F(ExperimentsWindow, WhatIsToBePressedIsInSight) {
     measurement().stage = UserMeasurement::Stage::done;
     measurement().has_news = true;
     frames(3);
-    expect_all_of_it_in_sight("Believe it");
+    expect_all_of_it_in_sight("Use as believed k_u");
   }
 }
 
@@ -317,7 +317,7 @@ TEST_F(ExperimentsWindow, AHandOnADeviceIsMeasuredAgainstATarget) {
 // Nobody knows the goal of a hand at a device. With a target to aim at there are numbers, of the strategy in the hand
 // alone, and they are those of the hand that is behind the device, not of the one that is believed to be there.
 TEST_F(ExperimentsWindow, AHandThatAimsAtATargetHasNumbersAgainstIt) {
-  ApplicationOptions options = with_panel("Live");
+  ApplicationOptions options = with_panel("Live values");
   options.input = "virtual-falcon";
   options.input_options.virtual_falcon_clock = VirtualLink::Clock::stepped;
   open(options);

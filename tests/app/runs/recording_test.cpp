@@ -329,12 +329,14 @@ TEST_F(RecordingWindow, AnotherSceneOrInputEndsIt) {
   frames(10);
   session().requests.open_scene = "fig1";
   frames(2);
-  EXPECT_TRUE(notice().starts_with("Changing the scene or the input ends the recording. Recorded ")) << notice();
+  EXPECT_TRUE(notice().starts_with("The recording ended because the scene or the input changed. Recorded "))
+      << notice();
   record(folder_ / "input.csv");
   frames(10);
   session().requests.input = "script";
   frames(10);
-  EXPECT_TRUE(notice().starts_with("Changing the scene or the input ends the recording. Recorded ")) << notice();
+  EXPECT_TRUE(notice().starts_with("The recording ended because the scene or the input changed. Recorded "))
+      << notice();
   EXPECT_EQ(load_run(folder_ / "scene.csv").scene->title, load_scene("wall45").title);
   EXPECT_EQ(load_run(folder_ / "input.csv").scene->title, load_scene("fig1").title);
   expect_repeats(folder_ / "scene.csv", 100);

@@ -302,7 +302,7 @@ TEST_F(SessionTest, AHintThatCannotBeFollowedIsNotOffered) {
 TEST_F(SessionTest, HintsAreTheSentencesOfTheDesign) {
   ASSERT_EQ(hint_catalog().size(), 3U);
   EXPECT_EQ(hint_catalog()[0].sentence, "Drag: this is where your hand wants to be.");
-  EXPECT_EQ(hint_catalog()[1].sentence, "Press 3. Same hand, same wall.");
+  EXPECT_EQ(hint_catalog()[1].sentence, "Press 3: same hand, same wall.");
   EXPECT_EQ(hint_catalog()[2].sentence, "Turn the arrow.");
 }
 
