@@ -105,16 +105,31 @@ inline std::vector<ScreenWords> words_on_screen() {
   return all;
 }
 
+// Words that lie wholly beyond the edge of their window are not drawn at all: they show in how far a window that cannot
+// be scrolled would have to be.
+inline void add_lost(std::vector<std::string>& faults) {
+  constexpr float slack = 1.5F;  // [points]
+  for (const ImGuiWindow* const window : ImGui::GetCurrentContext()->Windows) {
+    if (!window->WasActive || (window->Flags & ImGuiWindowFlags_NoScrollWithMouse) == 0) continue;
+    if (window->ScrollMax.x > slack || window->ScrollMax.y > slack) {
+      faults.push_back(fmt::format("{} points to the right and {} below are lost ({})", window->ScrollMax.x,
+                                   window->ScrollMax.y, window->Name));
+    }
+  }
+}
+
 // A sentence for each. What is scrolled out of sight above or below is not cut off.
 inline std::vector<std::string> faults_of(const std::vector<ScreenWords>& all) {
   constexpr float slack = 1.5F;  // [points]
   std::vector<std::string> faults;
+  add_lost(faults);
   const auto about = [](const ScreenWords& words) {
     return fmt::format("'{}' ({}, at {:.0f}, {:.0f})", words.text, words.window, words.ink.Min.x, words.ink.Min.y);
   };
   for (const ScreenWords& words : all) {
     const ImGuiWindow* const window = ImGui::FindWindowByName(words.window.c_str());
-    const bool scrolls = window != nullptr && window->ScrollMax.y > 0.0F;
+    const bool scrolls =
+        window != nullptr && window->ScrollMax.y > 0.0F && (window->Flags & ImGuiWindowFlags_NoScrollWithMouse) == 0;
     ImRect inked = words.ink;
     if (scrolls) {
       inked.Min.y = std::max(inked.Min.y, words.clip.Min.y);

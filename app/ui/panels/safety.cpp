@@ -54,7 +54,7 @@ void draw_safety(const PanelContext& context) {
   ImGui::PopFont();
   tooltip("What goes to the motors after every limit, and what it may be at most; how fast the handle moves.");
   if (motors.held_k_r > 0.0) {
-    ImGui::TextUnformatted(fmt::format("k_r is held at {:.0f} N/m on the motors.", motors.held_k_r).c_str());
+    wrapped_text(fmt::format("k_r is held at {:.0f} N/m on the motors.", motors.held_k_r));
   }
   if (ImGui::TreeNodeEx("Limits", ImGuiTreeNodeFlags_SpanAvailWidth)) {
     draw_limits(context);
