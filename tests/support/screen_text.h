@@ -111,9 +111,10 @@ inline void add_lost(std::vector<std::string>& faults) {
   constexpr float slack = 1.5F;  // [points]
   for (const ImGuiWindow* const window : ImGui::GetCurrentContext()->Windows) {
     if (!window->WasActive || (window->Flags & ImGuiWindowFlags_NoScrollWithMouse) == 0) continue;
-    if (window->ScrollMax.x > slack || window->ScrollMax.y > slack) {
-      faults.push_back(fmt::format("{} points to the right and {} below are lost ({})", window->ScrollMax.x,
-                                   window->ScrollMax.y, window->Name));
+    // What reaches into the margin is seen.
+    const ImVec2 lost{window->ScrollMax.x - window->WindowPadding.x, window->ScrollMax.y - window->WindowPadding.y};
+    if (lost.x > slack || lost.y > slack) {
+      faults.push_back(fmt::format("{} points to the right or {} below are lost ({})", lost.x, lost.y, window->Name));
     }
   }
 }
@@ -138,6 +139,9 @@ inline std::vector<std::string> faults_of(const std::vector<ScreenWords>& all) {
     ImRect clip = words.clip;
     clip.Expand(slack);
     if (!clip.Contains(inked)) faults.push_back(fmt::format("{} is cut off", about(words)));
+    const bool has_underscore =
+        words.text.find("k_") != std::string::npos || words.text.find("q_") != std::string::npos;
+    if (has_underscore) faults.push_back(fmt::format("{} has no index", about(words)));
   }
   for (std::size_t i = 0; i < all.size(); ++i) {
     for (std::size_t k = i + 1; k < all.size(); ++k) {

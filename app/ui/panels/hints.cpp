@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/symbol_text.h"
 #include "app/view/stage/landscape.h"
 
 namespace ghostforce {
@@ -21,8 +22,8 @@ bool is_there_a_ghost_force(const Session& session) {
 
 constexpr std::array hints{
     Hint{"Drag: this is where your hand wants to be.",
-         "You press a handle into a virtual wall. Its one motor only pushes left and right; the hollow arrow is what "
-         "goes wrong: the ghost force.",
+         "You press a handle into a virtual wall. Its one motor only pushes left and right; the hatched end of the "
+         "arrow is what goes wrong: the ghost force.",
          HintTarget::goal,
          [](const Session& session, const HintProgress& progress) {
            return progress.has_dragged && !session.drags_goal;
@@ -30,18 +31,18 @@ constexpr std::array hints{
          // A goal that a script moves cannot be dragged.
          [](const Session& session) { return session.pointer_moves_goal; }},
     Hint{"Press 3. Same hand, same wall.",
-         "Same motor, too: watch the hollow arrow and the drift along the wall go. This is the cure.",
+         "Same motor, too: watch the hatched end and the drift along the wall go. This is the cure.",
          HintTarget::third_strategy,
          [](const Session& session, const HintProgress&) { return session.settings.active == StrategyId::anisotropic; },
          is_there_a_ghost_force},
-    Hint{
-        "Turn the arrow.",
-        "The motor axis, lower right: then it pushes another way. Where is there no ghost force even without the cure?",
-        HintTarget::motor_axis,
-        [](const Session& session, const HintProgress& progress) {
-          return session.settings.actuated_angle != progress.actuated_angle && !session.is_editing;
-        },
-        [](const Session& session) { return session.has_handles; }},
+    Hint{"Turn the arrow.",
+         "The actuated direction, lower right: then it pushes another way. Where is there no ghost force even without "
+         "the cure?",
+         HintTarget::motor_axis,
+         [](const Session& session, const HintProgress& progress) {
+           return session.settings.actuated_angle != progress.actuated_angle && !session.is_editing;
+         },
+         [](const Session& session) { return session.has_handles; }},
 };
 
 }  // namespace
@@ -72,19 +73,29 @@ void draw_hint(const PanelContext& context) {
   Session& session = context.session;
   const Hint& hint = hints[*session.hint];
   const ImVec2 corner = ImGui::GetCursorPos();
-  const char* const enough = "No more hints";
-  const float button_width = ImGui::CalcTextSize(enough).x + 2.0F * ImGui::GetStyle().FramePadding.x;
-  const float right = ImGui::GetContentRegionMax().x - button_width;
+  const float gap = 12.0F * context.scale;
+  const auto beside = [](const char* words) {
+    return ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(words).x - 2.0F * ImGui::GetStyle().FramePadding.x;
+  };
+  const char* const long_words = "No more hints";
   ImGui::PushFont(context.fonts.bold, 0.0F);
+  const float room = beside(long_words) - gap - corner.x;
+  const bool is_narrow = symbol_text_size(hint.sentence, room).y > 2.0F * ImGui::GetTextLineHeight();
+  const char* const enough = is_narrow ? "×" : long_words;
+  const float right = beside(enough);
   ImGui::PushStyleColor(ImGuiCol_Text, unpacked(context.theme.accent));
-  wrapped_text(hint.sentence, right - 12.0F * context.scale);
+  wrapped_text(hint.sentence, right - gap);
   ImGui::PopStyleColor();
   ImGui::PopFont();
-  wrapped_text(hint.detail, right - 12.0F * context.scale);
+  const float end = ImGui::GetCursorPosY() + symbol_text_size(hint.detail, right - gap - corner.x).y;
+  if (end <= ImGui::GetWindowHeight()) wrapped_text(hint.detail, right - gap);
   ImGui::SetCursorPos({right, corner.y});
-  ImGui::TextUnformatted(fmt::format("Hint {} of {}", *session.hint + 1, hints.size()).c_str());
-  ImGui::SetCursorPos({right, corner.y + ImGui::GetTextLineHeightWithSpacing()});
-  if (ImGui::Button(enough)) session.hint.reset();
+  if (!is_narrow) {
+    ImGui::TextUnformatted(fmt::format("Hint {} of {}", *session.hint + 1, hints.size()).c_str());
+    ImGui::SetCursorPos({right, corner.y + ImGui::GetTextLineHeightWithSpacing()});
+  }
+  if (ImGui::Button(fmt::format("{}###enough", enough).c_str())) session.hint.reset();
+  if (is_narrow) tooltip(long_words);
 }
 
 }  // namespace ghostforce

@@ -90,7 +90,9 @@ void draw_span(PlotView& view) {
   if (ImGui::BeginCombo("##span", shown.c_str())) {
     close_popup_on_escape();
     for (const double span_s : spans_s) {
-      if (ImGui::Selectable(words_of_span(span_s).c_str(), words_of_span(span_s) == shown)) view.set_span(span_s);
+      const std::string words = words_of_span(span_s);
+      if (ImGui::Selectable(words.c_str(), words == shown)) view.set_span(span_s);
+      if (words == shown) ImGui::SetItemDefaultFocus();
     }
     ImGui::EndCombo();
   }

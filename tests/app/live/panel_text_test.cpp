@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "app/session/measurement_guide.h"
 #include "app/ui/panels/panel_catalog.h"
 #include "tests/app/live/driven_window.h"
 #include "tests/support/screen_text.h"
@@ -80,6 +81,24 @@ TEST_F(PanelText, IsAllThereInEveryThemeAndWithHints) {
     window_->set_visible_drawing(false);
     expect_no_faults_at_all_scales(fmt::format("{}, hints", theme.name));
   }
+}
+
+TEST_F(PanelText, IsAllThereWhileTheHandIsMeasuredAndAfterwards) {
+  open({}, "wall45", 1024, 640);
+  window_->set_visible_drawing(false);
+  start_measuring(session());
+  expect_no_faults_at_all_scales("measuring");
+  session().measurement.readings.assign(readings_wanted, {4.0, 200.0});
+  session().measurement.stage = UserMeasurement::Stage::done;
+  session().measurement.given_k_u = 200.0;
+  expect_no_faults_at_all_scales("the result");
+}
+
+TEST_F(PanelText, ANoticeIsReadInTheLowestWindowToo) {
+  open({}, "wall45", 1024, 640);
+  window_->set_visible_drawing(false);
+  session().notice = Notice{.words = "k_r is too large for this rate.", .is_problem = true};
+  expect_no_faults_at_all_scales("notice");
 }
 
 TEST_F(PanelText, IsAllThereInDialogs) {
