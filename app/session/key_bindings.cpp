@@ -39,11 +39,16 @@ void hide_stage(Session& session) {
   session.stage.is_black = !session.stage.is_black;
 }
 
-// Millimetres in steps of a tenth.
+// Millimetres in steps of a tenth. While a guess is open it is what moves: another goal would be another question.
 template <int x, int y, int tenths>
 void move_goal(Session& session) {
+  const Vector<2> step = 0.0001 * tenths * Vector<2>(x, y);
+  if (session.stage.guess && session.stage.guess_is_open) {
+    session.stage.guess = nearest_in_scene(*session.stage.guess + step);
+    return;
+  }
   if (!session.pointer_moves_goal) return;
-  session.goal = nearest_in_scene(session.goal + 0.0001 * tenths * Vector<2>(x, y));
+  session.goal = nearest_in_scene(session.goal + step);
 }
 
 template <int degrees>
@@ -174,7 +179,7 @@ constexpr int alt = GLFW_MOD_ALT;
 
 // clang-format off
 constexpr std::array bindings{
-    KeyBinding{GLFW_KEY_LEFT, none, "Arrows", "Move the goal 1 mm (Shift: 0.1 mm, Ctrl: 10 mm)", move_goal<-1, 0, 10>, true, false, "Move and change"},
+    KeyBinding{GLFW_KEY_LEFT, none, "Arrows", "Move goal or guess 1 mm (Shift: 0.1, Ctrl: 10)", move_goal<-1, 0, 10>, true, false, "Move and change"},
     KeyBinding{GLFW_KEY_RIGHT, none, "", "", move_goal<1, 0, 10>, true},
     KeyBinding{GLFW_KEY_UP, none, "", "", move_goal<0, 1, 10>, true},
     KeyBinding{GLFW_KEY_DOWN, none, "", "", move_goal<0, -1, 10>, true},

@@ -30,6 +30,8 @@ struct PlotView {
   std::optional<double> cursor_s{};  // the time under the pointer
 
   double span_s() const noexcept { return to_s - from_s; }
+  // Keeps the right edge.
+  void set_span(double span_s) noexcept { from_s = to_s - span_s; }
 };
 
 }  // namespace ghostforce

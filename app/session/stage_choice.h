@@ -14,6 +14,7 @@ struct StageChoice {
   StageMode mode = StageMode::none;
   bool switches_slowly = false;             // the strategy was chosen with Shift, or by a clicker's step
   std::optional<Vector<2>> guess{};         // of where the handle comes to rest, while predicting [m]
+  bool guess_is_open = true;                // it can still be moved, and the answer is hidden
   std::uint32_t reveals_asked = 0;          // of the truth about the guess
   int why_step = 0;                         // 1 to 4, of Why?; 0: not begun
   std::optional<double> landscape_dial{};   // 0 naïve, 1 anisotropic, as it was dragged; empty: as the strategy has it

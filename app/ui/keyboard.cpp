@@ -55,6 +55,37 @@ std::optional<Nudge> nudge_of(const KeyPress& press) {
   return Nudge{Nudge::Way::step, is_up ? size : -size};
 }
 
+// The arrows to the sides do nothing there, but they are not the goal's either.
+std::optional<ScrollStep> scroll_of(const KeyPress& press) {
+  constexpr float everything = 1e6F;
+  constexpr float lines_of_an_arrow = 3.0F;
+  if (press.modifiers != 0) return std::nullopt;
+  switch (press.key) {
+    case GLFW_KEY_DOWN:
+      return ScrollStep{.lines = lines_of_an_arrow};
+    case GLFW_KEY_UP:
+      return ScrollStep{.lines = -lines_of_an_arrow};
+    case GLFW_KEY_LEFT:
+    case GLFW_KEY_RIGHT:
+      return ScrollStep{};
+    case GLFW_KEY_PAGE_DOWN:
+      return ScrollStep{.pages = 1.0F};
+    case GLFW_KEY_PAGE_UP:
+      return ScrollStep{.pages = -1.0F};
+    case GLFW_KEY_HOME:
+      return ScrollStep{.pages = -everything};
+    case GLFW_KEY_END:
+      return ScrollStep{.pages = everything};
+    default:
+      return std::nullopt;
+  }
+}
+
+// In a field arrows, Home and End move the cursor or a mark.
+bool is_page(int key) {
+  return key == GLFW_KEY_PAGE_DOWN || key == GLFW_KEY_PAGE_UP;
+}
+
 }  // namespace
 
 bool Keyboard::is_waiting(Window& window) {
@@ -111,6 +142,10 @@ void Keyboard::act(const KeyEvent& event, Session& session, const std::function<
   if (press.key == GLFW_KEY_TAB) {
     Window::hand_on(event);
     return wait(focus_moves);
+  }
+  if (const auto step = scroll_of(press); step && scrolls(session.dialog)) {
+    const bool belongs_to_control = is_menu_open() || ((is_typing() || has_focus()) && !is_page(press.key));
+    if (!belongs_to_control) return scroll(session.dialog, *step);
   }
   if (is_typing()) {
     Window::hand_on(event);

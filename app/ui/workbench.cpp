@@ -74,7 +74,8 @@ void draw_column(const PanelContext& context) {
 // drawer with the plots. Their edges are whole points, as ImGui has its windows: else a column of pixels between two of
 // them would be nobody's.
 struct Workbench::Layout {
-  Rect top, bottom, column, caption, scene, drawer;
+  Rect top, bottom, column;
+  Rect caption, scene, drawer;  // of no height where there is no room for them
 
   Layout(Part part, ImVec2 size, float scale, float bar_height, bool has_drawer) {
     if (part == Part::scene) {
@@ -89,11 +90,17 @@ struct Workbench::Layout {
     top = {{0.0F, 0.0F}, {size.x, top_height}};
     bottom = {{0.0F, size.y - bottom_height}, {size.x, bottom_height}};
     column = {{size.x - column_width, top_height}, {column_width, middle_height}};
-    const float caption_height = std::round(62.0F * scale);
     const float scene_width = size.x - column_width;
-    caption = {{0.0F, top_height}, {scene_width, caption_height}};
-    const float drawer_height =
+    float caption_height = std::round(62.0F * scale);
+    float drawer_height =
         has_drawer ? std::round(std::clamp(0.4F * middle_height, 200.0F * scale, 340.0F * scale)) : 0.0F;
+    if (has_drawer) {
+      // Plots that were asked for are whole: in a low window the caption makes room for them, and then the scene.
+      const float room = middle_height - drawer_height;
+      if (room < caption_height + 100.0F * scale) caption_height = 0.0F;
+      if (room < 60.0F * scale) drawer_height = middle_height;
+    }
+    caption = {{0.0F, top_height}, {scene_width, caption_height}};
     const float scene_height = middle_height - caption_height - drawer_height;
     scene = {{0.0F, top_height + caption_height}, {scene_width, scene_height}};
     drawer = {{0.0F, scene.corner.y + scene_height}, {scene_width, drawer_height}};
@@ -104,12 +111,16 @@ void Workbench::draw_panels(const PanelContext& context, const Layout& layout, c
   begin_piece("strategies", layout.top, fixed_bar);
   draw_strategy_bar(context);
   ImGui::EndChild();
-  begin_piece("caption", layout.caption, fixed_bar);
-  draw_caption(context);
-  ImGui::EndChild();
-  begin_piece("motor frame", layout.scene, fixed_window | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoInputs);
-  draw_motor_frame(context);
-  ImGui::EndChild();
+  if (layout.caption.size.y > 0.0F) {
+    begin_piece("caption", layout.caption, fixed_bar);
+    draw_caption(context);
+    ImGui::EndChild();
+  }
+  if (layout.scene.size.y > 0.0F) {
+    begin_piece("motor frame", layout.scene, fixed_window | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoInputs);
+    draw_motor_frame(context);
+    ImGui::EndChild();
+  }
   // The one window that may hold more than it shows. Its scrollbar lies in the margin, so that nothing becomes
   // narrower where it appears.
   const ImVec2 padding = ImGui::GetStyle().WindowPadding;
@@ -139,15 +150,15 @@ void Workbench::draw(const PanelContext& context, const WorkbenchFrame& frame) {
   scene_size_ = {std::max(1.0, static_cast<double>(layout.scene.size.x)),
                  std::max(1.0, static_cast<double>(layout.scene.size.y))};
   begin_screen("workbench");
-  if (frame.is_live) {
+  if (frame.is_live && layout.scene.size.y > 0.0F) {
     begin_piece("scene", layout.scene, fixed_window | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNav);
     gestures_.take(session, panes_, scene_size_, unit, frame.moment);
     ImGui::EndChild();
-    if (std::exchange(session.requests.fit_view, false)) {
-      session.pane_views.reset();
-      if (session.options.compare != Compare::side_by_side) {
-        session.shown = view_of_everything(session, panes_, scene_size_, unit);
-      }
+  }
+  if (frame.is_live && std::exchange(session.requests.fit_view, false)) {
+    session.pane_views.reset();
+    if (session.options.compare != Compare::side_by_side) {
+      session.shown = view_of_everything(session, panes_, scene_size_, unit);
     }
   }
   if (frame.part == Part::window) draw_panels(context, layout, frame.history);

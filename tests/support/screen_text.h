@@ -105,16 +105,32 @@ inline std::vector<ScreenWords> words_on_screen() {
   return all;
 }
 
+// Words that lie wholly beyond the edge of their window are not drawn at all: they show in how far a window that cannot
+// be scrolled would have to be.
+inline void add_lost(std::vector<std::string>& faults) {
+  constexpr float slack = 1.5F;  // [points]
+  for (const ImGuiWindow* const window : ImGui::GetCurrentContext()->Windows) {
+    if (!window->WasActive || (window->Flags & ImGuiWindowFlags_NoScrollWithMouse) == 0) continue;
+    // What reaches into the margin is seen.
+    const ImVec2 lost{window->ScrollMax.x - window->WindowPadding.x, window->ScrollMax.y - window->WindowPadding.y};
+    if (lost.x > slack || lost.y > slack) {
+      faults.push_back(fmt::format("{} points to the right or {} below are lost ({})", lost.x, lost.y, window->Name));
+    }
+  }
+}
+
 // A sentence for each. What is scrolled out of sight above or below is not cut off.
 inline std::vector<std::string> faults_of(const std::vector<ScreenWords>& all) {
   constexpr float slack = 1.5F;  // [points]
   std::vector<std::string> faults;
+  add_lost(faults);
   const auto about = [](const ScreenWords& words) {
     return fmt::format("'{}' ({}, at {:.0f}, {:.0f})", words.text, words.window, words.ink.Min.x, words.ink.Min.y);
   };
   for (const ScreenWords& words : all) {
     const ImGuiWindow* const window = ImGui::FindWindowByName(words.window.c_str());
-    const bool scrolls = window != nullptr && window->ScrollMax.y > 0.0F;
+    const bool scrolls =
+        window != nullptr && window->ScrollMax.y > 0.0F && (window->Flags & ImGuiWindowFlags_NoScrollWithMouse) == 0;
     ImRect inked = words.ink;
     if (scrolls) {
       inked.Min.y = std::max(inked.Min.y, words.clip.Min.y);
@@ -123,6 +139,9 @@ inline std::vector<std::string> faults_of(const std::vector<ScreenWords>& all) {
     ImRect clip = words.clip;
     clip.Expand(slack);
     if (!clip.Contains(inked)) faults.push_back(fmt::format("{} is cut off", about(words)));
+    const bool has_underscore =
+        words.text.find("k_") != std::string::npos || words.text.find("q_") != std::string::npos;
+    if (has_underscore) faults.push_back(fmt::format("{} has no index", about(words)));
   }
   for (std::size_t i = 0; i < all.size(); ++i) {
     for (std::size_t k = i + 1; k < all.size(); ++k) {

@@ -9,6 +9,7 @@
 #include "app/session/measurement_guide.h"
 #include "app/ui/panels/hints.h"
 #include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/symbol_text.h"
 #include "core/prediction.h"
 
 namespace ghostforce {
@@ -65,6 +66,16 @@ std::string words_of(const PanelContext& context) {
   return std::string(caption_of(context.settings, context.snapshot.goal));
 }
 
+// Whole words, and a sign that there were more.
+std::string as_much_as_fits(std::string words, ImVec2 room) {
+  if (symbol_text_size(words, room.x).y <= room.y) return words;
+  for (std::size_t space = words.rfind(' '); space != std::string::npos; space = words.rfind(' ')) {
+    words.resize(space);
+    if (symbol_text_size(words + "…", room.x).y <= room.y) break;
+  }
+  return words + "…";
+}
+
 // At the right edge, as high as the bar: to be read from the last row. Returns where it begins.
 float draw_paused(const PanelContext& context) {
   const char* const words = "PAUSED";
@@ -105,8 +116,11 @@ void draw_caption(const PanelContext& context) {
   draw_glyph(*ImGui::GetWindowDrawList(), {corner.x + 0.6F * line, corner.y + 0.5F * line}, 0.42F * line,
              strategy_style(context.settings.active).shape, context.theme.strategy[i]);
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 1.6F * line);
-  wrapped_text(words, end);
+  const ImVec2 left{end - ImGui::GetCursorPosX(), ImGui::GetWindowHeight() - ImGui::GetCursorPosY()};
+  const std::string shown = as_much_as_fits(words, left);
+  wrapped_text(shown, end);
   ImGui::PopFont();
+  if (shown != words) tooltip(words);
 }
 
 }  // namespace ghostforce

@@ -1,7 +1,10 @@
 #include "app/ui/panels/dialogs.h"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <array>
+#include <cfloat>
 
 #include "app/ui/widgets/controls.h"
 
@@ -27,7 +30,34 @@ constexpr ImGuiWindowFlags dialog_window = ImGuiWindowFlags_NoResize | ImGuiWind
                                            ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                                            ImGuiWindowFlags_AlwaysAutoResize;
 
+// The dialog itself, or the part of it that scrolls; null: all of it is in sight.
+ImGuiWindow* scrolling_window_of(Dialog dialog) {
+  const auto entry = std::ranges::find(dialogs, dialog, &Entry::id);
+  ImGuiWindow* const whole = entry == dialogs.end() ? nullptr : ImGui::FindWindowByName(entry->title);
+  if (whole == nullptr || !whole->WasActive) return nullptr;
+  if (whole->ScrollMax.y > 0.0F) return whole;
+  const ImVector<ImGuiWindow*>& parts = whole->DC.ChildWindows;
+  const auto part = std::find_if(parts.begin(), parts.end(),
+                                 [](const ImGuiWindow* each) { return each->WasActive && each->ScrollMax.y > 0.0F; });
+  return part == parts.end() ? nullptr : *part;
+}
+
 }  // namespace
+
+bool scrolls(Dialog dialog) {
+  return scrolling_window_of(dialog) != nullptr;
+}
+
+void scroll(Dialog dialog, const ScrollStep& step) {
+  ImGuiWindow* const window = scrolling_window_of(dialog);
+  if (window == nullptr) return;
+  const float line = ImGui::GetFontSize() + ImGui::GetStyle().ItemSpacing.y;
+  const float page = window->InnerRect.GetHeight() - line;  // the last line is the next page's first
+  // What an earlier key has asked for is done in the next frame.
+  const float now = window->ScrollTarget.y < FLT_MAX ? window->ScrollTarget.y : window->Scroll.y;
+  const float down = now + step.lines * line + step.pages * page;
+  ImGui::SetScrollY(window, std::clamp(down, 0.0F, window->ScrollMax.y));
+}
 
 bool has_field(Dialog dialog) noexcept {
   return dialog != Dialog::none && dialog != Dialog::help && dialog != Dialog::doctor;
@@ -71,7 +101,9 @@ void draw_notice(const PanelContext& context, ImVec2 corner, ImVec2 size) {
   // To the right: the legend is on the left.
   ImGui::SetNextWindowPos({corner.x + size.x - 14.0F * scale, corner.y + 14.0F * scale}, ImGuiCond_Always,
                           {1.0F, 0.0F});
-  ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {width, 0.6F * size.y});
+  // It is read and closed: plots may have left the scene too low for it.
+  ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F},
+                                      {width, std::max(0.6F * size.y, 0.4F * ImGui::GetIO().DisplaySize.y)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 2.0F * scale);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6.0F * scale);
   ImGui::PushStyleColor(ImGuiCol_Border,

@@ -12,6 +12,16 @@ bool has_field(Dialog dialog) noexcept;
 // The one that session.dialog names, in the middle of the window.
 void draw_dialog(const PanelContext& context);
 
+// Some of what that dialog shows lies beyond its edge.
+bool scrolls(Dialog dialog);
+// What a key asks of it: so many lines and pages down; no step leads beyond the ends. Any number of times before the
+// next frame.
+struct ScrollStep {
+  float lines = 0.0F;
+  float pages = 0.0F;
+};
+void scroll(Dialog dialog, const ScrollStep& step);
+
 // What there is to tell, if anything, at the top of the scene, whose rectangle this is.
 void draw_notice(const PanelContext& context, ImVec2 corner, ImVec2 size);
 

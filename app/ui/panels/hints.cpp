@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/symbol_text.h"
 #include "app/view/stage/landscape.h"
 
 namespace ghostforce {
@@ -72,19 +73,29 @@ void draw_hint(const PanelContext& context) {
   Session& session = context.session;
   const Hint& hint = hints[*session.hint];
   const ImVec2 corner = ImGui::GetCursorPos();
-  const char* const enough = "No more hints";
-  const float button_width = ImGui::CalcTextSize(enough).x + 2.0F * ImGui::GetStyle().FramePadding.x;
-  const float right = ImGui::GetContentRegionMax().x - button_width;
+  const float gap = 12.0F * context.scale;
+  const auto beside = [](const char* words) {
+    return ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(words).x - 2.0F * ImGui::GetStyle().FramePadding.x;
+  };
+  const char* const long_words = "No more hints";
   ImGui::PushFont(context.fonts.bold, 0.0F);
+  const float room = beside(long_words) - gap - corner.x;
+  const bool is_narrow = symbol_text_size(hint.sentence, room).y > 2.0F * ImGui::GetTextLineHeight();
+  const char* const enough = is_narrow ? "×" : long_words;
+  const float right = beside(enough);
   ImGui::PushStyleColor(ImGuiCol_Text, unpacked(context.theme.accent));
-  wrapped_text(hint.sentence, right - 12.0F * context.scale);
+  wrapped_text(hint.sentence, right - gap);
   ImGui::PopStyleColor();
   ImGui::PopFont();
-  wrapped_text(hint.detail, right - 12.0F * context.scale);
+  const float end = ImGui::GetCursorPosY() + symbol_text_size(hint.detail, right - gap - corner.x).y;
+  if (end <= ImGui::GetWindowHeight()) wrapped_text(hint.detail, right - gap);
   ImGui::SetCursorPos({right, corner.y});
-  ImGui::TextUnformatted(fmt::format("Hint {} of {}", *session.hint + 1, hints.size()).c_str());
-  ImGui::SetCursorPos({right, corner.y + ImGui::GetTextLineHeightWithSpacing()});
-  if (ImGui::Button(enough)) session.hint.reset();
+  if (!is_narrow) {
+    ImGui::TextUnformatted(fmt::format("Hint {} of {}", *session.hint + 1, hints.size()).c_str());
+    ImGui::SetCursorPos({right, corner.y + ImGui::GetTextLineHeightWithSpacing()});
+  }
+  if (ImGui::Button(fmt::format("{}###enough", enough).c_str())) session.hint.reset();
+  if (is_narrow) tooltip(long_words);
 }
 
 }  // namespace ghostforce

@@ -8,6 +8,7 @@
 #include "app/session/measurement_guide.h"
 #include "app/ui/panels/panel_catalog.h"
 #include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/symbol_text.h"
 #include "app/view/number_text.h"
 #include "core/units.h"
 
@@ -116,7 +117,7 @@ void draw_readings(const PanelContext& context, const UserMeasurement& measureme
   ImGui::TextUnformatted("     ρ°");
   tooltip(Term::null_ratio);
   ImGui::TableNextColumn();
-  ImGui::TextUnformatted("     k_u");
+  symbol_text("     k_u");
   tooltip("k_u = k_r / (ρ° − 1)");
   for (std::size_t i = 0; i < measurement.readings.size(); ++i) {
     ImGui::TableNextColumn();
@@ -132,14 +133,16 @@ void draw_result(const PanelContext& context) {
   const UserMeasurement& measurement = session.measurement;
   draw_readings(context, measurement);
   const Spread spread = spread_of(measurement);
-  text_in(context.fonts.bold, fmt::format("measured k_u  {:7.1f} N/m", spread.median));
+  ImGui::PushFont(context.fonts.bold, 0.0F);
+  symbol_text(fmt::format("measured k_u  {:7.1f} N/m", spread.median));
+  ImGui::PopFont();
   tooltip("The median of the readings.");
   ImGui::TextUnformatted(
       fmt::format("middle half  {:.1f} to {:.1f} N/m", spread.lower_quartile, spread.upper_quartile).c_str());
   tooltip("From the lower to the upper quartile: of five readings, the second to the fourth.");
   // Of a hand that is simulated there is a true value; it was given, not measured, and may be another by now.
   if (measurement.given_k_u && !measurement.is_revealed) {
-    if (ImGui::Button("Reveal the given k_u")) reveal_hand(session);
+    if (ImGui::Button("Reveal the given stiffness")) reveal_hand(session);
     tooltip("Shows the stiffness that the simulated hand was given.");
   } else if (measurement.given_k_u) {
     text_in(context.theme.faint_text, fmt::format("(given: {:.1f} N/m)", *measurement.given_k_u));

@@ -79,7 +79,7 @@ void choose_ratio(Stiffnesses& stiffnesses, double ratio, double snap) {
 void draw_ratio_dial(const PanelContext& context) {
   if (hides_answer(context.session) || is_measuring(context.session)) {
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(is_measuring(context.session) ? "set in “Measure the hand”" : "hidden until you reveal k_u");
+    wrapped_text(is_measuring(context.session) ? "set in “Measure the hand”" : "hidden until you reveal k_u");
     tooltip("The dial would show the optimal ratio, and so how stiff the hand is.");
     return;
   }

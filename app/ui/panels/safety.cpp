@@ -54,7 +54,7 @@ void draw_safety(const PanelContext& context) {
   ImGui::PopFont();
   tooltip("The force sent to the motors after all limits, the largest force allowed, and the speed of the handle.");
   if (motors.held_k_r > 0.0) {
-    ImGui::TextUnformatted(fmt::format("k_r is limited to {:.0f} N/m on the motors.", motors.held_k_r).c_str());
+    wrapped_text(fmt::format("k_r is limited to {:.0f} N/m on the motors.", motors.held_k_r));
   }
   if (ImGui::TreeNodeEx("Limits", ImGuiTreeNodeFlags_SpanAvailWidth)) {
     draw_limits(context);

@@ -1,6 +1,10 @@
 #include "app/ui/plots/drawer.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
+#include <string>
 
 #include "app/session/measurement_guide.h"
 #include "app/ui/widgets/controls.h"
@@ -30,27 +34,92 @@ constexpr std::array tabs{
         [](const PanelContext& context, const PlotHistory&) { draw_ratio_plots(context); }},
 };
 
+constexpr const char* live_words = "Live";
+constexpr const char* save_words = "Save…";
+constexpr const char* close_words = "×";
+
+float width_of(ImFont* font, const char* words) {
+  return font->CalcTextSizeA(ImGui::GetFontSize(), 1e9F, 0.0F, words).x + 2.0F * ImGui::GetStyle().FramePadding.x;
+}
+
+float width_of(const char* words) {
+  return width_of(ImGui::GetFont(), words);
+}
+
+// As wide as the bold words, so that choosing does not make them jump.
+float width_of_tabs(const PanelContext& context, const char* Tab::*title) {
+  float width = 0.0F;
+  for (const Tab& tab : tabs) width += width_of(context.fonts.bold, tab.*title) + ImGui::GetStyle().ItemSpacing.x;
+  return width - ImGui::GetStyle().ItemSpacing.x;
+}
+
+std::string words_of_span(double span_s) {
+  return fmt::format("{:.3g} s", span_s);
+}
+
+float width_of_span() {
+  return width_of("0.02 s") + ImGui::GetFrameHeight();
+}
+
+float width_of_buttons(PlotTab tab) {
+  const float spacing = ImGui::GetStyle().ItemSpacing.x;
+  const float others = width_of(live_words) + width_of(save_words) + width_of(close_words) + 2.0F * spacing;
+  return tab == PlotTab::time ? width_of_span() + spacing + others : others;
+}
+
+void draw_tabs(const PanelContext& context, const char* Tab::*title) {
+  PlotView& view = context.session.plots;
+  for (const Tab& tab : tabs) {
+    if (&tab != tabs.data()) ImGui::SameLine();
+    const bool is_chosen = tab.id == view.tab;
+    ImGui::PushFont(is_chosen ? context.fonts.bold : context.fonts.regular, 0.0F);
+    if (is_chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+    if (ImGui::Button(tab.*title, {width_of(context.fonts.bold, tab.*title), 0.0F})) view.tab = tab.id;
+    if (is_chosen) ImGui::PopStyleColor();
+    ImGui::PopFont();
+    tooltip(tab.sentence);
+  }
+}
+
+// The wheel's choice once more, for the keyboard.
+void draw_span(PlotView& view) {
+  constexpr std::array spans_s{0.1, 0.5, 1.0, 2.0, 4.0, 10.0, 30.0, 60.0};
+  ImGui::SetNextItemWidth(width_of_span());
+  const std::string shown = words_of_span(view.span_s());
+  if (ImGui::BeginCombo("##span", shown.c_str())) {
+    close_popup_on_escape();
+    for (const double span_s : spans_s) {
+      const std::string words = words_of_span(span_s);
+      if (ImGui::Selectable(words.c_str(), words == shown)) view.set_span(span_s);
+      if (words == shown) ImGui::SetItemDefaultFocus();
+    }
+    ImGui::EndCombo();
+  }
+  tooltip("How long a time is in sight. The wheel changes it too.");
+}
+
+// At the right edge of the line.
 void draw_buttons(const PanelContext& context) {
   PlotView& view = context.session.plots;
-  const float pad = 2.0F * ImGui::GetStyle().FramePadding.x;
-  const float live = ImGui::CalcTextSize("Live").x + pad;
-  const float save = ImGui::CalcTextSize("Save…").x + pad;
-  const float close = ImGui::CalcTextSize("×").x + pad;
-  const float spacing = ImGui::GetStyle().ItemSpacing.x;
-  ImGui::SameLine(ImGui::GetContentRegionMax().x - live - save - close - 2.0F * spacing);
+  const float first = ImGui::GetContentRegionMax().x - width_of_buttons(view.tab);
+  ImGui::SetCursorPosX(std::max(first, ImGui::GetCursorPosX()));
+  if (view.tab == PlotTab::time) {
+    draw_span(view);
+    ImGui::SameLine();
+  }
   std::optional<double>& looks_back_to_s = context.session.stage.looks_back_to_s;
   ImGui::BeginDisabled((view.follows && !looks_back_to_s) || view.tab != PlotTab::time);
-  if (ImGui::Button("Live")) {
+  if (ImGui::Button(live_words)) {
     view.follows = true;
     looks_back_to_s.reset();
   }
   ImGui::EndDisabled();
   tooltip("Back to the newest moment, at the right edge.");
   ImGui::SameLine();
-  if (ImGui::Button("Save…")) context.session.dialog = Dialog::save_plots;
+  if (ImGui::Button(save_words)) context.session.dialog = Dialog::save_plots;
   tooltip("Saves what is shown, as numbers (CSV) or as a picture (PNG, SVG, PDF).");
   ImGui::SameLine();
-  if (ImGui::Button("×")) view.is_open = false;
+  if (ImGui::Button(close_words)) view.is_open = false;
   tooltip("Closes the plots. F3 opens them again.");
 }
 
@@ -58,21 +127,14 @@ void draw_buttons(const PanelContext& context) {
 
 void draw_plots(const PanelContext& context, const PlotHistory& history) {
   PlotView& view = context.session.plots;
-  const bool has_room = ImGui::GetContentRegionAvail().x > 29.0F * ImGui::GetFontSize();
-  for (const Tab& tab : tabs) {
-    const bool is_chosen = tab.id == view.tab;
-    const char* const title = has_room ? tab.title : tab.short_title;
-    // As wide as the bold words, so that choosing does not make them jump.
-    const float words = context.fonts.bold->CalcTextSizeA(ImGui::GetFontSize(), 1e9F, 0.0F, title).x;
-    const float width = words + 2.0F * ImGui::GetStyle().FramePadding.x;
-    ImGui::PushFont(is_chosen ? context.fonts.bold : context.fonts.regular, 0.0F);
-    if (is_chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
-    if (ImGui::Button(title, {width, 0.0F})) view.tab = tab.id;
-    if (is_chosen) ImGui::PopStyleColor();
-    ImGui::PopFont();
-    tooltip(tab.sentence);
-    ImGui::SameLine();
-  }
+  const float room = ImGui::GetContentRegionAvail().x;
+  const float gap = 2.0F * ImGui::GetStyle().ItemSpacing.x;
+  // Short words first; then a line of their own for the buttons.
+  const float beside = room - gap - width_of_buttons(PlotTab::time);
+  const bool has_one_line = width_of_tabs(context, &Tab::short_title) <= beside;
+  const bool has_long_words = width_of_tabs(context, &Tab::title) <= (has_one_line ? beside : room);
+  draw_tabs(context, has_long_words ? &Tab::title : &Tab::short_title);
+  if (has_one_line) ImGui::SameLine();
   draw_buttons(context);
   // Curves of theory know the hand.
   if (view.tab != PlotTab::time && (hides_answer(context.session) || is_measuring(context.session))) {

@@ -19,6 +19,7 @@ void GuessGame::update(Session& session, double interval_s) {
   is_on_ = stage.mode == StageMode::predict;
   if (!is_on_) {
     stage.guess.reset();
+    stage.guess_is_open = true;
     reveal_s_ = reveal_lasts_s;
     return;
   }
@@ -26,7 +27,7 @@ void GuessGame::update(Session& session, double interval_s) {
   if (is_new) {
     settings_ = session.settings;
     goal_ = session.goal;
-    is_open_ = true;
+    stage.guess_is_open = true;
     reveal_s_ = reveal_lasts_s;
     reveals_ = stage.reveals_asked;
     if (!was_on || !stage.guess) stage.guess = first_guess(session);
@@ -36,16 +37,16 @@ void GuessGame::update(Session& session, double interval_s) {
     reveals_ = stage.reveals_asked;
     // Asked again while the answer is on its way: at once. After it: a new guess.
     const bool was_revealing = is_revealing();
-    is_open_ = !is_open_ && !was_revealing;
-    reveal_s_ = is_open_ || was_revealing ? reveal_lasts_s : 0.0;
+    stage.guess_is_open = !stage.guess_is_open && !was_revealing;
+    reveal_s_ = stage.guess_is_open || was_revealing ? reveal_lasts_s : 0.0;
     return;
   }
   reveal_s_ = std::min(reveal_lasts_s, reveal_s_ + interval_s);
 }
 
 StageGuess GuessGame::guess(const Session& session) const {
-  StageGuess guess{.at = session.stage.guess, .is_open = is_open_};
-  if (guess.at && !is_open_ && !is_revealing()) {
+  StageGuess guess{.at = session.stage.guess, .is_open = session.stage.guess_is_open};
+  if (guess.at && !guess.is_open && !is_revealing()) {
     guess.missed_by = glm::distance(*guess.at, stage_moment_at_rest(session.settings, session.goal).handle);
   }
   return guess;

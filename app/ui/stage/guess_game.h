@@ -25,7 +25,6 @@ class GuessGame {
   static Vector<2> first_guess(const Session& session);
 
   bool is_on_ = false;
-  bool is_open_ = true;
   std::uint32_t reveals_ = 0;
   double reveal_s_ = reveal_lasts_s;  // since it began
   Settings settings_;                 // that the guess is about,

@@ -69,7 +69,7 @@ std::optional<StageCornerButton> corner_button(const Session& session, const Mot
 
 // What is not as it should be comes before what there is to see.
 std::string_view warning_of(const LoopReading& loop) {
-  if (loop.diverged) return "These settings make the simulation unstable. Press F4 and lower k_r.";
+  if (loop.diverged) return "These settings make the simulation unstable. Press F4 and lower the rendering stiffness.";
   const auto step = std::ranges::find_if(loop.readiness, &ReadinessStepState::is_current);
   if (loop.motors.has_motors && !loop.motors.is_ready && step != loop.readiness.end()) {
     return "The device is not ready: F2 says what to do.";
@@ -119,7 +119,7 @@ void StageFace::follow_view(Session& session, const StageFrame& frame, double in
 }
 
 void StageFace::update(Session& session, const StageFrame& frame, bool has_keys, double interval_s) {
-  pointer_.update(session, frame, picture_, guess_.guess(session).is_open);
+  pointer_.update(session, frame, picture_);
   follow_view(session, frame, interval_s);
   // What begins in this frame begins at its beginning.
   transition_.advance(interval_s);

@@ -44,8 +44,7 @@ struct StagePointer::Scene {
   }
 };
 
-StagePointer::Hold StagePointer::hold_at(const Session& session, const Scene& scene, const Vector<2>& pointer,
-                                         bool guess_is_open) const {
+StagePointer::Hold StagePointer::hold_at(const Session& session, const Scene& scene, const Vector<2>& pointer) const {
   const StagePicture& picture = scene.picture;
   if (session.stage.mode == StageMode::landscape && picture.landscape) {
     switch (landscape_handle_under(*picture.landscape, pointer)) {
@@ -59,7 +58,7 @@ StagePointer::Hold StagePointer::hold_at(const Session& session, const Scene& sc
     }
   }
   if (picture.ribbon && contains(picture.ribbon->box, pointer)) return Hold::ribbon;
-  if (guess_is_open && session.stage.guess &&
+  if (session.stage.guess_is_open && session.stage.guess &&
       scene.is_near(pointer, scene.screen(*session.stage.guess), 1.5 * stage_grip_reach)) {
     return Hold::guess;
   }
@@ -73,7 +72,7 @@ StagePointer::Hold StagePointer::hold_at(const Session& session, const Scene& sc
   return session.pointer_moves_goal ? Hold::goal : Hold::nothing;
 }
 
-void StagePointer::update(Session& session, const StageFrame& frame, const StagePicture& picture, bool guess_is_open) {
+void StagePointer::update(Session& session, const StageFrame& frame, const StagePicture& picture) {
   ImGui::SetCursorPos({0.0F, 0.0F});
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImGui::InvisibleButton("stage", {static_cast<float>(frame.size.x), static_cast<float>(frame.size.y)},
@@ -93,7 +92,7 @@ void StagePointer::update(Session& session, const StageFrame& frame, const Stage
     if (is_hovered) {
       hovered_ = button_at(picture, pointer);
       if (!hovered_) {
-        const Hold hold = hold_at(session, scene, pointer, guess_is_open);
+        const Hold hold = hold_at(session, scene, pointer);
         if (hold == Hold::motor) hovered_grip_ = StageGrip::motor;
         if (hold == Hold::wall) hovered_grip_ = StageGrip::wall;
         if (hold != Hold::nothing && hold != Hold::goal) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
@@ -116,7 +115,7 @@ void StagePointer::update(Session& session, const StageFrame& frame, const Stage
       hovered_ = action;
       act_on_stage(session, *action, frame.loop.motors);
     } else {
-      hold_ = hold_at(session, scene, pointer, guess_is_open);
+      hold_ = hold_at(session, scene, pointer);
       if (hold_ == Hold::motor) held_angle_.begin(pointer, session.settings.actuated_angle);
       if (hold_ == Hold::wall) held_angle_.begin(pointer, session.settings.wall_normal_angle);
     }

@@ -17,7 +17,7 @@ namespace ghostforce {
 class StagePointer {
  public:
   // `picture`: what the person sees, of the frame before.
-  void update(Session& session, const StageFrame& frame, const StagePicture& picture, bool guess_is_open);
+  void update(Session& session, const StageFrame& frame, const StagePicture& picture);
 
   StageGrip hovered_grip() const noexcept { return hovered_grip_; }
   const std::optional<StageAction>& hovered() const noexcept { return hovered_; }
@@ -28,7 +28,7 @@ class StagePointer {
   enum class Hold : std::uint8_t { nothing, goal, motor, wall, picture, guess, landscape_ring, landscape_dial, ribbon };
   struct Scene;
 
-  Hold hold_at(const Session& session, const Scene& scene, const Vector<2>& pointer, bool guess_is_open) const;
+  Hold hold_at(const Session& session, const Scene& scene, const Vector<2>& pointer) const;
   static void press_by_key(Session& session, const StageFrame& frame, const StagePicture& picture, ImVec2 corner);
   void drag(Session& session, const Scene& scene, const Vector<2>& pointer);
   void turn(double& angle, const Vector<2>& pivot, const Vector<2>& pointer);

@@ -62,6 +62,10 @@ class KeyboardTest : public DrivenWindow {
     }
     return stops;
   }
+  static bool shows(const std::string& text) {
+    return std::ranges::any_of(words_on_screen(),
+                               [&](const ScreenWords& words) { return words.text.find(text) != std::string::npos; });
+  }
   // Until the focus is there.
   bool tab_to(ImGuiID wanted) {
     for (int i = 0; i < 100 && focused() != wanted; ++i) press(GLFW_KEY_TAB);
@@ -256,8 +260,78 @@ TEST_F(KeyboardTest, AnAngleTurnsOnBeyondHalfATurnAndShowsARealMinus) {
   EXPECT_NEAR(angle, -179.0 * degree, 1e-9);
   press(GLFW_KEY_RIGHT, shift);
   EXPECT_NEAR(angle, -178.9 * degree, 1e-9);
+  EXPECT_TRUE(shows("−178.9°"));
+  EXPECT_FALSE(shows("-178.9°"));
   press(GLFW_KEY_LEFT, ctrl);
   EXPECT_NEAR(std::abs(angle), 180.0 * degree, 1e-9);
+}
+
+TEST_F(KeyboardTest, TheTimeInSightOfThePlotsIsChosenWithoutAMouse) {
+  press(GLFW_KEY_F3);
+  frames(3);
+  const PlotView& plots = session().plots;
+  ASSERT_DOUBLE_EQ(plots.span_s(), 4.0);
+  ASSERT_TRUE(tab_to(ImGui::FindWindowByName("plots")->GetID("##span")));
+  press(GLFW_KEY_ENTER);
+  press(GLFW_KEY_DOWN);
+  press(GLFW_KEY_ENTER);
+  EXPECT_NEAR(plots.span_s(), 10.0, 1e-9);
+  EXPECT_TRUE(shows("10 s"));
+}
+
+TEST_F(KeyboardTest, KeysScrollAnOpenDialog) {
+  session().appearance.scale = 2.0;
+  frames(3);
+  const Vector<2> goal = session().goal;
+  press(GLFW_KEY_F1);
+  frames(3);
+  const ImGuiWindow& help = *ImGui::FindWindowByName("Help");
+  ASSERT_GT(help.ScrollMax.y, 0.0F);
+  const auto expect_scrolled = [&](int key, float least, float most) {
+    const float before = help.Scroll.y;
+    press(key);
+    EXPECT_GT(help.Scroll.y - before, least) << key;
+    EXPECT_LT(help.Scroll.y - before, most) << key;
+  };
+  const float page = help.InnerRect.GetHeight();
+  expect_scrolled(GLFW_KEY_DOWN, 20.0F, 0.5F * page);
+  expect_scrolled(GLFW_KEY_UP, -0.5F * page, -20.0F);
+  expect_scrolled(GLFW_KEY_PAGE_DOWN, 0.7F * page, page);
+  expect_scrolled(GLFW_KEY_PAGE_UP, -page, -0.7F * page);
+  send_at_once({{GLFW_KEY_DOWN}, {GLFW_KEY_DOWN}, {GLFW_KEY_UP}, {GLFW_KEY_DOWN}});
+  const float two_lines = help.Scroll.y;
+  press(GLFW_KEY_HOME);
+  EXPECT_EQ(help.Scroll.y, 0.0F);
+  send_one_by_one({{GLFW_KEY_DOWN}, {GLFW_KEY_DOWN}});
+  EXPECT_EQ(help.Scroll.y, two_lines);
+  press(GLFW_KEY_END);
+  EXPECT_EQ(help.Scroll.y, help.ScrollMax.y);
+  press(GLFW_KEY_RIGHT);
+  EXPECT_EQ(session().goal, goal) << "none of these is the goal's";
+  EXPECT_EQ(session().face, Face::workbench) << "nor a step of the talk";
+  EXPECT_FALSE(session().stage.talk_step);
+}
+
+TEST_F(KeyboardTest, PagesScrollTheScenesThoughTheirFieldHasTheKeyboard) {
+  session().appearance.scale = 2.0;
+  frames(3);
+  press(GLFW_KEY_O, ctrl);
+  frames(3);
+  const auto scrolled = [] {
+    float most = 0.0F;
+    for (const ImGuiWindow* window : ImGui::FindWindowByName("Open a scene")->DC.ChildWindows) {
+      most = std::max(most, window->Scroll.y);
+    }
+    return std::max(most, ImGui::FindWindowByName("Open a scene")->Scroll.y);
+  };
+  const float before = scrolled();
+  ASSERT_GT(before, 50.0F) << "the scene that is open is the last one";
+  press(GLFW_KEY_PAGE_UP);
+  const float page_before = scrolled();
+  EXPECT_LT(page_before, before - 50.0F);
+  press(GLFW_KEY_PAGE_UP);
+  press(GLFW_KEY_PAGE_DOWN);
+  EXPECT_EQ(scrolled(), page_before);
 }
 
 TEST_F(KeyboardTest, TheDialSaysWhomItActsOnWhileItIsTurned) {

@@ -221,7 +221,7 @@ TEST_F(ExperimentsWindow, TheGivenStiffnessIsShownWhenItIsAskedFor) {
   EXPECT_TRUE(measurement().was_blind);
   EXPECT_TRUE(hides_answer(session())) << "the result first";
   frames(3);
-  click_button("Reveal the given k_u");
+  click_button("Reveal the given stiffness");
   EXPECT_FALSE(hides_answer(session()));
   EXPECT_TRUE(measurement().was_blind);
   frames(2);

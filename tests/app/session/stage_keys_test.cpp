@@ -111,6 +111,32 @@ TEST_F(StageKeysTest, EnterAnswersAGuess) {
   EXPECT_EQ(session().stage.reveals_asked, 1U);
 }
 
+TEST_F(StageKeysTest, ArrowsMoveAGuessWhileItIsOpenAndThenTheGoalAgain) {
+  const Vector<2> goal = session().goal;
+  press(GLFW_KEY_Q);
+  ASSERT_TRUE(session().stage.guess);
+  const Vector<2> first = *session().stage.guess;
+  const auto has_moved_by = [&](double x_mm, double y_mm) {
+    return glm::distance(*session().stage.guess, first + 0.001 * Vector<2>(x_mm, y_mm)) < 1e-12;
+  };
+  press(GLFW_KEY_RIGHT);
+  EXPECT_TRUE(has_moved_by(1.0, 0.0));
+  press(GLFW_KEY_UP, GLFW_MOD_SHIFT);
+  EXPECT_TRUE(has_moved_by(1.0, 0.1));
+  press(GLFW_KEY_LEFT, GLFW_MOD_CONTROL);
+  EXPECT_TRUE(has_moved_by(-9.0, 0.1));
+  EXPECT_EQ(session().goal, goal);
+  press(GLFW_KEY_ENTER);
+  EXPECT_FALSE(session().stage.guess_is_open);
+  press(GLFW_KEY_DOWN);
+  EXPECT_NEAR(session().goal.y, goal.y - 0.001, 1e-12);
+  EXPECT_TRUE(has_moved_by(-9.0, 0.1)) << "a new question begins with the guess as it was";
+  EXPECT_TRUE(session().stage.guess_is_open);
+  press(GLFW_KEY_Q);
+  press(GLFW_KEY_DOWN);
+  EXPECT_NEAR(session().goal.y, goal.y - 0.002, 1e-12);
+}
+
 TEST_F(StageKeysTest, ShiftSwitchesSlowly) {
   for (const auto& [key, id] : {std::pair{GLFW_KEY_1, StrategyId::full}, std::pair{GLFW_KEY_3, StrategyId::anisotropic},
                                 std::pair{GLFW_KEY_2, StrategyId::naive}}) {
