@@ -89,6 +89,7 @@ void turn_ratio_by(Session& session) {
 
 template <bool ViewOptions::*option>
 void toggle(Session& session) {
+  if (session.face != Face::workbench) return;  // nobody would see it
   session.options.*option = !(session.options.*option);
 }
 
@@ -299,6 +300,7 @@ void act_on_key(Session& session, const KeyPress& press, bool is_typing) {
 }
 
 void next_compare_mode(Session& session) {
+  if (session.face != Face::workbench) return;
   const std::size_t next = static_cast<std::size_t>(session.options.compare) + 1;
   session.options.compare = compare_catalog()[next % compare_catalog().size()].id;
 }
@@ -336,6 +338,7 @@ void restart(Session& session) {
 }
 
 void restart_with_scene_settings(Session& session) {
+  if (is_measuring(session)) cancel_measurement(session);
   session.settings = session.scene->settings;
   restart(session);
 }

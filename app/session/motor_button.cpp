@@ -8,8 +8,9 @@ std::string safety_words(const MotorReport& motors) {
   if (!motors.has_motors) return "no motor";
   switch (motors.state) {
     case SafetyState::off:
-      if (motors.reason == OffReason::key) return "Motors off. OK";
-      if (motors.reason != OffReason::none) return fmt::format("Motors off: {}. OK", entry_of(motors.reason).title);
+      if (motors.reason == OffReason::key) return "Motors off. Dismiss";
+      if (motors.reason != OffReason::none)
+        return fmt::format("Motors off: {}. Dismiss", entry_of(motors.reason).title);
       return motors.is_ready ? "Arm the motors" : "Motors not ready";
     case SafetyState::arming:
       return "Arming… Esc: off";

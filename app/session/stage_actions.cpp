@@ -57,15 +57,7 @@ void go_to_talk_step(Session& session, int step) {
 }  // namespace
 
 void show_face(Session& session, Face face) {
-  if (face == Face::workbench) {
-    leave_stage_mode(session);
-    // What went wrong stays to be read.
-    if (!session.notice || !session.notice->is_problem) {
-      session.notice = Notice{"The workbench has all settings, numbers and plots. F4 goes back to the stage."};
-    }
-  } else if (session.notice && !session.notice->is_problem) {
-    session.notice.reset();
-  }
+  if (face == Face::workbench) leave_stage_mode(session);
   session.face = face;
 }
 

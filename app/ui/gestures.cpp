@@ -170,7 +170,19 @@ SceneView view_of_everything(const Session& session, const std::vector<Pane>& pa
   const Vector<2> margin = glm::min(Vector<2>(90.0 * unit), 0.25 * room);
   constexpr double least_extent = 1e-3;  // [m]
   const double closest = std::min(room.x, room.y) / least_extent;
-  const double points_per_metre = fitting_scale(points, room - 2.0 * margin, closest);
+  double points_per_metre = fitting_scale(points, room - 2.0 * margin, closest);
+  // The dial in the corner would cover what is there.
+  constexpr double marker_reach = 20.0;  // [points]
+  constexpr double smaller = 0.97;
+  const auto is_under_dial = [&] {
+    const Camera camera{fitting_center(points, points_per_metre), points_per_metre, room};
+    const MotorDial dial = motor_dial(camera, unit);
+    return std::ranges::any_of(points, [&](const FitPoint& point) {
+      const Vector<2> place = to_screen(camera, point.world) + point.offset;
+      return glm::distance(place, dial.middle) < dial.radius + marker_reach * unit;
+    });
+  };
+  for (int step = 0; step < 20 && is_under_dial(); ++step) points_per_metre *= smaller;
   const double width = std::min(room.x, room.y / 0.75) / points_per_metre;
   return within_scene_limits({fitting_center(points, points_per_metre), width});
 }

@@ -7,6 +7,8 @@
 #include "app/paint/label_painter.h"
 #include "app/ui/fixed_window.h"
 #include "app/ui/panels/dialogs.h"
+#include "app/ui/panels/motor_control.h"
+#include "app/ui/panels/panel_catalog.h"
 #include "app/ui/plots/plot_pieces.h"
 #include "app/ui/widgets/focus.h"
 #include "app/ui/widgets/style.h"
@@ -128,6 +130,8 @@ void Screen::draw_stage(const PanelContext& context, const ShownMoment& moment, 
   }
   begin_screen("stage");
   stage_.update(context.session, stage_frame, keyboard_.has_pressed(), frame.interval_s);
+  draw_motor_frame(context);
+  if (context.session.stage.is_black) draw_motor_words(context);
   ImGui::End();
   panes_ = {stage_.compose(context.session, stage_frame, frame.interval_s).pane};
 }

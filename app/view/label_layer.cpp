@@ -94,9 +94,9 @@ class SceneWords {
           role, active());
     };
     if (force->ghost != 0.0) {
-      const double signed_newton = glm::length(now_.ghost_force) * (force->ghost < 0.0 ? -1.0 : 1.0);
+      const double newton = glm::length(now_.ghost_force);
       add_part(SceneLabel::ghost, Role::ghost_force,
-               fmt::format("{}ghost force {} N", against_target(), decimal_text(signed_newton, 2)), force->share_end(),
+               fmt::format("{}ghost force {} N", against_target(), decimal_text(newton, 2)), force->share_end(),
                force->tip(), 0.5, 3.0);
     }
     // Beside what is not hatched, if possible.

@@ -36,8 +36,8 @@ constexpr std::array hints{
          [](const Session& session, const HintProgress&) { return session.settings.active == StrategyId::anisotropic; },
          is_there_a_ghost_force},
     Hint{"Turn the arrow.",
-         "Drag the actuated direction, lower right, and the motor pushes another way. Where is there no ghost force "
-         "even without the cure?",
+         "Press 2 again, then drag the actuated direction, lower right. At which angle is there no ghost force even "
+         "without the cure?",
          HintTarget::motor_axis,
          [](const Session& session, const HintProgress& progress) {
            return session.settings.actuated_angle != progress.actuated_angle && !session.is_editing;

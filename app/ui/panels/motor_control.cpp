@@ -93,4 +93,15 @@ void draw_motor_frame(const PanelContext& context) {
   draw_list.PopClipRect();
 }
 
+void draw_motor_words(const PanelContext& context) {
+  if (!may_push(context.loop.motors)) return;
+  const std::string words = safety_words(context.loop.motors);
+  ImFont* const font = context.fonts.bold;
+  const float height = 2.0F * ImGui::GetFontSize();
+  const ImVec2 extent = font->CalcTextSizeA(height, 1e9F, 0.0F, words.c_str());
+  const ImVec2 whole = ImGui::GetIO().DisplaySize;
+  const ImVec2 at{0.5F * (whole.x - extent.x), 0.5F * (whole.y - extent.y)};
+  ImGui::GetWindowDrawList()->AddText(font, height, at, packed(context.theme.problem), words.c_str());
+}
+
 }  // namespace ghostforce

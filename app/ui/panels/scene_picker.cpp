@@ -181,7 +181,14 @@ void draw_open_scene(const PanelContext& context) {
   ImGui::SameLine();
   if (ImGui::Button(cancel_words)) session.dialog = Dialog::none;
   if (entered || pressed) {
-    session.requests.open_scene = form.path.empty() ? scenes[form.marked_scene].name : form.path;
+    const ShippedScene& marked = scenes[form.marked_scene];
+    if (!form.path.empty()) {
+      session.requests.open_scene = form.path;
+    } else if (marked.scene.title != session.scene->title) {
+      session.requests.open_scene = marked.name;
+    } else {
+      session.dialog = Dialog::none;  // it is open, and what has been changed in it stays
+    }
   }
   draw_problem(context, width);
 }

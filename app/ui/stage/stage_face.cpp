@@ -1,6 +1,7 @@
 #include "app/ui/stage/stage_face.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -68,12 +69,13 @@ std::optional<StageCornerButton> corner_button(const Session& session, const Mot
 }
 
 // What is not as it should be comes before what there is to see.
-std::string_view warning_of(const LoopReading& loop) {
+std::string_view warning_of(const Session& session, const LoopReading& loop) {
   if (loop.diverged) return "These settings make the simulation unstable. Press F4 and lower the rendering stiffness.";
   const auto step = std::ranges::find_if(loop.readiness, &ReadinessStepState::is_current);
   if (loop.motors.has_motors && !loop.motors.is_ready && step != loop.readiness.end()) {
     return "The device is not ready: F2 says what to do.";
   }
+  if (session.paused && !session.stage.looks_back_to_s) return "Paused. Press Space to go on.";
   return {};
 }
 
@@ -99,13 +101,20 @@ void StageFace::follow_view(Session& session, const StageFrame& frame, double in
   } else if (session.stage_shown != wanted_view_ || is_other_scene || session.stage.mode == StageMode::landscape) {
     view_ = session.stage_shown;
   } else if (!pointer_.is_holding() && !transition_.is_running() && !show_.is_on() && !frame.shown.is_past) {
-    const StageMoment rest = stage_moment_at_rest(session.settings, session.goal);
     const auto is_seen = [&](const Vector<2>& place) {
       return contains(picture_.scene, to_screen(picture_.pane.camera, place));
     };
-    const bool is_lost = !is_seen(rest.handle) || !is_seen(rest.proxy);
-    if (is_lost && session.pointer_moves_goal && is_seen(session.goal)) {
-      session.stage_shown = stage_view_of(session.settings, session.goal);
+    if (const auto device = frame.shown.snapshot.measured) {
+      // A handle that somebody moves away takes the view along.
+      const Vector<2> handle = frame.shown.snapshot.strategies[index_of(*device)].device;
+      const std::array places{session.goal, handle};
+      if (!is_seen(handle)) session.stage_shown = stage_view_of(session.settings, places);
+    } else {
+      const StageMoment rest = stage_moment_at_rest(session.settings, session.goal);
+      const bool is_lost = !is_seen(rest.handle) || !is_seen(rest.proxy);
+      if (is_lost && session.pointer_moves_goal && is_seen(session.goal)) {
+        session.stage_shown = stage_view_of(session.settings, session.goal);
+      }
     }
   }
   wanted_view_ = session.stage_shown;
@@ -184,7 +193,7 @@ StageContent StageFace::content_of(const Session& session, const StageFrame& fra
       .why_step = session.stage.why_step,
       .landscape_dial = session.stage.landscape_dial.value_or(blend.cure),
       .looks_back_to_s = session.stage.looks_back_to_s,
-      .warning = warning_of(frame.loop)};
+      .warning = warning_of(session, frame.loop)};
   content.corner = corner_button(session, frame.loop.motors, content.guess, guess_.is_revealing());
   if (session.stage.mode == StageMode::ribbon) content.moments = &frame.history.moments();
   if (session.stage.mode == StageMode::round && frame.loop.circle) {

@@ -30,11 +30,18 @@ bool has_been_used() {
 // Whoever has just dragged something looks at what it does [s of frames].
 constexpr double quiet_after_drag_s = 2.0;
 constexpr double never_s = -1e9;
+constexpr float still_there = 12.0F;  // from where the drag ended [points]
 double last_drag_s = never_s;
+ImVec2 last_drag_at{0.0F, 0.0F};
 
+// Also until the pointer has left what it dragged: an explanation would cover it.
 bool has_just_dragged() {
   const double since_s = ImGui::GetTime() - last_drag_s;
-  return since_s >= 0.0 && since_s < quiet_after_drag_s;
+  if (since_s < 0.0) return false;
+  const ImVec2 pointer = ImGui::GetIO().MousePos;
+  const bool is_still_there = std::hypot(pointer.x - last_drag_at.x, pointer.y - last_drag_at.y) < still_there;
+  if (!is_still_there && since_s >= quiet_after_drag_s) last_drag_s = never_s;
+  return is_still_there || since_s < quiet_after_drag_s;
 }
 
 struct Sentence {
@@ -58,9 +65,12 @@ ImVec2 place_beside(const Neighbour& neighbour, ImVec2 size) {
   const ImGuiStyle& style = ImGui::GetStyle();
   const ImVec2 whole = ImGui::GetIO().DisplaySize;
   const auto& [item, surround] = neighbour;
-  const std::array places{ImVec2(surround.Min.x - style.ItemSpacing.x - size.x, item.Min.y),
-                          ImVec2(item.Min.x, item.Max.y + style.ItemSpacing.y),
-                          ImVec2(item.Min.x, item.Min.y - style.ItemSpacing.y - size.y),
+  const ImVec2 beside{surround.Min.x - style.ItemSpacing.x - size.x, item.Min.y};
+  const ImVec2 below{item.Min.x, item.Max.y + style.ItemSpacing.y};
+  const ImVec2 above{item.Min.x, item.Min.y - style.ItemSpacing.y - size.y};
+  // Nothing is beside a bar across the window.
+  const bool is_bar = surround.GetWidth() > 0.5F * whole.x;
+  const std::array places{is_bar ? below : beside, is_bar ? above : below, is_bar ? beside : above,
                           ImVec2(surround.Max.x + style.ItemSpacing.x, item.Min.y)};
   const auto moved_in = [&](ImVec2 place) {
     return ImVec2(std::clamp(place.x, 0.0F, std::max(0.0F, whole.x - size.x)),
@@ -175,7 +185,9 @@ void tooltip(Term term) {
 void keep_tooltips_from_drags() {
   if (ImGui::GetFrameCount() <= 1) last_drag_s = never_s;  // another window than before
   for (const ImGuiMouseButton button : {ImGuiMouseButton_Left, ImGuiMouseButton_Right}) {
-    if (ImGui::IsMouseDragging(button)) last_drag_s = ImGui::GetTime();
+    if (!ImGui::IsMouseDragging(button)) continue;
+    last_drag_s = ImGui::GetTime();
+    last_drag_at = ImGui::GetIO().MousePos;
   }
 }
 

@@ -80,7 +80,7 @@ class LandscapePainter {
     }
     const double left = layout_.column.most.x + em(0.5);
     const double right = layout_.size.x - em(0.5);
-    words_.put_lines(Role::scale, {{"how stiff the wall is against the hand"}}, view_.theme.text,
+    words_.put_lines(Role::scale, {{"wall stiffness : hand stiffness"}}, view_.theme.text,
                      {left, layout_.axis_title_top}, right - left);
     words_.put_lines(
         Role::scale,
