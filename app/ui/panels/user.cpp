@@ -29,7 +29,7 @@ void draw_drift_of_belief(const PanelContext& context) {
     return;
   }
   if (settings.stiffnesses.chosen_tracking_ratio) {
-    ImGui::TextUnformatted("—  ρ chosen by hand");
+    wrapped_text("—  ρ chosen by hand");
     tooltip("The belief has no part in it. At the optimal ratio, a drift here is the error of the belief.");
     return;
   }
