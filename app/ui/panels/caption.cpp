@@ -66,16 +66,6 @@ std::string words_of(const PanelContext& context) {
   return std::string(caption_of(context.settings, context.snapshot.goal));
 }
 
-// Whole words, and a sign that there were more.
-std::string as_much_as_fits(std::string words, ImVec2 room) {
-  if (symbol_text_size(words, room.x).y <= room.y) return words;
-  for (std::size_t space = words.rfind(' '); space != std::string::npos; space = words.rfind(' ')) {
-    words.resize(space);
-    if (symbol_text_size(words + "…", room.x).y <= room.y) break;
-  }
-  return words + "…";
-}
-
 // At the right edge, as high as the bar: to be read from the last row. Returns where it begins.
 float draw_paused(const PanelContext& context) {
   const char* const words = "PAUSED";

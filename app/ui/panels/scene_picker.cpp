@@ -9,6 +9,7 @@
 #include "app/session/key_bindings.h"
 #include "app/ui/panels/dialogs.h"
 #include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/symbol_text.h"
 
 namespace ghostforce {
 namespace {
@@ -24,12 +25,12 @@ int columns_for(float width, const PanelContext& context) {
   return std::clamp(static_cast<int>(width / (card_width * context.scale)), 1, 3);
 }
 
-// Words in a box, broken and cut off where it ends.
+// Words in a box, as many as it has room for.
 void words_in_box(ImFont* font, Colour colour, ImVec2 corner, ImVec2 end, const std::string& words) {
   ImGui::PushFont(font, 0.0F);
-  const ImVec4 clip{corner.x, corner.y, end.x, end.y};
-  ImGui::GetWindowDrawList()->AddText(font, ImGui::GetFontSize(), corner, packed(colour), words.c_str(), nullptr,
-                                      end.x - corner.x, &clip);
+  ImDrawList& draw_list = *ImGui::GetWindowDrawList();
+  const ImVec2 room{end.x - corner.x, end.y - corner.y};
+  draw_symbol_lines(draw_list, corner, packed(colour), as_much_as_fits(words, room), room.x);
   ImGui::PopFont();
 }
 
@@ -65,8 +66,9 @@ bool draw_card(const PanelContext& context, std::size_t number, float width) {
   const ImVec2 words{to.x + 1.5F * padding, from.y};
   const float right = end.x - padding;
   words_in_box(context.fonts.bold, theme.text, words, {right, words.y + 2.0F * line}, shipped.scene.title);
-  const float title_width =
-      context.fonts.bold->CalcTextSizeA(ImGui::GetFontSize(), 1e9F, 0.0F, shipped.scene.title.c_str()).x;
+  ImGui::PushFont(context.fonts.bold, 0.0F);
+  const float title_width = symbol_text_width(shipped.scene.title);
+  ImGui::PopFont();
   const float about_y = words.y + (title_width > right - words.x ? 2.0F : 1.0F) * line;
   words_in_box(context.fonts.regular, is_open ? theme.accent : theme.faint_text, {words.x, about_y},
                {right, end.y - padding}, is_open ? "Open now. " + shipped.scene.about : shipped.scene.about);

@@ -12,6 +12,7 @@
 #include "app/session/key_bindings.h"
 #include "app/ui/panels/panel_catalog.h"
 #include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/symbol_text.h"
 
 namespace ghostforce {
 namespace {
@@ -75,7 +76,7 @@ void draw_status_bar(const PanelContext& context) {
   Session& session = context.session;
   const LoopReading& loop = context.loop;
   const ImGuiStyle& style = ImGui::GetStyle();
-  const auto width = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
+  const auto width = [](const std::string& text) { return symbol_text_width(text); };
   const auto button_width = [&](const std::string& text) { return width(text) + 2.0F * style.FramePadding.x; };
   const std::string words = fmt::format("{}   ·   t = {:8.3f} s", loop.input_title, context.snapshot.time_s);
   const std::vector<std::string> problems = troubles_of(loop, context.settings);
@@ -109,7 +110,11 @@ void draw_status_bar(const PanelContext& context) {
   tooltip(fmt::format("What moves the goal, and the model time. {:.0f} ticks a second; {} late so far.{}{}",
                       loop.rate_hz, loop.late_ticks, problems.empty() ? "" : "\n", fmt::join(problems, "\n")));
   ImGui::SameLine(scene_x);
-  if (ImGui::Button((title + "###scene").c_str())) open_dialog<Dialog::open_scene>(session);
+  const bool opens_scene = ImGui::Button("###scene", {button_width(title), 0.0F});
+  const ImVec2 corner = ImGui::GetItemRectMin();
+  draw_symbol_text(*ImGui::GetWindowDrawList(), {corner.x + style.FramePadding.x, corner.y + style.FramePadding.y},
+                   ImGui::GetColorU32(ImGuiCol_Text), title);
+  if (opens_scene) open_dialog<Dialog::open_scene>(session);
   tooltip(fmt::format("{} Click to open another scene. Ctrl+O.", session.scene->about));
   ImGui::SameLine();
   if (ImGui::Button(save)) ImGui::OpenPopup("save");

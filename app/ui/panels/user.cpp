@@ -30,7 +30,7 @@ void draw_drift_of_belief(const PanelContext& context) {
     return;
   }
   if (settings.stiffnesses.chosen_tracking_ratio) {
-    ImGui::TextUnformatted("—  ρ chosen manually");
+    wrapped_text("—  ρ chosen manually");
     tooltip(
         "The belief has no effect on a chosen ρ. At the optimal ratio, a drift here means that the belief is wrong.");
     return;

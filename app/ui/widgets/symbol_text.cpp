@@ -10,6 +10,7 @@ namespace {
 
 constexpr float index_size = 0.74F;  // of the letters
 constexpr float lowered = 0.13F;     // of their height
+constexpr float air = 0.06F;         // behind an index, of their height
 
 bool is_ascii_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
@@ -44,7 +45,9 @@ std::size_t length_of_index(std::string_view text) {
 
 float width_of(const SymbolRun& run) {
   const float size = ImGui::GetFontSize() * (run.is_subscript ? index_size : 1.0F);
-  return ImGui::GetFont()->CalcTextSizeA(size, 1e9F, 0.0F, run.text.data(), run.text.data() + run.text.size()).x;
+  const float width =
+      ImGui::GetFont()->CalcTextSizeA(size, 1e9F, 0.0F, run.text.data(), run.text.data() + run.text.size()).x;
+  return run.is_subscript ? width + air * ImGui::GetFontSize() : width;
 }
 
 // As many letters as there is room for, and one at least.
@@ -127,6 +130,22 @@ void draw_symbol_text(ImDrawList& draw_list, ImVec2 corner, ImU32 colour, std::s
 
 ImVec2 symbol_text_size(std::string_view words, float width) {
   return size_of(lines_of(words, width));
+}
+
+std::string as_much_as_fits(std::string words, ImVec2 room) {
+  if (symbol_text_size(words, room.x).y <= room.y) return words;
+  for (std::size_t space = words.rfind(' '); space != std::string::npos; space = words.rfind(' ')) {
+    words.resize(space);
+    if (symbol_text_size(words + "…", room.x).y <= room.y) break;
+  }
+  return words + "…";
+}
+
+void draw_symbol_lines(ImDrawList& draw_list, ImVec2 corner, ImU32 colour, std::string_view words, float width) {
+  for (const std::string_view line : lines_of(words, width)) {
+    draw_symbol_text(draw_list, corner, colour, line);
+    corner.y += ImGui::GetTextLineHeight();
+  }
 }
 
 void symbol_text(std::string_view words, float width) {

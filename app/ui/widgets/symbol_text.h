@@ -2,6 +2,7 @@
 // Unicode has no such letters. In ImGui's current font; within a frame, but for symbol_runs().
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -24,6 +25,9 @@ void draw_symbol_text(ImDrawList& draw_list, ImVec2 corner, ImU32 colour, std::s
 
 // Broken into lines of that width at most [points]; 0: only where the words are.
 ImVec2 symbol_text_size(std::string_view words, float width);
+// What of the words has room in a box [points]: whole words, and a sign where there were more.
+std::string as_much_as_fits(std::string words, ImVec2 room);
+void draw_symbol_lines(ImDrawList& draw_list, ImVec2 corner, ImU32 colour, std::string_view words, float width);
 
 // As an item at the cursor, like ImGui::TextUnformatted().
 void symbol_text(std::string_view words, float width = 0.0F);

@@ -94,6 +94,12 @@ TEST_F(PanelText, IsAllThereWhileTheHandIsMeasuredAndAfterwards) {
   expect_no_faults_at_all_scales("the result");
 }
 
+TEST_F(PanelText, TheNameOfASceneHasIndicesToo) {
+  open({}, "fig4-ratio5");
+  window_->set_visible_drawing(false);
+  expect_no_faults_at_all_scales("a ratio of stiffnesses");
+}
+
 TEST_F(PanelText, ANoticeIsReadInTheLowestWindowToo) {
   open({}, "wall45", 1024, 640);
   window_->set_visible_drawing(false);

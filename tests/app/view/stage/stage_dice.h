@@ -175,7 +175,8 @@ inline StageCase stage_case_by(PictureDice& dice) {
     made.audience.looks_back = made.looks_back_to_s.has_value();
     made.moments = std::move(history);
   }
-  if (dice.one_in(25)) made.warning = "These settings make the simulation unstable. Press F4 and lower the rendering stiffness.";
+  if (dice.one_in(25))
+    made.warning = "These settings make the simulation unstable. Press F4 and lower the rendering stiffness.";
   return made;
 }
 
