@@ -30,9 +30,10 @@ void draw_drift_of_belief(const PanelContext& context) {
     return;
   }
   if (settings.stiffnesses.chosen_tracking_ratio) {
-    wrapped_text("—  ρ chosen manually");
+    wrapped_text("—  ρ chosen by you");
     tooltip(
-        "The belief has no effect on a chosen ρ. At the optimal ratio, a drift here means that the belief is wrong.");
+        "The belief has no effect on a ρ that you chose. At the optimal ratio, a drift here means that the belief is "
+        "wrong.");
     return;
   }
   const Vector<2> seen = context.snapshot.strategies[index_of(StrategyId::anisotropic)].proxy_drift;

@@ -78,7 +78,7 @@ constexpr std::array sentences{
              }},
     Sentence{"On the way back to naïve: a ghost force.",
              [](const Facts& now) { return now.moment.is_between() && now.has_ghost(); }},
-    Sentence{"Between naïve and the cure: no ghost force.", [](const Facts& now) { return now.moment.is_between(); }},
+    Sentence{"On the way between the two: no ghost force.", [](const Facts& now) { return now.moment.is_between(); }},
     // Naïve.
     Sentence{"A ghost force drags the handle along the wall.",
              [](const Facts& now) { return now.is(StrategyId::naive) && now.ghost >= least_shown_force; }},

@@ -82,9 +82,9 @@ TEST(Readiness, EveryFaultIsOneStepsAndTellsItsRemedyThere) {
 // What nobody can reach any more has to be said where everybody looks.
 TEST(Readiness, SaysThatTheMotorsMayStillPush) {
   FalconReport report = in_state(FalconState::fault, FalconFault::broken);
-  EXPECT_EQ(readiness_of(report, nullptr)[3].words.find("pull the plug"), std::string::npos);
+  EXPECT_EQ(readiness_of(report, nullptr)[3].words.find("unplug the device's power supply"), std::string::npos);
   report.may_still_push = true;
-  EXPECT_NE(readiness_of(report, nullptr)[3].words.find("pull the plug"), std::string::npos);
+  EXPECT_NE(readiness_of(report, nullptr)[3].words.find("unplug the device's power supply"), std::string::npos);
 }
 
 TEST(Readiness, GrowsWithTheDevice) {

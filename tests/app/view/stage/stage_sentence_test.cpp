@@ -32,7 +32,7 @@ void expect_true(std::string_view sentence, const Settings& settings, const Stag
   if (speaks_of_ghost_there) {
     EXPECT_GE(std::abs(ghost), least_shown_force);
   }
-  if (says(sentence, "is gone") || says(sentence, "no ghost force") || says(sentence, "hardly a ghost force")) {
+  if (says(sentence, "is gone") || says(sentence, "no ghost force") || says(sentence, "hardly any ghost force")) {
     EXPECT_LT(std::abs(ghost), least_shown_force);
   }
   if (says(sentence, "is gone")) {
