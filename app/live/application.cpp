@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <utility>
 
 #include <fmt/format.h>
@@ -14,6 +13,7 @@
 #include "app/files/png_file.h"
 #include "app/files/run_reader.h"
 #include "app/files/scene_file.h"
+#include "app/live/end_of_recording.h"
 #include "app/runs/replay_start.h"
 #include "app/session/live_table.h"
 #include "app/session/measurement_guide.h"
@@ -447,34 +447,9 @@ std::string Application::end_recording() {
   const std::string found_at = recording_->found_at();
   recording_.reset();
   recording_reading_.is_on = false;
-  const std::string shown = quoted_text(found_at.empty() ? recording_reading_.path : found_at, longest_path);
-  if (found_at.empty()) {
-    recording_problem_ = fmt::format(
-        "{:.1f} s of recording are lost: {} was removed while it was being written. Record again, to another folder.",
-        recording_reading_.seconds, shown);
-    return recording_problem_;
-  }
-  if (error == EOVERFLOW) {
-    recording_problem_ = fmt::format(
-        "The recording ended after {:.1f} s: {} has reached the maximum length of a run, {:.0f} ticks. It is "
-        "complete. "
-        "Record to another file to go on.",
-        recording_reading_.seconds, shown, most_ticks);
-    return recording_problem_;
-  }
-  if (error != 0) {
-    recording_problem_ = fmt::format(
-        "The recording ended after {:.1f} s: {} cannot be written any further: {}. What it contains can still be read.",
-        recording_reading_.seconds, shown, reason_of(error));
-    return recording_problem_;
-  }
-  const std::uint64_t dropped = recording_reading_.dropped;
-  const std::string words = fmt::format("Recorded {:.1f} s to {}{}", recording_reading_.seconds, shown,
-                                        dropped > 0 ? fmt::format("; {} samples were lost", dropped) : "");
-  if (found_at == recording_reading_.path) return words;
-  recording_problem_ = fmt::format("{}. It was moved there while it was being written, so it is no longer {}.", words,
-                                   quoted_text(recording_reading_.path, longest_path));
-  return recording_problem_;
+  EndOfRecording end = end_of_recording(recording_reading_, found_at, error);
+  if (end.is_problem) recording_problem_ = end.words;
+  return std::move(end.words);
 }
 
 void Application::read_recording() {

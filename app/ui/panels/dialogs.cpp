@@ -99,11 +99,13 @@ void draw_notice(const PanelContext& context, ImVec2 corner, ImVec2 size) {
   const float scale = context.scale;
   const float width = std::min(620.0F * scale, size.x - 32.0F * scale);
   // To the right: the legend is on the left.
-  ImGui::SetNextWindowPos({corner.x + size.x - 14.0F * scale, corner.y + 14.0F * scale}, ImGuiCond_Always,
-                          {1.0F, 0.0F});
   // It is read and closed: plots may have left the scene too low for it.
+  const float margin = 14.0F * scale;
+  const float whole = ImGui::GetIO().DisplaySize.y;
+  const float top = std::min(corner.y + margin, 0.5F * whole);
+  ImGui::SetNextWindowPos({corner.x + size.x - margin, top}, ImGuiCond_Always, {1.0F, 0.0F});
   ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F},
-                                      {width, std::max(0.6F * size.y, 0.4F * ImGui::GetIO().DisplaySize.y)});
+                                      {width, std::min(std::max(0.6F * size.y, 0.4F * whole), whole - top - margin)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 2.0F * scale);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6.0F * scale);
   ImGui::PushStyleColor(ImGuiCol_Border,

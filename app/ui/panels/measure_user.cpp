@@ -149,7 +149,7 @@ void draw_result(const PanelContext& context) {
     tooltip("The stiffness that the simulated hand was given.");
   }
   if (!measurement.was_blind) wrapped_text("Not a blind measurement: the given k_u was revealed early.");
-  if (ImGui::Button("Use as believed k_u")) {
+  if (ImGui::Button("Use this stiffness")) {
     believe_measurement(session);
     return;
   }

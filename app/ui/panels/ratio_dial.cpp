@@ -138,10 +138,16 @@ void draw_ratio_dial(const PanelContext& context) {
                                      std::max(corner.x, corner.x + width - optimal_width));
   const float naive_end = optimal_x - 0.5F * ImGui::GetFontSize();
   const float naive_x = std::min(x_of(scale.place(1.0)) - 0.5F * naive_width, naive_end - naive_width);
-  draw_list.AddText({optimal_x, corner.y}, packed(theme.strategy_text[index_of(StrategyId::anisotropic)]),
-                    words_of_optimal);
-  if (naive_x >= corner.x) {
-    draw_list.AddText({naive_x, corner.y}, packed(theme.strategy_text[index_of(StrategyId::naive)]), "naïve");
+  // In their place, so that nothing below moves.
+  const bool acts_on_another = context.settings.active != StrategyId::anisotropic;
+  if (is_turning(stiffnesses, is_used) && acts_on_another) {
+    draw_list.AddText(corner, packed(theme.text), "Only Anisotropic uses it.");
+  } else {
+    draw_list.AddText({optimal_x, corner.y}, packed(theme.strategy_text[index_of(StrategyId::anisotropic)]),
+                      words_of_optimal);
+    if (naive_x >= corner.x) {
+      draw_list.AddText({naive_x, corner.y}, packed(theme.strategy_text[index_of(StrategyId::naive)]), "naïve");
+    }
   }
 
   const double ratio = tracking_ratio(stiffnesses);
@@ -159,9 +165,6 @@ void draw_ratio_dial(const PanelContext& context) {
     if (other_x >= end) draw_list.AddText({other_x, text_y}, packed(theme.faint_text), other.c_str());
   } else {
     draw_list.AddText({left, text_y}, packed(theme.text), fmt::format("ρ = ρ* = {:.2f}", ratio).c_str());
-  }
-  if (is_turning(stiffnesses, is_used) && context.settings.active != StrategyId::anisotropic) {
-    wrapped_text("Only Anisotropic uses it.", ImGui::GetCursorPosX() + width);
   }
 }
 

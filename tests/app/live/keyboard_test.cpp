@@ -337,7 +337,7 @@ TEST_F(KeyboardTest, PagesScrollTheScenesThoughTheirFieldHasTheKeyboard) {
 TEST_F(KeyboardTest, TheDialSaysWhomItActsOnWhileItIsTurned) {
   const auto says_so = [] {
     return std::ranges::any_of(words_on_screen(),
-                               [](const ScreenWords& words) { return words.text.starts_with("Acts on Anis"); });
+                               [](const ScreenWords& words) { return words.text.starts_with("Only Anisotropic"); });
   };
   press(GLFW_KEY_2);
   EXPECT_FALSE(says_so());

@@ -60,7 +60,7 @@ TEST_F(ExperimentsWindow, MeasuresTheHandWithTheMouse) {
   // k_u = k_r/(ρ − 1) within 2 % · ρ/(ρ − 1) = 2.7 %.
   EXPECT_NEAR(median, k_u, 0.027 * k_u);
 
-  click_button("Use as believed k_u");
+  click_button("Use this stiffness");
   EXPECT_EQ(session().settings.stiffnesses.believed_k_u, median);
   EXPECT_EQ(measurement().stage, UserMeasurement::Stage::off);
   // The whole of it is one step to take back.
@@ -160,7 +160,7 @@ TEST_F(ExperimentsWindow, WhatIsToBePressedIsInSight) {
     measurement().stage = UserMeasurement::Stage::done;
     measurement().has_news = true;
     frames(3);
-    expect_all_of_it_in_sight("Use as believed k_u");
+    expect_all_of_it_in_sight("Use this stiffness");
   }
 }
 
@@ -346,7 +346,7 @@ TEST_F(ExperimentsWindow, AHandThatAimsAtATargetHasNumbersAgainstIt) {
   EXPECT_EQ(count_marks(Role::proxy_drift), 0);
 
   session().aims_at_target = true;
-  frames(10, ticks);
+  frames(40, ticks);  // words take a moment to find their place
   EXPECT_EQ(count_marks(Role::target), 4);
   ASSERT_TRUE(numbers_known(StrategyId::naive));
   EXPECT_FALSE(numbers_known(StrategyId::anisotropic)) << "it is only simulated beside the device";

@@ -188,7 +188,7 @@ class MonkeyTest : public DrivenWindow {
     if (any(20) == 0) session().plots.is_open = true;
     if (session().input == "falcon" || session().input == "spacemouse") session().requests.input = "virtual-falcon";
     // Motors that push want somebody who takes all the steps, and that takes its time.
-    if (any(60) == 0 && session().input == "virtual-falcon") {
+    if (any(30) == 0 && session().input == "virtual-falcon") {
       session().goal = {-0.02, 0.02};
       frames(20, 400);
       ++session().acknowledgements;

@@ -41,8 +41,9 @@ TEST_F(PreferencesTest, KnowsNothingAtFirstAndWritesNothingUnasked) {
 }
 
 TEST_F(PreferencesTest, ReadsBackWhatItWrote) {
-  const Preferences written{
-      .appearance = {.theme = find_theme("projector"), .scale = 1.25, .arrow_scale = 1.5}, .offers_hints = false, .face = Face::workbench};
+  const Preferences written{.appearance = {.theme = find_theme("projector"), .scale = 1.25, .arrow_scale = 1.5},
+                            .offers_hints = false,
+                            .face = Face::workbench};
   const WindowLayout window{.width = 1024, .height = 640, .is_maximized = true, .folded_panels = {"View", "A \"b\""}};
   save(written);
   save(window);

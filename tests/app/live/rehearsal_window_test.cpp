@@ -195,7 +195,7 @@ TEST_F(RehearsalWindow, AnotherSceneOrInputNeverTakesTheForceAlong) {
 TEST_F(RehearsalWindow, SaysThatASceneDoesNotFitTheWorkspace) {
   session().requests.open_scene = "fig1";
   frames(5);
-  EXPECT_NE(application_->reading().device_remark.find("set scale"), std::string::npos);
+  EXPECT_NE(application_->reading().device_remark.find("Set scale"), std::string::npos);
   session().requests.open_scene = "wall45";
   frames(5);
   EXPECT_EQ(application_->reading().device_remark, "");

@@ -267,11 +267,11 @@ class RecordingWindow : public DrivenWindow {
     session().requests.stop_recording = true;
     frames(2);
   }
-  void press_record_button() { click_at(821.0, 23.0); }
+  void press_record_button() { click_at(863.0, 23.0); }
   // The sign in the button is red then.
   bool picture_is_recording() {
     const Image image = picture();
-    const std::size_t i = 3U * (23U * static_cast<std::size_t>(image.width) + 821U);
+    const std::size_t i = 3U * (23U * static_cast<std::size_t>(image.width) + 863U);
     const Colour problem = session().appearance.theme->problem;
     return image.rgb[i] == problem.red && image.rgb[i + 1] == problem.green && image.rgb[i + 2] == problem.blue;
   }

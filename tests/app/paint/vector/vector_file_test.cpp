@@ -18,6 +18,7 @@
 #include "app/paint/vector/file_painter.h"
 #include "app/paint/vector/vector_painter.h"
 #include "app/ui/window.h"
+#include "app/view/layers.h"
 #include "tests/app/paint/vector/vector_panes.h"
 #include "tests/support/no_opengl.h"
 #include "tests/support/program.h"
@@ -111,7 +112,8 @@ TEST(VectorFile, HoldsEachStrategysColourAndDashes) {
   std::string file = vector_file(VectorFormat::svg);
   std::erase(file, ' ');  // newer versions of Cairo write some
   for (const Strategy& each : strategy_catalog()) {
-    const std::string colour = svg_colour(light.strategy[index_of(each.id)]);
+    const bool is_active = each.id == load_scene("fig1").settings.active;
+    const std::string colour = svg_colour(is_active ? light.strategy[index_of(each.id)] : pale_colour(light, each.id));
     EXPECT_NE(file.find(colour), std::string::npos) << each.name << ' ' << colour;
     const LinePattern& pattern = strategy_style(each.id).pattern;
     if (pattern == solid_line) continue;
