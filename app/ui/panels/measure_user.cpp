@@ -154,13 +154,18 @@ void draw_result(const PanelContext& context) {
     return;
   }
   tooltip("The renderer uses this k_u from now on.");
-  ImGui::SameLine();
-  if (ImGui::Button("Measure again")) {
+  const auto same_line_for = [](const char* words) {
+    same_line_if_room(ImGui::CalcTextSize(words).x + 2.0F * ImGui::GetStyle().FramePadding.x);
+  };
+  const char* const again = "Measure again";
+  same_line_for(again);
+  if (ImGui::Button(again)) {
     start_measuring(session);
     return;
   }
-  ImGui::SameLine();
-  if (ImGui::Button("Close")) cancel_measurement(session);
+  const char* const close = "Close";
+  same_line_for(close);
+  if (ImGui::Button(close)) cancel_measurement(session);
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ class ExperimentsWindow : public DrivenWindow {
   static constexpr Vector<2> take_button{900.0, 321.0};
   static constexpr Vector<2> cancel_button{995.0, 321.0};
   static constexpr Vector<2> circle_button{930.0, 170.0};  // whether it starts or ends
-  static constexpr Vector<2> clockwise_box{1012.0, 202.0};
+  static constexpr Vector<2> clockwise_box{1027.0, 202.0};
   static constexpr float button_x = 40.0F;  // in the column
   static constexpr double radius_y = 231.0;
   static constexpr double slider_left = 1012.0;

@@ -109,7 +109,7 @@ TEST_F(ExperimentsWindow, ACircleHasTheEnergyOfTheFormulaInEitherSense) {
   click(circle_button);
   EXPECT_EQ(session().input, "circle");
   for (const bool is_clockwise : {true, false}) {
-    if (!is_clockwise) click_button("clockwise");
+    if (!is_clockwise) click(clockwise_box);
     EXPECT_EQ(session().circle_test.choice.is_clockwise, is_clockwise);
     for (const double ratio : {1.0, 4.0, 12.0}) {
       SCOPED_TRACE(testing::Message() << is_clockwise << ' ' << ratio);

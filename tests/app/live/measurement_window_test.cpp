@@ -198,6 +198,11 @@ TEST_F(ExperimentsWindow, NothingShowsTheAnswerWhileTheHandIsMeasured) {
     frames(20, ticks);
     session().options.trails = false;
     session().paused = true;
+    // Words find their place anew, whichever way the devices came.
+    session().appearance.scale = 1.25;
+    frames(3, 0);
+    session().appearance.scale = 1.0;
+    frames(40, 0);
     frames(5, 0);
     return picture();
   };
