@@ -34,6 +34,7 @@ Marks compose(const View& view, PaneMemory& memory, double interval_s, Marks ear
   if (!is_hidden) add_force(view, marks);
   add_device(view, marks);
   if (is_hidden) add_force(view, marks);
+  add_goal_in_device(view, marks);
   add_handles(view, marks);
 
   LabelPlacer labels(view.camera.size, view.points(1.0), view.measure, memory.labels, interval_s);

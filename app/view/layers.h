@@ -23,7 +23,8 @@ void add_proxy(const View& view, Marks& marks);  // and its contact
 void add_drift(const View& view, Marks& marks);  // the proxy drift, as a ruler
 void add_force(const View& view, Marks& marks);  // the rendered force, its ghost hatched
 void add_device(const View& view, Marks& marks);
-void add_handles(const View& view, Marks& marks);  // dial of the actuated direction, wall grips
+void add_goal_in_device(const View& view, Marks& marks);  // a dot, where the device covers the goal
+void add_handles(const View& view, Marks& marks);         // dial of the actuated direction, wall grips
 
 // What stands beside the scene, and the words: they need to know of all the marks above.
 void keep_marks_clear(const View& view, const Marks& marks, LabelPlacer& labels);

@@ -114,4 +114,14 @@ void add_goal(const View& view, Marks& marks) {
   }
 }
 
+void add_goal_in_device(const View& view, Marks& marks) {
+  constexpr double dot_radius = 4.5;
+  const Vector<2> device = view.snapshot.strategies[index_of(view.settings.active)].device;
+  const bool is_covered = glm::distance(device, view.snapshot.goal) < view.metres(device_radius);
+  if (view.snapshot.measured || !is_covered) return;
+  marks.push_back({Role::goal, std::nullopt,
+                   Marker{view.snapshot.goal, Shape::disc, view.points(dot_radius), view.theme.goal,
+                          view.theme.goal_rim, view.points(1.6)}});
+}
+
 }  // namespace ghostforce
