@@ -14,8 +14,8 @@ struct InputChoice {
 // Those that the window asks for by itself, at its start and for the energy test, and the hand of every picture that is
 // made without a person.
 inline constexpr InputChoice mouse_hand{"mouse", "Mouse", "Drag in the scene: the goal follows the pointer."};
-inline constexpr InputChoice circling_hand{
-    "circle", "Circle", "The goal moves in a circle inside the wall, as in the circle test."};
+inline constexpr InputChoice circling_hand{"circle", "Circle",
+                                           "The goal moves in a circle inside the wall, as in the circle test."};
 inline constexpr InputChoice scripted_hand{"script", "Scripted hand",
                                            "The goal follows the scene's path, the same way every time."};
 
