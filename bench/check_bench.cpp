@@ -22,6 +22,7 @@
 #include "bench/support/child.h"
 #include "bench/support/contest.h"
 #include "bench/support/report.h"
+#include "tests/support/read_png.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce::bench {
