@@ -268,19 +268,7 @@ TEST_F(ExperimentsWindow, ReadingsOfAnotherHandBeginAnew) {
 
 // A real device's driver with a simulated arm and hand behind it: its goal is not known, so it has a target to aim at.
 TEST_F(ExperimentsWindow, AHandOnADeviceIsMeasuredAgainstATarget) {
-  ApplicationOptions options = with_panel("Measure the hand");
-  options.input = "virtual-falcon";
-  options.input_options.virtual_falcon_clock = VirtualLink::Clock::stepped;
-  open(options);
-  const auto lead_to = [&](const Vector<2>& goal) {
-    const Vector<2> from = session().goal;
-    for (int i = 1; i <= 10; ++i) {
-      session().goal = glm::mix(from, goal, i / 10.0);
-      frames(1, ticks / 2);
-    }
-    frames(10, ticks / 2);
-  };
-  for (int i = 0; i < 300 && virtual_falcon().report().state != FalconState::idle; ++i) frames(1, 100);
+  open_virtual_falcon("Measure the hand");
   lead_to({-0.015, 0.015});
   start_measuring(session());
   frames(40);  // words take a moment to find their place
@@ -322,22 +310,10 @@ TEST_F(ExperimentsWindow, AHandOnADeviceIsMeasuredAgainstATarget) {
 // Nobody knows the goal of a hand at a device. With a target to aim at there are numbers, of the strategy in the hand
 // alone, and they are those of the hand that is behind the device, not of the one that is believed to be there.
 TEST_F(ExperimentsWindow, AHandThatAimsAtATargetHasNumbersAgainstIt) {
-  ApplicationOptions options = with_panel("Live values");
-  options.input = "virtual-falcon";
-  options.input_options.virtual_falcon_clock = VirtualLink::Clock::stepped;
-  open(options);
-  const auto lead_to = [&](const Vector<2>& goal) {
-    const Vector<2> from = session().goal;
-    for (int i = 1; i <= 10; ++i) {
-      session().goal = glm::mix(from, goal, i / 10.0);
-      frames(1, ticks / 2);
-    }
-    frames(10, ticks / 2);
-  };
+  open_virtual_falcon("Live values");
   const auto numbers_known = [&](StrategyId id) {
     return is_known(quantity_catalog()[1], now(), id) && is_known(quantity_catalog()[2], now(), id);
   };
-  for (int i = 0; i < 300 && virtual_falcon().report().state != FalconState::idle; ++i) frames(1, 100);
   session().settings.active = StrategyId::naive;
   lead_to({-0.015, 0.015});
   ++session().arms_asked;
