@@ -1,5 +1,5 @@
 // Takes the Falcon, arms it, and once its motors push ends in the way that its argument names. On the way it says a
-// line at a time what it wants of the hand ("outside", "inside"), that its motors push ("pushing"), and, of what it
+// line at a time what it wants of the hand ("outside", "aside", "inside"), that its motors push ("pushing"), and, of what it
 // does itself, when ("ends", in ns of CLOCK_MONOTONIC). Some ways take a second argument: a signal's number, or the
 // name of a thread.
 #undef NDEBUG  // assertions hold in every build of this program
@@ -134,14 +134,16 @@ class Person {
     servo_->start();
   }
 
-  // Until motors push; whenever they went off before, because this machine has other things to do, once again.
+  // Until motors push. Begins once more whenever they went off before, or did not come on, because this machine has
+  // other things to do.
   void arm_and_lean_in() {
     while (!input_->report().is_readable()) live();
-    for (;;) {
-      say("outside");
+    for (int attempt = 0;; ++attempt) {
+      say(attempt % 2 == 0 ? "outside" : "aside");
       ++command_.acknowledgements;
       ++command_.arms_asked;
-      while (motors().state == SafetyState::off || motors().state == SafetyState::arming) live();
+      for (int rounds = 0; !is_armed() && rounds < 1000; ++rounds) live();
+      if (!is_armed()) continue;
       say("inside");
       while (motors().state == SafetyState::ramp || motors().state == SafetyState::on) {
         if (glm::length(motors().sent) > pushing_n) return say("pushing");
@@ -160,6 +162,7 @@ class Person {
   }
 
   const MotorReport& motors() { return servo_->newest().motors; }
+  bool is_armed() { return motors().state != SafetyState::off && motors().state != SafetyState::arming; }
   ServoCommand& command() { return command_; }
   MinedInput& input() { return *input_; }
   Servo& servo() { return *servo_; }

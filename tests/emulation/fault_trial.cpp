@@ -9,10 +9,10 @@
 
 #include "core/safety.h"
 #include "device/falcon/falcon_report.h"
-#include "device/falcon/plane.h"
 #include "device/input/monotonic_clock.h"
 #include "tests/emulation/emulated_usb_device.h"
 #include "tests/emulation/falcon_chip.h"
+#include "tests/emulation/hand_in_scene.h"
 #include "tests/support/program.h"
 
 namespace ghostforce {
@@ -36,10 +36,6 @@ constexpr std::int64_t after_reopening_ns = 3'000 * ms;
 constexpr std::uint64_t frames_onward = 400;
 // What ends for good has ended for so long.
 constexpr std::int64_t for_good_ns = 60 * ms;
-
-HandPlan hand_in_scene(const Vector<2>& place, double time_s = 0.3) {
-  return hand_at(FalconPlane(FalconCalibration{}, Vector<2>(0.0)).in_workspace(place), time_s);
-}
 
 // As orders.h has it.
 struct ToldByProgram {
@@ -103,8 +99,7 @@ class FaultTrial {
     for (;;) {
       const auto line = program_->next_line(program_patience);
       if (!line) throw std::runtime_error("armed_program has ended, or has not got so far");
-      if (*line == "outside") chip_.lead_hand(hand_in_scene({0.02, 0.02}));
-      if (*line == "inside") chip_.lead_hand(hand_in_scene({0.0, -0.04}));
+      lead_hand(chip_, *line);
       if (!line->starts_with("ends ")) continue;
       event_ns_ = std::stoll(line->substr(5));
       chip_.watch();
@@ -170,7 +165,7 @@ class FaultTrial {
     chip_.inject({});
     cable_.inject(fault_.usb_afterwards.empty() ? UsbFault{} : usb_fault(fault_.usb_afterwards));
     if (fault_.order == "focus lost") program_->order("focus");
-    if (fault_.hand_is_torn_away) chip_.lead_hand(hand_in_scene({0.02, 0.02}));
+    if (fault_.hand_is_torn_away) lead_hand(chip_, "outside");
   }
 
   void watch_the_return() {

@@ -18,12 +18,12 @@
 #include <gtest/gtest.h>
 
 #include "device/falcon/falcon_input.h"
-#include "device/falcon/plane.h"
 #include "device/falcon_usb/ftdi_link.h"
 #include "device/servo/servo.h"
 #include "tests/device/servo/motor_settings.h"
 #include "tests/emulation/emulated_usb_device.h"
 #include "tests/emulation/falcon_chip.h"
+#include "tests/emulation/hand_in_scene.h"
 #include "tests/support/call_guard.h"
 #include "tests/support/heap_guard.h"
 #include "tests/support/sanitized.h"
@@ -144,10 +144,6 @@ class WatchedInput final : public FalconInput {
   bool is_bound_ = false;
 };
 
-HandPlan hand_in_scene(const Vector<2>& place) {
-  return hand_at(FalconPlane(FalconCalibration{}, Vector<2>(0.0)).in_workspace(place), 0.3);
-}
-
 class ServoOverUsbTest : public testing::Test {
  protected:
   ServoOverUsbTest() {
@@ -177,16 +173,19 @@ class ServoOverUsbTest : public testing::Test {
     }
     return true;
   }
-  // Once more whenever a busy machine has made the motors go off.
+  bool is_armed() { return motors().state != SafetyState::off && motors().state != SafetyState::arming; }
+  // Once more whenever a busy machine has made the motors go off, or has kept them from coming on.
   bool arm_and_lean_in() {
-    return live_until([this] {
-      if (motors().state == SafetyState::off) {
-        chip.lead_hand(hand_in_scene({0.02, 0.02}));
+    int rounds = 0;
+    return live_until([this, &rounds] {
+      if (is_armed()) {
+        rounds = 0;
+      } else if (rounds++ % 1000 == 0) {
+        lead_hand(chip, rounds % 2000 == 1 ? "outside" : "aside");
         ++command.acknowledgements;
         ++command.arms_asked;
-        live_until([this] { return motors().state != SafetyState::off; });
       }
-      if (motors().state == SafetyState::on) chip.lead_hand(hand_in_scene({0.0, -0.04}));
+      if (motors().state == SafetyState::on) lead_hand(chip, "inside");
       return motors().state == SafetyState::on && glm::length(motors().sent) > 1.0;
     });
   }

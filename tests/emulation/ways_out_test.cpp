@@ -11,9 +11,9 @@
 #include <gtest/gtest.h>
 
 #include "app/console/failure.h"
-#include "device/falcon/plane.h"
 #include "tests/emulation/emulated_usb_device.h"
 #include "tests/emulation/falcon_chip.h"
+#include "tests/emulation/hand_in_scene.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
@@ -26,10 +26,6 @@ constexpr milliseconds patience{60'000};  // of a machine that is busy with othe
 
 std::int64_t now_ns() {
   return std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
-}
-
-HandPlan hand_in_scene(const Vector<2>& place) {
-  return hand_at(FalconPlane(FalconCalibration{}, Vector<2>(0.0)).in_workspace(place), 0.3);
 }
 
 class WaysOutTest : public testing::Test {
@@ -49,8 +45,7 @@ class WaysOutTest : public testing::Test {
     for (;;) {
       const auto line = program->next_line(patience);
       ASSERT_TRUE(line) << "the program has ended, or has not got so far";
-      if (*line == "outside") chip.lead_hand(hand_in_scene({0.02, 0.02}));
-      if (*line == "inside") chip.lead_hand(hand_in_scene({0.0, -0.04}));
+      lead_hand(chip, *line);
       if (*line == "pushing") break;
     }
     const auto line = program->next_line(patience);
