@@ -9,15 +9,19 @@ namespace ghostforce {
 
 std::string live_table(const Snapshot& snapshot) {
   std::string text = "strategy";
-  for (const Quantity& quantity : quantity_catalog()) text += fmt::format("\t{} [{}]", quantity.title, quantity.unit);
+  for (const Quantity& quantity : quantity_catalog()) {
+    const bool is_against_target = quantity.is_against_goal && snapshot.has_target;
+    text +=
+        fmt::format("\t{}{} [{}]", quantity.title, is_against_target ? " relative to the target" : "", quantity.unit);
+  }
   text += '\n';
   for (const Strategy& entry : strategy_catalog()) {
     text += entry.title;
     for (const Quantity& quantity : quantity_catalog()) {
       text += '\t';
       // More digits than on the screen, and a minus sign that spreadsheets read.
-      const bool is_known = !quantity.is_against_goal || !snapshot.measured;
-      if (is_known) text += fmt::format("{:.6g}", quantity.value(snapshot.strategies[index_of(entry.id)]) + 0.0);
+      if (is_known(quantity, snapshot, entry.id))
+        text += fmt::format("{:.6g}", quantity.value(snapshot.strategies[index_of(entry.id)]) + 0.0);
     }
     text += '\n';
   }

@@ -8,7 +8,6 @@
 #include "app/ui/fixed_window.h"
 #include "app/ui/panels/dialogs.h"
 #include "app/ui/panels/motor_control.h"
-#include "app/ui/panels/panel_catalog.h"
 #include "app/ui/plots/plot_pieces.h"
 #include "app/ui/widgets/focus.h"
 #include "app/ui/widgets/style.h"

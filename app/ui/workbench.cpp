@@ -11,6 +11,7 @@
 #include "app/ui/fixed_window.h"
 #include "app/ui/panels/caption.h"
 #include "app/ui/panels/hints.h"
+#include "app/ui/panels/motor_control.h"
 #include "app/ui/panels/panel_catalog.h"
 #include "app/ui/plots/drawer.h"
 #include "app/ui/widgets/controls.h"

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "app/session/motor_button.h"
-#include "app/ui/panels/panel_catalog.h"
 #include "app/ui/widgets/controls.h"
 
 namespace ghostforce {

@@ -1,4 +1,4 @@
-// The motors' button in the bar on top.
+// What shows the motors' state: their button in the bar on top, and a frame and words while they may push.
 #pragma once
 
 #include "app/ui/widgets/panel_context.h"
@@ -7,6 +7,9 @@ namespace ghostforce {
 
 // At the right edge of the row that is being drawn; without motors only where there is room.
 void draw_motor_button(const PanelContext& context, float height);
+
+// Inside the edges of the window that is being drawn, which lies over the scene, while the motors may push.
+void draw_motor_frame(const PanelContext& context);
 
 // In the middle of the window that is being drawn, while the motors may push.
 void draw_motor_words(const PanelContext& context);

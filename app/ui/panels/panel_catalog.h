@@ -35,7 +35,5 @@ void draw_strategy_bar(const PanelContext& context);
 void draw_status_bar(const PanelContext& context);
 // Of the bar above, in points: two rows where the window is too narrow for one.
 float strategy_bar_height(const PanelContext& context);
-// Inside the edges of the window, which lies over the scene, while the motors may push.
-void draw_motor_frame(const PanelContext& context);
 
 }  // namespace ghostforce

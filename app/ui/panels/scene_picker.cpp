@@ -75,22 +75,11 @@ bool draw_card(const PanelContext& context, std::size_t number, float width) {
   return pressed;
 }
 
-int on_edit(ImGuiInputTextCallbackData* data) {
-  if (data->EventFlag != ImGuiInputTextFlags_CallbackResize) return 0;
-  auto& text = *static_cast<std::string*>(data->UserData);
-  text.resize(static_cast<std::size_t>(data->BufTextLen));
-  data->Buf = text.data();
-  return 0;
-}
-
 // The field keeps the keyboard when Enter is pressed, and the arrows up and down are not taken for a way out of it.
 bool path_field(std::string& path) {
   ImGuiIO& io = ImGui::GetIO();
   io.ConfigInputTextEnterKeepActive = true;
-  const bool entered = ImGui::InputTextWithHint(
-      "##path", "my_scene.toml", path.data(), path.capacity() + 1,
-      ImGuiInputTextFlags_CallbackResize | ImGuiInputTextFlags_CallbackHistory | ImGuiInputTextFlags_EnterReturnsTrue,
-      on_edit, &path);
+  const bool entered = text_field("##path", "my_scene.toml", path, ImGuiInputTextFlags_CallbackHistory);
   io.ConfigInputTextEnterKeepActive = false;
   return entered;
 }

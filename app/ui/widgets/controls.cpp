@@ -100,6 +100,7 @@ const char* format_for(double newton_per_metre) {
 }
 
 int grow(ImGuiInputTextCallbackData* data) {
+  if (data->EventFlag != ImGuiInputTextFlags_CallbackResize) return 0;
   auto& text = *static_cast<std::string*>(data->UserData);
   text.resize(static_cast<std::size_t>(data->BufTextLen));
   data->Buf = text.data();
@@ -126,11 +127,10 @@ void same_line_if_room(float width) {
   if (end <= right) ImGui::SameLine();
 }
 
-bool text_field(const char* id, const char* hint, std::string& text) {
-  return ImGui::InputTextWithHint(
-      id, hint, text.data(), text.capacity() + 1,
-      ImGuiInputTextFlags_CallbackResize | ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll,
-      grow, &text);
+bool text_field(const char* id, const char* hint, std::string& text, ImGuiInputTextFlags flags) {
+  return ImGui::InputTextWithHint(id, hint, text.data(), text.capacity() + 1,
+                                  flags | ImGuiInputTextFlags_CallbackResize | ImGuiInputTextFlags_EnterReturnsTrue,
+                                  grow, &text);
 }
 
 namespace {

@@ -34,7 +34,8 @@ void end_rows();
 void same_line_if_room(float width);
 
 // A field for a line of text, as wide as the next item is set to be; true when Enter was pressed in it.
-bool text_field(const char* id, const char* hint, std::string& text);
+bool text_field(const char* id, const char* hint, std::string& text,
+                ImGuiInputTextFlags flags = ImGuiInputTextFlags_AutoSelectAll);
 
 struct SliderLimits {
   double least;

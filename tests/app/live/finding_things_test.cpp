@@ -325,6 +325,16 @@ TEST(LiveTable, HasUnitsInItsHeadAndALineForEachStrategy) {
   EXPECT_EQ(live_table(snapshot), head + "Fully actuated\t0\t\t\t0\nNaïve\t5\t\t\t0\nAnisotropic\t0\t\t\t-12.5\n");
 }
 
+TEST(LiveTable, SaysThatNumbersAreRelativeToATarget) {
+  Snapshot snapshot;
+  snapshot.measured = StrategyId::naive;
+  snapshot.has_target = true;
+  snapshot.strategies[index_of(StrategyId::naive)].ghost_force = {-3.0, 4.0};
+  EXPECT_EQ(live_table(snapshot),
+            "strategy\tforce [N]\tghost force relative to the target [N]\tdrift relative to the target [mm]\tenergy "
+            "[mJ]\nFully actuated\t0\t\t\t0\nNaïve\t0\t5\t0\t0\nAnisotropic\t0\t\t\t0\n");
+}
+
 TEST_F(FindingThings, APictureThatCannotBeCopiedSaysWhy) {
   press(GLFW_KEY_P, GLFW_MOD_CONTROL | GLFW_MOD_SHIFT);
   ASSERT_TRUE(session().notice);
