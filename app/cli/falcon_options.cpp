@@ -11,8 +11,8 @@
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
 #include "app/console/typed_text.h"
-#include "app/files/config_folder.h"
 #include "app/files/falcon_calibration_file.h"
+#include "app/files/xdg_folders.h"
 #include "device/virtual_falcon/injected_fault.h"
 
 namespace ghostforce {

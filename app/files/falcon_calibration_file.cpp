@@ -10,10 +10,10 @@
 
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
-#include "app/files/config_folder.h"
 #include "app/files/input_file.h"
 #include "app/files/output_file.h"
 #include "app/files/toml_document.h"
+#include "app/files/xdg_folders.h"
 #include "core/units.h"
 
 namespace ghostforce {

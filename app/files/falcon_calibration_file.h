@@ -1,4 +1,4 @@
-// Calibrations of Falcons, one TOML file each in falcon/ of the settings' folder (app/files/config_folder.h). Strict,
+// Calibrations of Falcons, one TOML file each in falcon/ of the settings' folder (app/files/xdg_folders.h). Strict,
 // as scenes are: whatever is not known, of the wrong type or out of range is told with file, line and column, all of it
 // at once. UI thread.
 //

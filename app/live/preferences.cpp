@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstdlib>
 #include <filesystem>
 #include <span>
 #include <system_error>
@@ -12,25 +11,16 @@
 
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
-#include "app/files/config_folder.h"
 #include "app/files/input_file.h"
 #include "app/files/output_file.h"
 #include "app/files/toml_document.h"
+#include "app/files/xdg_folders.h"
 #include "app/ui/window.h"
 
 namespace ghostforce {
 namespace {
 
 namespace fs = std::filesystem;
-
-// $XDG_STATE_HOME/ghostforce, or ~/.local/state/ghostforce; as config_folder() otherwise.
-fs::path state_folder() {
-  const char* const given = std::getenv("XDG_STATE_HOME");
-  if (given != nullptr && fs::path(given).is_absolute()) return fs::path(given) / "ghostforce";
-  const char* const home = std::getenv("HOME");
-  if (home != nullptr && fs::path(home).is_absolute()) return fs::path(home) / ".local/state/ghostforce";
-  return {};
-}
 
 fs::path preferences_file() {
   const fs::path where = config_folder();

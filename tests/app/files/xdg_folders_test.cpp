@@ -1,4 +1,4 @@
-#include "app/files/config_folder.h"
+#include "app/files/xdg_folders.h"
 
 #include <gtest/gtest.h>
 

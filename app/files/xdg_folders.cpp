@@ -1,16 +1,29 @@
-#include "app/files/config_folder.h"
+#include "app/files/xdg_folders.h"
 
 #include <cstdlib>
 
 namespace ghostforce {
 
-std::filesystem::path config_folder() {
-  namespace fs = std::filesystem;
-  const char* const given = std::getenv("XDG_CONFIG_HOME");
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path own_folder(const char* variable, const char* below_home) {
+  const char* const given = std::getenv(variable);
   if (given != nullptr && fs::path(given).is_absolute()) return fs::path(given) / "ghostforce";
   const char* const home = std::getenv("HOME");
-  if (home != nullptr && fs::path(home).is_absolute()) return fs::path(home) / ".config/ghostforce";
+  if (home != nullptr && fs::path(home).is_absolute()) return fs::path(home) / below_home / "ghostforce";
   return {};
+}
+
+}  // namespace
+
+std::filesystem::path config_folder() {
+  return own_folder("XDG_CONFIG_HOME", ".config");
+}
+
+std::filesystem::path state_folder() {
+  return own_folder("XDG_STATE_HOME", ".local/state");
 }
 
 std::optional<std::filesystem::path> firmware_path(const std::optional<std::filesystem::path>& asked_for) {

@@ -1,0 +1,1 @@
+#include "app/lessons/lesson_file.h"

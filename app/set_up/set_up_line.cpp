@@ -1,0 +1,1 @@
+#include "app/set_up/set_up_line.h"

@@ -1,0 +1,24 @@
+// A set-up as one line that a person can paste into a terminal, a mail or a lesson:
+//
+//   ghostforce run wall45 --set wall.normal_deg=120 --goal-mm=25,-10 --strategy naive --view stage --mode why
+//
+// It names the shipped scene that is nearest, and only what differs from it; the scene's title and about are not part of
+// it. Not for the servo thread.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "app/set_up/set_up.h"
+
+namespace ghostforce {
+
+// The scene must be one that a file can hold: see rounded_to_file(). Reading the line gives the same set-up, bit for bit.
+std::string set_up_line(const SetUp& set_up);
+
+// The words "ghostforce" and "run" at its beginning, a shell's prompt before them and quotes round words may be there or
+// not. Options have the names and meanings of `ghostforce run`; what a set-up does not hold is refused. Throws
+// ReadError(wrong), with the nearest word for what is unknown.
+SetUp read_set_up_line(std::string_view line);
+
+}  // namespace ghostforce

@@ -1,0 +1,3 @@
+#include "app/lessons/lesson_file.h"
+
+#include <gtest/gtest.h>

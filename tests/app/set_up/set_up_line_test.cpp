@@ -1,0 +1,3 @@
+#include "app/set_up/set_up_line.h"
+
+#include <gtest/gtest.h>
