@@ -47,6 +47,10 @@ find_package(nlohmann_json REQUIRED)
 # apt: libpng-dev.
 find_package(PNG REQUIRED)
 
+# zlib: compresses the pictures of an animated PNG, which libpng does not write. libpng brings it along anyway.
+# apt: zlib1g-dev.
+find_package(ZLIB REQUIRED)
+
 # Cairo: SVG and PDF files. Its way from a font file to letters leads through FreeType, so that the machine's own choice
 # of fonts (fontconfig) has no say in a picture. apt: libcairo2-dev, libfreetype-dev.
 find_package(Freetype REQUIRED)

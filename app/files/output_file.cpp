@@ -135,6 +135,17 @@ void OutputFile::write(std::string_view text) {
   if (buffer_.size() >= buffer_size) flush();
 }
 
+void OutputFile::rewrite(std::size_t at, std::string_view text) {
+  flush();
+  while (!text.empty()) {
+    const ssize_t written = pwrite(descriptor_, text.data(), text.size(), static_cast<off_t>(at));
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) fail(errno);
+    at += static_cast<std::size_t>(written);
+    text.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
 void OutputFile::flush() {
   std::string_view rest = buffer_;
   while (!rest.empty()) {

@@ -8,6 +8,7 @@
 
 #include <sys/types.h>
 
+#include <cstddef>
 #include <deque>
 #include <filesystem>
 #include <set>
@@ -33,6 +34,12 @@ class OutputFile {
 
   // Buffered: long output should come in few large pieces all the same.
   void write(std::string_view text);
+
+  // In place of what was written `at` so many bytes after the beginning. For files that are not written directly.
+  void rewrite(std::size_t at, std::string_view text);
+
+  // Where the file is until commit(), for another program to write it; empty: it is written directly.
+  const std::string& part_path() const noexcept { return temporary_; }
 
   void commit();
 

@@ -72,6 +72,7 @@ const std::map<std::string, std::regex>& library_includes() {
       {"posix", std::regex("<((sys|linux|netinet|arpa)/[a-z_0-9/]+|dirent|dlfcn|endian|errno|fcntl|malloc|poll|pthread|"
                            "sched|signal|spawn|stdio|stdlib|string|strings|syslog|termios|time|unistd)\\.h>")},
       {"tomlplusplus", std::regex("<toml\\+\\+/.+>")},
+      {"zlib", std::regex("<zlib\\.h>")},
   };
   return list;
 }

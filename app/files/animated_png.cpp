@@ -1,0 +1,172 @@
+#include "app/files/animated_png.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <new>
+#include <span>
+#include <stdexcept>
+
+namespace ghostforce {
+namespace {
+
+constexpr int colour_and_alpha = 6;  // the colour type of the header
+constexpr int compression_level = 6;
+constexpr unsigned int longest_shown = 0xFFFF;  // pictures of the clip: a number of 16 bits
+constexpr int channels = 4;
+constexpr int rgb_channels = 3;
+
+// What is done with a picture's rectangle before the next one, and how it is put there: the values of the format.
+constexpr char leave_it = 0;
+constexpr char replace_pixels = 0;
+constexpr char draw_over = 1;
+
+std::string in_network_order(std::uint32_t number, int bytes) {
+  std::string text;
+  for (int shift = 8 * (bytes - 1); shift >= 0; shift -= 8) text += static_cast<char>(number >> shift & 0xFFU);
+  return text;
+}
+
+std::string word(std::uint32_t number) {
+  return in_network_order(number, 4);
+}
+
+std::string word(int number) {
+  return word(static_cast<std::uint32_t>(number));
+}
+
+const Bytef* bytes_of(std::string_view text) {
+  return reinterpret_cast<const Bytef*>(text.data());
+}
+
+std::string chunk(std::string_view name, std::string_view data) {
+  const std::string named = std::string(name).append(data);
+  const uLong checksum = crc32(0, bytes_of(named), static_cast<uInt>(named.size()));
+  return word(static_cast<std::uint32_t>(data.size())) + named + word(static_cast<std::uint32_t>(checksum));
+}
+
+std::string counts(std::uint32_t frames) {
+  constexpr std::uint32_t without_end = 0;
+  return word(frames) + word(without_end);
+}
+
+std::span<const std::uint8_t> row_of(const Image& image, int y) {
+  const std::size_t length = static_cast<std::size_t>(rgb_channels) * static_cast<std::size_t>(image.width);
+  return std::span(image.rgb).subspan(static_cast<std::size_t>(y) * length, length);
+}
+
+}  // namespace
+
+AnimatedPng::AnimatedPng(OutputFile& file, const ClipShape& shape, std::string_view text) : file_(file), shape_(shape) {
+  write("\x89PNG\r\n\x1A\n");
+  std::string header = word(shape.width) + word(shape.height);
+  header += {8, colour_and_alpha, 0, 0, 0};  // bits a channel; compression, filter, interlacing: the usual
+  write(chunk("IHDR", header));
+  counts_at_ = written_;
+  write(chunk("acTL", counts(0)));
+  if (text.empty()) return;
+  // Keyword, not compressed, no language and no translation of the keyword; then the text.
+  constexpr std::string_view comment("Comment\0\0\0\0\0", 12);
+  write(chunk("iTXt", std::string(comment).append(text)));
+}
+
+void AnimatedPng::add(const Image& image) {
+  if (image.width != shape_.width || image.height != shape_.height || !image.alpha.empty()) {
+    throw std::invalid_argument("a picture of another kind than the clip's");
+  }
+  PixelBox box{0, 0, image.width, image.height};
+  if (pending_shown_ > 0) {
+    box = changed_box(image);
+    if (box.width == 0 && pending_shown_ < longest_shown) {
+      ++pending_shown_;
+      return;
+    }
+    if (box.width == 0) box = {0, 0, 1, 1};  // the format has no empty one
+    write_pending();
+  }
+  pending_ = stored(image, box);
+  pending_box_ = box;
+  pending_shown_ = 1;
+  newest_ = image;
+}
+
+void AnimatedPng::finish() {
+  if (pending_shown_ == 0) throw std::logic_error("a clip without a picture");
+  write_pending();
+  write(chunk("IEND", {}));
+  file_.rewrite(counts_at_, chunk("acTL", counts(frames_)));
+}
+
+// Of no width where nothing has.
+AnimatedPng::PixelBox AnimatedPng::changed_box(const Image& image) const {
+  const auto differs = [&](int y) { return !std::ranges::equal(row_of(image, y), row_of(newest_, y)); };
+  int top = 0;
+  while (top < image.height && !differs(top)) ++top;
+  if (top == image.height) return {};
+  int bottom = image.height;
+  while (!differs(bottom - 1)) --bottom;
+  int left = image.width;
+  int right = 0;
+  for (int y = top; y < bottom; ++y) {
+    const auto now = row_of(image, y);
+    const auto before = row_of(newest_, y);
+    const auto first = std::ranges::mismatch(now, before).in1 - now.begin();
+    if (first == static_cast<std::ptrdiff_t>(now.size())) continue;
+    const auto last = std::mismatch(now.rbegin(), now.rend(), before.rbegin()).first - now.rbegin();
+    left = std::min(left, static_cast<int>(first) / rgb_channels);
+    right = std::max(right, static_cast<int>(static_cast<std::ptrdiff_t>(now.size()) - 1 - last) / rgb_channels + 1);
+  }
+  return {left, top, right - left, bottom - top};
+}
+
+// Compressed; what has not changed is transparent.
+std::string AnimatedPng::stored(const Image& image, const PixelBox& box) const {
+  constexpr char as_it_is = 0;  // the filter of a row
+  const bool is_first = newest_.rgb.empty();
+  std::string rows;
+  rows.reserve((static_cast<std::size_t>(channels) * static_cast<std::size_t>(box.width) + 1) *
+               static_cast<std::size_t>(box.height));
+  for (int y = box.top; y < box.top + box.height; ++y) {
+    rows += as_it_is;
+    const std::uint8_t* pixel = row_of(image, y).data() + rgb_channels * box.left;
+    const std::uint8_t* before = is_first ? nullptr : row_of(newest_, y).data() + rgb_channels * box.left;
+    for (int x = 0; x < box.width; ++x, pixel += rgb_channels) {
+      if (before != nullptr && std::equal(pixel, pixel + rgb_channels, before + rgb_channels * x)) {
+        rows.append(channels, '\0');
+      } else {
+        rows.append(reinterpret_cast<const char*>(pixel), rgb_channels);
+        rows += '\xFF';
+      }
+    }
+  }
+  std::string bytes(compressBound(rows.size()), '\0');
+  uLongf size = bytes.size();
+  const int result =
+      compress2(reinterpret_cast<Bytef*>(bytes.data()), &size, bytes_of(rows), rows.size(), compression_level);
+  if (result != Z_OK) throw std::bad_alloc();  // there is room: it was memory
+  bytes.resize(size);
+  return bytes;
+}
+
+void AnimatedPng::write_pending() {
+  const bool is_first = frames_ == 0;
+  const PixelBox& box = pending_box_;
+  std::string control = word(sequence_++) + word(box.width) + word(box.height) + word(box.left) + word(box.top);
+  control += in_network_order(pending_shown_, 2);
+  control += in_network_order(static_cast<std::uint32_t>(shape_.frames_per_second), 2);
+  control += {leave_it, is_first ? replace_pixels : draw_over};
+  write(chunk("fcTL", control));
+  if (is_first) {
+    write(chunk("IDAT", pending_));
+  } else {
+    write(chunk("fdAT", word(sequence_++) + pending_));
+  }
+  ++frames_;
+}
+
+void AnimatedPng::write(std::string_view bytes) {
+  file_.write(bytes);
+  written_ += bytes.size();
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,28 @@
+// What all pictures of a clip have in common, and what takes them, one after another. Not for the servo thread.
+#pragma once
+
+#include "app/files/image.h"
+
+namespace ghostforce {
+
+struct ClipShape {
+  int width = 0;  // [px]
+  int height = 0;
+  int frames_per_second = 30;
+};
+
+// One format of clips. Every function may throw what OutputFile throws.
+class ClipEncoder {
+ public:
+  ClipEncoder() = default;
+  virtual ~ClipEncoder() = default;
+  ClipEncoder(const ClipEncoder&) = delete;
+  ClipEncoder& operator=(const ClipEncoder&) = delete;
+
+  // The next picture, of the clip's size and without transparency.
+  virtual void add(const Image& image) = 0;
+  // After the last one.
+  virtual void finish() = 0;
+};
+
+}  // namespace ghostforce

@@ -1,0 +1,54 @@
+// A video by ffmpeg, which gets the pictures through a pipe while they are made. It is found on PATH and started without
+// a shell. One thread.
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/files/clip_shape.h"
+#include "app/files/output_file.h"
+#include "app/files/tool_process.h"
+
+namespace ghostforce {
+
+// How ffmpeg is to encode and to pack.
+using VideoArguments = std::vector<std::string>;
+
+struct VideoWaiting {
+  // Called many times a second while ffmpeg is waited for; what it throws ends the wait.
+  std::function<void()> look_up;
+  // How long ffmpeg may take no data, or take for the end, until it is given up.
+  std::chrono::milliseconds patience = std::chrono::minutes(2);
+};
+
+// Throws Failure, besides what VideoWaiting::look_up throws: wrong_call where there is no ffmpeg; file_trouble where it
+// cannot be started, fails or does nothing for too long, with the last of its own words. It never outlives this.
+class VideoEncoder : public ClipEncoder {
+ public:
+  // ffmpeg writes to the file's part_path(), which must not be empty. `text`: what the file says of itself, UTF-8.
+  VideoEncoder(const OutputFile& file, const ClipShape& shape, const VideoArguments& arguments, std::string_view text,
+               VideoWaiting waiting);
+  ~VideoEncoder() override;
+
+  void add(const Image& image) override;
+  void finish() override;
+
+ private:
+  void wait_for_end();
+  // Of this child only.
+  void kill_and_bury() noexcept;
+  [[noreturn]] void fail(std::string_view what);
+
+  std::string part_path_;
+  VideoWaiting waiting_;
+  Descriptor words_;  // what it says
+  Descriptor frames_;
+  pid_t child_ = -1;  // -1: has been buried
+};
+
+}  // namespace ghostforce
