@@ -8,10 +8,13 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/clip_options.h"
 #include "app/cli/command.h"
 #include "app/cli/picture_options.h"
 #include "app/console/failure.h"
+#include "app/console/progress.h"
 #include "app/console/quoted.h"
+#include "app/files/clip_file.h"
 #include "app/files/output_file.h"
 #include "app/files/png_file.h"
 #include "app/paint/vector/vector_painter.h"
@@ -29,6 +32,7 @@ struct RenderOptions {
   std::string size = "1280x800";
   std::string part;  // empty: what the file can hold
   std::string compare;
+  std::string clip;  // FROM:TO:FPS; empty: one picture
 };
 
 void apply_size(const std::string& text, PictureRequest& request) {
@@ -95,10 +99,26 @@ Rendering paint_moment(const PictureRequest& request, const Moment& moment, cons
   return {std::move(file), std::move(panes), Vector<2>(0.0)};
 }
 
+int render_clip(const RenderOptions& options, const PictureRequest& request) {
+  const ClipTimes times = clip_times_from(options.clip);
+  const ClipShape shape{request.width, request.height, times.frames_per_second};
+  check_clip_limits(frame_count(times), shape);
+  ClipFile file(options.output, shape);
+  Progress progress("drawing the clip", frame_count(times), true);
+  std::int64_t drawn = 0;
+  draw_clip(request, times, [&](const Image& image) {
+    file.add(image);
+    progress.at(++drawn);
+  });
+  file.commit();
+  return static_cast<int>(ExitCode::done);
+}
+
 int render(const RenderOptions& options) {
-  refuse_window_as_vectors(options);
+  if (options.clip.empty()) refuse_window_as_vectors(options);
   refuse_all_on_stage(options);
   const PictureRequest request = request_of(options);
+  if (!options.clip.empty()) return render_clip(options, request);
   OutputFile picture_file(options.output);
   std::optional<OutputFile> json_file;
   if (!options.json.empty()) json_file.emplace(options.json);
@@ -120,7 +140,7 @@ std::function<int()> attach_render(CLI::App& command, FileOptions& files) {
   files.writes(command
                    .add_option("-o,--output", options->output,
                                "The file to write, whole or not at all: vectors for .svg and .pdf, a PNG for any other "
-                               "name; - is standard output")
+                               "name; - is standard output; for a clip, see --clip")
                    ->type_name("FILE")
                    ->required());
   command.add_option("--at", options->at_s, "The time to show [s]; default: the scene's duration")
@@ -146,7 +166,16 @@ std::function<int()> attach_render(CLI::App& command, FileOptions& files) {
           "--landscape", [options] { options->picture.mode = stage_mode_name(StageMode::landscape); },
           "The map of all walls and hands: short for --mode landscape")
       ->excludes(command.get_option("--mode"));
-  files.writes(command.add_option("--json", options->json, "Also write what was drawn, as JSON")->type_name("FILE"));
+  CLI::Option* const json = files.writes(
+      command.add_option("--json", options->json, "Also write what was drawn, as JSON")->type_name("FILE"));
+  command
+      .add_option(
+          "--clip", options->clip,
+          "A clip instead of one picture: from one time to another [s] with so many pictures a second, 1 to 60, "
+          "as an animated .png, or as .mp4 or .webm if ffmpeg is installed")
+      ->type_name("FROM:TO:FPS")
+      ->excludes(command.get_option("--at"))
+      ->excludes(json);
   command.footer(
       "No display is needed, and the same call always gives the same bytes.\n"
       "\n"
@@ -155,7 +184,8 @@ std::function<int()> attach_render(CLI::App& command, FileOptions& files) {
       "  ghostforce render fig3-normal --strategy all --part scene --size 1600x1200 --scale 2 -o figure.png\n"
       "  ghostforce render fig3-normal --compare side-by-side -o figure.pdf\n"
       "  ghostforce render wall45 --view stage --size 1280x720 -o stage.svg\n"
-      "  ghostforce render wall45 --landscape --theme projector -o landscape.png");
+      "  ghostforce render wall45 --landscape --theme projector -o landscape.png\n"
+      "  ghostforce render wall45 --view stage --size 1280x720 --clip 0:3:30 -o clip.png");
   return [options] { return render(*options); };
 }
 

@@ -1,5 +1,6 @@
 #include "app/ui/offscreen.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -76,6 +77,58 @@ LoopReading loop_of(const PictureRequest& request, const Moment& moment) {
           .circle = moment.circle};
 }
 
+[[noreturn]] void refuse_unstable_loop() {
+  throw Failure(ExitCode::wrong_call,
+                "there is nothing to draw: with these settings the sampled loop is unstable and the device runs away; "
+                "lower k_r_N_per_m, or raise rate_hz, mass_kg or damping_N_s_per_m");
+}
+
+// Up to that tick; on_tick(const Moment&) is called after each.
+template <typename OnTick>
+Moment simulate_moments(const PictureRequest& request, const std::optional<double>& until_s, OnTick&& on_tick) {
+  Moment moment;
+  Scene scene = request.scene;
+  std::optional<CircleEnergyMeter> meter;
+  if (request.mode == StageMode::round) {
+    const Circle circle = circle_inside(wall_of(scene.settings), scene.goal.points.back(),
+                                        {.radius = {}, .is_clockwise = makes_energy_clockwise(scene.settings)});
+    go_round(scene, circle);
+    meter.emplace();
+    meter->start(scene.settings, circle);
+  }
+  const bool is_looked_back_at = request.mode == StageMode::ribbon || meter;
+  const TickState<2> state = simulate(scene, tick_at(scene, until_s), [&](const Snapshot& snapshot) {
+    if (is_looked_back_at) {
+      moment.history.add(snapshot, scene.settings);
+    } else {
+      moment.history.add(snapshot);
+    }
+    if (meter) {
+      meter->add(snapshot);
+      moment.circle = meter->reading();
+    }
+    moment.snapshot = snapshot;
+    if (snapshot.tick % 1024 == 0) stop_if_interrupted();
+    on_tick(moment);
+  });
+  if (has_diverged(state)) refuse_unstable_loop();
+  return moment;
+}
+
+// Far beyond any scene, or no number.
+bool has_run_away(const Snapshot& snapshot) {
+  return !std::ranges::all_of(snapshot.strategies, [](const StrategySnapshot<2>& strategy) {
+    return std::hypot(strategy.device.x, strategy.device.y) <= farthest_device_m;
+  });
+}
+
+// One that shows every place of the hand in these times.
+SceneView stage_view_of(const Scene& scene, const ClipTimes& times) {
+  std::vector<Vector<2>> goals;
+  for (std::int64_t i = 0; i < frame_count(times); ++i) goals.push_back(goal_at(scene.goal, time_of_frame(times, i)));
+  return stage_view_of(scene.settings, goals);
+}
+
 }  // namespace
 
 bool apply_strategy_word(std::string_view word, PictureRequest& request) {
@@ -92,32 +145,7 @@ bool apply_strategy_word(std::string_view word, PictureRequest& request) {
 }
 
 Moment simulate_to_moment(const PictureRequest& request) {
-  Moment moment;
-  Scene scene = request.scene;
-  std::optional<CircleEnergyMeter> meter;
-  if (request.mode == StageMode::round) {
-    const Circle circle = circle_inside(wall_of(scene.settings), scene.goal.points.back(),
-                                        {.radius = {}, .is_clockwise = makes_energy_clockwise(scene.settings)});
-    go_round(scene, circle);
-    meter.emplace();
-    meter->start(scene.settings, circle);
-  }
-  const bool is_looked_back_at = request.mode == StageMode::ribbon || meter;
-  const TickState<2> state = simulate(scene, tick_at(scene, request.at_s), [&](const Snapshot& snapshot) {
-    if (is_looked_back_at) {
-      moment.history.add(snapshot, scene.settings);
-    } else {
-      moment.history.add(snapshot);
-    }
-    if (meter) meter->add(snapshot);
-    moment.snapshot = snapshot;
-    if (snapshot.tick % 1024 == 0) stop_if_interrupted();
-  });
-  if (meter) moment.circle = meter->reading();
-  if (!has_diverged(state)) return moment;
-  throw Failure(ExitCode::wrong_call,
-                "there is nothing to draw: with these settings the sampled loop is unstable and the device runs away; "
-                "lower k_r_N_per_m, or raise rate_hz, mass_kg or damping_N_s_per_m");
+  return simulate_moments(request, request.at_s, [](const Moment&) {});
 }
 
 std::vector<Pane> compose_moment(const PictureRequest& request, const Moment& moment, const Vector<2>& size,
@@ -147,28 +175,74 @@ std::vector<Pane> compose_moment(const PictureRequest& request, const Moment& mo
                         .measure = measure});
 }
 
-Drawing draw_moment(const PictureRequest& request, const Moment& moment) {
-  Session session = session_of(request, moment);
-  session.folded_panels = panels_folded_at_first(request.height / request.appearance.scale);
+namespace {
 
-  Window window({.title = "ghostforce",
-                 .width = request.width,
-                 .height = request.height,
-                 .offscreen = true,
-                 .takes_mouse = false});
-  Screen screen(window, request.part);
-  // A panel of ImGui knows its size one frame after its content. Nobody sees the frames before the last.
+WindowOptions offscreen_window(const PictureRequest& request) {
+  return {
+      .title = "ghostforce", .width = request.width, .height = request.height, .offscreen = true, .takes_mouse = false};
+}
+
+// A panel of ImGui knows its size one frame after its content. Nobody sees the frames before the last.
+void draw_settled(Window& window, Screen& screen, Session& session, const PictureRequest& request,
+                  const Moment& moment) {
   constexpr int frames_to_settle = 3;
   for (int i = 0; i < frames_to_settle; ++i) {
     window.set_visible_drawing(i + 1 == frames_to_settle);
     screen.draw(session, {session.settings, moment.snapshot}, moment.history, loop_of(request, moment), 0.0);
   }
+}
+
+}  // namespace
+
+Drawing draw_moment(const PictureRequest& request, const Moment& moment) {
+  Session session = session_of(request, moment);
+  session.folded_panels = panels_folded_at_first(request.height / request.appearance.scale);
+  Window window(offscreen_window(request));
+  Screen screen(window, request.part);
+  draw_settled(window, screen, session, request, moment);
   stop_if_interrupted();
   const ImVec2 corner = screen.scene_corner();
   return {window.picture(),
           screen.panes(),
           {static_cast<double>(corner.x), static_cast<double>(corner.y)},
           window.graphics_description()};
+}
+
+std::int64_t frame_count(const ClipTimes& times) noexcept {
+  constexpr double rounding = 1e-6;  // of an interval
+  return static_cast<std::int64_t>((times.to_s - times.from_s) * times.frames_per_second + rounding) + 1;
+}
+
+double time_of_frame(const ClipTimes& times, std::int64_t i) noexcept {
+  return times.from_s + static_cast<double>(i) / times.frames_per_second;
+}
+
+void draw_clip(const PictureRequest& request, const ClipTimes& times, const std::function<void(const Image&)>& take) {
+  std::optional<Session> session;
+  Window window(offscreen_window(request));
+  Screen screen(window, request.part);
+  const std::int64_t count = frame_count(times);
+  std::int64_t drawn = 0;
+  const auto draw_next = [&](const Moment& moment) {
+    if (has_run_away(moment.snapshot)) refuse_unstable_loop();
+    if (drawn == 0) {
+      session = session_of(request, moment);
+      session->folded_panels = panels_folded_at_first(request.height / request.appearance.scale);
+      session->stage_shown = stage_view_of(request.scene, times);
+      draw_settled(window, screen, *session, request, moment);
+    } else {
+      screen.draw(*session, {session->settings, moment.snapshot}, moment.history, loop_of(request, moment),
+                  1.0 / times.frames_per_second);
+    }
+    ++drawn;
+    stop_if_interrupted();
+    take(window.picture());
+  };
+  simulate_moments(request, time_of_frame(times, count - 1), [&](const Moment& moment) {
+    while (drawn < count && moment.snapshot.tick == tick_at(request.scene, time_of_frame(times, drawn))) {
+      draw_next(moment);
+    }
+  });
 }
 
 nlohmann::ordered_json describe_picture(const PictureRequest& request, const Moment& moment,

@@ -2,6 +2,8 @@
 // are made of. The same request gives the same picture. Main thread only (OpenGL offscreen).
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -58,6 +60,20 @@ struct Drawing {
   std::string graphics;  // renderer and version of OpenGL
 };
 Drawing draw_moment(const PictureRequest& request, const Moment& moment);
+
+// Moments at even distances, from the first time to the last [s], both included. `from_s` < `to_s`.
+struct ClipTimes {
+  double from_s = 0.0;
+  double to_s = 0.0;
+  int frames_per_second = 30;
+};
+std::int64_t frame_count(const ClipTimes& times) noexcept;
+double time_of_frame(const ClipTimes& times, std::int64_t i) noexcept;
+
+// The same at each of these moments, from one simulation, and by one screen: like in the window, words and panels stay
+// where they are from one picture to the next. The stage's view holds the whole way of the hand. `take` gets each
+// picture in turn. `request.at_s` has no meaning here. Throws what the two above throw.
+void draw_clip(const PictureRequest& request, const ClipTimes& times, const std::function<void(const Image&)>& take);
 
 // What was drawn, for scripts and tests.
 nlohmann::ordered_json describe_picture(const PictureRequest& request, const Moment& moment,
