@@ -32,7 +32,7 @@ struct RenderOptions {
   std::string size = "1280x800";
   std::string part;  // empty: what the file can hold
   std::string compare;
-  std::string clip;  // FROM:TO:FPS; empty: one picture
+  std::optional<std::string> clip;  // FROM:TO:FPS; empty: one picture
 };
 
 void apply_size(const std::string& text, PictureRequest& request) {
@@ -100,7 +100,7 @@ Rendering paint_moment(const PictureRequest& request, const Moment& moment, cons
 }
 
 int render_clip(const RenderOptions& options, const PictureRequest& request) {
-  const ClipTimes times = clip_times_from(options.clip);
+  const ClipTimes times = clip_times_from(*options.clip);
   const ClipShape shape{request.width, request.height, times.frames_per_second};
   check_clip_limits(frame_count(times), shape);
   ClipFile file(options.output, shape);
@@ -115,10 +115,10 @@ int render_clip(const RenderOptions& options, const PictureRequest& request) {
 }
 
 int render(const RenderOptions& options) {
-  if (options.clip.empty()) refuse_window_as_vectors(options);
+  if (!options.clip) refuse_window_as_vectors(options);
   refuse_all_on_stage(options);
   const PictureRequest request = request_of(options);
-  if (!options.clip.empty()) return render_clip(options, request);
+  if (options.clip) return render_clip(options, request);
   OutputFile picture_file(options.output);
   std::optional<OutputFile> json_file;
   if (!options.json.empty()) json_file.emplace(options.json);

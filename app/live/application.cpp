@@ -1,7 +1,6 @@
 #include "app/live/application.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include <fmt/format.h>
@@ -10,7 +9,6 @@
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
 #include "app/files/output_file.h"
-#include "app/files/png_file.h"
 #include "app/files/run_reader.h"
 #include "app/files/scene_file.h"
 #include "app/live/end_of_recording.h"
@@ -22,7 +20,6 @@
 #include "app/session/target.h"
 #include "app/session/undo_words.h"
 #include "app/ui/plots/plot_export.h"
-#include "app/ui/widgets/save_path.h"
 #include "core/divergence.h"
 #include "core/simulate.h"
 
@@ -193,6 +190,7 @@ void Application::update(double interval_s) {
     session_.notice->age_s += interval_s;
     if (session_.notice->age_s > news_last_s) session_.notice.reset();
   }
+  clip_saving_.look(session_);
   screen_.wait(session_, interval_s);
   heartbeat();
 }
@@ -346,6 +344,7 @@ void Application::handle_requests() {
     if (dropped.size() > 1) show_notice("Only one scene can be open: the first file was opened.", false);
     if (const auto& path = requests.save_scene) save(*path, [&] { return scene_text(scene_as_seen(session_)); });
     if (const auto& picture = requests.save_picture) save(picture->path, [&] { return picture_bytes(*picture); });
+    if (requests.save_clip) save_clip(*requests.save_clip);
     if (const auto& plots = requests.save_plots) {
       save(plots->path, [&] { return plot_file(session_, shown(), history_.plots(), *plots, painter_); });
     }
@@ -459,33 +458,6 @@ void Application::read_recording() {
                         .seconds = progress.seconds,
                         .bytes = progress.bytes,
                         .dropped = progress.dropped};
-}
-
-void Application::copy_picture(const CopyPictureRequest& request) {
-  const DisplayKind display = window_.display_kind();
-  const std::string png = png_bytes(screen_.picture(session_, shown(), history_, reading(),
-                                                    request.scene_alone ? Part::scene : Part::window, request.density));
-  const std::string problem = clipboard_tool_.copy_png(png, display);
-  show_notice(problem.empty() ? "Copied a picture. It can be pasted into other programs." : problem, !problem.empty());
-}
-
-std::string Application::picture_bytes(const SavePictureRequest& request) {
-  constexpr std::array vectors{"svg", "pdf"};
-  if (format_of(request.path, vectors) == nullptr) {
-    return png_bytes(screen_.picture(session_, shown(), history_, reading(),
-                                     request.scene_alone ? Part::scene : Part::window, request.density));
-  }
-  // As large as on this display, without the handles, which are for a pointer.
-  const double scale = session_.appearance.scale * static_cast<double>(window_.display_scale());
-  const Theme& theme = *session_.appearance.theme;
-  const ShownMoment moment = shown();
-  const std::vector<Pane> panes = screen_.panes_for_file(session_, moment, history_, reading(), painter_.measure);
-  return painter_.paint({.panes = panes,
-                         .theme = theme,
-                         .size = screen_.scene_size(),
-                         .text_scale = text_scale_of(session_.face, scale, theme),
-                         .title = session_.scene->title},
-                        request.path);
 }
 
 }  // namespace ghostforce

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/files/clipboard_tool.h"
+#include "app/live/clip_saving.h"
 #include "app/live/input_link.h"
 #include "app/live/late_ticks.h"
 #include "app/live/looking_back.h"
@@ -115,6 +116,7 @@ class Application {
   void replay_run(const std::string& path);
   std::string picture_bytes(const SavePictureRequest& request);
   void copy_picture(const CopyPictureRequest& request);
+  void save_clip(const SaveClipRequest& request);
   void start_recording(const std::string& path);
   void read_recording();
   void take_back(bool undo);
@@ -134,6 +136,7 @@ class Application {
   History history_;
   LateTicks late_ticks_{LoopReading::lately_s};
   ClipboardTool clipboard_tool_;
+  ClipSaving clip_saving_;
   LookingBack looking_back_;
   ServoCommand command_;
   Settings sent_settings_;  // the session's, of which those in the command are the nearest that a file can hold

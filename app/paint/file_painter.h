@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/console/failure.h"
+#include "app/files/image.h"
 #include "app/view/panes.h"
 #include "app/view/theme.h"
 
@@ -26,6 +27,8 @@ struct FilePicture {
 struct FilePainter {
   // Of the letters that are painted, for those who place labels.
   MeasureText measure = [](std::string_view, const TextStyle&) -> Vector<2> { throw no_painter(); };
+  // Its pixels.
+  std::function<Image(const FilePicture& picture)> image = [](const FilePicture&) -> Image { throw no_painter(); };
   // The file's content, of the format that the path ends in: .svg, .pdf, or else PNG. Throws Failure.
   std::function<std::string(const FilePicture& picture, std::string_view path)> paint =
       [](const FilePicture&, std::string_view) -> std::string { throw no_painter(); };

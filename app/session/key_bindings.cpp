@@ -252,6 +252,7 @@ constexpr std::array bindings{
     KeyBinding{GLFW_KEY_O, ctrl, "Ctrl+O", "Open a scene (or drop its file on the window)", open_dialog<Dialog::open_scene>, false, true},
     KeyBinding{GLFW_KEY_S, ctrl, "Ctrl+S", "Save the scene with its current settings", open_dialog<Dialog::save_scene>, false, true},
     KeyBinding{GLFW_KEY_P, ctrl, "Ctrl+P", "Save a picture: PNG, SVG or PDF", open_dialog<Dialog::save_picture>, false, true},
+    KeyBinding{GLFW_KEY_P, alt, "Alt+P", "Save the last seconds of the stage as a clip", open_dialog<Dialog::save_clip>, false, true},
     KeyBinding{GLFW_KEY_P, ctrl | shift, "Ctrl+Shift+P", "Copy a picture to the clipboard", copy_picture, false, true},
     KeyBinding{GLFW_KEY_C, ctrl | shift, "Ctrl+Shift+C", "Copy the live values to the clipboard", ask<&Requests::copy_table>, false, true},
 

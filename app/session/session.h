@@ -46,7 +46,7 @@ struct Appearance {
 };
 
 // The window in front of the scene, if any.
-enum class Dialog : std::uint8_t { none, help, doctor, open_scene, save_scene, save_picture, save_plots };
+enum class Dialog : std::uint8_t { none, help, doctor, open_scene, save_scene, save_picture, save_clip, save_plots };
 
 // A picture of what is on the screen: the format is the file name's.
 struct SavePictureRequest {
@@ -55,7 +55,16 @@ struct SavePictureRequest {
   bool scene_alone = true;  // without bars and panels, PNG only
 };
 
-// The same for the system's clipboard, as PNG.
+// The last seconds of the stage as a clip, with pictures as large as the scene on the screen: the format is the file
+// name's (app/files/clip_file.h).
+struct SaveClipRequest {
+  std::string path;
+  double seconds = 5.0;  // of model time
+  double end_s = 0.0;    // of the last moment in it, model time
+  int frames_per_second = 30;
+};
+
+// A picture of what is on the screen for the system's clipboard, as PNG.
 struct CopyPictureRequest {
   int density = 2;
   bool scene_alone = false;
@@ -79,6 +88,7 @@ struct Requests {
   std::optional<std::string> open_scene;
   std::optional<std::string> save_scene;
   std::optional<SavePictureRequest> save_picture;
+  std::optional<SaveClipRequest> save_clip;
   std::optional<SavePlotsRequest> save_plots;
   std::optional<CopyPictureRequest> copy_picture;
   bool copy_table = false;            // the live values, as text
@@ -93,6 +103,8 @@ struct Form {
   int density = 2;
   bool scene_alone = false;
   bool whole_history = false;
+  int clip_seconds = 5;
+  double clip_end_s = 0.0;       // what was shown when the form was opened, model time
   std::size_t marked_scene = 0;  // of those that the program brings along, in their order
   std::string problem;           // why what was asked for last could not be done; empty: it could
   std::string suggestion;        // a path that may have been meant; empty: none is known

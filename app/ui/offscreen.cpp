@@ -210,7 +210,7 @@ Drawing draw_moment(const PictureRequest& request, const Moment& moment) {
 
 std::int64_t frame_count(const ClipTimes& times) noexcept {
   constexpr double rounding = 1e-6;  // of an interval
-  return static_cast<std::int64_t>((times.to_s - times.from_s) * times.frames_per_second + rounding) + 1;
+  return static_cast<std::int64_t>(std::ceil((times.to_s - times.from_s) * times.frames_per_second - rounding));
 }
 
 double time_of_frame(const ClipTimes& times, std::int64_t i) noexcept {

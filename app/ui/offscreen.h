@@ -61,7 +61,7 @@ struct Drawing {
 };
 Drawing draw_moment(const PictureRequest& request, const Moment& moment);
 
-// Moments at even distances, from the first time to the last [s], both included. `from_s` < `to_s`.
+// Moments at even distances, from the first time until before the other [s]: a clip that long. `from_s` < `to_s`.
 struct ClipTimes {
   double from_s = 0.0;
   double to_s = 0.0;

@@ -62,7 +62,10 @@ std::string paint_file(const FilePicture& picture, std::string_view path) {
 }
 
 FilePainter cairo_file_painter() {
-  return {measure_vector_text, paint_file};
+  const auto image = [](const FilePicture& picture) {
+    return paint_image(picture.panes, picture.theme, picture.size, picture.text_scale, picture.density);
+  };
+  return {measure_vector_text, image, paint_file};
 }
 
 }  // namespace ghostforce

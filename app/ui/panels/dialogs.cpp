@@ -23,6 +23,7 @@ constexpr std::array dialogs{
     Entry{Dialog::open_scene, "Open a scene", draw_open_scene},
     Entry{Dialog::save_scene, "Save the scene", draw_save_scene},
     Entry{Dialog::save_picture, "Save a picture", draw_save_picture},
+    Entry{Dialog::save_clip, "Save a clip", draw_save_clip},
     Entry{Dialog::save_plots, "Save the plots", draw_save_plots},
 };
 

@@ -34,6 +34,7 @@ void draw_doctor(const PanelContext& context);
 void draw_open_scene(const PanelContext& context);
 void draw_save_scene(const PanelContext& context);
 void draw_save_picture(const PanelContext& context);
+void draw_save_clip(const PanelContext& context);
 void draw_save_plots(const PanelContext& context);
 
 }  // namespace ghostforce

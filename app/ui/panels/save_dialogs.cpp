@@ -1,4 +1,5 @@
-// The dialogs that end with a file: a picture of the screen (Ctrl+P), what the plots show, the scene (Ctrl+S).
+// The dialogs that end with a file: a picture of the screen (Ctrl+P), the last seconds of the stage (Alt+P), what the
+// plots show, the scene (Ctrl+S).
 #include <array>
 #include <span>
 #include <string>
@@ -14,6 +15,8 @@ namespace ghostforce {
 namespace {
 
 constexpr std::array picture_formats{"png", "svg", "pdf"};
+constexpr std::array clip_formats{"png", "mp4", "webm"};
+constexpr std::array clip_lengths{2, 5, 10, 30, 60};  // [s]
 constexpr std::array plot_formats{"csv", "png", "svg", "pdf"};
 
 void draw_density_choice(Form& form) {
@@ -65,8 +68,37 @@ void draw_save_picture(const PanelContext& context) {
   }
   ImGui::EndDisabled();
   tooltip("The picture as PNG, for other programs to paste. Ctrl+Shift+P.");
+  ImGui::SameLine();
+  if (ImGui::Button("Clip…")) session.dialog = Dialog::save_clip;
+  tooltip("The last seconds of the stage, as a moving picture. Alt+P.");
   if (!shall_save) return;
   session.requests.save_picture = SavePictureRequest{form.path, form.density, form.scene_alone};
+  session.dialog = Dialog::none;
+}
+
+void draw_save_clip(const PanelContext& context) {
+  Session& session = context.session;
+  Form& form = session.form;
+  if (form.belongs_to != Dialog::save_clip) {
+    form.path = proposed_path(fmt::format("{}-clip", file_stem(session.scene->title)), clip_formats.front());
+    form.clip_end_s = context.snapshot.time_s;
+  }
+  if (begin_rows("clip", context)) {
+    row("Format",
+        "PNG: an animated PNG, for web pages and slides. MP4 and WebM: videos, made by ffmpeg if it is installed.");
+    draw_format_choice(form.path, clip_formats);
+    row("Last", "How much of what the stage has shown, up to the moment when this form was opened.");
+    for (const int seconds : clip_lengths) {
+      if (seconds != clip_lengths.front()) ImGui::SameLine();
+      if (ImGui::RadioButton(fmt::format("{} s", seconds).c_str(), form.clip_seconds == seconds)) {
+        form.clip_seconds = seconds;
+      }
+    }
+    end_rows();
+  }
+  if (!draw_save_path_with(clip_formats, context)) return;
+  session.requests.save_clip =
+      SaveClipRequest{.path = form.path, .seconds = static_cast<double>(form.clip_seconds), .end_s = form.clip_end_s};
   session.dialog = Dialog::none;
 }
 

@@ -25,6 +25,7 @@ void draw_save_menu(Session& session) {
   close_popup_on_escape();
   if (ImGui::MenuItem("Save this scene…", "Ctrl+S")) session.dialog = Dialog::save_scene;
   if (ImGui::MenuItem("Save a picture…", "Ctrl+P")) session.dialog = Dialog::save_picture;
+  if (ImGui::MenuItem("Save a clip…", "Alt+P")) session.dialog = Dialog::save_clip;
   if (ImGui::MenuItem("Save the plots…", nullptr, false, session.plots.is_open)) session.dialog = Dialog::save_plots;
   ImGui::Separator();
   if (ImGui::MenuItem("Copy a picture", "Ctrl+Shift+P")) session.requests.copy_picture = CopyPictureRequest{};

@@ -1,0 +1,55 @@
+// What the application makes pictures of: the screen as it is, and the last seconds of the stage.
+#include <array>
+
+#include "app/files/png_file.h"
+#include "app/live/application.h"
+#include "app/session/target.h"
+#include "app/ui/widgets/save_path.h"
+#include "app/view/stage/stage_scene.h"
+
+namespace ghostforce {
+
+void Application::copy_picture(const CopyPictureRequest& request) {
+  const DisplayKind display = window_.display_kind();
+  const std::string png = png_bytes(screen_.picture(session_, shown(), history_, reading(),
+                                                    request.scene_alone ? Part::scene : Part::window, request.density));
+  const std::string problem = clipboard_tool_.copy_png(png, display);
+  show_notice(problem.empty() ? "Copied a picture. It can be pasted into other programs." : problem, !problem.empty());
+}
+
+void Application::save_clip(const SaveClipRequest& request) {
+  const Scene& scene = *session_.scene;
+  const double scale = session_.appearance.scale * static_cast<double>(window_.display_scale());
+  clip_saving_.begin(request, history_.moments(),
+                     {.theme = session_.appearance.theme,
+                      .measure = painter_.measure,
+                      .shown = session_.stage_shown,
+                      .reference_force = reference_force_of(scene.settings, scene.goal.points.back()),
+                      .size = screen_.scene_size(),
+                      .scale = scale,
+                      .target = target_of(session_, report_.motors)},
+                     painter_);
+  session_.notice.reset();
+  clip_saving_.look(session_);  // says at once that it has begun
+}
+
+std::string Application::picture_bytes(const SavePictureRequest& request) {
+  constexpr std::array vectors{"svg", "pdf"};
+  if (format_of(request.path, vectors) == nullptr) {
+    return png_bytes(screen_.picture(session_, shown(), history_, reading(),
+                                     request.scene_alone ? Part::scene : Part::window, request.density));
+  }
+  // As large as on this display, without the handles, which are for a pointer.
+  const double scale = session_.appearance.scale * static_cast<double>(window_.display_scale());
+  const Theme& theme = *session_.appearance.theme;
+  const ShownMoment moment = shown();
+  const std::vector<Pane> panes = screen_.panes_for_file(session_, moment, history_, reading(), painter_.measure);
+  return painter_.paint({.panes = panes,
+                         .theme = theme,
+                         .size = screen_.scene_size(),
+                         .text_scale = text_scale_of(session_.face, scale, theme),
+                         .title = session_.scene->title},
+                        request.path);
+}
+
+}  // namespace ghostforce

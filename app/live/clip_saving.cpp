@@ -1,0 +1,125 @@
+#include "app/live/clip_saving.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <new>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "app/console/failure.h"
+#include "app/console/quoted.h"
+#include "app/ui/part.h"
+#include "device/input/thread_signals.h"
+
+namespace ghostforce {
+namespace {
+
+// How long a clip goes on after the last change: until the stage has shown a change of the strategy, and a little more.
+constexpr double hold_s = 1.0;
+
+struct ClipCancelled {};
+
+}  // namespace
+
+std::vector<ClipMoment> clip_moments(const MomentHistory& moments, const SaveClipRequest& request) {
+  std::vector<ClipMoment> chosen;
+  if (moments.is_empty()) return chosen;
+  const double end_s = std::min({request.end_s, moments.newest()->snapshot.time_s, moments.changed_s() + hold_s});
+  const double begin_s = std::max(end_s - request.seconds, moments.oldest()->snapshot.time_s);
+  const double interval_s = 1.0 / request.frames_per_second;
+  constexpr double rounding = 1e-6;  // of an interval
+  const auto steps = static_cast<int>(std::max(0.0, end_s - begin_s) / interval_s + rounding);
+  for (int i = steps; i >= 0; --i) {
+    // A tick's own time, which rounding must not miss.
+    const std::optional<ShownMoment> moment = moments.at(end_s - i * interval_s + rounding * interval_s);
+    if (moment) chosen.push_back({moment->settings, moment->snapshot});
+  }
+  return chosen;
+}
+
+void ClipSaving::begin(const SaveClipRequest& request, const MomentHistory& moments, StageClipLook look,
+                       const FilePainter& painter) {
+  if (is_running()) {
+    throw Failure(ExitCode::wrong_call, "Another clip is being saved. Wait until it is complete, or close its notice.");
+  }
+  Work work{.moments = clip_moments(moments, request),
+            .look = std::move(look),
+            .painter = painter,
+            .interval_s = 1.0 / request.frames_per_second,
+            .file = {}};
+  if (work.moments.empty()) throw Failure(ExitCode::wrong_call, "Nothing has happened yet that could be saved.");
+  const ClipShape shape{static_cast<int>(std::lround(work.look.size.x)),
+                        static_cast<int>(std::lround(work.look.size.y)), request.frames_per_second};
+  check_clip_limits(static_cast<std::int64_t>(work.moments.size()), shape);
+  is_cancelled_ = has_ended_ = false;
+  saved_ = 0;
+  work.file = std::make_unique<ClipFile>(request.path, shape, "", VideoWaiting{.look_up = [this] {
+                                           if (is_cancelled_) throw ClipCancelled();
+                                         }});
+  path_ = request.path;
+  count_ = work.moments.size();
+  problem_.clear();
+  is_told_ = false;
+  thread_ = std::thread(&ClipSaving::save, this, std::move(work));
+}
+
+// On its own thread.
+void ClipSaving::save(Work work) {
+  leave_process_signals();
+  const AlternateStack alternate_stack;
+  try {
+    const Work mine = std::move(work);  // the file is closed before the end is told
+    StageClip clip(mine.look);
+    const double text_scale = text_scale_of(Face::stage, mine.look.scale, *mine.look.theme);
+    for (const ClipMoment& moment : mine.moments) {
+      if (is_cancelled_) throw ClipCancelled();
+      const std::vector<Pane> panes{clip.next(moment, saved_ == 0 ? 0.0 : mine.interval_s)};
+      mine.file->add(mine.painter.image(
+          {.panes = panes, .theme = *mine.look.theme, .size = mine.look.size, .text_scale = text_scale, .title = {}}));
+      ++saved_;
+    }
+    mine.file->commit();
+  } catch (const ClipCancelled&) {
+    problem_ = fmt::format("{} was not saved.", quoted_text(path_, longest_path));
+  } catch (const Failure& failure) {
+    problem_ = failure.what();
+  } catch (const std::bad_alloc&) {
+    problem_ = "There is not enough memory for this clip. Choose a shorter one, or make the window smaller.";
+  } catch (const std::exception& error) {
+    problem_ = fmt::format("The clip could not be saved: {}", error.what());
+  }
+  has_ended_ = true;
+}
+
+void ClipSaving::tell(Session& session, std::string words, bool is_problem) {
+  told_ = words;
+  is_told_ = true;
+  session.notice = Notice{std::move(words), is_problem, 0.0};
+}
+
+void ClipSaving::look(Session& session) {
+  if (!is_running()) return;
+  const std::string path = quoted_text(path_, longest_path);
+  if (has_ended_) {
+    thread_.join();
+    if (problem_.empty()) return tell(session, fmt::format("Saved {}", path), false);
+    return tell(session, problem_, !is_cancelled_);
+  }
+  const bool is_mine = session.notice && session.notice->words == told_;
+  if (is_told_ && !session.notice) is_cancelled_ = true;
+  // Something else is told meanwhile.
+  if (session.notice && !is_mine) is_told_ = false;
+  if (is_cancelled_ || (session.notice && !is_mine)) return;
+  constexpr std::size_t step = 5;  // not every picture is worth a new frame
+  const std::size_t percent = 100 * saved_ / count_ / step * step;
+  tell(session, fmt::format("Saving {}: {} %. Close this, or press Esc, to cancel.", path, percent), false);
+}
+
+void ClipSaving::cancel() noexcept {
+  is_cancelled_ = true;
+  if (thread_.joinable()) thread_.join();
+}
+
+}  // namespace ghostforce
