@@ -4,18 +4,16 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
 #include "app/files/output_file.h"
-#include "app/files/run_reader.h"
 #include "app/files/scene_file.h"
 #include "app/live/end_of_recording.h"
-#include "app/runs/replay_start.h"
 #include "app/session/live_table.h"
 #include "app/session/measurement_guide.h"
 #include "app/session/scene_as_seen.h"
+#include "app/session/set_up_of.h"
 #include "app/session/stage_actions.h"
 #include "app/session/target.h"
 #include "app/session/undo_words.h"
@@ -62,7 +60,7 @@ std::string window_title(const Scene& scene) {
 Application::Application(Window& window, const Scene& scene, const ApplicationOptions& options)
     : window_(window),
       session_(session_with(scene, options)),
-      undo_({session_.scene, session_.settings}),
+      undo_(edited()),
       inputs_(options.inputs),
       input_choices_(choices_of(inputs_, options.input_options.recorded_hand != nullptr)),
       input_options_(options.input_options),
@@ -89,7 +87,8 @@ const InputEntry& Application::input_of(std::string_view name) const {
 
 // A servo owns its input, so another input or another script is another servo; counts go on, so that what is asked for
 // later still looks new to it. An input that cannot be had leaves everything as it was.
-void Application::use(const InputEntry& entry, std::shared_ptr<const Scene> scene, const Settings& settings) {
+void Application::use(const InputEntry& entry, std::shared_ptr<const Scene> scene, const Settings& settings,
+                      const std::optional<Vector<2>>& goal) {
   // A device has one driver: the one before lets go of it first.
   if (servo_) servo_->stop();
   LinkedInput made;
@@ -114,7 +113,7 @@ void Application::use(const InputEntry& entry, std::shared_ptr<const Scene> scen
   session_.scene = std::move(scene);
   session_.settings = settings;
   if (is_other_scene) {
-    session_.goal = session_.scene->goal.points.back();
+    session_.goal = goal.value_or(session_.scene->goal.points.back());
     session_.shown = session_.scene->view;
     session_.pane_views.reset();
     window_.set_title(window_title(*session_.scene));
@@ -231,7 +230,7 @@ void Application::draw() {
 void Application::do_what_is_asked() {
   looking_back_.follow(session_, report_.snapshot, history_.moments());
   handle_requests();
-  undo_.note({session_.scene, session_.settings}, session_.is_editing || is_measuring(session_));
+  undo_.note(edited(), session_.is_editing || is_measuring(session_));
   offer_undo();
 }
 
@@ -337,11 +336,7 @@ void Application::handle_requests() {
       use(input_of(*requests.input), session_.scene, session_.settings);
     }
     if (requests.open_scene) open_for_dialog(*requests.open_scene);
-    if (!dropped.empty()) {
-      open(dropped.front());
-      if (session_.dialog == Dialog::open_scene) session_.dialog = Dialog::none;
-    }
-    if (dropped.size() > 1) show_notice("Only one scene can be open: the first file was opened.", false);
+    if (!dropped.empty()) open_dropped(dropped);
     if (const auto& path = requests.save_scene) save(*path, [&] { return scene_text(scene_as_seen(session_)); });
     if (const auto& picture = requests.save_picture) save(picture->path, [&] { return picture_bytes(*picture); });
     if (requests.save_clip) save_clip(*requests.save_clip);
@@ -353,6 +348,8 @@ void Application::handle_requests() {
       window_.set_clipboard_text(live_table(shown().snapshot));
       show_notice("Copied the live values. They can be pasted into a spreadsheet.", false);
     }
+    if (requests.copy_set_up) copy_set_up();
+    if (requests.paste_set_up) paste_set_up();
     if (requests.record) start_recording(*requests.record);
     if (requests.stop_recording) {
       if (const std::string words = end_recording(); !words.empty()) show_notice(words, !recording_problem_.empty());
@@ -374,55 +371,14 @@ void Application::take_back(bool undo) {
     return;
   }
   // What is being changed right now is one more step to take back.
-  undo_.note({session_.scene, session_.settings}, false);
+  undo_.note(edited(), false);
   const std::optional<Edited> edited = undo ? undo_.undo() : undo_.redo();
   if (!edited) return;
   if (edited->scene == session_.scene) {
     session_.settings = edited->settings;
   } else {
-    use(*input_, edited->scene, edited->settings);
+    show(*edited);
   }
-}
-
-void Application::open_for_dialog(const std::string& name_or_path) {
-  if (session_.dialog != Dialog::open_scene) return open(name_or_path);
-  Form& form = session_.form;
-  form.problem.clear();
-  form.suggestion.clear();
-  try {
-    open(name_or_path);
-    session_.dialog = Dialog::none;
-  } catch (const Failure& failure) {
-    if (failure.code() == ExitCode::interrupted) throw;
-    form.problem = failure.what();
-  } catch (const ReadError& error) {
-    form.problem = error.what();
-    if (!error.problems().empty()) form.suggestion = error.problems().front().suggestion;
-  }
-}
-
-void Application::open(const std::string& name_or_path) {
-  if (may_be_run(name_or_path)) return replay_run(name_or_path);
-  const auto scene = std::make_shared<const Scene>(load_scene(name_or_path));
-  use(*input_, scene, scene->settings);
-}
-
-void Application::replay_run(const std::string& path) {
-  const Run run = load_run(path);
-  if (!run.scene) {
-    throw Failure(
-        ExitCode::wrong_call,
-        fmt::format("{}: the run does not say which scene it belongs to. Name the scene on the command line, as in\n"
-                    "ghostforce run wall45 --input replay:RUN.csv",
-                    quoted_text(path, longest_path)));
-  }
-  input_options_.recorded_hand = std::make_shared<const GoalPath>(goal_path_of(run));
-  input_choices_ = choices_of(inputs_, true);
-  use(*std::ranges::find_if(inputs_, &InputEntry::needs_recording), std::make_shared<const Scene>(*run.scene),
-      run.scene->settings);
-  show_notice(fmt::format("Replaying {}{}{}", quoted_text(path, longest_path), run.warnings.empty() ? "" : "\n",
-                          fmt::join(run.warnings, "\n")),
-              false);
 }
 
 void Application::start_recording(const std::string& path) {

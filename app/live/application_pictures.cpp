@@ -3,7 +3,9 @@
 
 #include "app/files/png_file.h"
 #include "app/live/application.h"
+#include "app/session/set_up_of.h"
 #include "app/session/target.h"
+#include "app/set_up/picture_set_up.h"
 #include "app/ui/widgets/save_path.h"
 #include "app/view/stage/stage_scene.h"
 
@@ -12,7 +14,8 @@ namespace ghostforce {
 void Application::copy_picture(const CopyPictureRequest& request) {
   const DisplayKind display = window_.display_kind();
   const std::string png = png_bytes(screen_.picture(session_, shown(), history_, reading(),
-                                                    request.scene_alone ? Part::scene : Part::window, request.density));
+                                                    request.scene_alone ? Part::scene : Part::window, request.density),
+                                    picture_texts(set_up_of(session_, shown())));
   const std::string problem = clipboard_tool_.copy_png(png, display);
   show_notice(problem.empty() ? "Copied a picture. It can be pasted into other programs." : problem, !problem.empty());
 }
@@ -37,7 +40,8 @@ std::string Application::picture_bytes(const SavePictureRequest& request) {
   constexpr std::array vectors{"svg", "pdf"};
   if (format_of(request.path, vectors) == nullptr) {
     return png_bytes(screen_.picture(session_, shown(), history_, reading(),
-                                     request.scene_alone ? Part::scene : Part::window, request.density));
+                                     request.scene_alone ? Part::scene : Part::window, request.density),
+                     picture_texts(set_up_of(session_, shown())));
   }
   // As large as on this display, without the handles, which are for a pointer.
   const double scale = session_.appearance.scale * static_cast<double>(window_.display_scale());
@@ -48,7 +52,7 @@ std::string Application::picture_bytes(const SavePictureRequest& request) {
                          .theme = theme,
                          .size = screen_.scene_size(),
                          .text_scale = text_scale_of(session_.face, scale, theme),
-                         .title = session_.scene->title},
+                         .title = picture_title(session_.scene->title, set_up_of(session_, moment))},
                         request.path);
 }
 

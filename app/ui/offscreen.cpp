@@ -9,6 +9,7 @@
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
 #include "app/paint/json_painter.h"
+#include "app/session/set_up_of.h"
 #include "app/session/stage_actions.h"
 #include "app/ui/panels/panel_catalog.h"
 #include "app/ui/stage/stage_face.h"
@@ -146,6 +147,10 @@ bool apply_strategy_word(std::string_view word, PictureRequest& request) {
 
 Moment simulate_to_moment(const PictureRequest& request) {
   return simulate_moments(request, request.at_s, [](const Moment&) {});
+}
+
+SetUp set_up_of(const PictureRequest& request, const Moment& moment) {
+  return set_up_of(session_of(request, moment), {request.scene.settings, moment.snapshot});
 }
 
 std::vector<Pane> compose_moment(const PictureRequest& request, const Moment& moment, const Vector<2>& size,
