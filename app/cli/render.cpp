@@ -19,6 +19,7 @@
 #include "app/files/png_file.h"
 #include "app/paint/vector/vector_painter.h"
 #include "app/set_up/picture_set_up.h"
+#include "app/set_up/set_up_line.h"
 #include "app/ui/offscreen.h"
 
 namespace ghostforce {
@@ -105,7 +106,9 @@ int render_clip(const RenderOptions& options, const PictureRequest& request) {
   const ClipTimes times = clip_times_from(*options.clip);
   const ClipShape shape{request.width, request.height, times.frames_per_second};
   check_clip_limits(frame_count(times), shape);
-  ClipFile file(options.output, shape);
+  const SetUp set_up{
+      .scene = request.scene, .goal = request.scene.goal.points.back(), .face = request.face, .mode = request.mode};
+  ClipFile file(options.output, shape, set_up_line(set_up));
   Progress progress("drawing the clip", frame_count(times), true);
   std::int64_t drawn = 0;
   draw_clip(request, times, [&](const Image& image) {

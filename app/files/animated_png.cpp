@@ -66,8 +66,8 @@ AnimatedPng::AnimatedPng(OutputFile& file, const ClipShape& shape, std::string_v
   write(chunk("acTL", counts(0)));
   if (text.empty()) return;
   // Keyword, not compressed, no language and no translation of the keyword; then the text.
-  constexpr std::string_view comment("Comment\0\0\0\0\0", 12);
-  write(chunk("iTXt", std::string(comment).append(text)));
+  constexpr std::string_view description("Description\0\0\0\0\0", 16);
+  write(chunk("iTXt", std::string(description).append(text)));
 }
 
 void AnimatedPng::add(const Image& image) {

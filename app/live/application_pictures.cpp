@@ -6,6 +6,7 @@
 #include "app/session/set_up_of.h"
 #include "app/session/target.h"
 #include "app/set_up/picture_set_up.h"
+#include "app/set_up/set_up_line.h"
 #include "app/ui/widgets/save_path.h"
 #include "app/view/stage/stage_scene.h"
 
@@ -31,7 +32,7 @@ void Application::save_clip(const SaveClipRequest& request) {
                       .size = screen_.scene_size(),
                       .scale = scale,
                       .target = target_of(session_, report_.motors)},
-                     painter_);
+                     painter_, set_up_line(set_up_of(session_, shown())));
   session_.notice.reset();
   clip_saving_.look(session_);  // says at once that it has begun
 }

@@ -40,7 +40,7 @@ std::vector<ClipMoment> clip_moments(const MomentHistory& moments, const SaveCli
 }
 
 void ClipSaving::begin(const SaveClipRequest& request, const MomentHistory& moments, StageClipLook look,
-                       const FilePainter& painter) {
+                       const FilePainter& painter, std::string_view text) {
   if (is_running()) {
     throw Failure(ExitCode::wrong_call, "Another clip is being saved. Wait until it is complete, or close its notice.");
   }
@@ -55,7 +55,7 @@ void ClipSaving::begin(const SaveClipRequest& request, const MomentHistory& mome
   check_clip_limits(static_cast<std::int64_t>(work.moments.size()), shape);
   is_cancelled_ = has_ended_ = false;
   saved_ = 0;
-  work.file = std::make_unique<ClipFile>(request.path, shape, "", VideoWaiting{.look_up = [this] {
+  work.file = std::make_unique<ClipFile>(request.path, shape, text, VideoWaiting{.look_up = [this] {
                                            if (is_cancelled_) throw ClipCancelled();
                                          }});
   path_ = request.path;

@@ -30,9 +30,9 @@ class ClipSaving {
   ~ClipSaving() { cancel(); }
 
   // Throws Failure: where the file can never come to be, where there is nothing to save, and where the last clip is not
-  // complete yet.
+  // complete yet. `text`: what the file says of itself.
   void begin(const SaveClipRequest& request, const MomentHistory& moments, StageClipLook look,
-             const FilePainter& painter);
+             const FilePainter& painter, std::string_view text);
 
   // Often: tells the person in the session's notice how far it is and how it has ended. Where that notice was closed the
   // clip is given up.

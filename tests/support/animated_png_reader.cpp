@@ -197,7 +197,7 @@ class Reader {
   }
 
   void take_text(Bytes& data) {
-    require(data.until_zero() == "Comment", "another keyword");
+    require(data.until_zero() == "Description", "another keyword");
     require(data.number(2) == 0, "a compressed text");
     data.until_zero();
     data.until_zero();
