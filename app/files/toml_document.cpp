@@ -261,6 +261,10 @@ TomlValue TomlValue::child(std::string_view name, const void* node) const {
   return value;
 }
 
+bool TomlValue::is_table() const noexcept {
+  return node_at(node_).is_table();
+}
+
 bool TomlValue::read_table(std::span<const TomlKey> keys, const TakeOther& other) const {
   const toml::table* const table = node_at(node_).as_table();
   if (table == nullptr) {
@@ -271,10 +275,7 @@ bool TomlValue::read_table(std::span<const TomlKey> keys, const TakeOther& other
   const std::string path = dotted_name(table_, name_);
   for (const auto& [key, node] : *table) {
     if (find_key(keys, "", key.str()) != nullptr) continue;
-    if (other) {
-      other(key.str(), child(key.str(), &node));
-      continue;
-    }
+    if (other && other(key.str(), child(key.str(), &node))) continue;
     problems.add(in_file(key.source().begin), [path, name = key.str(), here = names_of(keys)] {
       return problem(fmt::format("the key {} is unknown", dotted_name(path, quoted_text(name))),
                      suggestion(name, here));

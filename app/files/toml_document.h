@@ -57,9 +57,11 @@ class TomlValue {
     return read_numbers(result, limits, remedy) ? std::optional(result) : std::nullopt;
   }
 
+  bool is_table() const noexcept;
   // Of a table within the file, strictly by a list of its keys, whose `table` is empty. Keys that are not in the list go
-  // to `other`, in the order of the alphabet; without it they are unknown. False: it is no table.
-  using TakeOther = std::function<void(std::string_view name, const TomlValue& value)>;
+  // to `other`, in the order of the alphabet; where it returns false, and without it, they are unknown. False: it is no
+  // table.
+  using TakeOther = std::function<bool(std::string_view name, const TomlValue& value)>;
   bool read_table(std::span<const TomlKey> keys, const TakeOther& other = {}) const;
 
   // "the key KEY: what; remedy". A remedy may begin with "; ", as the words of did_you_mean() do.

@@ -91,7 +91,7 @@ std::string words_about_house(std::string_view text, std::string* read = nullptr
   if (reader.parse(text)) {
     reader.whole().read_table(house, [&](std::string_view name, const TomlValue& value) {
       if (read) read->append(name) += ": ";
-      value.read_table(room);
+      return value.is_table() && value.read_table(room);
     });
   }
   return reader.problems().empty() ? "" : ReadError(ReadError::Kind::wrong, reader.problems()).what();
@@ -117,7 +117,7 @@ TEST(TomlReader, TellsWhereInTablesWithinTablesSomethingIsWrong) {
             "house.toml:9:10: the key cellar.shelf: is a number; write a table with the keys height_m\n"
             "house.toml:10:1: the key cellar.box is unknown; the keys here are shelf");
   EXPECT_EQ(words_about_house("floors = 2\nhall = 3\n"),
-            "house.toml:2:8: the key hall: is a number; write a table with the keys shelf");
+            "house.toml:2:1: the key hall is unknown; the keys here are floors");
 }
 
 TEST(ReadError, HasOneExitCodeForEachOfItsKinds) {
