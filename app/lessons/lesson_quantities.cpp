@@ -82,10 +82,13 @@ double missed_by(const LessonCondition& condition, const LessonReading& reading)
   return std::max({0.0, condition.least - value, value - condition.greatest});
 }
 
+bool is_met(const LessonCondition& condition, const LessonReading& reading) noexcept {
+  return missed_by(condition, reading) == 0.0;
+}
+
 bool is_done(const LessonStep& task, const LessonReading& reading) noexcept {
   if (task.with && reading.settings.active != *task.with) return false;
-  return std::ranges::all_of(task.conditions,
-                             [&](const LessonCondition& each) { return missed_by(each, reading) == 0.0; });
+  return std::ranges::all_of(task.conditions, [&](const LessonCondition& each) { return is_met(each, reading); });
 }
 
 }  // namespace ghostforce

@@ -13,8 +13,8 @@ namespace ghostforce {
 
 // What is on the stage while a task is open.
 struct LessonReading {
-  const Settings& settings;
   const StageMoment& moment;
+  const Settings& settings;
   const CircleReading* circle = nullptr;  // null: the hand does not go round
 };
 
@@ -29,6 +29,8 @@ const LessonQuantityEntry& lesson_quantity(LessonQuantity id) noexcept;
 
 // By how much it is missed, in its unit; 0: it is met. NaN: it cannot be known.
 double missed_by(const LessonCondition& condition, const LessonReading& reading) noexcept;
+
+bool is_met(const LessonCondition& condition, const LessonReading& reading) noexcept;
 
 // Whether all conditions of a task are met, with the strategy that it asks for.
 bool is_done(const LessonStep& task, const LessonReading& reading) noexcept;
