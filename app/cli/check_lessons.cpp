@@ -24,12 +24,14 @@ std::size_t print_findings(const Lesson& lesson, const std::string& shown, Lines
   lines.write(fmt::format("{}: \"{}\", {} steps, languages: {}", shown, words_in(lesson, "en").title,
                           lesson.steps.size(), listed(languages)));
   std::size_t wrong = 0;
+  std::size_t longest = 0;
+  for (const LessonStep& step : lesson.steps) longest = std::max(longest, step.name.size());
   const std::vector<LessonStepFinding> findings = examine_lesson(lesson);
   for (std::size_t i = 0; i < findings.size(); ++i) {
     const LessonStepFinding& found = findings[i];
-    lines.write(
-        fmt::format("  {:2} {:5} {}  {}", i + 1, found.is_good ? "ok" : "WRONG", lesson.steps[i].name, found.words));
-    if (!found.example.empty()) lines.write(fmt::format("           for example: {}", found.example));
+    lines.write(fmt::format("  {:2} {:5}  {:{}}  {}", i + 1, found.is_good ? "ok" : "WRONG", lesson.steps[i].name,
+                            longest, found.words));
+    if (!found.example.empty()) lines.write(fmt::format("            for example: {}", found.example));
     if (!found.is_good) ++wrong;
   }
   for (const std::string_view language : languages_missing_in(lesson)) {
@@ -66,7 +68,7 @@ int check_lessons(const std::vector<std::string>& lessons) {
       say("{}\n", error.what());
     }
   }
-  lines.write(fmt::format("{} lessons, {} wrong", lessons.size(), wrong));
+  lines.write(fmt::format("{} {}, {} wrong", lessons.size(), lessons.size() == 1 ? "lesson" : "lessons", wrong));
   return static_cast<int>(end);
 }
 

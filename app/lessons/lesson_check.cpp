@@ -11,7 +11,7 @@ namespace {
 
 LessonStepFinding examine_choice(const LessonStep& step, const LessonWords& words, std::size_t number) {
   return {true,
-          fmt::format("choose: {} of {} answers is right", step.right_answer + 1, words.steps[number].answers.size()),
+          fmt::format("choose: answer {} of {} is right", step.right_answer + 1, words.steps[number].answers.size()),
           ""};
 }
 

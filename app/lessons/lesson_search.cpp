@@ -12,18 +12,31 @@
 #include "app/lessons/lesson_quantities.h"
 #include "app/view/stage/stage_layout.h"
 #include "core/simulate.h"
+#include "core/units.h"
 
 namespace ghostforce {
 namespace {
+
+// Of the stage while the task is open: with the place where its answer will be.
+SceneView view_of(const LessonStep& task, const SetUp& start) {
+  const Settings& settings = start.scene.settings;
+  std::vector<Vector<2>> goals{start.goal};
+  if (task.reveal) {
+    const Settings& revealed = task.reveal->scene.settings;
+    const bool is_same_wall =
+        revealed.wall_point == settings.wall_point && revealed.wall_normal_angle == settings.wall_normal_angle;
+    if (is_same_wall) goals.push_back(task.reveal->goal);
+  }
+  return stage_view_of(settings, goals);
+}
 
 bool is_about_rounds(const LessonCondition& condition) {
   return condition.quantity == LessonQuantity::energy || condition.quantity == LessonQuantity::turns;
 }
 
-// The first complete round of a hand that begins at rest on the circle.
-CircleReading first_round(const Settings& settings, const Vector<2>& goal) {
-  const Circle circle =
-      circle_inside(wall_of(settings), goal, {.radius = {}, .is_clockwise = makes_energy_clockwise(settings)});
+// The first complete round of a hand that begins at rest on the circle. Its sense was chosen when the step began.
+CircleReading first_round(const Settings& settings, const Vector<2>& goal, bool is_clockwise) {
+  const Circle circle = circle_inside(wall_of(settings), goal, {.radius = {}, .is_clockwise = is_clockwise});
   CircleEnergyMeter meter;
   meter.start(settings, circle);
   const TickCoefficients<2> coefficients = coefficients_of(settings);
@@ -45,7 +58,7 @@ class TaskSearch {
   TaskSearch(const LessonStep& task, const SetUp& start)
       : task_(task),
         start_(start),
-        view_(stage_view_of(start.scene.settings, start.goal)),
+        view_(view_of(task, start)),
         needs_rounds_(std::ranges::any_of(task.conditions, is_about_rounds)) {}
 
   // 0: it is done there; else the larger, the farther it is from that.
@@ -54,7 +67,7 @@ class TaskSearch {
     const StageMoment moment = stage_moment_at_rest(settings, tried.goal);
     std::optional<CircleReading> circle;
     if (needs_rounds_ && start_.mode == StageMode::round) {
-      circle = first_round(settings, tried.goal);
+      circle = first_round(settings, tried.goal, makes_energy_clockwise(start_.scene.settings));
       // It goes on as long as it has to.
       for (const LessonCondition& condition : task_.conditions) {
         if (condition.quantity != LessonQuantity::turns) continue;
@@ -73,7 +86,7 @@ class TaskSearch {
 
   std::optional<SetUp> solution() const {
     for (const StrategyId id : strategies_to_try()) {
-      if (std::optional<SetUp> found = solution_with(id)) return found;
+      if (const std::optional<SetUp> found = solution_with(id)) return in_round_numbers(*found);
     }
     return std::nullopt;
   }
@@ -119,6 +132,33 @@ class TaskSearch {
     return tried;
   }
 
+  void round_slider(Scene& scene, double per_unit) const {
+    const SceneKey& key = *task_.slider->key;
+    const std::optional<double> number = number_of(scene, key);
+    if (number) set_number(scene, key, std::round(*number * per_unit) / per_unit);
+  }
+
+  // The nearest one in as few digits as will do, for people to read.
+  SetUp in_round_numbers(const SetUp& found) const {
+    for (const double per_unit : {1.0, 10.0, 100.0, 1000.0}) {
+      const auto round = [per_unit](double& si, double file_units) {
+        si = std::round(si * file_units * per_unit) / per_unit / file_units;
+      };
+      SetUp rounded = found;
+      Settings& settings = rounded.scene.settings;
+      if (can(LessonControl::hand)) {
+        round(rounded.goal.x, mm_per_m);
+        round(rounded.goal.y, mm_per_m);
+        rounded.scene.goal.points.back() = rounded.goal;
+      }
+      if (can(LessonControl::wall)) round(settings.wall_normal_angle, degrees_per_radian);
+      if (can(LessonControl::motor)) round(settings.actuated_angle, degrees_per_radian);
+      if (task_.slider) round_slider(rounded.scene, per_unit);
+      if (missed_by_all(rounded) == 0.0) return rounded;
+    }
+    return found;
+  }
+
   std::optional<SetUp> solution_with(StrategyId id) const {
     SetUp untouched = start_;
     untouched.scene.settings.active = id;
@@ -126,7 +166,7 @@ class TaskSearch {
     // Rounds are simulated, which takes a thousand times as long.
     const std::size_t tries = needs_rounds_ ? 40 : 4000;
     const std::size_t refined = needs_rounds_ ? 1 : 8;
-    const double finest = needs_rounds_ ? 0.02 : 1e-6;
+    const double finest = needs_rounds_ ? 0.002 : 1e-6;
     std::mt19937 dice(1);
     std::vector<std::pair<double, Place>> found;
     for (std::size_t i = 0; i < tries && coordinates() > 0; ++i) {
