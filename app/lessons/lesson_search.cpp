@@ -142,7 +142,7 @@ class TaskSearch {
   SetUp in_round_numbers(const SetUp& found) const {
     for (const double per_unit : {1.0, 10.0, 100.0, 1000.0}) {
       const auto round = [per_unit](double& si, double file_units) {
-        si = std::round(si * file_units * per_unit) / per_unit / file_units;
+        si = std::round(si * file_units * per_unit) / per_unit / file_units + 0.0;  // no minus before a zero
       };
       SetUp rounded = found;
       Settings& settings = rounded.scene.settings;
