@@ -14,6 +14,7 @@
 #include "app/view/camera.h"
 #include "app/view/screen_box.h"
 #include "app/view/stage/face.h"
+#include "app/view/stage/lesson_layout.h"
 #include "app/view/stage/stage_mode.h"
 #include "app/view/text_lines.h"
 #include "app/view/view.h"
@@ -22,11 +23,15 @@
 namespace ghostforce {
 
 // Something else than a strategy, a mode or a face that the stage can be asked for: the table of keys, the motors on or
-// off, the next step of the mode that is on.
-enum class StageCommand : std::uint8_t { keys, motors, next };
+// off, the picker of lessons; the step before, the next step of the mode or the lesson that is on; the end of the lesson;
+// to move its slider.
+enum class StageCommand : std::uint8_t { keys, motors, lessons, previous, next, leave, slider };
+
+// An answer to a lesson's question, from 0.
+enum class StageAnswer : std::uint8_t {};
 
 // What a press on a part of the stage asks for.
-using StageAction = std::variant<StrategyId, StageMode, Face, StageCommand>;
+using StageAction = std::variant<StrategyId, StageMode, Face, StageCommand, StageAnswer>;
 
 struct StageButton {
   StageAction action;
@@ -50,10 +55,13 @@ struct StageLayout {
   StageLetters letters{};
   std::vector<std::string> sentence;  // its lines
   ScreenBox sentence_box;
+  std::optional<ScreenBox> mark;        // of a lesson's answer, before the sentence
   std::vector<StageButton> strategies;  // the row below
   std::vector<StageButton> icons;       // the strip above, modes and workbench
   std::optional<StageButton> corner;    // at the row's other end: the motors', or the help's where there is room for it
   std::optional<ScreenBox> ribbon;      // above the row, where there is one
+  std::optional<LessonLayout> lesson;   // of which the strip of icons keeps the way out alone
+  double header_left = 0.0;             // where what stands above at the right begins
   Vector<2> numbers_size{0.0};          // of the two numbers with their words
   double number_width = 0.0;            // of the widest number
 
@@ -71,7 +79,8 @@ struct StageFrameWords {
   std::string_view sentence;
   std::string_view corner{};  // of the button at the other end of the row; empty: the help's, where there is room
   StageAction corner_action = StageCommand::keys;
-  bool has_full = true;  // the strategy with every motor can be chosen
+  bool has_full = true;                 // the strategy with every motor can be chosen
+  const StageLesson* lesson = nullptr;  // null: there is none
 };
 StageLayout stage_layout(const Vector<2>& size, double scale, const MeasureText& measure, const StageFrameWords& words);
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "core/prediction.h"
@@ -63,6 +64,10 @@ StageMoment stage_moment_at_rest(const Settings& settings, const Vector<2>& goal
 double signed_ghost_force(const StageMoment& moment) noexcept {
   const double size = glm::length(moment.ghost_force);
   return glm::dot(moment.ghost_force, moment.wall_share) < 0.0 ? -size : size;
+}
+
+Vector<2> neutral_guess(const Settings& settings, const Vector<2>& goal) noexcept {
+  return glm::mix(goal, projection(wall_of(settings), goal), 0.45);
 }
 
 Equilibrium<2> equilibrium_without_ghost(const Settings& settings, const Vector<2>& goal) noexcept {

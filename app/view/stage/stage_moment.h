@@ -40,6 +40,9 @@ StageMoment stage_moment_at_rest(const Settings& settings, const Vector<2>& goal
 // Excess along the wall's share: positive where the motor pushes too hard, negative where too little [N].
 double signed_ghost_force(const StageMoment& moment) noexcept;
 
+// A guess of where the handle comes to rest that tells nothing: between the hand and the wall [m].
+Vector<2> neutral_guess(const Settings& settings, const Vector<2>& goal) noexcept;
+
 // With the ratio that the true hand needs, ρ* (17): where the handle should rest [m].
 Equilibrium<2> equilibrium_without_ghost(const Settings& settings, const Vector<2>& goal) noexcept;
 

@@ -97,7 +97,7 @@ void add_stage_wall(const StageLayer& layer) {
   }
   canvas.line(Role::wall, edge - along * reach, edge + along * reach, canvas.width(5.0), theme.wall_edge);
   canvas.labels.keep_clear(edge - along * reach, edge + along * reach, canvas.width(2.5), Clearance::if_possible);
-  if (!content.has_grips) return;
+  if (!content.has_grips || !content.may_turn_wall) return;
   if (const auto grips =
           stage_grips(content.settings, content.moment, canvas.camera, layout.scene(), canvas.unit).wall) {
     const bool is_hot = content.hovered_grip == StageGrip::wall;
