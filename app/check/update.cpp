@@ -13,6 +13,7 @@
 #include "app/console/interruption.h"
 #include "app/console/progress.h"
 #include "app/console/quoted.h"
+#include "app/console/shell_word.h"
 #include "app/files/input_file.h"
 #include "app/files/output_file.h"
 #include "app/files/png_file.h"
@@ -111,6 +112,13 @@ std::vector<std::string> update_goldens(const std::vector<Case>& all, const std:
   stop_if_interrupted();
   OutputFile::commit_all(files);
   return lines;
+}
+
+std::string update_command(std::string_view folder, std::string_view name) {
+  // What begins with a dash would be taken for an option.
+  const std::string from_here = folder.starts_with('-') ? fmt::format("./{}", folder) : std::string(folder);
+  return fmt::format("ghostforce check {} --update{}{}", shell_word(from_here), name.starts_with('-') ? "=" : " ",
+                     shell_word(name));
 }
 
 }  // namespace ghostforce

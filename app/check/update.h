@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/check/case_file.h"
@@ -12,5 +13,8 @@ namespace ghostforce {
 // golden that is equal to what is drawn stays as it is. Returns a line per case about what was done. Throws Failure:
 // wrong_call for a case without a golden, before anything is drawn; file_trouble; no_display; interrupted.
 std::vector<std::string> update_goldens(const std::vector<Case>& all, const std::vector<const Case*>& chosen);
+
+// The one command that stores a case's picture as it is drawn now.
+std::string update_command(std::string_view folder, std::string_view name);
 
 }  // namespace ghostforce

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "app/check/shell_word.h"
+#include "app/check/update.h"
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
 #include "app/files/input_file.h"

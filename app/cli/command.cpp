@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 
 #include <fmt/core.h>
 #include <CLI/CLI.hpp>
@@ -12,12 +11,10 @@
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
 #include "app/console/progress.h"
-#include "app/console/quoted.h"
-#include "app/console/typed_text.h"
 #include "app/files/run_file.h"
 #include "app/files/scene_file.h"
+#include "app/set_up/position_text.h"
 #include "core/simulate.h"
-#include "core/units.h"
 
 namespace ghostforce {
 namespace {
@@ -63,11 +60,7 @@ Scene SceneOptions::load() const {
 }
 
 WordCheck one_of(std::vector<std::string_view> words) {
-  const std::string all = listed(words);
-  return [words = std::move(words), all](const std::string& word) -> std::string {
-    if (std::ranges::find(words, word) != words.end()) return {};
-    return fmt::format("'{}' is not one of {}{}", quoted_text(word), all, did_you_mean(word, words));
-  };
+  return [words = std::move(words)](const std::string& word) { return not_one_of(word, words); };
 }
 
 WordCheck number_between(double least, double greatest, std::string unit) {
@@ -112,15 +105,8 @@ void write_played(OutputFile& file, std::string_view doing, const Scene& scene, 
 }
 
 Vector<2> position_from_mm(std::string_view option, std::string_view text) {
-  const std::size_t comma = text.find(',');
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  const double x = signed_number_in<double>(text.substr(0, comma)).value_or(none);
-  const double y =
-      comma == std::string_view::npos ? none : signed_number_in<double>(text.substr(comma + 1)).value_or(none);
-  if (std::abs(x) <= farthest_mm && std::abs(y) <= farthest_mm) return {x / mm_per_m, y / mm_per_m};
-  throw Failure(ExitCode::wrong_call,
-                fmt::format("{0} {1}: not a position; give two numbers from {2} to {3} mm, as in {0}=-10,5", option,
-                            quoted_text(text), -farthest_mm, farthest_mm));
+  if (const auto position = read_position_mm(text)) return *position;
+  throw Failure(ExitCode::wrong_call, fmt::format("{} {}", option, no_position_words(option, text)));
 }
 
 }  // namespace ghostforce

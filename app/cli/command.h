@@ -11,6 +11,7 @@
 
 #include "app/cli/overwrite_guard.h"
 #include "app/files/output_file.h"
+#include "app/files/scene_file.h"
 #include "core/scene.h"
 #include "core/tick.h"
 
@@ -41,7 +42,7 @@ std::span<const Command> command_catalog() noexcept;
 
 // SCENE and --set, which every command with a scene takes.
 struct SceneOptions {
-  std::string scene = "wall45";
+  std::string scene{default_scene_name};
   std::vector<std::string> overrides;
 
   void attach(CLI::App& command, FileOptions& files, bool scene_required);

@@ -15,7 +15,7 @@
 #include "app/cli/desktop_inputs.h"
 #include "app/cli/end_of_visit.h"
 #include "app/cli/falcon_options.h"
-#include "app/cli/picture_options.h"
+#include "app/cli/set_up_options.h"
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
 #include "app/console/quoted.h"
@@ -41,10 +41,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 struct RunOptions {
-  SceneOptions scene;
-  PictureOptions picture;
+  SetUpOptions set_up;
   std::string input{mouse_hand.name};
-  std::optional<std::string> goal_mm;  // empty: the scene's last waypoint
   std::optional<std::string> record;
   FalconSetUp falcon;
   std::string shader_folder;
@@ -111,49 +109,48 @@ std::optional<Run> load_recording(const RunOptions& options) {
 }
 
 Scene scene_for(const RunOptions& options, const std::optional<Run>& recording) {
-  if (!recording || !recording->scene || options.scene.is_named()) return options.scene.load();
-  return read_scene(scene_text(*recording->scene), options.input, options.scene.overrides);
+  if (!recording || !recording->scene || options.set_up.scene.is_named()) {
+    return options.set_up.scene.load();
+  }
+  return read_scene(scene_text(*recording->scene), options.input, options.set_up.scene.overrides);
 }
 
-// Where the hand of a person is at first, and after a reset.
-void apply_goal(const RunOptions& options, Scene& scene) {
-  if (!options.goal_mm) return;
-  const Vector<2> goal = position_from_mm("--goal-mm", *options.goal_mm);
-  if (options.input == scripted_hand.name || options.input.starts_with(replay_begins())) {
-    throw Failure(
-        ExitCode::wrong_call,
-        fmt::format("--goal-mm places your own hand, but --input {} brings a hand of its own; leave out one of them",
-                    quoted_text(options.input, longest_path)));
-  }
-  scene.goal.points.back() = goal;
+void refuse_goal_of_other_hand(const RunOptions& options) {
+  if (!options.set_up.goal_mm) return;
+  if (options.input != scripted_hand.name && !options.input.starts_with(replay_begins())) return;
+  throw Failure(
+      ExitCode::wrong_call,
+      fmt::format("--goal-mm places your own hand, but --input {} brings a hand of its own; leave out one of them",
+                  quoted_text(options.input, longest_path)));
 }
 
 int run(const RunOptions& options) {
   const std::optional<Run> recording = load_recording(options);
-  Scene scene = scene_for(options, recording);
-  options.picture.apply_strategy(scene);
-  apply_goal(options, scene);
+  Scene loaded = scene_for(options, recording);
+  refuse_goal_of_other_hand(options);
+  StoredPreferences stored = load_preferences();
+  const SetUp set_up = options.set_up.set_up(std::move(loaded), stored.preferences.face);
   const std::optional<FirmwareImage> firmware = options.falcon.read_firmware_file();
   if (firmware) say("{}\n", firmware_words(firmware));
   InputOptions input_options = options.falcon.input_options(firmware);
   if (recording) {
-    input_options.recorded_hand = std::make_shared<const GoalPath>(goal_path_of(*recording, scene.settings.rate));
+    input_options.recorded_hand =
+        std::make_shared<const GoalPath>(goal_path_of(*recording, set_up.scene.settings.rate));
   }
-  StoredPreferences stored = load_preferences();
-  const Face face = options.picture.face_or(stored.preferences.face);
   Appearance appearance = stored.preferences.appearance;
-  options.picture.apply_appearance(appearance);
+  options.set_up.picture.apply_appearance(appearance);
   const auto scaled = [&](int points) { return static_cast<int>(std::lround(points * appearance.scale)); };
   const WindowLayout layout = stored.layout.value_or(
       WindowLayout{.width = scaled(1280), .height = scaled(800), .is_maximized = false, .folded_panels = {}});
   leave_processor_to_servo();
-  Window window({.title = window_title(scene), .width = layout.width, .height = layout.height, .fits_monitor = true});
+  Window window(
+      {.title = window_title(set_up.scene), .width = layout.width, .height = layout.height, .fits_monitor = true});
   if (layout.is_maximized) window.maximize();
   Application application(
-      window, scene,
+      window, set_up.scene,
       {.appearance = appearance,
-       .face = face,
-       .mode = options.picture.stage_mode(),
+       .face = set_up.face,
+       .mode = set_up.mode,
        .inputs = desktop_inputs(options.falcon.cable()),
        .input = std::string(recording ? replay_kind.name : std::string_view(options.input)),
        .painter = cairo_file_painter(),
@@ -223,7 +220,7 @@ int run(const RunOptions& options) {
 
 std::function<int()> attach_run(CLI::App& command, FileOptions& files) {
   const auto options = std::make_shared<RunOptions>();
-  options->scene.attach(command, files, false);
+  options->set_up.attach(command, files);
   files.reads(command
                   .add_option("--input", options->input,
                               "What moves the goal: mouse; script, the scene's scripted hand; circle, round a circle "
@@ -240,11 +237,6 @@ std::function<int()> attach_run(CLI::App& command, FileOptions& files) {
                                "Record every tick, starting with the first, to this CSV file, which must not exist yet")
                    ->type_name("FILE")
                    ->check(refuse_standard_output));
-  command
-      .add_option("--goal-mm", options->goal_mm,
-                  "Where your hand starts, at rest, in mm; default: the scene's last waypoint")
-      ->type_name("X,Y");
-  options->picture.attach(command, false);
   options->falcon.attach(command, files);
   command.add_flag("--no-hints", options->no_hints, "Do not show the hints for newcomers");
   command

@@ -4,6 +4,10 @@
 #include <cstddef>
 #include <vector>
 
+#include <fmt/format.h>
+
+#include "app/console/quoted.h"
+
 namespace ghostforce {
 namespace {
 
@@ -58,6 +62,11 @@ std::optional<std::string_view> nearest_name(std::string_view word, std::span<co
     }
   }
   return nearest;
+}
+
+std::string not_one_of(std::string_view word, std::span<const std::string_view> words) {
+  if (std::ranges::find(words, word) != words.end()) return {};
+  return fmt::format("'{}' is not one of {}{}", quoted_text(word), listed(words), did_you_mean(word, words));
 }
 
 std::string did_you_mean(std::string_view word, std::span<const std::string_view> candidates) {

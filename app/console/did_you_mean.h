@@ -13,6 +13,9 @@ namespace ghostforce {
 // A word that a candidate begins with is near, however much follows: k_r and k_r_N_per_m.
 std::optional<std::string_view> nearest_name(std::string_view word, std::span<const std::string_view> candidates);
 
+// "'WORD' is not one of A, B, C; did you mean 'A'?"; empty: it is one of them.
+std::string not_one_of(std::string_view word, std::span<const std::string_view> words);
+
 // "; did you mean 'CANDIDATE'?", or nothing.
 std::string did_you_mean(std::string_view word, std::span<const std::string_view> candidates);
 

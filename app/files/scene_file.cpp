@@ -189,6 +189,10 @@ std::string value_text(Scene scene, const SceneKey& key) {
   return std::visit(ValueText{scene}, key.value);
 }
 
+double file_millimetres(double metres) {
+  return file_value(metres, mm_per_m);
+}
+
 Scene rounded_to_file(Scene scene) {
   for (const SceneKey& key : scene_keys()) std::visit(Rounding{scene}, key.value);
   return scene;

@@ -15,6 +15,9 @@ namespace ghostforce {
 // "wall45", "fig1" …, sorted by name; their texts are in embedded_scenes.h.
 std::vector<std::string_view> shipped_scene_names();
 
+// What commands take where none is named.
+inline constexpr std::string_view default_scene_name = "wall45";
+
 // Whether it can only mean a file, or is one, or is a shipped scene: what tells
 // a scene from a mistyped command.
 bool may_be_scene(const std::string& name_or_path);
@@ -31,6 +34,9 @@ std::string scene_text(const Scene& scene);
 
 // The value of a key alone, as scene_text() writes it and --set takes it; empty: to be left out.
 std::string value_text(Scene scene, const SceneKey& key);
+
+// The number of mm that reads back as exactly this [m], in as few digits as possible; the nearest one where there is none.
+double file_millimetres(double metres);
 
 // The nearest scene that a file can hold. Files hold mm and degrees, and not
 // every metre or radian is the quotient of some number of those: such a value

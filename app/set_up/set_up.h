@@ -9,11 +9,13 @@
 
 namespace ghostforce {
 
+// The path of the scene ends where the hand is, as `run --goal-mm` and a saved scene have it: a reset brings the hand
+// back to that place.
 struct SetUp {
-  Scene scene;          // as a file would hold it, with the active strategy
+  Scene scene;          // as a file would hold it, with the active strategy; its path ends at `goal`
   Vector<2> goal{0.0};  // where the hand of a person is [m]
   Face face = Face::stage;
-  StageMode mode = StageMode::none;  // of the stage
+  StageMode mode = StageMode::none;  // of the stage; on the workbench none
 };
 
 }  // namespace ghostforce

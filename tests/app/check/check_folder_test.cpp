@@ -18,7 +18,7 @@
 
 #include "app/check/case_folder.h"
 #include "app/check/golden_origin.h"
-#include "app/check/shell_word.h"
+#include "app/check/update.h"
 #include "app/check/update.h"
 #include "app/console/failure.h"
 #include "tests/app/check/check_cases.h"
@@ -439,11 +439,7 @@ TEST(Check, SaysWhatIsMissingWhereThereIsNoOpenGl) {
   EXPECT_TRUE(contains(outcome.err, "no OpenGL at all"));
 }
 
-TEST(ShellWord, IsTakenByAShellAsItIs) {
-  for (const std::string word :
-       {"plain-name_1.2", "two words", "it's", "$HOME", "`x`", "a\\b", "", "~", "*", "a;b", "ü"}) {
-    EXPECT_EQ(run_program("/bin/sh", {"-c", "printf %s " + shell_word(word)}).out, word);
-  }
+TEST(UpdateCommand, TakesNothingForAnOption) {
   EXPECT_EQ(update_command("-d", "-n"), "ghostforce check ./-d --update=-n");
 }
 
