@@ -106,6 +106,14 @@ std::span<const SceneKey> scene_keys() noexcept {
   return keys;
 }
 
+void set_number(Scene& scene, const SceneKey& key, double number) noexcept {
+  if (const auto* const real = std::get_if<NumberKey>(&key.value)) {
+    real->in(scene) = number / real->per_si;
+  } else {
+    std::get<OptionalNumberKey>(key.value).in(scene) = number;
+  }
+}
+
 bool is_setting(const SceneKey& key) noexcept {
   return key.table == "wall" || key.table == "device" || key.table == "user" || key.table == "rendering";
 }

@@ -105,6 +105,10 @@ struct SceneKey {
 // In the order in which a scene is written.
 std::span<const SceneKey> scene_keys() noexcept;
 
+// Gives the key this number, in the file's unit: the same bits as --set KEY=NUMBER with its shortest decimal. The key
+// must hold a single number.
+void set_number(Scene& scene, const SceneKey& key, double number) noexcept;
+
 // Whether it is one of Scene::settings, which may change while the scene runs.
 bool is_setting(const SceneKey& key) noexcept;
 

@@ -3,81 +3,20 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
 #include <optional>
-#include <utility>
 #include <variant>
 
 #include <fmt/format.h>
 
-#include "app/console/did_you_mean.h"
-#include "app/console/quoted.h"
-#include "app/files/input_file.h"
+#include "app/files/named_text.h"
 #include "app/files/toml_document.h"
 #include "core/units.h"
 #include "embedded_scenes.h"
 
 namespace ghostforce {
 namespace {
-
-constexpr std::string_view extension = ".toml";
-
-std::string_view name_of(const EmbeddedText& scene) noexcept {
-  return scene.name.substr(0, scene.name.size() - extension.size());
-}
-
-const EmbeddedText* find_shipped(std::string_view name) noexcept {
-  const auto found = std::ranges::find(embedded_scenes, name, name_of);
-  return found == embedded_scenes.end() ? nullptr : &*found;
-}
-
-// What the person may have meant by a name that is nothing: a file nearby, or a shipped scene.
-std::optional<std::string> meant_by(const std::filesystem::path& path) {
-  const std::string stem = path.extension() == extension ? path.stem().string() : path.filename().string();
-  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-  const auto name_of = [](const std::filesystem::path& file) {
-    return file.extension() == extension ? file.stem().string() : "";
-  };
-  if (const auto near = nearest_name_in(folder, stem, name_of)) {
-    const std::string found = *near + std::string(extension);
-    return path.has_parent_path() ? (folder / found).string() : found;
-  }
-  if (const auto near = nearest_name(stem, shipped_scene_names())) return std::string(*near);
-  return std::nullopt;
-}
-
-std::string read_file(const std::string& path) {
-  FileContents file = file_contents(path);
-  const auto fail = [&](std::string what, std::string remedy) {
-    return ReadError(ReadError::Kind::wrong,
-                     {{.file = quoted_text(path, longest_path), .what = std::move(what), .remedy = std::move(remedy)}});
-  };
-  switch (path.empty() ? ENOENT : file.error) {
-    case 0:
-      return std::move(file.text);
-    case ENOENT:
-    case ENOTDIR:
-    case ENAMETOOLONG: {
-      const std::optional<std::string> meant = meant_by(path);
-      throw ReadError(
-          ReadError::Kind::wrong,
-          {{.what = fmt::format("no scene named '{}'", quoted_text(path, longest_path)),
-            .remedy = meant ? fmt::format("did you mean '{}'?", quoted_text(*meant))
-                            : fmt::format("give the path of a file, or one of {}", listed(shipped_scene_names())),
-            .suggestion = meant.value_or("")}});
-    }
-    case EISDIR:
-      throw fail("is a folder", "name a scene file in it");
-    case EFBIG:
-      throw fail(fmt::format("is larger than {} MiB, too large for a scene", largest_text_file >> 20),
-                 "name a scene file");
-    default:
-      throw unreadable(quoted_text(path, longest_path), file.error, ": ");
-  }
-}
 
 // The number of file units from which the reader makes exactly this SI value, in as few digits as possible; the nearest
 // one where there is none.
@@ -151,22 +90,18 @@ struct Rounding {
 }  // namespace
 
 std::vector<std::string_view> shipped_scene_names() {
-  std::vector<std::string_view> names;
-  for (const EmbeddedText& scene : embedded_scenes) names.push_back(name_of(scene));
+  std::vector<std::string_view> names = names_of_texts(embedded_scenes);
   std::sort(names.begin(), names.end());
   return names;
 }
 
 bool may_be_scene(const std::string& name_or_path) {
-  return find_shipped(name_or_path) != nullptr || name_or_path.find('/') != std::string::npos ||
-         name_or_path.ends_with(extension) || access(name_or_path.c_str(), F_OK) == 0;
+  return find_text(embedded_scenes, name_or_path) != nullptr || name_or_path.find('/') != std::string::npos ||
+         name_or_path.ends_with(".toml") || access(name_or_path.c_str(), F_OK) == 0;
 }
 
 Scene load_scene(const std::string& name_or_path, std::span<const std::string> overrides) {
-  if (const EmbeddedText* const scene = find_shipped(name_or_path)) {
-    return read_scene(scene->contents, name_or_path, overrides);
-  }
-  return read_scene(read_file(name_or_path), name_or_path, overrides);
+  return read_scene(named_text(name_or_path, "scene", embedded_scenes), name_or_path, overrides);
 }
 
 std::string scene_text(const Scene& scene) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -84,6 +85,11 @@ std::vector<std::string_view> tables_of(std::span<const TomlKey> keys) {
   return tables;
 }
 
+std::string suggestion(std::string_view name, std::span<const std::string_view> here) {
+  const std::string near = did_you_mean(name, here);
+  return near.empty() ? fmt::format("; the keys here are {}", listed(here)) : near;
+}
+
 std::string suggestion(std::span<const TomlKey> keys, std::string_view table, std::string_view name) {
   std::vector<std::string_view> here;
   for (const TomlKey& key : keys) {
@@ -96,8 +102,7 @@ std::string suggestion(std::span<const TomlKey> keys, std::string_view table, st
   if (table.empty()) {
     std::ranges::copy(tables_of(keys), std::back_inserter(here));
   }
-  const std::string near = did_you_mean(name, here);
-  return near.empty() ? fmt::format("; the keys here are {}", listed(here)) : near;
+  return suggestion(name, here);
 }
 
 ReadProblem problem(std::string what, std::string_view remedy) {
@@ -119,6 +124,7 @@ struct TomlReader::Content {
   std::span<const TomlKey> keys{};
   Suggest suggest{};
   FirstProblems<Place, ReadProblem> problems{};
+  std::set<std::string, std::less<>> names{};  // of tables within tables, for messages
 
   static Place place_of(const TomlValue& value) {
     if (value.override_number_ > 0) return {value.override_number_};
@@ -246,6 +252,46 @@ bool TomlValue::read_numbers(std::span<double> into, const NumberLimits& limits,
   return is_good;
 }
 
+TomlValue TomlValue::child(std::string_view name, const void* node) const {
+  auto& names = reader_->content_->names;
+  TomlValue value = *this;
+  value.node_ = node;
+  value.table_ = *names.insert(dotted_name(table_, name_)).first;
+  value.name_ = *names.insert(quoted_text(name)).first;
+  return value;
+}
+
+bool TomlValue::is_table() const noexcept {
+  return node_at(node_).is_table();
+}
+
+bool TomlValue::read_table(std::span<const TomlKey> keys, const TakeOther& other) const {
+  const toml::table* const table = node_at(node_).as_table();
+  if (table == nullptr) {
+    refuse_type(fmt::format("write a table with the keys {}", listed(names_of(keys))));
+    return false;
+  }
+  auto& problems = reader_->content_->problems;
+  const std::string path = dotted_name(table_, name_);
+  for (const auto& [key, node] : *table) {
+    if (find_key(keys, "", key.str()) != nullptr) continue;
+    if (other && other(key.str(), child(key.str(), &node))) continue;
+    problems.add(in_file(key.source().begin), [path, name = key.str(), here = names_of(keys)] {
+      return problem(fmt::format("the key {} is unknown", dotted_name(path, quoted_text(name))),
+                     suggestion(name, here));
+    });
+  }
+  for (const TomlKey& key : keys) {
+    if (const toml::node* const node = table->get(key.name)) {
+      if (key.read) key.read(child(key.name, node));
+    } else if (key.if_missing) {
+      problems.add(in_file(table->source().begin),
+                   problem(fmt::format("the key {} is missing", dotted_name(path, key.name)), *key.if_missing));
+    }
+  }
+  return true;
+}
+
 // --- The file and --set as TOML ---
 
 TomlReader::TomlReader(std::string_view shown_path)
@@ -278,6 +324,13 @@ void TomlReader::override_key(std::string_view argument, std::string_view key, s
 void TomlReader::refuse_override(std::string_view argument, std::string_view what, std::string_view remedy) {
   content_->overrides.push_back({std::string(argument), "", {}});
   content_->problems.add({content_->overrides.size()}, problem(std::string(what), remedy));
+}
+
+TomlValue TomlReader::whole() {
+  TomlValue value;
+  value.reader_ = this;
+  value.node_ = &content_->file;
+  return value;
 }
 
 bool TomlReader::is_empty() const {

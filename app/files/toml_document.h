@@ -32,6 +32,7 @@ struct NumberLimits {
 std::string range_words(const NumberLimits& limits);
 
 class TomlReader;
+struct TomlKey;
 
 // The value of a key, or an element of it; it lives as long as its reader. What is read is empty where it is wrong, and
 // that has been told then.
@@ -56,6 +57,13 @@ class TomlValue {
     return read_numbers(result, limits, remedy) ? std::optional(result) : std::nullopt;
   }
 
+  bool is_table() const noexcept;
+  // Of a table within the file, strictly by a list of its keys, whose `table` is empty. Keys that are not in the list go
+  // to `other`, in the order of the alphabet; where it returns false, and without it, they are unknown. False: it is no
+  // table.
+  using TakeOther = std::function<bool(std::string_view name, const TomlValue& value)>;
+  bool read_table(std::span<const TomlKey> keys, const TakeOther& other = {}) const;
+
   // "the key KEY: what; remedy". A remedy may begin with "; ", as the words of did_you_mean() do.
   void refuse(std::string_view what, std::string_view remedy) const;
   // "is a number", or "holds" one.
@@ -67,6 +75,7 @@ class TomlValue {
  private:
   friend class TomlReader;
   bool read_numbers(std::span<double> into, const NumberLimits& limits, std::string_view remedy) const;
+  TomlValue child(std::string_view name, const void* node) const;
 
   TomlReader* reader_ = nullptr;
   const void* node_ = nullptr;       // a toml::node
@@ -130,6 +139,10 @@ class TomlReader {
   void read(std::span<const TomlKey> keys, Suggest suggest = {});
   // The values alone: what is unknown may be of a newer program.
   void read_values(std::span<const TomlKey> keys);
+
+  // The file as a table: what holds tables of tables, or tables that somebody else names, is read from there with
+  // read_table() alone.
+  TomlValue whole();
 
   bool is_empty() const;
   bool has_table(std::string_view name) const;

@@ -1,1 +1,34 @@
 #include "app/lessons/lesson_file.h"
+
+#include <filesystem>
+
+#include "app/files/named_text.h"
+#include "app/lessons/lesson_reader.h"
+#include "embedded_lessons.h"
+
+namespace ghostforce {
+
+std::vector<std::string_view> shipped_lesson_names() {
+  return names_of_texts(embedded_lessons);
+}
+
+Lesson load_lesson(const std::string& name_or_path) {
+  return read_lesson(named_text(name_or_path, "lesson", embedded_lessons), name_or_path);
+}
+
+Lesson read_lesson(std::string_view text, std::string_view shown_path) {
+  LessonReader reader(shown_path);
+  Lesson lesson = reader.read(text);
+  lesson.name = std::filesystem::path(shown_path).stem().string();
+  return lesson;
+}
+
+const LessonWords& words_in(const Lesson& lesson, std::string_view language) {
+  for (const std::string_view wanted : {language, std::string_view("en")}) {
+    const auto found = lesson.words.find(std::string(wanted));
+    if (found != lesson.words.end()) return found->second;
+  }
+  return lesson.words.begin()->second;
+}
+
+}  // namespace ghostforce

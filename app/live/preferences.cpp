@@ -2,17 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <filesystem>
 #include <span>
-#include <system_error>
 
 #include <fmt/format.h>
 
-#include "app/console/failure.h"
-#include "app/console/quoted.h"
-#include "app/files/input_file.h"
-#include "app/files/output_file.h"
+#include "app/files/kept_file.h"
 #include "app/files/toml_document.h"
 #include "app/files/xdg_folders.h"
 #include "app/ui/window.h"
@@ -22,16 +17,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path preferences_file() {
+KeptFile preferences_file() {
   const fs::path where = config_folder();
-  return where.empty() ? where : where / "preferences.toml";
+  return {.path = where.empty() ? where : where / "preferences.toml", .contents = "preferences are"};
 }
 
-fs::path layout_file() {
+KeptFile layout_file() {
   const fs::path where = state_folder();
-  return where.empty() ? where : where / "layout.toml";
+  return {.path = where.empty() ? where : where / "layout.toml", .contents = "the window's layout is"};
 }
 
+// Unknown keys are those of a newer program, and missing ones those that an older one did not know.
 void read(TomlReader& reader, Preferences& preferences) {
   reader.read_values(std::array{
       TomlKey{"", "theme",
@@ -87,96 +83,28 @@ std::string text_of(const WindowLayout& layout) {
       layout.width, layout.height, layout.is_maximized, folded);
 }
 
-// Where a damaged file goes: a name that nothing has yet.
-fs::path name_aside(const fs::path& file) {
-  std::error_code error;
-  for (int number = 1;; ++number) {
-    fs::path aside = file;
-    aside += number == 1 ? ".damaged" : fmt::format(".damaged-{}", number);
-    if (!fs::exists(aside, error)) return aside;
-  }
-}
-
-template <typename Value>
-std::optional<Value> load_from(const fs::path& file, std::vector<std::string>& remarks) {
-  std::error_code error;
-  if (file.empty() || !fs::exists(file, error)) return std::nullopt;
-  const std::string shown = quoted_text(file.string(), longest_path);
-  if (!fs::is_regular_file(file, error)) {
-    remarks.push_back(fmt::format("{} is not a file, so the defaults are used", shown));
-    return std::nullopt;
-  }
-  const FileContents contents = file_contents(file);
-  if (contents.error != 0) {
-    remarks.push_back(fmt::format("{} cannot be read ({}), so the defaults are used; the file stays as it is", shown,
-                                  unreadable_words(contents.error)));
-    return std::nullopt;
-  }
-  TomlReader reader(file.string());
-  Value value;
-  // Unknown keys are those of a newer program, and missing ones those that an older one did not know.
-  if (reader.parse(contents.text)) read(reader, value);
-  const std::vector<ReadProblem> problems = reader.problems();
-  if (problems.empty()) return value;
-
-  std::string damage;
-  for (const ReadProblem& problem : problems) {
-    if (!damage.empty()) damage += "; ";
-    if (problem.line > 0) damage += fmt::format("line {}: ", problem.line);
-    damage += words_of({.what = problem.what, .remedy = problem.remedy});
-  }
-  const fs::path aside = name_aside(file);
-  fs::rename(file, aside, error);
-  remarks.push_back(error ? fmt::format("{} is damaged ({}), so the defaults are used", shown, damage)
-                          : fmt::format("{} was damaged ({}) and is now {}; the defaults are used", shown, damage,
-                                        quoted_text(aside.string(), longest_path)));
-  return std::nullopt;
-}
-
-// `what` is kept in the file, for messages.
-void write(const fs::path& file, const std::string& text, std::string_view what) {
-  if (file.empty()) return;
-  std::error_code error;
-  fs::create_directories(file.parent_path(), error);
-  if (error) {
-    throw Failure(ExitCode::file_trouble,
-                  fmt::format("the folder {} cannot be made: {}; {} kept there",
-                              quoted_text(file.parent_path().string(), longest_path), error.message(), what));
-  }
-  // A link to nothing yet is followed; into a pipe nobody may ever look.
-  if (const std::string_view kind = kind_instead_of_file(file); !kind.empty() && fs::exists(file, error)) {
-    throw Failure(ExitCode::file_trouble, fmt::format("{} is {}, and {} kept in a file of this name; remove it",
-                                                      quoted_text(file.string(), longest_path), kind, what));
-  }
-  // What cannot be read may be worth much all the same.
-  const FileContents old = file_contents(file);
-  if (old.error != 0 && old.error != ENOENT) {
-    throw Failure(
-        ExitCode::file_trouble,
-        fmt::format("{} cannot be read ({}) and stays as it is, and {} kept in a file of this name; repair or "
-                    "remove it",
-                    quoted_text(file.string(), longest_path), std::generic_category().message(old.error), what));
-  }
-  OutputFile output(file.string());
-  output.write(text);
-  output.commit();
-}
-
 }  // namespace
 
 StoredPreferences load_preferences() {
   StoredPreferences stored;
-  stored.preferences = load_from<Preferences>(preferences_file(), stored.remarks).value_or(Preferences{});
-  stored.layout = load_from<WindowLayout>(layout_file(), stored.remarks);
+  Preferences preferences;
+  if (load(
+          preferences_file(), [&](TomlReader& reader) { read(reader, preferences); }, stored.remarks)) {
+    stored.preferences = preferences;
+  }
+  WindowLayout layout;
+  if (load(
+          layout_file(), [&](TomlReader& reader) { read(reader, layout); }, stored.remarks))
+    stored.layout = layout;
   return stored;
 }
 
 void save(const Preferences& preferences) {
-  write(preferences_file(), text_of(preferences), "preferences are");
+  save(preferences_file(), text_of(preferences));
 }
 
 void save(const WindowLayout& layout) {
-  write(layout_file(), text_of(layout), "the window's layout is");
+  save(layout_file(), text_of(layout));
 }
 
 }  // namespace ghostforce

@@ -9,7 +9,6 @@
 #include <glm/geometric.hpp>
 
 #include "app/lessons/lesson_file.h"
-#include "app/lessons/lesson_quantities.h"
 #include "app/lessons/lesson_slider.h"
 #include "app/session/measurement_guide.h"
 #include "app/session/stage_actions.h"
@@ -81,9 +80,21 @@ Vector<2> hand_of(const Session& session) {
   return session.lesson->glide ? session.lesson->glide->to : session.goal;
 }
 
+// What was done before stays done.
+void note_progress(Session& session) {
+  const LessonState& lesson = *session.lesson;
+  LessonRecord& record = session.lesson_progress.lessons[lesson.lesson->name];
+  record.farthest = std::max(record.farthest, lesson.furthest);
+  record.is_finished = record.is_finished || lesson.is_finished;
+  for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+    if (lesson.steps[i].outcome == LessonOutcome::right) record.right.insert(lesson.lesson->steps[i].name);
+  }
+}
+
 void begin_step(Session& session) {
   LessonState& lesson = *session.lesson;
   lesson.furthest = std::max(lesson.furthest, lesson.step);
+  note_progress(session);
   lesson.met_s = 0.0;
   session.stage.is_black = false;
   session.stage.guess.reset();
@@ -103,6 +114,7 @@ void show_again(Session& session) {
 void close_question(Session& session, LessonOutcome outcome) {
   LessonState& lesson = *session.lesson;
   present_state(lesson).outcome = outcome;
+  note_progress(session);
   session.stage.guess_is_open = false;
   if (const auto& reveal = lesson_step(lesson).reveal) apply(session, *reveal);
 }
@@ -115,13 +127,6 @@ void glide_on(Session& session, double interval_s) {
   const double share = glide->elapsed_s < glide_lasts_s ? minimum_jerk(glide->elapsed_s / glide_lasts_s) : 1.0;
   session.goal = glide->last = share < 1.0 ? glm::mix(glide->from, glide->to, share) : glide->to;
   if (share == 1.0) glide.reset();
-}
-
-bool is_task_met(const LessonStep& step, const LessonReading& reading) {
-  if (step.with && reading.settings.active != *step.with) return false;
-  return std::ranges::all_of(step.conditions, [&](const LessonCondition& condition) {
-    return is_met(condition, {reading.moment, reading.settings, reading.circle});
-  });
 }
 
 }  // namespace
@@ -181,6 +186,9 @@ void next_lesson_step(Session& session) {
   if (is_open(lesson)) return show_answer_in_lesson(session);
   if (lesson.step + 1 == lesson.steps.size()) {
     lesson.is_finished = true;
+    note_progress(session);
+    leave_lesson(session);
+    session.dialog = Dialog::lessons;
     return;
   }
   ++lesson.step;
@@ -250,7 +258,7 @@ void follow_lesson(Session& session, const LessonReading& reading, double interv
   if (session.lesson->glide) return glide_on(session, interval_s);
   if (!has_open_question(session, LessonQuestion::task)) return;
   LessonState& lesson = *session.lesson;
-  lesson.met_s = is_task_met(lesson_step(lesson), reading) ? lesson.met_s + interval_s : 0.0;
+  lesson.met_s = is_done(lesson_step(lesson), reading) ? lesson.met_s + interval_s : 0.0;
   if (lesson.met_s >= task_lasts_s) close_question(session, LessonOutcome::right);
 }
 

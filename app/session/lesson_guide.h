@@ -5,8 +5,8 @@
 #include <memory>
 #include <string_view>
 
+#include "app/lessons/lesson_quantities.h"
 #include "app/session/session.h"
-#include "app/view/stage/stage_moment.h"
 
 namespace ghostforce {
 
@@ -41,11 +41,6 @@ void nudge_lesson_slider(Session& session, double hundredths);
 
 // Once a frame: the hand glides on, and a task is looked at. A task is done when its conditions have been met for a
 // moment while nothing glides, so that nobody solves it in passing.
-struct LessonReading {
-  const StageMoment& moment;
-  const Settings& settings;
-  const CircleReading* circle = nullptr;  // null: the hand goes round no circle
-};
 void follow_lesson(Session& session, const LessonReading& reading, double interval_s);
 
 // Without a lesson everything is allowed, and nothing is hidden.

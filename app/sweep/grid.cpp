@@ -76,7 +76,7 @@ double value_at(const Grid& grid, std::size_t which, std::int64_t point) noexcep
 }
 
 void put_point(const Grid& grid, std::int64_t point, Scene& scene) noexcept {
-  for (std::size_t i = 0; i < grid.ranges.size(); ++i) put(grid.ranges[i], value_at(grid, i, point), scene);
+  for (std::size_t i = 0; i < grid.ranges.size(); ++i) set_number(scene, *grid.ranges[i].key, value_at(grid, i, point));
 }
 
 }  // namespace ghostforce

@@ -132,12 +132,4 @@ std::variant<Range, std::string> parse_range(std::string_view argument) {
   return range;
 }
 
-void put(const Range& range, double value, Scene& scene) noexcept {
-  if (const auto* const number = std::get_if<NumberKey>(&range.key->value)) {
-    number->in(scene) = value / number->per_si;
-  } else {
-    std::get<OptionalNumberKey>(range.key->value).in(scene) = value;
-  }
-}
-
 }  // namespace ghostforce

@@ -25,7 +25,4 @@ struct Range {
 // Returns what is wrong if something is.
 std::variant<Range, std::string> parse_range(std::string_view argument);
 
-// Gives the scene's key this value: the same bits as --set KEY=VALUE with the shortest decimal of `value`.
-void put(const Range& range, double value, Scene& scene) noexcept;
-
 }  // namespace ghostforce

@@ -76,6 +76,50 @@ TEST(TomlReader, TakesAnIntegerForANumberHoweverLongItIs) {
             "shelf.toml:1:12: the key height_m: 9.223372036854776e+18 is out of range; give 0.5 to 3 m");
 }
 
+// Rooms that somebody names, each with a list of shelves.
+std::string words_about_house(std::string_view text, std::string* read = nullptr) {
+  TomlReader reader("house.toml");
+  double height = 0.0;
+  const std::vector<TomlKey> shelf{{"", "height_m", number_into(height, {0.5, 3.0, "m"}), "measure it"}};
+  const std::vector<TomlKey> room{{"", "shelf", [&](const TomlValue& shelves) {
+                                     const std::size_t count = shelves.count("write [[ROOM.shelf]]").value_or(0);
+                                     for (std::size_t i = 0; i < count; ++i) {
+                                       if (shelves[i].read_table(shelf) && read) *read += std::to_string(height) + " ";
+                                     }
+                                   }}};
+  const std::vector<TomlKey> house{{"", "floors", {}, "count them"}};
+  if (reader.parse(text)) {
+    reader.whole().read_table(house, [&](std::string_view name, const TomlValue& value) {
+      if (read) read->append(name) += ": ";
+      return value.is_table() && value.read_table(room);
+    });
+  }
+  return reader.problems().empty() ? "" : ReadError(ReadError::Kind::wrong, reader.problems()).what();
+}
+
+TEST(TomlReader, ReadsTablesWithinTablesWhoeverNamesThem) {
+  std::string read;
+  EXPECT_EQ(words_about_house("floors = 2\n[[hall.shelf]]\nheight_m = 1\n[[hall.shelf]]\nheight_m = 2\n[attic]\n"
+                              "shelf = [{ height_m = 0.5 }]\n",
+                              &read),
+            "");
+  EXPECT_EQ(read, "attic: 0.500000 hall: 1.000000 2.000000 ");
+}
+
+TEST(TomlReader, TellsWhereInTablesWithinTablesSomethingIsWrong) {
+  EXPECT_EQ(words_about_house("[[hall.shelf]]\nheight_m = 9\n\n[[hall.shelf]]\nhieght_m = 2\n[\"at\\u0007tic\"]\n"
+                              "shelf = 2\n[cellar]\nshelf = [3]\nbox = 1\n"),
+            "house.toml:1:1: the key floors is missing; count them\n"
+            "house.toml:2:12: the key hall.shelf.height_m: 9 is out of range; give 0.5 to 3 m\n"
+            "house.toml:4:1: the key hall.shelf.height_m is missing; measure it\n"
+            "house.toml:5:1: the key hall.shelf.hieght_m is unknown; did you mean 'height_m'?\n"
+            "house.toml:7:9: the key at\\x07tic.shelf: is a number; write [[ROOM.shelf]]\n"
+            "house.toml:9:10: the key cellar.shelf: is a number; write a table with the keys height_m\n"
+            "house.toml:10:1: the key cellar.box is unknown; the keys here are shelf");
+  EXPECT_EQ(words_about_house("floors = 2\nhall = 3\n"),
+            "house.toml:2:1: the key hall is unknown; the keys here are floors");
+}
+
 TEST(ReadError, HasOneExitCodeForEachOfItsKinds) {
   EXPECT_EQ(exit_code_of(ReadError::Kind::wrong), ExitCode::wrong_call);
   EXPECT_EQ(exit_code_of(ReadError::Kind::unreadable), ExitCode::file_trouble);

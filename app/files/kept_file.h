@@ -1,0 +1,31 @@
+// A small TOML file in which the program keeps something from one run to the next: preferences, the window's layout,
+// progress. A damaged file is set aside under another name, and one that cannot be read stays where it is: what a
+// person may want back is never overwritten, and nothing of this is a reason not to start. Saved whole or not at all
+// (output_file.h). Not for the servo thread.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/files/toml_document.h"
+
+namespace ghostforce {
+
+struct KeptFile {
+  std::filesystem::path path;  // empty: without a home folder nothing is kept
+  std::string_view contents;   // for messages, with its verb: "preferences are", "the window's layout is"
+  std::string_view without = "the defaults are used";  // what happens where it cannot be used
+};
+
+// Hands the file to `read` if there is one. False: what `read` has made is not to be used: there is no file, it cannot
+// be read, or `read` or the parser told of problems. `remarks` gets what the person should know of that: what was wrong,
+// and where the file is now.
+bool load(const KeptFile& file, const std::function<void(TomlReader&)>& read, std::vector<std::string>& remarks);
+
+// Makes the folder too. Throws Failure(file_trouble), with what to do.
+void save(const KeptFile& file, std::string_view text);
+
+}  // namespace ghostforce

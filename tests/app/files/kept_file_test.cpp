@@ -1,0 +1,79 @@
+// A file that the program keeps for itself: what comes back, what is set aside, and what is never overwritten. The
+// preferences' own tests go through more kinds of damage (tests/app/live/preferences_test.cpp).
+#include "app/files/kept_file.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <filesystem>
+
+#include "app/console/failure.h"
+#include "tests/support/temporary_folder.h"
+
+namespace ghostforce {
+namespace {
+
+class KeptFileTest : public testing::Test {
+ protected:
+  // What stands in the file under the key `score`; empty where the file cannot be used.
+  std::optional<double> score() {
+    double number = 0.0;
+    const auto read = [&](TomlReader& reader) {
+      reader.read_values(std::array{TomlKey{"", "score", number_into(number, {.least = 0.0, .greatest = 10.0})}});
+    };
+    return load(file_, read, remarks_) ? std::optional(number) : std::nullopt;
+  }
+
+  TemporaryFolder folder_;
+  KeptFile file_{
+      .path = folder_ / "a/b/progress.toml", .contents = "the progress is", .without = "all lessons begin anew"};
+  std::vector<std::string> remarks_;
+};
+
+TEST_F(KeptFileTest, ComesBackAsItWasSaved) {
+  EXPECT_FALSE(score());
+  save(file_, "score = 3\n");
+  EXPECT_EQ(score(), 3.0);
+  save(file_, "score = 4\n");
+  EXPECT_EQ(score(), 4.0);
+  EXPECT_TRUE(remarks_.empty());
+}
+
+TEST_F(KeptFileTest, IsNowhereWithoutAHome) {
+  file_.path.clear();
+  save(file_, "score = 3\n");
+  EXPECT_FALSE(score());
+  EXPECT_TRUE(remarks_.empty());
+}
+
+TEST_F(KeptFileTest, IsSetAsideWhenDamagedAndSaysWhatFollows) {
+  for (const char* aside : {"a/b/progress.toml.damaged", "a/b/progress.toml.damaged-2"}) {
+    save(file_, "score = 11\n");
+    EXPECT_FALSE(score());
+    EXPECT_EQ(read_whole(folder_ / aside), "score = 11\n");
+    ASSERT_EQ(remarks_.size(), 1U);
+    EXPECT_NE(remarks_[0].find("progress.toml was damaged (line 1: the key score: 11 is out of range; give 0 to 10)"),
+              std::string::npos)
+        << remarks_[0];
+    EXPECT_TRUE(remarks_[0].ends_with("; all lessons begin anew")) << remarks_[0];
+    remarks_.clear();
+  }
+}
+
+TEST_F(KeptFileTest, IsNotOverwrittenWhereSomethingElseIs) {
+  std::filesystem::create_directories(folder_ / "a/b/progress.toml");
+  EXPECT_FALSE(score());
+  ASSERT_EQ(remarks_.size(), 1U);
+  EXPECT_TRUE(remarks_[0].ends_with(" is not a file, so all lessons begin anew")) << remarks_[0];
+  try {
+    save(file_, "score = 3\n");
+    FAIL() << "a folder was overwritten";
+  } catch (const Failure& failure) {
+    EXPECT_NE(std::string(failure.what()).find("is a folder, and the progress is kept in a file of this name"),
+              std::string::npos)
+        << failure.what();
+  }
+}
+
+}  // namespace
+}  // namespace ghostforce
