@@ -296,8 +296,7 @@ void LessonReader::read_steps(const TomlValue& steps) {
 
 // --- Languages ---
 
-void LessonReader::compare_answers(const TomlValue& answers, std::string_view language, std::size_t number,
-                                   std::size_t count) {
+void LessonReader::compare_answers(const TomlValue& answers, std::size_t number, std::size_t count) {
   StepFacts& facts = facts_[number];
   if (count < fewest_lesson_answers || count > most_lesson_answers) {
     answers.refuse(fmt::format("has {} of them", count),
@@ -314,8 +313,7 @@ void LessonReader::compare_answers(const TomlValue& answers, std::string_view la
   }
 }
 
-void LessonReader::read_step_words(const TomlValue& table, std::string_view language, std::size_t number,
-                                   LessonStepWords& words) {
+void LessonReader::read_step_words(const TomlValue& table, std::size_t number, LessonStepWords& words) {
   const StepFacts& facts = facts_[number];
   const LessonQuestion question = lesson_.steps[number].question;
   const bool chooses = question == LessonQuestion::choose;
@@ -327,7 +325,7 @@ void LessonReader::read_step_words(const TomlValue& table, std::string_view lang
     constexpr std::string_view need = "give an array of texts in quotes";
     const auto count = value.count(need);
     if (!count) return;
-    compare_answers(value, language, number, *count);
+    compare_answers(value, number, *count);
     words.answers.resize(std::min(*count, most_lesson_answers));
     for (std::size_t i = 0; i < words.answers.size(); ++i) {
       words_into(words.answers[i], longest_lesson_answer)(value[i]);
@@ -364,10 +362,9 @@ void LessonReader::read_language(std::string_view language, const TomlValue& tab
   };
   for (std::size_t i = 0; i < lesson_.steps.size(); ++i) {
     if (lesson_.steps[i].name.empty()) continue;
-    keys.push_back(
-        {"", lesson_.steps[i].name,
-         [this, language, i, &words](const TomlValue& value) { read_step_words(value, language, i, words.steps[i]); },
-         "add it as a table with the step's text: each step needs words in each language"});
+    keys.push_back({"", lesson_.steps[i].name,
+                    [this, i, &words](const TomlValue& value) { read_step_words(value, i, words.steps[i]); },
+                    "add it as a table with the step's text: each step needs words in each language"});
   }
   table.read_table(keys);
 }

@@ -32,8 +32,8 @@ class LessonReader {
   void read_step(const TomlValue& table, LessonStep& step, StepFacts& facts);
   void read_name(const TomlValue& value, LessonStep& step);
   void read_language(std::string_view language, const TomlValue& table);
-  void read_step_words(const TomlValue& table, std::string_view language, std::size_t number, LessonStepWords& words);
-  void compare_answers(const TomlValue& answers, std::string_view language, std::size_t number, std::size_t count);
+  void read_step_words(const TomlValue& table, std::size_t number, LessonStepWords& words);
+  void compare_answers(const TomlValue& answers, std::size_t number, std::size_t count);
 
   TomlReader toml_;
   Lesson lesson_;

@@ -9,12 +9,15 @@
 
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
+#include "app/files/input_file.h"
 #include "app/files/output_file.h"
 #include "app/files/png_file.h"
 #include "app/files/run_reader.h"
 #include "app/files/scene_file.h"
+#include "app/lessons/lesson_file.h"
 #include "app/live/end_of_recording.h"
 #include "app/runs/replay_start.h"
+#include "app/session/lesson_guide.h"
 #include "app/session/live_table.h"
 #include "app/session/measurement_guide.h"
 #include "app/session/scene_as_seen.h"
@@ -46,7 +49,16 @@ Session session_with(const Scene& scene, const ApplicationOptions& options) {
   if (options.offers_hints) session.hint = 0;
   session.face = options.face;
   if (options.mode != StageMode::none) toggle_stage_mode(session, options.mode);
+  session.language = options.language;
+  session.lesson_progress = options.lesson_progress;
+  if (options.lesson) begin_lesson(session, options.lesson, options.language);
   return session;
+}
+
+// By its contents: every step of a lesson has such a line, and no scene has.
+bool may_be_lesson(const std::string& path) {
+  const FileContents file = file_contents(path);
+  return file.error == 0 && (file.text.starts_with("[[step]]") || file.text.find("\n[[step]]") != std::string::npos);
 }
 
 // What runs is what a file can hold, so that a recording tells it exactly.
@@ -117,6 +129,7 @@ void Application::use(const InputEntry& entry, std::shared_ptr<const Scene> scen
   session_.scene = std::move(scene);
   session_.settings = settings;
   if (is_other_scene) {
+    abandon_lesson(session_);
     session_.goal = session_.scene->goal.points.back();
     session_.shown = session_.scene->view;
     session_.pane_views.reset();
@@ -188,6 +201,8 @@ void Application::update(double interval_s) {
     report_.snapshot = snapshot_of(coefficients_of(session_.settings), command_.restart_state);
   }
   follow_measurement(session_, report_.snapshot, report_.motors);
+  session_.motors_may_push = report_.motors.has_motors && report_.motors.state != SafetyState::off;
+  follow_lesson_in_session(interval_s);
   if (shader_watch_ && shader_watch_->look(screen_.painter(), clock_s_)) frames_to_settle_ = settling_frames;
   if (session_.notice && !session_.notice->is_problem) {
     session_.notice->age_s += interval_s;
@@ -233,7 +248,8 @@ void Application::draw() {
 void Application::do_what_is_asked() {
   looking_back_.follow(session_, report_.snapshot, history_.moments());
   handle_requests();
-  undo_.note({session_.scene, session_.settings}, session_.is_editing || is_measuring(session_));
+  // What a lesson changes goes back with it.
+  undo_.note({session_.scene, session_.settings}, session_.is_editing || is_measuring(session_) || session_.lesson);
   offer_undo();
 }
 
@@ -274,6 +290,13 @@ void Application::take_samples() {
     history_.add(sample.snapshot, sample.settings);
     link_->add(sample.snapshot);
   }
+}
+
+void Application::follow_lesson_in_session(double interval_s) {
+  if (!session_.lesson) return;
+  const LoopReading reading = this->reading();
+  const StageMoment moment = stage_moment(session_.settings, report_.snapshot, report_.snapshot.goal);
+  follow_lesson(session_, {moment, session_.settings, reading.circle ? &*reading.circle : nullptr}, interval_s);
 }
 
 void Application::see_target() {
@@ -339,6 +362,7 @@ void Application::handle_requests() {
       use(input_of(*requests.input), session_.scene, session_.settings);
     }
     if (requests.open_scene) open_for_dialog(*requests.open_scene);
+    if (requests.open_lesson) open_lesson(*requests.open_lesson);
     if (!dropped.empty()) {
       open(dropped.front());
       if (session_.dialog == Dialog::open_scene) session_.dialog = Dialog::none;
@@ -369,6 +393,7 @@ void Application::handle_requests() {
 }
 
 void Application::take_back(bool undo) {
+  if (session_.lesson) return;
   // What a measurement has set is its own: to take it back is to cancel it.
   if (is_measuring(session_)) {
     cancel_measurement(session_);
@@ -404,8 +429,13 @@ void Application::open_for_dialog(const std::string& name_or_path) {
 
 void Application::open(const std::string& name_or_path) {
   if (may_be_run(name_or_path)) return replay_run(name_or_path);
+  if (may_be_lesson(name_or_path)) return open_lesson(name_or_path);
   const auto scene = std::make_shared<const Scene>(load_scene(name_or_path));
   use(*input_, scene, scene->settings);
+}
+
+void Application::open_lesson(const std::string& name_or_path) {
+  begin_lesson(session_, std::make_shared<const Lesson>(load_lesson(name_or_path)), session_.language);
 }
 
 void Application::replay_run(const std::string& path) {

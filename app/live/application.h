@@ -30,7 +30,10 @@ struct ApplicationOptions {
   Part part = Part::window;
   Appearance appearance{};
   Face face = Face::workbench;
-  StageMode mode = StageMode::none;     // of the stage
+  StageMode mode = StageMode::none;        // of the stage
+  std::shared_ptr<const Lesson> lesson{};  // that begins at once; null: none
+  std::string language{"en"};              // of lessons
+  LessonProgress lesson_progress{};
   std::vector<InputEntry> inputs{};     // all that there are
   std::string input{mouse_hand.name};   // the name of one of them
   FilePainter painter{};                // for what is saved as lines and letters
@@ -99,6 +102,7 @@ class Application {
   void take_samples();
   // What the newest tick says against the target that is drawn, if one is.
   void see_target();
+  void follow_lesson_in_session(double interval_s);
   VisibleState visible() const;
   // Since the last frame.
   bool has_changed() const;
@@ -110,7 +114,8 @@ class Application {
   void handle_requests();
   // As the picker of scenes asks for it: the dialog stays until there is something to show.
   void open_for_dialog(const std::string& name_or_path);
-  // A scene, or a recording to be replayed.
+  void open_lesson(const std::string& name_or_path);
+  // A scene, a lesson, or a recording to be replayed.
   void open(const std::string& name_or_path);
   void replay_run(const std::string& path);
   std::string picture_bytes(const SavePictureRequest& request);

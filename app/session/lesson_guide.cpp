@@ -119,6 +119,11 @@ void close_question(Session& session, LessonOutcome outcome) {
   if (const auto& reveal = lesson_step(lesson).reveal) apply(session, *reveal);
 }
 
+void end_glide(Session& session) {
+  session.goal = hand_of(session);
+  session.lesson->glide.reset();
+}
+
 void glide_on(Session& session, double interval_s) {
   std::optional<LessonState::Glide>& glide = session.lesson->glide;
   if (!glide) return;
@@ -206,8 +211,20 @@ void show_lesson_step(Session& session, std::size_t step) {
   LessonState& lesson = *session.lesson;
   lesson.step = std::min(step, lesson.steps.size() - 1);
   show_again(session);
-  session.goal = hand_of(session);
-  lesson.glide.reset();
+  end_glide(session);
+}
+
+void settle_in_lesson(Session& session, std::size_t answer) {
+  answer_in_lesson(session, answer);
+  if (has_open_question(session, LessonQuestion::guess)) {
+    const double off = answer == 0 ? 0.5 : 3.0;
+    const Vector<2> rest = stage_moment_at_rest(session.settings, session.goal).handle;
+    session.stage.guess = rest + Vector<2>(0.0, off * lesson_step(*session.lesson).within);
+    guess_in_lesson(session);
+  } else if (has_open_question(session, LessonQuestion::task)) {
+    answer == 0 ? close_question(session, LessonOutcome::right) : show_answer_in_lesson(session);
+  }
+  end_glide(session);
 }
 
 void confirm_in_lesson(Session& session) {

@@ -24,6 +24,9 @@ void next_lesson_step(Session& session);
 void previous_lesson_step(Session& session);
 // A step and what is on the stage in it, at once and with nothing before it answered: for pictures.
 void show_lesson_step(Session& session, std::size_t step);
+// Answers the step's question for a picture, at once: a choice with that answer; a guess or a task rightly with 0, else
+// wrongly.
+void settle_in_lesson(Session& session, std::size_t answer);
 // What Enter means: the answer to a guess, else to go on.
 void confirm_in_lesson(Session& session);
 
