@@ -64,7 +64,7 @@ Pane stage_pane(const SetUp& set_up, const Theme& theme, const Vector<2>& size, 
 
 unsigned int LessonGallery::picture(std::size_t number, const Theme& theme, int width, int height, double scale) {
   return pictures_.picture(number, shipped_lessons().size(), theme, width, height, [&](std::size_t each) {
-    static const SetUp nothing{.scene = {.goal = {.points = {Vector<2>(0.0)}, .times = {0.0}}}};
+    const SetUp nothing;
     const SetUp* const set_up = telling_set_up(*shipped_lessons()[each]);
     return stage_pane(set_up == nullptr ? nothing : *set_up, theme, {width, height}, scale);
   });
