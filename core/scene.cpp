@@ -106,6 +106,11 @@ std::span<const SceneKey> scene_keys() noexcept {
   return keys;
 }
 
+std::optional<double> number_of(Scene& scene, const SceneKey& key) noexcept {
+  if (const auto* const real = std::get_if<NumberKey>(&key.value)) return real->in(scene)*real->per_si;
+  return std::get<OptionalNumberKey>(key.value).in(scene);
+}
+
 void set_number(Scene& scene, const SceneKey& key, double number) noexcept {
   if (const auto* const real = std::get_if<NumberKey>(&key.value)) {
     real->in(scene) = number / real->per_si;

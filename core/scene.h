@@ -105,6 +105,9 @@ struct SceneKey {
 // In the order in which a scene is written.
 std::span<const SceneKey> scene_keys() noexcept;
 
+// The number that the key has, in the file's unit; empty: it is left to the program. The key must hold a single number.
+std::optional<double> number_of(Scene& scene, const SceneKey& key) noexcept;
+
 // Gives the key this number, in the file's unit: the same bits as --set KEY=NUMBER with its shortest decimal. The key
 // must hold a single number.
 void set_number(Scene& scene, const SceneKey& key, double number) noexcept;

@@ -1,4 +1,6 @@
 // ghostforce check: screenshot regression. Draws a folder of cases and compares each with the picture stored beside it.
+// Or, of lessons: says whether they can be read and done.
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -14,42 +16,25 @@
 #include "app/check/report.h"
 #include "app/check/update.h"
 #include "app/check/verdict.h"
+#include "app/cli/check_lessons.h"
 #include "app/cli/command.h"
+#include "app/cli/lines.h"
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
 #include "app/console/progress.h"
 #include "app/console/quoted.h"
 #include "app/console/words.h"
 #include "app/files/input_file.h"
-#include "app/files/output_file.h"
 
 namespace ghostforce {
 namespace {
 
 struct CheckOptions {
-  std::string folder;
+  std::vector<std::string> paths;  // a folder of cases, or lessons
+  std::string folder;              // the former
   std::vector<std::string> only;
   std::vector<std::string> update;
   std::string report;
-};
-
-// The standard output, a line at a time. Who reads no further (head, less) still gets the exit code.
-class Lines {
- public:
-  void write(const std::string& line) {
-    if (!is_read_) return;
-    try {
-      output_.write(line + "\n");
-      output_.commit();
-    } catch (const ReaderGone&) {
-      is_read_ = false;
-    }
-  }
-  bool is_terminal() const noexcept { return output_.is_terminal(); }
-
- private:
-  OutputFile output_{"-"};
-  bool is_read_ = true;
 };
 
 // Where it cannot be read, that is said later.
@@ -58,8 +43,9 @@ std::vector<std::filesystem::path> files_in(const std::string& folder) {
   return paths_in(folder, ignored);
 }
 
-// The cases and the goldens beside them: all that is read there.
-std::vector<std::string> cases_and_goldens_in(const std::string& folder) {
+// Of a folder the cases and the goldens beside them: all that is read there.
+std::vector<std::string> files_read(const std::string& folder) {
+  if (may_be_lesson(folder)) return {folder};
   std::vector<std::string> read;
   for (const std::filesystem::path& path : files_in(folder)) {
     if (path.extension() != ".toml") continue;
@@ -128,16 +114,32 @@ int check(const CheckOptions& options) {
   return static_cast<int>(end);
 }
 
+int check_any(CheckOptions& options) {
+  const auto lessons = std::ranges::count_if(options.paths, may_be_lesson);
+  const bool are_all_lessons = static_cast<std::size_t>(lessons) == options.paths.size();
+  if (!are_all_lessons && options.paths.size() > 1) {
+    throw Failure(ExitCode::wrong_call, "check takes either one folder of cases or lessons; call it once for each");
+  }
+  if (are_all_lessons) {
+    if (options.only.empty() && options.update.empty() && options.report.empty()) return check_lessons(options.paths);
+    throw Failure(ExitCode::wrong_call, "--only, --update and --report are for a folder of cases; leave them out");
+  }
+  options.folder = options.paths.front();
+  return options.update.empty() ? check(options) : update(options);
+}
+
 }  // namespace
 
 std::function<int()> attach_check(CLI::App& command, FileOptions& files) {
   const auto options = std::make_shared<CheckOptions>();
   files.reads(
       command
-          .add_option("DIR", options->folder, "The folder with the cases, each a NAME.toml with its golden NAME.png")
+          .add_option("PATH", options->paths,
+                      "The folder with the cases, each a NAME.toml with its golden NAME.png; or lessons, each a .toml "
+                      "file or the name of a shipped one")
           ->type_name("")
           ->required(),
-      cases_and_goldens_in);
+      files_read);
   CLI::Option* const only = command.add_option("--only", options->only, "Check only these cases")->type_name("NAME...");
   CLI::Option* const update_option =
       command.add_option("--update", options->update, "Store new goldens for these cases, and check nothing")
@@ -172,12 +174,15 @@ std::function<int()> attach_check(CLI::App& command, FileOptions& files) {
       "  channel = 2                 # greatest difference of a channel that counts as none, 0-255\n"
       "  share = 0.001               # share of the pixels that may differ by more\n"
       "\n"
-      "Exit codes: 0 all pass, 1 at least one fails, 8 a golden cannot be read.\n"
+      "Of a lesson, check says whether each of its steps can be done: docs/lessons.md.\n"
+      "\n"
+      "Exit codes: 0 all pass, 1 at least one fails, 2 a file is wrong, 8 a file cannot be read.\n"
       "\n"
       "Examples:\n"
       "  ghostforce check pictures --report report\n"
+      "  ghostforce check my-lesson.toml\n"
       "  ghostforce check pictures --update wall45-naive");
-  return [options] { return options->update.empty() ? check(*options) : update(*options); };
+  return [options] { return check_any(*options); };
 }
 
 }  // namespace ghostforce

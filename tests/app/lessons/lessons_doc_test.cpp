@@ -1,0 +1,56 @@
+// docs/lessons.md names all that a lesson's file may hold, and its examples are lessons.
+#include <gtest/gtest.h>
+
+#include "app/lessons/lesson_catalogs.h"
+#include "app/lessons/lesson_check.h"
+#include "app/lessons/lesson_file.h"
+#include "app/lessons/lesson_quantities.h"
+#include "tests/support/temporary_folder.h"
+
+namespace ghostforce {
+namespace {
+
+const std::string& doc() {
+  static const std::string text = read_whole(GHOSTFORCE_SOURCE_DIR "/docs/lessons.md");
+  return text;
+}
+
+bool has_row(std::string_view name) {
+  return doc().find("| `" + std::string(name) + "` |") != std::string::npos;
+}
+
+TEST(LessonsDoc, HasARowForEachWordOfAFile) {
+  for (const auto& entry : lesson_control_catalog) EXPECT_TRUE(has_row(entry.name)) << entry.name;
+  for (const auto& entry : lesson_secret_catalog) EXPECT_TRUE(has_row(entry.name)) << entry.name;
+  for (const auto& entry : lesson_question_catalog) EXPECT_TRUE(has_row(entry.name)) << entry.name;
+  for (const LessonQuantityEntry& entry : lesson_quantity_catalog()) EXPECT_TRUE(has_row(entry.name)) << entry.name;
+}
+
+// What stands between ```toml and ```.
+std::vector<std::string> examples() {
+  std::vector<std::string> found;
+  constexpr std::string_view fence = "```toml\n";
+  for (std::size_t at = doc().find(fence); at != std::string::npos; at = doc().find(fence, at + 1)) {
+    const std::size_t begin = at + fence.size();
+    found.push_back(doc().substr(begin, doc().find("```", begin) - begin));
+  }
+  return found;
+}
+
+TEST(LessonsDoc, HasAnExampleThatCanBePlayed) {
+  int lessons = 0;
+  for (const std::string& example : examples()) {
+    if (!example.starts_with("format = 1")) continue;
+    ++lessons;
+    const Lesson lesson = read_lesson(example, "example.toml");
+    for (const LessonStepFinding& finding : examine_lesson(lesson)) EXPECT_TRUE(finding.is_good) << finding.words;
+  }
+  EXPECT_GE(lessons, 1);
+}
+
+TEST(LessonsDoc, NamesEachLesson) {
+  for (const std::string_view name : shipped_lesson_names()) EXPECT_TRUE(has_row(name)) << name;
+}
+
+}  // namespace
+}  // namespace ghostforce
