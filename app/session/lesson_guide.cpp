@@ -318,7 +318,7 @@ SceneView lesson_view(const Session& session) {
 }
 
 double lesson_reference_force(const Lesson& lesson) {
-  double greatest = 0.0;
+  double greatest = 0.1;  // [N], so that nothing is divided by
   for (const LessonStep& step : lesson.steps) {
     for (const auto* const set_up : {&step.set_up, &step.reveal}) {
       if (*set_up) greatest = std::max(greatest, reference_force_of((*set_up)->scene.settings, (*set_up)->goal));
