@@ -188,11 +188,12 @@ inline StageCase stage_case_by(PictureDice& dice) {
 inline std::string lesson_words_by(PictureDice& dice, std::size_t letters) {
   std::string words;
   while (words.size() < letters) {
+    if (!words.empty()) words.push_back(' ');
     const auto length = static_cast<std::size_t>(dice.between(1.0, 13.0));
-    words +=
-        (words.empty() ? "" : " ") + std::string(std::min(length, letters - words.size()), dice.one_in(3) ? 'm' : 'a');
+    words.append(std::min(length, letters - std::min(letters, words.size())), dice.one_in(3) ? 'm' : 'a');
   }
-  while (words.size() > letters) words.pop_back();
+  words.resize(letters, 'a');
+  if (words.back() == ' ') words.back() = 'a';
   return words;
 }
 
@@ -235,7 +236,7 @@ inline StageCase lesson_case_by(PictureDice& dice) {
   }
   lesson.step = static_cast<std::size_t>(dice.between(0.0, static_cast<double>(steps) - 0.001));
   lesson.furthest = lesson.step;
-  lesson.place = std::to_string(lesson.step + 1) + " de " + std::to_string(steps);
+  lesson.place = std::to_string(lesson.step + 1).append(" de ").append(std::to_string(steps));
   lesson.is_open = !lesson.row().answers.empty() && dice.one_in(2);
   for (std::size_t i = 0; i < lesson.row().answers.size(); ++i) {
     lesson.marks.push_back(lesson.is_open ? LessonMark::none : mark());
