@@ -16,6 +16,7 @@
 #include "app/files/output_file.h"
 #include "app/files/png_file.h"
 #include "app/paint/vector/vector_painter.h"
+#include "app/set_up/picture_set_up.h"
 #include "app/ui/offscreen.h"
 
 namespace ghostforce {
@@ -103,13 +104,14 @@ Rendering paint_moment(const PictureRequest& request, const Moment& moment, cons
   const auto format = vector_format_of(output);
   if (!format) {
     Drawing drawing = draw_moment(request, moment);
-    return {png_bytes(drawing.image), std::move(drawing.panes), drawing.corner};
+    return {png_bytes(drawing.image, picture_texts(set_up_of(request, moment))), std::move(drawing.panes),
+            drawing.corner};
   }
   const Vector<2> size{static_cast<double>(request.width), static_cast<double>(request.height)};
   const Theme& theme = *request.appearance.theme;
   std::vector<Pane> panes = compose_moment(request, moment, size, measure_vector_text);
   std::string file = paint_vector(panes, theme, size, text_scale_of(request.face, request.appearance.scale, theme),
-                                  *format, request.scene.title);
+                                  *format, picture_title(request.scene.title, set_up_of(request, moment)));
   return {std::move(file), std::move(panes), Vector<2>(0.0)};
 }
 

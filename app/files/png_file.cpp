@@ -26,12 +26,13 @@ namespace {
 // Rows are stored as they are: what is drawn is flat for the most part, and the filters that photographs want make such
 // files larger (that of the window by a sixth), in three times the time.
 bool write_rows(png_structp png, png_infop info, png_uint_32 width, png_uint_32 height, int colour_type,
-                const png_byte* pixels) {
+                const png_byte* pixels, png_textp texts, int text_count) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
   png_set_IHDR(png, info, width, height, 8, colour_type, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
                PNG_FILTER_TYPE_DEFAULT);
   png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
   png_set_compression_level(png, 3);
+  png_set_text(png, info, texts, text_count);
   png_write_info(png, info);
   const std::size_t row = png_get_rowbytes(png, info);
   for (png_uint_32 y = 0; y < height; ++y) png_write_row(png, pixels + row * y);
@@ -52,6 +53,22 @@ void append(png_structp png, png_bytep data, std::size_t size) {
 
 // libpng's own would take the string for a file.
 void flush(png_structp) {}
+
+// As libpng takes them; they refer to the texts. Those of plain letters need no more than the oldest kind of chunk.
+std::vector<png_text> texts_for_libpng(std::span<const PngText> texts) {
+  std::vector<png_text> result;
+  for (const PngText& text : texts) {
+    const bool is_ascii = std::ranges::all_of(text.text, [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+    png_text one{};
+    one.compression = is_ascii ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
+    // It only reads them.
+    one.key = const_cast<char*>(text.keyword.c_str());
+    one.text = const_cast<char*>(text.text.c_str());
+    (is_ascii ? one.text_length : one.itxt_length) = text.text.size();
+    result.push_back(one);
+  }
+  return result;
+}
 
 std::vector<png_byte> with_alpha(const Image& image) {
   std::vector<png_byte> pixels;
@@ -82,13 +99,17 @@ void read_bytes(png_structp png, png_bytep data, std::size_t size) {
   png_error(png, std::ferror(file) != 0 ? std::strerror(errno) : "the file ends too early");
 }
 
-bool read_header(png_structp png, png_infop info) {
+bool read_header(png_structp png, png_infop info, PngWords words) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
   // A wrong checksum is an error wherever it stands, and so is what libpng would otherwise overlook.
   png_set_crc_action(png, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
   png_set_benign_errors(png, 0);
   // Words, profiles and dates are skipped: they change no pixel, and many programs write them slightly wrong.
   png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
+  if (words == PngWords::read) {
+    png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_AS_DEFAULT,
+                                reinterpret_cast<const png_byte*>("tEXt\0zTXt\0iTXt\0"), 3);
+  }
   png_read_info(png, info);
   return true;
 }
@@ -114,7 +135,7 @@ bool read_rows(png_structp png, png_bytepp rows) {
 
 }  // namespace
 
-std::string png_bytes(const Image& image) {
+std::string png_bytes(const Image& image, std::span<const PngText> texts) {
   std::string bytes;
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
   if (png == nullptr) throw std::bad_alloc();
@@ -122,10 +143,12 @@ std::string png_bytes(const Image& image) {
   png_set_write_fn(png, &bytes, append, flush);
   const bool is_opaque = image.alpha.empty();
   const std::vector<png_byte> translucent = with_alpha(image);
-  const bool is_written = info != nullptr && write_rows(png, info, static_cast<png_uint_32>(image.width),
-                                                        static_cast<png_uint_32>(image.height),
-                                                        is_opaque ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGB_ALPHA,
-                                                        is_opaque ? image.rgb.data() : translucent.data());
+  std::vector<png_text> words = texts_for_libpng(texts);
+  const bool is_written =
+      info != nullptr &&
+      write_rows(png, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height),
+                 is_opaque ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGB_ALPHA,
+                 is_opaque ? image.rgb.data() : translucent.data(), words.data(), static_cast<int>(words.size()));
   png_destroy_write_struct(&png, &info);
   if (!is_written) throw std::bad_alloc();  // its sizes are right: it was that
   return bytes;
@@ -150,7 +173,7 @@ struct PngFile::Reading {
   }
 };
 
-PngFile::PngFile(const std::string& path) : reading_(std::make_unique<Reading>()) {
+PngFile::PngFile(const std::string& path, PngWords words) : reading_(std::make_unique<Reading>()) {
   Reading& reading = *reading_;
   reading.path = path;
   reading.file = std::fopen(path.c_str(), "rbe");
@@ -159,7 +182,7 @@ PngFile::PngFile(const std::string& path) : reading_(std::make_unique<Reading>()
   if (reading.png != nullptr) reading.info = png_create_info_struct(reading.png);
   if (reading.info == nullptr) throw std::bad_alloc();
   png_set_read_fn(reading.png, reading.file, read_bytes);
-  reading.require(read_header(reading.png, reading.info), reading.words.data());
+  reading.require(read_header(reading.png, reading.info, words), reading.words.data());
 }
 
 PngFile::~PngFile() = default;
@@ -170,6 +193,14 @@ int PngFile::width() const noexcept {
 
 int PngFile::height() const noexcept {
   return static_cast<int>(png_get_image_height(reading_->png, reading_->info));
+}
+
+std::vector<PngText> PngFile::texts() const {
+  png_textp found = nullptr;
+  const int count = png_get_text(reading_->png, reading_->info, &found, nullptr);
+  std::vector<PngText> texts;
+  for (int i = 0; i < count; ++i) texts.push_back({found[i].key, found[i].text});
+  return texts;
 }
 
 Image PngFile::read() {

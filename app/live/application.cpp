@@ -5,25 +5,22 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
-#include "app/files/input_file.h"
 #include "app/files/output_file.h"
 #include "app/files/png_file.h"
-#include "app/files/run_reader.h"
 #include "app/files/scene_file.h"
-#include "app/lessons/lesson_file.h"
 #include "app/live/end_of_recording.h"
-#include "app/runs/replay_start.h"
 #include "app/session/lesson_guide.h"
 #include "app/session/live_table.h"
 #include "app/session/measurement_guide.h"
 #include "app/session/scene_as_seen.h"
+#include "app/session/set_up_of.h"
 #include "app/session/stage_actions.h"
 #include "app/session/target.h"
 #include "app/session/undo_words.h"
+#include "app/set_up/picture_set_up.h"
 #include "app/ui/plots/plot_export.h"
 #include "app/ui/widgets/save_path.h"
 #include "core/divergence.h"
@@ -55,12 +52,6 @@ Session session_with(const Scene& scene, const ApplicationOptions& options) {
   return session;
 }
 
-// By its contents: every step of a lesson has such a line, and no scene has.
-bool may_be_lesson(const std::string& path) {
-  const FileContents file = file_contents(path);
-  return file.error == 0 && (file.text.starts_with("[[step]]") || file.text.find("\n[[step]]") != std::string::npos);
-}
-
 // What runs is what a file can hold, so that a recording tells it exactly.
 Settings as_in_file(const Settings& settings) {
   Scene scene;
@@ -77,7 +68,7 @@ std::string window_title(const Scene& scene) {
 Application::Application(Window& window, const Scene& scene, const ApplicationOptions& options)
     : window_(window),
       session_(session_with(scene, options)),
-      undo_({session_.scene, session_.settings}),
+      undo_(edited()),
       inputs_(options.inputs),
       input_choices_(choices_of(inputs_, options.input_options.recorded_hand != nullptr)),
       input_options_(options.input_options),
@@ -104,7 +95,8 @@ const InputEntry& Application::input_of(std::string_view name) const {
 
 // A servo owns its input, so another input or another script is another servo; counts go on, so that what is asked for
 // later still looks new to it. An input that cannot be had leaves everything as it was.
-void Application::use(const InputEntry& entry, std::shared_ptr<const Scene> scene, const Settings& settings) {
+void Application::use(const InputEntry& entry, std::shared_ptr<const Scene> scene, const Settings& settings,
+                      const std::optional<Vector<2>>& goal) {
   // A device has one driver: the one before lets go of it first.
   if (servo_) servo_->stop();
   LinkedInput made;
@@ -130,7 +122,7 @@ void Application::use(const InputEntry& entry, std::shared_ptr<const Scene> scen
   session_.settings = settings;
   if (is_other_scene) {
     abandon_lesson(session_);
-    session_.goal = session_.scene->goal.points.back();
+    session_.goal = goal.value_or(session_.scene->goal.points.back());
     session_.shown = session_.scene->view;
     session_.pane_views.reset();
     window_.set_title(window_title(*session_.scene));
@@ -249,7 +241,7 @@ void Application::do_what_is_asked() {
   looking_back_.follow(session_, report_.snapshot, history_.moments());
   handle_requests();
   // What a lesson changes goes back with it.
-  undo_.note({session_.scene, session_.settings}, session_.is_editing || is_measuring(session_) || session_.lesson);
+  undo_.note(edited(), session_.is_editing || is_measuring(session_) || session_.lesson);
   offer_undo();
 }
 
@@ -363,11 +355,7 @@ void Application::handle_requests() {
     }
     if (requests.open_scene) open_for_dialog(*requests.open_scene);
     if (requests.open_lesson) open_lesson(*requests.open_lesson);
-    if (!dropped.empty()) {
-      open(dropped.front());
-      if (session_.dialog == Dialog::open_scene) session_.dialog = Dialog::none;
-    }
-    if (dropped.size() > 1) show_notice("Only one scene can be open: the first file was opened.", false);
+    if (!dropped.empty()) open_dropped(dropped);
     if (const auto& path = requests.save_scene) save(*path, [&] { return scene_text(scene_as_seen(session_)); });
     if (const auto& picture = requests.save_picture) save(picture->path, [&] { return picture_bytes(*picture); });
     if (const auto& plots = requests.save_plots) {
@@ -378,6 +366,8 @@ void Application::handle_requests() {
       window_.set_clipboard_text(live_table(shown().snapshot));
       show_notice("Copied the live values. They can be pasted into a spreadsheet.", false);
     }
+    if (requests.copy_set_up) copy_set_up();
+    if (requests.paste_set_up) paste_set_up();
     if (requests.record) start_recording(*requests.record);
     if (requests.stop_recording) {
       if (const std::string words = end_recording(); !words.empty()) show_notice(words, !recording_problem_.empty());
@@ -400,60 +390,14 @@ void Application::take_back(bool undo) {
     return;
   }
   // What is being changed right now is one more step to take back.
-  undo_.note({session_.scene, session_.settings}, false);
+  undo_.note(edited(), false);
   const std::optional<Edited> edited = undo ? undo_.undo() : undo_.redo();
   if (!edited) return;
   if (edited->scene == session_.scene) {
     session_.settings = edited->settings;
   } else {
-    use(*input_, edited->scene, edited->settings);
+    show(*edited);
   }
-}
-
-void Application::open_for_dialog(const std::string& name_or_path) {
-  if (session_.dialog != Dialog::open_scene) return open(name_or_path);
-  Form& form = session_.form;
-  form.problem.clear();
-  form.suggestion.clear();
-  try {
-    open(name_or_path);
-    session_.dialog = Dialog::none;
-  } catch (const Failure& failure) {
-    if (failure.code() == ExitCode::interrupted) throw;
-    form.problem = failure.what();
-  } catch (const ReadError& error) {
-    form.problem = error.what();
-    if (!error.problems().empty()) form.suggestion = error.problems().front().suggestion;
-  }
-}
-
-void Application::open(const std::string& name_or_path) {
-  if (may_be_run(name_or_path)) return replay_run(name_or_path);
-  if (may_be_lesson(name_or_path)) return open_lesson(name_or_path);
-  const auto scene = std::make_shared<const Scene>(load_scene(name_or_path));
-  use(*input_, scene, scene->settings);
-}
-
-void Application::open_lesson(const std::string& name_or_path) {
-  begin_lesson(session_, std::make_shared<const Lesson>(load_lesson(name_or_path)), session_.language);
-}
-
-void Application::replay_run(const std::string& path) {
-  const Run run = load_run(path);
-  if (!run.scene) {
-    throw Failure(
-        ExitCode::wrong_call,
-        fmt::format("{}: the run does not say which scene it belongs to. Name the scene on the command line, as in\n"
-                    "ghostforce run wall45 --input replay:RUN.csv",
-                    quoted_text(path, longest_path)));
-  }
-  input_options_.recorded_hand = std::make_shared<const GoalPath>(goal_path_of(run));
-  input_choices_ = choices_of(inputs_, true);
-  use(*std::ranges::find_if(inputs_, &InputEntry::needs_recording), std::make_shared<const Scene>(*run.scene),
-      run.scene->settings);
-  show_notice(fmt::format("Replaying {}{}{}", quoted_text(path, longest_path), run.warnings.empty() ? "" : "\n",
-                          fmt::join(run.warnings, "\n")),
-              false);
 }
 
 void Application::start_recording(const std::string& path) {
@@ -494,7 +438,8 @@ void Application::read_recording() {
 void Application::copy_picture(const CopyPictureRequest& request) {
   const DisplayKind display = window_.display_kind();
   const std::string png = png_bytes(screen_.picture(session_, shown(), history_, reading(),
-                                                    request.scene_alone ? Part::scene : Part::window, request.density));
+                                                    request.scene_alone ? Part::scene : Part::window, request.density),
+                                    picture_texts(set_up_of(session_, shown())));
   const std::string problem = clipboard_tool_.copy_png(png, display);
   show_notice(problem.empty() ? "Copied a picture. It can be pasted into other programs." : problem, !problem.empty());
 }
@@ -503,7 +448,8 @@ std::string Application::picture_bytes(const SavePictureRequest& request) {
   constexpr std::array vectors{"svg", "pdf"};
   if (format_of(request.path, vectors) == nullptr) {
     return png_bytes(screen_.picture(session_, shown(), history_, reading(),
-                                     request.scene_alone ? Part::scene : Part::window, request.density));
+                                     request.scene_alone ? Part::scene : Part::window, request.density),
+                     picture_texts(set_up_of(session_, shown())));
   }
   // As large as on this display, without the handles, which are for a pointer.
   const double scale = session_.appearance.scale * static_cast<double>(window_.display_scale());
@@ -514,7 +460,7 @@ std::string Application::picture_bytes(const SavePictureRequest& request) {
                          .theme = theme,
                          .size = screen_.scene_size(),
                          .text_scale = text_scale_of(session_.face, scale, theme),
-                         .title = session_.scene->title},
+                         .title = picture_title(session_.scene->title, set_up_of(session_, moment))},
                         request.path);
 }
 

@@ -18,6 +18,7 @@
 #include "app/runs/recording.h"
 #include "app/session/session.h"
 #include "app/session/undo.h"
+#include "app/set_up/set_up.h"
 #include "app/ui/screen.h"
 #include "app/ui/shader_watch.h"
 #include "app/view/trail_history.h"
@@ -115,8 +116,11 @@ class Application {
   // As the picker of scenes asks for it: the dialog stays until there is something to show.
   void open_for_dialog(const std::string& name_or_path);
   void open_lesson(const std::string& name_or_path);
-  // A scene, a lesson, or a recording to be replayed.
+  // A scene by name, or a file of any kind that file_kind.h knows.
   void open(const std::string& name_or_path);
+  void open_dropped(const std::vector<std::string>& paths);
+  void open_scene(const std::string& name_or_path);
+  void show_picture(const std::string& path);
   void replay_run(const std::string& path);
   std::string picture_bytes(const SavePictureRequest& request);
   void copy_picture(const CopyPictureRequest& request);
@@ -125,7 +129,15 @@ class Application {
   void take_back(bool undo);
   void offer_undo();
   const InputEntry& input_of(std::string_view name) const;
-  void use(const InputEntry& entry, std::shared_ptr<const Scene> scene, const Settings& settings);
+  // Another scene puts the hand at `goal`, or at the end of its path.
+  void use(const InputEntry& entry, std::shared_ptr<const Scene> scene, const Settings& settings,
+           const std::optional<Vector<2>>& goal = {});
+  Edited edited() const;
+  // Another scene as it stood, or shall stand, on the screen. The input stays.
+  void show(const Edited& wanted);
+  void show(const SetUp& set_up);
+  void copy_set_up();
+  void paste_set_up();
   TickState<2> start_state();
 
   Window& window_;

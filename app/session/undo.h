@@ -6,6 +6,8 @@
 #include <memory>
 #include <optional>
 
+#include "app/view/stage/face.h"
+#include "app/view/stage/stage_mode.h"
 #include "core/scene.h"
 
 namespace ghostforce {
@@ -14,8 +16,13 @@ namespace ghostforce {
 struct Edited {
   std::shared_ptr<const Scene> scene;
   Settings settings;
+  // How the scene stood on the screen. To change this is no step, but it comes back together with another scene.
+  Vector<2> goal{0.0};
+  SceneView view{};
+  Face face = Face::stage;
+  StageMode mode = StageMode::none;
 
-  friend bool operator==(const Edited&, const Edited&) = default;
+  bool is_same_step_as(const Edited& other) const { return scene == other.scene && settings == other.settings; }
 };
 
 class UndoHistory {
@@ -26,7 +33,8 @@ class UndoHistory {
 
   // Once per frame: what the person sees now. While something is held (`is_editing`) its change is not complete.
   void note(const Edited& now, bool is_editing) {
-    if (is_editing || now == present_) return;
+    if (now.is_same_step_as(present_)) present_ = now;
+    if (is_editing || now.is_same_step_as(present_)) return;
     past_.push_back(std::move(present_));
     if (past_.size() > most_steps) past_.pop_front();
     future_.clear();

@@ -9,6 +9,7 @@
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
 #include "app/paint/json_painter.h"
+#include "app/session/set_up_of.h"
 #include "app/session/stage_actions.h"
 #include "app/ui/panels/panel_catalog.h"
 #include "app/ui/stage/stage_face.h"
@@ -130,6 +131,10 @@ Moment simulate_to_moment(const PictureRequest& request) {
   throw Failure(ExitCode::wrong_call,
                 "there is nothing to draw: with these settings the sampled loop is unstable and the device runs away; "
                 "lower k_r_N_per_m, or raise rate_hz, mass_kg or damping_N_s_per_m");
+}
+
+SetUp set_up_of(const PictureRequest& request, const Moment& moment) {
+  return set_up_of(session_of(request, moment), {request.scene.settings, moment.snapshot});
 }
 
 std::vector<Pane> compose_moment(const PictureRequest& request, const Moment& moment, const Vector<2>& size,

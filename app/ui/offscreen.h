@@ -10,6 +10,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "app/files/image.h"
+#include "app/set_up/set_up.h"
 #include "app/ui/lesson_picture.h"
 #include "app/ui/screen.h"
 #include "app/view/panes.h"
@@ -51,6 +52,9 @@ struct Moment {
   std::optional<CircleReading> circle{};  // of Round and round, for which the hand goes round twice
 };
 Moment simulate_to_moment(const PictureRequest& request);
+
+// What the picture shows, as somebody would have it in the window.
+SetUp set_up_of(const PictureRequest& request, const Moment& moment);
 
 // The scene's marks, as a painter of vectors wants them.
 std::vector<Pane> compose_moment(const PictureRequest& request, const Moment& moment, const Vector<2>& size,

@@ -370,21 +370,6 @@ void Window::hand_on(const KeyEvent& event) {
   if (event.character != 0) io.AddInputCharacter(event.character);
 }
 
-void Window::set_clipboard_text(const std::string& text) {
-  glfwSetClipboardString(handle(), text.c_str());
-}
-
-DisplayKind Window::display_kind() const {
-  switch (glfwGetPlatform()) {
-    case GLFW_PLATFORM_X11:
-      return DisplayKind::x11;
-    case GLFW_PLATFORM_WAYLAND:
-      return DisplayKind::wayland;
-    default:
-      return DisplayKind::none;
-  }
-}
-
 void Window::on_resize(GLFWwindow* handle, int width, int height) {
   auto& window = *static_cast<Window*>(glfwGetWindowUserPointer(handle));
   if (!window.is_full_screen() && !window.is_maximized()) window.restored_size_ = {width, height};
@@ -394,10 +379,6 @@ void Window::on_drop(GLFWwindow* handle, int count, const char** paths) {
   on_anything(handle);
   auto& window = *static_cast<Window*>(glfwGetWindowUserPointer(handle));
   window.dropped_files_.insert(window.dropped_files_.end(), paths, paths + count);
-}
-
-std::vector<std::string> Window::take_dropped_files() {
-  return std::exchange(dropped_files_, {});
 }
 
 bool Window::poll(double wait_s) {

@@ -81,6 +81,8 @@ class Window {
 
   // For other programs to paste.
   void set_clipboard_text(const std::string& text);
+  // Empty where there is none.
+  std::string clipboard_text() const;
   // The desktop that a tool of the system would have to speak to.
   DisplayKind display_kind() const;
 

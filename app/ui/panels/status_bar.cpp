@@ -29,6 +29,8 @@ void draw_save_menu(Session& session) {
   ImGui::Separator();
   if (ImGui::MenuItem("Copy a picture", "Ctrl+Shift+P")) session.requests.copy_picture = CopyPictureRequest{};
   if (ImGui::MenuItem("Copy the live values", "Ctrl+Shift+C")) session.requests.copy_table = true;
+  if (ImGui::MenuItem("Copy this set-up as a command", "Ctrl+C")) session.requests.copy_set_up = true;
+  if (ImGui::MenuItem("Paste a set-up", "Ctrl+V")) session.requests.paste_set_up = true;
   ImGui::EndPopup();
 }
 

@@ -1,0 +1,145 @@
+// What is handed on and taken in: files that are opened, set-ups that are copied and pasted.
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "app/console/failure.h"
+#include "app/console/quoted.h"
+#include "app/files/input_file.h"
+#include "app/files/run_reader.h"
+#include "app/files/scene_file.h"
+#include "app/lessons/lesson_file.h"
+#include "app/live/application.h"
+#include "app/live/file_kind.h"
+#include "app/runs/replay_start.h"
+#include "app/session/lesson_guide.h"
+#include "app/session/set_up_of.h"
+#include "app/session/stage_actions.h"
+#include "app/set_up/picture_set_up.h"
+#include "app/set_up/set_up_line.h"
+
+namespace ghostforce {
+
+void Application::open_for_dialog(const std::string& name_or_path) {
+  if (session_.dialog != Dialog::open_scene) return open(name_or_path);
+  Form& form = session_.form;
+  form.problem.clear();
+  form.suggestion.clear();
+  try {
+    open(name_or_path);
+    session_.dialog = Dialog::none;
+  } catch (const Failure& failure) {
+    if (failure.code() == ExitCode::interrupted) throw;
+    form.problem = failure.what();
+  } catch (const ReadError& error) {
+    form.problem = error.what();
+    if (!error.problems().empty()) form.suggestion = error.problems().front().suggestion;
+  }
+}
+
+void Application::open(const std::string& name_or_path) {
+  struct Opener {
+    FileKind kind;
+    void (Application::*open)(const std::string& path);
+  };
+  constexpr std::array openers{
+      Opener{FileKind::scene, &Application::open_scene},
+      Opener{FileKind::lesson, &Application::open_lesson},
+      Opener{FileKind::run, &Application::replay_run},
+      Opener{FileKind::picture, &Application::show_picture},
+  };
+  // What is no file may be the name of a scene, or nearly one.
+  const FileKind kind = kind_of_file(name_or_path).value_or(FileKind::scene);
+  (this->*std::ranges::find(openers, kind, &Opener::kind)->open)(name_or_path);
+}
+
+void Application::open_dropped(const std::vector<std::string>& paths) {
+  const std::string& path = paths.front();
+  const std::string_view no_file = kind_instead_of_file(path);
+  if (!no_file.empty() || (access(path.c_str(), F_OK) == 0 && !kind_of_file(path))) {
+    throw Failure(ExitCode::wrong_call,
+                  fmt::format("{} is {}.\nWhat can be dropped here: {}.", quoted_text(path, longest_path),
+                              no_file.empty() ? "of no kind that can be opened" : no_file, file_kinds_words()));
+  }
+  open(path);
+  if (session_.dialog == Dialog::open_scene) session_.dialog = Dialog::none;
+  if (paths.size() == 1) return;
+  const std::string words = session_.notice ? session_.notice->words + "\n" : "";
+  show_notice(fmt::format("{}Only one file can be open at a time. This is the first: {}", words,
+                          quoted_text(path, longest_path)),
+              false);
+}
+
+void Application::open_scene(const std::string& name_or_path) {
+  const auto scene = std::make_shared<const Scene>(load_scene(name_or_path));
+  use(*input_, scene, scene->settings);
+}
+
+void Application::open_lesson(const std::string& name_or_path) {
+  begin_lesson(session_, std::make_shared<const Lesson>(load_lesson(name_or_path)), session_.language);
+}
+
+void Application::show_picture(const std::string& path) {
+  show(read_picture_set_up(path));
+  show_notice(fmt::format("This is what {} shows. Ctrl+Z takes it back.", quoted_text(path, longest_path)), false);
+}
+
+void Application::replay_run(const std::string& path) {
+  const Run run = load_run(path);
+  if (!run.scene) {
+    throw Failure(
+        ExitCode::wrong_call,
+        fmt::format("{}: the run does not say which scene it belongs to. Name the scene on the command line, as in\n"
+                    "ghostforce run wall45 --input replay:RUN.csv",
+                    quoted_text(path, longest_path)));
+  }
+  input_options_.recorded_hand = std::make_shared<const GoalPath>(goal_path_of(run));
+  input_choices_ = choices_of(inputs_, true);
+  use(*std::ranges::find_if(inputs_, &InputEntry::needs_recording), std::make_shared<const Scene>(*run.scene),
+      run.scene->settings);
+  show_notice(fmt::format("Replaying {}{}{}", quoted_text(path, longest_path), run.warnings.empty() ? "" : "\n",
+                          fmt::join(run.warnings, "\n")),
+              false);
+}
+
+Edited Application::edited() const {
+  return {session_.scene, session_.settings, session_.goal, session_.shown, session_.face, session_.stage.mode};
+}
+
+void Application::show(const Edited& wanted) {
+  leave_stage_mode(session_);
+  // A mode that brought an input of its own has asked for the one before.
+  const std::string input = std::exchange(session_.requests.input, {}).value_or(session_.input);
+  use(input_of(input), wanted.scene, wanted.settings, wanted.goal);
+  session_.shown = wanted.view;
+  session_.stage.is_black = false;
+  show_face(session_, wanted.face);
+  if (wanted.mode != StageMode::none) toggle_stage_mode(session_, wanted.mode);
+}
+
+void Application::show(const SetUp& set_up) {
+  const auto scene = std::make_shared<const Scene>(set_up.scene);
+  show({scene, scene->settings, set_up.goal, scene->view, set_up.face, set_up.mode});
+}
+
+void Application::copy_set_up() {
+  window_.set_clipboard_text(set_up_line(set_up_of(session_, shown())));
+  show_notice("Copied this set-up as a command. Ctrl+V shows it again; so does running it in a terminal.", false);
+}
+
+void Application::paste_set_up() {
+  const std::string text = window_.clipboard_text();
+  try {
+    show(read_set_up_line(text));
+  } catch (const ReadError& error) {
+    return show_notice(fmt::format("The clipboard holds no set-up: {}.\nCopy one with Ctrl+C.", error.what()), true);
+  }
+  show_notice("This is the set-up that was pasted. Ctrl+Z takes it back.", false);
+}
+
+}  // namespace ghostforce
