@@ -85,6 +85,7 @@ struct LessonWords {
 struct Lesson {
   std::string name;                          // the file's, without .toml
   double number = 0;                         // its place among others
+  std::set<LessonSecret> secrets;            // in all of its steps, whether or not a question is open
   std::vector<LessonStep> steps;             // one at least
   std::map<std::string, LessonWords> words;  // by language, "en", "es" …; English or one other at least
 };

@@ -174,6 +174,11 @@ std::size_t characters_in(std::string_view text) {
 // Reads a text that must fit.
 auto words_into(std::string& into, std::size_t most) {
   return [&into, most](const TomlValue& value) {
+    const std::string* const written = value.as_text();
+    if (written != nullptr && written->find('\n') != std::string::npos) {
+      value.refuse("has more than one line", "write it in one: the stage breaks it where it has to");
+      return;
+    }
     const std::optional<std::string> text = value.text();
     if (!text) return;
     const std::size_t length = characters_in(*text);
@@ -378,6 +383,8 @@ Lesson LessonReader::read(std::string_view text) {
         TomlKey{"", "format", [](const TomlValue&) {}},
         TomlKey{"", "number", number_into(lesson_.number, {}),
                 "give the lesson's place among others, as in number = 3"},
+        TomlKey{"", "hidden",
+                [&](const TomlValue& value) { lesson_.secrets = read_word_list(value, lesson_secret_catalog); }},
         TomlKey{"", "step", [&](const TomlValue& steps) { read_steps(steps); }},
     };
     toml_.whole().read_table(keys, [&](std::string_view name, const TomlValue& value) {

@@ -86,7 +86,7 @@ class TaskSearch {
 
   std::optional<SetUp> solution() const {
     for (const StrategyId id : strategies_to_try()) {
-      if (const std::optional<SetUp> found = solution_with(id)) return in_round_numbers(*found);
+      if (std::optional<SetUp> found = solution_with(id)) return found;
     }
     return std::nullopt;
   }
@@ -142,7 +142,7 @@ class TaskSearch {
   SetUp in_round_numbers(const SetUp& found) const {
     for (const double per_unit : {1.0, 10.0, 100.0, 1000.0}) {
       const auto round = [per_unit](double& si, double file_units) {
-        si = std::round(si * file_units * per_unit) / per_unit / file_units;
+        si = std::round(si * file_units * per_unit) / per_unit / file_units + 0.0;  // no minus before a zero
       };
       SetUp rounded = found;
       Settings& settings = rounded.scene.settings;
@@ -173,12 +173,12 @@ class TaskSearch {
       Place place(coordinates());
       for (double& coordinate : place) coordinate = static_cast<double>(dice()) / std::mt19937::max();
       found.emplace_back(missed_by_all(at(place, id)), std::move(place));
-      if (found.back().first == 0.0) return at(found.back().second, id);
+      if (found.back().first == 0.0) return in_round_numbers(at(found.back().second, id));
     }
     std::ranges::sort(found);
     found.resize(std::min(found.size(), refined));
     for (auto& [missed, place] : found) {
-      if (refine(missed, place, id, finest) == 0.0) return at(place, id);
+      if (refine(missed, place, id, finest) == 0.0) return in_round_numbers(at(place, id));
     }
     return std::nullopt;
   }

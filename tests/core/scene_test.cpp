@@ -322,6 +322,19 @@ TEST(SceneTest, SettingsAreInRangeWhereEachKeyIs) {
 }
 static_assert(noexcept(is_in_range(std::declval<const Settings&>())));
 
+TEST(SceneTest, NumbersOfKeysAreInTheFilesUnit) {
+  Scene scene = valid();
+  set_number(scene, key_named("view.width_mm"), 120.0);
+  EXPECT_EQ(scene.view.width, 0.12);
+  EXPECT_EQ(number_of(scene, key_named("view.width_mm")), 120.0);
+  const SceneKey& belief = key_named("user.believed_k_u_N_per_m");
+  scene.settings.stiffnesses.believed_k_u.reset();
+  EXPECT_EQ(number_of(scene, belief), std::nullopt) << "left to the program";
+  set_number(scene, belief, 50.0);
+  EXPECT_EQ(scene.settings.stiffnesses.believed_k_u, 50.0);
+  EXPECT_EQ(number_of(scene, belief), 50.0);
+}
+
 TEST(SceneTest, LastTickIsRoundedNotCut) {
   Scene scene = valid();
   EXPECT_EQ(last_tick(scene), 3000);

@@ -88,6 +88,19 @@ TEST_F(CheckLessons, TellsAllThatIsWrongWithAFileAndGoesOn) {
   EXPECT_TRUE(outcome.out.ends_with("3 lessons, 2 wrong\n")) << outcome.out;
 }
 
+TEST_F(CheckLessons, PrintsWhatTheDocShows) {
+  const std::string doc = read_whole(GHOSTFORCE_SOURCE_DIR "/docs/lessons.md");
+  constexpr std::string_view fence = "```toml\n";
+  const std::size_t begin = doc.rfind(fence) + fence.size();
+  write_whole(folder_ / "steep.toml", doc.substr(begin, doc.find("```", begin) - begin));
+  ProgramCall call;
+  call.words = {"check", "steep.toml"};
+  call.folder = folder_.path();
+  const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, call);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(holds(doc, outcome.out)) << "docs/lessons.md should hold\n" << outcome.out;
+}
+
 TEST_F(CheckLessons, DoesNotMixThemWithFoldersOfCases) {
   const std::string good = write("press.toml");
   const Outcome mixed = check({good, folder_.path()});

@@ -27,6 +27,7 @@ TEST(LessonFile, PutsEachValueInItsPlace) {
   const Lesson lesson = read_lesson(small_lesson, "folder/ghost.toml");
   EXPECT_EQ(lesson.name, "ghost");
   EXPECT_EQ(lesson.number, 3.5);
+  EXPECT_EQ(lesson.secrets, std::set{LessonSecret::slide});
   ASSERT_EQ(lesson.steps.size(), 4U);
 
   const LessonStep& press = lesson.steps[0];
@@ -98,8 +99,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"controls = [\"hand\", ", "contorls = [\"hand\", ",
                 "ghost.toml:7:1: the key step.contorls is unknown; did you mean 'controls'?"},
         Mistake{
-            "\"hand\", \"strategies\"", "\"hand\", \"strategy\"",
-            "ghost.toml:7:21: the key step.controls: 'strategy' is not one of hand, strategies, wall, motor; did you "
+            "\"hand\", \"strategies\"", "\"hand\", \"strategie\"",
+            "ghost.toml:7:21: the key step.controls: 'strategie' is not one of hand, strategies, wall, motor; did you "
             "mean 'strategies'?"},
         Mistake{"\"hand\", \"strategies\"", "\"hand\", \"hand\"",
                 "ghost.toml:7:21: the key step.controls: is there twice; give each word once"},
@@ -107,7 +108,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "ghost.toml:7:12: the key step.controls: is a string; give an array of words, as in [\"hand\"]"},
         Mistake{
             "run wall45 --goal-mm=-10,10 --strategy naive", "run wall45 --goal-mm=-10,10 --strategy naiv",
-            "ghost.toml:6:12: the key step.set_up: --strategy: naiv is not one of full, naive, anisotropic; did you "
+            "ghost.toml:6:12: the key step.set_up: --strategy: 'naiv' is not one of full, naive, anisotropic; did you "
             "mean 'naive'?"},
         Mistake{"--goal-mm=-10,10 --strategy naive", "--view workbench",
                 "ghost.toml:6:12: the key step.set_up: shows the workbench; lessons are shown on the stage: leave out "
@@ -127,7 +128,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"from = 50, to = 800", "from = 800, to = 50",
                 "ghost.toml:8:12: the key step.slider: goes from 800 to 50; let it go from less to more"},
         Mistake{"from = 50, to = 800", "from = 50, to = 1e9",
-                "ghost.toml:8:66: the key step.slider.to: 1000000000 is out of range; give 0.1 to 1000000 N/m"},
+                "ghost.toml:8:65: the key step.slider.to: 1000000000 is out of range; give 0.1 to 1000000 N/m"},
         Mistake{"question = \"choose\"", "question = \"chose\"",
                 "ghost.toml:10:12: the key step.question: 'chose' is not one of choose, guess, task; did you mean "
                 "'choose'?"},
@@ -146,18 +147,18 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"name     = \"cure\"", "name     = \"press\"",
                 "ghost.toml:15:12: the key step.name: 'press' is the name of an earlier step; give each step a name of "
                 "its own\n"
-                "ghost.toml:44:2: the key en.cure is unknown; did you mean 'guess'?\n"
-                "ghost.toml:60:1: the key es.cure is unknown; did you mean 'guess'?"},
+                "ghost.toml:39:5: the key en.cure is unknown; the keys here are title, about, press, guess, end\n"
+                "ghost.toml:56:1: the key es.cure is unknown; the keys here are title, about, press, guess, end"},
         Mistake{
             "name     = \"cure\"", "name     = \"The cure\"",
             "ghost.toml:15:12: the key step.name: 'The cure' is no name for a step; give 1 to 40 of a to z, 0 to 9, - "
             "and _\n"
-            "ghost.toml:44:5: the key en.cure is unknown; the keys here are title, about, press, guess, end\n"
-            "ghost.toml:62:1: the key es.cure is unknown; the keys here are title, about, press, guess, end"},
+            "ghost.toml:39:5: the key en.cure is unknown; the keys here are title, about, press, guess, end\n"
+            "ghost.toml:56:1: the key es.cure is unknown; the keys here are title, about, press, guess, end"},
         Mistake{"controls = [\"hand\"]\nquestion", "question",
                 "ghost.toml:14:1: the key step: there is a task, but nothing to do it with; give controls or a slider"},
         Mistake{"ghost_force_N", "ghost_force",
-                "ghost.toml:18:27: the key step.until.quantity: 'ghost_force' is not one of depth_mm, force_N, "
+                "ghost.toml:18:26: the key step.until.quantity: 'ghost_force' is not one of depth_mm, force_N, "
                 "ghost_force_N, slide_mm, handle_to_target_mm, angle_deg, energy_mJ, turns, belief; did you mean "
                 "'ghost_force_N'?"},
         Mistake{"at_most = 0.05", "at_most = 0.05, at_least = 1",
@@ -183,11 +184,11 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"[en.end]", "[en.edn]",
                 "ghost.toml:29:1: the key en.end is missing; add it as a table with the step's text: each step needs "
                 "words in each language\n"
-                "ghost.toml:54:5: the key en.edn is unknown; did you mean 'end'?"},
+                "ghost.toml:49:5: the key en.edn is unknown; did you mean 'end'?"},
         Mistake{"title = \"The ghost\"\n", "",
                 "ghost.toml:29:1: the key en.title is missing; give the lesson's title in this language"},
         Mistake{"[\"Se queda\", \"Se desliza\"]", "[\"Se queda\", \"Se desliza\", \"Sube\"]",
-                "ghost.toml:60:43: the key es.press.answers: has 3 of them, but [en] has 2; translate each answer of "
+                "ghost.toml:55:43: the key es.press.answers: has 3 of them, but [en] has 2; translate each answer of "
                 "[en.press]"},
         Mistake{"[\"It stays\", \"It slides\"]", "[\"It stays\"]",
                 "ghost.toml:35:11: the key en.press.answers: has 1 of them; give 2 or 3"},
@@ -204,9 +205,11 @@ INSTANTIATE_TEST_SUITE_P(
             "add a question to the step"},
         Mistake{
             "[es]", "[spanish]",
-            "ghost.toml:57:2: the key spanish: is no language; the words of a language stand in a table such as [en] "
+            "ghost.toml:52:1: the key spanish: is no language; the words of a language stand in a table such as [en] "
             "or [es]"},
-        Mistake{"The end.", "The\\nend.", "ghost.toml:50:8: the key en.end.text: contains a line break; remove it"}));
+        Mistake{"The end.", "The\\nend.",
+                "ghost.toml:50:8: the key en.end.text: has more than one line; write it in one: the stage breaks it "
+                "where it has to"}));
 
 TEST(LessonFile, TellsWhatIsTooLongInCharacters) {
   const auto text_of = [](std::size_t length) {

@@ -14,6 +14,12 @@ SetUp wall45(std::string_view options = "") {
   return read_set_up_line("ghostforce run wall45 " + std::string(options));
 }
 
+using StageSetUp = SetUp;  // in a test, SetUp is a function of GoogleTest
+
+std::shared_ptr<const StageSetUp> shared(StageSetUp set_up) {
+  return std::make_shared<const StageSetUp>(std::move(set_up));
+}
+
 LessonStep task(std::set<LessonControl> controls, std::vector<LessonCondition> conditions) {
   LessonStep step;
   step.question = LessonQuestion::task;
@@ -53,7 +59,7 @@ TEST(LessonSearch, FindsWhatOneControlCanDo) {
 TEST(LessonSearch, FindsANarrowPlaceOnASlider) {
   LessonStep step = task({}, {{.quantity = LessonQuantity::slide, .greatest = 1e-4}});
   step.slider = LessonSlider{find_scene_key("user.believed_k_u_N_per_m"), 50.0, 800.0};
-  const SetUp start = wall45("--set user.k_u_N_per_m=333 --strategy anisotropic");
+  const auto start = wall45("--set user.k_u_N_per_m=333 --strategy anisotropic");
   const TaskFinding found = examine_task(step, wall45("--set user.believed_k_u_N_per_m=100 --strategy anisotropic"));
   EXPECT_FALSE(found.is_met_at_start);
   ASSERT_TRUE(found.solution);
@@ -84,13 +90,13 @@ TEST(LessonSearch, LetsTheHandGoRound) {
 }
 
 TEST(LessonSearch, KnowsWhatEachStepBeginsWith) {
-  const auto first = std::make_shared<const SetUp>(wall45());
-  const auto revealed = std::make_shared<const SetUp>(wall45("--strategy full"));
+  const auto first = shared(wall45());
+  const auto revealed = shared(wall45("--strategy full"));
   Lesson lesson;
   lesson.steps.resize(3);
   lesson.steps[0].set_up = first;
   lesson.steps[1].reveal = revealed;
-  EXPECT_EQ(set_ups_at_start(lesson), (std::vector<const SetUp*>{first.get(), first.get(), revealed.get()}));
+  EXPECT_EQ(set_ups_at_start(lesson), (std::vector<const StageSetUp*>{first.get(), first.get(), revealed.get()}));
 }
 
 TEST(LessonSearch, KnowsWhatCanBeGuessed) {

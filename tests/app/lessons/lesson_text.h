@@ -9,7 +9,7 @@ namespace ghostforce {
 
 inline constexpr std::string_view small_lesson = R"(format = 1
 number = 3.5
-
+hidden = ["slide"]
 [[step]]
 name     = "press"
 set_up   = "ghostforce run wall45 --goal-mm=-10,10 --strategy naive"

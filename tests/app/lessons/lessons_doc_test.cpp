@@ -37,15 +37,17 @@ std::vector<std::string> examples() {
   return found;
 }
 
-TEST(LessonsDoc, HasAnExampleThatCanBePlayed) {
-  int lessons = 0;
-  for (const std::string& example : examples()) {
-    if (!example.starts_with("format = 1")) continue;
-    ++lessons;
-    const Lesson lesson = read_lesson(example, "example.toml");
-    for (const LessonStepFinding& finding : examine_lesson(lesson)) EXPECT_TRUE(finding.is_good) << finding.words;
+TEST(LessonsDoc, LeadsFromAFrameToALessonThatCanBePlayed) {
+  ASSERT_GE(examples().size(), 2U);
+  try {
+    read_lesson(examples().front(), "steep.toml");
+    FAIL() << "the frame lacks a set-up";
+  } catch (const ReadError& error) {
+    EXPECT_NE(doc().find(error.what()), std::string::npos) << error.what();
   }
-  EXPECT_GE(lessons, 1);
+  const Lesson lesson = read_lesson(examples().back(), "steep.toml");
+  EXPECT_EQ(lesson.steps.size(), 3U);
+  for (const LessonStepFinding& finding : examine_lesson(lesson)) EXPECT_TRUE(finding.is_good) << finding.words;
 }
 
 TEST(LessonsDoc, NamesEachLesson) {
