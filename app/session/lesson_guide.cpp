@@ -284,7 +284,9 @@ bool is_allowed(const Session& session, LessonControl control) noexcept {
 }
 
 bool is_hidden(const Session& session, LessonSecret secret) noexcept {
-  if (!session.lesson || !is_open(*session.lesson)) return false;
+  if (!session.lesson) return false;
+  if (session.lesson->lesson->secrets.contains(secret)) return true;
+  if (!is_open(*session.lesson)) return false;
   const LessonStep& step = lesson_step(*session.lesson);
   // What is to be guessed is not to be seen.
   if (secret == LessonSecret::rest && step.question == LessonQuestion::guess) return true;

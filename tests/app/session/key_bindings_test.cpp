@@ -50,7 +50,7 @@ TEST(KeyTable, EveryGroupHasItsRowsTogetherAndTheMouseHasItsPlaceAmongThem) {
 
 // One step that asks a question with an answer for each digit.
 std::shared_ptr<const Lesson> lesson_with_nine_answers() {
-  Lesson lesson{.name = "nine", .number = 1, .steps = {LessonStep{}}, .words = {}};
+  Lesson lesson{.name = "nine", .number = 1, .secrets = {}, .steps = {LessonStep{}}, .words = {}};
   lesson.steps.front().question = LessonQuestion::choose;
   LessonStepWords words{.text = "Which?", .answers = std::vector<std::string>(9, "this"), .right = "", .wrong = ""};
   lesson.words.emplace("en", LessonWords{.title = "Nine", .about = "", .steps = {words}});
