@@ -310,11 +310,12 @@ LessonScore score_of(const LessonState& lesson) noexcept {
 SceneView lesson_view(const Session& session) {
   const LessonState& lesson = *session.lesson;
   std::vector<Vector<2>> goals{hand_of(session)};
-  if (const auto& reveal = lesson_step(lesson).reveal) {
-    const Settings& revealed = reveal->scene.settings;
-    const bool is_same_wall = revealed.wall_point == session.settings.wall_point &&
-                              revealed.wall_normal_angle == session.settings.wall_normal_angle;
-    if (is_same_wall) goals.push_back(reveal->goal);
+  for (const auto* const each : {&lesson_step(lesson).set_up, &lesson_step(lesson).reveal}) {
+    if (!*each) continue;
+    const Settings& settings = (*each)->scene.settings;
+    const bool is_same_wall = settings.wall_point == session.settings.wall_point &&
+                              settings.wall_normal_angle == session.settings.wall_normal_angle;
+    if (is_same_wall) goals.push_back((*each)->goal);
   }
   return stage_view_of(session.settings, goals);
 }
