@@ -11,6 +11,7 @@
 #include "app/ui/widgets/focus.h"
 #include "app/view/screen_box.h"
 #include "app/view/stage/landscape_layout.h"
+#include "app/view/stage/lesson_layout.h"
 
 namespace ghostforce {
 namespace {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/view/stage/stage_layout.h"
 #include "app/view/stage/strategy_button.h"
 #include "app/view/text_lines.h"
 

@@ -11,6 +11,13 @@ constexpr double guess_radius = 20.0;
 
 }  // namespace
 
+void keep_guess_clear(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  if (!content.guess.at) return;
+  const Vector<2> at = canvas.at(*content.guess.at);
+  canvas.labels.keep_clear(at, at, canvas.points(guess_radius) + canvas.width(2.0));
+}
+
 void add_guess(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   const StageGuess& guess = content.guess;
@@ -39,11 +46,8 @@ namespace {
 
 void add_predict(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
-  if (content.guess.at) {
-    const Vector<2> at = canvas.at(*content.guess.at);
-    canvas.labels.keep_clear(at, at, canvas.points(guess_radius) + canvas.width(2.0));
-  }
-  if (!content.guess.is_open) {
+  keep_guess_clear(layer);
+  if (!content.guess.is_open && !content.hides.rest) {
     add_whole_scene(layer);
     add_guess(layer);
     return;

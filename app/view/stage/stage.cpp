@@ -75,8 +75,11 @@ StagePicture compose_stage(const StageContent& content, LabelMemory& memory, dou
     StageCanvas canvas{.camera = camera, .theme = content.theme, .unit = layout.unit, .marks = marks, .labels = labels};
     const StageLayer layer{content, layout, canvas};
     keep_frame_clear(layer);
+    // Of an answered guess of a lesson; an open one belongs to Predict.
+    const bool has_old_guess = content.lesson && mode != &predict_layers;
+    if (has_old_guess) keep_guess_clear(layer);
     (mode != nullptr ? mode->add : add_whole_scene)(layer);
-    if (content.lesson && !content.hides.rest) add_guess(layer);
+    if (has_old_guess) add_guess(layer);
     if (!is_map || content.lesson) add_sentence(layer);
     add_buttons(layer);
     canvas.add_labels();

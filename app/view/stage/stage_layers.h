@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/view/stage/landscape_layer.h"
+#include "app/view/stage/lesson_layout.h"
 #include "app/view/stage/ribbon_layer.h"
 #include "app/view/stage/stage_canvas.h"
 #include "app/view/stage/stage_content.h"
@@ -25,6 +26,7 @@ void add_handle(const StageLayer& layer);        // handle and proxy
 void add_stage_words(const StageLayer& layer);   // beside all these,
 void add_hand_words(const StageLayer& layer);    // and beside some
 void add_motor_words(const StageLayer& layer);
+void keep_guess_clear(const StageLayer& layer);
 void add_guess(const StageLayer& layer);     // of where the handle comes to rest, if there is one
 void add_sentence(const StageLayer& layer);  // above
 void add_numbers(const StageLayer& layer);

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "app/view/stage/lesson_layout.h"
 #include "app/view/stage/stage_sentence.h"
 #include "app/view/stage/strategy_button.h"
 #include "core/prediction.h"

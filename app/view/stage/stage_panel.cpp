@@ -179,7 +179,8 @@ std::optional<HoverPanel> hover_panel(const StageLayer& layer) {
   const ScreenBox& strip = layout.icons.back().box;
   const double left = strip.most.x - extent.x - 2.0 * padding;
   const bool is_beside_sentence = left > layout.sentence_box.most.x + padding;
-  const double top = is_beside_sentence ? strip.most.y : std::max(strip.most.y, layout.sentence_box.most.y);
+  const double below = layout.lesson ? std::max(strip.most.y, layout.lesson->title_box.most.y) : strip.most.y;
+  const double top = is_beside_sentence ? below : std::max(below, layout.sentence_box.most.y);
   const Vector<2> corner = Vector<2>(left, top + canvas.points(8.0)) + Vector<2>(padding);
   panel.box = ScreenBox{corner, corner + extent}.grown(padding);
   return panel;

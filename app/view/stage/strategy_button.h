@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-#include "app/view/stage/stage_layout.h"
+#include "app/view/stage/stage_places.h"
 
 namespace ghostforce {
 

@@ -56,15 +56,15 @@ class LessonWindow : public DrivenWindow {
   Vector<2> rest() { return stage_moment_at_rest(session().settings, session().goal).handle; }
 
   void do_task() {
-    const SetUp start{.scene = {.title = {},
-                                .about = {},
-                                .settings = session().settings,
-                                .goal = {.points = {session().goal}, .times = {0.0}},
-                                .duration = 0.0,
-                                .view = {}},
-                      .goal = session().goal,
-                      .face = Face::stage,
-                      .mode = session().stage.mode};
+    const ghostforce::SetUp start{.scene = {.title = {},
+                                            .about = {},
+                                            .settings = session().settings,
+                                            .goal = {.points = {session().goal}, .times = {0.0}},
+                                            .duration = 0.0,
+                                            .view = {}},
+                                  .goal = session().goal,
+                                  .face = Face::stage,
+                                  .mode = session().stage.mode};
     const TaskFinding finding = examine_task(step(), start);
     ASSERT_TRUE(finding.solution) << step().name;
     const Settings& solved = finding.solution->scene.settings;
