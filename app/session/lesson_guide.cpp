@@ -11,7 +11,7 @@
 #include "app/lessons/lesson_file.h"
 #include "app/lessons/lesson_slider.h"
 #include "app/session/measurement_guide.h"
-#include "app/session/stage_actions.h"
+#include "app/session/stage_modes.h"
 #include "app/view/stage/stage_scene.h"
 
 namespace ghostforce {

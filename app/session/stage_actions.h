@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/session/session.h"
+#include "app/session/stage_modes.h"
 #include "app/view/stage/stage.h"
 
 namespace ghostforce {
@@ -12,8 +13,6 @@ void act_on_stage(Session& session, const StageAction& action, const MotorReport
 void show_face(Session& session, Face face);
 // Begins a mode, or ends it where it is on. In a lesson the steps say which mode is on.
 void toggle_stage_mode(Session& session, StageMode mode);
-void begin_stage_mode(Session& session, StageMode mode);
-void leave_stage_mode(Session& session);
 // The active one. `slowly`: the stage takes 6 s for it instead of 0.6.
 void choose_strategy(Session& session, StrategyId id, bool slowly);
 
@@ -25,7 +24,5 @@ void confirm_on_stage(Session& session);
 void next_talk_step(Session& session);
 void previous_talk_step(Session& session);
 std::size_t talk_length() noexcept;
-
-inline constexpr int last_why_step = 4;
 
 }  // namespace ghostforce

@@ -47,6 +47,7 @@ TEST(StageLesson, HasRoomForAllOfALesson) {
       EXPECT_TRUE(lies_in(button.box, window)) << i << " " << words_for(shown);
       EXPECT_GE(std::min(button.box.extent().x, button.box.extent().y), 40.0 * drawn.picture.unit);
     }
+    if (drawn.picture.ribbon) continue;  // it takes a share of its own
     EXPECT_GE(drawn.picture.scene.extent().y, 0.3 * shown.size.y) << i << " " << words_for(shown);
   }
 }
