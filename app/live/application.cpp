@@ -48,7 +48,11 @@ Session session_with(const Scene& scene, const ApplicationOptions& options) {
   if (options.mode != StageMode::none) toggle_stage_mode(session, options.mode);
   session.language = options.language;
   session.lesson_progress = options.lesson_progress;
-  if (options.lesson) begin_lesson(session, options.lesson, options.language);
+  if (options.lesson) {
+    begin_lesson(session, options.lesson, options.language);
+    session.stage_shown = lesson_view(session);
+    session.requests.fit_view = false;  // it stands there at once
+  }
   return session;
 }
 

@@ -287,10 +287,7 @@ bool is_hidden(const Session& session, LessonSecret secret) noexcept {
   if (!session.lesson) return false;
   if (session.lesson->lesson->secrets.contains(secret)) return true;
   if (!is_open(*session.lesson)) return false;
-  const LessonStep& step = lesson_step(*session.lesson);
-  // What is to be guessed is not to be seen.
-  if (secret == LessonSecret::rest && step.question == LessonQuestion::guess) return true;
-  return step.secrets.contains(secret);
+  return lesson_step(*session.lesson).secrets.contains(secret);
 }
 
 bool has_open_question(const Session& session, LessonQuestion question) noexcept {

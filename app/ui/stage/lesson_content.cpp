@@ -89,7 +89,8 @@ StageSecrets lesson_secrets(const Session& session) noexcept {
   return {.numbers = is_hidden(session, LessonSecret::numbers),
           .force = is_hidden(session, LessonSecret::force),
           .slide = is_hidden(session, LessonSecret::slide),
-          .rest = is_hidden(session, LessonSecret::rest)};
+          .rest = is_hidden(session, LessonSecret::rest),
+          .handle = has_open_question(session, LessonQuestion::guess)};
 }
 
 StageGuess lesson_guess(const Session& session) {

@@ -47,7 +47,7 @@ namespace {
 void add_predict(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   keep_guess_clear(layer);
-  if (!content.guess.is_open && !content.hides.rest) {
+  if (!content.guess.is_open && !content.hides.handle) {
     add_whole_scene(layer);
     add_guess(layer);
     return;

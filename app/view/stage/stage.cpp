@@ -55,8 +55,8 @@ void add_whole_scene(const StageLayer& layer) {
 
 StagePicture compose_stage(const StageContent& content, LabelMemory& memory, double interval_s, Marks earlier) {
   // What is to be guessed is drawn as Predict does it.
-  const StageModeLayers* const mode = content.hides.rest ? &predict_layers : layers_of(content.mode);
-  const bool is_map = content.mode == StageMode::landscape && !content.hides.rest;
+  const StageModeLayers* const mode = content.hides.handle ? &predict_layers : layers_of(content.mode);
+  const bool is_map = content.mode == StageMode::landscape && !content.hides.handle;
   const std::string sentence = sentence_of(content, mode);
   StageLayout layout = stage_layout(content.size, content.scale, content.measure,
                                     {.sentence = sentence,

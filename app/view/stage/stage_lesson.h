@@ -53,7 +53,8 @@ struct StageSecrets {
   bool numbers = false;
   bool force = false;
   bool slide = false;
-  bool rest = false;  // handle, springs and all that follows from where the handle is
+  bool rest = false;    // where the handle should rest
+  bool handle = false;  // and springs, and all that follows from where it is
 };
 
 }  // namespace ghostforce

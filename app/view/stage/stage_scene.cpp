@@ -145,7 +145,7 @@ void add_expectations(const StageLayer& layer) {
   // Under the handle there is nothing to see of it.
   const Vector<2> rest = canvas.at(moment.expected_rest);
   const double apart = glm::distance(rest, canvas.at(moment.handle));
-  if (moment.is_measured || apart < canvas.points(2.0)) return;
+  if (content.hides.rest || moment.is_measured || apart < canvas.points(2.0)) return;
   const double strength = std::min(1.0, apart / canvas.points(20.0));
   canvas.ring(Role::expected_rest, rest, canvas.points(handle_radius), canvas.width(2.5),
               faded(theme.faint_text, strength));

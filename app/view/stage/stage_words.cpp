@@ -100,7 +100,8 @@ void add_expectation_words(const StageLayer& layer) {
   }
   if (!moment.in_contact || moment.is_measured) return;
   const Vector<2> rest = canvas.at(moment.expected_rest);
-  if (glm::distance(rest, canvas.at(moment.handle)) > canvas.points(2.0 * handle_radius)) {
+  const bool is_apart = glm::distance(rest, canvas.at(moment.handle)) > canvas.points(2.0 * handle_radius);
+  if (is_apart && !content.hides.rest) {
     canvas.label(Role::expected_rest,
                  {StageLabel::expected_rest,
                   {"where it should rest"},

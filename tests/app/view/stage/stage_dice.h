@@ -242,10 +242,10 @@ inline StageCase lesson_case_by(PictureDice& dice) {
     lesson.marks.push_back(lesson.is_open ? LessonMark::none : mark());
   }
   if (!lesson.is_open && !lesson.marks.empty()) lesson.chosen = 0;
-  made.hides = {dice.one_in(4), dice.one_in(4), dice.one_in(4), dice.one_in(4)};
+  made.hides = {dice.one_in(4), dice.one_in(4), dice.one_in(4), dice.one_in(4), dice.one_in(4)};
   if (dice.one_in(3)) {
     made.guess = {.at = made.moment.goal + Vector<2>(dice.between(-0.02, 0.02), dice.between(-0.02, 0.02)),
-                  .is_open = made.hides.rest,
+                  .is_open = made.hides.handle,
                   .missed_by = 0.0123};
   }
   if (dice.one_in(6))

@@ -75,7 +75,12 @@ TEST(StageLesson, TellsNoSecrets) {
   shown.hides = {.slide = true};
   EXPECT_EQ(words().find("12.0"), std::string::npos);
   EXPECT_NE(words().find("1.27"), std::string::npos);
+  ASSERT_NE(words().find("where it should rest"), std::string::npos);
   shown.hides = {.rest = true};
+  EXPECT_EQ(words().find("where it should rest"), std::string::npos);
+  EXPECT_EQ(Drawn(shown.compose()).label(Role::expected_rest), nullptr);
+  EXPECT_NE(words().find("handle"), std::string::npos);
+  shown.hides = {.handle = true};
   const Drawn hidden(shown.compose());
   for (const Role role : {Role::device, Role::proxy, Role::ghost_force, Role::wall_share, Role::proxy_drift,
                           Role::expected_rest, Role::number}) {
