@@ -11,6 +11,8 @@
 #include "app/console/interruption.h"
 #include "app/console/quoted.h"
 #include "app/console/words.h"
+#include "app/files/input_file.h"
+#include "app/files/toml_document.h"
 #include "app/lessons/lesson_check.h"
 #include "app/lessons/lesson_file.h"
 
@@ -40,13 +42,19 @@ std::size_t print_findings(const Lesson& lesson, const std::string& shown, Lines
   return wrong;
 }
 
+// A case of a picture; then a person has named it instead of its folder.
+bool is_case(const std::string& path) {
+  TomlReader reader(path);
+  return reader.parse(file_contents(path).text) && reader.find("", "scene");
+}
+
 }  // namespace
 
 bool may_be_lesson(const std::string& word) {
   std::error_code unknown;
   if (std::filesystem::is_directory(word, unknown)) return false;
   const std::vector<std::string_view> shipped = shipped_lesson_names();
-  return word.ends_with(".toml") || std::ranges::find(shipped, word) != shipped.end();
+  return std::ranges::find(shipped, word) != shipped.end() || (word.ends_with(".toml") && !is_case(word));
 }
 
 int check_lessons(const std::vector<std::string>& lessons) {

@@ -378,7 +378,10 @@ void LessonReader::read_language(std::string_view language, const TomlValue& tab
 
 Lesson LessonReader::read(std::string_view text) {
   std::vector<std::pair<std::string, TomlValue>> languages;
-  if (toml_.parse(text) && toml_.has_known_format()) {
+  const bool is_toml = toml_.parse(text);
+  if (is_toml && toml_.has_table("wall")) {
+    toml_.refuse("this is a scene, not a lesson", "open it with ghostforce run");
+  } else if (is_toml && toml_.has_known_format()) {
     const std::array keys{
         TomlKey{"", "format", [](const TomlValue&) {}},
         TomlKey{"", "number", number_into(lesson_.number, {}),

@@ -5,6 +5,7 @@
 
 #include <numeric>
 
+#include "app/files/scene_file.h"
 #include "app/files/scene_keys.h"
 #include "tests/app/lessons/lesson_text.h"
 #include "tests/support/temporary_folder.h"
@@ -235,6 +236,11 @@ TEST(LessonFile, TellsWhatAnEmptyLessonLacks) {
   EXPECT_EQ(words_about("format = 1\nnumber = 1\nstep = []\n[en]\ntitle = \"a\"\nabout = \"b\"\n"),
             "ghost.toml:3:8: the key step: is empty; begin each step with [[step]]");
   EXPECT_NE(words_about("").find("the key format is missing"), std::string::npos);
+}
+
+TEST(LessonFile, KnowsASceneWhenItSeesOne) {
+  EXPECT_EQ(words_about(scene_text(load_scene("wall45"))),
+            "ghost.toml:1:1: this is a scene, not a lesson; open it with ghostforce run");
 }
 
 TEST(LessonFile, IsFoundByNameOrByPath) {
