@@ -398,10 +398,6 @@ ReadError why_unreadable(const std::string& shown, int error) {
 
 }  // namespace
 
-bool may_be_run(std::string_view path) noexcept {
-  return path.ends_with(".csv") || path.ends_with(".CSV");
-}
-
 Run read_run(std::string_view text, std::string_view shown_path) {
   Run run;
   const TakeTick take = [&](const RunFacts&, const RunTick& tick) { run.ticks.push_back(tick); };

@@ -14,9 +14,6 @@ namespace ghostforce {
 // Takes one tick after the other. `run` is what was told up to there; its warnings come with the end.
 using TakeTick = std::function<void(const RunFacts& run, const RunTick& tick)>;
 
-// Whether a file is rather a run than a scene: by its ending.
-bool may_be_run(std::string_view path) noexcept;
-
 // `shown_path` is what warnings and messages call the file. Throws ReadError(wrong) where the text is no run, is
 // damaged, or is longer than a scene may be (most_ticks), which a damaged time makes of it.
 Run read_run(std::string_view text, std::string_view shown_path);

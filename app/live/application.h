@@ -138,6 +138,7 @@ class Application {
   void show(const SetUp& set_up);
   void copy_set_up();
   void paste_set_up();
+  void add_to_notice(const std::string& words);
   TickState<2> start_state();
 
   Window& window_;

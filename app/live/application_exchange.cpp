@@ -1,6 +1,4 @@
 // What is handed on and taken in: files that are opened, set-ups that are copied and pasted.
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -53,7 +51,7 @@ void Application::open(const std::string& name_or_path) {
       Opener{FileKind::run, &Application::replay_run},
       Opener{FileKind::picture, &Application::show_picture},
   };
-  // What is no file may be the name of a scene, or nearly one.
+  // For the rest the reader of scenes finds the words.
   const FileKind kind = kind_of_file(name_or_path).value_or(FileKind::scene);
   (this->*std::ranges::find(openers, kind, &Opener::kind)->open)(name_or_path);
 }
@@ -61,18 +59,17 @@ void Application::open(const std::string& name_or_path) {
 void Application::open_dropped(const std::vector<std::string>& paths) {
   const std::string& path = paths.front();
   const std::string_view no_file = kind_instead_of_file(path);
-  if (!no_file.empty() || (access(path.c_str(), F_OK) == 0 && !kind_of_file(path))) {
+  if (!kind_of_file(path)) {
     throw Failure(ExitCode::wrong_call,
                   fmt::format("{} is {}.\nWhat can be dropped here: {}.", quoted_text(path, longest_path),
                               no_file.empty() ? "of no kind that can be opened" : no_file, file_kinds_words()));
   }
+  session_.notice.reset();
   open(path);
   if (session_.dialog == Dialog::open_scene) session_.dialog = Dialog::none;
   if (paths.size() == 1) return;
-  const std::string words = session_.notice ? session_.notice->words + "\n" : "";
-  show_notice(fmt::format("{}Only one file can be open at a time. This is the first: {}", words,
-                          quoted_text(path, longest_path)),
-              false);
+  add_to_notice(
+      fmt::format("Only one file can be open at a time. This is the first: {}", quoted_text(path, longest_path)));
 }
 
 void Application::open_scene(const std::string& name_or_path) {
@@ -85,8 +82,10 @@ void Application::open_lesson(const std::string& name_or_path) {
 }
 
 void Application::show_picture(const std::string& path) {
-  show(read_picture_set_up(path));
-  show_notice(fmt::format("This is what {} shows. Ctrl+Z takes it back.", quoted_text(path, longest_path)), false);
+  const SetUp set_up = read_picture_set_up(path);
+  session_.notice.reset();
+  show(set_up);
+  add_to_notice(fmt::format("This is what {} shows. Ctrl+Z takes it back.", quoted_text(path, longest_path)));
 }
 
 void Application::replay_run(const std::string& path) {
@@ -133,13 +132,21 @@ void Application::copy_set_up() {
 }
 
 void Application::paste_set_up() {
-  const std::string text = window_.clipboard_text();
+  std::optional<SetUp> set_up;
   try {
-    show(read_set_up_line(text));
+    set_up = read_set_up_line(window_.clipboard_text());
   } catch (const ReadError& error) {
     return show_notice(fmt::format("The clipboard holds no set-up: {}.\nCopy one with Ctrl+C.", error.what()), true);
   }
-  show_notice("This is the set-up that was pasted. Ctrl+Z takes it back.", false);
+  session_.notice.reset();
+  show(*set_up);
+  add_to_notice("This is the set-up that was pasted. Ctrl+Z takes it back.");
+}
+
+// Another scene may have ended a recording, and the person must read that too.
+void Application::add_to_notice(const std::string& words) {
+  const bool is_problem = session_.notice && session_.notice->is_problem;
+  show_notice(session_.notice ? fmt::format("{}\n{}", session_.notice->words, words) : words, is_problem);
 }
 
 }  // namespace ghostforce

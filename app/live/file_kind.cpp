@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "app/console/typed_text.h"
 #include "app/files/input_file.h"
 #include "app/files/run_file.h"
 
@@ -27,7 +29,8 @@ bool has_line(std::string_view text, std::string_view beginning) {
 }
 
 bool begins_like_picture(std::string_view text) {
-  return text.starts_with("\x89PNG\r\n") || text.starts_with("%PDF-") || text.find("<svg") != std::string_view::npos;
+  const bool is_svg = trimmed(text).starts_with('<') && text.find("<svg") != std::string_view::npos;
+  return text.starts_with("\x89PNG\r\n") || text.starts_with("%PDF-") || is_svg;
 }
 
 bool begins_like_run(std::string_view text) {
@@ -63,7 +66,6 @@ bool ends_like(std::string_view path, std::string_view ending) {
 // Empty: there is none, or it cannot be read.
 std::optional<std::string> beginning_of(const std::string& path) {
   constexpr std::size_t enough = 1 << 16;
-  if (!kind_instead_of_file(path).empty()) return std::nullopt;
   std::string text;
   const int error = read_pieces(path, [&text](std::string_view piece) {
     text += piece;
@@ -75,8 +77,9 @@ std::optional<std::string> beginning_of(const std::string& path) {
 }  // namespace
 
 std::optional<FileKind> kind_of_file(const std::string& path) {
+  if (!kind_instead_of_file(path).empty()) return std::nullopt;
   const std::optional<std::string> beginning = beginning_of(path);
-  if (!beginning) return std::nullopt;
+  if (!beginning) return FileKind::scene;
   for (const FileKindEntry& kind : kinds) {
     if (kind.begins_like_one(*beginning)) return kind.id;
   }

@@ -15,7 +15,8 @@ enum class FileKind : std::uint8_t {
   picture,  // that may carry a set-up
 };
 
-// Empty: there is no such file, it cannot be read, or it is of another kind. Never waits for a pipe.
+// Empty: it is of another kind, or a folder, a pipe or the like; never waits for these. Where there is no file, or it
+// cannot be read, a scene is meant: that may be a name, and its reader tells what is wrong.
 std::optional<FileKind> kind_of_file(const std::string& path);
 
 // "a scene (.toml), a recording (.csv), …"

@@ -273,7 +273,7 @@ constexpr std::array bindings{
     KeyBinding{GLFW_KEY_Y, ctrl, "", "", ask<&Requests::redo>, true},
     KeyBinding{GLFW_KEY_C, ctrl, "Ctrl+C", "Copy what is shown as a command, to hand it on", ask<&Requests::copy_set_up>},
     KeyBinding{GLFW_KEY_V, ctrl, "Ctrl+V", "Paste such a command: show what it describes", ask<&Requests::paste_set_up>},
-    KeyBinding{GLFW_KEY_O, ctrl, "Ctrl+O", "Open a scene (or drop its file on the window)", open_dialog<Dialog::open_scene>, false, true},
+    KeyBinding{GLFW_KEY_O, ctrl, "Ctrl+O", "Open a scene (or drop a file on the window)", open_dialog<Dialog::open_scene>, false, true},
     KeyBinding{GLFW_KEY_S, ctrl, "Ctrl+S", "Save the scene with its current settings", open_dialog<Dialog::save_scene>, false, true},
     KeyBinding{GLFW_KEY_P, ctrl, "Ctrl+P", "Save a picture: PNG, SVG or PDF", open_dialog<Dialog::save_picture>, false, true},
     KeyBinding{GLFW_KEY_P, ctrl | shift, "Ctrl+Shift+P", "Copy a picture to the clipboard", copy_picture, false, true},

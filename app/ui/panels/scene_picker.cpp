@@ -109,7 +109,7 @@ void draw_open_scene(const PanelContext& context) {
   ImGui::PopStyleVar();
   ImGui::EndChild();
 
-  wrapped_text("Or type the path of a scene or a recording, or drop the file on the window:",
+  wrapped_text("Or type the path of a scene, a recording or a saved picture, or drop it on the window:",
                ImGui::GetCursorPosX() + width);
   const char* const open_words = "Open";
   const char* const cancel_words = "Cancel";

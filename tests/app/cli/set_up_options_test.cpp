@@ -8,10 +8,12 @@
 #include <CLI/CLI.hpp>
 
 #include "app/console/shell_word.h"
+#include "app/set_up/picture_set_up.h"
 #include "app/set_up/set_up_line.h"
 #include "tests/support/program.h"
 #include "tests/support/random_set_up.h"
 #include "tests/support/set_up_values.h"
+#include "tests/support/temporary_folder.h"
 
 namespace ghostforce {
 namespace {
@@ -45,6 +47,29 @@ TEST(SetUpOptions, GetTheLinesWordsFromAShell) {
     std::string expected;
     for (const std::string& word : split_shell_words(line).words) expected += word + "\n";
     ASSERT_EQ(run_program("/bin/sh", {"-c", "printf '%s\\n' " + line}).out, expected);
+  }
+}
+
+TEST(RenderedPicture, SaysWhatItShows) {
+  const TemporaryFolder folder;
+  const std::string line =
+      "ghostforce run wall45 --set user.k_u_N_per_m=150.0 --goal-mm=20,-10 --strategy full --view ";
+  for (const std::string face : {"stage", "workbench"}) {
+    for (const std::string ending : {"png", "svg", "pdf"}) {
+      std::vector<std::string> words = split_shell_words(line + face).words;
+      words.erase(words.begin(), words.begin() + 2);
+      std::erase(words, "--goal-mm=20,-10");
+      words.insert(words.begin(), "render");
+      words.insert(words.end(), {"--set", "goal.path_mm=[[-21.213203435596427, 21.213203435596427], [20, -10]]",
+                                 "--size", "320x240", "-o"});
+      for (const std::string name : {"a.", "b."}) {
+        words.push_back(folder / (name + ending));
+        ASSERT_EQ(run_program(GHOSTFORCE_PROGRAM, words).exit_code, 0);
+        words.pop_back();
+      }
+      EXPECT_EQ(read_whole(folder / ("a." + ending)), read_whole(folder / ("b." + ending)));
+      EXPECT_EQ(set_up_line(read_picture_set_up(folder / ("a." + ending))), line + face) << ending;
+    }
   }
 }
 

@@ -108,6 +108,50 @@ TEST_F(PngFileTest, RefusesAWrongChecksum) {
       << "the sum of zlib, in a chunk whose own is right";
 }
 
+TEST_F(PngFileTest, CarriesTextsBesideTheSamePixels) {
+  const Image image = noise(20, 10, false);
+  const std::vector<PngText> texts{software_text(), {"Description", "it's 'quoted' \"words\""}, {"Comment", "ρ → ∞"}};
+  const std::string bytes = png_bytes(image, texts);
+  EXPECT_EQ(png_bytes(image, texts), bytes);
+  EXPECT_EQ(read(bytes), image);
+  EXPECT_EQ(PngFile(folder_ / "a.png", PngWords::read).texts(), texts);
+  EXPECT_TRUE(PngFile(folder_ / "a.png").texts().empty());
+  // With no library in between: chunks as the format has them, before the pixels.
+  for (const std::string& chunk : {png_chunk("tEXt", "Software" + std::string(1, '\0') + texts[0].text),
+                                   png_chunk("iTXt", "Comment" + std::string(5, '\0') + texts[2].text)}) {
+    EXPECT_LT(bytes.find(chunk), bytes.find("IDAT"));
+  }
+  EXPECT_EQ(png_bytes(image, {}), png_bytes(image)) << "no text, no chunk";
+  EXPECT_EQ(png_bytes(image).find("tEXt"), std::string::npos);
+}
+
+TEST_F(PngFileTest, LooksAtTheSumsOfTextsAndTakesNoBadOnes) {
+  const auto texts_of = [&](std::string_view bytes) -> std::size_t {
+    write_whole(folder_ / "a.png", bytes);
+    try {
+      return PngFile(folder_ / "a.png", PngWords::read).texts().size();
+    } catch (const ReadError&) {
+      return 99;
+    }
+  };
+  const std::string row(4, '\0');
+  const std::string good = png_chunk("tEXt", std::string("Comment\0a", 9));
+  EXPECT_EQ(texts_of(png_of(1, 1, 8, 2, row, good)), 1);
+  EXPECT_EQ(texts_of(with_wrong_crc(png_of(1, 1, 8, 2, row, good), "tEXt")), 99);
+  // A keyword of no length or of a hundred letters, packed data that is none, a length beyond the file's end.
+  for (const std::string& bad :
+       {png_chunk("tEXt", ""), png_chunk("tEXt", std::string(100, 'a')),
+        png_chunk("zTXt", std::string("a\0\0not packed", 13)), png_chunk("iTXt", std::string("a\0\1\0\0\0x", 7)),
+        std::string("\x7F\xFF\xFF\xFFtEXt", 8)}) {
+    const std::size_t found = texts_of(png_of(1, 1, 8, 2, row, bad));
+    EXPECT_TRUE(found == 0 || found == 1 || found == 99) << found;
+  }
+  const std::string whole = png_bytes(noise(2, 2, false), std::vector<PngText>{{"Description", "abc"}});
+  for (std::size_t length = 0; length < whole.find("IDAT"); ++length) {
+    EXPECT_EQ(texts_of(whole.substr(0, length)), 99) << length;
+  }
+}
+
 TEST_F(PngFileTest, RefusesWhatIsCutOrNoPng) {
   const std::string good = png_bytes(noise(20, 10, false));
   for (std::size_t length = 0; length < good.size(); length += 7) {
