@@ -4,6 +4,7 @@
 #include <array>
 #include <cerrno>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <system_error>
 #include <utility>
@@ -15,6 +16,7 @@
 #include "app/files/input_file.h"
 #include "app/files/scene_file.h"
 #include "app/files/toml_document.h"
+#include "app/lessons/lesson_file.h"
 
 namespace ghostforce {
 namespace {
@@ -97,6 +99,33 @@ Scene load_scene_of(const TomlValue& named, const std::optional<TomlValue>& set,
   }
 }
 
+// The keys of a step of a lesson, as they stand.
+struct LessonKeys {
+  std::optional<std::string> lesson{};
+  std::string language{"en"};
+  std::size_t step = 1;
+  std::optional<std::size_t> answer{};
+};
+
+// What the lesson's reader tells becomes a problem of the key that names the lesson.
+void show_lesson_of(const LessonKeys& keys, const TomlValue& named, const std::filesystem::path& folder,
+                    PictureRequest& request) {
+  const std::vector<std::string_view> shipped = shipped_lesson_names();
+  const bool is_shipped = std::find(shipped.begin(), shipped.end(), *keys.lesson) != shipped.end();
+  try {
+    LessonPicture picture{.lesson = std::make_shared<const Lesson>(
+                              load_lesson(is_shipped ? *keys.lesson : (folder / *keys.lesson).string())),
+                          .language = keys.language,
+                          .step = keys.step - 1,
+                          .answer = keys.answer};
+    if (const std::string problem = find_problem(picture); !problem.empty()) return named.refuse(problem, "");
+    request.scene = load_scene(std::string(default_scene_name));
+    show_lesson_in(request, std::move(picture));
+  } catch (const ReadError& error) {
+    for (const ReadProblem& problem : error.problems()) named.refuse(words_of(problem), problem.remedy);
+  }
+}
+
 void read_text(ReadCase& into, std::vector<ReadProblem>& problems) {
   Case& summary = into.summary;
   PictureRequest& request = into.content.request;
@@ -129,7 +158,14 @@ void read_text(ReadCase& into, std::vector<ReadProblem>& problems) {
   const auto origin = [&](std::string GoldenOrigin::*member) {
     return [&summary, member](const TomlValue& value) { (*summary.origin).*member = value.text().value_or(""); };
   };
-  const std::vector<TomlKey> keys{
+  LessonKeys lesson;
+  const auto whole_number = [](auto& into_number) {
+    return [&into_number](const TomlValue& value) {
+      const auto number = value.number({.least = 1.0, .greatest = 1e6, .whole = true});
+      if (number) into_number = static_cast<std::size_t>(*number);
+    };
+  };
+  std::vector<TomlKey> keys{
       {"", "scene",
        [&](const TomlValue& value) {
          request.scene = load_scene_of(value, reader.find("", "set"), path.parent_path());
@@ -180,6 +216,10 @@ void read_text(ReadCase& into, std::vector<ReadProblem>& problems) {
       {"", "theme", catalog_entry(theme_catalog(), [&](const Theme& theme) { request.appearance.theme = &theme; })},
       {"", "scale", number_into(request.appearance.scale, {Appearance::least_scale, Appearance::greatest_scale})},
       {"", "set", nullptr},  // with the scene
+      {"", "lesson", [&](const TomlValue& value) { lesson.lesson = value.text(); }},
+      {"", "language", [&](const TomlValue& value) { lesson.language = value.text().value_or("en"); }},
+      {"", "step", whole_number(lesson.step)},
+      {"", "answer", whole_number(lesson.answer)},
       {"", "match", other(Expectation::match)},
       {"", "mismatch", other(Expectation::mismatch)},
       {"tolerance", "channel",
@@ -196,7 +236,18 @@ void read_text(ReadCase& into, std::vector<ReadProblem>& problems) {
                                 quoted_text(path.filename().string())));
     } else {
       if (reader.has_table("golden")) summary.origin.emplace();
+      const std::optional<TomlValue> named = reader.find("", "lesson");
+      if (named) keys.front().if_missing.reset();
       reader.read(keys);
+      for (const std::string_view key : {"language", "step", "answer"}) {
+        const std::optional<TomlValue> alone = named ? std::nullopt : reader.find("", key);
+        if (alone) alone->refuse("belongs to a lesson", "name one with lesson");
+      }
+      for (const std::string_view key : {"scene", "set", "view", "mode", "strategy", "compare"}) {
+        const std::optional<TomlValue> other_key = named ? reader.find("", key) : std::nullopt;
+        if (other_key) other_key->refuse("is what a step of a lesson says", "leave it out, or leave out lesson");
+      }
+      if (lesson.lesson) show_lesson_of(lesson, *named, path.parent_path(), request);
       if (summary.origin && summary.expectation != Expectation::golden) {
         reader.refuse(
             fmt::format("the table [golden]: with the key {} no golden is used", expectation_name(summary.expectation)),

@@ -10,6 +10,7 @@
 
 #include "app/cli/clip_options.h"
 #include "app/cli/command.h"
+#include "app/cli/lesson_options.h"
 #include "app/cli/picture_options.h"
 #include "app/console/failure.h"
 #include "app/console/progress.h"
@@ -35,6 +36,9 @@ struct RenderOptions {
   std::string part;  // empty: what the file can hold
   std::string compare;
   std::optional<std::string> clip;  // FROM:TO:FPS; empty: one picture
+  LessonOptions lesson;
+  std::optional<int> step;    // of the lesson, from 1
+  std::optional<int> answer;  // of that step, from 1
 };
 
 void apply_size(const std::string& text, PictureRequest& request) {
@@ -45,6 +49,19 @@ void apply_size(const std::string& text, PictureRequest& request) {
   throw Failure(ExitCode::wrong_call,
                 fmt::format("--size {}: give WIDTHxHEIGHT in pixels, each {} to {}, for example 1280x800",
                             quoted_text(text), smallest_picture, largest_picture));
+}
+
+void apply_lesson(const RenderOptions& options, PictureRequest& request) {
+  const std::shared_ptr<const Lesson> lesson = options.lesson.load();
+  if (!lesson) return;
+  LessonPicture picture{.lesson = lesson,
+                        .language = options.lesson.wanted(),
+                        .step = static_cast<std::size_t>(options.step.value_or(1) - 1)};
+  if (options.answer) picture.answer = static_cast<std::size_t>(*options.answer);
+  if (const std::string problem = find_problem(picture); !problem.empty()) {
+    throw Failure(ExitCode::wrong_call, problem);
+  }
+  show_lesson_in(request, std::move(picture));
 }
 
 PictureRequest request_of(const RenderOptions& options) {
@@ -58,6 +75,7 @@ PictureRequest request_of(const RenderOptions& options) {
   apply_strategy_word(options.picture.strategy, request);
   if (const auto compare = find_compare(options.compare)) request.options.compare = *compare;
   options.picture.apply_appearance(request.appearance);
+  apply_lesson(options, request);
   return request;
 }
 
@@ -141,7 +159,7 @@ int render(const RenderOptions& options) {
 
 std::function<int()> attach_render(CLI::App& command, FileOptions& files) {
   const auto options = std::make_shared<RenderOptions>();
-  options->scene.attach(command, files, true);
+  options->scene.attach(command, files, false);
   files.writes(command
                    .add_option("-o,--output", options->output,
                                "The file to write, whole or not at all: vectors for .svg and .pdf, a PNG for any other "
@@ -171,6 +189,20 @@ std::function<int()> attach_render(CLI::App& command, FileOptions& files) {
           "--landscape", [options] { options->picture.mode = stage_mode_name(StageMode::landscape); },
           "The map of all walls and hands: short for --mode landscape")
       ->excludes(command.get_option("--mode"));
+  options->lesson.attach(command, files);
+  CLI::Option* const lesson = command.get_option("--lesson");
+  command.add_option("--step", options->step, "The step of the lesson, from 1; default: 1")
+      ->type_name("N")
+      ->needs(lesson)
+      ->check(number_between(1.0, 1e6, ""));
+  command
+      .add_option("--answer", options->answer,
+                  "After an answer to its question: the number of one of the answers; for a guess or a task, 1 for a "
+                  "right one and 2 for another")
+      ->type_name("K")
+      ->needs(lesson)
+      ->check(number_between(1.0, 1e6, ""));
+  lesson->excludes(command.get_option("--mode"))->excludes(command.get_option("--strategy"));
   CLI::Option* const json = files.writes(
       command.add_option("--json", options->json, "Also write what was drawn, as JSON")->type_name("FILE"));
   command
@@ -189,9 +221,17 @@ std::function<int()> attach_render(CLI::App& command, FileOptions& files) {
       "  ghostforce render fig3-normal --strategy all --part scene --size 1600x1200 --scale 2 -o figure.png\n"
       "  ghostforce render fig3-normal --compare side-by-side -o figure.pdf\n"
       "  ghostforce render wall45 --view stage --size 1280x720 -o stage.svg\n"
+      "  ghostforce render --lesson ghost --step 2 --answer 1 -o step.png\n"
       "  ghostforce render wall45 --landscape --theme projector -o landscape.png\n"
       "  ghostforce render wall45 --view stage --size 1280x720 --clip 0:3:30 -o clip.png");
-  return [options] { return render(*options); };
+  // Lessons bring their own.
+  options->scene.option->default_str("");
+  return [options] {
+    if (!options->scene.is_named() && options->lesson.name.empty()) {
+      throw Failure(ExitCode::wrong_call, "SCENE is required: name a scene, as in 'ghostforce render wall45 -o F.png'");
+    }
+    return render(*options);
+  };
 }
 
 }  // namespace ghostforce

@@ -15,6 +15,7 @@
 #include "app/cli/desktop_inputs.h"
 #include "app/cli/end_of_visit.h"
 #include "app/cli/falcon_options.h"
+#include "app/cli/lesson_options.h"
 #include "app/cli/set_up_options.h"
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
@@ -23,6 +24,7 @@
 #include "app/doctor/diagnosis.h"
 #include "app/files/run_reader.h"
 #include "app/files/scene_file.h"
+#include "app/lessons/lesson_progress.h"
 #include "app/live/application.h"
 #include "app/live/frame_pacer.h"
 #include "app/live/preferences.h"
@@ -42,6 +44,7 @@ using Clock = std::chrono::steady_clock;
 
 struct RunOptions {
   SetUpOptions set_up;
+  LessonOptions lesson;
   std::string input{mouse_hand.name};
   std::optional<std::string> record;
   FalconSetUp falcon;
@@ -50,13 +53,19 @@ struct RunOptions {
   std::optional<double> exit_after_s;
 };
 
-// Keeps the stored preferences up to date. What the command line asked for holds for this run only.
+// Keeps the stored preferences and the progress in lessons up to date. What the command line asked for holds for this run only.
 class Keeper {
  public:
-  Keeper(Preferences kept, const Session& session) : kept_(std::move(kept)), seen_(seen_in(session)) {}
+  // `progress`: as it is stored.
+  Keeper(Preferences kept, LessonProgress progress, const Session& session)
+      : kept_(std::move(kept)), seen_(seen_in(session)), progress_(std::move(progress)) {}
 
   // Writes what the person has changed since the last call.
   void keep(const Session& session) {
+    if (session.lesson_progress != progress_) {
+      progress_ = session.lesson_progress;  // also where it cannot be stored: it is said once
+      save(progress_);
+    }
     const Preferences now = seen_in(session);
     if (now == seen_) return;
     if (now.appearance.theme != seen_.appearance.theme) kept_.appearance.theme = now.appearance.theme;
@@ -69,11 +78,12 @@ class Keeper {
 
  private:
   static Preferences seen_in(const Session& session) {
-    return {session.appearance, session.hint.has_value(), session.face};
+    return {session.appearance, session.hint.has_value(), session.lesson ? session.lesson->before.face : session.face};
   }
 
   Preferences kept_;
   Preferences seen_;
+  LessonProgress progress_;
 };
 
 // What stands before the recording that is to be replayed.
@@ -128,7 +138,9 @@ int run(const RunOptions& options) {
   const std::optional<Run> recording = load_recording(options);
   Scene loaded = scene_for(options, recording);
   refuse_goal_of_other_hand(options);
+  const std::shared_ptr<const Lesson> lesson = options.lesson.load();
   StoredPreferences stored = load_preferences();
+  const LessonProgress progress = load_lesson_progress(stored.remarks);
   const SetUp set_up = options.set_up.set_up(std::move(loaded), stored.preferences.face);
   const std::optional<FirmwareImage> firmware = options.falcon.read_firmware_file();
   if (firmware) say("{}\n", firmware_words(firmware));
@@ -151,6 +163,9 @@ int run(const RunOptions& options) {
       {.appearance = appearance,
        .face = set_up.face,
        .mode = set_up.mode,
+       .lesson = lesson,
+       .language = options.lesson.wanted(),
+       .lesson_progress = progress,
        .inputs = desktop_inputs(options.falcon.cable()),
        .input = std::string(recording ? replay_kind.name : std::string_view(options.input)),
        .painter = cairo_file_painter(),
@@ -162,7 +177,7 @@ int run(const RunOptions& options) {
        .shader_folder = options.shader_folder});
   if (!stored.remarks.empty()) application.show_notice(fmt::format("{}", fmt::join(stored.remarks, "\n\n")), true);
   emergency_stop::refuse_to_be_stopped();
-  Keeper keeper(stored.preferences, application.session());
+  Keeper keeper(stored.preferences, progress, application.session());
   application.start();
   const BeforeDisplayLoss before_display_loss([&application] {
     application.servo().stop();
@@ -237,6 +252,7 @@ std::function<int()> attach_run(CLI::App& command, FileOptions& files) {
                                "Record every tick, starting with the first, to this CSV file, which must not exist yet")
                    ->type_name("FILE")
                    ->check(refuse_standard_output));
+  options->lesson.attach(command, files);
   options->falcon.attach(command, files);
   command.add_flag("--no-hints", options->no_hints, "Do not show the hints for newcomers");
   command
@@ -256,6 +272,7 @@ std::function<int()> attach_run(CLI::App& command, FileOptions& files) {
       "  ghostforce run --goal-mm=25,-10 --mode why\n"
       "  ghostforce run --view workbench\n"
       "  ghostforce run my_scene.toml --input script\n"
+      "  ghostforce run --lesson ghost --language es\n"
       "  ghostforce run --record visit.csv\n"
       "  ghostforce run --input replay:visit.csv");
   return [options] { return run(*options); };

@@ -10,6 +10,7 @@
 #include "app/files/output_file.h"
 #include "app/files/scene_file.h"
 #include "app/live/end_of_recording.h"
+#include "app/session/lesson_guide.h"
 #include "app/session/live_table.h"
 #include "app/session/measurement_guide.h"
 #include "app/session/scene_as_seen.h"
@@ -41,6 +42,13 @@ Session session_with(const Scene& scene, const ApplicationOptions& options) {
   if (options.offers_hints) session.hint = 0;
   session.face = options.face;
   if (options.mode != StageMode::none) toggle_stage_mode(session, options.mode);
+  session.language = options.language;
+  session.lesson_progress = options.lesson_progress;
+  if (options.lesson) {
+    begin_lesson(session, options.lesson, options.language);
+    session.stage_shown = lesson_view(session);
+    session.requests.fit_view = false;  // it stands there at once
+  }
   return session;
 }
 
@@ -113,6 +121,7 @@ void Application::use(const InputEntry& entry, std::shared_ptr<const Scene> scen
   session_.scene = std::move(scene);
   session_.settings = settings;
   if (is_other_scene) {
+    abandon_lesson(session_);
     session_.goal = goal.value_or(session_.scene->goal.points.back());
     session_.shown = session_.scene->view;
     session_.pane_views.reset();
@@ -184,6 +193,8 @@ void Application::update(double interval_s) {
     report_.snapshot = snapshot_of(coefficients_of(session_.settings), command_.restart_state);
   }
   follow_measurement(session_, report_.snapshot, report_.motors);
+  session_.motors_may_push = report_.motors.has_motors && report_.motors.state != SafetyState::off;
+  follow_lesson_in_session(interval_s);
   if (shader_watch_ && shader_watch_->look(screen_.painter(), clock_s_)) frames_to_settle_ = settling_frames;
   if (session_.notice && !session_.notice->is_problem) {
     session_.notice->age_s += interval_s;
@@ -230,7 +241,8 @@ void Application::draw() {
 void Application::do_what_is_asked() {
   looking_back_.follow(session_, report_.snapshot, history_.moments());
   handle_requests();
-  undo_.note(edited(), session_.is_editing || is_measuring(session_));
+  // What a lesson changes goes back with it.
+  undo_.note(edited(), session_.is_editing || is_measuring(session_) || session_.lesson);
   offer_undo();
 }
 
@@ -271,6 +283,13 @@ void Application::take_samples() {
     history_.add(sample.snapshot, sample.settings);
     link_->add(sample.snapshot);
   }
+}
+
+void Application::follow_lesson_in_session(double interval_s) {
+  if (!session_.lesson) return;
+  const LoopReading reading = this->reading();
+  const StageMoment moment = stage_moment(session_.settings, report_.snapshot, report_.snapshot.goal);
+  follow_lesson(session_, {moment, session_.settings, reading.circle ? &*reading.circle : nullptr}, interval_s);
 }
 
 void Application::see_target() {
@@ -336,6 +355,7 @@ void Application::handle_requests() {
       use(input_of(*requests.input), session_.scene, session_.settings);
     }
     if (requests.open_scene) open_for_dialog(*requests.open_scene);
+    if (requests.open_lesson) open_lesson(*requests.open_lesson);
     if (!dropped.empty()) open_dropped(dropped);
     if (const auto& path = requests.save_scene) save(*path, [&] { return scene_text(scene_as_seen(session_)); });
     if (const auto& picture = requests.save_picture) save(picture->path, [&] { return picture_bytes(*picture); });
@@ -365,6 +385,7 @@ void Application::handle_requests() {
 }
 
 void Application::take_back(bool undo) {
+  if (session_.lesson) return;
   // What a measurement has set is its own: to take it back is to cancel it.
   if (is_measuring(session_)) {
     cancel_measurement(session_);

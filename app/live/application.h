@@ -32,7 +32,10 @@ struct ApplicationOptions {
   Part part = Part::window;
   Appearance appearance{};
   Face face = Face::workbench;
-  StageMode mode = StageMode::none;     // of the stage
+  StageMode mode = StageMode::none;        // of the stage
+  std::shared_ptr<const Lesson> lesson{};  // that begins at once; null: none
+  std::string language{"en"};              // of lessons
+  LessonProgress lesson_progress{};
   std::vector<InputEntry> inputs{};     // all that there are
   std::string input{mouse_hand.name};   // the name of one of them
   FilePainter painter{};                // for what is saved as lines and letters
@@ -101,6 +104,7 @@ class Application {
   void take_samples();
   // What the newest tick says against the target that is drawn, if one is.
   void see_target();
+  void follow_lesson_in_session(double interval_s);
   VisibleState visible() const;
   // Since the last frame.
   bool has_changed() const;
@@ -112,6 +116,7 @@ class Application {
   void handle_requests();
   // As the picker of scenes asks for it: the dialog stays until there is something to show.
   void open_for_dialog(const std::string& name_or_path);
+  void open_lesson(const std::string& name_or_path);
   // A scene by name, or a file of any kind that file_kind.h knows.
   void open(const std::string& name_or_path);
   void open_dropped(const std::vector<std::string>& paths);

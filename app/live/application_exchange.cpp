@@ -11,9 +11,11 @@
 #include "app/files/input_file.h"
 #include "app/files/run_reader.h"
 #include "app/files/scene_file.h"
+#include "app/lessons/lesson_file.h"
 #include "app/live/application.h"
 #include "app/live/file_kind.h"
 #include "app/runs/replay_start.h"
+#include "app/session/lesson_guide.h"
 #include "app/session/set_up_of.h"
 #include "app/session/stage_actions.h"
 #include "app/set_up/picture_set_up.h"
@@ -45,6 +47,7 @@ void Application::open(const std::string& name_or_path) {
   };
   constexpr std::array openers{
       Opener{FileKind::scene, &Application::open_scene},
+      Opener{FileKind::lesson, &Application::open_lesson},
       Opener{FileKind::run, &Application::replay_run},
       Opener{FileKind::picture, &Application::show_picture},
   };
@@ -72,6 +75,10 @@ void Application::open_dropped(const std::vector<std::string>& paths) {
 void Application::open_scene(const std::string& name_or_path) {
   const auto scene = std::make_shared<const Scene>(load_scene(name_or_path));
   use(*input_, scene, scene->settings);
+}
+
+void Application::open_lesson(const std::string& name_or_path) {
+  begin_lesson(session_, std::make_shared<const Lesson>(load_lesson(name_or_path)), session_.language);
 }
 
 void Application::show_picture(const std::string& path) {

@@ -37,6 +37,11 @@ bool begins_like_run(std::string_view text) {
   return text.starts_with("# ghostforce ") || has_line(text, run_columns);
 }
 
+// Every step of a lesson has such a line, and no scene has.
+bool begins_like_lesson(std::string_view text) {
+  return has_line(text, "[[step]]");
+}
+
 bool begins_like_scene(std::string_view text) {
   return has_line(text, "format") || has_line(text, "[wall]");
 }
@@ -48,6 +53,7 @@ constexpr std::array kinds{
                   begins_like_picture,
                   {".png", ".svg", ".pdf"}},
     FileKindEntry{FileKind::run, "a recording (.csv)", begins_like_run, {".csv"}},
+    FileKindEntry{FileKind::lesson, "a lesson (.toml)", begins_like_lesson, {}},
     FileKindEntry{FileKind::scene, "a scene (.toml)", begins_like_scene, {".toml"}},
 };
 

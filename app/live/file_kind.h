@@ -10,6 +10,7 @@ namespace ghostforce {
 
 enum class FileKind : std::uint8_t {
   scene,
+  lesson,
   run,      // a recording to be replayed
   picture,  // that may carry a set-up
 };

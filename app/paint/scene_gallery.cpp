@@ -81,16 +81,9 @@ const std::vector<ShippedScene>& shipped_scenes() {
 }
 
 unsigned int SceneGallery::picture(std::size_t number, const Theme& theme, int width, int height, double scale) {
-  if (theme_ != &theme || width_ != width || height_ != height) {
-    theme_ = &theme;
-    width_ = width;
-    height_ = height;
-    pictures_.clear();
-    for (const ShippedScene& shipped : shipped_scenes()) {
-      pictures_.push_back(painter_.texture_of(pane_at_rest(shipped.scene, theme, {width, height}, scale), theme));
-    }
-  }
-  return pictures_[number].name();
+  return pictures_.picture(number, shipped_scenes().size(), theme, width, height, [&](std::size_t each) {
+    return pane_at_rest(shipped_scenes()[each].scene, theme, {width, height}, scale);
+  });
 }
 
 }  // namespace ghostforce

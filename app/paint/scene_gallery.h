@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/paint/gl_painter.h"
+#include "app/paint/picture_gallery.h"
 #include "app/view/theme.h"
 #include "core/scene.h"
 
@@ -21,18 +21,13 @@ const std::vector<ShippedScene>& shipped_scenes();
 
 class SceneGallery {
  public:
-  explicit SceneGallery(GlPainter& painter) noexcept : painter_(painter) {}
+  explicit SceneGallery(GlPainter& painter) noexcept : pictures_(painter) {}
 
-  // OpenGL's name for the picture of a scene of shipped_scenes(), lowest row first; it stays good until another theme or
-  // size is asked for. `scale`: of lines and marks, in pixels.
+  // OpenGL's name for the picture of a scene of shipped_scenes(), as PictureGallery has it. `scale`: of lines and marks, in pixels.
   unsigned int picture(std::size_t number, const Theme& theme, int width, int height, double scale);
 
  private:
-  GlPainter& painter_;
-  const Theme* theme_ = nullptr;  // of the pictures
-  int width_ = 0;
-  int height_ = 0;
-  std::vector<gl::Texture> pictures_;  // as many as shipped_scenes(), or none yet
+  PictureGallery pictures_;
 };
 
 }  // namespace ghostforce

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <utility>
 
+#include "app/session/lesson_guide.h"
 #include "app/session/measurement_guide.h"
 #include "app/session/scene_view_limits.h"
 #include "app/session/stage_actions.h"
@@ -16,9 +17,16 @@
 namespace ghostforce {
 namespace {
 
+template <std::size_t number>
+void answer(Session& session) {
+  answer_in_lesson(session, number - 1);
+}
+
+// In a lesson that asks for it, the answer of that number.
 template <StrategyId id>
 void activate(Session& session) {
-  choose_strategy(session, id, false);
+  const bool is_asked = has_open_question(session, LessonQuestion::choose);
+  is_asked ? answer_in_lesson(session, index_of(id)) : choose_strategy(session, id, false);
 }
 
 template <StrategyId id>
@@ -39,7 +47,8 @@ void hide_stage(Session& session) {
   session.stage.is_black = !session.stage.is_black;
 }
 
-// Millimetres in steps of a tenth. While a guess is open it is what moves: another goal would be another question.
+// Millimetres in steps of a tenth. While a guess is open it is what moves: another goal would be another question. Where a
+// lesson lets nobody move the hand, its slider moves.
 template <int x, int y, int tenths>
 void move_goal(Session& session) {
   const Vector<2> step = 0.0001 * tenths * Vector<2>(x, y);
@@ -47,12 +56,14 @@ void move_goal(Session& session) {
     session.stage.guess = nearest_in_scene(*session.stage.guess + step);
     return;
   }
+  if (!is_allowed(session, LessonControl::hand)) return nudge_lesson_slider(session, 0.1 * tenths * (x + y));
   if (!session.pointer_moves_goal) return;
   session.goal = nearest_in_scene(session.goal + step);
 }
 
 template <int degrees>
 void turn_motor_axis(Session& session) {
+  if (!is_allowed(session, LessonControl::motor)) return;
   double& angle = session.settings.actuated_angle;
   // To whole steps, so that holding the key down runs through round angles.
   const double step = std::abs(degrees) * radians_per_degree;
@@ -77,12 +88,14 @@ double angle_of_largest_drift(const Settings& settings) noexcept {
 }
 
 void turn_wall_to_largest_drift(Session& session) {
+  if (!is_allowed(session, LessonControl::wall)) return;
   session.settings.wall_normal_angle = angle_of_largest_drift(session.settings);
 }
 
 // In thousandths; as many steps up as down lead back.
 template <int thousandths>
 void turn_ratio_by(Session& session) {
+  if (session.lesson) return;
   const double step = 1.0 + 0.001 * std::abs(thousandths);
   turn_ratio(session, thousandths > 0 ? step : 1.0 / step);
 }
@@ -164,7 +177,9 @@ void escape(Session& session) {
   session.dialog = Dialog::none;
   session.notice.reset();
   if (closes_more) return;
-  if (session.stage.looks_back_to_s) {
+  if (session.lesson) {
+    if (!session.motors_may_push) leave_lesson(session);
+  } else if (session.stage.looks_back_to_s) {
     go_on_live(session);
   } else if (session.stage.mode != StageMode::none) {
     leave_stage_mode(session);
@@ -237,9 +252,16 @@ constexpr std::array bindings{
     KeyBinding{GLFW_KEY_L, none, "L", "Landscape: the ghost force for all walls and hands", toggle_mode<StageMode::landscape>},
     KeyBinding{GLFW_KEY_O, none, "O", "Round and round: the energy of a closed loop", toggle_mode<StageMode::round>},
     KeyBinding{GLFW_KEY_H, none, "H", "Last minute: look at it again", toggle_mode<StageMode::ribbon>},
-    KeyBinding{GLFW_KEY_ENTER, none, "Enter", "Show the answer to a guess; next step of Why?", confirm},
+    KeyBinding{GLFW_KEY_ENTER, none, "Enter", "Next step of a lesson or of Why?; answer a guess", confirm},
     KeyBinding{GLFW_KEY_KP_ENTER, none, "", "", confirm},
-    KeyBinding{GLFW_KEY_PAGE_DOWN, none, "PgDn PgUp", "Talk on the stage: next / previous step", next_talk_step},
+    KeyBinding{GLFW_KEY_F5, none, "F5", "Lessons: choose one", open_dialog<Dialog::lessons>, false, true},
+    KeyBinding{GLFW_KEY_4, none, "1 to 9", "Answer the question of a lesson", answer<4>},
+    KeyBinding{GLFW_KEY_5, none, "", "", answer<5>},
+    KeyBinding{GLFW_KEY_6, none, "", "", answer<6>},
+    KeyBinding{GLFW_KEY_7, none, "", "", answer<7>},
+    KeyBinding{GLFW_KEY_8, none, "", "", answer<8>},
+    KeyBinding{GLFW_KEY_9, none, "", "", answer<9>},
+    KeyBinding{GLFW_KEY_PAGE_DOWN, none, "PgDn PgUp", "Lesson or talk: next / previous step", next_talk_step},
     KeyBinding{GLFW_KEY_PAGE_UP, none, "", "", previous_talk_step},
     KeyBinding{GLFW_KEY_B, none, "B", "Blank the stage, or show it again", hide_stage},
 
@@ -308,7 +330,9 @@ void next_compare_mode(Session& session) {
   session.options.compare = compare_catalog()[next % compare_catalog().size()].id;
 }
 
+// A lesson tells its own time.
 void toggle_pause(Session& session) {
+  if (session.lesson) return;
   if (session.stage.looks_back_to_s) return go_on_live(session);
   session.paused = !session.paused;
 }
@@ -324,11 +348,13 @@ void single_step(Session& session) {
 }
 
 void step_back(Session& session) {
+  if (session.lesson) return;
   session.paused = true;
   --session.requests.ticks_through_history;
 }
 
 void step_on(Session& session) {
+  if (session.lesson) return;
   const bool looks_back = session.stage.looks_back_to_s || session.requests.ticks_through_history < 0;
   if (!looks_back) return single_step(session);
   session.paused = true;
@@ -336,11 +362,13 @@ void step_on(Session& session) {
 }
 
 void restart(Session& session) {
+  if (session.lesson) return;
   session.goal = session.scene->goal.points.back();
   ++session.restarts_asked;
 }
 
 void restart_with_scene_settings(Session& session) {
+  if (session.lesson) return;
   if (is_measuring(session)) cancel_measurement(session);
   session.settings = session.scene->settings;
   restart(session);

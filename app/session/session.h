@@ -13,6 +13,8 @@
 #include <string_view>
 #include <vector>
 
+#include "app/lessons/lesson_progress.h"
+#include "app/session/lesson_state.h"
 #include "app/session/measurement.h"
 #include "app/session/plot_view.h"
 #include "app/session/stage_choice.h"
@@ -46,7 +48,17 @@ struct Appearance {
 };
 
 // The window in front of the scene, if any.
-enum class Dialog : std::uint8_t { none, help, doctor, open_scene, save_scene, save_picture, save_clip, save_plots };
+enum class Dialog : std::uint8_t {
+  none,
+  help,
+  doctor,
+  lessons,
+  open_scene,
+  save_scene,
+  save_picture,
+  save_clip,
+  save_plots
+};
 
 // A picture of what is on the screen: the format is the file name's.
 struct SavePictureRequest {
@@ -86,6 +98,7 @@ struct Requests {
   int ticks_through_history = 0;     // to look at the moment so many ticks later; negative: earlier
   std::optional<std::string> input;  // a name of the input catalog
   std::optional<std::string> open_scene;
+  std::optional<std::string> open_lesson;  // a shipped one's name, or a path
   std::optional<std::string> save_scene;
   std::optional<SavePictureRequest> save_picture;
   std::optional<SaveClipRequest> save_clip;
@@ -106,10 +119,12 @@ struct Form {
   bool scene_alone = false;
   bool whole_history = false;
   int clip_seconds = 5;
-  double clip_end_s = 0.0;       // what was shown when the form was opened, model time
-  std::size_t marked_scene = 0;  // of those that the program brings along, in their order
-  std::string problem;           // why what was asked for last could not be done; empty: it could
-  std::string suggestion;        // a path that may have been meant; empty: none is known
+  double clip_end_s = 0.0;        // what was shown when the form was opened, model time
+  std::size_t marked_scene = 0;   // of those that the program brings along, in their order
+  std::size_t marked_lesson = 0;  // the same
+  bool asks_for_reset = false;    // of the progress in lessons: the question is on the screen
+  std::string problem;            // why what was asked for last could not be done; empty: it could
+  std::string suggestion;         // a path that may have been meant; empty: none is known
 };
 
 // What undo and redo would change, in words; empty: there is nothing.
@@ -141,6 +156,9 @@ struct Session {
   bool is_editing = false;             // a control or a handle is held: its change is not complete yet
   Face face = Face::workbench;
   StageChoice stage;
+  std::optional<LessonState> lesson;    // empty: there is none
+  LessonProgress lesson_progress;       // in all lessons
+  std::string language{"en"};           // of lessons
   SceneView shown;                      // the part of the world in the workbench's picture,
   std::optional<PaneViews> pane_views;  // in its panes side by side; empty: the next picture fits them to its moment
   SceneView stage_shown;                // and in the stage's
@@ -164,6 +182,7 @@ struct Session {
   std::string input{mouse_hand.name};  // who moves the goal, a name of the input catalog
   bool pointer_moves_goal = true;      // that input follows the mouse
   bool hand_is_simulated = false;      // though that input has motors
+  bool motors_may_push = false;        // that input's; Esc turns them off and does nothing else
   std::string recording_path;          // in the panel's field; empty: a name is proposed when recording begins
   bool has_handles = false;            // there is a person who can take hold of wall and motor axis
   std::optional<std::size_t> hint;     // offered to somebody who is new here: the number of it in hint_catalog()

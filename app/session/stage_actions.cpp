@@ -3,20 +3,11 @@
 #include <algorithm>
 #include <array>
 
-#include "app/session/circle_test.h"
+#include "app/session/lesson_guide.h"
 #include "app/session/motor_button.h"
-#include "core/input_choice.h"
 
 namespace ghostforce {
 namespace {
-
-void begin_mode(Session& session, StageMode mode) {
-  leave_stage_mode(session);
-  StageChoice& stage = session.stage;
-  stage.mode = mode;
-  if (mode == StageMode::why) stage.why_step = 1;
-  if (mode == StageMode::round) begin_circle_test(session);
-}
 
 template <StrategyId id>
 void show_strategy(Session& session) {
@@ -26,13 +17,13 @@ void show_strategy(Session& session) {
 
 template <int step>
 void show_why(Session& session) {
-  if (session.stage.mode != StageMode::why) begin_mode(session, StageMode::why);
+  if (session.stage.mode != StageMode::why) begin_stage_mode(session, StageMode::why);
   session.stage.why_step = step;
 }
 
 template <StageMode mode>
 void show_mode(Session& session) {
-  if (session.stage.mode != mode) begin_mode(session, mode);
+  if (session.stage.mode != mode) begin_stage_mode(session, mode);
 }
 
 // From the wall as it should be to the cure, and where it matters.
@@ -46,6 +37,28 @@ constexpr std::array<void (*)(Session&), 9> talk{show_strategy<StrategyId::full>
                                                  show_mode<StageMode::landscape>,
                                                  show_mode<StageMode::round>};
 
+void obey(Session& session, StageCommand command, const MotorReport& motors) {
+  switch (command) {
+    case StageCommand::keys:
+      session.dialog = Dialog::help;
+      return;
+    case StageCommand::motors:
+      if (can_press_safety_button(motors)) press_safety_button(session, motors);
+      return;
+    case StageCommand::lessons:
+      session.dialog = Dialog::lessons;
+      return;
+    case StageCommand::previous:
+      return previous_talk_step(session);
+    case StageCommand::next:
+      return confirm_on_stage(session);
+    case StageCommand::leave:
+      return leave_lesson(session);
+    case StageCommand::slider:  // is dragged
+      return;
+  }
+}
+
 void go_to_talk_step(Session& session, int step) {
   if (step < 0 || step >= static_cast<int>(talk.size())) return;
   show_face(session, Face::stage);
@@ -57,34 +70,24 @@ void go_to_talk_step(Session& session, int step) {
 }  // namespace
 
 void show_face(Session& session, Face face) {
+  if (session.lesson) return;
   if (face == Face::workbench) leave_stage_mode(session);
   session.face = face;
 }
 
 void toggle_stage_mode(Session& session, StageMode mode) {
+  if (session.lesson) return;
   show_face(session, Face::stage);
   session.stage.is_black = false;
   if (session.stage.mode == mode) {
     leave_stage_mode(session);
   } else {
-    begin_mode(session, mode);
+    begin_stage_mode(session, mode);
   }
 }
 
-void leave_stage_mode(Session& session) {
-  StageChoice& stage = session.stage;
-  const bool goes_round = session.circle_test.is_on || session.requests.input == circling_hand.name;
-  if (stage.mode == StageMode::round && goes_round) end_circle_test(session);
-  if (stage.mode == StageMode::ribbon) stage.looks_back_to_s.reset();
-  // Wall and hand may be others now.
-  if (stage.mode == StageMode::landscape) session.requests.fit_view = true;
-  stage.mode = StageMode::none;
-  stage.why_step = 0;
-  stage.guess.reset();
-  stage.landscape_dial.reset();
-}
-
 void choose_strategy(Session& session, StrategyId id, bool slowly) {
+  if (!is_allowed(session, LessonControl::strategies)) return;
   session.settings.active = id;
   session.stage.is_black = false;
   session.stage.switches_slowly = slowly;
@@ -98,16 +101,15 @@ void act_on_stage(Session& session, const StageAction& action, const MotorReport
     toggle_stage_mode(session, *mode);
   } else if (const auto* const face = std::get_if<Face>(&action)) {
     show_face(session, *face);
-  } else if (action == StageAction(StageCommand::motors)) {
-    if (can_press_safety_button(motors)) press_safety_button(session, motors);
-  } else if (action == StageAction(StageCommand::next)) {
-    confirm_on_stage(session);
-  } else {
-    session.dialog = Dialog::help;
+  } else if (const auto* const answer = std::get_if<StageAnswer>(&action)) {
+    answer_in_lesson(session, static_cast<std::size_t>(*answer));
+  } else if (const auto* const command = std::get_if<StageCommand>(&action)) {
+    obey(session, *command, motors);
   }
 }
 
 void confirm_on_stage(Session& session) {
+  if (session.lesson) return confirm_in_lesson(session);
   StageChoice& stage = session.stage;
   const bool is_in_wall = depth(wall_of(session.settings), session.goal) > 0.0;
   if (stage.mode == StageMode::predict && is_in_wall) ++stage.reveals_asked;
@@ -115,6 +117,7 @@ void confirm_on_stage(Session& session) {
 }
 
 void next_talk_step(Session& session) {
+  if (session.lesson) return next_lesson_step(session);
   // Who has come to Why? by its key goes on there.
   const bool is_in_why = session.stage.mode == StageMode::why && session.stage.why_step < last_why_step;
   if (is_in_why && !session.stage.talk_step) return confirm_on_stage(session);
@@ -122,6 +125,7 @@ void next_talk_step(Session& session) {
 }
 
 void previous_talk_step(Session& session) {
+  if (session.lesson) return previous_lesson_step(session);
   go_to_talk_step(session, session.stage.talk_step.value_or(0) - 1);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -68,6 +69,7 @@ Session session_of(const PictureRequest& request, const Moment& moment) {
   session.face = request.face;
   if (request.mode != StageMode::none) toggle_stage_mode(session, request.mode);
   if (request.mode == StageMode::why) session.stage.why_step = last_why_step;
+  if (request.lesson) show_lesson(session, *request.lesson);
   return session;
 }
 
@@ -143,6 +145,16 @@ bool apply_strategy_word(std::string_view word, PictureRequest& request) {
   request.scene.settings.active = *id;
   request.options.compare = Compare::active_only;
   return true;
+}
+
+void show_lesson_in(PictureRequest& request, LessonPicture lesson) {
+  Session session = session_of(request.scene);
+  show_lesson(session, lesson);
+  request.scene.settings = session.settings;
+  request.scene.goal.points.back() = session.goal;
+  request.face = Face::stage;
+  request.mode = session.stage.mode;
+  request.lesson = std::move(lesson);
 }
 
 Moment simulate_to_moment(const PictureRequest& request) {
@@ -260,6 +272,12 @@ nlohmann::ordered_json describe_picture(const PictureRequest& request, const Mom
   if (request.face == Face::stage) {
     picture["view"] = face_name(request.face);
     if (request.mode != StageMode::none) picture["mode"] = stage_mode_name(request.mode);
+    if (request.lesson) {
+      picture["lesson"] = request.lesson->lesson->name;
+      picture["step"] = request.lesson->step + 1;
+      picture["language"] = request.lesson->language;
+      if (request.lesson->answer) picture["answer"] = *request.lesson->answer;
+    }
   } else {
     picture["compare"] = compare_name(request.options.compare);
   }

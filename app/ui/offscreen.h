@@ -13,6 +13,7 @@
 
 #include "app/files/image.h"
 #include "app/set_up/set_up.h"
+#include "app/ui/lesson_picture.h"
 #include "app/ui/screen.h"
 #include "app/view/panes.h"
 #include "app/view/trail_history.h"
@@ -34,11 +35,16 @@ struct PictureRequest {
   StageMode mode = StageMode::none;  // of the stage
   ViewOptions options{.compare = Compare::active_only};
   Appearance appearance{};
+  std::optional<LessonPicture> lesson{};  // of the stage
 };
 
 // The word that --strategy and a case file hold: a strategy's name shows that one alone, "all" shows the scene's own
 // with the others beside it, in the same picture; empty changes nothing. False where the word is none of these.
 bool apply_strategy_word(std::string_view word, PictureRequest& request);
+
+// A step of a lesson: scene, face and mode are as the step has them; what no step has stated yet stays as it is. Only for
+// a picture without problems.
+void show_lesson_in(PictureRequest& request, LessonPicture lesson);
 
 // The moment: the scene simulated from its beginning. Throws Failure: wrong_call for a moment that cannot be, or where
 // the loop is unstable; interrupted.

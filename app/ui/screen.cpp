@@ -33,6 +33,7 @@ Screen::Screen(Window& window, Part part)
       part_(part),
       painter_(window.fonts()),
       gallery_(painter_),
+      lessons_(painter_),
       measure_(measure_with(window.fonts())),
       workbench_(window.fonts()) {}
 
@@ -85,8 +86,8 @@ void Screen::apply_appearance(const Appearance& appearance) {
 void Screen::draw_everything(Session& session, const ShownMoment& moment, const History& history,
                              const LoopReading& loop, const Frame& frame) {
   const Theme& theme = *styled_appearance_.theme;
-  const PanelContext context{session, moment.snapshot, moment.settings, loop,
-                             theme,   window_.fonts(), styled_scale_,   gallery_};
+  const PanelContext context{session,         moment.snapshot, moment.settings, loop,    theme,
+                             window_.fonts(), styled_scale_,   gallery_,        lessons_};
   if (frame.is_live) keep_tooltips_from_drags();
   if (session.face == Face::stage) {
     draw_stage(context, moment, history, frame);

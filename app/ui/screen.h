@@ -76,6 +76,7 @@ class Screen {
   Keyboard keyboard_;
   GlPainter painter_;
   SceneGallery gallery_;
+  LessonGallery lessons_;
   MeasureText measure_;
   Workbench workbench_;
   Hints hints_;

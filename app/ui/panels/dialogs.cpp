@@ -20,6 +20,7 @@ struct Entry {
 constexpr std::array dialogs{
     Entry{Dialog::help, "Help", draw_help},
     Entry{Dialog::doctor, "Device status", draw_doctor, true},
+    Entry{Dialog::lessons, "Lessons", draw_lessons},
     Entry{Dialog::open_scene, "Open a scene", draw_open_scene},
     Entry{Dialog::save_scene, "Save the scene", draw_save_scene},
     Entry{Dialog::save_picture, "Save a picture", draw_save_picture},
@@ -61,7 +62,15 @@ void scroll(Dialog dialog, const ScrollStep& step) {
 }
 
 bool has_field(Dialog dialog) noexcept {
-  return dialog != Dialog::none && dialog != Dialog::help && dialog != Dialog::doctor;
+  switch (dialog) {
+    case Dialog::none:
+    case Dialog::help:
+    case Dialog::doctor:
+    case Dialog::lessons:
+      return false;
+    default:
+      return true;
+  }
 }
 
 void draw_dialog(const PanelContext& context) {

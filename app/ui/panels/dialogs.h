@@ -31,6 +31,7 @@ void draw_shader_problem(const PanelContext& context, ImVec2 corner, ImVec2 size
 // The dialogs themselves: a file each, and one for all that save.
 void draw_help(const PanelContext& context);
 void draw_doctor(const PanelContext& context);
+void draw_lessons(const PanelContext& context);
 void draw_open_scene(const PanelContext& context);
 void draw_save_scene(const PanelContext& context);
 void draw_save_picture(const PanelContext& context);

@@ -7,13 +7,11 @@
 
 namespace ghostforce {
 
-Vector<2> GuessGame::first_guess(const Session& session) {
-  // Somewhere between hand and wall, which tells nothing.
-  const Vector<2> foot = projection(wall_of(session.settings), session.goal);
-  return glm::mix(session.goal, foot, 0.45);
-}
-
 void GuessGame::update(Session& session, double interval_s) {
+  if (session.lesson) {
+    is_on_ = false;  // its guesses are its own
+    return;
+  }
   StageChoice& stage = session.stage;
   const bool was_on = is_on_;
   is_on_ = stage.mode == StageMode::predict;
@@ -30,7 +28,7 @@ void GuessGame::update(Session& session, double interval_s) {
     stage.guess_is_open = true;
     reveal_s_ = reveal_lasts_s;
     reveals_ = stage.reveals_asked;
-    if (!was_on || !stage.guess) stage.guess = first_guess(session);
+    if (!was_on || !stage.guess) stage.guess = neutral_guess(session.settings, session.goal);
     return;
   }
   if (stage.reveals_asked != reveals_) {

@@ -22,7 +22,6 @@ class GuessGame {
 
  private:
   static constexpr double reveal_lasts_s = 4.0;
-  static Vector<2> first_guess(const Session& session);
 
   bool is_on_ = false;
   std::uint32_t reveals_ = 0;

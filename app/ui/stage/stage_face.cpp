@@ -7,10 +7,12 @@
 
 #include <glm/geometric.hpp>
 
+#include "app/session/lesson_guide.h"
 #include "app/session/motor_button.h"
 #include "app/session/stage_actions.h"
 #include "app/session/target.h"
 #include "app/ui/panels/hints.h"
+#include "app/ui/stage/lesson_content.h"
 #include "app/view/stage/landscape_layer.h"
 
 namespace ghostforce {
@@ -18,10 +20,10 @@ namespace {
 
 // Nothing must take the picture away from who is at work.
 bool may_show_itself(const Session& session, const StageFrame& frame) {
-  return session.face == Face::stage && session.stage.mode == StageMode::none && session.dialog == Dialog::none &&
-         !session.paused && !session.stage.looks_back_to_s && !session.stage.is_black && !session.notice &&
-         !frame.loop.recording.is_on && !frame.loop.motors.has_motors && !frame.shown.snapshot.measured &&
-         session.pointer_moves_goal && !session.drags_goal;
+  return session.face == Face::stage && !session.lesson && session.stage.mode == StageMode::none &&
+         session.dialog == Dialog::none && !session.paused && !session.stage.looks_back_to_s &&
+         !session.stage.is_black && !session.notice && !frame.loop.recording.is_on && !frame.loop.motors.has_motors &&
+         !frame.shown.snapshot.measured && session.pointer_moves_goal && !session.drags_goal;
 }
 
 // All of the circle, and all that comes to rest round it.
@@ -36,7 +38,8 @@ SceneView view_of_round(const Settings& settings, const Circle& circle) {
 
 // Each only while it is true of the picture; until then it waits.
 std::optional<StageHint> stage_hint(const Session& session, const StageMoment& moment, const StageAudience& audience) {
-  if (session.stage.mode != StageMode::none || audience.looks_back || moment.is_measured) return std::nullopt;
+  const bool is_busy = session.lesson || session.stage.mode != StageMode::none;
+  if (is_busy || audience.looks_back || moment.is_measured) return std::nullopt;
   if (points_at(session, HintTarget::goal) && audience.can_drag && !session.drags_goal) return StageHint::drag;
   const bool has_ghost = glm::length(moment.ghost_force) >= least_shown_force;
   if (points_at(session, HintTarget::third_strategy) && has_ghost &&
@@ -55,7 +58,7 @@ std::optional<StageCornerButton> corner_button(const Session& session, const Mot
     return StageCornerButton{StageCommand::motors, safety_words(motors), motors.state != SafetyState::off};
   }
   const StageChoice& stage = session.stage;
-  if (stage.mode == StageMode::none) return std::nullopt;
+  if (session.lesson || stage.mode == StageMode::none) return std::nullopt;
   const bool is_in_wall = depth(wall_of(session.settings), session.goal) > 0.0;
   if (stage.mode == StageMode::predict && is_in_wall) {
     const std::string_view words = guess.is_open  ? "Enter: show me"
@@ -97,7 +100,7 @@ void StageFace::follow_view(Session& session, const StageFrame& frame, double in
   constexpr double glides_s = 0.12;  // until two thirds of the way
   const bool is_other_scene = scene_ != session.scene;
   if (std::exchange(session.requests.fit_view, false)) {
-    session.stage_shown = stage_view_of(session.settings, session.goal);
+    session.stage_shown = session.lesson ? lesson_view(session) : stage_view_of(session.settings, session.goal);
   } else if (session.stage_shown != wanted_view_ || is_other_scene || session.stage.mode == StageMode::landscape) {
     view_ = session.stage_shown;
   } else if (!pointer_.is_holding() && !transition_.is_running() && !show_.is_on() && !frame.shown.is_past) {
@@ -194,6 +197,12 @@ StageContent StageFace::content_of(const Session& session, const StageFrame& fra
       .landscape_dial = session.stage.landscape_dial.value_or(blend.cure),
       .looks_back_to_s = session.stage.looks_back_to_s,
       .warning = warning_of(session, frame.loop)};
+  if (session.lesson) {
+    content.lesson = lesson_content(session);
+    content.hides = lesson_secrets(session);
+    content.guess = lesson_guess(session);
+    content.reference_force = lesson_reference_force(*session.lesson->lesson);
+  }
   content.corner = corner_button(session, frame.loop.motors, content.guess, guess_.is_revealing());
   if (session.stage.mode == StageMode::ribbon) content.moments = &frame.history.moments();
   if (session.stage.mode == StageMode::round && frame.loop.circle) {
@@ -213,7 +222,8 @@ const StagePicture& StageFace::compose(const Session& session, const StageFrame&
   if (session.stage.mode != StageMode::round) content.shown = view_;
   content.hovered = pointer_.hovered();
   content.hovered_grip = pointer_.hovered_grip();
-  content.has_grips = session.has_handles;
+  content.has_grips =
+      session.has_handles && is_allowed(session, LessonControl::wall) && is_allowed(session, LessonControl::motor);
   content.hint = stage_hint(session, content.moment, content.audience);
   picture_ = compose_stage(content, memory_, interval_s, std::move(picture_.pane.marks));
   return picture_;

@@ -4,15 +4,24 @@
 
 #include <imgui.h>
 
+#include "app/lessons/lesson_slider.h"
+#include "app/session/lesson_guide.h"
 #include "app/session/scene_view_limits.h"
 #include "app/session/stage_actions.h"
+#include "app/ui/widgets/focus.h"
 #include "app/view/screen_box.h"
 #include "app/view/stage/landscape_layout.h"
+#include "app/view/stage/lesson_layout.h"
 
 namespace ghostforce {
 namespace {
 
 constexpr double hand_room = 30.0;  // of a fist round the goal [points of the design]
+
+// The ring is at a wall and at a stiffness.
+bool may_change_landscape(const Session& session) {
+  return is_allowed(session, LessonControl::wall);
+}
 
 std::optional<StageAction> button_at(const StagePicture& picture, const Vector<2>& pointer) {
   const auto button =
@@ -49,10 +58,12 @@ StagePointer::Hold StagePointer::hold_at(const Session& session, const Scene& sc
   if (session.stage.mode == StageMode::landscape && picture.landscape) {
     switch (landscape_handle_under(*picture.landscape, pointer)) {
       case LandscapeHandle::ring:
-        return Hold::landscape_ring;
+        return may_change_landscape(session) ? Hold::landscape_ring : Hold::nothing;
       case LandscapeHandle::dial:
         // With every motor there is none.
-        return session.settings.active == StrategyId::full ? Hold::nothing : Hold::landscape_dial;
+        return session.settings.active == StrategyId::full || !is_allowed(session, LessonControl::strategies)
+                   ? Hold::nothing
+                   : Hold::landscape_dial;
       case LandscapeHandle::none:
         return Hold::nothing;
     }
@@ -67,9 +78,11 @@ StagePointer::Hold StagePointer::hold_at(const Session& session, const Scene& sc
     return std::ranges::any_of(ends,
                                [&](const Vector<2>& end) { return scene.is_near(pointer, end, stage_grip_reach); });
   };
-  if (picture.grips && scene.is_at_rail_end(pointer)) return Hold::motor;
+  const bool may_turn_motor = picture.grips && is_allowed(session, LessonControl::motor);
+  if (may_turn_motor && scene.is_at_rail_end(pointer)) return Hold::motor;
   if (picture.grips && picture.grips->wall && is_at(*picture.grips->wall)) return Hold::wall;
-  return session.pointer_moves_goal ? Hold::goal : Hold::nothing;
+  const bool may_drag = session.pointer_moves_goal && is_allowed(session, LessonControl::hand);
+  return may_drag ? Hold::goal : Hold::nothing;
 }
 
 void StagePointer::update(Session& session, const StageFrame& frame, const StagePicture& picture) {
@@ -113,6 +126,7 @@ void StagePointer::update(Session& session, const StageFrame& frame, const Stage
     } else if (const auto action = button_at(picture, pointer)) {
       // Where the pointer is now: who is quick comes and presses within one frame.
       hovered_ = action;
+      if (action == StageAction(StageCommand::slider)) hold_ = Hold::slider;
       act_on_stage(session, *action, frame.loop.motors);
     } else {
       hold_ = hold_at(session, scene, pointer);
@@ -123,6 +137,15 @@ void StagePointer::update(Session& session, const StageFrame& frame, const Stage
   if (is_held) drag(session, scene, pointer);
   last_ = pointer;
   press_by_key(session, frame, picture, corner);
+}
+
+// With the focus, arrows are the slider's.
+void StagePointer::nudge_by_key(Session& session) {
+  for (const Nudge& nudge : take_nudges()) {
+    constexpr double everything = 1000.0;
+    const double ends = nudge.way == Nudge::Way::to_least ? -everything : everything;
+    nudge_lesson_slider(session, nudge.way == Nudge::Way::step ? nudge.steps : ends);
+  }
 }
 
 // Each button once more, for the keyboard: the pointer belongs to the whole stage, which comes first.
@@ -137,6 +160,7 @@ void StagePointer::press_by_key(Session& session, const StageFrame& frame, const
                                ImGuiButtonFlags_EnableNav)) {
       act_on_stage(session, button.action, frame.loop.motors);
     }
+    if (button.action == StageAction(StageCommand::slider)) nudge_by_key(session);
     ImGui::PopID();
     ImGui::PopID();
   }
@@ -149,7 +173,13 @@ void StagePointer::drag(Session& session, const Scene& scene, const Vector<2>& p
   // A key may have ended the mode that what is held belongs to.
   const bool holds_map = hold_ == Hold::landscape_ring || hold_ == Hold::landscape_dial;
   if (holds_map && (!scene.picture.landscape || session.stage.mode != StageMode::landscape)) hold_ = Hold::nothing;
-  if (hold_ == Hold::guess && session.stage.mode != StageMode::predict) hold_ = Hold::nothing;
+  if (hold_ == Hold::guess && !(session.stage.guess && session.stage.guess_is_open)) hold_ = Hold::nothing;
+  // So may a step of a lesson that does not allow it any more.
+  if (hold_ == Hold::goal && !is_allowed(session, LessonControl::hand)) hold_ = Hold::nothing;
+  if (hold_ == Hold::motor && !is_allowed(session, LessonControl::motor)) hold_ = Hold::nothing;
+  if (hold_ == Hold::wall && !is_allowed(session, LessonControl::wall)) hold_ = Hold::nothing;
+  if (hold_ == Hold::landscape_ring && !may_change_landscape(session)) hold_ = Hold::nothing;
+  if (hold_ == Hold::landscape_dial && !is_allowed(session, LessonControl::strategies)) hold_ = Hold::nothing;
   switch (hold_) {
     case Hold::nothing:
       return;
@@ -181,10 +211,21 @@ void StagePointer::drag(Session& session, const Scene& scene, const Vector<2>& p
       // The lit button is the nearer end's.
       session.settings.active = *session.stage.landscape_dial < 0.5 ? StrategyId::naive : StrategyId::anisotropic;
       return;
+    case Hold::slider:
+      return drag_slider(session, scene.picture, pointer);
     case Hold::ribbon:
       if (scene.picture.ribbon) session.stage.looks_back_to_s = scene.picture.ribbon->axis.time_at(pointer.x);
       return;
   }
+}
+
+void StagePointer::drag_slider(Session& session, const StagePicture& picture, const Vector<2>& pointer) {
+  const StageAction slider{StageCommand::slider};
+  const auto button = std::ranges::find(picture.buttons, slider, &StageButton::action);
+  if (button == picture.buttons.end() || !session.lesson || !lesson_step(*session.lesson).slider) return;
+  const SliderTrack track = slider_track(button->box, picture.unit);
+  const double share = (pointer.x - track.from.x) / (track.to.x - track.from.x);
+  move_lesson_slider(session, slider_value_at(*lesson_step(*session.lesson).slider, share));
 }
 
 void StagePointer::turn(double& angle, const Vector<2>& pivot, const Vector<2>& pointer) {

@@ -25,12 +25,25 @@ class StagePointer {
   bool has_touched() const noexcept { return has_touched_; }  // in this frame
 
  private:
-  enum class Hold : std::uint8_t { nothing, goal, motor, wall, picture, guess, landscape_ring, landscape_dial, ribbon };
+  enum class Hold : std::uint8_t {
+    nothing,
+    goal,
+    motor,
+    wall,
+    picture,
+    guess,
+    landscape_ring,
+    landscape_dial,
+    ribbon,
+    slider
+  };
   struct Scene;
 
   Hold hold_at(const Session& session, const Scene& scene, const Vector<2>& pointer) const;
   static void press_by_key(Session& session, const StageFrame& frame, const StagePicture& picture, ImVec2 corner);
+  static void nudge_by_key(Session& session);
   void drag(Session& session, const Scene& scene, const Vector<2>& pointer);
+  static void drag_slider(Session& session, const StagePicture& picture, const Vector<2>& pointer);
   void turn(double& angle, const Vector<2>& pivot, const Vector<2>& pointer);
 
   Hold hold_ = Hold::nothing;

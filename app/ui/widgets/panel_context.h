@@ -9,6 +9,7 @@
 #include "app/paint/label_painter.h"
 #include "app/paint/scene_gallery.h"
 #include "app/session/session.h"
+#include "app/ui/widgets/lesson_gallery.h"
 #include "app/view/theme.h"
 #include "core/snapshot.h"
 
@@ -27,6 +28,7 @@ struct PanelContext {
   const Fonts& fonts;
   float scale;  // UI scale [1]
   SceneGallery& gallery;
+  LessonGallery& lessons;
 };
 
 struct Panel {

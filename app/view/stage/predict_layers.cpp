@@ -9,17 +9,31 @@ namespace {
 
 constexpr double guess_radius = 20.0;
 
+}  // namespace
+
+void keep_guess_clear(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  if (!content.guess.at) return;
+  const Vector<2> at = canvas.at(*content.guess.at);
+  canvas.labels.keep_clear(at, at, canvas.points(guess_radius) + canvas.width(2.0));
+}
+
 void add_guess(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   const StageGuess& guess = content.guess;
   if (!guess.at) return;
+  // A lesson has other things to say above.
+  const std::string words = guess.is_open ? "your guess: drag me"
+                            : content.lesson && guess.missed_by
+                                ? fmt::format("your guess: {} mm off", slide_number(*guess.missed_by))
+                                : "your guess";
   const Theme& theme = content.theme;
   const Vector<2> at = canvas.at(*guess.at);
   const double radius = canvas.points(guess_radius);
   canvas.ring(Role::guess, at, radius, canvas.width(4.0), faded(theme.accent, guess.is_open ? 1.0 : 0.55));
   canvas.label(Role::guess,
                {StageLabel::guess,
-                {guess.is_open ? "your guess: drag me" : "your guess"},
+                {words},
                 layout.letters.bold_words,
                 at,
                 at,
@@ -28,13 +42,12 @@ void add_guess(const StageLayer& layer) {
                theme.accent);
 }
 
+namespace {
+
 void add_predict(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
-  if (content.guess.at) {
-    const Vector<2> at = canvas.at(*content.guess.at);
-    canvas.labels.keep_clear(at, at, canvas.points(guess_radius) + canvas.width(2.0));
-  }
-  if (!content.guess.is_open) {
+  keep_guess_clear(layer);
+  if (!content.guess.is_open && !content.hides.handle) {
     add_whole_scene(layer);
     add_guess(layer);
     return;

@@ -87,9 +87,9 @@ void add_round(const StageLayer& layer) {
   add_loop(layer);
   add_springs(layer);
   add_stage_hand(layer);
-  add_stage_force(layer);
+  if (!layer.content.hides.force) add_stage_force(layer);
   add_handle(layer);
-  add_battery(layer);
+  if (!layer.content.hides.numbers) add_battery(layer);
   add_hand_words(layer);
 }
 

@@ -18,6 +18,7 @@ const StageModeLayers* layers_of(StageMode mode) {
 
 std::string sentence_of(const StageContent& content, const StageModeLayers* mode) {
   if (!content.warning.empty()) return std::string(content.warning);
+  if (content.lesson) return content.lesson->text;
   if (mode != nullptr) {
     if (std::string words = mode->sentence(content); !words.empty()) return words;
   }
@@ -45,22 +46,24 @@ void add_whole_scene(const StageLayer& layer) {
   add_expectations(layer);
   add_springs(layer);
   add_stage_hand(layer);
-  add_slide(layer);
-  add_stage_force(layer);
+  if (!layer.content.hides.slide) add_slide(layer);
+  if (!layer.content.hides.force) add_stage_force(layer);
   add_handle(layer);
   add_numbers(layer);
   add_stage_words(layer);
 }
 
 StagePicture compose_stage(const StageContent& content, LabelMemory& memory, double interval_s, Marks earlier) {
-  const StageModeLayers* const mode = layers_of(content.mode);
-  const bool is_map = content.mode == StageMode::landscape;
+  // What is to be guessed is drawn as Predict does it.
+  const StageModeLayers* const mode = content.hides.handle ? &predict_layers : layers_of(content.mode);
+  const bool is_map = content.mode == StageMode::landscape && !content.hides.handle;
   const std::string sentence = sentence_of(content, mode);
   StageLayout layout = stage_layout(content.size, content.scale, content.measure,
                                     {.sentence = sentence,
                                      .corner = content.corner ? std::string_view(content.corner->words) : "",
                                      .corner_action = content.corner ? content.corner->action : StageCommand::keys,
-                                     .has_full = !content.moment.is_measured});
+                                     .has_full = !content.moment.is_measured,
+                                     .lesson = content.lesson ? &*content.lesson : nullptr});
   if (content.mode == StageMode::ribbon && content.moments != nullptr) make_room_for_ribbon(content, layout);
   const Camera camera = stage_camera(content.shown, content.size, layout.bottom);
   StagePicture picture{.pane = {Vector<2>(0.0), camera, content.settings.active, std::move(earlier)},
@@ -72,8 +75,12 @@ StagePicture compose_stage(const StageContent& content, LabelMemory& memory, dou
     StageCanvas canvas{.camera = camera, .theme = content.theme, .unit = layout.unit, .marks = marks, .labels = labels};
     const StageLayer layer{content, layout, canvas};
     keep_frame_clear(layer);
+    // Of an answered guess of a lesson; an open one belongs to Predict.
+    const bool has_old_guess = content.lesson && mode != &predict_layers;
+    if (has_old_guess) keep_guess_clear(layer);
     (mode != nullptr ? mode->add : add_whole_scene)(layer);
-    if (!is_map) add_sentence(layer);
+    if (has_old_guess) add_guess(layer);
+    if (!is_map || content.lesson) add_sentence(layer);
     add_buttons(layer);
     canvas.add_labels();
     if (const auto ribbon = stage_ribbon(layer)) picture.ribbon = {*layout.ribbon, ribbon_axis(*ribbon)};
@@ -82,12 +89,17 @@ StagePicture compose_stage(const StageContent& content, LabelMemory& memory, dou
   picture.pivot = content.moment.handle;
   if (content.has_grips && !is_map) {
     picture.grips = stage_grips(content.settings, content.moment, camera, layout.scene(), layout.unit);
+    if (!content.may_turn_wall) picture.grips->wall.reset();
   }
   if (is_map) picture.landscape = landscape_layout(stage_landscape(content, camera));
   for (const auto* const buttons : {&layout.strategies, &layout.icons}) {
     picture.buttons.insert(picture.buttons.end(), buttons->begin(), buttons->end());
   }
   if (layout.corner) picture.buttons.push_back(*layout.corner);
+  if (layout.lesson) {
+    const std::vector<StageButton> buttons = lesson_buttons(*layout.lesson);
+    picture.buttons.insert(picture.buttons.begin(), buttons.begin(), buttons.end());
+  }
   return picture;
 }
 

@@ -9,6 +9,7 @@
 
 #include "app/view/moment_history.h"
 #include "app/view/stage/stage_layout.h"
+#include "app/view/stage/stage_lesson.h"
 #include "app/view/stage/stage_moment.h"
 #include "app/view/stage/stage_sentence.h"
 #include "app/view/theme.h"
@@ -58,6 +59,7 @@ struct StageContent {
   StageGrip hovered_grip = StageGrip::none;
   std::optional<StageAction> hovered{};  // the button under the pointer
   bool has_grips = false;                // a person can take hold of motor and wall
+  bool may_turn_wall = true;             // with has_grips: the wall too
   StageGuess guess{};
   int why_step = 0;
   std::optional<StageRound> round{};
@@ -65,6 +67,8 @@ struct StageContent {
   const MomentHistory* moments = nullptr;   // of the ribbon; null: there is none
   std::optional<double> looks_back_to_s{};  // its cursor [s]
   std::optional<StageCornerButton> corner{};
+  std::optional<StageLesson> lesson{};
+  StageSecrets hides{};
   std::string_view warning{};  // what must be said instead of the sentence; may be empty
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/view/stage/landscape_layer.h"
+#include "app/view/stage/lesson_layout.h"
 #include "app/view/stage/ribbon_layer.h"
 #include "app/view/stage/stage_canvas.h"
 #include "app/view/stage/stage_content.h"
@@ -25,10 +26,16 @@ void add_handle(const StageLayer& layer);        // handle and proxy
 void add_stage_words(const StageLayer& layer);   // beside all these,
 void add_hand_words(const StageLayer& layer);    // and beside some
 void add_motor_words(const StageLayer& layer);
+void keep_guess_clear(const StageLayer& layer);
+void add_guess(const StageLayer& layer);     // of where the handle comes to rest, if there is one
 void add_sentence(const StageLayer& layer);  // above
 void add_numbers(const StageLayer& layer);
 void add_buttons(const StageLayer& layer);       // below, and the strip of icons
+void add_lesson_frame(const StageLayer& layer);  // title, answers, slider, back and next
 void keep_frame_clear(const StageLayer& layer);  // of labels: sentence, buttons and what is said of them
+
+void keep_lesson_clear(const StageLayer& layer);
+std::vector<StageButton> lesson_buttons(const LessonLayout& places);  // that can be pressed, but for the way out
 
 // What a mode draws and says instead, where it does. One file a mode.
 struct StageModeLayers {
@@ -45,6 +52,9 @@ extern const StageModeLayers ribbon_layers;
 // All things of the scene and the words beside them.
 void add_whole_scene(const StageLayer& layer);
 LandscapeView stage_landscape(const StageContent& content, const Camera& camera);
+// "ghost 1.27 N", or without the number where it is hidden.
+std::string with_number(const StageContent& content, std::string_view words, const std::string& number,
+                        std::string_view unit);
 // Empty where there is none.
 std::optional<Ribbon> stage_ribbon(const StageLayer& layer);
 

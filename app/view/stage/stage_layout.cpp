@@ -5,7 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "app/view/stage/lesson_layout.h"
 #include "app/view/stage/stage_sentence.h"
+#include "app/view/stage/strategy_button.h"
 #include "core/prediction.h"
 
 namespace ghostforce {
@@ -16,32 +18,24 @@ constexpr double height_of_design = 720.0;
 constexpr double line_of_em = 1.17;  // height of a line of text over its nominal size
 constexpr double words_em = 24.0;    // a thirtieth of the height, which the last row of a lecture hall can read
 constexpr double sentence_em = 30.0;
+constexpr double lesson_em = 27.0;  // of a lesson's text, which is longer than a sentence
 constexpr double number_em = 74.0;
 constexpr double unit_em = 34.0;
 constexpr double edge_margin = 36.0;
 constexpr double button_height = 56.0;
 constexpr double icon_side = 46.0;
 constexpr double gap = 14.0;
-constexpr double glyph_room = 78.0;  // of a button: its key, the strategy's shape, and the space around them
 constexpr double button_padding = 18.0;
 
 // The number block must leave the lower half to the scene.
 constexpr double greatest_block = 0.6;
 constexpr std::size_t most_lines = 3;
+constexpr std::size_t most_lesson_lines = 4;
+constexpr double mark_room = 44.0;  // of a lesson's mark before its text
 
 // The longest that the stage has to say: letters must be small enough for it, so that they do not change with it.
 constexpr std::string_view longest_sentence = "In your hand: the goal is inferred, so the ghost force cannot be known.";
 
-struct ButtonWords {
-  StrategyId id;
-  std::string_view in_full;
-  std::string_view in_short;
-};
-constexpr std::array button_words{
-    ButtonWords{StrategyId::full, "Two motors", "Two motors"},
-    ButtonWords{StrategyId::naive, "One motor, naïve", "Naïve"},
-    ButtonWords{StrategyId::anisotropic, "One motor, anisotropic", "Anisotropic"},
-};
 constexpr std::string_view keys_words = "F1 keys";
 
 class Arrangement {
@@ -51,25 +45,40 @@ class Arrangement {
     layout_.size = size;
     layout_.unit = size.y / height_of_design * scale;
     layout_.margin = points(edge_margin);
-    layout_.letters = {letters(words_em), letters(words_em, true), letters(sentence_em, true), letters(number_em, true),
+    layout_.letters = {letters(words_em), letters(words_em, true),
+                       letters(words.lesson ? lesson_em : sentence_em, true), letters(number_em, true),
                        letters(unit_em)};
   }
 
   // False where something does not fit.
   bool arrange(bool in_full) {
     layout_.strategies.clear();
-    arrange_icons();
-    const bool buttons_fit = arrange_buttons(in_full);
+    bool buttons_fit = false;
+    if (words_.lesson != nullptr) {
+      buttons_fit = arrange_lesson(*words_.lesson, words_, measure_, layout_);
+    } else {
+      arrange_icons();
+      buttons_fit = arrange_buttons(in_full);
+    }
     arrange_numbers();
-    const bool sentence_fits = lines(longest_sentence).size() <= most_lines;
+    const std::size_t most = words_.lesson != nullptr ? most_lesson_lines : most_lines;
+    const bool sentence_fits =
+        lines(words_.lesson != nullptr ? words_.lesson->longest_text : longest_sentence, mark_width(true)).size() <=
+        most;
     const double block_height =
-        layout_.margin + static_cast<double>(most_lines) * layout_.letters.sentence.height + layout_.numbers_size.y;
+        layout_.margin + static_cast<double>(most) * layout_.letters.sentence.height + layout_.numbers_size.y;
     return buttons_fit && sentence_fits && block_height <= greatest_block * layout_.size.y;
   }
 
   StageLayout finished() {
-    layout_.sentence = lines(words_.sentence);
-    layout_.sentence_box.least = Vector<2>(layout_.margin, layout_.margin - points(8.0));
+    const bool has_mark = words_.lesson != nullptr && words_.lesson->mark != LessonMark::none;
+    layout_.sentence = lines(words_.sentence, mark_width(has_mark));
+    layout_.sentence_box.least = Vector<2>(layout_.margin + mark_width(has_mark), layout_.margin - points(8.0));
+    if (has_mark) {
+      const double side = layout_.letters.sentence.height;
+      const Vector<2> corner(layout_.margin, layout_.sentence_box.least.y);
+      layout_.mark = ScreenBox{corner, corner + Vector<2>(side)};
+    }
     double width = 0.0;
     for (const std::string& line : layout_.sentence) {
       width = std::max(width, measure_(line, layout_.letters.sentence).x);
@@ -78,7 +87,8 @@ class Arrangement {
         layout_.sentence_box.least +
         Vector<2>(width, static_cast<double>(layout_.sentence.size()) * layout_.letters.sentence.height);
     layout_.top = std::max(layout_.sentence_box.most.y, layout_.icons.front().box.most.y);
-    layout_.bottom = layout_.strategies.front().box.least.y;
+    if (layout_.lesson) layout_.top = std::max(layout_.top, layout_.lesson->title_box.most.y);
+    layout_.bottom = layout_.lesson ? layout_.lesson->top : layout_.strategies.front().box.least.y;
     return std::move(layout_);
   }
 
@@ -87,16 +97,18 @@ class Arrangement {
   // Whole points: the letters that are painted then are as they were made.
   TextStyle letters(double em, bool is_bold = false) const { return {std::ceil(points(em * line_of_em)), is_bold}; }
 
-  std::vector<std::string> lines(std::string_view words) const {
-    const double end = layout_.icons.front().box.least.x - points(gap);
-    return broken_into_lines(words, end - layout_.margin, layout_.letters.sentence, measure_);
+  double mark_width(bool has_mark) const { return has_mark && words_.lesson != nullptr ? points(mark_room) : 0.0; }
+
+  std::vector<std::string> lines(std::string_view words, double indented_by) const {
+    const double end = layout_.header_left - points(gap);
+    return broken_into_lines(words, end - layout_.margin - indented_by, layout_.letters.sentence, measure_);
   }
 
   void arrange_icons() {
     layout_.icons.clear();
     const Vector<2> side(points(icon_side));
     const double step = side.x + points(0.5 * gap);
-    const std::size_t count = stage_mode_catalog().size() + 1;
+    const std::size_t count = stage_mode_catalog().size() + 2;
     Vector<2> corner(layout_.size.x - layout_.margin - static_cast<double>(count) * step + points(0.5 * gap),
                      layout_.margin - points(10.0));
     const auto add = [&](const StageAction& action) {
@@ -104,16 +116,18 @@ class Arrangement {
       corner.x += step;
     };
     for (const StageModeEntry& mode : stage_mode_catalog()) add(mode.id);
+    add(StageCommand::lessons);
     add(Face::workbench);
+    layout_.header_left = layout_.icons.front().box.least.x;
   }
 
   bool arrange_buttons(bool in_full) {
     const double bottom = layout_.size.y - layout_.margin - points(10.0);
     double x = layout_.margin;
-    for (const ButtonWords& words : button_words) {
+    for (const StrategyButtonWords& words : strategy_button_words()) {
       if (words.id == StrategyId::full && !words_.has_full) continue;
       const std::string_view shown = in_full ? words.in_full : words.in_short;
-      const double width = points(glyph_room + button_padding) + measure_(shown, layout_.letters.bold_words).x;
+      const double width = strategy_button_width(shown, layout_.unit, layout_.letters, measure_);
       layout_.strategies.push_back({words.id, {{x, bottom - points(button_height)}, {x + width, bottom}}, shown});
       x += width + points(gap);
     }
@@ -223,6 +237,7 @@ std::string hover_words(const StageAction& action) {
     return fmt::format("{} ({}): {}", entry->title, entry->key, entry->sentence);
   }
   if (std::holds_alternative<Face>(action)) return "Workbench (F4): all settings, numbers and plots.";
+  if (action == StageAction(StageCommand::lessons)) return "Lessons (F5): short sessions that ask, and then show.";
   return {};
 }
 

@@ -29,8 +29,12 @@ void add_strategy_button(const StageLayer& layer, const StageButton& button) {
   const double left = button.box.least.x;
   const StageLetters& letters = layout.letters;
   const double text_top = middle - 0.5 * letters.words.height;
-  canvas.text(Role::button, {left + canvas.points(15.0), text_top}, fmt::format("{}", index_of(id) + 1),
-              letters.bold_words, theme.faint_text, false);
+  // While a question is open its answers have the digits.
+  const bool has_key = !content.lesson || !content.lesson->is_open;
+  if (has_key) {
+    canvas.text(Role::button, {left + canvas.points(15.0), text_top}, fmt::format("{}", index_of(id) + 1),
+                letters.bold_words, theme.faint_text, false);
+  }
   canvas.marks.push_back({Role::button, id,
                           Marker{to_world(canvas.camera, {left + canvas.points(53.0), middle}),
                                  strategy_style(id).shape, canvas.points(10.0), colour, theme.background, 0.0}});
@@ -80,8 +84,8 @@ struct Icon {
   void (*draw)(const IconPen&);
 };
 
-const std::array<Icon, 6>& icons() {
-  static const std::array<Icon, 6> all{{
+const std::array<Icon, 8>& icons() {
+  static const std::array<Icon, 8> all{{
       // A target to aim at.
       {StageMode::predict,
        [](const IconPen& pen) {
@@ -110,6 +114,18 @@ const std::array<Icon, 6>& icons() {
        [](const IconPen& pen) {
          pen.curve({{-0.9, 0.4}, {-0.5, 0.4}, {-0.2, -0.3}, {0.2, 0.1}, {0.9, 0.1}});
          pen.curve({{0.2, -0.8}, {0.2, 0.8}});
+       }},
+      // An open book.
+      {StageCommand::lessons,
+       [](const IconPen& pen) {
+         pen.curve({{0.0, -0.45}, {-0.45, -0.65}, {-0.95, -0.6}, {-0.95, 0.6}, {-0.45, 0.55}, {0.0, 0.75}});
+         pen.curve({{0.0, -0.45}, {0.45, -0.65}, {0.95, -0.6}, {0.95, 0.6}, {0.45, 0.55}, {0.0, 0.75}});
+         pen.curve({{0.0, -0.45}, {0.0, 0.75}});
+       }},
+      {StageCommand::leave,
+       [](const IconPen& pen) {
+         pen.curve({{-0.6, -0.6}, {0.6, 0.6}});
+         pen.curve({{-0.6, 0.6}, {0.6, -0.6}});
        }},
       // Sliders.
       {Face::workbench,
@@ -148,7 +164,9 @@ std::optional<HoverPanel> hover_panel(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   // Who has pressed an icon has read what it does.
   const bool is_on = content.hovered == StageAction(content.mode);
+  const bool is_way_out = content.lesson && content.hovered == StageAction(StageCommand::leave);
   const std::string words = is_on                                      ? ""
+                            : is_way_out                               ? content.lesson->leave_words
                             : content.hovered                          ? hover_words(*content.hovered)
                             : content.hovered_grip == StageGrip::wall  ? "Drag to turn the wall."
                             : content.hovered_grip == StageGrip::motor ? "Drag to turn the motor."
@@ -161,7 +179,8 @@ std::optional<HoverPanel> hover_panel(const StageLayer& layer) {
   const ScreenBox& strip = layout.icons.back().box;
   const double left = strip.most.x - extent.x - 2.0 * padding;
   const bool is_beside_sentence = left > layout.sentence_box.most.x + padding;
-  const double top = is_beside_sentence ? strip.most.y : std::max(strip.most.y, layout.sentence_box.most.y);
+  const double below = layout.lesson ? std::max(strip.most.y, layout.lesson->title_box.most.y) : strip.most.y;
+  const double top = is_beside_sentence ? below : std::max(below, layout.sentence_box.most.y);
   const Vector<2> corner = Vector<2>(left, top + canvas.points(8.0)) + Vector<2>(padding);
   panel.box = ScreenBox{corner, corner + extent}.grown(padding);
   return panel;
@@ -231,6 +250,7 @@ void add_sentence(const StageLayer& layer) {
 
 void add_numbers(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
+  if (content.hides.numbers) return;
   const StageMoment& moment = content.moment;
   // Rather farther down than away from the left side.
   const auto found = canvas.labels.place_block({.id = StageLabel::numbers,
@@ -244,13 +264,18 @@ void add_numbers(const StageLayer& layer) {
   const bool is_known = moment.knows_ghost_force;
   const bool knows_slide = !moment.is_measured || moment.has_target;
   const double ghost = signed_ghost_force(moment);
-  const std::string_view ghost_words = !is_known                     ? "ghost force: unknown"
+  const std::string_view ghost_words = content.hides.force           ? "ghost force"
+                                       : !is_known                   ? "ghost force: unknown"
                                        : ghost <= -least_shown_force ? "ghost force (too little)"
                                                                      : "ghost force";
-  add_number(layer, {is_known ? force_number(ghost) : "", "N", ghost_words}, found->box.least, found->strength);
+  const auto told = [](bool is_hidden, bool is_known_to_us, const std::string& number) {
+    return is_hidden ? "?" : is_known_to_us ? number : "";
+  };
+  add_number(layer, {told(content.hides.force, is_known, force_number(ghost)), "N", ghost_words}, found->box.least,
+             found->strength);
   const Vector<2> below(0.0, 0.5 * (layout.numbers_size.y + canvas.points(6.0)));
   add_number(layer,
-             {knows_slide ? slide_number(glm::length(moment.slide)) : "", "mm",
+             {told(content.hides.slide, knows_slide, slide_number(glm::length(moment.slide))), "mm",
               knows_slide ? "slid along the wall" : "slide: unknown"},
              found->box.least + below, found->strength);
 }
@@ -259,6 +284,7 @@ void add_buttons(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   for (const StageButton& button : layout.strategies) add_strategy_button(layer, button);
   for (const StageButton& button : layout.icons) add_icon(layer, button);
+  if (content.lesson) add_lesson_frame(layer);
   if (layout.corner && content.corner) {
     add_corner_button(layer, *layout.corner);
   } else if (const auto& keys = layout.corner) {
@@ -279,6 +305,7 @@ void keep_frame_clear(const StageLayer& layer) {
   for (const StageButton& button : layout.strategies) labels.keep_clear(button.box.grown(rim));
   for (const StageButton& button : layout.icons) labels.keep_clear(button.box.grown(rim));
   if (layout.corner) labels.keep_clear(layout.corner->box.grown(rim));
+  if (layout.lesson) keep_lesson_clear(layer);
   if (layout.ribbon) labels.keep_clear(*layout.ribbon);
   if (const auto panel = hover_panel(layer)) labels.keep_clear(panel->box.grown(rim));
 }

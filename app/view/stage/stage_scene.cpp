@@ -97,7 +97,7 @@ void add_stage_wall(const StageLayer& layer) {
   }
   canvas.line(Role::wall, edge - along * reach, edge + along * reach, canvas.width(5.0), theme.wall_edge);
   canvas.labels.keep_clear(edge - along * reach, edge + along * reach, canvas.width(2.5), Clearance::if_possible);
-  if (!content.has_grips) return;
+  if (!content.has_grips || !content.may_turn_wall) return;
   if (const auto grips =
           stage_grips(content.settings, content.moment, canvas.camera, layout.scene(), canvas.unit).wall) {
     const bool is_hot = content.hovered_grip == StageGrip::wall;
@@ -145,7 +145,7 @@ void add_expectations(const StageLayer& layer) {
   // Under the handle there is nothing to see of it.
   const Vector<2> rest = canvas.at(moment.expected_rest);
   const double apart = glm::distance(rest, canvas.at(moment.handle));
-  if (moment.is_measured || apart < canvas.points(2.0)) return;
+  if (content.hides.rest || moment.is_measured || apart < canvas.points(2.0)) return;
   const double strength = std::min(1.0, apart / canvas.points(20.0));
   canvas.ring(Role::expected_rest, rest, canvas.points(handle_radius), canvas.width(2.5),
               faded(theme.faint_text, strength));

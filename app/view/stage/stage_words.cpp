@@ -23,10 +23,10 @@ void add_force_words(const StageLayer& layer) {
   const StageMoment& moment = content.moment;
   const auto arrow = force_arrow(layer);
   if (!arrow) return;
-  if (glm::length(moment.ghost_force) < least_shown_force) return;
+  if (content.hides.force || glm::length(moment.ghost_force) < least_shown_force) return;
   canvas.label(Role::ghost_force,
                {StageLabel::ghost,
-                {fmt::format("ghost {} N", force_number(glm::length(moment.ghost_force)))},
+                {with_number(content, "ghost", force_number(glm::length(moment.ghost_force)), "N")},
                 layout.letters.bold_words,
                 arrow->share_end(),
                 arrow->tip(),
@@ -39,10 +39,10 @@ void add_share_words(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   const auto arrow = force_arrow(layer);
   const double share = glm::length(content.moment.wall_share);
-  if (!arrow || share < least_shown_force) return;
+  if (content.hides.force || !arrow || share < least_shown_force) return;
   canvas.label(Role::wall_share,
                {StageLabel::wall_share,
-                {fmt::format("{} {} N", content.moment.knows_ghost_force ? "wall" : "motor", force_number(share))},
+                {with_number(content, content.moment.knows_ghost_force ? "wall" : "motor", force_number(share), "N")},
                 layout.letters.words,
                 arrow->start,
                 arrow->share_end(),
@@ -55,10 +55,10 @@ void add_slide_words(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   const auto ruler = slide_ruler(layer);
   const double slide = glm::length(content.moment.slide);
-  if (!ruler || slide < least_shown_slide) return;
+  if (content.hides.slide || !ruler || slide < least_shown_slide) return;
   canvas.label(Role::proxy_drift,
                {StageLabel::slide,
-                {fmt::format("slid {} mm", slide_number(slide))},
+                {with_number(content, "slid", slide_number(slide), "mm")},
                 layout.letters.bold_words,
                 ruler->from,
                 ruler->to,
@@ -100,7 +100,8 @@ void add_expectation_words(const StageLayer& layer) {
   }
   if (!moment.in_contact || moment.is_measured) return;
   const Vector<2> rest = canvas.at(moment.expected_rest);
-  if (glm::distance(rest, canvas.at(moment.handle)) > canvas.points(2.0 * handle_radius)) {
+  const bool is_apart = glm::distance(rest, canvas.at(moment.handle)) > canvas.points(2.0 * handle_radius);
+  if (is_apart && !content.hides.rest) {
     canvas.label(Role::expected_rest,
                  {StageLabel::expected_rest,
                   {"where it should rest"},
@@ -152,6 +153,11 @@ void add_wall_words(const StageLayer& layer) {
 }
 
 }  // namespace
+
+std::string with_number(const StageContent& content, std::string_view words, const std::string& number,
+                        std::string_view unit) {
+  return content.hides.numbers ? std::string(words) : fmt::format("{} {} {}", words, number, unit);
+}
 
 void add_hand_words(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;

@@ -1,6 +1,5 @@
 // Why?: the triangle of forces builds itself where the handle should rest: the wall's push, what one motor can give of it,
 // what nobody gives, and the excess that follows.
-#include <fmt/format.h>
 #include <glm/geometric.hpp>
 
 #include "app/view/stage/stage_layers.h"
@@ -119,13 +118,13 @@ void add_why(const StageLayer& layer) {
                  colour);
   };
   const double ghost = glm::length(forces.ghost);
-  const std::string excess =
-      ghost < least_shown_force ? std::string(words.excess) : fmt::format("{} {} N", words.excess, force_number(ghost));
+  const std::string excess = ghost < least_shown_force ? std::string(words.excess)
+                                                       : with_number(content, words.excess, force_number(ghost), "N");
   say(1, StageLabel::hand, Role::force,
-      fmt::format("1  the wall pushes straight out: {} N", force_number(glm::length(forces.push))), push_end, out,
-      theme.text, false);
+      with_number(content, "1  the wall pushes straight out:", force_number(glm::length(forces.push)), "N"), push_end,
+      out, theme.text, false);
   say(2, StageLabel::wall_share, Role::wall_share,
-      fmt::format("2  the motor can give this much of it: {} N", force_number(glm::length(forces.share))),
+      with_number(content, "2  the motor can give this much of it:", force_number(glm::length(forces.share)), "N"),
       0.5 * (start + share_end), -missing, theme.text, false);
   say(3, StageLabel::expected_contact, Role::force, std::string(words.missing), 0.5 * (push_end + share_end), along,
       theme.faint_text, false);

@@ -131,6 +131,26 @@ TEST_P(Notices, WhatIsDrawnOtherwise) {
 INSTANTIATE_TEST_SUITE_P(, Notices, testing::ValuesIn(alterations),
                          [](const auto& alteration) { return alteration.param.name; });
 
+// A case may show a step of a lesson; what is wrong with it is told at its key.
+TEST(Check, ShowsStepsOfLessons) {
+  const std::string step = "lesson = \"ghost\"\nsize = [320, 240]\n";
+  const Cases cases({{"open", step + "step = 1\nmismatch = \"answered\"\n"},
+                     {"answered", step + "step = 1\nanswer = 1\nmismatch = \"spanish\"\n"},
+                     {"spanish", step + "step = 1\nanswer = 1\nlanguage = \"es\"\nmismatch = \"next\"\n"},
+                     {"next", step + "step = 2\nmismatch = \"open\"\n"}});
+  const Outcome good = cases.check();
+  EXPECT_EQ(good.exit_code, 0) << good.out << good.err;
+  for (const auto& [text, words] :
+       {std::pair(step + "step = 99\n", "the lesson ghost has"), std::pair(step + "answer = 9\n", "has 3 answers"),
+        std::pair(std::string("lesson = \"gost\"\n"), "did you mean 'ghost'"),
+        std::pair(step + "scene = \"wall45\"\n", "is what a step of a lesson says"),
+        std::pair(std::string("scene = \"wall45\"\nstep = 2\n"), "belongs to a lesson")}) {
+    const Outcome bad = Cases({{"bad", text + "mismatch = \"other\"\n"}, {"other", std::string(small_case)}}).check();
+    EXPECT_EQ(bad.exit_code, 2) << text;
+    EXPECT_NE(bad.err.find(words), std::string::npos) << bad.err;
+  }
+}
+
 TEST(Check, NoticesAnotherStrategy) {
   const Cases cases({{"wall", std::string(small_case) + "strategy = \"naive\"\n"}});
   cases.update("wall");

@@ -200,5 +200,32 @@ TEST(Run, SaysHowToMakePicturesWhereThereIsNoDisplay) {
   EXPECT_NE(outcome.err.find("ghostforce render"), std::string::npos) << outcome.err;
 }
 
+// In pixels and in vectors alike: a step's view is there in the first frame that somebody sees.
+TEST(Render, ShowsAStepOfALesson) {
+  const TemporaryFolder folder;
+  std::vector<nlohmann::json> described;
+  for (const char* name : {"step.png", "step.svg"}) {
+    const std::string json = folder / (std::string(name) + ".json");
+    ASSERT_EQ(render({"--lesson", "ghost", "--step", "2", "--size", "1280x720", "-o", folder / name, "--json", json})
+                  .exit_code,
+              0);
+    described.push_back(nlohmann::json::parse(read_whole(json)));
+    EXPECT_EQ(described.back()["lesson"], "ghost");
+    EXPECT_EQ(described.back()["step"], 2);
+  }
+  const double drawn = described[0]["camera"]["points_per_mm"];
+  const double composed = described[1]["camera"]["points_per_mm"];
+  EXPECT_NEAR(drawn, composed, 0.02 * composed);
+}
+
+TEST(Render, RefusesAStepThatALessonDoesNotHave) {
+  const TemporaryFolder folder;
+  const Outcome outcome = render({"--lesson", "ghost", "--step", "99", "-o", folder / "step.png"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("the lesson ghost has"), std::string::npos) << outcome.err;
+  EXPECT_EQ(render({"--step", "2", "-o", folder / "step.png"}).exit_code, 2);
+  EXPECT_EQ(render({"-o", folder / "step.png"}).exit_code, 2) << "neither a scene nor a lesson";
+}
+
 }  // namespace
 }  // namespace ghostforce

@@ -41,6 +41,8 @@ struct StageCase {
   std::shared_ptr<const MomentHistory> moments{};
   std::optional<double> looks_back_to_s{};
   std::optional<StageCornerButton> corner{};
+  std::optional<StageLesson> lesson{};
+  StageSecrets hides{};
   std::string_view warning{};
 
   StagePicture compose(LabelMemory& memory, double interval_s) const {
@@ -64,6 +66,8 @@ struct StageCase {
                           .moments = moments.get(),
                           .looks_back_to_s = looks_back_to_s,
                           .corner = corner,
+                          .lesson = lesson,
+                          .hides = hides,
                           .warning = warning},
                          memory, interval_s);
   }
@@ -177,6 +181,77 @@ inline StageCase stage_case_by(PictureDice& dice) {
   }
   if (dice.one_in(25))
     made.warning = "These settings make the simulation unstable. Press F4 and lower the rendering stiffness.";
+  return made;
+}
+
+// So many letters of words as long as Spanish ones.
+inline std::string lesson_words_by(PictureDice& dice, std::size_t letters) {
+  std::string words;
+  while (words.size() < letters) {
+    if (!words.empty()) words.push_back(' ');
+    const auto length = static_cast<std::size_t>(dice.between(1.0, 13.0));
+    words.append(std::min(length, letters - std::min(letters, words.size())), dice.one_in(3) ? 'm' : 'a');
+  }
+  words.resize(letters, 'a');
+  if (words.back() == ' ') words.back() = 'a';
+  return words;
+}
+
+inline StageLessonRow lesson_row_by(PictureDice& dice) {
+  StageLessonRow row;
+  const int answers = dice.one_in(2) ? 0 : static_cast<int>(dice.between(2.0, 5.999));
+  for (int i = 0; i < answers; ++i) {
+    row.answers.push_back(
+        lesson_words_by(dice, static_cast<std::size_t>(dice.between(2.0, dice.one_in(5) ? 70.0 : 30.0))));
+  }
+  if (dice.one_in(3)) {
+    row.slider = StageLessonSlider{.words = "rigidez que suponemos en la mano",
+                                   .value = dice.one_in(4) ? "" : "444 N/m",
+                                   .share = dice.between(0.0, 1.0),
+                                   .longest = "800 N/m"};
+  }
+  row.has_strategies = dice.one_in(3);
+  return row;
+}
+
+// The same picture in a step of some lesson.
+inline StageCase lesson_case_by(PictureDice& dice) {
+  StageCase made = stage_case_by(dice);
+  made.hint.reset();
+  made.warning = {};
+  if (made.corner && made.corner->action != StageAction(StageCommand::motors)) made.corner.reset();
+  const auto mark = [&] { return dice.one_of(std::array{LessonMark::none, LessonMark::right, LessonMark::wrong}); };
+  StageLesson lesson{.title = lesson_words_by(dice, static_cast<std::size_t>(dice.between(4.0, 40.0))),
+                     .place = {},
+                     .text = lesson_words_by(dice, static_cast<std::size_t>(dice.between(10.0, 160.0))),
+                     .mark = mark(),
+                     .longest_text = lesson_words_by(dice, 160),
+                     .back = dice.one_in(4) ? "" : "Atrás",
+                     .next = dice.one_in(3) ? "Esa es mi apuesta" : "Siguiente",
+                     .leave_words = "Salir de la lección (Esc)."};
+  const auto steps = static_cast<std::size_t>(dice.between(1.0, 12.999));
+  for (std::size_t i = 0; i < steps; ++i) {
+    lesson.rows.push_back(lesson_row_by(dice));
+    lesson.dots.push_back(mark());
+  }
+  lesson.step = static_cast<std::size_t>(dice.between(0.0, static_cast<double>(steps) - 0.001));
+  lesson.furthest = lesson.step;
+  lesson.place = std::to_string(lesson.step + 1).append(" de ").append(std::to_string(steps));
+  lesson.is_open = !lesson.row().answers.empty() && dice.one_in(2);
+  for (std::size_t i = 0; i < lesson.row().answers.size(); ++i) {
+    lesson.marks.push_back(lesson.is_open ? LessonMark::none : mark());
+  }
+  if (!lesson.is_open && !lesson.marks.empty()) lesson.chosen = 0;
+  made.hides = {dice.one_in(4), dice.one_in(4), dice.one_in(4), dice.one_in(4), dice.one_in(4)};
+  if (dice.one_in(3)) {
+    made.guess = {.at = made.moment.goal + Vector<2>(dice.between(-0.02, 0.02), dice.between(-0.02, 0.02)),
+                  .is_open = made.hides.handle,
+                  .missed_by = 0.0123};
+  }
+  if (dice.one_in(6))
+    made.hovered =
+        dice.one_of(std::array<StageAction, 3>{StageCommand::leave, StageCommand::slider, StageCommand::next});
+  made.lesson = std::move(lesson);
   return made;
 }
 

@@ -1,0 +1,29 @@
+#include "app/session/stage_modes.h"
+
+#include "app/session/circle_test.h"
+#include "core/input_choice.h"
+
+namespace ghostforce {
+
+void begin_stage_mode(Session& session, StageMode mode) {
+  leave_stage_mode(session);
+  StageChoice& stage = session.stage;
+  stage.mode = mode;
+  if (mode == StageMode::why) stage.why_step = 1;
+  if (mode == StageMode::round) begin_circle_test(session);
+}
+
+void leave_stage_mode(Session& session) {
+  StageChoice& stage = session.stage;
+  const bool goes_round = session.circle_test.is_on || session.requests.input == circling_hand.name;
+  if (stage.mode == StageMode::round && goes_round) end_circle_test(session);
+  if (stage.mode == StageMode::ribbon) stage.looks_back_to_s.reset();
+  // Wall and hand may be others now.
+  if (stage.mode == StageMode::landscape) session.requests.fit_view = true;
+  stage.mode = StageMode::none;
+  stage.why_step = 0;
+  stage.guess.reset();
+  stage.landscape_dial.reset();
+}
+
+}  // namespace ghostforce

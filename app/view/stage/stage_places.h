@@ -1,0 +1,83 @@
+// StageLayout: where words, numbers, buttons and icons of the stage stand, and what a press on them asks for. Values; points
+// of the window, y down; any thread.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "app/view/screen_box.h"
+#include "app/view/stage/face.h"
+#include "app/view/stage/lesson_places.h"
+#include "app/view/stage/stage_lesson.h"
+#include "app/view/stage/stage_mode.h"
+#include "app/view/view.h"
+#include "core/strategy.h"
+
+namespace ghostforce {
+
+// Something else than a strategy, a mode or a face that the stage can be asked for: the table of keys, the motors on or
+// off, the picker of lessons; the step before, the next step of the mode or the lesson that is on; the end of the lesson;
+// to move its slider.
+enum class StageCommand : std::uint8_t { keys, motors, lessons, previous, next, leave, slider };
+
+// An answer to a lesson's question, from 0.
+enum class StageAnswer : std::uint8_t {};
+
+// What a press on a part of the stage asks for.
+using StageAction = std::variant<StrategyId, StageMode, Face, StageCommand, StageAnswer>;
+
+struct StageButton {
+  StageAction action;
+  ScreenBox box;
+  std::string_view words;
+};
+
+// The sizes of the stage's letters [points].
+struct StageLetters {
+  TextStyle words;
+  TextStyle bold_words;
+  TextStyle sentence;
+  TextStyle number;
+  TextStyle unit;
+};
+
+struct StageLayout {
+  Vector<2> size{1.0};
+  double unit = 1.0;    // a point of a picture 720 points high, at the scale that fits
+  double margin = 1.0;  // to the window's edges
+  StageLetters letters{};
+  std::vector<std::string> sentence;  // its lines
+  ScreenBox sentence_box;
+  std::optional<ScreenBox> mark;        // of a lesson's answer, before the sentence
+  std::vector<StageButton> strategies;  // the row below
+  std::vector<StageButton> icons;       // the strip above, modes and workbench
+  std::optional<StageButton> corner;    // at the row's other end: the motors', or the help's where there is room for it
+  std::optional<ScreenBox> ribbon;      // above the row, where there is one
+  std::optional<LessonLayout> lesson;   // of which the strip of icons keeps the way out alone
+  double header_left = 0.0;             // where what stands above at the right begins
+  Vector<2> numbers_size{0.0};          // of the two numbers with their words
+  double number_width = 0.0;            // of the widest number
+
+  // Between them lies the scene.
+  double top = 0.0;
+  double bottom = 0.0;
+  ScreenBox scene() const noexcept { return {{0.0, top}, {size.x, bottom}}; }
+
+  // Where blocks of words may stand, and the best place for the two numbers: right below the sentence.
+  ScreenBox room() const { return {Vector<2>(10.0 * unit), {size.x - 10.0 * unit, bottom - 6.0 * unit}}; }
+  Vector<2> numbers_corner() const { return {margin, sentence_box.most.y + 6.0 * unit}; }
+};
+
+struct StageFrameWords {
+  std::string_view sentence;
+  std::string_view corner{};  // of the button at the other end of the row; empty: the help's, where there is room
+  StageAction corner_action = StageCommand::keys;
+  bool has_full = true;                 // the strategy with every motor can be chosen
+  const StageLesson* lesson = nullptr;  // null: there is none
+};
+
+}  // namespace ghostforce
