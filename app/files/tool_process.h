@@ -1,0 +1,38 @@
+// Other programs that do a part of the work, such as a clipboard's tool or ffmpeg: found on PATH and started without a
+// shell, as they would be started by hand. Any thread.
+#pragma once
+
+#include <sys/types.h>
+
+#include <string>
+#include <vector>
+
+namespace ghostforce {
+
+// An open file, closed in the end; negative: there is none.
+class Descriptor {
+ public:
+  explicit Descriptor(int number = -1) noexcept : number_(number) {}
+  ~Descriptor() { reset(); }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+
+  int number() const noexcept { return number_; }
+  void reset(int number = -1) noexcept;
+
+ private:
+  int number_;
+};
+
+// The tool's standard streams, as open files of ours.
+struct ToolStreams {
+  int in = -1;
+  int out = -1;  // negative: what is written there is lost
+  int err = -1;  // the same
+};
+
+// `words`: its name and its arguments. Returns 0, or the number of an error: ENOENT where there is no such tool. It
+// gets every signal, and no other file of ours: a device that is open would stay taken.
+int start_tool(const std::vector<std::string>& words, const ToolStreams& streams, pid_t& child);
+
+}  // namespace ghostforce
