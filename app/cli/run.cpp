@@ -1,4 +1,7 @@
 // ghostforce run: the window, live.
+#include <unistd.h>
+
+#include <cerrno>
 #include <chrono>
 #include <cmath>
 #include <memory>
@@ -26,6 +29,7 @@
 #include "app/live/application.h"
 #include "app/live/frame_pacer.h"
 #include "app/live/preferences.h"
+#include "app/live/reading_aloud.h"
 #include "app/paint/vector/file_painter.h"
 #include "app/runs/replay_start.h"
 #include "app/ui/display_loss.h"
@@ -49,6 +53,8 @@ struct RunOptions {
   FalconSetUp falcon;
   std::string shader_folder;
   bool no_hints = false;
+  std::optional<double> printed_hz;
+  bool speaks = false;
   std::optional<double> exit_after_s;
 };
 
@@ -165,8 +171,10 @@ int run(const RunOptions& options) {
        .shader_folder = options.shader_folder});
   if (!stored.remarks.empty()) application.show_notice(fmt::format("{}", fmt::join(stored.remarks, "\n\n")), true);
   emergency_stop::refuse_to_be_stopped();
+  if (options.speaks) application.session().speaks = true;
   Keeper keeper(stored.preferences, application.session());
   application.start();
+  ReadingAloud reading_aloud(options.printed_hz, STDOUT_FILENO);
   const BeforeDisplayLoss before_display_loss([&application] {
     application.servo().stop();
     interrupt();
@@ -182,7 +190,10 @@ int run(const RunOptions& options) {
     stop_if_interrupted();
     const double now_s = clock_s();
     if (options.exit_after_s && now_s >= *options.exit_after_s) break;
-    application.update(now_s - std::exchange(last_s, now_s));
+    const double interval_s = now_s - std::exchange(last_s, now_s);
+    application.update(interval_s);
+    reading_aloud.follow(application, interval_s);
+    if (reading_aloud.output_problem() == EPIPE) break;  // who wanted the values has gone
     if (pacer.is_due(drawn_s, now_s) || application.needs_drawing()) {
       application.draw();
       drawn_s = now_s;
@@ -210,7 +221,8 @@ int run(const RunOptions& options) {
   if (const std::string& words = problem.empty() ? end_of_recording : problem; !words.empty()) {
     say("{}\n", words);
   }
-  if (options.record && !problem.empty()) return static_cast<int>(ExitCode::file_trouble);
+  const bool lost_values = reading_aloud.output_problem() != 0 && reading_aloud.output_problem() != EPIPE;
+  if (lost_values || (options.record && !problem.empty())) return static_cast<int>(ExitCode::file_trouble);
   if (!options.exit_after_s) return static_cast<int>(ExitCode::done);
   // Scripts want to know; a person has seen it on the screen.
   const EndOfVisit end =
@@ -248,6 +260,13 @@ std::function<int()> attach_run(CLI::App& command, FileOptions& files) {
   options->falcon.attach(command, files);
   command.add_flag("--no-hints", options->no_hints, "Do not show the hints for newcomers");
   command
+      .add_option("--print-values", options->printed_hz,
+                  "Print what the stage says to the standard output, for screen readers and loggers: a line when it "
+                  "changes, at most this many times a second (docs/reading-aloud.md)")
+      ->type_name("HZ")
+      ->check(number_between(PrintedValues::least_hz, PrintedValues::greatest_hz, "Hz"));
+  command.add_flag("--speak", options->speaks, "Read the stage's sentence aloud, through speech-dispatcher");
+  command
       .add_option("--shader-dir", options->shader_folder,
                   "Load the shaders from this folder, and reload them whenever one changes")
       ->type_name("DIR");
@@ -265,6 +284,7 @@ std::function<int()> attach_run(CLI::App& command, FileOptions& files) {
       "  ghostforce run --view workbench\n"
       "  ghostforce run my_scene.toml --input script\n"
       "  ghostforce run --record visit.csv\n"
+      "  ghostforce run --print-values 5 > values.tsv\n"
       "  ghostforce run --input replay:visit.csv");
   return [options] { return run(*options); };
 }

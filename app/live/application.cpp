@@ -262,6 +262,10 @@ LoopReading Application::reading() const {
   return reading;
 }
 
+StageReading Application::stage_reading() const {
+  return screen_.stage_reading(session_, shown(), history_, reading());
+}
+
 void Application::take_samples() {
   Sample sample;
   while (servo_->take_sample(sample)) {

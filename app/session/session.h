@@ -134,6 +134,7 @@ struct Session {
   PlotView plots;
   Appearance appearance;
   std::set<std::string, std::less<>> folded_panels;  // by title
+  bool speaks = false;  // the stage's sentence is read aloud
   bool paused = false;
   double speed = 1.0;  // of model time against real time
   std::uint32_t steps_asked = 0;
