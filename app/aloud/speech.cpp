@@ -81,6 +81,11 @@ void Speech::say(std::string_view words, std::string_view language) {
 }
 
 std::string Speech::update(double interval_s) {
+  int status = 0;
+  if (starter_ != 0 && waitpid(starter_, &status, WNOHANG) == starter_) {
+    starter_ = 0;
+    has_failed_ = status != 0;
+  }
   if (socket_.number() < 0) {
     if (!next_) return {};
     if (std::string problem = open(interval_s); !problem.empty() || socket_.number() < 0) return problem;
@@ -113,10 +118,7 @@ std::string Speech::open(double interval_s) {
   if (!may_come) return lose(fmt::format("the speech service cannot be reached: {}.", reason_for(error)));
   if (!has_started_) return start_service();
   waited_s_ += interval_s;
-  int status = 0;
-  const bool has_failed = starter_ != 0 && waitpid(starter_, &status, WNOHANG) == starter_ && status != 0;
-  if (has_failed) starter_ = 0;
-  if (has_failed || waited_s_ > starts_within_s) {
+  if (has_failed_ || waited_s_ > starts_within_s) {
     return lose("speech-dispatcher has not started. Run spd-say hello in a terminal to see why.");
   }
   return {};
@@ -130,6 +132,7 @@ std::string Speech::start_service() {
   if (error == ENOENT) return lose(std::string(install_words));
   if (error != 0) return lose(fmt::format("speech-dispatcher cannot be started: {}.", reason_for(error)));
   has_started_ = true;
+  has_failed_ = false;
   waited_s_ = 0.0;
   return {};
 }

@@ -61,6 +61,7 @@ class Speech {
   Descriptor socket_;
   pid_t starter_ = 0;         // the process that starts the service; 0: there is none
   bool has_started_ = false;  // the service was asked to start, and has not been heard of yet
+  bool has_failed_ = false;   // the process that was to start it
   double waited_s_ = 0.0;     // for the start, or for the answer
   std::deque<Step> steps_;    // the first one has been sent, or is being sent
   std::string outgoing_;      // of that step, and not sent yet

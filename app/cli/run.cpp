@@ -58,32 +58,6 @@ struct RunOptions {
   std::optional<double> exit_after_s;
 };
 
-// Keeps the stored preferences up to date. What the command line asked for holds for this run only.
-class Keeper {
- public:
-  Keeper(Preferences kept, const Session& session) : kept_(std::move(kept)), seen_(seen_in(session)) {}
-
-  // Writes what the person has changed since the last call.
-  void keep(const Session& session) {
-    const Preferences now = seen_in(session);
-    if (now == seen_) return;
-    if (now.appearance.theme != seen_.appearance.theme) kept_.appearance.theme = now.appearance.theme;
-    if (now.appearance.scale != seen_.appearance.scale) kept_.appearance.scale = now.appearance.scale;
-    if (!now.offers_hints && seen_.offers_hints) kept_.offers_hints = false;
-    if (now.face != seen_.face) kept_.face = now.face;
-    seen_ = now;
-    save(kept_);
-  }
-
- private:
-  static Preferences seen_in(const Session& session) {
-    return {session.appearance, session.hint.has_value(), session.face};
-  }
-
-  Preferences kept_;
-  Preferences seen_;
-};
-
 // What stands before the recording that is to be replayed.
 std::string replay_begins() {
   return fmt::format("{}:", replay_kind.name);
@@ -146,33 +120,37 @@ int run(const RunOptions& options) {
     input_options.recorded_hand = std::make_shared<const GoalPath>(goal_path_of(*recording, scene.settings.rate));
   }
   StoredPreferences stored = load_preferences();
-  const Face face = options.picture.face_or(stored.preferences.face);
-  Appearance appearance = stored.preferences.appearance;
-  options.picture.apply_appearance(appearance);
+  Preferences preferences = stored.preferences;
+  preferences.face = options.picture.face_or(preferences.face);
+  options.picture.apply_appearance(preferences.appearance);
+  preferences.offers_hints = preferences.offers_hints && !options.no_hints;
+  preferences.speaks = preferences.speaks || options.speaks;
+  const Appearance& appearance = preferences.appearance;
   const auto scaled = [&](int points) { return static_cast<int>(std::lround(points * appearance.scale)); };
   const WindowLayout layout = stored.layout.value_or(
-      WindowLayout{.width = scaled(1280), .height = scaled(800), .is_maximized = false, .folded_panels = {}});
+      WindowLayout{.width = scaled(WindowLayout::first_width), .height = scaled(WindowLayout::first_height)});
   leave_processor_to_servo();
   Window window({.title = window_title(scene), .width = layout.width, .height = layout.height, .fits_monitor = true});
   if (layout.is_maximized) window.maximize();
+  if (layout.is_full_screen) window.toggle_full_screen();
   Application application(
       window, scene,
       {.appearance = appearance,
-       .face = face,
+       .face = preferences.face,
        .mode = options.picture.stage_mode(),
        .inputs = desktop_inputs(options.falcon.cable()),
        .input = std::string(recording ? replay_kind.name : std::string_view(options.input)),
        .painter = cairo_file_painter(),
        .record = options.record,
        .input_options = input_options,
-       .offers_hints = stored.preferences.offers_hints && !options.no_hints,
+       .offers_hints = preferences.offers_hints,
        .folded_panels = stored.layout ? layout.folded_panels
                                       : panels_folded_at_first(window.restored_size().height / appearance.scale),
        .shader_folder = options.shader_folder});
   if (!stored.remarks.empty()) application.show_notice(fmt::format("{}", fmt::join(stored.remarks, "\n\n")), true);
   emergency_stop::refuse_to_be_stopped();
-  if (options.speaks) application.session().speaks = true;
-  Keeper keeper(stored.preferences, application.session());
+  apply(preferences, application.session());
+  PreferenceKeeper keeper(stored.preferences, application.session());
   application.start();
   ReadingAloud reading_aloud(options.printed_hz, STDOUT_FILENO);
   const BeforeDisplayLoss before_display_loss([&application] {
@@ -210,7 +188,8 @@ int run(const RunOptions& options) {
   try {
     keeper.keep(application.session());
     const WindowSize size = window.restored_size();
-    save(WindowLayout{size.width, size.height, window.is_maximized(), application.session().folded_panels});
+    save(WindowLayout{size.width, size.height, window.is_maximized(), window.is_full_screen(),
+                      application.session().folded_panels});
   } catch (const Failure& failure) {
     // The visit is over and went well; the window only opens in its usual size the next time.
     say("{}\n", failure.what());

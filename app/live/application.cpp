@@ -14,6 +14,7 @@
 #include "app/files/run_reader.h"
 #include "app/files/scene_file.h"
 #include "app/live/end_of_recording.h"
+#include "app/live/preferences.h"
 #include "app/runs/replay_start.h"
 #include "app/session/live_table.h"
 #include "app/session/measurement_guide.h"
@@ -21,6 +22,7 @@
 #include "app/session/stage_actions.h"
 #include "app/session/target.h"
 #include "app/session/undo_words.h"
+#include "app/ui/panels/panel_catalog.h"
 #include "app/ui/plots/plot_export.h"
 #include "app/ui/widgets/save_path.h"
 #include "core/divergence.h"
@@ -359,6 +361,7 @@ void Application::handle_requests() {
       show_notice("Copied the live values. They can be pasted into a spreadsheet.", false);
     }
     if (requests.record) start_recording(*requests.record);
+    if (requests.reset_preferences) reset_preferences();
     if (requests.stop_recording) {
       if (const std::string words = end_recording(); !words.empty()) show_notice(words, !recording_problem_.empty());
     }
@@ -370,6 +373,15 @@ void Application::handle_requests() {
   } catch (const ReaderGone&) {
     show_notice("No program is reading from that pipe any more. Save to a file instead.", true);
   }
+}
+
+void Application::reset_preferences() {
+  apply(Preferences{}, session_);
+  ++session_.preference_resets;
+  const WindowLayout layout;
+  window_.restore(layout.width, layout.height);
+  session_.folded_panels = panels_folded_at_first(layout.height);
+  show_notice("All preferences are as they were at first.", false);
 }
 
 void Application::take_back(bool undo) {

@@ -46,7 +46,16 @@ struct Appearance {
 };
 
 // The window in front of the scene, if any.
-enum class Dialog : std::uint8_t { none, help, doctor, open_scene, save_scene, save_picture, save_plots };
+enum class Dialog : std::uint8_t {
+  none,
+  help,
+  doctor,
+  open_scene,
+  save_scene,
+  save_picture,
+  save_plots,
+  reset_preferences
+};
 
 // A picture of what is on the screen: the format is the file name's.
 struct SavePictureRequest {
@@ -84,6 +93,7 @@ struct Requests {
   bool copy_table = false;            // the live values, as text
   std::optional<std::string> record;  // to a file of this name
   bool stop_recording = false;
+  bool reset_preferences = false;  // to what a new person sees
 };
 
 // What stands in the fields of the dialog that is open.
@@ -134,7 +144,7 @@ struct Session {
   PlotView plots;
   Appearance appearance;
   std::set<std::string, std::less<>> folded_panels;  // by title
-  bool speaks = false;  // the stage's sentence is read aloud
+  bool speaks = false;                               // the stage's sentence is read aloud
   bool paused = false;
   double speed = 1.0;  // of model time against real time
   std::uint32_t steps_asked = 0;
@@ -157,6 +167,7 @@ struct Session {
   Dialog dialog = Dialog::none;
   Form form;
   std::optional<Notice> notice;
+  std::uint32_t preference_resets = 0;  // all preferences are as at first again
   UndoOffer undo_offer;
   Requests requests;
 };

@@ -247,6 +247,16 @@ void Window::maximize() {
   glfwMaximizeWindow(handle());
 }
 
+void Window::restore(int width, int height) {
+  if (is_full_screen()) toggle_full_screen();
+  if (is_maximized()) glfwRestoreWindow(handle());
+  const auto scaled = [this](int length) {
+    return static_cast<int>(std::lround(static_cast<float>(length) * display_scale()));
+  };
+  const WindowSize size = fitted({width, height});
+  resize(scaled(size.width), scaled(size.height));
+}
+
 WindowSize Window::restored_size() const {
   WindowSize size = restored_size_;
   if (!is_full_screen() && !is_maximized()) glfwGetWindowSize(handle(), &size.width, &size.height);

@@ -72,6 +72,8 @@ class Window {
   // Keys reach it.
   bool has_focus() const;
   void maximize();
+  // Neither maximised nor full screen, and of this size, as WindowOptions has it.
+  void restore(int width, int height);
   // As it is while neither maximised nor full screen, as WindowOptions has it: before the display's scale.
   WindowSize restored_size() const;
 

@@ -24,6 +24,7 @@ constexpr std::array dialogs{
     Entry{Dialog::save_scene, "Save the scene", draw_save_scene},
     Entry{Dialog::save_picture, "Save a picture", draw_save_picture},
     Entry{Dialog::save_plots, "Save the plots", draw_save_plots},
+    Entry{Dialog::reset_preferences, "Reset all preferences?", draw_reset_preferences},
 };
 
 constexpr ImGuiWindowFlags dialog_window = ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
@@ -60,7 +61,8 @@ void scroll(Dialog dialog, const ScrollStep& step) {
 }
 
 bool has_field(Dialog dialog) noexcept {
-  return dialog != Dialog::none && dialog != Dialog::help && dialog != Dialog::doctor;
+  constexpr std::array without{Dialog::none, Dialog::help, Dialog::doctor, Dialog::reset_preferences};
+  return std::ranges::find(without, dialog) == without.end();
 }
 
 void draw_dialog(const PanelContext& context) {

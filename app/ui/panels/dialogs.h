@@ -35,5 +35,6 @@ void draw_open_scene(const PanelContext& context);
 void draw_save_scene(const PanelContext& context);
 void draw_save_picture(const PanelContext& context);
 void draw_save_plots(const PanelContext& context);
+void draw_reset_preferences(const PanelContext& context);
 
 }  // namespace ghostforce
