@@ -22,7 +22,6 @@
 #include "app/session/stage_actions.h"
 #include "app/session/target.h"
 #include "app/session/undo_words.h"
-#include "app/ui/panels/panel_catalog.h"
 #include "app/ui/plots/plot_export.h"
 #include "app/ui/widgets/save_path.h"
 #include "core/divergence.h"
@@ -361,7 +360,10 @@ void Application::handle_requests() {
       show_notice("Copied the live values. They can be pasted into a spreadsheet.", false);
     }
     if (requests.record) start_recording(*requests.record);
-    if (requests.reset_preferences) reset_preferences();
+    if (requests.reset_preferences) {
+      reset_preferences(session_, window_);
+      show_notice("All preferences are as they were at first.", false);
+    }
     if (requests.stop_recording) {
       if (const std::string words = end_recording(); !words.empty()) show_notice(words, !recording_problem_.empty());
     }
@@ -373,15 +375,6 @@ void Application::handle_requests() {
   } catch (const ReaderGone&) {
     show_notice("No program is reading from that pipe any more. Save to a file instead.", true);
   }
-}
-
-void Application::reset_preferences() {
-  apply(Preferences{}, session_);
-  ++session_.preference_resets;
-  const WindowLayout layout;
-  window_.restore(layout.width, layout.height);
-  session_.folded_panels = panels_folded_at_first(layout.height);
-  show_notice("All preferences are as they were at first.", false);
 }
 
 void Application::take_back(bool undo) {

@@ -118,8 +118,6 @@ class Application {
   void replay_run(const std::string& path);
   std::string picture_bytes(const SavePictureRequest& request);
   void copy_picture(const CopyPictureRequest& request);
-  // And the window, to what a new person sees.
-  void reset_preferences();
   void start_recording(const std::string& path);
   void read_recording();
   void take_back(bool undo);

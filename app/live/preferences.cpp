@@ -14,6 +14,7 @@
 #include "app/files/kept_file.h"
 #include "app/files/toml_document.h"
 #include "app/files/xdg_folders.h"
+#include "app/ui/panels/panel_catalog.h"
 #include "app/ui/window.h"
 
 namespace ghostforce {
@@ -231,6 +232,14 @@ void apply(const Preferences& preferences, Session& session) {
   session.speed = preferences.speed;
   session.speaks = preferences.speaks;
   session.hint = preferences.offers_hints ? std::optional<std::size_t>(0) : std::nullopt;
+}
+
+void reset_preferences(Session& session, Window& window) {
+  apply(Preferences{}, session);
+  ++session.preference_resets;
+  const WindowLayout layout;
+  window.restore(layout.width, layout.height);
+  session.folded_panels = panels_folded_at_first(layout.height);
 }
 
 StoredPreferences load_preferences() {

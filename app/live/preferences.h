@@ -12,6 +12,8 @@
 
 namespace ghostforce {
 
+class Window;
+
 // Of the plots, what does not depend on what they show.
 struct PlotPreferences {
   bool is_open = false;
@@ -53,6 +55,9 @@ struct WindowLayout {
 
   friend bool operator==(const WindowLayout&, const WindowLayout&) = default;
 };
+
+// To what a new person sees; the files follow (PreferenceKeeper).
+void reset_preferences(Session& session, Window& window);
 
 struct StoredPreferences {
   Preferences preferences;
