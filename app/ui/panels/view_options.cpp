@@ -68,10 +68,12 @@ void draw_view_options(const PanelContext& context) {
 
 void draw_reset_preferences(const PanelContext& context) {
   Session& session = context.session;
+  const float width = std::min(32.0F * ImGui::GetFontSize(), 0.8F * ImGui::GetIO().DisplaySize.x);
   wrapped_text(
       "Everything that you have chosen about how ghostforce looks and starts goes back to what a new person sees: "
-      "theme, sizes, view, plots, panels, speed, SpaceMouse, speech, hints, window. The scene and its settings "
-      "stay as they are.");
+      "theme, sizes, view, plots, panels, speed, SpaceMouse, speech, hints, window. The scene and its settings stay as "
+      "they are.",
+      ImGui::GetCursorPosX() + width);
   if (ImGui::Button("Reset all")) {
     session.requests.reset_preferences = true;
     session.dialog = Dialog::none;
