@@ -1,4 +1,7 @@
 // ghostforce run: the window, live.
+#include <unistd.h>
+
+#include <cerrno>
 #include <chrono>
 #include <cmath>
 #include <memory>
@@ -28,6 +31,7 @@
 #include "app/live/application.h"
 #include "app/live/frame_pacer.h"
 #include "app/live/preferences.h"
+#include "app/live/reading_aloud.h"
 #include "app/paint/vector/file_painter.h"
 #include "app/runs/replay_start.h"
 #include "app/ui/display_loss.h"
@@ -50,39 +54,24 @@ struct RunOptions {
   FalconSetUp falcon;
   std::string shader_folder;
   bool no_hints = false;
+  std::optional<double> printed_hz;
+  bool speaks = false;
   std::optional<double> exit_after_s;
 };
 
-// Keeps the stored preferences and the progress in lessons up to date. What the command line asked for holds for this run only.
-class Keeper {
+// Keeps what has been done of the lessons up to date.
+class ProgressKeeper {
  public:
   // `progress`: as it is stored.
-  Keeper(Preferences kept, LessonProgress progress, const Session& session)
-      : kept_(std::move(kept)), seen_(seen_in(session)), progress_(std::move(progress)) {}
+  explicit ProgressKeeper(LessonProgress progress) : progress_(std::move(progress)) {}
 
-  // Writes what the person has changed since the last call.
   void keep(const Session& session) {
-    if (session.lesson_progress != progress_) {
-      progress_ = session.lesson_progress;  // also where it cannot be stored: it is said once
-      save(progress_);
-    }
-    const Preferences now = seen_in(session);
-    if (now == seen_) return;
-    if (now.appearance.theme != seen_.appearance.theme) kept_.appearance.theme = now.appearance.theme;
-    if (now.appearance.scale != seen_.appearance.scale) kept_.appearance.scale = now.appearance.scale;
-    if (!now.offers_hints && seen_.offers_hints) kept_.offers_hints = false;
-    if (now.face != seen_.face) kept_.face = now.face;
-    seen_ = now;
-    save(kept_);
+    if (session.lesson_progress == progress_) return;
+    progress_ = session.lesson_progress;  // also where it cannot be stored: it is said once
+    save(progress_);
   }
 
  private:
-  static Preferences seen_in(const Session& session) {
-    return {session.appearance, session.hint.has_value(), session.lesson ? session.lesson->before.face : session.face};
-  }
-
-  Preferences kept_;
-  Preferences seen_;
   LessonProgress progress_;
 };
 
@@ -149,15 +138,20 @@ int run(const RunOptions& options) {
     input_options.recorded_hand =
         std::make_shared<const GoalPath>(goal_path_of(*recording, set_up.scene.settings.rate));
   }
-  Appearance appearance = stored.preferences.appearance;
-  options.set_up.picture.apply_appearance(appearance);
+  Preferences preferences = stored.preferences;
+  preferences.face = set_up.face;
+  options.set_up.picture.apply_appearance(preferences.appearance);
+  preferences.offers_hints = preferences.offers_hints && !options.no_hints;
+  preferences.speaks = preferences.speaks || options.speaks;
+  const Appearance& appearance = preferences.appearance;
   const auto scaled = [&](int points) { return static_cast<int>(std::lround(points * appearance.scale)); };
   const WindowLayout layout = stored.layout.value_or(
-      WindowLayout{.width = scaled(1280), .height = scaled(800), .is_maximized = false, .folded_panels = {}});
+      WindowLayout{.width = scaled(WindowLayout::first_width), .height = scaled(WindowLayout::first_height)});
   leave_processor_to_servo();
   Window window(
       {.title = window_title(set_up.scene), .width = layout.width, .height = layout.height, .fits_monitor = true});
   if (layout.is_maximized) window.maximize();
+  if (layout.is_full_screen) window.toggle_full_screen();
   Application application(
       window, set_up.scene,
       {.appearance = appearance,
@@ -171,14 +165,21 @@ int run(const RunOptions& options) {
        .painter = cairo_file_painter(),
        .record = options.record,
        .input_options = input_options,
-       .offers_hints = stored.preferences.offers_hints && !options.no_hints,
+       .offers_hints = preferences.offers_hints,
        .folded_panels = stored.layout ? layout.folded_panels
                                       : panels_folded_at_first(window.restored_size().height / appearance.scale),
        .shader_folder = options.shader_folder});
   if (!stored.remarks.empty()) application.show_notice(fmt::format("{}", fmt::join(stored.remarks, "\n\n")), true);
   emergency_stop::refuse_to_be_stopped();
-  Keeper keeper(stored.preferences, progress, application.session());
+  apply(preferences, application.session());
+  PreferenceKeeper keeper(stored.preferences, application.session());
+  ProgressKeeper progress_keeper(progress);
+  const auto keep = [&] {
+    keeper.keep(application.session());
+    progress_keeper.keep(application.session());
+  };
   application.start();
+  ReadingAloud reading_aloud(options.printed_hz, STDOUT_FILENO);
   const BeforeDisplayLoss before_display_loss([&application] {
     application.servo().stop();
     interrupt();
@@ -194,13 +195,16 @@ int run(const RunOptions& options) {
     stop_if_interrupted();
     const double now_s = clock_s();
     if (options.exit_after_s && now_s >= *options.exit_after_s) break;
-    application.update(now_s - std::exchange(last_s, now_s));
+    const double interval_s = now_s - std::exchange(last_s, now_s);
+    application.update(interval_s);
+    reading_aloud.follow(application, interval_s);
+    if (reading_aloud.output_problem() == EPIPE) break;  // who wanted the values has gone
     if (pacer.is_due(drawn_s, now_s) || application.needs_drawing()) {
       application.draw();
       drawn_s = now_s;
       try {
         // A slow disk keeps this thread, and motors that are on go off without its heartbeat.
-        if (application.report().motors.state == SafetyState::off) keeper.keep(application.session());
+        if (application.report().motors.state == SafetyState::off) keep();
       } catch (const Failure& failure) {
         application.show_notice(failure.what(), true);
       }
@@ -209,9 +213,10 @@ int run(const RunOptions& options) {
     pacer.waited(is_stirred, clock_s());
   }
   try {
-    keeper.keep(application.session());
+    keep();
     const WindowSize size = window.restored_size();
-    save(WindowLayout{size.width, size.height, window.is_maximized(), application.session().folded_panels});
+    save(WindowLayout{size.width, size.height, window.is_maximized(), window.is_full_screen(),
+                      application.session().folded_panels});
   } catch (const Failure& failure) {
     // The visit is over and went well; the window only opens in its usual size the next time.
     say("{}\n", failure.what());
@@ -222,7 +227,8 @@ int run(const RunOptions& options) {
   if (const std::string& words = problem.empty() ? end_of_recording : problem; !words.empty()) {
     say("{}\n", words);
   }
-  if (options.record && !problem.empty()) return static_cast<int>(ExitCode::file_trouble);
+  const bool lost_values = reading_aloud.output_problem() != 0 && reading_aloud.output_problem() != EPIPE;
+  if (lost_values || (options.record && !problem.empty())) return static_cast<int>(ExitCode::file_trouble);
   if (!options.exit_after_s) return static_cast<int>(ExitCode::done);
   // Scripts want to know; a person has seen it on the screen.
   const EndOfVisit end =
@@ -256,6 +262,13 @@ std::function<int()> attach_run(CLI::App& command, FileOptions& files) {
   options->falcon.attach(command, files);
   command.add_flag("--no-hints", options->no_hints, "Do not show the hints for newcomers");
   command
+      .add_option("--print-values", options->printed_hz,
+                  "Print what the stage says to the standard output, for screen readers and loggers: a line when it "
+                  "changes, at most this many times a second (docs/reading-aloud.md)")
+      ->type_name("HZ")
+      ->check(number_between(PrintedValues::least_hz, PrintedValues::greatest_hz, "Hz"));
+  command.add_flag("--speak", options->speaks, "Read the stage's sentence aloud, through speech-dispatcher");
+  command
       .add_option("--shader-dir", options->shader_folder,
                   "Load the shaders from this folder, and reload them whenever one changes")
       ->type_name("DIR");
@@ -274,6 +287,7 @@ std::function<int()> attach_run(CLI::App& command, FileOptions& files) {
       "  ghostforce run my_scene.toml --input script\n"
       "  ghostforce run --lesson ghost --language es\n"
       "  ghostforce run --record visit.csv\n"
+      "  ghostforce run --print-values 5 > values.tsv\n"
       "  ghostforce run --input replay:visit.csv");
   return [options] { return run(*options); };
 }

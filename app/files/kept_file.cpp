@@ -1,6 +1,7 @@
 #include "app/files/kept_file.h"
 
 #include <cerrno>
+#include <sstream>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -9,6 +10,7 @@
 #include "app/console/quoted.h"
 #include "app/files/input_file.h"
 #include "app/files/output_file.h"
+#include "app/files/toml_parse.h"
 
 namespace ghostforce {
 namespace {
@@ -37,6 +39,16 @@ std::string damage_words(const std::vector<ReadProblem>& problems) {
     damage += words_of({.what = problem.what, .remedy = problem.remedy});
   }
   return damage;
+}
+
+// What of a file stands under other keys than these, values first. Nothing where it is no TOML.
+std::string without_keys(std::string_view text, std::span<const std::string_view> keys) {
+  toml::table table = parse_toml(text).table;
+  for (const std::string_view key : keys) table.erase(key);
+  if (table.empty()) return {};
+  std::ostringstream others;
+  others << toml::toml_formatter(table) << '\n';
+  return others.str();
 }
 
 }  // namespace
@@ -69,7 +81,7 @@ bool load(const KeptFile& file, const std::function<void(TomlReader&)>& read, st
   return false;
 }
 
-void save(const KeptFile& file, std::string_view text) {
+void save(const KeptFile& file, std::string_view text, std::span<const std::string_view> keys) {
   if (file.path.empty()) return;
   std::error_code error;
   const fs::path folder = file.path.parent_path();
@@ -93,7 +105,15 @@ void save(const KeptFile& file, std::string_view text) {
   }
   OutputFile output(file.path.string());
   output.write(text);
+  if (!keys.empty()) output.write(without_keys(old.text, keys));
   output.commit();
+}
+
+void forget(const KeptFile& file) {
+  std::error_code error;
+  if (file.path.empty() || fs::remove(file.path, error) || !error) return;
+  throw Failure(ExitCode::file_trouble, fmt::format("{} cannot be removed: {}, and {} still kept there",
+                                                    shown_path(file.path), error.message(), file.contents));
 }
 
 }  // namespace ghostforce

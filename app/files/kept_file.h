@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,7 +26,12 @@ struct KeptFile {
 // and where the file is now.
 bool load(const KeptFile& file, const std::function<void(TomlReader&)>& read, std::vector<std::string>& remarks);
 
-// Makes the folder too. Throws Failure(file_trouble), with what to do.
-void save(const KeptFile& file, std::string_view text);
+// Makes the folder too. `keys`: those at the top of the file that are this program's. What stands under others, written
+// by a newer program, stays there; without any, nothing does. `text` must have no tables where there are keys. Throws
+// Failure(file_trouble), with what to do.
+void save(const KeptFile& file, std::string_view text, std::span<const std::string_view> keys = {});
+
+// Removes it, with all that newer programs have written there. Throws Failure(file_trouble).
+void forget(const KeptFile& file);
 
 }  // namespace ghostforce

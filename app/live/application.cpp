@@ -10,6 +10,7 @@
 #include "app/files/output_file.h"
 #include "app/files/scene_file.h"
 #include "app/live/end_of_recording.h"
+#include "app/live/preferences.h"
 #include "app/session/lesson_guide.h"
 #include "app/session/live_table.h"
 #include "app/session/measurement_guide.h"
@@ -271,6 +272,10 @@ LoopReading Application::reading() const {
   return reading;
 }
 
+StageReading Application::stage_reading() const {
+  return screen_.stage_reading(session_, shown(), history_, reading());
+}
+
 void Application::take_samples() {
   Sample sample;
   while (servo_->take_sample(sample)) {
@@ -371,6 +376,10 @@ void Application::handle_requests() {
     if (requests.copy_set_up) copy_set_up();
     if (requests.paste_set_up) paste_set_up();
     if (requests.record) start_recording(*requests.record);
+    if (requests.reset_preferences) {
+      reset_preferences(session_, window_);
+      show_notice("All preferences are as they were at first.", false);
+    }
     if (requests.stop_recording) {
       if (const std::string words = end_recording(); !words.empty()) show_notice(words, !recording_problem_.empty());
     }

@@ -98,6 +98,9 @@ class Application {
   // What the screen shows of servo and input.
   LoopReading reading() const;
 
+  // What the stage says of that, or would say if it were there instead of the workbench.
+  StageReading stage_reading() const;
+
   const InputLink& input_link() const noexcept { return *link_; }
 
  private:

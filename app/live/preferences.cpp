@@ -2,14 +2,19 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <span>
+#include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "app/console/quoted.h"
 #include "app/files/kept_file.h"
 #include "app/files/toml_document.h"
 #include "app/files/xdg_folders.h"
+#include "app/ui/panels/panel_catalog.h"
 #include "app/ui/window.h"
 
 namespace ghostforce {
@@ -27,84 +32,250 @@ KeptFile layout_file() {
   return {.path = where.empty() ? where : where / "layout.toml", .contents = "the window's layout is"};
 }
 
-// Unknown keys are those of a newer program, and missing ones those that an older one did not know.
-void read(TomlReader& reader, Preferences& preferences) {
-  reader.read_values(std::array{
-      TomlKey{"", "theme",
-              catalog_entry(theme_catalog(), [&](const Theme& theme) { preferences.appearance.theme = &theme; })},
-      TomlKey{"", "scale",
-              number_into(preferences.appearance.scale, {Appearance::least_scale, Appearance::greatest_scale})},
-      TomlKey{"", "arrows",
-              number_into(preferences.appearance.arrow_scale,
-                          {Appearance::least_arrow_scale, Appearance::greatest_arrow_scale})},
-      TomlKey{"", "hints", yes_or_no_into(preferences.offers_hints)},
-      TomlKey{"", "view",
-              catalog_entry(std::span<const FaceEntry>(face_catalog),
-                            [&](const FaceEntry& entry) { preferences.face = entry.id; })},
-  });
+// A key of a file, and the part of `Kept` that it stands for.
+template <typename Kept>
+struct KeptKey {
+  std::string_view name;
+  std::function<std::function<void(const TomlValue&)>(Kept& into)> reader;
+  std::function<std::string(const Kept& kept)> text;  // as TOML
+  std::function<bool(const Kept& one, const Kept& other)> is_same;
+  std::function<void(const Kept& from, Kept& into)> copy;
+};
+
+// `select` names the part; `read` makes what reads it, `write` its text.
+template <typename Kept, typename Select, typename Read, typename Write>
+KeptKey<Kept> kept_key(std::string_view name, Select select, Read read, Write write) {
+  return {name, [=](Kept& into) { return read(select(into)); }, [=](const Kept& kept) { return write(select(kept)); },
+          [=](const Kept& one, const Kept& other) { return select(one) == select(other); },
+          [=](const Kept& from, Kept& into) { select(into) = select(from); }};
 }
 
-void read(TomlReader& reader, WindowLayout& layout) {
-  const NumberLimits length{.least = 1.0, .greatest = 32768.0, .unit = "pixels", .whole = true};  // of any screen
-  const auto read_folded = [&](const TomlValue& titles) {
-    const std::size_t count = titles.count("give a list of panels").value_or(0);
-    for (std::size_t i = 0; i < count; ++i) {
-      if (const auto title = titles[i].text()) layout.folded_panels.insert(*title);
+template <typename Kept, typename Select>
+KeptKey<Kept> number(std::string_view name, Select select, const NumberLimits& limits) {
+  return kept_key<Kept>(
+      name, select, [limits](auto& into) { return number_into(into, limits); },
+      [](auto value) { return fmt::format("{}", value); });  // as many digits as read back exactly
+}
+
+template <typename Kept, typename Select>
+KeptKey<Kept> yes_or_no(std::string_view name, Select select) {
+  return kept_key<Kept>(
+      name, select, [](bool& into) { return yes_or_no_into(into); },
+      [](bool value) { return std::string(value ? "true" : "false"); });
+}
+
+// An entry of a catalog that lasts, by its name. `value_of`: what is kept of it.
+template <typename Kept, typename Catalog, typename Select, typename ValueOf>
+KeptKey<Kept> choice(std::string_view name, const Catalog& catalog, Select select, ValueOf value_of) {
+  using Entry = typename Catalog::value_type;
+  const std::span<const Entry> entries(catalog);
+  return kept_key<Kept>(
+      name, select,
+      [=](auto& into) {
+        return catalog_entry(entries, [&into, value_of](const Entry& entry) { into = value_of(entry); });
+      },
+      [=](const auto& value) { return toml_string(std::ranges::find(entries, value, value_of)->name); });
+}
+template <typename Kept, typename Catalog, typename Select>
+KeptKey<Kept> choice(std::string_view name, const Catalog& catalog, Select select) {
+  return choice<Kept>(name, catalog, select, [](const auto& entry) { return entry.id; });
+}
+
+// Names in files of what has none elsewhere.
+template <typename Id>
+struct NamedId {
+  Id id;
+  std::string_view name;
+};
+using CapMode = SpaceMouseSettings::Mode;
+using CapUp = SpaceMouseSettings::Up;
+constexpr std::array cap_modes{NamedId{CapMode::position, "position"}, NamedId{CapMode::rate, "speed"}};
+constexpr std::array cap_ups{NamedId{CapUp::lift, "lifting"}, NamedId{CapUp::push_away, "pushing-away"}};
+constexpr std::array plot_tabs{NamedId{PlotTab::time, plot_tab_name(PlotTab::time)},
+                               NamedId{PlotTab::wall_angle, plot_tab_name(PlotTab::wall_angle)},
+                               NamedId{PlotTab::ratio, plot_tab_name(PlotTab::ratio)}};
+
+auto read_language(std::string& into) {
+  return [&into](const TomlValue& value) {
+    const auto text = value.text();
+    if (!text) return;
+    const bool is_name = std::ranges::all_of(*text, [](char letter) { return letter >= 'a' && letter <= 'z'; });
+    if (is_name && text->size() <= 3) {
+      into = *text;
+    } else {
+      value.refuse(fmt::format("'{}' is not a language", quoted_text(*text)),
+                   "give two or three letters, as in \"es\"");
     }
   };
-  reader.read_values(std::array{
-      TomlKey{"", "width", number_into(layout.width, length)},
-      TomlKey{"", "height", number_into(layout.height, length)},
-      TomlKey{"", "maximized", yes_or_no_into(layout.is_maximized)},
-      TomlKey{"", "folded", read_folded},
-  });
-  // A window cannot be made smaller, whatever is written.
-  layout.width = std::max(layout.width, least_window_width);
-  layout.height = std::max(layout.height, least_window_height);
 }
 
-std::string text_of(const Preferences& preferences) {
-  return fmt::format(
-      "# Written by ghostforce: what the View panel and F4 choose.\ntheme = {}\nscale = {:.4f}\narrows = {:.4f}\n"
-      "hints = {}\nview = {}\n",
-      toml_string(preferences.appearance.theme->name), preferences.appearance.scale, preferences.appearance.arrow_scale,
-      preferences.offers_hints, toml_string(face_name(preferences.face)));
+const std::vector<KeptKey<Preferences>>& preference_keys() {
+  using P = Preferences;
+  static const std::vector<KeptKey<P>> all{
+      choice<P>(
+          "theme", theme_catalog(), [](auto& kept) -> auto& { return kept.appearance.theme; },
+          [](const Theme& theme) { return &theme; }),
+      number<P>("scale", [](auto& kept) -> auto& { return kept.appearance.scale; },
+                {Appearance::least_scale, Appearance::greatest_scale}),
+      number<P>("arrows", [](auto& kept) -> auto& { return kept.appearance.arrow_scale; },
+                {Appearance::least_arrow_scale, Appearance::greatest_arrow_scale}),
+      choice<P>(
+          "view", face_catalog, [](auto& kept) -> auto& { return kept.face; }),
+      choice<P>(
+          "compare", compare_catalog(), [](auto& kept) -> auto& { return kept.options.compare; }),
+      yes_or_no<P>(
+          "ghost_forces", [](auto& kept) -> auto& { return kept.options.ghost_forces; }),
+      yes_or_no<P>(
+          "predictions", [](auto& kept) -> auto& { return kept.options.predictions; }),
+      yes_or_no<P>(
+          "trails", [](auto& kept) -> auto& { return kept.options.trails; }),
+      yes_or_no<P>(
+          "plots", [](auto& kept) -> auto& { return kept.plots.is_open; }),
+      choice<P>(
+          "plots_tab", plot_tabs, [](auto& kept) -> auto& { return kept.plots.tab; }),
+      number<P>("plots_span_s", [](auto& kept) -> auto& { return kept.plots.span_s; },
+                {PlotView::shortest_span_s, PlotView::longest_span_s, "s"}),
+      number<P>("speed", [](auto& kept) -> auto& { return kept.speed; }, {0.01, 1.0}),
+      choice<P>(
+          "spacemouse_sets", cap_modes, [](auto& kept) -> auto& { return kept.spacemouse.mode; }),
+      choice<P>(
+          "spacemouse_up", cap_ups, [](auto& kept) -> auto& { return kept.spacemouse.up; }),
+      number<P>("spacemouse_dead_zone", [](auto& kept) -> auto& { return kept.spacemouse.dead_zone; }, {0.0, 0.5}),
+      yes_or_no<P>(
+          "speech", [](auto& kept) -> auto& { return kept.speaks; }),
+      yes_or_no<P>(
+          "hints", [](auto& kept) -> auto& { return kept.offers_hints; }),
+      kept_key<P>(
+          "language", [](auto& kept) -> auto& { return kept.language; }, read_language, toml_string),
+  };
+  return all;
 }
 
-std::string text_of(const WindowLayout& layout) {
-  std::string folded;
-  for (const std::string& title : layout.folded_panels) {
-    folded += folded.empty() ? "" : ", ";
-    folded += toml_string(title);
-  }
-  return fmt::format(
-      "# Written by ghostforce when its window closes.\nwidth = {}\nheight = {}\nmaximized = {}\n"
-      "folded = [{}]\n",
-      layout.width, layout.height, layout.is_maximized, folded);
+auto read_titles(std::set<std::string, std::less<>>& into) {
+  return [&into](const TomlValue& titles) {
+    const std::size_t count = titles.count("give a list of panels").value_or(0);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (const auto title = titles[i].text()) into.insert(*title);
+    }
+  };
+}
+
+std::string titles_text(const std::set<std::string, std::less<>>& titles) {
+  std::vector<std::string> texts;
+  for (const std::string& title : titles) texts.push_back(toml_string(title));
+  return fmt::format("[{}]", fmt::join(texts, ", "));
+}
+
+const std::vector<KeptKey<WindowLayout>>& layout_keys() {
+  using L = WindowLayout;
+  const NumberLimits length{.least = 1.0, .greatest = 32768.0, .unit = "pixels", .whole = true};  // of any screen
+  static const std::vector<KeptKey<L>> all{
+      number<L>(
+          "width", [](auto& kept) -> auto& { return kept.width; }, length),
+      number<L>(
+          "height", [](auto& kept) -> auto& { return kept.height; }, length),
+      yes_or_no<L>(
+          "maximized", [](auto& kept) -> auto& { return kept.is_maximized; }),
+      yes_or_no<L>(
+          "full_screen", [](auto& kept) -> auto& { return kept.is_full_screen; }),
+      kept_key<L>(
+          "folded", [](auto& kept) -> auto& { return kept.folded_panels; }, read_titles, titles_text),
+  };
+  return all;
+}
+
+// Unknown keys are those of a newer program, and missing ones those that an older one did not know.
+template <typename Kept>
+std::optional<Kept> load_keys(const KeptFile& file, const std::vector<KeptKey<Kept>>& keys,
+                              std::vector<std::string>& remarks) {
+  Kept kept;
+  const auto read = [&](TomlReader& reader) {
+    std::vector<TomlKey> readers;
+    for (const KeptKey<Kept>& key : keys) readers.push_back({"", key.name, key.reader(kept)});
+    reader.read_values(readers);
+  };
+  return load(file, read, remarks) ? std::optional(kept) : std::nullopt;
+}
+
+template <typename Kept>
+void save_keys(const KeptFile& file, const std::vector<KeptKey<Kept>>& keys, const Kept& kept,
+               std::string_view comment) {
+  std::string text = fmt::format("# Written by ghostforce: {}\n", comment);
+  for (const KeptKey<Kept>& key : keys) text += fmt::format("{} = {}\n", key.name, key.text(kept));
+  save(file, text, names_of(keys));
 }
 
 }  // namespace
 
+Preferences preferences_in(const Session& session) {
+  // While the plots follow the present, both ends move, and their distance changes in its last digits.
+  const double span_s = std::round(1e3 * session.plots.span_s()) / 1e3;
+  return {.appearance = session.appearance,
+          .options = session.options,
+          .plots = {session.plots.is_open, session.plots.tab, span_s},
+          .spacemouse = session.spacemouse,
+          .face = session.face,
+          .speed = session.speed,
+          .speaks = session.speaks,
+          .offers_hints = session.hint.has_value(),
+          .language = {}};
+}
+
+void apply(const Preferences& preferences, Session& session) {
+  session.appearance = preferences.appearance;
+  session.options = preferences.options;
+  session.plots.is_open = preferences.plots.is_open;
+  session.plots.tab = preferences.plots.tab;
+  session.plots.set_span(preferences.plots.span_s);
+  session.spacemouse = preferences.spacemouse;
+  session.face = preferences.face;
+  session.speed = preferences.speed;
+  session.speaks = preferences.speaks;
+  session.hint = preferences.offers_hints ? std::optional<std::size_t>(0) : std::nullopt;
+}
+
+void reset_preferences(Session& session, Window& window) {
+  apply(Preferences{}, session);
+  ++session.preference_resets;
+  const WindowLayout layout;
+  window.restore(layout.width, layout.height);
+  session.folded_panels = panels_folded_at_first(layout.height);
+}
+
 StoredPreferences load_preferences() {
   StoredPreferences stored;
-  Preferences preferences;
-  if (load(
-          preferences_file(), [&](TomlReader& reader) { read(reader, preferences); }, stored.remarks)) {
-    stored.preferences = preferences;
+  stored.preferences = load_keys(preferences_file(), preference_keys(), stored.remarks).value_or(Preferences{});
+  stored.layout = load_keys(layout_file(), layout_keys(), stored.remarks);
+  if (stored.layout) {
+    // A window cannot be made smaller, whatever is written.
+    stored.layout->width = std::max(stored.layout->width, least_window_width);
+    stored.layout->height = std::max(stored.layout->height, least_window_height);
   }
-  WindowLayout layout;
-  if (load(
-          layout_file(), [&](TomlReader& reader) { read(reader, layout); }, stored.remarks))
-    stored.layout = layout;
   return stored;
 }
 
 void save(const Preferences& preferences) {
-  save(preferences_file(), text_of(preferences));
+  save_keys(preferences_file(), preference_keys(), preferences, "what a person has chosen. Delete it to begin anew.");
 }
 
 void save(const WindowLayout& layout) {
-  save(layout_file(), text_of(layout));
+  save_keys(layout_file(), layout_keys(), layout, "how the window was when it closed.");
+}
+
+void PreferenceKeeper::keep(const Session& session) {
+  const Preferences now = preferences_in(session);
+  if (std::exchange(resets_, session.preference_resets) != session.preference_resets) {
+    stored_ = {};
+    seen_ = now;
+    for (const KeptFile& file : {preferences_file(), layout_file()}) forget(file);
+    return;
+  }
+  if (now == seen_) return;
+  for (const KeptKey<Preferences>& key : preference_keys()) {
+    if (!key.is_same(now, seen_)) key.copy(now, stored_);
+  }
+  seen_ = now;
+  save(stored_);
 }
 
 }  // namespace ghostforce

@@ -57,7 +57,8 @@ enum class Dialog : std::uint8_t {
   save_scene,
   save_picture,
   save_clip,
-  save_plots
+  save_plots,
+  reset_preferences
 };
 
 // A picture of what is on the screen: the format is the file name's.
@@ -109,6 +110,7 @@ struct Requests {
   bool paste_set_up = false;          // to show what such a line describes
   std::optional<std::string> record;  // to a file of this name
   bool stop_recording = false;
+  bool reset_preferences = false;  // to what a new person sees
 };
 
 // What stands in the fields of the dialog that is open.
@@ -166,6 +168,7 @@ struct Session {
   PlotView plots;
   Appearance appearance;
   std::set<std::string, std::less<>> folded_panels;  // by title
+  bool speaks = false;                               // the stage's sentence is read aloud
   bool paused = false;
   double speed = 1.0;  // of model time against real time
   std::uint32_t steps_asked = 0;
@@ -189,6 +192,7 @@ struct Session {
   Dialog dialog = Dialog::none;
   Form form;
   std::optional<Notice> notice;
+  std::uint32_t preference_resets = 0;  // all preferences are as at first again
   UndoOffer undo_offer;
   Requests requests;
 };

@@ -136,6 +136,12 @@ void Screen::draw_stage(const PanelContext& context, const ShownMoment& moment, 
   panes_ = {stage_.compose(context.session, stage_frame, frame.interval_s).pane};
 }
 
+StageReading Screen::stage_reading(const Session& session, const ShownMoment& moment, const History& history,
+                                   const LoopReading& loop) const {
+  return stage_.reading(session, {moment, history, loop, *session.appearance.theme, measure_, scene_size_,
+                                  static_cast<double>(styled_scale_)});
+}
+
 std::vector<Pane> Screen::panes_for_file(const Session& session, const ShownMoment& moment, const History& history,
                                          const LoopReading& loop, const MeasureText& measure) const {
   const Theme& theme = *session.appearance.theme;

@@ -55,6 +55,10 @@ class Screen {
   GlPainter& painter() noexcept { return painter_; }
   const StageFace& stage() const noexcept { return stage_; }
 
+  // What the stage says of the moment, or would say if it were there instead of the workbench.
+  StageReading stage_reading(const Session& session, const ShownMoment& moment, const History& history,
+                             const LoopReading& loop) const;
+
   // The scene, or the stage, for a painter of files.
   std::vector<Pane> panes_for_file(const Session& session, const ShownMoment& moment, const History& history,
                                    const LoopReading& loop, const MeasureText& measure) const;

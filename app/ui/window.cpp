@@ -21,6 +21,7 @@
 #include "app/ui/display_loss.h"
 #include "app/ui/drawing_memory.h"
 #include "app/ui/key_layout.h"
+#include "app/ui/monitors.h"
 #include "app/ui/offscreen_driver.h"
 
 // Of the GLFW backend, which exports it for those who feed Dear ImGui themselves, but declares it nowhere.
@@ -71,20 +72,6 @@ std::string describe_lesser_opengl() {
   std::string description = fmt::format("OpenGL {} on {}", text(GL_VERSION), text(GL_RENDERER));
   glfwDestroyWindow(window);
   return description;
-}
-
-// What the desktop leaves free of the primary monitor.
-WindowSize fitted(WindowSize size) {
-  GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
-  if (monitor == nullptr) return size;
-  int x = 0, y = 0, width = 0, height = 0;
-  glfwGetMonitorWorkarea(monitor, &x, &y, &width, &height);
-  if (width < least_window_width || height < least_window_height) return size;
-  // Where a window's coordinates are pixels, GLFW makes it larger by the display's scale.
-  float scale = 1.0F;
-  if (glfwGetPlatform() == GLFW_PLATFORM_X11) glfwGetMonitorContentScale(monitor, &scale, nullptr);
-  const auto before_scaling = [scale](int length) { return static_cast<int>(static_cast<float>(length) / scale); };
-  return {std::min(size.width, before_scaling(width)), std::min(size.height, before_scaling(height))};
 }
 
 GLFWwindow* create_window(const WindowOptions& options) {
@@ -247,6 +234,16 @@ void Window::maximize() {
   glfwMaximizeWindow(handle());
 }
 
+void Window::restore(int width, int height) {
+  if (is_full_screen()) toggle_full_screen();
+  if (is_maximized()) glfwRestoreWindow(handle());
+  const auto scaled = [this](int length) {
+    return static_cast<int>(std::lround(static_cast<float>(length) * display_scale()));
+  };
+  const WindowSize size = fitted({width, height});
+  resize(scaled(size.width), scaled(size.height));
+}
+
 WindowSize Window::restored_size() const {
   WindowSize size = restored_size_;
   if (!is_full_screen() && !is_maximized()) glfwGetWindowSize(handle(), &size.width, &size.height);
@@ -255,34 +252,6 @@ WindowSize Window::restored_size() const {
   };
   return {unscaled(size.width), unscaled(size.height)};
 }
-
-namespace {
-
-// The one that shows most of the window.
-GLFWmonitor* monitor_of(GLFWwindow* window) {
-  int x = 0, y = 0, width = 0, height = 0;
-  glfwGetWindowPos(window, &x, &y);
-  glfwGetWindowSize(window, &width, &height);
-  GLFWmonitor* best = glfwGetPrimaryMonitor();
-  int most = 0;
-  int count = 0;
-  GLFWmonitor** monitors = glfwGetMonitors(&count);
-  for (int i = 0; i < count; ++i) {
-    int left = 0, top = 0;
-    glfwGetMonitorPos(monitors[i], &left, &top);
-    const GLFWvidmode* mode = glfwGetVideoMode(monitors[i]);
-    if (mode == nullptr) continue;
-    const int across = std::min(x + width, left + mode->width) - std::max(x, left);
-    const int down = std::min(y + height, top + mode->height) - std::max(y, top);
-    if (const int shared = std::max(0, across) * std::max(0, down); shared > most) {
-      most = shared;
-      best = monitors[i];
-    }
-  }
-  return best;
-}
-
-}  // namespace
 
 void Window::toggle_full_screen() {
   if (is_full_screen()) {

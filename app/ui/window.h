@@ -14,6 +14,7 @@
 #include "app/files/image.h"
 #include "app/session/key_bindings.h"
 #include "app/ui/widgets/panel_context.h"
+#include "app/ui/window_size.h"
 
 struct GLFWwindow;
 
@@ -26,15 +27,6 @@ struct WindowOptions {
   bool offscreen = false;
   bool fits_monitor = false;  // smaller where the monitor is
   bool takes_mouse = true;    // false: no hover and no click changes a picture
-};
-
-// Smaller, and the bars have no room for their words [screen coordinates].
-inline constexpr int least_window_width = 480;
-inline constexpr int least_window_height = 360;
-
-struct WindowSize {
-  int width = 0;
-  int height = 0;
 };
 
 // What the keyboard did: a key went down or up, or a character came without a key, from an input method.
@@ -72,6 +64,8 @@ class Window {
   // Keys reach it.
   bool has_focus() const;
   void maximize();
+  // Neither maximised nor full screen, and of this size, as WindowOptions has it.
+  void restore(int width, int height);
   // As it is while neither maximised nor full screen, as WindowOptions has it: before the display's scale.
   WindowSize restored_size() const;
 

@@ -26,6 +26,7 @@ constexpr std::array dialogs{
     Entry{Dialog::save_picture, "Save a picture", draw_save_picture},
     Entry{Dialog::save_clip, "Save a clip", draw_save_clip},
     Entry{Dialog::save_plots, "Save the plots", draw_save_plots},
+    Entry{Dialog::reset_preferences, "Reset all preferences?", draw_reset_preferences},
 };
 
 constexpr ImGuiWindowFlags dialog_window = ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
@@ -62,15 +63,8 @@ void scroll(Dialog dialog, const ScrollStep& step) {
 }
 
 bool has_field(Dialog dialog) noexcept {
-  switch (dialog) {
-    case Dialog::none:
-    case Dialog::help:
-    case Dialog::doctor:
-    case Dialog::lessons:
-      return false;
-    default:
-      return true;
-  }
+  constexpr std::array without{Dialog::none, Dialog::help, Dialog::doctor, Dialog::lessons, Dialog::reset_preferences};
+  return std::ranges::find(without, dialog) == without.end();
 }
 
 void draw_dialog(const PanelContext& context) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/ui/panels/dialogs.h"
 #include "app/ui/panels/panel_catalog.h"
 #include "app/ui/widgets/controls.h"
 
@@ -58,7 +59,27 @@ void draw_view_options(const PanelContext& context) {
   draw_scale_choice("size", look.scale, Appearance::least_scale, Appearance::greatest_scale);
   row("Arrows", "The length of the force arrows, 25 to 400 %. The scale bar shows how long a force is drawn.");
   draw_scale_choice("arrows", look.arrow_scale, Appearance::least_arrow_scale, Appearance::greatest_arrow_scale);
+  row("Speech", "Reads the stage's sentence aloud when it changes. This needs the package speech-dispatcher.");
+  ImGui::Checkbox("read aloud", &session.speaks);
+  row("Preferences", "What you have chosen in this panel, and more, is kept from one run to the next.");
+  if (ImGui::Button("Reset all…")) session.dialog = Dialog::reset_preferences;
   end_rows();
+}
+
+void draw_reset_preferences(const PanelContext& context) {
+  Session& session = context.session;
+  const float width = std::min(32.0F * ImGui::GetFontSize(), 0.8F * ImGui::GetIO().DisplaySize.x);
+  wrapped_text(
+      "Everything that you have chosen about how ghostforce looks and starts goes back to what a new person sees: "
+      "theme, sizes, view, plots, panels, speed, SpaceMouse, speech, hints, window. The scene and its settings stay as "
+      "they are.",
+      ImGui::GetCursorPosX() + width);
+  if (ImGui::Button("Reset all")) {
+    session.requests.reset_preferences = true;
+    session.dialog = Dialog::none;
+  }
+  ImGui::SameLine();
+  if (ImGui::Button("Cancel")) session.dialog = Dialog::none;
 }
 
 }  // namespace ghostforce

@@ -73,7 +73,11 @@ std::optional<StageCornerButton> corner_button(const Session& session, const Mot
 
 // What is not as it should be comes before what there is to see.
 std::string_view warning_of(const Session& session, const LoopReading& loop) {
-  if (loop.diverged) return "These settings make the simulation unstable. Press F4 and lower the rendering stiffness.";
+  if (loop.diverged) {
+    return session.face == Face::stage
+               ? "These settings make the simulation unstable. Press F4 and lower the rendering stiffness."
+               : "These settings make the simulation unstable. Lower the rendering stiffness.";
+  }
   const auto step = std::ranges::find_if(loop.readiness, &ReadinessStepState::is_current);
   if (loop.motors.has_motors && !loop.motors.is_ready && step != loop.readiness.end()) {
     return "The device is not ready: F2 says what to do.";
@@ -157,19 +161,27 @@ ShownMoment of_one_moment(const Session& session, const StageFrame& frame) {
 
 }  // namespace
 
-StageFace::Shown StageFace::shown_in(const Session& session, const StageFrame& frame) const {
+StageBlend StageFace::blend_of(const StageFrame& frame) const {
+  return transition_.is_running() ? transition_.blend() : stage_blend_of(frame.shown.settings.active);
+}
+
+StageFace::Shown StageFace::live_in(const Session& session, const StageFrame& frame, const StageBlend& blend) const {
   const ShownMoment shown_moment = of_one_moment(session, frame);
   const Settings& settings = shown_moment.settings;
   const Snapshot& snapshot = shown_moment.snapshot;
   // A hand that is dragged is where the pointer is, whatever the loop has seen of it yet.
   const bool is_live = session.pointer_moves_goal && !frame.shown.is_past && !snapshot.measured;
   const Vector<2> goal = is_live ? session.goal : snapshot.goal;
-  const StageBlend blend = transition_.is_running() ? transition_.blend() : stage_blend_of(settings.active);
   Shown shown{settings, stage_moment_between(settings, snapshot, goal, blend)};
   if (const auto target = target_of(session, frame.loop.motors)) {
     shown.moment = with_target(shown.moment, wall_of(settings), *target);
   }
   if (session.stage.mode == StageMode::predict && guess_.is_revealing()) shown.moment = guess_.moment(session);
+  return shown;
+}
+
+StageFace::Shown StageFace::shown_in(const Session& session, const StageFrame& frame) const {
+  Shown shown = live_in(session, frame, blend_of(frame));
   if (show_.is_on()) {
     StageShow show = show_.shown_instead_of(shown.moment, session);
     shown = {show.settings, show.moment};
@@ -214,6 +226,18 @@ StageContent StageFace::content_of(const Session& session, const StageFrame& fra
         reading};
   }
   return content;
+}
+
+StageReading StageFace::reading(const Session& session, const StageFrame& frame) const {
+  if (session.face == Face::stage) {
+    const Shown shown = live_in(session, frame, blend_of(frame));
+    return stage_reading(content_of(session, frame, shown));
+  }
+  // What goes on by itself on the stage, and its modes, are not there.
+  Session plain = session;
+  plain.stage = {.looks_back_to_s = session.stage.looks_back_to_s};
+  const Shown shown = live_in(plain, frame, stage_blend_of(frame.shown.settings.active));
+  return stage_reading(content_of(plain, frame, shown));
 }
 
 const StagePicture& StageFace::compose(const Session& session, const StageFrame& frame, double interval_s) {

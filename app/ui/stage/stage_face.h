@@ -29,6 +29,9 @@ class StageFace {
   // The same for a file: nothing fades in, and nobody can take hold of anything.
   StagePicture still(const Session& session, const StageFrame& frame) const;
 
+  // The same for those who do not look, on the workbench too; the stage's show for passers-by is not for them.
+  StageReading reading(const Session& session, const StageFrame& frame) const;
+
   // Time goes on, whether a frame is drawn or not: left alone for long enough, the stage begins to move.
   void wait(double interval_s) noexcept { show_.wait(interval_s); }
 
@@ -41,6 +44,8 @@ class StageFace {
     Settings settings;
     StageMoment moment;
   };
+  StageBlend blend_of(const StageFrame& frame) const;
+  Shown live_in(const Session& session, const StageFrame& frame, const StageBlend& blend) const;
   Shown shown_in(const Session& session, const StageFrame& frame) const;
   StageContent content_of(const Session& session, const StageFrame& frame, const Shown& shown) const;
   void follow_view(Session& session, const StageFrame& frame, double interval_s);

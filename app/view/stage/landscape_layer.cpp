@@ -6,6 +6,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/view/stage/landscape_map.h"
@@ -18,6 +19,12 @@ namespace {
 Landscape landscape_shown(const LandscapeView& view) {
   if (view.has_every_motor) return landscape_without_ghost(view.settings);
   return landscape_of(view.settings, view.dial);
+}
+
+constexpr std::string_view no_ghost_words = "no ghost force here";
+
+std::string_view side_of(double share) {
+  return share > 0.0 ? "too much" : "too little";
 }
 
 class LandscapePainter {
@@ -131,8 +138,8 @@ class LandscapePainter {
     // Smaller ones keep the same middle.
     words_.put(Role::number, number, words_.fitted(number, words_.style(number_ems, true), room), colour,
                column.least + Vector<2>(0.0, em(1.8 + 0.5 * number_ems * line_height)), {0.0, 0.5});
-    const std::string which = share_ > 0.0 ? "too much" : "too little";
-    const LineBreaks ways = is_none ? LineBreaks{{"no ghost force here"}}
+    const std::string which(side_of(share_));
+    const LineBreaks ways = is_none ? LineBreaks{{std::string(no_ghost_words)}}
                                     : LineBreaks{{"of the wall's push, " + which + ",", "at this wall and this hand"},
                                                  {"of the wall's push,", which + ", at this wall", "and this hand"}};
     words_.put_lines(Role::sentence, ways, view_.theme.faint_text, column.least + Vector<2>(0.0, em(5.05)), room);
@@ -197,6 +204,12 @@ class LandscapePainter {
 };
 
 }  // namespace
+
+std::string landscape_sentence(const LandscapeView& view) {
+  const double share = ghost_share(landscape_shown(view), landscape_point(view.settings));
+  if (is_no_share(share)) return fmt::format("At this wall and this hand: {}.", no_ghost_words);
+  return fmt::format("At this wall and this hand: {} of the wall's push, {}.", share_words(share), side_of(share));
+}
 
 void add_landscape(const LandscapeView& view, Marks& marks) {
   LandscapePainter(view, marks).compose();

@@ -2,10 +2,15 @@
 // dial from naïve to optimal rendering that drains its colour away. Pure, any thread.
 #pragma once
 
+#include <string>
+
 #include "app/view/marks.h"
 #include "app/view/stage/landscape_view.h"
 
 namespace ghostforce {
+
+// What stands beside the map about this wall and this hand, as one sentence.
+std::string landscape_sentence(const LandscapeView& view);
 
 void add_landscape(const LandscapeView& view, Marks& marks);
 

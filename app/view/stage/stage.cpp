@@ -53,6 +53,17 @@ void add_whole_scene(const StageLayer& layer) {
   add_stage_words(layer);
 }
 
+StageReading stage_reading(const StageContent& content) {
+  StageReading reading{.strategy = content.settings.active, .sentence = sentence_of(content, layers_of(content.mode))};
+  // The map has its verdict in place of a sentence.
+  if (content.mode == StageMode::landscape && content.warning.empty()) {
+    reading.sentence = landscape_sentence(stage_landscape(content, {}));
+  }
+  const bool hides_answer = content.mode == StageMode::predict && content.guess.is_open;
+  if (!hides_answer) reading.numbers = stage_numbers(content.moment);
+  return reading;
+}
+
 StagePicture compose_stage(const StageContent& content, LabelMemory& memory, double interval_s, Marks earlier) {
   // What is to be guessed is drawn as Predict does it.
   const StageModeLayers* const mode = content.hides.handle ? &predict_layers : layers_of(content.mode);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/view/label_placer.h"
@@ -31,6 +32,15 @@ struct StagePicture {
   std::optional<LandscapeLayout> landscape{};  // empty: there is no map
   std::optional<RibbonPlace> ribbon{};
 };
+
+// The same moment for those who do not look at it: what the stage says, and its numbers. Empty are also those that the
+// mode hides.
+struct StageReading {
+  StrategyId strategy = StrategyId::naive;  // active, or on the way there
+  std::string sentence{};
+  StageNumbers numbers{};
+};
+StageReading stage_reading(const StageContent& content);
 
 // `interval_s`: since the picture before, which `memory` is of.
 StagePicture compose_stage(const StageContent& content, LabelMemory& memory, double interval_s, Marks earlier = {});

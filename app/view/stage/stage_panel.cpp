@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -261,22 +262,21 @@ void add_numbers(const StageLayer& layer) {
                                                 .may_cover = true,
                                                 .is_never_missing = true});
   if (!found || found->strength <= 0.0) return;
-  const bool is_known = moment.knows_ghost_force;
-  const bool knows_slide = !moment.is_measured || moment.has_target;
-  const double ghost = signed_ghost_force(moment);
-  const std::string_view ghost_words = content.hides.force           ? "ghost force"
-                                       : !is_known                   ? "ghost force: unknown"
-                                       : ghost <= -least_shown_force ? "ghost force (too little)"
-                                                                     : "ghost force";
-  const auto told = [](bool is_hidden, bool is_known_to_us, const std::string& number) {
-    return is_hidden ? "?" : is_known_to_us ? number : "";
+  const StageNumbers numbers = stage_numbers(moment);
+  const std::optional<double>& ghost = numbers.ghost_force;
+  const std::string_view ghost_words = content.hides.force            ? "ghost force"
+                                       : !ghost                       ? "ghost force: unknown"
+                                       : *ghost <= -least_shown_force ? "ghost force (too little)"
+                                                                      : "ghost force";
+  const auto told = [](bool is_hidden, const std::optional<double>& number, const auto& words) -> std::string {
+    return is_hidden ? "?" : number ? words(*number) : "";
   };
-  add_number(layer, {told(content.hides.force, is_known, force_number(ghost)), "N", ghost_words}, found->box.least,
+  add_number(layer, {told(content.hides.force, ghost, force_number), "N", ghost_words}, found->box.least,
              found->strength);
   const Vector<2> below(0.0, 0.5 * (layout.numbers_size.y + canvas.points(6.0)));
   add_number(layer,
-             {told(content.hides.slide, knows_slide, slide_number(glm::length(moment.slide))), "mm",
-              knows_slide ? "slid along the wall" : "slide: unknown"},
+             {told(content.hides.slide, numbers.slide, slide_number), "mm",
+              numbers.slide ? "slid along the wall" : "slide: unknown"},
              found->box.least + below, found->strength);
 }
 

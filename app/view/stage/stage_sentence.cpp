@@ -23,6 +23,11 @@ struct Facts {
   double motor_along;    // cosine between the wall's normal and the motor
 
   bool is(StrategyId id) const { return moment.weights[index_of(id)] == 1.0; }
+  // On the way between the two strategies with one motor, or about to leave.
+  bool is_on_the_way() const {
+    const bool is_about_to_leave = settings.active != StrategyId::full && !is(settings.active);
+    return moment.is_between() || is_about_to_leave;
+  }
   bool has_ghost() const { return std::abs(ghost) >= least_shown_force; }
   bool has_none_at_rest() const { return std::abs(ghost_at_rest) < least_shown_force; }
   bool is_at_rest() const {
@@ -74,11 +79,11 @@ constexpr std::array sentences{
              [](const Facts& now) { return std::abs(now.motor_along) < 0.02; }},
     Sentence{"On the way to the cure: still a ghost force.",
              [](const Facts& now) {
-               return now.moment.is_between() && now.has_ghost() && now.audience.heads_for == StrategyId::anisotropic;
+               return now.is_on_the_way() && now.has_ghost() && now.audience.heads_for == StrategyId::anisotropic;
              }},
     Sentence{"On the way back to naïve: a ghost force.",
-             [](const Facts& now) { return now.moment.is_between() && now.has_ghost(); }},
-    Sentence{"On the way between the two: no ghost force.", [](const Facts& now) { return now.moment.is_between(); }},
+             [](const Facts& now) { return now.is_on_the_way() && now.has_ghost(); }},
+    Sentence{"On the way between the two: no ghost force.", [](const Facts& now) { return now.is_on_the_way(); }},
     // Naïve.
     Sentence{"A ghost force drags the handle along the wall.",
              [](const Facts& now) { return now.is(StrategyId::naive) && now.ghost >= least_shown_force; }},
@@ -118,6 +123,16 @@ std::string_view stage_sentence(const Settings& settings, const StageMoment& mom
   const double at_rest = signed_ghost_force(stage_moment_at_rest(settings, moment.goal));
   const Facts now{settings, moment, audience, signed_ghost_force(moment), at_rest, motor_along};
   return std::ranges::find_if(sentences, [&](const Sentence& sentence) { return sentence.is_true(now); })->words;
+}
+
+StageNumbers stage_numbers(const StageMoment& moment) noexcept {
+  StageNumbers numbers{.force = glm::length(moment.wall_share + moment.ghost_force)};
+  if (moment.knows_ghost_force) {
+    numbers.wall_share = glm::length(moment.wall_share);
+    numbers.ghost_force = signed_ghost_force(moment);
+  }
+  if (!moment.is_measured || moment.has_target) numbers.slide = glm::length(moment.slide);
+  return numbers;
 }
 
 std::string force_number(double newton) {

@@ -2,6 +2,7 @@
 // Pure, any thread.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -21,6 +22,15 @@ std::string_view stage_sentence(const Settings& settings, const StageMoment& mom
 // What is smaller is shown as nothing, and called so.
 inline constexpr double least_shown_force = 0.005;    // [N]
 inline constexpr double least_shown_slide = 0.00005;  // [m]
+
+// What the moment comes to. Empty: it cannot be known.
+struct StageNumbers {
+  std::optional<double> force{};        // of the motor, along it [N]
+  std::optional<double> wall_share{};   // of that force [N]
+  std::optional<double> ghost_force{};  // the rest of it; negative: the motor pushes too little [N]
+  std::optional<double> slide{};        // along the wall, without a sign [m]
+};
+StageNumbers stage_numbers(const StageMoment& moment) noexcept;
 
 // A size with its sign left out, three digits wide at all sizes: "1.27", "12.7", "127".
 std::string force_number(double newton);

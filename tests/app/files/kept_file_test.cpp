@@ -39,8 +39,29 @@ TEST_F(KeptFileTest, ComesBackAsItWasSaved) {
   EXPECT_TRUE(remarks_.empty());
 }
 
+TEST_F(KeptFileTest, KeepsWhatStandsUnderOtherKeys) {
+  constexpr std::array<std::string_view, 1> keys{"score"};
+  save(file_, "score = 3\nrank = 7\n[more]\nx = 1\n");
+  save(file_, "# ours\nscore = 4\n", keys);
+  EXPECT_EQ(read_whole(file_.path), "# ours\nscore = 4\nrank = 7\n\n[more]\nx = 1\n");
+  save(file_, "score = 5\n");
+  EXPECT_EQ(read_whole(file_.path), "score = 5\n");
+}
+
+TEST_F(KeptFileTest, IsForgotten) {
+  forget(file_);
+  save(file_, "score = 3\n");
+  forget(file_);
+  EXPECT_FALSE(std::filesystem::exists(file_.path));
+  EXPECT_FALSE(score());
+  EXPECT_TRUE(remarks_.empty());
+  std::filesystem::create_directories(file_.path / "full");
+  EXPECT_THROW(forget(file_), Failure);
+}
+
 TEST_F(KeptFileTest, IsNowhereWithoutAHome) {
   file_.path.clear();
+  forget(file_);
   save(file_, "score = 3\n");
   EXPECT_FALSE(score());
   EXPECT_TRUE(remarks_.empty());

@@ -5,8 +5,10 @@
 #include <fmt/format.h>
 #include <imgui_internal.h>
 
+#include "app/live/preferences.h"
 #include "app/session/live_table.h"
 #include "app/session/undo_words.h"
+#include "app/ui/panels/panel_catalog.h"
 #include "app/ui/panels/status_bar.h"
 #include "app/view/quantities.h"
 #include "tests/app/live/driven_window.h"
@@ -339,6 +341,33 @@ TEST_F(FindingThings, APictureThatCannotBeCopiedSaysWhy) {
   press(GLFW_KEY_P, GLFW_MOD_CONTROL | GLFW_MOD_SHIFT);
   ASSERT_TRUE(session().notice);
   EXPECT_TRUE(session().notice->is_problem) << "there is no desktop in a test";
+}
+
+TEST_F(FindingThings, AllPreferencesAreResetAfterAQuestion) {
+  open({.appearance = {.theme = find_theme("dark"), .scale = 1.5}, .face = Face::workbench, .folded_panels = {"View"}},
+       "wall45", 1024, 700);
+  session().settings.stiffnesses.k_r = 321.0;
+  session().plots.is_open = true;
+  session().dialog = Dialog::reset_preferences;
+  frames(3);
+  ImGui::ActivateItemByID(window_named("Reset all preferences?").GetID("Cancel"));
+  frames(4);
+  EXPECT_EQ(session().dialog, Dialog::none);
+  EXPECT_TRUE(session().plots.is_open) << "a question that is declined changes nothing";
+  session().dialog = Dialog::reset_preferences;
+  frames(3);
+  ImGui::ActivateItemByID(window_named("Reset all preferences?").GetID("Reset all"));
+  frames(4);
+  EXPECT_EQ(session().dialog, Dialog::none);
+  EXPECT_EQ(preferences_in(session()), Preferences{});
+  EXPECT_EQ(session().hint, 0U);
+  EXPECT_EQ(session().preference_resets, 1U);
+  EXPECT_EQ(session().folded_panels, panels_folded_at_first(WindowLayout::first_height));
+  EXPECT_EQ(window_->restored_size().width, WindowLayout::first_width);
+  EXPECT_EQ(window_->restored_size().height, WindowLayout::first_height);
+  EXPECT_EQ(session().settings.stiffnesses.k_r, 321.0) << "that is the scene's";
+  ASSERT_TRUE(session().notice);
+  EXPECT_FALSE(session().notice->is_problem);
 }
 
 }  // namespace

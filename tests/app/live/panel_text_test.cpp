@@ -109,7 +109,7 @@ TEST_F(PanelText, ANoticeIsReadInTheLowestWindowToo) {
 
 TEST_F(PanelText, IsAllThereInDialogs) {
   for (const Dialog dialog : {Dialog::help, Dialog::doctor, Dialog::open_scene, Dialog::save_scene,
-                              Dialog::save_picture, Dialog::save_plots}) {
+                              Dialog::save_picture, Dialog::save_plots, Dialog::reset_preferences}) {
     open({}, "wall45", 1024, 640);
     window_->set_visible_drawing(false);
     session().dialog = dialog;

@@ -4,12 +4,16 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
 #include <iterator>
 #include <string>
+#include <vector>
 
 #include "app/console/failure.h"
+#include "app/files/scene_file.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce {
@@ -40,16 +44,194 @@ TEST_F(PreferencesTest, KnowsNothingAtFirstAndWritesNothingUnasked) {
   EXPECT_EQ(folder_.count(), 0);
 }
 
-TEST_F(PreferencesTest, ReadsBackWhatItWrote) {
-  const Preferences written{.appearance = {.theme = find_theme("projector"), .scale = 1.25, .arrow_scale = 1.5},
-                            .offers_hints = false,
-                            .face = Face::workbench};
-  const WindowLayout window{.width = 1024, .height = 640, .is_maximized = true, .folded_panels = {"View", "A \"b\""}};
-  save(written);
-  save(window);
-  const StoredPreferences stored = load_preferences();
-  EXPECT_EQ(stored.preferences, written);
-  EXPECT_EQ(stored.layout, window);
+// A part that is added to one of these structs does not compile here until it has a line of its own: either it is
+// kept, or it says why it is not.
+std::vector<std::function<void(Preferences&)>> changes_of_preferences() {
+  Preferences usual;
+  [[maybe_unused]] const auto& [appearance, options, plots, spacemouse, face, speed, speaks, hints, language] = usual;
+  [[maybe_unused]] const auto& [theme, scale, arrow_scale] = appearance;
+  [[maybe_unused]] const auto& [compare, ghost_forces, predictions, trails] = options;
+  [[maybe_unused]] const auto& [is_open, tab, span_s] = plots;
+  // Reach and speed cannot be chosen anywhere.
+  [[maybe_unused]] const auto& [mode, up, dead_zone, reach, cap_speed] = spacemouse;
+  return {
+      [](Preferences& kept) { kept.appearance.theme = find_theme("projector"); },
+      [](Preferences& kept) { kept.appearance.scale = 1.25; },
+      [](Preferences& kept) { kept.appearance.arrow_scale = 1.0 / 3.0; },
+      [](Preferences& kept) { kept.options.compare = Compare::active_only; },
+      [](Preferences& kept) { kept.options.ghost_forces = false; },
+      [](Preferences& kept) { kept.options.predictions = false; },
+      [](Preferences& kept) { kept.options.trails = false; },
+      [](Preferences& kept) { kept.plots.is_open = true; },
+      [](Preferences& kept) { kept.plots.tab = PlotTab::ratio; },
+      [](Preferences& kept) { kept.plots.span_s = 0.1; },
+      [](Preferences& kept) { kept.spacemouse.mode = SpaceMouseSettings::Mode::rate; },
+      [](Preferences& kept) { kept.spacemouse.up = SpaceMouseSettings::Up::push_away; },
+      [](Preferences& kept) { kept.spacemouse.dead_zone = 0.07; },
+      [](Preferences& kept) { kept.face = Face::workbench; },
+      [](Preferences& kept) { kept.speed = 0.02; },
+      [](Preferences& kept) { kept.speaks = true; },
+      [](Preferences& kept) { kept.offers_hints = false; },
+      [](Preferences& kept) { kept.language = "es"; },
+  };
+}
+constexpr int parts_of_preferences = 18;  // counted in the lists above, without reach and speed
+
+Preferences all_other() {
+  Preferences preferences;
+  for (const auto& change : changes_of_preferences()) change(preferences);
+  return preferences;
+}
+
+// The same for the session: what is not kept, and why.
+void name_the_parts_of_the_session(Session& session) {
+  [[maybe_unused]] auto& [
+      // Of the scene, which has a file of its own.
+      scene, settings, goal,
+      // Of this moment: what a hand holds, what a key has just asked for.
+      drags_goal, is_editing,
+      // KEPT.
+      face,
+      // A mode is for a moment; the workbench's view and the stage's follow the scene.
+      stage, shown, pane_views, stage_shown,
+      // KEPT; of the plots, what they show is of the moment.
+      options, plots, appearance,
+      // KEPT, in the window's layout.
+      folded_panels,
+      // KEPT.
+      speaks,
+      // Of this moment.
+      paused,
+      // KEPT.
+      speed,
+      // Counts of what was asked for.
+      steps_asked, restarts_asked, arms_asked, offs_asked, acknowledgements,
+      // A person agrees to these anew each time.
+      safety,
+      // KEPT.
+      spacemouse,
+      // Of the hand that is measured, and of the wall that is circled.
+      aims_at_target, measurement, circle_test,
+      // A device may be gone, and a line with a set-up must mean the same everywhere.
+      injected_fault, input, pointer_moves_goal, hand_is_simulated,
+      // A recording has a new name each time.
+      recording_path,
+      // Of the window.
+      has_handles,
+      // KEPT: whether there are any.
+      hint,
+      // Of this moment.
+      dialog, form, notice, preference_resets, undo_offer, requests] = session;
+  [[maybe_unused]] auto& [is_open, tab, follows, from_s, to_s, cursor_s] = plots;
+}
+
+TEST_F(PreferencesTest, EachPartIsReadBackAsItWasWritten) {
+  const auto changes = changes_of_preferences();
+  ASSERT_EQ(changes.size(), parts_of_preferences);
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    Preferences written;
+    changes[i](written);
+    EXPECT_NE(written, Preferences{}) << "change " << i << " changes nothing";
+    save(written);
+    const StoredPreferences stored = load_preferences();
+    EXPECT_EQ(stored.preferences, written) << "change " << i << " is not kept:\n" << read_whole(preferences());
+    EXPECT_TRUE(stored.remarks.empty());
+  }
+  save(all_other());
+  EXPECT_EQ(load_preferences().preferences, all_other());
+  const std::string text = read_whole(preferences());
+  EXPECT_EQ(std::ranges::count(text, '='), parts_of_preferences) << "a line each:\n" << text;
+}
+
+TEST_F(PreferencesTest, EachPartGoesIntoTheSessionAndBack) {
+  for (const auto& change : changes_of_preferences()) {
+    Preferences chosen;
+    change(chosen);
+    Session session = session_of(load_scene("wall45"));
+    name_the_parts_of_the_session(session);
+    apply(chosen, session);
+    chosen.language.clear();  // is not the session's
+    EXPECT_EQ(preferences_in(session), chosen);
+  }
+}
+
+TEST_F(PreferencesTest, PlotsThatFollowThePresentAreNoChange) {
+  Session session = session_of(load_scene("wall45"));
+  session.plots.set_span(0.1);
+  PreferenceKeeper keeper(Preferences{}, session);
+  for (int i = 0; i < 1000; ++i) {
+    session.plots.to_s += 1.0 / 60.0;
+    session.plots.from_s += 1.0 / 60.0;
+    keeper.keep(session);
+  }
+  EXPECT_FALSE(std::filesystem::exists(preferences()));
+}
+
+TEST_F(PreferencesTest, TheLayoutIsReadBackAsItWasWritten) {
+  const WindowLayout usual;
+  [[maybe_unused]] const auto& [width, height, is_maximized, is_full_screen, folded_panels] = usual;
+  for (const WindowLayout& window :
+       {WindowLayout{.width = 1024}, WindowLayout{.height = 640}, WindowLayout{.is_maximized = true},
+        WindowLayout{.is_full_screen = true}, WindowLayout{.folded_panels = {"View", "A \"b\""}}}) {
+    save(window);
+    EXPECT_EQ(load_preferences().layout, window);
+  }
+}
+
+TEST_F(PreferencesTest, WhatTheCommandLineAskedForHoldsForItsRunOnly) {
+  const Preferences stored{.appearance = {.theme = find_theme("projector"), .scale = 1.5}, .language = "es"};
+  Session session = session_of(load_scene("wall45"));
+  apply(stored, session);
+  session.appearance.theme = find_theme("dark");  // --theme dark
+  session.face = Face::workbench;
+  PreferenceKeeper keeper(stored, session);
+  keeper.keep(session);
+  EXPECT_FALSE(std::filesystem::exists(preferences())) << "nothing was chosen";
+  session.options.trails = false;
+  keeper.keep(session);
+  Preferences expected = stored;
+  expected.options.trails = false;
+  EXPECT_EQ(load_preferences().preferences, expected);
+  session.appearance.theme = find_theme("light");
+  session.hint.reset();
+  keeper.keep(session);
+  expected.appearance.theme = find_theme("light");
+  expected.offers_hints = false;
+  EXPECT_EQ(load_preferences().preferences, expected);
+}
+
+// Also what the command line hides, and what only a newer program knows.
+TEST_F(PreferencesTest, AResetForgetsEverything) {
+  save(all_other());
+  write_whole(preferences(), read_whole(preferences()) + "[novelty]\nx = 1\n");
+  Session session = session_of(load_scene("wall45"));
+  apply(all_other(), session);
+  session.appearance.theme = find_theme("light");  // --theme light
+  PreferenceKeeper keeper(all_other(), session);
+  apply(Preferences{}, session);
+  ++session.preference_resets;
+  save(WindowLayout{.width = 1024});
+  keeper.keep(session);
+  EXPECT_EQ(load_preferences().preferences, Preferences{});
+  EXPECT_FALSE(load_preferences().layout);
+  session.speed = 0.5;
+  keeper.keep(session);
+  EXPECT_EQ(load_preferences().preferences, Preferences{.speed = 0.5});
+  EXPECT_EQ(read_whole(preferences()).find("novelty"), std::string::npos);
+}
+
+TEST_F(PreferencesTest, WhatANewerProgramWroteOutlivesAnOlderOne) {
+  write_preferences("scale = 2.0\nnovelty = 1\n[more]\nx = \"two words\"\n[more.still]\ny = [1, 2]\n");
+  Preferences preferences = load_preferences().preferences;
+  for (const double scale : {1.0, 1.5}) {
+    preferences.appearance.scale = scale;
+    save(preferences);
+    EXPECT_EQ(load_preferences().preferences, preferences);
+    const std::string text = read_whole((folder_ / "config/ghostforce/preferences.toml"));
+    for (const char* words : {"\nnovelty = 1\n", "[more]\n", "x = 'two words'", "y = [ 1, 2 ]"}) {
+      EXPECT_NE(text.find(words), std::string::npos) << words << " in\n" << text;
+    }
+  }
 }
 
 TEST_F(PreferencesTest, FallsBackToTheHomeFolder) {
@@ -73,6 +255,8 @@ TEST_F(PreferencesTest, DamagedFilesAreSetAsideOneByOne) {
        {std::string("theme = "), std::string("theme = \"pink\""), std::string("theme = 3"), std::string("scale = 99.0"),
         std::string("scale = nan"), std::string("scale = \"2\""), std::string("scale = true"),
         std::string("hints = \"yes\""), std::string("view = \"bench\""), std::string("view = 1"),
+        std::string("compare = \"none\""), std::string("plots_span_s = 0"), std::string("speed = 2"),
+        std::string("language = \"../es\""), std::string("spacemouse_dead_zone = -1"),
         std::string("\xff\xfe\0garbage", 10)}) {
     write_preferences(text);
     const StoredPreferences stored = load_preferences();

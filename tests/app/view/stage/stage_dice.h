@@ -45,36 +45,38 @@ struct StageCase {
   StageSecrets hides{};
   std::string_view warning{};
 
-  StagePicture compose(LabelMemory& memory, double interval_s) const {
+  template <typename Use>
+  auto with_content(Use&& use) const {
     static const MeasureText measure = measure_vector_text;
-    return compose_stage({.settings = settings,
-                          .moment = moment,
-                          .theme = *find_theme(theme),
-                          .measure = measure,
-                          .shown = shown,
-                          .reference_force = reference_force,
-                          .size = size,
-                          .scale = scale,
-                          .mode = mode,
-                          .audience = audience,
-                          .hint = hint,
-                          .hovered = hovered,
-                          .has_grips = has_grips,
-                          .guess = guess,
-                          .why_step = why_step,
-                          .round = round,
-                          .moments = moments.get(),
-                          .looks_back_to_s = looks_back_to_s,
-                          .corner = corner,
-                          .lesson = lesson,
-                          .hides = hides,
-                          .warning = warning},
-                         memory, interval_s);
+    return use(StageContent{.settings = settings,
+                            .moment = moment,
+                            .theme = *find_theme(theme),
+                            .measure = measure,
+                            .shown = shown,
+                            .reference_force = reference_force,
+                            .size = size,
+                            .scale = scale,
+                            .mode = mode,
+                            .audience = audience,
+                            .hint = hint,
+                            .hovered = hovered,
+                            .has_grips = has_grips,
+                            .guess = guess,
+                            .why_step = why_step,
+                            .round = round,
+                            .moments = moments.get(),
+                            .looks_back_to_s = looks_back_to_s,
+                            .corner = corner,
+                            .warning = warning});
+  }
+  StagePicture compose(LabelMemory& memory, double interval_s) const {
+    return with_content([&](const StageContent& content) { return compose_stage(content, memory, interval_s); });
   }
   StagePicture compose() const {
     LabelMemory memory;
     return compose(memory, 0.0);
   }
+  StageReading read() const { return with_content(stage_reading); }
 };
 
 // At rest under one goal, with this view of it.

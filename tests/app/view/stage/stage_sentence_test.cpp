@@ -148,6 +148,24 @@ TEST(StageSentence, IsTrueWhileEverythingMovesAndWhileOneSwitches) {
   EXPECT_GE(seen.size(), 10U) << "the cases are too much alike";
 }
 
+// The other strategy is chosen, and the picture has not begun to change.
+TEST(StageSentence, IsThatOfTheSwitchFromItsFirstPictureOn) {
+  Settings settings = load_scene("wall45").settings;
+  const Vector<2> goal = load_scene("wall45").goal.points.back();
+  settings.active = StrategyId::anisotropic;
+  const StageMoment cured = stage_moment_at_rest(settings, goal);
+  settings.active = StrategyId::naive;
+  const StageMoment ghostly = stage_moment_at_rest(settings, goal);
+  EXPECT_EQ(stage_sentence(settings, cured, {.heads_for = StrategyId::naive}),
+            "On the way between the two: no ghost force.");
+  settings.active = StrategyId::anisotropic;
+  EXPECT_EQ(stage_sentence(settings, ghostly, {.heads_for = StrategyId::anisotropic}),
+            "On the way to the cure: still a ghost force.");
+  settings.active = StrategyId::full;
+  EXPECT_EQ(stage_sentence(settings, ghostly, {.heads_for = StrategyId::full}),
+            "A ghost force drags the handle along the wall.");
+}
+
 TEST(StageSentence, OfADeviceSaysWhatCannotBeKnown) {
   const Scene scene = load_scene("wall45");
   StageMoment moment = stage_moment_at_rest(scene.settings, scene.goal.points.back());

@@ -1,0 +1,62 @@
+#include "app/live/reading_aloud.h"
+
+#include <cerrno>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "app/files/output_file.h"
+
+namespace ghostforce {
+
+ReadingAloud::ReadingAloud(std::optional<double> printed_hz, int descriptor) {
+  if (!printed_hz) return;
+  printed_.emplace(*printed_hz);
+  writer_ = std::make_unique<NewestLineWriter>(descriptor, printed_header());
+}
+
+void ReadingAloud::follow(Application& application, double interval_s) {
+  if (writer_) print(application, interval_s);
+  speak(application, interval_s);
+}
+
+void ReadingAloud::print(Application& application, double interval_s) {
+  output_problem_ = writer_->problem();
+  if (output_problem_ != 0) {
+    writer_.reset();
+    if (output_problem_ == EPIPE) return;
+    application.show_notice(fmt::format("The values are no longer printed: {}.", reason_of(output_problem_)), true);
+    return;
+  }
+  if (!printed_->wait(interval_s)) return;
+  if (auto line = printed_->look(application.stage_reading(), application.shown().snapshot.time_s)) {
+    writer_->put(std::move(*line));
+  }
+}
+
+void ReadingAloud::speak(Application& application, double interval_s) {
+  constexpr double looks_every_s = 0.1;
+  constexpr std::string_view language = "en";  // of the stage's own words
+  Session& session = application.session();
+  if (!session.speaks) {
+    speech_.reset();
+    return;
+  }
+  if (!speech_) {
+    speech_ = std::make_unique<Speech>();
+    settled_ = {};
+  }
+  since_sentence_s_ += interval_s;
+  if (since_sentence_s_ >= looks_every_s) {
+    const double since_s = std::exchange(since_sentence_s_, 0.0);
+    if (const auto sentence = settled_.take(application.stage_reading().sentence, since_s)) {
+      speech_->say(*sentence, language);
+    }
+  }
+  if (const std::string problem = speech_->update(interval_s); !problem.empty()) {
+    session.speaks = false;
+    application.show_notice(problem, true);
+  }
+}
+
+}  // namespace ghostforce

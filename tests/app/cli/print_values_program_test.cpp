@@ -1,0 +1,61 @@
+// The whole program as the first half of a pipe: what it prints, and that it ends with its reader.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "tests/support/display.h"
+#include "tests/support/program.h"
+#include "tests/support/temporary_folder.h"
+
+namespace ghostforce {
+namespace {
+
+ProgramCall printing_on(const Display& display, std::vector<std::string> more) {
+  ProgramCall call;
+  call.words = {"run", "--print-values", "60", "--no-hints"};
+  call.words.insert(call.words.end(), more.begin(), more.end());
+  call.environment = display.environment();
+  return call;
+}
+
+TEST(PrintValuesProgram, PrintsWholeLinesAndEndsWhenAsked) {
+  const Display display(1280, 800);
+  const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, printing_on(display, {"--exit-after", "2"}));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(outcome.out.starts_with("# sentence\tstrategy\t")) << outcome.out;
+  EXPECT_NE(outcome.out.find("\nA ghost force drags the handle along the wall.\tnaive\t3.39\t2.12\t1.27\t12.0\t"),
+            std::string::npos)
+      << outcome.out;
+  EXPECT_TRUE(outcome.out.ends_with('\n'));
+}
+
+// It has no other reason to end.
+TEST(PrintValuesProgram, EndsInSilenceWhenItsReaderGoes) {
+  const Display display(1280, 800);
+  ProgramCall call = printing_on(display, {"--input", "circle"});
+  call.close_after_first_piece = true;
+  const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, call);
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_NE(read_whole(display.layout_file()), "") << "it ends as if the window had been closed";
+}
+
+TEST(PrintValuesProgram, AFullDiskIsAnExitCode) {
+  const Display display(1280, 800);
+  ProgramCall call = printing_on(display, {"--exit-after", "2"});
+  call.out_to = "/dev/full";
+  EXPECT_EQ(run_program(GHOSTFORCE_PROGRAM, call).exit_code, 8);
+}
+
+TEST(PrintValuesProgram, RefusesWhatNobodyCouldReadOrWaitFor) {
+  for (const char* hz : {"61", "0", "nan", "five"}) {
+    const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, {"run", "--print-values", hz});
+    EXPECT_EQ(outcome.exit_code, 2) << hz;
+    EXPECT_NE(outcome.err.find("0.1 to 60 Hz"), std::string::npos) << outcome.err;
+  }
+}
+
+}  // namespace
+}  // namespace ghostforce
