@@ -242,7 +242,8 @@ void Application::offer_undo() {
   const Edited* const after = undo_.after();
   session_.undo_offer = {.undo = before != nullptr ? words_of_change(*before, undo_.present()) : "",
                          .redo = after != nullptr ? words_of_change(undo_.present(), *after) : ""};
-  if (is_measuring(session_)) session_.undo_offer.undo = "what the measurement has changed, and end it";
+  if (is_measuring(session_))
+    session_.undo_offer = {.undo = "what the measurement has changed, and end it", .redo = ""};
 }
 
 LoopReading Application::reading() const {
@@ -371,7 +372,7 @@ void Application::handle_requests() {
 void Application::take_back(bool undo) {
   // What a measurement has set is its own: to take it back is to cancel it.
   if (is_measuring(session_)) {
-    cancel_measurement(session_);
+    if (undo) cancel_measurement(session_);
     return;
   }
   // What is being changed right now is one more step to take back.

@@ -68,6 +68,18 @@ TEST_F(ExperimentsWindow, MeasuresTheHandWithTheMouse) {
   EXPECT_EQ(session().settings, before);
 }
 
+TEST_F(ExperimentsWindow, RedoDoesNotEndTheMeasurement) {
+  open(with_panel("Measure the hand"));
+  session().settings.stiffnesses.chosen_tracking_ratio = 2.5;
+  frames(2);
+  press(GLFW_KEY_Z, GLFW_MOD_CONTROL);
+  click(start_button);
+  ASSERT_TRUE(is_measuring(session()));
+  EXPECT_EQ(session().undo_offer.redo, "");
+  press(GLFW_KEY_Y, GLFW_MOD_CONTROL);
+  EXPECT_TRUE(is_measuring(session()));
+}
+
 TEST_F(ExperimentsWindow, CancelAndUndoRestoreRatioAndStrategy) {
   open(with_panel("Measure the hand"));
   session().settings.stiffnesses.chosen_tracking_ratio = 2.5;

@@ -76,6 +76,9 @@ TEST_F(TooltipTest, DoesNotComeDuringADragNorTwoSecondsAfter) {
   EXPECT_EQ(shown(), nullptr) << "just after";
   frames(60, 0);
   EXPECT_NE(shown(), nullptr) << "a while after";
+  point_at(from + Vector<2>(30.0, 0.0));
+  frames(150, 0);
+  EXPECT_NE(shown(), nullptr) << "and where the drag ended, for who comes back";
 }
 
 }  // namespace
