@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include <imgui_internal.h>
@@ -264,6 +265,36 @@ TEST_F(ExperimentsWindow, ReadingsOfAnotherHandBeginAnew) {
   frames(3);
   EXPECT_FALSE(is_measuring(session()));
   EXPECT_EQ(session().settings, load_scene("fig1").settings) << "nothing of the old scene comes back";
+}
+
+// The marks that a file of lines and letters would hold.
+TEST_F(ExperimentsWindow, AFileShowsAndHidesWhatTheScreenDoes) {
+  const auto roles_of = [](const std::vector<Pane>& panes) {
+    std::multiset<Role> roles;
+    for (const Mark& mark : panes.front().marks) {
+      if (mark.role == Role::prediction || mark.role == Role::target || mark.role == Role::area)
+        roles.insert(mark.role);
+    }
+    return roles;
+  };
+  const auto roles_in_file = [&] {
+    return roles_of(screen().panes_for_file(session(), application_->shown(), application_->history(),
+                                            application_->reading(), measure_with(window_->fonts())));
+  };
+  open_virtual_falcon("Measure the hand");
+  EXPECT_GT(roles_in_file().count(Role::prediction), 0U);
+  start_measuring(session());
+  frames(40);  // words take a moment to find their place
+  EXPECT_EQ(roles_in_file().count(Role::prediction), 0U) << "theory knows the hand";
+  EXPECT_EQ(roles_in_file().count(Role::target), 4U) << "line, two rings and words";
+  EXPECT_EQ(roles_in_file(), roles_of(screen().panes()));
+
+  ApplicationOptions circling = with_panel("Passivity");
+  circling.input = "circle";
+  open(circling);
+  frames(16, 500);
+  EXPECT_GT(roles_in_file().count(Role::area), 0U) << "the loop of the last turn";
+  EXPECT_EQ(roles_in_file(), roles_of(screen().panes()));
 }
 
 // A real device's driver with a simulated arm and hand behind it: its goal is not known, so it has a target to aim at.
