@@ -27,7 +27,7 @@ constexpr std::array tabs{
         draw_time_plots},
     Tab{PlotTab::wall_angle, "Wall angle", "Angle",
         "Where everything would come to rest with the wall at another angle and the goal at the same depth. Drag to "
-        "turn the wall and the goal with it; hold Ctrl for steps of less than a degree.",
+        "turn the wall; a goal that the mouse leads turns with it. Hold Ctrl for steps of less than a degree.",
         [](const PanelContext& context, const PlotHistory&) { draw_wall_angle_plots(context); }},
     Tab{PlotTab::ratio, "Ratio ρ", "ρ",
         "Where everything would come to rest at another tracking ratio. Drag to change the ratio.",
