@@ -117,11 +117,6 @@ void Workbench::draw_panels(const PanelContext& context, const Layout& layout, c
     draw_caption(context);
     ImGui::EndChild();
   }
-  if (layout.scene.size.y > 0.0F) {
-    begin_piece("motor frame", layout.scene, fixed_window | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoInputs);
-    draw_motor_frame(context);
-    ImGui::EndChild();
-  }
   // The one window that may hold more than it shows. Its scrollbar lies in the margin, so that nothing becomes
   // narrower where it appears.
   const ImVec2 padding = ImGui::GetStyle().WindowPadding;
@@ -137,8 +132,13 @@ void Workbench::draw_panels(const PanelContext& context, const Layout& layout, c
     draw_plots(context, history.plots());
     ImGui::EndChild();
   }
+  // Round the plots, where they have taken the scene's place.
+  const Rect& framed = layout.scene.size.y > 0.0F ? layout.scene : layout.drawer;
+  begin_piece("motor frame", framed, fixed_window | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoInputs);
+  draw_motor_frame(context);
+  ImGui::EndChild();
   begin_piece("status", layout.bottom, fixed_bar);
-  draw_status_bar(context);
+  draw_status_bar(context, layout.caption.size.y > 0.0F);
   ImGui::EndChild();
 }
 
