@@ -13,6 +13,7 @@
 #include "app/view/quantities.h"
 #include "core/prediction.h"
 #include "tests/app/live/experiments_window.h"
+#include "tests/support/screen_text.h"
 
 namespace ghostforce {
 namespace {
@@ -235,6 +236,7 @@ TEST_F(ExperimentsWindow, TheGivenStiffnessIsShownWhenItIsAskedFor) {
 
   start_measuring(session());
   EXPECT_TRUE(hides_answer(session()));
+  frames(2);  // whose hand it is has been seen: revealing is offered
   reveal_hand(session());
   take_readings(readings_wanted);
   ASSERT_EQ(measurement().stage, UserMeasurement::Stage::done);
@@ -295,6 +297,23 @@ TEST_F(ExperimentsWindow, AFileShowsAndHidesWhatTheScreenDoes) {
   frames(16, 500);
   EXPECT_GT(roles_in_file().count(Role::area), 0U) << "the loop of the last turn";
   EXPECT_EQ(roles_in_file(), roles_of(screen().panes()));
+}
+
+// Nobody was given the stiffness of a real hand.
+TEST_F(ExperimentsWindow, NothingIsOfferedToBeRevealedOfARealHand) {
+  const auto offers_to_reveal = [] {
+    return std::ranges::any_of(words_on_screen(), [](const ScreenWords& words) { return words.text == "Reveal"; });
+  };
+  open_virtual_falcon("Hand");
+  start_measuring(session());
+  frames(3);
+  EXPECT_TRUE(offers_to_reveal()) << "the hand at a virtual device is simulated";
+  session().hand_is_simulated = false;
+  frames(3);
+  EXPECT_TRUE(hides_answer(session()));
+  EXPECT_FALSE(offers_to_reveal());
+  reveal_hand(session());
+  EXPECT_TRUE(measurement().was_blind);
 }
 
 // A real device's driver with a simulated arm and hand behind it: its goal is not known, so it has a target to aim at.
