@@ -30,6 +30,7 @@ namespace ghostforce {
 namespace {
 
 constexpr double news_last_s = 6.0;  // problems stay until they are dismissed
+constexpr double dial_words_last_s = 4.0;
 
 // Model time in the status bar, ticks a second and ticks that came late change all the time: they can wait.
 constexpr double counts_last_s = 2.0;
@@ -193,6 +194,8 @@ void Application::update(double interval_s) {
     session_.notice->age_s += interval_s;
     if (session_.notice->age_s > news_last_s) session_.notice.reset();
   }
+  if (std::optional<double>& age_s = session_.dial_turned_s; age_s && (*age_s += interval_s) > dial_words_last_s)
+    age_s.reset();
   screen_.wait(session_, interval_s);
   heartbeat();
 }

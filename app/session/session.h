@@ -156,6 +156,7 @@ struct Session {
   Dialog dialog = Dialog::none;
   Form form;
   std::optional<Notice> notice;
+  std::optional<double> dial_turned_s;  // real time since ρ was turned, while the dial says whom it acts on
   UndoOffer undo_offer;
   Requests requests;
 };

@@ -34,6 +34,11 @@ void words_in_box(ImFont* font, Colour colour, ImVec2 corner, ImVec2 end, const 
   ImGui::PopFont();
 }
 
+// As the program brings it along: a person's own scene may have kept the title of one that it was made from.
+bool is_open_now(const Session& session, const ShippedScene& shipped) {
+  return *session.scene == shipped.scene;
+}
+
 // True when it was pressed.
 bool draw_card(const PanelContext& context, std::size_t number, float width) {
   const ShippedScene& shipped = shipped_scenes()[number];
@@ -47,7 +52,7 @@ bool draw_card(const PanelContext& context, std::size_t number, float width) {
   const bool pressed = ImGui::InvisibleButton("scene", size, ImGuiButtonFlags_EnableNav);
   ImGui::PopID();
   const bool is_marked = context.session.form.marked_scene == number;
-  const bool is_open = context.session.scene->title == shipped.scene.title;
+  const bool is_open = is_open_now(context.session, shipped);
   ImDrawList& draw_list = *ImGui::GetWindowDrawList();
   const float rounding = ImGui::GetStyle().FrameRounding;
   const bool is_hovered = ImGui::IsItemHovered();
@@ -175,7 +180,7 @@ void draw_open_scene(const PanelContext& context) {
     const ShippedScene& marked = scenes[form.marked_scene];
     if (!form.path.empty()) {
       session.requests.open_scene = form.path;
-    } else if (marked.scene.title != session.scene->title) {
+    } else if (!is_open_now(session, marked)) {
       session.requests.open_scene = marked.name;
     } else {
       session.dialog = Dialog::none;  // it is open, and what has been changed in it stays
