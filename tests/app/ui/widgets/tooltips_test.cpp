@@ -76,9 +76,19 @@ TEST_F(TooltipTest, DoesNotComeDuringADragNorTwoSecondsAfter) {
   EXPECT_EQ(shown(), nullptr) << "just after";
   frames(60, 0);
   EXPECT_NE(shown(), nullptr) << "a while after";
-  point_at(from + Vector<2>(30.0, 0.0));
-  frames(150, 0);
-  EXPECT_NE(shown(), nullptr) << "and where the drag ended, for who comes back";
+}
+
+TEST_F(TooltipTest, ComesBackWhereADragEndedOnceThePointerHasLeftIt) {
+  const Vector<2> end = on_words("Rendering kr");
+  press_at(on_words("600 N/m"));
+  point_at(end);
+  frames(2, 0);
+  button(GLFW_RELEASE);
+  frames(200, 0);
+  EXPECT_EQ(shown(), nullptr) << "it has not been left";
+  rest_at(end + Vector<2>(0.0, 300.0), 200);
+  rest_at(end);
+  EXPECT_NE(shown(), nullptr);
 }
 
 }  // namespace
