@@ -19,6 +19,8 @@ struct GoalPath {
   std::vector<Vector<2>> points;  // [m], one or more
   std::vector<double> times;      // [s], strictly increasing from 0, one per point
   Motion motion = Motion::linear;
+
+  friend bool operator==(const GoalPath&, const GoalPath&) = default;
 };
 
 // Flash & Hogan's minimum-jerk profile on 0..1: no velocity and no acceleration at either end.

@@ -34,6 +34,8 @@ struct Scene {
   GoalPath goal;
   double duration = 0.0;  // [s]
   SceneView view;
+
+  friend bool operator==(const Scene&, const Scene&) = default;
 };
 
 // round(duration · rate): the last tick of a run.

@@ -27,6 +27,7 @@ namespace ghostforce {
 namespace {
 
 constexpr double news_last_s = 6.0;  // problems stay until they are dismissed
+constexpr double dial_words_last_s = 4.0;
 
 // Model time in the status bar, ticks a second and ticks that came late change all the time: they can wait.
 constexpr double counts_last_s = 2.0;
@@ -202,6 +203,8 @@ void Application::update(double interval_s) {
     if (session_.notice->age_s > news_last_s) session_.notice.reset();
   }
   clip_saving_.look(session_);
+  if (std::optional<double>& age_s = session_.dial_turned_s; age_s && (*age_s += interval_s) > dial_words_last_s)
+    age_s.reset();
   screen_.wait(session_, interval_s);
   heartbeat();
 }
@@ -252,7 +255,8 @@ void Application::offer_undo() {
   const Edited* const after = undo_.after();
   session_.undo_offer = {.undo = before != nullptr ? words_of_change(*before, undo_.present()) : "",
                          .redo = after != nullptr ? words_of_change(undo_.present(), *after) : ""};
-  if (is_measuring(session_)) session_.undo_offer.undo = "what the measurement has changed, and end it";
+  if (is_measuring(session_))
+    session_.undo_offer = {.undo = "what the measurement has changed, and end it", .redo = ""};
 }
 
 LoopReading Application::reading() const {
@@ -397,7 +401,7 @@ void Application::take_back(bool undo) {
   if (session_.lesson) return;
   // What a measurement has set is its own: to take it back is to cancel it.
   if (is_measuring(session_)) {
-    cancel_measurement(session_);
+    if (undo) cancel_measurement(session_);
     return;
   }
   // What is being changed right now is one more step to take back.

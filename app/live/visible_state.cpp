@@ -28,6 +28,7 @@ void add_panel_words(const Session& session, const LoopReading& reading, std::st
                    motors.handle_speed, motors.held_k_r, motors.gain);
   }
   if (reading.circle) fmt::format_to(out, "{:.2f}", reading.circle->share);
+  fmt::format_to(out, "{}", session.dial_turned_s.has_value());
   const UserMeasurement& measurement = session.measurement;
   fmt::format_to(out, "{} {}{}{}", measurement.readings.size(), static_cast<int>(measurement.step),
                  measurement.was_refused, measurement.has_begun_anew);

@@ -133,18 +133,32 @@ SceneView* view_of(Session& session) {
   return session.face == Face::stage ? &session.stage_shown : &session.shown;
 }
 
+// Side by side each pane has a place of its own.
+const PaneViews* panes_of(const Session& session) {
+  return session.face == Face::workbench && session.pane_views ? &*session.pane_views : nullptr;
+}
+
 // In per cent.
 template <int percent>
 void zoom(Session& session) {
-  if (SceneView* const view = view_of(session)) *view = zoomed(*view, 0.01 * percent, view->center);
+  constexpr double factor = 0.01 * percent;
+  if (const PaneViews* const panes = panes_of(session)) {
+    const StrategyId active = session.settings.active;
+    session.pane_views = zoomed(*panes, factor, active, panes->centers[index_of(active)]);
+  } else if (SceneView* const view = view_of(session)) {
+    *view = zoomed(*view, factor, view->center);
+  }
 }
 
 // By a twentieth of the picture's width; what is seen goes the other way.
 template <int x, int y>
 void move_picture(Session& session) {
-  SceneView* const view = view_of(session);
-  if (view == nullptr) return;
-  *view = within_scene_limits({view->center - 0.05 * view->width * Vector<2>(x, y), view->width});
+  const auto by = [](double width) { return -0.05 * width * Vector<2>(x, y); };
+  if (const PaneViews* const panes = panes_of(session)) {
+    session.pane_views = moved(*panes, by(panes->width));
+  } else if (SceneView* const view = view_of(session)) {
+    *view = within_scene_limits({view->center + by(view->width), view->width});
+  }
 }
 
 // The focus is the screen's.
@@ -277,7 +291,7 @@ constexpr std::array bindings{
     KeyBinding{GLFW_KEY_S, ctrl, "Ctrl+S", "Save the scene with its current settings", open_dialog<Dialog::save_scene>, false, true},
     KeyBinding{GLFW_KEY_P, ctrl, "Ctrl+P", "Save a picture: PNG, SVG or PDF", open_dialog<Dialog::save_picture>, false, true},
     KeyBinding{GLFW_KEY_P, alt, "Alt+P", "Save the last seconds of the stage as a clip", open_dialog<Dialog::save_clip>, false, true},
-    KeyBinding{GLFW_KEY_P, ctrl | shift, "Ctrl+Shift+P", "Copy a picture to the clipboard", copy_picture, false, true},
+    KeyBinding{GLFW_KEY_P, ctrl | shift, "Ctrl+Shift+P", "Copy a picture to the clipboard", copy_picture},
     KeyBinding{GLFW_KEY_C, ctrl | shift, "Ctrl+Shift+C", "Copy the live values to the clipboard", ask<&Requests::copy_table>, false, true},
 
     KeyBinding{GLFW_KEY_F1, none, "F1", "This help", open_dialog<Dialog::help>, false, true, "Window"},

@@ -147,7 +147,7 @@ bool hides_answer(const Session& session) noexcept {
 
 void reveal_hand(Session& session) noexcept {
   session.measurement.is_revealed = true;
-  if (is_measuring(session)) session.measurement.was_blind = false;
+  if (is_measuring(session) && session.measurement.given_k_u) session.measurement.was_blind = false;
 }
 
 void start_measuring(Session& session) {

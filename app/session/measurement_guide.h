@@ -19,7 +19,7 @@ bool is_measuring(const Session& session) noexcept;
 // is simulated until the person asks for its given stiffness.
 bool hides_answer(const Session& session) noexcept;
 
-// Shows what was hidden. A measurement that has not ended is not blind any more.
+// Shows what was hidden. The measurement of a hand that was given its stiffness is not blind any more unless it has ended.
 void reveal_hand(Session& session) noexcept;
 
 // From the state that the session is in. The input stays: the first step says so where it never rests.

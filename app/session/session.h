@@ -193,6 +193,7 @@ struct Session {
   Form form;
   std::optional<Notice> notice;
   std::uint32_t preference_resets = 0;  // all preferences are as at first again
+  std::optional<double> dial_turned_s;  // real time since ρ was turned, while the dial says whom it acts on
   UndoOffer undo_offer;
   Requests requests;
 };

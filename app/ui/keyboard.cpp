@@ -25,6 +25,10 @@ bool is_arrow(int key) {
   return key == GLFW_KEY_LEFT || key == GLFW_KEY_RIGHT || key == GLFW_KEY_UP || key == GLFW_KEY_DOWN;
 }
 
+bool is_modifier(int key) {
+  return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER;
+}
+
 bool is_end(int key) {
   return key == GLFW_KEY_HOME || key == GLFW_KEY_END;
 }
@@ -127,7 +131,8 @@ void Keyboard::take(Window& window, Session& session, const std::function<void()
 
 void Keyboard::act(const KeyEvent& event, Session& session, const std::function<void()>& do_what_is_asked) {
   const KeyPress& press = event.press;
-  if (!event.is_down || press.key == 0) return Window::hand_on(event);
+  // Who drags something may press a modifier on the way.
+  if (!event.is_down || press.key == 0 || is_modifier(press.key)) return Window::hand_on(event);
   has_pressed_ = true;
   if (press.key == GLFW_KEY_ESCAPE) {
     Window::hand_on(event);

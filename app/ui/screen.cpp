@@ -144,22 +144,11 @@ StageReading Screen::stage_reading(const Session& session, const ShownMoment& mo
 
 std::vector<Pane> Screen::panes_for_file(const Session& session, const ShownMoment& moment, const History& history,
                                          const LoopReading& loop, const MeasureText& measure) const {
-  const Theme& theme = *session.appearance.theme;
   const double scale = static_cast<double>(styled_scale_);
-  if (session.face == Face::stage) {
-    return {stage_.still(session, {moment, history, loop, theme, measure, scene_size_, scale}).pane};
+  if (session.face == Face::workbench) {
+    return workbench_.panes_for_file(session, moment, history, loop, measure, scale);
   }
-  return compose_panes({.settings = moment.settings,
-                        .snapshot = moment.snapshot,
-                        .history = history,
-                        .theme = theme,
-                        .options = session.options,
-                        .shown = session.shown,
-                        .pane_views = session.pane_views,
-                        .size = scene_size_,
-                        .scale = scale,
-                        .arrow_scale = session.appearance.arrow_scale,
-                        .measure = measure});
+  return {stage_.still(session, {moment, history, loop, *session.appearance.theme, measure, scene_size_, scale}).pane};
 }
 
 }  // namespace ghostforce

@@ -117,11 +117,6 @@ void Workbench::draw_panels(const PanelContext& context, const Layout& layout, c
     draw_caption(context);
     ImGui::EndChild();
   }
-  if (layout.scene.size.y > 0.0F) {
-    begin_piece("motor frame", layout.scene, fixed_window | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoInputs);
-    draw_motor_frame(context);
-    ImGui::EndChild();
-  }
   // The one window that may hold more than it shows. Its scrollbar lies in the margin, so that nothing becomes
   // narrower where it appears.
   const ImVec2 padding = ImGui::GetStyle().WindowPadding;
@@ -137,8 +132,13 @@ void Workbench::draw_panels(const PanelContext& context, const Layout& layout, c
     draw_plots(context, history.plots());
     ImGui::EndChild();
   }
+  // Round the plots, where they have taken the scene's place.
+  const Rect& framed = layout.scene.size.y > 0.0F ? layout.scene : layout.drawer;
+  begin_piece("motor frame", framed, fixed_window | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoInputs);
+  draw_motor_frame(context);
+  ImGui::EndChild();
   begin_piece("status", layout.bottom, fixed_bar);
-  draw_status_bar(context);
+  draw_status_bar(context, layout.caption.size.y > 0.0F);
   ImGui::EndChild();
 }
 
@@ -168,36 +168,45 @@ void Workbench::draw(const PanelContext& context, const WorkbenchFrame& frame) {
   compose(context, frame);
 }
 
+PictureContent Workbench::content_of(const Session& session, const ShownMoment& moment, const History& history,
+                                     const LoopReading& loop, const MeasureText& measure, double scale) const {
+  ViewOptions options = session.options;
+  options.predictions = options.predictions && !hides_answer(session);
+  return {.settings = moment.settings,
+          .snapshot = moment.snapshot,
+          .history = history,
+          .theme = *session.appearance.theme,
+          .options = options,
+          .shown = session.shown,
+          .pane_views = session.pane_views,
+          .size = scene_size_,
+          .scale = scale,
+          .arrow_scale = session.appearance.arrow_scale,
+          .measure = measure,
+          .turn_s = turn_to_show(loop),
+          .target = target_of(session, loop.motors)};
+}
+
+std::vector<Pane> Workbench::panes_for_file(const Session& session, const ShownMoment& moment, const History& history,
+                                            const LoopReading& loop, const MeasureText& measure, double scale) const {
+  return compose_panes(content_of(session, moment, history, loop, measure, scale));
+}
+
 void Workbench::compose(const PanelContext& context, const WorkbenchFrame& frame) {
   Session& session = context.session;
   const bool is_live = frame.is_live;
-  ViewOptions options = session.options;
-  options.predictions = options.predictions && !hides_answer(session);
-  const Handle hovered = !is_live                                     ? Handle::none
-                         : points_at(session, HintTarget::motor_axis) ? Handle::motor_axis
-                                                                      : gestures_.hovered();
-  PictureContent content{.settings = frame.moment.settings,
-                         .snapshot = frame.moment.snapshot,
-                         .history = frame.history,
-                         .theme = context.theme,
-                         .options = options,
-                         .shown = session.shown,
-                         .size = scene_size_,
-                         .scale = static_cast<double>(context.scale),
-                         .arrow_scale = session.appearance.arrow_scale,
-                         .measure = frame.measure,
-                         .has_handles = session.has_handles,
-                         .hovered = hovered,
-                         .is_goal_hot = is_live && points_at(session, HintTarget::goal),
-                         .turn_s = turn_to_show(context.loop),
-                         .target = target_of(session, context.loop.motors)};
   // They are fitted once, and not while something moves: the picture must not swim under the pointer.
-  if (session.options.compare != Compare::side_by_side) {
-    session.pane_views.reset();
-  } else if (!session.pane_views) {
-    session.pane_views = fitted_pane_views(content);
+  if (session.options.compare != Compare::side_by_side) session.pane_views.reset();
+  PictureContent content =
+      content_of(session, frame.moment, frame.history, context.loop, frame.measure, static_cast<double>(context.scale));
+  content.has_handles = session.has_handles;
+  content.is_goal_hot = is_live && points_at(session, HintTarget::goal);
+  content.hovered = !is_live                                     ? Handle::none
+                    : points_at(session, HintTarget::motor_axis) ? Handle::motor_axis
+                                                                 : gestures_.hovered();
+  if (session.options.compare == Compare::side_by_side && !session.pane_views) {
+    session.pane_views = content.pane_views = fitted_pane_views(content);
   }
-  content.pane_views = session.pane_views;
   if (is_live) {
     panes_ = compose_panes(content, memory_, frame.interval_s, std::move(panes_));
   } else {

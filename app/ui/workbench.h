@@ -35,6 +35,10 @@ class Workbench {
   const std::vector<Pane>& panes() const noexcept { return panes_; }
   // Upper left corner of the scene in the window [points].
   ImVec2 scene_corner() const noexcept { return scene_corner_; }
+  // The same scene alone, for a painter of files: without handles, which are for a pointer. `scale`: of the UI, 1 is
+  // normal.
+  std::vector<Pane> panes_for_file(const Session& session, const ShownMoment& moment, const History& history,
+                                   const LoopReading& loop, const MeasureText& measure, double scale) const;
   // Words may yet find better places, or come into sight.
   bool is_moving() const noexcept { return std::ranges::any_of(memory_, &PaneMemory::is_moving); }
   // Of the scene in the window [points].
@@ -44,6 +48,9 @@ class Workbench {
   struct Layout;
   static void draw_panels(const PanelContext& context, const Layout& layout, const History& history);
   void compose(const PanelContext& context, const WorkbenchFrame& frame);
+  // What every picture of the scene shows, on a screen or in a file.
+  PictureContent content_of(const Session& session, const ShownMoment& moment, const History& history,
+                            const LoopReading& loop, const MeasureText& measure, double scale) const;
 
   Gestures gestures_;
   std::vector<Pane> panes_;

@@ -18,7 +18,9 @@ std::optional<DrawnForce> drawn_force(const View& view) {
   const StrategySnapshot<2>& now = view.snapshot.strategies[index_of(view.settings.active)];
   // In free space the sampled loop has a force of its own, which is no wall's.
   if (!now.in_contact) return std::nullopt;
-  const Vector<2> ghost_force = view.options.ghost_forces ? now.ghost_force : Vector<2>(0.0);
+  // Against a target it may be unknown.
+  const bool is_known = !std::isnan(now.ghost_force.x) && !std::isnan(now.ghost_force.y);
+  const Vector<2> ghost_force = view.options.ghost_forces && is_known ? now.ghost_force : Vector<2>(0.0);
   const Vector<2> share_force = now.force - ghost_force;
   const double share = glm::length(share_force) * view.points_per_newton;
   double ghost = glm::length(ghost_force) * view.points_per_newton;
@@ -67,7 +69,7 @@ void add_force(const View& view, Marks& marks) {
 
 std::optional<Ruler> drift_ruler(const View& view) {
   const StrategySnapshot<2>& now = view.snapshot.strategies[index_of(view.settings.active)];
-  if (glm::length(now.proxy_drift) < smallest_drift) return std::nullopt;
+  if (!(glm::length(now.proxy_drift) >= smallest_drift)) return std::nullopt;  // NaN: it is unknown
   const Vector<2> aim = view.snapshot.has_target && view.target ? *view.target : view.snapshot.goal;
   const Wall<2> wall = wall_of(view.settings);
   const Vector<2> aside = wall.normal * view.metres(ruler_out);

@@ -59,7 +59,8 @@ class LegendEntries {
     const Shape shape = strategy_style(view_.settings.active).shape;
     add(Role::proxy, marker(shape, 6.0, theme_.background, active(), 1.8), "proxy",
         "the point that the wall holds back");
-    const bool can_have_ghost = !strategy(view_.settings.active).has_every_motor && !view_.snapshot.measured;
+    const bool can_have_ghost =
+        !strategy(view_.settings.active).has_every_motor && (!view_.snapshot.measured || view_.snapshot.has_target);
     if (view_.options.ghost_forces && can_have_ghost) {
       Arrow arrow{Vector<2>(0.0), Vector<2>(0.0), view_.points(7.0), theme_.background, active(), view_.points(1.4)};
       arrow.is_hatched = true;

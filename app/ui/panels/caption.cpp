@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "app/session/measurement_guide.h"
 #include "app/ui/panels/hints.h"
@@ -50,8 +51,8 @@ std::string words_in_hand(const PanelContext& context) {
                      ghost < visible_force ? active.without_ghost : active.with_ghost);
 }
 
-// A device that is on its way says how far it is; one in the hand, what is felt.
-std::string words_of(const PanelContext& context) {
+// A device that is on its way says how far it is; one at its limit, what to do. Else empty.
+std::string words_of_device(const PanelContext& context) {
   const MotorReport& motors = context.loop.motors;
   const auto step = std::ranges::find_if(context.loop.readiness, &ReadinessStepState::is_current);
   if (motors.has_motors && !motors.is_ready && step != context.loop.readiness.end()) {
@@ -61,6 +62,15 @@ std::string words_of(const PanelContext& context) {
     return fmt::format("The wall would push harder than the motors may: they give {:.1f} N. Do not press so deep.",
                        glm::length(motors.sent));
   }
+  return {};
+}
+
+bool time_stands_still(const Session& session) {
+  return session.paused || session.stage.looks_back_to_s;
+}
+
+std::string words_of(const PanelContext& context) {
+  if (std::string words = words_of_device(context); !words.empty()) return words;
   if (is_measuring(context.session)) return "The hand is being measured: follow the panel “Measure the hand”.";
   if (context.snapshot.measured) return words_in_hand(context);
   return std::string(caption_of(context.settings, context.snapshot.goal));
@@ -86,8 +96,15 @@ float draw_paused(const PanelContext& context) {
 
 }  // namespace
 
+std::vector<std::string> warnings_of_caption(const PanelContext& context) {
+  std::vector<std::string> words;
+  if (time_stands_still(context.session)) words.emplace_back("PAUSED");
+  if (std::string device = words_of_device(context); !device.empty()) words.push_back(std::move(device));
+  return words;
+}
+
 void draw_caption(const PanelContext& context) {
-  const bool is_still = context.session.paused || context.session.stage.looks_back_to_s;
+  const bool is_still = time_stands_still(context.session);
   const float end = is_still ? draw_paused(context) - ImGui::GetStyle().ItemSpacing.x : ImGui::GetContentRegionMax().x;
   if (context.session.hint && !is_still) {
     draw_hint(context);

@@ -22,8 +22,8 @@ bool is_there_a_ghost_force(const Session& session) {
 
 constexpr std::array hints{
     Hint{"Drag: this is where your hand wants to be.",
-         "You press a handle into a virtual wall. Its only motor pushes left and right. The hatched end of the force "
-         "arrow is the ghost force: that is what goes wrong.",
+         "You press a handle into a virtual wall. With only one motor (2), the hatched end of the force arrow is the "
+         "ghost force: that is what goes wrong.",
          HintTarget::goal,
          [](const Session& session, const HintProgress& progress) {
            return progress.has_dragged && !session.drags_goal;
@@ -35,14 +35,15 @@ constexpr std::array hints{
          HintTarget::third_strategy,
          [](const Session& session, const HintProgress&) { return session.settings.active == StrategyId::anisotropic; },
          is_there_a_ghost_force},
-    Hint{"Turn the arrow.",
-         "Press 2 again, then drag the actuated direction, lower right. At which angle is there no ghost force even "
-         "without the cure?",
-         HintTarget::motor_axis,
-         [](const Session& session, const HintProgress& progress) {
-           return session.settings.actuated_angle != progress.actuated_angle && !session.is_editing;
-         },
-         [](const Session& session) { return session.has_handles; }},
+    Hint{
+        "Turn the arrow.",
+        "Without the cure (2), drag the actuated direction, lower right. At which angle is there a force, but no ghost "
+        "force?",
+        HintTarget::motor_axis,
+        [](const Session& session, const HintProgress& progress) {
+          return session.settings.actuated_angle != progress.actuated_angle && !session.is_editing;
+        },
+        [](const Session& session) { return session.has_handles; }},
 };
 
 }  // namespace

@@ -148,7 +148,8 @@ void draw_result(const PanelContext& context) {
     text_in(context.theme.faint_text, fmt::format("(given: {:.1f} N/m)", *measurement.given_k_u));
     tooltip("The stiffness that the simulated hand was given.");
   }
-  if (!measurement.was_blind) wrapped_text("Not a blind measurement: the given k_u was revealed early.");
+  if (measurement.given_k_u && !measurement.was_blind)
+    wrapped_text("Not a blind measurement: the given k_u was revealed early.");
   if (ImGui::Button("Use this stiffness")) {
     believe_measurement(session);
     return;

@@ -32,7 +32,7 @@ void draw_recording(const PanelContext& context);
 
 // Above and below the scene.
 void draw_strategy_bar(const PanelContext& context);
-void draw_status_bar(const PanelContext& context);
+void draw_status_bar(const PanelContext& context, bool has_caption);
 // Of the bar above, in points: two rows where the window is too narrow for one.
 float strategy_bar_height(const PanelContext& context);
 

@@ -47,15 +47,12 @@ bool type_ratio(Stiffnesses& stiffnesses, ImVec2 size) {
 }
 
 // Somebody turns ρ, or has just done so: time to say whom it acts on.
-bool is_turning(const Stiffnesses& stiffnesses, bool is_held) {
-  constexpr float long_enough_s = 4.0F;
-  ImGuiStorage& storage = *ImGui::GetStateStorage();
-  const auto ratio = static_cast<float>(stiffnesses.chosen_tracking_ratio.value_or(0.0));
-  float& last = *storage.GetFloatRef(ImGui::GetID("last ratio"), ratio);
-  float& since_s = *storage.GetFloatRef(ImGui::GetID("since"), long_enough_s);
+bool is_turning(Session& session, bool is_held) {
+  const auto ratio = static_cast<float>(session.settings.stiffnesses.chosen_tracking_ratio.value_or(0.0));
+  float& last = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("last ratio"), ratio);
   const bool is_other = std::exchange(last, ratio) != ratio;
-  since_s = is_held || is_other ? 0.0F : std::min(since_s + ImGui::GetIO().DeltaTime, long_enough_s);
-  return since_s < long_enough_s;
+  if (is_held || is_other) session.dial_turned_s = 0.0;
+  return session.dial_turned_s.has_value();
 }
 
 }  // namespace
@@ -140,7 +137,7 @@ void draw_ratio_dial(const PanelContext& context) {
   const float naive_x = std::min(x_of(scale.place(1.0)) - 0.5F * naive_width, naive_end - naive_width);
   // In their place, so that nothing below moves.
   const bool acts_on_another = context.settings.active != StrategyId::anisotropic;
-  if (is_turning(stiffnesses, is_used) && acts_on_another) {
+  if (is_turning(context.session, is_used) && acts_on_another) {
     draw_list.AddText(corner, packed(theme.text), "Only Anisotropic uses it.");
   } else {
     draw_list.AddText({optimal_x, corner.y}, packed(theme.strategy_text[index_of(StrategyId::anisotropic)]),

@@ -17,10 +17,15 @@ namespace {
 constexpr double mark_scale = 0.62;   // of lines and marks in the small pictures
 constexpr float card_width = 296.0F;  // [points]
 
+// As the program brings it along: a person's own scene may have kept the title of one that it was made from.
+bool is_open_now(const Session& session, const ShippedScene& shipped) {
+  return *session.scene == shipped.scene;
+}
+
 // True when it was pressed.
 bool draw_scene_card(const PanelContext& context, std::size_t number, ImVec2 size) {
   const ShippedScene& shipped = shipped_scenes()[number];
-  const bool is_open = context.session.scene->title == shipped.scene.title;
+  const bool is_open = is_open_now(context.session, shipped);
   const PictureCard card{.id = static_cast<int>(number),
                          .title = shipped.scene.title,
                          .about = is_open ? "Open now. " + shipped.scene.about : shipped.scene.about,
@@ -127,7 +132,7 @@ void draw_open_scene(const PanelContext& context) {
     const ShippedScene& marked = scenes[form.marked_scene];
     if (!form.path.empty()) {
       session.requests.open_scene = form.path;
-    } else if (marked.scene.title != session.scene->title) {
+    } else if (!is_open_now(session, marked)) {
       session.requests.open_scene = marked.name;
     } else {
       session.dialog = Dialog::none;  // it is open, and what has been changed in it stays

@@ -6,10 +6,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 #include <vector>
 
 #include "app/session/key_bindings.h"
+#include "app/ui/panels/caption.h"
 #include "app/ui/panels/panel_catalog.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/symbol_text.h"
@@ -75,14 +77,15 @@ std::vector<std::string> troubles_of(const LoopReading& loop, const Settings& se
   return words;
 }
 
-void draw_status_bar(const PanelContext& context) {
+void draw_status_bar(const PanelContext& context, bool has_caption) {
   Session& session = context.session;
   const LoopReading& loop = context.loop;
   const ImGuiStyle& style = ImGui::GetStyle();
   const auto width = [](const std::string& text) { return symbol_text_width(text); };
   const auto button_width = [&](const std::string& text) { return width(text) + 2.0F * style.FramePadding.x; };
   const std::string words = fmt::format("{}   ·   t = {:8.3f} s", loop.input_title, context.snapshot.time_s);
-  const std::vector<std::string> problems = troubles_of(loop, context.settings);
+  std::vector<std::string> problems = has_caption ? std::vector<std::string>() : warnings_of_caption(context);
+  std::ranges::move(troubles_of(loop, context.settings), std::back_inserter(problems));
   const std::string problem = problems.empty() ? "" : fmt::format("   ·   {}", fmt::join(problems, "   ·   "));
 
   // From the right: help, saving, the scene, and the loop's words in what remains.

@@ -57,11 +57,15 @@ void draw_hidden_hand(const PanelContext& context) {
   row("Hand k_u", Term::user_stiffness);
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("hidden");
-  tooltip("Hidden for a blind measurement: the given stiffness is the answer.");
-  ImGui::SameLine();
-  if (ImGui::Button("Reveal")) reveal_hand(session);
-  tooltip(is_measuring(session) ? "Shows the given k_u. The measurement is not blind then, and its result says so."
-                                : "Shows the stiffness that the simulated hand was given.");
+  if (session.measurement.given_k_u) {
+    tooltip("Hidden for a blind measurement: the given stiffness is the answer.");
+    ImGui::SameLine();
+    if (ImGui::Button("Reveal")) reveal_hand(session);
+    tooltip(is_measuring(session) ? "Shows the given k_u. The measurement is not blind then, and its result says so."
+                                  : "Shows the stiffness that the simulated hand was given.");
+  } else {
+    tooltip("Hidden while this hand is measured: nobody knows its stiffness yet.");
+  }
   row("Believed k_u", Term::believed_user_stiffness);
   ImGui::AlignTextToFramePadding();
   const std::optional<double>& believed = session.settings.stiffnesses.believed_k_u;

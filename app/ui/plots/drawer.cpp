@@ -27,7 +27,7 @@ constexpr std::array tabs{
         draw_time_plots},
     Tab{PlotTab::wall_angle, "Wall angle", "Angle",
         "Where everything would come to rest with the wall at another angle and the goal at the same depth. Drag to "
-        "turn the wall and the goal with it; hold Ctrl for steps of less than a degree.",
+        "turn the wall; a goal that the mouse leads turns with it. Hold Ctrl for steps of less than a degree.",
         [](const PanelContext& context, const PlotHistory&) { draw_wall_angle_plots(context); }},
     Tab{PlotTab::ratio, "Ratio ρ", "ρ",
         "Where everything would come to rest at another tracking ratio. Drag to change the ratio.",
@@ -125,6 +125,10 @@ void draw_buttons(const PanelContext& context) {
 
 }  // namespace
 
+bool hides_curves(const Session& session) noexcept {
+  return session.plots.tab != PlotTab::time && (hides_answer(session) || is_measuring(session));
+}
+
 void draw_plots(const PanelContext& context, const PlotHistory& history) {
   PlotView& view = context.session.plots;
   const float room = ImGui::GetContentRegionAvail().x;
@@ -136,8 +140,7 @@ void draw_plots(const PanelContext& context, const PlotHistory& history) {
   draw_tabs(context, has_long_words ? &Tab::title : &Tab::short_title);
   if (has_one_line) ImGui::SameLine();
   draw_buttons(context);
-  // Curves of theory know the hand.
-  if (view.tab != PlotTab::time && (hides_answer(context.session) || is_measuring(context.session))) {
+  if (hides_curves(context.session)) {
     wrapped_text("These curves are hidden while the hand is measured: they would show the answer.");
     return;
   }

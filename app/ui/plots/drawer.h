@@ -9,6 +9,9 @@ namespace ghostforce {
 // Into the current ImGui window. Edits session.plots, and settings where an operating point is dragged.
 void draw_plots(const PanelContext& context, const PlotHistory& history);
 
+// The curves of theory know the hand: they are nowhere to be seen while it is measured.
+bool hides_curves(const Session& session) noexcept;
+
 // Each fills what remains of the current ImGui window and edits the session.
 void draw_time_plots(const PanelContext& context, const PlotHistory& history);
 void draw_wall_angle_plots(const PanelContext& context);

@@ -36,8 +36,8 @@ ImVec2 last_drag_at{0.0F, 0.0F};
 
 // Also until the pointer has left what it dragged: an explanation would cover it.
 bool has_just_dragged() {
+  if (last_drag_s == never_s) return false;
   const double since_s = ImGui::GetTime() - last_drag_s;
-  if (since_s < 0.0) return false;
   const ImVec2 pointer = ImGui::GetIO().MousePos;
   const bool is_still_there = std::hypot(pointer.x - last_drag_at.x, pointer.y - last_drag_at.y) < still_there;
   if (!is_still_there && since_s >= quiet_after_drag_s) last_drag_s = never_s;

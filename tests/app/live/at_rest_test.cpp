@@ -1,10 +1,12 @@
 // At rest nothing is drawn, and whatever a person could see asks for a frame at once. The servo is stepped by hand and
 // every interval is given.
+#include <algorithm>
 #include <utility>
 
 #include "app/session/key_bindings.h"
 #include "app/ui/stage/idle_show.h"
 #include "tests/app/live/driven_window.h"
+#include "tests/support/screen_text.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce {
@@ -78,6 +80,20 @@ TEST_F(AtRestTest, TheWorkbenchOnlyBringsItsCountsUpToDate) {
   live_for(1.0);
   EXPECT_NEAR(live_for(30.0), 6, 1);
   EXPECT_TRUE(application_->is_idle());
+}
+
+TEST_F(AtRestTest, TheWordsAtTheDialGoInRealTime) {
+  const auto says_so = [] {
+    return std::ranges::any_of(words_on_screen(),
+                               [](const ScreenWords& words) { return words.text.starts_with("Only Anisotropic"); });
+  };
+  show(Face::workbench);
+  press(GLFW_KEY_2);
+  press(GLFW_KEY_EQUAL);
+  live_for(3.0);
+  EXPECT_TRUE(says_so());
+  live_for(1.5);
+  EXPECT_FALSE(says_so()) << "a frame was drawn without them";
 }
 
 TEST_F(AtRestTest, EveryTickIsKeptThough) {

@@ -110,9 +110,10 @@ class DrivenWindow : public testing::Test {
     glfwSetCharCallback(window_->handle(), on_character);
     on_character(window_->handle(), character);
   }
-  // While it is held. The backend asks the platform which modifiers are down, and the null platform has none: this one
-  // is told to ImGui itself.
-  void hold_control(bool is_down) { ImGui::GetIO().AddKeyEvent(ImGuiMod_Ctrl, is_down); }
+  // As X11 tells it: without itself when it goes down, and with itself when it comes up.
+  void hold_control(bool is_down) {
+    send_key(GLFW_KEY_LEFT_CONTROL, is_down ? GLFW_PRESS : GLFW_RELEASE, is_down ? 0 : GLFW_MOD_CONTROL);
+  }
   void type(const std::string& text) {
     for (const char c : text) send_character(static_cast<unsigned char>(c));
     frames(2);

@@ -12,6 +12,7 @@
 #include "app/ui/panels/status_bar.h"
 #include "app/view/quantities.h"
 #include "tests/app/live/driven_window.h"
+#include "tests/support/screen_text.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce {
@@ -91,6 +92,35 @@ TEST_F(FindingThings, ThePickerOpensTheSceneThatTheArrowsHaveMarked) {
   EXPECT_EQ(session().scene->title, title);
   EXPECT_EQ(session().dialog, Dialog::none);
   EXPECT_EQ(session().undo_offer.undo, "opening “" + title + "”");
+}
+
+TEST_F(FindingThings, ThePickerTellsAPersonsSceneFromTheOneItWasMadeFrom) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "mine.toml";
+  session().settings.stiffnesses.k_r = 750.0;
+  session().requests.save_scene = path;
+  frames(2);
+  session().requests.open_scene = path;
+  frames(2);
+  const Scene wall45 = load_scene("wall45");
+  ASSERT_EQ(session().scene->title, wall45.title);
+  ASSERT_FALSE(*session().scene == wall45);
+  const auto says_open = [] {
+    return std::ranges::any_of(words_on_screen(),
+                               [](const ScreenWords& words) { return words.text.starts_with("Open now"); });
+  };
+  press(GLFW_KEY_O, GLFW_MOD_CONTROL);
+  frames(3);
+  EXPECT_FALSE(says_open());
+  press(GLFW_KEY_ENTER);
+  EXPECT_TRUE(*session().scene == wall45) << "Enter opens what is marked: that title";
+  press(GLFW_KEY_O, GLFW_MOD_CONTROL);
+  frames(3);
+  EXPECT_TRUE(says_open());
+  const std::shared_ptr<const Scene> open = session().scene;
+  press(GLFW_KEY_ENTER);
+  EXPECT_EQ(session().scene, open) << "what has been changed in it stays";
+  EXPECT_EQ(session().dialog, Dialog::none);
 }
 
 TEST_F(FindingThings, ThePickerShowsAPictureOfEachSceneInEachTheme) {

@@ -379,6 +379,23 @@ TEST_F(KeyboardTest, KeysMoveThePicture) {
   EXPECT_EQ(session().goal, goal);
 }
 
+TEST_F(KeyboardTest, KeysMoveAllPanesSideBySide) {
+  session().options.compare = Compare::side_by_side;
+  frames(2);
+  ASSERT_TRUE(session().pane_views);
+  const PaneViews before = *session().pane_views;
+  const SceneView shown = session().shown;
+  press(GLFW_KEY_Z);
+  ASSERT_TRUE(session().pane_views);
+  EXPECT_LT(session().pane_views->width, before.width);
+  press(GLFW_KEY_RIGHT, GLFW_MOD_ALT);
+  ASSERT_TRUE(session().pane_views);
+  for (std::size_t i = 0; i < strategy_count; ++i) {
+    EXPECT_LT(session().pane_views->centers[i].x, before.centers[i].x);
+  }
+  EXPECT_EQ(session().shown, shown) << "what is not seen stays";
+}
+
 TEST_F(KeyboardTest, WhatIsTypedNeverActsAsAKey) {
   send({GLFW_KEY_O, ctrl});
   for (const int key : {GLFW_KEY_W, GLFW_KEY_3, GLFW_KEY_R, GLFW_KEY_B}) send({key});

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include <imgui_internal.h>
@@ -12,6 +13,7 @@
 #include "app/view/quantities.h"
 #include "core/prediction.h"
 #include "tests/app/live/experiments_window.h"
+#include "tests/support/screen_text.h"
 
 namespace ghostforce {
 namespace {
@@ -66,6 +68,18 @@ TEST_F(ExperimentsWindow, MeasuresTheHandWithTheMouse) {
   // The whole of it is one step to take back.
   press(GLFW_KEY_Z, GLFW_MOD_CONTROL);
   EXPECT_EQ(session().settings, before);
+}
+
+TEST_F(ExperimentsWindow, RedoDoesNotEndTheMeasurement) {
+  open(with_panel("Measure the hand"));
+  session().settings.stiffnesses.chosen_tracking_ratio = 2.5;
+  frames(2);
+  press(GLFW_KEY_Z, GLFW_MOD_CONTROL);
+  click(start_button);
+  ASSERT_TRUE(is_measuring(session()));
+  EXPECT_EQ(session().undo_offer.redo, "");
+  press(GLFW_KEY_Y, GLFW_MOD_CONTROL);
+  EXPECT_TRUE(is_measuring(session()));
 }
 
 TEST_F(ExperimentsWindow, CancelAndUndoRestoreRatioAndStrategy) {
@@ -234,6 +248,7 @@ TEST_F(ExperimentsWindow, TheGivenStiffnessIsShownWhenItIsAskedFor) {
 
   start_measuring(session());
   EXPECT_TRUE(hides_answer(session()));
+  frames(2);  // whose hand it is has been seen: revealing is offered
   reveal_hand(session());
   take_readings(readings_wanted);
   ASSERT_EQ(measurement().stage, UserMeasurement::Stage::done);
@@ -264,6 +279,53 @@ TEST_F(ExperimentsWindow, ReadingsOfAnotherHandBeginAnew) {
   frames(3);
   EXPECT_FALSE(is_measuring(session()));
   EXPECT_EQ(session().settings, load_scene("fig1").settings) << "nothing of the old scene comes back";
+}
+
+// The marks that a file of lines and letters would hold.
+TEST_F(ExperimentsWindow, AFileShowsAndHidesWhatTheScreenDoes) {
+  const auto roles_of = [](const std::vector<Pane>& panes) {
+    std::multiset<Role> roles;
+    for (const Mark& mark : panes.front().marks) {
+      if (mark.role == Role::prediction || mark.role == Role::target || mark.role == Role::area)
+        roles.insert(mark.role);
+    }
+    return roles;
+  };
+  const auto roles_in_file = [&] {
+    return roles_of(screen().panes_for_file(session(), application_->shown(), application_->history(),
+                                            application_->reading(), measure_with(window_->fonts())));
+  };
+  open_virtual_falcon("Measure the hand");
+  EXPECT_GT(roles_in_file().count(Role::prediction), 0U);
+  start_measuring(session());
+  frames(40);  // words take a moment to find their place
+  EXPECT_EQ(roles_in_file().count(Role::prediction), 0U) << "theory knows the hand";
+  EXPECT_EQ(roles_in_file().count(Role::target), 4U) << "line, two rings and words";
+  EXPECT_EQ(roles_in_file(), roles_of(screen().panes()));
+
+  ApplicationOptions circling = with_panel("Passivity");
+  circling.input = "circle";
+  open(circling);
+  frames(16, 500);
+  EXPECT_GT(roles_in_file().count(Role::area), 0U) << "the loop of the last turn";
+  EXPECT_EQ(roles_in_file(), roles_of(screen().panes()));
+}
+
+// Nobody was given the stiffness of a real hand.
+TEST_F(ExperimentsWindow, NothingIsOfferedToBeRevealedOfARealHand) {
+  const auto offers_to_reveal = [] {
+    return std::ranges::any_of(words_on_screen(), [](const ScreenWords& words) { return words.text == "Reveal"; });
+  };
+  open_virtual_falcon("Hand");
+  start_measuring(session());
+  frames(3);
+  EXPECT_TRUE(offers_to_reveal()) << "the hand at a virtual device is simulated";
+  session().hand_is_simulated = false;
+  frames(3);
+  EXPECT_TRUE(hides_answer(session()));
+  EXPECT_FALSE(offers_to_reveal());
+  reveal_hand(session());
+  EXPECT_TRUE(measurement().was_blind);
 }
 
 // A real device's driver with a simulated arm and hand behind it: its goal is not known, so it has a target to aim at.

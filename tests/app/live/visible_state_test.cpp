@@ -114,6 +114,9 @@ TEST_F(VisibleStateTest, NumbersOfPanelsAreSeenWherePanelsAre) {
     EXPECT_EQ(sees([&] { reading_.refused = 1; }), has_panels);
     EXPECT_EQ(sees([&] { reading_.readiness.front().words += "."; }), has_panels);
     EXPECT_EQ(sees([&] { reading_.motors.sent.x += 0.1; }), has_panels);
+    EXPECT_EQ(sees([&] { session_.dial_turned_s = 0.0; }), has_panels);
+    EXPECT_FALSE(sees([&] { session_.dial_turned_s = 1.0; })) << "its words are there, however old";
+    EXPECT_EQ(sees([&] { session_.dial_turned_s.reset(); }), has_panels);
     EXPECT_EQ(sees([&] { session_.measurement.step = MeasuringStep::hold_still; }), has_panels);
     EXPECT_EQ(sees([&] { session_.measurement.drift = 0.001; }), has_panels);
   }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,8 +28,23 @@ struct Picture {
   Snapshot snapshot;
   History history;
   Camera camera;
+  ViewOptions options;
   Marks marks;
 };
+
+void compose_again(Picture& picture) {
+  PaneMemory memory;
+  picture.marks = compose({.settings = picture.scene.settings,
+                           .snapshot = picture.snapshot,
+                           .history = picture.history,
+                           .theme = *find_theme("light"),
+                           .camera = picture.camera,
+                           .options = picture.options,
+                           .scale = 1.0,
+                           .points_per_newton = 30.0,
+                           .measure = measure},
+                          memory);
+}
 
 Picture picture_of(const std::string& name, StrategyId active, Compare compare, Vector<2> size = {853.0, 724.0},
                    std::vector<std::string> overrides = {}) {
@@ -40,17 +56,8 @@ Picture picture_of(const std::string& name, StrategyId active, Compare compare, 
     picture.snapshot = snapshot;
   });
   picture.camera = camera_on(picture.scene.view.center, picture.scene.view.width, size);
-  PaneMemory memory;
-  picture.marks = compose({.settings = picture.scene.settings,
-                           .snapshot = picture.snapshot,
-                           .history = picture.history,
-                           .theme = *find_theme("light"),
-                           .camera = picture.camera,
-                           .options = {.compare = compare},
-                           .scale = 1.0,
-                           .points_per_newton = 30.0,
-                           .measure = measure},
-                          memory);
+  picture.options = {.compare = compare};
+  compose_again(picture);
   return picture;
 }
 
@@ -111,6 +118,23 @@ TEST(Compose, DrawsNoGhostForceAndNoDriftWhereThereIsNone) {
     EXPECT_TRUE(find_forms<Arrow>(picture, Role::ghost_force, entry.id).empty());
     EXPECT_TRUE(find_forms<Line>(picture, Role::proxy_drift, entry.id).empty());
   }
+}
+
+// Against a target it may be, and then all else is drawn as ever.
+TEST(Compose, LeavesOutAGhostForceThatIsUnknown) {
+  Picture picture = picture_of("wall45", StrategyId::naive, Compare::overlay);
+  picture.snapshot.measured = StrategyId::naive;
+  picture.snapshot.has_target = true;
+  StrategySnapshot<2>& naive = picture.snapshot.strategies[index_of(StrategyId::naive)];
+  naive.ghost_force = naive.proxy_drift = Vector<2>(std::numeric_limits<double>::quiet_NaN());
+  compose_again(picture);
+  const auto forces = find_forms<Arrow>(picture, Role::force, StrategyId::naive);
+  ASSERT_EQ(forces.size(), 1U);
+  EXPECT_LT(glm::distance(end_of(picture, *forces[0], StrategyId::naive), naive.force * 30.0), 1e-9);
+  EXPECT_TRUE(find_forms<Arrow>(picture, Role::ghost_force, StrategyId::naive).empty());
+  EXPECT_TRUE(find_forms<Line>(picture, Role::proxy_drift, StrategyId::naive).empty());
+  EXPECT_FALSE(find_forms<Label>(picture, Role::device, StrategyId::naive).empty());
+  EXPECT_FALSE(find_forms<Label>(picture, Role::force, StrategyId::naive).empty());
 }
 
 // Only the active strategy has words, numbers, arrows and rulers.

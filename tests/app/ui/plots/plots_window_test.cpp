@@ -1,11 +1,14 @@
 // The drawer with the plots, as a person uses it.
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <numbers>
 #include <string>
+#include <string_view>
 
 #include "app/files/input_file.h"
 #include "tests/app/live/driven_window.h"
+#include "tests/support/screen_text.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce {
@@ -43,6 +46,25 @@ TEST_F(PlotsWindow, ComesAndGoesWithItsKey) {
   frames(2);
   EXPECT_FALSE(view().is_open);
   EXPECT_GT(screen().scene_size().y, height + 150.0);
+}
+
+TEST_F(PlotsWindow, ABarSaysThatTimeStandsStillWhereThereIsNoCaption) {
+  const auto says_paused = [](std::string_view window) {
+    return std::ranges::any_of(words_on_screen(), [&](const ScreenWords& words) {
+      return words.text.starts_with("PAUSED") && words.window.find(window) != std::string::npos;
+    });
+  };
+  session().paused = true;
+  frames(3);
+  EXPECT_TRUE(says_paused("caption"));
+  EXPECT_FALSE(says_paused("status")) << "once is enough";
+  session().appearance.scale = 2.0;
+  frames(3);
+  EXPECT_FALSE(says_paused("caption"));
+  EXPECT_TRUE(says_paused("status"));
+  session().paused = false;
+  frames(3);
+  EXPECT_FALSE(says_paused("status"));
 }
 
 TEST_F(PlotsWindow, TabsChooseWhatIsShown) {

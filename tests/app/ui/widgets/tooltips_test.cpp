@@ -78,5 +78,18 @@ TEST_F(TooltipTest, DoesNotComeDuringADragNorTwoSecondsAfter) {
   EXPECT_NE(shown(), nullptr) << "a while after";
 }
 
+TEST_F(TooltipTest, ComesBackWhereADragEndedOnceThePointerHasLeftIt) {
+  const Vector<2> end = on_words("Rendering kr");
+  press_at(on_words("600 N/m"));
+  point_at(end);
+  frames(2, 0);
+  button(GLFW_RELEASE);
+  frames(200, 0);
+  EXPECT_EQ(shown(), nullptr) << "it has not been left";
+  rest_at(end + Vector<2>(0.0, 300.0), 200);
+  rest_at(end);
+  EXPECT_NE(shown(), nullptr);
+}
+
 }  // namespace
 }  // namespace ghostforce
