@@ -158,7 +158,7 @@ int run(const RunOptions& options) {
        .face = set_up.face,
        .mode = set_up.mode,
        .lesson = lesson,
-       .language = options.lesson.wanted(),
+       .language = options.lesson.wanted(preferences.language),
        .lesson_progress = progress,
        .inputs = desktop_inputs(options.falcon.cable()),
        .input = std::string(recording ? replay_kind.name : std::string_view(options.input)),
