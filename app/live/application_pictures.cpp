@@ -24,6 +24,7 @@ void Application::copy_picture(const CopyPictureRequest& request) {
 void Application::save_clip(const SaveClipRequest& request) {
   const Scene& scene = *session_.scene;
   const double scale = session_.appearance.scale * static_cast<double>(window_.display_scale());
+  const ShownMoment last = history_.moments().at(request.end_s).value_or(shown());
   clip_saving_.begin(request, history_.moments(),
                      {.language = &stage_language(session_.language),
                       .theme = session_.appearance.theme,
@@ -33,7 +34,7 @@ void Application::save_clip(const SaveClipRequest& request) {
                       .size = screen_.scene_size(),
                       .scale = scale,
                       .target = target_of(session_, report_.motors)},
-                     painter_, set_up_line(set_up_of(session_, shown())));
+                     painter_, set_up_line(set_up_of(session_, last)));
   session_.notice.reset();
   clip_saving_.look(session_);  // says at once that it has begun
 }

@@ -17,13 +17,13 @@ namespace {
 constexpr double height_of_design = 720.0;
 constexpr double line_of_em = 1.17;  // height of a line of text over its nominal size
 constexpr double words_em = 24.0;    // a thirtieth of the height, which the last row of a lecture hall can read
-constexpr double sentence_em = 30.0;
+constexpr double sentence_em = 29.0;
 constexpr double lesson_em = 27.0;  // of a lesson's text, which is longer than a sentence
 constexpr double number_em = 74.0;
 constexpr double unit_em = 34.0;
 constexpr double edge_margin = 36.0;
 constexpr double button_height = 56.0;
-constexpr double icon_side = 46.0;
+constexpr double icon_side = 45.0;
 constexpr double gap = 14.0;
 constexpr double button_padding = 18.0;
 
