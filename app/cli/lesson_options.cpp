@@ -3,14 +3,17 @@
 #include <algorithm>
 #include <vector>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
 #include "app/console/language.h"
 #include "app/lessons/lesson_file.h"
+#include "app/view/stage/stage_language.h"
 
 namespace ghostforce {
 
-void LessonOptions::attach(CLI::App& command, FileOptions& files) {
+void LessonOptions::attach(CLI::App& command, FileOptions& files, std::string_view usual_language) {
   files.reads(command.add_option("--lesson", name, "A lesson that comes with the program, or the path of one")
                   ->type_name("NAME|FILE"),
               [](const std::string& word) {
@@ -18,9 +21,12 @@ void LessonOptions::attach(CLI::App& command, FileOptions& files) {
                 const bool is_shipped = std::ranges::find(shipped, word) != shipped.end();
                 return is_shipped ? std::vector<std::string>{} : std::vector{word};
               });
+  std::vector<std::string_view> codes;
+  for (const StageLanguage* const each : stage_language_catalog()) codes.push_back(each->code);
   command
       .add_option("--language", language,
-                  "The language of lessons, as two letters: en or es; default: the environment's, or en")
+                  fmt::format("The language of the stage and of lessons, as two letters: {}; default: {}",
+                              fmt::join(codes, " or "), usual_language))
       ->type_name("CODE");
 }
 

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "app/cli/command.h"
 #include "app/lessons/lesson.h"
@@ -13,7 +14,8 @@ struct LessonOptions {
   std::string name;      // of a shipped lesson, or a path; empty: none
   std::string language;  // empty: that of an earlier run, else the environment's
 
-  void attach(CLI::App& command, FileOptions& files);
+  // `usual_language`: what it is without the option, for the help.
+  void attach(CLI::App& command, FileOptions& files, std::string_view usual_language);
   // Null: none was asked for. Throws ReadError.
   std::shared_ptr<const Lesson> load() const;
   // The language that the person wants to read. `kept`: from an earlier run; empty: none.

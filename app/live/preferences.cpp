@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "app/console/language.h"
 #include "app/console/quoted.h"
 #include "app/files/kept_file.h"
 #include "app/files/toml_document.h"
@@ -220,7 +221,7 @@ Preferences preferences_in(const Session& session) {
           .speed = lesson ? lesson->before.speed : session.speed,
           .speaks = session.speaks,
           .offers_hints = session.hint.has_value(),
-          .language = {}};
+          .language = session.language};
 }
 
 void apply(const Preferences& preferences, Session& session) {
@@ -233,6 +234,7 @@ void apply(const Preferences& preferences, Session& session) {
   session.face = preferences.face;
   session.speed = preferences.speed;
   session.speaks = preferences.speaks;
+  session.language = wanted_language(preferences.language, locale_variables());
   session.hint = preferences.offers_hints ? std::optional<std::size_t>(0) : std::nullopt;
 }
 

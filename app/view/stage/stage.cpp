@@ -24,7 +24,7 @@ std::string sentence_of(const StageContent& content, const StageModeLayers* mode
   if (mode != nullptr) {
     if (std::string words = mode->sentence(content); !words.empty()) return words;
   }
-  return std::string(stage_sentence(content.settings, content.moment, content.audience));
+  return std::string(stage_sentence(content.settings, content.moment, content.audience, content.language));
 }
 
 // With the digits that choose them. Empty: there is nothing to choose.
@@ -40,6 +40,7 @@ void make_room_for_ribbon(const StageContent& content, StageLayout& layout) {
   // Its height is a matter of its letters alone.
   const Ribbon ribbon{.moments = *content.moments,
                       .looks_back_to_s = content.looks_back_to_s,
+                      .language = content.language,
                       .theme = content.theme,
                       .measure = content.measure,
                       .camera = {.size = content.size},
@@ -87,7 +88,8 @@ StagePicture compose_stage(const StageContent& content, LabelMemory& memory, dou
   const bool is_map = content.mode == StageMode::landscape && !content.hides.handle;
   const std::string sentence = sentence_of(content, mode);
   StageLayout layout = stage_layout(content.size, content.scale, content.measure,
-                                    {.sentence = sentence,
+                                    {.language = content.language,
+                                     .sentence = sentence,
                                      .corner = content.corner ? std::string_view(content.corner->words) : "",
                                      .corner_action = content.corner ? content.corner->action : StageCommand::keys,
                                      .has_full = !content.moment.is_measured,

@@ -27,6 +27,7 @@ class PreferencesTest : public testing::Test {
     setenv("XDG_CONFIG_HOME", (folder_ / "config").c_str(), 1);
     setenv("XDG_STATE_HOME", (folder_ / "state").c_str(), 1);
     setenv("HOME", (folder_ / "home").c_str(), 1);
+    setenv("LC_ALL", "C", 1);
   }
   std::string preferences() const { return folder_ / "config/ghostforce/preferences.toml"; }
   std::string layout() const { return folder_ / "state/ghostforce/layout.toml"; }
@@ -158,9 +159,24 @@ TEST_F(PreferencesTest, EachPartGoesIntoTheSessionAndBack) {
     Session session = session_of(load_scene("wall45"));
     name_the_parts_of_the_session(session);
     apply(chosen, session);
-    chosen.language.clear();  // is not the session's
+    if (chosen.language.empty()) chosen.language = "en";  // the environment's
     EXPECT_EQ(preferences_in(session), chosen);
   }
+}
+
+TEST_F(PreferencesTest, TheLanguageIsTheOneThatWasChosenOrTheEnvironments) {
+  Session session = session_of(load_scene("wall45"));
+  setenv("LC_ALL", "es_ES.UTF-8", 1);
+  apply(Preferences{}, session);
+  EXPECT_EQ(session.language, "es");
+  PreferenceKeeper keeper(Preferences{}, session);
+  keeper.keep(session);
+  EXPECT_FALSE(std::filesystem::exists(preferences())) << "nobody has chosen it";
+  session.language = "en";
+  keeper.keep(session);
+  EXPECT_EQ(load_preferences().preferences.language, "en");
+  apply(load_preferences().preferences, session);
+  EXPECT_EQ(session.language, "en");
 }
 
 TEST_F(PreferencesTest, PlotsThatFollowThePresentAreNoChange) {
@@ -214,7 +230,7 @@ TEST_F(PreferencesTest, ALessonChangesNone) {
   session.face = Face::workbench;
   session.speed = 0.1;
   const Preferences before = preferences_in(session);
-  begin_lesson(session, std::make_shared<const Lesson>(load_lesson("ghost")), "en");
+  begin_lesson(session, std::make_shared<const Lesson>(load_lesson("ghost")));
   EXPECT_NE(session.face, before.face);
   EXPECT_EQ(preferences_in(session), before);
 }

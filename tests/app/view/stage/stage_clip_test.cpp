@@ -26,7 +26,8 @@ ClipMoment at_rest(StrategyId active) {
 
 StageClip clip() {
   const Scene scene = load_scene("wall45");
-  return StageClip({.theme = &theme_catalog().front(),
+  return StageClip({.language = &english_stage,
+                    .theme = &theme_catalog().front(),
                     .measure = measure_vector_text,
                     .shown = stage_view_of(scene.settings, scene.goal.points.back()),
                     .reference_force = 3.0,
