@@ -15,11 +15,12 @@ LessonMark mark_of(LessonOutcome outcome) {
 }
 
 // After an answer, what it is told; who is told nothing keeps the step's text.
-const std::string& text_of(const LessonStepWords& words, LessonOutcome outcome) {
+std::string text_of(const LessonStepWords& words, LessonOutcome outcome, const StageLanguage::Lessons& phrases) {
   if (outcome == LessonOutcome::open) return words.text;
   const std::string& told = outcome == LessonOutcome::right ? words.right : words.wrong;
-  if (!told.empty()) return told;
-  return words.right.empty() ? words.text : words.right;
+  if (told.empty()) return words.right.empty() ? words.text : words.right;
+  // What follows is the right answer: without these words it would look like the wrong one.
+  return outcome == LessonOutcome::wrong ? filled(phrases.not_quite, told) : told;
 }
 
 StageLessonSlider slider_content(const LessonSlider& slider, const Session& session, const StageLanguage& language) {
@@ -58,8 +59,8 @@ StageLesson lesson_content(const Session& session) {
   const LessonStepState& state = lesson_step_state(lesson);
   StageLesson content{.title = words.title,
                       .place = filled(phrases.place, lesson.step + 1, lesson.steps.size()),
-                      .text = text_of(words.steps[lesson.step], state.outcome),
-                      .mark = mark_of(state.outcome),
+                      .text = text_of(words.steps[lesson.step], state.outcome, phrases),
+                      .is_right = state.outcome == LessonOutcome::right,
                       .step = lesson.step,
                       .furthest = lesson.furthest,
                       .longest_text = {},
@@ -75,8 +76,9 @@ StageLesson lesson_content(const Session& session) {
     StageLessonRow row{.answers = said.answers, .has_strategies = each.controls.contains(LessonControl::strategies)};
     if (each.slider) row.slider = slider_content(*each.slider, session, language);
     content.rows.push_back(std::move(row));
-    for (const std::string* const text : {&said.text, &said.right, &said.wrong}) {
-      if (text->size() > content.longest_text.size()) content.longest_text = *text;
+    for (const LessonOutcome outcome : {LessonOutcome::open, LessonOutcome::right, LessonOutcome::wrong}) {
+      std::string text = text_of(said, outcome, phrases);
+      if (text.size() > content.longest_text.size()) content.longest_text = std::move(text);
     }
   }
   return content;

@@ -247,8 +247,8 @@ const StagePicture& StageFace::compose(const Session& session, const StageFrame&
   if (session.stage.mode != StageMode::round) content.shown = view_;
   content.hovered = pointer_.hovered();
   content.hovered_grip = pointer_.hovered_grip();
-  content.has_grips =
-      session.has_handles && is_allowed(session, LessonControl::wall) && is_allowed(session, LessonControl::motor);
+  content.may_turn_motor = session.has_handles && is_allowed(session, LessonControl::motor);
+  content.may_turn_wall = session.has_handles && is_allowed(session, LessonControl::wall);
   content.hint = stage_hint(session, content.moment, content.audience);
   picture_ = compose_stage(content, memory_, interval_s, std::move(picture_.pane.marks));
   return picture_;

@@ -39,8 +39,10 @@ struct StagePointer::Scene {
   // The outer pieces of the motor's rail, with what is at their ends.
   bool is_at_rail_end(const Vector<2>& pointer) const {
     const double reach = 0.7 * stage_grip_reach * picture.unit;
-    const Vector<2> middle = 0.5 * (picture.grips->motor[0] + picture.grips->motor[1]);
-    return std::ranges::any_of(picture.grips->motor, [&](const Vector<2>& end) {
+    if (!picture.motor_grips) return false;
+    const std::array<Vector<2>, 2>& ends = *picture.motor_grips;
+    const Vector<2> middle = 0.5 * (ends[0] + ends[1]);
+    return std::ranges::any_of(ends, [&](const Vector<2>& end) {
       const double half = glm::distance(middle, end);
       const Vector<2> out = half > 0.0 ? (end - middle) / half : Vector<2>(1.0, 0.0);
       const Vector<2> from = end - out * std::min(55.0 * picture.unit, 0.5 * half);
@@ -78,9 +80,8 @@ StagePointer::Hold StagePointer::hold_at(const Session& session, const Scene& sc
     return std::ranges::any_of(ends,
                                [&](const Vector<2>& end) { return scene.is_near(pointer, end, stage_grip_reach); });
   };
-  const bool may_turn_motor = picture.grips && is_allowed(session, LessonControl::motor);
-  if (may_turn_motor && scene.is_at_rail_end(pointer)) return Hold::motor;
-  if (picture.grips && picture.grips->wall && is_at(*picture.grips->wall)) return Hold::wall;
+  if (scene.is_at_rail_end(pointer)) return Hold::motor;
+  if (picture.wall_grips && is_at(*picture.wall_grips)) return Hold::wall;
   const bool may_drag = session.pointer_moves_goal && is_allowed(session, LessonControl::hand);
   return may_drag ? Hold::goal : Hold::nothing;
 }

@@ -27,9 +27,7 @@ void add_header(const StageLayer& layer) {
   const StageLesson& lesson = *content.lesson;
   const LessonLayout& places = *layout.lesson;
   const Theme& theme = content.theme;
-  // The wall's edge may pass behind it.
-  const Colour plate = faded(theme.background, 0.85);
-  canvas.box(Role::button, places.title_box.grown(canvas.points(7.0)), canvas.points(8.0), plate, plate, 0.0);
+  add_plate(layer, places.title_box);
   canvas.text(Role::sentence, places.title_box.least, places.title, layout.letters.bold_words, theme.text);
   canvas.text(Role::sentence, places.place, lesson.place, layout.letters.words, theme.text);
   for (std::size_t i = 0; i < places.dots.size(); ++i) {
@@ -123,7 +121,8 @@ void add_lesson_frame(const StageLayer& layer) {
   add_header(layer);
   if (const auto& mark = layer.layout.mark) {
     const double side = mark->extent().y;
-    add_mark(layer, lesson.mark, mark->least + Vector<2>(0.45 * side, 0.5 * side), 0.4 * side, layer.canvas.width(5.0));
+    add_mark(layer, LessonMark::right, mark->least + Vector<2>(0.45 * side, 0.5 * side), 0.4 * side,
+             layer.canvas.width(5.0));
   }
   for (std::size_t i = 0; i < places.answers.size(); ++i) add_answer(layer, i);
   if (places.slider) add_slider(layer, *lesson.row().slider, *places.slider);

@@ -117,9 +117,10 @@ StagePicture compose_stage(const StageContent& content, LabelMemory& memory, dou
   }
   picture.scene = layout.scene();
   picture.pivot = content.moment.handle;
-  if (content.has_grips && !is_map) {
-    picture.grips = stage_grips(content.settings, content.moment, camera, layout.scene(), layout.unit);
-    if (!content.may_turn_wall) picture.grips->wall.reset();
+  if (!is_map) {
+    const StageGrips grips = stage_grips(content.settings, content.moment, camera, layout.scene(), layout.unit);
+    if (content.may_turn_motor) picture.motor_grips = grips.motor;
+    if (content.may_turn_wall) picture.wall_grips = grips.wall;
   }
   if (is_map) picture.landscape = landscape_layout(stage_landscape(content, camera));
   for (const auto* const buttons : {&layout.strategies, &layout.icons}) {

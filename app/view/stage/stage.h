@@ -4,6 +4,7 @@
 // memory of where labels stood, which is handed in.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,10 +27,11 @@ struct StagePicture {
   Pane pane{};
   double unit = 1.0;  // a point of the design
   std::vector<StageButton> buttons{};
-  ScreenBox scene{};                           // where a hand can be seen
-  Vector<2> pivot{0.0};                        // that the motor's rail turns about [m]
-  std::optional<StageGrips> grips{};           // empty: nothing can be turned
-  std::optional<LandscapeLayout> landscape{};  // empty: there is no map
+  ScreenBox scene{};                                      // where a hand can be seen
+  Vector<2> pivot{0.0};                                   // that the motor's rail turns about [m]
+  std::optional<std::array<Vector<2>, 2>> motor_grips{};  // empty: it cannot be turned
+  std::optional<std::array<Vector<2>, 2>> wall_grips{};   // the same
+  std::optional<LandscapeLayout> landscape{};             // empty: there is no map
   std::optional<RibbonPlace> ribbon{};
 };
 

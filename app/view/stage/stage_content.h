@@ -60,8 +60,8 @@ struct StageContent {
   std::optional<StageHint> hint{};
   StageGrip hovered_grip = StageGrip::none;
   std::optional<StageAction> hovered{};  // the button under the pointer
-  bool has_grips = false;                // a person can take hold of motor and wall
-  bool may_turn_wall = true;             // with has_grips: the wall too
+  bool may_turn_motor = false;           // by its ends
+  bool may_turn_wall = false;
   StageGuess guess{};
   int why_step = 0;
   std::optional<StageRound> round{};

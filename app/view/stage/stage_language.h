@@ -85,6 +85,7 @@ struct StageLanguage {
     std::string_view should_hold;
     std::string_view virtual_wall;
     std::string_view hand;
+    std::string_view hand_in_wall;  // how deep [mm]
     std::string_view hand_to_drag;
     std::string_view hand_inferred;
     std::string_view motor_to_turn;
@@ -219,8 +220,9 @@ struct StageLanguage {
     std::string_view place;  // step, how many
     std::string_view back;
     std::string_view next;
-    std::string_view show;    // the answer to a question that is open
-    std::string_view answer;  // what a guess is given with
+    std::string_view show;       // the answer to a question that is open
+    std::string_view answer;     // what a guess is given with
+    std::string_view not_quite;  // then the right answer
     std::string_view finish;
     // Its sliders: what the number is.
     std::string_view k_u;

@@ -27,7 +27,9 @@ void add_stage_words(const StageLayer& layer);   // beside all these,
 void add_hand_words(const StageLayer& layer);    // and beside some
 void add_motor_words(const StageLayer& layer);
 void keep_guess_clear(const StageLayer& layer);
-void add_guess(const StageLayer& layer);     // of where the handle comes to rest, if there is one
+void add_guess(const StageLayer& layer);  // of where the handle comes to rest, if there is one
+// So that the edge of the wall does not run through words.
+void add_plate(const StageLayer& layer, const ScreenBox& words);
 void add_sentence(const StageLayer& layer);  // above
 void add_numbers(const StageLayer& layer);
 void add_buttons(const StageLayer& layer);       // below, and the strip of icons

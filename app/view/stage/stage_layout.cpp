@@ -72,7 +72,7 @@ class Arrangement {
   }
 
   StageLayout finished() {
-    const bool has_mark = words_.lesson != nullptr && words_.lesson->mark != LessonMark::none;
+    const bool has_mark = words_.lesson != nullptr && words_.lesson->is_right;
     layout_.sentence = lines(words_.sentence, mark_width(has_mark));
     layout_.sentence_box.least = Vector<2>(layout_.margin + mark_width(has_mark), layout_.margin - points(8.0));
     if (has_mark) {
@@ -87,6 +87,12 @@ class Arrangement {
     layout_.sentence_box.most =
         layout_.sentence_box.least +
         Vector<2>(width, static_cast<double>(layout_.sentence.size()) * layout_.letters.sentence.height);
+    layout_.words_end = layout_.sentence_box.most.y;
+    if (words_.lesson != nullptr) {
+      const std::size_t most = lines(words_.lesson->longest_text, mark_width(true)).size();
+      layout_.words_end = std::max(layout_.words_end, layout_.sentence_box.least.y +
+                                                          static_cast<double>(most) * layout_.letters.sentence.height);
+    }
     layout_.top = std::max(layout_.sentence_box.most.y, layout_.icons.front().box.most.y);
     if (layout_.lesson) layout_.top = std::max(layout_.top, layout_.lesson->title_box.most.y);
     layout_.bottom = layout_.lesson ? layout_.lesson->top : layout_.strategies.front().box.least.y;

@@ -32,7 +32,7 @@ struct StageLesson {
   std::string title;
   std::string place;               // "3 of 8"
   std::string text;                // of the step, or of what it was answered
-  LessonMark mark{};               // beside the text, once the question is answered
+  bool is_right = false;           // the question was answered so: a tick stands before the text
   std::vector<LessonMark> dots{};  // one for each step
   std::size_t step = 0;
   std::size_t furthest = 0;            // that was ever shown

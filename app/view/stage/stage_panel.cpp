@@ -242,8 +242,15 @@ void add_number(const StageLayer& layer, const LargeNumber& number, const Vector
 
 }  // namespace
 
+void add_plate(const StageLayer& layer, const ScreenBox& words) {
+  const auto& [content, layout, canvas] = layer;
+  const Colour plate = faded(content.theme.background, 0.85);
+  canvas.box(Role::sentence, words.grown(canvas.points(7.0)), canvas.points(8.0), plate, plate, 0.0);
+}
+
 void add_sentence(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
+  if (content.lesson) add_plate(layer, layout.sentence_box);
   canvas.text(Role::sentence, layout.sentence_box.least, layout.sentence, layout.letters.sentence,
               content.warning.empty() ? content.theme.text : content.theme.problem);
 }

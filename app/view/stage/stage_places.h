@@ -53,6 +53,7 @@ struct StageLayout {
   StageLetters letters{};
   std::vector<std::string> sentence;  // its lines
   ScreenBox sentence_box;
+  double words_end = 0.0;               // of the longest text that may stand there: the numbers below keep their place
   std::optional<ScreenBox> mark;        // of a lesson's answer, before the sentence
   std::vector<StageButton> strategies;  // the row below
   std::vector<StageButton> icons;       // the strip above, modes and workbench
@@ -70,7 +71,7 @@ struct StageLayout {
 
   // Where blocks of words may stand, and the best place for the two numbers: right below the sentence.
   ScreenBox room() const { return {Vector<2>(10.0 * unit), {size.x - 10.0 * unit, bottom - 6.0 * unit}}; }
-  Vector<2> numbers_corner() const { return {margin, sentence_box.most.y + 6.0 * unit}; }
+  Vector<2> numbers_corner() const { return {margin, words_end + 6.0 * unit}; }
 };
 
 struct StageFrameWords {

@@ -76,6 +76,21 @@ Colour stage_colour(const StageMoment& moment, const PerStrategy<Colour>& colour
   return mixed;
 }
 
+namespace {
+
+// To turn something by.
+void add_knobs(const StageLayer& layer, const std::array<Vector<2>, 2>& places, StageGrip grip) {
+  const auto& [content, layout, canvas] = layer;
+  const bool is_hot = content.hovered_grip == grip;
+  for (const Vector<2>& place : places) {
+    canvas.disc(Role::handle, place, canvas.points(is_hot ? 11.0 : 8.0), content.theme.background,
+                is_hot ? content.theme.accent : content.theme.wall_edge, canvas.width(3.0));
+    canvas.labels.keep_clear(place, place, canvas.points(12.0));
+  }
+}
+
+}  // namespace
+
 void add_stage_wall(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   const Theme& theme = content.theme;
@@ -97,15 +112,10 @@ void add_stage_wall(const StageLayer& layer) {
   }
   canvas.line(Role::wall, edge - along * reach, edge + along * reach, canvas.width(5.0), theme.wall_edge);
   canvas.labels.keep_clear(edge - along * reach, edge + along * reach, canvas.width(2.5), Clearance::if_possible);
-  if (!content.has_grips || !content.may_turn_wall) return;
+  if (!content.may_turn_wall) return;
   if (const auto grips =
           stage_grips(content.settings, content.moment, canvas.camera, layout.scene(), canvas.unit).wall) {
-    const bool is_hot = content.hovered_grip == StageGrip::wall;
-    for (const Vector<2>& grip : *grips) {
-      canvas.disc(Role::handle, grip, canvas.points(is_hot ? 11.0 : 8.0), theme.background,
-                  is_hot ? theme.accent : theme.wall_edge, canvas.width(3.0));
-      canvas.labels.keep_clear(grip, grip, canvas.points(12.0));
-    }
+    add_knobs(layer, *grips, StageGrip::wall);
   }
 }
 
@@ -125,7 +135,10 @@ void add_rail(const StageLayer& layer) {
     canvas.labels.keep_clear(piece[0] - along * canvas.points(14.0), piece[1] + along * canvas.points(14.0),
                              canvas.points(7.0), Clearance::if_possible);
   };
-  add(rail_ends(content.settings, content.moment, canvas.camera, layout.scene(), canvas.unit));
+  const std::array<Vector<2>, 2> rail_piece =
+      rail_ends(content.settings, content.moment, canvas.camera, layout.scene(), canvas.unit);
+  add(rail_piece);
+  if (content.may_turn_motor) add_knobs(layer, rail_piece, StageGrip::motor);
   if (fullness <= 0.0) return;
   const Vector<2> along = motor_on_screen(content);
   const Vector<2> across = Vector<2>(-along.y, along.x) * canvas.points(short_rail * fullness);

@@ -166,12 +166,15 @@ void add_hand_words(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   const bool is_asked_to_drag = content.hint == StageHint::drag;
   const StageLanguage::Labels& all = content.language.labels;
-  const std::string_view words = content.moment.is_measured ? all.hand_inferred
-                                 : is_asked_to_drag         ? all.hand_to_drag
-                                                            : all.hand;
+  // Lessons ask for a depth.
+  const double deep = depth(wall_of(content.settings), content.moment.goal);
+  const std::string words = content.moment.is_measured                    ? std::string(all.hand_inferred)
+                            : is_asked_to_drag                            ? std::string(all.hand_to_drag)
+                            : content.lesson && deep >= least_shown_slide ? filled(all.hand_in_wall, slide_number(deep))
+                                                                          : std::string(all.hand);
   canvas.label(Role::hand,
                {is_asked_to_drag ? StageLabel::hint : StageLabel::hand,
-                {std::string(words)},
+                {words},
                 is_asked_to_drag ? layout.letters.bold_words : layout.letters.words,
                 canvas.at(content.moment.goal),
                 canvas.at(content.moment.goal),

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <random>
 #include <string>
 
@@ -20,6 +21,8 @@
 
 namespace ghostforce {
 namespace {
+
+constexpr double two_pi = 2.0 * std::numbers::pi;
 
 class LessonWindow : public DrivenWindow {
  protected:
@@ -55,6 +58,19 @@ class LessonWindow : public DrivenWindow {
 
   Vector<2> rest() { return stage_moment_at_rest(session().settings, session().goal).handle; }
 
+  // By one of its ends, freely.
+  void turn(const std::optional<std::array<Vector<2>, 2>>& ends, const Vector<2>& pivot, double from, double to) {
+    ASSERT_TRUE(ends) << step().name << ": nothing to take hold of";
+    const Vector<2> arm = (*ends)[1] - pivot;
+    const double angle = from - to;  // y is down
+    const double cosine = std::cos(angle);
+    const double sine = std::sin(angle);
+    hold_control(true);
+    drag(pivot + arm, pivot + Vector<2>(cosine * arm.x - sine * arm.y, sine * arm.x + cosine * arm.y));
+    hold_control(false);
+    frames(1);
+  }
+
   void do_task() {
     const ghostforce::SetUp start{.scene = {.title = {},
                                             .about = {},
@@ -77,6 +93,18 @@ class LessonWindow : public DrivenWindow {
       move_lesson_slider(session(), wanted);
     }
     if (solved.active != session().settings.active) click(StageAction(solved.active));
+    const Settings& now = session().settings;
+    const StagePicture& shown = screen().stage().picture();
+    if (solved.wall_normal_angle != now.wall_normal_angle) {
+      turn(shown.wall_grips, on_window(now.wall_point), now.wall_normal_angle, solved.wall_normal_angle);
+      EXPECT_NEAR(std::remainder(now.wall_normal_angle - solved.wall_normal_angle, two_pi), 0.0, 0.02) << step().name;
+    }
+    if (solved.actuated_angle != now.actuated_angle) {
+      const double way = std::remainder(solved.actuated_angle - now.actuated_angle, 0.5 * two_pi);
+      turn(shown.motor_grips, on_window(shown.pivot), now.actuated_angle, now.actuated_angle + way);
+      EXPECT_NEAR(std::remainder(now.actuated_angle - solved.actuated_angle, 0.5 * two_pi), 0.0, 0.02) << step().name;
+    }
+    // To the last digit.
     session().settings.actuated_angle = solved.actuated_angle;
     session().settings.wall_normal_angle = solved.wall_normal_angle;
     for (int i = 0; i < 700 && outcome() == LessonOutcome::open; ++i) frames(1);
@@ -116,6 +144,22 @@ class LessonWindow : public DrivenWindow {
     }
   }
 };
+
+// Nothing can be taken hold of that the step does not offer, and all that it does.
+TEST_F(LessonWindow, OffersEndsToTurnWhereItsStepAllowsIt) {
+  for (const std::string_view name : shipped_lesson_names()) {
+    const auto played = std::make_shared<const Lesson>(load_lesson(std::string(name)));
+    begin(played);
+    for (std::size_t i = 0; i < played->steps.size(); ++i) {
+      show_lesson_step(session(), i);
+      frames(2);
+      const StagePicture& shown = screen().stage().picture();
+      const auto allows = [&](LessonControl control) { return played->steps[i].controls.contains(control); };
+      EXPECT_EQ(shown.motor_grips.has_value(), allows(LessonControl::motor)) << name << " " << i;
+      EXPECT_EQ(shown.wall_grips.has_value(), allows(LessonControl::wall)) << name << " " << i;
+    }
+  }
+}
 
 TEST_F(LessonWindow, EachLessonCanBePlayedRightlyWithThePointer) {
   for (const auto& each : shipped_lessons()) {

@@ -69,9 +69,9 @@ TEST_F(StageHintsTest, TheMotorsRailIsTurnedByItsEnds) {
   frames(60);
   expect_only(motor_words);
   const double before = session().settings.actuated_angle;
-  const auto& grips = screen().stage().picture().grips;
+  const auto& grips = screen().stage().picture().motor_grips;
   ASSERT_TRUE(grips);
-  const Vector<2> end = grips->motor[1];
+  const Vector<2> end = (*grips)[1];
   drag(end, end + Vector<2>(0.0, 120.0));
   EXPECT_NE(session().settings.actuated_angle, before);
   EXPECT_FALSE(session().hint);

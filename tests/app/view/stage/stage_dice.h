@@ -35,7 +35,8 @@ struct StageCase {
   StageAudience audience{};
   std::optional<StageHint> hint{};
   std::optional<StageAction> hovered{};
-  bool has_grips = false;
+  bool may_turn_motor = false;
+  bool may_turn_wall = false;
   StageGuess guess{};
   int why_step = 0;
   std::optional<StageRound> round{};
@@ -62,7 +63,8 @@ struct StageCase {
                             .audience = audience,
                             .hint = hint,
                             .hovered = hovered,
-                            .has_grips = has_grips,
+                            .may_turn_motor = may_turn_motor,
+                            .may_turn_wall = may_turn_wall,
                             .guess = guess,
                             .why_step = why_step,
                             .round = round,
@@ -146,7 +148,7 @@ inline StageCase stage_case_by(PictureDice& dice, const StageLanguage& language 
   made.mode = dice.one_of(std::array{StageMode::none, StageMode::none, StageMode::none, StageMode::predict,
                                      StageMode::why, StageMode::round, StageMode::ribbon});
   made.audience.can_drag = !made.moment.is_measured && !dice.one_in(5);
-  made.has_grips = dice.one_in(2);
+  made.may_turn_motor = made.may_turn_wall = dice.one_in(2);
   if (dice.one_in(5)) made.hint = dice.one_of(std::array{StageHint::drag, StageHint::cure, StageHint::motor});
   if (dice.one_in(10)) {
     made.hovered =
@@ -230,9 +232,9 @@ inline StageCase lesson_case_by(PictureDice& dice, const StageLanguage& language
   const auto mark = [&] { return dice.one_of(std::array{LessonMark::none, LessonMark::right, LessonMark::wrong}); };
   StageLesson lesson{.title = lesson_words_by(dice, static_cast<std::size_t>(dice.between(4.0, 40.0))),
                      .place = {},
-                     .text = lesson_words_by(dice, static_cast<std::size_t>(dice.between(10.0, 160.0))),
-                     .mark = mark(),
-                     .longest_text = lesson_words_by(dice, 160),
+                     .text = lesson_words_by(dice, static_cast<std::size_t>(dice.between(10.0, 175.0))),
+                     .is_right = dice.one_in(2),
+                     .longest_text = lesson_words_by(dice, 175),
                      .back = dice.one_in(4) ? "" : "Atrás",
                      .next = dice.one_in(3) ? "Esa es mi apuesta" : "Siguiente"};
   const auto steps = static_cast<std::size_t>(dice.between(1.0, 12.999));

@@ -36,7 +36,7 @@ Unrest drag(StageCase shown, int steps, const std::function<void(StageCase&, int
 
 StageCase usual(StrategyId active) {
   StageCase shown = stage_case_at(wall45(active), wall45_goal);
-  shown.has_grips = true;
+  shown.may_turn_motor = shown.may_turn_wall = true;
   return shown;
 }
 
