@@ -151,7 +151,10 @@ void StagePointer::nudge_by_key(Session& session) {
 
 // Each button once more, for the keyboard: the pointer belongs to the whole stage, which comes first.
 void StagePointer::press_by_key(Session& session, const StageFrame& frame, const StagePicture& picture, ImVec2 corner) {
-  for (const StageButton& button : picture.buttons) {
+  for (auto each = picture.buttons.begin(); each != picture.buttons.end(); ++each) {
+    const StageButton& button = *each;
+    // What can be asked for in two places is one stop.
+    if (std::ranges::find(picture.buttons, button.action, &StageButton::action) != each) continue;
     const Vector<2> least = vector_of(corner) + button.box.least;
     const Vector<2> size = glm::max(button.box.extent(), Vector<2>(1.0));
     ImGui::SetCursorScreenPos({static_cast<float>(least.x), static_cast<float>(least.y)});

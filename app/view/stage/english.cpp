@@ -171,6 +171,7 @@ const StageLanguage english_stage{
         },
     .buttons =
         {
+            .lessons = "F5 lessons",
             .keys = "F1 keys",
             .cure_hint = "press 3: the cure",
             .show_guess = "Enter: show me",

@@ -139,6 +139,7 @@ class LessonArrangement {
       made.answers.push_back({items[i].box, std::move(items[i].lines)});
     }
     layout_.corner.reset();
+    layout_.links.clear();
     if (!words_.corner.empty()) layout_.corner = StageButton{words_.corner_action, ends.front().box, words_.corner};
     made.back.reset();
     if (!lesson_.back.empty()) made.back = ends[ends.size() - 2].box;

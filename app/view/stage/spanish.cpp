@@ -162,6 +162,7 @@ const StageLanguage spanish_stage{
         },
     .buttons =
         {
+            .lessons = "F5 lecciones",
             .keys = "F1 teclas",
             .cure_hint = "pulsa 3: la cura",
             .show_guess = "Intro: muéstramelo",

@@ -127,6 +127,7 @@ StagePicture compose_stage(const StageContent& content, LabelMemory& memory, dou
     picture.buttons.insert(picture.buttons.end(), buttons->begin(), buttons->end());
   }
   if (layout.corner) picture.buttons.push_back(*layout.corner);
+  picture.buttons.insert(picture.buttons.end(), layout.links.begin(), layout.links.end());
   if (layout.lesson) {
     const std::vector<StageButton> buttons = lesson_buttons(*layout.lesson);
     picture.buttons.insert(picture.buttons.begin(), buttons.begin(), buttons.end());

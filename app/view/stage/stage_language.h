@@ -185,6 +185,7 @@ struct StageLanguage {
 
   // Buttons and hints at the lower edge.
   struct Buttons {
+    std::string_view lessons;
     std::string_view keys;
     std::string_view cure_hint;
     std::string_view show_guess;

@@ -141,18 +141,25 @@ class Arrangement {
     }
     const double right = layout_.size.x - layout_.margin;
     layout_.corner.reset();
+    layout_.links.clear();
     if (!words_.corner.empty()) {
       const double left = right - measure_(words_.corner, layout_.letters.bold_words).x - points(2.0 * button_padding);
       layout_.corner =
           StageButton{words_.corner_action, {{left, bottom - points(button_height)}, {right, bottom}}, words_.corner};
       return x <= left;
     }
-    const std::string_view keys_words = words_.language.buttons.keys;
-    const Vector<2> extent = measure_(keys_words, layout_.letters.words);
-    if (x + extent.x <= right) {
-      const double top = bottom - 0.5 * (points(button_height) + extent.y);
-      layout_.corner = StageButton{StageCommand::keys, {{right - extent.x, top}, {right, top + extent.y}}, keys_words};
+    const StageLanguage::Buttons& all = words_.language.buttons;
+    const double line = layout_.letters.words.height;
+    double top = bottom - 0.5 * points(button_height) - line;
+    for (const auto& [command, link] :
+         {std::pair(StageCommand::lessons, all.lessons), {StageCommand::keys, all.keys}}) {
+      const double left = right - measure_(link, layout_.letters.words).x;
+      layout_.links.push_back({command, {{left, top}, {right, top + line}}, link});
+      top += line;
     }
+    const bool have_room =
+        std::ranges::all_of(layout_.links, [&](const StageButton& link) { return x <= link.box.least.x; });
+    if (!have_room) layout_.links.clear();
     return x - points(gap) <= right;
   }
 

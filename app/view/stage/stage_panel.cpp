@@ -292,11 +292,10 @@ void add_buttons(const StageLayer& layer) {
   for (const StageButton& button : layout.strategies) add_strategy_button(layer, button);
   for (const StageButton& button : layout.icons) add_icon(layer, button);
   if (content.lesson) add_lesson_frame(layer);
-  if (layout.corner && content.corner) {
-    add_corner_button(layer, *layout.corner);
-  } else if (const auto& keys = layout.corner) {
-    canvas.text(Role::button, keys->box.least, std::string(keys->words), layout.letters.words,
-                is_hovered(content, keys->action) ? content.theme.accent : content.theme.faint_text);
+  if (layout.corner) add_corner_button(layer, *layout.corner);
+  for (const StageButton& link : layout.links) {
+    canvas.text(Role::button, link.box.least, std::string(link.words), layout.letters.words,
+                is_hovered(content, link.action) ? content.theme.accent : content.theme.faint_text);
   }
   add_hover_panel(layer);
   add_cure_hint(layer);
@@ -312,6 +311,7 @@ void keep_frame_clear(const StageLayer& layer) {
   for (const StageButton& button : layout.strategies) labels.keep_clear(button.box.grown(rim));
   for (const StageButton& button : layout.icons) labels.keep_clear(button.box.grown(rim));
   if (layout.corner) labels.keep_clear(layout.corner->box.grown(rim));
+  for (const StageButton& link : layout.links) labels.keep_clear(link.box.grown(rim));
   if (layout.lesson) keep_lesson_clear(layer);
   if (layout.ribbon) labels.keep_clear(*layout.ribbon);
   if (const auto panel = hover_panel(layer)) labels.keep_clear(panel->box.grown(rim));

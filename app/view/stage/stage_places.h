@@ -57,7 +57,8 @@ struct StageLayout {
   std::optional<ScreenBox> mark;        // of a lesson's answer, before the sentence
   std::vector<StageButton> strategies;  // the row below
   std::vector<StageButton> icons;       // the strip above, modes and workbench
-  std::optional<StageButton> corner;    // at the row's other end: the motors', or the help's where there is room for it
+  std::optional<StageButton> corner;    // at the row's other end
+  std::vector<StageButton> links;       // or there, as words, where there is room: lessons and keys
   std::optional<ScreenBox> ribbon;      // above the row, where there is one
   std::optional<LessonLayout> lesson;   // of which the strip of icons keeps the way out alone
   double header_left = 0.0;             // where what stands above at the right begins
