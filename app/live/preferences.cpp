@@ -217,7 +217,7 @@ Preferences preferences_in(const Session& session) {
           .options = session.options,
           .plots = {session.plots.is_open, session.plots.tab, span_s},
           .spacemouse = session.spacemouse,
-          .face = session.face,
+          .face = lesson ? lesson->before.face : session.face,
           .speed = lesson ? lesson->before.speed : session.speed,
           .speaks = session.speaks,
           .offers_hints = session.hint.has_value(),
