@@ -83,7 +83,7 @@ TEST(StagePicture, SaysItsNumbersInEveryFormat) {
 TEST(StagePicture, SpeaksTheLanguageThatItIsAskedFor) {
   const auto spanish = described({"--strategy", "naive", "--language", "es"});
   EXPECT_EQ(spanish["language"], "es");
-  for (const std::string_view words : {"fantasma 1.27 N", "mango", "pared virtual"}) {
+  for (const std::string_view words : {"desliza 12.0 mm", "mango", "pared virtual"}) {
     EXPECT_TRUE(says(spanish, words)) << words << " is not in\n" << words_in(spanish);
   }
   EXPECT_FALSE(says(spanish, "ghost"));
