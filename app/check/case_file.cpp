@@ -218,10 +218,12 @@ void read_text(ReadCase& into, std::vector<ReadProblem>& problems) {
       {"", "lesson", [&](const TomlValue& value) { lesson.lesson = value.text(); }},
       {"", "language",
        [&](const TomlValue& value) {
+         // A lesson may speak more languages than the stage.
+         if (lesson.lesson) return void(request.language = value.text().value_or("en"));
          std::vector<std::string_view> codes;
          for (const StageLanguage* const each : stage_language_catalog()) codes.push_back(each->code);
          if (const auto code = value.word(codes)) request.language = codes[*code];
-         if (request.face == Face::workbench && !lesson.lesson) {
+         if (request.face == Face::workbench) {
            value.refuse("belongs to the stage", "give view = \"stage\" too, or name a lesson");
          }
        }},

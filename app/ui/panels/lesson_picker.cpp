@@ -7,6 +7,7 @@
 #include "app/lessons/lesson_file.h"
 #include "app/lessons/lesson_shelf.h"
 #include "app/ui/panels/dialogs.h"
+#include "app/ui/panels/language_choice.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/picture_card.h"
 
@@ -97,6 +98,7 @@ void draw_lessons(const PanelContext& context) {
   draw_reset(session, said);
   ImGui::SameLine();
   if (ImGui::Button(said.close.data())) session.dialog = Dialog::none;
+  draw_language_choice(session);
 }
 
 }  // namespace ghostforce

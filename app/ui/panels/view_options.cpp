@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/ui/panels/dialogs.h"
+#include "app/ui/panels/language_choice.h"
 #include "app/ui/panels/panel_catalog.h"
 #include "app/ui/widgets/controls.h"
 
@@ -18,15 +19,6 @@ void draw_theme_choice(const PanelContext& context) {
     if (ImGui::RadioButton(theme.name.data(), context.session.appearance.theme == &theme)) {
       context.session.appearance.theme = &theme;
     }
-  }
-}
-
-void draw_language_choice(const PanelContext& context) {
-  for (const StageLanguage* const language : stage_language_catalog()) {
-    const float width = ImGui::GetFrameHeightWithSpacing() + ImGui::CalcTextSize(language->name.data()).x;
-    if (language != stage_language_catalog().front()) same_line_if_room(width);
-    const bool is_chosen = &stage_language(context.session.language) == language;
-    if (ImGui::RadioButton(language->name.data(), is_chosen)) context.session.language = language->code;
   }
 }
 
@@ -69,7 +61,7 @@ void draw_view_options(const PanelContext& context) {
   row("Arrows", "The length of the force arrows, 25 to 400 %. The scale bar shows how long a force is drawn.");
   draw_scale_choice("arrows", look.arrow_scale, Appearance::least_arrow_scale, Appearance::greatest_arrow_scale);
   row("Language", "The language of the stage and of lessons. The workbench is in English.");
-  draw_language_choice(context);
+  draw_language_choice(session);
   row("Speech", "Reads the stage's sentence aloud when it changes. This needs the package speech-dispatcher.");
   ImGui::Checkbox("read aloud", &session.speaks);
   row("Preferences", "What you have chosen in this panel, and more, is kept from one run to the next.");

@@ -113,15 +113,15 @@ const StageLanguage spanish_stage{
         },
     .why =
         {
-            .push = "1  la pared empuja recto hacia fuera:",
+            .push = "1  la pared empuja recto:",
             .share = "2  de ese empuje, el motor puede dar:",
             .no_share_missing = "3  falta todo",
             .no_share_excess = "4  y no hay fuerza fantasma",
             .all_share_missing = "3  no falta nada",
             .all_share_excess = "4  así nada se desliza: sin fuerza fantasma",
-            .cured_missing = "3  ningún motor da esto, y la pared cede",
+            .cured_missing = "3  esto falta, y la pared cede",
             .cured_excess = "4  así nada se desliza: sin fuerza fantasma",
-            .missing = "3  ningún motor da esto: se desliza",
+            .missing = "3  esto falta: se desliza",
             .hardly_any_excess = "4  apenas hay fuerza fantasma",
             .excess = "4  y el deslizamiento tira: fantasma",
         },

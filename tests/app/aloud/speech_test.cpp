@@ -18,6 +18,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/fake_speech_service.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce {
@@ -25,75 +26,10 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-class FakeService {
- public:
-  explicit FakeService(const std::string& path) {
-    sockaddr_un address{};
-    address.sun_family = AF_UNIX;
-    std::memcpy(address.sun_path, path.data(), path.size());
-    listening_.reset(socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
-    EXPECT_EQ(bind(listening_.number(), reinterpret_cast<const sockaddr*>(&address), sizeof(address)), 0);
-    EXPECT_EQ(listen(listening_.number(), 4), 0);
-  }
-
-  // What is answered to a line; empty: nothing. By default what speech-dispatcher 0.11 answers.
-  std::function<std::string(const std::string&)> answer = usual_answer;
-
-  Words commands;
-  Words spoken;  // texts, as they came
-  int connections = 0;
-
-  // Takes what there is, and answers it.
-  void step() {
-    if (const int client = accept4(listening_.number(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC); client >= 0) {
-      client_.reset(client);
-      ++connections;
-      incoming_.clear();
-      takes_text_ = false;
-    }
-    char piece[4096];
-    ssize_t received = 0;
-    while (client_.number() >= 0 && (received = recv(client_.number(), piece, sizeof(piece), 0)) > 0) {
-      incoming_.append(piece, static_cast<std::size_t>(received));
-      for (std::size_t end = 0; (end = incoming_.find("\r\n")) != std::string::npos;) {
-        const std::string line = incoming_.substr(0, end);
-        incoming_.erase(0, end + 2);
-        take(line);
-      }
-    }
-  }
-  void send_to_client(const std::string& text) const {
-    send(client_.number(), text.data(), text.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
-  }
-  void hang_up() { client_.reset(); }
-
-  static std::string usual_answer(const std::string& line) {
-    if (line == "SPEAK") return "230 OK RECEIVING DATA\r\n";
-    if (line == ".") return "225-7\r\n225 OK MESSAGE QUEUED\r\n";
-    return "200 OK\r\n";
-  }
-
- private:
-  void take(const std::string& line) {
-    if (takes_text_ && line != ".") {
-      spoken.push_back(line);
-      return;
-    }
-    if (!takes_text_) commands.push_back(line);
-    takes_text_ = line == "SPEAK";
-    if (const std::string words = answer(line); !words.empty()) send_to_client(words);
-  }
-
-  Descriptor listening_;
-  Descriptor client_;
-  std::string incoming_;
-  bool takes_text_ = false;
-};
-
 class SpeechTest : public testing::Test {
  protected:
   // Until both have nothing more to do. Returns the first problem.
-  std::string step(Speech& speech, FakeService& service, int times = 20) const {
+  std::string step(Speech& speech, FakeSpeechService& service, int times = 20) const {
     std::string problem;
     for (int i = 0; i < times; ++i) {
       if (std::string found = speech.update(0.01); problem.empty()) problem = std::move(found);
@@ -122,7 +58,7 @@ class SpeechTest : public testing::Test {
 };
 
 TEST_F(SpeechTest, SpeaksASentenceInItsLanguage) {
-  FakeService service(socket_);
+  FakeSpeechService service(socket_);
   Speech speech(socket_);
   EXPECT_EQ(step(speech, service), "");
   EXPECT_EQ(service.connections, 0) << "nothing is said yet";
@@ -141,7 +77,7 @@ TEST_F(SpeechTest, SpeaksASentenceInItsLanguage) {
 }
 
 TEST_F(SpeechTest, TheNewestSentenceWins) {
-  FakeService service(socket_);
+  FakeSpeechService service(socket_);
   Speech speech(socket_);
   for (const char* words : {"one", "two", "three"}) speech.say(words, "en");
   EXPECT_EQ(step(speech, service), "");
@@ -149,7 +85,7 @@ TEST_F(SpeechTest, TheNewestSentenceWins) {
 }
 
 TEST_F(SpeechTest, WordsAreNeverCommands) {
-  FakeService service(socket_);
+  FakeSpeechService service(socket_);
   Speech speech(socket_);
   speech.say(".\r\nCANCEL ALL", "en");
   EXPECT_EQ(step(speech, service), "");
@@ -160,7 +96,7 @@ TEST_F(SpeechTest, WordsAreNeverCommands) {
 }
 
 TEST_F(SpeechTest, EndsWhatIsBeingSaidWhenItIsSwitchedOff) {
-  FakeService service(socket_);
+  FakeSpeechService service(socket_);
   {
     Speech speech(socket_);
     speech.say("a long sentence", "en");
@@ -172,14 +108,14 @@ TEST_F(SpeechTest, EndsWhatIsBeingSaidWhenItIsSwitchedOff) {
 }
 
 TEST_F(SpeechTest, ASilentServiceIsGivenUp) {
-  FakeService service(socket_);
+  FakeSpeechService service(socket_);
   service.answer = [](const std::string&) { return std::string(); };
   Speech speech(socket_);
   speech.say("hello", "en");
   const int steps = static_cast<int>(Speech::answers_within_s / 0.01);
   EXPECT_EQ(step(speech, service, steps - 10), "");
   EXPECT_EQ(step(speech, service, 20), "Nothing can be spoken: the speech service does not answer.");
-  service.answer = FakeService::usual_answer;
+  service.answer = FakeSpeechService::usual_answer;
   speech.say("again", "en");
   EXPECT_EQ(step(speech, service), "");
   EXPECT_EQ(service.spoken, Words{"again"});
@@ -187,10 +123,10 @@ TEST_F(SpeechTest, ASilentServiceIsGivenUp) {
 
 // Takes nothing from its socket: what cannot be sent stays with us, and the newest sentence still wins.
 TEST_F(SpeechTest, AServiceThatDoesNotReadHoldsNothingUp) {
-  FakeService service(socket_);
+  FakeSpeechService service(socket_);
   Speech speech(socket_);
   speech.say(std::string(4000000, 'a'), "en");
-  service.answer = [](const std::string& line) { return FakeService::usual_answer(line); };
+  service.answer = [](const std::string& line) { return FakeSpeechService::usual_answer(line); };
   while (service.commands.empty() || service.commands.back() != "SPEAK") {
     ASSERT_EQ(speech.update(0.0), "");
     service.step();
@@ -206,7 +142,7 @@ TEST_F(SpeechTest, AServiceThatDoesNotReadHoldsNothingUp) {
 }
 
 TEST_F(SpeechTest, AFloodIsTakenInPieces) {
-  FakeService service(socket_);
+  FakeSpeechService service(socket_);
   Speech speech(socket_);
   speech.say("hello", "en");
   ASSERT_EQ(step(speech, service), "");
@@ -224,7 +160,7 @@ TEST_F(SpeechTest, AFloodIsTakenInPieces) {
 }
 
 TEST_F(SpeechTest, AServiceThatHangsUpIsTriedOnceMore) {
-  FakeService service(socket_);
+  FakeSpeechService service(socket_);
   Speech speech(socket_);
   speech.say("one", "en");
   ASSERT_EQ(step(speech, service), "");
@@ -244,7 +180,7 @@ TEST_F(SpeechTest, AServiceThatHangsUpIsTriedOnceMore) {
 }
 
 TEST_F(SpeechTest, ARefusedSentenceIsSaidSoAndItsWordsAreNotSent) {
-  FakeService service(socket_);
+  FakeSpeechService service(socket_);
   service.answer = [](const std::string& line) {
     return line == "SPEAK" ? std::string("300 ERR INTERNAL\r\n") : std::string("400 ERR\r\n");
   };
@@ -275,7 +211,7 @@ TEST_F(SpeechTest, StartsTheServiceAndWaitsForIt) {
   }
   EXPECT_EQ(read_whole(folder_ / "asked"), "--spawn --communication-method unix_socket --socket-path " + socket_ + " ");
   EXPECT_EQ(speech.update(1.0), "");
-  FakeService service(socket_);
+  FakeSpeechService service(socket_);
   EXPECT_EQ(step(speech, service), "");
   EXPECT_EQ(service.spoken, Words{"hello"});
 }

@@ -151,6 +151,22 @@ TEST(Check, ShowsStepsOfLessons) {
   }
 }
 
+TEST(Check, ShowsTheStageInEachLanguage) {
+  const std::string stage = "scene = \"wall45\"\nsize = [320, 240]\nview = \"stage\"\n";
+  const Outcome good = Cases({{"english", stage + "match = \"plain\"\nlanguage = \"en\"\n"},
+                              {"plain", stage + "mismatch = \"spanish\"\n"},
+                              {"spanish", stage + "language = \"es\"\nmismatch = \"plain\"\n"}})
+                           .check();
+  EXPECT_EQ(good.exit_code, 0) << good.out << good.err;
+  for (const auto& [text, words] :
+       {std::pair(stage + "language = \"xx\"\n", "'xx' is not one of en, es"),
+        std::pair(std::string(small_case) + "language = \"es\"\n", "the key language: belongs to the stage")}) {
+    const Outcome bad = Cases({{"bad", text + "mismatch = \"other\"\n"}, {"other", std::string(small_case)}}).check();
+    EXPECT_EQ(bad.exit_code, 2) << text;
+    EXPECT_NE(bad.err.find(words), std::string::npos) << bad.err;
+  }
+}
+
 TEST(Check, NoticesAnotherStrategy) {
   const Cases cases({{"wall", std::string(small_case) + "strategy = \"naive\"\n"}});
   cases.update("wall");

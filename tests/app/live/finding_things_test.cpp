@@ -389,7 +389,7 @@ TEST_F(FindingThings, AllPreferencesAreResetAfterAQuestion) {
   ImGui::ActivateItemByID(window_named("Reset all preferences?").GetID("Reset all"));
   frames(4);
   EXPECT_EQ(session().dialog, Dialog::none);
-  EXPECT_EQ(preferences_in(session()), Preferences{});
+  EXPECT_EQ(preferences_in(session()), Preferences{.language = session().language}) << "the environment's";
   EXPECT_EQ(session().hint, 0U);
   EXPECT_EQ(session().preference_resets, 1U);
   EXPECT_EQ(session().folded_panels, panels_folded_at_first(WindowLayout::first_height));

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -77,6 +78,33 @@ TEST(StagePicture, SaysItsNumbersInEveryFormat) {
   EXPECT_EQ(cured["strategy"], "anisotropic");
   EXPECT_FALSE(says(cured, "ghost 1.27 N"));
   EXPECT_TRUE(says(cured, "0.00")) << words_in(cured);
+}
+
+TEST(StagePicture, SpeaksTheLanguageThatItIsAskedFor) {
+  const auto spanish = described({"--strategy", "naive", "--language", "es"});
+  EXPECT_EQ(spanish["language"], "es");
+  for (const std::string_view words : {"desliza 12.0 mm", "mango", "pared virtual"}) {
+    EXPECT_TRUE(says(spanish, words)) << words << " is not in\n" << words_in(spanish);
+  }
+  EXPECT_FALSE(says(spanish, "ghost"));
+  for (const StageModeEntry& each : stage_mode_catalog()) {
+    const auto picture = described({"--mode", std::string(each.name), "--language", "es"});
+    for (const std::string_view english : {"ghost", "wall", "hand", "motor pushes", "Esc: back"}) {
+      EXPECT_FALSE(says(picture, english)) << each.name << ":\n" << words_in(picture);
+    }
+  }
+}
+
+// The same call gives the same picture everywhere.
+TEST(StagePicture, DoesNotFollowTheEnvironmentsLanguage) {
+  const TemporaryFolder folder;
+  for (const char* language : {"C", "es_ES.UTF-8"}) {
+    ProgramCall call;
+    call.words = {"render", "wall45", "--view", "stage", "-o", folder / language};
+    call.environment = {fmt::format("LC_ALL={}", language)};
+    ASSERT_EQ(run_program(GHOSTFORCE_PROGRAM, call).exit_code, 0);
+  }
+  EXPECT_TRUE(read_whole(folder / "C") == read_whole(folder / "es_ES.UTF-8"));
 }
 
 TEST(StagePicture, IsWordsAndLinesInSvgAndPdfWithoutOpenGl) {

@@ -1,0 +1,16 @@
+#include "app/ui/panels/language_choice.h"
+
+#include "app/ui/widgets/controls.h"
+
+namespace ghostforce {
+
+void draw_language_choice(Session& session) {
+  const StageLanguage& shown = stage_language(session.language);
+  for (const StageLanguage* const language : stage_language_catalog()) {
+    const float width = ImGui::GetFrameHeightWithSpacing() + ImGui::CalcTextSize(language->name.data()).x;
+    if (language != stage_language_catalog().front()) same_line_if_room(width);
+    if (ImGui::RadioButton(language->name.data(), &shown == language)) session.language = language->code;
+  }
+}
+
+}  // namespace ghostforce
