@@ -23,12 +23,16 @@ Lesson read_lesson(std::string_view text, std::string_view shown_path) {
   return lesson;
 }
 
-const LessonWords& words_in(const Lesson& lesson, std::string_view language) {
-  for (const std::string_view wanted : {language, std::string_view("en")}) {
-    const auto found = lesson.words.find(std::string(wanted));
-    if (found != lesson.words.end()) return found->second;
+std::string_view language_in(const Lesson& lesson, std::string_view wanted) {
+  for (const std::string_view language : {wanted, std::string_view("en")}) {
+    const auto found = lesson.words.find(std::string(language));
+    if (found != lesson.words.end()) return found->first;
   }
-  return lesson.words.begin()->second;
+  return lesson.words.begin()->first;
+}
+
+const LessonWords& words_in(const Lesson& lesson, std::string_view language) {
+  return lesson.words.at(std::string(language_in(lesson, language)));
 }
 
 }  // namespace ghostforce

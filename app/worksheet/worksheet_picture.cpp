@@ -1,0 +1,48 @@
+#include "app/worksheet/worksheet_picture.h"
+
+#include <optional>
+#include <utility>
+
+#include "app/files/scene_file.h"
+#include "app/paint/vector/vector_painter.h"
+#include "app/ui/offscreen.h"
+
+namespace ghostforce {
+namespace {
+
+// Of the stage's design, which is 720 points high, so that the smallest words of the picture are 9.4 points large.
+constexpr double design_height = 720.0;
+constexpr double printed_unit = 0.39;  // a point of the design
+
+std::optional<std::size_t> right_answer_of(const LessonStep& step) {
+  switch (step.question) {
+    case LessonQuestion::none:
+      return std::nullopt;
+    case LessonQuestion::choose:
+      return step.right_answer + 1;
+    case LessonQuestion::guess:
+    case LessonQuestion::task:
+      return 1;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Pane worksheet_picture(const std::shared_ptr<const Lesson>& lesson, const std::string& language, WorksheetSide side,
+                       const WorksheetPicture& picture) {
+  const Vector<2> size = picture.box.extent();
+  PictureRequest request;
+  request.scene = load_scene(std::string(default_scene_name), {});
+  request.appearance = {.theme = &paper(), .scale = printed_unit * design_height / size.y};
+  request.is_bare = true;
+  request.hides_handle = picture.hides_handle;
+  LessonPicture shown{.lesson = lesson, .language = language, .step = picture.step};
+  if (side == WorksheetSide::answers) shown.answer = right_answer_of(lesson->steps[picture.step]);
+  show_lesson_in(request, std::move(shown));
+  Pane pane = compose_moment(request, simulate_to_moment(request), size, measure_vector_text).front();
+  pane.corner = picture.box.least;
+  return pane;
+}
+
+}  // namespace ghostforce
