@@ -11,7 +11,7 @@
 namespace ghostforce {
 namespace {
 
-constexpr double share_to_draw_into = 1.3;
+constexpr double large = 1.3;  // of the usual height: to draw into, or with many words
 
 bool asks(const LessonStep& step) {
   return step.question != LessonQuestion::none;
@@ -76,6 +76,19 @@ void add_what_to_do(const LessonStep& step, const LessonStepWords& words, const 
   }
 }
 
+// Steps without a question, from one to another.
+void add_what_to_look_at(const Lesson& lesson, std::size_t first, std::size_t last, const WorksheetPhrases& phrases,
+                         WorksheetItem& item) {
+  constexpr std::size_t most_lines = 3;
+  bool is_active = false;
+  for (std::size_t i = first; i <= last; ++i) {
+    is_active = is_active || lets_act(lesson.steps[i]);
+    if (i < first + most_lines) item.lines.emplace_back();
+  }
+  item.lines.front().words = is_active ? phrases.try_out : phrases.look;
+  if (last > first) item.number = fmt::format("{}–{}", first + 1, last + 1);
+}
+
 void add_answer(const LessonStep& step, const LessonStepWords& words, WorksheetItem& item) {
   for (std::size_t i = 0; i < words.answers.size(); ++i) {
     item.boxes.push_back({words.answers[i], i == step.right_answer});
@@ -95,24 +108,20 @@ std::vector<WorksheetItem> worksheet_items(const Lesson& lesson, std::string_vie
   for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
     const LessonStep& step = lesson.steps[i];
     WorksheetItem item{.step = i, .number = fmt::format("{}", i + 1), .text = words.steps[i].text};
-    const bool follows_text = i > 0 && !asks(lesson.steps[i - 1]);
-    const bool ends_texts = next_question(lesson, i) == i + 1 || i + 1 == lesson.steps.size();
     item.hides_handle = !has_answers && answers_earlier_question(lesson, i);
     if (asks(step)) {
-      item.picture_share = step.question == LessonQuestion::guess ? share_to_draw_into : 1.0;
+      item.picture_share = step.question == LessonQuestion::guess ? large : 1.0;
       has_answers ? add_answer(step, words.steps[i], item) : add_what_to_do(step, words.steps[i], phrases, item);
-    } else if (i < first_question || has_answers) {
-      // Texts in a row tell a story; its end has the picture.
-      item.picture_share = ends_texts && (i < first_question || follows_text) ? 1.0 : 0.0;
+    } else if (has_answers) {
+      // Texts in a row tell a story: its end has the picture.
+      const bool ends_story = i > 0 && !asks(lesson.steps[i - 1]) && next_question(lesson, i) == i + 1;
+      item.picture_share = ends_story ? large : 0.0;
     } else {
+      const bool is_before_questions = i < first_question;
+      const std::size_t last = is_before_questions ? i : next_question(lesson, i) - 1;
       // What is told after a question answers it.
-      const std::size_t last = next_question(lesson, i) - 1;
-      item.text.clear();
-      const bool is_active = std::any_of(lesson.steps.begin() + static_cast<std::ptrdiff_t>(i),
-                                         lesson.steps.begin() + static_cast<std::ptrdiff_t>(last + 1), lets_act);
-      item.lines.push_back({std::string(is_active ? phrases.try_out : phrases.look)});
-      for (std::size_t more = i; more < last && more < i + 2; ++more) item.lines.push_back({});
-      if (last > i) item.number = fmt::format("{}–{}", i + 1, last + 1);
+      if (!is_before_questions) item.text.clear();
+      add_what_to_look_at(lesson, i, last, phrases, item);
       i = last;
     }
     items.push_back(std::move(item));

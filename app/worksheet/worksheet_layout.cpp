@@ -18,7 +18,7 @@ constexpr TextStyle body{9.5 * line_of_em};
 constexpr TextStyle bold_body{9.5 * line_of_em, true};
 constexpr TextStyle title_style{16.0 * line_of_em, true};
 constexpr TextStyle quiet{least_worksheet_em * line_of_em + 0.1};
-constexpr double number_room = 22.0;  // of a step's number, left of everything else
+constexpr double number_room = 26.0;  // of a step's number, left of everything else
 constexpr double gap = 11.0;          // between picture and words
 constexpr double item_gap = 9.0;
 constexpr double box_side = 9.0;
@@ -26,6 +26,7 @@ constexpr double box_gap = 5.0;  // to its words
 constexpr double between_boxes = 16.0;
 constexpr double writing_step = 18.0;  // from one line to write on to the next
 constexpr double line_drop = 3.0;      // of its words, so that there is room to write above it
+constexpr double least_line = 80.0;    // that is worth beginning behind words
 constexpr double short_line = 46.0;    // before a unit
 constexpr double part_gap = 4.0;       // between text, boxes and lines of an item
 constexpr double picture_ratio = 1.6;  // width over height
@@ -67,12 +68,9 @@ class WorksheetPen {
   }
   // To write on.
   void rule(double from, double to, double y) { line(Role::grid, {from, y}, {to, y}, thin, paper().faint_text); }
-  void frame(Role role, const ScreenBox& box, double line_width) {
-    page_.marks.push_back(
-        {role, {}, Box{at(box.least), box.extent(), 0.0, Colour{0, 0, 0, 0}, paper().text, line_width}});
-  }
   void box(const Vector<2>& corner, bool is_ticked) {
-    frame(Role::button, {corner, corner + Vector<2>(box_side)}, 1.0);
+    page_.marks.push_back(
+        {Role::button, {}, Box{at(corner), Vector<2>(box_side), 0.0, Colour{0, 0, 0, 0}, paper().text, 1.0}});
     if (!is_ticked) return;
     const auto place = [&](double x, double y) { return corner + box_side * Vector<2>(x, y); };
     line(Role::hint, place(0.15, 0.45), place(0.45, 0.85), 2.0, paper().text);
@@ -80,7 +78,6 @@ class WorksheetPen {
   }
   void picture(const WorksheetItem& item, const ScreenBox& box) {
     page_.pictures.push_back({item.step, box, item.hides_handle});
-    frame(Role::grid, box.grown(0.5 * thin), thin);
   }
 
  private:
@@ -204,16 +201,21 @@ class Worksheet {
   }
 
   double add_line(const WorksheetLine& line, const Vector<2>& corner, WorksheetPen& pen) const {
-    const double y = corner.y + line_drop;
+    double y = corner.y + line_drop;
     double from = corner.x;
     if (!line.words.empty()) {
       pen.text({from, y}, line.words, body);
       from += pen.width(line.words, body) + box_gap;
     }
-    const double to = line.unit.empty() ? right() : from + short_line;
+    const bool is_short = !line.unit.empty();
+    if (!is_short && right() - from < least_line) {
+      from = corner.x;
+      y += writing_step;
+    }
+    const double to = is_short ? from + short_line : right();
     pen.rule(from, to, y + body.height);
-    if (!line.unit.empty()) pen.text({to + box_gap, y}, std::string(line.unit), body);
-    return corner.y + writing_step;
+    if (is_short) pen.text({to + box_gap, y}, std::string(line.unit), body);
+    return y - line_drop + writing_step;
   }
 
   double add_question_at_end(double top, WorksheetPage& page) const {

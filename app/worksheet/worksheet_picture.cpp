@@ -14,6 +14,8 @@ namespace {
 constexpr double design_height = 720.0;
 constexpr double printed_unit = 0.39;  // a point of the design
 
+constexpr double frame_width = 0.8;
+
 std::optional<std::size_t> right_answer_of(const LessonStep& step) {
   switch (step.question) {
     case LessonQuestion::none:
@@ -40,8 +42,14 @@ Pane worksheet_picture(const std::shared_ptr<const Lesson>& lesson, const std::s
   LessonPicture shown{.lesson = lesson, .language = language, .step = picture.step};
   if (side == WorksheetSide::answers) shown.answer = right_answer_of(lesson->steps[picture.step]);
   show_lesson_in(request, std::move(shown));
+  // Where there is no handle, nothing can be seen to go round.
+  if (picture.hides_handle) request.mode = StageMode::none;
   Pane pane = compose_moment(request, simulate_to_moment(request), size, measure_vector_text).front();
   pane.corner = picture.box.least;
+  pane.marks.push_back({Role::grid,
+                        {},
+                        Box{to_world(pane.camera, Vector<2>(0.5 * frame_width)), size - Vector<2>(frame_width), 0.0,
+                            Colour{0, 0, 0, 0}, paper().text, frame_width}});
   return pane;
 }
 

@@ -48,8 +48,10 @@ void add_battery(const StageLayer& layer) {
                                 ? "the first round"
                                 : fmt::format("{} mJ a round", signed_decimal_text(1e3 * energy->last.energy, 1));
   const TextStyle& style = layout.letters.bold_words;
-  const Vector<2> cell(canvas.points(84.0), canvas.points(170.0));
-  const Vector<2> extent(std::max(cell.x, content.measure("+888.8 mJ a round", style).x),
+  // A picture on paper is small, and its words do not change.
+  const Vector<2> cell(canvas.points(84.0), canvas.points(content.is_bare ? 110.0 : 170.0));
+  const std::string_view longest = content.is_bare ? std::string_view(words) : "+888.8 mJ a round";
+  const Vector<2> extent(std::max(cell.x, content.measure(longest, style).x),
                          cell.y + canvas.points(6.0) + style.height);
   const auto found = canvas.labels.place_block({.id = StageLabel::numbers,
                                                 .extent = extent,

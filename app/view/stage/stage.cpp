@@ -81,7 +81,7 @@ StagePicture compose_stage(const StageContent& content, LabelMemory& memory, dou
   const bool is_map = content.mode == StageMode::landscape && !content.hides.handle;
   StageLayout layout = layout_of(content, mode);
   if (content.mode == StageMode::ribbon && content.moments != nullptr) make_room_for_ribbon(content, layout);
-  const Camera camera = content.is_bare ? bare_stage_camera(content.shown, content.size)
+  const Camera camera = content.is_bare ? camera_on(content.shown.center, content.shown.width, content.size)
                                         : stage_camera(content.shown, content.size, layout.bottom);
   StagePicture picture{.pane = {Vector<2>(0.0), camera, content.settings.active, std::move(earlier)},
                        .unit = layout.unit};

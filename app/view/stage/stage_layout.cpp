@@ -247,11 +247,6 @@ Camera stage_camera(const SceneView& shown, const Vector<2>& size, double bottom
   return camera;
 }
 
-Camera bare_stage_camera(const SceneView& shown, const Vector<2>& size) {
-  constexpr double share = 0.8;  // of the view, which has room round it for numbers and words
-  return camera_on(shown.center, share * shown.width, size);
-}
-
 std::string hover_words(const StageAction& action) {
   if (const auto* const mode = std::get_if<StageMode>(&action)) {
     const auto entry = std::ranges::find(stage_mode_catalog(), *mode, &StageModeEntry::id);

@@ -24,8 +24,6 @@ SceneView stage_view_of(const Settings& settings, const Vector<2>& goal);
 // Its middle stands a little to the right of and below the window's, clear of the numbers.
 // `bottom`: where the scene ends, as in the layout.
 Camera stage_camera(const SceneView& shown, const Vector<2>& size, double bottom);
-// In the middle of a picture that has nothing else.
-Camera bare_stage_camera(const SceneView& shown, const Vector<2>& size);
 
 // How to say what a button does when it is pressed, and its key.
 std::string hover_words(const StageAction& action);
