@@ -17,6 +17,7 @@
 #include "app/files/scene_file.h"
 #include "app/files/toml_document.h"
 #include "app/lessons/lesson_file.h"
+#include "app/view/stage/stage_language.h"
 
 namespace ghostforce {
 namespace {
@@ -102,7 +103,6 @@ Scene load_scene_of(const TomlValue& named, const std::optional<TomlValue>& set,
 // The keys of a step of a lesson, as they stand.
 struct LessonKeys {
   std::optional<std::string> lesson{};
-  std::string language{"en"};
   std::size_t step = 1;
   std::optional<std::size_t> answer{};
 };
@@ -115,7 +115,6 @@ void show_lesson_of(const LessonKeys& keys, const TomlValue& named, const std::f
   try {
     LessonPicture picture{.lesson = std::make_shared<const Lesson>(
                               load_lesson(is_shipped ? *keys.lesson : (folder / *keys.lesson).string())),
-                          .language = keys.language,
                           .step = keys.step - 1,
                           .answer = keys.answer};
     if (const std::string problem = find_problem(picture); !problem.empty()) return named.refuse(problem, "");
@@ -217,7 +216,15 @@ void read_text(ReadCase& into, std::vector<ReadProblem>& problems) {
       {"", "scale", number_into(request.appearance.scale, {Appearance::least_scale, Appearance::greatest_scale})},
       {"", "set", nullptr},  // with the scene
       {"", "lesson", [&](const TomlValue& value) { lesson.lesson = value.text(); }},
-      {"", "language", [&](const TomlValue& value) { lesson.language = value.text().value_or("en"); }},
+      {"", "language",
+       [&](const TomlValue& value) {
+         std::vector<std::string_view> codes;
+         for (const StageLanguage* const each : stage_language_catalog()) codes.push_back(each->code);
+         if (const auto code = value.word(codes)) request.language = codes[*code];
+         if (request.face == Face::workbench && !lesson.lesson) {
+           value.refuse("belongs to the stage", "give view = \"stage\" too, or name a lesson");
+         }
+       }},
       {"", "step", whole_number(lesson.step)},
       {"", "answer", whole_number(lesson.answer)},
       {"", "match", other(Expectation::match)},
@@ -239,7 +246,7 @@ void read_text(ReadCase& into, std::vector<ReadProblem>& problems) {
       const std::optional<TomlValue> named = reader.find("", "lesson");
       if (named) keys.front().if_missing.reset();
       reader.read(keys);
-      for (const std::string_view key : {"language", "step", "answer"}) {
+      for (const std::string_view key : {"step", "answer"}) {
         const std::optional<TomlValue> alone = named ? std::nullopt : reader.find("", key);
         if (alone) alone->refuse("belongs to a lesson", "name one with lesson");
       }

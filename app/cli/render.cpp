@@ -54,9 +54,7 @@ void apply_size(const std::string& text, PictureRequest& request) {
 void apply_lesson(const RenderOptions& options, PictureRequest& request) {
   const std::shared_ptr<const Lesson> lesson = options.lesson.load();
   if (!lesson) return;
-  LessonPicture picture{.lesson = lesson,
-                        .language = options.lesson.wanted(),
-                        .step = static_cast<std::size_t>(options.step.value_or(1) - 1)};
+  LessonPicture picture{.lesson = lesson, .step = static_cast<std::size_t>(options.step.value_or(1) - 1)};
   if (options.answer) picture.answer = static_cast<std::size_t>(*options.answer);
   if (const std::string problem = find_problem(picture); !problem.empty()) {
     throw Failure(ExitCode::wrong_call, problem);
@@ -75,6 +73,7 @@ PictureRequest request_of(const RenderOptions& options) {
   apply_strategy_word(options.picture.strategy, request);
   if (const auto compare = find_compare(options.compare)) request.options.compare = *compare;
   options.picture.apply_appearance(request.appearance);
+  request.language = options.lesson.wanted("en");
   apply_lesson(options, request);
   return request;
 }
@@ -189,7 +188,18 @@ std::function<int()> attach_render(CLI::App& command, FileOptions& files) {
           "--landscape", [options] { options->picture.mode = stage_mode_name(StageMode::landscape); },
           "The map of all walls and hands: short for --mode landscape")
       ->excludes(command.get_option("--mode"));
-  options->lesson.attach(command, files);
+  CLI::Option* const json = files.writes(
+      command.add_option("--json", options->json, "Also write what was drawn, as JSON")->type_name("FILE"));
+  CLI::Option* const clip =
+      command
+          .add_option(
+              "--clip", options->clip,
+              "A clip instead of one picture: from one time to another [s] with so many pictures a second, 1 to 60, "
+              "as an animated .png, or as .mp4 or .webm if ffmpeg is installed")
+          ->type_name("FROM:TO:FPS")
+          ->excludes(command.get_option("--at"))
+          ->excludes(json);
+  options->lesson.attach(command, files, "en");
   CLI::Option* const lesson = command.get_option("--lesson");
   command.add_option("--step", options->step, "The step of the lesson, from 1; default: 1")
       ->type_name("N")
@@ -202,17 +212,7 @@ std::function<int()> attach_render(CLI::App& command, FileOptions& files) {
       ->type_name("K")
       ->needs(lesson)
       ->check(number_between(1.0, 1e6, ""));
-  lesson->excludes(command.get_option("--mode"))->excludes(command.get_option("--strategy"));
-  CLI::Option* const json = files.writes(
-      command.add_option("--json", options->json, "Also write what was drawn, as JSON")->type_name("FILE"));
-  command
-      .add_option(
-          "--clip", options->clip,
-          "A clip instead of one picture: from one time to another [s] with so many pictures a second, 1 to 60, "
-          "as an animated .png, or as .mp4 or .webm if ffmpeg is installed")
-      ->type_name("FROM:TO:FPS")
-      ->excludes(command.get_option("--at"))
-      ->excludes(json);
+  lesson->excludes(command.get_option("--mode"))->excludes(command.get_option("--strategy"))->excludes(clip);
   command.footer(
       "No display is needed, and the same call always gives the same bytes.\n"
       "\n"
@@ -222,6 +222,7 @@ std::function<int()> attach_render(CLI::App& command, FileOptions& files) {
       "  ghostforce render fig3-normal --compare side-by-side -o figure.pdf\n"
       "  ghostforce render wall45 --view stage --size 1280x720 -o stage.svg\n"
       "  ghostforce render --lesson ghost --step 2 --answer 1 -o step.png\n"
+      "  ghostforce render wall45 --view stage --language es -o escenario.png\n"
       "  ghostforce render wall45 --landscape --theme projector -o landscape.png\n"
       "  ghostforce render wall45 --view stage --size 1280x720 --clip 0:3:30 -o clip.png");
   // Lessons bring their own.

@@ -143,6 +143,7 @@ int run(const RunOptions& options) {
   options.set_up.picture.apply_appearance(preferences.appearance);
   preferences.offers_hints = preferences.offers_hints && !options.no_hints;
   preferences.speaks = preferences.speaks || options.speaks;
+  preferences.language = options.lesson.wanted(preferences.language);
   const Appearance& appearance = preferences.appearance;
   const auto scaled = [&](int points) { return static_cast<int>(std::lround(points * appearance.scale)); };
   const WindowLayout layout = stored.layout.value_or(
@@ -158,7 +159,7 @@ int run(const RunOptions& options) {
        .face = set_up.face,
        .mode = set_up.mode,
        .lesson = lesson,
-       .language = options.lesson.wanted(),
+       .language = preferences.language,
        .lesson_progress = progress,
        .inputs = desktop_inputs(options.falcon.cable()),
        .input = std::string(recording ? replay_kind.name : std::string_view(options.input)),
@@ -258,7 +259,7 @@ std::function<int()> attach_run(CLI::App& command, FileOptions& files) {
                                "Record every tick, starting with the first, to this CSV file, which must not exist yet")
                    ->type_name("FILE")
                    ->check(refuse_standard_output));
-  options->lesson.attach(command, files);
+  options->lesson.attach(command, files, "the one that was chosen in the window, else the environment's");
   options->falcon.attach(command, files);
   command.add_flag("--no-hints", options->no_hints, "Do not show the hints for newcomers");
   command

@@ -22,11 +22,13 @@
 namespace ghostforce {
 namespace {
 
+constexpr const char* worksheet_language = "en";
+
 struct WorksheetOptions {
   std::vector<std::string> lessons;  // empty: all that come with the program
   std::string output;
   bool has_answers = false;
-  std::string language;  // empty: the environment's
+  std::string language;  // empty: the usual one, so that the same call gives the same bytes everywhere
   std::string paper{worksheet_paper_catalog.front().name};
 };
 
@@ -56,7 +58,7 @@ int worksheet(const WorksheetOptions& options) {
   refuse_what_is_no_pdf(options.output);
   const std::vector<std::shared_ptr<const Lesson>> lessons = lessons_of(options);
   const WorksheetChoice choice{
-      .language = wanted_lesson_language(options.language),
+      .language = language_wanted(options.language, worksheet_language),
       .paper = &*std::ranges::find(worksheet_paper_catalog, options.paper, &WorksheetPaper::name),
       .side = options.has_answers ? WorksheetSide::answers : WorksheetSide::questions};
   OutputFile file(options.output);
@@ -89,7 +91,7 @@ std::function<int()> attach_worksheet(CLI::App& command, FileOptions& files) {
           ->type_name("FILE.pdf")
           ->required());
   command.add_flag("--answers", options->has_answers, "Make the pages with the answers instead, for the teacher");
-  attach_language(command, options->language);
+  attach_language(command, options->language, worksheet_language);
   command.add_option("--paper", options->paper, "a4 or letter; default: a4")
       ->type_name("SIZE")
       ->check(one_of(names_of(worksheet_paper_catalog)));

@@ -5,6 +5,7 @@
 #include "app/files/scene_file.h"
 #include "app/lessons/lesson_search.h"
 #include "app/set_up/set_up_line.h"
+#include "app/view/stage/stage_language.h"
 
 namespace ghostforce {
 namespace {
@@ -66,8 +67,8 @@ std::vector<LessonStepFinding> examine_lesson(const Lesson& lesson) {
 
 std::vector<std::string_view> languages_missing_in(const Lesson& lesson) {
   std::vector<std::string_view> missing;
-  for (const std::string_view language : {"en", "es"}) {
-    if (!lesson.words.contains(std::string(language))) missing.push_back(language);
+  for (const StageLanguage* const language : stage_language_catalog()) {
+    if (!lesson.words.contains(std::string(language->code))) missing.push_back(language->code);
   }
   return missing;
 }

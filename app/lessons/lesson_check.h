@@ -19,7 +19,7 @@ struct LessonStepFinding {
 // One per step.
 std::vector<LessonStepFinding> examine_lesson(const Lesson& lesson);
 
-// The languages of the program's own lessons that this one has no words in.
+// The languages of the stage that the lesson has no words in.
 std::vector<std::string_view> languages_missing_in(const Lesson& lesson);
 
 }  // namespace ghostforce

@@ -24,15 +24,14 @@ Lesson read_lesson(std::string_view text, std::string_view shown_path) {
 }
 
 std::string_view language_in(const Lesson& lesson, std::string_view wanted) {
-  for (const std::string_view language : {wanted, std::string_view("en")}) {
-    const auto found = lesson.words.find(std::string(language));
-    if (found != lesson.words.end()) return found->first;
+  for (const std::string_view each : {wanted, std::string_view("en")}) {
+    if (lesson.words.contains(std::string(each))) return lesson.words.find(std::string(each))->first;
   }
   return lesson.words.begin()->first;
 }
 
-const LessonWords& words_in(const Lesson& lesson, std::string_view language) {
-  return lesson.words.at(std::string(language_in(lesson, language)));
+const LessonWords& words_in(const Lesson& lesson, std::string_view wanted) {
+  return lesson.words.at(std::string(language_in(lesson, wanted)));
 }
 
 }  // namespace ghostforce

@@ -21,9 +21,8 @@ Lesson load_lesson(const std::string& name_or_path);
 //     FILE:LINE:COLUMN: the key KEY: what is wrong; what to do
 Lesson read_lesson(std::string_view text, std::string_view shown_path);
 
-// That language if the lesson has it, else English, else whichever comes first.
+// That language where the lesson has words in it, else English, else whichever comes first; and these words.
 std::string_view language_in(const Lesson& lesson, std::string_view wanted);
-// The words of the lesson in language_in().
-const LessonWords& words_in(const Lesson& lesson, std::string_view language);
+const LessonWords& words_in(const Lesson& lesson, std::string_view wanted);
 
 }  // namespace ghostforce

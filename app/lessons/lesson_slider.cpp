@@ -11,18 +11,19 @@
 namespace ghostforce {
 namespace {
 
+using SliderTexts = StageLanguage::Lessons;
+
 struct SliderWords {
   std::string_view key;
-  std::string_view english;
-  std::string_view spanish;
+  std::string_view SliderTexts::*words;
 };
 constexpr std::array words_of_keys{
-    SliderWords{"user.k_u_N_per_m", "how stiff the hand is", "rigidez de la mano"},
-    SliderWords{"user.believed_k_u_N_per_m", "how stiff we believe the hand is", "rigidez que suponemos en la mano"},
-    SliderWords{"rendering.k_r_N_per_m", "how stiff the wall is", "rigidez de la pared"},
-    SliderWords{"rendering.tracking_ratio", "from naïve to the cure", "de ingenuo a la cura"},
-    SliderWords{"wall.normal_deg", "angle of the wall", "ángulo de la pared"},
-    SliderWords{"device.actuated_deg", "angle of the motor", "ángulo del motor"},
+    SliderWords{"user.k_u_N_per_m", &SliderTexts::k_u},
+    SliderWords{"user.believed_k_u_N_per_m", &SliderTexts::believed_k_u},
+    SliderWords{"rendering.k_r_N_per_m", &SliderTexts::k_r},
+    SliderWords{"rendering.tracking_ratio", &SliderTexts::tracking_ratio},
+    SliderWords{"wall.normal_deg", &SliderTexts::wall_angle},
+    SliderWords{"device.actuated_deg", &SliderTexts::motor_angle},
 };
 
 bool is_long_range(const LessonSlider& slider) {
@@ -64,11 +65,10 @@ double slider_value_at(const LessonSlider& slider, double share) noexcept {
   return slider.least + inside * (slider.greatest - slider.least);
 }
 
-std::string slider_words(const LessonSlider& slider, std::string_view language) {
+std::string slider_words(const LessonSlider& slider, const StageLanguage& language) {
   const std::string key = dotted_name(*slider.key);
   const auto* const found = std::ranges::find(words_of_keys, key, &SliderWords::key);
-  if (found == words_of_keys.end()) return key;
-  return std::string(language == "es" ? found->spanish : found->english);
+  return found == words_of_keys.end() ? key : std::string(language.lessons.*found->words);
 }
 
 std::string slider_text(const LessonSlider& slider, double value) {

@@ -4,9 +4,9 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include "app/lessons/lesson.h"
+#include "app/view/stage/stage_language.h"
 #include "core/settings.h"
 
 namespace ghostforce {
@@ -20,8 +20,8 @@ Settings with_slider_value(const LessonSlider& slider, const Settings& settings,
 double slider_share(const LessonSlider& slider, double value) noexcept;
 double slider_value_at(const LessonSlider& slider, double share) noexcept;
 
-// What the number is, in that language where it has words for it.
-std::string slider_words(const LessonSlider& slider, std::string_view language);
+// What the number is, where the language has words for it.
+std::string slider_words(const LessonSlider& slider, const StageLanguage& language);
 // With its unit.
 std::string slider_text(const LessonSlider& slider, double value);
 

@@ -47,7 +47,7 @@ Session session_with(const Scene& scene, const ApplicationOptions& options) {
   session.language = options.language;
   session.lesson_progress = options.lesson_progress;
   if (options.lesson) {
-    begin_lesson(session, options.lesson, options.language);
+    begin_lesson(session, options.lesson);
     session.stage_shown = lesson_view(session);
     session.requests.fit_view = false;  // it stands there at once
   }
@@ -354,7 +354,7 @@ void Application::handle_requests() {
     OutputFile file(path);
     file.write(make_bytes());
     file.commit();
-    show_notice(fmt::format("Saved {}", quoted_text(path, longest_path)), false);
+    show_notice(filled(notice_words().saved, quoted_text(path, longest_path)), false);
   };
   try {
     if (requests.quit) window_.close();

@@ -34,7 +34,7 @@ struct ApplicationOptions {
   Face face = Face::workbench;
   StageMode mode = StageMode::none;        // of the stage
   std::shared_ptr<const Lesson> lesson{};  // that begins at once; null: none
-  std::string language{"en"};              // of lessons
+  std::string language{"en"};              // of the stage and of lessons
   LessonProgress lesson_progress{};
   std::vector<InputEntry> inputs{};     // all that there are
   std::string input{mouse_hand.name};   // the name of one of them
@@ -144,6 +144,7 @@ class Application {
   void copy_set_up();
   void paste_set_up();
   void add_to_notice(const std::string& words);
+  const StageLanguage::Notices& notice_words() const { return stage_language(session_.language).notices; }
   TickState<2> start_state();
 
   Window& window_;

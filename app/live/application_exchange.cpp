@@ -78,14 +78,14 @@ void Application::open_scene(const std::string& name_or_path) {
 }
 
 void Application::open_lesson(const std::string& name_or_path) {
-  begin_lesson(session_, std::make_shared<const Lesson>(load_lesson(name_or_path)), session_.language);
+  begin_lesson(session_, std::make_shared<const Lesson>(load_lesson(name_or_path)));
 }
 
 void Application::show_picture(const std::string& path) {
   const SetUp set_up = read_picture_set_up(path);
   session_.notice.reset();
   show(set_up);
-  add_to_notice(fmt::format("This is what {} shows. Ctrl+Z takes it back.", quoted_text(path, longest_path)));
+  add_to_notice(filled(notice_words().picture_shown, quoted_text(path, longest_path)));
 }
 
 void Application::replay_run(const std::string& path) {
@@ -128,7 +128,7 @@ void Application::show(const SetUp& set_up) {
 
 void Application::copy_set_up() {
   window_.set_clipboard_text(set_up_line(set_up_of(session_, shown())));
-  show_notice("Copied this set-up as a command. Ctrl+V shows it again; so does running it in a terminal.", false);
+  show_notice(std::string(notice_words().copied_set_up), false);
 }
 
 void Application::paste_set_up() {
@@ -140,7 +140,7 @@ void Application::paste_set_up() {
   }
   session_.notice.reset();
   show(*set_up);
-  add_to_notice("This is the set-up that was pasted. Ctrl+Z takes it back.");
+  add_to_notice(std::string(notice_words().pasted_set_up));
 }
 
 // Another scene may have ended a recording, and the person must read that too.

@@ -18,21 +18,23 @@ void Application::copy_picture(const CopyPictureRequest& request) {
                                                     request.scene_alone ? Part::scene : Part::window, request.density),
                                     picture_texts(set_up_of(session_, shown())));
   const std::string problem = clipboard_tool_.copy_png(png, display);
-  show_notice(problem.empty() ? "Copied a picture. It can be pasted into other programs." : problem, !problem.empty());
+  show_notice(problem.empty() ? std::string(notice_words().copied_picture) : problem, !problem.empty());
 }
 
 void Application::save_clip(const SaveClipRequest& request) {
   const Scene& scene = *session_.scene;
   const double scale = session_.appearance.scale * static_cast<double>(window_.display_scale());
+  const ShownMoment last = history_.moments().at(request.end_s).value_or(shown());
   clip_saving_.begin(request, history_.moments(),
-                     {.theme = session_.appearance.theme,
+                     {.language = &stage_language(session_.language),
+                      .theme = session_.appearance.theme,
                       .measure = painter_.measure,
                       .shown = session_.stage_shown,
                       .reference_force = reference_force_of(scene.settings, scene.goal.points.back()),
                       .size = screen_.scene_size(),
                       .scale = scale,
                       .target = target_of(session_, report_.motors)},
-                     painter_, set_up_line(set_up_of(session_, shown())));
+                     painter_, set_up_line(set_up_of(session_, last)));
   session_.notice.reset();
   clip_saving_.look(session_);  // says at once that it has begun
 }

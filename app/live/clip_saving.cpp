@@ -69,6 +69,7 @@ void ClipSaving::begin(const SaveClipRequest& request, const MomentHistory& mome
 void ClipSaving::save(Work work) {
   leave_process_signals();
   const AlternateStack alternate_stack;
+  const StageLanguage& language = *work.look.language;
   try {
     const Work mine = std::move(work);  // the file is closed before the end is told
     StageClip clip(mine.look);
@@ -82,7 +83,7 @@ void ClipSaving::save(Work work) {
     }
     mine.file->commit();
   } catch (const ClipCancelled&) {
-    problem_ = fmt::format("{} was not saved.", quoted_text(path_, longest_path));
+    problem_ = filled(language.notices.not_saved, quoted_text(path_, longest_path));
   } catch (const Failure& failure) {
     problem_ = failure.what();
   } catch (const std::bad_alloc&) {
@@ -102,9 +103,10 @@ void ClipSaving::tell(Session& session, std::string words, bool is_problem) {
 void ClipSaving::look(Session& session) {
   if (!is_running()) return;
   const std::string path = quoted_text(path_, longest_path);
+  const StageLanguage::Notices& words = stage_language(session.language).notices;
   if (has_ended_) {
     thread_.join();
-    if (problem_.empty()) return tell(session, fmt::format("Saved {}", path), false);
+    if (problem_.empty()) return tell(session, filled(words.saved, path), false);
     return tell(session, problem_, !is_cancelled_);
   }
   const bool is_mine = session.notice && session.notice->words == told_;
@@ -114,7 +116,7 @@ void ClipSaving::look(Session& session) {
   if (is_cancelled_ || (session.notice && !is_mine)) return;
   constexpr std::size_t step = 5;  // not every picture is worth a new frame
   const std::size_t percent = 100 * saved_ / count_ / step * step;
-  tell(session, fmt::format("Saving {}: {} %. Close this, or press Esc, to cancel.", path, percent), false);
+  tell(session, filled(words.saving, path, percent), false);
 }
 
 void ClipSaving::cancel() noexcept {

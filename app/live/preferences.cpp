@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "app/console/language.h"
 #include "app/console/quoted.h"
 #include "app/files/kept_file.h"
 #include "app/files/toml_document.h"
@@ -208,17 +209,19 @@ void save_keys(const KeptFile& file, const std::vector<KeptKey<Kept>>& keys, con
 }  // namespace
 
 Preferences preferences_in(const Session& session) {
+  // A lesson has the stage and the usual speed for itself.
+  const std::optional<LessonState>& lesson = session.lesson;
   // While the plots follow the present, both ends move, and their distance changes in its last digits.
   const double span_s = std::round(1e3 * session.plots.span_s()) / 1e3;
   return {.appearance = session.appearance,
           .options = session.options,
           .plots = {session.plots.is_open, session.plots.tab, span_s},
           .spacemouse = session.spacemouse,
-          .face = session.face,
-          .speed = session.speed,
+          .face = lesson ? lesson->before.face : session.face,
+          .speed = lesson ? lesson->before.speed : session.speed,
           .speaks = session.speaks,
           .offers_hints = session.hint.has_value(),
-          .language = {}};
+          .language = session.language};
 }
 
 void apply(const Preferences& preferences, Session& session) {
@@ -231,6 +234,7 @@ void apply(const Preferences& preferences, Session& session) {
   session.face = preferences.face;
   session.speed = preferences.speed;
   session.speaks = preferences.speaks;
+  session.language = wanted_language(preferences.language, locale_variables());
   session.hint = preferences.offers_hints ? std::optional<std::size_t>(0) : std::nullopt;
 }
 

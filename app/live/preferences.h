@@ -34,12 +34,12 @@ struct Preferences {
   double speed = 1.0;
   bool speaks = false;
   bool offers_hints = true;  // until they have been followed or declined
-  std::string language{};    // of lessons, as "en" or "es"; empty: the environment's
+  std::string language{};    // of the stage and of lessons, as "en" or "es"; empty: the environment's
 
   friend bool operator==(const Preferences&, const Preferences&) = default;
 };
 
-// As the session has them. The language is not the session's: it stays empty.
+// As the session has them, which always has a language.
 Preferences preferences_in(const Session& session);
 void apply(const Preferences& preferences, Session& session);
 

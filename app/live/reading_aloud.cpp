@@ -6,8 +6,18 @@
 #include <fmt/format.h>
 
 #include "app/files/output_file.h"
+#include "app/lessons/lesson_file.h"
 
 namespace ghostforce {
+namespace {
+
+// Of the sentence: a lesson's text, or the stage's own.
+std::string_view spoken_language(const Session& session) {
+  if (session.lesson) return language_in(*session.lesson->lesson, session.language);
+  return stage_language(session.language).code;
+}
+
+}  // namespace
 
 ReadingAloud::ReadingAloud(std::optional<double> printed_hz, int descriptor) {
   if (!printed_hz) return;
@@ -36,7 +46,6 @@ void ReadingAloud::print(Application& application, double interval_s) {
 
 void ReadingAloud::speak(Application& application, double interval_s) {
   constexpr double looks_every_s = 0.1;
-  constexpr std::string_view language = "en";  // of the stage's own words
   Session& session = application.session();
   if (!session.speaks) {
     speech_.reset();
@@ -50,7 +59,7 @@ void ReadingAloud::speak(Application& application, double interval_s) {
   if (since_sentence_s_ >= looks_every_s) {
     const double since_s = std::exchange(since_sentence_s_, 0.0);
     if (const auto sentence = settled_.take(application.stage_reading().sentence, since_s)) {
-      speech_->say(*sentence, language);
+      speech_->say(*sentence, spoken_language(session));
     }
   }
   if (const std::string problem = speech_->update(interval_s); !problem.empty()) {

@@ -144,18 +144,14 @@ const LessonStepState& lesson_step_state(const LessonState& lesson) noexcept {
   return lesson.steps[lesson.step];
 }
 
-const LessonStepWords& lesson_step_words(const LessonState& lesson) {
-  return words_in(*lesson.lesson, lesson.language).steps[lesson.step];
-}
-
-void begin_lesson(Session& session, std::shared_ptr<const Lesson> lesson, std::string_view language) {
+void begin_lesson(Session& session, std::shared_ptr<const Lesson> lesson) {
   if (is_measuring(session)) cancel_measurement(session);
   const LessonState::Before before =
       session.lesson
           ? session.lesson->before
           : LessonState::Before{session.settings, session.goal, session.stage_shown, session.face, session.speed};
   leave_stage_mode(session);
-  LessonState state{.lesson = std::move(lesson), .language = std::string(language), .steps = {}, .before = before};
+  LessonState state{.lesson = std::move(lesson), .steps = {}, .before = before};
   state.steps.resize(state.lesson->steps.size());
   session.lesson = std::move(state);
   session.face = Face::stage;
@@ -234,7 +230,7 @@ void confirm_in_lesson(Session& session) {
 void answer_in_lesson(Session& session, std::size_t answer) {
   if (!has_open_question(session, LessonQuestion::choose)) return;
   LessonState& lesson = *session.lesson;
-  if (answer >= lesson_step_words(lesson).answers.size()) return;
+  if (answer >= words_in(*lesson.lesson, session.language).steps[lesson.step].answers.size()) return;
   present_state(lesson).chosen = answer;
   const bool is_right = answer == lesson_step(lesson).right_answer;
   close_question(session, is_right ? LessonOutcome::right : LessonOutcome::wrong);

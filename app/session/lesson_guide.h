@@ -11,7 +11,7 @@
 namespace ghostforce {
 
 // Shows the first step on the stage. What the person had is kept and comes back at the end.
-void begin_lesson(Session& session, std::shared_ptr<const Lesson> lesson, std::string_view language);
+void begin_lesson(Session& session, std::shared_ptr<const Lesson> lesson);
 // Settings, hand, view and face are again as they were before the lesson. Does nothing where there is none.
 void leave_lesson(Session& session);
 // The same, but for what is on the screen: another scene takes its place.
@@ -54,7 +54,6 @@ bool has_open_question(const Session& session, LessonQuestion question) noexcept
 // Of the step that is shown; only in a lesson.
 const LessonStep& lesson_step(const LessonState& lesson) noexcept;
 const LessonStepState& lesson_step_state(const LessonState& lesson) noexcept;
-const LessonStepWords& lesson_step_words(const LessonState& lesson);
 
 struct LessonScore {
   std::size_t right = 0;

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "app/lessons/lesson.h"
@@ -45,11 +44,10 @@ struct LessonState {
   };
 
   std::shared_ptr<const Lesson> lesson;  // never null
-  std::string language;
-  std::size_t step = 0;                // of the lesson's, from 0
-  std::size_t furthest = 0;            // that was ever shown
-  std::vector<LessonStepState> steps;  // as many as the lesson has
-  bool is_finished = false;            // the person has gone on from the last step
+  std::size_t step = 0;                  // of the lesson's, from 0
+  std::size_t furthest = 0;              // that was ever shown
+  std::vector<LessonStepState> steps;    // as many as the lesson has
+  bool is_finished = false;              // the person has gone on from the last step
   std::optional<Glide> glide{};
   double met_s = 0.0;  // for so long the conditions of the task have been met
   Before before{};

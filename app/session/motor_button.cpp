@@ -1,26 +1,32 @@
 #include "app/session/motor_button.h"
 
-#include <fmt/format.h>
-
 namespace ghostforce {
 
-std::string safety_words(const MotorReport& motors) {
-  if (!motors.has_motors) return "no motor";
+namespace {
+
+std::string_view words_in(const StageLanguage::Motors& all, const MotorReport& motors) {
+  if (!motors.has_motors) return all.none;
   switch (motors.state) {
     case SafetyState::off:
-      if (motors.reason == OffReason::key) return "Motors off. Dismiss";
-      if (motors.reason != OffReason::none)
-        return fmt::format("Motors off: {}. Dismiss", entry_of(motors.reason).title);
-      return motors.is_ready ? "Arm the motors" : "Motors not ready";
+      if (motors.reason == OffReason::key) return all.off_by_key;
+      if (motors.reason != OffReason::none) return all.off;
+      return motors.is_ready ? all.arm : all.not_ready;
     case SafetyState::arming:
-      return "Arming… Esc: off";
+      return all.arming;
     case SafetyState::ramp:
     case SafetyState::on:
-      return "MOTORS ON. Esc: off";
+      return all.on;
     case SafetyState::fade:
-      return "MOTORS turning off";
+      return all.fading;
   }
   return {};
+}
+
+}  // namespace
+
+std::string safety_words(const MotorReport& motors, const StageLanguage& language) {
+  const std::string_view reason = language.motors.reasons[static_cast<std::size_t>(motors.reason)];
+  return filled(words_in(language.motors, motors), reason);
 }
 
 bool can_press_safety_button(const MotorReport& motors) noexcept {

@@ -160,7 +160,7 @@ struct Session {
   StageChoice stage;
   std::optional<LessonState> lesson;    // empty: there is none
   LessonProgress lesson_progress;       // in all lessons
-  std::string language{"en"};           // of lessons
+  std::string language{"en"};           // of the stage and of lessons, of ISO 639-1
   SceneView shown;                      // the part of the world in the workbench's picture,
   std::optional<PaneViews> pane_views;  // in its panes side by side; empty: the next picture fits them to its moment
   SceneView stage_shown;                // and in the stage's

@@ -50,4 +50,23 @@ KeyPress press_by_character(KeyPress press, std::uint32_t character) noexcept {
   return press;
 }
 
+int modifier_of(int key) noexcept {
+  switch (key) {
+    case GLFW_KEY_LEFT_SHIFT:
+    case GLFW_KEY_RIGHT_SHIFT:
+      return GLFW_MOD_SHIFT;
+    case GLFW_KEY_LEFT_CONTROL:
+    case GLFW_KEY_RIGHT_CONTROL:
+      return GLFW_MOD_CONTROL;
+    case GLFW_KEY_LEFT_ALT:
+    case GLFW_KEY_RIGHT_ALT:
+      return GLFW_MOD_ALT;
+    case GLFW_KEY_LEFT_SUPER:
+    case GLFW_KEY_RIGHT_SUPER:
+      return GLFW_MOD_SUPER;
+    default:
+      return 0;
+  }
+}
+
 }  // namespace ghostforce

@@ -20,4 +20,7 @@ int key_by_layout(int key, const char* name) noexcept;
 // Anything else stays the key that it is. With Ctrl or Alt nothing is typed.
 KeyPress press_by_character(KeyPress press, std::uint32_t character) noexcept;
 
+// The GLFW_MOD_… of a key that is a modifier itself; 0: it is none.
+int modifier_of(int key) noexcept;
+
 }  // namespace ghostforce

@@ -7,6 +7,7 @@
 #include <optional>
 #include <tuple>
 
+#include "app/ui/key_layout.h"
 #include "app/ui/panels/dialogs.h"
 #include "app/ui/widgets/focus.h"
 
@@ -23,10 +24,6 @@ bool is_enter(int key) {
 
 bool is_arrow(int key) {
   return key == GLFW_KEY_LEFT || key == GLFW_KEY_RIGHT || key == GLFW_KEY_UP || key == GLFW_KEY_DOWN;
-}
-
-bool is_modifier(int key) {
-  return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER;
 }
 
 bool is_end(int key) {
@@ -132,7 +129,7 @@ void Keyboard::take(Window& window, Session& session, const std::function<void()
 void Keyboard::act(const KeyEvent& event, Session& session, const std::function<void()>& do_what_is_asked) {
   const KeyPress& press = event.press;
   // Who drags something may press a modifier on the way.
-  if (!event.is_down || press.key == 0 || is_modifier(press.key)) return Window::hand_on(event);
+  if (!event.is_down || press.key == 0 || modifier_of(press.key) != 0) return Window::hand_on(event);
   has_pressed_ = true;
   if (press.key == GLFW_KEY_ESCAPE) {
     Window::hand_on(event);

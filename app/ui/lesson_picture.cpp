@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "app/console/quoted.h"
-#include "app/lessons/lesson_file.h"
 #include "app/session/lesson_guide.h"
 
 namespace ghostforce {
@@ -13,7 +12,7 @@ std::size_t answers_of(const LessonPicture& picture) {
     case LessonQuestion::none:
       return 0;
     case LessonQuestion::choose:
-      return words_in(*picture.lesson, picture.language).steps[picture.step].answers.size();
+      return picture.lesson->words.begin()->second.steps[picture.step].answers.size();
     case LessonQuestion::guess:
     case LessonQuestion::task:
       return 2;
@@ -32,7 +31,7 @@ std::string find_problem(const LessonPicture& picture) {
 }
 
 void show_lesson(Session& session, const LessonPicture& picture) {
-  begin_lesson(session, picture.lesson, picture.language);
+  begin_lesson(session, picture.lesson);
   show_lesson_step(session, picture.step);
   if (picture.answer) settle_in_lesson(session, *picture.answer - 1);
   session.stage_shown = lesson_view(session);

@@ -13,8 +13,7 @@ namespace ghostforce {
 
 struct LessonPicture {
   std::shared_ptr<const Lesson> lesson;  // never null
-  std::string language{"en"};
-  std::size_t step = 0;  // from 0
+  std::size_t step = 0;                  // from 0
   // From 1: of a choice the answer's number; of a guess 1 a right one and 2 a wrong one; of a task 1 done and 2 given up.
   std::optional<std::size_t> answer{};
 };

@@ -67,6 +67,7 @@ Session session_of(const PictureRequest& request, const Moment& moment) {
   session.goal = request.scene.goal.points.back();
   session.stage_shown = stage_view_of(session.settings, moment.snapshot.goal);
   session.face = request.face;
+  session.language = request.language;
   if (request.mode != StageMode::none) toggle_stage_mode(session, request.mode);
   if (request.mode == StageMode::why) session.stage.why_step = last_why_step;
   if (request.lesson) show_lesson(session, *request.lesson);
@@ -281,9 +282,9 @@ nlohmann::ordered_json describe_picture(const PictureRequest& request, const Mom
     if (request.lesson) {
       picture["lesson"] = request.lesson->lesson->name;
       picture["step"] = request.lesson->step + 1;
-      picture["language"] = request.lesson->language;
-      if (request.lesson->answer) picture["answer"] = *request.lesson->answer;
     }
+    if (request.lesson || request.language != english_stage.code) picture["language"] = request.language;
+    if (request.lesson && request.lesson->answer) picture["answer"] = *request.lesson->answer;
   } else {
     picture["compare"] = compare_name(request.options.compare);
   }

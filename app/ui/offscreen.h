@@ -35,6 +35,7 @@ struct PictureRequest {
   StageMode mode = StageMode::none;  // of the stage
   ViewOptions options{.compare = Compare::active_only};
   Appearance appearance{};
+  std::string language{"en"};             // of the stage
   std::optional<LessonPicture> lesson{};  // of the stage
   // Of the stage: the scene alone, without words and buttons round it, and without the ring of a guess: to be printed.
   bool is_bare = false;

@@ -276,26 +276,6 @@ namespace {
 
 constexpr int known_modifiers = GLFW_MOD_SHIFT | GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER;
 
-// Of a key that is a modifier itself; 0: it is none.
-int modifier_of(int key) {
-  switch (key) {
-    case GLFW_KEY_LEFT_SHIFT:
-    case GLFW_KEY_RIGHT_SHIFT:
-      return GLFW_MOD_SHIFT;
-    case GLFW_KEY_LEFT_CONTROL:
-    case GLFW_KEY_RIGHT_CONTROL:
-      return GLFW_MOD_CONTROL;
-    case GLFW_KEY_LEFT_ALT:
-    case GLFW_KEY_RIGHT_ALT:
-      return GLFW_MOD_ALT;
-    case GLFW_KEY_LEFT_SUPER:
-    case GLFW_KEY_RIGHT_SUPER:
-      return GLFW_MOD_SUPER;
-    default:
-      return 0;
-  }
-}
-
 }  // namespace
 
 void Window::on_key(GLFWwindow* handle, int key, int scancode, int action, int modifiers) {

@@ -37,9 +37,10 @@ Pane worksheet_picture(const std::shared_ptr<const Lesson>& lesson, const std::s
   PictureRequest request;
   request.scene = load_scene(std::string(default_scene_name), {});
   request.appearance = {.theme = &paper(), .scale = printed_unit * design_height / size.y};
+  request.language = language;
   request.is_bare = true;
   request.hides_handle = picture.hides_handle;
-  LessonPicture shown{.lesson = lesson, .language = language, .step = picture.step};
+  LessonPicture shown{.lesson = lesson, .step = picture.step};
   if (side == WorksheetSide::answers) shown.answer = right_answer_of(lesson->steps[picture.step]);
   show_lesson_in(request, std::move(shown));
   // Where there is no handle, nothing can be seen to go round.

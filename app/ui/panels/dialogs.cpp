@@ -20,7 +20,7 @@ struct Entry {
 constexpr std::array dialogs{
     Entry{Dialog::help, "Help", draw_help},
     Entry{Dialog::doctor, "Device status", draw_doctor, true},
-    Entry{Dialog::lessons, "Lessons", draw_lessons},
+    Entry{Dialog::lessons, "###lessons", draw_lessons},
     Entry{Dialog::open_scene, "Open a scene", draw_open_scene},
     Entry{Dialog::save_scene, "Save the scene", draw_save_scene},
     Entry{Dialog::save_picture, "Save a picture", draw_save_picture},
@@ -89,7 +89,10 @@ void draw_dialog(const PanelContext& context) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6.0F * context.scale);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {margin, 0.75F * margin});
   bool is_open = true;
-  ImGui::Begin(entry->title, &is_open, dialog_window);
+  const StageLanguage& language = stage_language(session.language);
+  const bool is_of_stage = entry->id == Dialog::lessons;
+  const std::string title = (is_of_stage ? std::string(language.picker.title) : "") + entry->title;
+  ImGui::Begin(title.c_str(), &is_open, dialog_window);
   ImGui::PopStyleVar(3);
   entry->draw(context);
   if (session.dialog != Dialog::none) session.form.belongs_to = entry->id;
@@ -119,11 +122,11 @@ void draw_notice(const PanelContext& context, ImVec2 corner, ImVec2 size) {
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_AlwaysAutoResize |
                    ImGuiWindowFlags_NoFocusOnAppearing);
-  if (session.notice->is_problem) text_in(context.fonts.bold, "Please note");
+  if (session.notice->is_problem) text_in(context.fonts.bold, stage_language(session.language).notices.problem);
   const std::string& words = session.notice->words;
   const float wrap = std::min(width - 32.0F * scale, ImGui::CalcTextSize(words.c_str()).x + 4.0F * scale);
   wrapped_text(words, ImGui::GetCursorPosX() + wrap);
-  const bool enough = ImGui::SmallButton("Close");
+  const bool enough = ImGui::SmallButton(stage_language(session.language).notices.close.data());
   ImGui::End();
   ImGui::PopStyleColor(2);
   ImGui::PopStyleVar(2);

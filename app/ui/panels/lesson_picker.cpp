@@ -4,8 +4,6 @@
 #include <cmath>
 #include <string>
 
-#include <fmt/format.h>
-
 #include "app/lessons/lesson_file.h"
 #include "app/lessons/lesson_shelf.h"
 #include "app/ui/panels/dialogs.h"
@@ -21,15 +19,15 @@ constexpr float lesson_picture_width = 150.0F;
 constexpr float lesson_card_width = 420.0F;
 
 // What is known of a lesson, in words.
-std::string progress_words(const Lesson& lesson, const LessonProgress& progress) {
+std::string progress_words(const Lesson& lesson, const LessonProgress& progress, const StageLanguage::Picker& words) {
   const auto found = progress.lessons.find(lesson.name);
-  if (found == progress.lessons.end()) return fmt::format("{} steps", lesson.steps.size());
+  if (found == progress.lessons.end()) return filled(words.steps, lesson.steps.size());
   const LessonRecord& record = found->second;
   const std::size_t questions = questions_of(lesson);
   const std::size_t right = std::min(record.right.size(), questions);
-  const std::string score = questions == 0 ? "" : fmt::format(" · {} of {} right", right, questions);
-  if (record.is_finished) return fmt::format("Done{}", score);
-  return fmt::format("Step {} of {}{}", std::min(record.farthest + 1, lesson.steps.size()), lesson.steps.size(), score);
+  const std::string score = questions == 0 ? "" : " · " + filled(words.right, right, questions);
+  if (record.is_finished) return std::string(words.done) + score;
+  return filled(words.step, std::min(record.farthest + 1, lesson.steps.size()), lesson.steps.size()) + score;
 }
 
 // Where somebody goes on: the first lesson that is not done.
@@ -42,26 +40,27 @@ std::size_t lesson_to_begin(const Session& session) {
   return 0;
 }
 
-void draw_reset(Session& session) {
+void draw_reset(Session& session, const StageLanguage::Picker& words) {
   if (!session.form.asks_for_reset) {
-    if (ImGui::Button("Forget my progress…")) session.form.asks_for_reset = true;
+    if (ImGui::Button(words.forget.data())) session.form.asks_for_reset = true;
     return;
   }
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted("Forget how far you have come in all lessons?");
-  same_line_if_room(ImGui::CalcTextSize("Forget it Keep it").x);
-  if (ImGui::Button("Forget it")) {
+  ImGui::TextUnformatted(words.forget_question.data());
+  same_line_if_room(ImGui::CalcTextSize(filled("{} {}", words.forget_yes, words.forget_no).c_str()).x);
+  if (ImGui::Button(words.forget_yes.data())) {
     session.lesson_progress = {};
     session.form.asks_for_reset = false;
   }
   ImGui::SameLine();
-  if (ImGui::Button("Keep it")) session.form.asks_for_reset = false;
+  if (ImGui::Button(words.forget_no.data())) session.form.asks_for_reset = false;
 }
 
 }  // namespace
 
 void draw_lessons(const PanelContext& context) {
   Session& session = context.session;
+  const StageLanguage::Picker& said = stage_language(session.language).picker;
   const bool is_new = session.form.belongs_to != Dialog::lessons;
   if (is_new) session.form.marked_lesson = lesson_to_begin(session);
   const auto& lessons = shipped_lessons();
@@ -87,18 +86,17 @@ void draw_lessons(const PanelContext& context) {
     const PictureCard card{.id = static_cast<int>(i),
                            .title = words.title,
                            .about = words.about,
-                           .remark = progress_words(lesson, session.lesson_progress),
+                           .remark = progress_words(lesson, session.lesson_progress, said),
                            .picture_width = lesson_picture_width,
                            .is_marked = is_marked};
     if (draw_picture_card(context, card, rows.card_size(), picture_of)) session.requests.open_lesson = lesson.name;
   }
   ImGui::PopStyleVar();
   ImGui::EndChild();
-  wrapped_text("Each asks what will happen before it shows it. Enter or a click begins one; Esc ends it.",
-               ImGui::GetCursorPosX() + rows.size().x);
-  draw_reset(session);
+  wrapped_text(said.about, ImGui::GetCursorPosX() + rows.size().x);
+  draw_reset(session, said);
   ImGui::SameLine();
-  if (ImGui::Button("Close")) session.dialog = Dialog::none;
+  if (ImGui::Button(said.close.data())) session.dialog = Dialog::none;
 }
 
 }  // namespace ghostforce

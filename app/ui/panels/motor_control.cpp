@@ -36,7 +36,7 @@ void draw_motor_button(const PanelContext& context, float height) {
   const MotorReport& motors = context.loop.motors;
   const Theme& theme = context.theme;
   const bool is_on = may_push(motors);
-  const std::string words = safety_words(motors);
+  const std::string words = safety_words(motors, english_stage);
   ImFont* const font = is_on ? context.fonts.bold : context.fonts.regular;
   const float padding = ImGui::GetStyle().FramePadding.x;
   const float usual = ImGui::GetFontSize();
@@ -94,7 +94,7 @@ void draw_motor_frame(const PanelContext& context) {
 
 void draw_motor_words(const PanelContext& context) {
   if (!may_push(context.loop.motors)) return;
-  const std::string words = safety_words(context.loop.motors);
+  const std::string words = safety_words(context.loop.motors, stage_language(context.session.language));
   ImFont* const font = context.fonts.bold;
   const float height = 2.0F * ImGui::GetFontSize();
   const ImVec2 extent = font->CalcTextSizeA(height, 1e9F, 0.0F, words.c_str());

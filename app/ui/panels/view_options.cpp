@@ -21,6 +21,15 @@ void draw_theme_choice(const PanelContext& context) {
   }
 }
 
+void draw_language_choice(const PanelContext& context) {
+  for (const StageLanguage* const language : stage_language_catalog()) {
+    const float width = ImGui::GetFrameHeightWithSpacing() + ImGui::CalcTextSize(language->name.data()).x;
+    if (language != stage_language_catalog().front()) same_line_if_room(width);
+    const bool is_chosen = &stage_language(context.session.language) == language;
+    if (ImGui::RadioButton(language->name.data(), is_chosen)) context.session.language = language->code;
+  }
+}
+
 // In steps: a slider would run away from the pointer as the screen grows.
 void draw_scale_choice(const char* id, double& scale, double least, double greatest) {
   constexpr double step = 0.25;
@@ -59,6 +68,8 @@ void draw_view_options(const PanelContext& context) {
   draw_scale_choice("size", look.scale, Appearance::least_scale, Appearance::greatest_scale);
   row("Arrows", "The length of the force arrows, 25 to 400 %. The scale bar shows how long a force is drawn.");
   draw_scale_choice("arrows", look.arrow_scale, Appearance::least_arrow_scale, Appearance::greatest_arrow_scale);
+  row("Language", "The language of the stage and of lessons. The workbench is in English.");
+  draw_language_choice(context);
   row("Speech", "Reads the stage's sentence aloud when it changes. This needs the package speech-dispatcher.");
   ImGui::Checkbox("read aloud", &session.speaks);
   row("Preferences", "What you have chosen in this panel, and more, is kept from one run to the next.");
@@ -71,7 +82,8 @@ void draw_reset_preferences(const PanelContext& context) {
   const float width = std::min(32.0F * ImGui::GetFontSize(), 0.8F * ImGui::GetIO().DisplaySize.x);
   wrapped_text(
       "Everything that you have chosen about how ghostforce looks and starts goes back to what a new person sees: "
-      "theme, sizes, view, plots, panels, speed, SpaceMouse, speech, hints, window. The scene and its settings stay as "
+      "theme, sizes, view, plots, panels, speed, SpaceMouse, language, speech, hints, window. The scene and its "
+      "settings stay as "
       "they are.",
       ImGui::GetCursorPosX() + width);
   if (ImGui::Button("Reset all")) {

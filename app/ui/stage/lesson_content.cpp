@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "app/lessons/lesson_file.h"
-#include "app/lessons/lesson_phrases.h"
 #include "app/lessons/lesson_slider.h"
 #include "app/session/lesson_guide.h"
 
@@ -23,7 +22,7 @@ const std::string& text_of(const LessonStepWords& words, LessonOutcome outcome) 
   return words.right.empty() ? words.text : words.right;
 }
 
-StageLessonSlider slider_content(const LessonSlider& slider, const Session& session, std::string_view language) {
+StageLessonSlider slider_content(const LessonSlider& slider, const Session& session, const StageLanguage& language) {
   const std::optional<double> value = slider_value(slider, session.settings);
   const bool is_told = value && !is_hidden(session, LessonSecret::numbers);
   return {.words = slider_words(slider, language),
@@ -40,7 +39,7 @@ std::vector<LessonMark> answer_marks(const LessonStep& step, const LessonStepSta
   return marks;
 }
 
-std::string_view next_words(const Session& session, const LessonPhrases& phrases) {
+std::string_view next_words(const Session& session, const StageLanguage::Lessons& phrases) {
   const LessonState& lesson = *session.lesson;
   if (has_open_question(session, LessonQuestion::guess)) return phrases.answer;
   const bool is_asked = lesson_step(lesson).question != LessonQuestion::none;
@@ -52,14 +51,13 @@ std::string_view next_words(const Session& session, const LessonPhrases& phrases
 
 StageLesson lesson_content(const Session& session) {
   const LessonState& lesson = *session.lesson;
-  const LessonWords& words = words_in(*lesson.lesson, lesson.language);
-  const LessonPhrases& phrases = lesson_phrases(lesson.language);
+  const LessonWords& words = words_in(*lesson.lesson, session.language);
+  const StageLanguage& language = stage_language(session.language);
+  const StageLanguage::Lessons& phrases = language.lessons;
   const LessonStep& step = lesson_step(lesson);
   const LessonStepState& state = lesson_step_state(lesson);
-  std::string place = std::to_string(lesson.step + 1);
-  place.append(" ").append(phrases.of).append(" ").append(std::to_string(lesson.steps.size()));
   StageLesson content{.title = words.title,
-                      .place = std::move(place),
+                      .place = filled(phrases.place, lesson.step + 1, lesson.steps.size()),
                       .text = text_of(words.steps[lesson.step], state.outcome),
                       .mark = mark_of(state.outcome),
                       .step = lesson.step,
@@ -69,14 +67,13 @@ StageLesson lesson_content(const Session& session) {
                       .chosen = state.chosen,
                       .is_open = has_open_question(session, LessonQuestion::choose),
                       .back = lesson.step > 0 ? std::string(phrases.back) : "",
-                      .next = std::string(next_words(session, phrases)),
-                      .leave_words = std::string(phrases.leave)};
+                      .next = std::string(next_words(session, phrases))};
   for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
     const LessonStep& each = lesson.lesson->steps[i];
     const LessonStepWords& said = words.steps[i];
     content.dots.push_back(mark_of(lesson.steps[i].outcome));
     StageLessonRow row{.answers = said.answers, .has_strategies = each.controls.contains(LessonControl::strategies)};
-    if (each.slider) row.slider = slider_content(*each.slider, session, lesson.language);
+    if (each.slider) row.slider = slider_content(*each.slider, session, language);
     content.rows.push_back(std::move(row));
     for (const std::string* const text : {&said.text, &said.right, &said.wrong}) {
       if (text->size() > content.longest_text.size()) content.longest_text = *text;

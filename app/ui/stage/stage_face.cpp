@@ -54,35 +54,35 @@ std::optional<StageHint> stage_hint(const Session& session, const StageMoment& m
 // The motors' comes first; else what there is to do next, or the way back out of a mode.
 std::optional<StageCornerButton> corner_button(const Session& session, const MotorReport& motors,
                                                const StageGuess& guess, bool is_revealing) {
+  const StageLanguage& language = stage_language(session.language);
   if (motors.has_motors) {
-    return StageCornerButton{StageCommand::motors, safety_words(motors), motors.state != SafetyState::off};
+    return StageCornerButton{StageCommand::motors, safety_words(motors, language), motors.state != SafetyState::off};
   }
   const StageChoice& stage = session.stage;
   if (session.lesson || stage.mode == StageMode::none) return std::nullopt;
   const bool is_in_wall = depth(wall_of(session.settings), session.goal) > 0.0;
   if (stage.mode == StageMode::predict && is_in_wall) {
-    const std::string_view words = guess.is_open  ? "Enter: show me"
-                                   : is_revealing ? "Enter: skip"
-                                                  : "Enter: guess again";
+    const std::string_view words = guess.is_open  ? language.buttons.show_guess
+                                   : is_revealing ? language.buttons.skip
+                                                  : language.buttons.guess_again;
     return StageCornerButton{StageCommand::next, std::string(words)};
   }
   const bool has_more = session.settings.active != StrategyId::full && stage.why_step < last_why_step;
-  if (stage.mode == StageMode::why && has_more) return StageCornerButton{StageCommand::next, "Enter: next step"};
-  return StageCornerButton{stage.mode, "Esc: back"};
+  if (stage.mode == StageMode::why && has_more) {
+    return StageCornerButton{StageCommand::next, std::string(language.buttons.next_step)};
+  }
+  return StageCornerButton{stage.mode, std::string(language.buttons.back)};
 }
 
 // What is not as it should be comes before what there is to see.
 std::string_view warning_of(const Session& session, const LoopReading& loop) {
-  if (loop.diverged) {
-    return session.face == Face::stage
-               ? "These settings make the simulation unstable. Press F4 and lower the rendering stiffness."
-               : "These settings make the simulation unstable. Lower the rendering stiffness.";
-  }
+  const StageLanguage::Warnings& words = stage_language(session.language).warnings;
+  if (loop.diverged) return session.face == Face::stage ? words.unstable : words.unstable_on_workbench;
   const auto step = std::ranges::find_if(loop.readiness, &ReadinessStepState::is_current);
   if (loop.motors.has_motors && !loop.motors.is_ready && step != loop.readiness.end()) {
-    return "The device is not ready: F2 says what to do.";
+    return words.device_not_ready;
   }
-  if (session.paused && !session.stage.looks_back_to_s) return "Paused. Press Space to go on.";
+  if (session.paused && !session.stage.looks_back_to_s) return words.paused;
   return {};
 }
 
@@ -194,6 +194,7 @@ StageContent StageFace::content_of(const Session& session, const StageFrame& fra
   StageContent content{
       .settings = shown.settings,
       .moment = shown.moment,
+      .language = stage_language(session.language),
       .theme = frame.theme,
       .measure = frame.measure,
       .shown = session.stage_shown,

@@ -45,6 +45,7 @@ Pane stage_pane(const SetUp& set_up, const Theme& theme, const Vector<2>& size, 
   LabelMemory memory;
   Pane pane = compose_stage({.settings = settings,
                              .moment = stage_moment_at_rest(settings, set_up.goal),
+                             .language = english_stage,
                              .theme = theme,
                              .measure = no_words,
                              .shown = stage_view_of(settings, set_up.goal),

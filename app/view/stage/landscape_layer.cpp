@@ -21,16 +21,15 @@ Landscape landscape_shown(const LandscapeView& view) {
   return landscape_of(view.settings, view.dial);
 }
 
-constexpr std::string_view no_ghost_words = "no ghost force here";
-
-std::string_view side_of(double share) {
-  return share > 0.0 ? "too much" : "too little";
+std::string_view side_of(double share, const StageLanguage::Map& words) {
+  return share > 0.0 ? words.too_much : words.too_little;
 }
 
 class LandscapePainter {
  public:
   LandscapePainter(const LandscapeView& view, Marks& marks)
       : view_(view),
+        said_(view.language.map),
         layout_(landscape_layout(view)),
         landscape_(landscape_shown(view)),
         point_(landscape_point(view.settings)),
@@ -87,12 +86,10 @@ class LandscapePainter {
     }
     const double left = layout_.column.most.x + em(0.5);
     const double right = layout_.size.x - em(0.5);
-    words_.put_lines(Role::scale, {{"wall stiffness : hand stiffness"}}, view_.theme.text,
+    words_.put_lines(Role::scale, line_breaks_of(said_.stiffness_axis), view_.theme.text,
                      {left, layout_.axis_title_top}, right - left);
     words_.put_lines(
-        Role::scale,
-        {{"angle between the wall's push and the motor"}, {"angle between the wall's push", "and the motor"}},
-        view_.theme.text,
+        Role::scale, line_breaks_of(said_.angle_axis), view_.theme.text,
         {0.5 * (layout_.map.least.x + layout_.map.most.x), layout_.map.most.y + em(beside_map + line_height + 0.1)},
         layout_.map.extent().x, 0.5);
   }
@@ -106,8 +103,7 @@ class LandscapePainter {
     const double reach = radius + em(0.2);
     words_.take({at - Vector<2>(reach), at + Vector<2>(reach)});
 
-    const std::string text =
-        fmt::format("{}: {}", is_on_map(point_) ? "you are here" : "off the map", share_words(share_));
+    const std::string text = filled(is_on_map(point_) ? said_.you_are_here : said_.off_the_map, share_words(share_));
     const ScreenBox inside = layout_.map.grown(-em(0.15));
     const TextStyle drawn = words_.fitted(text, words_.style(1.0, true), inside.extent().x);
     const Vector<2> extent = words_.extent(text, drawn);
@@ -128,7 +124,7 @@ class LandscapePainter {
   void add_verdict() {
     const ScreenBox& column = layout_.column;
     const double room = column.extent().x;
-    const std::string title = "Where is it bad?";
+    const std::string title(said_.title);
     words_.put(Role::sentence, title, words_.fitted(title, words_.style(1.25, true), room), view_.theme.text,
                column.least);
     const std::string number = share_words(share_);
@@ -138,13 +134,10 @@ class LandscapePainter {
     // Smaller ones keep the same middle.
     words_.put(Role::number, number, words_.fitted(number, words_.style(number_ems, true), room), colour,
                column.least + Vector<2>(0.0, em(1.8 + 0.5 * number_ems * line_height)), {0.0, 0.5});
-    const std::string which(side_of(share_));
-    const LineBreaks ways = is_none ? LineBreaks{{std::string(no_ghost_words)}}
-                                    : LineBreaks{{"of the wall's push, " + which + ",", "at this wall and this hand"},
-                                                 {"of the wall's push,", which + ", at this wall", "and this hand"}};
+    const std::string_view which = side_of(share_, said_);
+    const LineBreaks ways = line_breaks_of(is_none ? said_.no_ghost : filled(said_.verdict, which, which));
     words_.put_lines(Role::sentence, ways, view_.theme.faint_text, column.least + Vector<2>(0.0, em(5.05)), room);
-    const LineBreaks hint{{"Drag the ring: wall and stiffness follow."},
-                          {"Drag the ring:", "wall and stiffness follow."}};
+    const LineBreaks hint = line_breaks_of(said_.drag_ring);
     words_.put_lines(Role::hint, hint, view_.theme.faint_text,
                      {column.least.x, column.most.y - words_.height_of_lines(hint, room)}, room);
   }
@@ -155,16 +148,14 @@ class LandscapePainter {
     const double then = ghost_share_range(landscape_of(view_.settings, 1.0)).greatest;
     constexpr double all_the_way = 0.99;
     if (landscape_.dial > all_the_way || is_no_share(now)) return {};
-    if (is_no_share(then)) return {{"slide me: the red drains away"}, {"slide me:", "the red drains away"}};
+    if (is_no_share(then)) return line_breaks_of(said_.slide_to_cure);
     constexpr double seen = 0.8;  // of the deepest red: more than that looks like no change
-    if (then < seen * now) return {{"slide me: less red"}};
+    if (then < seen * now) return line_breaks_of(said_.slide_for_less);
     return {};
   }
 
   void add_words_of_every_motor() {
-    const LineBreaks ways{{"Two motors: no ghost force at any wall."},
-                          {"Two motors:", "no ghost force at any wall."},
-                          {"Two motors:", "no ghost force", "at any wall."}};
+    const LineBreaks ways = line_breaks_of(said_.two_motors);
     words_.put_lines(Role::hint, ways, view_.theme.text, {layout_.column.least.x, layout_.dial.least.y},
                      layout_.column.extent().x);
   }
@@ -182,10 +173,10 @@ class LandscapePainter {
     const double right = layout_.dial.most.x + em(0.8);
     const double below = layout_.dial.least.y + em(0.95);
     const TextStyle bold = words_.style(1.0, true);
-    words_.put(Role::button, "naïve", bold, naive_letters(), {left, below}, {}, StrategyId::naive);
+    words_.put(Role::button, std::string(said_.naive), bold, naive_letters(), {left, below}, {}, StrategyId::naive);
     // A ratio that a person has chosen is optimal for nobody.
-    words_.put(Role::button, landscape_.chosen_ratio ? "as chosen" : "optimal", bold, anisotropic_letters(),
-               {right, below}, {1.0, 0.0}, StrategyId::anisotropic);
+    words_.put(Role::button, std::string(landscape_.chosen_ratio ? said_.chosen_ratio : said_.optimal), bold,
+               anisotropic_letters(), {right, below}, {1.0, 0.0}, StrategyId::anisotropic);
     if (const LineBreaks ways = promise(); !ways.empty()) {
       const double room = layout_.column.most.x - left;
       words_.put_lines(Role::hint, ways, view_.theme.faint_text,
@@ -194,6 +185,7 @@ class LandscapePainter {
   }
 
   const LandscapeView& view_;
+  const StageLanguage::Map& said_;
   LandscapeLayout layout_;
   Landscape landscape_;
   LandscapePoint point_;
@@ -207,8 +199,9 @@ class LandscapePainter {
 
 std::string landscape_sentence(const LandscapeView& view) {
   const double share = ghost_share(landscape_shown(view), landscape_point(view.settings));
-  if (is_no_share(share)) return fmt::format("At this wall and this hand: {}.", no_ghost_words);
-  return fmt::format("At this wall and this hand: {} of the wall's push, {}.", share_words(share), side_of(share));
+  const StageLanguage::Map& words = view.language.map;
+  if (is_no_share(share)) return std::string(words.sentence_without_ghost);
+  return filled(words.sentence, share_words(share), side_of(share, words));
 }
 
 void add_landscape(const LandscapeView& view, Marks& marks) {

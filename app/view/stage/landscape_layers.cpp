@@ -20,6 +20,7 @@ LandscapeView stage_landscape(const StageContent& content, const Camera& camera)
   return {.settings = content.settings,
           .dial = content.landscape_dial,
           .has_every_motor = content.moment.weights[index_of(StrategyId::full)] == 1.0,
+          .language = content.language,
           .theme = content.theme,
           .camera = camera,
           .scale = content.scale,

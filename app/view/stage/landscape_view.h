@@ -3,6 +3,7 @@
 
 #include "app/view/camera.h"
 #include "app/view/stage/landscape_layout.h"
+#include "app/view/stage/stage_language.h"
 #include "app/view/theme.h"
 #include "app/view/view.h"
 
@@ -12,6 +13,7 @@ struct LandscapeView {
   const Settings& settings;
   double dial;           // from 0, naïve, to 1: what anisotropic rendering runs with
   bool has_every_motor;  // then there is no ghost force anywhere, and no dial
+  const StageLanguage& language;
   const Theme& theme;
   Camera camera;
   double scale;  // UI scale, 1 is normal

@@ -1,6 +1,23 @@
 #include "app/view/stage/landscape_words.h"
 
 namespace ghostforce {
+namespace {
+
+std::vector<std::string> pieces_of(std::string_view words, char separator) {
+  std::vector<std::string> pieces(1);
+  for (const char letter : words) {
+    letter == separator ? void(pieces.emplace_back()) : pieces.back().push_back(letter);
+  }
+  return pieces;
+}
+
+}  // namespace
+
+LineBreaks line_breaks_of(std::string_view words) {
+  LineBreaks ways;
+  for (const std::string& way : pieces_of(words, '|')) ways.push_back(pieces_of(way, '\n'));
+  return ways;
+}
 
 const std::vector<std::string>& LandscapeWords::way_that_fits(const LineBreaks& ways, double room) const {
   const auto fits = [&](const std::vector<std::string>& lines) {

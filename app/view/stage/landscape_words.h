@@ -16,6 +16,8 @@ namespace ghostforce {
 
 // The same words, broken into lines in several ways, from the widest to the narrowest.
 using LineBreaks = std::vector<std::vector<std::string>>;
+// As a language's table has them: lines separated by "\n", ways by "|".
+LineBreaks line_breaks_of(std::string_view words);
 
 // Where a line of text lies about its place: 0 begins there, 0.5 has its middle there, 1 ends there.
 struct Alignment {

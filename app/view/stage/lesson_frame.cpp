@@ -27,6 +27,9 @@ void add_header(const StageLayer& layer) {
   const StageLesson& lesson = *content.lesson;
   const LessonLayout& places = *layout.lesson;
   const Theme& theme = content.theme;
+  // The wall's edge may pass behind it.
+  const Colour plate = faded(theme.background, 0.85);
+  canvas.box(Role::button, places.title_box.grown(canvas.points(7.0)), canvas.points(8.0), plate, plate, 0.0);
   canvas.text(Role::sentence, places.title_box.least, places.title, layout.letters.bold_words, theme.text);
   canvas.text(Role::sentence, places.place, lesson.place, layout.letters.words, theme.text);
   for (std::size_t i = 0; i < places.dots.size(); ++i) {

@@ -112,10 +112,11 @@ class LessonArrangement {
     const std::size_t first_strategy = items.size();
     std::vector<StageButton> strategies;
     if (row.has_strategies) {
-      for (const StrategyButtonWords& words : strategy_button_words()) {
-        if (words.id == StrategyId::full && !words_.has_full) continue;
-        strategies.push_back({words.id, {}, words.in_short});
-        const double width = strategy_button_width(words.in_short, layout_.unit, layout_.letters, measure_);
+      for (const Strategy& strategy : strategy_catalog()) {
+        if (strategy.id == StrategyId::full && !words_.has_full) continue;
+        const std::string_view words = words_.language.strategies[index_of(strategy.id)].in_short;
+        strategies.push_back({strategy.id, {}, words});
+        const double width = strategy_button_width(words, layout_.unit, layout_.letters, measure_);
         items.push_back({.lines = {}, .size = {width, points(row_height)}});
       }
     }

@@ -1,5 +1,4 @@
 // Predict: a ring to drag to where one thinks that the handle comes to rest. The answer is hidden until it is asked for.
-#include <fmt/format.h>
 #include <glm/geometric.hpp>
 
 #include "app/view/stage/stage_layers.h"
@@ -23,10 +22,10 @@ void add_guess(const StageLayer& layer) {
   const StageGuess& guess = content.guess;
   if (!guess.at) return;
   // A lesson has other things to say above.
-  const std::string words = guess.is_open ? "your guess: drag me"
-                            : content.lesson && guess.missed_by
-                                ? fmt::format("your guess: {} mm off", slide_number(*guess.missed_by))
-                                : "your guess";
+  const StageLanguage::Labels& all = content.language.labels;
+  const std::string words = guess.is_open                       ? std::string(all.guess_to_drag)
+                            : content.lesson && guess.missed_by ? filled(all.guess_off, slide_number(*guess.missed_by))
+                                                                : std::string(all.guess);
   const Theme& theme = content.theme;
   const Vector<2> at = canvas.at(*guess.at);
   const double radius = canvas.points(guess_radius);
@@ -69,13 +68,12 @@ void add_predict(const StageLayer& layer) {
 }
 
 std::string predict_sentence(const StageContent& content) {
-  if (content.guess.missed_by) {
-    return fmt::format("Your guess was {} mm off.", slide_number(*content.guess.missed_by));
-  }
-  if (!content.guess.is_open) return "The hand presses in, slowly.";
-  if (depth(wall_of(content.settings), content.moment.goal) <= 0.0) return "Drag the hand into the wall, then guess.";
-  return content.settings.active == StrategyId::full ? "Two motors. Where will the handle come to rest?"
-                                                     : "One motor. Where will the handle come to rest?";
+  const StageLanguage::Sentences& all = content.language.sentences;
+  if (content.guess.missed_by) return filled(all.guess_was_off, slide_number(*content.guess.missed_by));
+  if (!content.guess.is_open) return std::string(all.guess_is_tried);
+  if (depth(wall_of(content.settings), content.moment.goal) <= 0.0) return std::string(all.guess_needs_wall);
+  const bool has_two = content.settings.active == StrategyId::full;
+  return std::string(has_two ? all.guess_with_two_motors : all.guess_with_one_motor);
 }
 
 }  // namespace

@@ -82,9 +82,10 @@ void add_point(const Vector<2>& point, std::vector<Vector<2>>& points) {
 }
 
 // A moment in words; milliseconds where tenths of a second would hide a tick.
-std::string words_of_age(double age_s) {
-  if (age_s <= 0.0) return "now";
-  return age_s < 1.0 ? fmt::format("{:.0f} ms ago", std::max(1.0, 1000.0 * age_s)) : fmt::format("{:.1f} s ago", age_s);
+std::string words_of_age(double age_s, const StageLanguage::Ribbon& words) {
+  if (age_s <= 0.0) return std::string(words.now);
+  return age_s < 1.0 ? filled(words.milliseconds_ago, fmt::format("{:.0f}", std::max(1.0, 1000.0 * age_s)))
+                     : filled(words.seconds_ago, fmt::format("{:.1f}", age_s));
 }
 
 class RibbonPen {
@@ -191,7 +192,7 @@ std::optional<double> greatest_ghost(const std::vector<PlotBucket>& buckets) {
 
 // Between the times that are named [s]; as many as have room.
 double step_of_times(const Ribbon& ribbon, const RibbonAxis& axis) {
-  const double widest = extent_of(ribbon, "60 s ago").x + 1.2 * em_of(ribbon);
+  const double widest = extent_of(ribbon, filled(ribbon.language.ribbon.seconds_ago, 60)).x + 1.2 * em_of(ribbon);
   constexpr std::array steps{10.0, 20.0, 30.0};
   for (const double step : steps) {
     if (step * (axis.right - axis.left) / MomentHistory::span_s >= widest) return step;
@@ -222,6 +223,7 @@ double ribbon_height(const Ribbon& ribbon) {
 
 void add_ribbon(const Ribbon& ribbon, Marks& marks) {
   const Theme& theme = ribbon.theme;
+  const StageLanguage::Ribbon& words = ribbon.language.ribbon;
   const RibbonAxis axis = ribbon_axis(ribbon);
   const Rows rows = rows_of(ribbon);
   const ScreenBox& band = rows.band;
@@ -256,18 +258,18 @@ void add_ribbon(const Ribbon& ribbon, Marks& marks) {
   if (rows.axis) {
     if (is_past) {
       const double age_s = std::min(axis.end_s - *ribbon.looks_back_to_s, MomentHistory::span_s);
-      pen.words(cursor_x, *rows.axis, words_of_age(age_s), theme.accent, true);
+      pen.words(cursor_x, *rows.axis, words_of_age(age_s, words), theme.accent, true);
     }
-    pen.words(now_x, *rows.axis, "now", theme.text, !is_past);
+    pen.words(now_x, *rows.axis, std::string(words.now), theme.text, !is_past);
     for (double age_s = MomentHistory::span_s; age_s > 0.0; age_s -= step_s) {
-      pen.words(axis.x_at(axis.end_s - age_s), *rows.axis, fmt::format("{:.0f} s ago", age_s), theme.faint_text);
+      pen.words(axis.x_at(axis.end_s - age_s), *rows.axis, filled(words.seconds_ago, fmt::format("{:.0f}", age_s)),
+                theme.faint_text);
     }
   }
   if (rows.title) {
     // The longer words where they have room.
-    for (const char* const words : {"ghost force, 0 to {:g} N", "0 to {:g} N"}) {
-      const std::string text =
-          greatest ? fmt::format(fmt::runtime(words), top) : std::string("ghost force: cannot be known");
+    for (const std::string_view title : {words.title, words.short_title}) {
+      const std::string text = greatest ? filled(title, fmt::format("{:g}", top)) : std::string(words.title_unknown);
       pen.words(axis.left + 0.5 * extent_of(ribbon, text).x, *rows.title, text, theme.faint_text);
     }
   }

@@ -12,6 +12,7 @@
 #include "app/view/marks.h"
 #include "app/view/moment_history.h"
 #include "app/view/screen_box.h"
+#include "app/view/stage/stage_language.h"
 #include "app/view/view.h"
 
 namespace ghostforce {
@@ -19,6 +20,7 @@ namespace ghostforce {
 struct Ribbon {
   const MomentHistory& moments;
   std::optional<double> looks_back_to_s;  // the moment that is shown, model time; empty: now
+  const StageLanguage& language;
   const Theme& theme;
   const MeasureText& measure;
   Camera camera;  // of the picture that it is part of

@@ -12,7 +12,7 @@ void add_last_minute(const StageLayer& layer) {
 
 std::string ribbon_sentence(const StageContent& content) {
   if (content.looks_back_to_s) return {};
-  return "Drag along the ribbon: the last minute again.";
+  return std::string(content.language.sentences.drag_along_ribbon);
 }
 
 }  // namespace
@@ -22,6 +22,7 @@ std::optional<Ribbon> stage_ribbon(const StageLayer& layer) {
   if (content.moments == nullptr || !layout.ribbon) return std::nullopt;
   return Ribbon{.moments = *content.moments,
                 .looks_back_to_s = content.looks_back_to_s,
+                .language = content.language,
                 .theme = content.theme,
                 .measure = content.measure,
                 .camera = canvas.camera,

@@ -2,7 +2,6 @@
 // battery: a wall should give nothing.
 #include <cmath>
 
-#include <fmt/format.h>
 #include <glm/geometric.hpp>
 
 #include "app/view/number_text.h"
@@ -44,13 +43,14 @@ void add_battery(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   const CircleEnergy* const energy = energy_of(content);
   const Theme& theme = content.theme;
+  const StageLanguage::Labels& all = content.language.labels;
   const std::string words = energy == nullptr
-                                ? "the first round"
-                                : fmt::format("{} mJ a round", signed_decimal_text(1e3 * energy->last.energy, 1));
+                                ? std::string(all.first_round)
+                                : filled(all.energy_a_round, signed_decimal_text(1e3 * energy->last.energy, 1));
   const TextStyle& style = layout.letters.bold_words;
   // A picture on paper is small, and its words do not change.
   const Vector<2> cell(canvas.points(84.0), canvas.points(content.is_bare ? 110.0 : 170.0));
-  const std::string_view longest = content.is_bare ? std::string_view(words) : "+888.8 mJ a round";
+  const std::string longest = content.is_bare ? words : filled(all.energy_a_round, "+888.8");
   const Vector<2> extent(std::max(cell.x, content.measure(longest, style).x),
                          cell.y + canvas.points(6.0) + style.height);
   const auto found = canvas.labels.place_block({.id = StageLabel::numbers,
@@ -97,16 +97,17 @@ void add_round(const StageLayer& layer) {
 
 std::string round_sentence(const StageContent& content) {
   const CircleEnergy* const energy = energy_of(content);
-  if (energy == nullptr) return "Round and round: a real wall would give the hand nothing.";
-  if (!energy->stays_inside) return "The handle leaves the wall on its way round.";
+  const StageLanguage::Sentences& all = content.language.sentences;
+  if (energy == nullptr) return std::string(all.round_begins);
+  if (!energy->stays_inside) return std::string(all.round_leaves_wall);
   // The sampled loop itself takes a little away.
   const double little = std::max(least_energy, 0.03 * greatest_energy(*content.round));
   if (energy->last.energy >= little) {
-    return content.settings.active == StrategyId::naive ? "Each round the wall gives energy: it pushes the hand along."
-                                                        : "No ghost force at rest, and yet each round gives energy.";
+    const bool is_naive = content.settings.active == StrategyId::naive;
+    return std::string(is_naive ? all.round_gives : all.round_gives_though_cured);
   }
-  if (energy->last.energy <= -little) return "Each round the wall takes energy from the hand.";
-  return "Round and round, and hardly anything is gained or lost.";
+  if (energy->last.energy <= -little) return std::string(all.round_takes);
+  return std::string(all.round_is_fair);
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "app/view/stage/landscape_layer.h"
 #include "app/view/stage/stage_layers.h"
 
@@ -22,14 +24,24 @@ std::string sentence_of(const StageContent& content, const StageModeLayers* mode
   if (mode != nullptr) {
     if (std::string words = mode->sentence(content); !words.empty()) return words;
   }
-  return std::string(stage_sentence(content.settings, content.moment, content.audience));
+  return std::string(stage_sentence(content.settings, content.moment, content.audience, content.language));
+}
+
+// With the digits that choose them. Empty: there is nothing to choose.
+std::string open_answers(const StageLesson& lesson) {
+  std::string words;
+  if (!lesson.is_open) return words;
+  const std::vector<std::string>& answers = lesson.row().answers;
+  for (std::size_t i = 0; i < answers.size(); ++i) words += fmt::format(" {}: {}.", i + 1, answers[i]);
+  return words;
 }
 
 StageLayout layout_of(const StageContent& content, const StageModeLayers* mode) {
   if (content.is_bare) return bare_stage_layout(content.size, content.scale);
   const std::string sentence = sentence_of(content, mode);
   return stage_layout(content.size, content.scale, content.measure,
-                      {.sentence = sentence,
+                      {.language = content.language,
+                       .sentence = sentence,
                        .corner = content.corner ? std::string_view(content.corner->words) : "",
                        .corner_action = content.corner ? content.corner->action : StageCommand::keys,
                        .has_full = !content.moment.is_measured,
@@ -40,6 +52,7 @@ void make_room_for_ribbon(const StageContent& content, StageLayout& layout) {
   // Its height is a matter of its letters alone.
   const Ribbon ribbon{.moments = *content.moments,
                       .looks_back_to_s = content.looks_back_to_s,
+                      .language = content.language,
                       .theme = content.theme,
                       .measure = content.measure,
                       .camera = {.size = content.size},
@@ -65,13 +78,19 @@ void add_whole_scene(const StageLayer& layer) {
 }
 
 StageReading stage_reading(const StageContent& content) {
+  const StageSecrets& hides = content.hides;
   StageReading reading{.strategy = content.settings.active, .sentence = sentence_of(content, layers_of(content.mode))};
-  // The map has its verdict in place of a sentence.
-  if (content.mode == StageMode::landscape && content.warning.empty()) {
+  if (content.lesson && content.warning.empty()) {
+    reading.sentence += open_answers(*content.lesson);
+  } else if (!content.lesson && content.mode == StageMode::landscape && content.warning.empty()) {
+    // The map has its verdict in place of a sentence.
     reading.sentence = landscape_sentence(stage_landscape(content, {}));
   }
-  const bool hides_answer = content.mode == StageMode::predict && content.guess.is_open;
-  if (!hides_answer) reading.numbers = stage_numbers(content.moment);
+  const bool is_asked = content.mode == StageMode::predict && content.guess.is_open;
+  if (is_asked || hides.numbers || hides.handle) return reading;
+  reading.numbers = stage_numbers(content.moment);
+  if (hides.force) reading.numbers.force = reading.numbers.wall_share = reading.numbers.ghost_force = std::nullopt;
+  if (hides.slide) reading.numbers.slide = std::nullopt;
   return reading;
 }
 

@@ -7,6 +7,7 @@
 
 #include "app/view/label_placer.h"
 #include "app/view/panes.h"
+#include "app/view/stage/stage_language.h"
 #include "app/view/stage/stage_transition.h"
 #include "app/view/theme.h"
 #include "app/view/view.h"
@@ -20,7 +21,8 @@ struct ClipMoment {
 };
 
 struct StageClipLook {
-  const Theme* theme;  // of the catalog
+  const StageLanguage* language;  // of the catalog, as the next one
+  const Theme* theme;
   MeasureText measure;
   SceneView shown;
   double reference_force = 1.0;       // whose arrow has the usual length [N]

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/view/moment_history.h"
+#include "app/view/stage/stage_language.h"
 #include "app/view/stage/stage_layout.h"
 #include "app/view/stage/stage_lesson.h"
 #include "app/view/stage/stage_moment.h"
@@ -47,6 +48,7 @@ struct StageCornerButton {
 struct StageContent {
   const Settings& settings;  // of the moment that is shown
   StageMoment moment;
+  const StageLanguage& language;
   const Theme& theme;
   const MeasureText& measure;
   SceneView shown;

@@ -17,13 +17,13 @@ namespace {
 constexpr double height_of_design = 720.0;
 constexpr double line_of_em = 1.17;  // height of a line of text over its nominal size
 constexpr double words_em = 24.0;    // a thirtieth of the height, which the last row of a lecture hall can read
-constexpr double sentence_em = 30.0;
+constexpr double sentence_em = 29.0;
 constexpr double lesson_em = 27.0;  // of a lesson's text, which is longer than a sentence
 constexpr double number_em = 74.0;
 constexpr double unit_em = 34.0;
 constexpr double edge_margin = 36.0;
 constexpr double button_height = 56.0;
-constexpr double icon_side = 46.0;
+constexpr double icon_side = 45.0;
 constexpr double gap = 14.0;
 constexpr double button_padding = 18.0;
 
@@ -34,9 +34,9 @@ constexpr std::size_t most_lesson_lines = 4;
 constexpr double mark_room = 44.0;  // of a lesson's mark before its text
 
 // The longest that the stage has to say: letters must be small enough for it, so that they do not change with it.
-constexpr std::string_view longest_sentence = "In your hand: the goal is inferred, so the ghost force cannot be known.";
-
-constexpr std::string_view keys_words = "F1 keys";
+std::string_view longest_sentence(const StageLanguage& language) {
+  return std::ranges::max(words_of(language.sentences), {}, &std::string_view::size);
+}
 
 // Whole points: the letters that are painted then are as they were made.
 StageLetters letters_at(double unit, double longer_text_em) {
@@ -67,9 +67,10 @@ class Arrangement {
     }
     arrange_numbers();
     const std::size_t most = words_.lesson != nullptr ? most_lesson_lines : most_lines;
-    const bool sentence_fits =
-        lines(words_.lesson != nullptr ? words_.lesson->longest_text : longest_sentence, mark_width(true)).size() <=
-        most;
+    const bool sentence_fits = lines(words_.lesson != nullptr ? std::string_view(words_.lesson->longest_text)
+                                                              : longest_sentence(words_.language),
+                                     mark_width(true))
+                                   .size() <= most;
     const double block_height =
         layout_.margin + static_cast<double>(most) * layout_.letters.sentence.height + layout_.numbers_size.y;
     return buttons_fit && sentence_fits && block_height <= greatest_block * layout_.size.y;
@@ -127,11 +128,12 @@ class Arrangement {
   bool arrange_buttons(bool in_full) {
     const double bottom = layout_.size.y - layout_.margin - points(10.0);
     double x = layout_.margin;
-    for (const StrategyButtonWords& words : strategy_button_words()) {
-      if (words.id == StrategyId::full && !words_.has_full) continue;
+    for (const Strategy& strategy : strategy_catalog()) {
+      if (strategy.id == StrategyId::full && !words_.has_full) continue;
+      const StageLanguage::StrategyButton& words = words_.language.strategies[index_of(strategy.id)];
       const std::string_view shown = in_full ? words.in_full : words.in_short;
       const double width = strategy_button_width(shown, layout_.unit, layout_.letters, measure_);
-      layout_.strategies.push_back({words.id, {{x, bottom - points(button_height)}, {x + width, bottom}}, shown});
+      layout_.strategies.push_back({strategy.id, {{x, bottom - points(button_height)}, {x + width, bottom}}, shown});
       x += width + points(gap);
     }
     const double right = layout_.size.x - layout_.margin;
@@ -142,6 +144,7 @@ class Arrangement {
           StageButton{words_.corner_action, {{left, bottom - points(button_height)}, {right, bottom}}, words_.corner};
       return x <= left;
     }
+    const std::string_view keys_words = words_.language.buttons.keys;
     const Vector<2> extent = measure_(keys_words, layout_.letters.words);
     if (x + extent.x <= right) {
       const double top = bottom - 0.5 * (points(button_height) + extent.y);
@@ -154,7 +157,10 @@ class Arrangement {
     const StageLetters& all = layout_.letters;
     layout_.number_width = measure_("88.8", all.number).x;
     const double unit_width = points(gap) + measure_("mm", all.unit).x;
-    const double words_width = measure_("ghost force (too little)", all.words).x;
+    double words_width = 0.0;
+    for (const std::string_view words : words_of(words_.language.numbers)) {
+      words_width = std::max(words_width, measure_(words, all.words).x);
+    }
     layout_.numbers_size = {std::max(layout_.number_width + unit_width, words_width),
                             2.0 * (all.number.height + all.words.height) - points(6.0)};
   }
@@ -247,13 +253,15 @@ Camera stage_camera(const SceneView& shown, const Vector<2>& size, double bottom
   return camera;
 }
 
-std::string hover_words(const StageAction& action) {
+std::string hover_words(const StageAction& action, const StageLanguage& language) {
   if (const auto* const mode = std::get_if<StageMode>(&action)) {
     const auto entry = std::ranges::find(stage_mode_catalog(), *mode, &StageModeEntry::id);
-    return fmt::format("{} ({}): {}", entry->title, entry->key, entry->sentence);
+    const StageLanguage::Mode& words = language.modes.*entry->words;
+    return fmt::format("{} ({}): {}", words.title, entry->key, words.about);
   }
-  if (std::holds_alternative<Face>(action)) return "Workbench (F4): all settings, numbers and plots.";
-  if (action == StageAction(StageCommand::lessons)) return "Lessons (F5): short sessions that ask, and then show.";
+  if (std::holds_alternative<Face>(action)) return std::string(language.hovers.workbench);
+  if (action == StageAction(StageCommand::lessons)) return std::string(language.hovers.lessons);
+  if (action == StageAction(StageCommand::leave)) return std::string(language.hovers.leave_lesson);
   return {};
 }
 

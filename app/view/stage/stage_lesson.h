@@ -43,7 +43,6 @@ struct StageLesson {
   bool is_open = false;  // the question can be answered; the digits are the answers'
   std::string back;      // words of the buttons; empty: there is no step before
   std::string next;
-  std::string leave_words;  // said while the pointer is on the way out
 
   const StageLessonRow& row() const { return rows[step]; }
 };

@@ -7,13 +7,11 @@ namespace ghostforce {
 namespace {
 
 constexpr std::array modes{
-    StageModeEntry{StageMode::predict, "predict", "Q", "Predict", "Guess where the handle comes to rest."},
-    StageModeEntry{StageMode::why, "why", "Y", "Why?", "Where the ghost force comes from, in four steps."},
-    StageModeEntry{StageMode::landscape, "landscape", "L", "Landscape",
-                   "How strong the ghost force is, for every wall and hand."},
-    StageModeEntry{StageMode::round, "round", "O", "Round and round",
-                   "How much energy the wall gives to a hand that circles in it."},
-    StageModeEntry{StageMode::ribbon, "ribbon", "H", "Last minute", "Look again at what has just happened."},
+    StageModeEntry{StageMode::predict, "predict", "Q", &StageLanguage::Modes::predict},
+    StageModeEntry{StageMode::why, "why", "Y", &StageLanguage::Modes::why},
+    StageModeEntry{StageMode::landscape, "landscape", "L", &StageLanguage::Modes::landscape},
+    StageModeEntry{StageMode::round, "round", "O", &StageLanguage::Modes::round},
+    StageModeEntry{StageMode::ribbon, "ribbon", "H", &StageLanguage::Modes::ribbon},
 };
 
 }  // namespace

@@ -7,16 +7,17 @@
 #include <span>
 #include <string_view>
 
+#include "app/view/stage/stage_language.h"
+
 namespace ghostforce {
 
 enum class StageMode : std::uint8_t { none, predict, why, landscape, round, ribbon };
 
 struct StageModeEntry {
   StageMode id;
-  std::string_view name;      // in files and on the command line
-  std::string_view key;       // as printed on it
-  std::string_view title;     // on screen
-  std::string_view sentence;  // what there is to do, for who hovers over its icon
+  std::string_view name;  // in files and on the command line
+  std::string_view key;   // as printed on it
+  StageLanguage::Mode StageLanguage::Modes::*words;
 };
 // Without `none`.
 std::span<const StageModeEntry> stage_mode_catalog() noexcept;

@@ -165,12 +165,11 @@ std::optional<HoverPanel> hover_panel(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   // Who has pressed an icon has read what it does.
   const bool is_on = content.hovered == StageAction(content.mode);
-  const bool is_way_out = content.lesson && content.hovered == StageAction(StageCommand::leave);
+  const StageLanguage::Hovers& all = content.language.hovers;
   const std::string words = is_on                                      ? ""
-                            : is_way_out                               ? content.lesson->leave_words
-                            : content.hovered                          ? hover_words(*content.hovered)
-                            : content.hovered_grip == StageGrip::wall  ? "Drag to turn the wall."
-                            : content.hovered_grip == StageGrip::motor ? "Drag to turn the motor."
+                            : content.hovered                          ? hover_words(*content.hovered, content.language)
+                            : content.hovered_grip == StageGrip::wall  ? std::string(all.wall)
+                            : content.hovered_grip == StageGrip::motor ? std::string(all.motor)
                                                                        : "";
   if (words.empty()) return std::nullopt;
   const TextStyle& style = layout.letters.words;
@@ -203,7 +202,7 @@ void add_cure_hint(const StageLayer& layer) {
   if (content.hint != StageHint::cure) return;
   const ScreenBox& button = layout.strategies.back().box;
   const TextStyle& style = layout.letters.bold_words;
-  const std::string words = "press 3: the cure";
+  const std::string words(content.language.buttons.cure_hint);
   const Vector<2> extent = content.measure(words, style);
   const double above = canvas.points(200.0);
   const ScreenBox region{{layout.margin, button.least.y - extent.y - above},
@@ -264,20 +263,21 @@ void add_numbers(const StageLayer& layer) {
   if (!found || found->strength <= 0.0) return;
   const StageNumbers numbers = stage_numbers(moment);
   const std::optional<double>& ghost = numbers.ghost_force;
-  const std::string_view ghost_words = content.hides.force            ? "ghost force"
-                                       : !ghost                       ? "ghost force: unknown"
-                                       : *ghost <= -least_shown_force ? "ghost force (too little)"
-                                                                      : "ghost force";
+  const StageLanguage::Numbers& all = content.language.numbers;
+  const std::string_view ghost_words = content.hides.force            ? all.ghost_force
+                                       : !ghost                       ? all.ghost_force_unknown
+                                       : *ghost <= -least_shown_force ? all.ghost_force_too_little
+                                                                      : all.ghost_force;
   const auto told = [](bool is_hidden, const std::optional<double>& number, const auto& words) -> std::string {
     return is_hidden ? "?" : number ? words(*number) : "";
   };
   add_number(layer, {told(content.hides.force, ghost, force_number), "N", ghost_words}, found->box.least,
              found->strength);
   const Vector<2> below(0.0, 0.5 * (layout.numbers_size.y + canvas.points(6.0)));
-  add_number(layer,
-             {told(content.hides.slide, numbers.slide, slide_number), "mm",
-              numbers.slide ? "slid along the wall" : "slide: unknown"},
-             found->box.least + below, found->strength);
+  add_number(
+      layer,
+      {told(content.hides.slide, numbers.slide, slide_number), "mm", numbers.slide ? all.slide : all.slide_unknown},
+      found->box.least + below, found->strength);
 }
 
 void add_buttons(const StageLayer& layer) {

@@ -12,6 +12,7 @@
 #include "app/view/screen_box.h"
 #include "app/view/stage/face.h"
 #include "app/view/stage/lesson_places.h"
+#include "app/view/stage/stage_language.h"
 #include "app/view/stage/stage_lesson.h"
 #include "app/view/stage/stage_mode.h"
 #include "app/view/view.h"
@@ -73,6 +74,7 @@ struct StageLayout {
 };
 
 struct StageFrameWords {
+  const StageLanguage& language;
   std::string_view sentence;
   std::string_view corner{};  // of the button at the other end of the row; empty: the help's, where there is room
   StageAction corner_action = StageCommand::keys;

@@ -40,74 +40,67 @@ struct Facts {
   }
 };
 
+using Sentences = StageLanguage::Sentences;
+
 struct Sentence {
-  std::string_view words;
+  std::string_view Sentences::*words;
   bool (*is_true)(const Facts&);
 };
 
 // The first that is true is the one.
 constexpr std::array sentences{
-    Sentence{"In your hand: the goal is inferred, so the ghost force cannot be known.",
+    Sentence{&Sentences::in_hand,
              [](const Facts& now) {
                return now.moment.is_measured && now.moment.in_contact && !now.moment.knows_ghost_force;
              }},
     Sentence{
-        "Aim at the target and push the handle into the wall.",
+        &Sentences::aim_and_push,
         [](const Facts& now) { return now.moment.is_measured && !now.moment.in_contact && now.moment.has_target; }},
-    Sentence{"Push the handle into the wall.",
-             [](const Facts& now) { return now.moment.is_measured && !now.moment.in_contact; }},
-    Sentence{"You aim at the target, and a ghost force drags you along the wall.",
-             [](const Facts& now) { return now.moment.is_measured && now.has_ghost(); }},
-    Sentence{"You aim at the target, and there is no ghost force.",
-             [](const Facts& now) { return now.moment.is_measured; }},
-    Sentence{"Drag the hand into the wall.",
+    Sentence{&Sentences::push, [](const Facts& now) { return now.moment.is_measured && !now.moment.in_contact; }},
+    Sentence{&Sentences::aimed_with_ghost, [](const Facts& now) { return now.moment.is_measured && now.has_ghost(); }},
+    Sentence{&Sentences::aimed_without_ghost, [](const Facts& now) { return now.moment.is_measured; }},
+    Sentence{&Sentences::drag_into_wall,
              [](const Facts& now) {
                return !now.moment.in_contact && now.audience.can_drag && !now.audience.looks_back &&
                       depth(wall_of(now.settings), now.moment.goal) <= 0.0;
              }},
-    Sentence{"The handle is in front of the wall: nothing pushes it.",
-             [](const Facts& now) { return !now.moment.in_contact; }},
-    Sentence{"Two motors: the wall feels right.", [](const Facts& now) { return now.is(StrategyId::full); }},
-    Sentence{"One motor becomes two.",
+    Sentence{&Sentences::in_front_of_wall, [](const Facts& now) { return !now.moment.in_contact; }},
+    Sentence{&Sentences::two_motors, [](const Facts& now) { return now.is(StrategyId::full); }},
+    Sentence{&Sentences::one_becomes_two,
              [](const Facts& now) {
                return now.moment.weights[index_of(StrategyId::full)] > 0.0 &&
                       now.audience.heads_for == StrategyId::full;
              }},
-    Sentence{"Two motors become one.",
+    Sentence{&Sentences::two_become_one,
              [](const Facts& now) { return now.moment.weights[index_of(StrategyId::full)] > 0.0; }},
-    Sentence{"The only motor pushes along the wall: it cannot hold the hand.",
-             [](const Facts& now) { return std::abs(now.motor_along) < 0.02; }},
-    Sentence{"On the way to the cure: still a ghost force.",
+    Sentence{&Sentences::motor_along_wall, [](const Facts& now) { return std::abs(now.motor_along) < 0.02; }},
+    Sentence{&Sentences::on_way_to_cure,
              [](const Facts& now) {
                return now.is_on_the_way() && now.has_ghost() && now.audience.heads_for == StrategyId::anisotropic;
              }},
-    Sentence{"On the way back to naïve: a ghost force.",
-             [](const Facts& now) { return now.is_on_the_way() && now.has_ghost(); }},
-    Sentence{"On the way between the two: no ghost force.", [](const Facts& now) { return now.is_on_the_way(); }},
+    Sentence{&Sentences::on_way_to_naive, [](const Facts& now) { return now.is_on_the_way() && now.has_ghost(); }},
+    Sentence{&Sentences::on_way_without_ghost, [](const Facts& now) { return now.is_on_the_way(); }},
     // Naïve.
-    Sentence{"A ghost force drags the handle along the wall.",
+    Sentence{&Sentences::naive_ghost,
              [](const Facts& now) { return now.is(StrategyId::naive) && now.ghost >= least_shown_force; }},
-    Sentence{"The motor pushes too little while the hand moves.",
+    Sentence{&Sentences::naive_too_little,
              [](const Facts& now) { return now.is(StrategyId::naive) && now.has_ghost(); }},
-    Sentence{"One motor, straight at the wall: no ghost force here.",
+    Sentence{&Sentences::straight_at_wall,
              [](const Facts& now) { return now.is(StrategyId::naive) && std::abs(now.motor_along) > 0.9998; }},
-    Sentence{"Press deeper: there is hardly any ghost force here.",
-             [](const Facts& now) { return now.is(StrategyId::naive); }},
+    Sentence{&Sentences::press_deeper, [](const Facts& now) { return now.is(StrategyId::naive); }},
     // Anisotropic.
-    Sentence{"Same motor, same hand: the ghost force is gone.",
+    Sentence{&Sentences::cured,
              [](const Facts& now) { return !now.has_ghost() && now.is_at_rest() && now.has_none_at_rest(); }},
-    Sentence{"Hold the hand still, and the ghost force goes away.",
-             [](const Facts& now) { return now.has_none_at_rest(); }},
-    Sentence{"The hand is stiffer than believed: a ghost force is left.",
+    Sentence{&Sentences::hold_still, [](const Facts& now) { return now.has_none_at_rest(); }},
+    Sentence{&Sentences::stiffer_than_believed,
              [](const Facts& now) {
                return now.has_ghost() && now.believes_wrongly() &&
                       now.settings.stiffnesses.k_u > *now.settings.stiffnesses.believed_k_u;
              }},
-    Sentence{"The hand is softer than believed: a ghost force is left.",
+    Sentence{&Sentences::softer_than_believed,
              [](const Facts& now) { return now.has_ghost() && now.believes_wrongly(); }},
-    Sentence{"This ratio does not fit the hand: a ghost force is left.",
-             [](const Facts& now) { return now.has_ghost(); }},
-    Sentence{"Hold the hand still: a small ghost force will remain.", [](const Facts&) { return true; }},
+    Sentence{&Sentences::wrong_ratio, [](const Facts& now) { return now.has_ghost(); }},
+    Sentence{&Sentences::ghost_will_remain, [](const Facts&) { return true; }},
 };
 
 // Three digits, whatever the size.
@@ -118,11 +111,14 @@ std::string three_digits(double size) {
 
 }  // namespace
 
-std::string_view stage_sentence(const Settings& settings, const StageMoment& moment, const StageAudience& audience) {
+std::string_view stage_sentence(const Settings& settings, const StageMoment& moment, const StageAudience& audience,
+                                const StageLanguage& language) {
   const double motor_along = glm::dot(direction_at(settings.wall_normal_angle), direction_at(settings.actuated_angle));
   const double at_rest = signed_ghost_force(stage_moment_at_rest(settings, moment.goal));
   const Facts now{settings, moment, audience, signed_ghost_force(moment), at_rest, motor_along};
-  return std::ranges::find_if(sentences, [&](const Sentence& sentence) { return sentence.is_true(now); })->words;
+  const auto* const found =
+      std::ranges::find_if(sentences, [&](const Sentence& sentence) { return sentence.is_true(now); });
+  return language.sentences.*found->words;
 }
 
 StageNumbers stage_numbers(const StageMoment& moment) noexcept {
@@ -144,12 +140,12 @@ std::string slide_number(double metres) {
   return mm < 99.95 ? fmt::format("{:.1f}", mm) : fmt::format("{:.0f}", mm);
 }
 
-std::string motor_direction_words(double actuated_angle) {
+std::string motor_direction_words(double actuated_angle, const StageLanguage& language) {
   // An axis has two ends: 30° and 210° are the same.
   double degrees = std::remainder(actuated_angle * degrees_per_radian, 180.0);
-  if (std::abs(degrees) < 0.5) return "left and right";
-  if (std::abs(degrees) > 89.5) return "up and down";
-  return fmt::format("at {:.0f}°", degrees < 0.0 ? degrees + 180.0 : degrees);
+  if (std::abs(degrees) < 0.5) return std::string(language.labels.left_and_right);
+  if (std::abs(degrees) > 89.5) return std::string(language.labels.up_and_down);
+  return filled(language.labels.at_angle, fmt::format("{:.0f}", degrees < 0.0 ? degrees + 180.0 : degrees));
 }
 
 }  // namespace ghostforce

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "app/view/stage/stage_language.h"
 #include "app/view/stage/stage_moment.h"
 
 namespace ghostforce {
@@ -17,7 +18,8 @@ struct StageAudience {
   StrategyId heads_for = StrategyId::naive;  // of a moment between two strategies
 };
 
-std::string_view stage_sentence(const Settings& settings, const StageMoment& moment, const StageAudience& audience);
+std::string_view stage_sentence(const Settings& settings, const StageMoment& moment, const StageAudience& audience,
+                                const StageLanguage& language);
 
 // What is smaller is shown as nothing, and called so.
 inline constexpr double least_shown_force = 0.005;    // [N]
@@ -37,6 +39,6 @@ std::string force_number(double newton);
 std::string slide_number(double metres);
 
 // "left and right", "up and down", or "at 30°".
-std::string motor_direction_words(double actuated_angle);
+std::string motor_direction_words(double actuated_angle, const StageLanguage& language);
 
 }  // namespace ghostforce

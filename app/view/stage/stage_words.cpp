@@ -24,15 +24,16 @@ void add_force_words(const StageLayer& layer) {
   const auto arrow = force_arrow(layer);
   if (!arrow) return;
   if (content.hides.force || glm::length(moment.ghost_force) < least_shown_force) return;
-  canvas.label(Role::ghost_force,
-               {StageLabel::ghost,
-                {with_number(content, "ghost", force_number(glm::length(moment.ghost_force)), "N")},
-                layout.letters.bold_words,
-                arrow->share_end(),
-                arrow->tip(),
-                canvas.points(arrow_width),
-                lower_side(arrow->direction)},
-               content.theme.strategy_text[index_of(StrategyId::naive)]);
+  canvas.label(
+      Role::ghost_force,
+      {StageLabel::ghost,
+       {with_number(content, content.language.labels.ghost, force_number(glm::length(moment.ghost_force)), "N")},
+       layout.letters.bold_words,
+       arrow->share_end(),
+       arrow->tip(),
+       canvas.points(arrow_width),
+       lower_side(arrow->direction)},
+      content.theme.strategy_text[index_of(StrategyId::naive)]);
 }
 
 void add_share_words(const StageLayer& layer) {
@@ -40,15 +41,17 @@ void add_share_words(const StageLayer& layer) {
   const auto arrow = force_arrow(layer);
   const double share = glm::length(content.moment.wall_share);
   if (content.hides.force || !arrow || share < least_shown_force) return;
-  canvas.label(Role::wall_share,
-               {StageLabel::wall_share,
-                {with_number(content, content.moment.knows_ghost_force ? "wall" : "motor", force_number(share), "N")},
-                layout.letters.words,
-                arrow->start,
-                arrow->share_end(),
-                canvas.points(arrow_width),
-                lower_side(arrow->direction)},
-               content.theme.text);
+  const StageLanguage::Labels& words = content.language.labels;
+  canvas.label(
+      Role::wall_share,
+      {StageLabel::wall_share,
+       {with_number(content, content.moment.knows_ghost_force ? words.wall : words.motor, force_number(share), "N")},
+       layout.letters.words,
+       arrow->start,
+       arrow->share_end(),
+       canvas.points(arrow_width),
+       lower_side(arrow->direction)},
+      content.theme.text);
 }
 
 void add_slide_words(const StageLayer& layer) {
@@ -58,7 +61,7 @@ void add_slide_words(const StageLayer& layer) {
   if (content.hides.slide || !ruler || slide < least_shown_slide) return;
   canvas.label(Role::proxy_drift,
                {StageLabel::slide,
-                {with_number(content, "slid", slide_number(slide), "mm")},
+                {with_number(content, content.language.labels.slid, slide_number(slide), "mm")},
                 layout.letters.bold_words,
                 ruler->from,
                 ruler->to,
@@ -71,7 +74,7 @@ void add_handle_words(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   canvas.label(Role::device,
                {StageLabel::handle,
-                {"handle"},
+                {std::string(content.language.labels.handle)},
                 layout.letters.bold_words,
                 canvas.at(content.moment.handle),
                 canvas.at(content.moment.handle),
@@ -90,7 +93,7 @@ void add_expectation_words(const StageLayer& layer) {
   if (moment.has_target) {
     canvas.label(Role::target,
                  {StageLabel::expected_contact,
-                  {"aim here"},
+                  {std::string(content.language.labels.target)},
                   layout.letters.bold_words,
                   canvas.at(moment.expected_contact),
                   canvas.at(moment.expected_contact),
@@ -104,7 +107,7 @@ void add_expectation_words(const StageLayer& layer) {
   if (is_apart && !content.hides.rest) {
     canvas.label(Role::expected_rest,
                  {StageLabel::expected_rest,
-                  {"where it should rest"},
+                  {std::string(content.language.labels.should_rest)},
                   layout.letters.words,
                   rest,
                   rest,
@@ -116,7 +119,7 @@ void add_expectation_words(const StageLayer& layer) {
   if (glm::distance(foot, canvas.at(moment.proxy)) > canvas.points(26.0)) {
     canvas.label(Role::expected_contact,
                  {StageLabel::expected_contact,
-                  {"the wall should hold here"},
+                  {std::string(content.language.labels.should_hold)},
                   layout.letters.words,
                   foot,
                   foot,
@@ -129,7 +132,7 @@ void add_expectation_words(const StageLayer& layer) {
 // In a corner of the picture that is deep in the wall, above if there is one.
 void add_wall_words(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
-  const std::string words = "virtual wall";
+  const std::string words(content.language.labels.virtual_wall);
   const Vector<2> extent = content.measure(words, layout.letters.words);
   const Vector<2> inwards = into_the_wall(content);
   const Vector<2> edge = canvas.at(wall_of(content.settings).point);
@@ -162,9 +165,10 @@ std::string with_number(const StageContent& content, std::string_view words, con
 void add_hand_words(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   const bool is_asked_to_drag = content.hint == StageHint::drag;
-  const std::string_view words = content.moment.is_measured ? "your hand, inferred"
-                                 : is_asked_to_drag         ? "drag me: your hand pulls here"
-                                                            : "your hand pulls here";
+  const StageLanguage::Labels& all = content.language.labels;
+  const std::string_view words = content.moment.is_measured ? all.hand_inferred
+                                 : is_asked_to_drag         ? all.hand_to_drag
+                                                            : all.hand;
   canvas.label(Role::hand,
                {is_asked_to_drag ? StageLabel::hint : StageLabel::hand,
                 {std::string(words)},
@@ -180,9 +184,11 @@ void add_motor_words(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   if (content.moment.weights[index_of(StrategyId::full)] > 0.0) return;
   const bool is_asked_to_turn = content.hint == StageHint::motor;
-  const std::string words = is_asked_to_turn
-                                ? "turn the motor by its ends"
-                                : "the only motor pushes " + motor_direction_words(content.settings.actuated_angle);
+  const StageLanguage::Labels& all = content.language.labels;
+  const std::string words =
+      is_asked_to_turn
+          ? std::string(all.motor_to_turn)
+          : filled(all.motor_pushes, motor_direction_words(content.settings.actuated_angle, content.language));
   const auto ends = stage_grips(content.settings, content.moment, canvas.camera, layout.scene(), canvas.unit).motor;
   const Vector<2> rail = to_screen_direction(direction_at(content.settings.actuated_angle));
   canvas.label(Role::motor_axis,

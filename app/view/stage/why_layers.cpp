@@ -31,27 +31,24 @@ struct WhyWords {
   std::string_view excess;
 };
 
-WhyWords words_of(StrategyId id, const ForceTriangle& forces) {
+WhyWords words_for(StrategyId id, const ForceTriangle& forces, const StageLanguage& language) {
+  const StageLanguage::Sentences& sentences = language.sentences;
+  const StageLanguage::Why& steps = language.why;
   const bool has_ghost = glm::length(forces.ghost) >= least_shown_force;
-  if (id == StrategyId::full) return {"Two motors push straight out, as a wall does.", "", ""};
+  if (id == StrategyId::full) return {sentences.why_two_motors, "", ""};
   if (glm::length(forces.share) < least_shown_force) {
-    return {"The motor pushes along the wall: it can give none of the push.", "3  all of it is missing",
-            "4  and there is no ghost force"};
+    return {sentences.why_nothing_given, steps.no_share_missing, steps.no_share_excess};
   }
   if (glm::length(forces.push - forces.share) < least_shown_force) {
-    return {"Here the motor pushes straight out too: no ghost force.", "3  nothing is missing",
-            "4  so nothing slides: no ghost force"};
+    return {sentences.why_all_given, steps.all_share_missing, steps.all_share_excess};
   }
   if (id == StrategyId::anisotropic && !has_ghost) {
-    return {"The cure: where the motor cannot push, the wall gives way.",
-            "3  no motor gives this, and the wall gives way", "4  so nothing slides: no ghost force"};
+    return {sentences.why_cured, steps.cured_missing, steps.cured_excess};
   }
   if (!has_ghost) {
-    return {"Press deeper: there is hardly any ghost force here.", "3  no motor gives this: the handle slides",
-            "4  hardly any ghost force"};
+    return {sentences.press_deeper, steps.missing, steps.hardly_any_excess};
   }
-  return {"A wall pushes straight out. One motor cannot.", "3  no motor gives this: the handle slides",
-          "4  and the slide pulls: ghost"};
+  return {sentences.why_ghost, steps.missing, steps.excess};
 }
 
 void add_why(const StageLayer& layer) {
@@ -68,7 +65,7 @@ void add_why(const StageLayer& layer) {
   corner.moment = stage_moment_at_rest(content.settings, content.moment.goal);
   corner.moment.handle = equilibrium_of(StrategyId::full, content.settings, content.moment.goal).device;
   const StrategyId id = content.settings.active;
-  const WhyWords words = words_of(id, forces);
+  const WhyWords words = words_for(id, forces, content.language);
   const StageLayer at_corner{corner, layout, canvas};
   add_rail(at_corner);
 
@@ -121,10 +118,10 @@ void add_why(const StageLayer& layer) {
   const std::string excess = ghost < least_shown_force ? std::string(words.excess)
                                                        : with_number(content, words.excess, force_number(ghost), "N");
   say(1, StageLabel::hand, Role::force,
-      with_number(content, "1  the wall pushes straight out:", force_number(glm::length(forces.push)), "N"), push_end,
-      out, theme.text, false);
+      with_number(content, content.language.why.push, force_number(glm::length(forces.push)), "N"), push_end, out,
+      theme.text, false);
   say(2, StageLabel::wall_share, Role::wall_share,
-      with_number(content, "2  the motor can give this much of it:", force_number(glm::length(forces.share)), "N"),
+      with_number(content, content.language.why.share, force_number(glm::length(forces.share)), "N"),
       0.5 * (start + share_end), -missing, theme.text, false);
   say(3, StageLabel::expected_contact, Role::force, std::string(words.missing), 0.5 * (push_end + share_end), along,
       theme.faint_text, false);
@@ -135,8 +132,8 @@ void add_why(const StageLayer& layer) {
 
 std::string why_sentence(const StageContent& content) {
   const ForceTriangle forces = triangle_of(content);
-  if (!forces.is_pushed) return "Drag the hand deeper into the wall first.";
-  return std::string(words_of(content.settings.active, forces).sentence);
+  if (!forces.is_pushed) return std::string(content.language.sentences.why_needs_wall);
+  return std::string(words_for(content.settings.active, forces, content.language).sentence);
 }
 
 }  // namespace

@@ -5,12 +5,14 @@
 #include <ostream>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "app/files/scene_file.h"
+#include "app/lessons/lesson_file.h"
 #include "app/view/theme.h"
 #include "app/view/view.h"
 #include "tests/support/program.h"
@@ -20,24 +22,31 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> names_of_files(const std::string& extension) {
+constexpr const char* snapshots = GHOSTFORCE_SOURCE_DIR "/tests/snapshots";
+constexpr const char* lesson_snapshots = GHOSTFORCE_SOURCE_DIR "/tests/snapshots/lessons";
+
+std::vector<std::string> names_of_files(const std::string& extension, const char* folder = snapshots) {
   std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(GHOSTFORCE_SOURCE_DIR "/tests/snapshots")) {
+  for (const auto& entry : fs::directory_iterator(folder)) {
     if (entry.path().extension() == extension) names.push_back(entry.path().stem().string());
   }
   std::sort(names.begin(), names.end());
   return names;
 }
 
+// `name` of the report, which has a folder of its own: tests run side by side.
+void expect_drawn_as_stored(const char* folder, const std::vector<std::string>& cases, const std::string& name) {
+  const std::string report = std::string(GHOSTFORCE_SNAPSHOTS_REPORT) + "/" + name;
+  std::vector<std::string> call{"check", folder, "--report", report, "--only"};
+  call.insert(call.end(), cases.begin(), cases.end());
+  const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, call);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err << "look at " << report << "/report.html";
+}
+
 class Snapshots : public testing::TestWithParam<std::string> {};
 
 TEST_P(Snapshots, AreDrawnAsTheyAreStored) {
-  // A folder each: tests run side by side.
-  const std::string report = std::string(GHOSTFORCE_SNAPSHOTS_REPORT) + "/" + GetParam();
-  const Outcome outcome =
-      run_program(GHOSTFORCE_PROGRAM, std::vector<std::string>{"check", GHOSTFORCE_SOURCE_DIR "/tests/snapshots",
-                                                               "--only", GetParam(), "--report", report});
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err << "look at " << report << "/report.html";
+  expect_drawn_as_stored(snapshots, {GetParam()}, GetParam());
 }
 
 std::string test_name(const testing::TestParamInfo<std::string>& info) {
@@ -50,11 +59,49 @@ std::string test_name(const testing::TestParamInfo<std::string>& info) {
 
 INSTANTIATE_TEST_SUITE_P(, Snapshots, testing::ValuesIn(names_of_files(".toml")), test_name);
 
-TEST(SnapshotsFolder, HasACaseForEachPicture) {
-  const std::vector<std::string> cases = names_of_files(".toml");
-  for (const std::string& picture : names_of_files(".png")) {
-    EXPECT_TRUE(std::binary_search(cases.begin(), cases.end(), picture)) << picture << ".png belongs to nothing";
+// Each step in light and on a projector, the first one of large letters too.
+std::vector<std::string> cases_of(const Lesson& lesson) {
+  std::vector<std::string> cases;
+  for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+    for (const std::string_view theme : {"light", "projector"}) {
+      const std::string name = fmt::format("{}-{}-{}", lesson.name, lesson.steps[i].name, theme);
+      cases.push_back(name);
+      if (i == 0) cases.push_back(name + "-scale-two");
+    }
   }
+  return cases;
+}
+
+std::vector<std::string> names_of_lessons() {
+  const std::vector<std::string_view> names = shipped_lesson_names();
+  return {names.begin(), names.end()};
+}
+
+// A test for each lesson, not for each step: the program starts once.
+class LessonSnapshots : public testing::TestWithParam<std::string> {};
+
+TEST_P(LessonSnapshots, AreDrawnAsTheyAreStored) {
+  expect_drawn_as_stored(lesson_snapshots, cases_of(load_lesson(GetParam())), "lesson-" + GetParam());
+}
+
+INSTANTIATE_TEST_SUITE_P(, LessonSnapshots, testing::ValuesIn(names_of_lessons()), test_name);
+
+TEST(SnapshotsFolder, HasACaseForEachPicture) {
+  for (const char* const folder : {snapshots, lesson_snapshots}) {
+    const std::vector<std::string> cases = names_of_files(".toml", folder);
+    for (const std::string& picture : names_of_files(".png", folder)) {
+      EXPECT_TRUE(std::binary_search(cases.begin(), cases.end(), picture)) << picture << ".png belongs to nothing";
+    }
+  }
+}
+
+TEST(SnapshotsFolder, HoldsNoStepThatNoLessonHas) {
+  std::vector<std::string> expected;
+  for (const std::string& name : names_of_lessons()) {
+    for (std::string& step : cases_of(load_lesson(name))) expected.push_back(std::move(step));
+  }
+  std::sort(expected.begin(), expected.end());
+  EXPECT_EQ(names_of_files(".toml", lesson_snapshots), expected);
 }
 
 TEST(SnapshotsFolder, HoldsEverySceneUnderEveryStrategyAndEveryWayToCompareInEveryTheme) {

@@ -14,6 +14,8 @@
 
 #include "app/console/failure.h"
 #include "app/files/scene_file.h"
+#include "app/lessons/lesson_file.h"
+#include "app/session/lesson_guide.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce {
@@ -25,6 +27,7 @@ class PreferencesTest : public testing::Test {
     setenv("XDG_CONFIG_HOME", (folder_ / "config").c_str(), 1);
     setenv("XDG_STATE_HOME", (folder_ / "state").c_str(), 1);
     setenv("HOME", (folder_ / "home").c_str(), 1);
+    setenv("LC_ALL", "C", 1);
   }
   std::string preferences() const { return folder_ / "config/ghostforce/preferences.toml"; }
   std::string layout() const { return folder_ / "state/ghostforce/layout.toml"; }
@@ -93,7 +96,13 @@ void name_the_parts_of_the_session(Session& session) {
       // KEPT.
       face,
       // A mode is for a moment; the workbench's view and the stage's follow the scene.
-      stage, shown, pane_views, stage_shown,
+      stage,
+      // A lesson is begun anew; progress in lessons has a file of its own.
+      lesson, lesson_progress,
+      // KEPT.
+      language,
+      // As the stage.
+      shown, pane_views, stage_shown,
       // KEPT; of the plots, what they show is of the moment.
       options, plots, appearance,
       // KEPT, in the window's layout.
@@ -113,7 +122,7 @@ void name_the_parts_of_the_session(Session& session) {
       // Of the hand that is measured, and of the wall that is circled.
       aims_at_target, measurement, circle_test,
       // A device may be gone, and a line with a set-up must mean the same everywhere.
-      injected_fault, input, pointer_moves_goal, hand_is_simulated,
+      injected_fault, input, pointer_moves_goal, hand_is_simulated, motors_may_push,
       // A recording has a new name each time.
       recording_path,
       // Of the window.
@@ -121,7 +130,7 @@ void name_the_parts_of_the_session(Session& session) {
       // KEPT: whether there are any.
       hint,
       // Of this moment.
-      dialog, form, notice, preference_resets, undo_offer, requests] = session;
+      dialog, form, notice, preference_resets, dial_turned_s, undo_offer, requests] = session;
   [[maybe_unused]] auto& [is_open, tab, follows, from_s, to_s, cursor_s] = plots;
 }
 
@@ -150,9 +159,24 @@ TEST_F(PreferencesTest, EachPartGoesIntoTheSessionAndBack) {
     Session session = session_of(load_scene("wall45"));
     name_the_parts_of_the_session(session);
     apply(chosen, session);
-    chosen.language.clear();  // is not the session's
+    if (chosen.language.empty()) chosen.language = "en";  // the environment's
     EXPECT_EQ(preferences_in(session), chosen);
   }
+}
+
+TEST_F(PreferencesTest, TheLanguageIsTheOneThatWasChosenOrTheEnvironments) {
+  Session session = session_of(load_scene("wall45"));
+  setenv("LC_ALL", "es_ES.UTF-8", 1);
+  apply(Preferences{}, session);
+  EXPECT_EQ(session.language, "es");
+  PreferenceKeeper keeper(Preferences{}, session);
+  keeper.keep(session);
+  EXPECT_FALSE(std::filesystem::exists(preferences())) << "nobody has chosen it";
+  session.language = "en";
+  keeper.keep(session);
+  EXPECT_EQ(load_preferences().preferences.language, "en");
+  apply(load_preferences().preferences, session);
+  EXPECT_EQ(session.language, "en");
 }
 
 TEST_F(PreferencesTest, PlotsThatFollowThePresentAreNoChange) {
@@ -198,6 +222,17 @@ TEST_F(PreferencesTest, WhatTheCommandLineAskedForHoldsForItsRunOnly) {
   expected.appearance.theme = find_theme("light");
   expected.offers_hints = false;
   EXPECT_EQ(load_preferences().preferences, expected);
+}
+
+// It has the stage and the usual speed, whatever the person likes.
+TEST_F(PreferencesTest, ALessonChangesNone) {
+  Session session = session_of(load_scene("wall45"));
+  session.face = Face::workbench;
+  session.speed = 0.1;
+  const Preferences before = preferences_in(session);
+  begin_lesson(session, std::make_shared<const Lesson>(load_lesson("ghost")));
+  EXPECT_NE(session.face, before.face);
+  EXPECT_EQ(preferences_in(session), before);
 }
 
 // Also what the command line hides, and what only a newer program knows.

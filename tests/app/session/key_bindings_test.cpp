@@ -64,7 +64,7 @@ void prepare(const KeyBinding& binding, Session& session) {
   if (binding.key == GLFW_KEY_2) session.settings.active = StrategyId::full;
   if (binding.key == GLFW_KEY_ENTER || binding.key == GLFW_KEY_KP_ENTER) toggle_stage_mode(session, StageMode::why);
   const bool is_answer = binding.key >= GLFW_KEY_4 && binding.key <= GLFW_KEY_9;
-  if (is_answer) begin_lesson(session, lesson_with_nine_answers(), "en");
+  if (is_answer) begin_lesson(session, lesson_with_nine_answers());
   if (is(GLFW_KEY_PAGE_UP, 0)) session.stage.talk_step = 3;
   if (is(GLFW_KEY_B, 0)) show_face(session, Face::stage);
   if (is(GLFW_KEY_ESCAPE, 0)) session.dialog = Dialog::help;

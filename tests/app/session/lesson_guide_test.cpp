@@ -63,7 +63,7 @@ class LessonGuideTest : public testing::Test {
   LessonGuideTest() {
     session.face = Face::workbench;
     before = session;
-    begin_lesson(session, lesson_for_test(), "en");
+    begin_lesson(session, lesson_for_test());
   }
   void wait(double seconds) {
     for (double gone = 0.0; gone < seconds; gone += 0.05) {
@@ -265,7 +265,7 @@ TEST_F(LessonGuideTest, RemembersWhatWasDone) {
   EXPECT_EQ(record.farthest, 6U);
   EXPECT_EQ(record.right, std::set<std::string>{"step 1"});
   // A worse visit takes nothing away.
-  begin_lesson(session, lesson_for_test(), "en");
+  begin_lesson(session, lesson_for_test());
   leave_lesson(session);
   EXPECT_EQ(session.lesson_progress.lessons.at("test").right, std::set<std::string>{"step 1"});
   EXPECT_TRUE(session.lesson_progress.lessons.at("test").is_finished);

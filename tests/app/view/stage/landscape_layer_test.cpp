@@ -29,6 +29,7 @@ struct Picture {
   Vector<2> size{1280.0, 720.0};
   double scale = 1.0;
   std::string theme = "light";
+  const StageLanguage* language = &english_stage;
   Camera camera{{0.0, 0.0}, 4000.0, {1280.0, 720.0}};
   LandscapeLayout layout{};
   Marks marks{};
@@ -37,7 +38,7 @@ struct Picture {
 
   void compose() {
     camera.size = size;
-    const LandscapeView view{settings, dial, false, *find_theme(theme), camera, scale, measure};
+    const LandscapeView view{settings, dial, false, *language, *find_theme(theme), camera, scale, measure};
     layout = landscape_layout(view);
     marks.clear();
     add_landscape(view, marks);
@@ -119,10 +120,15 @@ void expect_readable(const Picture& picture, const std::string& where) {
   }
 }
 
-TEST(LandscapeLayer, NoWordsOverlapAndNoneIsCutOff) {
+class LandscapeInWords : public testing::TestWithParam<const StageLanguage*> {};
+INSTANTIATE_TEST_SUITE_P(InEachLanguage, LandscapeInWords, testing::ValuesIn(stage_language_catalog()),
+                         [](const auto& each) { return std::string(each.param->code); });
+
+TEST_P(LandscapeInWords, NoWordsOverlapAndNoneIsCutOff) {
   RandomSettings random(1);
   for (int i = 0; i < 300; ++i) {
     Picture picture(wall45());
+    picture.language = GetParam();
     picture.settings = random.next();
     picture.dial = random.coin() ? 0.0 : random.between(0.0, 1.0);
     picture.size = i % 4 == 0 ? Vector<2>(1024.0, random.coin() ? 640.0 : 768.0)
@@ -143,7 +149,7 @@ TEST(LandscapeLayer, NoWordsOverlapAndNoneIsCutOff) {
   }
 }
 
-TEST(LandscapeLayer, ItsLettersAreLargeEnoughForTheLastRow) {
+TEST_P(LandscapeInWords, ItsLettersAreLargeEnoughForTheLastRow) {
   for (const Vector<2>& size : {Vector<2>(1024.0, 640.0), Vector<2>(1024.0, 768.0), Vector<2>(1280.0, 720.0),
                                 Vector<2>(1280.0, 800.0), Vector<2>(1920.0, 1080.0), Vector<2>(3840.0, 2160.0)}) {
     for (const std::string theme : {"light", "dark", "projector"}) {
@@ -151,6 +157,7 @@ TEST(LandscapeLayer, ItsLettersAreLargeEnoughForTheLastRow) {
         Picture picture(wall45());
         picture.settings.stiffnesses.k_r = kappa * picture.settings.stiffnesses.k_u;
         picture.settings.wall_normal_angle = 85.0 * radians_per_degree;
+        picture.language = GetParam();
         picture.size = size;
         picture.theme = theme;
         picture.compose();

@@ -55,7 +55,7 @@ struct Drawn {
 Drawn draw(const MomentHistory& moments, std::optional<double> looks_back_to_s = {}, Vector<2> size = {1280.0, 720.0},
            std::optional<ScreenBox> box = {}, std::string_view theme = "light") {
   Drawn drawn{camera_on({0.01, 0.02}, 0.12, size), box.value_or(ScreenBox{{40.0, 560.0}, {1240.0, 700.0}}), {}};
-  const Ribbon ribbon{moments, looks_back_to_s, *find_theme(theme), measure, drawn.camera, drawn.box};
+  const Ribbon ribbon{moments, looks_back_to_s, english_stage, *find_theme(theme), measure, drawn.camera, drawn.box};
   add_ribbon(ribbon, drawn.marks);
   return drawn;
 }
@@ -103,7 +103,8 @@ TEST(Ribbon, PointerAndTimeLeadBackAndForth) {
   const MomentHistory moments = history_of(100.0, [](double) { return 1.0; });
   const Theme& theme = *find_theme("light");
   const Camera camera = camera_on({0.0, 0.0}, 0.1, {1280.0, 720.0});
-  const RibbonAxis axis = ribbon_axis({moments, {}, theme, measure, camera, {{40.0, 600.0}, {1240.0, 700.0}}});
+  const RibbonAxis axis =
+      ribbon_axis({moments, {}, english_stage, theme, measure, camera, {{40.0, 600.0}, {1240.0, 700.0}}});
   EXPECT_EQ(axis.end_s, 100.0);
   EXPECT_EQ(axis.x_at(100.0), axis.right);
   EXPECT_EQ(axis.x_at(40.0), axis.left);
@@ -261,7 +262,7 @@ TEST(Ribbon, NoWordsOverlapOrAreCutOffInAnySize) {
 TEST(Ribbon, TheHeightItAsksForHasRoomForAll) {
   const MomentHistory moments = history_of(90.0, [](double) { return 1.0; });
   const Camera camera = camera_on({0.0, 0.0}, 0.1, {1024.0, 640.0});
-  const Ribbon ribbon{moments, {}, *find_theme("light"), measure, camera, {}};
+  const Ribbon ribbon{moments, {}, english_stage, *find_theme("light"), measure, camera, {}};
   const double height = ribbon_height(ribbon);
   EXPECT_LT(height, 0.25 * 640.0);
   const Drawn drawn = draw(moments, {}, {1024.0, 640.0}, ScreenBox{{20.0, 630.0 - height}, {1004.0, 630.0}});

@@ -26,11 +26,12 @@ ClipMoment at_rest(StrategyId active) {
 
 StageClip clip() {
   const Scene scene = load_scene("wall45");
-  return StageClip({.theme = &theme_catalog().front(),
+  return StageClip({.language = &english_stage,
+                    .theme = &theme_catalog().front(),
                     .measure = measure_vector_text,
                     .shown = stage_view_of(scene.settings, scene.goal.points.back()),
                     .reference_force = 3.0,
-                    .size = {640.0, 360.0}});
+                    .size = {1280.0, 720.0}});
 }
 
 std::vector<std::string> words_of(const Pane& pane) {
@@ -60,6 +61,7 @@ TEST(StageClip, GlidesFromOneStrategyToTheNext) {
   std::string last = "?";
   for (int i = 0; i < 20; ++i) {
     last = number_of(both.next(at_rest(StrategyId::anisotropic), frame_s));
+    ASSERT_FALSE(last.empty()) << "the numbers leave their place at " << i;
     numbers.push_back(std::stod(last));
   }
   EXPECT_EQ(last, "0.00");

@@ -27,6 +27,7 @@ struct StageCase {
   StageMoment moment{};
   SceneView shown{};
   double reference_force = 1.0;
+  const StageLanguage* language = &english_stage;
   Vector<2> size{1280.0, 720.0};
   double scale = 1.0;
   std::string_view theme = "light";
@@ -50,6 +51,7 @@ struct StageCase {
     static const MeasureText measure = measure_vector_text;
     return use(StageContent{.settings = settings,
                             .moment = moment,
+                            .language = *language,
                             .theme = *find_theme(theme),
                             .measure = measure,
                             .shown = shown,
@@ -67,6 +69,8 @@ struct StageCase {
                             .moments = moments.get(),
                             .looks_back_to_s = looks_back_to_s,
                             .corner = corner,
+                            .lesson = lesson,
+                            .hides = hides,
                             .warning = warning});
   }
   StagePicture compose(LabelMemory& memory, double interval_s) const {
@@ -104,10 +108,11 @@ inline Settings wall45(StrategyId active = StrategyId::naive) {
 inline const Vector<2> wall45_goal{0.014142135623730951, -0.014142135623730951};
 
 // A picture of anything.
-inline StageCase stage_case_by(PictureDice& dice) {
+inline StageCase stage_case_by(PictureDice& dice, const StageLanguage& language = english_stage) {
   const Settings settings = dice.settings();
   const Vector<2> seen_goal = dice.goal(settings);
   StageCase made = stage_case_at(settings, seen_goal);
+  made.language = &language;
   made.size = dice.size();
   made.scale = dice.scale();
   made.theme = dice.theme();
@@ -129,9 +134,10 @@ inline StageCase stage_case_by(PictureDice& dice) {
     snapshot.measured = settings.active;
     for (auto& strategy : snapshot.strategies) strategy.ghost_force = strategy.proxy_drift = Vector<2>(0.0);
     made.moment = stage_moment(settings, snapshot, goal);
-    if (dice.one_in(2))
-      made.corner =
-          StageCornerButton{StageCommand::motors, dice.one_in(2) ? "Arm the motors" : "MOTORS ON. Esc: off", true};
+    if (dice.one_in(2)) {
+      const std::string_view words = dice.one_in(2) ? language.motors.arm : language.motors.on;
+      made.corner = StageCornerButton{StageCommand::motors, std::string(words), true};
+    }
   }
   // A loop that has run away is another sentence's matter.
   if (!(glm::length(made.moment.handle) < 10.0 && glm::length(made.moment.wall_share) < 1e7)) {
@@ -181,8 +187,7 @@ inline StageCase stage_case_by(PictureDice& dice) {
     made.audience.looks_back = made.looks_back_to_s.has_value();
     made.moments = std::move(history);
   }
-  if (dice.one_in(25))
-    made.warning = "These settings make the simulation unstable. Press F4 and lower the rendering stiffness.";
+  if (dice.one_in(25)) made.warning = language.warnings.unstable;
   return made;
 }
 
@@ -217,8 +222,8 @@ inline StageLessonRow lesson_row_by(PictureDice& dice) {
 }
 
 // The same picture in a step of some lesson.
-inline StageCase lesson_case_by(PictureDice& dice) {
-  StageCase made = stage_case_by(dice);
+inline StageCase lesson_case_by(PictureDice& dice, const StageLanguage& language = english_stage) {
+  StageCase made = stage_case_by(dice, language);
   made.hint.reset();
   made.warning = {};
   if (made.corner && made.corner->action != StageAction(StageCommand::motors)) made.corner.reset();
@@ -229,8 +234,7 @@ inline StageCase lesson_case_by(PictureDice& dice) {
                      .mark = mark(),
                      .longest_text = lesson_words_by(dice, 160),
                      .back = dice.one_in(4) ? "" : "Atrás",
-                     .next = dice.one_in(3) ? "Esa es mi apuesta" : "Siguiente",
-                     .leave_words = "Salir de la lección (Esc)."};
+                     .next = dice.one_in(3) ? "Esa es mi apuesta" : "Siguiente"};
   const auto steps = static_cast<std::size_t>(dice.between(1.0, 12.999));
   for (std::size_t i = 0; i < steps; ++i) {
     lesson.rows.push_back(lesson_row_by(dice));

@@ -13,12 +13,16 @@ namespace {
 
 constexpr int cases = 700;
 
+class StageInLesson : public testing::TestWithParam<const StageLanguage*> {};
+INSTANTIATE_TEST_SUITE_P(InEachLanguage, StageInLesson, testing::ValuesIn(stage_language_catalog()),
+                         [](const auto& each) { return std::string(each.param->code); });
+
 // Long texts, many answers and every secret.
-TEST(StageLesson, HasNoWordsOverMarksOrEachOtherOrCutOff) {
+TEST_P(StageInLesson, HasNoWordsOverMarksOrEachOtherOrCutOff) {
   PictureDice dice(20261122);
   int faulty = 0;
   for (int i = 0; i < cases; ++i) {
-    const StageCase shown = lesson_case_by(dice);
+    const StageCase shown = lesson_case_by(dice, *GetParam());
     const Drawn drawn(shown.compose());
     const std::vector<std::string> faults = faults_of(shown, drawn);
     if (faults.empty()) continue;
@@ -29,10 +33,10 @@ TEST(StageLesson, HasNoWordsOverMarksOrEachOtherOrCutOff) {
 }
 
 // All of what a lesson says and asks is there, and each button is as large as a finger.
-TEST(StageLesson, HasRoomForAllOfALesson) {
+TEST_P(StageInLesson, HasRoomForAllOfALesson) {
   PictureDice dice(3);
   for (int i = 0; i < cases / 2; ++i) {
-    const StageCase shown = lesson_case_by(dice);
+    const StageCase shown = lesson_case_by(dice, *GetParam());
     const Drawn drawn(shown.compose());
     std::string said;
     for (const LabelExtent& label : drawn.extents.labels) said += label.words + ' ';
@@ -52,10 +56,12 @@ TEST(StageLesson, HasRoomForAllOfALesson) {
   }
 }
 
-TEST(StageLesson, TellsNoSecrets) {
+TEST_P(StageInLesson, TellsNoSecrets) {
   StageCase shown = stage_case_at(wall45(), wall45_goal);
+  shown.language = GetParam();
+  const StageLanguage::Labels& labels = GetParam()->labels;
   PictureDice dice(1);
-  shown.lesson = lesson_case_by(dice).lesson;
+  shown.lesson = lesson_case_by(dice, *GetParam()).lesson;
   shown.lesson->rows[shown.lesson->step] = {};
   shown.lesson->marks.clear();
   const auto words = [&] {
@@ -67,7 +73,7 @@ TEST(StageLesson, TellsNoSecrets) {
   shown.hides = {.numbers = true};
   EXPECT_EQ(words().find("1.27"), std::string::npos);
   EXPECT_EQ(words().find("12.0"), std::string::npos);
-  EXPECT_NE(words().find("|ghost|"), std::string::npos) << "it may be seen";
+  EXPECT_NE(words().find(fmt::format("|{}|", labels.ghost)), std::string::npos) << "it may be seen";
   shown.hides = {.force = true};
   EXPECT_EQ(words().find("1.27"), std::string::npos);
   EXPECT_EQ(Drawn(shown.compose()).label(Role::ghost_force), nullptr);
@@ -75,11 +81,11 @@ TEST(StageLesson, TellsNoSecrets) {
   shown.hides = {.slide = true};
   EXPECT_EQ(words().find("12.0"), std::string::npos);
   EXPECT_NE(words().find("1.27"), std::string::npos);
-  ASSERT_NE(words().find("where it should rest"), std::string::npos);
+  ASSERT_NE(words().find(labels.should_rest), std::string::npos);
   shown.hides = {.rest = true};
-  EXPECT_EQ(words().find("where it should rest"), std::string::npos);
+  EXPECT_EQ(words().find(labels.should_rest), std::string::npos);
   EXPECT_EQ(Drawn(shown.compose()).label(Role::expected_rest), nullptr);
-  EXPECT_NE(words().find("handle"), std::string::npos);
+  EXPECT_NE(words().find(labels.handle), std::string::npos);
   shown.hides = {.handle = true};
   const Drawn hidden(shown.compose());
   for (const Role role : {Role::device, Role::proxy, Role::ghost_force, Role::wall_share, Role::proxy_drift,
@@ -89,11 +95,47 @@ TEST(StageLesson, TellsNoSecrets) {
   }
 }
 
+// What is read aloud tells no more than what is seen.
+TEST(StageLesson, TellsNoSecretsToListeners) {
+  StageCase shown = stage_case_at(wall45(), wall45_goal);
+  PictureDice dice(1);
+  shown.lesson = lesson_case_by(dice).lesson;
+  const auto hiding = [&](const StageSecrets& secrets) {
+    shown.hides = secrets;
+    return shown.read().numbers;
+  };
+  const StageNumbers all = hiding({});
+  EXPECT_NEAR(all.ghost_force.value(), 1.27, 0.005);
+  for (const StageSecrets& secrets : {StageSecrets{.numbers = true}, StageSecrets{.handle = true}}) {
+    const StageNumbers none = hiding(secrets);
+    EXPECT_FALSE(none.force || none.wall_share || none.ghost_force || none.slide);
+  }
+  const StageNumbers without_force = hiding({.force = true});
+  EXPECT_FALSE(without_force.force || without_force.wall_share || without_force.ghost_force);
+  EXPECT_EQ(without_force.slide, all.slide);
+  const StageNumbers without_slide = hiding({.slide = true});
+  EXPECT_FALSE(without_slide.slide);
+  EXPECT_EQ(without_slide.ghost_force, all.ghost_force);
+  shown.mode = StageMode::landscape;
+  EXPECT_TRUE(shown.read().sentence.starts_with(shown.lesson->text)) << "the map's verdict may be the answer";
+}
+
+TEST(StageLesson, ReadsTheAnswersOfAnOpenQuestion) {
+  StageCase shown = stage_case_at(wall45(), wall45_goal);
+  StageLesson& lesson = shown.lesson.emplace();
+  lesson.text = "Where to?";
+  lesson.rows = {{.answers = {"Up", "Down"}}};
+  lesson.is_open = true;
+  EXPECT_EQ(shown.read().sentence, "Where to? 1: Up. 2: Down.");
+  lesson.is_open = false;
+  EXPECT_EQ(shown.read().sentence, "Where to?");
+}
+
 // Letters are as large in one step as in the next.
-TEST(StageLesson, HasLettersOfOneSizeInALesson) {
+TEST_P(StageInLesson, HasLettersOfOneSizeInALesson) {
   PictureDice dice(8);
   for (int i = 0; i < 40; ++i) {
-    StageCase shown = lesson_case_by(dice);
+    StageCase shown = lesson_case_by(dice, *GetParam());
     std::set<double> units;
     for (std::size_t step = 0; step < shown.lesson->rows.size(); ++step) {
       shown.lesson->step = step;

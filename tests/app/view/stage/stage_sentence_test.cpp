@@ -1,7 +1,9 @@
 // The one sentence against the numbers: whatever it claims must be so at that moment.
 #include "app/view/stage/stage_sentence.h"
 
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <map>
 #include <random>
 #include <string>
@@ -20,6 +22,11 @@ bool says(std::string_view sentence, std::string_view words) {
   return sentence.find(words) != std::string_view::npos;
 }
 
+// In whichever language.
+bool claims(std::string_view sentence, std::initializer_list<std::string_view> in_languages) {
+  return std::ranges::any_of(in_languages, [&](std::string_view words) { return says(sentence, words); });
+}
+
 void expect_true(std::string_view sentence, const Settings& settings, const StageMoment& moment) {
   const double ghost = signed_ghost_force(moment);
   const double rest_ghost = signed_ghost_force(stage_moment_at_rest(settings, moment.goal));
@@ -27,56 +34,59 @@ void expect_true(std::string_view sentence, const Settings& settings, const Stag
       std::abs(glm::dot(direction_at(settings.wall_normal_angle), direction_at(settings.actuated_angle)));
   const Stiffnesses& stiffnesses = settings.stiffnesses;
   SCOPED_TRACE(sentence);
-  const bool speaks_of_ghost_there = says(sentence, "A ghost force drags") || says(sentence, "a ghost force is left") ||
-                                     says(sentence, "still a ghost force") || says(sentence, "to naïve: a ghost force");
-  if (speaks_of_ghost_there) {
+  if (claims(sentence, {"A ghost force drags", "Una fuerza fantasma arrastra", "a ghost force is left",
+                        "queda fuerza fantasma", "still a ghost force", "aún hay fuerza fantasma",
+                        "to naïve: a ghost force", "ingenuo: hay fuerza fantasma"})) {
     EXPECT_GE(std::abs(ghost), least_shown_force);
   }
-  if (says(sentence, "is gone") || says(sentence, "no ghost force") || says(sentence, "hardly any ghost force")) {
+  if (claims(sentence, {"is gone", "se ha ido", "no ghost force", "no hay fuerza fantasma", "sin fuerza fantasma",
+                        "hardly any ghost force", "apenas hay fuerza fantasma"})) {
     EXPECT_LT(std::abs(ghost), least_shown_force);
   }
-  if (says(sentence, "is gone")) {
+  if (claims(sentence, {"is gone", "se ha ido"})) {
     EXPECT_LT(glm::length(moment.slide), 0.0005);
     EXPECT_LT(std::abs(rest_ghost), least_shown_force);
     EXPECT_EQ(settings.active, StrategyId::anisotropic);
   }
-  if (says(sentence, "drags")) {
+  if (claims(sentence, {"drags", "arrastra "})) {
     EXPECT_GT(ghost, 0.0) << "it pulls the other way";
     EXPECT_EQ(settings.active, StrategyId::naive);
   }
-  if (says(sentence, "the ghost force goes")) {
+  if (claims(sentence, {"the ghost force goes", "la fuerza fantasma se irá"})) {
     EXPECT_LT(std::abs(rest_ghost), least_shown_force);
   }
-  if (says(sentence, "will remain")) {
+  if (claims(sentence, {"will remain", "quedará"})) {
     EXPECT_GE(std::abs(rest_ghost), least_shown_force);
   }
-  if (says(sentence, "stiffer than believed")) {
+  if (claims(sentence, {"stiffer than believed", "más rígida de lo supuesto"})) {
     EXPECT_GT(stiffnesses.k_u, believed_user_stiffness(stiffnesses));
   }
-  if (says(sentence, "softer than believed")) {
+  if (claims(sentence, {"softer than believed", "más blanda de lo supuesto"})) {
     EXPECT_LT(stiffnesses.k_u, believed_user_stiffness(stiffnesses));
   }
-  if (says(sentence, "in front of the wall") || says(sentence, "Drag the hand into")) {
+  const bool drags_into_wall = claims(sentence, {"Drag the hand into", "Mete la mano"});
+  if (drags_into_wall || claims(sentence, {"in front of the wall", "delante de la pared"})) {
     EXPECT_FALSE(moment.in_contact);
   }
-  if (says(sentence, "Drag the hand into")) {
+  if (drags_into_wall) {
     EXPECT_LE(depth(wall_of(settings), moment.goal), 0.0);
   }
-  if (says(sentence, "straight at the wall")) {
+  if (claims(sentence, {"straight at the wall", "recto contra la pared"})) {
     EXPECT_GT(along, 0.999);
   }
-  if (says(sentence, "pushes along the wall")) {
+  if (claims(sentence, {"pushes along the wall", "empuja a lo largo de la pared"})) {
     EXPECT_LT(along, 0.03);
   }
-  if (says(sentence, "Two motors:")) {
+  if (claims(sentence, {"Two motors:", "Dos motores:"})) {
     EXPECT_EQ(settings.active, StrategyId::full);
   }
-  if (says(sentence, "On the way") || says(sentence, "becomes") || says(sentence, "become one")) {
+  if (claims(sentence, {"On the way", "De camino", "De vuelta", "becomes", "become one", "se convierte"})) {
     EXPECT_TRUE(moment.is_between());
   } else {
-    EXPECT_FALSE(moment.is_between() && !says(sentence, "along the wall") && moment.in_contact);
+    const bool is_of_any_moment = claims(sentence, {"along the wall", "por la pared", "a lo largo de la pared"});
+    EXPECT_FALSE(moment.is_between() && !is_of_any_moment && moment.in_contact);
   }
-  if (says(sentence, "inferred") || says(sentence, "Push the handle")) {
+  if (claims(sentence, {"inferred", "se deduce", "Push the handle", "Empuja el mango"})) {
     EXPECT_TRUE(moment.is_measured);
   }
 }
@@ -108,14 +118,19 @@ Settings any_settings(Dice& dice) {
   return settings;
 }
 
-TEST(StageSentence, IsTrueAtRestAndBetweenStrategies) {
+class StageSentence : public testing::TestWithParam<const StageLanguage*> {};
+INSTANTIATE_TEST_SUITE_P(InEachLanguage, StageSentence, testing::ValuesIn(stage_language_catalog()),
+                         [](const auto& each) { return std::string(each.param->code); });
+
+TEST_P(StageSentence, IsTrueAtRestAndBetweenStrategies) {
   Dice dice;
   std::map<std::string, int> seen;
   for (int i = 0; i < 4000; ++i) {
     const Settings settings = any_settings(dice);
     const Vector<2> goal{dice.between(-0.03, 0.03), dice.between(-0.03, 0.03)};
     const StageMoment moment = stage_moment_at_rest(settings, goal);
-    const std::string sentence(stage_sentence(settings, moment, {.can_drag = dice.coin(), .looks_back = dice.coin()}));
+    const std::string sentence(
+        stage_sentence(settings, moment, {.can_drag = dice.coin(), .looks_back = dice.coin()}, *GetParam()));
     expect_true(sentence, settings, moment);
     ++seen[sentence];
     if (testing::Test::HasFailure()) return;
@@ -123,7 +138,7 @@ TEST(StageSentence, IsTrueAtRestAndBetweenStrategies) {
   EXPECT_GE(seen.size(), 9U) << "the cases are too much alike";
 }
 
-TEST(StageSentence, IsTrueWhileEverythingMovesAndWhileOneSwitches) {
+TEST_P(StageSentence, IsTrueWhileEverythingMovesAndWhileOneSwitches) {
   Dice dice;
   std::map<std::string, int> seen;
   for (int i = 0; i < 60; ++i) {
@@ -139,7 +154,8 @@ TEST(StageSentence, IsTrueWhileEverythingMovesAndWhileOneSwitches) {
                                            : StageBlend{.fullness = dice.coin() ? 0.0 : dice.between(0.01, 0.99),
                                                         .cure = dice.between(0.01, 0.99)};
       const StageMoment moment = stage_moment_between(scene.settings, snapshot, snapshot.goal, blend);
-      const std::string sentence(stage_sentence(scene.settings, moment, {.heads_for = scene.settings.active}));
+      const std::string sentence(
+          stage_sentence(scene.settings, moment, {.heads_for = scene.settings.active}, *GetParam()));
       expect_true(sentence, scene.settings, moment);
       ++seen[sentence];
     });
@@ -149,40 +165,40 @@ TEST(StageSentence, IsTrueWhileEverythingMovesAndWhileOneSwitches) {
 }
 
 // The other strategy is chosen, and the picture has not begun to change.
-TEST(StageSentence, IsThatOfTheSwitchFromItsFirstPictureOn) {
+TEST(StageSentenceInEnglish, IsThatOfTheSwitchFromItsFirstPictureOn) {
   Settings settings = load_scene("wall45").settings;
   const Vector<2> goal = load_scene("wall45").goal.points.back();
   settings.active = StrategyId::anisotropic;
   const StageMoment cured = stage_moment_at_rest(settings, goal);
   settings.active = StrategyId::naive;
   const StageMoment ghostly = stage_moment_at_rest(settings, goal);
-  EXPECT_EQ(stage_sentence(settings, cured, {.heads_for = StrategyId::naive}),
+  EXPECT_EQ(stage_sentence(settings, cured, {.heads_for = StrategyId::naive}, english_stage),
             "On the way between the two: no ghost force.");
   settings.active = StrategyId::anisotropic;
-  EXPECT_EQ(stage_sentence(settings, ghostly, {.heads_for = StrategyId::anisotropic}),
+  EXPECT_EQ(stage_sentence(settings, ghostly, {.heads_for = StrategyId::anisotropic}, english_stage),
             "On the way to the cure: still a ghost force.");
   settings.active = StrategyId::full;
-  EXPECT_EQ(stage_sentence(settings, ghostly, {.heads_for = StrategyId::full}),
+  EXPECT_EQ(stage_sentence(settings, ghostly, {.heads_for = StrategyId::full}, english_stage),
             "A ghost force drags the handle along the wall.");
 }
 
-TEST(StageSentence, OfADeviceSaysWhatCannotBeKnown) {
+TEST(StageSentenceInEnglish, OfADeviceSaysWhatCannotBeKnown) {
   const Scene scene = load_scene("wall45");
   StageMoment moment = stage_moment_at_rest(scene.settings, scene.goal.points.back());
   moment.is_measured = true;
   moment.knows_ghost_force = false;
-  EXPECT_TRUE(says(stage_sentence(scene.settings, moment, {}), "cannot be known"));
+  EXPECT_TRUE(says(stage_sentence(scene.settings, moment, {}, english_stage), "cannot be known"));
   moment.has_target = true;
-  EXPECT_TRUE(says(stage_sentence(scene.settings, moment, {}), "cannot be known"));
+  EXPECT_TRUE(says(stage_sentence(scene.settings, moment, {}, english_stage), "cannot be known"));
   moment.knows_ghost_force = true;
   moment.ghost_force = 0.5 * moment.wall_share;
-  EXPECT_TRUE(says(stage_sentence(scene.settings, moment, {}), "a ghost force drags you"));
+  EXPECT_TRUE(says(stage_sentence(scene.settings, moment, {}, english_stage), "a ghost force drags you"));
   moment.ghost_force = Vector<2>(0.0);
-  EXPECT_TRUE(says(stage_sentence(scene.settings, moment, {}), "there is no ghost force"));
+  EXPECT_TRUE(says(stage_sentence(scene.settings, moment, {}, english_stage), "there is no ghost force"));
   moment.in_contact = false;
-  EXPECT_TRUE(says(stage_sentence(scene.settings, moment, {}), "Aim at the target"));
+  EXPECT_TRUE(says(stage_sentence(scene.settings, moment, {}, english_stage), "Aim at the target"));
   moment.has_target = false;
-  EXPECT_TRUE(says(stage_sentence(scene.settings, moment, {}), "Push the handle"));
+  EXPECT_TRUE(says(stage_sentence(scene.settings, moment, {}, english_stage), "Push the handle"));
 }
 
 TEST(StageNumbers, HaveThreeDigitsAtAnySize) {
@@ -192,9 +208,9 @@ TEST(StageNumbers, HaveThreeDigitsAtAnySize) {
   EXPECT_EQ(force_number(99.96), "100");
   EXPECT_EQ(slide_number(0.012), "12.0");
   EXPECT_EQ(slide_number(0.1234), "123");
-  EXPECT_EQ(motor_direction_words(0.0), "left and right");
-  EXPECT_EQ(motor_direction_words(-1.5707963), "up and down");
-  EXPECT_EQ(motor_direction_words(3.6651914), "at 30°");
+  EXPECT_EQ(motor_direction_words(0.0, english_stage), "left and right");
+  EXPECT_EQ(motor_direction_words(-1.5707963, english_stage), "up and down");
+  EXPECT_EQ(motor_direction_words(3.6651914, english_stage), "at 30°");
 }
 
 }  // namespace

@@ -21,11 +21,23 @@ namespace {
 
 constexpr int cases = 700;
 
-TEST(Stage, HasNoWordsOverMarksOrEachOtherOrCutOff) {
+class Stage : public testing::TestWithParam<const StageLanguage*> {
+ protected:
+  // At rest under one goal.
+  StageCase case_at(const Settings& settings, const Vector<2>& goal) const {
+    StageCase made = stage_case_at(settings, goal);
+    made.language = GetParam();
+    return made;
+  }
+};
+INSTANTIATE_TEST_SUITE_P(InEachLanguage, Stage, testing::ValuesIn(stage_language_catalog()),
+                         [](const auto& each) { return std::string(each.param->code); });
+
+TEST_P(Stage, HasNoWordsOverMarksOrEachOtherOrCutOff) {
   PictureDice dice(20261130);
   int faulty = 0;
   for (int i = 0; i < cases; ++i) {
-    const StageCase shown = stage_case_by(dice);
+    const StageCase shown = stage_case_by(dice, *GetParam());
     const Drawn drawn(shown.compose());
     const std::vector<std::string> faults = faults_of(shown, drawn);
     if (faults.empty()) continue;
@@ -36,13 +48,13 @@ TEST(Stage, HasNoWordsOverMarksOrEachOtherOrCutOff) {
 }
 
 // Also where a label has just lost its place: in pictures that follow one another.
-TEST(Stage, HasNoWordsOverMarksFromMomentToMoment) {
+TEST_P(Stage, HasNoWordsOverMarksFromMomentToMoment) {
   PictureDice dice(7);
   int faulty = 0;
   for (int round = 0; round < 25; ++round) {
     LabelMemory memory;
-    StageCase shown = stage_case_by(dice);
-    const StageCase other = stage_case_by(dice);
+    StageCase shown = stage_case_by(dice, *GetParam());
+    const StageCase other = stage_case_by(dice, *GetParam());
     const Vector<2> from = shown.moment.goal;
     const Vector<2> to = to_world(stage_camera(shown.shown, shown.size, 0.86 * shown.size.y),
                                   shown.size * Vector<2>(dice.between(0.0, 1.0), dice.between(0.0, 1.0)));
@@ -89,7 +101,7 @@ bool has_clear_place(const StageCase& shown, const Drawn& drawn, const Vector<2>
   return false;
 }
 
-TEST(Stage, FindsAPlaceForTheNumbersAndCoversNothingWithThemIfItCan) {
+TEST_P(Stage, FindsAPlaceForTheNumbersAndCoversNothingWithThemIfItCan) {
   PictureDice dice(31);
   int asked = 0;
   int over_soft = 0;
@@ -97,13 +109,13 @@ TEST(Stage, FindsAPlaceForTheNumbersAndCoversNothingWithThemIfItCan) {
   int missed = 0;
   Vector<2> usual(0.0);
   for (int i = 0; i < 500; ++i) {
-    const StageCase shown = stage_case_by(dice);
+    const StageCase shown = stage_case_by(dice, *GetParam());
     if (!has_numbers(shown)) continue;
     const Drawn drawn(shown.compose());
     ++asked;
     if (drawn.label(Role::number) == nullptr) {
       ++gone;
-      StageCase plain = stage_case_at(wall45(), wall45_goal);
+      StageCase plain = case_at(wall45(), wall45_goal);
       plain.size = shown.size;
       plain.scale = shown.scale;
       plain.corner = shown.corner;
@@ -126,23 +138,25 @@ TEST(Stage, FindsAPlaceForTheNumbersAndCoversNothingWithThemIfItCan) {
 
 // --- What is usual loses no words --------------------------------------------------------------------------------------
 
-std::vector<std::string> usual_words(StrategyId active, bool is_in_wall) {
-  if (!is_in_wall) return {"handle", "your hand pulls here", "virtual wall"};
-  std::vector<std::string> words{"handle", "wall ", "your hand pulls here", "virtual wall"};
-  if (active != StrategyId::full) words.push_back("the only motor pushes");
+std::vector<std::string> usual_words(StrategyId active, const StageLanguage::Labels& labels) {
+  const auto with = [](std::string_view words, std::string_view more) { return fmt::format("{} {}", words, more); };
+  std::vector<std::string> words{std::string(labels.handle), with(labels.wall, ""), std::string(labels.hand),
+                                 std::string(labels.virtual_wall)};
+  if (active != StrategyId::full) words.push_back(filled(labels.motor_pushes, labels.left_and_right));
   if (active == StrategyId::naive) {
-    words.insert(words.end(), {"ghost 1.27 N", "slid 12.0 mm", "where it should rest", "the wall should hold here"});
+    words.insert(words.end(), {with(labels.ghost, "1.27 N"), with(labels.slid, "12.0 mm"),
+                               std::string(labels.should_rest), std::string(labels.should_hold)});
   }
   return words;
 }
 
-TEST(Stage, SaysEverythingInTheUsualPictures) {
+TEST_P(Stage, SaysEverythingInTheUsualPictures) {
   for (const Vector<2>& size : {Vector<2>(1024.0, 640.0), Vector<2>(1024.0, 768.0), Vector<2>(1280.0, 720.0),
                                 Vector<2>(1280.0, 800.0), Vector<2>(1920.0, 1080.0), Vector<2>(3840.0, 2160.0)}) {
     for (const double scale : {0.75, 1.0}) {
       for (const Theme& theme : theme_catalog()) {
         for (const Strategy& strategy : strategy_catalog()) {
-          StageCase shown = stage_case_at(wall45(strategy.id), wall45_goal);
+          StageCase shown = case_at(wall45(strategy.id), wall45_goal);
           shown.shown = stage_view_of(shown.settings, wall45_goal);
           shown.size = size;
           shown.scale = scale;
@@ -150,7 +164,7 @@ TEST(Stage, SaysEverythingInTheUsualPictures) {
           const Drawn drawn(shown.compose());
           std::string all;
           for (const LabelExtent& label : drawn.extents.labels) all += label.words + ' ';
-          for (const std::string& words : usual_words(strategy.id, true)) {
+          for (const std::string& words : usual_words(strategy.id, GetParam()->labels)) {
             EXPECT_TRUE(all.find(words) != std::string::npos) << words << " in " << words_for(shown);
           }
           EXPECT_LE(drawn.extents.leaders.size(), 2U) << words_for(shown);
@@ -174,7 +188,7 @@ double arrow_length(const Drawn& drawn, Role role) {
   return length;
 }
 
-TEST(Stage, LeavesOutTheLessImportantWords) {
+TEST_P(Stage, LeavesOutTheLessImportantWords) {
   PictureDice dice(99);
   std::map<Role, std::array<int, 2>> count;  // asked for, found
   const auto tally = [&](const Drawn& drawn, Role role, std::string_view words) {
@@ -182,7 +196,7 @@ TEST(Stage, LeavesOutTheLessImportantWords) {
     if (drawn.label(role, words) != nullptr) ++count[role][1];
   };
   for (int i = 0; i < 400; ++i) {
-    StageCase shown = stage_case_by(dice);
+    StageCase shown = stage_case_by(dice, *GetParam());
     shown.mode = StageMode::none;
     shown.warning = {};
     const Drawn drawn(shown.compose());
@@ -195,7 +209,7 @@ TEST(Stage, LeavesOutTheLessImportantWords) {
     if (!is_seen(moment.handle) || !is_seen(moment.goal) || !is_seen(moment.proxy)) continue;
     // In the fist there is no handle to be seen.
     const double apart = glm::distance(moment.handle, moment.goal) * camera.points_per_metre;
-    if (apart > 60.0 * drawn.picture.unit) tally(drawn, Role::device, "handle");
+    if (apart > 60.0 * drawn.picture.unit) tally(drawn, Role::device, GetParam()->labels.handle);
     tally(drawn, Role::hand, "");
     for (const auto& [role, force] :
          {std::pair(Role::ghost_force, moment.ghost_force), std::pair(Role::wall_share, moment.wall_share)}) {
@@ -203,7 +217,7 @@ TEST(Stage, LeavesOutTheLessImportantWords) {
       if (arrow_length(drawn, role) > 30.0 * drawn.picture.unit) tally(drawn, role, "");
     }
     if (!moment.is_measured && moment.in_contact && glm::length(moment.slide) * camera.points_per_metre > 10.0) {
-      tally(drawn, Role::proxy_drift, "slid");
+      tally(drawn, Role::proxy_drift, GetParam()->labels.slid);
     }
     if (moment.weights[index_of(StrategyId::full)] == 0.0) tally(drawn, Role::motor_axis, "");
   }
@@ -218,12 +232,12 @@ TEST(Stage, LeavesOutTheLessImportantWords) {
 
 // --- Sizes -------------------------------------------------------------------------------------------------------------
 
-TEST(Stage, CanBeReadFromTheLastRow) {
+TEST_P(Stage, CanBeReadFromTheLastRow) {
   PictureDice dice(5);
   for (const Vector<2>& size : {Vector<2>(1024.0, 768.0), Vector<2>(1280.0, 720.0), Vector<2>(1920.0, 1080.0)}) {
     for (const double scale : {1.0, 2.0}) {
       for (int i = 0; i < 60; ++i) {
-        StageCase shown = stage_case_by(dice);
+        StageCase shown = stage_case_by(dice, *GetParam());
         shown.size = size;
         shown.scale = scale;
         for (const LabelExtent& label : Drawn(shown.compose()).extents.labels) {
@@ -234,10 +248,10 @@ TEST(Stage, CanBeReadFromTheLastRow) {
   }
 }
 
-TEST(Stage, HasLettersOfWholePoints) {
+TEST_P(Stage, HasLettersOfWholePoints) {
   PictureDice dice(6);
   for (int i = 0; i < 100; ++i) {
-    const StageCase shown = stage_case_by(dice);
+    const StageCase shown = stage_case_by(dice, *GetParam());
     const Drawn drawn(shown.compose());
     for (const LabelExtent& label : drawn.extents.labels) {
       if (drawn.is_in_ribbon(label.box)) continue;
@@ -246,12 +260,12 @@ TEST(Stage, HasLettersOfWholePoints) {
   }
 }
 
-TEST(Stage, GrowsWithTheWindow) {
+TEST_P(Stage, GrowsWithTheWindow) {
   for (const double ratio : {4.0 / 3.0, 1.6, 16.0 / 9.0, 21.0 / 9.0}) {
     for (const double scale : {0.75, 1.0, 2.0, 3.0}) {
       std::map<std::string, double> before;
       for (double height = 640.0; height <= 2160.0; height += 76.0) {
-        StageCase shown = stage_case_at(wall45(), wall45_goal);
+        StageCase shown = case_at(wall45(), wall45_goal);
         shown.size = {std::round(ratio * height), height};
         shown.scale = scale;
         for (const LabelExtent& label : Drawn(shown.compose()).extents.labels) {
@@ -266,13 +280,13 @@ TEST(Stage, GrowsWithTheWindow) {
 }
 
 // The scene may pass below the sentence; what matters should rarely be there.
-TEST(Stage, SeldomHasHandleHandOrArrowBelowTheSentence) {
+TEST_P(Stage, SeldomHasHandleHandOrArrowBelowTheSentence) {
   PictureDice dice(12);
   int covered = 0;
   constexpr int looked_at = 300;
   for (int i = 0; i < looked_at; ++i) {
     const Settings settings = dice.settings();
-    StageCase shown = stage_case_at(settings, dice.goal(settings));
+    StageCase shown = case_at(settings, dice.goal(settings));
     shown.size = dice.size();
     shown.scale = dice.one_in(2) ? 1.0 : dice.scale();
     const Drawn drawn(shown.compose());
@@ -288,11 +302,11 @@ TEST(Stage, SeldomHasHandleHandOrArrowBelowTheSentence) {
   EXPECT_LE(covered, looked_at / 10);
 }
 
-TEST(Stage, HasNumbersOfOneWidth) {
+TEST_P(Stage, HasNumbersOfOneWidth) {
   const Settings settings = wall45();
   std::set<double> places;
   for (double depth = 0.0005; depth < 0.06; depth += 0.0013) {
-    StageCase shown = stage_case_at(settings, wall45_goal);
+    StageCase shown = case_at(settings, wall45_goal);
     shown.moment = stage_moment_at_rest(settings, Vector<2>(std::sqrt(0.5), -std::sqrt(0.5)) * depth);
     shown.shown = {.center = {0.3, 0.3}, .width = 0.1};  // nothing of it is to be seen: the numbers alone
     for (const LabelExtent& label : Drawn(shown.compose()).extents.labels) {
