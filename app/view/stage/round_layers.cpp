@@ -58,6 +58,7 @@ void add_battery(const StageLayer& layer) {
                                                 .region = layout.room(),
                                                 .wanted = layout.numbers_corner(),
                                                 .dearness = {3.0, 1.0},
+                                                .may_cover = content.is_bare,
                                                 .is_never_missing = true});
   if (!found) return;
   const Vector<2> corner = found->box.least;
