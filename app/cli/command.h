@@ -25,6 +25,7 @@ AttachCommand attach_render;
 AttachCommand attach_simulate;
 AttachCommand attach_equilibrium;
 AttachCommand attach_figures;
+AttachCommand attach_worksheet;
 AttachCommand attach_sweep;
 AttachCommand attach_replay;
 AttachCommand attach_measure_user;

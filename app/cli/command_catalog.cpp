@@ -11,6 +11,7 @@ constexpr std::array catalog{
     Command{"simulate", "Simulate a scene's scripted hand and write every tick as CSV", attach_simulate},
     Command{"equilibrium", "Compute where everything comes to rest under a fixed goal", attach_equilibrium},
     Command{"figures", "Make the paper's figures and four more, with their numbers", attach_figures},
+    Command{"worksheet", "Make worksheets of lessons as PDF, or the same pages with the answers", attach_worksheet},
     Command{"sweep", "Compute where everything comes to rest over ranges of one or two keys, as CSV", attach_sweep},
     Command{"replay", "Run a recording again and check whether every number comes out the same", attach_replay},
     Command{"measure-user", "Compute how stiff the hand in a run was, from the proxy drift at rest",

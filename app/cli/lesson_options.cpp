@@ -1,7 +1,6 @@
 #include "app/cli/lesson_options.h"
 
 #include <algorithm>
-#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,14 +12,13 @@
 
 namespace ghostforce {
 
-void LessonOptions::attach(CLI::App& command, FileOptions& files, std::string_view usual_language) {
-  files.reads(command.add_option("--lesson", name, "A lesson that comes with the program, or the path of one")
-                  ->type_name("NAME|FILE"),
-              [](const std::string& word) {
-                const std::vector<std::string_view> shipped = shipped_lesson_names();
-                const bool is_shipped = std::ranges::find(shipped, word) != shipped.end();
-                return is_shipped ? std::vector<std::string>{} : std::vector{word};
-              });
+std::vector<std::string> files_of_lesson(const std::string& word) {
+  const std::vector<std::string_view> shipped = shipped_lesson_names();
+  const bool is_shipped = std::ranges::find(shipped, word) != shipped.end();
+  return is_shipped ? std::vector<std::string>{} : std::vector{word};
+}
+
+void attach_language(CLI::App& command, std::string& language, std::string_view usual_language) {
   std::vector<std::string_view> codes;
   for (const StageLanguage* const each : stage_language_catalog()) codes.push_back(each->code);
   command
@@ -30,12 +28,19 @@ void LessonOptions::attach(CLI::App& command, FileOptions& files, std::string_vi
       ->type_name("CODE");
 }
 
-std::shared_ptr<const Lesson> LessonOptions::load() const {
-  return name.empty() ? nullptr : std::make_shared<const Lesson>(load_lesson(name));
+std::string language_wanted(const std::string& asked_for, const std::string& kept) {
+  return wanted_language(asked_for.empty() ? kept : asked_for, locale_variables());
 }
 
-std::string LessonOptions::wanted(const std::string& kept) const {
-  return wanted_language(language.empty() ? kept : language, locale_variables());
+void LessonOptions::attach(CLI::App& command, FileOptions& files, std::string_view usual_language) {
+  files.reads(command.add_option("--lesson", name, "A lesson that comes with the program, or the path of one")
+                  ->type_name("NAME|FILE"),
+              files_of_lesson);
+  attach_language(command, language, usual_language);
+}
+
+std::shared_ptr<const Lesson> LessonOptions::load() const {
+  return name.empty() ? nullptr : std::make_shared<const Lesson>(load_lesson(name));
 }
 
 }  // namespace ghostforce

@@ -4,22 +4,29 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "app/cli/command.h"
 #include "app/lessons/lesson.h"
 
 namespace ghostforce {
 
+// The files that a word means which names a lesson: none where the lesson comes with the program.
+std::vector<std::string> files_of_lesson(const std::string& word);
+
+// --language, empty where it is not given. `usual_language`: what it is then, for the help.
+void attach_language(CLI::App& command, std::string& language, std::string_view usual_language);
+// The language that the person wants to read. `kept`: from an earlier run; empty: none.
+std::string language_wanted(const std::string& asked_for, const std::string& kept = {});
+
 struct LessonOptions {
   std::string name;      // of a shipped lesson, or a path; empty: none
   std::string language;  // empty: that of an earlier run, else the environment's
 
-  // `usual_language`: what it is without the option, for the help.
   void attach(CLI::App& command, FileOptions& files, std::string_view usual_language);
   // Null: none was asked for. Throws ReadError.
   std::shared_ptr<const Lesson> load() const;
-  // The language that the person wants to read. `kept`: from an earlier run; empty: none.
-  std::string wanted(const std::string& kept = {}) const;
+  std::string wanted(const std::string& kept = {}) const { return language_wanted(language, kept); }
 };
 
 }  // namespace ghostforce

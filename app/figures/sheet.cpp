@@ -58,20 +58,6 @@ std::string provenance_of_hand(const std::string& recording) {
   return fmt::format("ghostforce {}; hand {}", version, recording);
 }
 
-const Theme& paper() {
-  static const Theme theme = [] {
-    Theme light = *find_theme("light");
-    light.background = rgb(0xFFFFFF);
-    light.panel_border = rgb(0xFFFFFF);  // what lies between panes
-    light.grid = rgb(0xE9E9E9);
-    light.wall = rgb(0xEDEAE3);
-    light.text = rgb(0x141414);
-    light.faint_text = rgb(0x4A4A4A);
-    return light;
-  }();
-  return theme;
-}
-
 Vector<2> measure_on_paper(std::string_view text, const TextStyle& style) {
   return measure_vector_text(text, style);
 }

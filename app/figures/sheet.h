@@ -14,8 +14,6 @@
 
 namespace ghostforce {
 
-const Theme& paper();
-
 // Letters as they are painted by Cairo.
 Vector<2> measure_on_paper(std::string_view text, const TextStyle& style);
 

@@ -71,6 +71,11 @@ Session session_of(const PictureRequest& request, const Moment& moment) {
   if (request.mode != StageMode::none) toggle_stage_mode(session, request.mode);
   if (request.mode == StageMode::why) session.stage.why_step = last_why_step;
   if (request.lesson) show_lesson(session, *request.lesson);
+  if (request.is_bare) session.stage.guess.reset();
+  if (request.hides_handle) {
+    session.stage.mode = StageMode::predict;
+    session.stage.guess_is_open = true;
+  }
   return session;
 }
 
@@ -178,7 +183,8 @@ std::vector<Pane> compose_moment(const PictureRequest& request, const Moment& mo
                                  .theme = *request.appearance.theme,
                                  .measure = measure,
                                  .size = size,
-                                 .scale = request.appearance.scale})
+                                 .scale = request.appearance.scale,
+                                 .is_bare = request.is_bare})
                 .pane};
   }
   return compose_panes({.settings = request.scene.settings,

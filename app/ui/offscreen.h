@@ -37,6 +37,10 @@ struct PictureRequest {
   Appearance appearance{};
   std::string language{"en"};             // of the stage
   std::optional<LessonPicture> lesson{};  // of the stage
+  // Of the stage: the scene alone, without words and buttons round it, and without the ring of a guess: to be printed.
+  bool is_bare = false;
+  bool hides_handle =
+      false;  // with it: nor is there a handle, or what follows from where it is, as while it is guessed
 };
 
 // The word that --strategy and a case file hold: a strategy's name shows that one alone, "all" shows the scene's own

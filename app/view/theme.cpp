@@ -91,6 +91,21 @@ std::span<const Theme> theme_catalog() noexcept {
   return themes;
 }
 
+const Theme& paper() noexcept {
+  static const Theme theme = [] {
+    Theme light = themes.front();
+    light.name = "paper";
+    light.background = rgb(0xFFFFFF);
+    light.panel_border = rgb(0xFFFFFF);  // what lies between panes
+    light.grid = rgb(0xE9E9E9);
+    light.wall = rgb(0xEDEAE3);
+    light.text = rgb(0x141414);
+    light.faint_text = rgb(0x4A4A4A);
+    return light;
+  }();
+  return theme;
+}
+
 const Theme* find_theme(std::string_view name) noexcept {
   for (const Theme& theme : themes) {
     if (theme.name == name) return &theme;

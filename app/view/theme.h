@@ -75,6 +75,9 @@ struct Theme {
 
 std::span<const Theme> theme_catalog() noexcept;
 
+// What is printed: the light theme's colours on white. Not one of the catalog.
+const Theme& paper() noexcept;
+
 // Null when no theme has that name.
 const Theme* find_theme(std::string_view name) noexcept;
 

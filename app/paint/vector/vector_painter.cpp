@@ -391,6 +391,24 @@ void require(cairo_status_t status) {
                                            cairo_status_to_string(status)));
 }
 
+std::string paint_pages(std::span<const std::vector<Pane>> pages, const Theme& theme, const Vector<2>& size,
+                        double text_scale, VectorFormat format, std::string_view title) {
+  std::string file;
+  const Surface surface = surface_for(format, size, title, file);
+  {
+    const Context target(cairo_create(surface.get()));
+    for (std::size_t i = 0; i < pages.size(); ++i) {
+      if (i > 0) cairo_show_page(target.get());
+      paint_panes(pages[i], theme, size, text_scale, target.get());
+    }
+    require(cairo_status(target.get()));
+  }
+  cairo_surface_finish(surface.get());
+  require(cairo_surface_status(surface.get()));
+  if (format == VectorFormat::svg) tidy_svg(file, title);
+  return file;
+}
+
 }  // namespace
 
 std::optional<VectorFormat> vector_format_of(std::string_view path) {
@@ -423,17 +441,12 @@ void paint_panes(const std::vector<Pane>& panes, const Theme& theme, const Vecto
 
 std::string paint_vector(const std::vector<Pane>& panes, const Theme& theme, const Vector<2>& size, double text_scale,
                          VectorFormat format, std::string_view title) {
-  std::string file;
-  const Surface surface = surface_for(format, size, title, file);
-  {
-    const Context target(cairo_create(surface.get()));
-    paint_panes(panes, theme, size, text_scale, target.get());
-    require(cairo_status(target.get()));
-  }
-  cairo_surface_finish(surface.get());
-  require(cairo_surface_status(surface.get()));
-  if (format == VectorFormat::svg) tidy_svg(file, title);
-  return file;
+  return paint_pages(std::span(&panes, 1), theme, size, text_scale, format, title);
+}
+
+std::string paint_pdf(std::span<const std::vector<Pane>> pages, const Theme& theme, const Vector<2>& size,
+                      double text_scale, std::string_view title) {
+  return paint_pages(pages, theme, size, text_scale, VectorFormat::pdf, title);
 }
 
 }  // namespace ghostforce

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,6 +32,10 @@ Vector<2> measure_vector_text(std::string_view text, const TextStyle& style);
 // outlines. Throws Failure: file_trouble where the font cannot be read; bug where Cairo gives up.
 std::string paint_vector(const std::vector<Pane>& panes, const Theme& theme, const Vector<2>& size, double text_scale,
                          VectorFormat format, std::string_view title);
+
+// The same for a PDF of several pages, each with panes of its own; `pages` is not empty.
+std::string paint_pdf(std::span<const std::vector<Pane>> pages, const Theme& theme, const Vector<2>& size,
+                      double text_scale, std::string_view title);
 
 // The same on anything that Cairo draws on, one unit of `target` for a point. Throws Failure(file_trouble); whether
 // Cairo could draw is for cairo_status() to say.

@@ -209,7 +209,8 @@ StageContent StageFace::content_of(const Session& session, const StageFrame& fra
       .why_step = session.stage.why_step,
       .landscape_dial = session.stage.landscape_dial.value_or(blend.cure),
       .looks_back_to_s = session.stage.looks_back_to_s,
-      .warning = warning_of(session, frame.loop)};
+      .warning = warning_of(session, frame.loop),
+      .is_bare = frame.is_bare};
   if (session.lesson) {
     content.lesson = lesson_content(session);
     content.hides = lesson_secrets(session);

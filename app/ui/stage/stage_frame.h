@@ -14,8 +14,9 @@ struct StageFrame {
   const LoopReading& loop;
   const Theme& theme;
   const MeasureText& measure;
-  Vector<2> size;  // of the window [points]
-  double scale;    // UI scale
+  Vector<2> size;        // of the window [points]
+  double scale;          // UI scale
+  bool is_bare = false;  // see StageContent
 };
 
 }  // namespace ghostforce

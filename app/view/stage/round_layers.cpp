@@ -48,14 +48,17 @@ void add_battery(const StageLayer& layer) {
                                 ? std::string(all.first_round)
                                 : filled(all.energy_a_round, signed_decimal_text(1e3 * energy->last.energy, 1));
   const TextStyle& style = layout.letters.bold_words;
-  const Vector<2> cell(canvas.points(84.0), canvas.points(170.0));
-  const Vector<2> extent(std::max(cell.x, content.measure(filled(all.energy_a_round, "+888.8"), style).x),
+  // A picture on paper is small, and its words do not change.
+  const Vector<2> cell(canvas.points(84.0), canvas.points(content.is_bare ? 110.0 : 170.0));
+  const std::string longest = content.is_bare ? words : filled(all.energy_a_round, "+888.8");
+  const Vector<2> extent(std::max(cell.x, content.measure(longest, style).x),
                          cell.y + canvas.points(6.0) + style.height);
   const auto found = canvas.labels.place_block({.id = StageLabel::numbers,
                                                 .extent = extent,
                                                 .region = layout.room(),
                                                 .wanted = layout.numbers_corner(),
                                                 .dearness = {3.0, 1.0},
+                                                .may_cover = content.is_bare,
                                                 .is_never_missing = true});
   if (!found) return;
   const Vector<2> corner = found->box.least;

@@ -36,6 +36,18 @@ std::string open_answers(const StageLesson& lesson) {
   return words;
 }
 
+StageLayout layout_of(const StageContent& content, const StageModeLayers* mode) {
+  if (content.is_bare) return bare_stage_layout(content.size, content.scale);
+  const std::string sentence = sentence_of(content, mode);
+  return stage_layout(content.size, content.scale, content.measure,
+                      {.language = content.language,
+                       .sentence = sentence,
+                       .corner = content.corner ? std::string_view(content.corner->words) : "",
+                       .corner_action = content.corner ? content.corner->action : StageCommand::keys,
+                       .has_full = !content.moment.is_measured,
+                       .lesson = content.lesson ? &*content.lesson : nullptr});
+}
+
 void make_room_for_ribbon(const StageContent& content, StageLayout& layout) {
   // Its height is a matter of its letters alone.
   const Ribbon ribbon{.moments = *content.moments,
@@ -61,7 +73,7 @@ void add_whole_scene(const StageLayer& layer) {
   if (!layer.content.hides.slide) add_slide(layer);
   if (!layer.content.hides.force) add_stage_force(layer);
   add_handle(layer);
-  add_numbers(layer);
+  if (!layer.content.is_bare) add_numbers(layer);
   add_stage_words(layer);
 }
 
@@ -86,16 +98,10 @@ StagePicture compose_stage(const StageContent& content, LabelMemory& memory, dou
   // What is to be guessed is drawn as Predict does it.
   const StageModeLayers* const mode = content.hides.handle ? &predict_layers : layers_of(content.mode);
   const bool is_map = content.mode == StageMode::landscape && !content.hides.handle;
-  const std::string sentence = sentence_of(content, mode);
-  StageLayout layout = stage_layout(content.size, content.scale, content.measure,
-                                    {.language = content.language,
-                                     .sentence = sentence,
-                                     .corner = content.corner ? std::string_view(content.corner->words) : "",
-                                     .corner_action = content.corner ? content.corner->action : StageCommand::keys,
-                                     .has_full = !content.moment.is_measured,
-                                     .lesson = content.lesson ? &*content.lesson : nullptr});
+  StageLayout layout = layout_of(content, mode);
   if (content.mode == StageMode::ribbon && content.moments != nullptr) make_room_for_ribbon(content, layout);
-  const Camera camera = stage_camera(content.shown, content.size, layout.bottom);
+  const Camera camera = content.is_bare ? camera_on(content.shown.center, content.shown.width, content.size)
+                                        : stage_camera(content.shown, content.size, layout.bottom);
   StagePicture picture{.pane = {Vector<2>(0.0), camera, content.settings.active, std::move(earlier)},
                        .unit = layout.unit};
   Marks& marks = picture.pane.marks;
@@ -104,14 +110,16 @@ StagePicture compose_stage(const StageContent& content, LabelMemory& memory, dou
     LabelPlacer labels(content.size, layout.unit, content.measure, memory, interval_s);
     StageCanvas canvas{.camera = camera, .theme = content.theme, .unit = layout.unit, .marks = marks, .labels = labels};
     const StageLayer layer{content, layout, canvas};
-    keep_frame_clear(layer);
+    if (!content.is_bare) keep_frame_clear(layer);
     // Of an answered guess of a lesson; an open one belongs to Predict.
     const bool has_old_guess = content.lesson && mode != &predict_layers;
     if (has_old_guess) keep_guess_clear(layer);
     (mode != nullptr ? mode->add : add_whole_scene)(layer);
     if (has_old_guess) add_guess(layer);
-    if (!is_map || content.lesson) add_sentence(layer);
-    add_buttons(layer);
+    if (!content.is_bare) {
+      if (!is_map || content.lesson) add_sentence(layer);
+      add_buttons(layer);
+    }
     canvas.add_labels();
     if (const auto ribbon = stage_ribbon(layer)) picture.ribbon = {*layout.ribbon, ribbon_axis(*ribbon)};
   }

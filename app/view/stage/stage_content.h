@@ -72,6 +72,7 @@ struct StageContent {
   std::optional<StageLesson> lesson{};
   StageSecrets hides{};
   std::string_view warning{};  // what must be said instead of the sentence; may be empty
+  bool is_bare = false;        // the scene alone: no sentence, no large numbers, no buttons round it
 };
 
 }  // namespace ghostforce

@@ -38,6 +38,13 @@ std::string_view longest_sentence(const StageLanguage& language) {
   return std::ranges::max(words_of(language.sentences), {}, &std::string_view::size);
 }
 
+// Whole points: the letters that are painted then are as they were made.
+StageLetters letters_at(double unit, double longer_text_em) {
+  const auto style = [&](double em, bool is_bold) { return TextStyle{std::ceil(em * line_of_em * unit), is_bold}; };
+  return {style(words_em, false), style(words_em, true), style(longer_text_em, true), style(number_em, true),
+          style(unit_em, false)};
+}
+
 class Arrangement {
  public:
   Arrangement(const Vector<2>& size, double scale, const MeasureText& measure, const StageFrameWords& words)
@@ -45,9 +52,7 @@ class Arrangement {
     layout_.size = size;
     layout_.unit = size.y / height_of_design * scale;
     layout_.margin = points(edge_margin);
-    layout_.letters = {letters(words_em), letters(words_em, true),
-                       letters(words.lesson ? lesson_em : sentence_em, true), letters(number_em, true),
-                       letters(unit_em)};
+    layout_.letters = letters_at(layout_.unit, words.lesson ? lesson_em : sentence_em);
   }
 
   // False where something does not fit.
@@ -101,8 +106,6 @@ class Arrangement {
 
  private:
   double points(double of_design) const { return of_design * layout_.unit; }
-  // Whole points: the letters that are painted then are as they were made.
-  TextStyle letters(double em, bool is_bold = false) const { return {std::ceil(points(em * line_of_em)), is_bold}; }
 
   double mark_width(bool has_mark) const { return has_mark && words_.lesson != nullptr ? points(mark_room) : 0.0; }
 
@@ -204,6 +207,19 @@ StageLayout stage_layout(const Vector<2>& size, double scale, const MeasureText&
   Arrangement arrangement(size, scale_after(fitting), measure, words);
   if (!arrangement.arrange(true)) arrangement.arrange(false);
   return arrangement.finished();
+}
+
+StageLayout bare_stage_layout(const Vector<2>& size, double scale) {
+  constexpr double bare_margin = 14.0;
+  StageLayout layout;
+  layout.size = size;
+  layout.unit = size.y / height_of_design * scale;
+  layout.margin = bare_margin * layout.unit;
+  layout.letters = letters_at(layout.unit, sentence_em);
+  layout.sentence_box = {Vector<2>(layout.margin), Vector<2>(layout.margin)};
+  layout.header_left = size.x;
+  layout.bottom = size.y;
+  return layout;
 }
 
 SceneView stage_view_of(const Settings& settings, std::span<const Vector<2>> goals) {

@@ -14,6 +14,9 @@ namespace ghostforce {
 
 StageLayout stage_layout(const Vector<2>& size, double scale, const MeasureText& measure, const StageFrameWords& words);
 
+// The same for a scene without sentence, numbers and buttons, which then has all of the picture.
+StageLayout bare_stage_layout(const Vector<2>& size, double scale);
+
 // The part of the world with hand, wall, and where all strategies come to rest, under each of these goals.
 SceneView stage_view_of(const Settings& settings, std::span<const Vector<2>> goals);
 SceneView stage_view_of(const Settings& settings, const Vector<2>& goal);

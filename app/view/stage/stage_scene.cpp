@@ -220,8 +220,9 @@ std::optional<ForceArrow> force_arrow(const StageLayer& layer) {
   const double longest = std::max(std::abs(share), std::abs(share + ghost));
   if (!(longest > 0.0)) return std::nullopt;
   // Forces that would leave the picture are all drawn shorter, in proportion.
-  const double most = 0.45 * std::min(layout.size.x, 1.4 * layout.size.y);
-  const double usual = canvas.points(235.0) / content.reference_force;
+  const double share_of_picture = content.is_bare ? 0.33 : 0.45;
+  const double most = share_of_picture * std::min(layout.size.x, 1.4 * layout.size.y);
+  const double usual = (content.is_bare ? most : canvas.points(235.0)) / content.reference_force;
   const double per_newton = std::min(usual, most / longest);
   if (longest * per_newton < canvas.points(3.0)) return std::nullopt;
   const Vector<2> world = share > 0.0 ? moment.wall_share / share : glm::normalize(moment.ghost_force);
