@@ -66,7 +66,7 @@ constexpr std::array claims{
     Claim{"ghost", "press", true, LessonQuantity::slide, 0},
     Claim{"ghost", "gently", false, LessonQuantity::ghost_force, 2},
     Claim{"ghost", "gently", true, LessonQuantity::ghost_force, 2},
-    Claim{"ghost", "one-newton", true, LessonQuantity::depth, 1},
+    Claim{"ghost", "one-newton", true, LessonQuantity::depth, 0},
     Claim{"ghost", "flatter", true, LessonQuantity::ghost_force, 2},
     Claim{"ghost", "steeper", false, LessonQuantity::handle_to_target, 0},
     Claim{"why", "share", false, LessonQuantity::force, 2},
