@@ -7,8 +7,9 @@ namespace ghostforce {
 namespace {
 
 constexpr std::array phrases{
-    LessonPhrases{"en", "of", "Back", "Next", "Show me", "That is my guess", "Finish", "Leave the lesson (Esc)."},
-    LessonPhrases{"es", "de", "Atrás", "Siguiente", "Muéstramelo", "Esa es mi apuesta", "Terminar",
+    LessonPhrases{"en", "English", "of", "Back", "Next", "Show me", "That is my guess", "Finish",
+                  "Leave the lesson (Esc)."},
+    LessonPhrases{"es", "Español", "de", "Atrás", "Siguiente", "Muéstramelo", "Esa es mi apuesta", "Terminar",
                   "Salir de la lección (Esc)."},
 };
 

@@ -8,7 +8,8 @@ namespace ghostforce {
 
 struct LessonPhrases {
   std::string_view language;
-  std::string_view of;  // "3 of 8"
+  std::string_view own_name;  // of the language
+  std::string_view of;        // "3 of 8"
   std::string_view back;
   std::string_view next;
   std::string_view show;    // of the answer to a question that is open

@@ -6,6 +6,7 @@
 #include "app/lessons/lesson_phrases.h"
 #include "app/lessons/lesson_slider.h"
 #include "app/session/lesson_guide.h"
+#include "app/session/visit.h"
 
 namespace ghostforce {
 namespace {
@@ -45,7 +46,14 @@ std::string_view next_words(const Session& session, const LessonPhrases& phrases
   if (has_open_question(session, LessonQuestion::guess)) return phrases.answer;
   const bool is_asked = lesson_step(lesson).question != LessonQuestion::none;
   if (is_asked && lesson_step_state(lesson).outcome == LessonOutcome::open) return phrases.show;
-  return lesson.step + 1 == lesson.steps.size() ? phrases.finish : phrases.next;
+  // For visitors another lesson follows.
+  return lesson.step + 1 == lesson.steps.size() && !session.visit ? phrases.finish : phrases.next;
+}
+
+// As those call it who speak it.
+std::string name_of_language(std::string_view language) {
+  const LessonPhrases& phrases = lesson_phrases(language);
+  return std::string(phrases.language == language ? phrases.own_name : language);
 }
 
 }  // namespace
@@ -70,7 +78,8 @@ StageLesson lesson_content(const Session& session) {
                       .is_open = has_open_question(session, LessonQuestion::choose),
                       .back = lesson.step > 0 ? std::string(phrases.back) : "",
                       .next = std::string(next_words(session, phrases)),
-                      .leave_words = std::string(phrases.leave)};
+                      .leave_words = session.visit ? "" : std::string(phrases.leave),
+                      .other_language = session.visit ? name_of_language(next_language(lesson)) : ""};
   for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
     const LessonStep& each = lesson.lesson->steps[i];
     const LessonStepWords& said = words.steps[i];

@@ -43,7 +43,8 @@ struct StageLesson {
   bool is_open = false;  // the question can be answered; the digits are the answers'
   std::string back;      // words of the buttons; empty: there is no step before
   std::string next;
-  std::string leave_words;  // said while the pointer is on the way out
+  std::string leave_words;     // said while the pointer is on the way out; empty: there is none,
+  std::string other_language;  // and in its place a button with this word; empty: neither is there
 
   const StageLessonRow& row() const { return rows[step]; }
 };
