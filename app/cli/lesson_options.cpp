@@ -28,8 +28,8 @@ std::shared_ptr<const Lesson> LessonOptions::load() const {
   return name.empty() ? nullptr : std::make_shared<const Lesson>(load_lesson(name));
 }
 
-std::string LessonOptions::wanted() const {
-  return wanted_language(language, locale_variables());
+std::string LessonOptions::wanted(const std::string& kept) const {
+  return wanted_language(language.empty() ? kept : language, locale_variables());
 }
 
 }  // namespace ghostforce

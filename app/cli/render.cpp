@@ -189,6 +189,17 @@ std::function<int()> attach_render(CLI::App& command, FileOptions& files) {
           "--landscape", [options] { options->picture.mode = stage_mode_name(StageMode::landscape); },
           "The map of all walls and hands: short for --mode landscape")
       ->excludes(command.get_option("--mode"));
+  CLI::Option* const json = files.writes(
+      command.add_option("--json", options->json, "Also write what was drawn, as JSON")->type_name("FILE"));
+  CLI::Option* const clip =
+      command
+          .add_option(
+              "--clip", options->clip,
+              "A clip instead of one picture: from one time to another [s] with so many pictures a second, 1 to 60, "
+              "as an animated .png, or as .mp4 or .webm if ffmpeg is installed")
+          ->type_name("FROM:TO:FPS")
+          ->excludes(command.get_option("--at"))
+          ->excludes(json);
   options->lesson.attach(command, files);
   CLI::Option* const lesson = command.get_option("--lesson");
   command.add_option("--step", options->step, "The step of the lesson, from 1; default: 1")
@@ -202,17 +213,7 @@ std::function<int()> attach_render(CLI::App& command, FileOptions& files) {
       ->type_name("K")
       ->needs(lesson)
       ->check(number_between(1.0, 1e6, ""));
-  lesson->excludes(command.get_option("--mode"))->excludes(command.get_option("--strategy"));
-  CLI::Option* const json = files.writes(
-      command.add_option("--json", options->json, "Also write what was drawn, as JSON")->type_name("FILE"));
-  command
-      .add_option(
-          "--clip", options->clip,
-          "A clip instead of one picture: from one time to another [s] with so many pictures a second, 1 to 60, "
-          "as an animated .png, or as .mp4 or .webm if ffmpeg is installed")
-      ->type_name("FROM:TO:FPS")
-      ->excludes(command.get_option("--at"))
-      ->excludes(json);
+  lesson->excludes(command.get_option("--mode"))->excludes(command.get_option("--strategy"))->excludes(clip);
   command.footer(
       "No display is needed, and the same call always gives the same bytes.\n"
       "\n"

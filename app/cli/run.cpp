@@ -163,7 +163,7 @@ int run(const RunOptions& options) {
        .face = set_up.face,
        .mode = set_up.mode,
        .lesson = lesson,
-       .language = options.lesson.wanted(),
+       .language = options.lesson.wanted(preferences.language),
        .visit = options.kiosk.lessons(lesson),
        .lesson_progress = progress,
        .inputs = desktop_inputs(options.falcon.cable()),
@@ -219,15 +219,16 @@ int run(const RunOptions& options) {
     const bool is_stirred = window.poll(pacer.wait_s(application.is_idle(), now_s, clock_s()));
     pacer.waited(is_stirred, clock_s());
   }
-  if (!is_kiosk) try {
-      keep();
-      const WindowSize size = window.restored_size();
-      save(WindowLayout{size.width, size.height, window.is_maximized(), window.is_full_screen(),
-                        application.session().folded_panels});
-    } catch (const Failure& failure) {
-      // The visit is over and went well; the window only opens in its usual size the next time.
-      say("{}\n", failure.what());
-    }
+  try {
+    keep();
+    const WindowSize size = window.restored_size();
+    const WindowLayout left{size.width, size.height, window.is_maximized(), window.is_full_screen(),
+                            application.session().folded_panels};
+    if (!is_kiosk) save(left);
+  } catch (const Failure& failure) {
+    // The visit is over and went well; the window only opens in its usual size the next time.
+    say("{}\n", failure.what());
+  }
   const std::string end_of_recording = application.end_recording();
   const std::string& problem = application.recording_problem();
   // One that ended on the way was told in the window only.

@@ -208,6 +208,8 @@ void save_keys(const KeptFile& file, const std::vector<KeptKey<Kept>>& keys, con
 }  // namespace
 
 Preferences preferences_in(const Session& session) {
+  // A lesson has the stage and the usual speed for itself.
+  const std::optional<LessonState>& lesson = session.lesson;
   // While the plots follow the present, both ends move, and their distance changes in its last digits.
   const double span_s = std::round(1e3 * session.plots.span_s()) / 1e3;
   return {.appearance = session.appearance,
@@ -215,7 +217,7 @@ Preferences preferences_in(const Session& session) {
           .plots = {session.plots.is_open, session.plots.tab, span_s},
           .spacemouse = session.spacemouse,
           .face = session.face,
-          .speed = session.speed,
+          .speed = lesson ? lesson->before.speed : session.speed,
           .speaks = session.speaks,
           .offers_hints = session.hint.has_value(),
           .language = {}};

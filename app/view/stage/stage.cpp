@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "app/view/stage/landscape_layer.h"
 #include "app/view/stage/stage_layers.h"
 
@@ -23,6 +25,15 @@ std::string sentence_of(const StageContent& content, const StageModeLayers* mode
     if (std::string words = mode->sentence(content); !words.empty()) return words;
   }
   return std::string(stage_sentence(content.settings, content.moment, content.audience));
+}
+
+// With the digits that choose them. Empty: there is nothing to choose.
+std::string open_answers(const StageLesson& lesson) {
+  std::string words;
+  if (!lesson.is_open) return words;
+  const std::vector<std::string>& answers = lesson.row().answers;
+  for (std::size_t i = 0; i < answers.size(); ++i) words += fmt::format(" {}: {}.", i + 1, answers[i]);
+  return words;
 }
 
 void make_room_for_ribbon(const StageContent& content, StageLayout& layout) {
@@ -54,13 +65,19 @@ void add_whole_scene(const StageLayer& layer) {
 }
 
 StageReading stage_reading(const StageContent& content) {
+  const StageSecrets& hides = content.hides;
   StageReading reading{.strategy = content.settings.active, .sentence = sentence_of(content, layers_of(content.mode))};
-  // The map has its verdict in place of a sentence.
-  if (content.mode == StageMode::landscape && content.warning.empty()) {
+  if (content.lesson && content.warning.empty()) {
+    reading.sentence += open_answers(*content.lesson);
+  } else if (!content.lesson && content.mode == StageMode::landscape && content.warning.empty()) {
+    // The map has its verdict in place of a sentence.
     reading.sentence = landscape_sentence(stage_landscape(content, {}));
   }
-  const bool hides_answer = content.mode == StageMode::predict && content.guess.is_open;
-  if (!hides_answer) reading.numbers = stage_numbers(content.moment);
+  const bool is_asked = content.mode == StageMode::predict && content.guess.is_open;
+  if (is_asked || hides.numbers || hides.handle) return reading;
+  reading.numbers = stage_numbers(content.moment);
+  if (hides.force) reading.numbers.force = reading.numbers.wall_share = reading.numbers.ghost_force = std::nullopt;
+  if (hides.slide) reading.numbers.slide = std::nullopt;
   return reading;
 }
 

@@ -34,7 +34,7 @@ struct StagePicture {
 };
 
 // The same moment for those who do not look at it: what the stage says, and its numbers. Empty are also those that the
-// mode hides.
+// mode or the lesson hides. The sentence of an open question goes on with its answers.
 struct StageReading {
   StrategyId strategy = StrategyId::naive;  // active, or on the way there
   std::string sentence{};

@@ -14,6 +14,8 @@
 
 #include "app/console/failure.h"
 #include "app/files/scene_file.h"
+#include "app/lessons/lesson_file.h"
+#include "app/session/lesson_guide.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce {
@@ -93,7 +95,13 @@ void name_the_parts_of_the_session(Session& session) {
       // KEPT.
       face,
       // A mode is for a moment; the workbench's view and the stage's follow the scene.
-      stage, shown, pane_views, stage_shown,
+      stage,
+      // A lesson is begun anew; progress in lessons has a file of its own.
+      lesson, lesson_progress,
+      // KEPT.
+      language,
+      // As the stage.
+      shown, pane_views, stage_shown,
       // KEPT; of the plots, what they show is of the moment.
       options, plots, appearance,
       // KEPT, in the window's layout.
@@ -113,7 +121,7 @@ void name_the_parts_of_the_session(Session& session) {
       // Of the hand that is measured, and of the wall that is circled.
       aims_at_target, measurement, circle_test,
       // A device may be gone, and a line with a set-up must mean the same everywhere.
-      injected_fault, input, pointer_moves_goal, hand_is_simulated,
+      injected_fault, input, pointer_moves_goal, hand_is_simulated, motors_may_push,
       // A recording has a new name each time.
       recording_path,
       // Of the window.
@@ -121,7 +129,7 @@ void name_the_parts_of_the_session(Session& session) {
       // KEPT: whether there are any.
       hint,
       // Of this moment.
-      dialog, form, notice, preference_resets, undo_offer, requests] = session;
+      dialog, form, notice, preference_resets, dial_turned_s, undo_offer, requests] = session;
   [[maybe_unused]] auto& [is_open, tab, follows, from_s, to_s, cursor_s] = plots;
 }
 
@@ -198,6 +206,17 @@ TEST_F(PreferencesTest, WhatTheCommandLineAskedForHoldsForItsRunOnly) {
   expected.appearance.theme = find_theme("light");
   expected.offers_hints = false;
   EXPECT_EQ(load_preferences().preferences, expected);
+}
+
+// It has the stage and the usual speed, whatever the person likes.
+TEST_F(PreferencesTest, ALessonChangesNone) {
+  Session session = session_of(load_scene("wall45"));
+  session.face = Face::workbench;
+  session.speed = 0.1;
+  const Preferences before = preferences_in(session);
+  begin_lesson(session, std::make_shared<const Lesson>(load_lesson("ghost")), "en");
+  EXPECT_NE(session.face, before.face);
+  EXPECT_EQ(preferences_in(session), before);
 }
 
 // Also what the command line hides, and what only a newer program knows.

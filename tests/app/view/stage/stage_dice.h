@@ -67,6 +67,8 @@ struct StageCase {
                             .moments = moments.get(),
                             .looks_back_to_s = looks_back_to_s,
                             .corner = corner,
+                            .lesson = lesson,
+                            .hides = hides,
                             .warning = warning});
   }
   StagePicture compose(LabelMemory& memory, double interval_s) const {

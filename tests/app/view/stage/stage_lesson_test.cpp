@@ -89,6 +89,42 @@ TEST(StageLesson, TellsNoSecrets) {
   }
 }
 
+// What is read aloud tells no more than what is seen.
+TEST(StageLesson, TellsNoSecretsToListeners) {
+  StageCase shown = stage_case_at(wall45(), wall45_goal);
+  PictureDice dice(1);
+  shown.lesson = lesson_case_by(dice).lesson;
+  const auto hiding = [&](const StageSecrets& secrets) {
+    shown.hides = secrets;
+    return shown.read().numbers;
+  };
+  const StageNumbers all = hiding({});
+  EXPECT_NEAR(all.ghost_force.value(), 1.27, 0.005);
+  for (const StageSecrets& secrets : {StageSecrets{.numbers = true}, StageSecrets{.handle = true}}) {
+    const StageNumbers none = hiding(secrets);
+    EXPECT_FALSE(none.force || none.wall_share || none.ghost_force || none.slide);
+  }
+  const StageNumbers without_force = hiding({.force = true});
+  EXPECT_FALSE(without_force.force || without_force.wall_share || without_force.ghost_force);
+  EXPECT_EQ(without_force.slide, all.slide);
+  const StageNumbers without_slide = hiding({.slide = true});
+  EXPECT_FALSE(without_slide.slide);
+  EXPECT_EQ(without_slide.ghost_force, all.ghost_force);
+  shown.mode = StageMode::landscape;
+  EXPECT_TRUE(shown.read().sentence.starts_with(shown.lesson->text)) << "the map's verdict may be the answer";
+}
+
+TEST(StageLesson, ReadsTheAnswersOfAnOpenQuestion) {
+  StageCase shown = stage_case_at(wall45(), wall45_goal);
+  StageLesson& lesson = shown.lesson.emplace();
+  lesson.text = "Where to?";
+  lesson.rows = {{.answers = {"Up", "Down"}}};
+  lesson.is_open = true;
+  EXPECT_EQ(shown.read().sentence, "Where to? 1: Up. 2: Down.");
+  lesson.is_open = false;
+  EXPECT_EQ(shown.read().sentence, "Where to?");
+}
+
 // Letters are as large in one step as in the next.
 TEST(StageLesson, HasLettersOfOneSizeInALesson) {
   PictureDice dice(8);
