@@ -312,7 +312,8 @@ void Application::follow_lesson_in_session(double interval_s) {
 void Application::follow_visit_in_session(double interval_s) {
   const MotorReport& motors = report_.motors;
   const bool moves_by_itself = session_.pointer_moves_goal || input_->is_scripted || session_.circle_test.is_on;
-  SignsOfLife signs{.is_touched = window_.take_touch()};
+  const Window::Touch touch = window_.take_touch();
+  SignsOfLife signs{.has_acted = touch.has_acted, .has_pointed = touch.has_moved};
   if (motors.has_motors) {
     if (motors.is_handle_known) signs.handle = motors.handle;
   } else if (!moves_by_itself) {

@@ -12,8 +12,9 @@
 namespace ghostforce {
 namespace {
 
-// A handle that nobody holds trembles less, and sinks or swings for less long once the motors are off.
+// A handle that nobody holds trembles less.
 constexpr double least_move = 0.002;  // [m]
+// A handle sinks once its motors are off, and a window that has just appeared finds a pointer over it.
 constexpr double settles_s = 2.0;
 
 void show_first_step(Session& session) {
@@ -32,11 +33,12 @@ void start_again(Session& session) {
   ++session.restarts_asked;
 }
 
-bool has_moved(VisitState& visit, const std::optional<Vector<2>>& handle) {
-  if (!handle) return false;
+bool has_hand(VisitState& visit, const SignsOfLife& signs) {
   const bool is_settling = visit.since_start_s < settles_s;
-  if (visit.handle && !is_settling && glm::distance(*handle, *visit.handle) <= least_move) return false;
-  return std::exchange(visit.handle, handle).has_value() && !is_settling;
+  const bool is_elsewhere = signs.handle && (!visit.handle || glm::distance(*signs.handle, *visit.handle) > least_move);
+  const bool has_moved = is_elsewhere && visit.handle;
+  if (is_elsewhere || is_settling) visit.handle = signs.handle;
+  return signs.has_acted || (!is_settling && (signs.has_pointed || has_moved));
 }
 
 }  // namespace
@@ -50,7 +52,7 @@ void follow_visit(Session& session, const SignsOfLife& signs, double interval_s)
   if (!session.visit) return;
   VisitState& visit = *session.visit;
   visit.since_start_s += interval_s;
-  if (has_moved(visit, signs.handle) || signs.is_touched) {
+  if (has_hand(visit, signs)) {
     visit.has_visitor = true;
     visit.untouched_s = 0.0;
     return;

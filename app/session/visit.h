@@ -18,7 +18,8 @@ void begin_visit(Session& session, std::vector<std::shared_ptr<const Lesson>> le
 
 // A hand somewhere.
 struct SignsOfLife {
-  bool is_touched = false;  // keys or pointer
+  bool has_acted = false;    // with keys, buttons, the wheel
+  bool has_pointed = false;  // the pointer moved
   std::optional<Vector<2>>
       handle{};  // of a device that a person holds; empty: there is none, or nobody knows where [m]
 };

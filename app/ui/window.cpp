@@ -138,10 +138,10 @@ Window::Window(const WindowOptions& options) : library_(options), window_(create
     glfwSetWindowSizeLimits(handle(), least_window_width, least_window_height, GLFW_DONT_CARE, GLFW_DONT_CARE);
   }
   glfwSetWindowUserPointer(handle(), this);
-  glfwSetCursorPosCallback(handle(), on_hand);  // these before ImGui's, which then call them
+  glfwSetCursorPosCallback(handle(), on_pointer);  // these before ImGui's, which then call them
   glfwSetCursorEnterCallback(handle(), on_anything);
-  glfwSetMouseButtonCallback(handle(), on_hand);
-  glfwSetScrollCallback(handle(), on_hand);
+  glfwSetMouseButtonCallback(handle(), on_act);
+  glfwSetScrollCallback(handle(), on_act);
   glfwSetWindowFocusCallback(handle(), on_anything);
   glfwSetWindowRefreshCallback(handle(), on_anything);  // ImGui has none for this and the next two
   glfwSetWindowIconifyCallback(handle(), on_anything);
@@ -278,13 +278,18 @@ void Window::on_anything(GLFWwindow* handle, What...) {
 }
 
 template <typename... What>
-void Window::on_hand(GLFWwindow* handle, What... what) {
+void Window::on_act(GLFWwindow* handle, What... what) {
   on_anything(handle, what...);
-  static_cast<Window*>(glfwGetWindowUserPointer(handle))->is_touched_ = true;
+  static_cast<Window*>(glfwGetWindowUserPointer(handle))->touch_.has_acted = true;
 }
 
-bool Window::take_touch() noexcept {
-  return std::exchange(is_touched_, false);
+void Window::on_pointer(GLFWwindow* handle, double x, double y) {
+  on_anything(handle, x, y);
+  static_cast<Window*>(glfwGetWindowUserPointer(handle))->touch_.has_moved = true;
+}
+
+Window::Touch Window::take_touch() noexcept {
+  return std::exchange(touch_, {});
 }
 
 namespace {
@@ -314,7 +319,7 @@ int modifier_of(int key) {
 }  // namespace
 
 void Window::on_key(GLFWwindow* handle, int key, int scancode, int action, int modifiers) {
-  on_hand(handle);
+  on_act(handle);
   auto& window = *static_cast<Window*>(glfwGetWindowUserPointer(handle));
   const bool is_down = action != GLFW_RELEASE;
   // X11 tells the modifiers as they were before a modifier's own key.
@@ -327,7 +332,7 @@ void Window::on_key(GLFWwindow* handle, int key, int scancode, int action, int m
 
 // GLFW tells it right after the key that has typed it; what an input method composes has none.
 void Window::on_character(GLFWwindow* handle, unsigned int character) {
-  on_hand(handle);
+  on_act(handle);
   auto& window = *static_cast<Window*>(glfwGetWindowUserPointer(handle));
   if (!std::exchange(window.awaits_character_, false) || window.key_events_.empty()) {
     window.key_events_.push_back({.press = {}, .character = character});

@@ -86,8 +86,12 @@ class Window {
   // Files that were dropped on the window since the last call.
   std::vector<std::string> take_dropped_files();
 
-  // Somebody has used keyboard or pointer since the last call.
-  bool take_touch() noexcept;
+  // What somebody has done with keyboard and pointer since the last call.
+  struct Touch {
+    bool has_acted = false;  // keys, buttons, the wheel
+    bool has_moved = false;  // the pointer, or the window under it
+  };
+  Touch take_touch() noexcept;
 
   // Takes what keyboard and mouse did, waiting at most that long for something to happen [s]. True: something did, by
   // the person or the desktop.
@@ -128,7 +132,8 @@ class Window {
   template <typename... What>
   static void on_anything(GLFWwindow* window, What... what);
   template <typename... What>
-  static void on_hand(GLFWwindow* window, What... what);
+  static void on_act(GLFWwindow* window, What... what);
+  static void on_pointer(GLFWwindow* window, double x, double y);
   static void on_key(GLFWwindow* window, int key, int scancode, int action, int modifiers);
   static void on_character(GLFWwindow* window, unsigned int character);
   static void on_resize(GLFWwindow* window, int width, int height);
@@ -146,7 +151,7 @@ class Window {
   bool awaits_character_ = false;  // of the newest of them it is not known yet what it types
   std::vector<std::string> dropped_files_;
   bool is_stirred_ = false;  // since the last poll
-  bool is_touched_ = false;  // since the last take_touch
+  Touch touch_;              // since the last take_touch
 };
 
 }  // namespace ghostforce

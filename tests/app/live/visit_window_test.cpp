@@ -163,6 +163,17 @@ TEST_F(VisitTest, InvitesWhileNobodyIsThere) {
   EXPECT_FALSE(says("drag me"));
 }
 
+TEST_F(VisitTest, ANewStartIsDrawnThoughNothingHasMoved) {
+  begin();
+  frames(60);
+  point_at(300.0, 300.0);
+  frames(120);
+  for (int i = 0; i < 88; ++i) application_->update(1.0);
+  EXPECT_FALSE(application_->needs_drawing());
+  for (int i = 0; i < 3; ++i) application_->update(1.0);
+  EXPECT_TRUE(application_->needs_drawing());
+}
+
 TEST_F(VisitTest, NoKeyOfTheTableLeadsAway) {
   begin();
   for (const KeyBinding& binding : key_table()) {

@@ -21,7 +21,7 @@ class VisitTest : public testing::Test {
     begin_visit(session_, shipped_lessons());
   }
   const VisitState& visit() const { return *session_.visit; }
-  void touch() { follow_visit(session_, {.is_touched = true}, 0.1); }
+  void touch() { follow_visit(session_, {.has_acted = true}, 0.1); }
   void wait(double seconds, const std::optional<Vector<2>>& handle = {}) {
     constexpr int parts = 100;
     for (int i = 0; i < parts; ++i) follow_visit(session_, {.handle = handle}, seconds / parts);
@@ -152,6 +152,14 @@ TEST_F(VisitTest, AHandleThatMovesIsAHandAndOneThatTremblesIsNone) {
   EXPECT_FALSE(visit().has_visitor);
 }
 
+TEST_F(VisitTest, APointerThatIsThereAtOnceIsNoHand) {
+  follow_visit(session_, {.has_pointed = true}, 0.5);
+  EXPECT_FALSE(visit().has_visitor);
+  wait(2.0);
+  follow_visit(session_, {.has_pointed = true}, 0.5);
+  EXPECT_TRUE(visit().has_visitor);
+}
+
 TEST_F(VisitTest, ADeviceThatAppearsIsNoHand) {
   wait(5.0);
   wait(5.0, Vector<2>(0.02, 0.0));
@@ -198,7 +206,8 @@ TEST_F(VisitTest, EscTurnsMotorsOffAndLeavesNothing) {
 }
 
 TEST_F(VisitTest, OfAllThatCanBeAskedForLittleIsLeft) {
-  Requests all{.quit = true, .toggle_full_screen = true, .undo = true, .redo = true, .fit_view = true};
+  Requests all;
+  all.quit = all.fit_view = all.toggle_full_screen = all.undo = all.redo = true;
   all.ticks_through_history = 3;
   all.input = "circle";
   all.open_scene = all.open_lesson = all.save_scene = all.record = "x";
