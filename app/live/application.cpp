@@ -315,7 +315,8 @@ void Application::follow_visit_in_session(double interval_s) {
   const Window::Touch touch = window_.take_touch();
   SignsOfLife signs{.has_acted = touch.has_acted, .has_pointed = touch.has_moved};
   if (motors.has_motors) {
-    if (motors.is_handle_known) signs.handle = motors.handle;
+    // Homing moves it too.
+    if (motors.is_handle_known && motors.is_ready) signs.handle = motors.handle;
   } else if (!moves_by_itself) {
     signs.handle = report_.snapshot.goal;
   }

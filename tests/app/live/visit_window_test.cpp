@@ -14,7 +14,7 @@
 namespace ghostforce {
 namespace {
 
-class VisitTest : public VisitWindow {
+class VisitWindowTest : public VisitWindow {
  protected:
   const LessonState& lesson() { return *session().lesson; }
   const StageButton* button_for(const StageAction& action) const {
@@ -44,7 +44,7 @@ class VisitTest : public VisitWindow {
   }
 };
 
-TEST_F(VisitTest, GoesThroughAllLessonsAndBeginsAgain) {
+TEST_F(VisitWindowTest, GoesThroughAllLessonsAndBeginsAgain) {
   begin();
   for (int round = 0; round < 2; ++round) {
     for (const auto& each : shipped_lessons()) {
@@ -57,7 +57,7 @@ TEST_F(VisitTest, GoesThroughAllLessonsAndBeginsAgain) {
   EXPECT_EQ(lesson().lesson->name, shipped_lessons().front()->name);
 }
 
-TEST_F(VisitTest, TheStageSpeaksOfNothingThatAVisitorDoesNotHave) {
+TEST_F(VisitWindowTest, TheStageSpeaksOfNothingThatAVisitorDoesNotHave) {
   begin();
   for (const std::string language : {"en", "es"}) {
     for (const auto& each : shipped_lessons()) {
@@ -76,7 +76,7 @@ TEST_F(VisitTest, TheStageSpeaksOfNothingThatAVisitorDoesNotHave) {
   }
 }
 
-TEST_F(VisitTest, AButtonChangesTheLanguageAndTheNextVisitorBeginsWithTheFirst) {
+TEST_F(VisitWindowTest, AButtonChangesTheLanguageAndTheNextVisitorBeginsWithTheFirst) {
   begin();
   EXPECT_TRUE(says("Feel a wall"));
   EXPECT_TRUE(says("Español"));
@@ -87,7 +87,7 @@ TEST_F(VisitTest, AButtonChangesTheLanguageAndTheNextVisitorBeginsWithTheFirst) 
   EXPECT_TRUE(says("Feel a wall"));
 }
 
-TEST_F(VisitTest, StartsAgainAfterNinetySecondsWithoutAHand) {
+TEST_F(VisitWindowTest, StartsAgainAfterNinetySecondsWithoutAHand) {
   begin();
   frames(60);
   const Settings settings = session().settings;
@@ -129,7 +129,7 @@ TEST_F(VisitTest, StartsAgainAfterNinetySecondsWithoutAHand) {
   expect_start();
 }
 
-TEST_F(VisitTest, TheFocusGoesWithTheVisitor) {
+TEST_F(VisitWindowTest, TheFocusGoesWithTheVisitor) {
   begin();
   press(GLFW_KEY_TAB);
   press(GLFW_KEY_TAB);
@@ -139,8 +139,10 @@ TEST_F(VisitTest, TheFocusGoesWithTheVisitor) {
   EXPECT_FALSE(has_focus());
 }
 
-TEST_F(VisitTest, InvitesWhileNobodyIsThere) {
+TEST_F(VisitWindowTest, InvitesWhileNobodyIsThere) {
   begin();
+  EXPECT_TRUE(says("drag me"));
+  frames(150);  // until the window has settled
   point_at(300.0, 300.0);
   frames(3);
   EXPECT_FALSE(says("drag me"));
@@ -154,27 +156,28 @@ TEST_F(VisitTest, InvitesWhileNobodyIsThere) {
     return Vector<2>(0.0);
   };
   const Vector<2> before = hand();
+  const Vector<2> goal = session().goal;
   wait(23.0);
   EXPECT_GT(glm::distance(hand(), before), 0.002) << "a hand shows how";
-  EXPECT_EQ(session().goal, before) << "of which the simulation knows nothing";
+  EXPECT_EQ(session().goal, goal) << "of which the simulation knows nothing";
   point_at(400.0, 300.0);
   frames(40);
   EXPECT_LT(glm::distance(hand(), before), 1e-9);
   EXPECT_FALSE(says("drag me"));
 }
 
-TEST_F(VisitTest, ANewStartIsDrawnThoughNothingHasMoved) {
+TEST_F(VisitWindowTest, ANewStartIsDrawnThoughNothingHasMoved) {
   begin();
-  frames(60);
+  frames(150);
   point_at(300.0, 300.0);
   frames(120);
-  for (int i = 0; i < 88; ++i) application_->update(1.0);
+  for (int i = 0; i < 87; ++i) application_->update(1.0);
   EXPECT_FALSE(application_->needs_drawing());
   for (int i = 0; i < 3; ++i) application_->update(1.0);
   EXPECT_TRUE(application_->needs_drawing());
 }
 
-TEST_F(VisitTest, NoKeyOfTheTableLeadsAway) {
+TEST_F(VisitWindowTest, NoKeyOfTheTableLeadsAway) {
   begin();
   for (const KeyBinding& binding : key_table()) {
     const bool is_end = binding.for_visitors && binding.key == GLFW_KEY_Q;
@@ -184,7 +187,7 @@ TEST_F(VisitTest, NoKeyOfTheTableLeadsAway) {
   }
 }
 
-TEST_F(VisitTest, KeysThatVisitorsHaveAreAllowedOneByOne) {
+TEST_F(VisitWindowTest, KeysThatVisitorsHaveAreAllowedOneByOne) {
   for (const KeyBinding& binding : key_table()) {
     const bool has_control = (binding.modifiers & GLFW_MOD_CONTROL) != 0;
     const bool is_arrow = binding.key >= GLFW_KEY_RIGHT && binding.key <= GLFW_KEY_UP;
@@ -199,7 +202,7 @@ TEST_F(VisitTest, KeysThatVisitorsHaveAreAllowedOneByOne) {
   EXPECT_LT(theirs, static_cast<std::ptrdiff_t>(key_table().size()) - 40);
 }
 
-TEST_F(VisitTest, OnlyTheChordEndsIt) {
+TEST_F(VisitWindowTest, OnlyTheChordEndsIt) {
   begin();
   // As GLFW passes on what the close button, Alt+F4 and the desktop ask for.
   glfwSetWindowShouldClose(window_->handle(), GLFW_TRUE);
@@ -217,7 +220,7 @@ TEST_F(VisitTest, OnlyTheChordEndsIt) {
   EXPECT_TRUE(window_->should_close());
 }
 
-TEST_F(VisitTest, WhatIsDroppedIsNotTaken) {
+TEST_F(VisitWindowTest, WhatIsDroppedIsNotTaken) {
   begin();
   const TemporaryFolder elsewhere;
   const std::string lesson_path = elsewhere / "mine.toml";
@@ -234,7 +237,7 @@ TEST_F(VisitTest, WhatIsDroppedIsNotTaken) {
   }
 }
 
-TEST_F(VisitTest, TheWheelAndTheRightButtonLeaveTheViewAlone) {
+TEST_F(VisitWindowTest, TheWheelAndTheRightButtonLeaveTheViewAlone) {
   begin();
   frames(60);
   const SceneView shown = session().stage_shown;
@@ -246,7 +249,7 @@ TEST_F(VisitTest, TheWheelAndTheRightButtonLeaveTheViewAlone) {
   EXPECT_EQ(session().stage_shown, shown);
 }
 
-TEST_F(VisitTest, MotorsOfADeviceGoOffWhenTheVisitorHasGone) {
+TEST_F(VisitWindowTest, MotorsOfADeviceGoOffWhenTheVisitorHasGone) {
   begin("virtual-falcon");
   for (int i = 0; i < 300 && virtual_falcon().report().state != FalconState::idle; ++i) frames(1, 100);
   ASSERT_EQ(virtual_falcon().report().state, FalconState::idle);
@@ -282,7 +285,7 @@ TEST_F(VisitTest, MotorsOfADeviceGoOffWhenTheVisitorHasGone) {
   EXPECT_EQ(motors().state, SafetyState::off);
 }
 
-TEST_F(VisitTest, MotorsThatAreOffStayAsTheyAre) {
+TEST_F(VisitWindowTest, MotorsThatAreOffStayAsTheyAre) {
   begin("virtual-falcon");
   for (int i = 0; i < 300 && virtual_falcon().report().state != FalconState::idle; ++i) frames(1, 100);
   press(GLFW_KEY_PAGE_DOWN);
@@ -292,7 +295,7 @@ TEST_F(VisitTest, MotorsThatAreOffStayAsTheyAre) {
   EXPECT_EQ(application_->report().motors.reason, OffReason::none);
 }
 
-TEST_F(VisitTest, WhoMovesTheHandleOfADeviceIsThere) {
+TEST_F(VisitWindowTest, WhoMovesTheHandleOfADeviceIsThere) {
   begin("virtual-falcon");
   for (int i = 0; i < 300 && virtual_falcon().report().state != FalconState::idle; ++i) frames(1, 100);
   press(GLFW_KEY_PAGE_DOWN);
