@@ -232,7 +232,7 @@ TEST_F(VisitWindowTest, WhatIsDroppedIsNotTaken) {
   for (const std::string& path : {lesson_path, scene_path, picture, missing}) {
     drop({path.c_str()});
     frames(3);
-    EXPECT_EQ(what_is_forbidden(), "") << path;
+    ASSERT_EQ(what_is_forbidden(), "") << path;
     EXPECT_EQ(lesson().lesson->name, shipped_lessons().front()->name) << path;
   }
 }
