@@ -232,8 +232,14 @@ inline StageCase lesson_case_by(PictureDice& dice) {
                      .longest_text = lesson_words_by(dice, 160),
                      .back = dice.one_in(4) ? "" : "Atrás",
                      .next = dice.one_in(3) ? "Esa es mi apuesta" : "Siguiente",
-                     .leave_words = "Salir de la lección (Esc)."};
+                     .leave_words = "Salir de la lección (Esc).",
+                     .other_language = {}};
   const auto steps = static_cast<std::size_t>(dice.between(1.0, 12.999));
+  if (steps % 2 == 0) {
+    // As visitors have it.
+    lesson.leave_words.clear();
+    lesson.other_language = "Español";
+  }
   for (std::size_t i = 0; i < steps; ++i) {
     lesson.rows.push_back(lesson_row_by(dice));
     lesson.dots.push_back(mark());
