@@ -12,7 +12,6 @@
 #include "app/lessons/lesson_slider.h"
 #include "app/session/measurement_guide.h"
 #include "app/session/stage_modes.h"
-#include "app/session/visit.h"
 #include "app/view/stage/stage_scene.h"
 
 namespace ghostforce {
@@ -194,7 +193,7 @@ void next_lesson_step(Session& session) {
     lesson.is_finished = true;
     note_progress(session);
     leave_lesson(session);
-    if (session.visit) return next_lesson_of_visit(session);
+    if (session.visit) return begin_lesson(session, session.visit->take_next_lesson(), session.language);
     session.dialog = Dialog::lessons;
     return;
   }

@@ -61,12 +61,6 @@ void follow_visit(Session& session, const SignsOfLife& signs, double interval_s)
   if (visit.has_visitor && visit.untouched_s >= visit_ends_after_s) start_again(session);
 }
 
-void next_lesson_of_visit(Session& session) {
-  VisitState& visit = *session.visit;
-  visit.lesson = (visit.lesson + 1) % visit.lessons.size();
-  begin_lesson(session, visit.lessons[visit.lesson], session.language);
-}
-
 bool invites_visitors(const Session& session) noexcept {
   return session.visit && !session.visit->has_visitor && session.lesson &&
          lesson_step(*session.lesson).question == LessonQuestion::none && is_allowed(session, LessonControl::hand);

@@ -28,9 +28,6 @@ struct SignsOfLife {
 // in an ordinary run.
 void follow_visit(Session& session, const SignsOfLife& signs, double interval_s);
 
-// After the last step of a lesson; after the last lesson comes the first.
-void next_lesson_of_visit(Session& session);
-
 // Nobody has touched anything since the start, and the step that is shown lets the hand be moved without asking
 // anything: the stage can show how, and gives nothing away.
 bool invites_visitors(const Session& session) noexcept;

@@ -23,6 +23,12 @@ struct VisitState {
   double since_start_s = 0.0;
   std::optional<Vector<2>> handle{};  // of a device, where it was when somebody last moved it [m]
   std::uint32_t departures = 0;       // of visitors, since the program began
+
+  // After the last one comes the first.
+  const std::shared_ptr<const Lesson>& take_next_lesson() {
+    lesson = (lesson + 1) % lessons.size();
+    return lessons[lesson];
+  }
 };
 
 }  // namespace ghostforce
