@@ -14,6 +14,8 @@ constexpr std::array reasons{
                    false},
     OffReasonEntry{OffReason::key, "key", "turned off by you",
                    "Nothing is wrong: you pressed Esc or the motors' button.", false, false},
+    OffReasonEntry{OffReason::visitor_gone, "visitor_gone", "nobody there",
+                   "Nothing is wrong: nobody had touched anything for a while. Arm the motors again.", false, false},
     OffReasonEntry{OffReason::button_released, "button_released", "button released",
                    "The deadman switch was released. Hold the grip button while the motors are on.", false, false},
     OffReasonEntry{OffReason::focus_lost, "focus_lost", "window not in front",

@@ -16,6 +16,7 @@ enum class SafetyState : std::uint8_t { off, arming, ramp, on, fade };
 enum class OffReason : std::uint8_t {
   none,  // not armed since the start, or the reason was acknowledged
   key,
+  visitor_gone,
   button_released,
   focus_lost,
   too_fast,

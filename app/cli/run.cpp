@@ -18,6 +18,7 @@
 #include "app/cli/desktop_inputs.h"
 #include "app/cli/end_of_visit.h"
 #include "app/cli/falcon_options.h"
+#include "app/cli/kiosk_options.h"
 #include "app/cli/lesson_options.h"
 #include "app/cli/set_up_options.h"
 #include "app/console/failure.h"
@@ -49,6 +50,7 @@ using Clock = std::chrono::steady_clock;
 struct RunOptions {
   SetUpOptions set_up;
   LessonOptions lesson;
+  KioskOptions kiosk;
   std::string input{mouse_hand.name};
   std::optional<std::string> record;
   FalconSetUp falcon;
@@ -124,12 +126,14 @@ void refuse_goal_of_other_hand(const RunOptions& options) {
 }
 
 int run(const RunOptions& options) {
+  options.kiosk.refuse_contradictions();
   const std::optional<Run> recording = load_recording(options);
   Scene loaded = scene_for(options, recording);
   refuse_goal_of_other_hand(options);
   const std::shared_ptr<const Lesson> lesson = options.lesson.load();
-  StoredPreferences stored = load_preferences();
-  const LessonProgress progress = load_lesson_progress(stored.remarks);
+  const bool is_kiosk = options.kiosk.is_on;
+  StoredPreferences stored = is_kiosk ? for_visitors(load_preferences()) : load_preferences();
+  const LessonProgress progress = is_kiosk ? LessonProgress{} : load_lesson_progress(stored.remarks);
   const SetUp set_up = options.set_up.set_up(std::move(loaded), stored.preferences.face);
   const std::optional<FirmwareImage> firmware = options.falcon.read_firmware_file();
   if (firmware) say("{}\n", firmware_words(firmware));
@@ -148,6 +152,7 @@ int run(const RunOptions& options) {
   const auto scaled = [&](int points) { return static_cast<int>(std::lround(points * appearance.scale)); };
   const WindowLayout layout = stored.layout.value_or(
       WindowLayout{.width = scaled(WindowLayout::first_width), .height = scaled(WindowLayout::first_height)});
+  if (is_kiosk) say("{}\n", end_of_kiosk);
   leave_processor_to_servo();
   Window window(
       {.title = window_title(set_up.scene), .width = layout.width, .height = layout.height, .fits_monitor = true});
@@ -160,6 +165,7 @@ int run(const RunOptions& options) {
        .mode = set_up.mode,
        .lesson = lesson,
        .language = preferences.language,
+       .visit = options.kiosk.lessons(lesson),
        .lesson_progress = progress,
        .inputs = desktop_inputs(options.falcon.cable()),
        .input = std::string(recording ? replay_kind.name : std::string_view(options.input)),
@@ -176,6 +182,7 @@ int run(const RunOptions& options) {
   PreferenceKeeper keeper(stored.preferences, application.session());
   ProgressKeeper progress_keeper(progress);
   const auto keep = [&] {
+    if (is_kiosk) return;
     keeper.keep(application.session());
     progress_keeper.keep(application.session());
   };
@@ -216,8 +223,9 @@ int run(const RunOptions& options) {
   try {
     keep();
     const WindowSize size = window.restored_size();
-    save(WindowLayout{size.width, size.height, window.is_maximized(), window.is_full_screen(),
-                      application.session().folded_panels});
+    const WindowLayout left{size.width, size.height, window.is_maximized(), window.is_full_screen(),
+                            application.session().folded_panels};
+    if (!is_kiosk) save(left);
   } catch (const Failure& failure) {
     // The visit is over and went well; the window only opens in its usual size the next time.
     say("{}\n", failure.what());
@@ -260,6 +268,7 @@ std::function<int()> attach_run(CLI::App& command, FileOptions& files) {
                    ->type_name("FILE")
                    ->check(refuse_standard_output));
   options->lesson.attach(command, files, "the one that was chosen in the window, else the environment's");
+  options->kiosk.attach(command);
   options->falcon.attach(command, files);
   command.add_flag("--no-hints", options->no_hints, "Do not show the hints for newcomers");
   command
@@ -287,6 +296,7 @@ std::function<int()> attach_run(CLI::App& command, FileOptions& files) {
       "  ghostforce run --view workbench\n"
       "  ghostforce run my_scene.toml --input script\n"
       "  ghostforce run --lesson ghost --language es\n"
+      "  ghostforce run --kiosk\n"
       "  ghostforce run --record visit.csv\n"
       "  ghostforce run --print-values 5 > values.tsv\n"
       "  ghostforce run --input replay:visit.csv");

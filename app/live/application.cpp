@@ -7,6 +7,7 @@
 
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
+#include "app/console/words.h"
 #include "app/files/output_file.h"
 #include "app/files/scene_file.h"
 #include "app/live/end_of_recording.h"
@@ -19,6 +20,7 @@
 #include "app/session/stage_actions.h"
 #include "app/session/target.h"
 #include "app/session/undo_words.h"
+#include "app/session/visit.h"
 #include "app/ui/plots/plot_export.h"
 #include "core/divergence.h"
 #include "core/simulate.h"
@@ -46,8 +48,12 @@ Session session_with(const Scene& scene, const ApplicationOptions& options) {
   if (options.mode != StageMode::none) toggle_stage_mode(session, options.mode);
   session.language = options.language;
   session.lesson_progress = options.lesson_progress;
-  if (options.lesson) {
+  if (!options.visit.empty()) {
+    begin_visit(session, options.visit);
+  } else if (options.lesson) {
     begin_lesson(session, options.lesson);
+  }
+  if (session.lesson) {
     session.stage_shown = lesson_view(session);
     session.requests.fit_view = false;  // it stands there at once
   }
@@ -76,6 +82,7 @@ Application::Application(Window& window, const Scene& scene, const ApplicationOp
       input_options_(options.input_options),
       painter_(options.painter),
       screen_(window, options.part) {
+  if (session_.visit) window_.stay_open();
   if (!options.shader_folder.empty()) shader_watch_.emplace(options.shader_folder);
   use(input_of(options.input), session_.scene, session_.settings);
   if (options.record) start_recording(*options.record);
@@ -197,6 +204,7 @@ void Application::update(double interval_s) {
   follow_measurement(session_, report_.snapshot, report_.motors);
   session_.motors_may_push = report_.motors.has_motors && report_.motors.state != SafetyState::off;
   follow_lesson_in_session(interval_s);
+  follow_visit_in_session(interval_s);
   if (shader_watch_ && shader_watch_->look(screen_.painter(), clock_s_)) frames_to_settle_ = settling_frames;
   if (session_.notice && !session_.notice->is_problem) {
     session_.notice->age_s += interval_s;
@@ -301,6 +309,20 @@ void Application::follow_lesson_in_session(double interval_s) {
   follow_lesson(session_, {moment, session_.settings, reading.circle ? &*reading.circle : nullptr}, interval_s);
 }
 
+void Application::follow_visit_in_session(double interval_s) {
+  const MotorReport& motors = report_.motors;
+  const bool moves_by_itself = session_.pointer_moves_goal || input_->is_scripted || session_.circle_test.is_on;
+  const Window::Touch touch = window_.take_touch();
+  SignsOfLife signs{.has_acted = touch.has_acted, .has_pointed = touch.has_moved};
+  if (motors.has_motors) {
+    // Homing moves it too.
+    if (motors.is_handle_known && motors.is_ready) signs.handle = motors.handle;
+  } else if (!moves_by_itself) {
+    signs.handle = report_.snapshot.goal;
+  }
+  follow_visit(session_, signs, interval_s);
+}
+
 void Application::see_target() {
   const MotorReport& motors = report_.motors;
   const std::optional<Vector<2>> target = target_of(session_, motors);
@@ -331,6 +353,7 @@ void Application::copy_motor_requests() {
   command_.arms_asked = session_.arms_asked;
   command_.offs_asked = session_.offs_asked;
   command_.acknowledgements = session_.acknowledgements;
+  command_.departures = session_.visit ? session_.visit->departures : 0;
   command_.safety = session_.safety;
   command_.has_focus = window_.has_focus();
 }
@@ -342,13 +365,15 @@ void Application::heartbeat() {
 }
 
 void Application::show_notice(std::string words, bool is_problem) {
+  if (session_.visit) return say("{}\n", words);
   session_.notice = Notice{std::move(words), is_problem, 0.0};
 }
 
 void Application::handle_requests() {
-  const Requests requests = std::exchange(session_.requests, {});
+  const Requests requests = allowed_requests(session_, std::exchange(session_.requests, {}));
   session_.requests.fit_view = requests.fit_view;  // the face that is shown does it, in its next frame
-  const std::vector<std::string> dropped = window_.take_dropped_files();
+  std::vector<std::string> dropped = window_.take_dropped_files();
+  if (session_.visit) dropped.clear();
   // A path that cannot be written is found out before the work is done.
   const auto save = [this](const std::string& path, const auto& make_bytes) {
     OutputFile file(path);

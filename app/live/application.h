@@ -35,6 +35,7 @@ struct ApplicationOptions {
   StageMode mode = StageMode::none;        // of the stage
   std::shared_ptr<const Lesson> lesson{};  // that begins at once; null: none
   std::string language{"en"};              // of the stage and of lessons
+  std::vector<std::shared_ptr<const Lesson>> visit{};  // of the visitor's mode; empty: an ordinary run
   LessonProgress lesson_progress{};
   std::vector<InputEntry> inputs{};     // all that there are
   std::string input{mouse_hand.name};   // the name of one of them
@@ -81,7 +82,7 @@ class Application {
   // Both.
   void frame(double interval_s);
 
-  // Tells the person something at the next frame.
+  // Tells the person something at the next frame; in the visitor's mode, who stands at the terminal.
   void show_notice(std::string words, bool is_problem);
 
   // Time stands still: there will be something to draw when the person does something, and else hardly ever.
@@ -108,6 +109,7 @@ class Application {
   // What the newest tick says against the target that is drawn, if one is.
   void see_target();
   void follow_lesson_in_session(double interval_s);
+  void follow_visit_in_session(double interval_s);
   VisibleState visible() const;
   // Since the last frame.
   bool has_changed() const;

@@ -258,6 +258,15 @@ StoredPreferences load_preferences() {
   return stored;
 }
 
+StoredPreferences for_visitors(const StoredPreferences& stored) {
+  const Preferences& of_machine = stored.preferences;
+  return {.preferences = {.appearance = {.theme = of_machine.appearance.theme, .scale = of_machine.appearance.scale},
+                          .offers_hints = false,
+                          .language = of_machine.language},
+          .layout = WindowLayout{.is_full_screen = true},
+          .remarks = stored.remarks};
+}
+
 void save(const Preferences& preferences) {
   save_keys(preferences_file(), preference_keys(), preferences, "what a person has chosen. Delete it to begin anew.");
 }

@@ -66,6 +66,9 @@ struct StoredPreferences {
 };
 StoredPreferences load_preferences();
 
+// What visitors get of it: theme, scale and language were chosen for the machine, all else for a person. Full screen.
+StoredPreferences for_visitors(const StoredPreferences& stored);
+
 // What a newer program has written beside it stays in the files. Throws Failure(file_trouble). Without a home folder
 // nothing is remembered.
 void save(const Preferences& preferences);

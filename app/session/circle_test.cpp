@@ -3,7 +3,10 @@
 namespace ghostforce {
 
 void begin_circle_test(Session& session) {
-  if (session.circle_test.is_on) return;
+  if (session.circle_test.is_on) {
+    session.requests.input.reset();  // which would end it, where one lesson follows another
+    return;
+  }
   session.circle_test.input_before = session.input;
   session.requests.input = circling_hand.name;
 }

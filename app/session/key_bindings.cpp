@@ -192,7 +192,7 @@ void escape(Session& session) {
   session.notice.reset();
   if (closes_more) return;
   if (session.lesson) {
-    if (!session.motors_may_push) leave_lesson(session);
+    if (!session.motors_may_push && !session.visit) leave_lesson(session);
   } else if (session.stage.looks_back_to_s) {
     go_on_live(session);
   } else if (session.stage.mode != StageMode::none) {
@@ -202,6 +202,12 @@ void escape(Session& session) {
   }
 }
 
+// A visitor may use it too.
+constexpr KeyBinding for_visitors(KeyBinding binding) {
+  binding.for_visitors = true;
+  return binding;
+}
+
 constexpr int none = 0;
 constexpr int shift = GLFW_MOD_SHIFT;
 constexpr int ctrl = GLFW_MOD_CONTROL;
@@ -209,22 +215,22 @@ constexpr int alt = GLFW_MOD_ALT;
 
 // clang-format off
 constexpr std::array bindings{
-    KeyBinding{GLFW_KEY_LEFT, none, "Arrows", "Move goal or guess 1 mm (Shift: 0.1, Ctrl: 10)", move_goal<-1, 0, 10>, true, false, "Move and change"},
-    KeyBinding{GLFW_KEY_RIGHT, none, "", "", move_goal<1, 0, 10>, true},
-    KeyBinding{GLFW_KEY_UP, none, "", "", move_goal<0, 1, 10>, true},
-    KeyBinding{GLFW_KEY_DOWN, none, "", "", move_goal<0, -1, 10>, true},
-    KeyBinding{GLFW_KEY_LEFT, shift, "", "", move_goal<-1, 0, 1>, true},
-    KeyBinding{GLFW_KEY_RIGHT, shift, "", "", move_goal<1, 0, 1>, true},
-    KeyBinding{GLFW_KEY_UP, shift, "", "", move_goal<0, 1, 1>, true},
-    KeyBinding{GLFW_KEY_DOWN, shift, "", "", move_goal<0, -1, 1>, true},
-    KeyBinding{GLFW_KEY_LEFT, ctrl, "", "", move_goal<-1, 0, 100>, true},
-    KeyBinding{GLFW_KEY_RIGHT, ctrl, "", "", move_goal<1, 0, 100>, true},
-    KeyBinding{GLFW_KEY_UP, ctrl, "", "", move_goal<0, 1, 100>, true},
-    KeyBinding{GLFW_KEY_DOWN, ctrl, "", "", move_goal<0, -1, 100>, true},
-    KeyBinding{GLFW_KEY_LEFT_BRACKET, none, "[  ]", "Turn the actuated direction 5° (Shift: 1°)", turn_motor_axis<5>, true},
-    KeyBinding{GLFW_KEY_RIGHT_BRACKET, none, "", "", turn_motor_axis<-5>, true},
-    KeyBinding{GLFW_KEY_LEFT_BRACKET, shift, "", "", turn_motor_axis<1>, true},
-    KeyBinding{GLFW_KEY_RIGHT_BRACKET, shift, "", "", turn_motor_axis<-1>, true},
+    for_visitors({GLFW_KEY_LEFT, none, "Arrows", "Move goal or guess 1 mm (Shift: 0.1, Ctrl: 10)", move_goal<-1, 0, 10>, true, false, "Move and change"}),
+    for_visitors({GLFW_KEY_RIGHT, none, "", "", move_goal<1, 0, 10>, true}),
+    for_visitors({GLFW_KEY_UP, none, "", "", move_goal<0, 1, 10>, true}),
+    for_visitors({GLFW_KEY_DOWN, none, "", "", move_goal<0, -1, 10>, true}),
+    for_visitors({GLFW_KEY_LEFT, shift, "", "", move_goal<-1, 0, 1>, true}),
+    for_visitors({GLFW_KEY_RIGHT, shift, "", "", move_goal<1, 0, 1>, true}),
+    for_visitors({GLFW_KEY_UP, shift, "", "", move_goal<0, 1, 1>, true}),
+    for_visitors({GLFW_KEY_DOWN, shift, "", "", move_goal<0, -1, 1>, true}),
+    for_visitors({GLFW_KEY_LEFT, ctrl, "", "", move_goal<-1, 0, 100>, true}),
+    for_visitors({GLFW_KEY_RIGHT, ctrl, "", "", move_goal<1, 0, 100>, true}),
+    for_visitors({GLFW_KEY_UP, ctrl, "", "", move_goal<0, 1, 100>, true}),
+    for_visitors({GLFW_KEY_DOWN, ctrl, "", "", move_goal<0, -1, 100>, true}),
+    for_visitors({GLFW_KEY_LEFT_BRACKET, none, "[  ]", "Turn the actuated direction 5° (Shift: 1°)", turn_motor_axis<5>, true}),
+    for_visitors({GLFW_KEY_RIGHT_BRACKET, none, "", "", turn_motor_axis<-5>, true}),
+    for_visitors({GLFW_KEY_LEFT_BRACKET, shift, "", "", turn_motor_axis<1>, true}),
+    for_visitors({GLFW_KEY_RIGHT_BRACKET, shift, "", "", turn_motor_axis<-1>, true}),
     KeyBinding{GLFW_KEY_W, none, "W", "Turn the wall to where the naïve drift is largest", turn_wall_to_largest_drift},
     KeyBinding{GLFW_KEY_MINUS, none, "−  +", "Lower or raise the ratio ρ by 5 % (Alt: 1 %)", turn_ratio_by<-50>, true},
     KeyBinding{GLFW_KEY_EQUAL, none, "", "", turn_ratio_by<50>, true},
@@ -236,12 +242,12 @@ constexpr std::array bindings{
     KeyBinding{GLFW_KEY_KP_SUBTRACT, alt, "", "", turn_ratio_by<-10>, true},
     KeyBinding{GLFW_KEY_KP_ADD, alt, "", "", turn_ratio_by<10>, true},
 
-    KeyBinding{GLFW_KEY_1, none, "1", "Fully actuated rendering", activate<StrategyId::full>, false, false, "Strategies"},
-    KeyBinding{GLFW_KEY_2, none, "2", "Naïve rendering", activate<StrategyId::naive>},
-    KeyBinding{GLFW_KEY_3, none, "3", "Anisotropic rendering", activate<StrategyId::anisotropic>},
-    KeyBinding{GLFW_KEY_1, shift, "Shift+1 2 3", "The same in slow motion, on the stage", activate_slowly<StrategyId::full>},
-    KeyBinding{GLFW_KEY_2, shift, "", "", activate_slowly<StrategyId::naive>},
-    KeyBinding{GLFW_KEY_3, shift, "", "", activate_slowly<StrategyId::anisotropic>},
+    for_visitors({GLFW_KEY_1, none, "1", "Fully actuated rendering", activate<StrategyId::full>, false, false, "Strategies"}),
+    for_visitors({GLFW_KEY_2, none, "2", "Naïve rendering", activate<StrategyId::naive>}),
+    for_visitors({GLFW_KEY_3, none, "3", "Anisotropic rendering", activate<StrategyId::anisotropic>}),
+    for_visitors({GLFW_KEY_1, shift, "Shift+1 2 3", "The same in slow motion, on the stage", activate_slowly<StrategyId::full>}),
+    for_visitors({GLFW_KEY_2, shift, "", "", activate_slowly<StrategyId::naive>}),
+    for_visitors({GLFW_KEY_3, shift, "", "", activate_slowly<StrategyId::anisotropic>}),
 
     KeyBinding{GLFW_KEY_SPACE, none, "Space", "Pause / resume; also stops looking back", toggle_pause, false, false, "Time"},
     KeyBinding{GLFW_KEY_COMMA, none, ",", "Pause and step back one tick, up to a minute", step_back, true},
@@ -266,21 +272,21 @@ constexpr std::array bindings{
     KeyBinding{GLFW_KEY_L, none, "L", "Landscape: the ghost force for all walls and hands", toggle_mode<StageMode::landscape>},
     KeyBinding{GLFW_KEY_O, none, "O", "Round and round: the energy of a closed loop", toggle_mode<StageMode::round>},
     KeyBinding{GLFW_KEY_H, none, "H", "Last minute: look at it again", toggle_mode<StageMode::ribbon>},
-    KeyBinding{GLFW_KEY_ENTER, none, "Enter", "Next step of a lesson or of Why?; answer a guess", confirm},
-    KeyBinding{GLFW_KEY_KP_ENTER, none, "", "", confirm},
+    for_visitors({GLFW_KEY_ENTER, none, "Enter", "Next step of a lesson or of Why?; answer a guess", confirm}),
+    for_visitors({GLFW_KEY_KP_ENTER, none, "", "", confirm}),
     KeyBinding{GLFW_KEY_F5, none, "F5", "Lessons: choose one", open_dialog<Dialog::lessons>, false, true},
-    KeyBinding{GLFW_KEY_4, none, "1 to 9", "Answer the question of a lesson", answer<4>},
-    KeyBinding{GLFW_KEY_5, none, "", "", answer<5>},
-    KeyBinding{GLFW_KEY_6, none, "", "", answer<6>},
-    KeyBinding{GLFW_KEY_7, none, "", "", answer<7>},
-    KeyBinding{GLFW_KEY_8, none, "", "", answer<8>},
-    KeyBinding{GLFW_KEY_9, none, "", "", answer<9>},
-    KeyBinding{GLFW_KEY_PAGE_DOWN, none, "PgDn PgUp", "Lesson or talk: next / previous step", next_talk_step},
-    KeyBinding{GLFW_KEY_PAGE_UP, none, "", "", previous_talk_step},
+    for_visitors({GLFW_KEY_4, none, "1 to 9", "Answer the question of a lesson", answer<4>}),
+    for_visitors({GLFW_KEY_5, none, "", "", answer<5>}),
+    for_visitors({GLFW_KEY_6, none, "", "", answer<6>}),
+    for_visitors({GLFW_KEY_7, none, "", "", answer<7>}),
+    for_visitors({GLFW_KEY_8, none, "", "", answer<8>}),
+    for_visitors({GLFW_KEY_9, none, "", "", answer<9>}),
+    for_visitors({GLFW_KEY_PAGE_DOWN, none, "PgDn PgUp", "Lesson or talk: next / previous step", next_talk_step}),
+    for_visitors({GLFW_KEY_PAGE_UP, none, "", "", previous_talk_step}),
     KeyBinding{GLFW_KEY_B, none, "B", "Blank the stage, or show it again", hide_stage},
 
     KeyBinding{GLFW_KEY_F2, none, "F2", "Device status, and what to do next", open_dialog<Dialog::doctor>, false, true, "Device"},
-    KeyBinding{GLFW_KEY_ESCAPE, none, "Esc", "Motors off; close what is open (never quits)", escape, false, true},
+    for_visitors({GLFW_KEY_ESCAPE, none, "Esc", "Motors off; close what is open (never quits)", escape, false, true}),
 
     KeyBinding{GLFW_KEY_Z, ctrl, "Ctrl+Z", "Undo the last change to a setting", ask<&Requests::undo>, true, false, "Undo, files, clipboard"},
     KeyBinding{GLFW_KEY_Z, ctrl | shift, "Ctrl+Shift+Z", "Redo; also Ctrl+Y", ask<&Requests::redo>, true},
@@ -305,9 +311,10 @@ constexpr std::array bindings{
     KeyBinding{GLFW_KEY_MINUS, ctrl, "", "", change_scale<-1>, true},
     KeyBinding{GLFW_KEY_KP_SUBTRACT, ctrl, "", "", change_scale<-1>, true},
     KeyBinding{GLFW_KEY_0, ctrl, "", "", usual_scale},
-    KeyBinding{GLFW_KEY_TAB, none, "Tab", "Next control (Shift: previous)", nothing_here, true},
-    KeyBinding{GLFW_KEY_TAB, shift, "", "", nothing_here, true},
+    for_visitors({GLFW_KEY_TAB, none, "Tab", "Next control (Shift: previous)", nothing_here, true}),
+    for_visitors({GLFW_KEY_TAB, shift, "", "", nothing_here, true}),
     KeyBinding{GLFW_KEY_Q, ctrl, "Ctrl+Q", "Quit", ask<&Requests::quit>, false, true},
+    for_visitors({GLFW_KEY_Q, ctrl | alt | shift, "", "", ask<&Requests::quit>, false, true}),  // told on the terminal
 };
 
 constexpr std::array gestures{
@@ -333,6 +340,7 @@ std::span<const MouseGesture> mouse_table() noexcept {
 void act_on_key(Session& session, const KeyPress& press, bool is_typing) {
   for (const KeyBinding& binding : bindings) {
     if (binding.key != press.key || binding.modifiers != press.modifiers) continue;
+    if (session.visit && !binding.for_visitors) continue;
     if ((press.is_repeat && !binding.repeats) || (is_typing && !binding.also_in_fields)) continue;
     binding.act(session);
   }

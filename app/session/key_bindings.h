@@ -26,6 +26,7 @@ struct KeyBinding {
   bool repeats = false;         // holding it down does it again
   bool also_in_fields = false;  // even while the person types into a field, where most keys are letters
   std::string_view group{};     // of this row and those that follow; empty: that of the row above
+  bool for_visitors = false;    // also in the visitor's mode
 };
 
 std::span<const KeyBinding> key_table() noexcept;

@@ -189,6 +189,7 @@ void next_lesson_step(Session& session) {
     lesson.is_finished = true;
     note_progress(session);
     leave_lesson(session);
+    if (session.visit) return begin_lesson(session, session.visit->take_next_lesson());
     session.dialog = Dialog::lessons;
     return;
   }

@@ -18,7 +18,7 @@ void leave_lesson(Session& session);
 void abandon_lesson(Session& session);
 
 // Goes on: a question that is still open is answered for the person, without a score; else the next step is shown. After
-// the last one the lesson is finished, and the picker of lessons opens.
+// the last one the lesson is finished, and the picker of lessons opens, or a visitor's next lesson begins.
 void next_lesson_step(Session& session);
 // Back to the step before, as it was last stated; before the first nothing happens.
 void previous_lesson_step(Session& session);

@@ -18,6 +18,7 @@
 #include "app/session/measurement.h"
 #include "app/session/plot_view.h"
 #include "app/session/stage_choice.h"
+#include "app/session/visit_state.h"
 #include "app/view/pane_views.h"
 #include "app/view/stage/stage_layout.h"
 #include "app/view/theme.h"
@@ -161,6 +162,7 @@ struct Session {
   std::optional<LessonState> lesson;    // empty: there is none
   LessonProgress lesson_progress;       // in all lessons
   std::string language{"en"};           // of the stage and of lessons, of ISO 639-1
+  std::optional<VisitState> visit;      // of the visitor's mode; empty: an ordinary run
   SceneView shown;                      // the part of the world in the workbench's picture,
   std::optional<PaneViews> pane_views;  // in its panes side by side; empty: the next picture fits them to its moment
   SceneView stage_shown;                // and in the stage's

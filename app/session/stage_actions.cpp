@@ -5,6 +5,7 @@
 
 #include "app/session/lesson_guide.h"
 #include "app/session/motor_button.h"
+#include "app/session/visit.h"
 
 namespace ghostforce {
 namespace {
@@ -54,6 +55,8 @@ void obey(Session& session, StageCommand command, const MotorReport& motors) {
       return confirm_on_stage(session);
     case StageCommand::leave:
       return leave_lesson(session);
+    case StageCommand::language:
+      return switch_to_next_language(session);
     case StageCommand::slider:  // is dragged
       return;
   }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <optional>
 #include <tuple>
+#include <utility>
 
 #include "app/ui/key_layout.h"
 #include "app/ui/panels/dialogs.h"
@@ -97,13 +98,15 @@ void Keyboard::wait(int frames) {
   frames_to_wait_ = std::max(frames_to_wait_, frames);
 }
 
-// A dialog that closes leaves the focus as it was when it opened, and another face begins without.
+// A dialog that closes leaves the focus as it was when it opened; another face, and another visitor, begins without.
 void Keyboard::follow_windows(const Session& session) {
   const bool was_open = dialog_ != Dialog::none;
   const bool is_open = session.dialog != Dialog::none;
   if (!was_open && is_open) had_focus_ = has_focus();
   if (was_open && !is_open && !had_focus_) leave_focus();
-  if (face_ != session.face) leave_focus();
+  const std::uint32_t departures = session.visit ? session.visit->departures : 0;
+  const bool is_other_visitor = std::exchange(departures_, departures) != departures;
+  if (face_ != session.face || is_other_visitor) leave_focus();
   dialog_ = session.dialog;
   face_ = session.face;
 }

@@ -4,6 +4,7 @@
 // next one makes that wait until the screen has followed. Between frames, UI thread.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 
 #include "app/session/session.h"
@@ -33,6 +34,7 @@ class Keyboard {
   bool had_focus_ = false;  // when the dialog was opened
   Dialog dialog_ = Dialog::none;
   Face face_ = Face::workbench;
+  std::uint32_t departures_ = 0;  // of visitors
 };
 
 }  // namespace ghostforce

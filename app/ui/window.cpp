@@ -138,10 +138,10 @@ Window::Window(const WindowOptions& options) : library_(options), window_(create
     glfwSetWindowSizeLimits(handle(), least_window_width, least_window_height, GLFW_DONT_CARE, GLFW_DONT_CARE);
   }
   glfwSetWindowUserPointer(handle(), this);
-  glfwSetCursorPosCallback(handle(), on_anything);  // these before ImGui's, which then call them
+  glfwSetCursorPosCallback(handle(), on_pointer);  // these before ImGui's, which then call them
   glfwSetCursorEnterCallback(handle(), on_anything);
-  glfwSetMouseButtonCallback(handle(), on_anything);
-  glfwSetScrollCallback(handle(), on_anything);
+  glfwSetMouseButtonCallback(handle(), on_act);
+  glfwSetScrollCallback(handle(), on_act);
   glfwSetWindowFocusCallback(handle(), on_anything);
   glfwSetWindowRefreshCallback(handle(), on_anything);  // ImGui has none for this and the next two
   glfwSetWindowIconifyCallback(handle(), on_anything);
@@ -184,6 +184,11 @@ bool Window::should_close() const {
 
 void Window::close() {
   glfwSetWindowShouldClose(handle(), GLFW_TRUE);
+}
+
+void Window::stay_open() {
+  glfwSetWindowCloseCallback(handle(), [](GLFWwindow* window) { glfwSetWindowShouldClose(window, GLFW_FALSE); });
+  glfwSetWindowAttrib(handle(), GLFW_AUTO_ICONIFY, GLFW_FALSE);
 }
 
 void Window::set_title(const std::string& title) {
@@ -272,6 +277,21 @@ void Window::on_anything(GLFWwindow* handle, What...) {
   static_cast<Window*>(glfwGetWindowUserPointer(handle))->is_stirred_ = true;
 }
 
+template <typename... What>
+void Window::on_act(GLFWwindow* handle, What... what) {
+  on_anything(handle, what...);
+  static_cast<Window*>(glfwGetWindowUserPointer(handle))->touch_.has_acted = true;
+}
+
+void Window::on_pointer(GLFWwindow* handle, double x, double y) {
+  on_anything(handle, x, y);
+  static_cast<Window*>(glfwGetWindowUserPointer(handle))->touch_.has_moved = true;
+}
+
+Window::Touch Window::take_touch() noexcept {
+  return std::exchange(touch_, {});
+}
+
 namespace {
 
 constexpr int known_modifiers = GLFW_MOD_SHIFT | GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER;
@@ -279,7 +299,7 @@ constexpr int known_modifiers = GLFW_MOD_SHIFT | GLFW_MOD_CONTROL | GLFW_MOD_ALT
 }  // namespace
 
 void Window::on_key(GLFWwindow* handle, int key, int scancode, int action, int modifiers) {
-  on_anything(handle);
+  on_act(handle);
   auto& window = *static_cast<Window*>(glfwGetWindowUserPointer(handle));
   const bool is_down = action != GLFW_RELEASE;
   // X11 tells the modifiers as they were before a modifier's own key.
@@ -292,7 +312,7 @@ void Window::on_key(GLFWwindow* handle, int key, int scancode, int action, int m
 
 // GLFW tells it right after the key that has typed it; what an input method composes has none.
 void Window::on_character(GLFWwindow* handle, unsigned int character) {
-  on_anything(handle);
+  on_act(handle);
   auto& window = *static_cast<Window*>(glfwGetWindowUserPointer(handle));
   if (!std::exchange(window.awaits_character_, false) || window.key_events_.empty()) {
     window.key_events_.push_back({.press = {}, .character = character});

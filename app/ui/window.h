@@ -48,6 +48,9 @@ class Window {
   GLFWwindow* handle() const noexcept { return window_.get(); }
   bool should_close() const;
   void close();
+  // From now on only close() closes it: neither its close button nor the desktop does, and it is not hidden when another
+  // window is in front of it.
+  void stay_open();
   void set_title(const std::string& title);
   void resize(int width, int height);
 
@@ -82,6 +85,13 @@ class Window {
 
   // Files that were dropped on the window since the last call.
   std::vector<std::string> take_dropped_files();
+
+  // What somebody has done with keyboard and pointer since the last call.
+  struct Touch {
+    bool has_acted = false;  // keys, buttons, the wheel
+    bool has_moved = false;  // the pointer, or the window under it
+  };
+  Touch take_touch() noexcept;
 
   // Takes what keyboard and mouse did, waiting at most that long for something to happen [s]. True: something did, by
   // the person or the desktop.
@@ -121,6 +131,9 @@ class Window {
   void start_imgui(bool takes_mouse);
   template <typename... What>
   static void on_anything(GLFWwindow* window, What... what);
+  template <typename... What>
+  static void on_act(GLFWwindow* window, What... what);
+  static void on_pointer(GLFWwindow* window, double x, double y);
   static void on_key(GLFWwindow* window, int key, int scancode, int action, int modifiers);
   static void on_character(GLFWwindow* window, unsigned int character);
   static void on_resize(GLFWwindow* window, int width, int height);
@@ -138,6 +151,7 @@ class Window {
   bool awaits_character_ = false;  // of the newest of them it is not known yet what it types
   std::vector<std::string> dropped_files_;
   bool is_stirred_ = false;  // since the last poll
+  Touch touch_;              // since the last take_touch
 };
 
 }  // namespace ghostforce

@@ -47,6 +47,7 @@ Servo::Servo(std::unique_ptr<Input> input, const ServoCommand& initial)
       has_focus_(initial.has_focus),
       seen_arms_(initial.arms_asked),
       seen_offs_(initial.offs_asked),
+      seen_departures_(initial.departures),
       seen_acknowledgements_(initial.acknowledgements),
       seen_heartbeats_(initial.heartbeats) {
   if (!is_in_range(initial.settings) || !is_usable_speed(initial.speed) || has_diverged(initial.restart_state)) {
@@ -275,6 +276,9 @@ void Servo::apply_operator(const ServoCommand& command) noexcept {
     safety_.acknowledge();
   }
   if (std::exchange(seen_arms_, command.arms_asked) != command.arms_asked) safety_.arm();
+  if (std::exchange(seen_departures_, command.departures) != command.departures) {
+    safety_.turn_off(OffReason::visitor_gone);
+  }
   // Last: whoever asks for both at once gets motors that are off.
   if (std::exchange(seen_offs_, command.offs_asked) != command.offs_asked) safety_.turn_off(OffReason::key);
 }

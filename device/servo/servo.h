@@ -44,6 +44,7 @@ struct ServoCommand {
   std::uint32_t arms_asked = 0;
   std::uint32_t offs_asked = 0;
   std::uint32_t acknowledgements = 0;
+  std::uint32_t departures = 0;  // of visitors: another number turns the motors off
   SafetyOptions safety;
   bool has_focus = true;         // keys reach the window
   std::uint32_t heartbeats = 0;  // another number: the window is alive
@@ -193,6 +194,7 @@ class Servo {
   bool has_focus_ = true;
   std::uint32_t seen_arms_;
   std::uint32_t seen_offs_;
+  std::uint32_t seen_departures_;
   std::uint32_t seen_acknowledgements_;
   std::uint32_t seen_heartbeats_;
   std::int64_t heartbeat_ns_ = 0;

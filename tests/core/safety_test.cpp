@@ -107,6 +107,7 @@ struct Stop {
 const std::vector<Stop>& stops() {
   static const std::vector<Stop> all{
       {OffReason::key, {}},
+      {OffReason::visitor_gone, {}},
       {OffReason::button_released, [](SafetyReading& r) { r.deadman_held = false; }},
       {OffReason::focus_lost, [](SafetyReading& r) { r.has_focus = false; }},
       {OffReason::too_fast, [](SafetyReading& r) { r.speed = 1.01; }},

@@ -23,7 +23,8 @@ void IdleShow::update(bool is_touched, bool may_begin, double interval_s) noexce
 }
 
 StageShow IdleShow::shown_instead_of(const StageMoment& moment, const Session& session) const {
-  StageShow show = stage_show(*session.scene, session.settings, show_s_);
+  StageShow show = session.lesson ? hand_show(session.settings, session.goal, show_s_)
+                                  : stage_show(*session.scene, session.settings, show_s_);
   show.moment = mixed_moment(moment, show.moment, strength_);
   if (strength_ < 0.5) show.settings.active = session.settings.active;
   return show;

@@ -5,6 +5,7 @@
 #include "app/lessons/lesson_file.h"
 #include "app/lessons/lesson_slider.h"
 #include "app/session/lesson_guide.h"
+#include "app/session/visit.h"
 
 namespace ghostforce {
 namespace {
@@ -45,7 +46,14 @@ std::string_view next_words(const Session& session, const StageLanguage::Lessons
   if (has_open_question(session, LessonQuestion::guess)) return phrases.answer;
   const bool is_asked = lesson_step(lesson).question != LessonQuestion::none;
   if (is_asked && lesson_step_state(lesson).outcome == LessonOutcome::open) return phrases.show;
-  return lesson.step + 1 == lesson.steps.size() ? phrases.finish : phrases.next;
+  // For visitors another lesson follows.
+  return lesson.step + 1 == lesson.steps.size() && !session.visit ? phrases.finish : phrases.next;
+}
+
+// As those call it who speak it. A lesson's file may have one that the stage does not speak.
+std::string name_of_language(std::string_view code) {
+  const StageLanguage& language = stage_language(code);
+  return std::string(language.code == code ? language.name : code);
 }
 
 }  // namespace
@@ -68,7 +76,9 @@ StageLesson lesson_content(const Session& session) {
                       .chosen = state.chosen,
                       .is_open = has_open_question(session, LessonQuestion::choose),
                       .back = lesson.step > 0 ? std::string(phrases.back) : "",
-                      .next = std::string(next_words(session, phrases))};
+                      .next = std::string(next_words(session, phrases)),
+                      .has_way_out = !session.visit,
+                      .other_language = session.visit ? name_of_language(next_language(session)) : ""};
   for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
     const LessonStep& each = lesson.lesson->steps[i];
     const LessonStepWords& said = words.steps[i];

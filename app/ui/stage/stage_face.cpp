@@ -11,6 +11,7 @@
 #include "app/session/motor_button.h"
 #include "app/session/stage_actions.h"
 #include "app/session/target.h"
+#include "app/session/visit.h"
 #include "app/ui/panels/hints.h"
 #include "app/ui/stage/lesson_content.h"
 #include "app/view/stage/landscape_layer.h"
@@ -20,10 +21,11 @@ namespace {
 
 // Nothing must take the picture away from who is at work.
 bool may_show_itself(const Session& session, const StageFrame& frame) {
-  return session.face == Face::stage && !session.lesson && session.stage.mode == StageMode::none &&
-         session.dialog == Dialog::none && !session.paused && !session.stage.looks_back_to_s &&
-         !session.stage.is_black && !session.notice && !frame.loop.recording.is_on && !frame.loop.motors.has_motors &&
-         !frame.shown.snapshot.measured && session.pointer_moves_goal && !session.drags_goal;
+  return session.face == Face::stage && (!session.lesson || invites_visitors(session)) &&
+         session.stage.mode == StageMode::none && session.dialog == Dialog::none && !session.paused &&
+         !session.stage.looks_back_to_s && !session.stage.is_black && !session.notice && !frame.loop.recording.is_on &&
+         !frame.loop.motors.has_motors && !frame.shown.snapshot.measured && session.pointer_moves_goal &&
+         !session.drags_goal;
 }
 
 // All of the circle, and all that comes to rest round it.
@@ -38,6 +40,7 @@ SceneView view_of_round(const Settings& settings, const Circle& circle) {
 
 // Each only while it is true of the picture; until then it waits.
 std::optional<StageHint> stage_hint(const Session& session, const StageMoment& moment, const StageAudience& audience) {
+  if (invites_visitors(session) && audience.can_drag) return StageHint::drag;
   const bool is_busy = session.lesson || session.stage.mode != StageMode::none;
   if (is_busy || audience.looks_back || moment.is_measured) return std::nullopt;
   if (points_at(session, HintTarget::goal) && audience.can_drag && !session.drags_goal) return StageHint::drag;
@@ -77,10 +80,12 @@ std::optional<StageCornerButton> corner_button(const Session& session, const Mot
 // What is not as it should be comes before what there is to see.
 std::string_view warning_of(const Session& session, const LoopReading& loop) {
   const StageLanguage::Warnings& words = stage_language(session.language).warnings;
-  if (loop.diverged) return session.face == Face::stage ? words.unstable : words.unstable_on_workbench;
+  if (loop.diverged) {
+    return session.face == Face::stage && !session.visit ? words.unstable : words.unstable_on_workbench;
+  }
   const auto step = std::ranges::find_if(loop.readiness, &ReadinessStepState::is_current);
   if (loop.motors.has_motors && !loop.motors.is_ready && step != loop.readiness.end()) {
-    return words.device_not_ready;
+    return session.visit ? words.device_not_ready_for_visitors : words.device_not_ready;
   }
   if (session.paused && !session.stage.looks_back_to_s) return words.paused;
   return {};

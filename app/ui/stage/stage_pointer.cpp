@@ -113,7 +113,9 @@ void StagePointer::update(Session& session, const StageFrame& frame, const Stage
       }
     }
   }
-  const bool has_own_view = session.stage.mode == StageMode::landscape || session.stage.mode == StageMode::round;
+  // What a visitor has moved away would be lost for the next one.
+  const bool has_own_view =
+      session.stage.mode == StageMode::landscape || session.stage.mode == StageMode::round || session.visit;
   if (is_hovered && io.MouseWheel != 0.0F && !has_own_view) {
     session.stage_shown = zoomed(session.stage_shown, zoom_factor(io.MouseWheel), scene.world(pointer));
   }

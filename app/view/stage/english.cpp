@@ -185,6 +185,7 @@ const StageLanguage english_stage{
             .unstable = "These settings make the simulation unstable. Press F4 and lower the rendering stiffness.",
             .unstable_on_workbench = "These settings make the simulation unstable. Lower the rendering stiffness.",
             .device_not_ready = "The device is not ready: F2 says what to do.",
+            .device_not_ready_for_visitors = "The device is not ready. Please ask for help.",
             .paused = "Paused. Press Space to go on.",
         },
     .motors =

@@ -126,6 +126,7 @@ void add_lesson_frame(const StageLayer& layer) {
   }
   for (std::size_t i = 0; i < places.answers.size(); ++i) add_answer(layer, i);
   if (places.slider) add_slider(layer, *lesson.row().slider, *places.slider);
+  if (places.language) add_way(layer, *places.language, lesson.other_language, StageCommand::language, false);
   if (places.back) add_way(layer, *places.back, lesson.back, StageCommand::previous, false);
   add_way(layer, places.next, lesson.next, StageCommand::next, true);
 }
@@ -146,6 +147,7 @@ std::vector<StageButton> lesson_buttons(const LessonLayout& places) {
   if (places.slider) buttons.push_back({StageCommand::slider, *places.slider, {}});
   if (places.back) buttons.push_back({StageCommand::previous, *places.back, {}});
   buttons.push_back({StageCommand::next, places.next, {}});
+  if (places.language) buttons.push_back({StageCommand::language, *places.language, {}});
   return buttons;
 }
 

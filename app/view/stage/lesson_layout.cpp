@@ -54,9 +54,15 @@ class LessonArrangement {
     LessonLayout& made = *layout_.lesson;
     const double top = layout_.margin - points(10.0);
     const double right = layout_.size.x - layout_.margin;
-    made.leave = {{right - points(leave_side), top}, {right, top + points(leave_side)}};
-    layout_.icons = {{StageCommand::leave, made.leave, {}}};
     const TextStyle& title = layout_.letters.bold_words;
+    const bool has_language = !lesson_.has_way_out && !lesson_.other_language.empty();
+    const double corner_width = lesson_.has_way_out ? points(leave_side)
+                                : has_language      ? width_of(lesson_.other_language, title) + points(2.0 * padding)
+                                                    : 0.0;
+    made.corner = {{right - corner_width, top}, {right, top + points(leave_side)}};
+    made.language = has_language ? std::optional(made.corner) : std::nullopt;
+    layout_.icons.clear();
+    if (lesson_.has_way_out) layout_.icons.push_back({StageCommand::leave, made.corner, {}});
     const TextStyle& words = layout_.letters.words;
     const double most = most_of_width * layout_.size.x;
     made.title = broken_into_lines(lesson_.title, most, title, measure_);
@@ -69,7 +75,7 @@ class LessonArrangement {
     const double below =
         is_one_line ? place_width + points(button_gap) + dots_width : std::max(place_width, dots_width);
     width = std::max(width, below);
-    const double left = made.leave.least.x - points(button_gap) - width;
+    const double left = made.corner.least.x - points(button_gap) - width;
     const double title_height = static_cast<double>(made.title.size()) * title.height;
     made.place = {left, top + title_height};
     const double dots_left = is_one_line ? left + place_width + points(button_gap) : left;
@@ -79,7 +85,7 @@ class LessonArrangement {
       made.dots.push_back({dots_left + (static_cast<double>(i) + 0.5) * points(dot_step), dots_y});
     }
     made.title_box = {{left, top},
-                      {made.leave.least.x - points(button_gap),
+                      {made.corner.least.x - points(button_gap),
                        std::max(made.place.y + words.height, dots_y + points(0.5 * dot_step))}};
     layout_.header_left = left;
     return made.title.size() <= 2 && width <= 1.2 * most;

@@ -17,9 +17,10 @@ struct LessonLayout {
   // At the upper right.
   std::vector<std::string> title;
   ScreenBox title_box;
-  Vector<2> place{0.0};         // of its words
-  std::vector<Vector<2>> dots;  // their middles
-  ScreenBox leave;
+  Vector<2> place{0.0};               // of its words
+  std::vector<Vector<2>> dots;        // their middles
+  ScreenBox corner;                   // where the way out is,
+  std::optional<ScreenBox> language;  // or the button of another language
   // Below, in rows.
   std::vector<Button> answers;
   std::optional<ScreenBox> slider;

@@ -177,6 +177,7 @@ const StageLanguage spanish_stage{
             .unstable = "Con estos ajustes la simulación es inestable. Pulsa F4 y baja «rendering stiffness».",
             .unstable_on_workbench = "Con estos ajustes la simulación es inestable. Baja «rendering stiffness».",
             .device_not_ready = "El dispositivo no está listo: F2 dice qué hacer.",
+            .device_not_ready_for_visitors = "El dispositivo no está listo. Pide ayuda, por favor.",
             .paused = "En pausa. Pulsa la barra espaciadora para seguir.",
         },
     .motors =
@@ -193,6 +194,7 @@ const StageLanguage spanish_stage{
                 {
                     "parados",
                     "los has parado",
+                    "no hay nadie",
                     "botón suelto",
                     "ventana detrás de otra",
                     "demasiado rápido",

@@ -16,6 +16,10 @@ struct StageShow {
 // `time_s`: since it began; it repeats itself.
 StageShow stage_show(const Scene& scene, const Settings& settings, double time_s);
 
+// In a lesson that waits for somebody: a hand goes from `goal` into the wall and comes back, again and again, under the
+// strategy that these settings have.
+StageShow hand_show(const Settings& settings, const Vector<2>& goal, double time_s);
+
 // Between two moments, for a soft fade from one to the other: 0 is the first.
 StageMoment mixed_moment(const StageMoment& first, const StageMoment& second, double share) noexcept;
 

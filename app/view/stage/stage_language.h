@@ -200,6 +200,7 @@ struct StageLanguage {
     std::string_view unstable;
     std::string_view unstable_on_workbench;
     std::string_view device_not_ready;
+    std::string_view device_not_ready_for_visitors;
     std::string_view paused;
   } warnings;
 

@@ -98,7 +98,7 @@ class Arrangement {
       layout_.words_end = std::max(layout_.words_end, layout_.sentence_box.least.y +
                                                           static_cast<double>(most) * layout_.letters.sentence.height);
     }
-    layout_.top = std::max(layout_.sentence_box.most.y, layout_.icons.front().box.most.y);
+    layout_.top = std::max(layout_.sentence_box.most.y, layout_.strip().most.y);
     if (layout_.lesson) layout_.top = std::max(layout_.top, layout_.lesson->title_box.most.y);
     layout_.bottom = layout_.lesson ? layout_.lesson->top : layout_.strategies.front().box.least.y;
     return std::move(layout_);

@@ -43,6 +43,8 @@ struct StageLesson {
   bool is_open = false;  // the question can be answered; the digits are the answers'
   std::string back;      // words of the buttons; empty: there is no step before
   std::string next;
+  bool has_way_out = true;
+  std::string other_language;  // of a button in place of the way out; empty: neither is there
 
   const StageLessonRow& row() const { return rows[step]; }
 };

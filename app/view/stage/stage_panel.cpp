@@ -176,7 +176,7 @@ std::optional<HoverPanel> hover_panel(const StageLayer& layer) {
   HoverPanel panel{broken_into_lines(words, 0.45 * layout.size.x, style, content.measure), {}};
   const Vector<2> extent = canvas.labels.extent_of(panel.lines, style);
   const double padding = canvas.points(hover_padding);
-  const ScreenBox& strip = layout.icons.back().box;
+  const ScreenBox& strip = layout.strip();
   const double left = strip.most.x - extent.x - 2.0 * padding;
   const bool is_beside_sentence = left > layout.sentence_box.most.x + padding;
   const double below = layout.lesson ? std::max(strip.most.y, layout.lesson->title_box.most.y) : strip.most.y;

@@ -21,9 +21,9 @@
 namespace ghostforce {
 
 // Something else than a strategy, a mode or a face that the stage can be asked for: the table of keys, the motors on or
-// off, the picker of lessons; the step before, the next step of the mode or the lesson that is on; the end of the lesson;
-// to move its slider.
-enum class StageCommand : std::uint8_t { keys, motors, lessons, previous, next, leave, slider };
+// off, the picker of lessons; the step before, the next step of the mode or the lesson that is on; the end of the lesson; its
+// next language; to move its slider.
+enum class StageCommand : std::uint8_t { keys, motors, lessons, previous, next, leave, language, slider };
 
 // An answer to a lesson's question, from 0.
 enum class StageAnswer : std::uint8_t {};
@@ -60,7 +60,7 @@ struct StageLayout {
   std::optional<StageButton> corner;    // at the row's other end
   std::vector<StageButton> links;       // or there, as words, where there is room: lessons and keys
   std::optional<ScreenBox> ribbon;      // above the row, where there is one
-  std::optional<LessonLayout> lesson;   // of which the strip of icons keeps the way out alone
+  std::optional<LessonLayout> lesson;   // of which the strip of icons keeps the way out at most
   double header_left = 0.0;             // where what stands above at the right begins
   Vector<2> numbers_size{0.0};          // of the two numbers with their words
   double number_width = 0.0;            // of the widest number
@@ -69,6 +69,9 @@ struct StageLayout {
   double top = 0.0;
   double bottom = 0.0;
   ScreenBox scene() const noexcept { return {{0.0, top}, {size.x, bottom}}; }
+
+  // The end of what stands above at the right.
+  const ScreenBox& strip() const noexcept { return lesson ? lesson->corner : icons.back().box; }
 
   // Where blocks of words may stand, and the best place for the two numbers: right below the sentence.
   ScreenBox room() const { return {Vector<2>(10.0 * unit), {size.x - 10.0 * unit, bottom - 6.0 * unit}}; }

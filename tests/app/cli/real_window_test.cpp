@@ -3,6 +3,7 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
 #include <string>
 
 #include "app/view/theme.h"
@@ -158,6 +159,24 @@ TEST(RealWindow, OpensWithTheStageAndThenWithWhatWasLeftLast) {
   BackgroundProgram program({GHOSTFORCE_PROGRAM}, display.environment());
   EXPECT_TRUE(display.becomes(shows_workbench));
   quit(program);
+}
+
+TEST(RealWindow, VisitorsStayInItAndLeaveNothingBehind) {
+  const Display display(1280, 800);
+  BackgroundProgram program({GHOSTFORCE_PROGRAM, "run", "--kiosk"}, display.environment());
+  ASSERT_TRUE(display.becomes(shows_stage)) << "on the whole screen";
+  display.act({"key", "ctrl+q", "F1", "F4", "F5", "F11", "ctrl+o", "ctrl+t", "Escape"});
+  const Image first = display.picture();
+  // What came before it has been taken by then.
+  display.act({"key", "Next"});
+  EXPECT_TRUE(display.becomes([&](const Image& image) { return image != first && shows_stage(image); }));
+  EXPECT_TRUE(program.is_running());
+  display.act({"key", "ctrl+alt+shift+q"});
+  EXPECT_TRUE(display.becomes([&](const Image&) { return !program.is_running(); }));
+  EXPECT_EQ(program.end(SIGTERM), 0);
+  for (const std::string& file : {display.layout_file(), display.preferences_file()}) {
+    EXPECT_FALSE(std::filesystem::exists(std::filesystem::path(file).parent_path())) << file;
+  }
 }
 
 TEST(RealWindow, IsTwiceAsLargeOnADenseScreenAndStaysSo) {

@@ -101,6 +101,8 @@ void name_the_parts_of_the_session(Session& session) {
       lesson, lesson_progress,
       // KEPT.
       language,
+      // Nothing of a visit is kept.
+      visit,
       // As the stage.
       shown, pane_views, stage_shown,
       // KEPT; of the plots, what they show is of the moment.
@@ -177,6 +179,20 @@ TEST_F(PreferencesTest, TheLanguageIsTheOneThatWasChosenOrTheEnvironments) {
   EXPECT_EQ(load_preferences().preferences.language, "en");
   apply(load_preferences().preferences, session);
   EXPECT_EQ(session.language, "en");
+}
+
+TEST_F(PreferencesTest, VisitorsGetWhatWasChosenForTheMachine) {
+  const Preferences chosen = all_other();
+  const StoredPreferences visitors =
+      for_visitors({.preferences = chosen, .layout = WindowLayout{.width = 1024}, .remarks = {"damaged"}});
+  Preferences expected;
+  expected.appearance.theme = chosen.appearance.theme;
+  expected.appearance.scale = chosen.appearance.scale;
+  expected.language = chosen.language;
+  expected.offers_hints = false;
+  EXPECT_EQ(visitors.preferences, expected);
+  EXPECT_EQ(visitors.layout, WindowLayout{.is_full_screen = true});
+  EXPECT_EQ(visitors.remarks.size(), 1U);
 }
 
 TEST_F(PreferencesTest, PlotsThatFollowThePresentAreNoChange) {

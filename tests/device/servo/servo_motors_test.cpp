@@ -267,6 +267,7 @@ struct Stop {
 TEST_F(ServoMotors, EveryReasonEndsInNoForce) {
   const std::vector<Stop> stops{
       {OffReason::key, [](PuppetInput&, ServoCommand& c) { ++c.offs_asked; }},
+      {OffReason::visitor_gone, [](PuppetInput&, ServoCommand& c) { ++c.departures; }},
       {OffReason::button_released, [](PuppetInput& p, ServoCommand&) { p.reading.deadman_held = false; }},
       {OffReason::focus_lost, [](PuppetInput&, ServoCommand& c) { c.has_focus = false; }},
       {OffReason::too_fast, [](PuppetInput& p, ServoCommand&) { p.reading.speed = 1.2; }},

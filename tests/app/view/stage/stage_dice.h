@@ -236,8 +236,14 @@ inline StageCase lesson_case_by(PictureDice& dice, const StageLanguage& language
                      .is_right = dice.one_in(2),
                      .longest_text = lesson_words_by(dice, 175),
                      .back = dice.one_in(4) ? "" : "Atrás",
-                     .next = dice.one_in(3) ? "Esa es mi apuesta" : "Siguiente"};
+                     .next = dice.one_in(3) ? "Esa es mi apuesta" : "Siguiente",
+                     .other_language = {}};
   const auto steps = static_cast<std::size_t>(dice.between(1.0, 12.999));
+  if (steps % 2 == 0) {
+    // As visitors have it.
+    lesson.has_way_out = false;
+    lesson.other_language = "Español";
+  }
   for (std::size_t i = 0; i < steps; ++i) {
     lesson.rows.push_back(lesson_row_by(dice));
     lesson.dots.push_back(mark());

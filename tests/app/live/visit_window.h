@@ -1,0 +1,79 @@
+// The visitor's mode in the offscreen window, in a folder of its own where nothing must ever appear.
+#pragma once
+
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/lessons/lesson_shelf.h"
+#include "app/session/visit.h"
+#include "tests/app/live/driven_window.h"
+#include "tests/device/servo/servo_scenes.h"
+#include "tests/support/temporary_folder.h"
+
+namespace ghostforce {
+
+class VisitWindow : public DrivenWindow {
+ protected:
+  VisitWindow() {
+    for (const char* const name : {"HOME", "XDG_CONFIG_HOME", "XDG_STATE_HOME"}) {
+      setenv(name, folder_.path().c_str(), 1);
+    }
+    std::filesystem::current_path(folder_.path());
+  }
+  ~VisitWindow() override { std::filesystem::current_path(before_); }
+
+  void begin(const std::string& input = "mouse", std::vector<std::shared_ptr<const Lesson>> lessons = {}) {
+    ApplicationOptions options;
+    options.face = Face::stage;
+    options.visit = lessons.empty() ? shipped_lessons() : std::move(lessons);
+    options.input = input;
+    options.input_options.virtual_falcon_clock = VirtualLink::Clock::stepped;
+    options.inputs = desktop_inputs({.id = {0xFFFF, 0xFFFF}});  // nobody's: no test drives a real one
+    open(options);
+    window_->set_visible_drawing(false);
+  }
+
+  // Nobody touches anything meanwhile.
+  void wait(double seconds) {
+    constexpr double interval_s = 0.5;
+    for (double passed_s = 0.0; passed_s < seconds; passed_s += interval_s) application_->frame(interval_s);
+  }
+
+  // What must be so at any moment, whatever was done. Empty: all is.
+  std::string what_is_forbidden() {
+    const Session& now = session();
+    const Requests& asked = now.requests;
+    if (!now.visit || !now.lesson) return "the lesson is gone";
+    if (now.face != Face::stage) return "the workbench is there";
+    if (now.dialog != Dialog::none) return "a dialog is open";
+    if (now.notice) return "a notice is there: " + now.notice->words;
+    if (now.paused) return "time stands still";
+    if (now.stage.is_black) return "the stage is black";
+    if (now.stage.looks_back_to_s) return "the stage looks back";
+    if (asked.open_scene || asked.open_lesson || asked.save_scene || asked.save_picture || asked.save_clip ||
+        asked.save_plots || asked.copy_picture || asked.copy_table || asked.copy_set_up || asked.paste_set_up ||
+        asked.record) {
+      return "a file or the clipboard is asked for";
+    }
+    if (asked.toggle_full_screen || asked.reset_preferences || asked.quit) return "the window is asked for something";
+    if (now.appearance != appearance_) return "it looks other";
+    if (now.scene->title != scene_title_) return "another scene is open";
+    if (application_->reading().recording.is_on) return "a recording is made";
+    if (folder_.count() != 0) return "something was written";
+    if (window_->should_close()) return "the window closes";
+    return {};
+  }
+
+  TemporaryFolder folder_;
+
+ private:
+  std::filesystem::path before_ = std::filesystem::current_path();
+  Appearance appearance_;
+  std::string scene_title_ = load_scene("wall45").title;
+};
+
+}  // namespace ghostforce
