@@ -4,6 +4,8 @@
 #include <cmath>
 #include <string>
 
+#include <fmt/format.h>
+
 #include "app/lessons/lesson_file.h"
 #include "app/lessons/lesson_shelf.h"
 #include "app/ui/panels/dialogs.h"
@@ -85,7 +87,7 @@ void draw_lessons(const PanelContext& context) {
                                      lesson_mark_scale * static_cast<double>(context.scale * density));
     };
     const PictureCard card{.id = static_cast<int>(i),
-                           .title = words.title,
+                           .title = fmt::format("{}. {}", i + 1, words.title),
                            .about = words.about,
                            .remark = progress_words(lesson, session.lesson_progress, said),
                            .picture_width = lesson_picture_width,
@@ -95,8 +97,10 @@ void draw_lessons(const PanelContext& context) {
   ImGui::PopStyleVar();
   ImGui::EndChild();
   wrapped_text(said.about, ImGui::GetCursorPosX() + rows.size().x);
-  draw_reset(session, said);
-  ImGui::SameLine();
+  if (session.lesson_progress != LessonProgress{}) {
+    draw_reset(session, said);
+    ImGui::SameLine();
+  }
   if (ImGui::Button(said.close.data())) session.dialog = Dialog::none;
   draw_language_choice(session);
 }

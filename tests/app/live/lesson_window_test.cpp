@@ -17,6 +17,7 @@
 #include "app/ui/widgets/focus.h"
 #include "tests/app/live/driven_window.h"
 #include "tests/device/servo/servo_scenes.h"
+#include "tests/support/screen_text.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce {
@@ -383,6 +384,34 @@ TEST_F(LessonWindow, NothingThatIsPressedBreaksALesson) {
   EXPECT_EQ(session().settings, before);
   EXPECT_EQ(session().stage.mode, StageMode::none);
   EXPECT_EQ(session().input, "mouse");
+}
+
+TEST_F(LessonWindow, ProgressIsForgottenOnceThePersonHasSaidSoTwice) {
+  open({.face = Face::stage});
+  const StageLanguage::Picker& said = english_stage.picker;
+  const auto place_of = [&](std::string_view text) -> std::optional<ImVec2> {
+    for (const ScreenWords& words : words_on_screen()) {
+      if (words.text.starts_with(text)) return words.ink.GetCenter();
+    }
+    return std::nullopt;
+  };
+  const auto click_on = [&](std::string_view text) {
+    const std::optional<ImVec2> place = place_of(text);
+    ASSERT_TRUE(place) << text;
+    click_at(static_cast<double>(place->x), static_cast<double>(place->y));
+    frames(3);
+  };
+  press(GLFW_KEY_F5);
+  frames(3);
+  EXPECT_FALSE(place_of(said.forget)) << "there is nothing to forget";
+  session().lesson_progress.lessons["ghost"] = {.farthest = 2, .right = {"press"}};
+  frames(3);
+  click_on(said.forget);
+  click_on(said.forget_no);
+  EXPECT_NE(session().lesson_progress, LessonProgress{});
+  click_on(said.forget);
+  click_on(said.forget_yes);
+  EXPECT_EQ(session().lesson_progress, LessonProgress{});
 }
 
 }  // namespace
