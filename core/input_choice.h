@@ -11,12 +11,14 @@ struct InputChoice {
   std::string_view sentence;  // what it does, for a person who hovers over it
 };
 
-// Those that the window asks for by itself, at its start and for the energy test, and the hand of every picture that is
-// made without a person.
+// Those that the window asks for by itself, or must not leave a lesson to, and the hand of every picture that is made
+// without a person.
 inline constexpr InputChoice mouse_hand{"mouse", "Mouse", "Drag in the scene: the goal follows the pointer."};
 inline constexpr InputChoice circling_hand{"circle", "Circle",
                                            "The goal moves in a circle inside the wall, as in the circle test."};
 inline constexpr InputChoice scripted_hand{"script", "Scripted hand",
                                            "The goal follows the scene's path, the same way every time."};
+inline constexpr InputChoice replayed_hand{"replay", "Replay",
+                                           "The goal follows the hand of a recording, the same way every time."};
 
 }  // namespace ghostforce

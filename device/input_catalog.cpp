@@ -15,7 +15,7 @@ const InputMaker<ScriptedInput> script_kind{
     [](const Scene& scene, const InputOptions&) { return std::make_unique<ScriptedInput>(scene.goal); }};
 
 const InputMaker<ScriptedInput> replay_kind{
-    {{"replay", "Replay", "The goal follows the hand of a recording, the same way every time."},
+    {replayed_hand,
      /*is_scripted=*/true,
      /*needs_recording=*/true},
     [](const Scene& scene, const InputOptions& options) {

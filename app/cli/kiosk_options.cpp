@@ -35,7 +35,7 @@ const std::vector<Contradiction>& contradictions() {
       {"--shader-dir", "", "visitors must not see what is wrong with a shader"},
       {"--input", scripted_hand.name, visitors_move},
       {"--input", circling_hand.name, visitors_move},
-      {"--input", "replay", visitors_move},
+      {"--input", replayed_hand.name, visitors_move},
   };
   return all;
 }

@@ -133,6 +133,7 @@ void Application::use(const InputEntry& entry, std::shared_ptr<const Scene> scen
     abandon_lesson(session_);
     session_.goal = goal.value_or(session_.scene->goal.points.back());
     session_.shown = session_.scene->view;
+    session_.stage_shown = stage_view_of(session_.settings, session_.goal);
     session_.pane_views.reset();
     window_.set_title(window_title(*session_.scene));
   }
@@ -253,8 +254,7 @@ void Application::draw() {
 void Application::do_what_is_asked() {
   looking_back_.follow(session_, report_.snapshot, history_.moments());
   handle_requests();
-  // What a lesson changes goes back with it.
-  undo_.note(edited(), session_.is_editing || is_measuring(session_) || session_.lesson);
+  undo_.note(edited(), session_.is_editing || is_measuring(session_));
   offer_undo();
 }
 

@@ -107,6 +107,11 @@ void Application::replay_run(const std::string& path) {
 }
 
 Edited Application::edited() const {
+  if (session_.lesson) {
+    // It goes as it has come, and leaves nothing to undo.
+    const LessonState::Before& before = session_.lesson->before;
+    return {session_.scene, before.settings, before.goal, session_.shown, before.face, StageMode::none};
+  }
   return {session_.scene, session_.settings, session_.goal, session_.shown, session_.face, session_.stage.mode};
 }
 

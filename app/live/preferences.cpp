@@ -231,8 +231,9 @@ void apply(const Preferences& preferences, Session& session) {
   session.plots.tab = preferences.plots.tab;
   session.plots.set_span(preferences.plots.span_s);
   session.spacemouse = preferences.spacemouse;
-  session.face = preferences.face;
-  session.speed = preferences.speed;
+  // As above.
+  (session.lesson ? session.lesson->before.face : session.face) = preferences.face;
+  (session.lesson ? session.lesson->before.speed : session.speed) = preferences.speed;
   session.speaks = preferences.speaks;
   session.language = wanted_language(preferences.language, locale_variables());
   session.hint = preferences.offers_hints ? std::optional<std::size_t>(0) : std::nullopt;

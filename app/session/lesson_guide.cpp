@@ -111,6 +111,14 @@ void show_again(Session& session) {
   begin_step(session);
 }
 
+// A hand that moves by itself does not wait for an answer.
+void take_hand(Session& session) {
+  constexpr std::array moving_by_themselves{scripted_hand.name, circling_hand.name, replayed_hand.name};
+  const std::string input = session.requests.input.value_or(session.input);
+  const bool moves = std::ranges::find(moving_by_themselves, input) != moving_by_themselves.end();
+  if (moves) session.requests.input = mouse_hand.name;
+}
+
 void close_question(Session& session, LessonOutcome outcome) {
   LessonState& lesson = *session.lesson;
   present_state(lesson).outcome = outcome;
@@ -151,6 +159,7 @@ void begin_lesson(Session& session, std::shared_ptr<const Lesson> lesson) {
           ? session.lesson->before
           : LessonState::Before{session.settings, session.goal, session.stage_shown, session.face, session.speed};
   leave_stage_mode(session);
+  take_hand(session);
   LessonState state{.lesson = std::move(lesson), .steps = {}, .before = before};
   state.steps.resize(state.lesson->steps.size());
   session.lesson = std::move(state);
@@ -166,6 +175,8 @@ void begin_lesson(Session& session, std::shared_ptr<const Lesson> lesson) {
 void abandon_lesson(Session& session) {
   if (!session.lesson) return;
   leave_stage_mode(session);
+  session.speed = session.lesson->before.speed;
+  session.face = session.lesson->before.face;
   session.lesson.reset();
 }
 
@@ -175,8 +186,6 @@ void leave_lesson(Session& session) {
   abandon_lesson(session);
   session.settings = before.settings;
   session.stage_shown = before.stage_shown;
-  session.speed = before.speed;
-  session.face = before.face;
   if (session.goal == before.goal) return;
   session.goal = before.goal;
   ++session.restarts_asked;  // at rest there, not on a way that nobody went
@@ -272,7 +281,9 @@ void follow_lesson(Session& session, const LessonReading& reading, double interv
   if (session.lesson->glide) return glide_on(session, interval_s);
   if (!has_open_question(session, LessonQuestion::task)) return;
   LessonState& lesson = *session.lesson;
-  lesson.met_s = is_done(lesson_step(lesson), reading) ? lesson.met_s + interval_s : 0.0;
+  // What is being turned or slid may only be on its way; a hand that presses is held for as long as it presses.
+  const bool is_turning = session.is_editing && !session.drags_goal;
+  lesson.met_s = !is_turning && is_done(lesson_step(lesson), reading) ? lesson.met_s + interval_s : 0.0;
   if (lesson.met_s >= task_lasts_s) close_question(session, LessonOutcome::right);
 }
 

@@ -19,7 +19,6 @@
 #include "app/check/case_folder.h"
 #include "app/check/golden_origin.h"
 #include "app/check/update.h"
-#include "app/check/update.h"
 #include "app/console/failure.h"
 #include "tests/app/check/check_cases.h"
 #include "tests/support/file_calls.h"

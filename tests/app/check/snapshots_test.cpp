@@ -16,6 +16,7 @@
 #include "app/view/theme.h"
 #include "app/view/view.h"
 #include "tests/support/program.h"
+#include "tests/support/temporary_folder.h"
 
 namespace ghostforce {
 namespace {
@@ -81,7 +82,12 @@ std::vector<std::string> names_of_lessons() {
 class LessonSnapshots : public testing::TestWithParam<std::string> {};
 
 TEST_P(LessonSnapshots, AreDrawnAsTheyAreStored) {
-  expect_drawn_as_stored(lesson_snapshots, cases_of(load_lesson(GetParam())), "lesson-" + GetParam());
+  const Lesson lesson = load_lesson(GetParam());
+  for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+    const std::string path = fmt::format("{}/{}-{}-light.toml", lesson_snapshots, lesson.name, lesson.steps[i].name);
+    EXPECT_NE(read_whole(path).find(fmt::format("\nstep = {}\n", i + 1)), std::string::npos) << path;
+  }
+  expect_drawn_as_stored(lesson_snapshots, cases_of(lesson), "lesson-" + GetParam());
 }
 
 INSTANTIATE_TEST_SUITE_P(, LessonSnapshots, testing::ValuesIn(names_of_lessons()), test_name);

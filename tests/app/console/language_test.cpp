@@ -18,7 +18,8 @@ TEST(WantedLanguage, IsEnglishWhereALocaleNamesNone) {
   for (const std::string_view locale : {"C", "C.UTF-8", "POSIX", "e", "ES", "spanish", "\xff\xff", "_es", "."}) {
     EXPECT_EQ(wanted_language("", {.lang = locale}), "en") << locale;
   }
-  EXPECT_EQ(wanted_language("", {.all = "C", .lang = "es_ES.UTF-8"}), "en") << "LC_ALL comes first, as for every program";
+  EXPECT_EQ(wanted_language("", {.all = "C", .lang = "es_ES.UTF-8"}), "en")
+      << "LC_ALL comes first, as for every program";
 }
 
 }  // namespace

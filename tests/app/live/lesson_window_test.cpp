@@ -393,6 +393,19 @@ TEST_F(LessonWindow, NothingThatIsPressedBreaksALesson) {
   EXPECT_EQ(session().input, "mouse");
 }
 
+// Wherever the step before has left it.
+TEST_F(LessonWindow, AStepThatSaysWhereTheHandIsBringsItThere) {
+  begin(std::make_shared<const Lesson>(load_lesson("lose-a-motor")));
+  const Vector<2> stated = session().goal;
+  drag(on_window(session().goal), on_window({-0.01, -0.05}));
+  ASSERT_NE(session().goal, stated);
+  click(StageCommand::next);
+  arrive();
+  EXPECT_EQ(session().goal, stated);
+  const StagePicture& shown = screen().stage().picture();
+  EXPECT_TRUE(contains(shown.scene, to_screen(shown.pane.camera, session().goal)));
+}
+
 TEST_F(LessonWindow, ProgressIsForgottenOnceThePersonHasSaidSoTwice) {
   open({.face = Face::stage});
   const StageLanguage::Picker& said = english_stage.picker;

@@ -251,6 +251,21 @@ TEST_F(PreferencesTest, ALessonChangesNone) {
   EXPECT_EQ(preferences_in(session), before);
 }
 
+// They come back with its end.
+TEST_F(PreferencesTest, ALessonHoldsItsStageWhateverIsPreferred) {
+  Session session = session_of(load_scene("wall45"));
+  session.face = Face::stage;
+  begin_lesson(session, std::make_shared<const Lesson>(load_lesson("ghost")));
+  const Preferences preferred{.face = Face::workbench, .speed = 0.25};
+  apply(preferred, session);
+  EXPECT_EQ(session.face, Face::stage);
+  EXPECT_EQ(session.speed, 1.0);
+  EXPECT_EQ(preferences_in(session).face, Face::workbench);
+  leave_lesson(session);
+  EXPECT_EQ(session.face, Face::workbench);
+  EXPECT_EQ(session.speed, 0.25);
+}
+
 // Also what the command line hides, and what only a newer program knows.
 TEST_F(PreferencesTest, AResetForgetsEverything) {
   save(all_other());

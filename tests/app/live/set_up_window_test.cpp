@@ -6,6 +6,7 @@
 
 #include "app/files/png_file.h"
 #include "app/files/read_error.h"
+#include "app/lessons/lesson_file.h"
 #include "app/session/set_up_of.h"
 #include "app/set_up/picture_set_up.h"
 #include "app/set_up/set_up_line.h"
@@ -100,6 +101,36 @@ TEST_F(SetUpWindow, UndoTakesAPasteBackAndRedoBringsItAgain) {
   EXPECT_EQ(set_up_values(seen()), before);
   press(GLFW_KEY_Y, GLFW_MOD_CONTROL);
   EXPECT_EQ(set_up_values(seen()), pasted);
+}
+
+// Wherever the hand of the scene before was.
+TEST_F(SetUpWindow, TheStageShowsHandAndHandleOfWhatIsPasted) {
+  open({.face = Face::stage});
+  frames(30);
+  for (const std::string line : {"ghostforce run fig1 --view stage", "ghostforce run wall45 --view stage",
+                                 "ghostforce run fig3-nonactuated --view stage --goal-mm=300,-700"}) {
+    paste(line);
+    frames(60);
+    const StagePicture& shown = screen().stage().picture();
+    const StageMoment rest = stage_moment_at_rest(session().settings, session().goal);
+    for (const Vector<2>& place : {session().goal, rest.handle}) {
+      EXPECT_TRUE(contains(shown.scene, to_screen(shown.pane.camera, place))) << line;
+    }
+  }
+}
+
+TEST_F(SetUpWindow, UndoOfAPasteInALessonBringsBackWhatWasBeforeIt) {
+  ApplicationOptions options{.face = Face::workbench};
+  options.lesson = std::make_shared<const Lesson>(load_lesson("feel-a-wall"));
+  open(options);
+  frames(30);
+  const Settings before = session().lesson->before.settings;
+  ASSERT_NE(session().settings, before) << "the lesson has its own";
+  paste("ghostforce run fig1 --view stage");
+  ASSERT_FALSE(session().lesson);
+  press(GLFW_KEY_Z, GLFW_MOD_CONTROL);
+  EXPECT_EQ(session().settings, before);
+  EXPECT_EQ(session().face, Face::workbench);
 }
 
 TEST_F(SetUpWindow, APasteThatIsNoSetUpIsSaidAndChangesNothing) {

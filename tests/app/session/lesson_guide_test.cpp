@@ -82,6 +82,29 @@ class LessonGuideTest : public testing::Test {
   Session before = session;
 };
 
+TEST_F(LessonGuideTest, WhatTakesItsPlaceFindsFaceAndSpeedAsTheyWere) {
+  leave_lesson(session);
+  session.speed = 0.25;
+  begin_lesson(session, lesson_for_test());
+  EXPECT_EQ(session.speed, 1.0);
+  abandon_lesson(session);
+  EXPECT_EQ(session.speed, 0.25);
+  EXPECT_EQ(session.face, before.face);
+}
+
+TEST_F(LessonGuideTest, AsksForTheMouseWhereAHandMovesByItself) {
+  for (const InputChoice& hand : {scripted_hand, circling_hand, replayed_hand}) {
+    session.requests.input.reset();
+    session.input = hand.name;
+    begin_lesson(session, lesson_for_test());
+    EXPECT_EQ(session.requests.input, mouse_hand.name);
+  }
+  session.requests.input.reset();
+  session.input = "falcon";
+  begin_lesson(session, lesson_for_test());
+  EXPECT_FALSE(session.requests.input) << "a hand at a device stays";
+}
+
 TEST_F(LessonGuideTest, LeadsTheHandLikeAHandAndNeverByAJump) {
   EXPECT_EQ(session.face, Face::stage);
   Vector<2> last = session.goal;
