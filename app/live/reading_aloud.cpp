@@ -30,6 +30,12 @@ void ReadingAloud::follow(Application& application, double interval_s) {
   speak(application, interval_s);
 }
 
+void ReadingAloud::finish_printing() {
+  if (!writer_) return;
+  output_problem_ = writer_->finish();
+  writer_.reset();
+}
+
 void ReadingAloud::print(Application& application, double interval_s) {
   output_problem_ = writer_->problem();
   if (output_problem_ != 0) {

@@ -21,6 +21,9 @@ class ReadingAloud {
   // After each update() of the application, which is told of what goes wrong.
   void follow(Application& application, double interval_s);
 
+  // Gives the last line a second to be written. Nothing is printed after it.
+  void finish_printing();
+
   // errno of what has ended the printing; EPIPE: nobody reads it any more. 0: nothing has.
   int output_problem() const noexcept { return output_problem_; }
 

@@ -161,6 +161,19 @@ TEST_F(ReadingAloudTest, AFullDiskIsSaid) {
   EXPECT_TRUE(session().notice->words.starts_with("The values are no longer printed: No space left"));
 }
 
+TEST_F(ReadingAloudTest, FinishedItKnowsWhatBecameOfTheLastLine) {
+  const int full = ::open("/dev/full", O_WRONLY | O_CLOEXEC);
+  ASSERT_GE(full, 0);
+  ReadingAloud to_disk(60.0, full);
+  to_disk.finish_printing();
+  EXPECT_EQ(to_disk.output_problem(), ENOSPC);
+  to_disk.follow(*application_, frame_s);
+  to_disk.finish_printing();
+  EXPECT_EQ(to_disk.output_problem(), ENOSPC) << "for good";
+  reader_->finish_printing();
+  EXPECT_EQ(reader_->output_problem(), 0);
+}
+
 TEST_F(ReadingAloudTest, WithoutASpeechServiceTheSwitchGoesBackAndSaysWhy) {
   const TemporaryFolder empty;
   const std::string path = getenv("PATH");
