@@ -55,8 +55,10 @@ void ReadingAloud::speak(Application& application, double interval_s) {
   Session& session = application.session();
   if (!session.speaks) {
     speech_.reset();
+    session.speech_problem.clear();
     return;
   }
+  if (!session.speech_problem.empty()) return;
   if (!speech_) {
     speech_ = std::make_unique<Speech>();
     settled_ = {};
@@ -69,7 +71,8 @@ void ReadingAloud::speak(Application& application, double interval_s) {
     }
   }
   if (const std::string problem = speech_->update(interval_s); !problem.empty()) {
-    session.speaks = false;
+    speech_.reset();
+    session.speech_problem = problem;
     application.show_notice(problem, true);
   }
 }

@@ -112,7 +112,7 @@ void name_the_parts_of_the_session(Session& session) {
       // KEPT.
       speaks,
       // Of this moment.
-      paused,
+      speech_problem, paused,
       // KEPT.
       speed,
       // Counts of what was asked for.
