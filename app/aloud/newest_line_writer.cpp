@@ -69,7 +69,8 @@ void NewestLineWriter::write_lines(State& state, const std::string& first) {
   state.changed.notify_all();
 }
 
-NewestLineWriter::~NewestLineWriter() {
+int NewestLineWriter::finish() {
+  if (!thread_.joinable()) return problem();
   bool has_ended = false;
   {
     std::unique_lock lock(state_->mutex);
@@ -82,6 +83,7 @@ NewestLineWriter::~NewestLineWriter() {
   } else {
     thread_.detach();
   }
+  return problem();
 }
 
 void NewestLineWriter::put(std::string line) {

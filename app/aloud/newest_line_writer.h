@@ -1,6 +1,6 @@
 // NewestLineWriter: lines for another program that may read slowly, or not at all. A thread of its own writes them, so
 // that nobody else waits for the reader; a line that it has not begun when the next one comes is never written. Lines
-// are written whole. put() and problem() from any one thread.
+// are written whole. All of it from any one thread.
 #pragma once
 
 #include <memory>
@@ -13,12 +13,15 @@ class NewestLineWriter {
  public:
   // `first` is written in any case. The descriptor must stay open to the end of the process.
   NewestLineWriter(int descriptor, std::string first);
-  // Gives the last line a second to be written; then it is left to its reader.
-  ~NewestLineWriter();
+  ~NewestLineWriter() { finish(); }
   NewestLineWriter(const NewestLineWriter&) = delete;
   NewestLineWriter& operator=(const NewestLineWriter&) = delete;
 
   void put(std::string line);
+
+  // Gives the last line a second to be written; then it is left to its reader. Nothing is written after it. Returns
+  // problem().
+  int finish();
 
   // errno of what has ended the writing: EPIPE, nobody reads any more; 0: nothing has.
   int problem() const noexcept;

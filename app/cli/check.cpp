@@ -19,12 +19,14 @@
 #include "app/cli/check_lessons.h"
 #include "app/cli/command.h"
 #include "app/cli/lines.h"
+#include "app/console/did_you_mean.h"
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
 #include "app/console/progress.h"
 #include "app/console/quoted.h"
 #include "app/console/words.h"
 #include "app/files/input_file.h"
+#include "app/lessons/lesson_file.h"
 
 namespace ghostforce {
 namespace {
@@ -114,7 +116,22 @@ int check(const CheckOptions& options) {
   return static_cast<int>(end);
 }
 
+// What is neither a folder nor a file is most likely the name of a lesson where it is nearly one.
+void refuse_mistyped_lesson(const CheckOptions& options) {
+  for (const std::string& path : options.paths) {
+    std::error_code error;
+    if (may_be_lesson(path) || std::filesystem::status(path, error).type() != std::filesystem::file_type::not_found) {
+      continue;
+    }
+    const std::string meant = did_you_mean(path, shipped_lesson_names());
+    if (meant.empty()) continue;
+    throw Failure(ExitCode::wrong_call,
+                  fmt::format("there is no folder or lesson '{}'{}", quoted_text(path, longest_path), meant));
+  }
+}
+
 int check_any(CheckOptions& options) {
+  refuse_mistyped_lesson(options);
   const auto lessons = std::ranges::count_if(options.paths, may_be_lesson);
   const bool are_all_lessons = static_cast<std::size_t>(lessons) == options.paths.size();
   if (!are_all_lessons && options.paths.size() > 1) {

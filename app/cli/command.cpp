@@ -11,6 +11,7 @@
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
 #include "app/console/progress.h"
+#include "app/console/typed_text.h"
 #include "app/files/run_file.h"
 #include "app/files/scene_file.h"
 #include "app/set_up/position_text.h"
@@ -70,6 +71,13 @@ WordCheck number_between(double least, double greatest, std::string unit) {
     if (!text.empty() && *end == '\0' && value >= least && value <= greatest) return {};
     return fmt::format("'{}' is not a number from {:g} to {:g}{}{}", quoted_text(text), least, greatest,
                        unit.empty() ? "" : " ", unit);
+  };
+}
+
+WordCheck whole_number_from(int least) {
+  return [least](const std::string& text) -> std::string {
+    if (const auto number = number_in<int>(text); number && *number >= least) return {};
+    return fmt::format("'{}' is not a whole number, {} or more", quoted_text(text), least);
   };
 }
 

@@ -64,6 +64,7 @@ WordCheck one_of(std::vector<std::string_view> words);
 // An option's value must be a number between these, both ends included; `unit` is for the message. It lets no NaN
 // through.
 WordCheck number_between(double least, double greatest, std::string unit);
+WordCheck whole_number_from(int least);
 
 // The option may be given again and again, with one value each time.
 CLI::Option* repeatable(CLI::Option* option);

@@ -204,14 +204,14 @@ std::function<int()> attach_render(CLI::App& command, FileOptions& files) {
   command.add_option("--step", options->step, "The step of the lesson, from 1; default: 1")
       ->type_name("N")
       ->needs(lesson)
-      ->check(number_between(1.0, 1e6, ""));
+      ->check(whole_number_from(1));
   command
       .add_option("--answer", options->answer,
                   "After an answer to its question: the number of one of the answers; for a guess or a task, 1 for a "
                   "right one and 2 for another")
       ->type_name("K")
       ->needs(lesson)
-      ->check(number_between(1.0, 1e6, ""));
+      ->check(whole_number_from(1));
   lesson->excludes(command.get_option("--mode"))->excludes(command.get_option("--strategy"))->excludes(clip);
   command.footer(
       "No display is needed, and the same call always gives the same bytes.\n"

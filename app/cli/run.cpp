@@ -26,6 +26,7 @@
 #include "app/console/quoted.h"
 #include "app/console/words.h"
 #include "app/doctor/diagnosis.h"
+#include "app/files/output_file.h"
 #include "app/files/run_reader.h"
 #include "app/files/scene_file.h"
 #include "app/lessons/lesson_progress.h"
@@ -236,7 +237,9 @@ int run(const RunOptions& options) {
   if (const std::string& words = problem.empty() ? end_of_recording : problem; !words.empty()) {
     say("{}\n", words);
   }
+  reading_aloud.finish_printing();
   const bool lost_values = reading_aloud.output_problem() != 0 && reading_aloud.output_problem() != EPIPE;
+  if (lost_values) say("not all values were printed: {}\n", reason_of(reading_aloud.output_problem()));
   if (lost_values || (options.record && !problem.empty())) return static_cast<int>(ExitCode::file_trouble);
   if (!options.exit_after_s) return static_cast<int>(ExitCode::done);
   // Scripts want to know; a person has seen it on the screen.

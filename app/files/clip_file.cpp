@@ -82,11 +82,11 @@ void check_clip_limits(std::int64_t frames, const ClipShape& shape) {
 
 ClipFile::ClipFile(const std::string& path, const ClipShape& shape, std::string_view text, VideoWaiting waiting)
     : file_(path) {
-  const ClipFormat& format = format_of_clip(path);
   if (file_.part_path().empty()) {
     throw Failure(ExitCode::wrong_call, fmt::format("{}: a clip cannot go into a pipe or a device; name a file",
                                                     quoted_text(path, longest_path)));
   }
+  const ClipFormat& format = format_of_clip(path);
   if (format.arguments.empty()) {
     encoder_ = std::make_unique<AnimatedPng>(file_, shape, text);
   } else {

@@ -87,7 +87,7 @@ void save(const KeptFile& file, std::string_view text, std::span<const std::stri
   const fs::path folder = file.path.parent_path();
   fs::create_directories(folder, error);
   if (error) {
-    throw Failure(ExitCode::file_trouble, fmt::format("the folder {} cannot be made: {}; {} kept there",
+    throw Failure(ExitCode::file_trouble, fmt::format("the folder {} cannot be made: {}, so {} not kept",
                                                       shown_path(folder), error.message(), file.contents));
   }
   // A link to nothing yet is followed; into a pipe nobody may ever look.

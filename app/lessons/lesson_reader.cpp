@@ -19,6 +19,7 @@
 namespace ghostforce {
 namespace {
 
+constexpr double full_turn_deg = 360.0;
 constexpr std::string_view need_word = "write it: the person reads it on the stage";
 
 // --- Pieces of a step ---
@@ -70,10 +71,15 @@ std::optional<LessonSlider> read_slider(const TomlValue& value) {
     slider.key = nullptr;
   };
   const auto read_end = [&](double& end) {
-    return [&limits, &end](const TomlValue& number) {
+    return [&slider, &limits, &end](const TomlValue& number) {
       NumberLimits allowed = limits.value_or(NumberLimits{});
       allowed.may_be_infinite = false;
       allowed.whole = false;
+      if (slider.key != nullptr && slider.key->name.ends_with("_deg")) {
+        // Angles have no end, but a slider has.
+        allowed.least = -full_turn_deg;
+        allowed.greatest = full_turn_deg;
+      }
       if (const auto read = number.number(allowed)) end = *read;
     };
   };

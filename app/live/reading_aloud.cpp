@@ -30,6 +30,12 @@ void ReadingAloud::follow(Application& application, double interval_s) {
   speak(application, interval_s);
 }
 
+void ReadingAloud::finish_printing() {
+  if (!writer_) return;
+  output_problem_ = writer_->finish();
+  writer_.reset();
+}
+
 void ReadingAloud::print(Application& application, double interval_s) {
   output_problem_ = writer_->problem();
   if (output_problem_ != 0) {
@@ -49,8 +55,10 @@ void ReadingAloud::speak(Application& application, double interval_s) {
   Session& session = application.session();
   if (!session.speaks) {
     speech_.reset();
+    session.speech_problem.clear();
     return;
   }
+  if (!session.speech_problem.empty()) return;
   if (!speech_) {
     speech_ = std::make_unique<Speech>();
     settled_ = {};
@@ -63,7 +71,8 @@ void ReadingAloud::speak(Application& application, double interval_s) {
     }
   }
   if (const std::string problem = speech_->update(interval_s); !problem.empty()) {
-    session.speaks = false;
+    speech_.reset();
+    session.speech_problem = problem;
     application.show_notice(problem, true);
   }
 }

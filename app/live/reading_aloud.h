@@ -18,8 +18,12 @@ class ReadingAloud {
   // Prints so many times a second at most; empty: nothing is printed. `descriptor`: where to.
   ReadingAloud(std::optional<double> printed_hz, int descriptor);
 
-  // After each update() of the application, which is told of what goes wrong.
+  // After each update() of the application, which is told of what goes wrong. Speech that does not work is left alone
+  // until it has been switched off and on again.
   void follow(Application& application, double interval_s);
+
+  // Gives the last line a second to be written. Nothing is printed after it.
+  void finish_printing();
 
   // errno of what has ended the printing; EPIPE: nobody reads it any more. 0: nothing has.
   int output_problem() const noexcept { return output_problem_; }
@@ -31,7 +35,7 @@ class ReadingAloud {
   std::optional<PrintedValues> printed_;
   std::unique_ptr<NewestLineWriter> writer_;
   int output_problem_ = 0;
-  std::unique_ptr<Speech> speech_;  // null: switched off
+  std::unique_ptr<Speech> speech_;  // null: switched off, or it does not work
   SettledSentence settled_;
   double since_sentence_s_ = 0.0;
 };

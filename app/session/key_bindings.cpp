@@ -17,11 +17,6 @@
 namespace ghostforce {
 namespace {
 
-template <std::size_t number>
-void answer(Session& session) {
-  answer_in_lesson(session, number - 1);
-}
-
 // In a lesson that asks for it, the answer of that number.
 template <StrategyId id>
 void activate(Session& session) {
@@ -242,9 +237,9 @@ constexpr std::array bindings{
     KeyBinding{GLFW_KEY_KP_SUBTRACT, alt, "", "", turn_ratio_by<-10>, true},
     KeyBinding{GLFW_KEY_KP_ADD, alt, "", "", turn_ratio_by<10>, true},
 
-    for_visitors({GLFW_KEY_1, none, "1", "Fully actuated rendering", activate<StrategyId::full>, false, false, "Strategies"}),
-    for_visitors({GLFW_KEY_2, none, "2", "Naïve rendering", activate<StrategyId::naive>}),
-    for_visitors({GLFW_KEY_3, none, "3", "Anisotropic rendering", activate<StrategyId::anisotropic>}),
+    for_visitors({GLFW_KEY_1, none, "1 2 3", "Fully actuated, naïve, anisotropic; in a lesson: answer", activate<StrategyId::full>, false, false, "Strategies"}),
+    for_visitors({GLFW_KEY_2, none, "", "", activate<StrategyId::naive>}),
+    for_visitors({GLFW_KEY_3, none, "", "", activate<StrategyId::anisotropic>}),
     for_visitors({GLFW_KEY_1, shift, "Shift+1 2 3", "The same in slow motion, on the stage", activate_slowly<StrategyId::full>}),
     for_visitors({GLFW_KEY_2, shift, "", "", activate_slowly<StrategyId::naive>}),
     for_visitors({GLFW_KEY_3, shift, "", "", activate_slowly<StrategyId::anisotropic>}),
@@ -275,12 +270,6 @@ constexpr std::array bindings{
     for_visitors({GLFW_KEY_ENTER, none, "Enter", "Next step of a lesson or of Why?; answer a guess", confirm}),
     for_visitors({GLFW_KEY_KP_ENTER, none, "", "", confirm}),
     KeyBinding{GLFW_KEY_F5, none, "F5", "Lessons: choose one", open_dialog<Dialog::lessons>, false, true},
-    for_visitors({GLFW_KEY_4, none, "1 to 9", "Answer the question of a lesson", answer<4>}),
-    for_visitors({GLFW_KEY_5, none, "", "", answer<5>}),
-    for_visitors({GLFW_KEY_6, none, "", "", answer<6>}),
-    for_visitors({GLFW_KEY_7, none, "", "", answer<7>}),
-    for_visitors({GLFW_KEY_8, none, "", "", answer<8>}),
-    for_visitors({GLFW_KEY_9, none, "", "", answer<9>}),
     for_visitors({GLFW_KEY_PAGE_DOWN, none, "PgDn PgUp", "Lesson or talk: next / previous step", next_talk_step}),
     for_visitors({GLFW_KEY_PAGE_UP, none, "", "", previous_talk_step}),
     KeyBinding{GLFW_KEY_B, none, "B", "Blank the stage, or show it again", hide_stage},

@@ -170,7 +170,8 @@ struct Session {
   PlotView plots;
   Appearance appearance;
   std::set<std::string, std::less<>> folded_panels;  // by title
-  bool speaks = false;                               // the stage's sentence is read aloud
+  bool speaks = false;                               // the stage's sentence is to be read aloud
+  std::string speech_problem;                        // why nothing is spoken all the same; empty: nothing is wrong
   bool paused = false;
   double speed = 1.0;  // of model time against real time
   std::uint32_t steps_asked = 0;

@@ -88,6 +88,15 @@ TEST_F(CheckLessons, TellsAllThatIsWrongWithAFileAndGoesOn) {
   EXPECT_TRUE(outcome.out.ends_with("3 lessons, 2 wrong\n")) << outcome.out;
 }
 
+TEST_F(CheckLessons, KnowsWhichLessonAMistypedNameMeant) {
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"ghst"}, {"feel-a-wall", "ghst"}}) {
+    const Outcome outcome = check(words);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_TRUE(holds(outcome.err, "there is no folder or lesson 'ghst'; did you mean 'ghost'?")) << outcome.err;
+  }
+  EXPECT_TRUE(holds(check({"nothing-like-it"}).err, "there is no folder 'nothing-like-it'"));
+}
+
 TEST_F(CheckLessons, PrintsWhatTheDocShows) {
   const std::string doc = read_whole(GHOSTFORCE_SOURCE_DIR "/docs/lessons.md");
   constexpr std::string_view fence = "```toml\n";

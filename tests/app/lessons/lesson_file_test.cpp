@@ -130,6 +130,9 @@ INSTANTIATE_TEST_SUITE_P(
                 "ghost.toml:8:12: the key step.slider: goes from 800 to 50; let it go from less to more"},
         Mistake{"from = 50, to = 800", "from = 50, to = 1e9",
                 "ghost.toml:8:65: the key step.slider.to: 1000000000 is out of range; give 0.1 to 1000000 N/m"},
+        Mistake{"user.believed_k_u_N_per_m\", from = 50, to = 800", "wall.normal_deg\", from = -1e300, to = 361",
+                "ghost.toml:8:46: the key step.slider.from: -1e+300 is out of range; give -360 to 360 degrees\n"
+                "ghost.toml:8:59: the key step.slider.to: 361 is out of range; give -360 to 360 degrees"},
         Mistake{"question = \"choose\"", "question = \"chose\"",
                 "ghost.toml:10:12: the key step.question: 'chose' is not one of choose, guess, task; did you mean "
                 "'choose'?"},

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <numbers>
 #include <random>
+#include <regex>
 #include <string>
 
 #include "app/lessons/lesson_file.h"
@@ -349,6 +351,10 @@ TEST_F(LessonWindow, NothingThatIsPressedBreaksALesson) {
   open({.face = Face::stage});
   window_->set_visible_drawing(false);
   const Settings before = session().settings;
+  // Alt+P and Enter save a clip where the program was started.
+  const TemporaryFolder folder;
+  const std::filesystem::path started_in = std::filesystem::current_path();
+  std::filesystem::current_path(folder.path());
   int in_lesson = 0;
   for (int i = 0; i < 1200; ++i) {
     if (!session().lesson) {
@@ -391,6 +397,12 @@ TEST_F(LessonWindow, NothingThatIsPressedBreaksALesson) {
   EXPECT_EQ(session().settings, before);
   EXPECT_EQ(session().stage.mode, StageMode::none);
   EXPECT_EQ(session().input, "mouse");
+  application_.reset();
+  std::filesystem::current_path(started_in);
+  const std::regex clip("a-wall-at-45-degrees-clip(-[0-9]+)?\\.png");
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+    EXPECT_TRUE(std::regex_match(entry.path().filename().string(), clip)) << entry.path();
+  }
 }
 
 // Wherever the step before has left it.

@@ -112,7 +112,7 @@ void name_the_parts_of_the_session(Session& session) {
       // KEPT.
       speaks,
       // Of this moment.
-      paused,
+      speech_problem, paused,
       // KEPT.
       speed,
       // Counts of what was asked for.
@@ -412,8 +412,8 @@ std::string trouble_with(const Value& value) {
 TEST_F(PreferencesTest, WhatCannotBeWrittenIsSaid) {
   write_whole(folder_ / "config", "a file where a folder should be");
   write_whole(folder_ / "state", "another");
-  EXPECT_NE(trouble_with(Preferences{}).find("preferences are kept there"), std::string::npos);
-  EXPECT_NE(trouble_with(WindowLayout{}).find("the window's layout is kept there"), std::string::npos);
+  EXPECT_NE(trouble_with(Preferences{}).find(", so preferences are not kept"), std::string::npos);
+  EXPECT_NE(trouble_with(WindowLayout{}).find(", so the window's layout is not kept"), std::string::npos);
 }
 
 TEST_F(PreferencesTest, APipeHoldsNothingUp) {

@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -11,7 +12,9 @@
 #include <string>
 #include <vector>
 
+#include "app/live/preferences.h"
 #include "tests/app/live/driven_window.h"
+#include "tests/support/screen_text.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce {
@@ -161,19 +164,63 @@ TEST_F(ReadingAloudTest, AFullDiskIsSaid) {
   EXPECT_TRUE(session().notice->words.starts_with("The values are no longer printed: No space left"));
 }
 
-TEST_F(ReadingAloudTest, WithoutASpeechServiceTheSwitchGoesBackAndSaysWhy) {
+TEST_F(ReadingAloudTest, FinishedItKnowsWhatBecameOfTheLastLine) {
+  const int full = ::open("/dev/full", O_WRONLY | O_CLOEXEC);
+  ASSERT_GE(full, 0);
+  ReadingAloud to_disk(60.0, full);
+  to_disk.finish_printing();
+  EXPECT_EQ(to_disk.output_problem(), ENOSPC);
+  to_disk.follow(*application_, frame_s);
+  to_disk.finish_printing();
+  EXPECT_EQ(to_disk.output_problem(), ENOSPC) << "for good";
+  reader_->finish_printing();
+  EXPECT_EQ(reader_->output_problem(), 0);
+}
+
+TEST_F(ReadingAloudTest, WithoutASpeechServiceItSaysWhyAndKeepsTheChoice) {
+  constexpr std::string_view why = "Nothing can be spoken: Install the package speech-dispatcher.";
   const TemporaryFolder empty;
   const std::string path = getenv("PATH");
-  setenv("PATH", empty.path().c_str(), 1);
-  setenv("XDG_RUNTIME_DIR", empty.path().c_str(), 1);
+  for (const char* name : {"XDG_RUNTIME_DIR", "XDG_CONFIG_HOME"}) setenv(name, empty.path().c_str(), 1);
+  open({}, "wall45", 1280, 2400);  // high enough for every panel
+  session().folded_panels.clear();
+  const Preferences stored{.face = Face::workbench, .speaks = true};
+  apply(stored, session());
+  PreferenceKeeper keeper(stored, session());
   ReadingAloud silent({}, -1);
-  session().speaks = true;
-  for (int i = 0; i < 120 && session().speaks; ++i) silent.follow(*application_, frame_s);
-  setenv("PATH", path.c_str(), 1);
-  EXPECT_FALSE(session().speaks);
+  const auto follow = [&] {
+    setenv("PATH", empty.path().c_str(), 1);
+    for (int i = 0; i < 120; ++i) silent.follow(*application_, frame_s);
+    setenv("PATH", path.c_str(), 1);
+    frames(3);
+  };
+  const auto panel_says_why = [] {
+    return std::ranges::any_of(words_on_screen(), [](const ScreenWords& words) {
+      return words.window == "panels" && words.text.find("speech-dispatcher") != std::string::npos;
+    });
+  };
+  follow();
+  EXPECT_EQ(session().speech_problem, why);
   ASSERT_TRUE(session().notice);
-  EXPECT_EQ(session().notice->words, "Nothing can be spoken: Install the package speech-dispatcher.");
+  EXPECT_EQ(session().notice->words, why);
   EXPECT_TRUE(session().notice->is_problem);
+  EXPECT_TRUE(panel_says_why());
+  EXPECT_EQ(faults_of(words_on_screen()), std::vector<std::string>{});
+  // The next run tries again, and this one does not.
+  keeper.keep(session());
+  EXPECT_EQ(empty.count(), 0) << "nobody has chosen anything";
+  session().notice.reset();
+  follow();
+  EXPECT_FALSE(session().notice);
+  // Off and on again it does.
+  session().speaks = false;
+  follow();
+  EXPECT_EQ(session().speech_problem, "");
+  EXPECT_FALSE(panel_says_why());
+  session().speaks = true;
+  follow();
+  EXPECT_EQ(session().speech_problem, why);
+  EXPECT_TRUE(session().notice);
 }
 
 }  // namespace

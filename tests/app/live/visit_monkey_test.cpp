@@ -98,7 +98,7 @@ class VisitMonkey : public VisitWindow {
           drop({path.c_str()});
         }
         if (any(4) == 0) window_->resize(640 + any(1400), 400 + any(900));
-        if (any(8) == 0) glfwSetWindowShouldClose(window_->handle(), GLFW_FALSE);
+        if (any(8) == 0) ask_to_close();  // what_is_wrong() says whether it does
         if (any(8) == 0) ImGui_ImplGlfw_WindowFocusCallback(window_->handle(), any(2) == 0 ? GLFW_TRUE : GLFW_FALSE);
         return;
     }

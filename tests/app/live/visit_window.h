@@ -37,6 +37,15 @@ class VisitWindow : public DrivenWindow {
     window_->set_visible_drawing(false);
   }
 
+  // As GLFW passes on what the close button, Alt+F4 and the desktop ask for.
+  void ask_to_close() {
+    glfwSetWindowShouldClose(window_->handle(), GLFW_TRUE);
+    const GLFWwindowclosefun on_close = glfwSetWindowCloseCallback(window_->handle(), nullptr);
+    ASSERT_NE(on_close, nullptr);
+    glfwSetWindowCloseCallback(window_->handle(), on_close);
+    on_close(window_->handle());
+  }
+
   // Nobody touches anything meanwhile.
   void wait(double seconds) {
     constexpr double interval_s = 0.5;

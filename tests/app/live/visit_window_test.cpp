@@ -204,12 +204,7 @@ TEST_F(VisitWindowTest, KeysThatVisitorsHaveAreAllowedOneByOne) {
 
 TEST_F(VisitWindowTest, OnlyTheChordEndsIt) {
   begin();
-  // As GLFW passes on what the close button, Alt+F4 and the desktop ask for.
-  glfwSetWindowShouldClose(window_->handle(), GLFW_TRUE);
-  const GLFWwindowclosefun on_close = glfwSetWindowCloseCallback(window_->handle(), nullptr);
-  ASSERT_NE(on_close, nullptr);
-  on_close(window_->handle());
-  glfwSetWindowCloseCallback(window_->handle(), on_close);
+  ask_to_close();
   EXPECT_FALSE(window_->should_close());
   press(GLFW_KEY_Q, GLFW_MOD_CONTROL);
   EXPECT_FALSE(window_->should_close());

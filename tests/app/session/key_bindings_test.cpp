@@ -48,23 +48,12 @@ TEST(KeyTable, EveryGroupHasItsRowsTogetherAndTheMouseHasItsPlaceAmongThem) {
   for (const MouseGesture& gesture : mouse_table()) EXPECT_TRUE(groups.contains(gesture.group)) << gesture.shown;
 }
 
-// One step that asks a question with an answer for each digit.
-std::shared_ptr<const Lesson> lesson_with_nine_answers() {
-  Lesson lesson{.name = "nine", .number = 1, .secrets = {}, .steps = {LessonStep{}}, .words = {}};
-  lesson.steps.front().question = LessonQuestion::choose;
-  LessonStepWords words{.text = "Which?", .answers = std::vector<std::string>(9, "this"), .right = "", .wrong = ""};
-  lesson.words.emplace("en", LessonWords{.title = "Nine", .about = "", .steps = {words}});
-  return std::make_shared<const Lesson>(lesson);
-}
-
 // What a key needs before it can do something that one sees.
 void prepare(const KeyBinding& binding, Session& session) {
   const auto is = [&](int key, int modifiers) { return binding.key == key && binding.modifiers == modifiers; };
   session.paused = true;  // nothing but the key moves the picture
   if (binding.key == GLFW_KEY_2) session.settings.active = StrategyId::full;
   if (binding.key == GLFW_KEY_ENTER || binding.key == GLFW_KEY_KP_ENTER) toggle_stage_mode(session, StageMode::why);
-  const bool is_answer = binding.key >= GLFW_KEY_4 && binding.key <= GLFW_KEY_9;
-  if (is_answer) begin_lesson(session, lesson_with_nine_answers());
   if (is(GLFW_KEY_PAGE_UP, 0)) session.stage.talk_step = 3;
   if (is(GLFW_KEY_B, 0)) show_face(session, Face::stage);
   if (is(GLFW_KEY_ESCAPE, 0)) session.dialog = Dialog::help;

@@ -223,6 +223,11 @@ TEST(Render, RefusesAStepThatALessonDoesNotHave) {
   const Outcome outcome = render({"--lesson", "ghost", "--step", "99", "-o", folder / "step.png"});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_NE(outcome.err.find("the lesson ghost has"), std::string::npos) << outcome.err;
+  for (const char* const step : {"0", "1.5", "two", "99999999999"}) {
+    const Outcome refused = render({"--lesson", "ghost", "--step", step, "-o", folder / "step.png"});
+    EXPECT_EQ(refused.exit_code, 2) << step;
+    EXPECT_NE(refused.err.find(" is not a whole number, 1 or more"), std::string::npos) << refused.err;
+  }
   EXPECT_EQ(render({"--step", "2", "-o", folder / "step.png"}).exit_code, 2);
   EXPECT_EQ(render({"-o", folder / "step.png"}).exit_code, 2) << "neither a scene nor a lesson";
 }
