@@ -1,6 +1,7 @@
 #include "app/aloud/newest_line_writer.h"
 
 #include <poll.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -16,6 +17,13 @@ namespace ghostforce {
 namespace {
 
 constexpr std::chrono::seconds patience{1};
+
+// Of a file, nobody can hold the writing up.
+bool has_reader(int descriptor) {
+  struct stat status {};
+  if (fstat(descriptor, &status) != 0) return false;  // writing to it fails at once
+  return S_ISFIFO(status.st_mode) || S_ISSOCK(status.st_mode) || isatty(descriptor) == 1;
+}
 
 // 0, or errno.
 int write_whole_line(int descriptor, std::string_view line) {
@@ -76,7 +84,13 @@ int NewestLineWriter::finish() {
     std::unique_lock lock(state_->mutex);
     state_->is_ending = true;
     state_->changed.notify_all();
-    has_ended = state_->changed.wait_for(lock, patience, [&] { return state_->has_ended; });
+    const auto is_over = [&] { return state_->has_ended; };
+    if (has_reader(state_->descriptor)) {
+      has_ended = state_->changed.wait_for(lock, patience, is_over);
+    } else {
+      state_->changed.wait(lock, is_over);
+      has_ended = true;
+    }
   }
   if (has_ended) {
     thread_.join();

@@ -19,8 +19,8 @@ class NewestLineWriter {
 
   void put(std::string line);
 
-  // Gives the last line a second to be written; then it is left to its reader. Nothing is written after it. Returns
-  // problem().
+  // Waits for the last line, for a reader no longer than a second; then it is left to it. Nothing is written after it.
+  // Returns problem().
   int finish();
 
   // errno of what has ended the writing: EPIPE, nobody reads any more; 0: nothing has.
