@@ -1,7 +1,9 @@
 #include "app/lessons/lesson_file.h"
 
 #include <filesystem>
+#include <system_error>
 
+#include "app/console/quoted.h"
 #include "app/files/named_text.h"
 #include "app/lessons/lesson_reader.h"
 #include "embedded_lessons.h"
@@ -13,7 +15,13 @@ std::vector<std::string_view> shipped_lesson_names() {
 }
 
 Lesson load_lesson(const std::string& name_or_path) {
-  return read_lesson(named_text(name_or_path, "lesson", embedded_lessons), name_or_path);
+  Lesson lesson = read_lesson(named_text(name_or_path, "lesson", embedded_lessons), name_or_path);
+  if (find_text(embedded_lessons, name_or_path) != nullptr) return lesson;
+  lesson.file = name_or_path;
+  std::error_code error;  // without a working folder the path is as it was named
+  const std::filesystem::path path = std::filesystem::absolute(name_or_path, error);
+  lesson.path = quoted_text(error ? name_or_path : path.lexically_normal().string(), longest_path);
+  return lesson;
 }
 
 Lesson read_lesson(std::string_view text, std::string_view shown_path) {
