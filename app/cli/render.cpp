@@ -123,9 +123,10 @@ int render_clip(const RenderOptions& options, const PictureRequest& request) {
   const ClipTimes times = clip_times_from(*options.clip);
   const ClipShape shape{request.width, request.height, times.frames_per_second};
   check_clip_limits(frame_count(times), shape);
-  const SetUp set_up{
-      .scene = request.scene, .goal = request.scene.goal.points.back(), .face = request.face, .mode = request.mode};
-  ClipFile file(options.output, shape, set_up_line(set_up));
+  PictureRequest last = request;
+  last.at_s = time_of_frame(times, frame_count(times) - 1);
+  const SetUp set_up = set_up_of(last, simulate_to_moment(last));
+  ClipFile file(options.output, shape, set_up_line(set_up));  // ffmpeg wants to know it before the first picture
   Progress progress("drawing the clip", frame_count(times), true);
   std::int64_t drawn = 0;
   draw_clip(request, times, [&](const Image& image) {
