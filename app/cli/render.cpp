@@ -1,7 +1,9 @@
 // ghostforce render: the picture of a scene at one moment, drawn offscreen by the same screen as the window's.
+#include <array>
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -10,6 +12,7 @@
 
 #include "app/cli/clip_options.h"
 #include "app/cli/command.h"
+#include "app/cli/contradictions.h"
 #include "app/cli/lesson_options.h"
 #include "app/cli/picture_options.h"
 #include "app/console/failure.h"
@@ -25,6 +28,20 @@
 
 namespace ghostforce {
 namespace {
+
+constexpr std::string_view step_says = "the step says what is on the stage";
+constexpr std::array beside_lesson{
+    Contradiction{"SCENE", "", step_says},
+    Contradiction{"--set", "", step_says},
+    Contradiction{"--strategy", "", step_says},
+    Contradiction{"--mode", "", step_says},
+    Contradiction{"--landscape", "", step_says},
+    Contradiction{"--view", face_name(Face::workbench), "lessons are on the stage"},
+    Contradiction{"--compare", "", "the stage shows one strategy at a time"},
+    Contradiction{"--part", "", "a step is shown whole"},
+    Contradiction{"--at", "", "a step is shown when the hand is at rest"},
+    Contradiction{"--clip", "", "a step is one picture"},
+};
 
 struct RenderOptions {
   SceneOptions scene;
@@ -191,15 +208,14 @@ std::function<int()> attach_render(CLI::App& command, FileOptions& files) {
       ->excludes(command.get_option("--mode"));
   CLI::Option* const json = files.writes(
       command.add_option("--json", options->json, "Also write what was drawn, as JSON")->type_name("FILE"));
-  CLI::Option* const clip =
-      command
-          .add_option(
-              "--clip", options->clip,
-              "A clip instead of one picture: from one time to another [s] with so many pictures a second, 1 to 60, "
-              "as an animated .png, or as .mp4 or .webm if ffmpeg is installed")
-          ->type_name("FROM:TO:FPS")
-          ->excludes(command.get_option("--at"))
-          ->excludes(json);
+  command
+      .add_option(
+          "--clip", options->clip,
+          "A clip instead of one picture: from one time to another [s] with so many pictures a second, 1 to 60, as an "
+          "animated .png, or as .mp4 or .webm if ffmpeg is installed")
+      ->type_name("FROM:TO:FPS")
+      ->excludes(command.get_option("--at"))
+      ->excludes(json);
   options->lesson.attach(command, files, "en");
   CLI::Option* const lesson = command.get_option("--lesson");
   command.add_option("--step", options->step, "The step of the lesson, from 1; default: 1")
@@ -213,7 +229,6 @@ std::function<int()> attach_render(CLI::App& command, FileOptions& files) {
       ->type_name("K")
       ->needs(lesson)
       ->check(number_between(1.0, 1e6, ""));
-  lesson->excludes(command.get_option("--mode"))->excludes(command.get_option("--strategy"))->excludes(clip);
   command.footer(
       "No display is needed, and the same call always gives the same bytes.\n"
       "\n"
@@ -228,7 +243,8 @@ std::function<int()> attach_render(CLI::App& command, FileOptions& files) {
       "  ghostforce render wall45 --view stage --size 1280x720 --clip 0:3:30 -o clip.png");
   // Lessons bring their own.
   options->scene.option->default_str("");
-  return [options] {
+  return [options, &command] {
+    if (!options->lesson.name.empty()) refuse_contradictions(command, "--lesson", beside_lesson);
     if (!options->scene.is_named() && options->lesson.name.empty()) {
       throw Failure(ExitCode::wrong_call, "SCENE is required: name a scene, as in 'ghostforce render wall45 -o F.png'");
     }
