@@ -68,8 +68,9 @@ void apply_size(const std::string& text, PictureRequest& request) {
                             quoted_text(text), smallest_picture, largest_picture));
 }
 
-void apply_lesson(const RenderOptions& options, PictureRequest& request) {
-  const std::shared_ptr<const Lesson> lesson = options.lesson.load();
+// `lesson`: null if there is none.
+void apply_lesson(const RenderOptions& options, const std::shared_ptr<const Lesson>& lesson, PictureRequest& request) {
+  request.language = options.lesson.wanted("en", lesson);
   if (!lesson) return;
   LessonPicture picture{.lesson = lesson, .step = static_cast<std::size_t>(options.step.value_or(1) - 1)};
   if (options.answer) picture.answer = static_cast<std::size_t>(*options.answer);
@@ -90,8 +91,7 @@ PictureRequest request_of(const RenderOptions& options) {
   apply_strategy_word(options.picture.strategy, request);
   if (const auto compare = find_compare(options.compare)) request.options.compare = *compare;
   options.picture.apply_appearance(request.appearance);
-  request.language = options.lesson.wanted("en");
-  apply_lesson(options, request);
+  apply_lesson(options, options.lesson.load(), request);
   return request;
 }
 

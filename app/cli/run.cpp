@@ -131,7 +131,7 @@ int run(const RunOptions& options) {
   options.set_up.picture.apply_appearance(preferences.appearance);
   preferences.offers_hints = preferences.offers_hints && !options.no_hints;
   preferences.speaks = preferences.speaks || options.speaks;
-  preferences.language = options.lesson.wanted(preferences.language);
+  preferences.language = options.lesson.wanted(preferences.language, lesson);
   const Appearance& appearance = preferences.appearance;
   const auto scaled = [&](int points) { return static_cast<int>(std::lround(points * appearance.scale)); };
   const WindowLayout layout = stored.layout.value_or(

@@ -1,7 +1,8 @@
-// --lesson beside other options, as the program itself takes them.
+// --lesson and --language, as the program itself takes them.
 #include <gtest/gtest.h>
 
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -10,6 +11,19 @@
 
 namespace ghostforce {
 namespace {
+
+// A lesson in French, which the stage does not speak.
+constexpr std::string_view french_lesson = R"(format = 1
+number = 1
+[[step]]
+name = "look"
+set_up = "ghostforce run wall45 --goal-mm=-10,10"
+[fr]
+title = "Le mur"
+about = "Un mur."
+[fr.look]
+text = "Regarde."
+)";
 
 // A window would end there without a display, with another code.
 Outcome run_words(std::vector<std::string> words) {
@@ -49,6 +63,34 @@ TEST(RenderLesson, RefusesWhatTheStepSays) {
   const Outcome good = run_words({"render", "--lesson", "ghost", "--view", "stage", "--theme", "dark", "--scale", "1.5",
                                   "--size", "640x400", "-o", folder / "step.png"});
   EXPECT_EQ(good.exit_code, 0) << good.err;
+}
+
+TEST(Language, IsOneThatTheStageOrTheLessonHas) {
+  const TemporaryFolder folder;
+  write_whole(folder / "mur.toml", french_lesson);
+  const std::vector<std::vector<std::string>> calls{
+      {"render", "wall45", "--view", "stage", "--size", "320x240", "-o", folder / "a.png"},
+      {"render", "--lesson", "ghost", "--size", "320x240", "-o", folder / "a.png"},
+      {"worksheet", "ghost", "-o", folder / "a.pdf"},
+      {"run", "--exit-after", "1"},
+      {"run", "--lesson", "ghost", "--exit-after", "1"}};
+  for (const std::vector<std::string>& call : calls) {
+    for (const std::string word : {"fr", "ES", "es_ES.UTF-8", "spanish", "e", "\xff"}) {
+      const Outcome outcome = run_words(joined(call, {"--language", word}));
+      EXPECT_EQ(outcome.exit_code, 2) << call.front() << word << outcome.err;
+      EXPECT_NE(outcome.err.find("is not one of en, es"), std::string::npos) << outcome.err;
+    }
+    EXPECT_NE(run_words(joined(call, {"--language", "es"})).exit_code, 2) << call.front();
+  }
+  EXPECT_NE(run_words(joined(calls[0], {"--language", "ES"})).err.find("did you mean 'es'?"), std::string::npos);
+  const std::string own = folder / "mur.toml";
+  for (const std::vector<std::string>& call :
+       {std::vector<std::string>{"render", "--lesson", own, "--size", "320x240", "-o", folder / "a.png"},
+        std::vector<std::string>{"worksheet", "ghost", own, "-o", folder / "a.pdf"},
+        std::vector<std::string>{"run", "--lesson", own, "--exit-after", "1"}}) {
+    EXPECT_NE(run_words(joined(call, {"--language", "fr"})).exit_code, 2) << call.front();
+    EXPECT_EQ(run_words(joined(call, {"--language", "de"})).exit_code, 2) << call.front();
+  }
 }
 
 }  // namespace
