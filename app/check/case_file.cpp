@@ -108,8 +108,8 @@ struct LessonKeys {
 };
 
 // What the lesson's reader tells becomes a problem of the key that names the lesson.
-void show_lesson_of(const LessonKeys& keys, const TomlValue& named, const std::filesystem::path& folder,
-                    PictureRequest& request) {
+void show_lesson_of(const LessonKeys& keys, const TomlValue& named, const std::optional<TomlValue>& language,
+                    const std::filesystem::path& folder, PictureRequest& request) {
   const std::vector<std::string_view> shipped = shipped_lesson_names();
   const bool is_shipped = std::find(shipped.begin(), shipped.end(), *keys.lesson) != shipped.end();
   try {
@@ -118,6 +118,9 @@ void show_lesson_of(const LessonKeys& keys, const TomlValue& named, const std::f
                           .step = keys.step - 1,
                           .answer = keys.answer};
     if (const std::string problem = find_problem(picture); !problem.empty()) return named.refuse(problem, "");
+    // A lesson may speak more languages than the stage.
+    const std::vector<std::string_view> codes = languages_with(std::span(&picture.lesson, 1));
+    if (const auto code = language ? language->word(codes) : std::nullopt) request.language = codes[*code];
     request.scene = load_scene(std::string(default_scene_name));
     show_lesson_in(request, std::move(picture));
   } catch (const ReadError& error) {
@@ -218,10 +221,8 @@ void read_text(ReadCase& into, std::vector<ReadProblem>& problems) {
       {"", "lesson", [&](const TomlValue& value) { lesson.lesson = value.text(); }},
       {"", "language",
        [&](const TomlValue& value) {
-         // A lesson may speak more languages than the stage.
-         if (lesson.lesson) return void(request.language = value.text().value_or("en"));
-         std::vector<std::string_view> codes;
-         for (const StageLanguage* const each : stage_language_catalog()) codes.push_back(each->code);
+         if (lesson.lesson) return;  // with the lesson
+         const std::vector<std::string_view> codes = languages_with({});
          if (const auto code = value.word(codes)) request.language = codes[*code];
          if (request.face == Face::workbench) {
            value.refuse("belongs to the stage", "give view = \"stage\" too, or name a lesson");
@@ -256,7 +257,7 @@ void read_text(ReadCase& into, std::vector<ReadProblem>& problems) {
         const std::optional<TomlValue> other_key = named ? reader.find("", key) : std::nullopt;
         if (other_key) other_key->refuse("is what a step of a lesson says", "leave it out, or leave out lesson");
       }
-      if (lesson.lesson) show_lesson_of(lesson, *named, path.parent_path(), request);
+      if (lesson.lesson) show_lesson_of(lesson, *named, reader.find("", "language"), path.parent_path(), request);
       if (summary.origin && summary.expectation != Expectation::golden) {
         reader.refuse(
             fmt::format("the table [golden]: with the key {} no golden is used", expectation_name(summary.expectation)),

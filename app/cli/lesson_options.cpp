@@ -3,12 +3,13 @@
 #include <algorithm>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
+#include "app/console/did_you_mean.h"
+#include "app/console/failure.h"
 #include "app/console/language.h"
+#include "app/console/quoted.h"
 #include "app/lessons/lesson_file.h"
-#include "app/view/stage/stage_language.h"
 
 namespace ghostforce {
 
@@ -19,16 +20,20 @@ std::vector<std::string> files_of_lesson(const std::string& word) {
 }
 
 void attach_language(CLI::App& command, std::string& language, std::string_view usual_language) {
-  std::vector<std::string_view> codes;
-  for (const StageLanguage* const each : stage_language_catalog()) codes.push_back(each->code);
   command
       .add_option("--language", language,
-                  fmt::format("The language of the stage and of lessons, as two letters: {}; default: {}",
-                              fmt::join(codes, " or "), usual_language))
+                  fmt::format("The language of the stage and of lessons, as two letters: {}, or another that the "
+                              "lesson has; default: {}",
+                              listed(languages_with({})), usual_language))
       ->type_name("CODE");
 }
 
-std::string language_wanted(const std::string& asked_for, const std::string& kept) {
+std::string language_wanted(const std::string& asked_for, const std::string& kept,
+                            std::span<const std::shared_ptr<const Lesson>> lessons) {
+  if (!asked_for.empty()) {
+    const std::string problem = not_one_of(asked_for, languages_with(lessons));
+    if (!problem.empty()) throw Failure(ExitCode::wrong_call, fmt::format("--language: {}", problem));
+  }
   return wanted_language(asked_for.empty() ? kept : asked_for, locale_variables());
 }
 
@@ -37,6 +42,10 @@ void LessonOptions::attach(CLI::App& command, FileOptions& files, std::string_vi
                   ->type_name("NAME|FILE"),
               files_of_lesson);
   attach_language(command, language, usual_language);
+}
+
+std::string LessonOptions::wanted(const std::string& kept, const std::shared_ptr<const Lesson>& lesson) const {
+  return language_wanted(language, kept, std::span(&lesson, lesson ? 1 : 0));
 }
 
 std::shared_ptr<const Lesson> LessonOptions::load() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,8 +17,10 @@ std::vector<std::string> files_of_lesson(const std::string& word);
 
 // --language, empty where it is not given. `usual_language`: what it is then, for the help.
 void attach_language(CLI::App& command, std::string& language, std::string_view usual_language);
-// The language that the person wants to read. `kept`: from an earlier run; empty: none.
-std::string language_wanted(const std::string& asked_for, const std::string& kept = {});
+// The language that the person wants to read. `kept`: from an earlier run; empty: none. Throws Failure(wrong_call) where
+// neither the stage nor any of these lessons has the one that was asked for.
+std::string language_wanted(const std::string& asked_for, const std::string& kept,
+                            std::span<const std::shared_ptr<const Lesson>> lessons);
 
 struct LessonOptions {
   std::string name;      // of a shipped lesson, or a path; empty: none
@@ -26,7 +29,8 @@ struct LessonOptions {
   void attach(CLI::App& command, FileOptions& files, std::string_view usual_language);
   // Null: none was asked for. Throws ReadError.
   std::shared_ptr<const Lesson> load() const;
-  std::string wanted(const std::string& kept = {}) const { return language_wanted(language, kept); }
+  // As language_wanted(); `lesson`: as it was loaded.
+  std::string wanted(const std::string& kept, const std::shared_ptr<const Lesson>& lesson) const;
 };
 
 }  // namespace ghostforce

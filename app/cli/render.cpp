@@ -1,7 +1,9 @@
 // ghostforce render: the picture of a scene at one moment, drawn offscreen by the same screen as the window's.
+#include <array>
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -10,6 +12,7 @@
 
 #include "app/cli/clip_options.h"
 #include "app/cli/command.h"
+#include "app/cli/contradictions.h"
 #include "app/cli/lesson_options.h"
 #include "app/cli/picture_options.h"
 #include "app/console/failure.h"
@@ -25,6 +28,20 @@
 
 namespace ghostforce {
 namespace {
+
+constexpr std::string_view step_says = "the step says what is on the stage";
+constexpr std::array beside_lesson{
+    Contradiction{"SCENE", "", step_says},
+    Contradiction{"--set", "", step_says},
+    Contradiction{"--strategy", "", step_says},
+    Contradiction{"--mode", "", step_says},
+    Contradiction{"--landscape", "", step_says},
+    Contradiction{"--view", face_name(Face::workbench), "lessons are on the stage"},
+    Contradiction{"--compare", "", "the stage shows one strategy at a time"},
+    Contradiction{"--part", "", "a step is shown whole"},
+    Contradiction{"--at", "", "a step is shown when the hand is at rest"},
+    Contradiction{"--clip", "", "a step is one picture"},
+};
 
 struct RenderOptions {
   SceneOptions scene;
@@ -51,8 +68,9 @@ void apply_size(const std::string& text, PictureRequest& request) {
                             quoted_text(text), smallest_picture, largest_picture));
 }
 
-void apply_lesson(const RenderOptions& options, PictureRequest& request) {
-  const std::shared_ptr<const Lesson> lesson = options.lesson.load();
+// `lesson`: null if there is none.
+void apply_lesson(const RenderOptions& options, const std::shared_ptr<const Lesson>& lesson, PictureRequest& request) {
+  request.language = options.lesson.wanted("en", lesson);
   if (!lesson) return;
   LessonPicture picture{.lesson = lesson, .step = static_cast<std::size_t>(options.step.value_or(1) - 1)};
   if (options.answer) picture.answer = static_cast<std::size_t>(*options.answer);
@@ -73,8 +91,7 @@ PictureRequest request_of(const RenderOptions& options) {
   apply_strategy_word(options.picture.strategy, request);
   if (const auto compare = find_compare(options.compare)) request.options.compare = *compare;
   options.picture.apply_appearance(request.appearance);
-  request.language = options.lesson.wanted("en");
-  apply_lesson(options, request);
+  apply_lesson(options, options.lesson.load(), request);
   return request;
 }
 
@@ -123,9 +140,10 @@ int render_clip(const RenderOptions& options, const PictureRequest& request) {
   const ClipTimes times = clip_times_from(*options.clip);
   const ClipShape shape{request.width, request.height, times.frames_per_second};
   check_clip_limits(frame_count(times), shape);
-  const SetUp set_up{
-      .scene = request.scene, .goal = request.scene.goal.points.back(), .face = request.face, .mode = request.mode};
-  ClipFile file(options.output, shape, set_up_line(set_up));
+  PictureRequest last = request;
+  last.at_s = time_of_frame(times, frame_count(times) - 1);
+  const SetUp set_up = set_up_of(last, simulate_to_moment(last));
+  ClipFile file(options.output, shape, set_up_line(set_up));  // ffmpeg wants to know it before the first picture
   Progress progress("drawing the clip", frame_count(times), true);
   std::int64_t drawn = 0;
   draw_clip(request, times, [&](const Image& image) {
@@ -190,15 +208,14 @@ std::function<int()> attach_render(CLI::App& command, FileOptions& files) {
       ->excludes(command.get_option("--mode"));
   CLI::Option* const json = files.writes(
       command.add_option("--json", options->json, "Also write what was drawn, as JSON")->type_name("FILE"));
-  CLI::Option* const clip =
-      command
-          .add_option(
-              "--clip", options->clip,
-              "A clip instead of one picture: from one time to another [s] with so many pictures a second, 1 to 60, "
-              "as an animated .png, or as .mp4 or .webm if ffmpeg is installed")
-          ->type_name("FROM:TO:FPS")
-          ->excludes(command.get_option("--at"))
-          ->excludes(json);
+  command
+      .add_option(
+          "--clip", options->clip,
+          "A clip instead of one picture: from one time to another [s] with so many pictures a second, 1 to 60, as an "
+          "animated .png, or as .mp4 or .webm if ffmpeg is installed")
+      ->type_name("FROM:TO:FPS")
+      ->excludes(command.get_option("--at"))
+      ->excludes(json);
   options->lesson.attach(command, files, "en");
   CLI::Option* const lesson = command.get_option("--lesson");
   command.add_option("--step", options->step, "The step of the lesson, from 1; default: 1")
@@ -212,7 +229,6 @@ std::function<int()> attach_render(CLI::App& command, FileOptions& files) {
       ->type_name("K")
       ->needs(lesson)
       ->check(whole_number_from(1));
-  lesson->excludes(command.get_option("--mode"))->excludes(command.get_option("--strategy"))->excludes(clip);
   command.footer(
       "No display is needed, and the same call always gives the same bytes.\n"
       "\n"
@@ -227,7 +243,8 @@ std::function<int()> attach_render(CLI::App& command, FileOptions& files) {
       "  ghostforce render wall45 --view stage --size 1280x720 --clip 0:3:30 -o clip.png");
   // Lessons bring their own.
   options->scene.option->default_str("");
-  return [options] {
+  return [options, &command] {
+    if (!options->lesson.name.empty()) refuse_contradictions(command, "--lesson", beside_lesson);
     if (!options->scene.is_named() && options->lesson.name.empty()) {
       throw Failure(ExitCode::wrong_call, "SCENE is required: name a scene, as in 'ghostforce render wall45 -o F.png'");
     }

@@ -29,7 +29,7 @@
 #include "app/files/output_file.h"
 #include "app/files/run_reader.h"
 #include "app/files/scene_file.h"
-#include "app/lessons/lesson_progress.h"
+#include "app/lessons/progress_keeper.h"
 #include "app/live/application.h"
 #include "app/live/frame_pacer.h"
 #include "app/live/preferences.h"
@@ -60,22 +60,6 @@ struct RunOptions {
   std::optional<double> printed_hz;
   bool speaks = false;
   std::optional<double> exit_after_s;
-};
-
-// Keeps what has been done of the lessons up to date.
-class ProgressKeeper {
- public:
-  // `progress`: as it is stored.
-  explicit ProgressKeeper(LessonProgress progress) : progress_(std::move(progress)) {}
-
-  void keep(const Session& session) {
-    if (session.lesson_progress == progress_) return;
-    progress_ = session.lesson_progress;  // also where it cannot be stored: it is said once
-    save(progress_);
-  }
-
- private:
-  LessonProgress progress_;
 };
 
 // What stands before the recording that is to be replayed.
@@ -148,7 +132,7 @@ int run(const RunOptions& options) {
   options.set_up.picture.apply_appearance(preferences.appearance);
   preferences.offers_hints = preferences.offers_hints && !options.no_hints;
   preferences.speaks = preferences.speaks || options.speaks;
-  preferences.language = options.lesson.wanted(preferences.language);
+  preferences.language = options.lesson.wanted(preferences.language, lesson);
   const Appearance& appearance = preferences.appearance;
   const auto scaled = [&](int points) { return static_cast<int>(std::lround(points * appearance.scale)); };
   const WindowLayout layout = stored.layout.value_or(
@@ -185,7 +169,7 @@ int run(const RunOptions& options) {
   const auto keep = [&] {
     if (is_kiosk) return;
     keeper.keep(application.session());
-    progress_keeper.keep(application.session());
+    progress_keeper.keep(application.session().lesson_progress);
   };
   application.start();
   ReadingAloud reading_aloud(options.printed_hz, STDOUT_FILENO);

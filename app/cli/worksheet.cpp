@@ -58,7 +58,7 @@ int worksheet(const WorksheetOptions& options) {
   refuse_what_is_no_pdf(options.output);
   const std::vector<std::shared_ptr<const Lesson>> lessons = lessons_of(options);
   const WorksheetChoice choice{
-      .language = language_wanted(options.language, worksheet_language),
+      .language = language_wanted(options.language, worksheet_language, lessons),
       .paper = &*std::ranges::find(worksheet_paper_catalog, options.paper, &WorksheetPaper::name),
       .side = options.has_answers ? WorksheetSide::answers : WorksheetSide::questions};
   OutputFile file(options.output);

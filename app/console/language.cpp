@@ -14,12 +14,14 @@ std::string_view variable(const char* name) {
 // "es" of "es", "es_ES.UTF-8" and "es@euro"; empty: of "C", "POSIX" and what is no locale.
 std::string_view language_of(std::string_view locale) noexcept {
   const std::string_view language = locale.substr(0, locale.find_first_of("_-.@"));
-  const bool is_code = language.size() == 2 &&
-                       std::all_of(language.begin(), language.end(), [](char c) { return c >= 'a' && c <= 'z'; });
-  return is_code ? language : std::string_view{};
+  return is_language_code(language) ? language : std::string_view{};
 }
 
 }  // namespace
+
+bool is_language_code(std::string_view text) noexcept {
+  return text.size() == 2 && std::ranges::all_of(text, [](char c) { return c >= 'a' && c <= 'z'; });
+}
 
 std::string wanted_language(std::string_view asked_for, const LocaleVariables& environment) {
   for (const std::string_view locale : {asked_for, environment.all, environment.messages, environment.lang}) {

@@ -6,6 +6,9 @@
 
 namespace ghostforce {
 
+// Two small letters, as ISO 639-1 has them, whether or not any language has these.
+bool is_language_code(std::string_view text) noexcept;
+
 // What setlocale(3) would look at, in its order; empty: not set.
 struct LocaleVariables {
   std::string_view all{};       // LC_ALL

@@ -5,8 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "app/console/typed_text.h"
-
 namespace ghostforce {
 namespace {
 
@@ -30,7 +28,6 @@ class ShellSplitter {
   explicit ShellSplitter(std::string_view text) : rest_(text) {}
 
   ShellWords split() {
-    skip_prompt();
     while (!rest_.empty() && result_.problem.empty()) {
       if (is_one_of(rest_.front(), blanks)) {
         end_word();
@@ -44,11 +41,6 @@ class ShellSplitter {
   }
 
  private:
-  void skip_prompt() {
-    rest_ = trimmed(rest_);
-    if (rest_.starts_with("$ ")) rest_.remove_prefix(2);
-  }
-
   void end_word() {
     if (!word_) return;
     if (result_.words.size() == most_words) return refuse("there are too many words; give one command");

@@ -17,8 +17,7 @@ struct ShellWords {
 };
 
 // The words of one command: quotes and backslashes are taken away, and nothing is expanded. Line breaks separate words,
-// since mail programs wrap long lines; a prompt ("$ ") before the first word is left out. What a shell would run, expand
-// or redirect is a problem.
+// since mail programs wrap long lines. What a shell would run, expand or redirect is a problem.
 ShellWords split_shell_words(std::string_view text);
 
 }  // namespace ghostforce

@@ -84,6 +84,8 @@ struct LessonWords {
 
 struct Lesson {
   std::string name;                          // the file's, without .toml
+  std::string file;                          // as a person has named it; empty: the lesson comes with the program
+  std::string path;                          // of that file: absolute, and printable
   double number = 0;                         // its place among others
   std::set<LessonSecret> secrets;            // in all of its steps, whether or not a question is open
   std::vector<LessonStep> steps;             // one at least

@@ -1,9 +1,13 @@
 #include "app/lessons/lesson_file.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <system_error>
 
+#include "app/console/quoted.h"
 #include "app/files/named_text.h"
 #include "app/lessons/lesson_reader.h"
+#include "app/view/stage/stage_language.h"
 #include "embedded_lessons.h"
 
 namespace ghostforce {
@@ -13,7 +17,13 @@ std::vector<std::string_view> shipped_lesson_names() {
 }
 
 Lesson load_lesson(const std::string& name_or_path) {
-  return read_lesson(named_text(name_or_path, "lesson", embedded_lessons), name_or_path);
+  Lesson lesson = read_lesson(named_text(name_or_path, "lesson", embedded_lessons), name_or_path);
+  if (find_text(embedded_lessons, name_or_path) != nullptr) return lesson;
+  lesson.file = name_or_path;
+  std::error_code error;  // without a working folder the path is as it was named
+  const std::filesystem::path path = std::filesystem::absolute(name_or_path, error);
+  lesson.path = quoted_text(error ? name_or_path : path.lexically_normal().string(), longest_path);
+  return lesson;
 }
 
 Lesson read_lesson(std::string_view text, std::string_view shown_path) {
@@ -32,6 +42,17 @@ std::string_view language_in(const Lesson& lesson, std::string_view wanted) {
 
 const LessonWords& words_in(const Lesson& lesson, std::string_view wanted) {
   return lesson.words.at(std::string(language_in(lesson, wanted)));
+}
+
+std::vector<std::string_view> languages_with(std::span<const std::shared_ptr<const Lesson>> lessons) {
+  std::vector<std::string_view> codes;
+  for (const StageLanguage* const each : stage_language_catalog()) codes.push_back(each->code);
+  for (const auto& lesson : lessons) {
+    for (const auto& [code, words] : lesson->words) {
+      if (std::ranges::find(codes, code) == codes.end()) codes.push_back(code);
+    }
+  }
+  return codes;
 }
 
 }  // namespace ghostforce

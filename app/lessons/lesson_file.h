@@ -1,6 +1,8 @@
 // Lessons as files; strict like a scene. docs/lessons.md describes the format. Not for the servo thread.
 #pragma once
 
+#include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,5 +26,8 @@ Lesson read_lesson(std::string_view text, std::string_view shown_path);
 // That language where the lesson has words in it, else English, else whichever comes first; and these words.
 std::string_view language_in(const Lesson& lesson, std::string_view wanted);
 const LessonWords& words_in(const Lesson& lesson, std::string_view wanted);
+
+// Those that a person can ask for: the stage's own, and others of these lessons, which must outlive the answer.
+std::vector<std::string_view> languages_with(std::span<const std::shared_ptr<const Lesson>> lessons);
 
 }  // namespace ghostforce

@@ -1,5 +1,6 @@
 #include "app/lessons/lesson_progress.h"
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <utility>
@@ -44,6 +45,19 @@ LessonRecord read_record(const TomlValue& table) {
 }
 
 }  // namespace
+
+const std::string& progress_key(const Lesson& lesson) noexcept {
+  return lesson.path.empty() ? lesson.name : lesson.path;
+}
+
+void merge(LessonProgress& into, const LessonProgress& other) {
+  for (const auto& [key, record] : other.lessons) {
+    LessonRecord& merged = into.lessons[key];
+    merged.farthest = std::max(merged.farthest, record.farthest);
+    merged.right.insert(record.right.begin(), record.right.end());
+    merged.is_finished = merged.is_finished || record.is_finished;
+  }
+}
 
 LessonProgress load_lesson_progress(std::vector<std::string>& remarks) {
   LessonProgress progress;

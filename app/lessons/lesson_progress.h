@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "app/lessons/lesson.h"
+
 namespace ghostforce {
 
 struct LessonRecord {
@@ -19,10 +21,16 @@ struct LessonRecord {
 };
 
 struct LessonProgress {
-  std::map<std::string, LessonRecord> lessons;  // by name; also of lessons that are not here at the moment
+  std::map<std::string, LessonRecord> lessons;  // by progress_key(); also of lessons that are not here at the moment
 
   friend bool operator==(const LessonProgress&, const LessonProgress&) = default;
 };
+
+// A shipped lesson's name, or the path of another: a lesson of one's own is another one, whatever it is called.
+const std::string& progress_key(const Lesson& lesson) noexcept;
+
+// Adds what `other` has of each lesson: nothing that was done is lost.
+void merge(LessonProgress& into, const LessonProgress& other);
 
 // Never throws for what is in the file: a damaged one is set aside, and then nothing has been done yet. `remarks` gets
 // what the person should know of that.

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "app/console/language.h"
 #include "app/console/unicode.h"
 #include "app/files/scene_keys.h"
 #include "app/lessons/lesson_catalogs.h"
@@ -197,11 +198,6 @@ auto words_into(std::string& into, std::size_t most) {
       into = *text;
     }
   };
-}
-
-// Two small letters, as ISO 639-1 has them.
-bool is_language(std::string_view name) {
-  return name.size() == 2 && std::ranges::all_of(name, [](char c) { return c >= 'a' && c <= 'z'; });
 }
 
 }  // namespace
@@ -398,7 +394,7 @@ Lesson LessonReader::read(std::string_view text) {
     };
     toml_.whole().read_table(keys, [&](std::string_view name, const TomlValue& value) {
       if (!value.is_table()) return false;
-      if (is_language(name)) {
+      if (is_language_code(name)) {
         languages.emplace_back(name, value);
       } else {
         value.refuse("is no language", "the words of a language stand in a table such as [en] or [es]");

@@ -100,12 +100,10 @@ auto read_language(std::string& into) {
   return [&into](const TomlValue& value) {
     const auto text = value.text();
     if (!text) return;
-    const bool is_name = std::ranges::all_of(*text, [](char letter) { return letter >= 'a' && letter <= 'z'; });
-    if (is_name && text->size() <= 3) {
+    if (text->empty() || is_language_code(*text)) {  // empty: the environment's
       into = *text;
     } else {
-      value.refuse(fmt::format("'{}' is not a language", quoted_text(*text)),
-                   "give two or three letters, as in \"es\"");
+      value.refuse(fmt::format("'{}' is not a language", quoted_text(*text)), "give two small letters, as in \"es\"");
     }
   };
 }

@@ -46,7 +46,7 @@ std::string shown_words(const Session& session, const LoopReading& reading) {
                   reading.recording.is_on, reading.recording.path, reading.circle ? reading.circle->turns : 0);
   words += reading.shader_problem;
   if (const auto& lesson = session.lesson) {
-    words += fmt::format(" {} {} {} {} {}", lesson->lesson->name, session.language, lesson->step,
+    words += fmt::format(" {} {} {} {} {}", progress_key(*lesson->lesson), session.language, lesson->step,
                          static_cast<int>(lesson->steps[lesson->step].outcome), invites_visitors(session));
   }
   if (session.face == Face::workbench || session.dialog != Dialog::none) add_panel_words(session, reading, words);

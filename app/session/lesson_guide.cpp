@@ -83,7 +83,7 @@ Vector<2> hand_of(const Session& session) {
 // What was done before stays done.
 void note_progress(Session& session) {
   const LessonState& lesson = *session.lesson;
-  LessonRecord& record = session.lesson_progress.lessons[lesson.lesson->name];
+  LessonRecord& record = session.lesson_progress.lessons[progress_key(*lesson.lesson)];
   record.farthest = std::max(record.farthest, lesson.furthest);
   record.is_finished = record.is_finished || lesson.is_finished;
   for (std::size_t i = 0; i < lesson.steps.size(); ++i) {

@@ -14,6 +14,7 @@
 #include "app/console/did_you_mean.h"
 #include "app/console/quoted.h"
 #include "app/console/shell_word.h"
+#include "app/console/typed_text.h"
 #include "app/console/unicode.h"
 #include "app/files/input_file.h"
 #include "app/files/scene_file.h"
@@ -154,13 +155,43 @@ void take_scene(LineWords& line, const std::string& word) {
   line.scene = word;
 }
 
-// "ghostforce", "build/release/bin/ghostforce" and "./demo" start the program; "run" may follow.
-std::span<const std::string> without_command(std::span<const std::string> words) {
-  if (!words.empty()) {
-    const std::string& first = words.front();
-    const std::string_view program = std::string_view(first).substr(first.rfind('/') + 1);
-    if (program == "ghostforce" || program == "demo") words = words.subspan(1);
+// "ghostforce", "build/release/bin/ghostforce" and "./demo" start the program.
+bool is_program(std::string_view word) noexcept {
+  const std::string_view name = word.substr(word.rfind('/') + 1);
+  return name == "ghostforce" || name == "demo";
+}
+
+// "$", "user@host:~$", "user@host ~ %", "[root@host /]#", "~/src>": what a terminal writes before a command. Words that
+// only end in such a sign, as in "rm x # ghostforce run", begin like a command.
+bool is_prompt(std::string_view text) noexcept {
+  constexpr std::string_view signs = "$%#>";
+  constexpr std::string_view meaningful = "$%#>;|&<`'\"\\";
+  constexpr std::string_view seldom_in_command = "@~/:[(";
+  if (text.empty() || signs.find(text.back()) == std::string_view::npos) return false;
+  text.remove_suffix(1);
+  if (text.find_first_of(meaningful) != std::string_view::npos) return false;
+  const std::size_t end = text.find_first_of(" \t");
+  return end == std::string_view::npos ||
+         text.substr(0, end).find_first_of(seldom_in_command) != std::string_view::npos;
+}
+
+// A command is often copied with its prompt.
+std::string_view without_prompt(std::string_view text) noexcept {
+  text = trimmed(text);
+  const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
+  for (std::size_t end = 0; end < line.size();) {
+    const std::size_t begin = std::min(line.find_first_not_of(" \t", end), line.size());
+    end = std::min(line.find_first_of(" \t", begin), line.size());
+    if (!is_program(line.substr(begin, end - begin))) continue;
+    if (begin == 0) return text;
+    if (is_prompt(trimmed(line.substr(0, begin)))) return text.substr(begin);
   }
+  return text.substr(text.starts_with("$ ") ? 2 : 0);
+}
+
+// "run" may follow the program.
+std::span<const std::string> without_command(std::span<const std::string> words) {
+  if (!words.empty() && is_program(words.front())) words = words.subspan(1);
   if (!words.empty() && words.front() == "run") words = words.subspan(1);
   return words;
 }
@@ -236,7 +267,7 @@ std::string set_up_line(const SetUp& set_up) {
 SetUp read_set_up_line(std::string_view text) {
   if (text.size() > largest_text_file) refuse_line("", "the text is too long for a set-up");
   if (const auto unshowable = unshowable_in(text, true)) refuse_line("", fmt::format("there is {} in it", *unshowable));
-  ShellWords words = split_shell_words(text);
+  ShellWords words = split_shell_words(without_prompt(text));
   if (!words.problem.empty()) refuse_line("", std::move(words.problem));
   if (words.words.empty()) refuse_line("", "there is no text", "give a line that begins with 'ghostforce run'");
   const LineWords line = read_words(without_command(words.words));

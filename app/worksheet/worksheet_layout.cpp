@@ -134,7 +134,7 @@ class Worksheet {
     pen.text({left(), top_}, content_.title, title_style);
     top_ += title_style.height + part_gap;
     if (is_first && content_.side == WorksheetSide::questions) {
-      top_ = pen.paragraph({left(), top_}, phrases.how, right() - left(), body) + part_gap;
+      top_ = pen.paragraph({left(), top_}, content_.how, right() - left(), body) + part_gap;
     }
     first_top_ = top_ += part_gap;
   }
@@ -238,11 +238,14 @@ class Worksheet {
   void add_footer(std::size_t number) {
     WorksheetPen pen = pen_on(pages_[number]);
     const double y = size_.y - worksheet_margin - quiet.height;
-    pen.text({left(), y}, content_.footer, quiet);
-    if (pages_.size() == 1) return;
-    std::string place = fmt::format("{} / {}", number + 1, pages_.size());
+    std::string place = pages_.size() == 1 ? "" : fmt::format("{} / {}", number + 1, pages_.size());
     const double width = pen.width(place, quiet);
-    pen.text({right() - width, y}, std::move(place), quiet);
+    const auto has_room = [&](const std::string& footer) {
+      return pen.width(footer, quiet) <= right() - left() - (width > 0.0 ? width + gap : 0.0);
+    };
+    const auto footer = std::ranges::find_if(content_.footers, has_room);
+    pen.text({left(), y}, footer == content_.footers.end() ? content_.footers.back() : *footer, quiet);
+    if (!place.empty()) pen.text({right() - width, y}, std::move(place), quiet);
   }
 
   const WorksheetContent& content_;

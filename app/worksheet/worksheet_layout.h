@@ -32,8 +32,9 @@ inline constexpr double worksheet_margin = 40.0;
 inline constexpr double least_worksheet_em = 9.0;
 
 struct WorksheetContent {
-  std::string title;  // with the lesson's number
-  std::string footer;
+  std::string title;                 // with the lesson's number
+  std::string how;                   // to work with the page
+  std::vector<std::string> footers;  // the first that has room on the line is taken, else the last
   std::vector<WorksheetItem> items;
   std::string in_short;  // what the lesson says about itself; empty: lines to write on
   const WorksheetPhrases& phrases;

@@ -10,7 +10,9 @@ struct WorksheetPhrases {
   std::string_view name;  // each with a line to write on
   std::string_view date;
   std::string_view answers;   // beside the title of the page with the answers
-  std::string_view how;       // to work with the page
+  std::string_view open;      // the lesson: one that comes with the program,
+  std::string_view open_own;  // and another
+  std::string_view how;       // to work with the page then
   std::string_view because;   // after the answers to choose from
   std::string_view draw;      // into the picture of a guess
   std::string_view off_by;    // so many mm was the guess on the screen

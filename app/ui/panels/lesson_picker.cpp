@@ -23,7 +23,7 @@ constexpr float lesson_card_width = 420.0F;
 
 // What is known of a lesson, in words.
 std::string progress_words(const Lesson& lesson, const LessonProgress& progress, const StageLanguage::Picker& words) {
-  const auto found = progress.lessons.find(lesson.name);
+  const auto found = progress.lessons.find(progress_key(lesson));
   if (found == progress.lessons.end()) return filled(words.steps, lesson.steps.size());
   const LessonRecord& record = found->second;
   const std::size_t questions = questions_of(lesson);
@@ -37,7 +37,7 @@ std::string progress_words(const Lesson& lesson, const LessonProgress& progress,
 std::size_t lesson_to_begin(const Session& session) {
   const auto& lessons = shipped_lessons();
   for (std::size_t i = 0; i < lessons.size(); ++i) {
-    const auto found = session.lesson_progress.lessons.find(lessons[i]->name);
+    const auto found = session.lesson_progress.lessons.find(progress_key(*lessons[i]));
     if (found == session.lesson_progress.lessons.end() || !found->second.is_finished) return i;
   }
   return 0;

@@ -143,6 +143,7 @@ TEST(Check, ShowsStepsOfLessons) {
   for (const auto& [text, words] :
        {std::pair(step + "step = 99\n", "the lesson ghost has"), std::pair(step + "answer = 9\n", "has 3 answers"),
         std::pair(std::string("lesson = \"gost\"\n"), "did you mean 'ghost'"),
+        std::pair(step + "language = \"ES\"\n", "'ES' is not one of en, es; did you mean 'es'?"),
         std::pair(step + "scene = \"wall45\"\n", "is what a step of a lesson says"),
         std::pair(std::string("scene = \"wall45\"\nstep = 2\n"), "belongs to a lesson")}) {
     const Outcome bad = Cases({{"bad", text + "mismatch = \"other\"\n"}, {"other", std::string(small_case)}}).check();

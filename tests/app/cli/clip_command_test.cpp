@@ -8,6 +8,8 @@
 
 #include "app/files/clip_file.h"
 #include "app/files/scene_file.h"
+#include "app/set_up/picture_set_up.h"
+#include "app/set_up/set_up_line.h"
 #include "app/ui/offscreen.h"
 #include "tests/support/animated_png_reader.h"
 #include "tests/support/fake_ffmpeg.h"
@@ -84,6 +86,20 @@ TEST(RenderClip, ShowsTheHandGoingIn) {
     ASSERT_EQ(outcome.exit_code, 0) << mode << outcome.err;
     EXPECT_GT(read_animated_png(read_whole(folder / "clip.png")).frames.size(), 3U) << mode;
   }
+}
+
+// The last picture: what is on the screen when somebody stops the clip at its end.
+TEST(RenderClip, CarriesTheSetUpOfItsLastPicture) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run_program(GHOSTFORCE_PROGRAM, render({"--view", "stage", "--clip", "0:0.5:5", "-o", folder / "clip.png"}))
+                .exit_code,
+            0);
+  ASSERT_EQ(
+      run_program(GHOSTFORCE_PROGRAM, render({"--view", "stage", "--at", "0.4", "-o", folder / "last.png"})).exit_code,
+      0);
+  const auto set_up = read_picture_set_up(folder / "clip.png");
+  EXPECT_EQ(set_up_line(set_up), set_up_line(read_picture_set_up(folder / "last.png")));
+  EXPECT_NE(set_up.goal, load_scene("wall45").goal.points.back()) << "the hand is on its way";
 }
 
 TEST(RenderClip, SaysWhatIsWrongWithACall) {

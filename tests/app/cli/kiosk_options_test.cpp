@@ -23,6 +23,7 @@ TEST(KioskOptions, ContradictionsAreRefusedInWords) {
   for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
            {"fig1"},
            {"--set", "wall.normal_deg=90"},
+           {"--set", "wall.normal_deg=90", "--set", "device.mass_kg=0.1"},
            {"--goal-mm=1,2"},
            {"--strategy", "full"},
            {"--mode", "why"},

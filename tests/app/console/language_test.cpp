@@ -5,6 +5,13 @@
 namespace ghostforce {
 namespace {
 
+TEST(LanguageCode, IsTwoSmallLetters) {
+  EXPECT_TRUE(is_language_code("es"));
+  for (const std::string_view text : {"", "e", "spa", "ES", "e1", "es_ES", "\xc3\xa9"}) {
+    EXPECT_FALSE(is_language_code(text)) << text;
+  }
+}
+
 TEST(WantedLanguage, IsTheFirstThatAnythingNames) {
   EXPECT_EQ(wanted_language("", {}), "en");
   EXPECT_EQ(wanted_language("", {.lang = "es_ES.UTF-8"}), "es");

@@ -34,8 +34,8 @@ TEST(ShellWords, AreThoseOfAShell) {
   }
 }
 
-TEST(ShellWords, LeaveOutPromptsAndLineBreaks) {
-  EXPECT_EQ(split_shell_words("  $ a b\n").words, (std::vector<std::string>{"a", "b"}));
+TEST(ShellWords, AreSeparatedByLineBreaks) {
+  EXPECT_EQ(split_shell_words("  a b\n").words, (std::vector<std::string>{"a", "b"}));
   EXPECT_EQ(split_shell_words("a\r\nb").words, (std::vector<std::string>{"a", "b"}));
   EXPECT_TRUE(split_shell_words(" \n ").words.empty());
 }

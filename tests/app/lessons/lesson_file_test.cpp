@@ -251,6 +251,8 @@ TEST(LessonFile, IsFoundByNameOrByPath) {
   const TemporaryFolder folder;
   write_whole(folder / "mine.toml", small_lesson);
   EXPECT_EQ(load_lesson(folder / "mine.toml").name, "mine");
+  EXPECT_EQ(load_lesson("ghost").file, "");
+  EXPECT_EQ(load_lesson(folder / "mine.toml").file, folder / "mine.toml");
   try {
     load_lesson("gost");
     FAIL();

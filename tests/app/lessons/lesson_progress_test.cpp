@@ -7,6 +7,8 @@
 #include <filesystem>
 
 #include "app/console/failure.h"
+#include "app/lessons/lesson_file.h"
+#include "tests/app/lessons/lesson_text.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce {
@@ -40,6 +42,24 @@ TEST_F(LessonProgressFile, IsReadAsItWasSaved) {
   EXPECT_TRUE(remarks_.empty());
   save(LessonProgress{});
   EXPECT_EQ(load(), LessonProgress{}) << "reset";
+}
+
+TEST_F(LessonProgressFile, TellsALessonOfOnesOwnFromAShippedOne) {
+  write_whole(folder_ / "ghost.toml", small_lesson);
+  const Lesson own = load_lesson(folder_ / "ghost.toml");
+  EXPECT_EQ(own.name, "ghost");
+  EXPECT_EQ(progress_key(own), folder_ / "ghost.toml");
+  EXPECT_EQ(progress_key(load_lesson(folder_ / "./ghost.toml")), progress_key(own));
+  EXPECT_EQ(progress_key(load_lesson("ghost")), "ghost");
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(folder_.path());
+  EXPECT_EQ(progress_key(load_lesson("ghost.toml")), progress_key(own));
+  std::filesystem::current_path(before);
+  write_whole(folder_ / "gh\xffst.toml", small_lesson);
+  LessonProgress progress;
+  progress.lessons[progress_key(load_lesson(folder_ / "gh\xffst.toml"))].farthest = 1;
+  save(progress);
+  EXPECT_EQ(load(), progress) << "whatever the file is called";
 }
 
 TEST_F(LessonProgressFile, LeavesAloneWhatANewerProgramWrote) {

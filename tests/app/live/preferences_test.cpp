@@ -322,8 +322,8 @@ TEST_F(PreferencesTest, DamagedFilesAreSetAsideOneByOne) {
         std::string("scale = nan"), std::string("scale = \"2\""), std::string("scale = true"),
         std::string("hints = \"yes\""), std::string("view = \"bench\""), std::string("view = 1"),
         std::string("compare = \"none\""), std::string("plots_span_s = 0"), std::string("speed = 2"),
-        std::string("language = \"../es\""), std::string("spacemouse_dead_zone = -1"),
-        std::string("\xff\xfe\0garbage", 10)}) {
+        std::string("language = \"../es\""), std::string("language = \"spa\""),
+        std::string("spacemouse_dead_zone = -1"), std::string("\xff\xfe\0garbage", 10)}) {
     write_preferences(text);
     const StoredPreferences stored = load_preferences();
     EXPECT_EQ(stored.preferences, Preferences{}) << text;

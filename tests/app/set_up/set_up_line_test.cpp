@@ -89,6 +89,13 @@ TEST(SetUpLine, ReadsWhatPeoplePaste) {
   const auto expected = set_up_values(set_up);
   for (const std::string_view line : {
            "$ ghostforce run wall45 --goal-mm=25,-10 --strategy naive --view stage\n",
+           "user@host:~$ ghostforce run wall45 --goal-mm=25,-10 --strategy naive",
+           "user@host ~/src/ghostforce % build/release/bin/ghostforce run --goal-mm=25,-10 --strategy naive",
+           "(venv) [root@host /tmp]# ghostforce run wall45 --goal-mm=25,-10\n  --strategy naive",
+           "user@host ~> ghostforce run wall45 --goal-mm=25,-10 --strategy naive",
+           "% ./demo --goal-mm=25,-10 --strategy naive",
+           "> /opt/ghostforce run wall45 --goal-mm=25,-10 --strategy naive",
+           "$ wall45 --goal-mm=25,-10 --strategy naive",
            "wall45 --goal-mm 25,-10 --strategy=naive",
            "  run --strategy naive --goal-mm=25.0,-1e1  ",
            "./demo --goal-mm=+25,-10 --strategy naive",
@@ -137,6 +144,16 @@ TEST(SetUpLine, SurvivesHostileText) {
   expect_refused("ghostforce run $(id)", "a shell would act on the '$'");
   expect_refused("ghostforce run \"`id`\"", "a shell would act on the '`'");
   expect_refused("ghostforce run wall45 > x", "a shell would act on the '>'");
+  expect_refused("rm -rf x; ghostforce run wall45", "a shell would act on the ';'");
+  expect_refused("rm -rf x # ghostforce run wall45", "a shell would act on the '#'");
+  expect_refused("echo x > ghostforce run wall45", "a shell would act on the '>'");
+  expect_refused("echo x> ghostforce run wall45", "a shell would act on the '>'");
+  expect_refused("a|b$ ghostforce run wall45", "a shell would act on the '|'");
+  expect_refused("$(id)$ ghostforce run wall45", "a shell would act on the '$'");
+  expect_refused("user@host:~$ ghostforce run wall45; id", "a shell would act on the ';'");
+  expect_refused("user@host:~$ ghostforce run wall45\nuser@host:~$ id", "a shell would act on the '$'");
+  expect_refused("user@host:~$ rm -rf x", "a shell would act on the '$'");
+  expect_refused("sudo ghostforce run wall45", "stands after the scene 'sudo'");
   expect_refused("ghostforce run\0wall45"s, "U+0000");
   expect_refused("ghostforce run \x1b[2J", "U+001B");
   expect_refused("ghostforce run \xff", "0xFF, which is not UTF-8");

@@ -224,6 +224,24 @@ TEST(Worksheet, OfALongLessonTakesMorePagesAndNoSmallerLetters) {
   }
 }
 
+TEST(Worksheet, SaysHowItsLessonIsOpened) {
+  const auto text_for = [](const std::string& file, WorksheetSide side) {
+    auto lesson = std::make_shared<Lesson>(load_lesson("ghost"));
+    lesson->file = file;
+    return text_of(worksheet_of(lesson, {.side = side}));
+  };
+  EXPECT_TRUE(holds(text_for("", WorksheetSide::questions), "Open this lesson on the screen (F5). Answer each"));
+  EXPECT_TRUE(holds(text_for("", WorksheetSide::questions), "ghostforce run --lesson ghost "));
+  const std::string own = text_for("lessons/my own.toml", WorksheetSide::questions);
+  EXPECT_TRUE(holds(own, "Open this lesson on the screen. Answer each"));
+  EXPECT_FALSE(holds(own, "F5"));
+  EXPECT_TRUE(holds(own, "ghostforce run --lesson 'lessons/my own.toml' "));
+  EXPECT_TRUE(holds(text_for("gh\xffst.toml", WorksheetSide::answers), "ghostforce run --lesson 'gh\\xFFst.toml' "));
+  const std::string far = text_for(std::string(300, 'a') + "/own.toml", WorksheetSide::answers);
+  EXPECT_TRUE(holds(far, "ghostforce run --lesson own.toml ")) << "in its folder, where the whole path has no room";
+  EXPECT_FALSE(holds(text_for(std::string(250, 'w') + ".toml", WorksheetSide::answers), "--lesson"));
+}
+
 TEST(Worksheet, IsInALanguageThatTheLessonHas) {
   auto lesson = std::make_shared<Lesson>(load_lesson("ghost"));
   lesson->words.erase("es");
