@@ -28,7 +28,9 @@ const Vector<2> deep{0.02, -0.02};
 
 // A text, a choice with a reveal, a guess, a task that goes on with what is there, three steps of Why?.
 std::shared_ptr<const Lesson> lesson_for_test() {
-  Lesson lesson{.name = "test", .number = 1, .secrets = {}, .steps = {}, .words = {}};
+  Lesson lesson;
+  lesson.name = "test";
+  lesson.number = 1;
   lesson.steps.resize(7);
   lesson.steps[0].set_up = set_up_at(outside);
   lesson.steps[0].controls = {LessonControl::hand};
