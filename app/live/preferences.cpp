@@ -88,6 +88,8 @@ struct NamedId {
   Id id;
   std::string_view name;
 };
+template <typename Id>
+NamedId(Id, std::string_view) -> NamedId<Id>;
 using CapMode = SpaceMouseSettings::Mode;
 using CapUp = SpaceMouseSettings::Up;
 constexpr std::array cap_modes{NamedId{CapMode::position, "position"}, NamedId{CapMode::rate, "speed"}};
