@@ -11,6 +11,7 @@
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
 #include "app/console/progress.h"
+#include "app/console/quoted.h"
 #include "app/console/typed_text.h"
 #include "app/files/run_file.h"
 #include "app/files/scene_file.h"
