@@ -48,10 +48,10 @@ TEST(WorksheetItems, TickTheRightAnswerAndSayWhatTheLessonSays) {
 TEST(WorksheetItems, LeaveToTheScreenWhatIsToldAfterAQuestion) {
   const std::vector<WorksheetItem> items = items_of("why", WorksheetSide::questions);
   ASSERT_EQ(items.size(), 4U);
-  EXPECT_EQ(items[1].number, "2–5");
+  EXPECT_EQ(items[1].number, "2–6");
   EXPECT_EQ(items[1].text, "");
   EXPECT_EQ(items[1].lines.front().words, "Look at the screen. What do you see?");
-  EXPECT_EQ(items[2].number, "6");
+  EXPECT_EQ(items[2].number, "7");
   EXPECT_EQ(items_of("ghost", WorksheetSide::questions)[6].lines.front().words,
             "Try it on the screen. What do you see?");
   EXPECT_NE(items_of("feel-a-wall", WorksheetSide::questions)[0].text, "") << "before the first question";
@@ -67,7 +67,7 @@ TEST(WorksheetItems, HideTheHandleWhereAPictureWouldAnswerAQuestionAbove) {
     return numbers;
   };
   EXPECT_EQ(hidden("ghost"), (std::set<std::string>{"3", "4", "5"}));
-  EXPECT_EQ(hidden("why"), (std::set<std::string>{"6", "7"})) << "the force was a secret";
+  EXPECT_EQ(hidden("why"), (std::set<std::string>{"7", "8"})) << "the force was a secret";
   EXPECT_EQ(hidden("cure"), (std::set<std::string>{"4"}));
   EXPECT_EQ(hidden("measure-a-hand"), (std::set<std::string>{})) << "what is measured is seen from the beginning";
   for (const WorksheetItem& item : items_of("ghost", WorksheetSide::answers)) EXPECT_FALSE(item.hides_handle);
