@@ -1,4 +1,4 @@
-# ghostforce_add_room([SEPARATE] SOURCES file...)
+# ghostforce_add_room([SEPARATE] [SOURCES file...] [DESKTOP file...] [PAGE file...])
 #
 # One folder as one CMake library, named after it: app/ui/plots is app_ui_plots. What it links is its line of rooms.txt,
 # so that each folder can be built and tested by itself. That it includes no more is kept by the architecture test, which
@@ -8,6 +8,9 @@
 # less than half the processor time. So names must differ within a room, in unnamed namespaces too. The preset clang sees
 # that each source can be compiled by itself, and dev is the quicker one after a change of one source. SEPARATE: each by
 # itself in every preset.
+#
+# The program has two fronts, a desktop and a page in a browser. DESKTOP sources are compiled for the one only, PAGE
+# sources for the other. Where both stand behind one header, x.h, the desktop's is x.cpp and the page's is x_page.cpp.
 
 # What that file calls the libraries: dependencies.cmake finds them.
 set(library_glm glm::glm)
@@ -64,11 +67,16 @@ function(room_links folder result)
 endfunction()
 
 function(ghostforce_add_room)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "SEPARATE" "" "SOURCES")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "SEPARATE" "" "SOURCES;DESKTOP;PAGE")
   cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE folder)
   room_library(${folder} name)
   room_links(${folder} links)
-  add_library(${name} STATIC ${arg_SOURCES})
+  if(EMSCRIPTEN)
+    set(own ${arg_PAGE})
+  else()
+    set(own ${arg_DESKTOP})
+  endif()
+  add_library(${name} STATIC ${arg_SOURCES} ${own})
   target_link_libraries(${name} PUBLIC ${links} project_options PRIVATE project_warnings)
   set_property(TARGET ${name} PROPERTY UNITY_BUILD_BATCH_SIZE 0)  # no limit
   if(arg_SEPARATE)
