@@ -2,6 +2,10 @@
 # "apt" means a Debian package listed in packages.txt, which ./demo and ./check install.
 #
 # Which folder may use which library is said in rooms.txt.
+#
+# The page in a browser is built in a Debian 13 of its own (cmake/page_toolchain.sh, the packages of [page]), because
+# Debian 12's Emscripten is too old for C++20. It has the headers of glm, fmt, toml++ and nlohmann-json from there, and
+# compiles what else it needs from pinned sources: page_sources.cmake.
 
 # ---- The model -------------------------------------------------------------------------------------------------------
 

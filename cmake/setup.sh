@@ -29,16 +29,22 @@ fail_with() {
 
 # ---- Packages --------------------------------------------------------------------------------------------------------
 
-# install_packages SECTION...: installs what is missing of these sections of packages.txt; calls no apt when nothing is.
-install_packages() {
-  local line section='' wanted=()
+# packages_of SECTION...: prints those of these sections of packages.txt, one a line.
+packages_of() {
+  local line section=''
   while read -r line; do
     case $line in
       '' | '#'*) ;;
       '['*) section=${line//[\[\]]/} ;;
-      *) [[ " $* " != *" $section "* ]] || wanted+=("$line") ;;
+      *) [[ " $* " != *" $section "* ]] || printf '%s\n' "$line" ;;
     esac
   done <"$root/packages.txt"
+}
+
+# install_packages SECTION...: installs what is missing of these sections; calls no apt when nothing is.
+install_packages() {
+  local wanted
+  mapfile -t wanted < <(packages_of "$@")
 
   if ! command -v dpkg-query >/dev/null; then
     say "This is not Debian or a system based on it. $root/packages.txt names the packages that the build needs."

@@ -1,0 +1,66 @@
+# Libraries that the page compiles from their sources, because Debian has them for its own processors only: ImGui and
+# ImPlot, zlib and libpng. They become the same targets that dependencies.cmake finds for the desktop.
+
+# unpack(ARCHIVE SHA256 NAME OUT PATTERN...): unpacks these files of an archive that must be exactly this one, once.
+function(unpack archive sha256 name out)
+  set(unpacked ${GHOSTFORCE_DOWNLOAD_DIR}/${name})
+  set(${out} ${unpacked} PARENT_SCOPE)
+  if(EXISTS ${unpacked})
+    return()
+  endif()
+  file(SHA256 ${archive} found)
+  if(NOT found STREQUAL sha256)
+    message(FATAL_ERROR "${archive} is not the file that this program was tried with: its SHA-256 is\n${found}, not\n${sha256}.")
+  endif()
+  # Unpack beside, then rename: an interrupted run leaves no half-filled directory behind.
+  set(scratch ${PROJECT_BINARY_DIR}/unpacking)
+  file(REMOVE_RECURSE ${scratch})
+  file(ARCHIVE_EXTRACT INPUT ${archive} DESTINATION ${scratch} PATTERNS ${ARGN})
+  file(GLOB top ${scratch}/*)
+  file(RENAME ${top} ${unpacked})
+  file(REMOVE_RECURSE ${scratch})
+endfunction()
+
+# ---- Dear ImGui and ImPlot -------------------------------------------------------------------------------------------
+
+unpack(${GHOSTFORCE_DOWNLOAD_DIR}/imgui_bundle-${imgui_bundle_version}.tar.gz ${imgui_bundle_sha256}
+  imgui-bundle-${imgui_bundle_version} bundle
+  "*/external/imgui/imgui/*.h" "*/external/imgui/imgui/*.cpp" "*/external/imgui/imgui/backends/imgui_impl_opengl3*"
+  "*/external/implot/implot/*.h" "*/external/implot/implot/*.cpp")
+set(imgui ${bundle}/external/imgui/imgui)
+set(implot ${bundle}/external/implot/implot)
+add_library(imgui_sources STATIC
+  ${imgui}/imgui.cpp ${imgui}/imgui_draw.cpp ${imgui}/imgui_stacklayout.cpp ${imgui}/imgui_tables.cpp
+  ${imgui}/imgui_widgets.cpp ${imgui}/backends/imgui_impl_opengl3.cpp ${implot}/implot.cpp ${implot}/implot_items.cpp)
+target_include_directories(imgui_sources SYSTEM PUBLIC ${imgui} ${imgui}/backends ${implot})
+target_compile_features(imgui_sources PUBLIC cxx_std_20)
+target_compile_definitions(imgui_sources PUBLIC
+  IMPLOT_CUSTOM_NUMERIC_TYPES=\(double\)  # of all the types that its plots are templates of
+  IMGUI_DISABLE_DEMO_WINDOWS IMGUI_DISABLE_DEBUG_TOOLS
+  IMGUI_DISABLE_FILE_FUNCTIONS
+  PRIVATE IMGUI_IMPL_OPENGL_ES3)
+add_library(ghostforce::gui ALIAS imgui_sources)
+
+# ---- zlib and libpng -------------------------------------------------------------------------------------------------
+
+unpack(${zlib_archive} ${zlib_sha256} zlib zlib "*/*.c" "*/*.h")
+add_library(zlib_sources STATIC
+  ${zlib}/adler32.c ${zlib}/compress.c ${zlib}/crc32.c ${zlib}/deflate.c ${zlib}/inffast.c ${zlib}/inflate.c
+  ${zlib}/inftrees.c ${zlib}/trees.c ${zlib}/uncompr.c ${zlib}/zutil.c)
+target_include_directories(zlib_sources SYSTEM PUBLIC ${zlib})
+add_library(ZLIB::ZLIB ALIAS zlib_sources)
+
+unpack(${libpng_archive} ${libpng_sha256} libpng libpng "*/*.c" "*/*.h" "*/scripts/pnglibconf.h.prebuilt")
+configure_file(${libpng}/scripts/pnglibconf.h.prebuilt ${PROJECT_BINARY_DIR}/generated/libpng/pnglibconf.h COPYONLY)
+foreach(part IN ITEMS "" error get mem pread read rio rtran rutil set trans wio write wtran wutil)
+  list(APPEND png_files ${libpng}/png${part}.c)
+endforeach()
+add_library(libpng_sources STATIC ${png_files})
+target_include_directories(libpng_sources SYSTEM PUBLIC ${libpng} ${PROJECT_BINARY_DIR}/generated/libpng)
+# What no picture of ours has.
+target_link_libraries(libpng_sources PUBLIC zlib_sources)
+add_library(PNG::PNG ALIAS libpng_sources)
+
+foreach(library IN ITEMS imgui_sources zlib_sources libpng_sources)
+  set_property(TARGET ${library} PROPERTY UNITY_BUILD OFF)
+endforeach()
