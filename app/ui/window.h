@@ -146,7 +146,6 @@ class Window {
   void begin_frame(double interval_s);
 
   Fonts fonts_{};
-  bool has_started_drawing_ = false;
   int density_ = 1;  // of the frame that is being drawn
   std::deque<KeyEvent> key_events_;
   bool awaits_character_ = false;  // of the newest of them it is not known yet what it types
