@@ -16,9 +16,9 @@
 #include <vector>
 
 #include "app/check/comparison.h"
+#include "app/desktop/offscreen.h"
 #include "app/files/png_file.h"
 #include "app/files/scene_file.h"
-#include "app/ui/offscreen.h"
 #include "bench/support/child.h"
 #include "bench/support/contest.h"
 #include "bench/support/report.h"

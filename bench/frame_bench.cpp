@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "app/cli/desktop_inputs.h"
+#include "app/desktop/glfw_window.h"
 #include "app/files/scene_file.h"
 #include "app/ui/panels/panel_catalog.h"
 #include "app/ui/screen.h"
@@ -300,7 +301,7 @@ class Frames {
             }};
   }
 
-  Window window_;
+  GlfwWindow window_;
   Screen screen_;
   std::vector<InputChoice> inputs_;
   DemoCurves curves_;

@@ -25,6 +25,7 @@
 #include <vector>
 
 #include "app/cli/desktop_inputs.h"
+#include "app/desktop/glfw_window.h"
 #include "app/files/scene_file.h"
 #include "app/live/application.h"
 #include "bench/support/contest.h"
@@ -80,7 +81,7 @@ class DrawnWindow {
  private:
   static constexpr double interval_s = 1.0 / 60.0;
 
-  Window window_{{.title = "jitter", .offscreen = true, .takes_mouse = false}};
+  GlfwWindow window_{{.title = "jitter", .offscreen = true, .takes_mouse = false}};
   Application application_;
 };
 

@@ -1,4 +1,3 @@
-#version 330 core
 // Colours a pixel by its signed distance to the mark's outline: edges are anti-aliased exactly, without multisampling,
 // which costs a software renderer two to four times the frame.
 

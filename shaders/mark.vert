@@ -1,4 +1,3 @@
-#version 330 core
 // One quad per mark, just large enough for it and its anti-aliased edge.
 
 layout(location = 0) in vec4 ends;     // from.xy, to.xy [px], y down, from the viewport's upper left corner

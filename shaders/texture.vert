@@ -1,4 +1,3 @@
-#version 330 core
 // One upright rectangle with a texture over all of it, and a pixel more for its anti-aliased edge.
 
 uniform vec4 rectangle;  // left, top, right, bottom [px], y down, from the viewport's upper left corner

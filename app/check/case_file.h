@@ -10,8 +10,8 @@
 
 #include "app/check/comparison.h"
 #include "app/check/golden_origin.h"
+#include "app/desktop/offscreen.h"
 #include "app/files/read_error.h"
-#include "app/ui/offscreen.h"
 
 namespace ghostforce {
 

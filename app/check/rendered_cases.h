@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/check/case_file.h"
-#include "app/ui/offscreen.h"
+#include "app/desktop/offscreen.h"
 
 namespace ghostforce {
 

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "app/ui/offscreen.h"
+#include "app/desktop/offscreen.h"
 
 namespace ghostforce {
 

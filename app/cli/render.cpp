@@ -18,13 +18,13 @@
 #include "app/console/failure.h"
 #include "app/console/progress.h"
 #include "app/console/quoted.h"
+#include "app/desktop/offscreen.h"
 #include "app/files/clip_file.h"
 #include "app/files/output_file.h"
 #include "app/files/png_file.h"
 #include "app/paint/vector/vector_painter.h"
 #include "app/set_up/picture_set_up.h"
 #include "app/set_up/set_up_line.h"
-#include "app/ui/offscreen.h"
 
 namespace ghostforce {
 namespace {

@@ -25,6 +25,8 @@
 #include "app/console/interruption.h"
 #include "app/console/quoted.h"
 #include "app/console/words.h"
+#include "app/desktop/display_loss.h"
+#include "app/desktop/glfw_window.h"
 #include "app/doctor/diagnosis.h"
 #include "app/files/output_file.h"
 #include "app/files/run_reader.h"
@@ -36,7 +38,6 @@
 #include "app/live/reading_aloud.h"
 #include "app/paint/vector/file_painter.h"
 #include "app/runs/replay_start.h"
-#include "app/ui/display_loss.h"
 #include "app/ui/panels/panel_catalog.h"
 #include "core/input_choice.h"
 #include "core/safety.h"
@@ -139,7 +140,7 @@ int run(const RunOptions& options) {
       WindowLayout{.width = scaled(WindowLayout::first_width), .height = scaled(WindowLayout::first_height)});
   if (is_kiosk) say("{}\n", end_of_kiosk);
   leave_processor_to_servo();
-  Window window(
+  GlfwWindow window(
       {.title = window_title(set_up.scene), .width = layout.width, .height = layout.height, .fits_monitor = true});
   if (layout.is_maximized) window.maximize();
   if (layout.is_full_screen) window.toggle_full_screen();

@@ -215,7 +215,6 @@ gl::Texture GlPainter::texture_of(const Pane& pane, const Theme& theme) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_A, GL_ONE);  // blending leaves less than that in it
   glBindTexture(GL_TEXTURE_2D, 0);
   GLint before = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &before);
@@ -223,7 +222,9 @@ gl::Texture GlPainter::texture_of(const Pane& pane, const Theme& theme) {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.name(), 0);
   fill(theme.background, rect);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);  // opaque it stays: blending would leave less than that in it
   paint_marks(pane, rect, 1.0);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(before));
   return texture;
 }

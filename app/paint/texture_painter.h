@@ -19,7 +19,8 @@ class TexturePainter {
   void paint(const Raster& raster, const Vector<2>& corner, const Vector<2>& size, const Vector<2>& viewport) const;
 
  private:
-  void draw(const Vector<2>& corner, const Vector<2>& size, Colour tint, const Vector<2>& viewport) const;
+  void draw(const Vector<2>& corner, const Vector<2>& size, Colour tint, bool holds_shares,
+            const Vector<2>& viewport) const;
 
   gl::Program program_;
   gl::VertexArray no_attributes_;
@@ -28,6 +29,7 @@ class TexturePainter {
   GLint rectangle_uniform_;
   GLint viewport_uniform_;
   GLint tint_uniform_;
+  GLint holds_shares_uniform_;
 };
 
 }  // namespace ghostforce

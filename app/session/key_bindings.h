@@ -12,14 +12,14 @@ namespace ghostforce {
 // As it happened, with the modifiers of that moment. ImGui tells which keys are down once per frame; where a frame takes
 // as long as a quick chord, Alt+R would be an R.
 struct KeyPress {
-  int key = 0;        // GLFW_KEY_…; letters, digits and signs as the keyboard's layout has them
-  int modifiers = 0;  // GLFW_MOD_SHIFT | GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER
+  int key = 0;        // one of keys.h; letters, digits and signs as the keyboard's layout has them
+  int modifiers = 0;  // modifier::shift | modifier::control | modifier::alt | modifier::super
   bool is_repeat = false;
 };
 
 struct KeyBinding {
-  int key;                    // GLFW_KEY_…
-  int modifiers;              // GLFW_MOD_…
+  int key;                    // of keys.h
+  int modifiers;              // of keys.h
   std::string_view shown;     // as printed on the keys; empty: a further key of the row above
   std::string_view sentence;  // what it does
   void (*act)(Session&);

@@ -1,28 +1,28 @@
 #include "app/ui/key_layout.h"
 
-#include <GLFW/glfw3.h>
+#include "app/session/keys.h"
 
 namespace ghostforce {
 
 int key_by_layout(int key, const char* name) noexcept {
-  const bool is_on_number_pad = key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_EQUAL;
+  const bool is_on_number_pad = key >= key::number_pad_0 && key <= key::number_pad_equal;
   if (is_on_number_pad || name == nullptr || name[0] == '\0' || name[1] != '\0') return key;
   const char sign = name[0];
-  if (sign >= 'a' && sign <= 'z') return GLFW_KEY_A + (sign - 'a');
-  if (sign >= 'A' && sign <= 'Z') return GLFW_KEY_A + (sign - 'A');
+  if (sign >= 'a' && sign <= 'z') return key::a + (sign - 'a');
+  if (sign >= 'A' && sign <= 'Z') return key::a + (sign - 'A');
   switch (sign) {
     case '.':
-      return GLFW_KEY_PERIOD;
+      return key::period;
     case ',':
-      return GLFW_KEY_COMMA;
+      return key::comma;
     case '[':
-      return GLFW_KEY_LEFT_BRACKET;
+      return key::left_bracket;
     case ']':
-      return GLFW_KEY_RIGHT_BRACKET;
+      return key::right_bracket;
     case '-':
-      return GLFW_KEY_MINUS;
+      return key::minus;
     case '+':
-      return GLFW_KEY_EQUAL;
+      return key::equal;
     default:
       return key;
   }
@@ -31,39 +31,39 @@ int key_by_layout(int key, const char* name) noexcept {
 KeyPress press_by_character(KeyPress press, std::uint32_t character) noexcept {
   switch (character) {
     case '+':
-      press.key = GLFW_KEY_EQUAL;
+      press.key = key::equal;
       break;
     case '-':
     case 0x2212:  // the sign itself
-      press.key = GLFW_KEY_MINUS;
+      press.key = key::minus;
       break;
     case '[':
-      press.key = GLFW_KEY_LEFT_BRACKET;
+      press.key = key::left_bracket;
       break;
     case ']':
-      press.key = GLFW_KEY_RIGHT_BRACKET;
+      press.key = key::right_bracket;
       break;
     default:
       return press;
   }
-  press.modifiers &= ~GLFW_MOD_SHIFT;
+  press.modifiers &= ~modifier::shift;
   return press;
 }
 
 int modifier_of(int key) noexcept {
   switch (key) {
-    case GLFW_KEY_LEFT_SHIFT:
-    case GLFW_KEY_RIGHT_SHIFT:
-      return GLFW_MOD_SHIFT;
-    case GLFW_KEY_LEFT_CONTROL:
-    case GLFW_KEY_RIGHT_CONTROL:
-      return GLFW_MOD_CONTROL;
-    case GLFW_KEY_LEFT_ALT:
-    case GLFW_KEY_RIGHT_ALT:
-      return GLFW_MOD_ALT;
-    case GLFW_KEY_LEFT_SUPER:
-    case GLFW_KEY_RIGHT_SUPER:
-      return GLFW_MOD_SUPER;
+    case key::left_shift:
+    case key::right_shift:
+      return modifier::shift;
+    case key::left_control:
+    case key::right_control:
+      return modifier::control;
+    case key::left_alt:
+    case key::right_alt:
+      return modifier::alt;
+    case key::left_super:
+    case key::right_super:
+      return modifier::super;
     default:
       return 0;
   }

@@ -1,6 +1,5 @@
 #include "app/ui/keyboard.h"
 
-#include <GLFW/glfw3.h>
 #include <imgui_internal.h>
 
 #include <algorithm>
@@ -8,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "app/session/keys.h"
 #include "app/ui/key_layout.h"
 #include "app/ui/panels/dialogs.h"
 #include "app/ui/widgets/focus.h"
@@ -20,15 +20,15 @@ constexpr int focus_moves = 2;
 constexpr int window_appears = 3;
 
 bool is_enter(int key) {
-  return key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER;
+  return key == key::enter || key == key::number_pad_enter;
 }
 
 bool is_arrow(int key) {
-  return key == GLFW_KEY_LEFT || key == GLFW_KEY_RIGHT || key == GLFW_KEY_UP || key == GLFW_KEY_DOWN;
+  return key == key::left || key == key::right || key == key::up || key == key::down;
 }
 
 bool is_end(int key) {
-  return key == GLFW_KEY_HOME || key == GLFW_KEY_END;
+  return key == key::home || key == key::end;
 }
 
 bool is_typing() {
@@ -47,13 +47,13 @@ bool has_imgui_more_to_take() {
 }
 
 std::optional<Nudge> nudge_of(const KeyPress& press) {
-  if (press.key == GLFW_KEY_HOME) return Nudge{Nudge::Way::to_least};
-  if (press.key == GLFW_KEY_END) return Nudge{Nudge::Way::to_greatest};
+  if (press.key == key::home) return Nudge{Nudge::Way::to_least};
+  if (press.key == key::end) return Nudge{Nudge::Way::to_greatest};
   if (!is_arrow(press.key)) return std::nullopt;
-  const bool is_fine = (press.modifiers & (GLFW_MOD_SHIFT | GLFW_MOD_ALT)) != 0;
-  const bool is_coarse = (press.modifiers & GLFW_MOD_CONTROL) != 0;
+  const bool is_fine = (press.modifiers & (modifier::shift | modifier::alt)) != 0;
+  const bool is_coarse = (press.modifiers & modifier::control) != 0;
   const double size = is_fine ? 0.1 : is_coarse ? 10.0 : 1.0;
-  const bool is_up = press.key == GLFW_KEY_RIGHT || press.key == GLFW_KEY_UP;
+  const bool is_up = press.key == key::right || press.key == key::up;
   return Nudge{Nudge::Way::step, is_up ? size : -size};
 }
 
@@ -63,20 +63,20 @@ std::optional<ScrollStep> scroll_of(const KeyPress& press) {
   constexpr float lines_of_an_arrow = 3.0F;
   if (press.modifiers != 0) return std::nullopt;
   switch (press.key) {
-    case GLFW_KEY_DOWN:
+    case key::down:
       return ScrollStep{.lines = lines_of_an_arrow};
-    case GLFW_KEY_UP:
+    case key::up:
       return ScrollStep{.lines = -lines_of_an_arrow};
-    case GLFW_KEY_LEFT:
-    case GLFW_KEY_RIGHT:
+    case key::left:
+    case key::right:
       return ScrollStep{};
-    case GLFW_KEY_PAGE_DOWN:
+    case key::page_down:
       return ScrollStep{.pages = 1.0F};
-    case GLFW_KEY_PAGE_UP:
+    case key::page_up:
       return ScrollStep{.pages = -1.0F};
-    case GLFW_KEY_HOME:
+    case key::home:
       return ScrollStep{.pages = -everything};
-    case GLFW_KEY_END:
+    case key::end:
       return ScrollStep{.pages = everything};
     default:
       return std::nullopt;
@@ -85,7 +85,7 @@ std::optional<ScrollStep> scroll_of(const KeyPress& press) {
 
 // In a field arrows, Home and End move the cursor or a mark.
 bool is_page(int key) {
-  return key == GLFW_KEY_PAGE_DOWN || key == GLFW_KEY_PAGE_UP;
+  return key == key::page_down || key == key::page_up;
 }
 
 }  // namespace
@@ -125,7 +125,7 @@ void Keyboard::take(Window& window, Session& session, const std::function<void()
     }
   }
   // Whatever waits, this does not.
-  const auto turns_off = [](const KeyEvent& event) { return event.is_down && event.press.key == GLFW_KEY_ESCAPE; };
+  const auto turns_off = [](const KeyEvent& event) { return event.is_down && event.press.key == key::escape; };
   if (std::ranges::any_of(events, turns_off)) ++session.offs_asked;
 }
 
@@ -134,7 +134,7 @@ void Keyboard::act(const KeyEvent& event, Session& session, const std::function<
   // Who drags something may press a modifier on the way.
   if (!event.is_down || press.key == 0 || modifier_of(press.key) != 0) return Window::hand_on(event);
   has_pressed_ = true;
-  if (press.key == GLFW_KEY_ESCAPE) {
+  if (press.key == key::escape) {
     Window::hand_on(event);
     wait(focus_moves);
     const bool leaves_dialog = session.dialog != Dialog::none && !is_menu_open();
@@ -144,7 +144,7 @@ void Keyboard::act(const KeyEvent& event, Session& session, const std::function<
     leave_focus();
     return;
   }
-  if (press.key == GLFW_KEY_TAB) {
+  if (press.key == key::tab) {
     Window::hand_on(event);
     return wait(focus_moves);
   }

@@ -1,12 +1,10 @@
-// A window with OpenGL 3.3 core and Dear ImGui in it: on a display, or offscreen (GLFW's null platform with an OSMesa
-// context, drawn in software into memory). One code path; only the two hints in window.cpp differ. Main thread only,
-// one at a time.
+// A window with OpenGL and Dear ImGui in it: what all windows have in common. What a platform does is for a class of its
+// own: the desktop's GlfwWindow, on a display or offscreen. Main thread only, one at a time.
 #pragma once
 
 #include <cstdint>
 #include <deque>
 #include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -16,72 +14,58 @@
 #include "app/ui/widgets/panel_context.h"
 #include "app/ui/window_size.h"
 
-struct GLFWwindow;
-
 namespace ghostforce {
-
-struct WindowOptions {
-  std::string title;
-  int width = 1280;  // [screen coordinates]
-  int height = 800;
-  bool offscreen = false;
-  bool fits_monitor = false;  // smaller where the monitor is
-  bool takes_mouse = true;    // false: no hover and no click changes a picture
-};
 
 // What the keyboard did: a key went down or up, or a character came without a key, from an input method.
 struct KeyEvent {
   KeyPress press;               // press.key == 0: a character alone
   bool is_down = true;          // false: the key went up
-  int scancode = 0;             // of the key
   std::uint32_t character = 0;  // that it has typed; 0: none
 };
 
 class Window {
  public:
-  // Throws Failure(no_display): no display, or no OpenGL 3.3 (says which renderer and version there is).
-  explicit Window(const WindowOptions& options);
-  ~Window();
+  virtual ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
-  GLFWwindow* handle() const noexcept { return window_.get(); }
-  bool should_close() const;
-  void close();
+  virtual bool should_close() const = 0;
+  virtual void close() = 0;
   // From now on only close() closes it: neither its close button nor the desktop does, and it is not hidden when another
   // window is in front of it.
-  void stay_open();
-  void set_title(const std::string& title);
-  void resize(int width, int height);
+  virtual void stay_open() = 0;
+  virtual void set_title(const std::string& title) = 0;
+  // [screen coordinates]
+  virtual void resize(int width, int height) = 0;
 
   // Of the display: what makes text on a dense screen as large as on an ordinary one.
-  float display_scale() const;
+  virtual float display_scale() const = 0;
   // Framebuffer pixels; 0×0 while minimised.
   int pixel_width() const;
   int pixel_height() const;
 
   // Fills the monitor that the window is on, and back to where it was.
-  void toggle_full_screen();
-  bool is_full_screen() const;
-  bool is_maximized() const;
+  virtual void toggle_full_screen() = 0;
+  virtual bool is_full_screen() const = 0;
+  virtual bool is_maximized() const = 0;
   // Keys reach it.
-  bool has_focus() const;
-  void maximize();
-  // Neither maximised nor full screen, and of this size, as WindowOptions has it.
-  void restore(int width, int height);
-  // As it is while neither maximised nor full screen, as WindowOptions has it: before the display's scale.
-  WindowSize restored_size() const;
+  virtual bool has_focus() const = 0;
+  virtual void maximize() = 0;
+  // Neither maximised nor full screen, and of this size before the display's scale.
+  virtual void restore(int width, int height) = 0;
+  // As it is while neither maximised nor full screen, before the display's scale.
+  virtual WindowSize restored_size() const = 0;
 
   // What the keyboard did and nobody has taken yet, in its order. Dear ImGui sees of it only what is handed on to it.
   std::deque<KeyEvent>& key_events() noexcept { return key_events_; }
   static void hand_on(const KeyEvent& event);
 
   // For other programs to paste.
-  void set_clipboard_text(const std::string& text);
+  virtual void set_clipboard_text(const std::string& text) = 0;
   // Empty where there is none.
-  std::string clipboard_text() const;
+  virtual std::string clipboard_text() const = 0;
   // The desktop that a tool of the system would have to speak to.
-  DisplayKind display_kind() const;
+  virtual DisplayKind display_kind() const = 0;
 
   // Files that were dropped on the window since the last call.
   std::vector<std::string> take_dropped_files();
@@ -117,36 +101,52 @@ class Window {
 
   const Fonts& fonts() const noexcept { return fonts_; }
 
+ protected:
+  // --- For a platform's window: its life ---
+
+  // Dear ImGui is there from here to the end of ~Window(), so a platform's constructor may set its flags, and its
+  // clipboard; it must not begin a frame.
+  Window();
+  // Once OpenGL is current and loaded: Dear ImGui's drawing and the fonts. `takes_mouse` is false where no hover and no
+  // click may change a picture. The constructor of a platform's window ends with it.
+  void start_drawing(bool takes_mouse);
+  // While OpenGL still is current; the destructor of a platform's window begins with it. Nothing where it has not started.
+  void stop_drawing() noexcept;
+
+  // --- What a platform's window must know and do besides the public functions ---
+
+  // Of the framebuffer [px]; 0×0 while minimised.
+  virtual WindowSize framebuffer_size() const = 0;
+  // Takes what keyboard and mouse did, by the functions below, waiting at most that long [s]; 0 or less: not at all.
+  virtual void take_events(double wait_s) = 0;
+  // Before each of ImGui's frames: ImGuiIO's DisplaySize and DisplayFramebufferScale, and where the pointer is. The time
+  // between frames is set afterwards.
+  virtual void begin_imgui_frame() = 0;
+  // Shows what was drawn on framebuffer 0.
+  virtual void show_frame() = 0;
+
+  // --- What a platform's window tells as it happens. Pointer, buttons and wheel it tells to ImGuiIO itself too ---
+
+  // Something has happened to it, and the next frame may be another: poll() is true.
+  void note_change() noexcept { is_stirred_ = true; }
+  // Somebody has used a key, a button or the wheel. The functions for keys below say it themselves.
+  void note_act() noexcept;
+  // The pointer has moved.
+  void note_move() noexcept;
+  // A key went down, repeats or went up. `press.key` is one of keys.h by its place on a US keyboard, or another number
+  // that is not 0; `printed` is what the keyboard's layout has on it, in UTF-8, null where nothing is known. Modifiers
+  // are those of that moment, with or without the one that is the key itself.
+  void add_key_event(KeyPress press, const char* printed, bool is_down);
+  // A character was typed (Unicode): by the key that went down last, if it comes right after it, else by an input method.
+  void add_character(std::uint32_t character);
+  // Paths of files that can be opened.
+  void add_dropped_files(std::vector<std::string> paths);
+
  private:
-  struct Library {  // glfwInit … glfwTerminate
-    explicit Library(const WindowOptions& options);
-    ~Library();
-    Library(const Library&) = delete;
-    Library& operator=(const Library&) = delete;
-  };
-  struct Destroy {
-    void operator()(GLFWwindow* window) const;
-  };
+  void begin_frame(double interval_s);
 
-  void start_imgui(bool takes_mouse);
-  template <typename... What>
-  static void on_anything(GLFWwindow* window, What... what);
-  template <typename... What>
-  static void on_act(GLFWwindow* window, What... what);
-  static void on_pointer(GLFWwindow* window, double x, double y);
-  static void on_key(GLFWwindow* window, int key, int scancode, int action, int modifiers);
-  static void on_character(GLFWwindow* window, unsigned int character);
-  static void on_resize(GLFWwindow* window, int width, int height);
-  static void on_drop(GLFWwindow* window, int count, const char** paths);
-
-  Library library_;
-  std::unique_ptr<GLFWwindow, Destroy> window_;
   Fonts fonts_{};
-  int density_ = 1;           // of the frame that is being drawn
-  WindowSize restored_size_;  // the last one while neither maximised nor full screen
-  struct {
-    int x = 0, y = 0;
-  } restored_corner_;
+  int density_ = 1;  // of the frame that is being drawn
   std::deque<KeyEvent> key_events_;
   bool awaits_character_ = false;  // of the newest of them it is not known yet what it types
   std::vector<std::string> dropped_files_;

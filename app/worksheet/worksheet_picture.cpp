@@ -3,9 +3,9 @@
 #include <optional>
 #include <utility>
 
+#include "app/desktop/offscreen.h"
 #include "app/files/scene_file.h"
 #include "app/paint/vector/vector_painter.h"
-#include "app/ui/offscreen.h"
 
 namespace ghostforce {
 namespace {

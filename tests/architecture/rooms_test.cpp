@@ -59,6 +59,7 @@ const std::map<std::string, std::regex>& library_includes() {
       {"fmt", std::regex("<fmt/.+>")},
       {"generated", std::regex("\"(embedded_[a-z_]+|ghostforce_version|ghostforce_paths)\\.h\"")},  // see cmake/
       {"glad", std::regex("<glad/gl\\.h>")},
+      {"gles", std::regex("<GLES3/gl3\\.h>")},
       {"glfw", std::regex("<GLFW/.+>")},
       {"glm", std::regex("<glm/.+>")},
       {"hidapi", std::regex("<hidapi(/hidapi)?\\.h>")},
@@ -68,6 +69,7 @@ const std::map<std::string, std::regex>& library_includes() {
       {"libpng", std::regex("<png\\.h>")},
       {"libusb", std::regex("<libusb(-1\\.0)?(/libusb)?\\.h>")},
       {"nlohmann_json", std::regex("<nlohmann/.+>")},
+      {"opengl", std::regex("\"opengl\\.h\"")},  // each front's own: app/paint/gl/
       // What the operating system offers beyond the standard library.
       {"posix", std::regex("<((sys|linux|netinet|arpa)/[a-z_0-9/]+|dirent|dlfcn|endian|errno|fcntl|malloc|poll|pthread|"
                            "sched|signal|spawn|stdio|stdlib|string|strings|syslog|termios|time|unistd)\\.h>")},

@@ -1,9 +1,9 @@
 // Move-only owners of OpenGL objects. Made, used and destroyed on the thread that holds the context.
 #pragma once
 
-#include <glad/gl.h>
-
 #include <utility>
+
+#include "opengl.h"
 
 namespace ghostforce::gl {
 
@@ -25,7 +25,7 @@ class Handle {
   GLuint name_;
 };
 
-// `generate` and `remove` are glad's pointers to functions of the glGen… and glDelete… kind.
+// `generate` and `remove` point to functions of the glGen… and glDelete… kind, or to pointers to such: a loader's.
 template <auto* generate>
 GLuint generated() {
   GLuint name = 0;

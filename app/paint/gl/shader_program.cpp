@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -18,9 +19,22 @@ std::string numbered(std::string_view source) {
   return result;
 }
 
+// The source with the platform's prologue. A version of its own gives way to that; the driver counts lines as in the
+// file.
+std::string with_prologue(std::string_view source) {
+  int first_line = 1;
+  if (source.starts_with("#version")) {
+    source.remove_prefix(std::min(source.size(), source.find('\n')));
+    if (!source.empty()) source.remove_prefix(1);
+    first_line = 2;
+  }
+  return fmt::format("{}#line {}\n{}", shader_prologue, first_line, source);
+}
+
 void compile(GLuint shader, std::string_view title, std::string_view source) {
-  const GLchar* text = source.data();
-  const auto length = static_cast<GLint>(source.size());
+  const std::string whole = with_prologue(source);
+  const GLchar* text = whole.data();
+  const auto length = static_cast<GLint>(whole.size());
   glShaderSource(shader, 1, &text, &length);
   glCompileShader(shader);
   GLint good = GL_FALSE;

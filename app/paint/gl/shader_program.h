@@ -14,7 +14,7 @@ class ShaderError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Throws ShaderError. Needs a current context.
+// The sources are GLSL without "#version": each platform has its own, which replaces such a line. Throws ShaderError. Needs a current context.
 Program link_program(std::string_view vertex_source, std::string_view fragment_source);
 
 }  // namespace ghostforce::gl

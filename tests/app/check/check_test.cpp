@@ -23,13 +23,13 @@
 #include <gtest/gtest.h>
 
 #include "app/check/comparison.h"
+#include "app/desktop/glfw_window.h"
+#include "app/desktop/offscreen.h"
 #include "app/files/png_file.h"
 #include "app/files/scene_file.h"
 #include "app/paint/gl_painter.h"
 #include "app/paint/label_painter.h"
-#include "app/ui/offscreen.h"
 #include "app/ui/widgets/style.h"
-#include "app/ui/window.h"
 #include "tests/app/check/check_cases.h"
 #include "tests/support/read_png.h"
 
@@ -43,7 +43,7 @@ namespace fs = std::filesystem;
 // The scene's marks as the screen composes them, altered, and painted as the screen paints them.
 Image painted(const PictureRequest& request, const std::function<void(Marks&)>& alter) {
   const Moment moment = simulate_to_moment(request);
-  Window window(
+  GlfwWindow window(
       {.title = "", .width = request.width, .height = request.height, .offscreen = true, .takes_mouse = false});
   const auto scale = static_cast<float>(request.appearance.scale);
   apply_style(*request.appearance.theme, scale);

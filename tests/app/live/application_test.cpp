@@ -18,8 +18,9 @@ TEST_F(ApplicationTest, StartsAtRestAtTheEndOfTheScenesPath) {
 
 TEST_F(ApplicationTest, KeysChooseTheStrategyAndThePictureFollows) {
   Image before = window_->picture();
-  for (const auto& [key, id] : {std::pair{GLFW_KEY_3, StrategyId::anisotropic}, std::pair{GLFW_KEY_1, StrategyId::full},
-                                std::pair{GLFW_KEY_2, StrategyId::naive}}) {
+  for (const auto& [key, id] :
+       {std::pair{key::digit_3, StrategyId::anisotropic}, std::pair{key::digit_1, StrategyId::full},
+        std::pair{key::digit_2, StrategyId::naive}}) {
     press(key);
     EXPECT_EQ(session().settings.active, id);
     const Image after = window_->picture();
@@ -29,16 +30,16 @@ TEST_F(ApplicationTest, KeysChooseTheStrategyAndThePictureFollows) {
 }
 
 TEST_F(ApplicationTest, SpacePausesAndAFullStopSteps) {
-  press(GLFW_KEY_SPACE);
+  press(key::space);
   EXPECT_TRUE(session().paused);
   frames(2);
   const std::int64_t paused_at = application_->report().snapshot.tick;
   frames(5);
   EXPECT_EQ(application_->report().snapshot.tick, paused_at);
-  press(GLFW_KEY_PERIOD);
+  press(key::period);
   frames(2);
   EXPECT_EQ(application_->report().snapshot.tick, paused_at + 1);
-  press(GLFW_KEY_SPACE);
+  press(key::space);
   frames(3);
   EXPECT_GT(application_->report().snapshot.tick, paused_at + 1);
 }
@@ -83,10 +84,10 @@ TEST_F(ApplicationTest, ResetStartsTheMotionAgainAndAltResetTheSettingsToo) {
   session().settings.stiffnesses.k_r = 1234.0;
   frames(30);
   const std::int64_t before = application_->report().snapshot.tick;
-  press(GLFW_KEY_R);
+  press(key::r);
   EXPECT_LT(application_->report().snapshot.tick, before);
   EXPECT_EQ(session().settings.stiffnesses.k_r, 1234.0);
-  press(GLFW_KEY_R, GLFW_MOD_ALT);
+  press(key::r, modifier::alt);
   EXPECT_EQ(session().settings, load_scene("wall45").settings);
   EXPECT_EQ(application_->report().snapshot.goal, load_scene("wall45").goal.points.back());
 }
@@ -136,10 +137,10 @@ TEST_F(ApplicationTest, UnstableSettingsAreSaidAndLeftAgain) {
   session().settings.mass = 0.001;
   frames(20);
   EXPECT_TRUE(application_->report().diverged);
-  press(GLFW_KEY_R);
+  press(key::r);
   frames(20);
   EXPECT_TRUE(application_->report().diverged);
-  press(GLFW_KEY_R, GLFW_MOD_ALT);
+  press(key::r, modifier::alt);
   frames(5);
   EXPECT_FALSE(application_->report().diverged);
   EXPECT_NEAR(application_->report().snapshot.goal.x, 0.01414, 1e-5);

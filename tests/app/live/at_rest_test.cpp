@@ -76,7 +76,7 @@ TEST_F(AtRestTest, NothingIsDrawnInAnyModeOfTheStage) {
 TEST_F(AtRestTest, TheWorkbenchOnlyBringsItsCountsUpToDate) {
   show(Face::workbench);
   EXPECT_NEAR(live_for(30.0), 15, 1);
-  press(GLFW_KEY_SPACE);
+  press(key::space);
   live_for(1.0);
   EXPECT_NEAR(live_for(30.0), 6, 1);
   EXPECT_TRUE(application_->is_idle());
@@ -88,8 +88,8 @@ TEST_F(AtRestTest, TheWordsAtTheDialGoInRealTime) {
                                [](const ScreenWords& words) { return words.text.starts_with("Only Anisotropic"); });
   };
   show(Face::workbench);
-  press(GLFW_KEY_2);
-  press(GLFW_KEY_EQUAL);
+  press(key::digit_2);
+  press(key::equal);
   live_for(3.0);
   EXPECT_TRUE(says_so());
   live_for(1.5);
@@ -146,8 +146,8 @@ TEST_F(AtRestTest, AMoveLessThanAHundredthOfAPointIsNone) {
 }
 
 TEST_F(AtRestTest, AKeyThatSwitchesTheStrategyMovesTheStageForItsTime) {
-  send_key(GLFW_KEY_3, GLFW_PRESS, 0);
-  send_key(GLFW_KEY_3, GLFW_RELEASE, 0);
+  send_key(key::digit_3, GLFW_PRESS, 0);
+  send_key(key::digit_3, GLFW_RELEASE, 0);
   stir();
   EXPECT_EQ(session().settings.active, StrategyId::anisotropic);
   const int drawn = live_for(0.6);
@@ -222,7 +222,7 @@ TEST_F(AtRestTest, PlotsThatFollowTheTimeAreDrawn) {
 
 TEST_F(AtRestTest, WhatTheServoRefusesIsSaidInTheWorkbench) {
   show(Face::workbench);
-  press(GLFW_KEY_SPACE);
+  press(key::space);
   live_for(1.0);
   ASSERT_FALSE(application_->needs_drawing());
   ServoCommand command;

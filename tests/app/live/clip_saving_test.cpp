@@ -47,12 +47,12 @@ class ClipWindow : public DrivenWindow {
 };
 
 TEST_F(ClipWindow, AltPSavesWhatTheStageHasShown) {
-  press(GLFW_KEY_P, GLFW_MOD_ALT);
+  press(key::p, modifier::alt);
   ASSERT_EQ(session().dialog, Dialog::save_clip);
   EXPECT_EQ(session().form.clip_seconds, 5);
   const double before_s = now().time_s;
   type(folder_ / "clip");  // in place of the proposed name
-  press(GLFW_KEY_ENTER);
+  press(key::enter);
   EXPECT_EQ(session().dialog, Dialog::none);
   EXPECT_NE(notice().find("clip.png"), std::string::npos) << "a name without an ending gets one: " << notice();
   frames_until_saved();
@@ -89,7 +89,7 @@ TEST_F(ClipWindow, ClosingTheNoticeGivesItUp) {
   frames(50);
   ASSERT_TRUE(is_saving()) << "and the window does not wait for it";
   EXPECT_EQ(folder_.count(), 1) << "what it is until it is whole";
-  press(GLFW_KEY_ESCAPE);
+  press(key::escape);
   while (notice().empty()) frames(1);
   EXPECT_EQ(notice(), folder_ / "clip.mp4" + " was not saved.");
   EXPECT_EQ(folder_.count(), 0);

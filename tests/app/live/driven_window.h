@@ -13,8 +13,10 @@
 #include <vector>
 
 #include "app/cli/desktop_inputs.h"
+#include "app/desktop/glfw_window.h"
 #include "app/files/scene_file.h"
 #include "app/paint/vector/file_painter.h"
+#include "app/session/keys.h"
 #include "device/virtual_falcon/virtual_falcon_input.h"
 
 namespace ghostforce {
@@ -32,7 +34,7 @@ class DrivenWindow : public testing::Test {
     options.painter = cairo_file_painter();
     if (!window_ || window_->pixel_width() != width || window_->pixel_height() != height) {
       window_.reset();
-      window_ = std::make_unique<Window>(
+      window_ = std::make_unique<GlfwWindow>(
           WindowOptions{.title = "test", .width = width, .height = height, .offscreen = true, .takes_mouse = true});
       ImGui_ImplGlfw_WindowFocusCallback(window_->handle(), GLFW_TRUE);
       ImGui_ImplGlfw_CursorEnterCallback(window_->handle(), GLFW_TRUE);
@@ -112,7 +114,7 @@ class DrivenWindow : public testing::Test {
   }
   // As X11 tells it: without itself when it goes down, and with itself when it comes up.
   void hold_control(bool is_down) {
-    send_key(GLFW_KEY_LEFT_CONTROL, is_down ? GLFW_PRESS : GLFW_RELEASE, is_down ? 0 : GLFW_MOD_CONTROL);
+    send_key(key::left_control, is_down ? GLFW_PRESS : GLFW_RELEASE, is_down ? 0 : modifier::control);
   }
   void type(const std::string& text) {
     for (const char c : text) send_character(static_cast<unsigned char>(c));
@@ -143,7 +145,7 @@ class DrivenWindow : public testing::Test {
     return count;
   }
 
-  std::unique_ptr<Window> window_;
+  std::unique_ptr<GlfwWindow> window_;
   std::unique_ptr<Application> application_;
 };
 

@@ -71,7 +71,7 @@ TEST_F(ExperimentsWindow, TheFirstRecordingCanBeNamed) {
   click_at(1150.0, 237.0);
   ASSERT_TRUE(ImGui::GetIO().WantTextInput);
   type(folder / "mine.csv");
-  press(GLFW_KEY_ENTER);
+  press(key::enter);
   frames(3);
   EXPECT_TRUE(std::filesystem::exists(folder / "mine.csv"));
 }
@@ -206,7 +206,7 @@ TEST_F(ExperimentsWindow, TheCircleFollowsTheWallAndBeginsAnew) {
   ASSERT_GE(application_->reading().circle->turns, 1);
   const CircleReading reading = *application_->reading().circle;
   for (const CircleEnergy& energy : reading.strategies) EXPECT_TRUE(energy.stays_inside);
-  press(GLFW_KEY_R);
+  press(key::r);
   EXPECT_EQ(application_->reading().circle->turns, 0);
 }
 

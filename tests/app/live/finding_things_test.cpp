@@ -79,16 +79,16 @@ class FindingThings : public DrivenWindow {
 // --- The picker ------------------------------------------------------------------------------------------------------
 
 TEST_F(FindingThings, ThePickerOpensTheSceneThatTheArrowsHaveMarked) {
-  press(GLFW_KEY_O, GLFW_MOD_CONTROL);
+  press(key::o, modifier::control);
   ASSERT_EQ(session().dialog, Dialog::open_scene);
   ASSERT_EQ(session().form.marked_scene, shipped_scenes().size() - 1) << "wall45 is open, and comes last";
   const Vector<2> goal = session().goal;
-  press(GLFW_KEY_UP);
-  press(GLFW_KEY_LEFT);
+  press(key::up);
+  press(key::left);
   EXPECT_EQ(session().form.marked_scene, shipped_scenes().size() - 5) << "a row of three and one more";
   EXPECT_EQ(session().goal, goal) << "the arrows are the picker's";
   const std::string title = shipped_scenes()[session().form.marked_scene].scene.title;
-  press(GLFW_KEY_ENTER);
+  press(key::enter);
   EXPECT_EQ(session().scene->title, title);
   EXPECT_EQ(session().dialog, Dialog::none);
   EXPECT_EQ(session().undo_offer.undo, "opening “" + title + "”");
@@ -109,16 +109,16 @@ TEST_F(FindingThings, ThePickerTellsAPersonsSceneFromTheOneItWasMadeFrom) {
     return std::ranges::any_of(words_on_screen(),
                                [](const ScreenWords& words) { return words.text.starts_with("Open now"); });
   };
-  press(GLFW_KEY_O, GLFW_MOD_CONTROL);
+  press(key::o, modifier::control);
   frames(3);
   EXPECT_FALSE(says_open());
-  press(GLFW_KEY_ENTER);
+  press(key::enter);
   EXPECT_TRUE(*session().scene == wall45) << "Enter opens what is marked: that title";
-  press(GLFW_KEY_O, GLFW_MOD_CONTROL);
+  press(key::o, modifier::control);
   frames(3);
   EXPECT_TRUE(says_open());
   const std::shared_ptr<const Scene> open = session().scene;
-  press(GLFW_KEY_ENTER);
+  press(key::enter);
   EXPECT_EQ(session().scene, open) << "what has been changed in it stays";
   EXPECT_EQ(session().dialog, Dialog::none);
 }
@@ -126,27 +126,27 @@ TEST_F(FindingThings, ThePickerTellsAPersonsSceneFromTheOneItWasMadeFrom) {
 TEST_F(FindingThings, ThePickerShowsAPictureOfEachSceneInEachTheme) {
   for (const Theme& theme : theme_catalog()) {
     session().appearance.theme = &theme;
-    press(GLFW_KEY_O, GLFW_MOD_CONTROL);
+    press(key::o, modifier::control);
     frames(3);
     const ImGuiWindow& dialog = window_named("Open a scene");
     const Image shown = picture();
     // The goal of each is in its picture, and nothing else in the dialog has that colour: nine discs of some pixels.
     EXPECT_GT(count_pixels(shown, theme.goal, dialog.Rect().Min, dialog.Rect().Max), 9 * 10) << theme.name;
     EXPECT_GT(count_pixels(shown, theme.wall, dialog.Rect().Min, dialog.Rect().Max), 9 * 1000) << theme.name;
-    press(GLFW_KEY_ESCAPE);
+    press(key::escape);
   }
 }
 
 TEST_F(FindingThings, ThePickerIsWholeInASmallWindowOfLargeLetters) {
   open_at(1024, 640, 2.0);
-  press(GLFW_KEY_O, GLFW_MOD_CONTROL);
+  press(key::o, modifier::control);
   frames(3);
   for (std::size_t i = 0; i < shipped_scenes().size(); ++i) {
     const ImGuiWindow& dialog = window_named("Open a scene");
     EXPECT_GE(dialog.Rect().Min.y, 0.0F);
     EXPECT_LE(dialog.Rect().Max.y, 640.0F);
     EXPECT_EQ(dialog.ScrollMax.y, 0.0F) << "only the scenes scroll";
-    press(GLFW_KEY_UP);
+    press(key::up);
     frames(2);
   }
   EXPECT_EQ(session().form.marked_scene, 0U);
@@ -161,10 +161,10 @@ TEST_F(FindingThings, ThePickerIsWholeInASmallWindowOfLargeLetters) {
 }
 
 TEST_F(FindingThings, APathThatCannotBeOpenedStaysInThePickerWithTheReasonAndASuggestion) {
-  press(GLFW_KEY_O, GLFW_MOD_CONTROL);
+  press(key::o, modifier::control);
   type("fig3-norml");
   const Session before = session();
-  press(GLFW_KEY_ENTER);
+  press(key::enter);
   EXPECT_EQ(session().dialog, Dialog::open_scene);
   EXPECT_EQ(session().form.path, "fig3-norml");
   EXPECT_NE(session().form.problem.find("no scene named"), std::string::npos) << session().form.problem;
@@ -172,18 +172,18 @@ TEST_F(FindingThings, APathThatCannotBeOpenedStaysInThePickerWithTheReasonAndASu
   EXPECT_FALSE(session().notice);
   // What is typed on is typed into the field: 3 and Space would be another strategy and a pause.
   type("3 w");
-  press(GLFW_KEY_3);
-  press(GLFW_KEY_SPACE);
-  press(GLFW_KEY_W);
+  press(key::digit_3);
+  press(key::space);
+  press(key::w);
   EXPECT_EQ(session().settings, before.settings);
   EXPECT_FALSE(session().paused);
   EXPECT_EQ(session().form.path, "3 w") << "what was wrong is marked, and typed over";
 }
 
 TEST_F(FindingThings, TheSuggestionOpensWithAClick) {
-  press(GLFW_KEY_O, GLFW_MOD_CONTROL);
+  press(key::o, modifier::control);
   type("fig3-norml");
-  press(GLFW_KEY_ENTER);
+  press(key::enter);
   frames(3);
   const ImGuiWindow& dialog = window_named("Open a scene");
   const ImGuiID id = window_named("Open a scene").GetID("###suggestion");
@@ -200,15 +200,15 @@ TEST_F(FindingThings, AFileWithAMistakeIsReportedInThePickerAndOpensOnceItIsMend
   const TemporaryFolder folder;
   const std::string path = folder / "mine.toml";
   write_whole(path, "format = 1\nnonsense = 2\n");
-  press(GLFW_KEY_O, GLFW_MOD_CONTROL);
+  press(key::o, modifier::control);
   type(path);
-  press(GLFW_KEY_ENTER);
+  press(key::enter);
   EXPECT_NE(session().form.problem.find("nonsense"), std::string::npos) << session().form.problem;
   EXPECT_EQ(session().form.path, path);
   Scene scene = load_scene("fig1");
   scene.title = "Mine";
   write_whole(path, scene_text(scene));
-  press(GLFW_KEY_ENTER);
+  press(key::enter);
   EXPECT_EQ(session().scene->title, "Mine");
   EXPECT_EQ(session().dialog, Dialog::none);
 }
@@ -286,9 +286,9 @@ TEST_F(FindingThings, PausedIsSaidInLargeLetters) {
   const Colour accent = session().appearance.theme->accent;
   const auto letters = [&] { return count_pixels(picture(), accent, caption.Rect().Min, caption.Rect().Max); };
   ASSERT_EQ(letters(), 0);
-  press(GLFW_KEY_SPACE);
+  press(key::space);
   EXPECT_GT(letters(), 300);
-  press(GLFW_KEY_SPACE);
+  press(key::space);
   EXPECT_EQ(letters(), 0);
 }
 
@@ -337,8 +337,8 @@ TEST(StatusBar, SaysWhatIsWrongAndWhatToDo) {
 // --- The clipboard ---------------------------------------------------------------------------------------------------
 
 TEST_F(FindingThings, TheLiveValuesAreCopiedAsATable) {
-  press(GLFW_KEY_SPACE);
-  press(GLFW_KEY_C, GLFW_MOD_CONTROL | GLFW_MOD_SHIFT);
+  press(key::space);
+  press(key::c, modifier::control | modifier::shift);
   EXPECT_EQ(clipboard(), live_table(now()));
   ASSERT_TRUE(session().notice);
   EXPECT_FALSE(session().notice->is_problem);
@@ -368,7 +368,7 @@ TEST(LiveTable, SaysThatNumbersAreRelativeToATarget) {
 }
 
 TEST_F(FindingThings, APictureThatCannotBeCopiedSaysWhy) {
-  press(GLFW_KEY_P, GLFW_MOD_CONTROL | GLFW_MOD_SHIFT);
+  press(key::p, modifier::control | modifier::shift);
   ASSERT_TRUE(session().notice);
   EXPECT_TRUE(session().notice->is_problem) << "there is no desktop in a test";
 }

@@ -21,92 +21,92 @@ class KeyboardSession : public DrivenWindow {
   bool tab_to(ImGuiID wanted) {
     for (int i = 0; i < 100; ++i) {
       if (has_focus() && ImGui::GetCurrentContext()->NavId == wanted) return true;
-      press(GLFW_KEY_TAB);
+      press(key::tab);
     }
     return false;
   }
   static ImGuiID in_window(const char* window, const char* id) { return ImGui::FindWindowByName(window)->GetID(id); }
   void write(const std::string& text) {
     type(text);
-    press(GLFW_KEY_ENTER);
+    press(key::enter);
     frames(4);
   }
 };
 
 TEST_F(KeyboardSession, NeedsNoMouse) {
   const TemporaryFolder folder;
-  press(GLFW_KEY_F1);
+  press(key::f1);
   EXPECT_EQ(session().dialog, Dialog::help);
-  press(GLFW_KEY_ESCAPE);
+  press(key::escape);
   EXPECT_EQ(session().dialog, Dialog::none);
 
-  press(GLFW_KEY_TAB);
+  press(key::tab);
   ASSERT_TRUE(has_focus()) << "the first strategy";
-  press(GLFW_KEY_ENTER);
+  press(key::enter);
   EXPECT_EQ(session().settings.active, StrategyId::full);
-  press(GLFW_KEY_TAB);
-  press(GLFW_KEY_ENTER);
+  press(key::tab);
+  press(key::enter);
   EXPECT_EQ(session().settings.active, StrategyId::naive);
-  press(GLFW_KEY_ESCAPE);
+  press(key::escape);
   EXPECT_FALSE(has_focus());
-  press(GLFW_KEY_3);
+  press(key::digit_3);
   EXPECT_EQ(session().settings.active, StrategyId::anisotropic);
 
   const Vector<2> goal = session().goal;
-  press(GLFW_KEY_UP, GLFW_MOD_CONTROL);
+  press(key::up, modifier::control);
   EXPECT_NEAR(session().goal.y - goal.y, 0.01, 1e-12);
 
   const double k_r = session().settings.stiffnesses.k_r;
   ASSERT_TRUE(tab_to(ImHashStr("##k_r", 0, in_window("panels", "rendering"))));
-  press(GLFW_KEY_RIGHT);
+  press(key::right);
   EXPECT_GT(session().settings.stiffnesses.k_r, k_r);
-  press(GLFW_KEY_ENTER);
+  press(key::enter);
   write("900");
   EXPECT_EQ(session().settings.stiffnesses.k_r, 900.0);
 
   ASSERT_TRUE(tab_to(in_window("panels", "Rendering")));
-  press(GLFW_KEY_ENTER);
+  press(key::enter);
   EXPECT_TRUE(session().folded_panels.contains("Rendering"));
-  press(GLFW_KEY_ENTER);
+  press(key::enter);
   EXPECT_FALSE(session().folded_panels.contains("Rendering"));
 
   ASSERT_TRUE(tab_to(in_window("strategies", "##compare")));
-  press(GLFW_KEY_ENTER);
-  press(GLFW_KEY_DOWN);
-  press(GLFW_KEY_ENTER);
+  press(key::enter);
+  press(key::down);
+  press(key::enter);
   EXPECT_EQ(session().options.compare, Compare::side_by_side) << "chosen in a menu";
 
-  press(GLFW_KEY_F3);
+  press(key::f3);
   EXPECT_TRUE(session().plots.is_open);
   ASSERT_TRUE(tab_to(in_window("plots", "Wall angle")));
-  press(GLFW_KEY_ENTER);
+  press(key::enter);
   EXPECT_EQ(session().plots.tab, PlotTab::wall_angle);
 
-  press(GLFW_KEY_O, GLFW_MOD_CONTROL);
+  press(key::o, modifier::control);
   write("fig1");
   EXPECT_EQ(session().scene->title, load_scene("fig1").title);
-  press(GLFW_KEY_LEFT_BRACKET);
+  press(key::left_bracket);
   const Settings turned = session().settings;
-  press(GLFW_KEY_S, GLFW_MOD_CONTROL);
+  press(key::s, modifier::control);
   frames(3);
-  press(GLFW_KEY_A, GLFW_MOD_CONTROL);
+  press(key::a, modifier::control);
   write(folder / "mine.toml");
   ASSERT_TRUE(std::filesystem::exists(folder / "mine.toml"));
   EXPECT_EQ(load_scene(folder / "mine.toml").settings.actuated_angle, turned.actuated_angle);
-  press(GLFW_KEY_Z, GLFW_MOD_CONTROL);
+  press(key::z, modifier::control);
   EXPECT_NE(session().settings, turned);
   EXPECT_EQ(session().settings, load_scene("fig1").settings);
 
-  press(GLFW_KEY_F4);
+  press(key::f4);
   EXPECT_EQ(session().face, Face::stage);
-  press(GLFW_KEY_TAB);
+  press(key::tab);
   ASSERT_TRUE(has_focus());
-  press(GLFW_KEY_ENTER);
+  press(key::enter);
   EXPECT_EQ(session().face, Face::stage);
-  press(GLFW_KEY_F4);
+  press(key::f4);
   EXPECT_EQ(session().face, Face::workbench);
   EXPECT_FALSE(has_focus());
-  press(GLFW_KEY_Q, GLFW_MOD_CONTROL);
+  press(key::q, modifier::control);
   EXPECT_TRUE(window_->should_close());
 }
 

@@ -22,8 +22,8 @@ struct Press {
   int key;
   int modifiers = 0;
 };
-constexpr int ctrl = GLFW_MOD_CONTROL;
-constexpr int shift = GLFW_MOD_SHIFT;
+constexpr int ctrl = modifier::control;
+constexpr int shift = modifier::shift;
 
 class KeyboardTest : public DrivenWindow {
  protected:
@@ -31,7 +31,7 @@ class KeyboardTest : public DrivenWindow {
 
   void send(const Press& press) {
     send_key(press.key, GLFW_PRESS, press.modifiers);
-    const bool types = press.modifiers == 0 && press.key >= GLFW_KEY_0 && press.key <= GLFW_KEY_Z;
+    const bool types = press.modifiers == 0 && press.key >= key::digit_0 && press.key <= key::z;
     if (types) send_character(static_cast<unsigned int>(press.key));
     send_key(press.key, GLFW_RELEASE, 0);
   }
@@ -56,7 +56,7 @@ class KeyboardTest : public DrivenWindow {
     std::vector<ImGuiID> stops;
     std::set<ImGuiID> seen;
     for (int i = 0; i < 100; ++i) {
-      press(GLFW_KEY_TAB);
+      press(key::tab);
       if (!seen.insert(focused()).second) break;
       stops.push_back(focused());
     }
@@ -68,7 +68,7 @@ class KeyboardTest : public DrivenWindow {
   }
   // Until the focus is there.
   bool tab_to(ImGuiID wanted) {
-    for (int i = 0; i < 100 && focused() != wanted; ++i) press(GLFW_KEY_TAB);
+    for (int i = 0; i < 100 && focused() != wanted; ++i) press(key::tab);
     return focused() == wanted;
   }
 };
@@ -79,29 +79,28 @@ struct Sequence {
 };
 
 TEST_F(KeyboardTest, ManyPressesBeforeASlowFrameDoWhatEachBeforeItsOwnDoes) {
-  const std::vector<Press> changes{{GLFW_KEY_W},     {GLFW_KEY_LEFT_BRACKET}, {GLFW_KEY_LEFT_BRACKET},
-                                   {GLFW_KEY_EQUAL}, {GLFW_KEY_EQUAL},        {GLFW_KEY_LEFT_BRACKET}};
+  const std::vector<Press> changes{{key::w},     {key::left_bracket}, {key::left_bracket},
+                                   {key::equal}, {key::equal},        {key::left_bracket}};
   const auto after_changes = [&](std::vector<Press> more) {
     more.insert(more.begin(), changes.begin(), changes.end());
     return more;
   };
   const std::vector<Sequence> sequences{
-      {"undo twice", after_changes({{GLFW_KEY_Z, ctrl}, {GLFW_KEY_Z, ctrl}})},
-      {"undo, undo, redo", after_changes({{GLFW_KEY_Z, ctrl}, {GLFW_KEY_Z, ctrl}, {GLFW_KEY_Z, ctrl | shift}})},
+      {"undo twice", after_changes({{key::z, ctrl}, {key::z, ctrl}})},
+      {"undo, undo, redo", after_changes({{key::z, ctrl}, {key::z, ctrl}, {key::z, ctrl | shift}})},
       {"undo, change, undo, undo, redo",
-       after_changes({{GLFW_KEY_Z, ctrl}, {GLFW_KEY_W}, {GLFW_KEY_Z, ctrl}, {GLFW_KEY_Z, ctrl}, {GLFW_KEY_Y, ctrl}})},
-      {"full screen three times", {{GLFW_KEY_F11}, {GLFW_KEY_F11}, {GLFW_KEY_F11}}},
-      {"help three times", {{GLFW_KEY_F1}, {GLFW_KEY_F1}, {GLFW_KEY_F1}}},
-      {"plots and pause", {{GLFW_KEY_F3}, {GLFW_KEY_SPACE}, {GLFW_KEY_F3}, {GLFW_KEY_F3}, {GLFW_KEY_SPACE}}},
-      {"a step on and three back", {{GLFW_KEY_PERIOD}, {GLFW_KEY_COMMA}, {GLFW_KEY_COMMA}, {GLFW_KEY_COMMA}}},
+       after_changes({{key::z, ctrl}, {key::w}, {key::z, ctrl}, {key::z, ctrl}, {key::y, ctrl}})},
+      {"full screen three times", {{key::f11}, {key::f11}, {key::f11}}},
+      {"help three times", {{key::f1}, {key::f1}, {key::f1}}},
+      {"plots and pause", {{key::f3}, {key::space}, {key::f3}, {key::f3}, {key::space}}},
+      {"a step on and three back", {{key::period}, {key::comma}, {key::comma}, {key::comma}}},
       {"a scene by its name, and a key after it",
-       {{GLFW_KEY_O, ctrl}, {GLFW_KEY_F}, {GLFW_KEY_I}, {GLFW_KEY_G}, {GLFW_KEY_1}, {GLFW_KEY_ENTER}, {GLFW_KEY_3}}},
-      {"the talk", {{GLFW_KEY_PAGE_DOWN}, {GLFW_KEY_PAGE_DOWN}, {GLFW_KEY_PAGE_DOWN}, {GLFW_KEY_ENTER}}},
-      {"a guess, its answer, and a new one", {{GLFW_KEY_Q}, {GLFW_KEY_ENTER}, {GLFW_KEY_ENTER}, {GLFW_KEY_ENTER}}},
-      {"a goal to and fro",
-       {{GLFW_KEY_RIGHT}, {GLFW_KEY_RIGHT, ctrl}, {GLFW_KEY_UP, shift}, {GLFW_KEY_LEFT}, {GLFW_KEY_DOWN, ctrl}}},
+       {{key::o, ctrl}, {key::f}, {key::i}, {key::g}, {key::digit_1}, {key::enter}, {key::digit_3}}},
+      {"the talk", {{key::page_down}, {key::page_down}, {key::page_down}, {key::enter}}},
+      {"a guess, its answer, and a new one", {{key::q}, {key::enter}, {key::enter}, {key::enter}}},
+      {"a goal to and fro", {{key::right}, {key::right, ctrl}, {key::up, shift}, {key::left}, {key::down, ctrl}}},
       {"a focused control, and the goal afterwards",
-       {{GLFW_KEY_TAB}, {GLFW_KEY_TAB}, {GLFW_KEY_ENTER}, {GLFW_KEY_ESCAPE}, {GLFW_KEY_RIGHT}}},
+       {{key::tab}, {key::tab}, {key::enter}, {key::escape}, {key::right}}},
   };
   for (const Sequence& sequence : sequences) {
     SCOPED_TRACE(sequence.name);
@@ -149,19 +148,19 @@ TEST_F(KeyboardTest, ManyPressesBeforeASlowFrameDoWhatEachBeforeItsOwnDoes) {
 
 TEST_F(KeyboardTest, TwoQuickUndosUndoTwice) {
   const Settings first = session().settings;
-  press(GLFW_KEY_LEFT_BRACKET);
-  press(GLFW_KEY_LEFT_BRACKET);
+  press(key::left_bracket);
+  press(key::left_bracket);
   ASSERT_NE(session().settings, first);
-  send({GLFW_KEY_Z, ctrl});
-  send({GLFW_KEY_Z, ctrl});
+  send({key::z, ctrl});
+  send({key::z, ctrl});
   frames(1);
   EXPECT_EQ(session().settings, first) << "in one frame";
 }
 
 TEST_F(KeyboardTest, EscapeTurnsMotorsOffHoweverMuchWaitsBeforeIt) {
   const std::uint32_t before = session().offs_asked;
-  for (int i = 0; i < 10; ++i) send({GLFW_KEY_TAB});
-  send({GLFW_KEY_ESCAPE});
+  for (int i = 0; i < 10; ++i) send({key::tab});
+  send({key::escape});
   frames(1);
   EXPECT_GT(session().offs_asked, before);
 }
@@ -183,11 +182,11 @@ TEST_F(KeyboardTest, TabGoesThroughBarsPanelsAndPlotsAndBack) {
   EXPECT_TRUE(has("panels", "Rendering")) << "the head of a panel";
   EXPECT_TRUE(has("plots", "Save…"));
   EXPECT_FALSE(has("scene", "scene")) << "its keys are the table's";
-  press(GLFW_KEY_TAB, shift);
-  press(GLFW_KEY_TAB, shift);
+  press(key::tab, shift);
+  press(key::tab, shift);
   EXPECT_NE(focused(), stops.front());
-  press(GLFW_KEY_TAB);
-  press(GLFW_KEY_TAB);
+  press(key::tab);
+  press(key::tab);
   EXPECT_EQ(focused(), stops.front());
 }
 
@@ -196,12 +195,12 @@ TEST_F(KeyboardTest, TheStagesButtonsAndDialogsAreReachedToo) {
   frames(3);
   const std::vector<ImGuiID> stops = tab_stops();
   EXPECT_GE(stops.size(), 8U) << "three strategies, the modes and the way to the workbench";
-  press(GLFW_KEY_ESCAPE);
+  press(key::escape);
   EXPECT_FALSE(has_focus());
-  press(GLFW_KEY_S, ctrl);
+  press(key::s, ctrl);
   ASSERT_EQ(session().dialog, Dialog::save_scene);
   EXPECT_GE(tab_stops().size(), 3U) << "the path, Save and Cancel";
-  press(GLFW_KEY_ESCAPE);
+  press(key::escape);
   EXPECT_EQ(session().dialog, Dialog::none);
   EXPECT_FALSE(has_focus()) << "as it was before";
 }
@@ -218,31 +217,31 @@ TEST_F(KeyboardTest, AFocusedSliderOwnsArrowsAndEnterButNeverSpace) {
     return value / before;
   };
   // A hundredth of a slider from 1 to 20000, which is logarithmic; 2 %: three digits.
-  EXPECT_NEAR(ratio_after(GLFW_KEY_RIGHT, 0), std::pow(20000.0, 0.01), 0.02);
-  EXPECT_NEAR(ratio_after(GLFW_KEY_DOWN, 0), std::pow(20000.0, -0.01), 0.02);
-  EXPECT_NEAR(ratio_after(GLFW_KEY_UP, shift), std::pow(20000.0, 0.001), 0.005);
-  EXPECT_NEAR(ratio_after(GLFW_KEY_LEFT, GLFW_MOD_ALT), std::pow(20000.0, -0.001), 0.005);
-  EXPECT_NEAR(ratio_after(GLFW_KEY_RIGHT, ctrl), std::pow(20000.0, 0.1), 0.05);
-  press(GLFW_KEY_HOME);
+  EXPECT_NEAR(ratio_after(key::right, 0), std::pow(20000.0, 0.01), 0.02);
+  EXPECT_NEAR(ratio_after(key::down, 0), std::pow(20000.0, -0.01), 0.02);
+  EXPECT_NEAR(ratio_after(key::up, shift), std::pow(20000.0, 0.001), 0.005);
+  EXPECT_NEAR(ratio_after(key::left, modifier::alt), std::pow(20000.0, -0.001), 0.005);
+  EXPECT_NEAR(ratio_after(key::right, ctrl), std::pow(20000.0, 0.1), 0.05);
+  press(key::home);
   EXPECT_EQ(value, 1.0);
-  press(GLFW_KEY_END);
+  press(key::end);
   EXPECT_EQ(value, 20000.0);
-  press(GLFW_KEY_ENTER);
+  press(key::enter);
   type("750");
   EXPECT_FALSE(session().paused);
-  press(GLFW_KEY_ENTER);
+  press(key::enter);
   EXPECT_EQ(value, 750.0);
   EXPECT_EQ(session().goal, goal);
   EXPECT_FALSE(session().paused);
-  press(GLFW_KEY_SPACE);
+  press(key::space);
   EXPECT_TRUE(session().paused);
   EXPECT_EQ(value, 750.0);
   const std::uint32_t offs = session().offs_asked;
   ASSERT_TRUE(tab_to(k_r));
-  press(GLFW_KEY_ESCAPE);
+  press(key::escape);
   EXPECT_EQ(session().offs_asked, offs + 1);
   EXPECT_FALSE(has_focus());
-  press(GLFW_KEY_RIGHT);
+  press(key::right);
   EXPECT_NE(session().goal, goal) << "without a focus arrows move the goal";
   EXPECT_EQ(value, 750.0);
 }
@@ -254,27 +253,27 @@ TEST_F(KeyboardTest, AnAngleTurnsOnBeyondHalfATurnAndShowsARealMinus) {
   ASSERT_TRUE(tab_to(in_column("##normal", "wall")));
   double& angle = session().settings.wall_normal_angle;
   angle = 179.5 * degree;
-  press(GLFW_KEY_RIGHT);
+  press(key::right);
   EXPECT_NEAR(angle, 180.0 * degree, 1e-9);
-  press(GLFW_KEY_RIGHT);
+  press(key::right);
   EXPECT_NEAR(angle, -179.0 * degree, 1e-9);
-  press(GLFW_KEY_RIGHT, shift);
+  press(key::right, shift);
   EXPECT_NEAR(angle, -178.9 * degree, 1e-9);
   EXPECT_TRUE(shows("−178.9°"));
   EXPECT_FALSE(shows("-178.9°"));
-  press(GLFW_KEY_LEFT, ctrl);
+  press(key::left, ctrl);
   EXPECT_NEAR(std::abs(angle), 180.0 * degree, 1e-9);
 }
 
 TEST_F(KeyboardTest, TheTimeInSightOfThePlotsIsChosenWithoutAMouse) {
-  press(GLFW_KEY_F3);
+  press(key::f3);
   frames(3);
   const PlotView& plots = session().plots;
   ASSERT_DOUBLE_EQ(plots.span_s(), 4.0);
   ASSERT_TRUE(tab_to(ImGui::FindWindowByName("plots")->GetID("##span")));
-  press(GLFW_KEY_ENTER);
-  press(GLFW_KEY_DOWN);
-  press(GLFW_KEY_ENTER);
+  press(key::enter);
+  press(key::down);
+  press(key::enter);
   EXPECT_NEAR(plots.span_s(), 10.0, 1e-9);
   EXPECT_TRUE(shows("10 s"));
 }
@@ -283,7 +282,7 @@ TEST_F(KeyboardTest, KeysScrollAnOpenDialog) {
   session().appearance.scale = 2.0;
   frames(3);
   const Vector<2> goal = session().goal;
-  press(GLFW_KEY_F1);
+  press(key::f1);
   frames(3);
   const ImGuiWindow& help = *ImGui::FindWindowByName("Help");
   ASSERT_GT(help.ScrollMax.y, 0.0F);
@@ -294,19 +293,19 @@ TEST_F(KeyboardTest, KeysScrollAnOpenDialog) {
     EXPECT_LT(help.Scroll.y - before, most) << key;
   };
   const float page = help.InnerRect.GetHeight();
-  expect_scrolled(GLFW_KEY_DOWN, 20.0F, 0.5F * page);
-  expect_scrolled(GLFW_KEY_UP, -0.5F * page, -20.0F);
-  expect_scrolled(GLFW_KEY_PAGE_DOWN, 0.7F * page, page);
-  expect_scrolled(GLFW_KEY_PAGE_UP, -page, -0.7F * page);
-  send_at_once({{GLFW_KEY_DOWN}, {GLFW_KEY_DOWN}, {GLFW_KEY_UP}, {GLFW_KEY_DOWN}});
+  expect_scrolled(key::down, 20.0F, 0.5F * page);
+  expect_scrolled(key::up, -0.5F * page, -20.0F);
+  expect_scrolled(key::page_down, 0.7F * page, page);
+  expect_scrolled(key::page_up, -page, -0.7F * page);
+  send_at_once({{key::down}, {key::down}, {key::up}, {key::down}});
   const float two_lines = help.Scroll.y;
-  press(GLFW_KEY_HOME);
+  press(key::home);
   EXPECT_EQ(help.Scroll.y, 0.0F);
-  send_one_by_one({{GLFW_KEY_DOWN}, {GLFW_KEY_DOWN}});
+  send_one_by_one({{key::down}, {key::down}});
   EXPECT_EQ(help.Scroll.y, two_lines);
-  press(GLFW_KEY_END);
+  press(key::end);
   EXPECT_EQ(help.Scroll.y, help.ScrollMax.y);
-  press(GLFW_KEY_RIGHT);
+  press(key::right);
   EXPECT_EQ(session().goal, goal) << "none of these is the goal's";
   EXPECT_EQ(session().face, Face::workbench) << "nor a step of the talk";
   EXPECT_FALSE(session().stage.talk_step);
@@ -315,7 +314,7 @@ TEST_F(KeyboardTest, KeysScrollAnOpenDialog) {
 TEST_F(KeyboardTest, PagesScrollTheScenesThoughTheirFieldHasTheKeyboard) {
   session().appearance.scale = 2.0;
   frames(3);
-  press(GLFW_KEY_O, ctrl);
+  press(key::o, ctrl);
   frames(3);
   const auto scrolled = [] {
     float most = 0.0F;
@@ -326,11 +325,11 @@ TEST_F(KeyboardTest, PagesScrollTheScenesThoughTheirFieldHasTheKeyboard) {
   };
   const float before = scrolled();
   ASSERT_GT(before, 50.0F) << "the scene that is open is the last one";
-  press(GLFW_KEY_PAGE_UP);
+  press(key::page_up);
   const float page_before = scrolled();
   EXPECT_LT(page_before, before - 50.0F);
-  press(GLFW_KEY_PAGE_UP);
-  press(GLFW_KEY_PAGE_DOWN);
+  press(key::page_up);
+  press(key::page_down);
   EXPECT_EQ(scrolled(), page_before);
 }
 
@@ -339,13 +338,13 @@ TEST_F(KeyboardTest, TheDialSaysWhomItActsOnWhileItIsTurned) {
     return std::ranges::any_of(words_on_screen(),
                                [](const ScreenWords& words) { return words.text.starts_with("Only Anisotropic"); });
   };
-  press(GLFW_KEY_2);
+  press(key::digit_2);
   EXPECT_FALSE(says_so());
-  press(GLFW_KEY_EQUAL);
+  press(key::equal);
   EXPECT_TRUE(says_so());
-  press(GLFW_KEY_3);
+  press(key::digit_3);
   EXPECT_FALSE(says_so());
-  press(GLFW_KEY_1);
+  press(key::digit_1);
   frames(300, 0);
   EXPECT_FALSE(says_so());
   ASSERT_TRUE(tab_to(in_column("ratio", "rendering")));
@@ -357,24 +356,24 @@ TEST_F(KeyboardTest, TheDialIsTurnedAndTypedInto) {
   ASSERT_TRUE(tab_to(in_column("ratio", "rendering")));
   Stiffnesses& stiffnesses = session().settings.stiffnesses;
   ASSERT_FALSE(stiffnesses.chosen_tracking_ratio);
-  press(GLFW_KEY_LEFT);
+  press(key::left);
   ASSERT_TRUE(stiffnesses.chosen_tracking_ratio) << "it leaves the optimum";
-  press(GLFW_KEY_RIGHT);
+  press(key::right);
   EXPECT_FALSE(stiffnesses.chosen_tracking_ratio) << "and finds it again";
-  press(GLFW_KEY_ENTER);
+  press(key::enter);
   type("2.5");
-  press(GLFW_KEY_ENTER);
+  press(key::enter);
   EXPECT_EQ(stiffnesses.chosen_tracking_ratio, 2.5);
 }
 
 TEST_F(KeyboardTest, KeysMoveThePicture) {
   const SceneView before = session().shown;
-  press(GLFW_KEY_Z);
+  press(key::z);
   EXPECT_LT(session().shown.width, before.width);
-  press(GLFW_KEY_Z, shift);
+  press(key::z, shift);
   EXPECT_NEAR(session().shown.width, before.width, 1e-12);
   const Vector<2> goal = session().goal;
-  press(GLFW_KEY_RIGHT, GLFW_MOD_ALT);
+  press(key::right, modifier::alt);
   EXPECT_LT(session().shown.center.x, before.center.x);
   EXPECT_EQ(session().goal, goal);
 }
@@ -385,10 +384,10 @@ TEST_F(KeyboardTest, KeysMoveAllPanesSideBySide) {
   ASSERT_TRUE(session().pane_views);
   const PaneViews before = *session().pane_views;
   const SceneView shown = session().shown;
-  press(GLFW_KEY_Z);
+  press(key::z);
   ASSERT_TRUE(session().pane_views);
   EXPECT_LT(session().pane_views->width, before.width);
-  press(GLFW_KEY_RIGHT, GLFW_MOD_ALT);
+  press(key::right, modifier::alt);
   ASSERT_TRUE(session().pane_views);
   for (std::size_t i = 0; i < strategy_count; ++i) {
     EXPECT_LT(session().pane_views->centers[i].x, before.centers[i].x);
@@ -397,8 +396,8 @@ TEST_F(KeyboardTest, KeysMoveAllPanesSideBySide) {
 }
 
 TEST_F(KeyboardTest, WhatIsTypedNeverActsAsAKey) {
-  send({GLFW_KEY_O, ctrl});
-  for (const int key : {GLFW_KEY_W, GLFW_KEY_3, GLFW_KEY_R, GLFW_KEY_B}) send({key});
+  send({key::o, ctrl});
+  for (const int key : {key::w, key::digit_3, key::r, key::b}) send({key});
   frames(20);
   EXPECT_EQ(session().form.path.size(), 4U);
   EXPECT_EQ(session().settings, load_scene("wall45").settings);

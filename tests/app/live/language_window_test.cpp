@@ -42,7 +42,7 @@ class LanguageWindow : public DrivenWindow {
   }
   bool stage_says(std::string_view words) const { return words_of_stage().find(words) != std::string::npos; }
   void choose_in_view_panel(std::string_view name) {
-    if (session().face == Face::stage) press(GLFW_KEY_F4);
+    if (session().face == Face::stage) press(key::f4);
     session().folded_panels.clear();
     frames(3);
     ImGuiWindow& column = *ImGui::FindWindowByName("panels");
@@ -52,7 +52,7 @@ class LanguageWindow : public DrivenWindow {
       frames(3);
     }
     click_on(name);
-    press(GLFW_KEY_F4);
+    press(key::f4);
     frames(30);
   }
 };
@@ -68,9 +68,9 @@ TEST_F(LanguageWindow, TheViewPanelChangesTheStage) {
   EXPECT_TRUE(stage_says("fantasma")) << words_of_stage();
   EXPECT_FALSE(stage_says("ghost")) << words_of_stage();
   EXPECT_TRUE(application_->stage_reading().sentence.starts_with("Una fuerza fantasma"));
-  press(GLFW_KEY_SPACE);
+  press(key::space);
   EXPECT_EQ(application_->stage_reading().sentence, spanish_stage.warnings.paused);
-  press(GLFW_KEY_SPACE);
+  press(key::space);
   choose_in_view_panel("English");
   EXPECT_EQ(session().language, "en");
   EXPECT_EQ(words_of_stage(), english);
@@ -87,25 +87,25 @@ TEST_F(LanguageWindow, ALessonGoesOnInTheOtherLanguage) {
     return words_in(lesson, language).steps.front().text.substr(0, 12);
   };
   ASSERT_TRUE(stage_says(first_words("en"))) << words_of_stage();
-  press(GLFW_KEY_1);
+  press(key::digit_1);
   frames(80);
-  press(GLFW_KEY_PAGE_UP);
+  press(key::page_up);
   const LessonStepState answered = lesson_step_state(*session().lesson);
   EXPECT_NE(answered.outcome, LessonOutcome::open);
-  press(GLFW_KEY_F5);
+  press(key::f5);
   frames(3);
   EXPECT_TRUE(words_beginning("Lessons"));
   click_on("Español");
   EXPECT_TRUE(words_beginning("Lecciones"));
   EXPECT_TRUE(words_beginning("Olvidar mi progreso")) << "the dialog speaks it too";
-  press(GLFW_KEY_ESCAPE);
+  press(key::escape);
   frames(3);
   ASSERT_TRUE(session().lesson);
   EXPECT_EQ(lesson_step_state(*session().lesson), answered);
   EXPECT_FALSE(stage_says("Next"));
   EXPECT_TRUE(stage_says("Siguiente")) << words_of_stage();
   EXPECT_TRUE(stage_says(words_in(lesson, "es").title)) << words_of_stage();
-  press(GLFW_KEY_PAGE_DOWN);
+  press(key::page_down);
   frames(80);
   EXPECT_TRUE(stage_says(words_in(lesson, "es").steps[1].text.substr(0, 12))) << words_of_stage();
 }

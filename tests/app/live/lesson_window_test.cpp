@@ -58,7 +58,7 @@ class LessonWindow : public DrivenWindow {
     const Vector<2> middle = 0.5 * (found->box.least + found->box.most);
     click_at(middle.x, middle.y);
   }
-  void press_digit(std::size_t answer) { press(GLFW_KEY_1 + static_cast<int>(answer)); }
+  void press_digit(std::size_t answer) { press(key::digit_1 + static_cast<int>(answer)); }
 
   Vector<2> rest() { return stage_moment_at_rest(session().settings, session().goal).handle; }
 
@@ -145,12 +145,12 @@ class LessonWindow : public DrivenWindow {
         // Away from where it rests, by the arrows.
         const bool is_above = session().stage.guess->y >= rest().y;
         const double before = session().stage.guess->y;
-        for (int i = 0; i < 3; ++i) press(is_above ? GLFW_KEY_UP : GLFW_KEY_DOWN, GLFW_MOD_CONTROL);
+        for (int i = 0; i < 3; ++i) press(is_above ? key::up : key::down, modifier::control);
         EXPECT_NEAR(std::abs(session().stage.guess->y - before), 0.03, 1e-9);
-        return press(GLFW_KEY_ENTER);
+        return press(key::enter);
       }
       case LessonQuestion::task:
-        return press(GLFW_KEY_PAGE_DOWN);
+        return press(key::page_down);
     }
   }
 };
@@ -208,37 +208,37 @@ TEST_F(LessonWindow, EachLessonCanBePlayedWronglyWithTheKeysAndBackwards) {
         EXPECT_NE(outcome(), LessonOutcome::open);
         EXPECT_NE(outcome(), LessonOutcome::right);
       }
-      if (i + 1 < each->steps.size()) press(GLFW_KEY_PAGE_DOWN);
+      if (i + 1 < each->steps.size()) press(key::page_down);
       arrive();
     }
     for (std::size_t i = each->steps.size(); i-- > 0;) {
       ASSERT_EQ(lesson().step, i);
-      press(GLFW_KEY_PAGE_UP);
+      press(key::page_up);
       arrive();
     }
     EXPECT_EQ(score_of(lesson()).right, 0U);
     EXPECT_TRUE(session().lesson_progress.lessons.at(each->name).right.empty());
-    press(GLFW_KEY_ESCAPE);
+    press(key::escape);
     EXPECT_FALSE(session().lesson);
   }
 }
 
 TEST_F(LessonWindow, ThePickerNeedsNoMouse) {
   open({.face = Face::stage});
-  press(GLFW_KEY_F5);
+  press(key::f5);
   ASSERT_EQ(session().dialog, Dialog::lessons);
   frames(3);
   EXPECT_TRUE(has_focus()) << "at the lesson to begin with";
-  press(GLFW_KEY_ENTER);
+  press(key::enter);
   frames(5);
   ASSERT_TRUE(session().lesson);
   EXPECT_EQ(lesson().lesson->name, shipped_lessons().front()->name);
   EXPECT_EQ(session().dialog, Dialog::none);
   // One that is done is not the one to begin with any more.
   session().lesson_progress.lessons[lesson().lesson->name].is_finished = true;
-  press(GLFW_KEY_F5);
+  press(key::f5);
   frames(3);
-  press(GLFW_KEY_ENTER);
+  press(key::enter);
   frames(5);
   ASSERT_TRUE(session().lesson);
   EXPECT_EQ(lesson().lesson->name, shipped_lessons()[1]->name);
@@ -248,7 +248,7 @@ TEST_F(LessonWindow, OneClickOnTheStageOpensThePicker) {
   open({.face = Face::stage});
   click(StageCommand::lessons);
   EXPECT_EQ(session().dialog, Dialog::lessons);
-  press(GLFW_KEY_ESCAPE);
+  press(key::escape);
   EXPECT_EQ(session().dialog, Dialog::none);
 }
 
@@ -287,10 +287,10 @@ TEST_F(LessonWindow, AnotherSceneEndsALesson) {
 TEST_F(LessonWindow, UndoTakesNothingOfALessonBack) {
   begin(shipped_lessons()[2]);
   const Settings shown = session().settings;
-  press(GLFW_KEY_Z, GLFW_MOD_CONTROL);
+  press(key::z, modifier::control);
   EXPECT_EQ(session().settings, shown);
-  press(GLFW_KEY_ESCAPE);
-  press(GLFW_KEY_Z, GLFW_MOD_CONTROL);
+  press(key::escape);
+  press(key::z, modifier::control);
   EXPECT_EQ(session().settings, load_scene("wall45").settings);
 }
 
@@ -312,11 +312,11 @@ TEST_F(LessonWindow, ASliderIsMovedByPointerAndKeys) {
   drag({box.most.x - 30.0, y}, {box.least.x - 50.0, y});
   EXPECT_EQ(value(), slider.least);
   // With the focus, the arrows are its own.
-  for (int i = 0; i < 30 && !focus_takes_arrows(); ++i) press(GLFW_KEY_TAB);
+  for (int i = 0; i < 30 && !focus_takes_arrows(); ++i) press(key::tab);
   ASSERT_TRUE(focus_takes_arrows());
-  press(GLFW_KEY_RIGHT);
+  press(key::right);
   EXPECT_GT(value(), slider.least);
-  press(GLFW_KEY_END);
+  press(key::end);
   EXPECT_EQ(value(), slider.greatest);
 }
 
@@ -335,13 +335,13 @@ TEST_F(LessonWindow, WorksWithADeviceInTheHand) {
   const Vector<2> wanted = rest();
   drag(on_window(*session().stage.guess), on_window(wanted));
   EXPECT_LT(glm::distance(*session().stage.guess, wanted), 0.001);
-  press(GLFW_KEY_ENTER);
+  press(key::enter);
   EXPECT_EQ(outcome(), LessonOutcome::right);
-  press(GLFW_KEY_ESCAPE);
+  press(key::escape);
   EXPECT_TRUE(session().lesson) << "motors off comes first";
   frames(20, 400);
   ASSERT_FALSE(session().motors_may_push);
-  press(GLFW_KEY_ESCAPE);
+  press(key::escape);
   EXPECT_FALSE(session().lesson);
 }
 
@@ -365,7 +365,7 @@ TEST_F(LessonWindow, NothingThatIsPressedBreaksALesson) {
       next_lesson_step(session());
     } else if (any(2) == 0) {
       const KeyBinding& binding = key_table()[static_cast<std::size_t>(any(static_cast<int>(key_table().size())))];
-      const bool leads_away = binding.modifiers == GLFW_MOD_CONTROL || binding.key == GLFW_KEY_F11;
+      const bool leads_away = binding.modifiers == modifier::control || binding.key == key::f11;
       if (!leads_away) {
         send_key(binding.key, GLFW_PRESS, binding.modifiers);
         send_key(binding.key, GLFW_RELEASE, 0);
@@ -433,7 +433,7 @@ TEST_F(LessonWindow, ProgressIsForgottenOnceThePersonHasSaidSoTwice) {
     click_at(static_cast<double>(place->x), static_cast<double>(place->y));
     frames(3);
   };
-  press(GLFW_KEY_F5);
+  press(key::f5);
   frames(3);
   EXPECT_FALSE(place_of(said.forget)) << "there is nothing to forget";
   session().lesson_progress.lessons["ghost"] = {.farthest = 2, .right = {"press"}};

@@ -25,7 +25,7 @@ class LookingBackTest : public DrivenWindow {
     frames(15);
   }
   void pause() {
-    press(GLFW_KEY_SPACE);
+    press(key::space);
     ASSERT_TRUE(session().paused);
   }
   // Looks at a moment so long before the present.
@@ -59,25 +59,25 @@ TEST_F(LookingBackTest, TheCommaAndTheFullStopLandOnEachTick) {
   pause();
   const std::int64_t present = now().tick;
   for (int back = 1; back <= 12; ++back) {
-    press(GLFW_KEY_COMMA);
+    press(key::comma);
     ASSERT_EQ(shown_tick(), present - back);
     ASSERT_EQ(looks_back_to_s(), application_->shown().snapshot.time_s);
   }
   // Several in one frame, none lost.
-  for (int k = 0; k < 5; ++k) send_key(GLFW_KEY_COMMA, GLFW_PRESS, 0);
-  send_key(GLFW_KEY_PERIOD, GLFW_PRESS, 0);
+  for (int k = 0; k < 5; ++k) send_key(key::comma, GLFW_PRESS, 0);
+  send_key(key::period, GLFW_PRESS, 0);
   frames(10);
   EXPECT_EQ(shown_tick(), present - 16);
   for (int back = 15; back > 0; --back) {
-    press(GLFW_KEY_PERIOD);
+    press(key::period);
     ASSERT_EQ(shown_tick(), present - back);
   }
   EXPECT_EQ(now().tick, present) << "no time has passed";
-  press(GLFW_KEY_PERIOD);
+  press(key::period);
   EXPECT_FALSE(looks_back_to_s()) << "at the newest end";
   EXPECT_EQ(shown_tick(), present);
   EXPECT_EQ(now().tick, present);
-  press(GLFW_KEY_PERIOD);
+  press(key::period);
   frames(2);
   EXPECT_EQ(now().tick, present + 1) << "and beyond, a tick of the servo";
   EXPECT_EQ(shown_tick(), present + 1);
@@ -87,7 +87,7 @@ TEST_F(LookingBackTest, TheCommaAndTheFullStopLandOnEachTick) {
 TEST_F(LookingBackTest, TheCommaPausesFirst) {
   move_about();
   ASSERT_FALSE(session().paused);
-  press(GLFW_KEY_COMMA);
+  press(key::comma);
   EXPECT_TRUE(session().paused);
   ASSERT_TRUE(looks_back_to_s().has_value());
   EXPECT_LT(shown_tick(), now().tick);
@@ -100,7 +100,7 @@ TEST_F(LookingBackTest, StepsBeyondTheNewestAreTakenByTheServo) {
   move_about();
   pause();
   const std::int64_t present = now().tick;
-  press(GLFW_KEY_COMMA);
+  press(key::comma);
   session().requests.ticks_through_history = 4;
   frames(3);
   EXPECT_FALSE(looks_back_to_s());
@@ -175,7 +175,7 @@ TEST_F(LookingBackTest, ThePictureIsOfThatMoment) {
   EXPECT_GT(now().tick, present) << "time goes on";
   EXPECT_EQ(application_->shown().snapshot.tick, then.tick);
 
-  press(GLFW_KEY_ESCAPE);
+  press(key::escape);
   EXPECT_FALSE(application_->shown().is_past);
   EXPECT_NE(drawn_normal(), normal);
 }
@@ -186,7 +186,7 @@ TEST_F(LookingBackTest, ShowsTheMomentForEveryStrategy) {
   look_back(0.2);
   frames(3);
   const auto tick = application_->shown().snapshot.tick;
-  press(GLFW_KEY_3);
+  press(key::digit_3);
   frames(4);
   EXPECT_TRUE(looks_back_to_s());
   EXPECT_EQ(application_->shown().snapshot.tick, tick);
@@ -206,12 +206,12 @@ TEST_F(LookingBackTest, ChangingAnythingEndsIt) {
     EXPECT_FALSE(application_->shown().is_past) << what;
   };
   ends("a setting", [&] { session().settings.stiffnesses.k_r = 321.0; });
-  ends("the goal", [&] { press(GLFW_KEY_LEFT); });
+  ends("the goal", [&] { press(key::left); });
   ends("a drag of the goal", [&] { drag(on_window({0.0, 0.0}), on_window({0.01, 0.01})); });
-  ends("a reset", [&] { press(GLFW_KEY_R); });
+  ends("a reset", [&] { press(key::r); });
   ends("another scene", [&] { session().requests.open_scene = "fig1"; });
   ends("another input", [&] { session().requests.input = "script"; });
-  ends("Esc", [&] { press(GLFW_KEY_ESCAPE); });
+  ends("Esc", [&] { press(key::escape); });
   ends("another mode", [&] { session().stage.mode = StageMode::why; });
   ends("leaving its mode", [&] {
     session().stage.mode = StageMode::ribbon;
@@ -224,10 +224,10 @@ TEST_F(LookingBackTest, ChangingAnythingEndsIt) {
 }
 
 TEST_F(LookingBackTest, SpaceAndEscGoOnLive) {
-  for (const int key : {GLFW_KEY_SPACE, GLFW_KEY_ESCAPE}) {
+  for (const int key : {key::space, key::escape}) {
     open({});
     move_about();
-    press(GLFW_KEY_COMMA);
+    press(key::comma);
     ASSERT_TRUE(looks_back_to_s());
     const std::int64_t present = now().tick;
     press(key);
@@ -240,19 +240,19 @@ TEST_F(LookingBackTest, SpaceAndEscGoOnLive) {
     EXPECT_FALSE(looks_back_to_s());
     EXPECT_FALSE(session().paused);
   }
-  press(GLFW_KEY_SPACE);
-  press(GLFW_KEY_ESCAPE);
+  press(key::space);
+  press(key::escape);
   EXPECT_TRUE(session().paused) << "Esc is no way out of a pause";
 }
 
 TEST_F(LookingBackTest, EscClosesWhatIsOpenFirst) {
   move_about();
   look_back(0.1);
-  press(GLFW_KEY_F1);
-  press(GLFW_KEY_ESCAPE);
+  press(key::f1);
+  press(key::escape);
   EXPECT_EQ(session().dialog, Dialog::none);
   EXPECT_TRUE(looks_back_to_s());
-  press(GLFW_KEY_ESCAPE);
+  press(key::escape);
   EXPECT_FALSE(looks_back_to_s());
 }
 
@@ -264,7 +264,7 @@ TEST_F(LookingBackTest, WhatIsOlderThanAllIsTheOldest) {
   ASSERT_TRUE(oldest);
   EXPECT_EQ(looks_back_to_s(), oldest->snapshot.time_s);
   EXPECT_EQ(shown_tick(), oldest->snapshot.tick);
-  press(GLFW_KEY_COMMA);
+  press(key::comma);
   EXPECT_EQ(shown_tick(), oldest->snapshot.tick) << "there is nothing before it";
 }
 
@@ -283,14 +283,14 @@ TEST_F(LookingBackTest, ServoAndRecordingKnowNothingOfIt) {
     }
     session().settings.wall_normal_angle += 0.2;
     frames(20);
-    press(GLFW_KEY_SPACE);
+    press(key::space);
     for (int k = 0; k < 10; ++k) {
-      looks_back ? press(GLFW_KEY_COMMA) : frames(3);
+      looks_back ? press(key::comma) : frames(3);
     }
     if (looks_back) {
       EXPECT_EQ(shown_tick(), now().tick - 10);
     }
-    press(GLFW_KEY_SPACE);
+    press(key::space);
     EXPECT_FALSE(session().paused);
     session().settings.active = StrategyId::naive;
     frames(20);
@@ -314,7 +314,7 @@ TEST_F(LookingBackTest, ServoAndRecordingKnowNothingOfIt) {
 // A window at rest that somebody looks back in need not be drawn again and again.
 TEST_F(LookingBackTest, APausedWindowStaysIdle) {
   move_about();
-  press(GLFW_KEY_COMMA);
+  press(key::comma);
   // Words may first find better places.
   for (int i = 0; i < 240 && application_->needs_drawing(); ++i) frames(1);
   EXPECT_TRUE(application_->is_idle());
@@ -325,7 +325,7 @@ TEST_F(LookingBackTest, APausedWindowStaysIdle) {
 }
 
 TEST_F(LookingBackTest, ThePlotsShowTheMoment) {
-  press(GLFW_KEY_F3);
+  press(key::f3);
   move_about();
   PlotView& plots = session().plots;
   look_back(0.1);
@@ -333,20 +333,20 @@ TEST_F(LookingBackTest, ThePlotsShowTheMoment) {
   EXPECT_GE(plots.to_s, *looks_back_to_s());
   const Image nearer = picture();
   plots.to_s = plots.from_s + 0.2;
-  press(GLFW_KEY_COMMA);
+  press(key::comma);
   session().stage.looks_back_to_s = now().time_s - 0.7;
   frames(3);
   EXPECT_LE(plots.from_s, *looks_back_to_s()) << "brought into sight";
   EXPECT_GE(plots.to_s, *looks_back_to_s());
   EXPECT_NEAR(plots.span_s(), 0.2, 1e-9);
   EXPECT_NE(picture(), nearer);
-  press(GLFW_KEY_SPACE);
+  press(key::space);
   frames(2);
   EXPECT_EQ(plots.to_s, application_->history().plots().newest_s());
 }
 
 TEST_F(LookingBackTest, AClickInThePlotsLooksAtItsTime) {
-  press(GLFW_KEY_F3);
+  press(key::f3);
   move_about();
   const double top = static_cast<double>(screen().scene_corner().y) + screen().scene_size().y;
   drag({200.0, top + 100.0}, {320.0, top + 100.0});

@@ -47,7 +47,7 @@ TEST_F(ExperimentsWindow, MeasuresTheHandWithTheMouse) {
     if (i % 2 == 0) {
       click(take_button);
     } else {
-      press(GLFW_KEY_ENTER);
+      press(key::enter);
     }
   }
   EXPECT_GT(from_above, 0);
@@ -66,7 +66,7 @@ TEST_F(ExperimentsWindow, MeasuresTheHandWithTheMouse) {
   EXPECT_EQ(session().settings.stiffnesses.believed_k_u, median);
   EXPECT_EQ(measurement().stage, UserMeasurement::Stage::off);
   // The whole of it is one step to take back.
-  press(GLFW_KEY_Z, GLFW_MOD_CONTROL);
+  press(key::z, modifier::control);
   EXPECT_EQ(session().settings, before);
 }
 
@@ -74,11 +74,11 @@ TEST_F(ExperimentsWindow, RedoDoesNotEndTheMeasurement) {
   open(with_panel("Measure the hand"));
   session().settings.stiffnesses.chosen_tracking_ratio = 2.5;
   frames(2);
-  press(GLFW_KEY_Z, GLFW_MOD_CONTROL);
+  press(key::z, modifier::control);
   click(start_button);
   ASSERT_TRUE(is_measuring(session()));
   EXPECT_EQ(session().undo_offer.redo, "");
-  press(GLFW_KEY_Y, GLFW_MOD_CONTROL);
+  press(key::y, modifier::control);
   EXPECT_TRUE(is_measuring(session()));
 }
 
@@ -90,10 +90,10 @@ TEST_F(ExperimentsWindow, CancelAndUndoRestoreRatioAndStrategy) {
   for (const bool by_undo : {false, true}) {
     click(start_button);
     ASSERT_TRUE(is_measuring(session()));
-    press(GLFW_KEY_EQUAL);
+    press(key::equal);
     EXPECT_NE(session().settings, before);
     if (by_undo) {
-      press(GLFW_KEY_Z, GLFW_MOD_CONTROL);
+      press(key::z, modifier::control);
     } else {
       click(cancel_button);
     }
@@ -101,7 +101,7 @@ TEST_F(ExperimentsWindow, CancelAndUndoRestoreRatioAndStrategy) {
     EXPECT_EQ(session().settings, before);
   }
   // No step was left behind: the next undo takes back the ratio of 2.5.
-  press(GLFW_KEY_Z, GLFW_MOD_CONTROL);
+  press(key::z, modifier::control);
   EXPECT_EQ(session().settings, load_scene("wall45").settings);
 }
 

@@ -80,7 +80,7 @@ class MonkeyTest : public DrivenWindow {
       case 0:
       case 1: {
         const KeyBinding binding = any_of(key_table());
-        if (binding.key != GLFW_KEY_Q || (binding.modifiers & GLFW_MOD_CONTROL) == 0) {
+        if (binding.key != key::q || (binding.modifiers & modifier::control) == 0) {
           send_key(binding.key, any(4) == 0 ? GLFW_REPEAT : GLFW_PRESS, binding.modifiers);
           send_key(binding.key, GLFW_RELEASE, 0);
         }
@@ -116,8 +116,7 @@ class MonkeyTest : public DrivenWindow {
         type_something();
         break;
       case 9:
-        send_key(any_of(std::array{GLFW_KEY_ESCAPE, GLFW_KEY_TAB, GLFW_KEY_ENTER, GLFW_KEY_UP, GLFW_KEY_BACKSPACE}),
-                 GLFW_PRESS, 0);
+        send_key(any_of(std::array{key::escape, key::tab, key::enter, key::up, key::backspace}), GLFW_PRESS, 0);
         break;
       case 10:
         if (any(3) == 0) session().requests.open_scene = any_of(shipped_scene_names());
@@ -138,7 +137,7 @@ class MonkeyTest : public DrivenWindow {
       send_character(static_cast<unsigned char>(c));
     }
     frame();
-    if (any(4) != 0) send_key(GLFW_KEY_ENTER, GLFW_PRESS, 0);
+    if (any(4) != 0) send_key(key::enter, GLFW_PRESS, 0);
   }
 
   // A real device, or a thread that looks for one, has no place here for long.
@@ -195,8 +194,8 @@ TEST_F(MonkeyTest, BreaksNothing) {
   EXPECT_GT(pushes_, 0);  // motors were on
   for (const int count : frames_on_) EXPECT_GT(count, events / 10);
   // And at the end all is as it was at the beginning for who asks for it.
-  press(GLFW_KEY_ESCAPE);
-  press(GLFW_KEY_ESCAPE);
+  press(key::escape);
+  press(key::escape);
   session().requests.input = "mouse";
   session().requests.open_scene = "wall45";
   frames(5);

@@ -80,7 +80,7 @@ TEST_F(ReadingAloudTest, FollowsTheStage) {
   EXPECT_EQ(naive.strategy, "naive");
   EXPECT_EQ(naive.ghost_force, "1.27");
   EXPECT_EQ(naive.slide, "12.0");
-  press(GLFW_KEY_3);
+  press(key::digit_3);
   frames(120);
   const Line cured = next_line();
   EXPECT_EQ(cured.sentence, "Same motor, same hand: the ghost force is gone.");
@@ -91,20 +91,20 @@ TEST_F(ReadingAloudTest, FollowsTheStage) {
 
 TEST_F(ReadingAloudTest, SaysTheSameOnTheWorkbenchWhateverTheStageWasDoing) {
   const Line stage = next_line();
-  press(GLFW_KEY_Y);
+  press(key::y);
   EXPECT_EQ(next_line().sentence, "A wall pushes straight out. One motor cannot.");
-  press(GLFW_KEY_F4);
+  press(key::f4);
   const Line workbench = next_line();
   EXPECT_EQ(workbench.sentence, stage.sentence);
   EXPECT_EQ(workbench.ghost_force, stage.ghost_force);
-  press(GLFW_KEY_3);
+  press(key::digit_3);
   frames(120);
   EXPECT_EQ(next_line().sentence, "Same motor, same hand: the ghost force is gone.");
 }
 
 TEST_F(ReadingAloudTest, KeepsTheAnswerToAGuessHidden) {
   next_line();
-  press(GLFW_KEY_Q);
+  press(key::q);
   const Line question = next_line();
   EXPECT_EQ(question.sentence, "One motor. Where will the handle come to rest?");
   EXPECT_EQ(question.force + question.wall_share + question.ghost_force + question.slide, "----");
@@ -114,7 +114,7 @@ TEST_F(ReadingAloudTest, SaysThatItIsPausedAndWhatWasThen) {
   session().goal = {0.03, -0.03};
   frames(60);
   const Line present = next_line();
-  press(GLFW_KEY_SPACE);
+  press(key::space);
   EXPECT_EQ(next_line().sentence, "Paused. Press Space to go on.");
   session().stage.looks_back_to_s = now().time_s - 0.9;
   frames(2);
@@ -144,10 +144,10 @@ TEST_F(ReadingAloudTest, AReaderThatHasGoneEndsThePrinting) {
   std::signal(SIGPIPE, SIG_IGN);
   next_line();
   close_reader();
-  press(GLFW_KEY_F4);
-  press(GLFW_KEY_Y);
+  press(key::f4);
+  press(key::y);
   while (reader_->output_problem() == 0) {
-    press(GLFW_KEY_SPACE);
+    press(key::space);
     reader_->follow(*application_, frame_s);
   }
   EXPECT_EQ(reader_->output_problem(), EPIPE);

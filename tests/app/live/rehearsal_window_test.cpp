@@ -63,7 +63,7 @@ TEST_F(RehearsalWindow, TakesEveryStepAndPushes) {
   // What is measured, estimated and only simulated beside it looks different, and what cannot be known is not drawn.
   EXPECT_EQ(count_marks(Role::ghost_force), 0);
   EXPECT_EQ(count_marks(Role::proxy_drift), 0);
-  press(GLFW_KEY_ESCAPE);
+  press(key::escape);
   EXPECT_TRUE(frames_until(1.0, [&] { return motors().state == SafetyState::off; }));
   EXPECT_EQ(motors().reason, OffReason::key);
   EXPECT_EQ(virtual_falcon().link().motors(), MotorNumbers{});
@@ -96,7 +96,7 @@ TEST_F(RehearsalWindow, AFrameRoundTheSceneAndAFilledButtonSayThatMotorsMayPush)
   point_at(600.0, 795.0);  // off the button
   frames(3, ticks);
   shows_motors(true);
-  press(GLFW_KEY_ESCAPE);
+  press(key::escape);
   ASSERT_TRUE(frames_until(1.0, [&] { return motors().state == SafetyState::off; }));
   frames(2, ticks);
   shows_motors(false);
@@ -106,7 +106,7 @@ TEST_F(RehearsalWindow, OneCanLookBackAndTheHandGoesOn) {
   turn_on();
   lead_slowly(outside, inside);
   frames(5, ticks);
-  press(GLFW_KEY_COMMA);
+  press(key::comma);
   ASSERT_TRUE(session().stage.looks_back_to_s);
   const double looked_at_s = *session().stage.looks_back_to_s;
   const std::int64_t present = now().tick;
@@ -116,7 +116,7 @@ TEST_F(RehearsalWindow, OneCanLookBackAndTheHandGoesOn) {
   EXPECT_EQ(motors().state, SafetyState::on);
   EXPECT_EQ(session().stage.looks_back_to_s, looked_at_s);
   EXPECT_LE(application_->shown().snapshot.time_s, looked_at_s);
-  press(GLFW_KEY_ESCAPE);
+  press(key::escape);
   EXPECT_FALSE(session().stage.looks_back_to_s);
   EXPECT_TRUE(frames_until(1.0, [&] { return motors().state == SafetyState::off; }));
 }
@@ -124,11 +124,11 @@ TEST_F(RehearsalWindow, OneCanLookBackAndTheHandGoesOn) {
 TEST_F(RehearsalWindow, EveryStepChangesThePicture) {
   const Image at_first = picture();
   ASSERT_TRUE(frames_until(30.0, [&] { return state() == FalconState::idle; }));
-  press(GLFW_KEY_F2);
+  press(key::f2);
   EXPECT_EQ(session().dialog, Dialog::doctor);
   const Image shown = picture();
   EXPECT_NE(shown.rgb, at_first.rgb);
-  press(GLFW_KEY_F2);
+  press(key::f2);
   lead_slowly(session().goal, outside);
   const Image ready = picture();
   press_motor_button();
@@ -138,7 +138,7 @@ TEST_F(RehearsalWindow, EveryStepChangesThePicture) {
 
 TEST_F(RehearsalWindow, TheMotorButtonFirstWantsTheReasonRead) {
   turn_on();
-  press(GLFW_KEY_ESCAPE);
+  press(key::escape);
   frames(5, ticks);
   ASSERT_EQ(motors().reason, OffReason::key);
   press_motor_button();  // read
@@ -153,10 +153,10 @@ TEST_F(RehearsalWindow, TheMotorButtonFirstWantsTheReasonRead) {
 
 TEST_F(RehearsalWindow, EscapeTurnsOffAlsoBehindAMenuAndWhileTyping) {
   turn_on();
-  press(GLFW_KEY_S, GLFW_MOD_CONTROL);
+  press(key::s, modifier::control);
   ASSERT_EQ(session().dialog, Dialog::save_scene);
   type("name");
-  press(GLFW_KEY_ESCAPE);
+  press(key::escape);
   EXPECT_TRUE(frames_until(0.5, [&] { return motors().state == SafetyState::off; }));
 }
 

@@ -23,12 +23,12 @@ class SetUpWindow : public DrivenWindow {
  protected:
   std::string clipboard() { return window_->clipboard_text(); }
   std::string copied() {
-    press(GLFW_KEY_C, GLFW_MOD_CONTROL);
+    press(key::c, modifier::control);
     return clipboard();
   }
   void paste(const std::string& text) {
     window_->set_clipboard_text(text);
-    press(GLFW_KEY_V, GLFW_MOD_CONTROL);
+    press(key::v, modifier::control);
   }
   std::string notice() { return session().notice ? session().notice->words : ""; }
   bool is_problem() { return session().notice && session().notice->is_problem; }
@@ -51,11 +51,11 @@ TEST_F(SetUpWindow, ALineIsAllThatItTakesToShowTheSameAgain) {
 
 TEST_F(SetUpWindow, CopiesWhatAPersonHasDoneOnBothFaces) {
   EXPECT_EQ(copied(), "ghostforce run wall45 --view workbench") << "nothing has been done yet";
-  press(GLFW_KEY_F4);
+  press(key::f4);
   EXPECT_EQ(copied(), "ghostforce run wall45 --view stage");
-  press(GLFW_KEY_1);
-  press(GLFW_KEY_RIGHT);
-  press(GLFW_KEY_Y);
+  press(key::digit_1);
+  press(key::right);
+  press(key::y);
   session().settings.stiffnesses.believed_k_u = 50.0;
   frames(2);
   const std::string line = copied();
@@ -70,8 +70,8 @@ TEST_F(SetUpWindow, CopiesWhatAPersonHasDoneOnBothFaces) {
   // The hand is at rest there, and comes back to it.
   const Vector<2> goal = session().goal;
   EXPECT_EQ(now().goal, goal);
-  press(GLFW_KEY_LEFT, GLFW_MOD_CONTROL);
-  press(GLFW_KEY_R);
+  press(key::left, modifier::control);
+  press(key::r);
   EXPECT_EQ(session().goal, goal);
 }
 
@@ -89,17 +89,17 @@ TEST_F(SetUpWindow, CopiesTheMomentThatSomebodyLooksBackAt) {
 }
 
 TEST_F(SetUpWindow, UndoTakesAPasteBackAndRedoBringsItAgain) {
-  press(GLFW_KEY_F4);
-  press(GLFW_KEY_RIGHT, GLFW_MOD_CONTROL);
-  press(GLFW_KEY_1);
+  press(key::f4);
+  press(key::right, modifier::control);
+  press(key::digit_1);
   const auto before = set_up_values(seen());
   paste("ghostforce run fig3-normal --goal-mm=5,-5 --view workbench");
   const auto pasted = set_up_values(seen());
   EXPECT_NE(pasted, before);
-  press(GLFW_KEY_Z, GLFW_MOD_CONTROL);
+  press(key::z, modifier::control);
   EXPECT_EQ(session().face, Face::stage);
   EXPECT_EQ(set_up_values(seen()), before);
-  press(GLFW_KEY_Y, GLFW_MOD_CONTROL);
+  press(key::y, modifier::control);
   EXPECT_EQ(set_up_values(seen()), pasted);
 }
 
@@ -128,13 +128,13 @@ TEST_F(SetUpWindow, UndoOfAPasteInALessonBringsBackWhatWasBeforeIt) {
   ASSERT_NE(session().settings, before) << "the lesson has its own";
   paste("ghostforce run fig1 --view stage");
   ASSERT_FALSE(session().lesson);
-  press(GLFW_KEY_Z, GLFW_MOD_CONTROL);
+  press(key::z, modifier::control);
   EXPECT_EQ(session().settings, before);
   EXPECT_EQ(session().face, Face::workbench);
 }
 
 TEST_F(SetUpWindow, APasteThatIsNoSetUpIsSaidAndChangesNothing) {
-  press(GLFW_KEY_RIGHT);
+  press(key::right);
   const auto before = set_up_values(seen());
   for (const std::string text : {"", "Dear colleague,", "ghostforce run wal45", "ghostforce run --record x.csv",
                                  "ghostforce run 'wall45", "\x1b[2J"}) {
@@ -142,7 +142,7 @@ TEST_F(SetUpWindow, APasteThatIsNoSetUpIsSaidAndChangesNothing) {
     EXPECT_TRUE(is_problem()) << text;
     EXPECT_NE(notice().find("The clipboard holds no set-up: "), std::string::npos) << notice();
     EXPECT_EQ(set_up_values(seen()), before);
-    press(GLFW_KEY_ESCAPE);
+    press(key::escape);
   }
   EXPECT_EQ(session().undo_offer.undo, "");
 }
@@ -176,19 +176,19 @@ TEST_F(SetUpWindow, EndsAndBeginsRoundAndRound) {
 }
 
 TEST_F(SetUpWindow, LeavesAFieldItsOwnKeys) {
-  press(GLFW_KEY_S, GLFW_MOD_CONTROL);
+  press(key::s, modifier::control);
   frames(4);
   window_->set_clipboard_text("ghostforce run fig1");
-  press(GLFW_KEY_V, GLFW_MOD_CONTROL);
+  press(key::v, modifier::control);
   EXPECT_EQ(session().scene->title, load_scene("wall45").title);
 }
 
 TEST_F(SetUpWindow, ADroppedPictureShowsWhatIsOnIt) {
   const TemporaryFolder folder;
-  press(GLFW_KEY_F4);
-  press(GLFW_KEY_RIGHT, GLFW_MOD_CONTROL);
-  press(GLFW_KEY_1);
-  press(GLFW_KEY_Y);
+  press(key::f4);
+  press(key::right, modifier::control);
+  press(key::digit_1);
+  press(key::y);
   const auto saved = set_up_values(seen());
   const std::vector<std::string> names{"a.png", "b.svg", "c.pdf"};
   for (const std::string& name : names) {
@@ -203,7 +203,7 @@ TEST_F(SetUpWindow, ADroppedPictureShowsWhatIsOnIt) {
     drop({path.c_str()});
     EXPECT_FALSE(is_problem()) << notice();
     EXPECT_EQ(set_up_values(seen()), saved) << name;
-    press(GLFW_KEY_Z, GLFW_MOD_CONTROL);
+    press(key::z, modifier::control);
     EXPECT_EQ(session().scene->title, load_scene("fig1").title);
   }
 }

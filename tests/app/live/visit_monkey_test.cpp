@@ -40,8 +40,8 @@ class VisitMonkey : public VisitWindow {
 
   // Any chord but the one that ends it.
   void press_something() {
-    constexpr std::array modifiers{GLFW_MOD_SHIFT, GLFW_MOD_CONTROL, GLFW_MOD_ALT, GLFW_MOD_SUPER};
-    int key = GLFW_KEY_SPACE + any(GLFW_KEY_LAST - GLFW_KEY_SPACE);
+    constexpr std::array modifiers{modifier::shift, modifier::control, modifier::alt, modifier::super};
+    int key = key::space + any(key::last - key::space);
     int held = 0;
     if (any(2) == 0) {
       const KeyBinding binding = any_of(key_table());
@@ -50,7 +50,7 @@ class VisitMonkey : public VisitWindow {
     } else {
       for (const int modifier : modifiers) held |= any(4) == 0 ? modifier : 0;
     }
-    if (key == GLFW_KEY_Q && held == (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SHIFT)) return;
+    if (key == key::q && held == (modifier::control | modifier::alt | modifier::shift)) return;
     send_key(key, any(6) == 0 ? GLFW_REPEAT : GLFW_PRESS, held);
     if (held == 0 && key < 127) send_character(static_cast<unsigned int>(key));
     frame();
@@ -91,7 +91,7 @@ class VisitMonkey : public VisitWindow {
         point_at(anywhere());
         return ImGui_ImplGlfw_ScrollCallback(window_->handle(), 0.0, any(20) - 10);
       case 10:
-        return send_key(any_of(std::array{GLFW_KEY_PAGE_DOWN, GLFW_KEY_ENTER}), GLFW_PRESS, 0);
+        return send_key(any_of(std::array{key::page_down, key::enter}), GLFW_PRESS, 0);
       case 11:
         if (any(4) == 0) {
           const std::string path = elsewhere_ / any_of(std::array{"scene.toml", "lesson.toml", "nothing"});

@@ -40,7 +40,7 @@ class VisitWindowTest : public VisitWindow {
   // To the next lesson, by the key of a clicker.
   void go_through_lesson() {
     const auto present = lesson().lesson;
-    for (std::size_t i = 0; i < 2 * present->steps.size() && lesson().lesson == present; ++i) press(GLFW_KEY_PAGE_DOWN);
+    for (std::size_t i = 0; i < 2 * present->steps.size() && lesson().lesson == present; ++i) press(key::page_down);
   }
 };
 
@@ -69,7 +69,7 @@ TEST_F(VisitWindowTest, TheStageSpeaksOfNothingThatAVisitorDoesNotHave) {
                                                     Face::workbench};
         for (const StageAction& action : not_theirs) EXPECT_EQ(button_for(action), nullptr);
         EXPECT_NE(button_for(StageCommand::language), nullptr);
-        press(GLFW_KEY_PAGE_DOWN);
+        press(key::page_down);
       }
     }
     if (language == "en") click(StageCommand::language);
@@ -106,9 +106,9 @@ TEST_F(VisitWindowTest, StartsAgainAfterNinetySecondsWithoutAHand) {
   // From every lesson, whatever it leaves behind.
   for (std::size_t i = 1; i <= shipped_lessons().size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) go_through_lesson();
-    press(GLFW_KEY_PAGE_UP);
-    press(GLFW_KEY_RIGHT, GLFW_MOD_CONTROL);
-    press(GLFW_KEY_3);
+    press(key::page_up);
+    press(key::right, modifier::control);
+    press(key::digit_3);
     wait(89.0);
     EXPECT_FALSE(lesson().lesson->name == shipped_lessons().front()->name && lesson().step == 0 &&
                  i % shipped_lessons().size() != 0)
@@ -131,8 +131,8 @@ TEST_F(VisitWindowTest, StartsAgainAfterNinetySecondsWithoutAHand) {
 
 TEST_F(VisitWindowTest, TheFocusGoesWithTheVisitor) {
   begin();
-  press(GLFW_KEY_TAB);
-  press(GLFW_KEY_TAB);
+  press(key::tab);
+  press(key::tab);
   EXPECT_TRUE(has_focus());
   wait(91.0);
   frames(3);
@@ -180,7 +180,7 @@ TEST_F(VisitWindowTest, ANewStartIsDrawnThoughNothingHasMoved) {
 TEST_F(VisitWindowTest, NoKeyOfTheTableLeadsAway) {
   begin();
   for (const KeyBinding& binding : key_table()) {
-    const bool is_end = binding.for_visitors && binding.key == GLFW_KEY_Q;
+    const bool is_end = binding.for_visitors && binding.key == key::q;
     if (is_end) continue;
     press(binding.key, binding.modifiers);
     EXPECT_EQ(what_is_forbidden(), "") << binding.shown << ' ' << binding.sentence << ' ' << binding.key;
@@ -189,10 +189,10 @@ TEST_F(VisitWindowTest, NoKeyOfTheTableLeadsAway) {
 
 TEST_F(VisitWindowTest, KeysThatVisitorsHaveAreAllowedOneByOne) {
   for (const KeyBinding& binding : key_table()) {
-    const bool has_control = (binding.modifiers & GLFW_MOD_CONTROL) != 0;
-    const bool is_arrow = binding.key >= GLFW_KEY_RIGHT && binding.key <= GLFW_KEY_UP;
-    const bool is_end = binding.key == GLFW_KEY_Q && binding.modifiers != GLFW_MOD_CONTROL;
-    const bool is_function = binding.key >= GLFW_KEY_F1 && binding.key <= GLFW_KEY_F12;
+    const bool has_control = (binding.modifiers & modifier::control) != 0;
+    const bool is_arrow = binding.key >= key::right && binding.key <= key::up;
+    const bool is_end = binding.key == key::q && binding.modifiers != modifier::control;
+    const bool is_function = binding.key >= key::f1 && binding.key <= key::f12;
     if (binding.for_visitors) {
       EXPECT_FALSE(is_function || (has_control && !is_arrow && !is_end)) << binding.shown;
     }
@@ -206,12 +206,12 @@ TEST_F(VisitWindowTest, OnlyTheChordEndsIt) {
   begin();
   ask_to_close();
   EXPECT_FALSE(window_->should_close());
-  press(GLFW_KEY_Q, GLFW_MOD_CONTROL);
+  press(key::q, modifier::control);
   EXPECT_FALSE(window_->should_close());
-  press(GLFW_KEY_Q, GLFW_MOD_CONTROL | GLFW_MOD_ALT);
-  press(GLFW_KEY_Q, GLFW_MOD_CONTROL | GLFW_MOD_SHIFT);
+  press(key::q, modifier::control | modifier::alt);
+  press(key::q, modifier::control | modifier::shift);
   EXPECT_FALSE(window_->should_close());
-  press(GLFW_KEY_Q, GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SHIFT);
+  press(key::q, modifier::control | modifier::alt | modifier::shift);
   EXPECT_TRUE(window_->should_close());
 }
 
@@ -255,7 +255,7 @@ TEST_F(VisitWindowTest, MotorsOfADeviceGoOffWhenTheVisitorHasGone) {
   click(StageCommand::motors);
   frames(30, 400);
   ASSERT_EQ(motors().state, SafetyState::on);
-  press(GLFW_KEY_PAGE_DOWN);
+  press(key::page_down);
   const auto wait_with_ticks = [&](double seconds) {
     for (double passed_s = 0.0; passed_s < seconds; passed_s += 0.25) {
       for (int k = 0; k < 250; ++k) application_->servo().step();
@@ -283,7 +283,7 @@ TEST_F(VisitWindowTest, MotorsOfADeviceGoOffWhenTheVisitorHasGone) {
 TEST_F(VisitWindowTest, MotorsThatAreOffStayAsTheyAre) {
   begin("virtual-falcon");
   for (int i = 0; i < 300 && virtual_falcon().report().state != FalconState::idle; ++i) frames(1, 100);
-  press(GLFW_KEY_PAGE_DOWN);
+  press(key::page_down);
   wait(200.0);
   frames(10, 100);
   EXPECT_EQ(application_->report().motors.state, SafetyState::off);
@@ -293,7 +293,7 @@ TEST_F(VisitWindowTest, MotorsThatAreOffStayAsTheyAre) {
 TEST_F(VisitWindowTest, WhoMovesTheHandleOfADeviceIsThere) {
   begin("virtual-falcon");
   for (int i = 0; i < 300 && virtual_falcon().report().state != FalconState::idle; ++i) frames(1, 100);
-  press(GLFW_KEY_PAGE_DOWN);
+  press(key::page_down);
   for (int i = 0; i < 6; ++i) {
     wait(60.0);
     virtual_falcon().move_to({-0.02, i % 2 == 0 ? 0.02 : 0.03}, 0.1);

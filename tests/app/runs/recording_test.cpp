@@ -284,24 +284,24 @@ TEST_F(RecordingWindow, RepeatsWhatAPersonDidThere) {
   record(folder_ / "run.csv");
   EXPECT_EQ(notice(), "");
   drag(on_window({0.0, 0.0}), on_window({0.02, -0.03}));
-  press(GLFW_KEY_3);
+  press(key::digit_3);
   session().settings.wall_normal_angle = 2.0 + 1e-15;  // no number of degrees is exactly that
   session().settings.stiffnesses.k_r = 345.678;
   frames(5);
-  press(GLFW_KEY_Z, GLFW_MOD_CONTROL);
-  press(GLFW_KEY_SPACE);
-  press(GLFW_KEY_PERIOD);
+  press(key::z, modifier::control);
+  press(key::space);
+  press(key::period);
   frames(5);
-  press(GLFW_KEY_PERIOD);
-  press(GLFW_KEY_SPACE);
+  press(key::period);
+  press(key::space);
   session().speed = 0.1;
   frames(10, 2);
-  press(GLFW_KEY_R);
+  press(key::r);
   frames(10);
-  press(GLFW_KEY_LEFT_BRACKET);
-  press(GLFW_KEY_W);
+  press(key::left_bracket);
+  press(key::w);
   frames(10);
-  press(GLFW_KEY_R, GLFW_MOD_ALT);
+  press(key::r, modifier::alt);
   frames(10);
   stop();
   EXPECT_TRUE(notice().starts_with("Recorded ")) << notice();
@@ -436,7 +436,7 @@ TEST_F(RecordingWindow, RepeatsWhatIsSimulatedBesideADeviceInTheHand) {
     frames(1, ticks);
   }
   ASSERT_TRUE(now().measured);
-  press(GLFW_KEY_ESCAPE);
+  press(key::escape);
   ASSERT_TRUE(frames_until([&] { return application_->report().motors.state == SafetyState::off; }));
   frames(2, ticks);
   stop();

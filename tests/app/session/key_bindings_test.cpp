@@ -52,14 +52,14 @@ TEST(KeyTable, EveryGroupHasItsRowsTogetherAndTheMouseHasItsPlaceAmongThem) {
 void prepare(const KeyBinding& binding, Session& session) {
   const auto is = [&](int key, int modifiers) { return binding.key == key && binding.modifiers == modifiers; };
   session.paused = true;  // nothing but the key moves the picture
-  if (binding.key == GLFW_KEY_2) session.settings.active = StrategyId::full;
-  if (binding.key == GLFW_KEY_ENTER || binding.key == GLFW_KEY_KP_ENTER) toggle_stage_mode(session, StageMode::why);
-  if (is(GLFW_KEY_PAGE_UP, 0)) session.stage.talk_step = 3;
-  if (is(GLFW_KEY_B, 0)) show_face(session, Face::stage);
-  if (is(GLFW_KEY_ESCAPE, 0)) session.dialog = Dialog::help;
-  if (is(GLFW_KEY_0, GLFW_MOD_CONTROL)) session.appearance.scale = 1.5;
-  if (is(GLFW_KEY_R, GLFW_MOD_ALT)) session.settings.stiffnesses.k_r = 900.0;
-  if (is(GLFW_KEY_F, 0)) session.shown.width = 0.5;
+  if (binding.key == key::digit_2) session.settings.active = StrategyId::full;
+  if (binding.key == key::enter || binding.key == key::number_pad_enter) toggle_stage_mode(session, StageMode::why);
+  if (is(key::page_up, 0)) session.stage.talk_step = 3;
+  if (is(key::b, 0)) show_face(session, Face::stage);
+  if (is(key::escape, 0)) session.dialog = Dialog::help;
+  if (is(key::digit_0, modifier::control)) session.appearance.scale = 1.5;
+  if (is(key::r, modifier::alt)) session.settings.stiffnesses.k_r = 900.0;
+  if (is(key::f, 0)) session.shown.width = 0.5;
 }
 
 TEST(KeyTable, IsTheOneInTheReadme) {
@@ -79,26 +79,26 @@ TEST_F(KeysTest, EachKeyChangesThePicture) {
     open({});
     prepare(binding, session());
     frames(4);
-    const bool is_undo = binding.key == GLFW_KEY_Z || binding.key == GLFW_KEY_Y;
-    const bool is_redo = is_undo && (binding.modifiers != GLFW_MOD_CONTROL || binding.key == GLFW_KEY_Y);
-    if (is_undo) press(GLFW_KEY_3);
-    if (is_redo) press(GLFW_KEY_Z, GLFW_MOD_CONTROL);
+    const bool is_undo = binding.key == key::z || binding.key == key::y;
+    const bool is_redo = is_undo && (binding.modifiers != modifier::control || binding.key == key::y);
+    if (is_undo) press(key::digit_3);
+    if (is_redo) press(key::z, modifier::control);
     // The goal moves in model time, and a reset shows after something has moved.
-    const bool needs_time = binding.key == GLFW_KEY_R || (binding.key >= GLFW_KEY_RIGHT && binding.key <= GLFW_KEY_UP);
+    const bool needs_time = binding.key == key::r || (binding.key >= key::right && binding.key <= key::up);
     if (needs_time) {
       session().goal = {0.03, 0.03};
       session().paused = false;
       frames(20);
-      session().paused = binding.key == GLFW_KEY_R;
+      session().paused = binding.key == key::r;
       session().options.trails = false;
       frames(2);
     }
     const Image before = picture();
     press(binding.key, binding.modifiers);
-    if (binding.key == GLFW_KEY_F11) {
+    if (binding.key == key::f11) {
       EXPECT_TRUE(window_->is_full_screen());
-      press(GLFW_KEY_F11);
-    } else if (binding.key == GLFW_KEY_Q && (binding.modifiers & GLFW_MOD_CONTROL) != 0) {
+      press(key::f11);
+    } else if (binding.key == key::q && (binding.modifiers & modifier::control) != 0) {
       EXPECT_TRUE(window_->should_close());
     } else {
       EXPECT_NE(before, picture()) << binding.shown << ' ' << binding.sentence << ' ' << binding.key;
@@ -109,25 +109,26 @@ TEST_F(KeysTest, EachKeyChangesThePicture) {
 TEST_F(KeysTest, AChordIsAChordHoweverQuicklyItIsLetGoOf) {
   session().settings.stiffnesses.k_r = 900.0;
   frames(2);
-  press(GLFW_KEY_R, GLFW_MOD_ALT);
+  press(key::r, modifier::alt);
   EXPECT_EQ(session().settings, load_scene("wall45").settings);
 }
 
 TEST_F(KeysTest, HoldingAKeyRepeatsWhatMayBeRepeated) {
   const Vector<2> start = session().goal;
-  send_key(GLFW_KEY_RIGHT, GLFW_PRESS, 0);
-  for (int i = 0; i < 4; ++i) send_key(GLFW_KEY_RIGHT, GLFW_REPEAT, 0);
+  send_key(key::right, GLFW_PRESS, 0);
+  for (int i = 0; i < 4; ++i) send_key(key::right, GLFW_REPEAT, 0);
   frames(2);
   EXPECT_NEAR(session().goal.x - start.x, 0.005, 1e-12);
-  send_key(GLFW_KEY_0, GLFW_PRESS, 0);
-  for (int i = 0; i < 4; ++i) send_key(GLFW_KEY_0, GLFW_REPEAT, 0);
+  send_key(key::digit_0, GLFW_PRESS, 0);
+  for (int i = 0; i < 4; ++i) send_key(key::digit_0, GLFW_REPEAT, 0);
   frames(2);
   EXPECT_EQ(session().options.compare, Compare::side_by_side) << "once";
 }
 
 TEST_F(KeysTest, DigitsChooseTheStrategy) {
-  for (const auto& [key, id] : {std::pair{GLFW_KEY_3, StrategyId::anisotropic}, std::pair{GLFW_KEY_1, StrategyId::full},
-                                std::pair{GLFW_KEY_2, StrategyId::naive}}) {
+  for (const auto& [key, id] :
+       {std::pair{key::digit_3, StrategyId::anisotropic}, std::pair{key::digit_1, StrategyId::full},
+        std::pair{key::digit_2, StrategyId::naive}}) {
     press(key);
     EXPECT_EQ(session().settings.active, id);
   }
@@ -136,7 +137,7 @@ TEST_F(KeysTest, DigitsChooseTheStrategy) {
 TEST_F(KeysTest, ZeroGoesRoundTheWaysToCompare) {
   EXPECT_EQ(screen().panes().size(), 1U);
   EXPECT_GT(count_marks(Role::device, StrategyId::full), 0);
-  press(GLFW_KEY_0);
+  press(key::digit_0);
   EXPECT_EQ(session().options.compare, Compare::side_by_side);
   ASSERT_EQ(screen().panes().size(), 3U);
   for (const Pane& pane : screen().panes()) {
@@ -146,10 +147,10 @@ TEST_F(KeysTest, ZeroGoesRoundTheWaysToCompare) {
       }
     }
   }
-  press(GLFW_KEY_0);
+  press(key::digit_0);
   EXPECT_EQ(session().options.compare, Compare::active_only);
   EXPECT_EQ(count_marks(Role::device, StrategyId::full), 0);
-  press(GLFW_KEY_0);
+  press(key::digit_0);
   EXPECT_EQ(session().options.compare, Compare::overlay);
 }
 
@@ -159,33 +160,33 @@ TEST_F(KeysTest, ArrowsMoveTheGoalByMillimetresTenthsAndCentimetres) {
     frames(20);
     return (now().goal - start) * 1000.0;
   };
-  press(GLFW_KEY_RIGHT);
+  press(key::right);
   // 1e-9 mm: rounding of metres.
   EXPECT_NEAR(moved().x, 1.0, 1e-9);
-  press(GLFW_KEY_UP);
+  press(key::up);
   EXPECT_NEAR(moved().y, 1.0, 1e-9);
-  press(GLFW_KEY_LEFT, GLFW_MOD_SHIFT);
+  press(key::left, modifier::shift);
   EXPECT_NEAR(moved().x, 0.9, 1e-9);
-  press(GLFW_KEY_DOWN, GLFW_MOD_CONTROL);
+  press(key::down, modifier::control);
   EXPECT_NEAR(moved().y, -9.0, 1e-9);
 }
 
 TEST_F(KeysTest, ArrowsLeaveAScriptedGoalAlone) {
   open({.input = "script"}, "fig1");
   const Vector<2> before = session().goal;
-  press(GLFW_KEY_RIGHT);
+  press(key::right);
   EXPECT_EQ(session().goal, before);
 }
 
 TEST_F(KeysTest, BracketsTurnTheMotorAxisThroughRoundAngles) {
-  press(GLFW_KEY_LEFT_BRACKET);
+  press(key::left_bracket);
   EXPECT_NEAR(session().settings.actuated_angle, 5.0 * degree, 1e-12);
-  press(GLFW_KEY_RIGHT_BRACKET);
-  press(GLFW_KEY_RIGHT_BRACKET);
+  press(key::right_bracket);
+  press(key::right_bracket);
   EXPECT_NEAR(session().settings.actuated_angle, -5.0 * degree, 1e-12);
-  press(GLFW_KEY_LEFT_BRACKET, GLFW_MOD_SHIFT);
+  press(key::left_bracket, modifier::shift);
   EXPECT_NEAR(session().settings.actuated_angle, -4.0 * degree, 1e-12);
-  press(GLFW_KEY_LEFT_BRACKET);
+  press(key::left_bracket);
   EXPECT_NEAR(session().settings.actuated_angle, 0.0, 1e-12) << "to the next whole step";
 }
 
@@ -202,7 +203,7 @@ double naive_drift_at(Settings settings, double theta) {
 TEST_F(KeysTest, WTurnsTheWallToTheLargestNaiveDrift) {
   session().settings.stiffnesses.k_c = std::numeric_limits<double>::infinity();
   const Settings before = session().settings;
-  press(GLFW_KEY_W);
+  press(key::w);
   const Settings& after = session().settings;
   const double theta = after.actuated_angle - after.wall_normal_angle;
   EXPECT_LT(std::abs(std::remainder(after.wall_normal_angle - before.wall_normal_angle, 2.0 * std::numbers::pi)),
@@ -222,19 +223,19 @@ TEST_F(KeysTest, PlusAndMinusTurnTheRatioByAsMuch) {
     double factor;
   };
   for (const Case& c : {
-           Case{"US: Shift+=", GLFW_KEY_EQUAL, GLFW_MOD_SHIFT, '+', 1.05},
-           Case{"US: =", GLFW_KEY_EQUAL, 0, '=', 1.05},
-           Case{"-", GLFW_KEY_MINUS, 0, '-', 1.0 / 1.05},
-           Case{"German: +", GLFW_KEY_RIGHT_BRACKET, 0, '+', 1.05},
-           Case{"Swiss: Shift+1", GLFW_KEY_1, GLFW_MOD_SHIFT, '+', 1.05},
-           Case{"number pad: +", GLFW_KEY_KP_ADD, 0, '+', 1.05},
-           Case{"number pad: -", GLFW_KEY_KP_SUBTRACT, 0, '-', 1.0 / 1.05},
-           Case{"US: Alt+Shift+=", GLFW_KEY_EQUAL, GLFW_MOD_ALT | GLFW_MOD_SHIFT, 0, 1.01},
-           Case{"Alt+=", GLFW_KEY_EQUAL, GLFW_MOD_ALT, 0, 1.01},
-           Case{"Alt+-", GLFW_KEY_MINUS, GLFW_MOD_ALT, 0, 1.0 / 1.01},
-           Case{"number pad: Alt++", GLFW_KEY_KP_ADD, GLFW_MOD_ALT, 0, 1.01},
-           Case{"number pad: Alt+-", GLFW_KEY_KP_SUBTRACT, GLFW_MOD_ALT, 0, 1.0 / 1.01},
-           Case{"US: Shift+-", GLFW_KEY_MINUS, GLFW_MOD_SHIFT, '_', 1.0},
+           Case{"US: Shift+=", key::equal, modifier::shift, '+', 1.05},
+           Case{"US: =", key::equal, 0, '=', 1.05},
+           Case{"-", key::minus, 0, '-', 1.0 / 1.05},
+           Case{"German: +", key::right_bracket, 0, '+', 1.05},
+           Case{"Swiss: Shift+1", key::digit_1, modifier::shift, '+', 1.05},
+           Case{"number pad: +", key::number_pad_add, 0, '+', 1.05},
+           Case{"number pad: -", key::number_pad_subtract, 0, '-', 1.0 / 1.05},
+           Case{"US: Alt+Shift+=", key::equal, modifier::alt | modifier::shift, 0, 1.01},
+           Case{"Alt+=", key::equal, modifier::alt, 0, 1.01},
+           Case{"Alt+-", key::minus, modifier::alt, 0, 1.0 / 1.01},
+           Case{"number pad: Alt++", key::number_pad_add, modifier::alt, 0, 1.01},
+           Case{"number pad: Alt+-", key::number_pad_subtract, modifier::alt, 0, 1.0 / 1.01},
+           Case{"US: Shift+-", key::minus, modifier::shift, '_', 1.0},
        }) {
     session().settings.stiffnesses.chosen_tracking_ratio = 2.0;
     const double motor = session().settings.actuated_angle;
@@ -249,14 +250,14 @@ TEST_F(KeysTest, PlusAndMinusTurnTheRatioByAsMuch) {
   // What no key has typed is no press, and a key types once.
   session().settings.stiffnesses.chosen_tracking_ratio = 2.0;
   type("+");
-  send_key(GLFW_KEY_W, GLFW_RELEASE, 0);
+  send_key(key::w, GLFW_RELEASE, 0);
   EXPECT_EQ(session().settings.stiffnesses.chosen_tracking_ratio, 2.0);
 }
 
 TEST_F(KeysTest, TheHelpHasRoomForItsLongestLine) {
   for (const auto& [width, height] : {std::pair{1024, 640}, std::pair{1280, 800}}) {
     open({}, "wall45", width, height);
-    press(GLFW_KEY_F1);
+    press(key::f1);
     const ImGuiWindow& help = *ImGui::FindWindowByName("Help");
     EXPECT_LE(help.ContentSizeIdeal.x, help.InnerRect.GetWidth() - 2.0F * help.WindowPadding.x + 0.5F) << width;
     EXPECT_EQ(help.ScrollMax.y, 0.0F);
@@ -268,8 +269,7 @@ TEST_F(KeysTest, GPAndTShowAndHide) {
     int key;
     Role role;
   };
-  for (const Case& c :
-       {Case{GLFW_KEY_G, Role::ghost_force}, Case{GLFW_KEY_P, Role::prediction}, Case{GLFW_KEY_T, Role::trail}}) {
+  for (const Case& c : {Case{key::g, Role::ghost_force}, Case{key::p, Role::prediction}, Case{key::t, Role::trail}}) {
     EXPECT_GT(count_marks(c.role), 0) << role_name(c.role);
     press(c.key);
     EXPECT_EQ(count_marks(c.role), 0) << role_name(c.role);
@@ -279,42 +279,42 @@ TEST_F(KeysTest, GPAndTShowAndHide) {
 }
 
 TEST_F(KeysTest, ControlQQuitsAndEscapeNever) {
-  press(GLFW_KEY_ESCAPE);
+  press(key::escape);
   EXPECT_FALSE(window_->should_close());
-  press(GLFW_KEY_Q, GLFW_MOD_CONTROL);
+  press(key::q, modifier::control);
   EXPECT_TRUE(window_->should_close());
 }
 
 TEST_F(KeysTest, F11FillsTheScreenAndComesBack) {
   const WindowSize before = window_->restored_size();
-  press(GLFW_KEY_F11);
+  press(key::f11);
   EXPECT_TRUE(window_->is_full_screen());
   EXPECT_EQ(window_->restored_size().width, before.width);
-  press(GLFW_KEY_F11);
+  press(key::f11);
   EXPECT_FALSE(window_->is_full_screen());
   EXPECT_EQ(window_->restored_size().width, before.width);
   EXPECT_EQ(window_->restored_size().height, before.height);
 }
 
 TEST_F(KeysTest, ScaleGoesFrom75To300Percent) {
-  for (int i = 0; i < 50; ++i) send_key(GLFW_KEY_EQUAL, GLFW_PRESS, GLFW_MOD_CONTROL);
+  for (int i = 0; i < 50; ++i) send_key(key::equal, GLFW_PRESS, modifier::control);
   frames(2);
   EXPECT_EQ(session().appearance.scale, 3.0);
-  for (int i = 0; i < 60; ++i) send_key(GLFW_KEY_MINUS, GLFW_PRESS, GLFW_MOD_CONTROL);
+  for (int i = 0; i < 60; ++i) send_key(key::minus, GLFW_PRESS, modifier::control);
   frames(2);
   EXPECT_EQ(session().appearance.scale, 0.75);
-  press(GLFW_KEY_0, GLFW_MOD_CONTROL);
+  press(key::digit_0, modifier::control);
   EXPECT_EQ(session().appearance.scale, 1.0);
 }
 
 TEST_F(KeysTest, LettersTypedIntoAFieldAreLetters) {
-  press(GLFW_KEY_O, GLFW_MOD_CONTROL);
+  press(key::o, modifier::control);
   frames(2);
   ASSERT_TRUE(ImGui::GetIO().WantTextInput);
-  press(GLFW_KEY_3);
-  press(GLFW_KEY_W);
+  press(key::digit_3);
+  press(key::w);
   EXPECT_EQ(session().settings, load_scene("wall45").settings);
-  press(GLFW_KEY_ESCAPE);
+  press(key::escape);
   EXPECT_EQ(session().dialog, Dialog::none);
 }
 

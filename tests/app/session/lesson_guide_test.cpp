@@ -5,10 +5,9 @@
 
 #include <memory>
 
-#include <GLFW/glfw3.h>
-
 #include "app/files/scene_file.h"
 #include "app/session/key_bindings.h"
+#include "app/session/keys.h"
 #include "app/session/stage_actions.h"
 
 namespace ghostforce {
@@ -234,8 +233,8 @@ TEST_F(LessonGuideTest, DoesNotDoWhatAStepDoesNotAllow) {
   go_to(4);
   for (const KeyBinding& binding : key_table()) {
     const bool leads_on = binding.act == next_talk_step || binding.act == previous_talk_step ||
-                          binding.key == GLFW_KEY_ENTER || binding.key == GLFW_KEY_KP_ENTER ||
-                          binding.key == GLFW_KEY_ESCAPE;
+                          binding.key == key::enter || binding.key == key::number_pad_enter ||
+                          binding.key == key::escape;
     if (leads_on) continue;
     Session pressed = session;
     act_on_key(pressed, {.key = binding.key, .modifiers = binding.modifiers}, false);
@@ -251,16 +250,16 @@ TEST_F(LessonGuideTest, DoesNotDoWhatAStepDoesNotAllow) {
 
 TEST_F(LessonGuideTest, DigitsAnswerWhileAQuestionIsOpen) {
   go_to(1);
-  act_on_key(session, {.key = GLFW_KEY_2}, false);
+  act_on_key(session, {.key = key::digit_2}, false);
   EXPECT_EQ(outcome(), LessonOutcome::right);
   EXPECT_EQ(session.settings.active, StrategyId::naive);
-  act_on_key(session, {.key = GLFW_KEY_3}, false);
+  act_on_key(session, {.key = key::digit_3}, false);
   EXPECT_EQ(session.settings.active, StrategyId::naive) << "strategies are not among its controls";
 }
 
 TEST_F(LessonGuideTest, GivesBackWhatThePersonHad) {
   go_to(4);
-  act_on_key(session, {.key = GLFW_KEY_ESCAPE}, false);
+  act_on_key(session, {.key = key::escape}, false);
   EXPECT_FALSE(session.lesson);
   EXPECT_EQ(session.settings, before.settings);
   EXPECT_EQ(session.goal, before.goal);
@@ -272,11 +271,11 @@ TEST_F(LessonGuideTest, GivesBackWhatThePersonHad) {
 TEST_F(LessonGuideTest, EscapeTurnsMotorsOffFirst) {
   session.motors_may_push = true;
   const std::uint32_t offs = session.offs_asked;
-  act_on_key(session, {.key = GLFW_KEY_ESCAPE}, false);
+  act_on_key(session, {.key = key::escape}, false);
   EXPECT_EQ(session.offs_asked, offs + 1);
   EXPECT_TRUE(session.lesson);
   session.motors_may_push = false;
-  act_on_key(session, {.key = GLFW_KEY_ESCAPE}, false);
+  act_on_key(session, {.key = key::escape}, false);
   EXPECT_FALSE(session.lesson);
 }
 

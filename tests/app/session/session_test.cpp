@@ -25,17 +25,17 @@ namespace {
 
 class SessionTest : public DrivenWindow {
  protected:
-  void undo() { press(GLFW_KEY_Z, GLFW_MOD_CONTROL); }
-  void redo() { press(GLFW_KEY_Z, GLFW_MOD_CONTROL | GLFW_MOD_SHIFT); }
+  void undo() { press(key::z, modifier::control); }
+  void redo() { press(key::z, modifier::control | modifier::shift); }
 };
 
 // --- Undo ------------------------------------------------------------------------------------------------------------
 
 TEST_F(SessionTest, EveryChangeOfASettingIsTakenBackAndDoneAgain) {
   const Settings start = session().settings;
-  press(GLFW_KEY_3);
+  press(key::digit_3);
   const Settings second = session().settings;
-  press(GLFW_KEY_LEFT_BRACKET);
+  press(key::left_bracket);
   const Settings third = session().settings;
   session().settings.stiffnesses.k_r = 777.0;  // as a slider does
   frames(2);
@@ -50,10 +50,10 @@ TEST_F(SessionTest, EveryChangeOfASettingIsTakenBackAndDoneAgain) {
   redo();
   redo();
   EXPECT_EQ(session().settings, third);
-  press(GLFW_KEY_Y, GLFW_MOD_CONTROL);
+  press(key::y, modifier::control);
   EXPECT_EQ(session().settings.stiffnesses.k_r, 777.0);
   undo();
-  press(GLFW_KEY_RIGHT_BRACKET);
+  press(key::right_bracket);
   const Settings other = session().settings;
   redo();
   EXPECT_EQ(session().settings, other) << "a new change ends what could be done again";
@@ -91,9 +91,9 @@ TEST_F(SessionTest, OpeningAnotherSceneCanBeTakenBackToo) {
 TEST_F(SessionTest, ASavedSceneShowsWhatWasSeen) {
   const TemporaryFolder folder;
   const std::string path = folder / "mine.toml";
-  press(GLFW_KEY_3);
-  press(GLFW_KEY_LEFT_BRACKET);
-  press(GLFW_KEY_RIGHT);
+  press(key::digit_3);
+  press(key::left_bracket);
+  press(key::right);
   session().settings.stiffnesses.chosen_tracking_ratio = 2.5;
   point_at(300.0, 300.0);
   scroll(1.0);
@@ -116,15 +116,15 @@ TEST_F(SessionTest, ASavedSceneShowsWhatWasSeen) {
 
 TEST_F(SessionTest, TheDialogProposesAFreeNameAndSavesThere) {
   const TemporaryFolder folder;
-  press(GLFW_KEY_S, GLFW_MOD_CONTROL);
+  press(key::s, modifier::control);
   ASSERT_EQ(session().dialog, Dialog::save_scene);
   EXPECT_TRUE(session().form.path.ends_with("a-wall-at-45-degrees.toml")) << session().form.path;
   EXPECT_TRUE(std::filesystem::path(session().form.path).is_absolute());
   session().form.path.clear();
   frames(1);
-  press(GLFW_KEY_A, GLFW_MOD_CONTROL);
+  press(key::a, modifier::control);
   type(folder / "typed.toml");
-  press(GLFW_KEY_ENTER);
+  press(key::enter);
   frames(2);
   EXPECT_TRUE(std::filesystem::exists(folder / "typed.toml"));
   EXPECT_EQ(session().dialog, Dialog::none);
@@ -163,7 +163,7 @@ TEST_F(SessionTest, AFileThatIsNoSceneIsSaidAndChangesNothing) {
   EXPECT_EQ(session().settings, before);
   for (int i = 0; i < 20; ++i) application_->frame(1.0);
   EXPECT_TRUE(session().notice) << "a problem stays until it is dismissed";
-  press(GLFW_KEY_ESCAPE);
+  press(key::escape);
   EXPECT_FALSE(session().notice);
 }
 
@@ -230,11 +230,11 @@ TEST_F(SessionTest, ThePictureDialogKnowsItsFormatsInAnyCase) {
   for (const auto& [typed, written] :
        {std::pair{"a.PNG", "a.PNG"}, std::pair{"b", "b.png"}, std::pair{"c.jpg", "c.jpg.png"},
         std::pair{"d.Svg", "d.Svg"}, std::pair{"e.pdf", "e.pdf"}}) {
-    press(GLFW_KEY_P, GLFW_MOD_CONTROL);
+    press(key::p, modifier::control);
     session().form.density = 1;
     frames(2);
     type(folder / typed);  // in place of the proposal, which is selected
-    press(GLFW_KEY_ENTER);
+    press(key::enter);
     frames(2);
     EXPECT_TRUE(std::filesystem::exists(folder / written)) << typed;
   }
@@ -243,9 +243,9 @@ TEST_F(SessionTest, ThePictureDialogKnowsItsFormatsInAnyCase) {
 }
 
 TEST_F(SessionTest, EachDialogBeginsWithFieldsOfItsOwn) {
-  press(GLFW_KEY_S, GLFW_MOD_CONTROL);
+  press(key::s, modifier::control);
   EXPECT_FALSE(session().form.path.empty());
-  press(GLFW_KEY_O, GLFW_MOD_CONTROL);
+  press(key::o, modifier::control);
   EXPECT_EQ(session().dialog, Dialog::open_scene);
   EXPECT_EQ(session().form.path, "");
 }
@@ -279,11 +279,11 @@ TEST_F(SessionTest, ThreeHintsGoOneAfterAnotherAsTheyAreFollowed) {
   EXPECT_EQ(session().hint, 0U) << "not before the hand lets go";
   release();
   EXPECT_EQ(session().hint, 1U);
-  press(GLFW_KEY_1);
+  press(key::digit_1);
   EXPECT_EQ(session().hint, 1U);
-  press(GLFW_KEY_3);
+  press(key::digit_3);
   EXPECT_EQ(session().hint, 2U);
-  press(GLFW_KEY_LEFT_BRACKET);
+  press(key::left_bracket);
   EXPECT_FALSE(session().hint);
 }
 
@@ -295,7 +295,7 @@ TEST_F(SessionTest, AHintThatCannotBeFollowedIsNotOffered) {
   session().requests.open_scene = "fig4-ratio5";
   frames(4);
   EXPECT_EQ(session().hint, 2U) << "another scene is no turn of the arrow";
-  press(GLFW_KEY_ESCAPE);
+  press(key::escape);
   EXPECT_FALSE(session().hint);
 }
 

@@ -19,9 +19,9 @@ struct ModeKey {
   int key;
   StageMode mode;
 };
-constexpr std::array mode_keys{ModeKey{GLFW_KEY_Q, StageMode::predict}, ModeKey{GLFW_KEY_Y, StageMode::why},
-                               ModeKey{GLFW_KEY_L, StageMode::landscape}, ModeKey{GLFW_KEY_O, StageMode::round},
-                               ModeKey{GLFW_KEY_H, StageMode::ribbon}};
+constexpr std::array mode_keys{ModeKey{key::q, StageMode::predict}, ModeKey{key::y, StageMode::why},
+                               ModeKey{key::l, StageMode::landscape}, ModeKey{key::o, StageMode::round},
+                               ModeKey{key::h, StageMode::ribbon}};
 
 class StageKeysTest : public DrivenWindow {
  protected:
@@ -29,12 +29,12 @@ class StageKeysTest : public DrivenWindow {
 };
 
 TEST_F(StageKeysTest, F4GoesToTheWorkbenchAndBackWhateverIsTyped) {
-  press(GLFW_KEY_F4);
+  press(key::f4);
   EXPECT_EQ(session().face, Face::workbench);
-  press(GLFW_KEY_O, GLFW_MOD_CONTROL);
+  press(key::o, modifier::control);
   frames(2);
   ASSERT_TRUE(ImGui::GetIO().WantTextInput);
-  press(GLFW_KEY_F4);
+  press(key::f4);
   EXPECT_EQ(session().face, Face::stage);
 }
 
@@ -45,10 +45,10 @@ TEST_F(StageKeysTest, AKeyBeginsItsModeAndEndsItAndTakesOverFromAnother) {
     EXPECT_EQ(session().stage.mode, each.mode);
     press(each.key);
     EXPECT_EQ(session().stage.mode, StageMode::none) << stage_mode_name(each.mode);
-    press(each.key == GLFW_KEY_Q ? GLFW_KEY_L : GLFW_KEY_Q);
+    press(each.key == key::q ? key::l : key::q);
     press(each.key);
     EXPECT_EQ(session().stage.mode, each.mode);
-    press(GLFW_KEY_ESCAPE);
+    press(key::escape);
     EXPECT_EQ(session().stage.mode, StageMode::none) << stage_mode_name(each.mode);
   }
 }
@@ -59,7 +59,7 @@ TEST_F(StageKeysTest, AModesKeyOpensTheStageAndTheWorkbenchEndsIt) {
     press(each.key);
     EXPECT_EQ(session().face, Face::stage);
     EXPECT_EQ(session().stage.mode, each.mode);
-    press(GLFW_KEY_F4);
+    press(key::f4);
     EXPECT_EQ(session().face, Face::workbench);
     EXPECT_EQ(session().stage.mode, StageMode::none);
   }
@@ -76,9 +76,9 @@ TEST_F(StageKeysTest, ThePagesNameEachMode) {
 
 // The circle is the hand's while the mode lasts.
 TEST_F(StageKeysTest, RoundAndRoundGivesTheHandBack) {
-  press(GLFW_KEY_O);
+  press(key::o);
   EXPECT_EQ(session().input, "circle");
-  press(GLFW_KEY_O);
+  press(key::o);
   EXPECT_EQ(session().input, "mouse");
 }
 
@@ -95,52 +95,53 @@ TEST_F(StageKeysTest, AModeCanBeOnFromTheBeginning) {
 }
 
 TEST_F(StageKeysTest, EnterIsTheNextStepOfWhyUpToTheLast) {
-  press(GLFW_KEY_Y);
+  press(key::y);
   for (int step = 1; step <= last_why_step; ++step) {
     EXPECT_EQ(session().stage.why_step, step);
-    press(step % 2 == 0 ? GLFW_KEY_ENTER : GLFW_KEY_KP_ENTER);
+    press(step % 2 == 0 ? key::enter : key::number_pad_enter);
   }
   EXPECT_EQ(session().stage.why_step, last_why_step);
 }
 
 TEST_F(StageKeysTest, EnterAnswersAGuess) {
-  press(GLFW_KEY_Q);
+  press(key::q);
   ASSERT_TRUE(session().stage.guess);
   EXPECT_EQ(session().stage.reveals_asked, 0U);
-  press(GLFW_KEY_ENTER);
+  press(key::enter);
   EXPECT_EQ(session().stage.reveals_asked, 1U);
 }
 
 TEST_F(StageKeysTest, ArrowsMoveAGuessWhileItIsOpenAndThenTheGoalAgain) {
   const Vector<2> goal = session().goal;
-  press(GLFW_KEY_Q);
+  press(key::q);
   ASSERT_TRUE(session().stage.guess);
   const Vector<2> first = *session().stage.guess;
   const auto has_moved_by = [&](double x_mm, double y_mm) {
     return glm::distance(*session().stage.guess, first + 0.001 * Vector<2>(x_mm, y_mm)) < 1e-12;
   };
-  press(GLFW_KEY_RIGHT);
+  press(key::right);
   EXPECT_TRUE(has_moved_by(1.0, 0.0));
-  press(GLFW_KEY_UP, GLFW_MOD_SHIFT);
+  press(key::up, modifier::shift);
   EXPECT_TRUE(has_moved_by(1.0, 0.1));
-  press(GLFW_KEY_LEFT, GLFW_MOD_CONTROL);
+  press(key::left, modifier::control);
   EXPECT_TRUE(has_moved_by(-9.0, 0.1));
   EXPECT_EQ(session().goal, goal);
-  press(GLFW_KEY_ENTER);
+  press(key::enter);
   EXPECT_FALSE(session().stage.guess_is_open);
-  press(GLFW_KEY_DOWN);
+  press(key::down);
   EXPECT_NEAR(session().goal.y, goal.y - 0.001, 1e-12);
   EXPECT_TRUE(has_moved_by(-9.0, 0.1)) << "a new question begins with the guess as it was";
   EXPECT_TRUE(session().stage.guess_is_open);
-  press(GLFW_KEY_Q);
-  press(GLFW_KEY_DOWN);
+  press(key::q);
+  press(key::down);
   EXPECT_NEAR(session().goal.y, goal.y - 0.002, 1e-12);
 }
 
 TEST_F(StageKeysTest, ShiftSwitchesSlowly) {
-  for (const auto& [key, id] : {std::pair{GLFW_KEY_1, StrategyId::full}, std::pair{GLFW_KEY_3, StrategyId::anisotropic},
-                                std::pair{GLFW_KEY_2, StrategyId::naive}}) {
-    press(key, GLFW_MOD_SHIFT);
+  for (const auto& [key, id] :
+       {std::pair{key::digit_1, StrategyId::full}, std::pair{key::digit_3, StrategyId::anisotropic},
+        std::pair{key::digit_2, StrategyId::naive}}) {
+    press(key, modifier::shift);
     EXPECT_EQ(session().settings.active, id);
     EXPECT_TRUE(session().stage.switches_slowly);
     press(key);
@@ -152,9 +153,9 @@ TEST_F(StageKeysTest, ShiftSwitchesSlowly) {
 TEST_F(StageKeysTest, SlowMotionIsSeen) {
   glEnable(GL_RASTERIZER_DISCARD);  // the marks are looked at, and no pixel
   const auto handle_after = [&](int modifiers) {
-    press(GLFW_KEY_2);
+    press(key::digit_2);
     frames(60);
-    press(GLFW_KEY_3, modifiers);
+    press(key::digit_3, modifiers);
     frames(120);
     for (const Mark& mark : screen().panes().front().marks) {
       const auto* const marker = std::get_if<Marker>(&mark.form);
@@ -164,7 +165,7 @@ TEST_F(StageKeysTest, SlowMotionIsSeen) {
   };
   const Vector<2> rest = now().strategies[index_of(StrategyId::anisotropic)].device;
   EXPECT_LT(glm::distance(handle_after(0), rest), 1e-5);
-  EXPECT_GT(glm::distance(handle_after(GLFW_MOD_SHIFT), rest), 1e-3);
+  EXPECT_GT(glm::distance(handle_after(modifier::shift), rest), 1e-3);
 }
 
 TEST_F(StageKeysTest, AClickerGoesThroughTheTalkAndBack) {
@@ -185,21 +186,21 @@ TEST_F(StageKeysTest, AClickerGoesThroughTheTalkAndBack) {
     EXPECT_EQ(session().stage.mode, steps[i].mode) << i;
     EXPECT_EQ(session().stage.why_step, steps[i].why_step) << i;
   };
-  press(GLFW_KEY_PAGE_UP);
+  press(key::page_up);
   EXPECT_FALSE(session().stage.talk_step) << "nothing is before the first";
   show_face(session(), Face::workbench);
   for (std::size_t i = 0; i < steps.size(); ++i) {
-    press(GLFW_KEY_PAGE_DOWN);
+    press(key::page_down);
     expect_step(i);
     EXPECT_EQ(session().settings.active, steps[i].active) << i;
   }
-  press(GLFW_KEY_PAGE_DOWN);
+  press(key::page_down);
   expect_step(steps.size() - 1);
   for (std::size_t i = steps.size() - 1; i-- > 0;) {
-    press(GLFW_KEY_PAGE_UP);
+    press(key::page_up);
     expect_step(i);
   }
-  press(GLFW_KEY_PAGE_UP);
+  press(key::page_up);
   expect_step(0);
 }
 
@@ -208,9 +209,9 @@ TEST_F(StageKeysTest, BHidesThePictureAndEscapeShowsItToo) {
     const Image image = picture();
     return std::ranges::all_of(image.rgb, [](std::uint8_t value) { return value == 0; });
   };
-  for (const int shows_again : {GLFW_KEY_B, GLFW_KEY_ESCAPE}) {
+  for (const int shows_again : {key::b, key::escape}) {
     EXPECT_FALSE(is_black());
-    press(GLFW_KEY_B);
+    press(key::b);
     EXPECT_TRUE(is_black());
     press(shows_again);
   }

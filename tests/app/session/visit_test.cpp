@@ -3,11 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include <GLFW/glfw3.h>
-
 #include "app/files/scene_file.h"
 #include "app/lessons/lesson_shelf.h"
 #include "app/session/key_bindings.h"
+#include "app/session/keys.h"
 #include "app/session/lesson_guide.h"
 #include "app/session/stage_actions.h"
 
@@ -200,7 +199,7 @@ TEST_F(VisitTest, TheLanguagesGoRound) {
 
 TEST_F(VisitTest, EscTurnsMotorsOffAndLeavesNothing) {
   const std::uint32_t offs = session_.offs_asked;
-  act_on_key(session_, {GLFW_KEY_ESCAPE, 0, false}, false);
+  act_on_key(session_, {key::escape, 0, false}, false);
   EXPECT_TRUE(session_.lesson);
   EXPECT_EQ(session_.offs_asked, offs + 1);
 }

@@ -131,7 +131,7 @@ TEST_F(GesturesTest, FitShowsEverythingAgain) {
     return at.x > 20.0 && at.y > 20.0 && at.x < camera().size.x - 20.0 && at.y < camera().size.y - 20.0;
   };
   ASSERT_FALSE(is_visible(now().goal));
-  press(GLFW_KEY_F);
+  press(key::f);
   EXPECT_TRUE(is_visible(now().goal));
   for (const auto& strategy : now().strategies) EXPECT_TRUE(is_visible(strategy.device));
 }
@@ -181,7 +181,7 @@ TEST_F(GesturesTest, PanesSideBySideStandStillInADragAndAreZoomedAndMovedAlike) 
     EXPECT_LT(by.x, 0.0);
   }
   // F fits them to this moment; the one picture has kept its own view.
-  press(GLFW_KEY_F);
+  press(key::f);
   frames(2);
   EXPECT_LT(glm::distance(cameras()[1].center, now().goal), 0.05);
   EXPECT_NE(cameras()[1].points_per_metre, moved[1].points_per_metre);
@@ -195,7 +195,7 @@ TEST_F(GesturesTest, PanesSideBySideStandStillInADragAndAreZoomedAndMovedAlike) 
 TEST_F(GesturesTest, FitShowsTheArrowToo) {
   session().appearance.arrow_scale = Appearance::greatest_arrow_scale;
   frames(2);
-  press(GLFW_KEY_F);
+  press(key::f);
   frames(2);
   int arrows = 0;
   for (const Mark& mark : screen().panes()[0].marks) {

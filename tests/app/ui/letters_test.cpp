@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "app/desktop/glfw_window.h"
 #include "app/paint/label_painter.h"
-#include "app/ui/window.h"
 
 namespace ghostforce {
 namespace {
@@ -43,8 +43,8 @@ Image picture_of(Window& window, const std::vector<Written>& all) {
   return window.picture();
 }
 
-Window offscreen_window() {
-  return Window({.title = "letters", .width = width, .height = height, .offscreen = true});
+GlfwWindow offscreen_window() {
+  return GlfwWindow({.title = "letters", .width = width, .height = height, .offscreen = true});
 }
 
 std::size_t coloured_channels(const Image& image) {
@@ -59,7 +59,7 @@ int greatest_difference(const Image& a, const Image& b) {
 }
 
 TEST(Letters, InTheColourOfThePaperLeaveNoTrace) {
-  Window window = offscreen_window();
+  GlfwWindow window = offscreen_window();
   for (const double size : {11.0, 13.0, 13.4, 15.0, 18.5, 24.0, 37.0}) {
     for (const bool is_bold : {false, true}) {
       for (const double fraction : {0.0, 0.3, 0.5, 0.99}) {
@@ -80,12 +80,12 @@ TEST(Letters, LookTheSameAloneAndBesideOthers) {
   const auto alone = [](const char& letter) { return Written{{&letter, 1}, {20.3, 20.6}, {13.4}}; };
   std::vector<Image> from_a_full_texture;
   {
-    Window window = offscreen_window();
+    GlfwWindow window = offscreen_window();
     picture_of(window, {{all_letters, {5.0, 60.0}, {13.4}}, {all_letters, {5.0, 90.0}, {13.4, true}}});
     for (const char& letter : letters) from_a_full_texture.push_back(picture_of(window, {alone(letter)}));
   }
   for (std::size_t i = 0; i < letters.size(); ++i) {
-    Window window = offscreen_window();
+    GlfwWindow window = offscreen_window();
     EXPECT_LE(greatest_difference(picture_of(window, {alone(letters[i])}), from_a_full_texture[i]), rounding)
         << letters[i];
   }

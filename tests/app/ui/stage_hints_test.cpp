@@ -55,10 +55,10 @@ TEST_F(StageHintsTest, LeadFromTheHandToTheCureToTheMotor) {
   drag_hand_to(session().goal + Vector<2>(0.002, -0.002));
   EXPECT_EQ(session().hint, 1U);
   expect_only(cure_words);
-  press(GLFW_KEY_3);
+  press(key::digit_3);
   frames(150);  // the switch, and until words have found their places again
   expect_only(motor_words);
-  press(GLFW_KEY_LEFT_BRACKET);
+  press(key::left_bracket);
   frames(3);
   expect_only("");
   EXPECT_FALSE(session().hint);
@@ -84,10 +84,10 @@ TEST_F(StageHintsTest, TheCureWaitsForAGhostForce) {
   expect_only("");
   set_goal({0.01, -0.01});
   expect_only(cure_words);
-  press(GLFW_KEY_1);
+  press(key::digit_1);
   frames(60);
   expect_only("");
-  press(GLFW_KEY_2);
+  press(key::digit_2);
   frames(60);
   expect_only(cure_words);
 }
@@ -105,10 +105,10 @@ TEST_F(StageHintsTest, TheCureIsPassedOverWhereThereIsNothingToCure) {
 
 TEST_F(StageHintsTest, TwoMotorsHaveNoEndsToTurn) {
   session().hint = 2;
-  press(GLFW_KEY_1);
+  press(key::digit_1);
   frames(60);
   expect_only("");
-  press(GLFW_KEY_3);
+  press(key::digit_3);
   frames(60);
   expect_only(motor_words);
 }
@@ -130,7 +130,7 @@ TEST_F(StageHintsTest, AModeHasWordsOfItsOwn) {
 }
 
 TEST_F(StageHintsTest, EscapeIsEnough) {
-  press(GLFW_KEY_ESCAPE);
+  press(key::escape);
   EXPECT_FALSE(session().hint);
   expect_only("");
 }

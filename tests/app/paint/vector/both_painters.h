@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
+#include "app/desktop/glfw_window.h"
 #include "app/files/image.h"
 #include "app/paint/gl_painter.h"
 #include "app/paint/vector/vector_painter.h"
-#include "app/ui/window.h"
 #include "tests/app/paint/vector/vector_panes.h"
 
 namespace ghostforce {
@@ -47,7 +47,7 @@ class OpenGl {
   Window& window() { return window_; }
 
  private:
-  Window window_{{.title = "test", .width = width, .height = height, .offscreen = true, .takes_mouse = false}};
+  GlfwWindow window_{{.title = "test", .width = width, .height = height, .offscreen = true, .takes_mouse = false}};
   GlPainter painter_{window_.fonts()};
 };
 

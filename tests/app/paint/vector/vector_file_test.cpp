@@ -13,11 +13,11 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/desktop_inputs.h"
+#include "app/desktop/glfw_window.h"
 #include "app/files/scene_file.h"
 #include "app/live/application.h"
 #include "app/paint/vector/file_painter.h"
 #include "app/paint/vector/vector_painter.h"
-#include "app/ui/window.h"
 #include "app/view/layers.h"
 #include "tests/app/paint/vector/vector_panes.h"
 #include "tests/support/no_opengl.h"
@@ -252,7 +252,7 @@ TEST(RenderVectors, SaysWhichFontItMissesAndLeavesNothingBehind) {
 
 TEST(SavePicture, WritesVectorsWhereTheNameSaysSo) {
   const TemporaryFolder folder;
-  Window window({.title = "test", .width = 1280, .height = 800, .offscreen = true, .takes_mouse = false});
+  GlfwWindow window({.title = "test", .width = 1280, .height = 800, .offscreen = true, .takes_mouse = false});
   Application application(window, load_scene("wall45"), {.inputs = desktop_inputs(), .painter = cairo_file_painter()});
   application.frame(0.016);
   const auto save = [&](const char* name) {

@@ -19,7 +19,7 @@ constexpr double degree = std::numbers::pi / 180.0;
 class PlotsWindow : public DrivenWindow {
  protected:
   PlotsWindow() {
-    press(GLFW_KEY_F3);
+    press(key::f3);
     frames(3);
   }
 
@@ -42,7 +42,7 @@ class PlotsWindow : public DrivenWindow {
 TEST_F(PlotsWindow, ComesAndGoesWithItsKey) {
   EXPECT_TRUE(view().is_open);
   const double height = screen().scene_size().y;
-  press(GLFW_KEY_F3);
+  press(key::f3);
   frames(2);
   EXPECT_FALSE(view().is_open);
   EXPECT_GT(screen().scene_size().y, height + 150.0);
@@ -131,7 +131,7 @@ TEST_F(PlotsWindow, TheWallFollowsADragAnywhereInThePlot) {
     EXPECT_NEAR(depth(wall_of(session().settings), session().goal), before, 1e-12) << "the goal is turned with it";
     session().goal = session().scene->goal.points.back();
     // One step back is the whole drag.
-    press(GLFW_KEY_Z, GLFW_MOD_CONTROL);
+    press(key::z, modifier::control);
     EXPECT_NEAR(session().settings.wall_normal_angle / degree, 135.0, 1e-9);
   }
 }
@@ -164,7 +164,7 @@ TEST_F(PlotsWindow, TheDialFollowsADragAndSnapsToTheOptimum) {
 TEST_F(PlotsWindow, AResetBringsBackTheNewestTick) {
   drag(in_drawer(200.0, 100.0), in_drawer(320.0, 100.0));
   ASSERT_FALSE(view().follows);
-  press(GLFW_KEY_R);
+  press(key::r);
   frames(3);
   EXPECT_TRUE(view().follows);
   EXPECT_EQ(view().to_s, application_->history().plots().newest_s());
@@ -192,7 +192,7 @@ TEST_F(PlotsWindow, TheButtonAsksForAName) {
 
 TEST_F(PlotsWindow, StaysWithinASmallWindow) {
   open({}, "wall45", 640, 480);
-  press(GLFW_KEY_F3);
+  press(key::f3);
   for (const PlotTab tab : {PlotTab::time, PlotTab::wall_angle, PlotTab::ratio}) choose(tab);
   EXPECT_GT(screen().scene_size().y, 60.0);
 }

@@ -1,4 +1,4 @@
-#include "app/ui/display_loss.h"
+#include "app/desktop/display_loss.h"
 
 #include <dlfcn.h>
 #include <unistd.h>

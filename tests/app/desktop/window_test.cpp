@@ -1,5 +1,5 @@
 // The window itself, offscreen: what of it is remembered.
-#include "app/ui/window.h"
+#include "app/desktop/glfw_window.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@ namespace ghostforce {
 namespace {
 
 TEST(Window, RemembersTheSizeBeforeItWasMaximised) {
-  Window window({.title = "test", .width = 640, .height = 480, .offscreen = true});
+  GlfwWindow window({.title = "test", .width = 640, .height = 480, .offscreen = true});
   window.resize(500, 400);
   window.maximize();
   ASSERT_TRUE(window.is_maximized());

@@ -11,9 +11,9 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "app/desktop/lesson_picture.h"
 #include "app/files/image.h"
 #include "app/set_up/set_up.h"
-#include "app/ui/lesson_picture.h"
 #include "app/ui/screen.h"
 #include "app/view/panes.h"
 #include "app/view/trail_history.h"

@@ -1,4 +1,4 @@
-#include "app/ui/offscreen.h"
+#include "app/desktop/offscreen.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,12 +9,12 @@
 
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
+#include "app/desktop/glfw_window.h"
 #include "app/paint/json_painter.h"
 #include "app/session/set_up_of.h"
 #include "app/session/stage_actions.h"
 #include "app/ui/panels/panel_catalog.h"
 #include "app/ui/stage/stage_face.h"
-#include "app/ui/window.h"
 #include "core/divergence.h"
 #include "core/simulate.h"
 #include "core/units.h"
@@ -221,7 +221,7 @@ void draw_settled(Window& window, Screen& screen, Session& session, const Pictur
 Drawing draw_moment(const PictureRequest& request, const Moment& moment) {
   Session session = session_of(request, moment);
   session.folded_panels = panels_folded_at_first(request.height / request.appearance.scale);
-  Window window(offscreen_window(request));
+  GlfwWindow window(offscreen_window(request));
   Screen screen(window, request.part);
   draw_settled(window, screen, session, request, moment);
   stop_if_interrupted();
@@ -243,7 +243,7 @@ double time_of_frame(const ClipTimes& times, std::int64_t i) noexcept {
 
 void draw_clip(const PictureRequest& request, const ClipTimes& times, const std::function<void(const Image&)>& take) {
   std::optional<Session> session;
-  Window window(offscreen_window(request));
+  GlfwWindow window(offscreen_window(request));
   Screen screen(window, request.part);
   const std::int64_t count = frame_count(times);
   std::int64_t drawn = 0;

@@ -1,4 +1,4 @@
-#include "app/ui/drawing_memory.h"
+#include "app/desktop/drawing_memory.h"
 
 #include <malloc.h>
 #include <sched.h>

@@ -1,4 +1,4 @@
-#include "app/ui/monitors.h"
+#include "app/desktop/monitors.h"
 
 #include <GLFW/glfw3.h>
 

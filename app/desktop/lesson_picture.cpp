@@ -1,4 +1,4 @@
-#include "app/ui/lesson_picture.h"
+#include "app/desktop/lesson_picture.h"
 
 #include <fmt/format.h>
 

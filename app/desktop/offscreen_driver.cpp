@@ -1,4 +1,4 @@
-#include "app/ui/offscreen_driver.h"
+#include "app/desktop/offscreen_driver.h"
 
 #include <unistd.h>
 

@@ -1,0 +1,345 @@
+#include "app/desktop/glfw_window.h"
+
+#include <glad/gl.h>
+
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+#include <imgui_impl_glfw.h>
+
+#include <cmath>
+#include <cstdlib>
+
+#include "app/console/failure.h"
+#include "app/desktop/display_loss.h"
+#include "app/desktop/drawing_memory.h"
+#include "app/desktop/monitors.h"
+#include "app/desktop/offscreen_driver.h"
+#include "app/session/keys.h"
+
+// ImGui's OpenGL backend has a loader of its own that looks into libGL, where it finds nothing under OSMesa. This is
+// its entry for a loader that knows better.
+extern "C" int imgl3wInit2(void (*(*)(const char*))());
+
+namespace ghostforce {
+namespace {
+
+std::string last_glfw_error() {
+  const char* description = nullptr;
+  glfwGetError(&description);
+  return description != nullptr ? description : "no reason given";
+}
+
+constexpr const char* offscreen_advice =
+    "pictures can be made without a display: ghostforce render wall45 -o wall45.png";
+
+// What the machine has when it does not have OpenGL 3.3, for the error message.
+std::string describe_lesser_opengl() {
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 1);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 0);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_ANY_PROFILE);
+  glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+  GLFWwindow* window = glfwCreateWindow(16, 16, "", nullptr, nullptr);
+  if (window == nullptr) return "no OpenGL at all (" + last_glfw_error() + ")";
+  glfwMakeContextCurrent(window);
+  // glGetString is older than every loader's minimum version, so it is asked for by hand.
+  using GetString = const unsigned char* (*)(unsigned int);
+  const auto get_string = reinterpret_cast<GetString>(glfwGetProcAddress("glGetString"));
+  const auto text = [&](unsigned int name) {
+    const unsigned char* value = get_string != nullptr ? get_string(name) : nullptr;
+    return value != nullptr ? reinterpret_cast<const char*>(value) : "unknown";
+  };
+  std::string description = fmt::format("OpenGL {} on {}", text(GL_VERSION), text(GL_RENDERER));
+  glfwDestroyWindow(window);
+  return description;
+}
+
+GLFWwindow* create_window(const WindowOptions& options) {
+  glfwDefaultWindowHints();
+  if (options.offscreen) glfwWindowHint(GLFW_CONTEXT_CREATION_API, GLFW_OSMESA_CONTEXT_API);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+  glfwWindowHintString(GLFW_X11_CLASS_NAME, "ghostforce");
+  glfwWindowHintString(GLFW_WAYLAND_APP_ID, "ghostforce");
+  WindowSize size{options.width, options.height};
+  if (options.fits_monitor) size = fitted(size);
+  GLFWwindow* window = glfwCreateWindow(size.width, size.height, options.title.c_str(), nullptr, nullptr);
+  if (window != nullptr) return window;
+  const std::string reason = last_glfw_error();
+  if (options.offscreen) {
+    throw Failure(ExitCode::no_display,
+                  fmt::format("cannot draw offscreen: {} (there is {}); this needs OSMesa with OpenGL 3.3, Debian's "
+                              "package libosmesa6",
+                              reason, describe_lesser_opengl()));
+  }
+  throw Failure(ExitCode::no_display, fmt::format("the window needs OpenGL 3.3, but there is {} ({}); a newer graphics "
+                                                  "driver may help, and {}",
+                                                  describe_lesser_opengl(), reason, offscreen_advice));
+}
+
+}  // namespace
+
+GlfwWindow::Library::Library(const WindowOptions& options) {
+  const bool offscreen = options.offscreen;
+  if (offscreen) choose_offscreen_driver();
+  make_room_for_drawing(options.width, options.height,
+                        offscreen ? "make the picture smaller, or an .svg or .pdf" : "close other programs");
+  // Asking for Wayland where there is none makes its library complain on stderr.
+  const int on_display = std::getenv("WAYLAND_DISPLAY") != nullptr ? GLFW_ANY_PLATFORM : GLFW_PLATFORM_X11;
+  glfwInitHint(GLFW_PLATFORM, offscreen ? GLFW_PLATFORM_NULL : on_display);
+  if (glfwInit() == GLFW_TRUE) {
+    watch_display();
+    return;
+  }
+  const std::string reason = last_glfw_error();
+  glfwTerminate();
+  throw Failure(ExitCode::no_display,
+                fmt::format("there is no display to open a window on ({}); {}", reason, offscreen_advice));
+}
+
+GlfwWindow::Library::~Library() {
+  glfwTerminate();
+}
+
+void GlfwWindow::Destroy::operator()(GLFWwindow* window) const {
+  glfwDestroyWindow(window);
+}
+
+GlfwWindow::GlfwWindow(const WindowOptions& options) : library_(options), window_(create_window(options)) {
+  glfwMakeContextCurrent(handle());
+  if (gladLoadGL(glfwGetProcAddress) < GLAD_MAKE_VERSION(3, 3)) {
+    throw Failure(ExitCode::no_display, fmt::format("the driver offers OpenGL 3.3, but it cannot be loaded: {}",
+                                                    glGetString != nullptr ? graphics_description() : "unknown"));
+  }
+  glfwSwapInterval(options.offscreen ? 0 : 1);
+  if (!options.offscreen) {
+    glfwSetWindowSizeLimits(handle(), least_window_width, least_window_height, GLFW_DONT_CARE, GLFW_DONT_CARE);
+  }
+  glfwSetWindowUserPointer(handle(), this);
+  glfwSetCursorPosCallback(handle(), on_pointer);  // these before ImGui's, which then call them
+  glfwSetCursorEnterCallback(handle(), on_anything);
+  glfwSetMouseButtonCallback(handle(), on_act);
+  glfwSetScrollCallback(handle(), on_act);
+  glfwSetWindowFocusCallback(handle(), on_anything);
+  glfwSetWindowRefreshCallback(handle(), on_anything);  // ImGui has none for this and the next two
+  glfwSetWindowIconifyCallback(handle(), on_anything);
+  glfwSetFramebufferSizeCallback(handle(), on_anything);
+  glfwSetDropCallback(handle(), on_drop);
+  glfwSetWindowSizeCallback(handle(), on_resize);  // ImGui has none
+  restored_size_ = size();
+  imgl3wInit2(glfwGetProcAddress);
+  start_drawing(options.takes_mouse);
+  ImGui_ImplGlfw_InitForOpenGL(handle(), true);
+  glfwSetKeyCallback(handle(), on_key);  // in place of ImGui's: it gets what is handed on
+  glfwSetCharCallback(handle(), on_character);
+}
+
+GlfwWindow::~GlfwWindow() {
+  stop_drawing();
+  ImGui_ImplGlfw_Shutdown();
+}
+
+bool GlfwWindow::should_close() const {
+  return glfwWindowShouldClose(handle()) == GLFW_TRUE;
+}
+
+void GlfwWindow::close() {
+  glfwSetWindowShouldClose(handle(), GLFW_TRUE);
+}
+
+void GlfwWindow::stay_open() {
+  glfwSetWindowCloseCallback(handle(), [](GLFWwindow* window) { glfwSetWindowShouldClose(window, GLFW_FALSE); });
+  glfwSetWindowAttrib(handle(), GLFW_AUTO_ICONIFY, GLFW_FALSE);
+}
+
+void GlfwWindow::set_title(const std::string& title) {
+  glfwSetWindowTitle(handle(), title.c_str());
+}
+
+void GlfwWindow::resize(int width, int height) {
+  glfwSetWindowSize(handle(), width, height);
+}
+
+float GlfwWindow::display_scale() const {
+  // Where the framebuffer is denser than the window's coordinates (Wayland), ImGui draws denser by itself.
+  const int width = size().width;
+  if (width > 0 && pixel_width() != width) return 1.0F;
+  float scale = 1.0F;
+  glfwGetWindowContentScale(handle(), &scale, nullptr);
+  return scale > 0.0F ? scale : 1.0F;
+}
+
+WindowSize GlfwWindow::size() const {
+  WindowSize size;
+  glfwGetWindowSize(handle(), &size.width, &size.height);
+  return size;
+}
+
+WindowSize GlfwWindow::framebuffer_size() const {
+  WindowSize size;
+  glfwGetFramebufferSize(handle(), &size.width, &size.height);
+  return size;
+}
+
+bool GlfwWindow::is_full_screen() const {
+  return glfwGetWindowMonitor(handle()) != nullptr;
+}
+
+bool GlfwWindow::is_maximized() const {
+  return glfwGetWindowAttrib(handle(), GLFW_MAXIMIZED) == GLFW_TRUE;
+}
+
+bool GlfwWindow::has_focus() const {
+  // Without a display there is nobody to give it; what a test says about it is known to ImGui.
+  if (glfwGetPlatform() == GLFW_PLATFORM_NULL) return !ImGui::GetIO().AppFocusLost;
+  return glfwGetWindowAttrib(handle(), GLFW_FOCUSED) == GLFW_TRUE;
+}
+
+void GlfwWindow::maximize() {
+  glfwMaximizeWindow(handle());
+}
+
+void GlfwWindow::restore(int width, int height) {
+  if (is_full_screen()) toggle_full_screen();
+  if (is_maximized()) glfwRestoreWindow(handle());
+  const auto scaled = [this](int length) {
+    return static_cast<int>(std::lround(static_cast<float>(length) * display_scale()));
+  };
+  const WindowSize fitting = fitted({width, height});
+  resize(scaled(fitting.width), scaled(fitting.height));
+}
+
+WindowSize GlfwWindow::restored_size() const {
+  const WindowSize restored = !is_full_screen() && !is_maximized() ? size() : restored_size_;
+  const auto unscaled = [this](int length) {
+    return static_cast<int>(std::lround(static_cast<float>(length) / display_scale()));
+  };
+  return {unscaled(restored.width), unscaled(restored.height)};
+}
+
+void GlfwWindow::toggle_full_screen() {
+  if (is_full_screen()) {
+    glfwSetWindowMonitor(handle(), nullptr, restored_corner_.x, restored_corner_.y, restored_size_.width,
+                         restored_size_.height, 0);
+    return;
+  }
+  GLFWmonitor* const monitor = monitor_of(handle());
+  const GLFWvidmode* const mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
+  if (mode == nullptr) return;
+  if (!is_maximized()) restored_size_ = size();
+  glfwGetWindowPos(handle(), &restored_corner_.x, &restored_corner_.y);
+  glfwSetWindowMonitor(handle(), monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
+namespace {
+
+GlfwWindow& window_of(GLFWwindow* handle) {
+  return *static_cast<GlfwWindow*>(glfwGetWindowUserPointer(handle));
+}
+
+// GLFW's keys are ours (app/session/keys.h).
+static_assert(GLFW_KEY_SPACE == key::space && GLFW_KEY_APOSTROPHE == key::apostrophe && GLFW_KEY_COMMA == key::comma &&
+              GLFW_KEY_MINUS == key::minus && GLFW_KEY_PERIOD == key::period && GLFW_KEY_SLASH == key::slash &&
+              GLFW_KEY_SEMICOLON == key::semicolon && GLFW_KEY_EQUAL == key::equal &&
+              GLFW_KEY_LEFT_BRACKET == key::left_bracket && GLFW_KEY_BACKSLASH == key::backslash &&
+              GLFW_KEY_RIGHT_BRACKET == key::right_bracket && GLFW_KEY_GRAVE_ACCENT == key::grave_accent);
+static_assert(GLFW_KEY_0 == key::digit_0 && GLFW_KEY_9 == key::digit_9 && GLFW_KEY_A == key::a && GLFW_KEY_Z == key::z);
+static_assert(GLFW_KEY_WORLD_1 == key::world_1 && GLFW_KEY_WORLD_2 == key::world_2);
+static_assert(GLFW_KEY_ESCAPE == key::escape && GLFW_KEY_ENTER == key::enter && GLFW_KEY_TAB == key::tab &&
+              GLFW_KEY_BACKSPACE == key::backspace && GLFW_KEY_INSERT == key::insert &&
+              GLFW_KEY_DELETE == key::delete_forward && GLFW_KEY_RIGHT == key::right && GLFW_KEY_LEFT == key::left &&
+              GLFW_KEY_DOWN == key::down && GLFW_KEY_UP == key::up && GLFW_KEY_PAGE_UP == key::page_up &&
+              GLFW_KEY_PAGE_DOWN == key::page_down && GLFW_KEY_HOME == key::home && GLFW_KEY_END == key::end &&
+              GLFW_KEY_CAPS_LOCK == key::caps_lock && GLFW_KEY_SCROLL_LOCK == key::scroll_lock &&
+              GLFW_KEY_NUM_LOCK == key::number_lock && GLFW_KEY_PRINT_SCREEN == key::print_screen &&
+              GLFW_KEY_PAUSE == key::pause);
+static_assert(GLFW_KEY_F1 == key::f1 && GLFW_KEY_F12 == key::f12 && GLFW_KEY_F24 == key::f24);
+static_assert(GLFW_KEY_KP_0 == key::number_pad_0 && GLFW_KEY_KP_9 == key::number_pad_9 &&
+              GLFW_KEY_KP_DECIMAL == key::number_pad_decimal && GLFW_KEY_KP_DIVIDE == key::number_pad_divide &&
+              GLFW_KEY_KP_MULTIPLY == key::number_pad_multiply && GLFW_KEY_KP_SUBTRACT == key::number_pad_subtract &&
+              GLFW_KEY_KP_ADD == key::number_pad_add && GLFW_KEY_KP_ENTER == key::number_pad_enter &&
+              GLFW_KEY_KP_EQUAL == key::number_pad_equal);
+static_assert(GLFW_KEY_LEFT_SHIFT == key::left_shift && GLFW_KEY_LEFT_CONTROL == key::left_control &&
+              GLFW_KEY_LEFT_ALT == key::left_alt && GLFW_KEY_LEFT_SUPER == key::left_super &&
+              GLFW_KEY_RIGHT_SHIFT == key::right_shift && GLFW_KEY_RIGHT_CONTROL == key::right_control &&
+              GLFW_KEY_RIGHT_ALT == key::right_alt && GLFW_KEY_RIGHT_SUPER == key::right_super &&
+              GLFW_KEY_MENU == key::menu && GLFW_KEY_LAST == key::last);
+static_assert(GLFW_MOD_SHIFT == modifier::shift && GLFW_MOD_CONTROL == modifier::control &&
+              GLFW_MOD_ALT == modifier::alt && GLFW_MOD_SUPER == modifier::super);
+
+constexpr int known_modifiers = GLFW_MOD_SHIFT | GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER;
+
+}  // namespace
+
+template <typename... What>
+void GlfwWindow::on_anything(GLFWwindow* handle, What...) {
+  window_of(handle).note_change();
+}
+
+template <typename... What>
+void GlfwWindow::on_act(GLFWwindow* handle, What...) {
+  window_of(handle).note_act();
+}
+
+void GlfwWindow::on_pointer(GLFWwindow* handle, double /*x*/, double /*y*/) {
+  window_of(handle).note_move();
+}
+
+void GlfwWindow::on_key(GLFWwindow* handle, int key, int scancode, int action, int modifiers) {
+  window_of(handle).add_key_event({key, modifiers & known_modifiers, action == GLFW_REPEAT},
+                                  glfwGetKeyName(key, scancode), action != GLFW_RELEASE);
+}
+
+// GLFW tells it right after the key that has typed it; what an input method composes has none.
+void GlfwWindow::on_character(GLFWwindow* handle, unsigned int character) {
+  window_of(handle).add_character(character);
+}
+
+void GlfwWindow::on_resize(GLFWwindow* handle, int width, int height) {
+  GlfwWindow& window = window_of(handle);
+  if (!window.is_full_screen() && !window.is_maximized()) window.restored_size_ = {width, height};
+}
+
+void GlfwWindow::on_drop(GLFWwindow* handle, int count, const char** paths) {
+  window_of(handle).add_dropped_files({paths, paths + count});
+}
+
+void GlfwWindow::take_events(double wait_s) {
+  if (wait_s > 0.0) {
+    glfwWaitEventsTimeout(wait_s);
+  } else {
+    glfwPollEvents();
+  }
+  end_if_display_is_lost();
+}
+
+void GlfwWindow::begin_imgui_frame() {
+  ImGui_ImplGlfw_NewFrame();
+}
+
+void GlfwWindow::show_frame() {
+  glfwSwapBuffers(handle());
+}
+
+void GlfwWindow::set_clipboard_text(const std::string& text) {
+  glfwSetClipboardString(handle(), text.c_str());
+}
+
+std::string GlfwWindow::clipboard_text() const {
+  const char* const text = glfwGetClipboardString(handle());
+  return text == nullptr ? "" : text;
+}
+
+DisplayKind GlfwWindow::display_kind() const {
+  switch (glfwGetPlatform()) {
+    case GLFW_PLATFORM_X11:
+      return DisplayKind::x11;
+    case GLFW_PLATFORM_WAYLAND:
+      return DisplayKind::wayland;
+    default:
+      return DisplayKind::none;
+  }
+}
+
+}  // namespace ghostforce
