@@ -14,6 +14,7 @@
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
 #include "app/files/output_file.h"
+#include "device/falcon/emergency_handlers.h"
 #include "device/falcon/emergency_stop.h"
 
 namespace {

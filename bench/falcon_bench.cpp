@@ -21,6 +21,7 @@
 #include "device/falcon/falcon_input.h"
 #include "device/falcon_usb/ftdi_link.h"
 #include "device/input/mouse_input.h"
+#include "device/servo/servo_thread.h"
 #include "device/virtual_falcon/virtual_falcon_input.h"
 #include "tests/device/virtual_falcon/rehearsal.h"
 #include "tests/emulation/emulated_usb_device.h"
@@ -129,7 +130,8 @@ void share(Results& results, const std::string& what, std::unique_ptr<Input> inp
   auto clocked = std::make_unique<ClockedInput>(std::move(input));
   const ClockedInput& thread = *clocked;
   Servo servo(std::move(clocked), first_command());
-  servo.start();
+  ServoThread driver;
+  driver.start(servo);
   std::this_thread::sleep_for(start);
   const std::int64_t began_ns = clock_ns(CLOCK_MONOTONIC);
   const std::int64_t cpu_began_ns = clock_ns(thread.clock());

@@ -32,7 +32,7 @@
 #include "bench/support/report.h"
 #include "device/input/monotonic_clock.h"
 #include "device/servo/latency_histogram.h"
-#include "device/servo/realtime.h"
+#include "device/servo/servo_thread.h"
 
 namespace ghostforce::bench {
 namespace {
@@ -106,10 +106,11 @@ void watch(DrawnWindow& window, const char* thread_name, double seconds, Turn& t
 }
 
 void run_servo(DrawnWindow& window, double /*rate_hz*/, double seconds, Turn& turn) {
-  window.servo().start();
+  ServoThread thread;
+  thread.start(window.servo());
   watch(window, "servo", seconds, turn);
-  window.servo().stop();
-  turn.latency_histogram = window.servo().latency_histogram();
+  thread.stop();
+  turn.latency_histogram = thread.latency_histogram();
   turn.lost = window.servo().newest().loop.late_ticks;
   turn.realtime = window.servo().newest().realtime;
 }

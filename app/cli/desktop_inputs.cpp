@@ -6,13 +6,14 @@
 #include "app/doctor/readiness.h"
 #include "app/live/portable_inputs.h"
 #include "device/falcon/falcon_input.h"
+#include "device/spacemouse_hid/hid_spacemouse_input.h"
 
 namespace ghostforce {
 namespace {
 
 const InputMaker<SpaceMouseInput> spacemouse_kind{
     {{"spacemouse", "SpaceMouse", "The goal follows the cap of a 3Dconnexion SpaceMouse."}},
-    [](const Scene&, const InputOptions&) { return std::make_unique<SpaceMouseInput>(); }};
+    [](const Scene&, const InputOptions&) { return std::make_unique<HidSpaceMouseInput>(); }};
 
 std::vector<ReadinessStepState> readiness_with_motors(const FalconReport& report, const MotorReport& motors) {
   return readiness_of(report, &motors);

@@ -29,7 +29,7 @@
 #include "app/doctor/readiness.h"
 #include "app/doctor/udev_rule.h"
 #include "core/scene.h"
-#include "device/spacemouse/spacemouse_input.h"
+#include "device/spacemouse_hid/hid_spacemouse_input.h"
 #include "device/virtual_falcon/virtual_falcon_input.h"
 
 namespace ghostforce {
@@ -117,7 +117,7 @@ int doctor(const DoctorOptions& options) {
     throw Failure(ExitCode::wrong_call, "-o and --calibration are for a measurement; add --measure");
   }
   Diagnosis diagnosis;
-  SpaceMouseInput spacemouse;  // looks for one meanwhile
+  HidSpaceMouseInput spacemouse;  // looks for one meanwhile
   const auto began = std::chrono::steady_clock::now();
   diagnosis.firmware = options.falcon.read_firmware_file();
   const InputOptions input_options = options.falcon.input_options(diagnosis.firmware);

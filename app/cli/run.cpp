@@ -41,8 +41,9 @@
 #include "app/ui/panels/panel_catalog.h"
 #include "core/input_choice.h"
 #include "core/safety.h"
-#include "device/falcon/emergency_stop.h"
+#include "device/falcon/emergency_handlers.h"
 #include "device/servo/realtime.h"
+#include "device/servo/servo_thread.h"
 
 namespace ghostforce {
 namespace {
@@ -158,6 +159,7 @@ int run(const RunOptions& options) {
        .painter = cairo_file_painter(),
        .record = options.record,
        .input_options = input_options,
+       .make_servo_driver = [] { return std::make_unique<ServoThread>(); },
        .offers_hints = preferences.offers_hints,
        .folded_panels = stored.layout ? layout.folded_panels
                                       : panels_folded_at_first(window.restored_size().height / appearance.scale),
@@ -175,7 +177,7 @@ int run(const RunOptions& options) {
   application.start();
   ReadingAloud reading_aloud(options.printed_hz, STDOUT_FILENO);
   const BeforeDisplayLoss before_display_loss([&application] {
-    application.servo().stop();
+    application.stop();
     interrupt();
     if (const std::string words = application.end_recording(); !words.empty()) say("{}\n", words);
   });

@@ -7,12 +7,12 @@
 #include <string>
 
 #include "app/console/failure.h"
+#include "core/spacemouse.h"
 #include "device/falcon/calibration.h"
 #include "device/falcon/falcon_report.h"
 #include "device/falcon_usb/firmware_file.h"
 #include "device/falcon_usb/usb_search.h"
-#include "device/servo/realtime.h"
-#include "device/spacemouse/spacemouse_input.h"
+#include "device/servo/realtime_status.h"
 
 namespace ghostforce {
 

@@ -1,6 +1,7 @@
 #include "app/live/application.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -81,6 +82,7 @@ Application::Application(Window& window, const Scene& scene, const ApplicationOp
       input_choices_(choices_of(inputs_, options.input_options.recorded_hand != nullptr)),
       input_options_(options.input_options),
       painter_(options.painter),
+      servo_driver_(options.make_servo_driver ? options.make_servo_driver() : nullptr),
       screen_(window, options.part) {
   if (session_.visit) window_.stay_open();
   if (!options.shader_folder.empty()) shader_watch_.emplace(options.shader_folder);
@@ -89,12 +91,17 @@ Application::Application(Window& window, const Scene& scene, const ApplicationOp
 }
 
 Application::~Application() {
-  servo_->stop();
+  stop();
 }
 
 void Application::start() {
   is_started_ = true;
-  servo_->start();
+  if (servo_driver_) servo_driver_->start(*servo_);
+}
+
+void Application::stop() noexcept {
+  is_started_ = false;
+  if (servo_driver_) servo_driver_->stop();
 }
 
 const InputEntry& Application::input_of(std::string_view name) const {
@@ -107,12 +114,12 @@ const InputEntry& Application::input_of(std::string_view name) const {
 void Application::use(const InputEntry& entry, std::shared_ptr<const Scene> scene, const Settings& settings,
                       const std::optional<Vector<2>>& goal) {
   // A device has one driver: the one before lets go of it first.
-  if (servo_) servo_->stop();
+  if (servo_driver_) servo_driver_->stop();
   LinkedInput made;
   try {
     made = entry.make(*scene, input_options_);
   } catch (...) {
-    if (is_started_) servo_->start();
+    if (is_started_) start();
     throw;
   }
   // Its header would not be true any longer.
@@ -150,7 +157,7 @@ void Application::use(const InputEntry& entry, std::shared_ptr<const Scene> scen
   report_ = {};
   report_.restarts = command_.restarts_asked;
   report_.snapshot = snapshot_of(coefficients_of(session_.settings), command_.restart_state);
-  if (is_started_) servo_->start();
+  if (is_started_) start();
 }
 
 // A person at the mouse starts at rest where the scripted hand ends, so that the first picture already shows what the
@@ -186,6 +193,7 @@ void Application::update(double interval_s) {
   clock_s_ += interval_s;
   interval_s_ = interval_s;
   since_drawn_s_ += interval_s;
+  if (servo_driver_) servo_driver_->step(std::llround(clock_s_ * 1e9));
   take_samples();
   report_ = servo_->newest();
   if (recording_) {

@@ -1,9 +1,9 @@
 // Application: a session at the window, live. Carries values between the screen and the servo once per frame: commands
 // and the goal one way, samples and the newest report the other; and does what the person asked for: other scenes
-// and inputs, undo, files. UI thread; whoever drives it decides whether the servo runs on its own thread or is stepped
-// by hand.
+// and inputs, undo, files. UI thread; whoever makes it decides who drives the servo, or steps it by hand.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -25,6 +25,7 @@
 #include "app/view/trail_history.h"
 #include "core/input_choice.h"
 #include "device/servo/servo.h"
+#include "device/servo/servo_driver.h"
 
 namespace ghostforce {
 
@@ -42,6 +43,7 @@ struct ApplicationOptions {
   FilePainter painter{};                // for what is saved as lines and letters
   std::optional<std::string> record{};  // from the first tick, to a file of this name
   InputOptions input_options{};
+  std::function<std::unique_ptr<ServoDriver>()> make_servo_driver{};  // empty: nobody drives the servo
   bool offers_hints = false;
   std::set<std::string, std::less<>> folded_panels{};
   std::string shader_folder{};  // empty: the embedded shaders, not watched
@@ -59,8 +61,10 @@ class Application {
   // All that has been ticked is in the recording, if one is being made.
   ~Application();
 
-  // Starts the servo's thread; also after a change of the input.
+  // Has the servo driven; also after a change of the input.
   void start();
+  // Nobody drives it any longer.
+  void stop() noexcept;
 
   Servo& servo() noexcept { return *servo_; }
   Session& session() noexcept { return session_; }
@@ -68,8 +72,8 @@ class Application {
   const History& history() const noexcept { return history_; }
   const ServoReport& report() const noexcept { return report_; }
 
-  // Takes what servo and input have made since the last time and tells the servo that the window is alive. Often, whether
-  // a frame is drawn or not. `interval_s`: real time since the last call.
+  // Takes what servo and input have made since the last time, or has it made now where there is no thread for it, and
+  // tells the servo that the window is alive. Often, whether a frame is drawn or not. `interval_s`: real time since the last call.
   void update(double interval_s);
 
   // Something that can be seen is other than in the last frame, or moves by itself. What the person does to the window is
@@ -165,7 +169,8 @@ class Application {
   ServoCommand command_;
   Settings sent_settings_;  // the session's, of which those in the command are the nearest that a file can hold
   std::unique_ptr<Servo> servo_;
-  std::unique_ptr<InputLink> link_;  // to the servo's input
+  std::unique_ptr<ServoDriver> servo_driver_;  // of the servo; null: nobody drives it
+  std::unique_ptr<InputLink> link_;            // to the servo's input
   std::unique_ptr<Recording> recording_;
   RecordingReading recording_reading_;
   std::string recording_problem_;

@@ -1,6 +1,6 @@
 // The emergency stop: when the process is about to die, motors are told to stop by the signal handler itself, because
-// nobody else will. One link per process has motors. Everything here is async-signal-safe, on any thread, but for
-// install_handlers().
+// nobody else will (emergency_handlers.h). One link per process has motors. Everything here is async-signal-safe, on any
+// thread. In a page no process dies that leaves a device behind: there it is ordered only by who calls it.
 #pragma once
 
 namespace ghostforce {
@@ -16,16 +16,6 @@ void watch(FalconLink* link) noexcept;
 // first. From then on is_ordered(), and no driver may ask for a force.
 void stop_motors() noexcept;
 bool is_ordered() noexcept;
-
-// Makes every signal that would end the process stop the motors first, and then end the process as it would have. Not
-// those that cannot be caught (SIGKILL), that are ignored (faults cannot be), or that somebody handles already. exit()
-// does so too: libraries call it, and no destructor on a stack runs. The calling thread gets an AlternateStack; every
-// other thread needs one itself.
-void install_handlers() noexcept;
-
-// From now on this process ignores signals that would suspend it (Ctrl+Z), because it could not turn motors off while
-// it is suspended. SIGSTOP cannot be ignored.
-void refuse_to_be_stopped() noexcept;
 
 }  // namespace emergency_stop
 }  // namespace ghostforce

@@ -1,18 +1,15 @@
 // LinkOpener: has a FalconLink opened and closed on a thread of its own, because both allocate and wait for the system
 // and for the device, perhaps for seconds. The driver asks, continues with its ticks, and is given a complete open
 // link. A link that never waits (FalconLink::waits_to_open) needs no thread: it is opened and closed as it is asked
-// for.
+// for. A page, which has no threads, has no other links.
 //
 // The link belongs to one thread at a time: to the opener's while is_busy(), else to the driver's. Its now_ns() and
 // send_at_once() belong to everybody. All functions here belong to the driver's thread; none but the constructor
 // allocates or throws, and only end() and wait_until() wait.
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <memory>
-#include <semaphore>
-#include <thread>
 
 #include "device/falcon/falcon_link.h"
 
@@ -24,15 +21,15 @@ class LinkOpener {
   explicit LinkOpener(std::unique_ptr<FalconLink> link);
   LinkOpener(const LinkOpener&) = delete;
   LinkOpener& operator=(const LinkOpener&) = delete;
-  ~LinkOpener() { end(); }
+  ~LinkOpener();
 
   // Not while it is busy.
-  void open() noexcept { ask(Task::open); }
-  void close() noexcept { ask(Task::close); }
+  void open() noexcept;
+  void close() noexcept;
   // For good: ends the thread with the link closed, and with a last attempt at a stop that the link still owes. Waits
   // for what is under way, perhaps for seconds.
   void end() noexcept;
-  bool is_busy() const noexcept { return task_.load(std::memory_order_acquire) != Task::none; }
+  bool is_busy() const noexcept;
 
   FalconLink& link() const noexcept { return *link_; }
 
@@ -40,16 +37,10 @@ class LinkOpener {
   void wait_until(std::int64_t deadline_ns) noexcept;
 
  private:
-  enum class Task : std::uint8_t { none, open, close, end };
-
-  void ask(Task task) noexcept;
-  void run() noexcept;
-  void carry_out(Task task) noexcept;
+  class Worker;
 
   std::unique_ptr<FalconLink> link_;
-  std::atomic<Task> task_{Task::none};
-  std::counting_semaphore<> asked_{0};
-  std::thread thread_;
+  std::unique_ptr<Worker> worker_;  // with the thread; null: the link needs none
 };
 
 }  // namespace ghostforce

@@ -16,7 +16,9 @@ inline std::int64_t monotonic_ns() noexcept {
 // Signals do not cut it short. Returns at once if the time has passed.
 inline void sleep_until_monotonic(std::int64_t time_ns) noexcept {
   if (time_ns <= 0) return;
-  const std::timespec time{time_ns / 1'000'000'000, time_ns % 1'000'000'000};
+  std::timespec time{};
+  time.tv_sec = static_cast<decltype(time.tv_sec)>(time_ns / 1'000'000'000);
+  time.tv_nsec = static_cast<decltype(time.tv_nsec)>(time_ns % 1'000'000'000);
   while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &time, nullptr) == EINTR) {
   }
 }

@@ -60,6 +60,15 @@ class Pacer {
     window_ticks_ = 0;
   }
 
+  // That much time is left out, because nobody could have ticked in it: all deadlines come later by it, and none has been
+  // skipped. A little of it is part of the rate; after more than the rate is measured over, that is measured anew.
+  void leave_out(std::int64_t duration_ns) noexcept {
+    origin_ns_ += duration_ns;
+    if (static_cast<double>(duration_ns) * 1e-9 < rate_window_s) return;
+    window_start_ns_ = on_grid(next_ - 1);
+    window_ticks_ = 0;
+  }
+
   std::uint64_t late_ticks() const noexcept { return late_ticks_; }  // deadlines skipped
   double worst_late_s() const noexcept { return worst_late_s_; }     // behind a deadline that was kept or skipped [s]
   double rate_hz() const noexcept { return rate_hz_; }               // measured; 0 until the first window is full

@@ -3,16 +3,9 @@
 // had is a line of text for the status bar, never an error: a mouse-driven session works without any of it.
 #pragma once
 
-#include <string>
+#include "device/servo/realtime_status.h"
 
 namespace ghostforce {
-
-// Trivially copyable: it crosses threads whole. Each error is 0 when granted, else the number that says why not.
-struct RealtimeStatus {
-  int priority_error = 0;
-  int memory_lock_error = 0;
-  bool has_short_slice = false;  // instead of the priority: ordinary threads make room soon when this one wakes
-};
 
 // On the thread that wants it. Sets the thread's scheduling and timer slack, and locks the memory of the process. Where
 // real-time threads may run only for so long without a pause (RLIMIT_RTTIME), SIGXCPU comes before the kill.
@@ -25,12 +18,5 @@ RealtimeStatus request_realtime() noexcept;
 // would stand back everywhere, is none for it: Linux lets an ordinary user's thread go there but not come back, as it
 // must before motors are armed. Once, before request_realtime().
 void leave_processor_to_servo() noexcept;
-
-// What was refused, in a few words for the status bar: "no real-time priority"; empty: nothing. Not for the servo thread,
-// nor is the next.
-std::string refused_words(const RealtimeStatus& status);
-
-// The same in one line that also says why it is no better.
-std::string describe(const RealtimeStatus& status);
 
 }  // namespace ghostforce

@@ -6,15 +6,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include <pthread.h>
-
 #include "core/divergence.h"
 #include "core/proxy.h"
 #include "core/scene.h"
-#include "device/input/monotonic_clock.h"
-#include "device/input/thread_signals.h"
-#include "device/servo/hybrid_sleep.h"
-#include "device/servo/pacer.h"
 
 namespace ghostforce {
 namespace {
@@ -26,11 +20,6 @@ bool is_usable_speed(double speed) noexcept {
 bool is_usable(const SafetyOptions& options) noexcept {
   return std::isfinite(options.force_limit) && options.greatest_k_r >= 0.0;
 }
-
-struct SystemClock {
-  static std::int64_t now_ns() noexcept { return monotonic_ns(); }
-  static void sleep_until(std::int64_t time_ns) noexcept { sleep_until_monotonic(time_ns); }
-};
 
 }  // namespace
 
@@ -64,61 +53,68 @@ Servo::Servo(std::unique_ptr<Input> input, const ServoCommand& initial)
   reports_.publish(report_);
 }
 
-Servo::~Servo() {
-  stop();
+void Servo::begin(std::int64_t now_ns, const RealtimeStatus& realtime) noexcept {
+  report_.realtime = realtime;
+  pacer_ = Pacer(now_ns, period_s());
+  now_ns_ = now_ns;
 }
 
-void Servo::start() {
-  if (thread_.joinable()) return;
-  stopping_.store(false, std::memory_order_relaxed);
-  thread_ = std::thread(&Servo::run, this);
-}
-
-void Servo::stop() noexcept {
-  if (!thread_.joinable()) return;
-  stopping_.store(true, std::memory_order_relaxed);
-  thread_.join();
-}
-
-void Servo::run() noexcept {
-  const AlternateStack alternate_stack;
-  leave_process_signals();
-  pthread_setname_np(pthread_self(), "servo");
-  report_.realtime = request_realtime();
-
+Servo::Wake Servo::next_wake() const noexcept {
   constexpr auto command_ns = static_cast<std::int64_t>(command_period_s * 1e9);
-  std::int64_t now = monotonic_ns();
-  Pacer pacer(now, period_s());
-  HybridSleep sleep(pacer.period_ns());
-  latency_histogram_ = {};
-  while (!stopping_.load(std::memory_order_relaxed)) {
-    const std::int64_t deadline = pacer.deadline_ns();
-    const bool heeds_first = is_idle() || deadline > now + command_ns;
-    const std::int64_t until = heeds_first ? now + command_ns : deadline;
-    if (device_ != nullptr) {
-      device_->wait_until(until);
-      now = monotonic_ns();
-    } else if (heeds_first || report_.realtime.priority_error != 0) {
-      SystemClock::sleep_until(until);
-      now = monotonic_ns();
-    } else {
-      now = sleep.until(until, SystemClock{});
-    }
-    if (is_idle()) pacer.align(now);
-    const bool tick_is_due = pacer.is_due(now);
-    if (tick_is_due) latency_histogram_.add(now - deadline);
-    if (tick_is_due && device_ != nullptr) pacer.follow(now);
-    woken_ns_ = now;
-    report_.loop.rate_hz = pacer.rate_hz();
-    report_.loop.late_ticks = pacer.late_ticks();
-    report_.loop.worst_late_s = pacer.worst_late_s();
-    update(tick_is_due);
-    pacer.set_period(period_s(), now);
-    sleep.set_period(pacer.period_ns());
-  }
+  const std::int64_t deadline = pacer_.deadline_ns();
+  const bool heeds_first = is_idle() || deadline > now_ns_ + command_ns;
+  return {heeds_first ? now_ns_ + command_ns : deadline, !heeds_first};
+}
+
+std::optional<std::int64_t> Servo::wake(std::int64_t now_ns) noexcept {
+  woken_ns_ = now_ns;
+  return wake_at(now_ns);
+}
+
+std::optional<std::int64_t> Servo::wake_at(std::int64_t now_ns) noexcept {
+  now_ns_ = now_ns;
+  const std::int64_t late_ns = now_ns - pacer_.deadline_ns();
+  if (is_idle()) pacer_.align(now_ns);
+  const bool tick_is_due = pacer_.is_due(now_ns);
+  if (tick_is_due && device_ != nullptr) pacer_.follow(now_ns);
+  report_.loop.rate_hz = pacer_.rate_hz();
+  report_.loop.late_ticks = pacer_.late_ticks();
+  report_.loop.worst_late_s = pacer_.worst_late_s();
+  update(tick_is_due);
+  pacer_.set_period(period_s(), now_ns);
+  return tick_is_due ? std::optional(late_ns) : std::nullopt;
+}
+
+void Servo::shut_down() noexcept {
+  is_stepped_to_ = false;
   if (device_ == nullptr) return;
   safety_.turn_off(OffReason::program_ending);
   device_->shut_down();
+}
+
+void Servo::step_to(std::int64_t now_ns) noexcept {
+  if (!std::exchange(is_stepped_to_, true)) {
+    begin(now_ns);
+    device_lead_ns_ = device_ != nullptr ? device_->now_ns() - now_ns : 0;
+  }
+  constexpr auto longest_ns = static_cast<std::int64_t>(longest_catch_up_s * 1e9);
+  if (const std::int64_t missing_ns = now_ns - now_ns_ - longest_ns; missing_ns > 0) {
+    now_ns_ += missing_ns;
+    pacer_.leave_out(missing_ns);
+    device_lead_ns_ -= missing_ns;
+  }
+  bool has_woken = false;
+  for (Wake next = next_wake(); next.time_ns <= now_ns; next = next_wake()) {
+    std::int64_t woken_ns = next.time_ns;
+    if (device_ != nullptr) {
+      device_->wait_until(woken_ns + device_lead_ns_);
+      // Its answer may have taken a little longer, and sets the rhythm, as it does for a thread.
+      woken_ns = std::max(woken_ns, device_->now_ns() - device_lead_ns_);
+    }
+    wake_at(woken_ns);
+    has_woken = true;
+  }
+  if (!has_woken) update(false);
 }
 
 void Servo::step() noexcept {

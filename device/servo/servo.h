@@ -1,17 +1,16 @@
-// Servo: the loop that ticks the model, by default 1000 times a second, on a thread of its own.
+// Servo: what ticks the model, by default 1000 times a second.
 //
 // It and the window exchange whole values, each with one writer and one reader: the newest command goes in, the newest
-// report and every tick's sample come out. On its thread our code never allocates, locks, logs, throws, opens files or
-// frees. It starts only when start() is called; tests call step() by hand instead, so that no time has to pass. With
-// real-time priority it spins through what is left before a deadline (hybrid_sleep.h); a device paces it instead. SI
-// units. Functions without a word about threads belong to the UI thread.
+// report and every tick's sample come out. It ticks only when somebody drives it (servo_driver.h): a thread of its own,
+// called the servo thread here, or whoever draws, before each frame. Tests call step() by hand instead, so that no time
+// has to pass. While it ticks our code never allocates, locks, logs, throws, opens files or frees. SI units. Functions
+// without a word about threads belong to the UI thread.
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <thread>
+#include <optional>
 #include <type_traits>
 
 #include "core/force_limiter.h"
@@ -23,8 +22,8 @@
 #include "core/snapshot.h"
 #include "core/tick.h"
 #include "device/input/input.h"
-#include "device/servo/latency_histogram.h"
-#include "device/servo/realtime.h"
+#include "device/servo/pacer.h"
+#include "device/servo/realtime_status.h"
 
 namespace ghostforce {
 
@@ -51,11 +50,11 @@ struct ServoCommand {
 };
 static_assert(std::is_trivially_copyable_v<ServoCommand>);
 
-// How well the thread keeps its deadlines.
+// How well the deadlines are kept.
 struct LoopHealth {
   double rate_hz = 0.0;               // ticks per second of real time, over the last half second; 0 while paused [Hz]
-  std::uint64_t late_ticks = 0;       // deadlines skipped, because the thread came more than a period late
-  double worst_late_s = 0.0;          // behind a deadline, since start() [s]
+  std::uint64_t late_ticks = 0;       // deadlines skipped, because the driver came more than a period late
+  double worst_late_s = 0.0;          // behind a deadline, since begin() [s]
   std::uint64_t dropped_samples = 0;  // that take_sample() was too slow for
   std::uint64_t dropped_records = 0;  // that take_record() was too slow for
 };
@@ -83,7 +82,7 @@ struct Sample {
   std::uint64_t serial = 0;           // one more for each sample, so that a gap shows
   std::uint32_t restarts = 0;
   std::uint32_t recording = 0;  // ServoCommand's
-  double loop_s = 0.0;          // real time since the sample before; 0 when stepped by hand, or the first
+  double loop_s = 0.0;          // real time since the sample before; 0 where none is measured, or the first
   Vector<2> sent{0.0};          // force for the motors, after every limit [N]
   bool is_saturated = false;    // the limit has shortened it
 };
@@ -100,17 +99,14 @@ class Servo {
   static constexpr double shortest_period_s = 1.0 / rate_range.greatest;
   // However slow the ticks, and while paused, commands are read this often [s].
   static constexpr double command_period_s = 0.005;
+  // step_to() catches up with no more than this [s].
+  static constexpr double longest_catch_up_s = 0.15;
 
   // The first run starts from initial.restart_state. Throws std::invalid_argument if `initial` is out of range.
   Servo(std::unique_ptr<Input> input, const ServoCommand& initial);
   Servo(const Servo&) = delete;
   Servo& operator=(const Servo&) = delete;
-  ~Servo();
-
-  // Starts the thread, which asks for real-time conditions first (ServoReport::realtime). Throws std::system_error.
-  void start();
-  // Returns when the thread has ended, within command_period_s. start() may follow.
-  void stop() noexcept;
+  ~Servo() = default;
 
   void send(const ServoCommand& command) noexcept { commands_.publish(command); }
   // The reference stays valid until the next call.
@@ -120,24 +116,46 @@ class Servo {
   // The same for what is to be recorded. One thread at a time, and it need not be the UI's.
   bool take_record(Sample& sample) noexcept { return records_.take(sample); }
 
-  // How late the ticks came since start(). While the thread is stopped.
-  const LatencyHistogram& latency_histogram() const noexcept { return latency_histogram_; }
-
   Input& input() noexcept { return *input_; }
 
-  // Servo thread, or whoever steps a servo that was not started: what happens at each deadline. Takes the newest
-  // command; then records the state that a new run starts from, or else reads the input and ticks (when paused: only if
-  // a step was asked for); then publishes. With new settings of another rate the tick number changes so that model time
-  // continues.
+  // From here on: the servo thread, or whoever drives or steps a servo that has none.
+
+  // What happens at each deadline. Takes the newest command; then records the state that a new run starts from, or else
+  // reads the input and ticks (when paused: only if a step was asked for); then publishes. With new settings of another
+  // rate the tick number changes so that model time continues.
   //
   // An input with motors: its handle is read, and the motors get what the active strategy wants and the safety chain
   // leaves of it. While they are armed the handle is the device, and neither pause nor slow motion stops its time.
   void step() noexcept;
 
+  // For a program without threads, before each frame: all that a thread would have done by `now_ns`, one after another.
+  // The first call begins. Reads the newest command at least once. Of a longer pause than longest_catch_up_s, as when
+  // the page was hidden, only so much is made up for; the rest is left out, and is no late tick. No real time is
+  // measured: Sample::loop_s is 0.
+  //
+  // A device must live by a clock that its wait_until() moves (VirtualLink::Clock::stepped). It then sees each tick come
+  // a period after the one before, however many a frame takes, and the time that is left out has never been: nothing
+  // that watches over motors takes a slow frame for a slow loop.
+  void step_to(std::int64_t now_ns) noexcept;
+
+  // For a driver that waits by itself: begin(), then, as often as next_wake() has come, wake(), and shut_down() at the
+  // end. Times of CLOCK_MONOTONIC.
+  struct Wake {
+    std::int64_t time_ns;
+    bool is_deadline;  // a tick is due then; else only commands are to be read
+  };
+  void begin(std::int64_t now_ns, const RealtimeStatus& realtime = {}) noexcept;
+  Wake next_wake() const noexcept;
+  // Returns how far behind its deadline a tick came [ns]; none: no tick was due.
+  std::optional<std::int64_t> wake(std::int64_t now_ns) noexcept;
+  std::int64_t period_ns() const noexcept { return pacer_.period_ns(); }
+  // The motors go off, and the device is told. What comes next begins anew.
+  void shut_down() noexcept;
+
  private:
   using SampleRing = Ring<Sample, sample_capacity>;
 
-  void run() noexcept;
+  std::optional<std::int64_t> wake_at(std::int64_t now_ns) noexcept;
   void update(bool tick_is_due) noexcept;
   void watch_handle() noexcept;
   void limit_force() noexcept;
@@ -162,10 +180,6 @@ class Servo {
   SampleRing samples_;
   SampleRing records_;
 
-  // The UI thread's.
-  std::thread thread_;
-  std::atomic<bool> stopping_{false};
-
   // The servo thread's.
   Settings settings_;
   Settings limited_settings_;  // what the coefficients are worked out from: on motors k_r may be held lower
@@ -181,9 +195,12 @@ class Servo {
   std::uint32_t seen_restarts_;
   std::uint32_t recording_;
   std::uint64_t samples_made_ = 0;
-  std::int64_t woken_ns_ = 0;    // when the thread woke; 0: stepped by hand
-  std::int64_t sampled_ns_ = 0;  // when it was awake for the newest sample
-  LatencyHistogram latency_histogram_;
+  Pacer pacer_{0, 1.0};              // of what has begun
+  std::int64_t now_ns_ = 0;          // up to where that has come
+  bool is_stepped_to_ = false;       // by step_to()
+  std::int64_t device_lead_ns_ = 0;  // then: of the device's clock before that one
+  std::int64_t woken_ns_ = 0;        // when a thread woke it; 0: no real time is measured
+  std::int64_t sampled_ns_ = 0;      // when it was awake for the newest sample
   ServoReport report_;
 
   // Of the motors.

@@ -10,6 +10,7 @@ constexpr std::uint8_t translation_report = 1;  // or all axes
 constexpr std::uint8_t rotation_report = 2;
 constexpr std::uint8_t button_report = 3;
 constexpr std::size_t axis_size = 2;
+constexpr double full_scale = 350.0;
 
 void take_axes(std::span<const std::uint8_t> bytes, std::span<int> axes) noexcept {
   for (std::size_t i = 0; i < axes.size(); ++i) {
@@ -22,10 +23,12 @@ void take_axes(std::span<const std::uint8_t> bytes, std::span<int> axes) noexcep
 }  // namespace
 
 bool take_report(std::span<const std::uint8_t> report, SpaceMouseState& state) noexcept {
-  if (report.empty()) return false;
-  const std::span<const std::uint8_t> bytes = report.subspan(1);
+  return !report.empty() && take_report(report[0], report.subspan(1), state);
+}
+
+bool take_report(std::uint8_t number, std::span<const std::uint8_t> bytes, SpaceMouseState& state) noexcept {
   const std::span<int> axes = state.axes;
-  switch (report[0]) {
+  switch (number) {
     case translation_report:
       if (bytes.size() < 3 * axis_size) return false;
       take_axes(bytes, bytes.size() < 6 * axis_size ? axes.first(3) : axes);
@@ -44,6 +47,13 @@ bool take_report(std::span<const std::uint8_t> report, SpaceMouseState& state) n
     default:
       return false;
   }
+}
+
+void show(const SpaceMouseState& state, SpaceMouseReading& reading) noexcept {
+  for (std::size_t i = 0; i < reading.axes.size(); ++i) {
+    reading.axes[i] = std::clamp(state.axes[i] / full_scale, -1.0, 1.0);
+  }
+  reading.buttons = state.buttons;
 }
 
 }  // namespace ghostforce

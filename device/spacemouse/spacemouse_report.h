@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <span>
 
+#include "core/spacemouse.h"
+
 namespace ghostforce {
 
 struct SpaceMouseState {
@@ -18,5 +20,10 @@ struct SpaceMouseState {
 
 // Takes over what this report says, its number first. False, and nothing changes: the report is not known here.
 bool take_report(std::span<const std::uint8_t> report, SpaceMouseState& state) noexcept;
+// The same, of a report that comes with its number apart, as from a browser.
+bool take_report(std::uint8_t number, std::span<const std::uint8_t> bytes, SpaceMouseState& state) noexcept;
+
+// Axes and buttons of the reading become these: full deflection is 1.
+void show(const SpaceMouseState& state, SpaceMouseReading& reading) noexcept;
 
 }  // namespace ghostforce

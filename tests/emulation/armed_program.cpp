@@ -30,11 +30,13 @@
 #include "app/console/interruption.h"
 #include "app/files/scene_file.h"
 #include "app/runs/recording.h"
+#include "device/falcon/emergency_handlers.h"
 #include "device/falcon/emergency_stop.h"
 #include "device/falcon/falcon_input.h"
 #include "device/falcon_usb/ftdi_link.h"
 #include "device/servo/servo.h"
-#include "device/spacemouse/spacemouse_input.h"
+#include "device/servo/servo_thread.h"
+#include "device/spacemouse_hid/hid_spacemouse_input.h"
 #include "device/virtual_falcon/practice_firmware.h"
 #include "tests/device/servo/motor_settings.h"
 #include "tests/emulation/orders.h"
@@ -131,7 +133,7 @@ class Person {
     auto input = std::make_unique<MinedInput>(std::make_unique<FtdiLink>(), options, Vector<2>(0.0));
     input_ = input.get();
     servo_ = std::make_unique<Servo>(std::move(input), command_);
-    servo_->start();
+    thread_.start(*servo_);
   }
 
   // Until motors push. Begins once more whenever they went off before, or did not come on, because this machine has
@@ -166,11 +168,13 @@ class Person {
   ServoCommand& command() { return command_; }
   MinedInput& input() { return *input_; }
   Servo& servo() { return *servo_; }
+  ServoThread& thread() { return thread_; }
 
  private:
   ServoCommand command_;
   MinedInput* input_ = nullptr;
   std::unique_ptr<Servo> servo_;
+  ServoThread thread_;
 };
 
 struct Way {
@@ -182,7 +186,7 @@ constexpr Way ways[] = {
     {"return", [](Person&) {}},
     {"stop and exit",
      [](Person& person) {
-       person.servo().stop();
+       person.thread().stop();
        std::exit(0);
      }},
     // As libraries do, Xlib for one when it has lost its display: no destructor on any stack runs.
@@ -211,7 +215,7 @@ constexpr Way ways[] = {
     {"stack overflow on another thread",
      [](Person& person) {
        Recording recording("run.csv", load_scene("wall45"), person.servo(), 1);
-       const SpaceMouseInput space_mouse;
+       const HidSpaceMouseInput space_mouse;
        struct sigaction action {};
        action.sa_handler = [](int) { overflow_stack(); };
        sigaction(SIGURG, &action, nullptr);

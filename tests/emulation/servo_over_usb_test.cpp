@@ -20,6 +20,7 @@
 #include "device/falcon/falcon_input.h"
 #include "device/falcon_usb/ftdi_link.h"
 #include "device/servo/servo.h"
+#include "device/servo/servo_thread.h"
 #include "tests/device/servo/motor_settings.h"
 #include "tests/emulation/emulated_usb_device.h"
 #include "tests/emulation/falcon_chip.h"
@@ -154,7 +155,7 @@ class ServoOverUsbTest : public testing::Test {
     auto watched = std::make_unique<WatchedInput>(std::make_unique<FtdiLink>(), FalconOptions{}, Vector<2>(0.0));
     input = watched.get();
     servo = std::make_unique<Servo>(std::move(watched), command);
-    servo->start();
+    thread.start(*servo);
   }
 
   const MotorReport& motors() { return servo->newest().motors; }
@@ -196,6 +197,7 @@ class ServoOverUsbTest : public testing::Test {
   ServoCommand command;
   WatchedInput* input = nullptr;
   std::unique_ptr<Servo> servo;
+  ServoThread thread;
 };
 
 TEST_F(ServoOverUsbTest, NeitherHeapNorForbiddenCallsWhateverBecomesOfTheDevice) {
@@ -219,7 +221,7 @@ TEST_F(ServoOverUsbTest, NeitherHeapNorForbiddenCallsWhateverBecomesOfTheDevice)
   ASSERT_TRUE(live_until([this] { return input->report().fault == FalconFault::unplugged; }));
   falcon.plug();
   ASSERT_TRUE(live_until([this] { return input->report().is_readable(); }));
-  servo->stop();
+  thread.stop();
   EXPECT_EQ(input->watched.own_uses, 0U);
   EXPECT_GT(input->watched.library_calls, 0U);
   EXPECT_EQ(input->watched.waiting_calls, 0U);

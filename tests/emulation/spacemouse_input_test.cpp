@@ -1,5 +1,5 @@
 // A SpaceMouse as the hand with the real hidapi, against devices that exist only at the kernel's boundary.
-#include "device/spacemouse/spacemouse_input.h"
+#include "device/spacemouse_hid/hid_spacemouse_input.h"
 
 #include <chrono>
 #include <functional>
@@ -37,7 +37,7 @@ bool wait_for(const std::function<bool()>& condition) {
 }
 
 // So many ticks as fast as they go; the goal never jumps.
-Vector<2> run(SpaceMouseInput& input, int ticks, Vector<2> from) {
+Vector<2> run(HidSpaceMouseInput& input, int ticks, Vector<2> from) {
   for (int k = 0; k < ticks; ++k) {
     const Vector<2> goal = input.goal(k, rate_hz);
     EXPECT_LE(glm::distance(goal, from), SpaceMouseMotion::fastest_m_s / rate_hz + 1e-12);
@@ -54,7 +54,7 @@ class SpaceMouseInputTest : public testing::Test {
 TEST_F(SpaceMouseInputTest, SaysThatThereIsNone) {
   EmulatedHidDevice mouse(bed, {0x046D, 0xC077}, "USB Optical Mouse", pointer);
   mouse.plug();
-  SpaceMouseInput input;
+  HidSpaceMouseInput input;
   input.restart(here);
   std::this_thread::sleep_for(std::chrono::milliseconds(100));
   EXPECT_FALSE(input.reading().connected());
@@ -65,7 +65,7 @@ TEST_F(SpaceMouseInputTest, SaysThatThereIsNone) {
 TEST_F(SpaceMouseInputTest, ReadsAnOlderOne) {
   EmulatedHidDevice mouse(bed, navigator, "SpaceNavigator", multi_axis);
   mouse.plug();
-  SpaceMouseInput input;
+  HidSpaceMouseInput input;
   input.restart(here);
   ASSERT_TRUE(wait_for([&] { return input.reading().connected(); }));
   EXPECT_EQ(input.reading().trouble, Trouble::none);
@@ -85,7 +85,7 @@ TEST_F(SpaceMouseInputTest, ReadsAnOlderOne) {
 TEST_F(SpaceMouseInputTest, ReadsANewerOne) {
   EmulatedHidDevice mouse(bed, compact, "SpaceMouse Compact", multi_axis);
   mouse.plug();
-  SpaceMouseInput input;
+  HidSpaceMouseInput input;
   input.restart(here);
   ASSERT_TRUE(wait_for([&] { return input.reading().connected(); }));
   mouse.send({1, 0xAF, 0x00, 0, 0, 0x51, 0xFF, 0x5E, 0x01, 0xFF, 0x7F, 0, 0x80});
@@ -96,7 +96,7 @@ TEST_F(SpaceMouseInputTest, ReadsANewerOne) {
 TEST_F(SpaceMouseInputTest, TakesReportsOneByOneAndInOrder) {
   EmulatedHidDevice mouse(bed, compact, "SpaceMouse Compact", multi_axis);
   mouse.plug();
-  SpaceMouseInput input;
+  HidSpaceMouseInput input;
   input.restart(here);
   ASSERT_TRUE(wait_for([&] { return input.reading().connected(); }));
   for (int i = 0; i <= 200; ++i) {
@@ -110,7 +110,7 @@ TEST_F(SpaceMouseInputTest, TakesReportsOneByOneAndInOrder) {
 TEST_F(SpaceMouseInputTest, SettingsArriveWhole) {
   EmulatedHidDevice mouse(bed, compact, "SpaceMouse Compact", multi_axis);
   mouse.plug();
-  SpaceMouseInput input;
+  HidSpaceMouseInput input;
   input.restart(here);
   ASSERT_TRUE(wait_for([&] { return input.reading().connected(); }));
   SpaceMouseSettings settings;
@@ -128,7 +128,7 @@ TEST_F(SpaceMouseInputTest, SaysWhenItMayNotBeOpened) {
   mouse.plug();
   mouse.set_mode(0);
   const OrdinaryUser without_root;  // the reading thread is one too
-  SpaceMouseInput input;
+  HidSpaceMouseInput input;
   ASSERT_TRUE(wait_for([&] { return input.reading().trouble == Trouble::not_allowed; }));
   EXPECT_FALSE(input.reading().connected());
   EXPECT_STREQ(input.reading().name.data(), "SpaceMouse Compact");
@@ -138,7 +138,7 @@ TEST_F(SpaceMouseInputTest, SaysWhenItMayNotBeOpened) {
 
 TEST_F(SpaceMouseInputTest, TheGoalStaysWhereItIsWhenThePlugIsPulled) {
   EmulatedHidDevice mouse(bed, compact, "SpaceMouse Compact", multi_axis);
-  SpaceMouseInput input;
+  HidSpaceMouseInput input;
   input.restart(here);
   Vector<2> goal = here;
   for (int cycle = 0; cycle < 3; ++cycle) {
@@ -162,7 +162,7 @@ TEST_F(SpaceMouseInputTest, EndsSoon) {
   for (const bool plugged : {false, true}) {
     EmulatedHidDevice mouse(bed, compact, "SpaceMouse Compact", multi_axis);
     if (plugged) mouse.plug();
-    auto input = std::make_unique<SpaceMouseInput>();
+    auto input = std::make_unique<HidSpaceMouseInput>();
     if (plugged) {
       ASSERT_TRUE(wait_for([&] { return input->reading().connected(); }));
     }

@@ -17,7 +17,7 @@
 #include "app/doctor/measure/terminal_operator.h"
 #include "app/files/falcon_calibration_file.h"
 #include "app/files/output_file.h"
-#include "device/falcon/emergency_stop.h"
+#include "device/falcon/emergency_handlers.h"
 #include "device/servo/realtime.h"
 #include "device/virtual_falcon/practice_firmware.h"
 #include "device/virtual_falcon/virtual_link.h"

@@ -10,6 +10,7 @@
 #include "app/runs/recording.h"
 #include "app/runs/replay.h"
 #include "device/input/scripted_input.h"
+#include "device/servo/servo_thread.h"
 #include "tests/support/replay_run.h"
 #include "tests/support/temporary_folder.h"
 
@@ -25,10 +26,11 @@ TEST(RecordingThread, TakesEverythingFromARunningServo) {
   command.recording = 1;
   Servo servo(std::make_unique<ScriptedInput>(scene.goal), command);
   Recording recording(folder / "run.csv", scene, servo, 1);
-  servo.start();
+  ServoThread thread;
+  thread.start(servo);
   // In vain: ctest ends the test.
   while (recording.progress().seconds < 0.4) std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  servo.stop();
+  thread.stop();
   recording.end();
   const auto run = load_run(folder / "run.csv");
   ASSERT_FALSE(run.ticks.empty());

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/proxy.h"
+#include "device/servo/servo_thread.h"
 #include "tests/device/servo/motor_settings.h"
 
 namespace ghostforce {
@@ -350,8 +351,9 @@ TEST_F(ServoMotors, SettingsThatRunAwayTakeTheForceAway) {
 
 TEST_F(ServoMotors, TheEndOfTheThreadIsTheEndOfTheForce) {
   PuppetInput* const puppet = puppet_;
-  servo_->start();
-  servo_->stop();
+  ServoThread thread;
+  thread.start(*servo_);
+  thread.stop();
   EXPECT_TRUE(puppet->finished);
   EXPECT_FALSE(puppet->armed);
   EXPECT_EQ(puppet->pushed, Vector<2>(0.0));

@@ -12,6 +12,7 @@
 #include "device/input/mouse_input.h"
 #include "device/input/scripted_input.h"
 #include "device/servo/servo.h"
+#include "device/servo/servo_thread.h"
 #include "tests/device/servo/servo_scenes.h"
 
 namespace ghostforce {
@@ -26,10 +27,11 @@ void wait_until(Condition&& condition) {
 TEST(ServoThread, TicksUntilItIsStopped) {
   const Scene scene = slanted_wall();
   Servo servo(std::make_unique<ScriptedInput>(scene.goal), start_of(scene));
-  servo.start();
-  servo.start();  // changes nothing
+  ServoThread thread;
+  thread.start(servo);
+  thread.start(servo);  // changes nothing
   wait_until([&] { return servo.newest().snapshot.tick >= 100; });
-  servo.stop();
+  thread.stop();
   const std::int64_t last = servo.newest().snapshot.tick;
   std::this_thread::sleep_for(std::chrono::milliseconds(10));
   EXPECT_EQ(servo.newest().snapshot.tick, last);
@@ -37,7 +39,7 @@ TEST(ServoThread, TicksUntilItIsStopped) {
   for (const Sample& sample : take_samples(servo)) EXPECT_EQ(sample.snapshot.tick, k++);
   EXPECT_EQ(k, last + 1);
 
-  servo.start();
+  thread.start(servo);
   wait_until([&] { return servo.newest().snapshot.tick >= last + 10; });
 }  // and the destructor stops it
 
@@ -48,10 +50,11 @@ TEST(ServoThread, NeverTicksFasterThanAsked) {
     ServoCommand command = start_of(scene);
     command.speed = speed;
     Servo servo(std::make_unique<ScriptedInput>(scene.goal), command);
+    ServoThread thread;
     const auto start = std::chrono::steady_clock::now();
-    servo.start();
+    thread.start(servo);
     wait_until([&] { return servo.newest().snapshot.tick >= 3; });
-    servo.stop();
+    thread.stop();
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
     EXPECT_LE(static_cast<double>(servo.newest().snapshot.tick), took.count() * scene.settings.rate * speed + 1.0);
   }
@@ -62,7 +65,8 @@ TEST(ServoThread, HeedsCommandsButDoesNotTickWhilePaused) {
   ServoCommand command = start_of(scene);
   command.paused = true;
   Servo servo(std::make_unique<ScriptedInput>(scene.goal), command);
-  servo.start();
+  ServoThread thread;
+  thread.start(servo);
   for (command.settings_generation = 1; command.settings_generation <= 10; ++command.settings_generation) {
     servo.send(command);
     wait_until([&] { return servo.newest().settings_generation == command.settings_generation; });
@@ -81,7 +85,8 @@ TEST(ServoThread, HeedsCommandsBetweenVerySlowTicks) {
   command.settings.rate = 10.0;
   command.speed = Servo::slowest;  // a tick in 100 s
   Servo servo(std::make_unique<ScriptedInput>(scene.goal), command);
-  servo.start();
+  ServoThread thread;
+  thread.start(servo);
   command.settings_generation = 1;
   servo.send(command);
   wait_until([&] { return servo.newest().settings_generation == 1; });
@@ -89,7 +94,7 @@ TEST(ServoThread, HeedsCommandsBetweenVerySlowTicks) {
   command.speed = 10.0;
   servo.send(command);
   wait_until([&] { return servo.newest().snapshot.tick >= 3; });
-  servo.stop();
+  thread.stop();
 }
 
 TEST(ServoThread, HoldsSpeedsWithinReason) {
@@ -98,25 +103,26 @@ TEST(ServoThread, HoldsSpeedsWithinReason) {
   command.settings.rate = 20000.0;
   command.speed = 1e-300;
   Servo servo(std::make_unique<ScriptedInput>(scene.goal), command);
+  ServoThread thread;
   auto start = std::chrono::steady_clock::now();
   const auto seconds = [&start] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
-  servo.start();
+  thread.start(servo);
   for (command.settings_generation = 1; command.settings_generation <= 5; ++command.settings_generation) {
     servo.send(command);
     wait_until([&] { return servo.newest().settings_generation == command.settings_generation; });
   }
-  servo.stop();
+  thread.stop();
   const std::int64_t slow_tick = servo.newest().snapshot.tick;
   EXPECT_LE(static_cast<double>(slow_tick), seconds() * command.settings.rate * Servo::slowest + 1.0);
 
   command.speed = 1e300;
   servo.send(command);
   start = std::chrono::steady_clock::now();
-  servo.start();
+  thread.start(servo);
   wait_until([&] { return servo.newest().snapshot.tick >= slow_tick + 500; });
-  servo.stop();
+  thread.stop();
   const auto ticks = static_cast<double>(servo.newest().snapshot.tick - slow_tick);
   EXPECT_LE(ticks, seconds() / Servo::shortest_period_s + 1.0);
   EXPECT_EQ(servo.newest().refused_commands, 0U);
@@ -128,7 +134,8 @@ TEST(ServoThread, HandsEverySampleToTheRecorderToo) {
   ServoCommand command = start_of(scene);
   command.recording = 7;
   Servo servo(std::make_unique<ScriptedInput>(scene.goal), command);
-  servo.start();
+  ServoThread thread;
+  thread.start(servo);
   std::vector<Sample> records;
   std::atomic<bool> has_enough{false};
   std::thread recorder([&] {
@@ -145,7 +152,7 @@ TEST(ServoThread, HandsEverySampleToTheRecorderToo) {
     return has_enough.load();
   });
   recorder.join();
-  servo.stop();
+  thread.stop();
   for (Sample sample; servo.take_sample(sample);) samples.push_back(sample);
   ASSERT_LE(records.size(), samples.size());
   for (std::size_t i = 0; i < records.size(); ++i) {
@@ -162,7 +169,8 @@ TEST(ServoThread, HandsEverySampleToTheRecorderToo) {
 TEST(ServoThread, SaysWhatRealtimeConditionsItGot) {
   const Scene scene = slanted_wall();
   Servo servo(std::make_unique<ScriptedInput>(scene.goal), start_of(scene));
-  servo.start();
+  ServoThread thread;
+  thread.start(servo);
   wait_until([&] { return servo.newest().snapshot.tick >= 1; });
   EXPECT_FALSE(describe(servo.newest().realtime).empty());
 }
@@ -173,8 +181,9 @@ TEST(ServoThread, ExchangesWholeValuesWithTheWindow) {
   const Scene scene = slanted_wall();
   ServoCommand command = start_of(scene);
   Servo servo(std::make_unique<MouseInput>(), command);
+  ServoThread thread;
   auto& mouse = dynamic_cast<MouseInput&>(servo.input());
-  servo.start();
+  thread.start(servo);
 
   std::uint64_t samples = 0;
   std::uint64_t reports = 0;
@@ -215,7 +224,7 @@ TEST(ServoThread, ExchangesWholeValuesWithTheWindow) {
       before = sample;
     }
   }
-  servo.stop();
+  thread.stop();
   EXPECT_GT(generation_before, 0U);
   EXPECT_EQ(servo.newest().loop.dropped_samples, 0U);
   EXPECT_GE(reports, 100U);

@@ -54,6 +54,24 @@ TEST(SpaceMouseReport, OthersChangeNothing) {
   }
 }
 
+TEST(SpaceMouseReport, ItsNumberMayComeApart) {
+  SpaceMouseState state;
+  const Report bytes{1, 0, 2, 0, 3, 0};
+  EXPECT_TRUE(take_report(2, bytes, state));
+  EXPECT_EQ(state.axes, (std::array{0, 0, 0, 1, 2, 3}));
+  EXPECT_FALSE(take_report(1, Report{}, state));
+  EXPECT_FALSE(take_report(0, bytes, state));
+}
+
+TEST(SpaceMouseReport, ShowsAxesAsSharesOfFullDeflection) {
+  SpaceMouseReading reading;
+  reading.connection = 3;
+  show({.axes = {350, -350, 35, 400, -32768, 0}, .buttons = 5}, reading);
+  EXPECT_EQ(reading.axes, (std::array{1.0, -1.0, 0.1, 1.0, -1.0, 0.0}));
+  EXPECT_EQ(reading.buttons, 5U);
+  EXPECT_EQ(reading.connection, 3U);
+}
+
 TEST(SpaceMouseReport, TakesAnythingUnharmed) {
   std::mt19937 random(1);
   SpaceMouseState state;

@@ -1,4 +1,4 @@
-// The three threads that meet in a SpaceMouseInput, with whatever is plugged into this machine; mostly nothing.
+// The three threads that meet in a HidSpaceMouseInput, with whatever is plugged into this machine; mostly nothing.
 #include <array>
 #include <atomic>
 #include <chrono>
@@ -7,13 +7,13 @@
 
 #include <gtest/gtest.h>
 
-#include "device/spacemouse/spacemouse_input.h"
+#include "device/spacemouse_hid/hid_spacemouse_input.h"
 
 namespace ghostforce {
 namespace {
 
 TEST(SpaceMouseThreads, MeetInWholeValues) {
-  SpaceMouseInput input;
+  HidSpaceMouseInput input;
   std::atomic<bool> stop = false;
   std::thread servo([&] {
     input.restart({0.01, 0.02});
@@ -38,7 +38,7 @@ TEST(SpaceMouseThreads, MeetInWholeValues) {
 }
 
 TEST(SpaceMouseThreads, EndAtOnce) {
-  for (int i = 0; i < 20; ++i) const SpaceMouseInput input;
+  for (int i = 0; i < 20; ++i) const HidSpaceMouseInput input;
 }
 
 }  // namespace

@@ -1,0 +1,38 @@
+#include "device/falcon/link_opener.h"
+
+#include <cassert>
+#include <utility>
+
+namespace ghostforce {
+
+class LinkOpener::Worker {};
+
+LinkOpener::LinkOpener(std::unique_ptr<FalconLink> link) : link_(std::move(link)) {
+  assert(!link_->waits_to_open());
+}
+
+LinkOpener::~LinkOpener() {
+  end();
+}
+
+void LinkOpener::open() noexcept {
+  link_->open();
+}
+
+void LinkOpener::close() noexcept {
+  link_->close();
+}
+
+void LinkOpener::end() noexcept {
+  link_->close();
+}
+
+bool LinkOpener::is_busy() const noexcept {
+  return false;
+}
+
+void LinkOpener::wait_until(std::int64_t deadline_ns) noexcept {
+  link_->wait_until(deadline_ns);
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,26 @@
+// ServoDriver: who makes a servo tick as time goes on. The window's program hands one in: a thread of its own on a desktop
+// (servo_thread.h), the frames themselves in a page, which has no threads (frame_servo_driver.h). UI thread.
+#pragma once
+
+#include <cstdint>
+
+namespace ghostforce {
+
+class Servo;
+
+class ServoDriver {
+ public:
+  ServoDriver() = default;
+  ServoDriver(const ServoDriver&) = delete;
+  ServoDriver& operator=(const ServoDriver&) = delete;
+  virtual ~ServoDriver() = default;  // stops
+
+  // From now on `servo` ticks; it must not go before stop(). Another one only after that. May throw.
+  virtual void start(Servo& servo) = 0;
+  // The servo ticks no more: its motors are off, and its device has been told. start() may follow.
+  virtual void stop() noexcept = 0;
+  // Once a frame. `now_ns`: by any clock that goes with real time.
+  virtual void step(std::int64_t /*now_ns*/) noexcept {}
+};
+
+}  // namespace ghostforce
