@@ -10,98 +10,116 @@
 # ---- The model -------------------------------------------------------------------------------------------------------
 
 # glm: vectors and matrices of 2 to 4 dimensions, the only library that core/ may see. apt: libglm-dev.
-find_package(glm CONFIG REQUIRED)
+if(NOT EMSCRIPTEN)
+  find_package(glm CONFIG REQUIRED)
+endif()
 
-# ---- The servo -------------------------------------------------------------------------------------------------------
+# ---- The desktop's devices -------------------------------------------------------------------------------------------
 
-# Threads: the servo's. Part of the C library.
-set(THREADS_PREFER_PTHREAD_FLAG ON)
-find_package(Threads REQUIRED)
+if(NOT EMSCRIPTEN)
+  # Threads: the servo's. Part of the C library.
+  set(THREADS_PREFER_PTHREAD_FLAG ON)
+  find_package(Threads REQUIRED)
 
-# ---- Devices ---------------------------------------------------------------------------------------------------------
+  find_package(PkgConfig REQUIRED)
 
-find_package(PkgConfig REQUIRED)
+  # libusb: transfers to and from the Falcon. apt: libusb-1.0-0-dev.
+  pkg_check_modules(LIBUSB REQUIRED IMPORTED_TARGET libusb-1.0>=1.0.24)
+  add_library(ghostforce::libusb ALIAS PkgConfig::LIBUSB)
 
-# libusb: transfers to and from the Falcon. apt: libusb-1.0-0-dev.
-pkg_check_modules(LIBUSB REQUIRED IMPORTED_TARGET libusb-1.0>=1.0.24)
-add_library(ghostforce::libusb ALIAS PkgConfig::LIBUSB)
+  # hidapi: reports of a SpaceMouse, through the kernel's hidraw. apt: libhidapi-dev.
+  pkg_check_modules(HIDAPI REQUIRED IMPORTED_TARGET hidapi-hidraw)
+  add_library(ghostforce::hidapi ALIAS PkgConfig::HIDAPI)
 
-# hidapi: reports of a SpaceMouse, through the kernel's hidraw. apt: libhidapi-dev.
-pkg_check_modules(HIDAPI REQUIRED IMPORTED_TARGET hidapi-hidraw)
-add_library(ghostforce::hidapi ALIAS PkgConfig::HIDAPI)
-
-# libcrypto: the SHA-256 by which people compare their firmware file with others. apt: libssl-dev.
-find_package(OpenSSL REQUIRED COMPONENTS Crypto)
+  # libcrypto: the SHA-256 by which people compare their firmware file with others. apt: libssl-dev.
+  find_package(OpenSSL REQUIRED COMPONENTS Crypto)
+endif()
 
 # ---- Files and words -------------------------------------------------------------------------------------------------
 
-# fmt: text from numbers; g++ 12 has no <format>. apt: libfmt-dev.
-find_package(fmt REQUIRED)
+if(NOT EMSCRIPTEN)
+  # fmt: text from numbers; g++ 12 has no <format>. apt: libfmt-dev.
+  find_package(fmt REQUIRED)
 
-# toml++: scene files, with the line and column that an error message needs. apt: libtomlplusplus-dev.
-find_package(tomlplusplus REQUIRED)
+  # toml++: scene files, with the line and column that an error message needs. apt: libtomlplusplus-dev.
+  find_package(tomlplusplus REQUIRED)
 
-# CLI11: the command line. Headers only. apt: libcli11-dev.
-find_package(CLI11 REQUIRED)
-
-# nlohmann-json: JSON output. Headers only. apt: nlohmann-json3-dev.
-find_package(nlohmann_json REQUIRED)
-
-# libpng: reads PNG files whoever wrote them, checksums and all, and writes them. Cairo brings it along anyway.
-# apt: libpng-dev.
-find_package(PNG REQUIRED)
-
-# zlib: compresses the pictures of an animated PNG, which libpng does not write. libpng brings it along anyway.
-# apt: zlib1g-dev.
-find_package(ZLIB REQUIRED)
-
-# Cairo: SVG and PDF files. Its way from a font file to letters leads through FreeType, so that the machine's own choice
-# of fonts (fontconfig) has no say in a picture. apt: libcairo2-dev, libfreetype-dev.
-find_package(Freetype REQUIRED)
-find_path(CAIRO_INCLUDE_DIR cairo-ft.h PATH_SUFFIXES cairo REQUIRED)
-find_library(CAIRO_LIBRARY cairo REQUIRED)
-add_library(ghostforce::cairo INTERFACE IMPORTED)
-target_include_directories(ghostforce::cairo INTERFACE ${CAIRO_INCLUDE_DIR})
-target_link_libraries(ghostforce::cairo INTERFACE ${CAIRO_LIBRARY} Freetype::Freetype)
-
-# ---- The window ------------------------------------------------------------------------------------------------------
-
-# glad: the OpenGL 3.3 core loader, <glad/gl.h>, generated at build time. --reproducible makes it read the specification
-# that it was installed with; without that it asks the network. Debian's Python is named by its full path because one
-# that stands earlier in PATH does not see Debian's modules. apt: python3-glad.
-find_program(GHOSTFORCE_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH REQUIRED)
-set(glad_dir ${PROJECT_BINARY_DIR}/generated/glad)
-add_custom_command(
-  OUTPUT ${glad_dir}/src/gl.c ${glad_dir}/include/glad/gl.h ${glad_dir}/include/KHR/khrplatform.h
-  COMMAND ${GHOSTFORCE_PYTHON} -m glad --quiet --reproducible --api gl:core=3.3 --extensions= --out-path ${glad_dir} c
-  COMMENT "Generating the OpenGL 3.3 core loader"
-  VERBATIM)
-add_library(glad STATIC ${glad_dir}/src/gl.c ${glad_dir}/include/glad/gl.h)
-target_include_directories(glad SYSTEM PUBLIC ${glad_dir}/include)
-add_library(ghostforce::glad ALIAS glad)
-
-# Dear ImGui 1.92, ImPlot and GLFW 3.4: the window, the panels and the plots; one target, ghostforce::gui. Debian 12 has
-# older ones or none. Packages with a CMake configuration (vcpkg, Conan) are taken where all three are there, ImGui with
-# its GLFW and OpenGL 3 backends; else prebuilt static libraries come from a pinned wheel.
-find_package(imgui CONFIG QUIET)
-find_package(implot CONFIG QUIET)
-find_package(glfw3 3.4 CONFIG QUIET)
-add_library(ghostforce::gui INTERFACE IMPORTED)
-if(imgui_FOUND AND implot_FOUND AND glfw3_FOUND)
-  target_link_libraries(ghostforce::gui INTERFACE implot::implot imgui::imgui glfw)
-else()
-  include(imgui_wheel)
-  fetch_imgui_wheel(imgui_wheel_dir)
-  target_include_directories(ghostforce::gui INTERFACE ${imgui_wheel_dir}/include)
-  # In this order: ImGui's backend calls GLFW, GLFW opens X11, Wayland and OpenGL at run time.
-  target_link_libraries(ghostforce::gui INTERFACE
-    ${imgui_wheel_dir}/lib/libimgui.a ${imgui_wheel_dir}/lib/libglfw3.a Threads::Threads ${CMAKE_DL_LIBS} m)
+  # nlohmann-json: JSON output. Headers only. apt: nlohmann-json3-dev.
+  find_package(nlohmann_json REQUIRED)
 endif()
-# glad declares OpenGL; the system's <GL/gl.h> must stay out of its way.
-target_compile_definitions(ghostforce::gui INTERFACE GLFW_INCLUDE_NONE)
 
-# OSMesa, OpenGL in software into memory, is opened by GLFW at run time for pictures without a display: nothing to find
-# here. apt: libosmesa6.
+# ---- The window, and pictures: found for the desktop, compiled for the page -----------------------------------------
+
+if(EMSCRIPTEN)
+  # Where the toolchain has put its sources; each must be exactly this file.
+  set(imgui_bundle_version 1.92.801)  # imgui-sources-requirements.txt
+  set(imgui_bundle_sha256 7d790708affe7476969d397784b40eb91760a201ce752131e5bedf4d514e3a45)
+  set(zlib_archive /opt/sources/zlib_1.3.dfsg+really1.3.1.orig.tar.gz)
+  set(zlib_sha256 60dd315c07f616887caa029408308a018ace66e3d142726a97db164b3b8f69fb)
+  set(libpng_archive /opt/sources/libpng1.6_1.6.48.orig.tar.gz)
+  set(libpng_sha256 b17e99026055727e8cba99160c3a9a7f9af788e9f786daeadded5a42243f1dd0)
+  include(page_sources)
+
+  # QR codes, of the page's own address: qrcode-generator, JavaScript. apt: node-qrcode-generator.
+  set(GHOSTFORCE_QR_CODE_SCRIPT /usr/share/nodejs/qrcode-generator/qrcode.js)
+else()
+  # CLI11: the command line. Headers only. apt: libcli11-dev.
+  find_package(CLI11 REQUIRED)
+
+  # libpng: reads PNG files whoever wrote them, checksums and all, and writes them. Cairo brings it along anyway.
+  # apt: libpng-dev.
+  find_package(PNG REQUIRED)
+
+  # zlib: compresses the pictures of an animated PNG, which libpng does not write. libpng brings it along anyway.
+  # apt: zlib1g-dev.
+  find_package(ZLIB REQUIRED)
+
+  # Cairo: SVG and PDF files. Its way from a font file to letters leads through FreeType, so that the machine's own
+  # choice of fonts (fontconfig) has no say in a picture. apt: libcairo2-dev, libfreetype-dev.
+  find_package(Freetype REQUIRED)
+  find_path(CAIRO_INCLUDE_DIR cairo-ft.h PATH_SUFFIXES cairo REQUIRED)
+  find_library(CAIRO_LIBRARY cairo REQUIRED)
+  add_library(ghostforce::cairo INTERFACE IMPORTED)
+  target_include_directories(ghostforce::cairo INTERFACE ${CAIRO_INCLUDE_DIR})
+  target_link_libraries(ghostforce::cairo INTERFACE ${CAIRO_LIBRARY} Freetype::Freetype)
+
+  # glad: the OpenGL 3.3 core loader, <glad/gl.h>, generated at build time. --reproducible makes it read the
+  # specification that it was installed with; without that it asks the network. Debian's Python is named by its full
+  # path because one that stands earlier in PATH does not see Debian's modules. apt: python3-glad.
+  find_program(GHOSTFORCE_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH REQUIRED)
+  set(glad_dir ${PROJECT_BINARY_DIR}/generated/glad)
+  add_custom_command(
+    OUTPUT ${glad_dir}/src/gl.c ${glad_dir}/include/glad/gl.h ${glad_dir}/include/KHR/khrplatform.h
+    COMMAND ${GHOSTFORCE_PYTHON} -m glad --quiet --reproducible --api gl:core=3.3 --extensions= --out-path ${glad_dir} c
+    COMMENT "Generating the OpenGL 3.3 core loader"
+    VERBATIM)
+  add_library(glad STATIC ${glad_dir}/src/gl.c ${glad_dir}/include/glad/gl.h)
+  target_include_directories(glad SYSTEM PUBLIC ${glad_dir}/include)
+  add_library(ghostforce::glad ALIAS glad)
+
+  # Dear ImGui 1.92, ImPlot and GLFW 3.4: the window, the panels and the plots; one target, ghostforce::gui. Debian 12
+  # has older ones or none. Packages with a CMake configuration (vcpkg, Conan) are taken where all three are there,
+  # ImGui with its GLFW and OpenGL 3 backends; else prebuilt static libraries come from a pinned wheel.
+  find_package(imgui CONFIG QUIET)
+  find_package(implot CONFIG QUIET)
+  find_package(glfw3 3.4 CONFIG QUIET)
+  add_library(ghostforce::gui INTERFACE IMPORTED)
+  if(imgui_FOUND AND implot_FOUND AND glfw3_FOUND)
+    target_link_libraries(ghostforce::gui INTERFACE implot::implot imgui::imgui glfw)
+  else()
+    include(imgui_wheel)
+    fetch_imgui_wheel(imgui_wheel_dir)
+    target_include_directories(ghostforce::gui INTERFACE ${imgui_wheel_dir}/include)
+    # In this order: ImGui's backend calls GLFW, GLFW opens X11, Wayland and OpenGL at run time.
+    target_link_libraries(ghostforce::gui INTERFACE
+      ${imgui_wheel_dir}/lib/libimgui.a ${imgui_wheel_dir}/lib/libglfw3.a Threads::Threads ${CMAKE_DL_LIBS} m)
+  endif()
+  # glad declares OpenGL; the system's <GL/gl.h> must stay out of its way.
+  target_compile_definitions(ghostforce::gui INTERFACE GLFW_INCLUDE_NONE)
+
+  # OSMesa, OpenGL in software into memory, is opened by GLFW at run time for pictures without a display: nothing to
+  # find here. apt: libosmesa6.
+endif()
 
 # DejaVu: the font of the screen; ImGui's built-in one lacks ρ and κ. Debian splits it from no other font.
 # apt: fonts-dejavu-core.
@@ -109,7 +127,7 @@ set(GHOSTFORCE_FONTS "")
 foreach(font IN ITEMS DejaVuSans DejaVuSans-Bold DejaVuSansMono)
   find_file(GHOSTFORCE_FONT_${font} ${font}.ttf
     PATHS /usr/share/fonts/truetype/dejavu /usr/share/fonts/dejavu-sans-fonts /usr/share/fonts/TTF
-    NO_DEFAULT_PATH REQUIRED)
+    NO_DEFAULT_PATH NO_CMAKE_FIND_ROOT_PATH REQUIRED)
   list(APPEND GHOSTFORCE_FONTS ${GHOSTFORCE_FONT_${font}})
 endforeach()
 

@@ -51,6 +51,12 @@ target_compile_options(project_options INTERFACE
   # Nothing reads errno after a maths function; std::sqrt becomes one instruction. Results do not change.
   -fno-math-errno)
 
+if(EMSCRIPTEN)
+  # Of all code: exceptions as the browser has them. Small first, for the page is sent by mail.
+  add_compile_options(-fwasm-exceptions)
+  add_link_options(-fwasm-exceptions)
+endif()
+
 option(GHOSTFORCE_BENCH "Build the programs in bench/, which measure how long things take" OFF)
 
 option(GHOSTFORCE_WARNINGS_AS_ERRORS "Treat the warnings of our own code as errors (CI does)" OFF)

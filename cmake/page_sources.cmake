@@ -1,6 +1,20 @@
 # Libraries that the page compiles from their sources, because Debian has them for its own processors only: ImGui and
 # ImPlot, zlib and libpng. They become the same targets that dependencies.cmake finds for the desktop.
 
+# Of glm, fmt, toml++ and nlohmann-json the headers are enough; alone, because those beside them are not Emscripten's.
+set(headers ${PROJECT_BINARY_DIR}/headers)
+file(MAKE_DIRECTORY ${headers})
+foreach(folder IN ITEMS fmt glm nlohmann toml++)
+  file(CREATE_LINK /usr/include/${folder} ${headers}/${folder} SYMBOLIC)
+endforeach()
+add_library(page_headers INTERFACE)
+target_include_directories(page_headers SYSTEM INTERFACE ${headers})
+# No comma of another language, for which fmt would bring in all of the standard library's locales.
+target_compile_definitions(page_headers INTERFACE FMT_HEADER_ONLY FMT_STATIC_THOUSANDS_SEPARATOR=',')
+foreach(library IN ITEMS glm::glm fmt::fmt nlohmann_json::nlohmann_json tomlplusplus::tomlplusplus)
+  add_library(${library} ALIAS page_headers)
+endforeach()
+
 # unpack(ARCHIVE SHA256 NAME OUT PATTERN...): unpacks these files of an archive that must be exactly this one, once.
 function(unpack archive sha256 name out)
   set(unpacked ${GHOSTFORCE_DOWNLOAD_DIR}/${name})
@@ -57,7 +71,6 @@ foreach(part IN ITEMS "" error get mem pread read rio rtran rutil set trans wio 
 endforeach()
 add_library(libpng_sources STATIC ${png_files})
 target_include_directories(libpng_sources SYSTEM PUBLIC ${libpng} ${PROJECT_BINARY_DIR}/generated/libpng)
-# What no picture of ours has.
 target_link_libraries(libpng_sources PUBLIC zlib_sources)
 add_library(PNG::PNG ALIAS libpng_sources)
 

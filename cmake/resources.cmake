@@ -18,6 +18,11 @@ add_library(ghostforce_resources INTERFACE)
 target_include_directories(ghostforce_resources INTERFACE ${PROJECT_BINARY_DIR}/generated)
 add_library(ghostforce::resources ALIAS ghostforce_resources)
 
+# The page carries all of this in itself.
+if(EMSCRIPTEN)
+  return()
+endif()
+
 foreach(font IN LISTS GHOSTFORCE_FONTS)
   file(COPY ${font} DESTINATION ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/fonts)
 endforeach()
