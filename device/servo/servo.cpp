@@ -114,7 +114,8 @@ void Servo::step_to(std::int64_t now_ns) noexcept {
     wake_at(woken_ns);
     has_woken = true;
   }
-  if (!has_woken) update(false);
+  // A device has its own time, in which nothing has happened yet.
+  if (!has_woken && device_ == nullptr) update(false);
 }
 
 void Servo::step() noexcept {

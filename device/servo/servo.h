@@ -129,7 +129,7 @@ class Servo {
   void step() noexcept;
 
   // For a program without threads, before each frame: all that a thread would have done by `now_ns`, one after another.
-  // The first call begins. Reads the newest command at least once. Of a longer pause than longest_catch_up_s, as when
+  // The first call begins. Reads the newest command at least once; with a device, every command_period_s. Of a longer pause than longest_catch_up_s, as when
   // the page was hidden, only so much is made up for; the rest is left out, and is no late tick. No real time is
   // measured: Sample::loop_s is 0.
   //

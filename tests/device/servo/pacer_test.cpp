@@ -52,6 +52,28 @@ TEST(Pacer, SurvivesAThreadThatWasStoppedForADay) {
   EXPECT_EQ(pacer.deadline_ns(), start_ns + day_ns + 50'000);
 }
 
+TEST(Pacer, TimeThatIsLeftOutSkipsNothing) {
+  Pacer pacer(start_ns, 0.001);
+  EXPECT_TRUE(pacer.is_due(start_ns + ms));
+  pacer.leave_out(1000 * ms);
+  EXPECT_EQ(pacer.deadline_ns(), start_ns + 1002 * ms);
+  EXPECT_FALSE(pacer.is_due(start_ns + 1002 * ms - 1));
+  EXPECT_TRUE(pacer.is_due(start_ns + 1002 * ms));
+  EXPECT_EQ(pacer.late_ticks(), 0U);
+  EXPECT_EQ(pacer.worst_late_s(), 0.0);
+}
+
+// Ten ticks, and then nobody was there.
+TEST(Pacer, OnlyALittleOfWhatIsLeftOutIsPartOfTheRate) {
+  for (const std::int64_t left_out_ns : {100 * ms, 10'000 * ms}) {
+    Pacer pacer(start_ns, 0.001);
+    for (int k = 0; k < 10; ++k) ASSERT_TRUE(pacer.is_due(pacer.deadline_ns()));
+    pacer.leave_out(left_out_ns);
+    while (pacer.rate_hz() == 0.0) ASSERT_TRUE(pacer.is_due(pacer.deadline_ns()));
+    EXPECT_NEAR(pacer.rate_hz(), left_out_ns == 100 * ms ? 800.0 : 1000.0, 1e-6);
+  }
+}
+
 TEST(Pacer, AnotherPeriodGoesOnFromTheLastDeadline) {
   Pacer pacer(start_ns, 0.001);
   EXPECT_TRUE(pacer.is_due(start_ns + ms + 200'000));

@@ -1,4 +1,5 @@
-// A rehearsal stepped by hand: servo, driver and virtual Falcon, with a clock that only the servo's waiting moves.
+// A rehearsal stepped by hand: servo, driver and virtual Falcon, with a clock that only the servo's waiting moves. Tick
+// by tick, or frame by frame with all the ticks that are due by then.
 #pragma once
 
 #include <cmath>
@@ -24,7 +25,9 @@ inline Settings rehearsal_settings() {
 
 class Rehearsal {
  public:
-  explicit Rehearsal(const InjectedFault& injected_fault = {}, FalconOptions options = {}) {
+  // `frame_s`: of each frame; 0: tick by tick [s].
+  explicit Rehearsal(const InjectedFault& injected_fault = {}, FalconOptions options = {}, double frame_s = 0.0)
+      : frame_s_(frame_s) {
     command_.settings = rehearsal_settings();
     command_.restart_state = state_at_start(free_place);
     auto input = std::make_unique<VirtualFalconInput>(std::move(options), injected_fault, Vector<2>(0.0), 100.0,
@@ -35,16 +38,21 @@ class Rehearsal {
   }
 
   void run(double seconds) {
-    for (double t = 0.0; t < seconds - 0.0005; t += 0.001) step();
+    for (double t = 0.0; t < seconds - 0.5 * step_s(); t += step_s()) step();
   }
   void step() {
     ++command_.heartbeats;
     servo_->send(command_);
-    servo_->step();
+    if (frame_s_ == 0.0) return servo_->step();
+    pass(frame_s_);
+    servo_->step_to(now_ns_);
   }
+  // Time of the frames' clock, in which nobody does anything.
+  void pass(double seconds) { now_ns_ += std::llround(seconds * 1e9); }
+  std::int64_t now_ns() const { return now_ns_; }
   // Until it is so; false: it was not within `seconds`.
   bool run_until(double seconds, const std::function<bool()>& is_so) {
-    for (double t = 0.0; t < seconds; t += 0.001) {
+    for (double t = 0.0; t < seconds; t += step_s()) {
       step();
       if (is_so()) return true;
     }
@@ -82,6 +90,10 @@ class Rehearsal {
   static constexpr Vector<2> free_place{-0.02, 0.02};
 
  private:
+  double step_s() const { return frame_s_ > 0.0 ? frame_s_ : 0.001; }
+
+  double frame_s_;
+  std::int64_t now_ns_ = 0;
   ServoCommand command_;
   VirtualFalconInput* input_ = nullptr;
   std::unique_ptr<Servo> servo_;
