@@ -15,6 +15,7 @@
 # What that file calls the libraries: dependencies.cmake finds them.
 set(library_glm glm::glm)
 set(library_posix Threads::Threads)
+set(library_emscripten "")  # the compiler's own
 set(library_libusb ghostforce::libusb)
 set(library_hidapi ghostforce::hidapi)
 set(library_libcrypto OpenSSL::Crypto)
