@@ -72,7 +72,8 @@ target_compile_options(project_warnings INTERFACE
   $<$<CXX_COMPILER_ID:GNU>:-Wdouble-promotion>
   # g++ takes the sanitizers' own bookkeeping for uses of uninitialised values; its manual says so.
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${GHOSTFORCE_SANITIZE}>>:-Wno-maybe-uninitialized>
-  # g++ takes sources that are compiled together for headers, and a name of one for shadowed in the next. Where each is
-  # compiled by itself, clang warns of what is shadowed.
-  "$<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>:-Wno-shadow;-Wno-subobject-linkage>"
+  # In sources that are compiled together a name of one seems to be shadowed in the next, and g++ takes them for headers.
+  # Where each is compiled by itself, clang warns of what is shadowed.
+  "$<$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>:-Wno-shadow>"
+  "$<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>:-Wno-subobject-linkage>"
   $<$<BOOL:${GHOSTFORCE_WARNINGS_AS_ERRORS}>:-Werror>)

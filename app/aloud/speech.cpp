@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include "app/console/quoted.h"
+#include "app/files/tool_process.h"
 
 namespace ghostforce {
 namespace {

@@ -12,7 +12,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/files/tool_process.h"
+#include "app/files/descriptor.h"
 
 namespace ghostforce {
 

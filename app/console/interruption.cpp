@@ -1,6 +1,7 @@
 #include "app/console/interruption.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <signal.h>
 
 #include <atomic>
@@ -10,6 +11,9 @@
 
 namespace ghostforce {
 namespace {
+
+// How long a reader may take nothing once the program is to stop.
+constexpr int patience_ms = 1000;
 
 std::atomic<bool> is_interrupted{false};
 void (*before_the_end)() noexcept = nullptr;  // set before any handler
@@ -56,6 +60,11 @@ int open_unless_interrupted(const char* path, int flags) {
     const int descriptor = open(path, flags);
     if (descriptor >= 0 || errno != EINTR) return descriptor;
   }
+}
+
+void wait_for_reader_of(int descriptor) {
+  pollfd wait{descriptor, POLLOUT, 0};
+  if (poll(&wait, 1, patience_ms) == 0) stop_if_interrupted();
 }
 
 }  // namespace ghostforce

@@ -21,4 +21,8 @@ void stop_if_interrupted();
 // A first signal in the moment before it waits does not end the wait; the second one ends the process, as always.
 int open_unless_interrupted(const char* path, int flags);
 
+// Once interrupted, before a write that no further signal would end: waits until a pipe can be written to, a second at
+// most, and then throws as above.
+void wait_for_reader_of(int descriptor);
+
 }  // namespace ghostforce

@@ -6,6 +6,9 @@
 #include <optional>
 #include <string_view>
 #include <system_error>
+#include <type_traits>
+
+#include "app/console/number.h"
 
 namespace ghostforce {
 
@@ -19,10 +22,14 @@ inline std::string_view trimmed(std::string_view text) noexcept {
 // A number, and nothing but it; empty: there is none. `base`: of a whole number, if not 10.
 template <typename Number, typename... Base>
 std::optional<Number> number_in(std::string_view text, Base... base) noexcept {
-  Number number{};
-  const char* const end = text.data() + text.size();
-  const auto [after, error] = std::from_chars(text.data(), end, number, base...);
-  return error == std::errc{} && after == end ? std::optional(number) : std::nullopt;
+  if constexpr (std::is_same_v<Number, double>) {
+    return read_number(text, base...);
+  } else {
+    Number number{};
+    const char* const end = text.data() + text.size();
+    const auto [after, error] = std::from_chars(text.data(), end, number, base...);
+    return error == std::errc{} && after == end ? std::optional(number) : std::nullopt;
+  }
 }
 
 // The same of one that may begin with a plus.

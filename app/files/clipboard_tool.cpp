@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "app/files/descriptor.h"
 #include "app/files/tool_process.h"
 
 namespace ghostforce {

@@ -1,5 +1,6 @@
 // Pictures for the system's clipboard, by the desktop's own tool: wl-copy under Wayland, xclip under X11. It runs beside
-// the program and holds the picture until something else is copied. Nobody waits for it: UI thread.
+// the program and holds the picture until something else is copied; in a page it is the browser that copies. Nobody
+// waits for it: UI thread.
 #pragma once
 
 #include <sys/types.h>
@@ -30,7 +31,7 @@ class ClipboardTool {
   std::size_t running() const noexcept { return children_.size(); }
 
  private:
-  std::vector<pid_t> children_;
+  std::vector<pid_t> children_;  // in a page: numbers of copies
 };
 
 }  // namespace ghostforce

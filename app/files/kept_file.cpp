@@ -1,7 +1,6 @@
 #include "app/files/kept_file.h"
 
 #include <cerrno>
-#include <sstream>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -9,8 +8,8 @@
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
 #include "app/files/input_file.h"
+#include "app/files/kept_text.h"
 #include "app/files/output_file.h"
-#include "app/files/toml_parse.h"
 
 namespace ghostforce {
 namespace {
@@ -29,26 +28,6 @@ fs::path name_aside(const fs::path& file) {
     aside += number == 1 ? ".damaged" : fmt::format(".damaged-{}", number);
     if (!fs::exists(aside, error)) return aside;
   }
-}
-
-std::string damage_words(const std::vector<ReadProblem>& problems) {
-  std::string damage;
-  for (const ReadProblem& problem : problems) {
-    if (!damage.empty()) damage += "; ";
-    if (problem.line > 0) damage += fmt::format("line {}: ", problem.line);
-    damage += words_of({.what = problem.what, .remedy = problem.remedy});
-  }
-  return damage;
-}
-
-// What of a file stands under other keys than these, values first. Nothing where it is no TOML.
-std::string without_keys(std::string_view text, std::span<const std::string_view> keys) {
-  toml::table table = parse_toml(text).table;
-  for (const std::string_view key : keys) table.erase(key);
-  if (table.empty()) return {};
-  std::ostringstream others;
-  others << toml::toml_formatter(table) << '\n';
-  return others.str();
 }
 
 }  // namespace

@@ -1,7 +1,8 @@
 // A small TOML file in which the program keeps something from one run to the next: preferences, the window's layout,
 // progress. A damaged file is set aside under another name, and one that cannot be read stays where it is: what a
 // person may want back is never overwritten, and nothing of this is a reason not to start. Saved whole or not at all
-// (output_file.h). Not for the servo thread.
+// (output_file.h). In a page the browser keeps the text, for this page alone, under the file's name. Not for the servo
+// thread.
 #pragma once
 
 #include <filesystem>

@@ -1,8 +1,6 @@
 #include "app/files/output_file.h"
 
 #include <fcntl.h>
-#include <poll.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -26,9 +24,6 @@ namespace ghostforce {
 namespace {
 
 constexpr std::size_t buffer_size = 1 << 16;
-
-// How long a reader may take nothing once the program is to stop.
-constexpr int patience_ms = 1000;
 
 // What is open already is written on as it was opened, and no other file takes its place. -1: no such name.
 int descriptor_named(std::string_view path) {
@@ -116,7 +111,7 @@ OutputFile::~OutputFile() {
     if (temporary_.empty()) {
       unlink(target_.c_str());
     } else {
-      renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE);
+      exchange_names(temporary_, target_);
     }
   }
   remove_temporary();
@@ -165,8 +160,7 @@ void OutputFile::flush() {
 ssize_t OutputFile::write_some(std::string_view text) const {
   if (finishes_ && interrupted()) {
     // No further signal will end a wait. A pipe that can be written to takes this much without one.
-    pollfd wait{descriptor_, POLLOUT, 0};
-    if (poll(&wait, 1, patience_ms) == 0) stop_if_interrupted();
+    wait_for_reader_of(descriptor_);
     text = text.substr(0, PIPE_BUF);
   }
   return ::write(descriptor_, text.data(), text.size());
@@ -188,10 +182,10 @@ void OutputFile::put_in_place() {
   struct stat status {};
   const bool is_new = lstat(target_.c_str(), &status) != 0;
   if (!is_new && S_ISDIR(status.st_mode)) fail(EISDIR);
-  // The old file gets the temporary name, and needs the lock that goes with it: another process might remove it.
+  // The old file gets the temporary name.
   const int old = open(target_.c_str(), O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-  if (old >= 0) flock(old, LOCK_EX | LOCK_NB);
-  is_in_place_ = renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) == 0;
+  if (old >= 0) lock_part_file(old);
+  is_in_place_ = exchange_names(temporary_, target_);
   if (old >= 0) close(is_in_place_ ? std::exchange(descriptor_, old) : old);
   if (is_in_place_) return;
   // Nothing is there yet, or names cannot be exchanged here.

@@ -9,6 +9,7 @@
 
 #include <atomic>
 #include <cerrno>
+#include <cstdio>
 #include <memory>
 #include <mutex>
 #include <set>
@@ -80,6 +81,14 @@ PartFile make_part_file(const std::filesystem::path& folder) {
     if (leads_to(part.path, part.descriptor)) return part;
     close(part.descriptor);
   }
+}
+
+bool exchange_names(const std::string& one, const std::string& other) noexcept {
+  return renameat2(AT_FDCWD, one.c_str(), AT_FDCWD, other.c_str(), RENAME_EXCHANGE) == 0;
+}
+
+void lock_part_file(int descriptor) noexcept {
+  lock(descriptor);
 }
 
 void remove_dead_part_files(const std::filesystem::path& folder) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -15,6 +14,7 @@
 #include "app/console/interruption.h"
 #include "app/console/progress.h"
 #include "app/console/quoted.h"
+#include "app/console/typed_text.h"
 #include "app/files/input_file.h"
 #include "app/files/run_file.h"
 #include "app/files/scene_file.h"
@@ -71,10 +71,10 @@ std::string_view take_until(std::string_view& rest, char separator) noexcept {
 
 // A finite number, and nothing but it.
 template <typename Number>
-bool read_number(std::string_view text, Number& value) noexcept {
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  return error == std::errc{} && stop == end && std::isfinite(static_cast<double>(value));
+bool take_number(std::string_view text, Number& value) noexcept {
+  const std::optional<Number> number = number_in<Number>(text);
+  if (number) value = *number;
+  return number && std::isfinite(static_cast<double>(*number));
 }
 
 // "t_s=T " is taken off `rest`, and thrown away. False: it does not begin with a time.
@@ -82,7 +82,7 @@ bool take_time(std::string_view& rest) noexcept {
   if (!rest.starts_with(time_begins)) return false;
   rest.remove_prefix(time_begins.size());
   double time_s = 0.0;
-  return read_number(take_until(rest, ' '), time_s);
+  return take_number(take_until(rest, ' '), time_s);
 }
 
 // What stands after "# state ".
@@ -95,8 +95,8 @@ std::optional<RunState> read_state(std::string_view words) {
     const std::optional<StrategyId> id = find_strategy(take_until(numbers, '='));
     if (!id || std::exchange(is_told[index_of(*id)], true)) return std::nullopt;
     Vector<2>& velocity = state.velocity[index_of(*id)];
-    if (!read_number(take_until(numbers, ','), velocity.x) || !read_number(take_until(numbers, ','), velocity.y) ||
-        !read_number(numbers, state.energy[index_of(*id)])) {
+    if (!take_number(take_until(numbers, ','), velocity.x) || !take_number(take_until(numbers, ','), velocity.y) ||
+        !take_number(numbers, state.energy[index_of(*id)])) {
       return std::nullopt;
     }
   }
@@ -192,7 +192,7 @@ class RunReader {
     } else if (line.starts_with(dropped_begins)) {
       close_tick();
       std::uint64_t count = 0;
-      if (!read_number(rest_after(dropped_begins), count)) damaged("the number of lost samples cannot be read");
+      if (!take_number(rest_after(dropped_begins), count)) damaged("the number of lost samples cannot be read");
       run_.dropped += std::min(count, UINT64_MAX - run_.dropped);
     } else if (line == interrupted_line) {
       run_.is_interrupted = true;
@@ -298,7 +298,7 @@ class RunReader {
     std::array<double, all_columns> number{};
     for (std::size_t i = time_column; i < goal_kind_column; ++i) {
       if (!has(i)) continue;
-      if (!read_number(value(i), number[i])) damaged_value(i, "not a finite number");
+      if (!take_number(value(i), number[i])) damaged_value(i, "not a finite number");
       if (i >= active_column && number[i] != 0.0 && number[i] != 1.0) damaged_value(i, "neither 0 nor 1");
     }
     const bool is_measured = is_second(device_kind_column, "simulated", "measured");

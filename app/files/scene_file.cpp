@@ -3,13 +3,13 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <variant>
 
 #include <fmt/format.h>
 
+#include "app/console/number.h"
 #include "app/files/named_text.h"
 #include "app/files/toml_document.h"
 #include "core/units.h"
@@ -25,8 +25,7 @@ double file_value(double si, double per_si) {
   const double exact = si * per_si;
   for (int digits = 1; digits <= 17; ++digits) {
     const std::string text = fmt::format("{:.{}g}", exact, digits);
-    double candidate = 0.0;
-    std::from_chars(text.data(), text.data() + text.size(), candidate);
+    const double candidate = read_number(text).value_or(0.0);
     if (candidate / per_si == si) return candidate;
   }
   return exact;

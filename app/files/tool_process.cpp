@@ -53,11 +53,6 @@ class ToolStart {
 
 }  // namespace
 
-void Descriptor::reset(int number) noexcept {
-  if (number_ >= 0) close(number_);
-  number_ = number;
-}
-
 int start_tool(const std::vector<std::string>& words, const ToolStreams& streams, pid_t& child) {
   return ToolStart(streams).run(words, child);
 }

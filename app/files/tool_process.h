@@ -9,21 +9,6 @@
 
 namespace ghostforce {
 
-// An open file, closed in the end; negative: there is none.
-class Descriptor {
- public:
-  explicit Descriptor(int number = -1) noexcept : number_(number) {}
-  ~Descriptor() { reset(); }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-
-  int number() const noexcept { return number_; }
-  void reset(int number = -1) noexcept;
-
- private:
-  int number_;
-};
-
 // The tool's standard streams, as open files of ours.
 struct ToolStreams {
   int in = -1;

@@ -18,6 +18,7 @@
 
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
+#include "app/files/tool_process.h"
 
 namespace ghostforce {
 namespace {
@@ -77,6 +78,10 @@ std::string as_rgba(const Image& image) {
 }
 
 }  // namespace
+
+bool can_make_videos() noexcept {
+  return true;
+}
 
 VideoEncoder::VideoEncoder(const OutputFile& file, const ClipShape& shape, const VideoArguments& arguments,
                            std::string_view text, VideoWaiting waiting)

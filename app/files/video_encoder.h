@@ -1,5 +1,5 @@
 // A video by ffmpeg, which gets the pictures through a pipe while they are made. It is found on PATH and started without
-// a shell. One thread.
+// a shell. A page can start no other program, so there is none. One thread.
 #pragma once
 
 #include <sys/types.h>
@@ -11,10 +11,13 @@
 #include <vector>
 
 #include "app/files/clip_shape.h"
+#include "app/files/descriptor.h"
 #include "app/files/output_file.h"
-#include "app/files/tool_process.h"
 
 namespace ghostforce {
+
+// Whether there can be any here, if ffmpeg is installed.
+bool can_make_videos() noexcept;
 
 // How ffmpeg is to encode and to pack.
 using VideoArguments = std::vector<std::string>;

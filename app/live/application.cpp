@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -9,6 +10,7 @@
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
 #include "app/console/words.h"
+#include "app/files/file_exchange.h"
 #include "app/files/output_file.h"
 #include "app/files/scene_file.h"
 #include "app/live/end_of_recording.h"
@@ -197,6 +199,7 @@ void Application::update(double interval_s) {
   take_samples();
   report_ = servo_->newest();
   if (recording_) {
+    recording_->look();
     read_recording();
     if (recording_->progress().error != 0) show_notice(end_recording(), true);
   }
@@ -381,12 +384,14 @@ void Application::handle_requests() {
   const Requests requests = allowed_requests(session_, std::exchange(session_.requests, {}));
   session_.requests.fit_view = requests.fit_view;  // the face that is shown does it, in its next frame
   std::vector<std::string> dropped = window_.take_dropped_files();
+  std::ranges::move(take_chosen_files(), std::back_inserter(dropped));
   if (session_.visit) dropped.clear();
   // A path that cannot be written is found out before the work is done.
   const auto save = [this](const std::string& path, const auto& make_bytes) {
     OutputFile file(path);
     file.write(make_bytes());
     file.commit();
+    hand_out(path);
     show_notice(filled(notice_words().saved, quoted_text(path, longest_path)), false);
   };
   try {
@@ -468,6 +473,7 @@ std::string Application::end_recording() {
   const int error = recording_->progress().error;
   const std::string found_at = recording_->found_at();
   recording_.reset();
+  if (!found_at.empty()) hand_out(found_at);
   recording_reading_.is_on = false;
   EndOfRecording end = end_of_recording(recording_reading_, found_at, error);
   if (end.is_problem) recording_problem_ = end.words;

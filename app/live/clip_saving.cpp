@@ -10,8 +10,8 @@
 
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
+#include "app/files/file_exchange.h"
 #include "app/ui/part.h"
-#include "device/input/thread_signals.h"
 
 namespace ghostforce {
 namespace {
@@ -44,46 +44,34 @@ void ClipSaving::begin(const SaveClipRequest& request, const MomentHistory& mome
   if (is_running()) {
     throw Failure(ExitCode::wrong_call, "Another clip is being saved. Wait until it is complete, or close its notice.");
   }
-  Work work{.moments = clip_moments(moments, request),
-            .look = std::move(look),
-            .painter = painter,
-            .interval_s = 1.0 / request.frames_per_second,
-            .file = {}};
-  if (work.moments.empty()) throw Failure(ExitCode::wrong_call, "Nothing has happened yet that could be saved.");
-  const ClipShape shape{static_cast<int>(std::lround(work.look.size.x)),
-                        static_cast<int>(std::lround(work.look.size.y)), request.frames_per_second};
-  check_clip_limits(static_cast<std::int64_t>(work.moments.size()), shape);
-  is_cancelled_ = has_ended_ = false;
+  auto work = std::make_unique<Work>(Work{.moments = clip_moments(moments, request),
+                                          .look = look,
+                                          .painter = painter,
+                                          .interval_s = 1.0 / request.frames_per_second,
+                                          .file = {},
+                                          .clip = StageClip(std::move(look))});
+  if (work->moments.empty()) throw Failure(ExitCode::wrong_call, "Nothing has happened yet that could be saved.");
+  const ClipShape shape{static_cast<int>(std::lround(work->look.size.x)),
+                        static_cast<int>(std::lround(work->look.size.y)), request.frames_per_second};
+  check_clip_limits(static_cast<std::int64_t>(work->moments.size()), shape);
+  is_cancelled_ = false;
   saved_ = 0;
-  work.file = std::make_unique<ClipFile>(request.path, shape, text, VideoWaiting{.look_up = [this] {
-                                           if (is_cancelled_) throw ClipCancelled();
-                                         }});
+  work->file = std::make_unique<ClipFile>(request.path, shape, text, VideoWaiting{.look_up = [this] {
+                                            if (is_cancelled_) throw ClipCancelled();
+                                          }});
   path_ = request.path;
-  count_ = work.moments.size();
+  count_ = work->moments.size();
   problem_.clear();
   is_told_ = false;
-  thread_ = std::thread(&ClipSaving::save, this, std::move(work));
+  work_ = std::move(work);
+  worker_.emplace("clip", 0.0, [this] { return save_next(); });
 }
 
-// On its own thread.
-void ClipSaving::save(Work work) {
-  leave_process_signals();
-  const AlternateStack alternate_stack;
-  const StageLanguage& language = *work.look.language;
+bool ClipSaving::save_next() noexcept {
   try {
-    const Work mine = std::move(work);  // the file is closed before the end is told
-    StageClip clip(mine.look);
-    const double text_scale = text_scale_of(Face::stage, mine.look.scale, *mine.look.theme);
-    for (const ClipMoment& moment : mine.moments) {
-      if (is_cancelled_) throw ClipCancelled();
-      const std::vector<Pane> panes{clip.next(moment, saved_ == 0 ? 0.0 : mine.interval_s)};
-      mine.file->add(mine.painter.image(
-          {.panes = panes, .theme = *mine.look.theme, .size = mine.look.size, .text_scale = text_scale, .title = {}}));
-      ++saved_;
-    }
-    mine.file->commit();
+    if (save_next_of(*work_)) return true;
   } catch (const ClipCancelled&) {
-    problem_ = filled(language.notices.not_saved, quoted_text(path_, longest_path));
+    problem_ = filled(work_->look.language->notices.not_saved, quoted_text(path_, longest_path));
   } catch (const Failure& failure) {
     problem_ = failure.what();
   } catch (const std::bad_alloc&) {
@@ -91,7 +79,26 @@ void ClipSaving::save(Work work) {
   } catch (const std::exception& error) {
     problem_ = fmt::format("The clip could not be saved: {}", error.what());
   }
-  has_ended_ = true;
+  work_.reset();  // the file is closed before the end is told
+  return false;
+}
+
+// False: the file is complete.
+bool ClipSaving::save_next_of(Work& work) {
+  if (is_cancelled_) throw ClipCancelled();
+  const std::size_t number = saved_;
+  if (number == count_) {
+    work.file->commit();
+    return false;
+  }
+  const std::vector<Pane> panes{work.clip.next(work.moments[number], number == 0 ? 0.0 : work.interval_s)};
+  work.file->add(work.painter.image({.panes = panes,
+                                     .theme = *work.look.theme,
+                                     .size = work.look.size,
+                                     .text_scale = text_scale_of(Face::stage, work.look.scale, *work.look.theme),
+                                     .title = {}}));
+  ++saved_;
+  return true;
 }
 
 void ClipSaving::tell(Session& session, std::string words, bool is_problem) {
@@ -102,12 +109,14 @@ void ClipSaving::tell(Session& session, std::string words, bool is_problem) {
 
 void ClipSaving::look(Session& session) {
   if (!is_running()) return;
+  worker_->look();
   const std::string path = quoted_text(path_, longest_path);
   const StageLanguage::Notices& words = stage_language(session.language).notices;
-  if (has_ended_) {
-    thread_.join();
-    if (problem_.empty()) return tell(session, filled(words.saved, path), false);
-    return tell(session, problem_, !is_cancelled_);
+  if (!worker_->is_running()) {
+    worker_.reset();
+    if (!problem_.empty()) return tell(session, problem_, !is_cancelled_);
+    hand_out(path_);
+    return tell(session, filled(words.saved, path), false);
   }
   const bool is_mine = session.notice && session.notice->words == told_;
   if (is_told_ && !session.notice) is_cancelled_ = true;
@@ -121,7 +130,7 @@ void ClipSaving::look(Session& session) {
 
 void ClipSaving::cancel() noexcept {
   is_cancelled_ = true;
-  if (thread_.joinable()) thread_.join();
+  worker_.reset();
 }
 
 }  // namespace ghostforce

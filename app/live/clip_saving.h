@@ -1,12 +1,12 @@
 // ClipSaving: the last seconds of the stage on their way into a file. What they showed is copied when it begins; then a
-// thread of its own, which sees nothing else, draws and writes picture after picture, so that neither the window nor the
-// servo waits for it. UI thread, but for the thread within.
+// worker beside the window, which sees nothing else, draws and writes picture after picture, so that neither the window
+// nor the servo waits for it. UI thread, but for the worker within.
 #pragma once
 
 #include <atomic>
 #include <memory>
+#include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "app/files/clip_file.h"
@@ -14,6 +14,7 @@
 #include "app/session/session.h"
 #include "app/view/moment_history.h"
 #include "app/view/stage/stage_clip.h"
+#include "app/worker/worker.h"
 
 namespace ghostforce {
 
@@ -38,7 +39,7 @@ class ClipSaving {
   // clip is given up.
   void look(Session& session);
 
-  bool is_running() const noexcept { return thread_.joinable(); }
+  bool is_running() const noexcept { return worker_.has_value(); }
 
  private:
   struct Work {
@@ -47,8 +48,11 @@ class ClipSaving {
     FilePainter painter;
     double interval_s;
     std::unique_ptr<ClipFile> file;
+    StageClip clip;
   };
-  void save(Work work);
+  // What the worker does: the next picture, or after the last one the end. False: that was it.
+  bool save_next() noexcept;
+  bool save_next_of(Work& work);
   void cancel() noexcept;
   void tell(Session& session, std::string words, bool is_problem);
 
@@ -59,9 +63,10 @@ class ClipSaving {
 
   std::atomic<std::size_t> saved_{0};
   std::atomic<bool> is_cancelled_{false};
-  std::atomic<bool> has_ended_{false};
-  std::string problem_;  // the thread's, until it has ended; empty: there was none
-  std::thread thread_;
+  // The worker's, until it has ended.
+  std::unique_ptr<Work> work_;
+  std::string problem_;  // empty: there was none
+  std::optional<Worker> worker_;
 };
 
 }  // namespace ghostforce

@@ -1,14 +1,11 @@
 #include "app/runs/recording.h"
 
 #include <fcntl.h>
-#include <pthread.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <chrono>
 #include <cmath>
-#include <csignal>
 #include <filesystem>
 #include <iterator>
 #include <new>
@@ -23,7 +20,6 @@
 #include "app/files/disk_sync.h"
 #include "app/files/output_file.h"
 #include "app/files/run_file.h"
-#include "device/input/thread_signals.h"
 
 namespace ghostforce {
 namespace {
@@ -92,17 +88,16 @@ Recording::Recording(const std::string& path, const Scene& scene, Servo& servo, 
     unlink(path.c_str());
     throw fail(error_);
   }
-  thread_ = std::thread(&Recording::write_until_end, this);
+  worker_.emplace("recorder", writing_period_s, [this] {
+    write_now_and_then();
+    return true;
+  });
 }
 
 void Recording::end() noexcept {
-  if (!thread_.joinable()) return;
-  {
-    const std::lock_guard lock(mutex_);
-    is_ending_ = true;
-  }
-  woken_.notify_one();
-  thread_.join();
+  if (!worker_) return;
+  worker_.reset();
+  attempt([this] { write_samples(); });
   attempt([this] {
     if (interrupted()) {
       lines_.append(interrupted_line);
@@ -135,26 +130,11 @@ RecordingProgress Recording::progress() const noexcept {
   return {.seconds = seconds_, .bytes = bytes_, .dropped = dropped_, .error = error_};
 }
 
-void Recording::write_until_end() noexcept {
-  const AlternateStack alternate_stack;
-  // These are the UI thread's matter.
-  sigset_t others;
-  sigemptyset(&others);
-  for (const int number : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&others, number);
-  pthread_sigmask(SIG_BLOCK, &others, nullptr);
-  pthread_setname_np(pthread_self(), "recorder");
-  constexpr std::chrono::duration<double> period(writing_period_s);
-  std::unique_lock lock(mutex_);
-  for (int writes = 0; !woken_.wait_for(lock, period, [this] { return is_ending_; });) {
-    lock.unlock();
-    attempt([&] {
-      write_samples();
-      if (++writes % writes_per_sync == 0) sync();
-    });
-    lock.lock();
-  }
-  lock.unlock();
-  attempt([this] { write_samples(); });
+void Recording::write_now_and_then() noexcept {
+  attempt([this] {
+    write_samples();
+    if (++writes_ % writes_per_sync == 0) sync();
+  });
 }
 
 template <typename Work>

@@ -1,20 +1,18 @@
-// Recording: a run written to a file while it is made (the format: run_file.h, docs/recording.md). A thread of its own
-// takes what the servo hands out and writes it many times a second, so that neither a stalled window nor the end of the
-// process loses more than the last moment, and the servo never waits for a disk. Twice a second it waits for the disk
+// Recording: a run written to a file while it is made (the format: run_file.h, docs/recording.md). A worker beside the
+// window takes what the servo hands out and writes it many times a second, so that neither a stalled window nor the end
+// of the process loses more than the last moment, and the servo never waits for a disk. Twice a second it waits for the disk
 // itself, so that a power cut loses no more than that either.
 #pragma once
 
 #include <atomic>
-#include <condition_variable>
 #include <cstdint>
-#include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 
 #include <fmt/format.h>
 
 #include "app/files/run.h"
+#include "app/worker/worker.h"
 #include "core/scene.h"
 #include "device/servo/servo.h"
 
@@ -52,7 +50,7 @@ struct RecordingProgress {
   int error = 0;              // errno of what has ended it; EOVERFLOW: it is as long as may be; 0: nothing has
 };
 
-// UI thread, but for the thread within.
+// UI thread, but for the worker within.
 class Recording {
  public:
   // How often what there is goes to the file [s], and how many times until the disk must have it: 0.5 s at most.
@@ -67,6 +65,11 @@ class Recording {
   Recording& operator=(const Recording&) = delete;
   ~Recording() { end(); }
 
+  // Often (worker.h).
+  void look() {
+    if (worker_) worker_->look();
+  }
+
   // Writes what the servo has handed out so far and closes the file; if the program is interrupted the last line says
   // so. May be called again.
   void end() noexcept;
@@ -77,7 +80,8 @@ class Recording {
   RecordingProgress progress() const noexcept;
 
  private:
-  void write_until_end() noexcept;
+  // What the worker does.
+  void write_now_and_then() noexcept;
   // Ends the recording where there is no memory for the work.
   template <typename Work>
   void attempt(Work&& work) noexcept;
@@ -92,9 +96,10 @@ class Recording {
   std::uint32_t number_;
   int descriptor_ = -1;
 
-  // The thread's, and whoever's once it has ended.
+  // The worker's, and whoever's once it has ended.
   SampleText text_;
   fmt::memory_buffer lines_;
+  int writes_ = 0;             // so far
   std::uint64_t written_ = 0;  // whole lines in the file [bytes]
   bool is_named_ = false;      // the folder has its name, also after a power cut
   std::string found_at_;
@@ -104,10 +109,7 @@ class Recording {
   std::atomic<std::uint64_t> dropped_{0};
   std::atomic<int> error_{0};
 
-  std::mutex mutex_;
-  std::condition_variable woken_;
-  bool is_ending_ = false;  // guarded by the mutex
-  std::thread thread_;
+  std::optional<Worker> worker_;  // empty: it has ended
 };
 
 }  // namespace ghostforce

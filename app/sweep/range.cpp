@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <optional>
 
 #include <fmt/compile.h>
 
+#include "app/console/number.h"
 #include "app/console/quoted.h"
 #include "app/console/typed_text.h"
 #include "app/files/scene_keys.h"
@@ -66,8 +66,7 @@ std::optional<std::string> find_fraction(const std::vector<double>& values) {
 double without_rounding_noise(double value) {
   std::array<char, 32> digits;
   const auto end = fmt::format_to_n(digits.data(), digits.size(), FMT_COMPILE("{:.14e}"), value).out;
-  std::from_chars(digits.data(), end, value);
-  return value;
+  return read_number({digits.data(), end}).value_or(value);
 }
 
 std::vector<double> spaced(double from, double to, std::int64_t count, bool logarithmic) {

@@ -3,10 +3,8 @@
 // begins. The table itself may hold no ring: folders that include each other are one folder in disguise.
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
+#include <cstddef>
 #include <iostream>
-#include <iterator>
 #include <map>
 #include <optional>
 #include <regex>
@@ -14,70 +12,17 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
-#include <string_view>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "tests/architecture/source_tree.h"
+
+namespace ghostforce {
 namespace {
 
-// --- The table -------------------------------------------------------------------------------------------------------
-
-struct Room {
-  std::set<std::string> folders;    // that it may include, besides itself
-  std::set<std::string> libraries;  // beyond the standard one
-};
-
-using Rooms = std::map<std::string, Room>;  // by folder, as in "app/ui/plots"
-
-std::set<std::string> words_of(const std::string& text) {
-  std::istringstream stream(text);
-  return {std::istream_iterator<std::string>(stream), {}};
-}
-
-// Lines of "folder | folders | libraries". Throws std::runtime_error for any other line.
-Rooms read_rooms(std::istream& lines) {
-  Rooms rooms;
-  std::string line;
-  while (std::getline(lines, line)) {
-    if (line.empty() || line.starts_with('#')) continue;
-    static const std::regex row("([a-z_/]+) *\\|([a-z_/ ]*)\\|([a-z0-9_ ]*)");
-    std::smatch cells;
-    if (!std::regex_match(line, cells, row)) throw std::runtime_error("not a row of the table: " + line);
-    if (!rooms.insert({cells[1], {words_of(cells[2]), words_of(cells[3])}}).second) {
-      throw std::runtime_error("twice in the table: " + line);
-    }
-  }
-  return rooms;
-}
-
-// What include lines of these libraries look like, with their quotes or brackets.
-const std::map<std::string, std::regex>& library_includes() {
-  static const std::map<std::string, std::regex> list{
-      {"cairo", std::regex("<(cairo(/cairo)?[a-z-]*\\.h|ft2build\\.h|freetype/.+)>")},
-      {"cli11", std::regex("<CLI/.+>")},
-      {"fmt", std::regex("<fmt/.+>")},
-      {"generated", std::regex("\"(embedded_[a-z_]+|ghostforce_version|ghostforce_paths)\\.h\"")},  // see cmake/
-      {"glad", std::regex("<glad/gl\\.h>")},
-      {"gles", std::regex("<GLES3/gl3\\.h>")},
-      {"glfw", std::regex("<GLFW/.+>")},
-      {"glm", std::regex("<glm/.+>")},
-      {"hidapi", std::regex("<hidapi(/hidapi)?\\.h>")},
-      {"imgui", std::regex("<imgui.*\\.h>")},
-      {"implot", std::regex("<implot.*\\.h>")},
-      {"libcrypto", std::regex("<openssl/.+>")},
-      {"libpng", std::regex("<png\\.h>")},
-      {"libusb", std::regex("<libusb(-1\\.0)?(/libusb)?\\.h>")},
-      {"nlohmann_json", std::regex("<nlohmann/.+>")},
-      {"opengl", std::regex("\"opengl\\.h\"")},  // each front's own: app/paint/gl/
-      // What the operating system offers beyond the standard library.
-      {"posix", std::regex("<((sys|linux|netinet|arpa)/[a-z_0-9/]+|dirent|dlfcn|endian|errno|fcntl|malloc|poll|pthread|"
-                           "sched|signal|spawn|stdio|stdlib|string|strings|syslog|termios|time|unistd)\\.h>")},
-      {"tomlplusplus", std::regex("<toml\\+\\+/.+>")},
-      {"zlib", std::regex("<zlib\\.h>")},
-  };
-  return list;
-}
+// --- What is found ---------------------------------------------------------------------------------------------------
 
 // <vector>, <cmath>: no dot, no slash. core has values and pure functions: no thread (atomics are values), no clock, no
 // file, no stream.
@@ -88,52 +33,6 @@ bool is_standard(const std::string& operand, const std::string& folder) {
       "iostream|istream|ostream|sstream|syncstream|filesystem|cstdio)>");
   return std::regex_match(operand, standard) && !(folder == "core" && std::regex_match(operand, impure));
 }
-
-// --- The sources -----------------------------------------------------------------------------------------------------
-
-using Tree = std::map<std::string, std::string>;  // path from the root of the tree -> text
-
-struct Include {
-  int line;
-  std::string operand;  // <vector> or "core/wall.h"; for anything else what stands there
-};
-
-std::vector<Include> includes_of(const std::string& text) {
-  static const std::regex include_line("^\\s*#\\s*(include|import|include_next)\\b\\s*(<[^>]*>|\"[^\"]*\"|.*)");
-  std::vector<Include> found;
-  std::istringstream lines(text);
-  std::string line;
-  for (int number = 1; std::getline(lines, line); ++number) {
-    std::smatch match;
-    if (std::regex_search(line, match, include_line)) found.push_back({number, match[2]});
-  }
-  return found;
-}
-
-std::optional<std::string> project_path(const std::string& operand) {
-  if (operand.size() < 2 || operand.front() != '"') return {};
-  return operand.substr(1, operand.size() - 2);
-}
-
-std::string folder_of(const std::string& path) {
-  return std::filesystem::path(path).parent_path().generic_string();
-}
-
-Tree tree_at(const std::filesystem::path& root) {
-  static const std::set<std::string> sources{".h", ".hpp", ".c", ".cpp", ".cc", ".inl", ".ipp"};
-  Tree tree;
-  for (const char* top : {"core", "device", "app"}) {
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(root / top)) {
-      if (!entry.is_regular_file() || !sources.contains(entry.path().extension().string())) continue;
-      std::ifstream file(entry.path());
-      tree[entry.path().lexically_relative(root).generic_string()] =
-          std::string(std::istreambuf_iterator<char>(file), {});
-    }
-  }
-  return tree;
-}
-
-// --- What is found ---------------------------------------------------------------------------------------------------
 
 bool may_include(const Rooms& rooms, const std::string& folder, const std::string& operand) {
   const Room& room = rooms.at(folder);
@@ -218,17 +117,6 @@ std::string ring_in(const Arrows& arrows) {
     if (std::string ring = visit(visit, start); !ring.empty()) return ring;
   }
   return {};
-}
-
-std::string listed(const std::vector<std::string>& lines) {
-  std::string text;
-  for (const std::string& line : lines) text += line + '\n';
-  return text;
-}
-
-Rooms rooms_of_the_house() {
-  std::ifstream file(GHOSTFORCE_SOURCE_DIR "/cmake/rooms.txt");
-  return read_rooms(file);
 }
 
 // --- The house -------------------------------------------------------------------------------------------------------
@@ -400,3 +288,4 @@ TEST(RoomsSelfTest, RefusesATableThatIsNone) {
 }
 
 }  // namespace
+}  // namespace ghostforce

@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/files/tool_process.h"
+#include "app/files/descriptor.h"
 
 namespace ghostforce {
 

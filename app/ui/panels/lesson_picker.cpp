@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "app/files/file_exchange.h"
 #include "app/lessons/lesson_file.h"
 #include "app/lessons/lesson_shelf.h"
 #include "app/ui/panels/dialogs.h"
@@ -99,6 +100,13 @@ void draw_lessons(const PanelContext& context) {
   wrapped_text(said.about, ImGui::GetCursorPosX() + rows.size().x);
   if (session.lesson_progress != LessonProgress{}) {
     draw_reset(session, said);
+    ImGui::SameLine();
+  }
+  if (offers_file_chooser()) {
+    if (ImGui::Button(said.open_file.data())) {
+      choose_file();
+      session.dialog = Dialog::none;  // whatever is chosen is behind it
+    }
     ImGui::SameLine();
   }
   if (ImGui::Button(said.close.data())) session.dialog = Dialog::none;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "app/files/file_exchange.h"
 #include "app/ui/panels/panel_catalog.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/save_path.h"
@@ -30,7 +31,7 @@ std::string words_about(const RecordingReading& recording) {
 void draw_recording(const PanelContext& context) {
   const RecordingReading& recording = context.loop.recording;
   if (begin_rows("recording", context)) {
-    row("File", "A new CSV file. If empty, a name is chosen in the folder that the program was started in.");
+    row("File", save_place().about_recording);
     ImGui::BeginDisabled(recording.is_on);
     std::string shown = recording.is_on ? recording.path : context.session.recording_path;
     const bool entered = text_field("##recording", "a new name", shown);

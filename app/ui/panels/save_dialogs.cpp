@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "app/files/video_encoder.h"
 #include "app/session/plot_view.h"
 #include "app/ui/panels/dialogs.h"
 #include "app/ui/widgets/controls.h"
@@ -15,8 +16,8 @@ namespace ghostforce {
 namespace {
 
 constexpr std::array picture_formats{"png", "svg", "pdf"};
-constexpr std::array clip_formats{"png", "mp4", "webm"};
-constexpr std::array clip_lengths{2, 5, 10, 30, 60};  // [s]
+constexpr std::array all_clip_formats{"png", "mp4", "webm"};  // the last two are videos
+constexpr std::array clip_lengths{2, 5, 10, 30, 60};          // [s]
 constexpr std::array plot_formats{"csv", "png", "svg", "pdf"};
 
 void draw_density_choice(Form& form) {
@@ -77,6 +78,8 @@ void draw_save_picture(const PanelContext& context) {
 }
 
 void draw_save_clip(const PanelContext& context) {
+  const std::span<const char* const> clip_formats(all_clip_formats.data(),
+                                                  can_make_videos() ? all_clip_formats.size() : 1);
   Session& session = context.session;
   Form& form = session.form;
   if (form.belongs_to != Dialog::save_clip) {
@@ -85,7 +88,9 @@ void draw_save_clip(const PanelContext& context) {
   }
   if (begin_rows("clip", context)) {
     row("Format",
-        "PNG: an animated PNG, for web pages and slides. MP4 and WebM: videos, made by ffmpeg if it is installed.");
+        can_make_videos()
+            ? "PNG: an animated PNG, for web pages and slides. MP4 and WebM: videos, made by ffmpeg if it is installed."
+            : "An animated PNG, for web pages and slides.");
     draw_format_choice(form.path, clip_formats);
     row("Last", "How much of what the stage has shown, up to the moment when this form was opened.");
     for (const int seconds : clip_lengths) {

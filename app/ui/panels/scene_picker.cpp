@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "app/files/file_exchange.h"
 #include "app/session/key_bindings.h"
 #include "app/ui/panels/dialogs.h"
 #include "app/ui/widgets/controls.h"
@@ -114,19 +115,28 @@ void draw_open_scene(const PanelContext& context) {
   ImGui::PopStyleVar();
   ImGui::EndChild();
 
-  wrapped_text("Or type the path of a scene, a recording or a saved picture, or drop it on the window:",
+  wrapped_text(offers_file_chooser()
+                   ? "Or open a scene, a recording or a saved picture of your own, or drop it on the window:"
+                   : "Or type the path of a scene, a recording or a saved picture, or drop it on the window:",
                ImGui::GetCursorPosX() + width);
   const char* const open_words = "Open";
   const char* const cancel_words = "Cancel";
+  const char* const choose_words = "Open a file…";
   const auto button_width = [&](const char* words) {
     return ImGui::CalcTextSize(words).x + 2.0F * style.FramePadding.x;
   };
-  ImGui::SetNextItemWidth(width - button_width(open_words) - button_width(cancel_words) - 2.0F * style.ItemSpacing.x);
+  float field_width = width - button_width(open_words) - button_width(cancel_words) - 2.0F * style.ItemSpacing.x;
+  if (offers_file_chooser()) field_width -= button_width(choose_words) + style.ItemSpacing.x;
+  ImGui::SetNextItemWidth(field_width);
   if (is_new) ImGui::SetKeyboardFocusHere();
   const bool entered = path_field(form.path);
   ImGui::SameLine();
   const bool pressed = ImGui::Button(open_words);
   ImGui::SameLine();
+  if (offers_file_chooser()) {
+    if (ImGui::Button(choose_words)) choose_file();
+    ImGui::SameLine();
+  }
   if (ImGui::Button(cancel_words)) session.dialog = Dialog::none;
   if (entered || pressed) {
     const ShippedScene& marked = scenes[form.marked_scene];

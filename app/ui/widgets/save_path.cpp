@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "app/files/file_exchange.h"
 #include "app/ui/widgets/controls.h"
 
 namespace ghostforce {
@@ -16,17 +17,19 @@ namespace fs = std::filesystem;
 struct Verdict {
   bool can_be_written;
   const char* caption;  // of the button
-  std::string remark;
+  std::string_view remark;
 };
 
 Verdict judge(const std::string& path) {
-  if (path.empty()) return {false, "Save", "Type a path."};
+  const SavePlace& place = save_place();
+  if (path.empty()) return {false, "Save", place.nothing_typed};
+  if (!place.has_folders && path.find('/') != std::string::npos) return {false, "Save", "Leave out the slash."};
   std::error_code error;
   const fs::path folder = fs::path(path).parent_path();
   if (fs::is_directory(path, error)) return {false, "Save", "This is a folder; add a file name."};
   if (!folder.empty() && !fs::is_directory(folder, error)) return {false, "Save", "There is no such folder."};
   if (fs::exists(path, error)) return {true, "Replace", "This file exists and will be replaced."};
-  return {true, "Save", "A new file."};
+  return {true, "Save", place.new_file};
 }
 
 bool has_extension(const std::string& path, std::string_view extension) {
@@ -71,7 +74,7 @@ std::string file_stem(std::string_view title) {
 
 std::string proposed_path(std::string_view stem, std::string_view extension) {
   std::error_code error;
-  const fs::path folder = fs::current_path(error);
+  const fs::path folder = save_place().has_folders ? fs::current_path(error) : fs::path();
   for (int number = 1;; ++number) {
     const std::string name =
         number == 1 ? fmt::format("{}.{}", stem, extension) : fmt::format("{}-{}.{}", stem, number, extension);

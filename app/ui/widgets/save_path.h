@@ -9,7 +9,8 @@
 
 namespace ghostforce {
 
-// The first that is free of STEM.EXTENSION, STEM-2.EXTENSION … in the folder that the program was started in, absolute.
+// The first that is free of STEM.EXTENSION, STEM-2.EXTENSION … in the folder that the program was started in, absolute;
+// where there are no folders (file_exchange.h), the name.
 std::string proposed_path(std::string_view stem, std::string_view extension);
 
 // A name for a file from a scene's title: letters, digits and hyphens.

@@ -228,6 +228,7 @@ const StageLanguage english_stage{
             .forget_question = "Forget how far you have come in all lessons?",
             .forget_yes = "Forget it",
             .forget_no = "Keep it",
+            .open_file = "Open a file…",
             .close = "Close",
         },
     .notices =

@@ -236,6 +236,7 @@ const StageLanguage spanish_stage{
             .forget_question = "¿Olvidar hasta dónde has llegado en todas las lecciones?",
             .forget_yes = "Olvidarlo",
             .forget_no = "Conservarlo",
+            .open_file = "Abrir un archivo…",
             .close = "Cerrar",
         },
     .notices =

@@ -246,6 +246,7 @@ struct StageLanguage {
     std::string_view forget_question;
     std::string_view forget_yes;
     std::string_view forget_no;
+    std::string_view open_file;
     std::string_view close;
   } picker;
 

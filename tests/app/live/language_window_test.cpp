@@ -7,7 +7,7 @@
 
 #include "app/lessons/lesson_file.h"
 #include "app/lessons/lesson_shelf.h"
-#include "app/live/reading_aloud.h"
+#include "app/cli/reading_aloud.h"
 #include "app/session/lesson_guide.h"
 #include "tests/app/live/driven_window.h"
 #include "tests/support/fake_speech_service.h"

@@ -1,5 +1,5 @@
 // What the window says to those who do not look at it: on both faces, paused, looking back, in a mode, with a device.
-#include "app/live/reading_aloud.h"
+#include "app/cli/reading_aloud.h"
 
 #include <fcntl.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-#include "app/live/reading_aloud.h"
+#include "app/cli/reading_aloud.h"
 
 #include <cerrno>
 #include <utility>

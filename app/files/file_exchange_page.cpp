@@ -1,0 +1,85 @@
+#include <emscripten.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <system_error>
+
+#include "app/files/file_exchange.h"
+
+EM_JS_DEPS(file_exchange, "$FS,$UTF8ToString,$stringToNewUTF8");
+
+// clang-format off
+EM_JS(void, download_file, (const char* path, const char* name), {
+  const address = URL.createObjectURL(new Blob([FS.readFile(UTF8ToString(path))], {type: "application/octet-stream"}));
+  const link = document.createElement("a");
+  link.href = address;
+  link.download = UTF8ToString(name);
+  document.body.append(link);
+  link.click();
+  link.remove();
+  // The browser reads it when it likes.
+  const long_enough_ms = 60000;
+  setTimeout(() => URL.revokeObjectURL(address), long_enough_ms);
+});
+
+EM_JS(void, show_file_chooser, (), {
+  const chooser = document.createElement("input");
+  chooser.type = "file";
+  chooser.accept = ".toml,.csv,.png,.svg,.pdf";
+  chooser.onchange = async () => {
+    const chosen = (Module["chosenFiles"] ||= []);
+    for (const file of chooser.files) {
+      const bytes = new Uint8Array(await file.arrayBuffer());
+      FS.mkdirTree("/opened");
+      const path = "/opened/" + file.name;
+      FS.writeFile(path, bytes);
+      chosen.push(path);
+    }
+  };
+  chooser.click();
+});
+
+// 0: there is none.
+EM_JS(char*, take_chosen_file, (), {
+  const path = Module["chosenFiles"]?.shift();
+  return path === undefined ? 0 : stringToNewUTF8(path);
+});
+// clang-format on
+
+namespace ghostforce {
+
+void hand_out(const std::string& path) {
+  download_file(path.c_str(), std::filesystem::path(path).filename().c_str());
+  std::error_code ignored;
+  std::filesystem::remove(path, ignored);
+}
+
+const SavePlace& save_place() noexcept {
+  static constexpr SavePlace place{.has_folders = false,
+                                   .nothing_typed = "Type a name.",
+                                   .new_file = "Your browser saves it.",
+                                   .about_recording =
+                                       "A new CSV file, which your browser saves when the recording "
+                                       "ends. If empty, a name is chosen."};
+  return place;
+}
+
+bool offers_file_chooser() noexcept {
+  return true;
+}
+
+void choose_file() {
+  show_file_chooser();
+}
+
+std::vector<std::string> take_chosen_files() {
+  std::vector<std::string> paths;
+  for (;;) {
+    const std::unique_ptr<char, void (*)(void*)> path(take_chosen_file(), std::free);
+    if (!path) return paths;
+    paths.emplace_back(path.get());
+  }
+}
+
+}  // namespace ghostforce
