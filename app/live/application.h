@@ -86,6 +86,12 @@ class Application {
   // Both.
   void frame(double interval_s);
 
+  // What the line of a set-up describes (set_up_line.h), as if it had been pasted. Throws ReadError.
+  void show_set_up(const std::string& line);
+
+  // After the window has lost its OpenGL context and has another one.
+  void restart_drawing();
+
   // Tells the person something at the next frame; in the visitor's mode, who stands at the terminal.
   void show_notice(std::string words, bool is_problem);
 

@@ -131,20 +131,23 @@ void Application::show(const SetUp& set_up) {
   show({scene, scene->settings, set_up.goal, scene->view, set_up.face, set_up.mode});
 }
 
+void Application::show_set_up(const std::string& line) {
+  const SetUp set_up = read_set_up_line(line);
+  session_.notice.reset();
+  show(set_up);
+}
+
 void Application::copy_set_up() {
   window_.set_clipboard_text(set_up_line(set_up_of(session_, shown())));
   show_notice(std::string(notice_words().copied_set_up), false);
 }
 
 void Application::paste_set_up() {
-  std::optional<SetUp> set_up;
   try {
-    set_up = read_set_up_line(window_.clipboard_text());
+    show_set_up(window_.clipboard_text());
   } catch (const ReadError& error) {
     return show_notice(fmt::format("The clipboard holds no set-up: {}.\nCopy one with Ctrl+C.", error.what()), true);
   }
-  session_.notice.reset();
-  show(*set_up);
   add_to_notice(std::string(notice_words().pasted_set_up));
 }
 

@@ -12,6 +12,11 @@
 
 namespace ghostforce {
 
+void Application::restart_drawing() {
+  screen_.restart_drawing();
+  drawn_.reset();
+}
+
 void Application::copy_picture(const CopyPictureRequest& request) {
   const DisplayKind display = window_.display_kind();
   const std::string png = png_bytes(screen_.picture(session_, shown(), history_, reading(),

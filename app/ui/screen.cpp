@@ -31,11 +31,13 @@ Image cut_out(const Image& image, int left, int top, int width, int height) {
 Screen::Screen(Window& window, Part part)
     : window_(window),
       part_(part),
-      painter_(window.fonts()),
-      gallery_(painter_),
-      lessons_(painter_),
+      drawing_(std::make_unique<Drawing>(window.fonts())),
       measure_(measure_with(window.fonts())),
       workbench_(window.fonts()) {}
+
+void Screen::restart_drawing() {
+  drawing_ = std::make_unique<Drawing>(window_.fonts());
+}
 
 void Screen::take_keys(Session& session, const std::function<void()>& do_what_is_asked) {
   keyboard_.take(window_, session, do_what_is_asked);
@@ -87,7 +89,7 @@ void Screen::draw_everything(Session& session, const ShownMoment& moment, const 
                              const LoopReading& loop, const Frame& frame) {
   const Theme& theme = *styled_appearance_.theme;
   const PanelContext context{session,         moment.snapshot, moment.settings, loop,    theme,
-                             window_.fonts(), styled_scale_,   gallery_,        lessons_};
+                             window_.fonts(), styled_scale_,   drawing_->gallery,        drawing_->lessons};
   if (frame.is_live) keep_tooltips_from_drags();
   if (session.face == Face::stage) {
     draw_stage(context, moment, history, frame);
@@ -105,9 +107,9 @@ void Screen::draw_everything(Session& session, const ShownMoment& moment, const 
   if (session.face == Face::stage && session.stage.is_black && frame.is_live) {
     Theme black = theme;
     black.background = rgb(0x000000);
-    painter_.paint({}, black, scene_corner_, text_scale, window_.pixel_width(), window_.pixel_height());
+    drawing_->painter.paint({}, black, scene_corner_, text_scale, window_.pixel_width(), window_.pixel_height());
   } else {
-    painter_.paint(panes_, theme, scene_corner_, text_scale, window_.pixel_width(), window_.pixel_height());
+    drawing_->painter.paint(panes_, theme, scene_corner_, text_scale, window_.pixel_width(), window_.pixel_height());
   }
   if (!frame.is_live) return;
   const ImVec2 size{static_cast<float>(scene_size_.x), static_cast<float>(scene_size_.y)};

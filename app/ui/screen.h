@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "app/paint/gl_painter.h"
@@ -41,6 +42,9 @@ class Screen {
   // The next frame would show something else, though nothing that draw() is given has changed.
   bool is_moving(const Session& session) const noexcept;
 
+  // In the window's new OpenGL context; the one before has gone with all that was in it.
+  void restart_drawing();
+
   // The same frame as a picture, `density` times as fine, without pointer, hints and dialogs. Throws Failure where the
   // graphics driver cannot make one that large.
   Image picture(const Session& session, const ShownMoment& moment, const History& history, const LoopReading& loop,
@@ -52,7 +56,7 @@ class Screen {
   ImVec2 scene_corner() const noexcept { return scene_corner_; }
   // Of the scene in the window [points].
   Vector<2> scene_size() const noexcept { return scene_size_; }
-  GlPainter& painter() noexcept { return painter_; }
+  GlPainter& painter() noexcept { return drawing_->painter; }
   const StageFace& stage() const noexcept { return stage_; }
 
   // What the stage says of the moment, or would say if it were there instead of the workbench.
@@ -70,6 +74,14 @@ class Screen {
     bool is_live;
     double interval_s;
   };
+  // What holds on to OpenGL.
+  struct Drawing {
+    explicit Drawing(const Fonts& fonts) : painter(fonts), gallery(painter), lessons(painter) {}
+
+    GlPainter painter;
+    SceneGallery gallery;
+    LessonGallery lessons;
+  };
   void draw_everything(Session& session, const ShownMoment& moment, const History& history, const LoopReading& loop,
                        const Frame& frame);
   void draw_stage(const PanelContext& context, const ShownMoment& moment, const History& history, const Frame& frame);
@@ -78,9 +90,7 @@ class Screen {
   Window& window_;
   Part part_;
   Keyboard keyboard_;
-  GlPainter painter_;
-  SceneGallery gallery_;
-  LessonGallery lessons_;
+  std::unique_ptr<Drawing> drawing_;
   MeasureText measure_;
   Workbench workbench_;
   Hints hints_;

@@ -60,6 +60,11 @@ void Window::stop_drawing() noexcept {
   ImGui_ImplOpenGL3_Shutdown();
 }
 
+void Window::restart_drawing() {
+  ImGui_ImplOpenGL3_Shutdown();
+  ImGui_ImplOpenGL3_Init(gl::shader_version);
+}
+
 int Window::pixel_width() const {
   return framebuffer_size().width * density_;
 }

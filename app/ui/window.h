@@ -112,6 +112,8 @@ class Window {
   void start_drawing(bool takes_mouse);
   // While OpenGL still is current; the destructor of a platform's window begins with it. Nothing where it has not started.
   void stop_drawing() noexcept;
+  // With another OpenGL context in place of the one before, which has gone with all that was in it.
+  void restart_drawing();
 
   // --- What a platform's window must know and do besides the public functions ---
 

@@ -1,1 +1,78 @@
-int page_main_stub; 
+// The page's main: starts it, hands it the browser's frames, and is the only catcher. The functions below are what
+// scripts of the page call (app/web/page.html).
+#include <emscripten.h>
+
+#include <exception>
+#include <memory>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "app/files/scene_file.h"
+#include "app/lessons/lesson_file.h"
+#include "app/web/browser.h"
+#include "app/web/page.h"
+#include "app/web/page_state.h"
+
+namespace {
+
+std::unique_ptr<ghostforce::Page> page;
+
+// The answer of a call, until the next one.
+const char* answer(std::string text) {
+  static std::string kept;
+  kept = std::move(text);
+  return kept.c_str();
+}
+
+void frame() {
+  try {
+    page->frame();
+  } catch (const std::exception& error) {
+    emscripten_cancel_main_loop();
+    ghostforce::browser::tell_problem(std::string("This page has a mistake and has stopped: ") + error.what() +
+                                      ". Reload it to go on.");
+  }
+}
+
+}  // namespace
+
+extern "C" {
+
+EMSCRIPTEN_KEEPALIVE const char* ghostforce_state() {
+  return answer(page ? ghostforce::page_state(*page) : "{\"ready\":false}");
+}
+
+EMSCRIPTEN_KEEPALIVE const char* ghostforce_simulate(const char* scene, const char* strategy) {
+  try {
+    return answer(ghostforce::simulated_rows(scene, strategy));
+  } catch (const std::exception& error) {
+    return answer(std::string("# ") + error.what() + "\n");
+  }
+}
+
+EMSCRIPTEN_KEEPALIVE const char* ghostforce_on_page(double x_m, double y_m) {
+  const ghostforce::Vector<2> place = ghostforce::on_page(*page, {x_m, y_m});
+  return answer(nlohmann::json::array({place.x, place.y}).dump());
+}
+
+EMSCRIPTEN_KEEPALIVE const char* ghostforce_scenes() {
+  return answer(nlohmann::json(ghostforce::shipped_scene_names()).dump());
+}
+
+EMSCRIPTEN_KEEPALIVE const char* ghostforce_lessons() {
+  return answer(nlohmann::json(ghostforce::shipped_lesson_names()).dump());
+}
+
+}  // extern "C"
+
+int main() {
+  try {
+    page = std::make_unique<ghostforce::Page>();
+  } catch (const std::exception& error) {
+    ghostforce::browser::tell_problem(error.what());
+    return 1;
+  }
+  emscripten_set_main_loop(frame, 0, false);
+  return 0;
+}

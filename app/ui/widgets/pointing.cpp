@@ -23,6 +23,10 @@ double zoom_factor(float wheel) noexcept {
   return std::pow(zoom_per_notch, static_cast<double>(wheel));
 }
 
+float wheel_for(double zoom_factor) noexcept {
+  return static_cast<float>(std::log(zoom_factor) / std::log(zoom_per_notch));
+}
+
 void HeldAngle::begin(const Vector<2>& pointer, double angle) noexcept {
   began_at_ = pointer;
   began_angle_ = angle;
