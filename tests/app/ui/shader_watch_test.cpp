@@ -86,6 +86,33 @@ TEST_F(ShaderWatchTest, TheMessageHoldsTheLogAndTheNumberedSource) {
   EXPECT_NE(watch.problem().find("mark.frag cannot be read"), std::string::npos) << watch.problem();
 }
 
+// Mesa's log begins with "0:LINE(COLUMN)".
+TEST_F(ShaderWatchTest, TheDriverCountsLinesAsTheFileDoes) {
+  GlPainter painter(window().fonts());
+  for (const std::string first : {"#version 330 core", "#version 300 es", "// no version"}) {
+    write_whole(folder_ / "mark.frag", first + "\nout vec4 colour;\nthis is no shader\n");
+    ShaderWatch watch(folder_.path());
+    watch.look(painter, 0.0);
+    EXPECT_NE(watch.problem().find("0:3("), std::string::npos) << watch.problem();
+    EXPECT_NE(watch.problem().find("   3 this is no shader"), std::string::npos) << watch.problem();
+  }
+}
+
+// A copy of a shader from when each had the desktop's version in its first line.
+TEST_F(ShaderWatchTest, AVersionInTheFileIsReplaced) {
+  GlPainter painter(window().fonts());
+  for (const std::string first : {"#version 330 core\n", "#version 300 es\r\n"}) {
+    write_whole(folder_ / "mark.frag", first + fragment_);
+    ShaderWatch watch(folder_.path());
+    watch.look(painter, 0.0);
+    EXPECT_EQ(watch.problem(), "");
+  }
+  write_whole(folder_ / "mark.frag", "#version 330 core");
+  ShaderWatch watch(folder_.path());
+  watch.look(painter, 0.0);
+  EXPECT_NE(watch.problem(), "") << "nothing else is in it";
+}
+
 TEST_F(ShaderWatchTest, AFolderWithoutTheShadersIsRefused) {
   const TemporaryFolder empty;
   try {
