@@ -3,7 +3,7 @@
 #include "app/files/clipboard_tool.h"
 
 // The browser tells later whether it has taken the picture, and perhaps asks the person first.
-EM_JS_DEPS(clipboard_tool, "$HEAPU8");
+;
 
 // clang-format off
 EM_JS(int, begin_copy_of_png, (const char* bytes, int size), {
@@ -18,12 +18,12 @@ EM_JS(int, begin_copy_of_png, (const char* bytes, int size), {
     refuse();
   }
   return number;
-});
+})
 
 // 0: it is under way; 1: done; 2: refused.
 EM_JS(int, state_of_copy, (int number), {
   return ["under way", "done", "refused"].indexOf(Module["pictureCopies"][number]);
-});
+})
 // clang-format on
 
 namespace ghostforce {

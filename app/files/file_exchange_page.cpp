@@ -7,7 +7,7 @@
 
 #include "app/files/file_exchange.h"
 
-EM_JS_DEPS(file_exchange, "$FS,$UTF8ToString,$stringToNewUTF8");
+EM_JS_DEPS(file_exchange, "$FS,$UTF8ToString,$stringToNewUTF8")
 
 // clang-format off
 EM_JS(void, download_file, (const char* path, const char* name), {
@@ -21,7 +21,7 @@ EM_JS(void, download_file, (const char* path, const char* name), {
   // The browser reads it when it likes.
   const long_enough_ms = 60000;
   setTimeout(() => URL.revokeObjectURL(address), long_enough_ms);
-});
+})
 
 EM_JS(void, show_file_chooser, (), {
   const chooser = document.createElement("input");
@@ -38,13 +38,13 @@ EM_JS(void, show_file_chooser, (), {
     }
   };
   chooser.click();
-});
+})
 
 // 0: there is none.
 EM_JS(char*, take_chosen_file, (), {
   const path = Module["chosenFiles"]?.shift();
   return path === undefined ? 0 : stringToNewUTF8(path);
-});
+})
 // clang-format on
 
 namespace ghostforce {

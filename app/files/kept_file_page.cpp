@@ -10,7 +10,7 @@
 #include "app/files/kept_file.h"
 #include "app/files/kept_text.h"
 
-EM_JS_DEPS(kept_file, "$UTF8ToString,$stringToNewUTF8");
+EM_JS_DEPS(kept_file, "$UTF8ToString,$stringToNewUTF8")
 
 // Where storage is forbidden even looking for it throws.
 // clang-format off
@@ -21,7 +21,7 @@ EM_JS(char*, read_stored_text, (const char* key), {
   } catch (error) {
     return 0;
   }
-});
+})
 
 EM_JS(bool, store_text, (const char* key, const char* text), {
   try {
@@ -30,14 +30,14 @@ EM_JS(bool, store_text, (const char* key, const char* text), {
   } catch (error) {
     return false;
   }
-});
+})
 
 EM_JS(void, remove_stored_text, (const char* key), {
   try {
     localStorage.removeItem(UTF8ToString(key));
   } catch (error) {
   }
-});
+})
 // clang-format on
 
 namespace ghostforce {
