@@ -50,8 +50,7 @@ target_include_directories(imgui_sources SYSTEM PUBLIC ${imgui} ${imgui}/backend
 target_compile_features(imgui_sources PUBLIC cxx_std_20)
 target_compile_definitions(imgui_sources PUBLIC
   IMPLOT_CUSTOM_NUMERIC_TYPES=\(double\)  # of all the types that its plots are templates of
-  IMGUI_DISABLE_DEMO_WINDOWS IMGUI_DISABLE_DEBUG_TOOLS
-  IMGUI_DISABLE_FILE_FUNCTIONS
+  IMGUI_DISABLE_DEMO_WINDOWS IMGUI_DISABLE_DEBUG_TOOLS IMGUI_DISABLE_DEFAULT_FONT
   PRIVATE IMGUI_IMPL_OPENGL_ES3)
 add_library(ghostforce::gui ALIAS imgui_sources)
 
