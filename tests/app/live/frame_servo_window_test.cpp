@@ -39,12 +39,14 @@ TEST_F(FrameServoWindow, NobodyTicksBeforeTheStartOrAfterTheEnd) {
   ApplicationOptions options;
   options.make_servo_driver = [] { return std::make_unique<FrameServoDriver>(); };
   open(std::move(options));
+  draw(1);
+  const std::int64_t first = now().tick;  // the window was opened by hand
   draw(5);
-  EXPECT_EQ(now().tick, 0);
+  EXPECT_EQ(now().tick, first);
   application_->start();
   draw(5);
   const std::int64_t last = now().tick;
-  EXPECT_GT(last, 0);
+  EXPECT_GT(last, first);
   application_->stop();
   draw(5);
   EXPECT_EQ(now().tick, last);
