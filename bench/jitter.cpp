@@ -32,6 +32,7 @@
 #include "bench/support/report.h"
 #include "device/input/monotonic_clock.h"
 #include "device/servo/latency_histogram.h"
+#include "device/servo/realtime.h"
 #include "device/servo/servo_thread.h"
 
 namespace ghostforce::bench {

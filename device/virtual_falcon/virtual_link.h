@@ -3,8 +3,8 @@
 // rehearsals: the driver above does everything that it does with a real device.
 //
 // The clock is CLOCK_MONOTONIC, or one that only wait_until() moves: from event to event, without waiting, the same way
-// every time. Nothing is allocated after the constructor. Threads as falcon_link.h says; besides, one thread may send
-// injected faults and one may lead the hand at any time.
+// every time; for tests, and where no thread may wait (Servo::step_to). Nothing is allocated after the constructor.
+// Threads as falcon_link.h says; besides, one thread may send injected faults and one may lead the hand at any time.
 #pragma once
 
 #include <array>
