@@ -29,6 +29,7 @@
 #include "app/doctor/readiness.h"
 #include "app/doctor/udev_rule.h"
 #include "core/scene.h"
+#include "device/servo/realtime.h"
 #include "device/spacemouse_hid/hid_spacemouse_input.h"
 #include "device/virtual_falcon/virtual_falcon_input.h"
 
