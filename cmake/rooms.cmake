@@ -23,9 +23,9 @@ set(library_imgui ghostforce::gui)
 set(library_implot ghostforce::gui)
 set(library_opengl ghostforce::opengl)
 set(library_generated ghostforce::resources)
+set(library_emscripten "")  # the page's compiler has it, and only sources of the page use it
 if(EMSCRIPTEN)
   set(library_posix "")  # in Emscripten's C library
-  set(library_emscripten "")
 else()
   set(library_posix Threads::Threads)
   set(library_libusb ghostforce::libusb)

@@ -41,14 +41,14 @@ constexpr std::array reasons{
                    false},
     OffReasonEntry{OffReason::program_ending, "program_ending", "program ending", "The program was closing.", true,
                    false},
-    OffReasonEntry{OffReason::fault, "fault", "fault", "Something failed. The device status (F2) says what.", true,
+    OffReasonEntry{OffReason::fault, "fault", "fault", "Something failed. The device status ({}) says what.", true,
                    false},
 };
 
 // In the order of ArmingObstacle.
 constexpr std::array obstacles{
     ArmingObstacleEntry{ArmingObstacle::none, ""},
-    ArmingObstacleEntry{ArmingObstacle::device_not_ready, "the device is not ready; see the device status (F2)"},
+    ArmingObstacleEntry{ArmingObstacle::device_not_ready, "the device is not ready; see the device status ({})"},
     ArmingObstacleEntry{ArmingObstacle::loop_not_healthy, "waiting for the device to answer quickly and steadily"},
     ArmingObstacleEntry{ArmingObstacle::inside_wall, "move the handle out of the wall"},
     ArmingObstacleEntry{ArmingObstacle::force, "hold the handle still, away from the wall"},

@@ -33,7 +33,7 @@ struct OffReasonEntry {
   OffReason id;
   std::string_view name;    // in files
   std::string_view title;   // on screen
-  std::string_view remedy;  // what to do now
+  std::string_view remedy;  // what to do now; "{}" stands for the key of the device status
   bool at_once;             // there is nothing left to fade with
   bool is_safety_limit;     // something was too much, or came too late
 };
@@ -54,7 +54,7 @@ enum class ArmingObstacle : std::uint8_t {
 
 struct ArmingObstacleEntry {
   ArmingObstacle id;
-  std::string_view sentence;  // what to do about it
+  std::string_view sentence;  // what to do about it; "{}" as above
 };
 
 const ArmingObstacleEntry& entry_of(ArmingObstacle obstacle) noexcept;

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cstddef>
 #include <cstdlib>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -14,6 +15,9 @@
 
 namespace ghostforce {
 namespace {
+
+// Its words are for a terminal, and for the desktop's window.
+constexpr std::string_view device_status_key = "F2";
 
 // In the order of ReadinessStep.
 constexpr std::array steps{
@@ -255,11 +259,13 @@ class ReadinessCheck {
       case SafetyState::fade: {
         if (motors_->reason == OffReason::none) break;
         const OffReasonEntry& reason = entry_of(motors_->reason);
-        return fmt::format("The motors went off: {}. {}", reason.title, reason.remedy);
+        return fmt::format("The motors went off: {}. {}", reason.title,
+                           fmt::format(fmt::runtime(reason.remedy), device_status_key));
       }
       case SafetyState::arming:
         if (motors_->obstacle == ArmingObstacle::none) return "The motors are being armed.";
-        return fmt::format("The motors are not on yet: {}.", entry_of(motors_->obstacle).sentence);
+        return fmt::format("The motors are not on yet: {}.",
+                           fmt::format(fmt::runtime(entry_of(motors_->obstacle).sentence), device_status_key));
       case SafetyState::ramp:
       case SafetyState::on:
         return fmt::format("The motors are on and push with {:.1f} N at most.", motors_->limit);

@@ -4,6 +4,7 @@
 #include "app/files/png_file.h"
 #include "app/live/application.h"
 #include "app/session/set_up_of.h"
+#include "app/session/stage_actions.h"
 #include "app/session/target.h"
 #include "app/set_up/picture_set_up.h"
 #include "app/set_up/set_up_line.h"
@@ -32,6 +33,7 @@ void Application::save_clip(const SaveClipRequest& request) {
   const ShownMoment last = history_.moments().at(request.end_s).value_or(shown());
   clip_saving_.begin(request, history_.moments(),
                      {.language = &stage_language(session_.language),
+                      .keys = stage_keys(),
                       .theme = session_.appearance.theme,
                       .measure = painter_.measure,
                       .shown = session_.stage_shown,

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <utility>
+#include <vector>
 
 #include "app/session/keys.h"
 #include "app/session/lesson_guide.h"
@@ -202,13 +203,59 @@ constexpr KeyBinding for_visitors(KeyBinding binding) {
   return binding;
 }
 
+// A page has no such key.
+constexpr KeyBinding for_own_window(KeyBinding binding) {
+  binding.for_own_window = true;
+  return binding;
+}
+
+// With one of these nothing is typed.
+constexpr int chords = modifier::control | modifier::alt | modifier::super;
+
+// Into a field it types a letter or another sign.
+constexpr bool types_a_sign(int key, int modifiers) {
+  return key < key::escape && (modifiers & chords) == 0;
+}
+
+// What is typed, and the keys that move and delete without a chord. Function keys do nothing there.
+bool is_for_field(const KeyPress& press) {
+  const bool is_function_key = press.key >= key::f1 && press.key <= key::f24;
+  return !is_function_key && (press.modifiers & chords) == 0;
+}
+
+// With a key that may be another in another front. `also_in_fields`: but where it is a letter there.
+constexpr KeyBinding bound(const FrontKey& at, std::string_view sentence, void (*act)(Session&),
+                           bool also_in_fields = false, std::string_view group = {}) {
+  return {.key = at.key,
+          .modifiers = at.modifiers,
+          .shown = at.shown,
+          .sentence = sentence,
+          .act = act,
+          .also_in_fields = also_in_fields && !types_a_sign(at.key, at.modifiers),
+          .group = group};
+}
+
 constexpr int none = 0;
 constexpr int shift = modifier::shift;
 constexpr int ctrl = modifier::control;
 constexpr int alt = modifier::alt;
 
 // clang-format off
-constexpr std::array bindings{
+constexpr std::array gestures{
+    MouseGesture{"Move and change", "Drag", "Move the goal of your hand"},
+    MouseGesture{"Move and change", "Drag rail or arrow", "Turn the actuated direction in steps of 5° (Ctrl: freely)"},
+    MouseGesture{"Move and change", "Drag a wall grip", "Turn the wall in steps of 5° (Ctrl: freely)"},
+    MouseGesture{"View", "Wheel", "Zoom at the pointer"},
+    MouseGesture{"View", "Right drag", "Move the view"},
+    MouseGesture{"Move and change", "Ctrl+click a slider", "Type a number"},
+};
+// clang-format on
+
+}  // namespace
+
+std::vector<KeyBinding> key_table_of(const FrontKeys& keys) {
+  // clang-format off
+  std::vector bindings{
     for_visitors({key::left, none, "Arrows", "Move goal or guess 1 mm (Shift: 0.1, Ctrl: 10)", move_goal<-1, 0, 10>, true, false, "Move and change"}),
     for_visitors({key::right, none, "", "", move_goal<1, 0, 10>, true}),
     for_visitors({key::up, none, "", "", move_goal<0, 1, 10>, true}),
@@ -254,12 +301,12 @@ constexpr std::array bindings{
     KeyBinding{key::p, none, "P", "Prediction rings on / off", toggle<&ViewOptions::predictions>},
     KeyBinding{key::t, none, "T", "Trails on / off", toggle<&ViewOptions::trails>},
     KeyBinding{key::f, none, "F", "Fit everything into the view", ask<&Requests::fit_view>},
-    KeyBinding{key::z, none, "Z", "Zoom in (Shift: out); Alt+arrows move the view", zoom<125>, true},
+    KeyBinding{key::z, none, "Z", keys.zoom_sentence, zoom<125>, true},
     KeyBinding{key::z, shift, "", "", zoom<80>, true},
-    KeyBinding{key::left, alt, "", "", move_picture<-1, 0>, true},
-    KeyBinding{key::right, alt, "", "", move_picture<1, 0>, true},
-    KeyBinding{key::up, alt, "", "", move_picture<0, 1>, true},
-    KeyBinding{key::down, alt, "", "", move_picture<0, -1>, true},
+    KeyBinding{key::left, keys.move_view_modifiers, "", "", move_picture<-1, 0>, true},
+    KeyBinding{key::right, keys.move_view_modifiers, "", "", move_picture<1, 0>, true},
+    KeyBinding{key::up, keys.move_view_modifiers, "", "", move_picture<0, 1>, true},
+    KeyBinding{key::down, keys.move_view_modifiers, "", "", move_picture<0, -1>, true},
 
     KeyBinding{key::q, none, "Q", "Predict: guess where the handle comes to rest", toggle_mode<StageMode::predict>, false, false, "Stage"},
     KeyBinding{key::y, none, "Y", "Why?: where the ghost force comes from", toggle_mode<StageMode::why>},
@@ -268,12 +315,12 @@ constexpr std::array bindings{
     KeyBinding{key::h, none, "H", "Last minute: look at it again", toggle_mode<StageMode::ribbon>},
     for_visitors({key::enter, none, "Enter", "Next step of a lesson or of Why?; answer a guess", confirm}),
     for_visitors({key::number_pad_enter, none, "", "", confirm}),
-    KeyBinding{key::f5, none, "F5", "Lessons: choose one", open_dialog<Dialog::lessons>, false, true},
+    bound(keys.lessons, "Lessons: choose one", open_dialog<Dialog::lessons>, true),
     for_visitors({key::page_down, none, "PgDn PgUp", "Lesson or talk: next / previous step", next_talk_step}),
     for_visitors({key::page_up, none, "", "", previous_talk_step}),
     KeyBinding{key::b, none, "B", "Blank the stage, or show it again", hide_stage},
 
-    KeyBinding{key::f2, none, "F2", "Device status, and what to do next", open_dialog<Dialog::doctor>, false, true, "Device"},
+    bound(keys.device_status, "Device status, and what to do next", open_dialog<Dialog::doctor>, true, "Device"),
     for_visitors({key::escape, none, "Esc", "Motors off; close what is open (never quits)", escape, false, true}),
 
     KeyBinding{key::z, ctrl, "Ctrl+Z", "Undo the last change to a setting", ask<&Requests::undo>, true, false, "Undo, files, clipboard"},
@@ -283,42 +330,35 @@ constexpr std::array bindings{
     KeyBinding{key::v, ctrl, "Ctrl+V", "Paste such a command: show what it describes", ask<&Requests::paste_set_up>},
     KeyBinding{key::o, ctrl, "Ctrl+O", "Open a scene (or drop a file on the window)", open_dialog<Dialog::open_scene>, false, true},
     KeyBinding{key::s, ctrl, "Ctrl+S", "Save the scene with its current settings", open_dialog<Dialog::save_scene>, false, true},
-    KeyBinding{key::p, ctrl, "Ctrl+P", "Save a picture: PNG, SVG or PDF", open_dialog<Dialog::save_picture>, false, true},
+    bound(keys.save_picture, keys.save_picture_sentence, open_dialog<Dialog::save_picture>, true),
     KeyBinding{key::p, alt, "Alt+P", "Save the last seconds of the stage as a clip", open_dialog<Dialog::save_clip>, false, true},
-    KeyBinding{key::p, ctrl | shift, "Ctrl+Shift+P", "Copy a picture to the clipboard", copy_picture},
-    KeyBinding{key::c, ctrl | shift, "Ctrl+Shift+C", "Copy the live values to the clipboard", ask<&Requests::copy_table>, false, true},
+    bound(keys.copy_picture, "Copy a picture to the clipboard", copy_picture),
+    bound(keys.copy_values, "Copy the live values to the clipboard", ask<&Requests::copy_table>, true),
 
-    KeyBinding{key::f1, none, "F1", "This help", open_dialog<Dialog::help>, false, true, "Window"},
-    KeyBinding{key::f3, none, "F3", "Plots over time, wall angle and ratio ρ", toggle_plots, false, true},
+    bound(keys.help, "This help", open_dialog<Dialog::help>, true, "Window"),
+    bound(keys.plots, "Plots over time, wall angle and ratio ρ", toggle_plots, true),
     KeyBinding{key::f4, none, "F4", "Switch between stage and workbench", other_face, false, true},
-    KeyBinding{key::f11, none, "F11", "Full screen on / off", ask<&Requests::toggle_full_screen>, false, true},
-    KeyBinding{key::t, ctrl, "Ctrl+T", "Next theme: light, dark, projector", next_theme},
-    KeyBinding{key::equal, ctrl, "Ctrl+ + − 0", "Text size: larger, smaller, default", change_scale<1>, true},
-    KeyBinding{key::equal, ctrl | shift, "", "", change_scale<1>, true},
-    KeyBinding{key::number_pad_add, ctrl, "", "", change_scale<1>, true},
-    KeyBinding{key::minus, ctrl, "", "", change_scale<-1>, true},
-    KeyBinding{key::number_pad_subtract, ctrl, "", "", change_scale<-1>, true},
-    KeyBinding{key::digit_0, ctrl, "", "", usual_scale},
+    bound(keys.full_screen, "Full screen on / off", ask<&Requests::toggle_full_screen>, true),
+    bound(keys.next_theme, "Next theme: light, dark, projector", next_theme),
+    for_own_window({key::equal, ctrl, "Ctrl+ + − 0", "Text size: larger, smaller, default", change_scale<1>, true}),
+    for_own_window({key::equal, ctrl | shift, "", "", change_scale<1>, true}),
+    for_own_window({key::number_pad_add, ctrl, "", "", change_scale<1>, true}),
+    for_own_window({key::minus, ctrl, "", "", change_scale<-1>, true}),
+    for_own_window({key::number_pad_subtract, ctrl, "", "", change_scale<-1>, true}),
+    for_own_window({key::digit_0, ctrl, "", "", usual_scale}),
     for_visitors({key::tab, none, "Tab", "Next control (Shift: previous)", nothing_here, true}),
     for_visitors({key::tab, shift, "", "", nothing_here, true}),
-    KeyBinding{key::q, ctrl, "Ctrl+Q", "Quit", ask<&Requests::quit>, false, true},
-    for_visitors({key::q, ctrl | alt | shift, "", "", ask<&Requests::quit>, false, true}),  // told on the terminal
-};
-
-constexpr std::array gestures{
-    MouseGesture{"Move and change", "Drag", "Move the goal of your hand"},
-    MouseGesture{"Move and change", "Drag rail or arrow", "Turn the actuated direction in steps of 5° (Ctrl: freely)"},
-    MouseGesture{"Move and change", "Drag a wall grip", "Turn the wall in steps of 5° (Ctrl: freely)"},
-    MouseGesture{"View", "Wheel", "Zoom at the pointer"},
-    MouseGesture{"View", "Right drag", "Move the view"},
-    MouseGesture{"Move and change", "Ctrl+click a slider", "Type a number"},
-};
-// clang-format on
-
-}  // namespace
-
-std::span<const KeyBinding> key_table() noexcept {
+    for_own_window({key::q, ctrl, "Ctrl+Q", "Quit", ask<&Requests::quit>, false, true}),
+    for_visitors(for_own_window({key::q, ctrl | alt | shift, "", "", ask<&Requests::quit>, false, true})),  // told on the terminal
+  };
+  // clang-format on
+  std::erase_if(bindings, [&](const KeyBinding& binding) { return binding.for_own_window && !keys.has_own_window; });
   return bindings;
+}
+
+std::span<const KeyBinding> key_table() {
+  static const std::vector<KeyBinding> table = key_table_of(front_keys());
+  return table;
 }
 
 std::span<const MouseGesture> mouse_table() noexcept {
@@ -326,12 +366,19 @@ std::span<const MouseGesture> mouse_table() noexcept {
 }
 
 void act_on_key(Session& session, const KeyPress& press, bool is_typing) {
-  for (const KeyBinding& binding : bindings) {
+  for (const KeyBinding& binding : key_table()) {
     if (binding.key != press.key || binding.modifiers != press.modifiers) continue;
     if (session.visit && !binding.for_visitors) continue;
     if ((press.is_repeat && !binding.repeats) || (is_typing && !binding.also_in_fields)) continue;
     binding.act(session);
   }
+}
+
+bool is_ours(const KeyPress& press, bool is_typing) {
+  if (is_typing && is_for_field(press)) return true;
+  return std::ranges::any_of(key_table(), [&](const KeyBinding& binding) {
+    return binding.key == press.key && binding.modifiers == press.modifiers && (!is_typing || binding.also_in_fields);
+  });
 }
 
 void next_compare_mode(Session& session) {

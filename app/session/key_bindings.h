@@ -4,7 +4,9 @@
 
 #include <span>
 #include <string_view>
+#include <vector>
 
+#include "app/session/front_keys.h"
 #include "app/session/session.h"
 
 namespace ghostforce {
@@ -27,9 +29,13 @@ struct KeyBinding {
   bool also_in_fields = false;  // even while the person types into a field, where most keys are letters
   std::string_view group{};     // of this row and those that follow; empty: that of the row above
   bool for_visitors = false;    // also in the visitor's mode
+  bool for_own_window = false;  // not in a page
 };
 
-std::span<const KeyBinding> key_table() noexcept;
+// Of this front.
+std::span<const KeyBinding> key_table();
+// Of a front with these keys.
+std::vector<KeyBinding> key_table_of(const FrontKeys& keys);
 
 // The mouse in the scene, in words: what the gestures do.
 struct MouseGesture {
@@ -41,6 +47,10 @@ std::span<const MouseGesture> mouse_table() noexcept;
 
 // Does what the pressed key asks for. `is_typing`: the person is typing into a field.
 void act_on_key(Session& session, const KeyPress& press, bool is_typing);
+
+// True: the table has an action for that key, or it types into the field. What else acts on keys, as a browser does,
+// should not act on this one too. Holding a key down that does not repeat is still ours.
+bool is_ours(const KeyPress& press, bool is_typing);
 
 // The same actions, for buttons.
 void next_compare_mode(Session& session);

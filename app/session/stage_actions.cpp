@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "app/session/front_keys.h"
 #include "app/session/lesson_guide.h"
 #include "app/session/motor_button.h"
 #include "app/session/visit.h"
@@ -134,6 +135,10 @@ void previous_talk_step(Session& session) {
 
 std::size_t talk_length() noexcept {
   return talk.size();
+}
+
+StageKeys stage_keys() noexcept {
+  return {.lessons = front_keys().lessons.shown, .help = front_keys().help.shown};
 }
 
 }  // namespace ghostforce

@@ -16,6 +16,9 @@ void toggle_stage_mode(Session& session, StageMode mode);
 // The active one. `slowly`: the stage takes 6 s for it instead of 0.6.
 void choose_strategy(Session& session, StrategyId id, bool slowly);
 
+// The keys whose names stand on the stage.
+StageKeys stage_keys() noexcept;
+
 // What Enter means in the lesson or in the mode that is on: the answer to a guess, the next step.
 void confirm_on_stage(Session& session);
 

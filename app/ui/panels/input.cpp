@@ -4,6 +4,9 @@
 #include <string>
 #include <string_view>
 
+#include <fmt/format.h>
+
+#include "app/session/front_keys.h"
 #include "app/session/key_bindings.h"
 #include "app/ui/panels/panel_catalog.h"
 #include "app/ui/widgets/controls.h"
@@ -41,7 +44,8 @@ void draw_step(const PanelContext& context) {
   }
   if (!context.loop.device_remark.empty()) ImGui::TextUnformatted(context.loop.device_remark.c_str());
   ImGui::PopTextWrapPos();
-  if (ImGui::SmallButton("F2  Device status")) open_dialog<Dialog::doctor>(context.session);
+  const std::string status = fmt::format("{}  Device status", front_keys().device_status.shown);
+  if (ImGui::SmallButton(status.c_str())) open_dialog<Dialog::doctor>(context.session);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/session/front_keys.h"
 #include "app/ui/panels/panel_catalog.h"
 #include "app/ui/widgets/controls.h"
 #include "app/view/number_text.h"
@@ -145,7 +146,8 @@ void draw_copy_button(const PanelContext& context, float top) {
   }
   ImGui::SetCursorPosX(copy_x);
   if (ImGui::SmallButton(copy)) context.session.requests.copy_table = true;
-  tooltip("Copies the values of all three strategies to the clipboard, for a spreadsheet. Ctrl+Shift+C.");
+  tooltip(fmt::format("Copies the values of all three strategies to the clipboard, for a spreadsheet. {}.",
+                      front_keys().copy_values.shown));
 }
 
 }  // namespace

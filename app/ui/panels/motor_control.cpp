@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <string>
 
+#include "app/session/front_keys.h"
 #include "app/session/motor_button.h"
 #include "app/ui/widgets/controls.h"
+#include "app/view/stage/stage_language.h"
 
 namespace ghostforce {
 namespace {
@@ -73,7 +75,7 @@ void draw_motor_button(const PanelContext& context, float height) {
   if (!motors.has_motors) {
     tooltip("No device with a motor is in use: the forces on screen are the model's.");
   } else if (motors.state == SafetyState::off && motors.reason != OffReason::none) {
-    tooltip(entry_of(motors.reason).remedy);
+    tooltip(filled(entry_of(motors.reason).remedy, front_keys().device_status.shown));
   } else {
     tooltip("Lets the device push. Esc turns it off at any time.");
   }

@@ -2,24 +2,29 @@
 #include <fmt/format.h>
 
 #include <string>
+#include <string_view>
 
+#include "app/session/front_keys.h"
 #include "app/ui/panels/panel_catalog.h"
 #include "app/ui/widgets/controls.h"
+#include "app/view/stage/stage_language.h"
 #include "core/force_limiter.h"
 
 namespace ghostforce {
 namespace {
 
 std::string words_about(const MotorReport& motors) {
+  const std::string_view status_key = front_keys().device_status.shown;
   switch (motors.state) {
     case SafetyState::off:
       if (motors.reason == OffReason::none) {
-        return motors.is_ready ? "Off. The button at the top right arms the motors."
-                               : "Off. The device is not ready. F2 says what to do next.";
+        return motors.is_ready ? std::string("Off. The button at the top right arms the motors.")
+                               : fmt::format("Off. The device is not ready. {} says what to do next.", status_key);
       }
-      return fmt::format("Off: {}. {}", entry_of(motors.reason).title, entry_of(motors.reason).remedy);
+      return fmt::format("Off: {}. {}", entry_of(motors.reason).title,
+                         filled(entry_of(motors.reason).remedy, status_key));
     case SafetyState::arming:
-      return fmt::format("Arming: {}.", entry_of(motors.obstacle).sentence);
+      return fmt::format("Arming: {}.", filled(entry_of(motors.obstacle).sentence, status_key));
     case SafetyState::ramp:
       return fmt::format("Turning on: {:.0f} %. Esc turns them off.", 100.0 * motors.gain);
     case SafetyState::on:

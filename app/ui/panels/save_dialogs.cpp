@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "app/files/video_encoder.h"
+#include "app/session/front_keys.h"
 #include "app/session/plot_view.h"
 #include "app/ui/panels/dialogs.h"
 #include "app/ui/widgets/controls.h"
@@ -68,7 +69,7 @@ void draw_save_picture(const PanelContext& context) {
     session.dialog = Dialog::none;
   }
   ImGui::EndDisabled();
-  tooltip("The picture as PNG, for other programs to paste. Ctrl+Shift+P.");
+  tooltip(fmt::format("The picture as PNG, for other programs to paste. {}.", front_keys().copy_picture.shown));
   ImGui::SameLine();
   if (ImGui::Button("Clip…")) session.dialog = Dialog::save_clip;
   tooltip("The last seconds of the stage, as a moving picture. Alt+P.");

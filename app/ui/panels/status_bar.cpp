@@ -8,8 +8,10 @@
 #include <algorithm>
 #include <iterator>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "app/session/front_keys.h"
 #include "app/session/key_bindings.h"
 #include "app/ui/panels/caption.h"
 #include "app/ui/panels/panel_catalog.h"
@@ -25,13 +27,17 @@ constexpr double late_share_to_tell = 1e-3;
 void draw_save_menu(Session& session) {
   if (!ImGui::BeginPopup("save")) return;
   close_popup_on_escape();
+  const FrontKeys& keys = front_keys();
+  const auto item = [](const char* words, std::string_view key) {
+    return ImGui::MenuItem(words, std::string(key).c_str());
+  };
   if (ImGui::MenuItem("Save this scene…", "Ctrl+S")) session.dialog = Dialog::save_scene;
-  if (ImGui::MenuItem("Save a picture…", "Ctrl+P")) session.dialog = Dialog::save_picture;
+  if (item("Save a picture…", keys.save_picture.shown)) session.dialog = Dialog::save_picture;
   if (ImGui::MenuItem("Save a clip…", "Alt+P")) session.dialog = Dialog::save_clip;
   if (ImGui::MenuItem("Save the plots…", nullptr, false, session.plots.is_open)) session.dialog = Dialog::save_plots;
   ImGui::Separator();
-  if (ImGui::MenuItem("Copy a picture", "Ctrl+Shift+P")) session.requests.copy_picture = CopyPictureRequest{};
-  if (ImGui::MenuItem("Copy the live values", "Ctrl+Shift+C")) session.requests.copy_table = true;
+  if (item("Copy a picture", keys.copy_picture.shown)) session.requests.copy_picture = CopyPictureRequest{};
+  if (item("Copy the live values", keys.copy_values.shown)) session.requests.copy_table = true;
   if (ImGui::MenuItem("Copy this set-up as a command", "Ctrl+C")) session.requests.copy_set_up = true;
   if (ImGui::MenuItem("Paste a set-up", "Ctrl+V")) session.requests.paste_set_up = true;
   ImGui::EndPopup();
@@ -89,7 +95,7 @@ void draw_status_bar(const PanelContext& context, bool has_caption) {
   const std::string problem = problems.empty() ? "" : fmt::format("   ·   {}", fmt::join(problems, "   ·   "));
 
   // From the right: help, saving, the scene, and the loop's words in what remains.
-  const char* const help = "F1  Help";
+  const std::string help = fmt::format("{}  Help", front_keys().help.shown);
   const char* const save = "Save  ▾";
   const float spacing = style.ItemSpacing.x;
   const float left = ImGui::GetCursorPosX();
@@ -127,7 +133,7 @@ void draw_status_bar(const PanelContext& context, bool has_caption) {
   tooltip("Saves the scene, a picture or the plots; copies the live values or a picture.");
   draw_save_menu(session);
   ImGui::SameLine();
-  if (ImGui::Button(help)) open_dialog<Dialog::help>(session);
+  if (ImGui::Button(help.c_str())) open_dialog<Dialog::help>(session);
   tooltip("All keys and mouse gestures.");
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/session/front_keys.h"
 #include "app/ui/panels/dialogs.h"
 #include "app/ui/panels/language_choice.h"
 #include "app/ui/panels/panel_catalog.h"
@@ -54,9 +55,10 @@ void draw_view_options(const PanelContext& context) {
   ImGui::Checkbox("trails", &session.options.trails);
   tooltip(Term::trail);
   if (!begin_rows("view", context)) return;
-  row("Theme", "Light, dark, or black on white for a projector. Ctrl+T switches to the next one.");
+  row("Theme", fmt::format("Light, dark, or black on white for a projector. {} switches to the next one.",
+                           front_keys().next_theme.shown));
   draw_theme_choice(context);
-  row("Text size", "The size of text and lines, 75 to 300 %. Also Ctrl and + or −; Ctrl+0 restores the default.");
+  row("Text size", front_keys().text_size_sentence);
   draw_scale_choice("size", look.scale, Appearance::least_scale, Appearance::greatest_scale);
   row("Arrows", "The length of the force arrows, 25 to 400 %. The scale bar shows how long a force is drawn.");
   draw_scale_choice("arrows", look.arrow_scale, Appearance::least_arrow_scale, Appearance::greatest_arrow_scale);

@@ -6,6 +6,7 @@
 #include <array>
 #include <string>
 
+#include "app/session/front_keys.h"
 #include "app/session/measurement_guide.h"
 #include "app/ui/widgets/controls.h"
 
@@ -120,7 +121,7 @@ void draw_buttons(const PanelContext& context) {
   tooltip("Saves what is shown, as numbers (CSV) or as a picture (PNG, SVG, PDF).");
   ImGui::SameLine();
   if (ImGui::Button(close_words)) view.is_open = false;
-  tooltip("Closes the plots. F3 opens them again.");
+  tooltip(fmt::format("Closes the plots. {} opens them again.", front_keys().plots.shown));
 }
 
 }  // namespace

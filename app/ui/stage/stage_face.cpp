@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "app/session/front_keys.h"
 #include "app/session/lesson_guide.h"
 #include "app/session/motor_button.h"
 #include "app/session/stage_actions.h"
@@ -78,16 +79,17 @@ std::optional<StageCornerButton> corner_button(const Session& session, const Mot
 }
 
 // What is not as it should be comes before what there is to see.
-std::string_view warning_of(const Session& session, const LoopReading& loop) {
+std::string warning_of(const Session& session, const LoopReading& loop) {
   const StageLanguage::Warnings& words = stage_language(session.language).warnings;
   if (loop.diverged) {
-    return session.face == Face::stage && !session.visit ? words.unstable : words.unstable_on_workbench;
+    return std::string(session.face == Face::stage && !session.visit ? words.unstable : words.unstable_on_workbench);
   }
   const auto step = std::ranges::find_if(loop.readiness, &ReadinessStepState::is_current);
   if (loop.motors.has_motors && !loop.motors.is_ready && step != loop.readiness.end()) {
-    return session.visit ? words.device_not_ready_for_visitors : words.device_not_ready;
+    return session.visit ? std::string(words.device_not_ready_for_visitors)
+                         : filled(words.device_not_ready, front_keys().device_status.shown);
   }
-  if (session.paused && !session.stage.looks_back_to_s) return words.paused;
+  if (session.paused && !session.stage.looks_back_to_s) return std::string(words.paused);
   return {};
 }
 
@@ -200,6 +202,7 @@ StageContent StageFace::content_of(const Session& session, const StageFrame& fra
       .settings = shown.settings,
       .moment = shown.moment,
       .language = stage_language(session.language),
+      .keys = stage_keys(),
       .theme = frame.theme,
       .measure = frame.measure,
       .shown = session.stage_shown,

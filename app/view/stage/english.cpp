@@ -117,7 +117,7 @@ const StageLanguage english_stage{
         },
     .hovers =
         {
-            .lessons = "Lessons (F5): short sessions that ask, and then show.",
+            .lessons = "Lessons ({}): short sessions that ask, and then show.",
             .workbench = "Workbench (F4): all settings, numbers and plots.",
             .leave_lesson = "Leave the lesson (Esc).",
             .wall = "Drag to turn the wall.",
@@ -171,8 +171,8 @@ const StageLanguage english_stage{
         },
     .buttons =
         {
-            .lessons = "F5 lessons",
-            .keys = "F1 keys",
+            .lessons = "{} lessons",
+            .keys = "{} keys",
             .cure_hint = "press 3: the cure",
             .show_guess = "Enter: show me",
             .skip = "Enter: skip",
@@ -184,7 +184,7 @@ const StageLanguage english_stage{
         {
             .unstable = "These settings make the simulation unstable. Press F4 and lower the rendering stiffness.",
             .unstable_on_workbench = "These settings make the simulation unstable. Lower the rendering stiffness.",
-            .device_not_ready = "The device is not ready: F2 says what to do.",
+            .device_not_ready = "The device is not ready: {} says what to do.",
             .device_not_ready_for_visitors = "The device is not ready. Please ask for help.",
             .paused = "Paused. Press Space to go on.",
         },

@@ -121,7 +121,7 @@ class LessonArrangement {
       for (const Strategy& strategy : strategy_catalog()) {
         if (strategy.id == StrategyId::full && !words_.has_full) continue;
         const std::string_view words = words_.language.strategies[index_of(strategy.id)].in_short;
-        strategies.push_back({strategy.id, {}, words});
+        strategies.push_back({strategy.id, {}, std::string(words)});
         const double width = strategy_button_width(words, layout_.unit, layout_.letters, measure_);
         items.push_back({.lines = {}, .size = {width, points(row_height)}});
       }
@@ -146,7 +146,8 @@ class LessonArrangement {
     }
     layout_.corner.reset();
     layout_.links.clear();
-    if (!words_.corner.empty()) layout_.corner = StageButton{words_.corner_action, ends.front().box, words_.corner};
+    if (!words_.corner.empty())
+      layout_.corner = StageButton{words_.corner_action, ends.front().box, std::string(words_.corner)};
     made.back.reset();
     if (!lesson_.back.empty()) made.back = ends[ends.size() - 2].box;
     made.next = ends.back().box;

@@ -105,7 +105,7 @@ const StageLanguage spanish_stage{
         },
     .hovers =
         {
-            .lessons = "Lecciones (F5): sesiones cortas que preguntan, y luego muestran.",
+            .lessons = "Lecciones ({}): sesiones cortas que preguntan, y luego muestran.",
             .workbench = "Banco de trabajo (F4): todos los ajustes, números y gráficas.",
             .leave_lesson = "Salir de la lección (Esc).",
             .wall = "Arrastra para girar la pared.",
@@ -162,8 +162,8 @@ const StageLanguage spanish_stage{
         },
     .buttons =
         {
-            .lessons = "F5 lecciones",
-            .keys = "F1 teclas",
+            .lessons = "{} lecciones",
+            .keys = "{} teclas",
             .cure_hint = "pulsa 3: la cura",
             .show_guess = "Intro: muéstramelo",
             .skip = "Intro: saltar",
@@ -176,7 +176,7 @@ const StageLanguage spanish_stage{
             // The workbench speaks English.
             .unstable = "Con estos ajustes la simulación es inestable. Pulsa F4 y baja «rendering stiffness».",
             .unstable_on_workbench = "Con estos ajustes la simulación es inestable. Baja «rendering stiffness».",
-            .device_not_ready = "El dispositivo no está listo: F2 dice qué hacer.",
+            .device_not_ready = "El dispositivo no está listo: {} dice qué hacer.",
             .device_not_ready_for_visitors = "El dispositivo no está listo. Pide ayuda, por favor.",
             .paused = "En pausa. Pulsa la barra espaciadora para seguir.",
         },

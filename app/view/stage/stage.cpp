@@ -19,7 +19,7 @@ const StageModeLayers* layers_of(StageMode mode) {
 }
 
 std::string sentence_of(const StageContent& content, const StageModeLayers* mode) {
-  if (!content.warning.empty()) return std::string(content.warning);
+  if (!content.warning.empty()) return content.warning;
   if (content.lesson) return content.lesson->text;
   if (mode != nullptr) {
     if (std::string words = mode->sentence(content); !words.empty()) return words;
@@ -41,6 +41,7 @@ StageLayout layout_of(const StageContent& content, const StageModeLayers* mode) 
   const std::string sentence = sentence_of(content, mode);
   return stage_layout(content.size, content.scale, content.measure,
                       {.language = content.language,
+                       .keys = content.keys,
                        .sentence = sentence,
                        .corner = content.corner ? std::string_view(content.corner->words) : "",
                        .corner_action = content.corner ? content.corner->action : StageCommand::keys,

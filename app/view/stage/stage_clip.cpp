@@ -17,6 +17,7 @@ Pane StageClip::next(const ClipMoment& moment, double interval_s) {
   StageContent content{.settings = settings,
                        .moment = stage_moment_between(settings, snapshot, snapshot.goal, transition_->blend()),
                        .language = *look_.language,
+                       .keys = look_.keys,
                        .theme = *look_.theme,
                        .measure = look_.measure,
                        .shown = look_.shown,

@@ -8,6 +8,7 @@
 #include "app/view/label_placer.h"
 #include "app/view/panes.h"
 #include "app/view/stage/stage_language.h"
+#include "app/view/stage/stage_places.h"
 #include "app/view/stage/stage_transition.h"
 #include "app/view/theme.h"
 #include "app/view/view.h"
@@ -21,7 +22,8 @@ struct ClipMoment {
 };
 
 struct StageClipLook {
-  const StageLanguage* language;  // of the catalog, as the next one
+  const StageLanguage* language;  // of the catalog, as the theme
+  StageKeys keys;
   const Theme* theme;
   MeasureText measure;
   SceneView shown;

@@ -49,6 +49,7 @@ struct StageContent {
   const Settings& settings;  // of the moment that is shown
   StageMoment moment;
   const StageLanguage& language;
+  StageKeys keys;
   const Theme& theme;
   const MeasureText& measure;
   SceneView shown;
@@ -71,8 +72,8 @@ struct StageContent {
   std::optional<StageCornerButton> corner{};
   std::optional<StageLesson> lesson{};
   StageSecrets hides{};
-  std::string_view warning{};  // what must be said instead of the sentence; may be empty
-  bool is_bare = false;        // the scene alone: no sentence, no large numbers, no buttons round it
+  std::string warning{};  // what must be said instead of the sentence; may be empty
+  bool is_bare = false;   // the scene alone: no sentence, no large numbers, no buttons round it
 };
 
 }  // namespace ghostforce

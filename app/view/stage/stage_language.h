@@ -130,7 +130,7 @@ struct StageLanguage {
 
   // Other things that explain themselves under the pointer.
   struct Hovers {
-    std::string_view lessons;
+    std::string_view lessons;  // their key
     std::string_view workbench;
     std::string_view leave_lesson;
     std::string_view wall;
@@ -185,8 +185,8 @@ struct StageLanguage {
 
   // Buttons and hints at the lower edge.
   struct Buttons {
-    std::string_view lessons;
-    std::string_view keys;
+    std::string_view lessons;  // their key
+    std::string_view keys;     // so
     std::string_view cure_hint;
     std::string_view show_guess;
     std::string_view skip;
@@ -199,7 +199,7 @@ struct StageLanguage {
   struct Warnings {
     std::string_view unstable;
     std::string_view unstable_on_workbench;
-    std::string_view device_not_ready;
+    std::string_view device_not_ready;  // the key of its status
     std::string_view device_not_ready_for_visitors;
     std::string_view paused;
   } warnings;

@@ -139,7 +139,8 @@ class Arrangement {
       const StageLanguage::StrategyButton& words = words_.language.strategies[index_of(strategy.id)];
       const std::string_view shown = in_full ? words.in_full : words.in_short;
       const double width = strategy_button_width(shown, layout_.unit, layout_.letters, measure_);
-      layout_.strategies.push_back({strategy.id, {{x, bottom - points(button_height)}, {x + width, bottom}}, shown});
+      layout_.strategies.push_back(
+          {strategy.id, {{x, bottom - points(button_height)}, {x + width, bottom}}, std::string(shown)});
       x += width + points(gap);
     }
     const double right = layout_.size.x - layout_.margin;
@@ -147,15 +148,15 @@ class Arrangement {
     layout_.links.clear();
     if (!words_.corner.empty()) {
       const double left = right - measure_(words_.corner, layout_.letters.bold_words).x - points(2.0 * button_padding);
-      layout_.corner =
-          StageButton{words_.corner_action, {{left, bottom - points(button_height)}, {right, bottom}}, words_.corner};
+      layout_.corner = StageButton{
+          words_.corner_action, {{left, bottom - points(button_height)}, {right, bottom}}, std::string(words_.corner)};
       return x <= left;
     }
     const StageLanguage::Buttons& all = words_.language.buttons;
     const double line = layout_.letters.words.height;
     double top = bottom - 0.5 * points(button_height) - line;
-    for (const auto& [command, link] :
-         {std::pair(StageCommand::lessons, all.lessons), {StageCommand::keys, all.keys}}) {
+    for (const auto& [command, link] : {std::pair(StageCommand::lessons, filled(all.lessons, words_.keys.lessons)),
+                                        {StageCommand::keys, filled(all.keys, words_.keys.help)}}) {
       const double left = right - measure_(link, layout_.letters.words).x;
       layout_.links.push_back({command, {{left, top}, {right, top + line}}, link});
       top += line;
@@ -266,14 +267,14 @@ Camera stage_camera(const SceneView& shown, const Vector<2>& size, double bottom
   return camera;
 }
 
-std::string hover_words(const StageAction& action, const StageLanguage& language) {
+std::string hover_words(const StageAction& action, const StageLanguage& language, const StageKeys& keys) {
   if (const auto* const mode = std::get_if<StageMode>(&action)) {
     const auto entry = std::ranges::find(stage_mode_catalog(), *mode, &StageModeEntry::id);
     const StageLanguage::Mode& words = language.modes.*entry->words;
     return fmt::format("{} ({}): {}", words.title, entry->key, words.about);
   }
   if (std::holds_alternative<Face>(action)) return std::string(language.hovers.workbench);
-  if (action == StageAction(StageCommand::lessons)) return std::string(language.hovers.lessons);
+  if (action == StageAction(StageCommand::lessons)) return filled(language.hovers.lessons, keys.lessons);
   if (action == StageAction(StageCommand::leave)) return std::string(language.hovers.leave_lesson);
   return {};
 }

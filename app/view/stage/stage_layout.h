@@ -26,6 +26,6 @@ SceneView stage_view_of(const Settings& settings, const Vector<2>& goal);
 Camera stage_camera(const SceneView& shown, const Vector<2>& size, double bottom);
 
 // How to say what a button does when it is pressed, and its key.
-std::string hover_words(const StageAction& action, const StageLanguage& language);
+std::string hover_words(const StageAction& action, const StageLanguage& language, const StageKeys& keys);
 
 }  // namespace ghostforce

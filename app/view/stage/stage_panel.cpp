@@ -39,7 +39,7 @@ void add_strategy_button(const StageLayer& layer, const StageButton& button) {
   canvas.marks.push_back({Role::button, id,
                           Marker{to_world(canvas.camera, {left + canvas.points(53.0), middle}),
                                  strategy_style(id).shape, canvas.points(10.0), colour, theme.background, 0.0}});
-  canvas.text(Role::button, {left + canvas.points(74.0), text_top}, std::string(button.words),
+  canvas.text(Role::button, {left + canvas.points(74.0), text_top}, button.words,
               is_active ? letters.bold_words : letters.words, is_active ? theme.text : theme.faint_text, false);
 }
 
@@ -52,7 +52,7 @@ void add_corner_button(const StageLayer& layer, const StageButton& button) {
              is_on ? theme.problem : theme.accent, canvas.width(3.0));
   const TextStyle& style = layout.letters.bold_words;
   const Vector<2> extent = content.measure(button.words, style);
-  canvas.text(Role::button, 0.5 * (button.box.least + button.box.most - extent), std::string(button.words), style,
+  canvas.text(Role::button, 0.5 * (button.box.least + button.box.most - extent), button.words, style,
               is_on ? theme.background : theme.text, false);
 }
 
@@ -166,8 +166,8 @@ std::optional<HoverPanel> hover_panel(const StageLayer& layer) {
   // Who has pressed an icon has read what it does.
   const bool is_on = content.hovered == StageAction(content.mode);
   const StageLanguage::Hovers& all = content.language.hovers;
-  const std::string words = is_on                                      ? ""
-                            : content.hovered                          ? hover_words(*content.hovered, content.language)
+  const std::string words = is_on             ? ""
+                            : content.hovered ? hover_words(*content.hovered, content.language, content.keys)
                             : content.hovered_grip == StageGrip::wall  ? std::string(all.wall)
                             : content.hovered_grip == StageGrip::motor ? std::string(all.motor)
                                                                        : "";
@@ -294,7 +294,7 @@ void add_buttons(const StageLayer& layer) {
   if (content.lesson) add_lesson_frame(layer);
   if (layout.corner) add_corner_button(layer, *layout.corner);
   for (const StageButton& link : layout.links) {
-    canvas.text(Role::button, link.box.least, std::string(link.words), layout.letters.words,
+    canvas.text(Role::button, link.box.least, link.words, layout.letters.words,
                 is_hovered(content, link.action) ? content.theme.accent : content.theme.faint_text);
   }
   add_hover_panel(layer);

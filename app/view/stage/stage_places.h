@@ -34,7 +34,7 @@ using StageAction = std::variant<StrategyId, StageMode, Face, StageCommand, Stag
 struct StageButton {
   StageAction action;
   ScreenBox box;
-  std::string_view words;
+  std::string words;
 };
 
 // The sizes of the stage's letters [points].
@@ -78,8 +78,15 @@ struct StageLayout {
   Vector<2> numbers_corner() const { return {margin, words_end + 6.0 * unit}; }
 };
 
+// What is printed on the keys that do the same as two of the buttons: they are not the same keys in every front.
+struct StageKeys {
+  std::string_view lessons;
+  std::string_view help;
+};
+
 struct StageFrameWords {
   const StageLanguage& language;
+  StageKeys keys;
   std::string_view sentence;
   std::string_view corner{};  // of the button at the other end of the row; empty: the help's, where there is room
   StageAction corner_action = StageCommand::keys;

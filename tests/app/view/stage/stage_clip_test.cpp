@@ -27,6 +27,7 @@ ClipMoment at_rest(StrategyId active) {
 StageClip clip() {
   const Scene scene = load_scene("wall45");
   return StageClip({.language = &english_stage,
+                    .keys = {.lessons = "F5", .help = "F1"},
                     .theme = &theme_catalog().front(),
                     .measure = measure_vector_text,
                     .shown = stage_view_of(scene.settings, scene.goal.points.back()),

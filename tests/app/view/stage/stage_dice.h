@@ -53,6 +53,7 @@ struct StageCase {
     return use(StageContent{.settings = settings,
                             .moment = moment,
                             .language = *language,
+                            .keys = {.lessons = "F5", .help = "F1"},
                             .theme = *find_theme(theme),
                             .measure = measure,
                             .shown = shown,
@@ -73,7 +74,7 @@ struct StageCase {
                             .corner = corner,
                             .lesson = lesson,
                             .hides = hides,
-                            .warning = warning});
+                            .warning = std::string(warning)});
   }
   StagePicture compose(LabelMemory& memory, double interval_s) const {
     return with_content([&](const StageContent& content) { return compose_stage(content, memory, interval_s); });
