@@ -175,7 +175,7 @@ TEST(Replay, TakesTheSignOfAZeroForABitButNotForADifference) {
 }
 
 TEST(Replay, OfNothingIsNoAgreement) {
-  Run run = read_run(recorded_by_dice(9, 10), "run.csv");
+  auto run = read_run(recorded_by_dice(9, 10), "run.csv");
   run.ticks.clear();
   EXPECT_EQ(agreement(run, replay(run)), Agreement::unknown);
 }
