@@ -17,12 +17,12 @@
 #include "app/console/quoted.h"
 #include "app/console/words.h"
 #include "app/files/output_file.h"
+#include "app/files/program_build.h"
 #include "app/files/run_file.h"
 #include "app/files/run_reader.h"
 #include "app/files/scene_file.h"
 #include "app/runs/replay.h"
 #include "app/runs/replay_start.h"
-#include "ghostforce_version.h"
 
 namespace ghostforce {
 namespace {
@@ -40,21 +40,58 @@ std::string ticks(std::int64_t count) {
 
 // --- The run as it was ---
 
-std::string verdict(const RunFacts& run, const ReplayReport& report) {
-  std::string words;
-  if (report.compared == 0) {
-    words = "nothing can be compared: the state from which the run continues is not known";
-  } else if (!report.first) {
-    words = fmt::format("identical bit for bit for {}", ticks(report.compared));
-  } else {
-    const Divergence& first = *report.first;
-    words = fmt::format(
-        "diverges at t = {} s: {} of {} is {} in the run and {} here, a difference of {:.3g}; {} of {} differ, by at "
-        "most {:.3g} m and {:.3g} N",
-        first.time_s, first.column, strategy(first.strategy).name, first.recorded, first.replayed,
-        std::abs(first.recorded - first.replayed), report.diverging, ticks(report.compared), report.greatest_m,
-        report.greatest_N);
+double greatest(const ReplayReport& report, ReplayedQuantity quantity) {
+  const std::optional<Divergence>& divergence = report.of(quantity).greatest;
+  return divergence ? divergence->difference() : 0.0;
+}
+
+std::string divergence_words(const ReplayReport& report) {
+  using enum ReplayedQuantity;
+  const Divergence& first = *report.first;
+  return fmt::format(
+      "diverges at t = {} s: {} of {} is {} in the run and {} here, a difference of {:.3g}; {} of {} differ, by at "
+      "most {:.3g} m and {:.3g} N",
+      first.time_s, first.column, strategy(first.strategy).name, first.recorded, first.replayed, first.difference(),
+      report.diverging, ticks(report.compared), std::max(greatest(report, device), greatest(report, proxy)),
+      greatest(report, force));
+}
+
+std::string agreement_words(const RunFacts& run, const ReplayReport& report) {
+  switch (agreement(run, report)) {
+    case Agreement::unknown:
+      return "nothing can be compared: the state from which the run continues is not known";
+    case Agreement::identical:
+      return fmt::format("identical bit for bit for {}", ticks(report.compared));
+    case Agreement::close:
+      return fmt::format("agrees to {:.2g} relative for {}, not bit for bit: recorded by another build ({})",
+                         report.worst().relative(), ticks(report.compared),
+                         run.version.empty() ? "it does not say which" : "ghostforce " + quoted_text(run.version));
+    case Agreement::diverging:
+      break;
   }
+  return divergence_words(report);
+}
+
+// What may differ depends on the build that wrote the run.
+std::string promise_words(const RunFacts& run, const ReplayReport& report) {
+  const Deviation& worst = report.worst();
+  if (worst.relative() <= replay_tolerance) {
+    return fmt::format(
+        "\nit agrees to {:.2g} relative. That is enough for a run of another build, but the file names this one. "
+        "Builds "
+        "of one version by another compiler or for another processor have the same name",
+        worst.relative());
+  }
+  if (run.version == program_build()) return {};
+  return fmt::format(
+      "\nexact replay is promised only for the same version; a run of another build may differ by {} relative, and "
+      "this one differs by {:.2g} at t = {} s in {} of {}",
+      replay_tolerance, worst.relative(), worst.greatest->time_s, worst.greatest->column,
+      strategy(worst.greatest->strategy).name);
+}
+
+std::string verdict(const RunFacts& run, const ReplayReport& report) {
+  std::string words = agreement_words(run, report);
   if (report.measured > 0) {
     words += fmt::format("\nin {} a device was measured; only the simulated ones are compared there",
                          ticks(report.measured));
@@ -68,9 +105,7 @@ std::string verdict(const RunFacts& run, const ReplayReport& report) {
         "\n{} samples were lost while recording; the comparison stops at each loss and starts again after it",
         run.dropped);
   }
-  if (run.version != version && report.first) {
-    words += "\nexact replay is promised only for the same version";
-  }
+  if (agreement(run, report) == Agreement::diverging) words += promise_words(run, report);
   return words;
 }
 
@@ -121,7 +156,9 @@ int replay_exactly(const ReplayOptions& options) {
   file.commit();
   const ReplayReport& report = replay.report();
   say("{}: {}\n", quoted_text(options.run, longest_path), verdict(run, report));
-  return static_cast<int>(report.first || report.compared == 0 ? ExitCode::answer_is_no : ExitCode::done);
+  const Agreement is = agreement(run, report);
+  return static_cast<int>(is == Agreement::identical || is == Agreement::close ? ExitCode::done
+                                                                               : ExitCode::answer_is_no);
 }
 
 // --- Its hand in another scene ---
@@ -223,9 +260,9 @@ std::function<int()> attach_replay(CLI::App& command, FileOptions& files) {
   command.footer(
       "Drives all three strategies with the hand of the run, repeats the changes that were made while it ran, and\n"
       "checks whether every number comes out the same, bit for bit: exit code 0 if so, 1 if not. This is promised for\n"
-      "the same build of ghostforce. With another scene, or with --set, the hand is played from rest in that scene, "
-      "and\n"
-      "nothing is compared. If a file does not contain its scene, name one.\n"
+      "the same build of ghostforce. A run of another version, or of the page in a browser, also passes if it agrees\n"
+      "to 1e-12 relative. With another scene, or with --set, the hand is played from rest in that scene, and nothing\n"
+      "is compared. If a file does not contain its scene, name one.\n"
       "\n"
       "Examples:\n"
       "  ghostforce replay visit.csv -o again.csv\n"

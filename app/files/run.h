@@ -47,7 +47,7 @@ struct RunTick {
 // What a run tells beside its ticks.
 struct RunFacts {
   std::string name;                   // what messages call it
-  std::string version;                // of the program that wrote it; empty: not told
+  std::string version;                // of the program that wrote it, as program_build() tells it; empty: not told
   std::optional<Scene> scene;         // empty: not told
   std::vector<Settings> settings;     // the scene's, then one more for each change while it ran; empty without a scene
   std::vector<RunState> states;       // from which it went on where it was reset, or motors came on or went off

@@ -4,14 +4,14 @@
 
 #include <fmt/compile.h>
 
+#include "app/files/program_build.h"
 #include "app/files/scene_file.h"
 #include "app/files/scene_keys.h"
-#include "ghostforce_version.h"
 
 namespace ghostforce {
 
 std::string provenance(const Scene& scene) {
-  std::string header = fmt::format("# ghostforce {}\n{}\n", version, scene_begins);
+  std::string header = fmt::format("# ghostforce {}\n{}\n", program_build(), scene_begins);
   const std::string text = scene_text(scene);
   for (std::string_view rest = text; !rest.empty();) {
     const std::string_view line = rest.substr(0, rest.find('\n'));

@@ -1,4 +1,4 @@
-// A run as CSV: comment lines with the program's version and the scene, one line of column names, then one row per tick
+// A run as CSV: comment lines with the program's build and the scene, one line of column names, then one row per tick
 // and strategy. SI units; numbers in the shortest form that reads back exactly, whatever the locale. Pure; not for the
 // servo thread (it allocates).
 #pragma once
@@ -38,7 +38,7 @@ inline constexpr std::string_view hand_begins = "# hand from ";
 // What stands before the arguments of "# set" and "# state".
 inline constexpr std::string_view time_begins = "t_s=";
 
-// What each file of rows begins with: the program's version and the scene, as comments.
+// What each file of rows begins with: the program's build (program_build.h) and the scene, as comments.
 std::string provenance(const Scene& scene);
 
 // All that stands before the first row. `further_columns` come after the common ones: "" or ",name,name…".

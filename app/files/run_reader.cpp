@@ -16,10 +16,10 @@
 #include "app/console/quoted.h"
 #include "app/console/typed_text.h"
 #include "app/files/input_file.h"
+#include "app/files/program_build.h"
 #include "app/files/run_file.h"
 #include "app/files/scene_file.h"
 #include "app/files/scene_keys.h"
-#include "ghostforce_version.h"
 
 namespace ghostforce {
 namespace {
@@ -128,8 +128,8 @@ class RunReader {
     if (run_.version.empty() && values_per_row_ == 0) refuse("this is not a run");
     if (run_.version.empty()) {
       warn("it does not say which version of ghostforce wrote it");
-    } else if (run_.version != version) {
-      warn(fmt::format("written by version {}; this is version {}", quoted_text(run_.version), version));
+    } else if (run_.version != program_build()) {
+      warn(fmt::format("written by version {}; this is version {}", quoted_text(run_.version), program_build()));
     }
     if (!scene_problem_.empty()) {
       warn(scene_problem_);

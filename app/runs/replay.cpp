@@ -4,7 +4,9 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 
+#include "app/files/program_build.h"
 #include "app/runs/replay_start.h"
 
 namespace ghostforce {
@@ -15,6 +17,33 @@ bool is_same(double a, double b) noexcept {
 }
 
 }  // namespace
+
+double Divergence::difference() const noexcept {
+  const double difference = std::abs(recorded - replayed);
+  return std::isnan(difference) ? std::numeric_limits<double>::infinity() : difference;
+}
+
+double Deviation::relative() const noexcept {
+  const double difference = greatest ? greatest->difference() : 0.0;
+  return difference == 0.0 ? 0.0 : difference / magnitude;  // without a magnitude: infinite
+}
+
+const Deviation& ReplayReport::worst() const {
+  return *std::ranges::max_element(deviations, {}, &Deviation::relative);
+}
+
+Agreement agreement(const RunFacts& run, const ReplayReport& report) {
+  if (report.compared == 0) return Agreement::unknown;
+  if (!report.first) return Agreement::identical;
+  const bool is_close = report.worst().relative() <= replay_tolerance;
+  return is_close && run.version != program_build() ? Agreement::close : Agreement::diverging;
+}
+
+ReplayReport replay(const Run& run, const std::function<void(const ReplayedTick&)>& on_tick) {
+  Replay replay(on_tick);
+  for (const RunTick& tick : run.ticks) replay.take(run, tick);
+  return replay.report();
+}
 
 void Replay::take(const RunFacts& run, const RunTick& tick) {
   const RunState* const state = tick.state == RunTick::none ? nullptr : &run.states[tick.state];
@@ -33,7 +62,7 @@ void Replay::take(const RunFacts& run, const RunTick& tick) {
     if (compares) is_same_tick &= compare_row(tick, snapshot, each.id);
   }
   if (!is_same_tick) ++report_.diverging;
-  on_tick_({snapshot, *settings_, state, is_known_});
+  if (on_tick_) on_tick_({snapshot, *settings_, state, is_known_});
 }
 
 // False: the state at this tick cannot be known.
@@ -89,26 +118,30 @@ bool Replay::is_any_known() const noexcept {
 bool Replay::compare_row(const RunTick& tick, const Snapshot& snapshot, StrategyId id) {
   const RunRow& row = *tick.rows[index_of(id)];
   const StrategySnapshot<2>& now = snapshot.strategies[index_of(id)];
+  using enum ReplayedQuantity;
   struct Value {
     std::string_view column;
     double recorded;
     double replayed;
-    bool is_force;
+    ReplayedQuantity quantity;
   };
   const std::array values{
-      Value{"t_s", tick.time_s, snapshot.time_s, false},      Value{"device_x_m", row.device.x, now.device.x, false},
-      Value{"device_y_m", row.device.y, now.device.y, false}, Value{"proxy_x_m", row.proxy.x, now.proxy.x, false},
-      Value{"proxy_y_m", row.proxy.y, now.proxy.y, false},    Value{"force_x_N", row.force.x, now.force.x, true},
-      Value{"force_y_N", row.force.y, now.force.y, true},
+      Value{"t_s", tick.time_s, snapshot.time_s, time},        Value{"device_x_m", row.device.x, now.device.x, device},
+      Value{"device_y_m", row.device.y, now.device.y, device}, Value{"proxy_x_m", row.proxy.x, now.proxy.x, proxy},
+      Value{"proxy_y_m", row.proxy.y, now.proxy.y, proxy},     Value{"force_x_N", row.force.x, now.force.x, force},
+      Value{"force_y_N", row.force.y, now.force.y, force},
   };
   bool all_same = true;
   for (const Value& value : values) {
+    Deviation& deviation = report_.deviations[static_cast<std::size_t>(value.quantity)];
+    if (std::isfinite(value.replayed)) deviation.magnitude = std::max(deviation.magnitude, std::abs(value.replayed));
     if (is_same(value.recorded, value.replayed)) continue;
     all_same = false;
-    if (!report_.first) report_.first = {tick.time_s, id, value.column, value.recorded, value.replayed};
-    if (value.column == "t_s") continue;
-    double& greatest = value.is_force ? report_.greatest_N : report_.greatest_m;
-    greatest = std::max(greatest, std::abs(value.recorded - value.replayed));
+    const Divergence divergence{tick.time_s, id, value.column, value.recorded, value.replayed};
+    if (!report_.first) report_.first = divergence;
+    if (!deviation.greatest || divergence.difference() > deviation.greatest->difference()) {
+      deviation.greatest = divergence;
+    }
   }
   return all_same;
 }

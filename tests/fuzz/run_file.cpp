@@ -7,7 +7,6 @@
 #include "app/runs/replay.h"
 #include "app/runs/replay_start.h"
 #include "tests/fuzz/fuzz.h"
-#include "tests/support/replay_run.h"
 
 using namespace ghostforce;
 

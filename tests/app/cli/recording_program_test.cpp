@@ -14,7 +14,6 @@
 #include "core/settings.h"
 #include "tests/support/display.h"
 #include "tests/support/program.h"
-#include "tests/support/replay_run.h"
 #include "tests/support/small_files.h"
 #include "tests/support/temporary_folder.h"
 

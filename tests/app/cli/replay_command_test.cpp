@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstddef>
 #include <cstdlib>
@@ -92,6 +93,46 @@ TEST(ReplayCommand, SaysWhereARunDiverges) {
   const Outcome older = run_ghostforce({"replay", run});
   EXPECT_TRUE(says(older, "written by version 0.0.1")) << older.err;
   EXPECT_TRUE(says(older, "only for the same version")) << older.err;
+}
+
+TEST(ReplayCommand, PassesARunOfAnotherBuildThatAgreesButForRounding) {
+  const TemporaryFolder folder;
+  const std::string run = folder / "run.csv";
+  ASSERT_EQ(run_ghostforce({"simulate", "fig1", "-o", run}).exit_code, 0);
+  std::string text = read_whole(run);
+  const std::size_t end = text.find('\n', text.find("\nanisotropic,1.5,") + 1);
+  const std::size_t value = text.rfind(',', end) + 1;
+  const double force = std::stod(text.substr(value, end - value));
+  ASSERT_GT(std::abs(force), 0.1);
+  const auto with_force = [&](std::string_view first_line, double changed) {
+    std::string whole = text;
+    whole.replace(value, end - value, fmt::format("{}", changed));
+    write_whole(run, whole.replace(0, whole.find('\n'), first_line));
+    return run_ghostforce({"replay", run, "-o", folder / "again.csv"});
+  };
+  const std::string this_build = text.substr(0, text.find('\n'));
+  const double nearly = std::nextafter(force, 10.0);
+
+  const Outcome page = with_force(this_build + ", page", nearly);
+  EXPECT_EQ(page.exit_code, 0) << page.err;
+  EXPECT_TRUE(says(page, "relative for 3001 ticks, not bit for bit: recorded by another build (ghostforce "))
+      << page.err;
+  EXPECT_TRUE(says(page, ", page)")) << page.err;
+  EXPECT_EQ(with_force("# ghostforce 0.0.1", nearly).exit_code, 0);
+  const Outcome untold = with_force("# a comment", nearly);
+  EXPECT_EQ(untold.exit_code, 0) << untold.err;
+  EXPECT_TRUE(says(untold, "recorded by another build (it does not say which)")) << untold.err;
+
+  const Outcome same = with_force(this_build, nearly);
+  EXPECT_EQ(same.exit_code, 1);
+  EXPECT_TRUE(says(same, "diverges at t = 1.5 s: force_y_N of anisotropic is ")) << same.err;
+  EXPECT_TRUE(says(same, "but the file names this one")) << same.err;
+
+  const Outcome off = with_force(this_build + ", page", force * (1.0 + 1e-9));
+  EXPECT_EQ(off.exit_code, 1);
+  EXPECT_TRUE(says(off, "diverges at t = 1.5 s: force_y_N of anisotropic is ")) << off.err;
+  EXPECT_TRUE(says(off, "may differ by 1e-12 relative, and this one differs by ")) << off.err;
+  EXPECT_TRUE(says(off, " at t = 1.5 s in force_y_N of anisotropic")) << off.err;
 }
 
 TEST(ReplayCommand, PlaysTheHandInAnotherSceneAndComparesNothing) {

@@ -16,7 +16,6 @@
 #include "device/input/scripted_input.h"
 #include "tests/app/live/driven_window.h"
 #include "tests/support/file_calls.h"
-#include "tests/support/replay_run.h"
 #include "tests/support/small_files.h"
 #include "tests/support/temporary_folder.h"
 

@@ -11,7 +11,6 @@
 #include "app/runs/replay.h"
 #include "device/input/scripted_input.h"
 #include "device/servo/servo_thread.h"
-#include "tests/support/replay_run.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce {

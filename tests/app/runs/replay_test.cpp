@@ -3,19 +3,23 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <random>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "app/files/program_build.h"
 #include "app/files/run_file.h"
 #include "app/files/run_reader.h"
 #include "app/files/scene_file.h"
 #include "app/runs/recording.h"
 #include "core/simulate.h"
 #include "tests/app/runs/recorded_by_dice.h"
-#include "tests/support/replay_run.h"
 
 namespace ghostforce {
 namespace {
@@ -68,6 +72,112 @@ TEST(Replay, FindsTheLastBitOfAnyValueThatIsAnother) {
     EXPECT_EQ(report.first->recorded, value);
     EXPECT_EQ(report.first->column.substr(0, 5), which < 2 ? "devic" : which < 4 ? "proxy" : "force");
   }
+}
+
+// The last bits of every value another, as a build that rounds otherwise leaves them.
+Run rounded_otherwise(Run run) {
+  std::mt19937 random(3);
+  for (RunTick& tick : run.ticks) {
+    for (std::optional<RunRow>& row : tick.rows) {
+      for (Vector<2>* const vector : {&row->device, &row->proxy, &row->force}) {
+        // A recorded state is where the replay goes on: what follows from it would not be this run.
+        if (tick.state != RunTick::none && vector != &row->force) continue;
+        for (double* const value : {&vector->x, &vector->y})
+          *value = std::nextafter(*value, random() % 2 == 0 ? 9 : -9);
+      }
+    }
+  }
+  return run;
+}
+
+TEST(Replay, AgreesWithAnotherBuildThatRoundsOtherwise) {
+  auto run = rounded_otherwise(read_run(recorded_by_dice(7, 100), "run.csv"));
+  const ReplayReport report = replay(run);
+  ASSERT_TRUE(report.first);
+  EXPECT_EQ(report.first->time_s, run.ticks.front().time_s);
+  EXPECT_EQ(report.diverging, static_cast<std::int64_t>(run.ticks.size()));
+  EXPECT_GT(report.worst().relative(), 1e-17);
+  EXPECT_LE(report.worst().relative(), 2.3e-16) << "the last of 53 bits";
+  EXPECT_FALSE(report.of(ReplayedQuantity::time).greatest);
+
+  ASSERT_EQ(run.version, program_build());
+  EXPECT_EQ(agreement(run, report), Agreement::diverging) << "the same build repeats every bit";
+  for (const std::string& other : {program_build() + ", page", std::string("0.0.1"), std::string()}) {
+    run.version = other;
+    EXPECT_EQ(agreement(run, report), Agreement::close) << other;
+  }
+}
+
+TEST(Replay, DoesNotAgreeWithAnotherBuildThatIsOffByMore) {
+  auto run = rounded_otherwise(read_run(recorded_by_dice(8, 100), "run.csv"));
+  run.version = program_build() + ", page";
+  const double magnitude = replay(run).of(ReplayedQuantity::force).magnitude;
+  EXPECT_GT(magnitude, 1.0);
+  RunTick& tick = run.ticks[700];
+  RunRow& row = *tick.rows[index_of(StrategyId::naive)];
+  const double force = row.force.y;
+  for (const auto& [relative, wanted] :
+       {std::pair(0.9e-12, Agreement::close), std::pair(1.1e-12, Agreement::diverging),
+        std::pair(1e-9, Agreement::diverging), std::pair(std::nan(""), Agreement::diverging),
+        std::pair(std::numeric_limits<double>::infinity(), Agreement::diverging)}) {
+    SCOPED_TRACE(relative);
+    row.force.y = force + relative * magnitude;
+    const ReplayReport report = replay(run);
+    EXPECT_EQ(agreement(run, report), wanted);
+    const Deviation& worst = report.worst();
+    EXPECT_EQ(&worst, &report.of(ReplayedQuantity::force));
+    EXPECT_EQ(worst.magnitude, magnitude) << "a damaged value is no measure";
+    ASSERT_TRUE(worst.greatest);
+    EXPECT_EQ(worst.greatest->time_s, tick.time_s);
+    EXPECT_EQ(worst.greatest->strategy, StrategyId::naive);
+    EXPECT_EQ(worst.greatest->column, "force_y_N");
+  }
+}
+
+TEST(Replay, MeasuresWhatIsZeroButForRoundingWithItsQuantity) {
+  const std::vector<std::string> straight_down{"wall.normal_deg=90", "goal.path_mm=[[0, 40], [0, -40]]"};
+  Scene scene = load_scene("fig3-normal", straight_down);
+  scene.duration = 0.8;
+  fmt::memory_buffer rows;
+  simulate(scene, last_tick(scene), [&](const Snapshot& snapshot) {
+    append_run_row(rows, snapshot, StrategyId::full);
+    rows.push_back('\n');
+  });
+  auto run = read_run(run_header(scene) + std::string(rows.data(), rows.size()), "run.csv");
+  run.version = "0.0.1";
+  ASSERT_EQ(agreement(run, replay(run)), Agreement::identical);
+  RunRow& row = *run.ticks[700].rows[index_of(StrategyId::full)];
+  ASSERT_GT(row.force.y, 1.0);
+  ASSERT_LT(std::abs(row.force.x), 1e-13);
+  row.force.x += 1e-14;
+  EXPECT_EQ(replay(run).diverging, 1);
+  EXPECT_EQ(agreement(run, replay(run)), Agreement::close);
+  row.force.x += 1e-9;
+  EXPECT_EQ(agreement(run, replay(run)), Agreement::diverging);
+}
+
+TEST(Replay, TakesTheSignOfAZeroForABitButNotForADifference) {
+  auto run = read_run(recorded_by_dice(7, 20), "run.csv");
+  bool has_zero = false;
+  for (RunTick& tick : run.ticks) {
+    for (std::optional<RunRow>& row : tick.rows) {
+      if (std::exchange(has_zero, has_zero || row->force.x == 0.0) || row->force.x != 0.0) continue;
+      row->force.x = -row->force.x;
+    }
+  }
+  ASSERT_TRUE(has_zero);
+  const ReplayReport report = replay(run);
+  EXPECT_EQ(report.diverging, 1);
+  EXPECT_EQ(report.worst().relative(), 0.0);
+  EXPECT_EQ(agreement(run, report), Agreement::diverging);
+  run.version.clear();
+  EXPECT_EQ(agreement(run, report), Agreement::close);
+}
+
+TEST(Replay, OfNothingIsNoAgreement) {
+  auto run = read_run(recorded_by_dice(9, 10), "run.csv");
+  run.ticks.clear();
+  EXPECT_EQ(agreement(run, replay(run)), Agreement::unknown);
 }
 
 TEST(Replay, GoesOnAfterLostSamples) {
