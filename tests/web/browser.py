@@ -58,6 +58,10 @@ class PageServer:
             def log_message(self, *_):
                 requests.append(self.path)
 
+            def end_headers(self):
+                self.send_header("Cache-Control", "no-store")  # each opening asks anew
+                super().end_headers()
+
         self._server = http.server.ThreadingHTTPServer(
             ("127.0.0.1", 0), functools.partial(Handler, directory=str(folder))
         )
@@ -335,8 +339,10 @@ class PageTest(unittest.TestCase):
         for one, other in zip(found, wanted, strict=True):
             self.assertAlmostEqual(one, other, delta=tolerance, msg=f"{message} {found} {wanted}")
 
-    def program(self, *arguments):
+    def program(self, *arguments, **environment):
         """Runs the desktop program; returns what subprocess says of it. Without the program the test is skipped."""
         if not PROGRAM.is_file():
             self.skipTest(f"{PROGRAM} is not there, which the page is compared with; ./check web builds it")
-        return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, check=False)
+        return subprocess.run(
+            [PROGRAM, *arguments], env={**os.environ, **environment}, capture_output=True, text=True, check=False
+        )

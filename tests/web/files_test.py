@@ -6,6 +6,7 @@ import unittest
 from PIL import Image
 
 from browser import HEIGHT, KEY_OF, RECORD_BUTTON, ROOT, WIDTH, PageTest
+from display import display
 
 
 class Scenes(PageTest):
@@ -131,9 +132,16 @@ class Recordings(PageTest):
     def test_of_the_desktop_replays_in_the_page(self):
         browser = self.open()
         path = browser.downloads / "desktop.csv"
-        answer = self.program("simulate", "fig1", "--strategy", "all", "-o", str(path))
+        home = str(browser.downloads)
+        with display() as name:
+            answer = self.program(
+                "run", "fig1", "--input", "script", "--no-hints", "--exit-after", "2", "--record", str(path),
+                DISPLAY=name, HOME=home, XDG_CONFIG_HOME=home, XDG_STATE_HOME=home,
+            )  # fmt: skip
         self.assertEqual(answer.returncode, 0, answer.stderr)
-        verdict = browser.script("return window.ghostforce.replay(arguments[0])", path.read_text(encoding="utf-8"))
+        text = path.read_text(encoding="utf-8")
+        self.assertGreater(sum(line.startswith("naive,") for line in text.splitlines()), 100)
+        verdict = browser.script("return window.ghostforce.replay(arguments[0])", text)
         self.assertTrue(verdict["agrees"], verdict)
         print(verdict["words"])
         browser.choose_file(path)

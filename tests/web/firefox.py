@@ -10,6 +10,7 @@ import subprocess
 import tempfile
 
 from browser import HEIGHT, NAMED_KEYS, WIDTH, wait_for
+from display import display, end
 
 PREFERENCES = """
 user_pref("marionette.port", 0);
@@ -42,15 +43,14 @@ class Firefox:
         profile = pathlib.Path(folder.name)
         (profile / "user.js").write_text(PREFERENCES, encoding="utf-8")
         self._log = profile / "log"
-        display = self._start_display(profile)
         with self._log.open("wb") as log:
             self._firefox = subprocess.Popen(
                 ["firefox-esr", "--marionette", "--no-remote", "--profile", profile],
-                env={**os.environ, "DISPLAY": display, "LIBGL_ALWAYS_SOFTWARE": "1", "HOME": folder.name},
+                env={**os.environ, "DISPLAY": self._ways_out.enter_context(display()), "LIBGL_ALWAYS_SOFTWARE": "1", "HOME": folder.name},
                 stdout=log,
                 stderr=log,
             )
-        self._ways_out.callback(self._end, self._firefox)
+        self._ways_out.callback(end, self._firefox)
         port_file = profile / "MarionetteActivePort"
         port = wait_for(lambda: port_file.exists() and port_file.read_text(), "Firefox to listen", self._log.read_text)
         self._socket = socket.create_connection(("127.0.0.1", int(port)), timeout=300)
@@ -62,27 +62,6 @@ class Firefox:
         # As large as the page is in the other tests, whatever the bars above take.
         across, down = self.script("return [outerWidth - innerWidth, outerHeight - innerHeight]")
         self.send("WebDriver:SetWindowRect", width=WIDTH + across, height=HEIGHT + down)
-
-    def _start_display(self, folder):
-        number, write = os.pipe()
-        with os.fdopen(number) as said:
-            display = subprocess.Popen(
-                ["Xvfb", "-displayfd", str(write), "-screen", "0", "1600x1200x24", "-nolisten", "tcp"],
-                pass_fds=[write],
-                stderr=(folder / "xvfb").open("wb"),
-            )
-            self._ways_out.callback(self._end, display)
-            os.close(write)
-            return ":" + said.readline().strip()
-
-    @staticmethod
-    def _end(process):
-        process.terminate()
-        try:
-            process.wait(20)
-        except subprocess.TimeoutExpired:
-            process.kill()
-            process.wait()
 
     def close(self):
         self._ways_out.close()
