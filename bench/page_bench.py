@@ -25,10 +25,11 @@ STARTS = 7
 FRAMES = 300  # that the page's own figures are about
 SECONDS = 10.0
 
-# As a slow browser would: a frame only when the last one is so old.
+# As a slow browser would: frames only at multiples of this period.
 FEW_FRAMES = """
 const period_ms = 1000 / FRAMES_PER_SECOND;
-window.requestAnimationFrame = callback => setTimeout(() => callback(performance.now()), period_ms);
+window.requestAnimationFrame = callback => setTimeout(
+  () => callback(performance.now()), period_ms - performance.now() % period_ms);
 window.cancelAnimationFrame = clearTimeout;
 """
 
