@@ -40,8 +40,8 @@ NAMED_KEYS = {
     "F5": Keys.F5, "F6": Keys.F6, "F7": Keys.F7, "F8": Keys.F8, "F9": Keys.F9,
 }  # fmt: skip
 
-# Where the page has a key of its own because the browser keeps the program's for itself, and where it has none.
-KEY_OF = {"help": "F1", "theme": "Ctrl+T", "save picture": "Ctrl+P", "save scene": "Ctrl+S", "paste": "Ctrl+V"}
+# The page's own, where the browser keeps the desktop's for itself: app/session/front_key_tables.h.
+HELP, LESSONS, DEVICE_STATUS, PLOTS, NEXT_THEME, SAVE_PICTURE = "KMDNCI"
 
 # On the workbench at 1280×800, the button that starts and ends a recording: no key does.
 RECORD_BUTTON = (864, 23)

@@ -5,7 +5,7 @@ import unittest
 
 from PIL import Image
 
-from browser import HEIGHT, KEY_OF, RECORD_BUTTON, ROOT, WIDTH, PageTest
+from browser import HEIGHT, RECORD_BUTTON, ROOT, SAVE_PICTURE, WIDTH, PageTest
 from display import display
 
 
@@ -35,7 +35,7 @@ class Scenes(PageTest):
         browser.press("3")
         browser.press("Ctrl+Left")
         before = browser.wait_until(strategy="anisotropic")
-        browser.press(KEY_OF["save scene"])
+        browser.press("Ctrl+S")
         browser.wait_until(dialog="save_scene")
         browser.press("Enter")
         path = browser.downloaded(".toml")
@@ -64,7 +64,7 @@ class Scenes(PageTest):
 class Pictures(PageTest):
     def save(self):
         browser = self.browser
-        browser.press(KEY_OF["save picture"])
+        browser.press(SAVE_PICTURE)
         browser.wait_until(dialog="save_picture")
         browser.press("Enter")
         return browser.downloaded(".png")

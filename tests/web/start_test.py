@@ -1,7 +1,7 @@
 """How the page starts, on what, and what it asks of a network."""
 import unittest
 
-from browser import HEIGHT, PAGE, WIDTH, PageTest, wait_for
+from browser import HEIGHT, LESSONS, PAGE, PLOTS, WIDTH, PageTest, wait_for
 
 
 class Start(PageTest):
@@ -27,9 +27,9 @@ class Start(PageTest):
         self.expect_stage(browser)
         browser.press("F4")
         browser.wait_until(face="workbench")
-        browser.press("F3")
+        browser.press(PLOTS)
         browser.press("F4")
-        browser.press("F5")
+        browser.press(LESSONS)
         browser.wait_until(dialog="lessons")
         browser.press("Escape")
         browser.press("3")
@@ -43,7 +43,7 @@ class Start(PageTest):
     def test_in_a_dense_picture(self):
         browser = self.open(density=2.0, size=(640, 400))
         state = browser.state()
-        self.assertEqual(state["size_px"], [640, 400])
+        self.assertEqual(state["size_px"], [1280, 800])
         self.assertEqual(state["density"], 2.0)
         drawn = browser.script("const c = document.getElementById('stage'); return [c.width, c.height]")
         self.assertEqual(drawn, [1280, 800])
