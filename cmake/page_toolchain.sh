@@ -60,7 +60,6 @@ END
 # by this command only, and ends with it.
 in_page_toolchain() {
   local inside=(--ignore-environment PATH=/usr/bin:/bin LANG=C.UTF-8 HOME=/tmp EMCC_SKIP_SANITY_CHECK=1)
-  ! [[ ${CCACHE_DIR:-} ]] || inside+=(CCACHE_DIR="$root/build/ccache")
   "${as_root[@]}" mkdir -p "$toolchain$root"
   "${as_root[@]}" unshare --mount --propagation private bash -c 'mount --bind "$1" "$2$1" && exec chroot --userspec="$3" "$2" "${@:4}"' \
     bash "$root" "$toolchain" "$(id -u):$(id -g)" /usr/bin/env --chdir="$root" "${inside[@]}" "$@"

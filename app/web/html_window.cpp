@@ -23,13 +23,6 @@ namespace {
 
 constexpr const char* canvas = "#stage";
 
-// TEMPORARY
-bool is_ours(const KeyPress& press, bool is_typing) {
-  if (is_typing) return false;
-  for (const KeyBinding& b : key_table()) if (b.key == press.key && b.modifiers == press.modifiers) return true;
-  return false;
-}
-
 // The only character of a UTF-8 text; 0: there are none, or several ("Enter").
 std::uint32_t only_character(std::string_view text) noexcept {
   if (text.empty()) return 0;

@@ -18,6 +18,7 @@
 #include "app/ui/panels/panel_catalog.h"
 #include "app/web/browser.h"
 #include "device/servo/frame_servo_driver.h"
+#include "device/virtual_falcon/virtual_link.h"
 
 namespace ghostforce {
 namespace {
@@ -87,6 +88,7 @@ ApplicationOptions Page::options_for(const Start& start, Times& times) {
       .language = preferences.language,
       .lesson_progress = start.progress,
       .inputs = portable_inputs({}),
+      .input_options = {.virtual_falcon_clock = VirtualLink::Clock::stepped},  // its ticks come in bursts
       .make_servo_driver = [&times] { return std::make_unique<MeasuredServoDriver>(times.servo); },
       .offers_hints = preferences.offers_hints};
   if (start.is_kiosk) options.visit = start.lesson ? std::vector{start.lesson} : shipped_lessons();

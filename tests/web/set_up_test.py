@@ -1,0 +1,114 @@
+"""What the address says: a set-up as its fragment, a lesson, a kiosk; and the same set-up as pasted text."""
+import unittest
+import urllib.parse
+
+from browser import LESSONS, PLOTS, PageTest
+from model import Rest
+
+LINE = "ghostforce run wall45 --set wall.normal_deg=120.0 --goal-mm=10,-17.32 --strategy anisotropic --view workbench"
+
+
+def fragment_of(line):
+    return "#" + urllib.parse.quote(line)
+
+
+class SetUp(PageTest):
+    def test_of_the_fragment_is_shown(self):
+        browser = self.open(fragment=fragment_of(LINE))
+        state = browser.wait_until(face="workbench", strategy="anisotropic")
+        self.assert_close(state["goal_m"], (0.010, -0.01732), 1e-9)
+        self.assertIn("wall.normal_deg=120", state["set_up"])
+        browser.wait_for_rest(Rest((0.010, -0.01732), "anisotropic", normal_deg=120.0))
+
+    def test_of_a_page_opens_the_same_in_another(self):
+        browser = self.open()
+        browser.press("W")
+        browser.press("[")
+        browser.press("Up")
+        browser.press("3")
+        browser.press("F4")
+        state = browser.wait_until(face="workbench", strategy="anisotropic")
+        # The address follows what is shown, though not each frame.
+        state = browser.wait(
+            lambda now: now["set_up"] in urllib.parse.unquote(now["url"]), "an address that holds what is shown"
+        )
+        browser.open(state["url"])
+        again = browser.wait_until(set_up=state["set_up"])
+        for key in ("face", "mode", "strategy"):
+            self.assertEqual(again[key], state[key], key)
+        self.assert_close(again["goal_m"], state["goal_m"], 1e-8)  # as a file rounds it
+
+    def test_follows_a_change_of_the_fragment(self):
+        browser = self.open()
+        browser.script("location.hash = arguments[0]", fragment_of(LINE))
+        state = browser.wait_until(face="workbench", strategy="anisotropic")
+        self.assert_close(state["goal_m"], (0.010, -0.01732), 1e-9)
+
+    def test_that_nobody_can_read_is_told_of_and_changes_nothing(self):
+        usual = self.open().state()["set_up"]
+        self.browser.open(self.address(fragment="#ghostforce%20run%20wall45%20--stratgy%20naive"))
+        state = self.browser.wait(lambda state: "--stratgy" in state["notice"], "words about the wrong option")
+        self.assertEqual(state["set_up"], usual)
+        self.browser.open(self.address(fragment="#%E0%A4%A"))  # no text at all
+        self.assertEqual(self.browser.state()["set_up"], usual)
+
+    def test_is_pasted(self):
+        browser = self.open()
+        browser.set_clipboard(LINE)
+        browser.press("Ctrl+V")
+        state = browser.wait_until(face="workbench", strategy="anisotropic")
+        self.assert_close(state["goal_m"], (0.010, -0.01732), 1e-9)
+
+    def test_is_copied(self):
+        browser = self.open()
+        browser.press("3")
+        set_up = browser.wait_until(strategy="anisotropic")["set_up"]
+        browser.set_clipboard("nothing yet")
+        browser.press("Ctrl+C")
+
+        def copied(_):
+            text = browser.driver.execute_async_script(
+                "const done = arguments[0]; navigator.clipboard.readText().then(done, e => done('' + e));"
+            )
+            return set_up in text
+
+        browser.wait(copied, "the set-up in the clipboard")
+
+
+class Address(PageTest):
+    def test_begins_a_lesson(self):
+        browser = self.open(query="?lesson=ghost")
+        state = browser.wait(lambda state: state["lesson"] is not None, "a lesson")
+        self.assertEqual((state["lesson"]["name"], state["lesson"]["step"]), ("ghost", 1))
+        self.assertEqual(state["face"], "stage")
+
+    def test_of_a_lesson_that_is_not_there_is_told_of(self):
+        browser = self.open(query="?lesson=gost")
+        state = browser.wait(lambda state: "gost" in state["notice"], "words about the lesson")
+        self.assertIn("ghost", state["notice"])
+        self.assertIsNone(state["lesson"])
+
+    def test_makes_a_kiosk(self):
+        browser = self.open(query="?kiosk")
+        state = browser.wait(lambda state: state["lesson"] is not None, "the first lesson")
+        self.assertTrue(state["kiosk"])
+        self.assertEqual(state["lesson"]["name"], browser.script("return window.ghostforce.lessons()")[0])
+        # Nothing leads out of it.
+        for key in ("F4", "Escape", "Ctrl+O", "Ctrl+S", LESSONS, PLOTS, "Space", "Q", "Ctrl+V"):
+            browser.press(key)
+            browser.next_frame()
+        after = browser.state()
+        for key in ("face", "mode", "dialog", "paused"):
+            self.assertEqual(after[key], state[key], key)
+        self.assertEqual(after["lesson"]["name"], state["lesson"]["name"])
+
+    def test_makes_a_kiosk_of_one_lesson(self):
+        browser = self.open(query="?kiosk&lesson=ghost")
+        browser.wait(lambda state: state["lesson"] and state["lesson"]["name"] == "ghost", "that lesson")
+        browser.press("Escape")
+        browser.next_frame()
+        self.assertEqual(browser.state()["lesson"]["name"], "ghost")
+
+
+if __name__ == "__main__":
+    unittest.main()

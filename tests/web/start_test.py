@@ -1,0 +1,77 @@
+"""How the page starts, on what, and what it asks of a network."""
+import unittest
+
+from browser import HEIGHT, LESSONS, PAGE, PLOTS, WIDTH, PageTest, wait_for
+
+
+class Start(PageTest):
+    def expect_stage(self, browser):
+        state = browser.state()
+        self.assertEqual(state["face"], "stage")
+        self.assertEqual(state["language"], "en")
+        self.assertEqual(state["size_px"], [WIDTH, HEIGHT])
+        self.assertIsNone(state["lesson"])
+        self.assertFalse(state["paused"])
+        self.assertGreater(state["frames"], 0)
+        browser.wait(lambda now: now["tick"] > state["tick"], "ticks that go on")
+        # Of one colour it would be, had nothing been drawn.
+        self.assertGreater(len(browser.picture().getcolors(WIDTH * HEIGHT)), 50)
+
+    def test_from_a_disk(self):
+        browser = self.start()
+        browser.open(PAGE.as_uri())
+        self.expect_stage(browser)
+
+    def test_from_a_server_in_one_request_and_none_after(self):
+        browser = self.open()
+        self.expect_stage(browser)
+        browser.press("F4")
+        browser.wait_until(face="workbench")
+        browser.press(PLOTS)
+        browser.press("F4")
+        browser.press(LESSONS)
+        browser.wait_until(dialog="lessons")
+        browser.press("Escape")
+        browser.press("3")
+        browser.wait_until(dialog="none", strategy="anisotropic")
+        self.assertEqual(browser.requests(), [self.address()])
+        self.assertEqual(self.server.requests, ["/" + PAGE.name])
+
+    def test_is_one_small_file(self):
+        self.assertLessEqual(PAGE.stat().st_size, 3_000_000)
+
+    def test_in_a_dense_picture(self):
+        browser = self.open(density=2.0, size=(640, 400))
+        state = browser.state()
+        self.assertEqual(state["size_px"], [1280, 800])
+        self.assertEqual(state["density"], 2.0)
+        drawn = browser.script("const c = document.getElementById('stage'); return [c.width, c.height]")
+        self.assertEqual(drawn, [1280, 800])
+
+    def test_follows_the_size_of_its_window(self):
+        browser = self.open()
+        browser.resize((900, 700))
+        browser.wait_until(size_px=[900, 700])
+
+    def test_speaks_the_language_of_the_browser(self):
+        browser = self.open(language="es")
+        self.assertEqual(browser.state()["language"], "es")
+
+
+class WithoutWebGL2(PageTest):
+    def test_says_what_is_missing_and_what_to_do(self):
+        browser = self.start()
+        browser.run_before_page(
+            """const get = HTMLCanvasElement.prototype.getContext;
+               HTMLCanvasElement.prototype.getContext = function (kind, ...others) {
+                 return kind === 'webgl2' ? null : get.call(this, kind, ...others);
+               };"""
+        )
+        browser.driver.get(self.address())
+        words = wait_for(lambda: "WebGL 2" in browser.body_text() and browser.body_text(), "words about WebGL 2")
+        self.assertRegex(words, r"(?i)\b(update|other browser|another browser|Firefox|Chrome)\b", "what to do")
+        self.assertRegex(words, r"(?i)hardware|graphics", "what to look at")
+
+
+if __name__ == "__main__":
+    unittest.main()
