@@ -13,6 +13,8 @@ const SavePlace& save_place() noexcept {
   return place;
 }
 
+void listen_for_files_from_outside() {}
+
 bool offers_file_chooser() noexcept {
   return false;
 }

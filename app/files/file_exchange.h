@@ -20,6 +20,9 @@ struct SavePlace {
 };
 const SavePlace& save_place() noexcept;
 
+// Once: from now on take_chosen_files() has what is dropped on a page too. On the desktop the window knows.
+void listen_for_files_from_outside();
+
 // Whether choose_file() opens the system's own dialog.
 bool offers_file_chooser() noexcept;
 

@@ -23,22 +23,30 @@ EM_JS(void, download_file, (const char* path, const char* name), {
   setTimeout(() => URL.revokeObjectURL(address), long_enough_ms);
 })
 
-EM_JS(void, show_file_chooser, (), {
-  const chooser = document.createElement("input");
-  chooser.type = "file";
-  chooser.accept = ".toml,.csv,.png,.svg,.pdf";
-  chooser.onchange = async () => {
-    const chosen = (Module["chosenFiles"] ||= []);
-    for (const file of chooser.files) {
+// What is chosen or dropped comes into the page's own files. The chooser is part of the page.
+EM_JS(void, listen_for_files, (), {
+  const take = async (files) => {
+    for (const file of files) {
       const bytes = new Uint8Array(await file.arrayBuffer());
       FS.mkdirTree("/opened");
       const path = "/opened/" + file.name;
       FS.writeFile(path, bytes);
-      chosen.push(path);
+      (Module["chosenFiles"] ||= []).push(path);
     }
   };
-  chooser.click();
+  const chooser = document.getElementById("file-chooser");
+  chooser.addEventListener("change", async () => {
+    await take(chooser.files);
+    chooser.value = "";  // so that the same file can be chosen again
+  });
+  addEventListener("dragover", (event) => event.preventDefault());
+  addEventListener("drop", (event) => {
+    event.preventDefault();
+    take(event.dataTransfer.files);
+  });
 })
+
+EM_JS(void, show_file_chooser, (), { document.getElementById("file-chooser").click(); })
 
 // 0: there is none.
 EM_JS(char*, take_chosen_file, (), {
@@ -63,6 +71,10 @@ const SavePlace& save_place() noexcept {
                                        "A new CSV file, which your browser saves when the recording "
                                        "ends. If empty, a name is chosen."};
   return place;
+}
+
+void listen_for_files_from_outside() {
+  listen_for_files();
 }
 
 bool offers_file_chooser() noexcept {

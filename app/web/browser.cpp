@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <memory>
 
-EM_JS_DEPS(browser, "$FS,$UTF8ToString,$stringToNewUTF8")
+EM_JS_DEPS(browser, "$UTF8ToString,$stringToNewUTF8")
 
 // clang-format off
 EM_JS(char*, read_query, (const char* name), {
@@ -54,6 +54,11 @@ EM_JS(void, write_clipboard, (const char* text), {
   else by_hand();
 })
 EM_JS(char*, read_pasted, (), { return stringToNewUTF8(Module["clipboardText"] ?? ""); })
+EM_JS(bool, take_pasted, (), {
+  const has_pasted = Module["hasPasted"] ?? false;
+  Module["hasPasted"] = false;
+  return has_pasted;
+})
 EM_JS(void, switch_full_screen, (), {
   const done = document.fullscreenElement ? document.exitFullscreen() : document.documentElement.requestFullscreen?.();
   done?.catch(() => {});
@@ -61,17 +66,9 @@ EM_JS(void, switch_full_screen, (), {
 EM_JS(bool, fills_screen, (), { return document.fullscreenElement !== null; })
 EM_JS(void, listen_to_document, (), {
   addEventListener("hashchange", () => Module["hasNewFragment"] = true);
-  addEventListener("paste", (event) => Module["clipboardText"] = event.clipboardData?.getData("text/plain") ?? "");
-  addEventListener("dragover", (event) => event.preventDefault());
-  addEventListener("drop", async (event) => {
-    event.preventDefault();
-    for (const file of event.dataTransfer.files) {
-      const bytes = new Uint8Array(await file.arrayBuffer());
-      FS.mkdirTree("/opened");
-      const path = "/opened/" + file.name;
-      FS.writeFile(path, bytes);
-      (Module["chosenFiles"] ||= []).push(path);
-    }
+  addEventListener("paste", (event) => {
+    Module["clipboardText"] = event.clipboardData?.getData("text/plain") ?? "";
+    Module["hasPasted"] = true;
   });
   document.getElementById("stage").addEventListener("contextmenu", (event) => event.preventDefault());
 })
@@ -127,6 +124,10 @@ void copy_text(const std::string& text) {
 
 std::string pasted_text() {
   return text_of(read_pasted());
+}
+
+bool take_paste() {
+  return take_pasted();
 }
 
 void toggle_full_screen() {

@@ -24,6 +24,8 @@ double clock_s();
 // Copies, as far as the browser allows; and what was pasted last.
 void copy_text(const std::string& text);
 std::string pasted_text();
+// The person has pasted something since the last call.
+bool take_paste();
 
 void toggle_full_screen();
 bool is_full_screen();

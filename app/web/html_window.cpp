@@ -59,6 +59,8 @@ struct HtmlWindow::Events {
     // With Shift a key types another sign than the one that it is called by; letters stay letters.
     const bool is_letter = character < 0x80U && std::isalpha(static_cast<int>(character)) != 0;
     const char* const printed = character != 0 && (!event->shiftKey || is_letter) ? event->key : nullptr;
+    // What is pasted comes after its key.
+    if (press.key == key::v && press.modifiers == modifier::control) return false;
     if (press.key != 0) window.add_key_event(press, printed, is_down);
     // AltGr is Control and Alt on some systems.
     const bool types = character != 0 && event->ctrlKey == event->altKey && !event->metaKey;
@@ -108,7 +110,7 @@ struct HtmlWindow::Events {
           point.isChanged && (type == EMSCRIPTEN_EVENT_TOUCHEND || type == EMSCRIPTEN_EVENT_TOUCHCANCEL);
       if (!has_left) fingers.push_back({static_cast<double>(point.clientX), static_cast<double>(point.clientY)});
     }
-    window.touches_.follow(fingers);
+    window.touches_.follow(fingers, browser::clock_s());
     window.note_act();
     window.note_move();
     return true;  // else a mouse is made up too
@@ -184,6 +186,7 @@ void HtmlWindow::listen() {
   emscripten_set_webglcontextlost_callback(canvas, this, early, Events::context);
   emscripten_set_webglcontextrestored_callback(canvas, this, early, Events::context);
   browser::listen();
+  listen_for_files_from_outside();
 }
 
 bool HtmlWindow::take_restored() noexcept {
@@ -230,6 +233,12 @@ void HtmlWindow::take_events(double /*wait_s*/) {
     emscripten_set_canvas_element_size(canvas, pixels.width, pixels.height);
     note_change();
   }
+  if (browser::take_paste()) {
+    constexpr KeyPress paste{key::v, modifier::control, false};
+    add_key_event(paste, nullptr, true);
+    add_key_event(paste, nullptr, false);
+  }
+  touches_.wait(browser::clock_s());
   if (std::vector<std::string> chosen = take_chosen_files(); !chosen.empty()) add_dropped_files(std::move(chosen));
 }
 

@@ -27,6 +27,7 @@ using Json = nlohmann::ordered_json;
 // In the order of their ids.
 constexpr std::array dialog_names{"none",       "help",         "device",    "lessons",    "open",
                                   "save_scene", "save_picture", "save_clip", "save_plots", "reset_preferences"};
+constexpr std::array outcome_names{"open", "right", "wrong", "shown"};
 constexpr std::array question_names{"", "choose", "guess", "task"};
 
 Json point(const Vector<2>& value) {
@@ -48,6 +49,7 @@ Json lesson_json(const Session& session) {
             {"steps", state.lesson->steps.size()},
             {"is_complete", state.is_finished},
             {"question", nullptr},
+            {"outcome", outcome_names[static_cast<std::size_t>(lesson_step_state(state).outcome)]},
             {"is_open", step.question != LessonQuestion::none && is_open},
             {"right_answer", step.right_answer + 1}};
   if (step.question != LessonQuestion::none) json["question"] = question_names[static_cast<std::size_t>(step.question)];

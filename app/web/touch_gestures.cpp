@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <cfloat>
+#include <utility>
 
 #include "app/ui/widgets/pointing.h"
 
@@ -10,42 +11,57 @@ namespace ghostforce {
 namespace {
 
 void point_at(const Vector<2>& place) {
-  ImGui::GetIO().AddMousePosEvent(static_cast<float>(place.x), static_cast<float>(place.y));
+  ImGuiIO& io = ImGui::GetIO();
+  io.AddMouseSourceEvent(ImGuiMouseSource_TouchScreen);
+  io.AddMousePosEvent(static_cast<float>(place.x), static_cast<float>(place.y));
 }
 
 }  // namespace
 
-void TouchGestures::hold(std::optional<int> button) {
-  if (button == held_) return;
+void TouchGestures::press(std::optional<int> button) {
+  if (button == pressed_) return;
   ImGuiIO& io = ImGui::GetIO();
-  if (held_) io.AddMouseButtonEvent(*held_, false);
+  if (pressed_) io.AddMouseButtonEvent(*pressed_, false);
   if (button) io.AddMouseButtonEvent(*button, true);
-  held_ = button;
+  pressed_ = button;
 }
 
-void TouchGestures::follow(std::span<const Vector<2>> fingers) {
+void TouchGestures::press_one(const Vector<2>& place) {
+  landing_.reset();
+  point_at(place);
+  press(ImGuiMouseButton_Left);
+}
+
+void TouchGestures::follow(std::span<const Vector<2>> fingers, double now_s) {
   ImGuiIO& io = ImGui::GetIO();
-  io.AddMouseSourceEvent(ImGuiMouseSource_TouchScreen);
   if (fingers.empty()) {
-    hold({});
+    if (landing_) press_one(landing_->place);
+    press({});
     waits_for_lift_ = false;
     io.AddMousePosEvent(-FLT_MAX, -FLT_MAX);  // no finger rests on anything
     io.AddMouseSourceEvent(ImGuiMouseSource_Mouse);
   } else if (fingers.size() == 1) {
-    if (waits_for_lift_) return hold({});
-    point_at(fingers.front());
-    hold(ImGuiMouseButton_Left);
+    const Vector<2>& finger = fingers.front();
+    if (waits_for_lift_) return press({});
+    if (pressed_) return point_at(finger);
+    if (!landing_) landing_ = Landing{finger, now_s};
+    if (glm::distance(finger, landing_->place) < first_move) return wait(now_s);
+    press_one(landing_->place);
+    point_at(finger);
   } else {
-    const Vector<2> between = 0.5 * (fingers[0] + fingers[1]);
-    const double distance = glm::distance(fingers[0], fingers[1]);
-    const bool begins = held_ != ImGuiMouseButton_Right;
-    if (begins) hold({});
-    point_at(between);
-    hold(ImGuiMouseButton_Right);
-    if (!begins && distance > 0.0 && distance_ > 0.0) io.AddMouseWheelEvent(0.0F, wheel_for(distance / distance_));
-    distance_ = distance;
+    landing_.reset();
+    const bool begins = pressed_ != ImGuiMouseButton_Right;
+    if (begins) press({});
+    point_at(0.5 * (fingers[0] + fingers[1]));
+    press(ImGuiMouseButton_Right);
+    const double before = std::exchange(distance_, glm::distance(fingers[0], fingers[1]));
+    if (!begins && before > 0.0 && distance_ > 0.0) io.AddMouseWheelEvent(0.0F, wheel_for(distance_ / before));
     waits_for_lift_ = true;
   }
+}
+
+void TouchGestures::wait(double now_s) {
+  if (landing_ && now_s - landing_->time_s >= longest_wait_s) press_one(landing_->place);
 }
 
 }  // namespace ghostforce
