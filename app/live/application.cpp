@@ -24,6 +24,7 @@
 #include "app/session/target.h"
 #include "app/session/undo_words.h"
 #include "app/session/visit.h"
+#include "app/set_up/set_up_line.h"
 #include "app/ui/plots/plot_export.h"
 #include "core/divergence.h"
 #include "core/simulate.h"
@@ -84,6 +85,7 @@ Application::Application(Window& window, const Scene& scene, const ApplicationOp
       input_choices_(choices_of(inputs_, options.input_options.recorded_hand != nullptr)),
       input_options_(options.input_options),
       painter_(options.painter),
+      show_link_(options.show_link),
       servo_driver_(options.make_servo_driver ? options.make_servo_driver() : nullptr),
       screen_(window, options.part) {
   if (session_.visit) window_.stay_open();
@@ -417,6 +419,7 @@ void Application::handle_requests() {
     }
     if (requests.copy_set_up) copy_set_up();
     if (requests.paste_set_up) paste_set_up();
+    if (requests.show_link && show_link_) show_link_(set_up_line(set_up_of(session_, shown())));
     if (requests.record) start_recording(*requests.record);
     if (requests.reset_preferences) {
       reset_preferences(session_, window_);

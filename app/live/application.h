@@ -44,6 +44,7 @@ struct ApplicationOptions {
   std::optional<std::string> record{};  // from the first tick, to a file of this name
   InputOptions input_options{};
   std::function<std::unique_ptr<ServoDriver>()> make_servo_driver{};  // empty: nobody drives the servo
+  std::function<void(const std::string& line)> show_link{};           // to a set-up; empty: there is no page to link to
   bool offers_hints = false;
   std::set<std::string, std::less<>> folded_panels{};
   std::string shader_folder{};  // empty: the embedded shaders, not watched
@@ -167,6 +168,7 @@ class Application {
   const InputEntry* input_ = nullptr;  // in use
   InputOptions input_options_;
   FilePainter painter_;
+  std::function<void(const std::string& line)> show_link_;
   History history_;
   LateTicks late_ticks_{LoopReading::lately_s};
   ClipboardTool clipboard_tool_;

@@ -22,6 +22,7 @@ struct FrontKeys {
   FrontKey save_picture;
   FrontKey copy_picture;
   FrontKey copy_values;
+  FrontKey link;            // no key where there is no page to link to
   int move_view_modifiers;  // of the arrows that move the view
 
   // Of what these keys do, where that differs too.

@@ -108,6 +108,7 @@ struct Requests {
   std::optional<CopyPictureRequest> copy_picture;
   bool copy_table = false;            // the live values, as text
   bool copy_set_up = false;           // what is shown, as a line
+  bool show_link = false;             // to this page, with that line
   bool paste_set_up = false;          // to show what such a line describes
   std::optional<std::string> record;  // to a file of this name
   bool stop_recording = false;

@@ -44,6 +44,9 @@ void obey(Session& session, StageCommand command, const MotorReport& motors) {
     case StageCommand::keys:
       session.dialog = Dialog::help;
       return;
+    case StageCommand::link:
+      session.requests.show_link = true;
+      return;
     case StageCommand::motors:
       if (can_press_safety_button(motors)) press_safety_button(session, motors);
       return;
@@ -138,7 +141,8 @@ std::size_t talk_length() noexcept {
 }
 
 StageKeys stage_keys() noexcept {
-  return {.lessons = front_keys().lessons.shown, .help = front_keys().help.shown};
+  const FrontKeys& keys = front_keys();
+  return {.lessons = keys.lessons.shown, .help = keys.help.shown, .link = keys.link.shown};
 }
 
 }  // namespace ghostforce

@@ -30,6 +30,7 @@ EM_JS(void, write_fragment, (const char* text), {
     // A page within another one may not; there is no address to see either.
   }
 })
+EM_JS(void, show_link_to, (const char* text), { Module["showLink"]("#" + encodeURI(UTF8ToString(text))); })
 EM_JS(bool, take_changed_fragment, (), {
   const has_changed = Module["hasNewFragment"] ?? false;
   Module["hasNewFragment"] = false;
@@ -100,6 +101,10 @@ std::string fragment() {
 
 void set_fragment(const std::string& text) {
   write_fragment(text.c_str());
+}
+
+void show_link(const std::string& text) {
+  show_link_to(text.c_str());
 }
 
 bool take_fragment_change() {

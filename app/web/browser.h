@@ -12,6 +12,9 @@ bool has_query(const std::string& name);
 std::string fragment();
 // From now on that follows the #, without a new entry in the browser's history.
 void set_fragment(const std::string& text);
+// Shows the address of this page with that text behind the #, for others to open, and its QR code where others can reach
+// this page.
+void show_link(const std::string& text);
 // The person has changed it since the last call, by hand or with a link.
 bool take_fragment_change();
 

@@ -90,6 +90,7 @@ ApplicationOptions Page::options_for(const Start& start, Times& times) {
       .inputs = portable_inputs({}),
       .input_options = {.virtual_falcon_clock = VirtualLink::Clock::stepped},  // its ticks come in bursts
       .make_servo_driver = [&times] { return std::make_unique<MeasuredServoDriver>(times.servo); },
+      .show_link = browser::show_link,
       .offers_hints = preferences.offers_hints};
   if (start.is_kiosk) options.visit = start.lesson ? std::vector{start.lesson} : shipped_lessons();
   options.folded_panels = panels_folded_at_first(WindowLayout::first_height / preferences.appearance.scale);

@@ -36,6 +36,7 @@ void draw_save_menu(Session& session) {
   if (ImGui::MenuItem("Save a clip…", "Alt+P")) session.dialog = Dialog::save_clip;
   if (ImGui::MenuItem("Save the plots…", nullptr, false, session.plots.is_open)) session.dialog = Dialog::save_plots;
   ImGui::Separator();
+  if (!keys.link.shown.empty() && item("Send a link…", keys.link.shown)) session.requests.show_link = true;
   if (item("Copy a picture", keys.copy_picture.shown)) session.requests.copy_picture = CopyPictureRequest{};
   if (item("Copy the live values", keys.copy_values.shown)) session.requests.copy_table = true;
   if (ImGui::MenuItem("Copy this set-up as a command", "Ctrl+C")) session.requests.copy_set_up = true;

@@ -187,6 +187,7 @@ struct StageLanguage {
   struct Buttons {
     std::string_view lessons;  // their key
     std::string_view keys;     // so
+    std::string_view link;     // so
     std::string_view cure_hint;
     std::string_view show_guess;
     std::string_view skip;

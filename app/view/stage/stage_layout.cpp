@@ -155,8 +155,14 @@ class Arrangement {
     const StageLanguage::Buttons& all = words_.language.buttons;
     const double line = layout_.letters.words.height;
     double top = bottom - 0.5 * points(button_height) - line;
-    for (const auto& [command, link] : {std::pair(StageCommand::lessons, filled(all.lessons, words_.keys.lessons)),
-                                        {StageCommand::keys, filled(all.keys, words_.keys.help)}}) {
+    std::vector<std::pair<StageCommand, std::string>> links{
+        {StageCommand::lessons, filled(all.lessons, words_.keys.lessons)},
+        {StageCommand::keys, filled(all.keys, words_.keys.help)}};
+    if (!words_.keys.link.empty()) {
+      links.insert(links.begin(), {StageCommand::link, filled(all.link, words_.keys.link)});
+      top -= line;
+    }
+    for (const auto& [command, link] : links) {
       const double left = right - measure_(link, layout_.letters.words).x;
       layout_.links.push_back({command, {{left, top}, {right, top + line}}, link});
       top += line;

@@ -23,7 +23,7 @@ namespace ghostforce {
 // Something else than a strategy, a mode or a face that the stage can be asked for: the table of keys, the motors on or
 // off, the picker of lessons; the step before, the next step of the mode or the lesson that is on; the end of the lesson; its
 // next language; to move its slider.
-enum class StageCommand : std::uint8_t { keys, motors, lessons, previous, next, leave, language, slider };
+enum class StageCommand : std::uint8_t { keys, link, motors, lessons, previous, next, leave, language, slider };
 
 // An answer to a lesson's question, from 0.
 enum class StageAnswer : std::uint8_t {};
@@ -78,10 +78,11 @@ struct StageLayout {
   Vector<2> numbers_corner() const { return {margin, words_end + 6.0 * unit}; }
 };
 
-// What is printed on the keys that do the same as two of the buttons: they are not the same keys in every front.
+// What is printed on the keys that do the same as some of the buttons: they are not the same keys in every front.
 struct StageKeys {
   std::string_view lessons;
   std::string_view help;
+  std::string_view link{};  // to what is shown; empty: there is no such thing here
 };
 
 struct StageFrameWords {
