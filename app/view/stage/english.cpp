@@ -173,7 +173,7 @@ const StageLanguage english_stage{
         {
             .lessons = "{} lessons",
             .keys = "{} keys",
-            .link = "{} send a link",
+            .link = "{} link",
             .cure_hint = "press 3: the cure",
             .show_guess = "Enter: show me",
             .skip = "Enter: skip",

@@ -164,7 +164,7 @@ const StageLanguage spanish_stage{
         {
             .lessons = "{} lecciones",
             .keys = "{} teclas",
-            .link = "{} enviar enlace",
+            .link = "{} enlace",
             .cure_hint = "pulsa 3: la cura",
             .show_guess = "Intro: muéstramelo",
             .skip = "Intro: saltar",
