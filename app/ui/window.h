@@ -107,10 +107,10 @@ class Window {
   // Dear ImGui is there from here to the end of ~Window(), so a platform's constructor may set its flags, and its
   // clipboard; it must not begin a frame.
   Window();
-  // Once OpenGL is current and loaded: Dear ImGui's drawing and the fonts. `takes_mouse` is false where no hover and no
-  // click may change a picture. The constructor of a platform's window ends with it.
+  // In a platform's constructor, once OpenGL is current and loaded: Dear ImGui's drawing and the fonts. `takes_mouse` is
+  // false where no hover and no click may change a picture. Throws Failure where a font is missing; then it has not begun.
   void start_drawing(bool takes_mouse);
-  // While OpenGL still is current; the destructor of a platform's window begins with it. Nothing where it has not started.
+  // While OpenGL still is current: the destructor of a platform's window begins with it.
   void stop_drawing() noexcept;
   // With another OpenGL context in place of the one before, which has gone with all that was in it.
   void restart_drawing();
