@@ -3,8 +3,6 @@
 #include "app/files/clipboard_tool.h"
 
 // The browser tells later whether it has taken the picture, and perhaps asks the person first.
-;
-
 // clang-format off
 EM_JS(int, begin_copy_of_png, (const char* bytes, int size), {
   const copies = (Module["pictureCopies"] ||= []);

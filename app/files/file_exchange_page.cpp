@@ -58,8 +58,10 @@ EM_JS(char*, take_chosen_file, (), {
 namespace ghostforce {
 
 void hand_out(const std::string& path) {
-  download_file(path.c_str(), std::filesystem::path(path).filename().c_str());
   std::error_code ignored;
+  // "-" is no file.
+  if (!std::filesystem::is_regular_file(path, ignored)) return;
+  download_file(path.c_str(), std::filesystem::path(path).filename().c_str());
   std::filesystem::remove(path, ignored);
 }
 
