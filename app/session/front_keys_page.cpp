@@ -1,7 +1,5 @@
 #include "app/session/front_keys.h"
 
-#include "app/session/front_key_tables.h"
-
 namespace ghostforce {
 
 const FrontKeys& front_keys() noexcept {

@@ -40,7 +40,7 @@ NAMED_KEYS = {
     "F5": Keys.F5, "F6": Keys.F6, "F7": Keys.F7, "F8": Keys.F8, "F9": Keys.F9,
 }  # fmt: skip
 
-# The page's own, where the browser keeps the desktop's for itself: app/session/front_key_tables.h.
+# The page's own, where the browser keeps the desktop's for itself: app/session/front_keys.h.
 HELP, LESSONS, DEVICE_STATUS, PLOTS, NEXT_THEME, SAVE_PICTURE = "KMDNCI"
 
 # On the workbench at 1280×800, the button that starts and ends a recording: no key does.

@@ -11,7 +11,6 @@
 
 #include <gtest/gtest.h>
 
-#include "app/session/front_key_tables.h"
 #include "app/session/key_bindings.h"
 #include "app/session/keys.h"
 
