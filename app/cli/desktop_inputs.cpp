@@ -1,10 +1,8 @@
 #include "app/cli/desktop_inputs.h"
 
-#include <algorithm>
-
-#include "app/cli/spacemouse_input_link.h"
 #include "app/doctor/readiness.h"
 #include "app/live/portable_inputs.h"
+#include "app/live/spacemouse_input_link.h"
 #include "device/falcon/falcon_input.h"
 #include "device/spacemouse_hid/hid_spacemouse_input.h"
 
@@ -12,8 +10,14 @@ namespace ghostforce {
 namespace {
 
 const InputMaker<SpaceMouseInput> spacemouse_kind{
-    {{"spacemouse", "SpaceMouse", "The goal follows the cap of a 3Dconnexion SpaceMouse."}},
-    [](const Scene&, const InputOptions&) { return std::make_unique<HidSpaceMouseInput>(); }};
+    {{spacemouse_hand}}, [](const Scene&, const InputOptions&) { return std::make_unique<HidSpaceMouseInput>(); }};
+
+constexpr SpaceMouseWords spacemouse_words{
+    .absent = "None is plugged in. The program keeps looking for one.",
+    .not_allowed =
+        "One is plugged in, but this user may not open it: run 'ghostforce doctor --install-udev' once, then plug it "
+        "in again.",
+    .not_opened = "One is plugged in, but it cannot be opened: is another program using it?"};
 
 std::vector<ReadinessStepState> readiness_with_motors(const FalconReport& report, const MotorReport& motors) {
   return readiness_of(report, &motors);
@@ -29,13 +33,8 @@ InputMaker<FalconInput> falcon_kind(const FtdiLinkOptions& cable) {
 }
 
 std::vector<InputEntry> desktop_inputs(const FtdiLinkOptions& cable) {
-  std::vector<InputEntry> inputs = portable_inputs(readiness_with_motors);
-  // A rehearsal comes after the device that it rehearses.
-  const auto rehearsal =
-      std::ranges::find_if(inputs, [](const InputEntry& entry) { return entry.name == virtual_falcon_kind.name; });
-  inputs.insert(rehearsal, {linked<SpaceMouseInputLink>(spacemouse_kind),
-                            falcon_entry(falcon_kind(cable), readiness_with_motors)});
-  return inputs;
+  return portable_inputs(readiness_with_motors, {linked<SpaceMouseInputLink>(spacemouse_kind, spacemouse_words),
+                                                 falcon_entry(falcon_kind(cable), readiness_with_motors)});
 }
 
 }  // namespace ghostforce

@@ -40,6 +40,7 @@ struct ApplicationOptions {
   LessonProgress lesson_progress{};
   std::vector<InputEntry> inputs{};     // all that there are
   std::string input{mouse_hand.name};   // the name of one of them
+  std::string_view why_no_falcon{};     // is among them, in words that outlive the application; empty: there is one
   FilePainter painter{};                // for what is saved as lines and letters
   std::optional<std::string> record{};  // from the first tick, to a file of this name
   InputOptions input_options{};
@@ -166,6 +167,7 @@ class Application {
   std::vector<InputEntry> inputs_;
   std::vector<InputChoice> input_choices_;
   const InputEntry* input_ = nullptr;  // in use
+  std::string_view why_no_falcon_;
   InputOptions input_options_;
   FilePainter painter_;
   std::function<void(const std::string& line)> show_link_;

@@ -6,12 +6,12 @@
 
 namespace ghostforce {
 
-std::vector<InputEntry> portable_inputs(const ReadinessOf& readiness_of) {
-  return {
-      linked<PointerLink>(mouse_kind),    linked<InputLink>(script_kind),
-      linked<InputLink>(replay_kind),     circle_entry(),
-      virtual_falcon_entry(readiness_of),
-  };
+std::vector<InputEntry> portable_inputs(const ReadinessOf& readiness_of, const std::vector<InputEntry>& devices) {
+  std::vector<InputEntry> inputs{linked<PointerLink>(mouse_kind), linked<InputLink>(script_kind),
+                                 linked<InputLink>(replay_kind), circle_entry()};
+  inputs.insert(inputs.end(), devices.begin(), devices.end());
+  inputs.push_back(virtual_falcon_entry(readiness_of));
+  return inputs;
 }
 
 }  // namespace ghostforce

@@ -17,8 +17,9 @@ struct FalconReport;
 using ReadinessOf =
     std::function<std::vector<ReadinessStepState>(const FalconReport& report, const MotorReport& motors)>;
 
-// In the order in which people see them.
-std::vector<InputEntry> portable_inputs(const ReadinessOf& readiness_of);
+// In the order in which people see them. `devices`: those that this front of the program adds, which come before what
+// rehearses them.
+std::vector<InputEntry> portable_inputs(const ReadinessOf& readiness_of, const std::vector<InputEntry>& devices = {});
 
 InputEntry circle_entry();
 InputEntry virtual_falcon_entry(const ReadinessOf& readiness_of);

@@ -234,6 +234,7 @@ struct LoopReading {
   std::uint64_t refused = 0;  // settings and moves that the loop could not take
   bool diverged = false;      // the settings made the simulation unstable; it waits for others
   std::span<const InputChoice> inputs{};
+  std::string_view why_no_falcon{};                       // is among them; empty: there is one
   std::string_view shader_problem{};                      // why watched shaders are not in use; may be empty
   MotorReport motors{};                                   // of the input, and what watches over them
   std::vector<ReadinessStepState> readiness{};            // up to motors that push; empty: the input has none

@@ -12,11 +12,11 @@
 #include "app/files/scene_file.h"
 #include "app/lessons/lesson_file.h"
 #include "app/lessons/lesson_shelf.h"
-#include "app/live/portable_inputs.h"
 #include "app/session/set_up_of.h"
 #include "app/set_up/set_up_line.h"
 #include "app/ui/panels/panel_catalog.h"
 #include "app/web/browser.h"
+#include "app/web/page_inputs.h"
 #include "device/servo/frame_servo_driver.h"
 #include "device/virtual_falcon/virtual_link.h"
 
@@ -87,7 +87,8 @@ ApplicationOptions Page::options_for(const Start& start, Times& times) {
       .lesson = start.lesson,
       .language = preferences.language,
       .lesson_progress = start.progress,
-      .inputs = portable_inputs({}),
+      .inputs = page_inputs(),
+      .why_no_falcon = why_no_falcon_in_page,
       .input_options = {.virtual_falcon_clock = VirtualLink::Clock::stepped},  // its ticks come in bursts
       .make_servo_driver = [&times] { return std::make_unique<MeasuredServoDriver>(times.servo); },
       .show_link = browser::show_link,

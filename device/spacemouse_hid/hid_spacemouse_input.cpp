@@ -1,6 +1,5 @@
 #include "device/spacemouse_hid/hid_spacemouse_input.h"
 
-#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <condition_variable>
@@ -15,6 +14,7 @@
 #include <unistd.h>
 
 #include "device/input/thread_signals.h"
+#include "device/spacemouse/spacemouse_products.h"
 #include "device/spacemouse/spacemouse_report.h"
 
 namespace ghostforce {
@@ -25,23 +25,8 @@ using Trouble = SpaceMouseReading::Trouble;
 constexpr std::chrono::milliseconds search_interval{500};
 constexpr int read_timeout_ms = 20;  // and so long may the destructor wait
 
-constexpr unsigned short logitech = 0x046D;  // made them until 2013, and makes other mice
-constexpr unsigned short connexion = 0x256F;
-constexpr unsigned short desktop_page = 1;
-constexpr unsigned short multi_axis_controller = 8;
-
-// For systems that do not tell what a device is used for.
-constexpr unsigned short logitech_products[] = {0xC603, 0xC605, 0xC606, 0xC621, 0xC623, 0xC625,
-                                                0xC626, 0xC627, 0xC628, 0xC629, 0xC62B};
-constexpr unsigned short connexion_products[] = {0xC62E, 0xC62F, 0xC631, 0xC632, 0xC633, 0xC635, 0xC636, 0xC652};
-
-// One device shows several of these entries: a receiver, for instance, is a keyboard too.
-bool is_space_mouse(const hid_device_info& info) noexcept {
-  if (info.vendor_id != logitech && info.vendor_id != connexion) return false;
-  if (info.usage_page != 0) return info.usage_page == desktop_page && info.usage == multi_axis_controller;
-  return info.vendor_id == logitech
-             ? std::ranges::find(logitech_products, info.product_id) != std::end(logitech_products)
-             : std::ranges::find(connexion_products, info.product_id) != std::end(connexion_products);
+bool is_spacemouse_entry(const hid_device_info& info) noexcept {
+  return is_spacemouse({info.vendor_id, info.product_id, info.usage_page, info.usage});
 }
 
 struct CloseDevice {
@@ -74,7 +59,7 @@ Device search(SpaceMouseReading& reading) {
   reading.trouble = Trouble::absent;
   const std::unique_ptr<hid_device_info, FreeList> list(hid_enumerate(0, 0));
   for (const hid_device_info* info = list.get(); info != nullptr; info = info->next) {
-    if (!is_space_mouse(*info)) continue;
+    if (!is_spacemouse_entry(*info)) continue;
     reading.name = narrow(info->product_string);
     Device device(hid_open_path(info->path));
     reading.trouble = device ? Trouble::none : why_not(info->path);

@@ -1,5 +1,7 @@
 // F2: the readiness of the device, step by step, from nothing to motors that push: what is reached, what is next, and
 // what to do.
+#include <string>
+
 #include "app/ui/panels/dialogs.h"
 #include "app/ui/widgets/controls.h"
 
@@ -43,7 +45,9 @@ void draw_doctor(const PanelContext& context) {
   const float width = dialog_field_width(560.0F, context);
   const float end = ImGui::GetCursorPosX() + width;
   ImGui::PushTextWrapPos(end);
-  if (context.loop.readiness.empty()) {
+  if (context.loop.readiness.empty() && !context.loop.why_no_falcon.empty()) {
+    ImGui::TextUnformatted(("This input has no motors. " + std::string(context.loop.why_no_falcon)).c_str());
+  } else if (context.loop.readiness.empty()) {
     ImGui::TextUnformatted(
         "This input has no motors. In the panel “Input”, choose Falcon, or Virtual Falcon to rehearse without one. "
         "'ghostforce doctor' examines a device from the command line.");

@@ -14,12 +14,14 @@
 namespace ghostforce {
 namespace {
 
-// Returns the name of the one that was chosen just now, or nothing.
-std::string_view choose(const char* id, std::span<const InputChoice> choices, std::string_view chosen_name) {
+// Returns the name of the one that was chosen just now, or nothing. `remark`: what the list says below them.
+std::string_view choose(const char* id, std::span<const InputChoice> choices, std::string_view chosen_name,
+                        std::string_view remark = {}) {
   std::string_view picked;
   const auto chosen = std::ranges::find(choices, chosen_name, &InputChoice::name);
   const bool is_known = chosen != choices.end();
-  const bool is_open = ImGui::BeginCombo(id, is_known ? chosen->title.data() : "");
+  const bool is_open = ImGui::BeginCombo(id, is_known ? chosen->title.data() : "",
+                                         remark.empty() ? ImGuiComboFlags_None : ImGuiComboFlags_HeightLarge);
   if (!is_open) {
     if (is_known) tooltip(chosen->sentence);
     return picked;
@@ -28,6 +30,10 @@ std::string_view choose(const char* id, std::span<const InputChoice> choices, st
   for (const InputChoice& choice : choices) {
     if (ImGui::Selectable(choice.title.data(), choice.name == chosen_name)) picked = choice.name;
     tooltip(choice.sentence);
+  }
+  if (!remark.empty()) {
+    ImGui::Separator();
+    wrapped_text(remark, ImGui::GetCursorPosX() + 18.0F * ImGui::GetFontSize());
   }
   ImGui::EndCombo();
   return picked;
@@ -53,7 +59,8 @@ void draw_step(const PanelContext& context) {
 void draw_input(const PanelContext& context) {
   if (begin_rows("input", context)) {
     row("Goal from", "What moves the goal of the hand.");
-    const std::string_view input = choose("##input", context.loop.inputs, context.session.input);
+    const std::string_view input =
+        choose("##input", context.loop.inputs, context.session.input, context.loop.why_no_falcon);
     if (!input.empty()) context.session.requests.input = input;
     if (!context.loop.injected_faults.empty()) {
       row("Injected fault", "Makes the virtual device misbehave, to show how the program reacts.");

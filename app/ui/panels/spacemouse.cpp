@@ -1,24 +1,23 @@
 #include "app/ui/panels/spacemouse.h"
 
 #include <algorithm>
-#include <string>
+#include <string_view>
 
 #include "app/ui/widgets/controls.h"
 
 namespace ghostforce {
 namespace {
 
-std::string words_about(const SpaceMouseReading& reading) {
+std::string_view words_about(const SpaceMouseReading& reading, const SpaceMouseWords& words) {
   switch (reading.trouble) {
     case SpaceMouseReading::Trouble::none:
       return reading.name.data();
     case SpaceMouseReading::Trouble::absent:
-      return "None is plugged in. The program keeps looking for one.";
+      return words.absent;
     case SpaceMouseReading::Trouble::not_allowed:
-      return "One is plugged in, but this user may not open it: run 'ghostforce doctor --install-udev' once, then plug "
-             "it in again.";
+      return words.not_allowed;
     case SpaceMouseReading::Trouble::not_opened:
-      return "One is plugged in, but it cannot be opened: is another program using it?";
+      return words.not_opened;
   }
   return {};
 }
@@ -45,9 +44,9 @@ void draw_axes(const PanelContext& context, const SpaceMouseReading& reading) {
 
 }  // namespace
 
-void draw_spacemouse(const PanelContext& context, const SpaceMouseReading& reading) {
+void draw_spacemouse(const PanelContext& context, const SpaceMouseReading& reading, const SpaceMouseWords& words) {
   SpaceMouseSettings& settings = context.session.spacemouse;
-  wrapped_text(words_about(reading));
+  wrapped_text(words_about(reading, words));
   draw_axes(context, reading);
   if (!begin_rows("spacemouse", context)) return;
   row("Cap sets", "Whether the cap sets the position of the goal or its speed.");

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "app/cli/spacemouse_input_link.h"
 #include "app/doctor/readiness.h"
+#include "app/live/spacemouse_input_link.h"
 #include "core/safety.h"
 #include "device/falcon/falcon_report.h"
 

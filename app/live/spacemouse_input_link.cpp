@@ -1,6 +1,4 @@
-#include "app/cli/spacemouse_input_link.h"
-
-#include "app/ui/panels/spacemouse.h"
+#include "app/live/spacemouse_input_link.h"
 
 namespace ghostforce {
 
@@ -21,7 +19,7 @@ EndOfVisit end_with(SpaceMouseReading::Trouble trouble) {
 }
 
 void SpaceMouseInputLink::fill(LoopReading& reading) const {
-  reading.draw_input = [this](const PanelContext& context) { draw_spacemouse(context, reading_); };
+  reading.draw_input = [this](const PanelContext& context) { draw_spacemouse(context, reading_, words_); };
 }
 
 void SpaceMouseInputLink::look() {
