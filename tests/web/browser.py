@@ -216,14 +216,17 @@ class Browser:
     def requests(self):
         """Addresses that the page has asked a network for since the last call."""
         found = []
-        for entry in self.driver.get_log("performance"):
-            message = json.loads(entry["message"])["message"]
+        for message in self._messages():
             if message["method"] == "Network.requestWillBeSent":
                 found.append(message["params"]["request"]["url"])
             elif message["method"] in ("Network.webSocketCreated", "Network.webTransportCreated"):
                 found.append(message["params"]["url"])
         # Chromium's own empty tab, and what the page holds in itself.
         return [each for each in found if not each.startswith(("chrome", "about:", "data:", "blob:"))]
+
+    def _messages(self):
+        """What the browser has told of itself since the last call."""
+        return [json.loads(entry["message"])["message"] for entry in self.driver.get_log("performance")]
 
     # --- Hands ---
 
@@ -278,12 +281,29 @@ class Browser:
 
     # --- Files ---
 
+    def expect_file_dialog(self, act):
+        """That act() opens the browser's own dialog to choose a file, which nobody sees."""
+        self.command("Page.enable")
+        self.command("Page.setInterceptFileChooserDialog", enabled=True)
+        act()
+        wait_for(
+            lambda: any(each["method"] == "Page.fileChooserOpened" for each in self._messages()),
+            "the browser's dialog to choose a file",
+            self.told_state,
+        )
+
     def choose_file(self, path):
         """In the browser's own dialog to open one."""
         chooser = wait_for(
             lambda: self.driver.find_elements("id", "file-chooser"), "the input to choose a file by", self.told_state
         )
         chooser[0].send_keys(str(path))
+
+    def drop_file(self, path):
+        """On the middle of the page, from another window."""
+        data = {"items": [], "files": [str(path)], "dragOperationsMask": 1}
+        for kind in ("dragEnter", "dragOver", "drop"):
+            self.command("Input.dispatchDragEvent", type=kind, x=WIDTH / 2, y=HEIGHT / 2, data=data)
 
     def downloaded(self, ending, count=1):
         """The newest download of this ending, once it is whole and there are so many."""
