@@ -122,12 +122,22 @@ class Browser:
         options.set_capability("goog:loggingPrefs", {"performance": "ALL", "browser": "ALL"})
         self.driver = webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
         self.driver.set_script_timeout(PATIENCE_S)
-        self.resize(size, density)
         self.told = []  # by the page's console, of errors
+        self.resize(size, density)
 
     def close(self):
         self.driver.quit()
         self._folder.cleanup()
+
+    def begin_anew(self):
+        """As if just started, for a page from another address: each address has preferences of its own."""
+        self.driver.get("about:blank")
+        self.resize((WIDTH, HEIGHT))
+        for each in self.downloads.iterdir():
+            each.unlink()
+        self._messages()
+        self.errors()
+        self.told = []
 
     # --- What is shown ---
 
@@ -291,6 +301,7 @@ class Browser:
             "the browser's dialog to choose a file",
             self.told_state,
         )
+        self.command("Page.setInterceptFileChooserDialog", enabled=False)
 
     def choose_file(self, path):
         """In the browser's own dialog to open one."""
@@ -326,9 +337,11 @@ class Browser:
 
 
 class PageTest(unittest.TestCase):
-    """A test with a browser, and with the page where its server or the disk has it."""
+    """A test with a browser, and with the page where its server or the disk has it. The tests of a class share one
+    browser, which takes as long to start as many of them take."""
 
     allowed_errors = ()  # parts of what the console may tell
+    shared = None
 
     def setUp(self):
         self.assertTrue(PAGE.is_file(), f"{PAGE} is not there; ./web builds it")
@@ -336,13 +349,21 @@ class PageTest(unittest.TestCase):
         self.addCleanup(self.server.close)
 
     def start(self, **how):
-        browser = Browser(**how)
-        self.addCleanup(browser.close)
-        self.browser = browser
-        return browser
+        """A browser that is like no other test's, or that keeps something."""
+        self.browser = Browser(**how)
+        self.addCleanup(self.browser.close)
+        return self.browser
 
     def open(self, query="", fragment="", **how):
-        browser = self.start(**how)
+        if how:
+            browser = self.start(**how)
+        else:
+            suite = type(self)
+            if suite.shared is None:
+                suite.shared = Browser()
+                suite.addClassCleanup(suite.shared.close)
+            browser = self.browser = suite.shared
+            browser.begin_anew()
         browser.open(self.address(query, fragment))
         return browser
 

@@ -11,8 +11,6 @@ LINE = "ghostforce run wall45 --set wall.normal_deg=120.0 --goal-mm=10,-17.32 --
 
 
 class InFirefox(unittest.TestCase):
-    one_browser = True  # it takes long to start
-
     @classmethod
     def setUpClass(cls):
         assert PAGE.is_file(), f"{PAGE} is not there; ./web builds it"
