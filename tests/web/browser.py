@@ -122,12 +122,22 @@ class Browser:
         options.set_capability("goog:loggingPrefs", {"performance": "ALL", "browser": "ALL"})
         self.driver = webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
         self.driver.set_script_timeout(PATIENCE_S)
-        self.resize(size, density)
         self.told = []  # by the page's console, of errors
+        self.resize(size, density)
 
     def close(self):
         self.driver.quit()
         self._folder.cleanup()
+
+    def begin_anew(self):
+        """As if just started, for a page from another address: each address has preferences of its own."""
+        self.driver.get("about:blank")
+        self.resize((WIDTH, HEIGHT))
+        for each in self.downloads.iterdir():
+            each.unlink()
+        self._messages()
+        self.errors()
+        self.told = []
 
     # --- What is shown ---
 
@@ -216,14 +226,17 @@ class Browser:
     def requests(self):
         """Addresses that the page has asked a network for since the last call."""
         found = []
-        for entry in self.driver.get_log("performance"):
-            message = json.loads(entry["message"])["message"]
+        for message in self._messages():
             if message["method"] == "Network.requestWillBeSent":
                 found.append(message["params"]["request"]["url"])
             elif message["method"] in ("Network.webSocketCreated", "Network.webTransportCreated"):
                 found.append(message["params"]["url"])
         # Chromium's own empty tab, and what the page holds in itself.
         return [each for each in found if not each.startswith(("chrome", "about:", "data:", "blob:"))]
+
+    def _messages(self):
+        """What the browser has told of itself since the last call."""
+        return [json.loads(entry["message"])["message"] for entry in self.driver.get_log("performance")]
 
     # --- Hands ---
 
@@ -278,12 +291,30 @@ class Browser:
 
     # --- Files ---
 
+    def expect_file_dialog(self, act):
+        """That act() opens the browser's own dialog to choose a file, which nobody sees."""
+        self.command("Page.enable")
+        self.command("Page.setInterceptFileChooserDialog", enabled=True)
+        act()
+        wait_for(
+            lambda: any(each["method"] == "Page.fileChooserOpened" for each in self._messages()),
+            "the browser's dialog to choose a file",
+            self.told_state,
+        )
+        self.command("Page.setInterceptFileChooserDialog", enabled=False)
+
     def choose_file(self, path):
         """In the browser's own dialog to open one."""
         chooser = wait_for(
             lambda: self.driver.find_elements("id", "file-chooser"), "the input to choose a file by", self.told_state
         )
         chooser[0].send_keys(str(path))
+
+    def drop_file(self, path):
+        """On the middle of the page, from another window."""
+        data = {"items": [], "files": [str(path)], "dragOperationsMask": 1}
+        for kind in ("dragEnter", "dragOver", "drop"):
+            self.command("Input.dispatchDragEvent", type=kind, x=WIDTH / 2, y=HEIGHT / 2, data=data)
 
     def downloaded(self, ending, count=1):
         """The newest download of this ending, once it is whole and there are so many."""
@@ -306,9 +337,11 @@ class Browser:
 
 
 class PageTest(unittest.TestCase):
-    """A test with a browser, and with the page where its server or the disk has it."""
+    """A test with a browser, and with the page where its server or the disk has it. The tests of a class share one
+    browser, which takes as long to start as many of them take."""
 
     allowed_errors = ()  # parts of what the console may tell
+    shared = None
 
     def setUp(self):
         self.assertTrue(PAGE.is_file(), f"{PAGE} is not there; ./web builds it")
@@ -316,13 +349,21 @@ class PageTest(unittest.TestCase):
         self.addCleanup(self.server.close)
 
     def start(self, **how):
-        browser = Browser(**how)
-        self.addCleanup(browser.close)
-        self.browser = browser
-        return browser
+        """A browser that is like no other test's, or that keeps something."""
+        self.browser = Browser(**how)
+        self.addCleanup(self.browser.close)
+        return self.browser
 
     def open(self, query="", fragment="", **how):
-        browser = self.start(**how)
+        if how:
+            browser = self.start(**how)
+        else:
+            suite = type(self)
+            if suite.shared is None:
+                suite.shared = Browser()
+                suite.addClassCleanup(suite.shared.close)
+            browser = self.browser = suite.shared
+            browser.begin_anew()
         browser.open(self.address(query, fragment))
         return browser
 

@@ -20,6 +20,23 @@ class Scenes(PageTest):
         state = browser.wait(lambda state: "wall.normal_deg=111" in state["set_up"], "the wall of the scene")
         self.assertIn("fig1", state["set_up"])
 
+    def test_the_browsers_own_dialog_is_one_of_the_buttons(self):
+        browser = self.open()
+        browser.press("Ctrl+O")
+        browser.wait_until(dialog="open")
+
+        def reach_button():  # from the field, past "Open"
+            for key in ("Tab", "Tab", "Enter"):
+                browser.press(key)
+                browser.next_frame()
+
+        browser.expect_file_dialog(reach_button)
+
+    def test_is_dropped(self):
+        browser = self.open()
+        browser.drop_file(ROOT / "assets/scenes/fig1.toml")
+        browser.wait(lambda state: "fig1" in state["set_up"], "the scene that was dropped")
+
     def test_that_is_broken_is_told_of_and_changes_nothing(self):
         browser = self.open()
         before = browser.state()["set_up"]

@@ -84,12 +84,12 @@ class Mouse(PageTest):
     def test_a_drag_moves_the_goal_and_the_force_follows_the_model(self):
         browser = self.open()
         begin = browser.on_screen(browser.state()["goal_m"])
-        end = browser.on_screen((0.012, -0.020))
+        end = browser.on_screen((0.020, -0.010))
         browser.drag(begin, ((begin[0] + end[0]) / 2, (begin[1] + end[1]) / 2), end)
         origin = browser.on_screen((0.0, 0.0))
         pixel_m = 0.01 / (browser.on_screen((0.01, 0.0))[0] - origin[0])
         state = browser.wait(
-            lambda state: math.dist(state["goal_m"], (0.012, -0.020)) < 1.5 * pixel_m, "the goal at the pointer"
+            lambda state: math.dist(state["goal_m"], (0.020, -0.010)) < 1.5 * pixel_m, "the goal at the pointer"
         )
         for strategy, key in (("naive", "2"), ("full", "1")):
             browser.press(key)

@@ -37,7 +37,8 @@ class Context(PageTest):
 
 class Hidden(PageTest):
     def test_pauses_and_goes_on(self):
-        browser = self.open()
+        browser = self.start()
+        browser.open(self.address())
         browser.wait(lambda state: state["tick"] > 50, "ticks")
         first = browser.driver.current_window_handle
         # The other tab can ask the one that it came from.

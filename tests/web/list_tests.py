@@ -1,4 +1,4 @@
-"""Prints a line for each test that ctest shall run by itself: its name there, and how unittest finds it."""
+"""Prints a line for each class of tests, which share a browser: its name in ctest, and how unittest finds it."""
 import pathlib
 import unittest
 
@@ -13,11 +13,6 @@ def tests_in(suite):
             yield each
 
 
-found = {}
-for test in tests_in(unittest.defaultTestLoader.discover(str(folder), pattern="*_test.py")):
-    module, suite, method = test.id().split(".")
-    whole = getattr(test, "one_browser", False)
-    name = f"{module.removesuffix('_test')}.{suite}" + ("" if whole else f".{method.removeprefix('test_')}")
-    found[f"web.{name}"] = f"{module}.{suite}" + ("" if whole else f".{method}")
-for name, test in found.items():
-    print(f"{name}={test}")
+tests = tests_in(unittest.defaultTestLoader.discover(str(folder), pattern="*_test.py"))
+for each in sorted({test.id().rpartition(".")[0] for test in tests}):
+    print(f"web.{each.replace('_test.', '.')}={each}")
