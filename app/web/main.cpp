@@ -51,6 +51,14 @@ EMSCRIPTEN_KEEPALIVE const char* ghostforce_simulate(const char* scene, const ch
   }
 }
 
+EMSCRIPTEN_KEEPALIVE const char* ghostforce_replay(const char* recording) {
+  try {
+    return answer(ghostforce::replayed(recording));
+  } catch (const std::exception& error) {
+    return answer(nlohmann::json{{"agrees", false}, {"words", error.what()}}.dump());
+  }
+}
+
 EMSCRIPTEN_KEEPALIVE const char* ghostforce_on_page(double x_m, double y_m) {
   const ghostforce::Vector<2> place = ghostforce::on_page(*page, {x_m, y_m});
   return answer(nlohmann::json::array({place.x, place.y}).dump());

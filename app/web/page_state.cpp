@@ -9,7 +9,9 @@
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
 #include "app/files/run_file.h"
+#include "app/files/run_reader.h"
 #include "app/files/scene_file.h"
+#include "app/runs/replay.h"
 #include "app/session/lesson_guide.h"
 #include "app/session/set_up_of.h"
 #include "app/set_up/set_up_line.h"
@@ -117,6 +119,21 @@ std::string simulated_rows(const std::string& scene_name, const std::string& str
     rows.push_back('\n');
   });
   return fmt::to_string(rows);
+}
+
+std::string replayed(const std::string& recording) {
+  const Run run = read_run(recording, "recording");
+  if (!run.scene) throw Failure(ExitCode::wrong_call, "the recording does not say which scene it belongs to");
+  const ReplayReport report = replay(run);
+  const Agreement is = agreement(run, report);
+  const Json json{{"agrees", is == Agreement::identical || is == Agreement::close},
+                  {"is_identical", is == Agreement::identical},
+                  {"ticks", report.compared},
+                  {"greatest_relative_difference", report.compared > 0 ? report.worst().relative() : 0.0},
+                  {"words", report.first ? fmt::format("differs first at t = {} s in {} of {}", report.first->time_s,
+                                                       report.first->column, strategy(report.first->strategy).name)
+                                         : "identical bit for bit"}};
+  return json.dump();
 }
 
 Vector<2> on_page(Page& page, const Vector<2>& world) {
