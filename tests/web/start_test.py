@@ -1,7 +1,7 @@
 """How the page starts, on what, and what it asks of a network."""
 import unittest
 
-from browser import HEIGHT, LESSONS, PAGE, PLOTS, WIDTH, PageTest, wait_for
+from browser import HEIGHT, LESSONS, PAGE, PLOTS, ROOT, WIDTH, PageTest, wait_for
 
 
 class Start(PageTest):
@@ -56,6 +56,21 @@ class Start(PageTest):
     def test_speaks_the_language_of_the_browser(self):
         browser = self.open(language="es")
         self.assertEqual(browser.state()["language"], "es")
+
+
+class Words(PageTest):
+    def test_of_the_notices_are_shown_in_place_of_the_program(self):
+        browser = self.start()
+        browser.driver.get(self.address(query="?notices"))
+        words = wait_for(browser.body_text, "the notices")
+        for file in ("LICENSE", "THIRD_PARTY_NOTICES.md"):
+            self.assertIn((ROOT / file).read_text(encoding="utf-8").strip(), words)
+        self.assertIsNone(browser.state())
+
+    def test_about_the_state_name_each_of_its_keys(self):
+        state = self.open(query="?lesson=ghost").state()
+        told = (ROOT / "docs/web.md").read_text(encoding="utf-8")
+        self.assertEqual([key for key in [*state, *state["lesson"]] if f"`{key}`" not in told], [])
 
 
 class WithoutWebGL2(PageTest):
