@@ -51,14 +51,12 @@ endif()
 # ---- The window, and pictures: found for the desktop, compiled for the page -----------------------------------------
 
 if(EMSCRIPTEN)
-  # Where the toolchain has put its sources; each must be exactly this file.
+  # Dear ImGui and ImPlot: ./web fetches their sources, which must be exactly this file.
   set(imgui_bundle_version 1.92.801)  # imgui-sources-requirements.txt
   set(imgui_bundle_sha256 7d790708affe7476969d397784b40eb91760a201ce752131e5bedf4d514e3a45)
-  set(zlib_archive /opt/sources/zlib_1.3.dfsg+really1.3.1.orig.tar.gz)
-  set(zlib_sha256 60dd315c07f616887caa029408308a018ace66e3d142726a97db164b3b8f69fb)
-  set(libpng_archive /opt/sources/libpng1.6_1.6.48.orig.tar.gz)
-  set(libpng_sha256 b17e99026055727e8cba99160c3a9a7f9af788e9f786daeadded5a42243f1dd0)
   include(page_sources)
+
+  # stb: makes PNG files smaller, in place of zlib and libpng. A header. apt: libstb-dev.
 
   # QR codes, of the page's own address: qrcode-generator, JavaScript. apt: node-qrcode-generator.
   set(GHOSTFORCE_QR_CODE_SCRIPT /usr/share/nodejs/qrcode-generator/qrcode.js)

@@ -1,10 +1,10 @@
-# Libraries that the page compiles from their sources, because Debian has them for its own processors only: ImGui and
-# ImPlot, zlib and libpng. They become the same targets that dependencies.cmake finds for the desktop.
+# What the page compiles itself, because Debian has it for its own processors only. It becomes the same targets that
+# dependencies.cmake finds for the desktop.
 
-# Of glm, fmt, toml++ and nlohmann-json the headers are enough; alone, because those beside them are not Emscripten's.
+# Of glm, fmt, toml++, nlohmann-json and stb the headers are enough; alone, because those beside them are not Emscripten's.
 set(headers ${PROJECT_BINARY_DIR}/headers)
 file(MAKE_DIRECTORY ${headers})
-foreach(folder IN ITEMS fmt glm nlohmann toml++)
+foreach(folder IN ITEMS fmt glm nlohmann stb toml++)
   file(CREATE_LINK /usr/include/${folder} ${headers}/${folder} SYMBOLIC)
 endforeach()
 add_library(page_headers INTERFACE)
@@ -58,25 +58,4 @@ target_compile_definitions(imgui_sources PUBLIC
   PRIVATE IMGUI_IMPL_OPENGL_ES3)
 add_library(ghostforce::gui ALIAS imgui_sources)
 
-# ---- zlib and libpng -------------------------------------------------------------------------------------------------
-
-unpack(${zlib_archive} ${zlib_sha256} zlib zlib "*/*.c" "*/*.h")
-add_library(zlib_sources STATIC
-  ${zlib}/adler32.c ${zlib}/compress.c ${zlib}/crc32.c ${zlib}/deflate.c ${zlib}/inffast.c ${zlib}/inflate.c
-  ${zlib}/inftrees.c ${zlib}/trees.c ${zlib}/uncompr.c ${zlib}/zutil.c)
-target_include_directories(zlib_sources SYSTEM PUBLIC ${zlib})
-add_library(ZLIB::ZLIB ALIAS zlib_sources)
-
-unpack(${libpng_archive} ${libpng_sha256} libpng libpng "*/*.c" "*/*.h" "*/scripts/pnglibconf.h.prebuilt")
-configure_file(${libpng}/scripts/pnglibconf.h.prebuilt ${PROJECT_BINARY_DIR}/generated/libpng/pnglibconf.h COPYONLY)
-foreach(part IN ITEMS "" error get mem pread read rio rtran rutil set trans wio write wtran wutil)
-  list(APPEND png_files ${libpng}/png${part}.c)
-endforeach()
-add_library(libpng_sources STATIC ${png_files})
-target_include_directories(libpng_sources SYSTEM PUBLIC ${libpng} ${PROJECT_BINARY_DIR}/generated/libpng)
-target_link_libraries(libpng_sources PUBLIC zlib_sources)
-add_library(PNG::PNG ALIAS libpng_sources)
-
-foreach(library IN ITEMS imgui_sources zlib_sources libpng_sources)
-  set_property(TARGET ${library} PROPERTY UNITY_BUILD OFF)
-endforeach()
+set_property(TARGET imgui_sources PROPERTY UNITY_BUILD OFF)

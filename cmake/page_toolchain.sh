@@ -14,7 +14,6 @@ if ((EUID != 0)); then
   as_root=(sudo)
 fi
 
-# The sources of libraries come with their packages' signatures too; page_sources.cmake compares their sums besides.
 make_page_toolchain() {
   [[ ! -e $toolchain ]] || return 0
   say "Making the page's toolchain, a Debian 13 in $toolchain (about 3 GB)"
@@ -24,10 +23,6 @@ make_page_toolchain() {
   packages=$(page_packages | paste -sd,)
   logged toolchain "${as_root[@]}" mmdebstrap --mode=root --variant=apt \
     --aptopt='APT::Install-Recommends "false"' --include="$packages" \
-    --customize-hook='sed s/^deb/deb-src/ "$1/etc/apt/sources.list" > "$1/etc/apt/sources.list.d/source.list"' \
-    --customize-hook='chroot "$1" apt-get update' \
-    --customize-hook='mkdir "$1/opt/sources"' \
-    --customize-hook='chroot "$1" sh -c "cd /opt/sources && apt-get source --download-only zlib libpng1.6"' \
     "$debian" "$scratch" || fail_with toolchain "The page's toolchain could not be made."
   "${as_root[@]}" mv "$scratch" "$toolchain"
 }

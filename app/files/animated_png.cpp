@@ -1,17 +1,15 @@
 #include "app/files/animated_png.h"
 
-#include <zlib.h>
-
 #include <algorithm>
-#include <new>
 #include <span>
 #include <stdexcept>
+
+#include "app/files/deflate.h"
+#include "app/files/png_chunks.h"
 
 namespace ghostforce {
 namespace {
 
-constexpr int colour_and_alpha = 6;  // the colour type of the header
-constexpr int compression_level = 6;
 constexpr unsigned int longest_shown = 0xFFFF;  // pictures of the clip: a number of 16 bits
 constexpr int channels = 4;
 constexpr int rgb_channels = 3;
@@ -21,28 +19,12 @@ constexpr char leave_it = 0;
 constexpr char replace_pixels = 0;
 constexpr char draw_over = 1;
 
-std::string in_network_order(std::uint32_t number, int bytes) {
-  std::string text;
-  for (int shift = 8 * (bytes - 1); shift >= 0; shift -= 8) text += static_cast<char>(number >> shift & 0xFFU);
-  return text;
-}
-
 std::string word(std::uint32_t number) {
   return in_network_order(number, 4);
 }
 
 std::string word(int number) {
   return word(static_cast<std::uint32_t>(number));
-}
-
-const Bytef* bytes_of(std::string_view text) {
-  return reinterpret_cast<const Bytef*>(text.data());
-}
-
-std::string chunk(std::string_view name, std::string_view data) {
-  const std::string named = std::string(name).append(data);
-  const uLong checksum = crc32(0, bytes_of(named), static_cast<uInt>(named.size()));
-  return word(static_cast<std::uint32_t>(data.size())) + named + word(static_cast<std::uint32_t>(checksum));
 }
 
 std::string counts(std::uint32_t frames) {
@@ -58,16 +40,11 @@ std::span<const std::uint8_t> row_of(const Image& image, int y) {
 }  // namespace
 
 AnimatedPng::AnimatedPng(OutputFile& file, const ClipShape& shape, std::string_view text) : file_(file), shape_(shape) {
-  write("\x89PNG\r\n\x1A\n");
-  std::string header = word(shape.width) + word(shape.height);
-  header += {8, colour_and_alpha, 0, 0, 0};  // bits a channel; compression, filter, interlacing: the usual
-  write(chunk("IHDR", header));
+  write(png_signature);
+  write(png_header(shape.width, shape.height, PngColour::rgb_and_alpha));
   counts_at_ = written_;
-  write(chunk("acTL", counts(0)));
-  if (text.empty()) return;
-  // Keyword, not compressed, no language and no translation of the keyword; then the text.
-  constexpr std::string_view description("Description\0\0\0\0\0", 16);
-  write(chunk("iTXt", std::string(description).append(text)));
+  write(png_chunk("acTL", counts(0)));
+  if (!text.empty()) write(png_text_chunk({"Description", std::string(text)}));
 }
 
 void AnimatedPng::add(const Image& image) {
@@ -93,8 +70,8 @@ void AnimatedPng::add(const Image& image) {
 void AnimatedPng::finish() {
   if (pending_shown_ == 0) throw std::logic_error("a clip without a picture");
   write_pending();
-  write(chunk("IEND", {}));
-  file_.rewrite(counts_at_, chunk("acTL", counts(frames_)));
+  write(png_chunk("IEND", {}));
+  file_.rewrite(counts_at_, png_chunk("acTL", counts(frames_)));
 }
 
 // Of no width where nothing has.
@@ -139,13 +116,7 @@ std::string AnimatedPng::stored(const Image& image, const PixelBox& box) const {
       }
     }
   }
-  std::string bytes(compressBound(rows.size()), '\0');
-  uLongf size = bytes.size();
-  const int result =
-      compress2(reinterpret_cast<Bytef*>(bytes.data()), &size, bytes_of(rows), rows.size(), compression_level);
-  if (result != Z_OK) throw std::bad_alloc();  // there is room: it was memory
-  bytes.resize(size);
-  return bytes;
+  return deflated(rows);
 }
 
 void AnimatedPng::write_pending() {
@@ -155,11 +126,11 @@ void AnimatedPng::write_pending() {
   control += in_network_order(pending_shown_, 2);
   control += in_network_order(static_cast<std::uint32_t>(shape_.frames_per_second), 2);
   control += {leave_it, is_first ? replace_pixels : draw_over};
-  write(chunk("fcTL", control));
+  write(png_chunk("fcTL", control));
   if (is_first) {
-    write(chunk("IDAT", pending_));
+    write(png_chunk("IDAT", pending_));
   } else {
-    write(chunk("fdAT", word(sequence_++) + pending_));
+    write(png_chunk("fdAT", word(sequence_++) + pending_));
   }
   ++frames_;
 }

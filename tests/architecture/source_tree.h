@@ -68,6 +68,7 @@ inline const std::map<std::string, std::regex>& library_includes() {
       // What the operating system offers beyond the standard library.
       {"posix", std::regex("<((sys|linux|netinet|arpa)/[a-z_0-9/]+|dirent|dlfcn|endian|errno|fcntl|malloc|poll|pthread|"
                            "sched|signal|spawn|stdio|stdlib|string|strings|syslog|termios|time|unistd)\\.h>")},
+      {"stb", std::regex("<stb/.+>")},
       {"tomlplusplus", std::regex("<toml\\+\\+/.+>")},
       {"zlib", std::regex("<zlib\\.h>")},
   };
