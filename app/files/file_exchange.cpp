@@ -6,6 +6,7 @@ void hand_out(const std::string&) {}
 
 const SavePlace& save_place() noexcept {
   static constexpr SavePlace place{
+      .paints_files = true,
       .has_folders = true,
       .nothing_typed = "Type a path.",
       .new_file = "A new file.",

@@ -13,6 +13,7 @@ void hand_out(const std::string& path);
 
 // What a dialog that asks for a new file's path says of it.
 struct SavePlace {
+  bool paints_files;                 // pictures without the screen: vectors, plots, clips
   bool has_folders;                  // else a path is a name
   std::string_view nothing_typed;    // what to do
   std::string_view new_file;         // what becomes of it

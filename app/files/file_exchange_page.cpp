@@ -66,7 +66,8 @@ void hand_out(const std::string& path) {
 }
 
 const SavePlace& save_place() noexcept {
-  static constexpr SavePlace place{.has_folders = false,
+  static constexpr SavePlace place{.paints_files = false,
+                                   .has_folders = false,
                                    .nothing_typed = "Type a name.",
                                    .new_file = "Your browser saves it.",
                                    .about_recording =

@@ -23,8 +23,8 @@ struct FrontKeys {
   FrontKey next_theme;
   FrontKey save_picture;
   FrontKey copy_picture;
+  FrontKey save_clip;  // no key where no files are painted
   FrontKey copy_values;
-  FrontKey link;  // no key where there is no page to link to
   FrontKey link;            // no key where there is no page to link to
   int move_view_modifiers;  // of the arrows that move the view
 
@@ -47,6 +47,7 @@ inline constexpr FrontKeys keys_on_desktop{
     .next_theme = {key::t, modifier::control, "Ctrl+T"},
     .save_picture = {key::p, modifier::control, "Ctrl+P"},
     .copy_picture = {key::p, modifier::control | modifier::shift, "Ctrl+Shift+P"},
+    .save_clip = {key::p, modifier::alt, "Alt+P"},
     .copy_values = {key::c, modifier::control | modifier::shift, "Ctrl+Shift+C"},
     .link = {},
     .move_view_modifiers = modifier::alt,
@@ -65,6 +66,7 @@ inline constexpr FrontKeys keys_in_page{
     .next_theme = {key::c, 0, "C"},
     .save_picture = {key::i, 0, "I"},
     .copy_picture = {key::i, modifier::shift, "Shift+I"},
+    .save_clip = {},
     .copy_values = {key::v, 0, "V"},
     .link = {key::u, 0, "U"},
     .move_view_modifiers = modifier::shift | modifier::alt,

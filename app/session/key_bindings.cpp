@@ -332,7 +332,7 @@ std::vector<KeyBinding> key_table_of(const FrontKeys& keys) {
     KeyBinding{key::o, ctrl, "Ctrl+O", "Open a scene (or drop a file on the window)", open_dialog<Dialog::open_scene>, false, true},
     KeyBinding{key::s, ctrl, "Ctrl+S", "Save the scene with its current settings", open_dialog<Dialog::save_scene>, false, true},
     bound(keys.save_picture, keys.save_picture_sentence, open_dialog<Dialog::save_picture>, true),
-    KeyBinding{key::p, alt, "Alt+P", "Save the last seconds of the stage as a clip", open_dialog<Dialog::save_clip>, false, true},
+    bound(keys.save_clip, "Save the last seconds of the stage as a clip", open_dialog<Dialog::save_clip>, true),
     bound(keys.copy_picture, "Copy a picture to the clipboard", copy_picture),
     bound(keys.copy_values, "Copy the live values to the clipboard", ask<&Requests::copy_table>, true),
 

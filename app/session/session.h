@@ -171,6 +171,7 @@ struct Session {
   PlotView plots;
   Appearance appearance;
   std::set<std::string, std::less<>> folded_panels;  // by title
+  bool offers_speech = true;                         // there is somebody who could read aloud
   bool speaks = false;                               // the stage's sentence is to be read aloud
   std::string speech_problem;                        // why nothing is spoken all the same; empty: nothing is wrong
   bool paused = false;

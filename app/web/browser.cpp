@@ -73,6 +73,9 @@ EM_JS(void, listen_to_document, (), {
   });
   document.getElementById("stage").addEventListener("contextmenu", (event) => event.preventDefault());
 })
+EM_JS(void, write_spoken, (const char* words), {
+  document.getElementById("spoken").textContent = UTF8ToString(words);
+})
 EM_JS(void, be_ready, (), { Module["showReady"](); })
 EM_JS(void, show_problem, (const char* words), { Module["showProblem"](UTF8ToString(words)); })
 // clang-format on
@@ -145,6 +148,10 @@ bool is_full_screen() {
 
 void listen() {
   listen_to_document();
+}
+
+void tell_listeners(const std::string& words) {
+  write_spoken(words.c_str());
 }
 
 void tell_ready() {

@@ -36,6 +36,9 @@ bool is_full_screen();
 // From now on the browser tells the page of these by itself: what is pasted, files that are dropped, a new fragment.
 void listen();
 
+// For screen readers.
+void tell_listeners(const std::string& words);
+
 // Tells the page's own script that the first picture is there.
 void tell_ready();
 // Shows these words in place of the program.

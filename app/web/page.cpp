@@ -24,6 +24,8 @@ namespace ghostforce {
 namespace {
 
 constexpr const char* first_scene = "wall45";
+// For what the page tells beside the picture.
+constexpr double look_every_s = 0.5;
 
 // The servo's ticks of a frame, and how long they took.
 class MeasuredServoDriver final : public ServoDriver {
@@ -104,6 +106,7 @@ Page::Page(Start start) : is_kiosk_(start.is_kiosk), application_(window_, start
   const StoredPreferences& stored = start.stored;
   if (!stored.remarks.empty()) application_.show_notice(fmt::format("{}", fmt::join(stored.remarks, "\n\n")), true);
   apply(stored.preferences, application_.session());
+  application_.session().offers_speech = false;  // a screen reader reads the page as it is
   if (!is_kiosk_) {
     preference_keeper_.emplace(stored.preferences, application_.session());
     progress_keeper_.emplace(start.progress);
@@ -136,12 +139,18 @@ void Page::follow_address() {
   }
 }
 
+// The stage's sentence, for those who do not see it: screen readers read what changes there.
+void Page::tell_listeners() {
+  std::string sentence = application_.stage_reading().sentence;
+  if (sentence == spoken_) return;
+  browser::tell_listeners(sentence);
+  spoken_ = std::move(sentence);
+}
+
 // Once the person has left a new set-up alone for a moment.
 void Page::write_address() {
-  constexpr double look_every_s = 0.5;
   const Session& session = application_.session();
-  if (is_kiosk_ || session.lesson || session.is_editing || last_s_ - address_looked_at_s_ < look_every_s) return;
-  address_looked_at_s_ = last_s_;
+  if (is_kiosk_ || session.lesson || session.is_editing) return;
   std::string line = set_up_line(set_up_of(session, application_.shown()));
   if (std::exchange(line_, line) != line || line == address_) return;
   browser::set_fragment(line);
@@ -166,7 +175,11 @@ void Page::frame() {
     }
   }
   pacer_.waited(window_.poll(0.0), now_s);
-  write_address();
+  if (now_s - looked_at_s_ >= look_every_s) {
+    looked_at_s_ = now_s;
+    tell_listeners();
+    write_address();
+  }
   times_.script.add(browser::clock_s() - now_s);
 }
 

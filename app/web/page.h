@@ -44,6 +44,7 @@ class Page {
   void keep();
   void follow_address();
   void write_address();
+  void tell_listeners();
 
   bool is_kiosk_;
   Times times_;
@@ -55,9 +56,10 @@ class Page {
   double last_s_ = 0.0;
   double drawn_s_ = 0.0;
   std::uint64_t frames_ = 0;
-  double address_looked_at_s_ = 0.0;
+  double looked_at_s_ = 0.0;
   std::string line_;     // of the set-up, at the last look
   std::string address_;  // that stands in the address
+  std::string spoken_;   // for screen readers
 };
 
 }  // namespace ghostforce

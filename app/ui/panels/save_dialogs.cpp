@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "app/files/file_exchange.h"
 #include "app/files/video_encoder.h"
 #include "app/session/front_keys.h"
 #include "app/session/plot_view.h"
@@ -20,6 +21,11 @@ constexpr std::array picture_formats{"png", "svg", "pdf"};
 constexpr std::array all_clip_formats{"png", "mp4", "webm"};  // the last two are videos
 constexpr std::array clip_lengths{2, 5, 10, 30, 60};          // [s]
 constexpr std::array plot_formats{"csv", "png", "svg", "pdf"};
+
+// A program that paints no files has the first one only.
+std::span<const char* const> offered(std::span<const char* const> formats) {
+  return save_place().paints_files ? formats : formats.first(1);
+}
 
 void draw_density_choice(Form& form) {
   for (int density = 1; density <= 4; ++density) {
@@ -46,22 +52,27 @@ void draw_save_picture(const PanelContext& context) {
         fmt::format("{}-{}", file_stem(session.scene->title), strategy(session.settings.active).name);
     form.path = proposed_path(stem, picture_formats.front());
   }
-  const char* const format = format_of(form.path, picture_formats);
+  const std::span<const char* const> formats = offered(picture_formats);
+  const char* const format = format_of(form.path, formats);
   const bool is_png = format == nullptr || format == picture_formats.front();
   if (begin_rows("picture", context)) {
-    row("Format", "PNG: pixels, as on the screen. SVG and PDF: sharp at any size, for papers and slides.");
-    draw_format_choice(form.path, picture_formats);
+    if (formats.size() > 1) {
+      row("Format", "PNG: pixels, as on the screen. SVG and PDF: sharp at any size, for papers and slides.");
+      draw_format_choice(form.path, formats);
+    }
     ImGui::BeginDisabled(!is_png);
     row("Size", "How many pixels the picture has for each pixel of the screen.");
     draw_density_choice(form);
-    row("Part", "The whole window, or the scene without bars and panels. SVG and PDF contain only the scene.");
+    row("Part", formats.size() > 1
+                    ? "The whole window, or the scene without bars and panels. SVG and PDF contain only the scene."
+                    : "The whole window, or the scene without bars and panels.");
     if (ImGui::RadioButton("window", is_png && !form.scene_alone)) form.scene_alone = false;
     ImGui::SameLine();
     if (ImGui::RadioButton("scene", !is_png || form.scene_alone)) form.scene_alone = true;
     ImGui::EndDisabled();
     end_rows();
   }
-  const bool shall_save = draw_save_path_with(picture_formats, context);
+  const bool shall_save = draw_save_path_with(formats, context);
   ImGui::SameLine();
   ImGui::BeginDisabled(!is_png);
   if (ImGui::Button("Copy to clipboard")) {
@@ -70,9 +81,11 @@ void draw_save_picture(const PanelContext& context) {
   }
   ImGui::EndDisabled();
   tooltip(fmt::format("The picture as PNG, for other programs to paste. {}.", front_keys().copy_picture.shown));
-  ImGui::SameLine();
-  if (ImGui::Button("Clip…")) session.dialog = Dialog::save_clip;
-  tooltip("The last seconds of the stage, as a moving picture. Alt+P.");
+  if (save_place().paints_files) {
+    ImGui::SameLine();
+    if (ImGui::Button("Clip…")) session.dialog = Dialog::save_clip;
+    tooltip("The last seconds of the stage, as a moving picture. Alt+P.");
+  }
   if (!shall_save) return;
   session.requests.save_picture = SavePictureRequest{form.path, form.density, form.scene_alone};
   session.dialog = Dialog::none;
@@ -115,9 +128,12 @@ void draw_save_plots(const PanelContext& context) {
     form.path = proposed_path(fmt::format("{}-{}", file_stem(session.scene->title), plot_tab_name(session.plots.tab)),
                               plot_formats.front());
   }
+  const std::span<const char* const> formats = offered(plot_formats);
   if (begin_rows("plots", context)) {
-    row("Format", "CSV: the numbers, for a spreadsheet or a script. PNG, SVG and PDF: the picture.");
-    draw_format_choice(form.path, plot_formats);
+    if (formats.size() > 1) {
+      row("Format", "CSV: the numbers, for a spreadsheet or a script. PNG, SVG and PDF: the picture.");
+      draw_format_choice(form.path, formats);
+    }
     ImGui::BeginDisabled(session.plots.tab != PlotTab::time);
     row("Times", "The times shown, or all that the plots keep: one minute at 1000 ticks a second.");
     if (ImGui::RadioButton("shown", !form.whole_history)) form.whole_history = false;
@@ -126,7 +142,7 @@ void draw_save_plots(const PanelContext& context) {
     ImGui::EndDisabled();
     end_rows();
   }
-  if (!draw_save_path_with(plot_formats, context)) return;
+  if (!draw_save_path_with(formats, context)) return;
   session.requests.save_plots = SavePlotsRequest{form.path, form.whole_history};
   session.dialog = Dialog::none;
 }

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/files/file_exchange.h"
 #include "app/session/front_keys.h"
 #include "app/session/key_bindings.h"
 #include "app/ui/panels/caption.h"
@@ -33,7 +34,7 @@ void draw_save_menu(Session& session) {
   };
   if (ImGui::MenuItem("Save this scene…", "Ctrl+S")) session.dialog = Dialog::save_scene;
   if (item("Save a picture…", keys.save_picture.shown)) session.dialog = Dialog::save_picture;
-  if (ImGui::MenuItem("Save a clip…", "Alt+P")) session.dialog = Dialog::save_clip;
+  if (save_place().paints_files && ImGui::MenuItem("Save a clip…", "Alt+P")) session.dialog = Dialog::save_clip;
   if (ImGui::MenuItem("Save the plots…", nullptr, false, session.plots.is_open)) session.dialog = Dialog::save_plots;
   ImGui::Separator();
   if (!keys.link.shown.empty() && item("Send a link…", keys.link.shown)) session.requests.show_link = true;

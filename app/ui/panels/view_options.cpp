@@ -64,10 +64,12 @@ void draw_view_options(const PanelContext& context) {
   draw_scale_choice("arrows", look.arrow_scale, Appearance::least_arrow_scale, Appearance::greatest_arrow_scale);
   row("Language", "The language of the stage and of lessons. The workbench is in English.");
   draw_language_choice(session);
-  row("Speech", "Reads the stage's sentence aloud when it changes. This needs the package speech-dispatcher.");
-  ImGui::Checkbox("read aloud", &session.speaks);
-  if (!session.speech_problem.empty()) {
-    wrapped_text(fmt::format("{} To try again, switch it off and on.", session.speech_problem));
+  if (session.offers_speech) {
+    row("Speech", "Reads the stage's sentence aloud when it changes. This needs the package speech-dispatcher.");
+    ImGui::Checkbox("read aloud", &session.speaks);
+    if (!session.speech_problem.empty()) {
+      wrapped_text(fmt::format("{} To try again, switch it off and on.", session.speech_problem));
+    }
   }
   row("Preferences", "What you have chosen in this panel, and more, is kept from one run to the next.");
   if (ImGui::Button("Reset all…")) session.dialog = Dialog::reset_preferences;

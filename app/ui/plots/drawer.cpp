@@ -6,6 +6,7 @@
 #include <array>
 #include <string>
 
+#include "app/files/file_exchange.h"
 #include "app/session/front_keys.h"
 #include "app/session/measurement_guide.h"
 #include "app/ui/widgets/controls.h"
@@ -118,7 +119,8 @@ void draw_buttons(const PanelContext& context) {
   tooltip("Back to the newest moment, at the right edge.");
   ImGui::SameLine();
   if (ImGui::Button(save_words)) context.session.dialog = Dialog::save_plots;
-  tooltip("Saves what is shown, as numbers (CSV) or as a picture (PNG, SVG, PDF).");
+  tooltip(save_place().paints_files ? "Saves what is shown, as numbers (CSV) or as a picture (PNG, SVG, PDF)."
+                                    : "Saves what is shown, as numbers (CSV).");
   ImGui::SameLine();
   if (ImGui::Button(close_words)) view.is_open = false;
   tooltip(fmt::format("Closes the plots. {} opens them again.", front_keys().plots.shown));
