@@ -49,9 +49,9 @@ Object.defineProperty(navigator, "hid", { value: hid });
 """
 
 # On the workbench at 1280×800: the choice of inputs and its rows, and the button that asks.
-INPUT_CHOICE = (0, 0)
-SPACEMOUSE_ROW = (0, 0)
-ASK_BUTTON = (0, 0)
+INPUT_CHOICE = (1140, 637)
+SPACEMOUSE_ROW = (1046, 519)
+ASK_BUTTON = (950, 668)
 
 FULL = 350
 REACH_M = 0.060
@@ -104,12 +104,12 @@ class SpaceMouse(PageTest):
     def test_that_is_permitted_is_opened_without_asking_and_kept_by_another_scene(self):
         browser = self.open_with(is_permitted=True)
         self.wait_for_opened(browser)
-        x, y = browser.state()["goal_m"]
         browser.script("location.hash = '#fig1'")
+        x, y = browser.wait(lambda state: "fig1" in state["set_up"], "the other scene")["goal_m"]
         self.wait_for_opened(browser)
         self.assertEqual(self.asked(browser), 0)
         self.deflect(browser, -FULL, 0, 0, 0, 0, 0)
-        browser.wait(lambda state: state["goal_m"][0] < x - 0.9 * REACH_M, "the goal on the left")
+        self.wait_for_goal(browser, (x - REACH_M, y))
 
     def test_that_is_unplugged_leaves_the_goal_until_it_is_back(self):
         browser = self.open_with()

@@ -33,7 +33,7 @@ std::string_view choose(const char* id, std::span<const InputChoice> choices, st
   }
   if (!remark.empty()) {
     ImGui::Separator();
-    wrapped_text(remark, ImGui::GetCursorPosX() + 18.0F * ImGui::GetFontSize());
+    wrapped_text(remark, ImGui::GetCursorPosX() + 16.0F * ImGui::GetFontSize());
   }
   ImGui::EndCombo();
   return picked;

@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
+#include "app/cli/reading_aloud.h"
 #include "app/lessons/lesson_file.h"
 #include "app/lessons/lesson_shelf.h"
-#include "app/cli/reading_aloud.h"
 #include "app/session/lesson_guide.h"
 #include "tests/app/live/driven_window.h"
 #include "tests/support/fake_speech_service.h"
