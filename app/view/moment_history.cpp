@@ -69,7 +69,7 @@ void MomentHistory::clear() {
 std::optional<ShownMoment> MomentHistory::moment(std::size_t i) const {
   if (i >= size()) return std::nullopt;
   const Kept& found = kept(i);
-  return ShownMoment{eras_[found.era - first_era_], found.snapshot, true};
+  return ShownMoment{eras_[static_cast<std::size_t>(found.era - first_era_)], found.snapshot, true};
 }
 
 std::size_t MomentHistory::first_not_before(double time_s) const {

@@ -24,9 +24,6 @@
 namespace ghostforce {
 namespace {
 
-// Rooms of the page that still include what they may not.
-const std::set<std::string> not_clean_yet{"app/session", "app/ui", "device/falcon", "device/input", "device/servo"};
-
 constexpr std::array desktop_libraries{"cairo", "cli11", "glfw", "hidapi", "libcrypto", "libusb"};
 
 bool is_for_desktop_alone(const std::string& operand) {
@@ -119,13 +116,6 @@ std::vector<std::string> problems_of_the_page(const Tree& tree, const Lists& lis
   return found;
 }
 
-std::vector<std::string> without_rooms(std::vector<std::string> problems, const std::set<std::string>& folders) {
-  std::erase_if(problems, [&](const std::string& problem) {
-    return folders.contains(folder_of(problem.substr(0, problem.find(':'))));
-  });
-  return problems;
-}
-
 // --- The house -------------------------------------------------------------------------------------------------------
 
 TEST(PageTest, IncludesNothingThatABrowserLacks) {
@@ -140,12 +130,14 @@ TEST(PageTest, IncludesNothingThatABrowserLacks) {
   ASSERT_TRUE(compiled.contains("app/files/kept_file_page.cpp")) << "the lists were not read";
   ASSERT_TRUE(compiled.contains("app/runs/recording.h")) << "headers were not followed";
   EXPECT_FALSE(compiled.contains("app/worker/worker.cpp"));
-  EXPECT_EQ(listed(without_rooms(problems_of_the_page(tree, lists), not_clean_yet)), "");
+  EXPECT_EQ(listed(problems_of_the_page(tree, lists)), "");
 }
 
 // One behind which nothing stands would be found by the linker, and only by who builds the page.
 TEST(PageTest, BehindAHeaderStandsOneForEachFront) {
-  for (const auto& [folder, list] : lists_at(GHOSTFORCE_SOURCE_DIR, rooms_of_the_page(rooms_of_the_house()))) {
+  std::set<std::string> shared = rooms_of_the_page(rooms_of_the_house());
+  shared.erase("app/web");  // the page's own front
+  for (const auto& [folder, list] : lists_at(GHOSTFORCE_SOURCE_DIR, shared)) {
     const std::set<std::string> desktop = sources_after("DESKTOP", list);
     for (const std::string& source : sources_after("PAGE", list)) {
       const std::size_t end = source.find("_page.cpp");
@@ -213,7 +205,6 @@ TEST(PageSelfTest, SeesWhatAHeaderBringsAndWhere) {
             {"app/runs/a.h", "#include \"core/deep.h\"\n"},
             {"core/deep.h", "#pragma once\n#include <mutex>\n"}};
   EXPECT_EQ(listed(problems_of_the_page(tree, one_room)), "core/deep.h:2: <mutex> is for the desktop alone\n");
-  EXPECT_EQ(listed(without_rooms(problems_of_the_page(tree, one_room), {"core"})), "");
   // A header that only the desktop's own sources include is the desktop's own.
   tree["app/runs/c.cpp"] = tree.extract("app/runs/a.cpp").mapped();
   EXPECT_EQ(listed(problems_of_the_page(tree, one_room)), "");
