@@ -15,6 +15,7 @@ if ((EUID != 0)); then
 fi
 
 make_page_toolchain() {
+  can_enter_page_toolchain || fail "This machine lets nobody mount a folder (unshare --mount), which building the page needs."
   [[ ! -e $toolchain ]] || return 0
   say "Making the page's toolchain, a Debian 13 in $toolchain (about 3 GB)"
   local scratch=$toolchain.part packages
@@ -50,6 +51,9 @@ END
   mv "$scratch/imgui_bundle-$version.tar.gz" "$downloads/"
   rm -rf "$scratch"
 }
+
+# Some machines, such as containers without rights, let nobody enter another system.
+can_enter_page_toolchain() { "${as_root[@]}" unshare --mount --propagation private true 2>/dev/null; }
 
 # in_page_toolchain COMMAND...: runs it there as the present user, with the checkout where it is here. The mount is seen
 # by this command only, and ends with it.
