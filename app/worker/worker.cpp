@@ -5,6 +5,7 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <csignal>
 #include <mutex>
 #include <thread>
 #include <utility>
@@ -31,9 +32,12 @@ struct Worker::Work {
   }
 
   void run(const std::string& name) {
-    // The process's signals are the UI thread's matter.
-    leave_process_signals();
     const AlternateStack alternate_stack;
+    // These are the UI thread's matter.
+    sigset_t others;
+    sigemptyset(&others);
+    for (const int number : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&others, number);
+    pthread_sigmask(SIG_BLOCK, &others, nullptr);
     pthread_setname_np(pthread_self(), name.c_str());
     while (wait() && step()) {
     }
