@@ -88,8 +88,8 @@ void Screen::apply_appearance(const Appearance& appearance) {
 void Screen::draw_everything(Session& session, const ShownMoment& moment, const History& history,
                              const LoopReading& loop, const Frame& frame) {
   const Theme& theme = *styled_appearance_.theme;
-  const PanelContext context{session,         moment.snapshot, moment.settings, loop,    theme,
-                             window_.fonts(), styled_scale_,   drawing_->gallery,        drawing_->lessons};
+  const PanelContext context{session,       moment.snapshot,   moment.settings,  loop, theme, window_.fonts(),
+                             styled_scale_, drawing_->gallery, drawing_->lessons};
   if (frame.is_live) keep_tooltips_from_drags();
   if (session.face == Face::stage) {
     draw_stage(context, moment, history, frame);
