@@ -20,14 +20,19 @@ from selenium.common.exceptions import JavascriptException, WebDriverException
 from selenium.webdriver.chrome.options import Options
 from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.action_chains import ActionChains
-from selenium.webdriver.common.actions.action_builder import ActionBuilder
-from selenium.webdriver.common.actions.mouse_button import MouseButton
-from selenium.webdriver.common.actions.pointer_input import PointerInput
 from selenium.webdriver.common.keys import Keys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PAGE = pathlib.Path(os.environ.get("GHOSTFORCE_PAGE", ROOT / "build/web/ghostforce.html"))
 PROGRAM = pathlib.Path(os.environ.get("GHOSTFORCE_PROGRAM", ROOT / "build/release/bin/ghostforce"))
+
+# Calls back when what came before has been drawn; the first of these may still be under way.
+NEXT_FRAME = """
+const done = arguments[0];
+let frames = 4;
+const count = () => --frames > 0 ? requestAnimationFrame(count) : done();
+requestAnimationFrame(count);
+"""
 
 PATIENCE_S = 60.0  # machines that run tests may be slow and busy; a good run never waits that long
 WIDTH, HEIGHT = 1280, 800
@@ -43,8 +48,10 @@ NAMED_KEYS = {
 # The page's own, where the browser keeps the desktop's for itself: app/session/front_keys.h.
 HELP, LESSONS, DEVICE_STATUS, PLOTS, NEXT_THEME, SAVE_PICTURE = "KMDNCI"
 
-# On the workbench at 1280×800, the button that starts and ends a recording: no key does.
+# At 1280×800, what no key does: the workbench's button that starts and ends a recording, and the choice of Spanish
+# below the lessons.
 RECORD_BUTTON = (864, 23)
+SPANISH = (301, 711)
 
 
 class PageServer:
@@ -254,18 +261,21 @@ class Browser:
     def type(self, text):
         ActionChains(self.driver, duration=0).send_keys(text).perform()
 
-    def drag(self, begin, *way, button=MouseButton.LEFT):
-        """By the mouse, in CSS pixels; lets go at the end of the way."""
-        actions = ActionBuilder(self.driver, mouse=PointerInput("mouse", "mouse"), duration=0)
-        pointer = actions.pointer_action
-        pointer.move_to_location(*map(round, begin)).pointer_down(button)
+    def drag(self, begin, *way):
+        """By the mouse, in CSS pixels; lets go at the end of the way. The page draws what each moment brings before the
+        next one comes: on a busy machine a hand is not faster than the picture either."""
+        self._mouse("mouseMoved", begin)
+        self._mouse("mousePressed", begin, button="left", clickCount=1)
         for point in way:
-            pointer.move_to_location(*map(round, point)).pause(0.05)  # frames that see the way
-        pointer.pointer_up(button)
-        actions.perform()
+            self._mouse("mouseMoved", point, button="left", buttons=1)
+        self._mouse("mouseReleased", (way or (begin,))[-1], button="left", clickCount=1)
+
+    def _mouse(self, kind, point, **more):
+        self.command("Input.dispatchMouseEvent", type=kind, x=round(point[0]), y=round(point[1]), **more)
+        self.next_frame()
 
     def click(self, point):
-        self.drag(point, point)
+        self.drag(point)
 
     def touch(self, *moments):
         """Each moment is where the fingers are then, at the places 0, 1 …; None: this finger is in the air. Between two
@@ -285,9 +295,7 @@ class Browser:
             down = now
 
     def next_frame(self):
-        self.driver.execute_async_script(
-            "const done = arguments[0]; requestAnimationFrame(() => requestAnimationFrame(() => done()));"
-        )
+        self.driver.execute_async_script(NEXT_FRAME)
 
     # --- Files ---
 

@@ -9,7 +9,7 @@ import socket
 import subprocess
 import tempfile
 
-from browser import HEIGHT, NAMED_KEYS, WIDTH, wait_for
+from browser import HEIGHT, NAMED_KEYS, NEXT_FRAME, WIDTH, wait_for
 from display import display, end
 
 PREFERENCES = """
@@ -120,12 +120,16 @@ class Firefox:
         self.send("WebDriver:PerformActions", actions=[{"type": "key", "id": "keyboard", "actions": actions}])
 
     def drag(self, begin, *way):
-        actions = [self._move(begin), {"type": "pointerDown", "button": 0}]
+        self._mouse(self._move(begin))
+        self._mouse({"type": "pointerDown", "button": 0})
         for point in way:
-            actions += [self._move(point), {"type": "pause", "duration": 50}]
-        actions.append({"type": "pointerUp", "button": 0})
-        mouse = {"type": "pointer", "id": "mouse", "parameters": {"pointerType": "mouse"}, "actions": actions}
+            self._mouse(self._move(point))
+        self._mouse({"type": "pointerUp", "button": 0})
+
+    def _mouse(self, action):
+        mouse = {"type": "pointer", "id": "mouse", "parameters": {"pointerType": "mouse"}, "actions": [action]}
         self.send("WebDriver:PerformActions", actions=[mouse])
+        self.send("WebDriver:ExecuteAsyncScript", script=NEXT_FRAME, args=[])
 
     @staticmethod
     def _move(point):

@@ -1,7 +1,7 @@
 """What may happen to a page while it is open: its graphics go away, nobody looks at it, it is loaded again."""
 import unittest
 
-from browser import NEXT_THEME, PAGE, PageTest, wait_for
+from browser import LESSONS, NEXT_THEME, PAGE, SPANISH, PageTest, wait_for
 from pictures import difference
 
 PREFERENCES = "Object.keys(localStorage).filter(each => each.startsWith('ghostforce'))"
@@ -64,12 +64,19 @@ class Kept(PageTest):
         theme = browser.state()["theme"]
         browser.press(NEXT_THEME)
         state = browser.wait(lambda state: state["theme"] != theme, "another theme")
+        browser.press(LESSONS)
+        browser.wait_until(dialog="lessons")
+        browser.next_frame()
+        browser.click(SPANISH)
+        browser.wait_until(language="es")
+        browser.press("Escape")
+        browser.wait_until(dialog="none")
         browser.press("F4")
         browser.wait_until(face="workbench")
         # Written a moment after the last change.
         browser.wait(lambda _: browser.script("return localStorage.length") > 0, "stored preferences")
         browser.reload()
-        browser.wait_until(theme=state["theme"], face="workbench")
+        browser.wait_until(theme=state["theme"], language="es", face="workbench")
 
     def test_preferences_of_a_page_from_a_disk_outlive_a_reload(self):
         browser = self.start()
