@@ -328,7 +328,7 @@ std::vector<KeyBinding> key_table_of(const FrontKeys& keys) {
     KeyBinding{key::y, ctrl, "", "", ask<&Requests::redo>, true},
     KeyBinding{key::c, ctrl, "Ctrl+C", "Copy what is shown as a command, to hand it on", ask<&Requests::copy_set_up>},
     KeyBinding{key::v, ctrl, "Ctrl+V", "Paste such a command: show what it describes", ask<&Requests::paste_set_up>},
-    bound(keys.link, "A link to what is shown, with a QR code", ask<&Requests::show_link>),
+    bound(keys.link, "A link to what is shown, for others", ask<&Requests::show_link>),
     KeyBinding{key::o, ctrl, "Ctrl+O", "Open a scene (or drop a file on the window)", open_dialog<Dialog::open_scene>, false, true},
     KeyBinding{key::s, ctrl, "Ctrl+S", "Save the scene with its current settings", open_dialog<Dialog::save_scene>, false, true},
     bound(keys.save_picture, keys.save_picture_sentence, open_dialog<Dialog::save_picture>, true),

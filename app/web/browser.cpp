@@ -31,6 +31,7 @@ EM_JS(void, write_fragment, (const char* text), {
   }
 })
 EM_JS(void, show_link_to, (const char* text), { Module["showLink"]("#" + encodeURI(UTF8ToString(text))); })
+EM_JS(bool, has_open_dialog, (), { return document.querySelector("dialog[open]") !== null; })
 EM_JS(bool, take_changed_fragment, (), {
   const has_changed = Module["hasNewFragment"] ?? false;
   Module["hasNewFragment"] = false;
@@ -108,6 +109,10 @@ void set_fragment(const std::string& text) {
 
 void show_link(const std::string& text) {
   show_link_to(text.c_str());
+}
+
+bool shows_dialog() {
+  return has_open_dialog();
 }
 
 bool take_fragment_change() {

@@ -15,6 +15,8 @@ void set_fragment(const std::string& text);
 // Shows the address of this page with that text behind the #, for others to open, and its QR code where others can reach
 // this page.
 void show_link(const std::string& text);
+// Whether that is on the screen.
+bool shows_dialog();
 // The person has changed it since the last call, by hand or with a link.
 bool take_fragment_change();
 

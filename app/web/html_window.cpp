@@ -52,6 +52,7 @@ struct HtmlWindow::Events {
   static HtmlWindow& window_of(void* window) { return *static_cast<HtmlWindow*>(window); }
 
   static bool key(int type, const EmscriptenKeyboardEvent* event, void* data) {
+    if (browser::shows_dialog()) return false;  // it has the keyboard
     HtmlWindow& window = window_of(data);
     const bool is_down = type == EMSCRIPTEN_EVENT_KEYDOWN;
     const KeyPress press{key_of_code(event->code), modifiers_of(*event), event->repeat};
