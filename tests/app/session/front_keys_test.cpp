@@ -153,6 +153,9 @@ TEST(FrontKeys, ThePageDoesAllElse) {
                                               "Quit"}));
   EXPECT_NE(find(page, keys_in_page.zoom_sentence), nullptr);
   EXPECT_NE(find(page, keys_in_page.save_picture_sentence), nullptr);
+  constexpr std::string_view link = "A link to what is shown, for others";
+  EXPECT_NE(find(page, link), nullptr);
+  EXPECT_EQ(find(key_table_of(keys_on_desktop), link), nullptr) << "there is no page to link to";
   for (const KeyBinding& binding : page) {
     EXPECT_FALSE(binding.key == key::q && (binding.modifiers & ctrl) != 0) << "it would be the browser that quits";
   }
