@@ -181,6 +181,20 @@ class Browser:
         """What is on the screen, as it is seen."""
         return Image.open(io.BytesIO(self.driver.get_screenshot_as_png())).convert("RGB")
 
+    def still_picture(self):
+        """Once several in a row are the same: what has been decided may not be drawn yet."""
+        same, picture = 0, self.picture()
+
+        def found():
+            nonlocal same, picture
+            self.next_frame()
+            before, picture = picture, self.picture()
+            same = same + 1 if before.tobytes() == picture.tobytes() else 0
+            return same >= 4
+
+        wait_for(found, "a picture that stands still", self.told_state)
+        return picture
+
     def script(self, text, *values):
         return self.driver.execute_script(text, *values)
 

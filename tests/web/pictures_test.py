@@ -3,7 +3,6 @@
 To store them anew, after looking at them: GHOSTFORCE_STORE_PICTURES=1 python3 -m unittest pictures_test"""
 import os
 import pathlib
-import time
 import unittest
 import urllib.parse
 
@@ -18,18 +17,10 @@ TOLERANCE = 0.004  # of the pixels: digits of a time, and a driver's own edges
 
 
 class Pictures(PageTest):
-    def at_last(self):
-        """The picture, once nothing moves any more; only for those that are stored."""
-        before, picture = None, self.browser.picture()
-        while before is None or difference(before, picture) > 0.0:
-            time.sleep(2.0)
-            before, picture = picture, self.browser.picture()
-        return picture
-
     def compare(self, name):
         stored = FOLDER / f"{name}.png"
         if os.environ.get("GHOSTFORCE_STORE_PICTURES"):
-            self.at_last().save(stored, optimize=True)
+            self.browser.still_picture().save(stored, optimize=True)
             self.skipTest(f"{stored} is stored anew")
         with Image.open(stored) as wanted:
             wanted.load()
