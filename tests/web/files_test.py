@@ -49,10 +49,14 @@ class Scenes(PageTest):
 
     def test_is_saved_and_reads_back_the_same(self):
         browser = self.open()
+        x, _ = browser.state()["goal_m"]
         browser.press("W")
         browser.press("3")
         browser.press("Ctrl+Left")
-        before = browser.wait_until(strategy="anisotropic")
+        before = browser.wait(
+            lambda state: state["strategy"] == "anisotropic" and math.isclose(state["goal_m"][0], x - 0.01),
+            "the goal 10 mm to the left",
+        )
         browser.press("Ctrl+S")
         browser.wait_until(dialog="save_scene")
         browser.press("Enter")
