@@ -16,7 +16,15 @@ fi
 
 make_page_toolchain() {
   can_enter_page_toolchain || fail "This machine lets nobody mount a folder (unshare --mount), which building the page needs."
-  [[ ! -e $toolchain ]] || return 0
+  local lock
+  mkdir -p "$root/build"
+  exec {lock}>"$root/build/.lock"
+  flock "$lock"
+  [[ -e $toolchain ]] || unpack_page_toolchain
+  exec {lock}>&-
+}
+
+unpack_page_toolchain() {
   say "Making the page's toolchain, a Debian 13 in $toolchain (about 3 GB)"
   local scratch=$toolchain.part packages
   "${as_root[@]}" rm -rf --one-file-system "$scratch"
@@ -25,7 +33,7 @@ make_page_toolchain() {
   logged toolchain "${as_root[@]}" mmdebstrap --mode=root --variant=apt \
     --aptopt='APT::Install-Recommends "false"' --include="$packages" \
     "$debian" "$scratch" || fail_with toolchain "The page's toolchain could not be made."
-  "${as_root[@]}" mv "$scratch" "$toolchain"
+  "${as_root[@]}" mv -T "$scratch" "$toolchain"
 }
 
 # ImGui and ImPlot, of the versions that the desktop has, as sources. pip asks a source package's own build system how it

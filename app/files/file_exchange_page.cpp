@@ -27,22 +27,25 @@ EM_JS(void, download_file, (const char* path, const char* name), {
 EM_JS(void, listen_for_files, (), {
   const take = async (files) => {
     for (const file of files) {
-      const bytes = new Uint8Array(await file.arrayBuffer());
-      FS.mkdirTree("/opened");
       const path = "/opened/" + file.name;
-      FS.writeFile(path, bytes);
+      FS.mkdirTree("/opened");
+      try {
+        FS.writeFile(path, new Uint8Array(await file.arrayBuffer()));
+      } catch (error) {
+        // A folder, for instance: whoever opens the path says that nothing is there.
+      }
       (Module["chosenFiles"] ||= []).push(path);
     }
   };
   const chooser = document.getElementById("file-chooser");
   chooser.addEventListener("change", async () => {
-    await take(chooser.files);
+    await take([...chooser.files]);
     chooser.value = "";  // so that the same file can be chosen again
   });
   addEventListener("dragover", (event) => event.preventDefault());
   addEventListener("drop", (event) => {
     event.preventDefault();
-    take(event.dataTransfer.files);
+    take([...event.dataTransfer.files]);
   });
 })
 

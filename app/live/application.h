@@ -75,11 +75,12 @@ class Application {
   const ServoReport& report() const noexcept { return report_; }
 
   // Takes what servo and input have made since the last time, or has it made now where there is no thread for it, and
-  // tells the servo that the window is alive. Often, whether a frame is drawn or not. `interval_s`: real time since the last call.
+  // tells the servo that the window is alive. Often, whether a frame is drawn or not. `interval_s`: real time since the
+  // last call.
   void update(double interval_s);
 
-  // Something that can be seen is other than in the last frame, or moves by itself. What the person does to the window is
-  // not known here.
+  // Something that can be seen is other than in the last frame, or moves by itself. What the person does to the window
+  // is not known here.
   bool needs_drawing() const;
 
   // Shows what the last update() has found, and does what the person asked for.

@@ -23,14 +23,13 @@ EM_JS(char*, read_fragment, (), {
   }
 })
 EM_JS(void, write_fragment, (const char* text), {
-  const fragment = "#" + encodeURI(UTF8ToString(text));
   try {
-    history.replaceState(null, "", fragment);
+    history.replaceState(null, "", Module["addressWith"](encodeURI(UTF8ToString(text))));
   } catch (error) {
     // A page within another one may not; there is no address to see either.
   }
 })
-EM_JS(void, show_link_to, (const char* text), { Module["showLink"]("#" + encodeURI(UTF8ToString(text))); })
+EM_JS(void, show_link_to, (const char* text), { Module["showLink"](encodeURI(UTF8ToString(text))); })
 EM_JS(bool, has_open_dialog, (), { return document.querySelector("dialog[open]") !== null; })
 EM_JS(bool, take_changed_fragment, (), {
   const has_changed = Module["hasNewFragment"] ?? false;
@@ -67,13 +66,17 @@ EM_JS(void, switch_full_screen, (), {
 })
 EM_JS(bool, fills_screen, (), { return document.fullscreenElement !== null; })
 EM_JS(void, listen_to_document, (), {
+  addEventListener("beforeunload", (event) => { if (Module["hasUnsaved"]) event.preventDefault(); });
   addEventListener("hashchange", () => Module["hasNewFragment"] = true);
   addEventListener("paste", (event) => {
     Module["clipboardText"] = event.clipboardData?.getData("text/plain") ?? "";
     Module["hasPasted"] = true;
   });
-  document.getElementById("stage").addEventListener("contextmenu", (event) => event.preventDefault());
+  const stage = document.getElementById("stage");
+  stage.addEventListener("contextmenu", (event) => event.preventDefault());
+  stage.addEventListener("touchstart", () => stage.focus());
 })
+EM_JS(void, set_unsaved, (bool has_unsaved), { Module["hasUnsaved"] = has_unsaved; })
 EM_JS(void, write_spoken, (const char* words), {
   document.getElementById("spoken").textContent = UTF8ToString(words);
 })
@@ -153,6 +156,10 @@ bool is_full_screen() {
 
 void listen() {
   listen_to_document();
+}
+
+void keep_from_leaving(bool has_unsaved) {
+  set_unsaved(has_unsaved);
 }
 
 void tell_listeners(const std::string& words) {

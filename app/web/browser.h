@@ -12,8 +12,8 @@ bool has_query(const std::string& name);
 std::string fragment();
 // From now on that follows the #, without a new entry in the browser's history.
 void set_fragment(const std::string& text);
-// Shows the address of this page with that text behind the #, for others to open, and its QR code where others can reach
-// this page.
+// Shows the address of this page with that text behind the #, for others to open, and its QR code where others can
+// reach this page.
 void show_link(const std::string& text);
 // Whether that is on the screen.
 bool shows_dialog();
@@ -37,6 +37,9 @@ bool is_full_screen();
 
 // From now on the browser tells the page of these by itself: what is pasted, files that are dropped, a new fragment.
 void listen();
+
+// Whether leaving the page would lose something: then the browser asks before it does.
+void keep_from_leaving(bool has_unsaved);
 
 // For screen readers.
 void tell_listeners(const std::string& words);

@@ -1,5 +1,5 @@
-// The hand on a SpaceMouse that the browser (WebHID) lets the page read. One that the person has permitted to the page is
-// opened by itself, also when it is plugged in later; else the browser asks the person, once the input is chosen, or
+// The hand on a SpaceMouse that the browser (WebHID) lets the page read. One that the person has permitted to the page
+// is opened by itself, also when it is plugged in later; else the browser asks the person, once the input is chosen, or
 // whenever ask() is called. Main thread.
 #pragma once
 

@@ -40,7 +40,8 @@ int modifiers_of(const EmscriptenKeyboardEvent& event) noexcept {
          (event.altKey ? modifier::alt : 0) | (event.metaKey ? modifier::super : 0);
 }
 
-// A field that somebody types into needs all keys that edit; the browser keeps copying and pasting, which tell the page.
+// A field that somebody types into needs all keys that edit; the browser keeps copying and pasting, which tell the
+// page.
 bool edits_field(const KeyPress& press) noexcept {
   return ImGui::GetIO().WantTextInput && press.key < key::f1 && press.key != key::v;
 }
@@ -52,16 +53,16 @@ struct HtmlWindow::Events {
   static HtmlWindow& window_of(void* window) { return *static_cast<HtmlWindow*>(window); }
 
   static bool key(int type, const EmscriptenKeyboardEvent* event, void* data) {
-    if (browser::shows_dialog()) return false;  // it has the keyboard
     HtmlWindow& window = window_of(data);
     const bool is_down = type == EMSCRIPTEN_EVENT_KEYDOWN;
+    if (is_down && browser::shows_dialog()) return false;  // it has the keyboard
     const KeyPress press{key_of_code(event->code), modifiers_of(*event), event->repeat};
     const std::uint32_t character = only_character(event->key);
     // With Shift a key types another sign than the one that it is called by; letters stay letters.
     const bool is_letter = character < 0x80U && std::isalpha(static_cast<int>(character)) != 0;
     const char* const printed = character != 0 && (!event->shiftKey || is_letter) ? event->key : nullptr;
     // What is pasted comes after its key.
-    if (press.key == key::v && press.modifiers == modifier::control) return false;
+    if (is_down && press.key == key::v && press.modifiers == modifier::control) return false;
     if (press.key != 0) window.add_key_event(press, printed, is_down);
     // AltGr is Control and Alt on some systems.
     const bool types = character != 0 && event->ctrlKey == event->altKey && !event->metaKey;

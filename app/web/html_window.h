@@ -1,5 +1,5 @@
-// The page's window: a canvas with WebGL 2 that fills the browser's tab, and what is done there with keyboard, mouse, pen
-// and fingers. The browser calls; there is one at a time.
+// The page's window: a canvas with WebGL 2 that fills the browser's tab, and what is done there with keyboard, mouse,
+// pen and fingers. The browser calls; there is one at a time.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,8 @@ class HtmlWindow final : public Window {
   HtmlWindow();
   ~HtmlWindow() override;
 
-  // The browser may take WebGL away, and it comes back by itself. Meanwhile nothing can be drawn; afterwards all that was
-  // made with it must be made anew, which is asked for once.
+  // The browser may take WebGL away, and it comes back by itself. Meanwhile nothing can be drawn; afterwards all that
+  // was made with it must be made anew, which is asked for once.
   bool can_draw() const noexcept { return !is_lost_; }
   bool take_restored() noexcept;
   int context_losses() const noexcept { return context_losses_; }

@@ -25,13 +25,19 @@ const char* answer(std::string text) {
   return kept.c_str();
 }
 
+void stop_with(const char* why) {
+  emscripten_cancel_main_loop();
+  ghostforce::browser::tell_problem(std::string("This page has a mistake and has stopped: ") + why +
+                                    ". Reload it to go on.");
+}
+
 void frame() {
   try {
     page->frame();
   } catch (const std::exception& error) {
-    emscripten_cancel_main_loop();
-    ghostforce::browser::tell_problem(std::string("This page has a mistake and has stopped: ") + error.what() +
-                                      ". Reload it to go on.");
+    stop_with(error.what());
+  } catch (...) {
+    stop_with("the browser refused something");
   }
 }
 

@@ -133,7 +133,7 @@ void Page::follow_address() {
   if (line.empty()) return;
   try {
     application_.show_set_up(line);
-  } catch (const ReadError& error) {
+  } catch (const std::exception& error) {
     application_.show_notice(fmt::format("The set-up in the address of this page cannot be used: {}", error.what()),
                              true);
   }
@@ -177,6 +177,7 @@ void Page::frame() {
   pacer_.waited(window_.poll(0.0), now_s);
   if (now_s - looked_at_s_ >= look_every_s) {
     looked_at_s_ = now_s;
+    browser::keep_from_leaving(application_.reading().recording.is_on);
     tell_listeners();
     write_address();
   }

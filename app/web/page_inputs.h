@@ -1,5 +1,5 @@
-// The inputs of the page: those of every system, and a SpaceMouse where the browser has one to give. A Falcon is not among
-// them. Main thread; making an input allocates and may throw.
+// The inputs of the page: those of every system, and a SpaceMouse where the browser has one to give. A Falcon is not
+// among them. Main thread; making an input allocates and may throw.
 #pragma once
 
 #include <string_view>

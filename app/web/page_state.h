@@ -16,8 +16,8 @@ std::string page_state(Page& page);
 // such scene or strategy.
 std::string simulated_rows(const std::string& scene_name, const std::string& strategy_name);
 
-// Replays a recording, as `ghostforce replay` does: whether the page's own numbers are the same, as JSON. Throws ReadError
-// where the text is no recording.
+// Replays a recording, as `ghostforce replay` does: whether the page's own numbers are the same, as JSON. Throws
+// ReadError where the text is no recording.
 std::string replayed(const std::string& recording);
 
 // Where a point of the world [m] is on the page [CSS pixels, y down].

@@ -1,6 +1,6 @@
 // Fingers on the canvas as what ImGui knows: one is the left button of a mouse; two are the right one, which moves the
-// view, at the place between them, and the wheel, which zooms there. Since two fingers never land at once, the first one
-// presses only when it has moved, has stayed for a moment, or is lifted again.
+// view, at the place between them, and the wheel, which zooms there. Since two fingers never land at once, the first
+// one presses only when it has moved, has stayed for a moment, or is lifted again.
 #pragma once
 
 #include <optional>

@@ -129,13 +129,13 @@ class Servo {
   void step() noexcept;
 
   // For a program without threads, before each frame: all that a thread would have done by `now_ns`, one after another.
-  // The first call begins. Reads the newest command at least once; with a device, every command_period_s. Of a longer pause than longest_catch_up_s, as when
-  // the page was hidden, only so much is made up for; the rest is left out, and is no late tick. No real time is
-  // measured: Sample::loop_s is 0.
+  // The first call begins. Reads the newest command at least once; with a device, every command_period_s. Of a longer
+  // pause than longest_catch_up_s, as when the page was hidden, only so much is made up for; the rest is left out, and
+  // is no late tick. No real time is measured: Sample::loop_s is 0.
   //
-  // A device must live by a clock that its wait_until() moves (VirtualLink::Clock::stepped). It then sees each tick come
-  // a period after the one before, however many a frame takes, and the time that is left out has never been: nothing
-  // that watches over motors takes a slow frame for a slow loop.
+  // A device must live by a clock that its wait_until() moves (VirtualLink::Clock::stepped). It then sees each tick
+  // come a period after the one before, however many a frame takes, and the time that is left out has never been:
+  // nothing that watches over motors takes a slow frame for a slow loop.
   void step_to(std::int64_t now_ns) noexcept;
 
   // For a driver that waits by itself: begin(), then, as often as next_wake() has come, wake(), and shut_down() at the
