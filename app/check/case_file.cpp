@@ -238,13 +238,15 @@ void read_text(ReadCase& into, std::vector<ReadProblem>& problems) {
       {"golden", "renderer", origin(&GoldenOrigin::renderer)},
       {"golden", "mesa", origin(&GoldenOrigin::mesa)},
       {"golden", "version", origin(&GoldenOrigin::version)},
+      {"", "format", nullptr},  // may be missing: then it is 1
   };
   if (reader.parse(into.content.text)) {
-    if (!reader.find("", "scene") && (reader.find("", "format") || reader.has_table("wall"))) {
+    const bool has_subject = reader.find("", "scene") || reader.find("", "lesson");
+    if (!has_subject && (reader.find("", "format") || reader.has_table("wall"))) {
       reader.refuse("this is a scene, not a case",
                     fmt::format("put scenes into a subfolder, and refer to them as in scene = \"scenes/{}\"",
                                 quoted_text(path.filename().string())));
-    } else {
+    } else if (!reader.find("", "format") || reader.has_known_format()) {
       if (reader.has_table("golden")) summary.origin.emplace();
       const std::optional<TomlValue> named = reader.find("", "lesson");
       if (named) keys.front().if_missing.reset();
