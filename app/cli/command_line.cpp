@@ -12,11 +12,11 @@
 
 #include "app/cli/command.h"
 #include "app/cli/overwrite_guard.h"
+#include "app/cli/version.h"
 #include "app/console/did_you_mean.h"
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
 #include "app/files/scene_file.h"
-#include "ghostforce_version.h"
 
 namespace ghostforce {
 namespace {
@@ -142,7 +142,7 @@ std::function<int()> parse_command_line(std::vector<std::string> words) {
   // Commands look at their options once more when they run.
   const auto app = std::make_shared<CLI::App>(std::string(description), std::string(program));
   app->set_help_flag("-h,--help", "Print this help and exit");
-  app->set_version_flag("--version", fmt::format("{} {}", program, version), "Print the program's version and exit");
+  app->set_version_flag("--version", "", "Print the version, how it was built and what draws pictures, and exit");
   app->require_subcommand(1);
   app->footer(fmt::format(more_help, listed(shipped_scene_names())));
   struct Action {
@@ -162,8 +162,11 @@ std::function<int()> parse_command_line(std::vector<std::string> words) {
   } catch (const CLI::CallForHelp&) {
     const CLI::App* const command = named_command(*app);
     return printing(command == nullptr ? app->help() : command->help(std::string(program)));
-  } catch (const CLI::CallForVersion& asked) {
-    return printing(fmt::format("{}\n", asked.what()));
+  } catch (const CLI::CallForVersion&) {
+    return [] {
+      print(version_words("llvmpipe ("));
+      return static_cast<int>(ExitCode::done);
+    };
   } catch (const CLI::ParseError& error) {
     refuse(*app, error);
   }

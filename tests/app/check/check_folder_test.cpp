@@ -20,6 +20,7 @@
 #include "app/check/golden_origin.h"
 #include "app/check/update.h"
 #include "app/console/failure.h"
+#include "ghostforce_version.h"
 #include "tests/app/check/check_cases.h"
 #include "tests/support/file_calls.h"
 #include "tests/support/no_opengl.h"
@@ -149,7 +150,7 @@ TEST(CheckUpdate, WritesWhereTheGoldenCameFromAndNothingElse) {
   EXPECT_TRUE(after.starts_with(before));
   EXPECT_TRUE(contains(after, "renderer = \"llvmpipe"));
   EXPECT_TRUE(contains(after, "mesa = \""));
-  EXPECT_TRUE(contains(after, "version = \"" GHOSTFORCE_VERSION "\""));
+  EXPECT_TRUE(contains(after, fmt::format("version = \"{}\"", version)));
   EXPECT_FALSE(contains(after, "bits")) << "the width of the vectors changes no pixel";
 }
 
