@@ -212,6 +212,7 @@ class RunReader {
         ReadError::Kind::wrong,
         {{.file = run_.name,
           .line = line_number_,
+          .column = 1,
           .what = fmt::format("this is a run of format {}, but this program only knows format {}", format, run_format),
           .remedy = "a newer version of ghostforce may read it"}});
   }

@@ -31,6 +31,7 @@ class KeptFileTest : public testing::Test {
                  .comment = "how far one is.",
                  .without = "all lessons begin anew"};
   std::vector<std::string> remarks_;
+  const std::string beginning_ = "# Written by ghostforce: how far one is.\nformat = 1\n";
 };
 
 TEST_F(KeptFileTest, ComesBackAsItWasSaved) {
@@ -46,10 +47,9 @@ TEST_F(KeptFileTest, KeepsWhatStandsUnderOtherKeys) {
   constexpr std::array<std::string_view, 1> keys{"score"};
   save(file_, "score = 3\nrank = 7\n[more]\nx = 1\n");
   save(file_, "score = 4\n", keys);
-  const std::string beginning = "# Written by ghostforce: how far one is.\nformat = 1\n";
-  EXPECT_EQ(read_whole(file_.path), beginning + "score = 4\nrank = 7\n\n[more]\nx = 1\n");
+  EXPECT_EQ(read_whole(file_.path), beginning_ + "score = 4\nrank = 7\n\n[more]\nx = 1\n");
   save(file_, "score = 5\n");
-  EXPECT_EQ(read_whole(file_.path), beginning + "score = 5\n");
+  EXPECT_EQ(read_whole(file_.path), beginning_ + "score = 5\n");
 }
 
 TEST_F(KeptFileTest, IsLeftAsItIsWhenItsFormatIsNewer) {
@@ -93,9 +93,9 @@ TEST_F(KeptFileTest, IsSetAsideWhenDamagedAndSaysWhatFollows) {
   for (const char* aside : {"a/b/progress.toml.damaged", "a/b/progress.toml.damaged-2"}) {
     save(file_, "score = 11\n");
     EXPECT_FALSE(score());
-    EXPECT_EQ(read_whole(folder_ / aside), "score = 11\n");
+    EXPECT_EQ(read_whole(folder_ / aside), beginning_ + "score = 11\n");
     ASSERT_EQ(remarks_.size(), 1U);
-    EXPECT_NE(remarks_[0].find("progress.toml was damaged (line 1: the key score: 11 is out of range; give 0 to 10)"),
+    EXPECT_NE(remarks_[0].find("progress.toml was damaged (line 3: the key score: 11 is out of range; give 0 to 10)"),
               std::string::npos)
         << remarks_[0];
     EXPECT_TRUE(remarks_[0].ends_with("; all lessons begin anew")) << remarks_[0];
