@@ -22,6 +22,7 @@ make_debian_root() {
   exec {lock}>"$root/build/.lock"
   flock "$lock"
   if [[ ! -e $folder ]]; then
+    install_packages roots
     say "Making a Debian system ($suite) in $folder"
     log=$(basename "$folder")
     "${as_root[@]}" rm -rf --one-file-system "$scratch"
@@ -39,7 +40,7 @@ make_debian_root() {
 # as this user, with this machine's network and devices, and with the folders HERE at THERE. The mounts and all processes
 # are seen by this command only, and end with it.
 in_debian_root() {
-  local folder=$1 user=0:0 mounts=()
+  local folder=$1 user='' mounts=()
   shift
   while [[ $1 == --user || $1 == --mount ]]; do
     if [[ $1 == --user ]]; then user=$2; else mounts+=("$2"); fi
@@ -56,6 +57,6 @@ in_debian_root() {
       mount --rbind "${1%%:*}" "$folder${1#*:}"
       shift
     done
-    exec chroot --userspec="$user" "$folder" /usr/bin/env --ignore-environment PATH=/usr/sbin:/usr/bin:/sbin:/bin \
+    exec chroot ${user:+--userspec="$user"} "$folder" /usr/bin/env --ignore-environment PATH=/usr/sbin:/usr/bin:/sbin:/bin \
       LANG=C.UTF-8 HOME=/tmp "$@"' bash "$folder" "$user" "${#mounts[@]}" "${mounts[@]}" "$@"
 }
