@@ -22,8 +22,10 @@ function(ghostforce_add_test name)
     target_compile_definitions(${name} PRIVATE GHOSTFORCE_PROGRAM="$<TARGET_FILE:ghostforce>")
     add_dependencies(${name} ghostforce)
   endif()
-  # CMake's name for it, from the days when only another machine's programs had one.
-  set_property(TARGET ${name} PROPERTY CROSSCOMPILING_EMULATOR ${arg_LAUNCHER})
+  if(arg_LAUNCHER)
+    # CMake's name for it, from the days when only another machine's programs had one.
+    set_property(TARGET ${name} PROPERTY CROSSCOMPILING_EMULATOR ${arg_LAUNCHER})
+  endif()
   # PRE_TEST lists the tests when ctest starts, not after each link: a build stays a build.
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 TEST_PREFIX ${name}.
     PROPERTIES TIMEOUT 300 RUN_SERIAL "${arg_SERIAL}" LABELS "${arg_LABELS}")
