@@ -1,0 +1,73 @@
+#include "app/cli/command_tree.h"
+
+#include <fmt/format.h>
+
+#include "app/cli/command.h"
+#include "app/console/exit_code_catalog.h"
+#include "app/console/quoted.h"
+#include "app/files/scene_file.h"
+#include "ghostforce_version.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr std::string_view description =
+    "See, feel and measure the ghost forces that ordinary rendering of virtual walls makes on underactuated\nhaptic "
+    "devices, and the anisotropic tracking stiffness that removes them.\n";
+
+constexpr std::string_view notes =
+    "The default command is run: 'ghostforce fig1' opens the window with the scene fig1.\n"
+    "'ghostforce help COMMAND' describes a command.\n"
+    "\n"
+    "SCENE is the path of a scene file, or the name of a shipped scene:\n"
+    "  {}\n"
+    "\n"
+    "Data go to standard output, messages to standard error.";
+
+constexpr std::string_view examples =
+    "  ghostforce equilibrium fig3-normal\n"
+    "  ghostforce simulate wall45 --strategy all -o run.csv";
+
+constexpr std::string_view examples_begin = "Examples:\n";
+
+std::string program_footer() {
+  const HelpText text = program_help_text();
+  std::string codes;
+  for (const ExitCodeEntry& entry : exit_code_catalog) {
+    codes += fmt::format("{:3}  {}\n", static_cast<int>(entry.code), entry.meaning);
+  }
+  return fmt::format("{} Exit codes:\n{}\n{}{}", text.notes, codes, examples_begin, text.examples);
+}
+
+}  // namespace
+
+std::shared_ptr<CommandTree> make_command_tree() {
+  auto tree = std::make_shared<CommandTree>();
+  CLI::App& app = tree->app;
+  app.name(std::string(program_name));
+  app.description(std::string(description));
+  app.set_help_flag("-h,--help", "Print this help and exit");
+  app.set_version_flag("--version", fmt::format("{} {}", program_name, version),
+                       "Print the program's version and exit");
+  app.require_subcommand(1);
+  app.footer(program_footer());
+  for (const Command& command : command_catalog()) {
+    CLI::App* const subcommand = app.add_subcommand(std::string(command.name), std::string(command.sentence));
+    CommandTree::Action& action = tree->actions[subcommand];
+    action.act = command.attach(*subcommand, action.files);
+  }
+  return tree;
+}
+
+HelpText program_help_text() {
+  return {fmt::format(notes, listed(shipped_scene_names())), std::string(examples)};
+}
+
+HelpText help_text_of(const CLI::App& command) {
+  const std::string footer = command.get_footer();
+  const std::size_t at = footer.find(examples_begin);
+  if (at == std::string::npos) return {footer, ""};
+  return {footer.substr(0, at), footer.substr(at + examples_begin.size())};
+}
+
+}  // namespace ghostforce
