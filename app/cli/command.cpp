@@ -50,7 +50,8 @@ void SceneOptions::attach(CLI::App& command, FileOptions& files, bool scene_requ
     option->default_str(scene);
   }
   repeatable(
-      command.add_option("--set", overrides, "Set a key of the scene, as in rendering.k_r_N_per_m=800; may be repeated")
+      command
+          .add_option("--set", overrides, "Set a key of the scene, as in rendering.k_r_N_per_m=800; may be repeated")
           ->type_name("KEY=VALUE")
           ->check(suggests_keys()));
 }

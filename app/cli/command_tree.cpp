@@ -5,6 +5,7 @@
 #include "app/cli/command.h"
 #include "app/console/exit_code_catalog.h"
 #include "app/console/quoted.h"
+#include "app/console/wrapped.h"
 #include "app/files/scene_file.h"
 #include "ghostforce_version.h"
 
@@ -20,7 +21,7 @@ constexpr std::string_view notes =
     "'ghostforce help COMMAND' describes a command.\n"
     "\n"
     "SCENE is the path of a scene file, or the name of a shipped scene:\n"
-    "  {}\n"
+    "{}\n"
     "\n"
     "Data go to standard output, messages to standard error.";
 
@@ -28,7 +29,25 @@ constexpr std::string_view examples =
     "  ghostforce equilibrium fig3-normal\n"
     "  ghostforce simulate wall45 --strategy all -o run.csv";
 
+constexpr std::size_t longest_line = 120;
+
 constexpr std::string_view examples_begin = "Examples:\n";
+
+// As CLI11 writes help, but with our words, and no line longer than 120 characters.
+class HelpFormatter : public CLI::Formatter {
+ public:
+  HelpFormatter() {
+    label("SUBCOMMAND", "COMMAND");
+    label("Positionals", "Arguments");
+    label("REQUIRED", "(required)");
+    label("Excludes", "not with");
+    label("Needs", "only with");
+  }
+
+  std::string make_option_desc(const CLI::Option* option) const override {
+    return wrapped(Formatter::make_option_desc(option), longest_line - get_column_width());
+  }
+};
 
 std::string program_footer() {
   const HelpText text = program_help_text();
@@ -49,10 +68,12 @@ std::shared_ptr<CommandTree> make_command_tree() {
   app.set_help_flag("-h,--help", "Print this help and exit");
   app.set_version_flag("--version", fmt::format("{} {}", program_name, version),
                        "Print the program's version and exit");
+  app.formatter(std::make_shared<HelpFormatter>());
   app.require_subcommand(1);
   app.footer(program_footer());
   for (const Command& command : command_catalog()) {
     CLI::App* const subcommand = app.add_subcommand(std::string(command.name), std::string(command.sentence));
+    subcommand->group("Commands");
     CommandTree::Action& action = tree->actions[subcommand];
     action.act = command.attach(*subcommand, action.files);
   }
@@ -60,7 +81,13 @@ std::shared_ptr<CommandTree> make_command_tree() {
 }
 
 HelpText program_help_text() {
-  return {fmt::format(notes, listed(shipped_scene_names())), std::string(examples)};
+  // Narrow: a manual page leaves these lines as they are.
+  std::string scenes = "  ";
+  for (const char c : wrapped(listed(shipped_scene_names()), 70)) {
+    scenes += c;
+    if (c == '\n') scenes += "  ";
+  }
+  return {fmt::format(notes, scenes), std::string(examples)};
 }
 
 HelpText help_text_of(const CLI::App& command) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -45,7 +46,7 @@ std::vector<ManualRow> rows_of(std::span<const Row> rows) {
 std::vector<ManualRow> exit_code_rows() {
   std::vector<ManualRow> rows;
   for (const ExitCodeEntry& entry : exit_code_catalog) {
-    rows.push_back({std::to_string(static_cast<int>(entry.code)), fmt::format("{}.", entry.meaning)});
+    rows.push_back({std::to_string(static_cast<int>(entry.code)), std::string(entry.meaning)});
   }
   return rows;
 }
@@ -61,6 +62,14 @@ ManualPaths paths_of(const CLI::Option& option, const ManualOption& described, c
   return described.words.empty() ? ManualPaths::any : ManualPaths::toml;
 }
 
+// By name: CLI11 keeps them in whatever order they lie in memory.
+std::vector<std::string> sorted_names(const std::set<CLI::Option*>& options) {
+  std::vector<std::string> names;
+  for (const CLI::Option* const option : options) names.push_back("--" + option->get_lnames().front());
+  std::ranges::sort(names);
+  return names;
+}
+
 ManualOption describe(CLI::Option& option, const FileOptions* files_named) {
   ManualOption described;
   for (const std::string& name : option.get_snames()) described.names.push_back("-" + name);
@@ -70,10 +79,13 @@ ManualOption describe(CLI::Option& option, const FileOptions* files_named) {
   const bool has_value = option.get_items_expected_max() > 0;
   if (has_value) described.value = is_argument ? option.get_name() : option.get_type_name();
   described.sentence = option.get_description();
+  if (const std::string usual = option.get_default_str(); !usual.empty()) described.sentence += "; default: " + usual;
   described.is_required = option.get_required();
   described.takes_many = option.get_items_expected_max() > 1;
   described.may_repeat = option.get_multi_option_policy() == CLI::MultiOptionPolicy::TakeAll;
   described.is_list = option.get_delimiter() != '\0';
+  described.excluded = sorted_names(option.get_excludes());
+  described.needed = sorted_names(option.get_needs());
   described.words = offered_words(option);
   described.paths = paths_of(option, described, files_named);
   return described;

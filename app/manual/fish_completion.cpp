@@ -97,12 +97,16 @@ std::string sentence_in_fish(std::string_view sentence) {
   return fmt::format(" -d {}", quoted_in_fish(first_clause(sentence)));
 }
 
-std::string fish_option(const ManualOption& option, std::string_view condition) {
+std::string fish_option(const ManualOption& option, const std::string& condition) {
   std::string rest = names_in_fish(option);
   if (option.has_value()) rest += " -x";
-  if (const std::string values = values_of(option); !values.empty())
-    rest += fmt::format(" -a {}", quoted_in_fish(values));
-  return fish_row(rest + sentence_in_fish(option.sentence), condition);
+  const std::string values = values_of(option);
+  const std::string offers = values.empty() ? "" : fmt::format(" -a {}", quoted_in_fish(values));
+  std::string rows = fish_row(rest + offers + sentence_in_fish(option.sentence), condition);
+  if (option.takes_many && !values.empty()) {
+    rows += fish_row(offers, fmt::format("{}; and __ghostforce_after {}", condition, fmt::join(option.names, " ")));
+  }
+  return rows;
 }
 
 }  // namespace

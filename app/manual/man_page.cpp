@@ -42,10 +42,6 @@ bool ends_sentence(std::string_view word) {
   return last != std::string_view::npos && (word[last] == '.' || word[last] == '?' || word[last] == '!');
 }
 
-bool is_abbreviation(std::string_view word) {
-  return word == "e.g." || word == "i.e.";
-}
-
 // Text that is filled. Each sentence ends its line: groff puts a wider space only there.
 std::string filled(std::string_view text) {
   constexpr std::size_t longest_line = 76;
@@ -58,11 +54,10 @@ std::string filled(std::string_view text) {
   };
   for (const std::string_view word : split_at(text, ' ')) {
     if (word.empty()) continue;
-    std::string escaped = roff_text(word);
-    if (is_abbreviation(word)) escaped += R"(\&)";
+    const std::string escaped = roff_text(word);
     if (!line.empty() && line.size() + 1 + escaped.size() > longest_line) end_line();
     line += fmt::format("{}{}", line.empty() ? "" : " ", escaped);
-    if (ends_sentence(word) && !is_abbreviation(word)) end_line();
+    if (ends_sentence(word)) end_line();
   }
   end_line();
   return lines;
@@ -119,6 +114,16 @@ std::string value_of(const ManualOption& option) {
   return italic(option.value) + (option.takes_many ? " ..." : "");
 }
 
+// All that is to be said of an option, in whole sentences.
+std::string sentences_on(const ManualOption& option) {
+  std::string text = option.sentence;
+  if (!ends_sentence(text)) text += '.';
+  if (option.is_required) text += " Required.";
+  if (!option.needed.empty()) text += fmt::format(" Only with {}.", fmt::join(option.needed, ", "));
+  if (!option.excluded.empty()) text += fmt::format(" Not with {}.", fmt::join(option.excluded, ", "));
+  return text;
+}
+
 std::string option_entries(std::span<const ManualOption> options) {
   std::string text;
   for (const ManualOption& option : options) {
@@ -126,14 +131,14 @@ std::string option_entries(std::span<const ManualOption> options) {
     std::ranges::transform(option.names, std::back_inserter(names), bold);
     text += entry(
         fmt::format("{}{}", fmt::join(names, ", "), option.has_value() ? fmt::format(" {}", value_of(option)) : ""),
-        option.is_required ? option.sentence + ". Required." : option.sentence);
+        sentences_on(option));
   }
   return text;
 }
 
 std::string argument_entries(std::span<const ManualOption> arguments) {
   std::string text;
-  for (const ManualOption& argument : arguments) text += entry(value_of(argument), argument.sentence);
+  for (const ManualOption& argument : arguments) text += entry(value_of(argument), sentences_on(argument));
   return text;
 }
 
@@ -158,14 +163,14 @@ std::string reference(std::string_view page) {
   return fmt::format(".BR {} (1)", roff_text(page));
 }
 
-// The title has no date: a page says of which version it is, and the same program always writes the same page.
+// No word is cut in two, since most could be copied. The title has no date: a page says of which version it is, and the same program always writes the same page.
 std::string beginning(const Manual& manual, std::string_view page, std::string_view sentence) {
   std::string title(page);
   for (char& c : title) c = static_cast<char>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c);
   std::string words(sentence);  // they go on after the name
   if (!words.empty() && words[0] >= 'A' && words[0] <= 'Z') words[0] = static_cast<char>(words[0] - 'A' + 'a');
-  return fmt::format(".TH {} 1 \"\" \"{} {}\" \"User Commands\"\n.SH NAME\n{} \\- {}\n", title, manual.program.name,
-                     roff_text(manual.version), roff_text(page), roff_text(words));
+  return fmt::format(".TH {} 1 \"\" \"{} {}\" \"User Commands\"\n.nh\n.ad l\n.SH NAME\n{} \\- {}\n", title,
+                     manual.program.name, roff_text(manual.version), roff_text(page), roff_text(words));
 }
 
 }  // namespace

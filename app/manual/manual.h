@@ -16,9 +16,11 @@ struct ManualOption {
   std::string value{};               // what stands for its value in the manual; empty: it has none
   std::string sentence{};
   bool is_required = false;
-  bool may_repeat = false;  // given again and again
-  bool takes_many = false;  // takes several values, one after another
-  bool is_list = false;     // takes several values in one word, with commas between
+  bool may_repeat = false;              // given again and again
+  bool takes_many = false;              // takes several values, one after another
+  bool is_list = false;                 // takes several values in one word, with commas between
+  std::vector<std::string> excluded{};  // the names of options that may not be given too
+  std::vector<std::string> needed{};    // and of those that must be
   ManualPaths paths = ManualPaths::none;
   // What completion offers. A word that ends in '=' is not finished; after one that ends in ':' comes a path.
   std::vector<std::string> words{};

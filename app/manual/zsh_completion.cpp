@@ -85,10 +85,12 @@ std::string value_part(const ManualOption& option) {
   return fmt::format(":{}:{}", escaped(option.value, ":\\"), action);
 }
 
-// What _arguments knows of an option: once for each of its names, each of which excludes all of them.
+// What _arguments knows of an option, for each of its names: which options are not offered beside it, and the rest.
 std::string zsh_rows(const ManualOption& option) {
   const bool repeats = option.may_repeat || option.takes_many;
-  const std::string excluded = repeats ? "*" : fmt::format("({})", fmt::join(option.names, " "));
+  std::vector<std::string> excluded = option.excluded;
+  if (!repeats) excluded.insert(excluded.end(), option.names.begin(), option.names.end());
+  const std::string before = fmt::format("({}){}", fmt::join(excluded, " "), repeats ? "*" : "");
   std::string rows;
   for (const std::string& name : option.names) {
     const bool is_long = name.starts_with("--");
@@ -97,7 +99,7 @@ std::string zsh_rows(const ManualOption& option) {
     const std::string value =
         !option.has_value() ? "" : fmt::format("{}{}", option.takes_many ? ":*-*" : "", value_part(option));
     rows +=
-        fmt::format("    {} \\\n", quoted_in_zsh(fmt::format("{}{}{}[{}]{}", excluded, name, joint,
+        fmt::format("    {} \\\n", quoted_in_zsh(fmt::format("{}{}{}[{}]{}", before, name, joint,
                                                              escaped(first_clause(option.sentence), "[]\\"), value)));
   }
   return rows;

@@ -10,7 +10,6 @@
 
 #include "app/cli/command.h"
 #include "tests/support/program.h"
-#include "tests/support/small_files.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce {
@@ -45,6 +44,7 @@ const std::vector<Typed> typed_lines{
     {"ghostforce render wall45 --strategy=na", {"naive"}, {"full"}},
     {"ghostforce render wall45 --scale ", {}, {"my_notes.txt", "full"}},
     {"ghostforce render wall45 -o my_", {"my_notes.txt", "my_scene.toml"}, {}},
+    {"ghostforce render wall45 --output=my_", {"my_notes.txt", "my_scene.toml"}, {}},
     {"ghostforce render wall45 --set wall.n", {"wall.normal_deg="}, {"wall.point_mm="}},
     {"ghostforce render wall45 --set=wall.n", {"wall.normal_deg="}, {"wall.point_mm="}},
     {"ghostforce sweep wall45 --over wall.n", {"wall.normal_deg="}, {}},
@@ -55,6 +55,7 @@ const std::vector<Typed> typed_lines{
     {"ghostforce run --input replay:my_n", {"my_notes.txt"}, {}},
     {"ghostforce worksheet ghost wh", {"why"}, {}},
     {"ghostforce doctor --misbehave busy,sil", {"silence"}, {}},
+    {"ghostforce doctor --misbehave=busy,sil", {"silence"}, {}},
     {"ghostforce figures --only figure-1 proxy", {"proxy-drift"}, {}},
     {"ghostforce figures -o my_", {"my_folder"}, {"my_notes.txt"}},
     {"ghostforce help rend", {"render"}, {}},
@@ -90,6 +91,7 @@ class Completion : public testing::TestWithParam<Shell> {
         offered[typed];
         continue;
       }
+      if (word.empty()) continue;
       while (word.ends_with(' ') || word.ends_with('/')) word.pop_back();
       const std::size_t divider = word.find_last_of("=:,", word.size() - 2);
       offered[typed].insert(divider == std::string::npos ? word : word.substr(divider + 1));
