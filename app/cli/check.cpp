@@ -155,12 +155,13 @@ std::function<int()> attach_check(CLI::App& command, FileOptions& files) {
                       "The folder with the cases, each a NAME.toml with its golden NAME.png; or lessons, each a .toml "
                       "file or the name of a shipped one")
           ->type_name("")
-          ->required(),
+          ->required()
+          ->check(suggests(shipped_lesson_names())),
       files_read);
-  CLI::Option* const only = command.add_option("--only", options->only, "Check only these cases")->type_name("NAME...");
+  CLI::Option* const only = command.add_option("--only", options->only, "Check only these cases")->type_name("NAME");
   CLI::Option* const update_option =
       command.add_option("--update", options->update, "Store new goldens for these cases, and check nothing")
-          ->type_name("NAME...")
+          ->type_name("NAME")
           ->excludes(only);
   files.writes(command
                    .add_option("--report", options->report,

@@ -18,6 +18,7 @@ constexpr std::array catalog{
             attach_measure_user},
     Command{"check", "Compare the pictures of a folder of cases with the stored ones", attach_check},
     Command{"doctor", "Show what a Falcon still needs before it can push, and what to do", attach_doctor},
+    Command{"help", "Print the help or the manual page of a command, or a completion script for a shell", attach_help},
 };
 
 }  // namespace

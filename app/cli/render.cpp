@@ -192,7 +192,7 @@ std::function<int()> attach_render(CLI::App& command, FileOptions& files) {
       ->type_name("WxH");
   command
       .add_option("--part", options->part,
-                  "window: scene, panels and bars; scene: the scene alone; default: window, but scene for SVG and PDF")
+                  "window, with panels and bars, or scene, alone; default: window, but scene for SVG and PDF")
       ->type_name("PART")
       ->check(one_of({"window", "scene"}));
   options->picture.attach(command, true);
