@@ -1,5 +1,5 @@
 // The completion scripts, each run by its shell.
-#include <algorithm>
+#include <filesystem>
 #include <map>
 #include <set>
 #include <sstream>
@@ -66,6 +66,7 @@ class Completion : public testing::TestWithParam<Shell> {
  protected:
   Completion() {
     write_whole(folder_ / "script", run_program(GHOSTFORCE_PROGRAM, {"help", "--format", GetParam().name}).out);
+    std::filesystem::create_directory(folder_ / "my_folder");
     for (const char* name : {"my_scene.toml", "my_notes.txt", "my_folder/inside.txt"}) write_whole(folder_ / name, "");
   }
 
