@@ -65,6 +65,7 @@ WordCheck one_of(std::vector<std::string_view> words);
 // through.
 WordCheck number_between(double least, double greatest, std::string unit);
 WordCheck whole_number_from(int least);
+WordCheck whole_number_between(int least, int greatest);
 
 // The option may be given again and again, with one value each time.
 CLI::Option* repeatable(CLI::Option* option);
