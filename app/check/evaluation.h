@@ -10,7 +10,7 @@
 
 namespace ghostforce {
 
-// Each job holds a software renderer of its own, some 80 MB, and no machine with fewer processors gains by more.
+// Each takes some 50 MB, and more than the machine has processors gain nothing.
 inline constexpr int most_jobs = 64;
 
 struct Evaluation {
