@@ -58,8 +58,10 @@ std::string words_about(const Case& checked, const Comparison& comparison) {
                      checked.expectation == Expectation::match ? "" : "not ", words);
 }
 
-void compare(const Case& checked, const Image& expected, const RenderedCase& drawn, Verdict& verdict) {
-  const Comparison comparison = compare_pictures(expected, drawn.image, checked.tolerance);
+void compare(const Case& checked, const Mask& mask, const Image& expected, const RenderedCase& drawn,
+             Verdict& verdict) {
+  const Comparison& comparison =
+      verdict.comparison.emplace(compare_pictures(expected, drawn.image, checked.tolerance, mask));
   verdict.passes = is_within(comparison, checked.tolerance) == (checked.expectation != Expectation::mismatch);
   verdict.reason = words_about(checked, comparison);
   // No renderer changes a picture's size.
@@ -73,8 +75,10 @@ Verdict evaluate(const Case& checked, RenderedCases& rendered, std::string_view 
   Verdict verdict;
   verdict.name = checked.name;
   const RenderedCase drawn = rendered.draw(checked.name);
+  verdict.drawn_by = drawn.origin;
   const std::optional<Image> expected = counterpart(checked, rendered, verdict);
-  if (expected) compare(checked, *expected, drawn, verdict);
+  const Mask mask(checked.width, checked.height, checked.mask);
+  if (expected) compare(checked, mask, *expected, drawn, verdict);
   if (!verdict.passes) {
     if (checked.expectation == Expectation::golden && kind_instead_of_file(checked.golden_path()).empty()) {
       verdict.remedy = update_command(folder, checked.name);
@@ -83,7 +87,7 @@ Verdict evaluate(const Case& checked, RenderedCases& rendered, std::string_view 
       verdict.pictures.actual = png_bytes(drawn.image);
       if (expected) {
         verdict.pictures.expected = png_bytes(*expected);
-        verdict.pictures.difference = png_bytes(difference_picture(*expected, drawn.image, checked.tolerance));
+        verdict.pictures.difference = png_bytes(difference_picture(*expected, drawn.image, checked.tolerance, mask));
       }
     }
   }

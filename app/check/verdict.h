@@ -6,6 +6,8 @@
 #include <string_view>
 
 #include "app/check/case_file.h"
+#include "app/check/comparison.h"
+#include "app/check/golden_origin.h"
 #include "app/check/rendered_cases.h"
 
 namespace ghostforce {
@@ -20,10 +22,12 @@ struct VerdictPictures {
 struct Verdict {
   std::string name;
   bool passes = false;
-  bool is_file_trouble = false;  // the golden is there and cannot be read
-  std::string reason;            // one line; of a case that passes too: what was found
-  std::string remark;            // a probable cause; may be empty
-  std::string remedy;            // the command that updates the golden; empty where none does
+  bool is_file_trouble = false;          // the golden is there and cannot be read
+  std::string reason;                    // one line; of a case that passes too: what was found
+  std::string remark;                    // a probable cause; may be empty
+  std::string remedy;                    // the command that updates the golden; empty where none does
+  std::optional<Comparison> comparison;  // none: there was nothing to compare with
+  GoldenOrigin drawn_by;
   double duration_s = 0.0;
   VerdictPictures pictures;
 };

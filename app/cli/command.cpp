@@ -87,6 +87,13 @@ WordCheck whole_number_from(int least) {
   };
 }
 
+WordCheck whole_number_between(int least, int greatest) {
+  return [least, greatest](const std::string& text) -> std::string {
+    if (const auto number = number_in<int>(text); number && *number >= least && *number <= greatest) return {};
+    return fmt::format("'{}' is not a whole number from {} to {}", quoted_text(text), least, greatest);
+  };
+}
+
 CLI::Option* repeatable(CLI::Option* option) {
   return option->expected(1)->allow_extra_args(false)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }

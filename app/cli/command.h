@@ -67,6 +67,7 @@ CLI::Validator suggests_keys();
 // through.
 WordCheck number_between(double least, double greatest, std::string unit);
 WordCheck whole_number_from(int least);
+WordCheck whole_number_between(int least, int greatest);
 
 // The option may be given again and again, with one value each time.
 CLI::Option* repeatable(CLI::Option* option);
