@@ -240,6 +240,7 @@ void read_text(ReadCase& into, std::vector<ReadProblem>& problems) {
       {"golden", "version", origin(&GoldenOrigin::version)},
   };
   if (reader.parse(into.content.text)) {
+    summary.has_tolerance = reader.has_table("tolerance");
     if (!reader.find("", "scene") && (reader.find("", "format") || reader.has_table("wall"))) {
       reader.refuse("this is a scene, not a case",
                     fmt::format("put scenes into a subfolder, and refer to them as in scene = \"scenes/{}\"",

@@ -30,6 +30,7 @@ struct Case {
   std::string other;        // name of the case that `expectation` speaks of
   ReadProblem other_place;  // where it is named
   Tolerance tolerance;
+  bool has_tolerance = false;  // the file states it
   std::optional<GoldenOrigin> origin;
 
   std::string golden_path() const;

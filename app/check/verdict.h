@@ -10,6 +10,10 @@
 
 namespace ghostforce {
 
+// By --renderer gpu, for a golden that another renderer drew and a case without a tolerance of its own: graphics cards
+// round otherwise than Mesa's software renderer, most of all along edges.
+inline constexpr Tolerance graphics_card_tolerance{.channel = 16, .share = 0.005};
+
 // Of a case that fails, as PNG files; no value where there is none.
 struct VerdictPictures {
   std::optional<std::string> expected;
@@ -21,6 +25,7 @@ struct Verdict {
   std::string name;
   bool passes = false;
   bool is_file_trouble = false;  // the golden is there and cannot be read
+  bool is_lenient = false;       // graphics_card_tolerance was applied
   std::string reason;            // one line; of a case that passes too: what was found
   std::string remark;            // a probable cause; may be empty
   std::string remedy;            // the command that updates the golden; empty where none does

@@ -19,6 +19,7 @@
 #include "app/cli/check_lessons.h"
 #include "app/cli/command.h"
 #include "app/cli/lines.h"
+#include "app/cli/renderer_option.h"
 #include "app/console/did_you_mean.h"
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
@@ -37,6 +38,7 @@ struct CheckOptions {
   std::vector<std::string> only;
   std::vector<std::string> update;
   std::string report;
+  std::optional<Renderer> renderer;
 };
 
 // Where it cannot be read, that is said later.
@@ -71,10 +73,20 @@ void tell_of_failure(const Verdict& verdict) {
   if (!verdict.remedy.empty()) say("  if the new picture is right: {}\n", verdict.remedy);
 }
 
+void tell_of_leniency(const std::vector<Verdict>& verdicts) {
+  const auto count = std::ranges::count_if(verdicts, &Verdict::is_lenient);
+  if (count == 0) return;
+  say("{} of the goldens {} drawn by another renderer than this graphics card. Their cases state no tolerance, so {:g} "
+      "% "
+      "of the pixels may differ by more than {} of 255: docs/check.md.\n",
+      count, count == 1 ? "was" : "were", 100.0 * graphics_card_tolerance.share, graphics_card_tolerance.channel);
+}
+
 int update(const CheckOptions& options) {
   const std::vector<Case> cases = read_case_folder(options.folder);
   Lines lines;
-  for (const std::string& line : update_goldens(cases, chosen_cases(cases, options.update, "--update"))) {
+  for (const std::string& line :
+       update_goldens(cases, chosen_cases(cases, options.update, "--update"), options.renderer)) {
     lines.write(line);
   }
   return static_cast<int>(ExitCode::done);
@@ -87,7 +99,7 @@ int check(const CheckOptions& options) {
   std::optional<Report> report;
   if (!options.report.empty()) report.emplace(options.report);
 
-  RenderedCases rendered(cases, chosen);
+  RenderedCases rendered(cases, chosen, options.renderer);
   Lines lines;
   std::vector<Verdict> verdicts;
   ExitCode end = ExitCode::done;
@@ -113,6 +125,7 @@ int check(const CheckOptions& options) {
   for (const Verdict& verdict : verdicts) {
     if (!verdict.passes) tell_of_failure(verdict);
   }
+  tell_of_leniency(verdicts);
   return static_cast<int>(end);
 }
 
@@ -138,8 +151,11 @@ int check_any(CheckOptions& options) {
     throw Failure(ExitCode::wrong_call, "check takes either one folder of cases or lessons; call it once for each");
   }
   if (are_all_lessons) {
-    if (options.only.empty() && options.update.empty() && options.report.empty()) return check_lessons(options.paths);
-    throw Failure(ExitCode::wrong_call, "--only, --update and --report are for a folder of cases; leave them out");
+    if (options.only.empty() && options.update.empty() && options.report.empty() && !options.renderer) {
+      return check_lessons(options.paths);
+    }
+    throw Failure(ExitCode::wrong_call,
+                  "--only, --update, --report and --renderer are for a folder of cases; leave them out");
   }
   options.folder = options.paths.front();
   return options.update.empty() ? check(options) : update(options);
@@ -175,6 +191,7 @@ std::function<int()> attach_check(CLI::App& command, FileOptions& files) {
                  }
                  return paths;
                });
+  attach_renderer(command, options->renderer);
   command.footer(
       "A case, NAME.toml (only scene is required):\n"
       "  scene = \"wall45\"            # a shipped scene, or a path relative to this file\n"
