@@ -51,11 +51,6 @@ std::optional<Image> counterpart(const Case& checked, RenderedCases& rendered, V
   return std::nullopt;
 }
 
-bool is_for_graphics_card(const Case& checked, const RenderedCases& rendered, const RenderedCase& drawn) {
-  return rendered.renderer() == Renderer::gpu && checked.expectation == Expectation::golden && !checked.has_tolerance &&
-         checked.origin && !other_renderer_words(*checked.origin, drawn.origin).empty();
-}
-
 std::string words_about(const Case& checked, const Comparison& comparison, const Tolerance& tolerance) {
   const std::string words = difference_words(comparison, tolerance);
   if (checked.expectation == Expectation::golden) return words;
@@ -74,13 +69,18 @@ void compare(const Case& checked, const Image& expected, const RenderedCase& dra
 
 }  // namespace
 
+bool is_for_graphics_card(const Case& checked, std::optional<Renderer> renderer, const GoldenOrigin& present) {
+  return renderer == Renderer::gpu && checked.expectation == Expectation::golden && !checked.has_tolerance &&
+         checked.origin && !other_renderer_words(*checked.origin, present).empty();
+}
+
 Verdict evaluate(const Case& checked, RenderedCases& rendered, std::string_view folder, bool wants_pictures) {
   const auto start = std::chrono::steady_clock::now();
   Verdict verdict;
   verdict.name = checked.name;
   const RenderedCase drawn = rendered.draw(checked.name);
   const std::optional<Image> expected = counterpart(checked, rendered, verdict);
-  verdict.is_lenient = is_for_graphics_card(checked, rendered, drawn);
+  verdict.is_lenient = is_for_graphics_card(checked, rendered.renderer(), drawn.origin);
   const Tolerance& tolerance = verdict.is_lenient ? graphics_card_tolerance : checked.tolerance;
   if (expected) compare(checked, *expected, drawn, tolerance, verdict);
   if (!verdict.passes) {

@@ -11,8 +11,12 @@
 namespace ghostforce {
 
 // By --renderer gpu, for a golden that another renderer drew and a case without a tolerance of its own: graphics cards
-// round otherwise than Mesa's software renderer, most of all along edges.
-inline constexpr Tolerance graphics_card_tolerance{.channel = 16, .share = 0.005};
+// round otherwise than Mesa's software renderer, most of all along edges. Ten times as many pixels as differ
+// by more with softpipe, Mesa's other software renderer.
+inline constexpr Tolerance graphics_card_tolerance{.channel = 16, .share = 0.0005};
+
+// Whether that applies; `present` drew the picture.
+bool is_for_graphics_card(const Case& checked, std::optional<Renderer> renderer, const GoldenOrigin& present);
 
 // Of a case that fails, as PNG files; no value where there is none.
 struct VerdictPictures {
