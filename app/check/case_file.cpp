@@ -274,6 +274,7 @@ void read_text(ReadCase& into, std::vector<ReadProblem>& problems) {
       {"", "format", nullptr},  // may be missing: then it is 1
   };
   if (reader.parse(into.content.text)) {
+    summary.has_tolerance = reader.has_table("tolerance");
     const bool has_subject = reader.find("", "scene") || reader.find("", "lesson");
     if (!has_subject && (reader.find("", "format") || reader.has_table("wall"))) {
       reader.refuse("this is a scene, not a case",

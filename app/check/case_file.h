@@ -31,6 +31,7 @@ struct Case {
   std::string other;        // name of the case that `expectation` speaks of
   ReadProblem other_place;  // where it is named
   Tolerance tolerance;
+  bool has_tolerance = false;  // the file states it
   std::vector<PixelBox> mask;  // within the picture
   std::optional<GoldenOrigin> origin;
 

@@ -39,7 +39,7 @@ namespace {
 
 void evaluate_all(const std::vector<Case>& all, const std::vector<const Case*>& chosen, const Evaluation& how,
                   const std::function<void(Verdict)>& take) {
-  RenderedCases rendered(all, chosen);
+  RenderedCases rendered(all, chosen, how.renderer);
   const auto count = static_cast<std::int64_t>(chosen.size());
   const auto verdict_on = [&](std::int64_t i) {
     stop_if_interrupted();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -17,6 +18,7 @@ struct Evaluation {
   std::string_view folder;      // as the person named it
   bool wants_pictures = false;  // of the cases that fail
   int jobs = 1;                 // processes that draw, 1 to most_jobs
+  std::optional<Renderer> renderer{};
 };
 
 // Hands over the verdict on each of the chosen cases in their order; the same whatever the number of jobs. Throws what

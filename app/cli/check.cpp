@@ -21,6 +21,7 @@
 #include "app/cli/check_lessons.h"
 #include "app/cli/command.h"
 #include "app/cli/lines.h"
+#include "app/cli/renderer_option.h"
 #include "app/console/did_you_mean.h"
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
@@ -41,9 +42,10 @@ struct CheckOptions {
   std::string report;
   int jobs = 1;
   bool json = false;
+  std::optional<Renderer> renderer;
 
   // Whether there is nothing but paths.
-  bool is_plain() const { return only.empty() && update.empty() && report.empty() && jobs == 1 && !json; }
+  bool is_plain() const { return only.empty() && update.empty() && report.empty() && jobs == 1 && !json && !renderer; }
 };
 
 // Where it cannot be read, that is said later.
@@ -78,10 +80,20 @@ void tell_of_failure(const Verdict& verdict) {
   if (!verdict.remedy.empty()) say("  if the new picture is right: {}\n", verdict.remedy);
 }
 
+void tell_of_leniency(const std::vector<Verdict>& verdicts) {
+  const auto count = std::ranges::count_if(verdicts, &Verdict::is_lenient);
+  if (count == 0) return;
+  say("{} of the goldens {} drawn by another renderer than this graphics card. Their cases state no tolerance, so {:g} "
+      "% "
+      "of the pixels may differ by more than {} of 255: docs/check.md.\n",
+      count, count == 1 ? "was" : "were", 100.0 * graphics_card_tolerance.share, graphics_card_tolerance.channel);
+}
+
 int update(const CheckOptions& options) {
   const std::vector<Case> cases = read_case_folder(options.folder);
   Lines lines;
-  for (const std::string& line : update_goldens(cases, chosen_cases(cases, options.update, "--update"))) {
+  for (const std::string& line :
+       update_goldens(cases, chosen_cases(cases, options.update, "--update"), options.renderer)) {
     lines.write(line);
   }
   return static_cast<int>(ExitCode::done);
@@ -103,7 +115,10 @@ int check(const CheckOptions& options) {
   std::size_t failed = 0;
   {
     Progress progress("checking", static_cast<std::int64_t>(chosen.size()), !lines.is_terminal());
-    const Evaluation evaluation{.folder = options.folder, .wants_pictures = report.has_value(), .jobs = options.jobs};
+    const Evaluation evaluation{.folder = options.folder,
+                                .wants_pictures = report.has_value(),
+                                .jobs = options.jobs,
+                                .renderer = options.renderer};
     evaluate_all(cases, chosen, evaluation, [&](Verdict verdict) {
       if (report) report->take_pictures(verdict);
       const std::string name = quoted_text(verdict.name, longest_path);
@@ -122,6 +137,7 @@ int check(const CheckOptions& options) {
   for (const Verdict& verdict : verdicts) {
     if (!verdict.passes) tell_of_failure(verdict);
   }
+  tell_of_leniency(verdicts);
   return static_cast<int>(end);
 }
 
@@ -148,8 +164,9 @@ int check_any(CheckOptions& options) {
   }
   if (are_all_lessons) {
     if (options.is_plain()) return check_lessons(options.paths);
-    throw Failure(ExitCode::wrong_call,
-                  "--only, --update, --report, --jobs and --json are for a folder of cases; leave them out");
+    throw Failure(
+        ExitCode::wrong_call,
+        "--only, --update, --report, --jobs, --json and --renderer are for a folder of cases; leave them out");
   }
   options.folder = options.paths.front();
   return options.update.empty() ? check(options) : update(options);
@@ -192,6 +209,7 @@ std::function<int()> attach_check(CLI::App& command, FileOptions& files) {
       ->excludes(update_option);
   command.add_flag("--json", options->json, "Print one JSON document for programs instead of lines")
       ->excludes(update_option);
+  attach_renderer(command, options->renderer);
   command.footer(
       "A case, NAME.toml (only scene is required):\n"
       "  scene = \"wall45\"            # a shipped scene, or a path relative to this file\n"

@@ -15,6 +15,7 @@
 #include "app/console/did_you_mean.h"
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
+#include "app/desktop/renderer_examination.h"
 #include "app/files/scene_file.h"
 
 namespace ghostforce {
@@ -115,7 +116,7 @@ std::function<int()> parse_command_line(std::vector<std::string> words) {
     return printing(command == nullptr ? app.help() : command->help(std::string(program_name)));
   } catch (const CLI::CallForVersion&) {
     return [] {
-      print(version_words("llvmpipe ("));
+      print(version_words(default_renderer_words()));
       return static_cast<int>(ExitCode::done);
     };
   } catch (const CLI::ParseError& error) {

@@ -54,7 +54,7 @@ inline const std::map<std::string, std::regex>& library_includes() {
       {"fmt", std::regex("<fmt/.+>")},
       {"generated",
        std::regex("\"(embedded_[a-z_]+|ghostforce_build|ghostforce_version|ghostforce_paths)\\.h\"")},  // see cmake/
-      {"glad", std::regex("<glad/gl\\.h>")},
+      {"glad", std::regex("<glad/e?gl\\.h>")},
       {"gles", std::regex("<GLES3/gl3\\.h>")},
       {"glfw", std::regex("<GLFW/.+>")},
       {"glm", std::regex("<glm/.+>")},

@@ -8,6 +8,7 @@
 #include <csignal>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <regex>
 #include <set>
 #include <string>
@@ -19,6 +20,7 @@
 #include "app/check/case_folder.h"
 #include "app/check/golden_origin.h"
 #include "app/check/update.h"
+#include "app/check/verdict.h"
 #include "app/console/failure.h"
 #include "ghostforce_version.h"
 #include "tests/app/check/check_cases.h"
@@ -197,7 +199,7 @@ TEST(CheckUpdate, LeavesAllAsItWasWhereOneFileCannotBePutInPlace) {
   const std::vector<Case> all = read_case_folder(cases.path());
   FileCalls calls;
   calls.fail("rename", EIO);  // of b.png, which is new; a.png is exchanged before
-  EXPECT_THROW(update_goldens(all, chosen_cases(all, {"a", "b"}, "--update")), Failure);
+  EXPECT_THROW(update_goldens(all, chosen_cases(all, {"a", "b"}, "--update"), std::nullopt), Failure);
   EXPECT_TRUE(read_whole(cases / "a.png") == "old");
   EXPECT_EQ(read_whole(cases / "a.toml"), small_case);
   EXPECT_EQ(cases.files().size(), 3U);
@@ -440,7 +442,7 @@ TEST(Check, SaysWhatIsMissingWhereThereIsNoOpenGl) {
   const Cases cases({{"a", std::string(small_case)}});
   const Outcome outcome = cases.check_with({no_opengl.variable()});
   EXPECT_EQ(outcome.exit_code, 6);
-  EXPECT_TRUE(contains(outcome.err, "no OpenGL at all"));
+  EXPECT_TRUE(contains(outcome.err, "pictures cannot be drawn here"));
 }
 
 TEST(UpdateCommand, TakesNothingForAnOption) {
@@ -458,6 +460,27 @@ TEST(GoldenOrigin, IsReadFromWhatOpenGlSaysOfItself) {
       << "another program draws alike";
   EXPECT_EQ(other_renderer_words({}, origin), "") << "nothing is known";
   EXPECT_NE(other_renderer_words(origin, {"softpipe", "22.3.6", "0.1"}), "");
+}
+
+// No machine of the tests needs to have a graphics card.
+TEST(GraphicsCardTolerance, IsForGoldensOfOthersWhereTheCaseStatesNone) {
+  const Cases cases({{"plain", std::string(small_case)},
+                     {"own", std::string(small_case) + "[tolerance]\nchannel = 1\n"},
+                     {"match", std::string(small_case) + "match = \"plain\"\n"}});
+  const GoldenOrigin software{"llvmpipe (LLVM 15.0.6)", "22.3.6", "0.1"};
+  const GoldenOrigin card{"Some card", "", "0.1"};
+  const std::vector<Case> all = read_case_folder(cases.path());
+  const auto applies = [&](const char* name, std::optional<Renderer> renderer, const GoldenOrigin& golden) {
+    Case checked = *find_case(all, name);
+    checked.origin = golden;
+    return is_for_graphics_card(checked, renderer, card);
+  };
+  EXPECT_TRUE(applies("plain", Renderer::gpu, software));
+  EXPECT_FALSE(applies("plain", Renderer::gpu, card));
+  EXPECT_FALSE(applies("own", Renderer::gpu, software));
+  EXPECT_FALSE(applies("match", Renderer::gpu, software));
+  EXPECT_FALSE(applies("plain", Renderer::egl, software));
+  EXPECT_FALSE(applies("plain", std::nullopt, software));
 }
 
 }  // namespace
