@@ -4,17 +4,22 @@
 # ---- What it is made of: share/doc/ghostforce/ghostforce.cdx.json ----------------------------------------------------
 
 set(sbom ${PROJECT_BINARY_DIR}/ghostforce.cdx.json)
-set(GHOSTFORCE_SBOM_COMMAND
-  ${GHOSTFORCE_PYTHON} -B ${PROJECT_SOURCE_DIR}/cmake/package/sbom.py --version ${PROJECT_VERSION}
-  --notices ${PROJECT_SOURCE_DIR}/THIRD_PARTY_NOTICES.md --architecture "${CMAKE_LIBRARY_ARCHITECTURE}")
+set(sbom_options
+  --version=${PROJECT_VERSION} --notices=${PROJECT_SOURCE_DIR}/THIRD_PARTY_NOTICES.md
+  --architecture=${CMAKE_LIBRARY_ARCHITECTURE})
 if(imgui_wheel_dir)
-  list(APPEND GHOSTFORCE_SBOM_COMMAND
-    --wheel ${PROJECT_SOURCE_DIR}/cmake/imgui-wheel-requirements.txt --headers ${imgui_wheel_dir}/include)
+  list(APPEND sbom_options
+    --wheel=${PROJECT_SOURCE_DIR}/cmake/imgui-wheel-requirements.txt --headers=${imgui_wheel_dir}/include)
 endif()
+list(JOIN sbom_options "\n" sbom_options)
+file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/sbom-options.txt CONTENT "${sbom_options}\n" @ONLY)
 add_custom_command(
   OUTPUT ${sbom}
-  COMMAND ${GHOSTFORCE_SBOM_COMMAND} $<TARGET_FILE:ghostforce> > ${sbom}
-  DEPENDS ghostforce cmake/package/sbom.py cmake/package/notices.py THIRD_PARTY_NOTICES.md
+  COMMAND ${GHOSTFORCE_PYTHON} -B ${PROJECT_SOURCE_DIR}/cmake/package/sbom.py @${PROJECT_BINARY_DIR}/sbom-options.txt
+          $<TARGET_FILE:ghostforce> > ${sbom}
+  DEPENDS
+    ghostforce ${PROJECT_BINARY_DIR}/sbom-options.txt ${PROJECT_SOURCE_DIR}/cmake/package/sbom.py
+    ${PROJECT_SOURCE_DIR}/cmake/package/notices.py ${PROJECT_SOURCE_DIR}/THIRD_PARTY_NOTICES.md
   COMMENT "Listing what the program is made of"
   VERBATIM)
 add_custom_target(sbom ALL DEPENDS ${sbom})

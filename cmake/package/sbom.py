@@ -1,6 +1,7 @@
 """Prints what the program is made of, a software bill of materials, as CycloneDX 1.5 JSON.
 
   sbom.py --version VERSION --notices FILE --architecture NAME [--wheel FILE --headers FOLDER] FILE...
+  sbom.py @OPTIONS FILE...
 
 Named are the works that THIRD_PARTY_NOTICES.md says are in the program, and the shared libraries that the linker of
 each FILE has asked for: the program, and libraries that are given away with it. --wheel, --headers: what pins Dear
@@ -132,7 +133,7 @@ def linked(library: str, architecture: str) -> dict:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser()
+    parser = argparse.ArgumentParser(fromfile_prefix_chars="@")
     parser.add_argument("--version", required=True)
     parser.add_argument("--notices", type=Path, required=True)
     parser.add_argument("--architecture", required=True)
