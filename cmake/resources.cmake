@@ -28,8 +28,15 @@ foreach(font IN LISTS GHOSTFORCE_FONTS)
 endforeach()
 
 install(FILES ${GHOSTFORCE_FONTS} DESTINATION ${GHOSTFORCE_INSTALL_DATADIR}/fonts)
-# The scenes are embedded in the program; these copies are for people to start their own from.
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/assets/scenes DESTINATION ${GHOSTFORCE_INSTALL_DATADIR}
+# Scenes and lessons are embedded in the program; these copies are for people to start their own from.
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/assets/scenes ${PROJECT_SOURCE_DIR}/assets/lessons DESTINATION ${GHOSTFORCE_INSTALL_DATADIR}
   FILES_MATCHING PATTERN *.toml)
+# What a desktop wants to know: the entry of its menu, the icon, the words of its software centre, and which files a
+# double click opens.
+set(desktop ${PROJECT_SOURCE_DIR}/assets/desktop)
+install(FILES ${desktop}/ghostforce.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
+install(FILES ${desktop}/ghostforce.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)
+install(FILES ${desktop}/org.ghostforce.ghostforce.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo)
+install(FILES ${desktop}/ghostforce-mime.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages RENAME ghostforce.xml)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/THIRD_PARTY_NOTICES.md
   DESTINATION ${CMAKE_INSTALL_DOCDIR})

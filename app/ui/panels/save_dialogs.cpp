@@ -150,7 +150,7 @@ void draw_save_plots(const PanelContext& context) {
 void draw_save_scene(const PanelContext& context) {
   Session& session = context.session;
   if (session.form.belongs_to != Dialog::save_scene) {
-    session.form.path = proposed_path(file_stem(session.scene->title), "toml");
+    session.form.path = proposed_path(file_stem(session.scene->title), "ghostforce.toml");
   }
   ImGui::TextUnformatted("The scene with its current settings, and a path that ends at the goal:");
   if (!draw_save_path(context)) return;

@@ -118,7 +118,7 @@ TEST_F(SessionTest, TheDialogProposesAFreeNameAndSavesThere) {
   const TemporaryFolder folder;
   press(key::s, modifier::control);
   ASSERT_EQ(session().dialog, Dialog::save_scene);
-  EXPECT_TRUE(session().form.path.ends_with("a-wall-at-45-degrees.toml")) << session().form.path;
+  EXPECT_TRUE(session().form.path.ends_with("a-wall-at-45-degrees.ghostforce.toml")) << session().form.path;
   EXPECT_TRUE(std::filesystem::path(session().form.path).is_absolute());
   session().form.path.clear();
   frames(1);
