@@ -29,10 +29,13 @@ Release first_release(const std::string& text, const char* pattern) {
   return std::regex_search(text, match, std::regex(pattern)) ? Release{match[1], match[2]} : Release{};
 }
 
-TEST(Release, IsTheSameInChangelogAndProgram) {
+TEST(Release, IsTheSameInProgramChangelogAndMetainfo) {
   const Release newest = first_release(text_of("CHANGELOG.md"), R"(\n## \[([0-9.]+)\] - (\d{4}-\d{2}-\d{2})\n)");
   EXPECT_EQ(newest.version, ghostforce::version);
   EXPECT_FALSE(newest.date.empty());
+  EXPECT_EQ(newest, first_release(text_of("assets/desktop/org.ghostforce.ghostforce.metainfo.xml"),
+                                  R"(<release version="([0-9.]+)" date="([0-9-]+)"/>)"))
+      << "software centres show the metainfo's";
 }
 
 }  // namespace
