@@ -80,7 +80,7 @@ Figure three_equilibria_figure(const FigureRequest&) {
   Sheet sheet("The three equilibria", 860.0);
   std::vector<ScenePicture> pictures;
   for (const Strategy& strategy : strategy_catalog()) pictures.push_back(picture_of(data, strategy));
-  add_scenes(sheet, 270.0, std::move(pictures), 3);
+  add_scenes(sheet, 270.0, std::move(pictures), strategy_count);
   sheet.add_legend(
       {{.name = "hand's spring, kᵤ", .colour = paper().faint_text, .has_line = true, .pattern = dotted_line},
        {.name = "rendering and tracking, Kᵣ and Kₜ", .colour = paper().text, .has_line = true},

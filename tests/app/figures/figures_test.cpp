@@ -27,12 +27,10 @@
 namespace ghostforce {
 namespace {
 
-TEST(FigureCatalog, HasThePapersFiguresAndFourFurtherOnes) {
+TEST(FigureCatalog, BeginsWithThePapersFigures) {
   std::vector<std::string> names;
-  for (const FigureEntry& entry : figure_catalog()) names.emplace_back(entry.name);
-  EXPECT_EQ(names, (std::vector<std::string>{"figure-1", "figure-2", "figure-3", "figure-4", "figure-6",
-                                             "force-over-wall-angle", "force-over-stiffness-ratio", "proxy-drift",
-                                             "energy-per-loop"}));
+  for (const FigureEntry& entry : figure_catalog().first(5)) names.emplace_back(entry.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"figure-1", "figure-2", "figure-3", "figure-4", "figure-6"}));
 }
 
 // ---- Each figure ----------------------------------------------------------------------------------------------------
