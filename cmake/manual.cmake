@@ -1,5 +1,5 @@
 # The manual pages, and what completes the command line in bash, zsh and fish: the program prints them itself
-# (ghostforce help --format …). They lie in share/ of the build tree as they will once installed, and are part of it all.
+# (ghostforce help --format …). The target all writes them to share/ of the build tree, as an installation has them.
 #
 # A package whose shells look elsewhere sets GHOSTFORCE_INSTALL_ZSHDIR: Debian's is share/zsh/vendor-completions.
 
@@ -33,6 +33,9 @@ endfunction()
 set(command_catalog ${PROJECT_SOURCE_DIR}/app/cli/command_catalog.cpp)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${command_catalog})
 file(STRINGS ${command_catalog} rows REGEX "^ +Command{\"")
+if(NOT rows)
+  message(FATAL_ERROR "No row of a command was found in ${command_catalog}.")
+endif()
 manual_file(man/man1/ghostforce.1 ${CMAKE_INSTALL_MANDIR}/man1 --format man)
 foreach(row IN LISTS rows)
   string(REGEX REPLACE "^ +Command{\"([^\"]+)\".*" "\\1" command "${row}")

@@ -78,6 +78,7 @@ _ghostforce() {
   elif [[ $value != *[\'\"\$]* && $value != '~'* ]]; then
     local plain=${value//\\/}
     compopt -o filenames
+    if [[ $paths == folders ]]; then compopt +o default +o bashdefault; fi
     while IFS='' read -r word; do
       COMPREPLY+=("$before$word")
     done < <(

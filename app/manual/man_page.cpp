@@ -63,17 +63,17 @@ std::string filled(std::string_view text) {
   return lines;
 }
 
+bool is_verbatim(std::string_view line) noexcept {
+  return line.starts_with("  ");
+}
+
 std::string verbatim(std::span<const std::string_view> lines) {
   std::string text = ".RS 4\n.EX\n";
   for (const std::string_view line : lines) {
-    const std::string escaped = roff_text(line.substr(std::min(line.find_first_not_of(' '), std::size_t{2})));
+    const std::string escaped = roff_text(is_verbatim(line) ? line.substr(2) : line);
     text += fmt::format("{}{}\n", escaped.starts_with('.') ? R"(\&)" : "", escaped);
   }
   return text + ".EE\n.RE\n";
-}
-
-bool is_verbatim(std::string_view line) noexcept {
-  return line.starts_with("  ");
 }
 
 // Paragraphs, and between them what stays as it is.

@@ -12,8 +12,10 @@ Manual manual_with_notes(const std::string& notes) {
   Manual manual;
   manual.version = "1.2.3";
   manual.program = {.name = "ghostforce", .sentence = "See forces"};
-  manual.commands = {
-      {.name = "render", .sentence = "Draw a picture", .notes = notes, .examples = "  ghostforce x -o 'a'"}};
+  manual.commands = {{.name = "render",
+                      .sentence = "Draw a picture",
+                      .notes = notes,
+                      .examples = "  ghostforce x -o 'a'\n\n  ghostforce y"}};
   manual.exit_codes = {{"0", "done."}};
   return manual;
 }
@@ -46,6 +48,7 @@ TEST(ManPage, HasItsSectionsInTheUsualOrder) {
     last = at;
   }
   expect_in(page, ".TH GHOSTFORCE-RENDER 1 \"\" \"ghostforce 1.2.3\" \"User Commands\"\n.nh\n");
+  expect_in(page, ".EX\nghostforce x \\-o \\(aqa\\(aq\n\nghostforce y\n.EE\n");
   expect_in(page, ".SH NAME\nghostforce\\-render \\- draw a picture\n");
 }
 
