@@ -33,7 +33,7 @@ Json case_as_json(const Case& checked, const Verdict& verdict, const Report* rep
             {"compared_with", expectation_name(checked.expectation)},
             {"other", null_if_empty(checked.other)},
             {"difference", nullptr},
-            {"tolerance", {{"channel", checked.tolerance.channel}, {"share", checked.tolerance.share}}},
+            {"tolerance", {{"channel", verdict.tolerance.channel}, {"share", verdict.tolerance.share}}},
             {"renderer", verdict.drawn_by.renderer},
             {"mesa", verdict.drawn_by.mesa},
             {"duration_s", verdict.duration_s},

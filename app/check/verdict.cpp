@@ -76,6 +76,7 @@ Verdict evaluate(const Case& checked, RenderedCases& rendered, std::string_view 
   verdict.name = checked.name;
   const RenderedCase drawn = rendered.draw(checked.name);
   verdict.drawn_by = drawn.origin;
+  verdict.tolerance = checked.tolerance;
   const std::optional<Image> expected = counterpart(checked, rendered, verdict);
   const Mask mask(checked.width, checked.height, checked.mask);
   if (expected) compare(checked, mask, *expected, drawn, verdict);

@@ -26,6 +26,7 @@ struct Verdict {
   std::string reason;                    // one line; of a case that passes too: what was found
   std::string remark;                    // a probable cause; may be empty
   std::string remedy;                    // the command that updates the golden; empty where none does
+  Tolerance tolerance;                   // that was applied
   std::optional<Comparison> comparison;  // none: there was nothing to compare with
   GoldenOrigin drawn_by;
   double duration_s = 0.0;

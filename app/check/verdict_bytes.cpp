@@ -12,8 +12,10 @@ namespace {
 auto members_of(auto& value) {
   using Type = std::remove_cvref_t<decltype(value)>;
   if constexpr (std::is_same_v<Type, Verdict>) {
-    auto& [name, passes, is_file_trouble, reason, remark, remedy, comparison, drawn_by, duration_s, pictures] = value;
-    return std::tie(name, passes, is_file_trouble, reason, remark, remedy, comparison, drawn_by, duration_s, pictures);
+    auto& [name, passes, is_file_trouble, reason, remark, remedy, tolerance, comparison, drawn_by, duration_s,
+           pictures] = value;
+    return std::tie(name, passes, is_file_trouble, reason, remark, remedy, tolerance, comparison, drawn_by, duration_s,
+                    pictures);
   } else if constexpr (std::is_same_v<Type, GoldenOrigin>) {
     auto& [renderer, mesa, version] = value;
     return std::tie(renderer, mesa, version);
