@@ -100,6 +100,7 @@ TEST(VerdictBytes, HoldEverything) {
       .reason = "why",
       .remark = "perhaps",
       .remedy = "do",
+      .tolerance = {.channel = 5, .share = 0.5},
       .comparison = Comparison{.pixels = 7, .masked = 3, .over = 2, .greatest = 200, .left = 4, .bottom = 9},
       .drawn_by = {"renderer", "mesa", "version"},
       .duration_s = 0.1,
@@ -108,6 +109,8 @@ TEST(VerdictBytes, HoldEverything) {
   EXPECT_EQ(read.name, verdict.name);
   EXPECT_TRUE(read.passes && read.is_file_trouble);
   EXPECT_EQ(read.reason + read.remark + read.remedy, "whyperhapsdo");
+  EXPECT_EQ(read.tolerance.channel, 5);
+  EXPECT_EQ(read.tolerance.share, 0.5);
   ASSERT_TRUE(read.comparison.has_value());
   EXPECT_EQ(read.comparison->masked, 3);
   EXPECT_EQ(read.comparison->bottom, 9);
