@@ -22,6 +22,9 @@ Vector<3> expected(const Vector<3>& direction, const FalconKinematics& kinematic
   return before && after ? *after - *before : Vector<3>(0.0);
 }
 
+// All that there are; g++ 12 warns of its own std::next_permutation on arm64.
+constexpr std::array<LegNumbers, 6> leg_orders{{{1, 2, 3}, {1, 3, 2}, {2, 1, 3}, {2, 3, 1}, {3, 1, 2}, {3, 2, 1}}};
+
 }  // namespace
 
 EncoderWiring find_encoder_wiring(std::span<const HandMove> moves, const FalconGeometry& geometry) noexcept {
@@ -33,8 +36,7 @@ EncoderWiring find_encoder_wiring(std::span<const HandMove> moves, const FalconG
     const Vector<3> change = glm::abs(move.to - move.from);
     if (std::max({change.x, change.y, change.z}) < EncoderWiring::least_move) best.has_moved = false;
   }
-  LegNumbers order = legs_in_order;
-  do {
+  for (const LegNumbers& order : leg_orders) {
     for (unsigned signs = 0; signs < 8; ++signs) {
       LegNumbers wiring = order;
       for (std::size_t leg = 0; leg < wiring.size(); ++leg) {
@@ -53,7 +55,7 @@ EncoderWiring find_encoder_wiring(std::span<const HandMove> moves, const FalconG
         best.runner_up = std::max(best.runner_up, worst);
       }
     }
-  } while (std::ranges::next_permutation(order).found);
+  }
   return best;
 }
 
