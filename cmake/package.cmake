@@ -40,6 +40,7 @@ function(packages_of section out)
       list(APPEND packages ${line})
     endif()
   endforeach()
+  list(TRANSFORM packages REPLACE " optional$" "")
   set(${out} ${packages} PARENT_SCOPE)
 endfunction()
 

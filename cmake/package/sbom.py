@@ -50,6 +50,8 @@ SPDX = {
 LIBRARY_LICENCES = {
     "ld-linux-aarch64": "LGPL-2.1-or-later",
     "ld-linux-x86-64": "LGPL-2.1-or-later",
+    "libasan": "Apache-2.0 WITH LLVM-exception",
+    "libubsan": "Apache-2.0 WITH LLVM-exception",
     "libX11": "X11",
     "libXext": "X11",
     "libXrender": "HPND-sell-variant",
@@ -85,16 +87,28 @@ def output_of(*command: str) -> str:
     return subprocess.run(command, capture_output=True, text=True, check=False).stdout
 
 
-def debian(package: str) -> dict:
-    """The version and purl of an installed package; empty: there is none."""
-    said = output_of("dpkg-query", "--show", "--showformat", "${Version} ${Architecture}", package)
-    if not said:
-        return {}
-    version, architecture = said.split()
-    system = platform.freedesktop_os_release()
-    place = f"arch={architecture}&distro={system['ID']}-{system.get('VERSION_ID', 'sid')}"
-    name = package.partition(":")[0]
-    return {"version": version, "purl": f"pkg:deb/{system['ID']}/{quote(name)}@{quote(version, safe='')}?{place}"}
+class Debian:
+    """Which packages of this machine have these libraries, and the versions of those and of PACKAGES; asked once."""
+
+    def __init__(self, libraries: list[str], architecture: str):
+        paths = [f"{place}/{architecture}/{library}" for library in libraries for place in ("/lib", "/usr/lib")]
+        found = output_of("dpkg-query", "--search", *paths)
+        self.owners = {path.rpartition("/")[2]: owner for owner, path in re.findall(r"^(\S+?)(?::\S+)?: (.+)$", found, re.M)}
+        said = output_of(
+            "dpkg-query", "--show", "--showformat", "${Package} ${Version} ${Architecture}\n",
+            *sorted({*self.owners.values(), *PACKAGES.values()}),
+        )
+        self.versions = {name: rest for name, *rest in map(str.split, said.splitlines()) if len(rest) == 2}
+
+    def origin(self, package: str | None) -> dict:
+        """The version and purl of a package; empty: there is none."""
+        if package not in self.versions:
+            return {}
+        version, architecture = self.versions[package]
+        system = platform.freedesktop_os_release()
+        place = f"arch={architecture}&distro={system['ID']}-{system.get('VERSION_ID', 'sid')}"
+        purl = f"pkg:deb/{system['ID']}/{quote(package)}@{quote(version, safe='')}?{place}"
+        return {"version": version, "purl": purl}
 
 
 def component(name: str, licence: str | None, origin: dict, description: str) -> dict:
@@ -111,10 +125,10 @@ def pinned(name: str, wheel: Path, headers: Path) -> dict:
     return {"version": version, "purl": f"pkg:pypi/{package}@{pin}"}
 
 
-def inside(work: notices.Work, options: argparse.Namespace) -> dict:
+def inside(work: notices.Work, debian: Debian, options: argparse.Namespace) -> dict:
     origin = {}
     if work.name in PACKAGES:
-        origin = debian(PACKAGES[work.name])
+        origin = debian.origin(PACKAGES[work.name])
     elif work.name in HEADERS and options.wheel:
         origin = pinned(work.name, options.wheel, options.headers)
     return component(work.name, SPDX.get(work.licence, work.licence), origin, work.part)
@@ -125,11 +139,9 @@ def needed(files: list[str]) -> list[str]:
     return sorted(set(re.findall(r"\(NEEDED\).*\[(.+)\]", said)))
 
 
-def linked(library: str, architecture: str) -> dict:
-    found = output_of("dpkg-query", "--search", f"*/{architecture}/{library}")
-    origin = debian(found.partition(": ")[0]) if found else {}
+def linked(library: str, debian: Debian) -> dict:
     stem = re.sub(r"[-\d.]*\.so.*", "", library)
-    return component(library, LIBRARY_LICENCES.get(stem), origin, "shared library")
+    return component(library, LIBRARY_LICENCES.get(stem), debian.origin(debian.owners.get(library)), "shared library")
 
 
 def main() -> None:
@@ -143,8 +155,10 @@ def main() -> None:
     options = parser.parse_args()
 
     works = notices.works(options.notices.read_text(encoding="utf-8"))
-    components = [inside(work, options) for work in works]
-    components += [linked(library, options.architecture) for library in needed(options.files)]
+    libraries = needed(options.files)
+    debian = Debian(libraries, options.architecture)
+    components = [inside(work, debian, options) for work in works]
+    components += [linked(library, debian) for library in libraries]
     metadata = {
         "component": {
             "type": "application",

@@ -18,6 +18,7 @@ fresh() {
   "${as_root[@]}" cp --archive --reflink=auto "$root/build/roots/$1" "$trial"
   apt_there update
   in_trial useradd --create-home visitor
+  apt_there install mount xvfb xauth  # what the trials themselves need
 }
 
 in_trial() { in_debian_root "$trial" LC_ALL=C DEBIAN_FRONTEND=noninteractive HOME=/home/visitor "$@"; }
@@ -49,7 +50,6 @@ files() {
 
 begin "the package in a bare Debian 12"
 fresh bookworm
-apt_there install xvfb xauth  # the display of this trial is no part of the package
 before=$(files)
 "${as_root[@]}" cp "$deb" "$trial/tmp/"
 apt_there install "/tmp/$(basename "$deb")"
@@ -63,7 +63,7 @@ for suite in bookworm trixie; do
   begin "the folder in $suite, in a path with a space, read-only"
   fresh "$suite"
   mapfile -t desktop < <(packages_of run)
-  apt_there install xvfb xauth "${desktop[@]}"
+  apt_there install "${desktop[@]}"
   place="/opt/my programs"
   "${as_root[@]}" mkdir -p "$trial$place"
   "${as_root[@]}" tar --extract --directory "$trial$place" --file "$archive"
