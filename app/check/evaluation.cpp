@@ -49,7 +49,7 @@ void evaluate_all(const std::vector<Case>& all, const std::vector<const Case*>& 
     for (std::int64_t i = 0; i < count; ++i) take(verdict_on(i));
     return;
   }
-  choose_offscreen_driver();  // what it says is said once
+  if (how.renderer != Renderer::gpu) choose_offscreen_driver();  // what it says is said once
   try {
     run_in_workers(
         count, how.jobs, [&](std::int64_t i) { return bytes_of(verdict_on(i)); },

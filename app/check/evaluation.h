@@ -15,10 +15,10 @@ namespace ghostforce {
 inline constexpr int most_jobs = 64;
 
 struct Evaluation {
-  std::string_view folder;      // as the person named it
-  bool wants_pictures = false;  // of the cases that fail
-  int jobs = 1;                 // processes that draw, 1 to most_jobs
-  std::optional<Renderer> renderer{};
+  std::string_view folder;             // as the person named it
+  bool wants_pictures = false;         // of the cases that fail
+  int jobs = 1;                        // processes that draw, 1 to most_jobs
+  std::optional<Renderer> renderer{};  // empty: the usual one
 };
 
 // Hands over the verdict on each of the chosen cases in their order; the same whatever the number of jobs. Throws what
