@@ -76,9 +76,8 @@ void tell_of_failure(const Verdict& verdict) {
 void tell_of_leniency(const std::vector<Verdict>& verdicts) {
   const auto count = std::ranges::count_if(verdicts, &Verdict::is_lenient);
   if (count == 0) return;
-  say("{} of the goldens {} drawn by another renderer than this graphics card. Their cases state no tolerance, so {:g} "
-      "% "
-      "of the pixels may differ by more than {} of 255: docs/check.md.\n",
+  say("{} of the goldens {} drawn by another renderer than this graphics card. Their cases state no tolerance, so "
+      "{:g} % of the pixels may differ by more than {} of 255: docs/check.md.\n",
       count, count == 1 ? "was" : "were", 100.0 * graphics_card_tolerance.share, graphics_card_tolerance.channel);
 }
 

@@ -14,6 +14,7 @@
 extern "C" int imgl3wInit2(void (*(*)(const char*))());
 
 namespace ghostforce {
+
 GlfwWindow::GlfwWindow(const WindowOptions& options) : opengl_(OpenGlWindow::open(options)) {
   if (options.offscreen) {
     fit_canvas();
