@@ -10,14 +10,14 @@
 
 namespace ghostforce {
 
-CLI::Option* attach_renderer(CLI::App& command, std::optional<Renderer>& renderer) {
+void attach_renderer(CLI::App& command, std::optional<Renderer>& renderer) {
   std::string words = "What draws";
   const char* separator = ": ";
   for (const RendererEntry& entry : renderer_catalog()) {
     words += fmt::format("{}{}, {}", separator, entry.name, entry.sentence);
     separator = "; ";
   }
-  return command
+  command
       .add_option_function<std::string>(
           "--renderer", [&renderer](const std::string& name) { renderer = find_renderer(name); },
           words + "; default: egl, or osmesa where it is missing")

@@ -9,6 +9,7 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/console/failure.h"
@@ -109,15 +110,15 @@ Opened open_device(EGLDeviceEXT device, Renderer renderer) {
   };
   Opened opened{.display = egl().get_platform_display(EGL_PLATFORM_DEVICE_EXT, device, nullptr)};
   if (opened.display == EGL_NO_DISPLAY || egl().initialize(opened.display, nullptr, nullptr) != EGL_TRUE) {
-    return failed("its driver cannot be opened");
+    return failed("EGL's driver cannot be opened");
   }
   egl().bind_api(EGL_OPENGL_API);
   opened.context = egl().create_context(opened.display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, opengl_3_3_core.data());
-  if (opened.context == EGL_NO_CONTEXT) return failed("it has no OpenGL 3.3");
+  if (opened.context == EGL_NO_CONTEXT) return failed("EGL's driver has no OpenGL 3.3");
   if (egl().make_current(opened.display, EGL_NO_SURFACE, EGL_NO_SURFACE, opened.context) != EGL_TRUE) {
-    opened.problem = failed("it cannot draw without a window").problem;
+    opened.problem = failed("EGL's driver cannot draw without a window").problem;
   } else if (const std::string name = renderer_name(); draws_in_software(name) != (renderer == Renderer::egl)) {
-    opened.problem = fmt::format("it turns out to be {}", name);
+    opened.problem = fmt::format("what EGL offers turns out to be {}", name);
   }
   return opened;
 }

@@ -14,6 +14,7 @@
 extern "C" int imgl3wInit2(void (*(*)(const char*))());
 
 namespace ghostforce {
+
 GlfwWindow::GlfwWindow(const WindowOptions& options) : opengl_(OpenGlWindow::open(options)) {
   if (options.offscreen) {
     fit_canvas();
@@ -219,12 +220,16 @@ void GlfwWindow::take_events(double wait_s) {
   end_if_display_is_lost();
 }
 
-// As large as the window has become.
+// As large as the window has become. Mesa rounds along edges as in a window's own framebuffer where, like that, it is
+// rasterised from above and has depth and stencil, which nothing here uses.
 void GlfwWindow::fit_canvas() {
   const auto [width, height] = framebuffer_size();
   if (canvas_ && canvas_->width() == width && canvas_->height() == height) return;
   canvas_.emplace(width, height);
-  // Rasterised from above, like a window's own framebuffer: from below, Mesa rounds otherwise along edges.
+  depth_.emplace();
+  glBindRenderbuffer(GL_RENDERBUFFER, depth_->name());
+  glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, width, height);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, depth_->name());
   if (GLAD_GL_MESA_framebuffer_flip_y != 0) {
     glFramebufferParameteriMESA(GL_FRAMEBUFFER, GL_FRAMEBUFFER_FLIP_Y_MESA, GL_TRUE);
   }

@@ -57,8 +57,9 @@ class GlfwWindow : public Window {
   void fit_canvas();
 
   OpenGlWindow opengl_;
-  std::optional<gl::Canvas> canvas_;  // offscreen
-  WindowSize restored_size_;          // the last one while neither maximised nor full screen
+  std::optional<gl::Canvas> canvas_;       // offscreen
+  std::optional<gl::Renderbuffer> depth_;  // of the canvas
+  WindowSize restored_size_;               // the last one while neither maximised nor full screen
   struct {
     int x = 0, y = 0;
   } restored_corner_;
