@@ -17,19 +17,20 @@ can_enter_debian_root() {
 # leaves FOLDER.part only, and the next call starts anew.
 make_debian_root() {
   local folder=$1 suite=$2 scratch=$1.part log lock
-  can_enter_debian_root || fail "This machine lets nobody mount a folder (unshare --mount --pid), which entering $folder needs."
+  can_enter_debian_root ||
+    fail "This machine lets nobody mount a folder (unshare --mount --pid), which entering $folder needs."
   mkdir -p "$(dirname "$folder")" "$root/build"
   exec {lock}>"$root/build/.lock"
   flock "$lock"
   if [[ ! -e $folder ]]; then
+    install_packages roots
     say "Making a Debian system ($suite) in $folder"
     log=$(basename "$folder")
     "${as_root[@]}" rm -rf --one-file-system "$scratch"
-    logged "$log" "${as_root[@]}" mmdebstrap --mode=root --aptopt='APT::Install-Recommends "false"' "${@:3}" \
+    # With the certificates that this machine's network wants trusted: the package ca-certificates takes them from there.
+    logged "$log" "${as_root[@]}" mmdebstrap --mode=root --aptopt='APT::Install-Recommends "false"' \
+      --essential-hook='cp -r /usr/local/share/ca-certificates "$1/usr/local/share/" || true' "${@:3}" \
       "$suite" "$scratch" || fail_with "$log" "The Debian system could not be made."
-    # Certificates that this machine's network wants trusted; the package ca-certificates takes them from there.
-    "${as_root[@]}" mkdir -p "$scratch/usr/local/share"
-    "${as_root[@]}" cp -r /usr/local/share/ca-certificates "$scratch/usr/local/share/" 2>/dev/null || true
     "${as_root[@]}" mv -T "$scratch" "$folder"
   fi
   exec {lock}>&-
@@ -39,7 +40,7 @@ make_debian_root() {
 # as this user, with this machine's network and devices, and with the folders HERE at THERE. The mounts and all processes
 # are seen by this command only, and end with it.
 in_debian_root() {
-  local folder=$1 user=0:0 mounts=()
+  local folder=$1 user='' mounts=()
   shift
   while [[ $1 == --user || $1 == --mount ]]; do
     if [[ $1 == --user ]]; then user=$2; else mounts+=("$2"); fi
@@ -56,6 +57,6 @@ in_debian_root() {
       mount --rbind "${1%%:*}" "$folder${1#*:}"
       shift
     done
-    exec chroot --userspec="$user" "$folder" /usr/bin/env --ignore-environment PATH=/usr/sbin:/usr/bin:/sbin:/bin \
+    exec chroot ${user:+--userspec="$user"} "$folder" /usr/bin/env --ignore-environment PATH=/usr/sbin:/usr/bin:/sbin:/bin \
       LANG=C.UTF-8 HOME=/tmp "$@"' bash "$folder" "$user" "${#mounts[@]}" "${mounts[@]}" "$@"
 }

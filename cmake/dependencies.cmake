@@ -81,17 +81,21 @@ else()
   target_include_directories(ghostforce::cairo INTERFACE ${CAIRO_INCLUDE_DIR})
   target_link_libraries(ghostforce::cairo INTERFACE ${CAIRO_LIBRARY} Freetype::Freetype)
 
-  # glad: the OpenGL 3.3 core loader, <glad/gl.h>, generated at build time. --reproducible makes it read the
-  # specification that it was installed with; without that it asks the network. Debian's Python is named by its full
-  # path because one that stands earlier in PATH does not see Debian's modules. apt: python3-glad.
+  # glad: the OpenGL 3.3 core loader, <glad/gl.h>, and the types of EGL, <glad/egl.h>, generated at build time. With the
+  # extensions by which EGL tells devices apart, and by which Mesa draws into memory to the bit as into a window.
+  # --reproducible makes it read the specification that it was installed with; without that it asks the network.
+  # Debian's Python is named by its full path because one that stands earlier in PATH does not see Debian's modules.
+  # apt: python3-glad.
   find_program(GHOSTFORCE_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH REQUIRED)
   set(glad_dir ${PROJECT_BINARY_DIR}/generated/glad)
   add_custom_command(
-    OUTPUT ${glad_dir}/src/gl.c ${glad_dir}/include/glad/gl.h ${glad_dir}/include/KHR/khrplatform.h
-    COMMAND ${GHOSTFORCE_PYTHON} -m glad --quiet --reproducible --api gl:core=3.3 --extensions= --out-path ${glad_dir} c
-    COMMENT "Generating the OpenGL 3.3 core loader"
+    OUTPUT ${glad_dir}/src/gl.c ${glad_dir}/include/glad/gl.h ${glad_dir}/include/glad/egl.h
+    COMMAND ${GHOSTFORCE_PYTHON} -m glad --quiet --reproducible --api gl:core=3.3,egl=1.5
+      --extensions=EGL_EXT_device_enumeration,EGL_EXT_device_query,EGL_EXT_platform_device,EGL_KHR_no_config_context,GL_MESA_framebuffer_flip_y
+      --out-path ${glad_dir} c
+    COMMENT "Generating the OpenGL 3.3 core loader and the types of EGL"
     VERBATIM)
-  add_library(glad STATIC ${glad_dir}/src/gl.c ${glad_dir}/include/glad/gl.h)
+  add_library(glad STATIC ${glad_dir}/src/gl.c ${glad_dir}/include/glad/gl.h ${glad_dir}/include/glad/egl.h)
   target_include_directories(glad SYSTEM PUBLIC ${glad_dir}/include)
   add_library(ghostforce::glad ALIAS glad)
 
@@ -115,8 +119,9 @@ else()
   # glad declares OpenGL; the system's <GL/gl.h> must stay out of its way.
   target_compile_definitions(ghostforce::gui INTERFACE GLFW_INCLUDE_NONE)
 
-  # OSMesa, OpenGL in software into memory, is opened by GLFW at run time for pictures without a display: nothing to
-  # find here. apt: libosmesa6.
+  # EGL with Mesa's drivers, or OSMesa, which newer versions of Mesa lack: OpenGL in software into memory, for pictures
+  # without a display. Opened at run time, the one by us and the other by GLFW: nothing to find here. apt: libegl1 and
+  # libgl1-mesa-dri, libosmesa6.
 endif()
 
 # DejaVu: the font of the screen; ImGui's built-in one lacks ρ and κ. Debian splits it from no other font.

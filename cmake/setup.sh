@@ -31,14 +31,22 @@ fail_with() {
 
 # packages_of SECTION...: prints those of these sections of packages.txt, one a line.
 packages_of() {
-  local line section=''
-  while read -r line; do
-    case $line in
+  local name section=''
+  while read -r name _; do
+    case $name in
       '' | '#'*) ;;
-      '['*) section=${line//[\[\]]/} ;;
-      *) [[ " $* " != *" $section "* ]] || printf '%s\n' "$line" ;;
+      '['*) section=${name//[\[\]]/} ;;
+      *) [[ " $* " != *" $section "* ]] || printf '%s\n' "$name" ;;
     esac
   done <"$root/packages.txt"
+}
+
+# those_there NAME...: prints them without those that packages.txt calls optional and that this system does not have.
+those_there() {
+  local name
+  for name in "$@"; do
+    grep -q "^$name optional\$" "$root/packages.txt" && ! apt-cache show "$name" >/dev/null 2>&1 || printf '%s\n' "$name"
+  done
 }
 
 # install_packages SECTION...: installs what is missing of these sections; calls no apt when nothing is.
@@ -58,7 +66,7 @@ install_packages() {
   for name in "${wanted[@]}"; do
     [[ ${installed[$name]:-} ]] || missing+=("$name")
   done
-  ((${#missing[@]})) || return 0
+  [[ $(those_there "${missing[@]}") ]] || return 0
 
   local as_root=()
   if ((EUID != 0)); then
@@ -72,6 +80,7 @@ and start this again."
   local apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get --yes -o DPkg::Lock::Timeout=300)
   logged packages "${apt[@]}" update ||
     say "apt-get update did not reach every package source; trying with the existing lists."
+  mapfile -t missing < <(those_there "${missing[@]}")
   logged packages "${apt[@]}" install --no-install-recommends "${missing[@]}" ||
     fail_with packages "The packages could not be installed."
 }

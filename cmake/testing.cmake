@@ -17,14 +17,15 @@ function(ghostforce_add_test name)
   list(TRANSFORM arg_SUPPORT REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/tests/support/\\1.cpp" OUTPUT_VARIABLE support)
   add_executable(${name} ${arg_SOURCES} ${support})
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} GTest::gtest_main project_options project_warnings)
-  target_compile_definitions(${name} PRIVATE
-    GHOSTFORCE_SOURCE_DIR="${PROJECT_SOURCE_DIR}" GHOSTFORCE_VERSION="${PROJECT_VERSION}")
+  target_compile_definitions(${name} PRIVATE GHOSTFORCE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   if(program IN_LIST arg_SUPPORT)
     target_compile_definitions(${name} PRIVATE GHOSTFORCE_PROGRAM="$<TARGET_FILE:ghostforce>")
     add_dependencies(${name} ghostforce)
   endif()
-  # CMake's name for it, from the days when only another machine's programs had one.
-  set_property(TARGET ${name} PROPERTY CROSSCOMPILING_EMULATOR ${arg_LAUNCHER})
+  if(arg_LAUNCHER)
+    # CMake's name for it, from the days when only another machine's programs had one.
+    set_property(TARGET ${name} PROPERTY CROSSCOMPILING_EMULATOR ${arg_LAUNCHER})
+  endif()
   # PRE_TEST lists the tests when ctest starts, not after each link: a build stays a build.
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 TEST_PREFIX ${name}.
     PROPERTIES TIMEOUT 300 RUN_SERIAL "${arg_SERIAL}" LABELS "${arg_LABELS}")

@@ -1,6 +1,7 @@
 // Something that can move the goal, as a person chooses it. Immutable, any thread.
 #pragma once
 
+#include <array>
 #include <string_view>
 
 namespace ghostforce {
@@ -20,5 +21,8 @@ inline constexpr InputChoice scripted_hand{"script", "Scripted hand",
                                            "The goal follows the scene's path, the same way every time."};
 inline constexpr InputChoice replayed_hand{"replay", "Replay",
                                            "The goal follows the hand of a recording, the same way every time."};
+
+// They wait for nobody: no lesson can be done with them, and no visitor has a part in them.
+inline constexpr std::array hands_moving_by_themselves{scripted_hand, circling_hand, replayed_hand};
 
 }  // namespace ghostforce

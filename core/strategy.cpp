@@ -10,7 +10,7 @@ double isotropic(const Stiffnesses&) noexcept {
 constexpr std::string_view full_sentence =
     "A motor for every direction: the wall feels as it should. The reference for the other two.";
 
-constexpr PerStrategy<Strategy> catalog{{
+constexpr PerStrategy<Strategy> catalog = std::to_array<Strategy>({
     {StrategyId::full, "full", 'F', "Fully actuated", full_sentence, full_sentence, full_sentence, true, isotropic},
     {StrategyId::naive, "naive", 'N', "Naïve",
      "One motor, rendered as if there were two: a ghost force drags the hand along the wall.",
@@ -25,7 +25,7 @@ constexpr PerStrategy<Strategy> catalog{{
      "needs: a ghost force remains.",
      "The cure: the same single motor, and a proxy that follows more softly across it. The ghost force is gone.", false,
      tracking_ratio},
-}};
+});
 
 }  // namespace
 

@@ -1,6 +1,6 @@
-// The catalog of rendering strategies: the one list that the tick, the window, the command line and the tests walk. A
-// new strategy is one more identifier and one more row in strategy.cpp, its colours (app/view/theme.cpp) and its key
-// (app/session/key_bindings.cpp). Immutable after start, any thread.
+// The catalog of rendering strategies: the one list that the tick, the window, the command line and the tests walk.
+// CONTRIBUTING.md says what a new one needs.
+// Immutable after start, any thread.
 #pragma once
 
 #include <array>
@@ -18,7 +18,8 @@ enum class StrategyId : std::uint8_t { full, naive, anisotropic };
 
 inline constexpr std::size_t strategy_count = 3;
 
-// One value per strategy, indexed by index_of().
+// One value per strategy, indexed by index_of(). A table of values is written with std::to_array(): then the compiler
+// refuses one that lacks a strategy.
 template <typename T>
 using PerStrategy = std::array<T, strategy_count>;
 

@@ -100,6 +100,38 @@ Scene load_scene_of(const TomlValue& named, const std::optional<TomlValue>& set,
   }
 }
 
+// Of a picture of that size; none where one of them is wrong.
+std::vector<PixelBox> read_mask(const TomlValue& mask, int width, int height) {
+  constexpr std::string_view need = "give rectangles [x, y, width, height] in pixels, as in [[0, 0, 200, 40]]";
+  constexpr std::size_t most = 100;  // a mask that says where pictures may differ, not a second picture
+  const std::size_t count = mask.count(need).value_or(0);
+  if (count > most) {
+    mask.refuse(fmt::format("has {} rectangles", count), fmt::format("give {} at most", most));
+    return {};
+  }
+  std::vector<PixelBox> boxes;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto numbers = mask[i].numbers<4>({.least = 0.0, .greatest = largest_picture, .whole = true}, need);
+    if (!numbers) continue;
+    const auto [x, y, box_width, box_height] = *numbers;
+    if (box_width == 0.0 || box_height == 0.0) {
+      mask[i].refuse("a rectangle has no pixels", "give a width and a height of 1 or more");
+    } else if (x + box_width > width || y + box_height > height) {
+      mask[i].refuse(fmt::format("the rectangle [{}, {}, {}, {}] leaves the picture, which has {}x{} pixels", x, y,
+                                 box_width, box_height, width, height),
+                     "give one within it");
+    } else {
+      boxes.push_back(
+          {static_cast<int>(x), static_cast<int>(y), static_cast<int>(box_width), static_cast<int>(box_height)});
+    }
+  }
+  if (boxes.size() < count) return {};
+  if (Mask(width, height, boxes).count() == std::int64_t{width} * height) {
+    mask.refuse("covers the whole picture, and nothing is left to compare", "leave some of it out");
+  }
+  return boxes;
+}
+
 // The keys of a step of a lesson, as they stand.
 struct LessonKeys {
   std::optional<std::string> lesson{};
@@ -194,6 +226,7 @@ void read_text(ReadCase& into, std::vector<ReadProblem>& problems) {
          request.width = static_cast<int>(*width);
          request.height = static_cast<int>(*height);
        }},
+      {"", "mask", [&](const TomlValue& value) { summary.mask = read_mask(value, request.width, request.height); }},
       {"", "part",
        [&](const TomlValue& value) { request.part = value.word(parts) == 1U ? Part::scene : Part::window; }},
       {"", "view",
@@ -238,13 +271,16 @@ void read_text(ReadCase& into, std::vector<ReadProblem>& problems) {
       {"golden", "renderer", origin(&GoldenOrigin::renderer)},
       {"golden", "mesa", origin(&GoldenOrigin::mesa)},
       {"golden", "version", origin(&GoldenOrigin::version)},
+      {"", "format", nullptr},  // may be missing: then it is 1
   };
   if (reader.parse(into.content.text)) {
-    if (!reader.find("", "scene") && (reader.find("", "format") || reader.has_table("wall"))) {
+    summary.has_tolerance = reader.has_table("tolerance");
+    const bool has_subject = reader.find("", "scene") || reader.find("", "lesson");
+    if (!has_subject && (reader.find("", "format") || reader.has_table("wall"))) {
       reader.refuse("this is a scene, not a case",
                     fmt::format("put scenes into a subfolder, and refer to them as in scene = \"scenes/{}\"",
                                 quoted_text(path.filename().string())));
-    } else {
+    } else if (!reader.find("", "format") || reader.has_known_format()) {
       if (reader.has_table("golden")) summary.origin.emplace();
       const std::optional<TomlValue> named = reader.find("", "lesson");
       if (named) keys.front().if_missing.reset();
@@ -303,7 +339,8 @@ CaseContent content_of(const Case& described) {
 }
 
 std::string_view expectation_name(Expectation expectation) noexcept {
-  return expectation == Expectation::match ? "match" : "mismatch";
+  constexpr std::array<std::string_view, 3> names{"golden", "match", "mismatch"};
+  return names[static_cast<std::size_t>(expectation)];
 }
 
 }  // namespace ghostforce

@@ -10,6 +10,7 @@
 
 #include "app/check/comparison.h"
 #include "app/check/golden_origin.h"
+#include "app/check/mask.h"
 #include "app/desktop/offscreen.h"
 #include "app/files/read_error.h"
 
@@ -30,6 +31,8 @@ struct Case {
   std::string other;        // name of the case that `expectation` speaks of
   ReadProblem other_place;  // where it is named
   Tolerance tolerance;
+  bool has_tolerance = false;  // the file states it
+  std::vector<PixelBox> mask;  // within the picture
   std::optional<GoldenOrigin> origin;
 
   std::string golden_path() const;
@@ -52,7 +55,7 @@ ReadCase read_case(const std::string& path, std::vector<ReadProblem>& problems);
 // As above; throws ReadError(wrong) too, where the file has been changed and is wrong now.
 CaseContent content_of(const Case& described);
 
-// "match" or "mismatch", as in the file.
+// "golden"; "match" or "mismatch", as in the file.
 std::string_view expectation_name(Expectation expectation) noexcept;
 
 }  // namespace ghostforce

@@ -18,6 +18,8 @@ using Pixel = std::array<std::uint8_t, 3>;
 constexpr Pixel over_colour{255, 0, 190};
 constexpr Pixel slight_colour{255, 165, 0};
 constexpr Pixel frame_colour{0, 90, 255};
+constexpr Pixel hatch_colour{150, 150, 150};
+constexpr int hatch_distance = 8;  // of one line from the next, across [px]
 // Between the frame and what it surrounds, so that it covers nothing that differs [px].
 constexpr int frame_distance = 5;
 
@@ -55,6 +57,10 @@ Pixel faded(const Image& image, int x, int y) {
   return {grey, grey, grey};
 }
 
+bool is_on_hatch(int x, int y) {
+  return (x + y) % hatch_distance == 0;
+}
+
 void put_frame(Image& image, const Comparison& around) {
   const int left = std::max(0, around.left - frame_distance);
   const int top = std::max(0, around.top - frame_distance);
@@ -77,11 +83,12 @@ void put_frame(Image& image, const Comparison& around) {
 
 }  // namespace
 
-Comparison compare_pictures(const Image& expected, const Image& actual, const Tolerance& tolerance) {
+Comparison compare_pictures(const Image& expected, const Image& actual, const Tolerance& tolerance, const Mask& mask) {
   Comparison result;
   result.has_one_size = expected.width == actual.width && expected.height == actual.height;
   if (!result.has_one_size) return result;
-  result.pixels = std::int64_t{actual.width} * actual.height;
+  result.masked = mask.count();
+  result.pixels = std::int64_t{actual.width} * actual.height - result.masked;
   if (expected == actual) return result;
   const bool are_opaque = expected.alpha.empty() && actual.alpha.empty();
   result.left = actual.width;
@@ -91,6 +98,7 @@ Comparison compare_pictures(const Image& expected, const Image& actual, const To
     const std::size_t begin = place_of(actual, 0, y);
     if (are_opaque && std::memcmp(&expected.rgb[begin], &actual.rgb[begin], row) == 0) continue;  // most are
     for (int x = 0; x < actual.width; ++x) {
+      if (mask.covers(x, y)) continue;
       const int difference = difference_at(expected, actual, x, y);
       result.greatest = std::max(result.greatest, difference);
       if (difference <= tolerance.channel) continue;
@@ -109,31 +117,40 @@ bool is_within(const Comparison& comparison, const Tolerance& tolerance) noexcep
 }
 
 std::string difference_words(const Comparison& comparison, const Tolerance& tolerance) {
+  const double all = static_cast<double>(comparison.pixels + comparison.masked);
+  const std::string end = comparison.masked == 0 ? ""
+                                                 : fmt::format("; {:.3g} % of the picture is masked",
+                                                               100.0 * static_cast<double>(comparison.masked) / all);
   if (comparison.over == 0) {
-    return comparison.greatest == 0
-               ? "no pixel differs"
-               : fmt::format("no pixel differs by more than {} of 255; the greatest difference is {}",
-                             tolerance.channel, comparison.greatest);
+    return (comparison.greatest == 0
+                ? "no pixel differs"
+                : fmt::format("no pixel differs by more than {} of 255; the greatest difference is {}",
+                              tolerance.channel, comparison.greatest)) +
+           end;
   }
   const std::string by = tolerance.channel == 0 ? "" : fmt::format("by more than {} of 255, ", tolerance.channel);
-  return fmt::format("{} of {} pixels ({:.3g} %) differ {}by up to {}, all of them in {}x{} pixels at x {}, y {}",
-                     comparison.over, comparison.pixels, 100.0 * comparison.share(), by, comparison.greatest,
-                     comparison.right - comparison.left + 1, comparison.bottom - comparison.top + 1, comparison.left,
-                     comparison.top);
+  const PixelBox box = comparison.box();
+  return fmt::format("{} of {} pixels ({:.3g} %) differ {}by up to {}, all of them in {}x{} pixels at x {}, y {}{}",
+                     comparison.over, comparison.pixels, 100.0 * comparison.share(), by, comparison.greatest, box.width,
+                     box.height, box.x, box.y, end);
 }
 
-Image difference_picture(const Image& expected, const Image& actual, const Tolerance& tolerance) {
+Image difference_picture(const Image& expected, const Image& actual, const Tolerance& tolerance, const Mask& mask) {
   Image picture{std::max(expected.width, actual.width), std::max(expected.height, actual.height), {}};
   picture.rgb.resize(place_of(picture, 0, picture.height));
   for (int y = 0; y < picture.height; ++y) {
     for (int x = 0; x < picture.width; ++x) {
+      if (mask.covers(x, y)) {
+        put(picture, x, y, is_on_hatch(x, y) ? hatch_colour : faded(actual, x, y));
+        continue;
+      }
       const bool is_in_both = has(expected, x, y) && has(actual, x, y);
       const int difference = is_in_both ? difference_at(expected, actual, x, y) : INT_MAX;
       const Pixel& differing = difference > tolerance.channel ? over_colour : slight_colour;
       put(picture, x, y, difference == 0 ? faded(actual, x, y) : differing);
     }
   }
-  if (const Comparison comparison = compare_pictures(expected, actual, tolerance); comparison.over > 0) {
+  if (const Comparison comparison = compare_pictures(expected, actual, tolerance, mask); comparison.over > 0) {
     put_frame(picture, comparison);
   }
   return picture;

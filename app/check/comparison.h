@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "app/check/mask.h"
 #include "app/files/image.h"
 
 namespace ghostforce {
@@ -16,7 +17,8 @@ struct Tolerance {
 
 struct Comparison {
   bool has_one_size = true;  // if not, nothing else was looked at
-  std::int64_t pixels = 0;
+  std::int64_t pixels = 0;   // that were compared: without those that are masked
+  std::int64_t masked = 0;
   std::int64_t over = 0;  // how many pixels have a channel that differs by more than the tolerance's
   int greatest = 0;       // difference of a channel anywhere
   // The rectangle around the pixels that are over, all four included [px]; of no meaning where there is none.
@@ -25,18 +27,23 @@ struct Comparison {
   int right = 0;
   int bottom = 0;
 
+  PixelBox box() const noexcept { return {left, top, right - left + 1, bottom - top + 1}; }
   double share() const noexcept { return pixels > 0 ? static_cast<double>(over) / static_cast<double>(pixels) : 0.0; }
 };
 
-Comparison compare_pictures(const Image& expected, const Image& actual, const Tolerance& tolerance);
+// `mask` is of the pictures' size.
+Comparison compare_pictures(const Image& expected, const Image& actual, const Tolerance& tolerance,
+                            const Mask& mask = {});
 
 bool is_within(const Comparison& comparison, const Tolerance& tolerance) noexcept;
 
-// "512 of 307200 pixels (0.167 %) differ by more than 2 of 255, by up to 90, all of them in 31x40 pixels at x 12, y 20"
+// "512 of 307200 pixels (0.167 %) differ by more than 2 of 255, by up to 90, all of them in 31x40 pixels at x 12, y 20";
+// and then, where there is a mask, "; 3.1 % of the picture is masked"
 std::string difference_words(const Comparison& comparison, const Tolerance& tolerance);
 
 // What both show, faded to greys; pixels over the tolerance's channel in magenta and inside a blue frame, smaller
-// differences in orange. As large as the larger of the two each way; what only one of them has counts as different.
-Image difference_picture(const Image& expected, const Image& actual, const Tolerance& tolerance);
+// differences in orange; hatched where masked. As large as the larger of the two each way; what only one of them has
+// counts as different.
+Image difference_picture(const Image& expected, const Image& actual, const Tolerance& tolerance, const Mask& mask = {});
 
 }  // namespace ghostforce

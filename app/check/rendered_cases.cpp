@@ -17,7 +17,9 @@ constexpr std::size_t most_kept_bytes = std::size_t{64} << 20;
 
 }  // namespace
 
-RenderedCases::RenderedCases(const std::vector<Case>& all, const std::vector<const Case*>& chosen) {
+RenderedCases::RenderedCases(const std::vector<Case>& all, const std::vector<const Case*>& chosen,
+                             std::optional<Renderer> renderer)
+    : renderer_(renderer) {
   const auto want = [&](const Case* wanted) {
     Entry& entry = entries_[wanted->name];
     entry.described = wanted;
@@ -52,7 +54,8 @@ RenderedCase RenderedCases::draw(const std::string& name) {
     kept_bytes_ -= drawn.image.rgb.size();
     return drawn;
   }
-  const PictureRequest request = content_of(*entry.described).request;
+  PictureRequest request = content_of(*entry.described).request;
+  request.renderer = renderer_;
   // A window of its own for each: what is drawn cannot depend on what was drawn before.
   Drawing drawing = draw_moment(request, simulate_to_moment(request));
   RenderedCase drawn{std::move(drawing.image), present_origin(drawing.graphics)};

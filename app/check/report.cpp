@@ -39,14 +39,16 @@ constexpr std::string_view page_name = "report.html";
 constexpr std::string_view junit_name = "junit.xml";
 
 struct PictureKind {
+  std::string_view word;
   std::string_view ending;
   std::string_view caption;
   std::optional<std::string> VerdictPictures::*bytes;
 };
 constexpr std::array<PictureKind, 3> picture_kinds{{
-    {"expected.png", "expected", &VerdictPictures::expected},
-    {"actual.png", "actual", &VerdictPictures::actual},
-    {"diff.png", "difference: magenta, inside the blue frame; orange where within the tolerance",
+    {"expected", "expected.png", "expected", &VerdictPictures::expected},
+    {"actual", "actual.png", "actual", &VerdictPictures::actual},
+    {"difference", "diff.png",
+     "difference: magenta, inside the blue frame; orange where within the tolerance; hatched where masked",
      &VerdictPictures::difference},
 }};
 
@@ -87,7 +89,7 @@ std::string section_about(const Verdict& verdict, std::size_t number) {
     html += fmt::format(
         "<figure><figcaption>{}</figcaption><a href=\"{}\"><img src=\"{}\" alt=\"{} picture of {}\">"
         "</a></figure>\n",
-        kind.caption, link, link, kind.ending.substr(0, kind.ending.find('.')), xml_text(verdict.name));
+        kind.caption, link, link, kind.word, xml_text(verdict.name));
   }
   return html + "</div>\n";
 }
@@ -149,8 +151,7 @@ std::string report_as_junit(const std::vector<Verdict>& verdicts, std::string_vi
 
 }  // namespace
 
-Report::Report(const std::string& to_folder)
-    : to_folder_(made(to_folder)), html_(path_of(page_name)), junit_(path_of(junit_name)) {}
+Report::Report(const std::string& to_folder) : to_folder_(made(to_folder)), html_(html_path()), junit_(junit_path()) {}
 
 bool Report::may_write(std::string_view path) {
   const std::string_view name = path.substr(path.rfind('/') + 1);
@@ -160,6 +161,23 @@ bool Report::may_write(std::string_view path) {
 
 std::string Report::path_of(std::string_view name) const {
   return (std::filesystem::path(to_folder_) / name).string();
+}
+
+std::string Report::html_path() const {
+  return path_of(page_name);
+}
+
+std::string Report::junit_path() const {
+  return path_of(junit_name);
+}
+
+std::vector<std::pair<std::string_view, std::string>> Report::pictures_of(const Verdict& verdict) const {
+  std::vector<std::pair<std::string_view, std::string>> pictures;
+  for (const PictureKind& kind : picture_kinds) {
+    if ((verdict.pictures.*kind.bytes).has_value())
+      pictures.emplace_back(kind.word, path_of(picture_name(verdict, kind)));
+  }
+  return pictures;
 }
 
 void Report::remove_picture(const std::string& path) const {

@@ -5,6 +5,7 @@
 #include <deque>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/check/verdict.h"
@@ -25,6 +26,11 @@ class Report {
   // Those pictures, report.html and junit.xml; of a case that passes, the three pictures are removed. Nothing else in
   // the folder is touched. `folder` is that of the cases.
   void write(const std::vector<Verdict>& verdicts, std::string_view folder);
+
+  // Of those pictures, those that there are, each as a word and a path: "expected", "actual" and "difference".
+  std::vector<std::pair<std::string_view, std::string>> pictures_of(const Verdict& verdict) const;
+  std::string html_path() const;
+  std::string junit_path() const;
 
   // Whether a file in the folder is called as if it were one of these.
   static bool may_write(std::string_view path);

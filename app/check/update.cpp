@@ -86,10 +86,11 @@ void add_file(std::deque<OutputFile>& files, const std::string& path, const std:
 
 }  // namespace
 
-std::vector<std::string> update_goldens(const std::vector<Case>& all, const std::vector<const Case*>& chosen) {
+std::vector<std::string> update_goldens(const std::vector<Case>& all, const std::vector<const Case*>& chosen,
+                                        std::optional<Renderer> renderer) {
   refuse_cases_without_golden(chosen);
   refuse_what_cannot_be_written(chosen);
-  RenderedCases rendered(all, chosen);
+  RenderedCases rendered(all, chosen, renderer);
   std::deque<OutputFile> files;
   std::vector<std::string> lines;
   Progress progress("drawing", static_cast<std::int64_t>(chosen.size()), true);

@@ -51,30 +51,41 @@ std::optional<Image> counterpart(const Case& checked, RenderedCases& rendered, V
   return std::nullopt;
 }
 
-std::string words_about(const Case& checked, const Comparison& comparison) {
-  const std::string words = difference_words(comparison, checked.tolerance);
+std::string words_about(const Case& checked, const Comparison& comparison, const Tolerance& tolerance) {
+  const std::string words = difference_words(comparison, tolerance);
   if (checked.expectation == Expectation::golden) return words;
   return fmt::format("compared with the picture of {}, which it must {}equal: {}", quoted_text(checked.other),
                      checked.expectation == Expectation::match ? "" : "not ", words);
 }
 
-void compare(const Case& checked, const Image& expected, const RenderedCase& drawn, Verdict& verdict) {
-  const Comparison comparison = compare_pictures(expected, drawn.image, checked.tolerance);
-  verdict.passes = is_within(comparison, checked.tolerance) == (checked.expectation != Expectation::mismatch);
-  verdict.reason = words_about(checked, comparison);
+void compare(const Case& checked, const Mask& mask, const Image& expected, const RenderedCase& drawn,
+             Verdict& verdict) {
+  const Comparison& comparison =
+      verdict.comparison.emplace(compare_pictures(expected, drawn.image, verdict.tolerance, mask));
+  verdict.passes = is_within(comparison, verdict.tolerance) == (checked.expectation != Expectation::mismatch);
+  verdict.reason = words_about(checked, comparison, verdict.tolerance);
   // No renderer changes a picture's size.
   if (!verdict.passes && checked.origin) verdict.remark = other_renderer_words(*checked.origin, drawn.origin);
 }
 
 }  // namespace
 
+bool is_for_graphics_card(const Case& checked, std::optional<Renderer> renderer, const GoldenOrigin& present) {
+  return renderer == Renderer::gpu && checked.expectation == Expectation::golden && !checked.has_tolerance &&
+         checked.origin && !other_renderer_words(*checked.origin, present).empty();
+}
+
 Verdict evaluate(const Case& checked, RenderedCases& rendered, std::string_view folder, bool wants_pictures) {
   const auto start = std::chrono::steady_clock::now();
   Verdict verdict;
   verdict.name = checked.name;
   const RenderedCase drawn = rendered.draw(checked.name);
+  verdict.drawn_by = drawn.origin;
   const std::optional<Image> expected = counterpart(checked, rendered, verdict);
-  if (expected) compare(checked, *expected, drawn, verdict);
+  verdict.is_lenient = is_for_graphics_card(checked, rendered.renderer(), drawn.origin);
+  verdict.tolerance = verdict.is_lenient ? graphics_card_tolerance : checked.tolerance;
+  const Mask mask(checked.width, checked.height, checked.mask);
+  if (expected) compare(checked, mask, *expected, drawn, verdict);
   if (!verdict.passes) {
     if (checked.expectation == Expectation::golden && kind_instead_of_file(checked.golden_path()).empty()) {
       verdict.remedy = update_command(folder, checked.name);
@@ -83,7 +94,7 @@ Verdict evaluate(const Case& checked, RenderedCases& rendered, std::string_view 
       verdict.pictures.actual = png_bytes(drawn.image);
       if (expected) {
         verdict.pictures.expected = png_bytes(*expected);
-        verdict.pictures.difference = png_bytes(difference_picture(*expected, drawn.image, checked.tolerance));
+        verdict.pictures.difference = png_bytes(difference_picture(*expected, drawn.image, verdict.tolerance, mask));
       }
     }
   }

@@ -6,9 +6,19 @@
 #include <string_view>
 
 #include "app/check/case_file.h"
+#include "app/check/comparison.h"
+#include "app/check/golden_origin.h"
 #include "app/check/rendered_cases.h"
 
 namespace ghostforce {
+
+// By --renderer gpu, for a golden that another renderer drew and a case without a tolerance of its own: graphics cards
+// round otherwise than Mesa's software renderer, most of all along edges. Ten times as many pixels as differ
+// by more with softpipe, Mesa's other software renderer.
+inline constexpr Tolerance graphics_card_tolerance{.channel = 16, .share = 0.0005};
+
+// Whether that applies; `present` drew the picture.
+bool is_for_graphics_card(const Case& checked, std::optional<Renderer> renderer, const GoldenOrigin& present);
 
 // Of a case that fails, as PNG files; no value where there is none.
 struct VerdictPictures {
@@ -20,10 +30,14 @@ struct VerdictPictures {
 struct Verdict {
   std::string name;
   bool passes = false;
-  bool is_file_trouble = false;  // the golden is there and cannot be read
-  std::string reason;            // one line; of a case that passes too: what was found
-  std::string remark;            // a probable cause; may be empty
-  std::string remedy;            // the command that updates the golden; empty where none does
+  bool is_file_trouble = false;          // the golden is there and cannot be read
+  bool is_lenient = false;               // graphics_card_tolerance was applied
+  Tolerance tolerance;                   // that was applied
+  std::string reason;                    // one line; of a case that passes too: what was found
+  std::string remark;                    // a probable cause; may be empty
+  std::string remedy;                    // the command that updates the golden; empty where none does
+  std::optional<Comparison> comparison;  // none: there was nothing to compare with
+  GoldenOrigin drawn_by;
   double duration_s = 0.0;
   VerdictPictures pictures;
 };

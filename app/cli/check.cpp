@@ -7,18 +7,21 @@
 #include <optional>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include "app/check/case_folder.h"
+#include "app/check/evaluation.h"
+#include "app/check/json_report.h"
 #include "app/check/report.h"
 #include "app/check/update.h"
-#include "app/check/verdict.h"
 #include "app/cli/check_lessons.h"
 #include "app/cli/command.h"
 #include "app/cli/lines.h"
+#include "app/cli/renderer_option.h"
 #include "app/console/did_you_mean.h"
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
@@ -37,6 +40,12 @@ struct CheckOptions {
   std::vector<std::string> only;
   std::vector<std::string> update;
   std::string report;
+  int jobs = 1;
+  bool json = false;
+  std::optional<Renderer> renderer;
+
+  // Whether there is nothing but paths.
+  bool is_plain() const { return only.empty() && update.empty() && report.empty() && jobs == 1 && !json && !renderer; }
 };
 
 // Where it cannot be read, that is said later.
@@ -71,10 +80,19 @@ void tell_of_failure(const Verdict& verdict) {
   if (!verdict.remedy.empty()) say("  if the new picture is right: {}\n", verdict.remedy);
 }
 
+void tell_of_leniency(const std::vector<Verdict>& verdicts) {
+  const auto count = std::ranges::count_if(verdicts, &Verdict::is_lenient);
+  if (count == 0) return;
+  say("{} of the goldens {} drawn by another renderer than this graphics card. Their cases state no tolerance, so "
+      "{:g} % of the pixels may differ by more than {} of 255: docs/check.md.\n",
+      count, count == 1 ? "was" : "were", 100.0 * graphics_card_tolerance.share, graphics_card_tolerance.channel);
+}
+
 int update(const CheckOptions& options) {
   const std::vector<Case> cases = read_case_folder(options.folder);
   Lines lines;
-  for (const std::string& line : update_goldens(cases, chosen_cases(cases, options.update, "--update"))) {
+  for (const std::string& line :
+       update_goldens(cases, chosen_cases(cases, options.update, "--update"), options.renderer)) {
     lines.write(line);
   }
   return static_cast<int>(ExitCode::done);
@@ -87,32 +105,38 @@ int check(const CheckOptions& options) {
   std::optional<Report> report;
   if (!options.report.empty()) report.emplace(options.report);
 
-  RenderedCases rendered(cases, chosen);
   Lines lines;
+  const auto write_line = [&](const std::string& line) {
+    if (!options.json) lines.write(line);
+  };
   std::vector<Verdict> verdicts;
   ExitCode end = ExitCode::done;
   std::size_t failed = 0;
   {
     Progress progress("checking", static_cast<std::int64_t>(chosen.size()), !lines.is_terminal());
-    for (const Case* const each : chosen) {
-      stop_if_interrupted();
-      verdicts.push_back(evaluate(*each, rendered, options.folder, report.has_value()));
-      Verdict& verdict = verdicts.back();
+    const Evaluation evaluation{.folder = options.folder,
+                                .wants_pictures = report.has_value(),
+                                .jobs = options.jobs,
+                                .renderer = options.renderer};
+    evaluate_all(cases, chosen, evaluation, [&](Verdict verdict) {
       if (report) report->take_pictures(verdict);
       const std::string name = quoted_text(verdict.name, longest_path);
-      lines.write(verdict.passes ? fmt::format("pass {}", name) : fmt::format("FAIL {}  {}", name, verdict.reason));
+      write_line(verdict.passes ? fmt::format("pass {}", name) : fmt::format("FAIL {}  {}", name, verdict.reason));
       if (!verdict.passes) ++failed;
       if (!verdict.passes && end == ExitCode::done) end = ExitCode::answer_is_no;
       if (verdict.is_file_trouble) end = ExitCode::file_trouble;
+      verdicts.push_back(std::move(verdict));
       progress.at(static_cast<std::int64_t>(verdicts.size()));
-    }
+    });
   }
   stop_if_interrupted();
   if (report) report->write(verdicts, options.folder);
-  lines.write(fmt::format("{} cases, {} failed", verdicts.size(), failed));
+  write_line(fmt::format("{} cases, {} failed", verdicts.size(), failed));
+  if (options.json) lines.write(report_as_json(chosen, verdicts, options.folder, report ? &*report : nullptr));
   for (const Verdict& verdict : verdicts) {
     if (!verdict.passes) tell_of_failure(verdict);
   }
+  tell_of_leniency(verdicts);
   return static_cast<int>(end);
 }
 
@@ -138,8 +162,10 @@ int check_any(CheckOptions& options) {
     throw Failure(ExitCode::wrong_call, "check takes either one folder of cases or lessons; call it once for each");
   }
   if (are_all_lessons) {
-    if (options.only.empty() && options.update.empty() && options.report.empty()) return check_lessons(options.paths);
-    throw Failure(ExitCode::wrong_call, "--only, --update and --report are for a folder of cases; leave them out");
+    if (options.is_plain()) return check_lessons(options.paths);
+    throw Failure(
+        ExitCode::wrong_call,
+        "--only, --update, --report, --jobs, --json and --renderer are for a folder of cases; leave them out");
   }
   options.folder = options.paths.front();
   return options.update.empty() ? check(options) : update(options);
@@ -155,12 +181,13 @@ std::function<int()> attach_check(CLI::App& command, FileOptions& files) {
                       "The folder with the cases, each a NAME.toml with its golden NAME.png; or lessons, each a .toml "
                       "file or the name of a shipped one")
           ->type_name("")
-          ->required(),
+          ->required()
+          ->check(suggests(shipped_lesson_names())),
       files_read);
-  CLI::Option* const only = command.add_option("--only", options->only, "Check only these cases")->type_name("NAME...");
+  CLI::Option* const only = command.add_option("--only", options->only, "Check only these cases")->type_name("NAME");
   CLI::Option* const update_option =
       command.add_option("--update", options->update, "Store new goldens for these cases, and check nothing")
-          ->type_name("NAME...")
+          ->type_name("NAME")
           ->excludes(only);
   files.writes(command
                    .add_option("--report", options->report,
@@ -175,6 +202,13 @@ std::function<int()> attach_check(CLI::App& command, FileOptions& files) {
                  }
                  return paths;
                });
+  command.add_option("--jobs", options->jobs, "Draw in so many processes at once")
+      ->type_name("N")
+      ->check(whole_number_between(1, most_jobs))
+      ->excludes(update_option);
+  command.add_flag("--json", options->json, "Print one JSON document for programs instead of lines")
+      ->excludes(update_option);
+  attach_renderer(command, options->renderer);
   command.footer(
       "A case, NAME.toml (only scene is required):\n"
       "  scene = \"wall45\"            # a shipped scene, or a path relative to this file\n"
@@ -186,6 +220,7 @@ std::function<int()> attach_check(CLI::App& command, FileOptions& files) {
       "  theme = \"light\"\n"
       "  scale = 1.0\n"
       "  set = [\"wall.normal_deg=120\"]\n"
+      "  mask = [[0, 0, 200, 40]]    # x, y, width, height of what is not compared, in pixels\n"
       "  match = \"OTHER\"             # or mismatch: (un)equal to another case's picture, instead of a golden\n"
       "  [tolerance]                 # default: exact\n"
       "  channel = 2                 # greatest difference of a channel that counts as none, 0-255\n"
@@ -197,6 +232,7 @@ std::function<int()> attach_check(CLI::App& command, FileOptions& files) {
       "\n"
       "Examples:\n"
       "  ghostforce check pictures --report report\n"
+      "  ghostforce check pictures --jobs 4 --json\n"
       "  ghostforce check my-lesson.toml\n"
       "  ghostforce check pictures --update wall45-naive");
   return [options] { return check_any(*options); };

@@ -7,7 +7,6 @@
 #include <fmt/core.h>
 #include <CLI/CLI.hpp>
 
-#include "app/console/did_you_mean.h"
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
 #include "app/console/progress.h"
@@ -15,6 +14,7 @@
 #include "app/console/typed_text.h"
 #include "app/files/run_file.h"
 #include "app/files/scene_file.h"
+#include "app/files/scene_keys.h"
 #include "app/set_up/position_text.h"
 #include "core/simulate.h"
 
@@ -37,7 +37,8 @@ void SceneOptions::attach(CLI::App& command, FileOptions& files, bool scene_requ
       files.reads(command
                       .add_option("SCENE", scene,
                                   "Path of a scene file, or name of a shipped scene; 'ghostforce --help' lists them")
-                      ->type_name(""),
+                      ->type_name("")
+                      ->check(suggests(shipped_scene_names())),
                   [](const std::string& word) {
                     const std::vector<std::string_view> shipped = shipped_scene_names();
                     const bool is_shipped = std::ranges::find(shipped, word) != shipped.end();
@@ -49,8 +50,10 @@ void SceneOptions::attach(CLI::App& command, FileOptions& files, bool scene_requ
     option->default_str(scene);
   }
   repeatable(
-      command.add_option("--set", overrides, "Set a key of the scene, e.g. rendering.k_r_N_per_m=800; may be repeated")
-          ->type_name("KEY=VALUE"));
+      command
+          .add_option("--set", overrides, "Set a key of the scene, as in rendering.k_r_N_per_m=800; may be repeated")
+          ->type_name("KEY=VALUE")
+          ->check(suggests_keys()));
 }
 
 bool SceneOptions::is_named() const {
@@ -61,8 +64,10 @@ Scene SceneOptions::load() const {
   return load_scene(scene, overrides);
 }
 
-WordCheck one_of(std::vector<std::string_view> words) {
-  return [words = std::move(words)](const std::string& word) { return not_one_of(word, words); };
+CLI::Validator suggests_keys() {
+  std::vector<std::string> keys;
+  for (const SceneKey& key : scene_keys()) keys.push_back(dotted_name(key) + "=");
+  return suggests({keys.begin(), keys.end()});
 }
 
 WordCheck number_between(double least, double greatest, std::string unit) {
@@ -79,6 +84,13 @@ WordCheck whole_number_from(int least) {
   return [least](const std::string& text) -> std::string {
     if (const auto number = number_in<int>(text); number && *number >= least) return {};
     return fmt::format("'{}' is not a whole number, {} or more", quoted_text(text), least);
+  };
+}
+
+WordCheck whole_number_between(int least, int greatest) {
+  return [least, greatest](const std::string& text) -> std::string {
+    if (const auto number = number_in<int>(text); number && *number >= least && *number <= greatest) return {};
+    return fmt::format("'{}' is not a whole number from {} to {}", quoted_text(text), least, greatest);
   };
 }
 

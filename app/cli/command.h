@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/cli/offered_words.h"
 #include "app/cli/overwrite_guard.h"
 #include "app/files/output_file.h"
 #include "app/files/scene_file.h"
@@ -31,6 +32,7 @@ AttachCommand attach_replay;
 AttachCommand attach_measure_user;
 AttachCommand attach_check;
 AttachCommand attach_doctor;
+AttachCommand attach_help;
 
 struct Command {
   std::string_view name;
@@ -58,13 +60,14 @@ struct SceneOptions {
 // What is wrong with a word that a person typed, as a sentence; empty: nothing.
 using WordCheck = std::function<std::string(const std::string& word)>;
 
-// An option's value must be one of these words; if not, the nearest is named.
-WordCheck one_of(std::vector<std::string_view> words);
+// An option's value begins with a key of the scene and "=".
+CLI::Validator suggests_keys();
 
 // An option's value must be a number between these, both ends included; `unit` is for the message. It lets no NaN
 // through.
 WordCheck number_between(double least, double greatest, std::string unit);
 WordCheck whole_number_from(int least);
+WordCheck whole_number_between(int least, int greatest);
 
 // The option may be given again and again, with one value each time.
 CLI::Option* repeatable(CLI::Option* option);

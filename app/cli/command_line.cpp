@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <map>
 #include <memory>
 #include <string_view>
 #include <utility>
@@ -11,48 +10,16 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/command.h"
-#include "app/cli/overwrite_guard.h"
+#include "app/cli/command_tree.h"
+#include "app/cli/version.h"
 #include "app/console/did_you_mean.h"
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
+#include "app/desktop/renderer_examination.h"
 #include "app/files/scene_file.h"
-#include "ghostforce_version.h"
 
 namespace ghostforce {
 namespace {
-
-constexpr std::string_view program = "ghostforce";
-
-// What is meant where no command is named.
-constexpr std::string_view default_command = "run";
-
-constexpr std::string_view description =
-    "See, feel and measure the ghost forces that ordinary rendering of virtual walls makes on underactuated\nhaptic "
-    "devices, and the anisotropic tracking stiffness that removes them.\n";
-
-constexpr std::string_view more_help =
-    "The default command is run: 'ghostforce fig1' opens the window with the scene fig1.\n"
-    "'ghostforce COMMAND --help' describes a command.\n"
-    "\n"
-    "SCENE is the path of a scene file, or the name of a shipped scene:\n"
-    "  {}\n"
-    "\n"
-    "Data go to standard output, messages to standard error. Exit codes:\n"
-    "  0  done\n"
-    "  1  ran, and the answer is no: pictures differ, a replay diverged, no reading\n"
-    "  2  wrong arguments, or an error in an input file\n"
-    "  3  no such device plugged in\n"
-    "  4  device seen, but not allowed or busy\n"
-    "  5  firmware or homing failed\n"
-    "  6  no display, or no usable OpenGL\n"
-    "  7  stopped by a safety limit\n"
-    "  8  a file cannot be read or written, or memory is short\n"
-    " 70  a bug in this program: please report it\n"
-    "130  interrupted\n"
-    "\n"
-    "Examples:\n"
-    "  ghostforce equilibrium fig3-normal\n"
-    "  ghostforce simulate wall45 --strategy all -o run.csv";
 
 bool is_option(std::string_view word) noexcept {
   return word.starts_with('-') && word != "-";
@@ -92,8 +59,8 @@ CLI::App* named_command(const CLI::App& app) {
 }
 
 std::string help_call(const CLI::App* command) {
-  return command == nullptr ? fmt::format("{} --help", program)
-                            : fmt::format("{} {} --help", program, command->get_name());
+  return command == nullptr ? fmt::format("{} --help", program_name)
+                            : fmt::format("{} {} --help", program_name, command->get_name());
 }
 
 // A word that no option and no argument of the command is for.
@@ -139,35 +106,24 @@ std::function<int()> printing(std::string text) {
 std::function<int()> parse_command_line(std::vector<std::string> words) {
   insert_default_command(words);
 
-  // Commands look at their options once more when they run.
-  const auto app = std::make_shared<CLI::App>(std::string(description), std::string(program));
-  app->set_help_flag("-h,--help", "Print this help and exit");
-  app->set_version_flag("--version", fmt::format("{} {}", program, version), "Print the program's version and exit");
-  app->require_subcommand(1);
-  app->footer(fmt::format(more_help, listed(shipped_scene_names())));
-  struct Action {
-    FileOptions files;
-    std::function<int()> act;
-  };
-  std::map<const CLI::App*, Action> actions;
-  for (const Command& command : command_catalog()) {
-    CLI::App* const subcommand = app->add_subcommand(std::string(command.name), std::string(command.sentence));
-    Action& action = actions[subcommand];
-    action.act = command.attach(*subcommand, action.files);
-  }
-
+  const std::shared_ptr<CommandTree> tree = make_command_tree();
+  CLI::App& app = tree->app;
   std::reverse(words.begin(), words.end());  // as CLI11 wants them
   try {
-    app->parse(words);
+    app.parse(words);
   } catch (const CLI::CallForHelp&) {
-    const CLI::App* const command = named_command(*app);
-    return printing(command == nullptr ? app->help() : command->help(std::string(program)));
-  } catch (const CLI::CallForVersion& asked) {
-    return printing(fmt::format("{}\n", asked.what()));
+    const CLI::App* const command = named_command(app);
+    return printing(command == nullptr ? app.help() : command->help(std::string(program_name)));
+  } catch (const CLI::CallForVersion&) {
+    return [] {
+      print(version_words(default_renderer_words()));
+      return static_cast<int>(ExitCode::done);
+    };
   } catch (const CLI::ParseError& error) {
-    refuse(*app, error);
+    refuse(app, error);
   }
-  return [app, action = actions.at(named_command(*app))] {
+  return [tree] {
+    const CommandTree::Action& action = tree->actions.at(named_command(tree->app));
     refuse_to_overwrite(action.files.list());
     return action.act();
   };

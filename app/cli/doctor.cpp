@@ -23,6 +23,7 @@
 #include "app/console/interruption.h"
 #include "app/console/quoted.h"
 #include "app/console/words.h"
+#include "app/desktop/renderer_examination.h"
 #include "app/doctor/diagnosis.h"
 #include "app/doctor/examination.h"
 #include "app/doctor/measure/measure_command.h"
@@ -98,6 +99,15 @@ class LiveLine {
   std::chrono::steady_clock::time_point next_{};
 };
 
+std::vector<RendererState> renderer_states() {
+  std::vector<RendererState> states;
+  for (const RendererFinding& finding : examine_renderers()) {
+    states.push_back(
+        {std::string(entry_of(finding.renderer).name), finding.is_there, finding.is_default, finding.words});
+  }
+  return states;
+}
+
 int doctor(const DoctorOptions& options) {
   if (options.install_udev) {
     install_udev_rule(options.is_udev_announced);
@@ -118,7 +128,8 @@ int doctor(const DoctorOptions& options) {
     throw Failure(ExitCode::wrong_call, "-o and --calibration are for a measurement; add --measure");
   }
   Diagnosis diagnosis;
-  HidSpaceMouseInput spacemouse;  // looks for one meanwhile
+  diagnosis.renderers = renderer_states();  // while there is one thread
+  HidSpaceMouseInput spacemouse;            // looks for one meanwhile
   const auto began = std::chrono::steady_clock::now();
   diagnosis.firmware = options.falcon.read_firmware_file();
   const InputOptions input_options = options.falcon.input_options(diagnosis.firmware);

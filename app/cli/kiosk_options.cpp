@@ -1,7 +1,7 @@
 #include "app/cli/kiosk_options.h"
 
-#include <array>
 #include <string_view>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -14,21 +14,23 @@ namespace ghostforce {
 namespace {
 
 constexpr std::string_view lessons_say = "the lessons say what is on the stage";
-constexpr std::string_view visitors_move = "visitors move the hand themselves";
 
-constexpr std::array beside_kiosk{
-    Contradiction{"SCENE", "", lessons_say},
-    Contradiction{"--set", "", lessons_say},
-    Contradiction{"--goal-mm", "", lessons_say},
-    Contradiction{"--strategy", "", lessons_say},
-    Contradiction{"--mode", "", lessons_say},
-    Contradiction{"--view", face_name(Face::workbench), "visitors see the stage only"},
-    Contradiction{"--record", "", "nothing of a visit is stored"},
-    Contradiction{"--shader-dir", "", "visitors must not see what is wrong with a shader"},
-    Contradiction{"--input", scripted_hand.name, visitors_move},
-    Contradiction{"--input", circling_hand.name, visitors_move},
-    Contradiction{"--input", replayed_hand.name, visitors_move},
-};
+std::vector<Contradiction> beside_kiosk() {
+  std::vector<Contradiction> list{
+      Contradiction{"SCENE", "", lessons_say},
+      Contradiction{"--set", "", lessons_say},
+      Contradiction{"--goal-mm", "", lessons_say},
+      Contradiction{"--strategy", "", lessons_say},
+      Contradiction{"--mode", "", lessons_say},
+      Contradiction{"--view", face_name(Face::workbench), "visitors see the stage only"},
+      Contradiction{"--record", "", "nothing of a visit is stored"},
+      Contradiction{"--shader-dir", "", "visitors must not see what is wrong with a shader"},
+  };
+  for (const InputChoice& hand : hands_moving_by_themselves) {
+    list.push_back({"--input", hand.name, "visitors move the hand themselves"});
+  }
+  return list;
+}
 
 }  // namespace
 
@@ -41,7 +43,7 @@ void KioskOptions::attach(CLI::App& command) {
 }
 
 void KioskOptions::refuse_contradictions() const {
-  if (is_on) ghostforce::refuse_contradictions(*command_, "--kiosk", beside_kiosk);
+  if (is_on) ghostforce::refuse_contradictions(*command_, "--kiosk", beside_kiosk());
 }
 
 std::vector<std::shared_ptr<const Lesson>> KioskOptions::lessons(const std::shared_ptr<const Lesson>& asked_for) const {

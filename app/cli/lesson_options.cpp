@@ -25,7 +25,8 @@ void attach_language(CLI::App& command, std::string& language, std::string_view 
                   fmt::format("The language of the stage and of lessons, as two letters: {}, or another that the "
                               "lesson has; default: {}",
                               listed(languages_with({})), usual_language))
-      ->type_name("CODE");
+      ->type_name("CODE")
+      ->check(suggests(languages_with({})));
 }
 
 std::string language_wanted(const std::string& asked_for, const std::string& kept,
@@ -39,7 +40,8 @@ std::string language_wanted(const std::string& asked_for, const std::string& kep
 
 void LessonOptions::attach(CLI::App& command, FileOptions& files, std::string_view usual_language) {
   files.reads(command.add_option("--lesson", name, "A lesson that comes with the program, or the path of one")
-                  ->type_name("NAME|FILE"),
+                  ->type_name("NAME|FILE")
+                  ->check(suggests(shipped_lesson_names())),
               files_of_lesson);
   attach_language(command, language, usual_language);
 }

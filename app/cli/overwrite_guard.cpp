@@ -55,7 +55,7 @@ void refuse_equal_outputs(std::span<const FileOption> options) {
 }  // namespace
 
 CLI::Option* FileOptions::add(FileOption::Use use, CLI::Option* option, const FilesOf& files) {
-  list_.push_back({use, option->get_name(), [option, files] {
+  list_.push_back({use, option, option->get_name(), [option, files] {
                      if (!files) return option->results();
                      std::vector<std::string> paths;
                      for (const std::string& word : option->results())

@@ -18,6 +18,7 @@ namespace ghostforce {
 struct FileOption {
   enum class Use { input, output };
   Use use;
+  const CLI::Option* option;
   std::string name;  // of the option, for messages
   std::function<std::vector<std::string>()> paths;
 };

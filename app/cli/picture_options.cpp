@@ -20,8 +20,9 @@ void PictureOptions::attach(CLI::App& command, bool with_all) {
       ->check(one_of(strategies));
   command
       .add_option("--view", view,
-                  with_all ? "stage: what the window opens with; workbench: panels and numbers; default: workbench"
-                           : "stage or workbench; default: the one used last, at first the stage")
+                  with_all
+                      ? "stage, what the window opens with, or workbench, with panels and numbers; default: workbench"
+                      : "stage or workbench; default: the one used last, at first the stage")
       ->type_name("FACE")
       ->check(one_of(names_of(face_catalog)));
   command.add_option("--mode", mode, "A mode of the stage: predict, why, landscape, round or ribbon; default: none")

@@ -15,6 +15,7 @@
 #include "app/cli/contradictions.h"
 #include "app/cli/lesson_options.h"
 #include "app/cli/picture_options.h"
+#include "app/cli/renderer_option.h"
 #include "app/console/failure.h"
 #include "app/console/progress.h"
 #include "app/console/quoted.h"
@@ -56,6 +57,7 @@ struct RenderOptions {
   LessonOptions lesson;
   std::optional<int> step;    // of the lesson, from 1
   std::optional<int> answer;  // of that step, from 1
+  std::optional<Renderer> renderer;
 };
 
 void apply_size(const std::string& text, PictureRequest& request) {
@@ -85,6 +87,7 @@ PictureRequest request_of(const RenderOptions& options) {
   apply_size(options.size, request);
   request.scene = options.scene.load();
   request.at_s = options.at_s;
+  request.renderer = options.renderer;
   request.face = options.picture.face_or(Face::workbench);
   request.mode = options.picture.stage_mode();
   request.part = options.part == "scene" || vector_format_of(options.output) ? Part::scene : Part::window;
@@ -113,6 +116,14 @@ void refuse_window_as_vectors(const RenderOptions& options) {
       fmt::format(
           "--part window: panels are drawn in pixels, so {} cannot contain them; leave out --part, or write a .png",
           quoted_text(options.output, longest_path)));
+}
+
+// Cairo draws them.
+void refuse_renderer_for_vectors(const RenderOptions& options) {
+  if (!options.renderer || !vector_format_of(options.output)) return;
+  throw Failure(ExitCode::wrong_call,
+                fmt::format("--renderer {}: SVG and PDF are drawn without OpenGL; leave it out, or write a .png",
+                            entry_of(*options.renderer).name));
 }
 
 struct Rendering {
@@ -156,6 +167,7 @@ int render_clip(const RenderOptions& options, const PictureRequest& request) {
 
 int render(const RenderOptions& options) {
   if (!options.clip) refuse_window_as_vectors(options);
+  refuse_renderer_for_vectors(options);
   refuse_all_on_stage(options);
   const PictureRequest request = request_of(options);
   if (options.clip) return render_clip(options, request);
@@ -192,7 +204,7 @@ std::function<int()> attach_render(CLI::App& command, FileOptions& files) {
       ->type_name("WxH");
   command
       .add_option("--part", options->part,
-                  "window: scene, panels and bars; scene: the scene alone; default: window, but scene for SVG and PDF")
+                  "window, with panels and bars, or scene, alone; default: window, but scene for SVG and PDF")
       ->type_name("PART")
       ->check(one_of({"window", "scene"}));
   options->picture.attach(command, true);
@@ -229,8 +241,9 @@ std::function<int()> attach_render(CLI::App& command, FileOptions& files) {
       ->type_name("K")
       ->needs(lesson)
       ->check(whole_number_from(1));
+  attach_renderer(command, options->renderer);
   command.footer(
-      "No display is needed, and the same call always gives the same bytes.\n"
+      "No display is needed, and the same call always gives the same bytes, but for --renderer gpu.\n"
       "\n"
       "Examples:\n"
       "  ghostforce render wall45 -o wall45.png\n"

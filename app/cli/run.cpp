@@ -22,6 +22,7 @@
 #include "app/cli/lesson_options.h"
 #include "app/cli/reading_aloud.h"
 #include "app/cli/set_up_options.h"
+#include "app/console/did_you_mean.h"
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
 #include "app/console/quoted.h"
@@ -69,18 +70,20 @@ std::string replay_begins() {
   return fmt::format("{}:", replay_kind.name);
 }
 
-// Either the name of an input, or replay and the recording.
-WordCheck an_input() {
+// Of all inputs; `replay` stands for the one that replays a recording.
+std::vector<std::string_view> input_names(std::string_view replay) {
   std::vector<std::string_view> names;
   for (const InputKind& kind : desktop_inputs()) {
     if (!kind.needs_recording) names.push_back(kind.name);
   }
-  names.push_back("replay:FILE");
-  const WordCheck is_name = one_of(names);
-  return [is_name](const std::string& word) -> std::string {
-    if (word == replay_kind.name || word == replay_begins()) return "give the recording too: --input replay:FILE";
-    return word.starts_with(replay_begins()) ? std::string() : is_name(word);
-  };
+  names.push_back(replay);
+  return names;
+}
+
+// Either the name of an input, or replay and the recording.
+std::string refuse_other_than_input(const std::string& word) {
+  if (word == replay_kind.name || word == replay_begins()) return "give the recording too: --input replay:FILE";
+  return word.starts_with(replay_begins()) ? std::string() : not_one_of(word, input_names("replay:FILE"));
 }
 
 // A recording grows while the program runs, and words go to the terminal beside it.
@@ -243,11 +246,12 @@ std::function<int()> attach_run(CLI::App& command, FileOptions& files) {
   options->set_up.attach(command, files);
   files.reads(command
                   .add_option("--input", options->input,
-                              "What moves the goal: mouse; script, the scene's scripted hand; circle, round a circle "
-                              "inside the wall; spacemouse; falcon; virtual-falcon, a rehearsal; or replay:FILE, a "
-                              "recording, with its own scene unless you name one; default: mouse")
+                              "What moves the goal: mouse, script (the scene's scripted hand), circle (round a circle "
+                              "inside the wall), spacemouse, falcon, virtual-falcon (a rehearsal) or replay:FILE (a "
+                              "recording, with its own scene unless you name one); default: mouse")
                   ->type_name("NAME")
-                  ->check(an_input()),
+                  ->check(refuse_other_than_input)
+                  ->check(suggests(input_names(replay_begins()))),
               [](const std::string& word) {
                 return word.starts_with(replay_begins()) ? std::vector{word.substr(replay_begins().size())}
                                                          : std::vector<std::string>{};

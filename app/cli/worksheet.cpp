@@ -84,7 +84,8 @@ std::function<int()> attach_worksheet(CLI::App& command, FileOptions& files) {
   files.reads(command
                   .add_option("LESSON", options->lessons,
                               "Lessons that come with the program, or paths of others; default: all that come with it")
-                  ->type_name(""),
+                  ->type_name("")
+                  ->check(suggests(shipped_lesson_names())),
               files_of_lesson);
   files.writes(
       command.add_option("-o,--output", options->output, "The PDF to write, whole or not at all; - is standard output")

@@ -10,14 +10,14 @@ namespace ghostforce {
 
 enum class ExitCode : int {
   done = 0,
-  answer_is_no = 1,    // ran, and the answer is no: pictures differ, a replay diverged, no reading
-  wrong_call = 2,      // wrong arguments, or a file that says something wrong
-  device_absent = 3,   // no such device plugged in
-  device_refused = 4,  // seen, but not allowed or busy
-  device_failed = 5,   // firmware or homing failed
-  no_display = 6,      // no display, or no usable OpenGL
-  safety_stop = 7,     // stopped by a safety limit
-  file_trouble = 8,    // a file cannot be read or written, or memory is short
+  answer_is_no = 1,
+  wrong_call = 2,
+  device_absent = 3,
+  device_refused = 4,
+  device_failed = 5,
+  no_display = 6,
+  safety_stop = 7,
+  file_trouble = 8,
   bug = 70,
   interrupted = 130,
 };

@@ -1,19 +1,12 @@
 #include "app/desktop/glfw_window.h"
 
-#include <glad/gl.h>
-
 #include <GLFW/glfw3.h>
-#include <fmt/format.h>
 #include <imgui_impl_glfw.h>
 
 #include <cmath>
-#include <cstdlib>
 
-#include "app/console/failure.h"
 #include "app/desktop/display_loss.h"
-#include "app/desktop/drawing_memory.h"
 #include "app/desktop/monitors.h"
-#include "app/desktop/offscreen_driver.h"
 #include "app/session/keys.h"
 
 // ImGui's OpenGL backend has a loader of its own that looks into libGL, where it finds nothing under OSMesa. This is
@@ -21,99 +14,11 @@
 extern "C" int imgl3wInit2(void (*(*)(const char*))());
 
 namespace ghostforce {
-namespace {
-
-std::string last_glfw_error() {
-  const char* description = nullptr;
-  glfwGetError(&description);
-  return description != nullptr ? description : "no reason given";
-}
-
-constexpr const char* offscreen_advice =
-    "pictures can be made without a display: ghostforce render wall45 -o wall45.png";
-
-// What the machine has when it does not have OpenGL 3.3, for the error message.
-std::string describe_lesser_opengl() {
-  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 1);
-  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 0);
-  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_ANY_PROFILE);
-  glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
-  GLFWwindow* window = glfwCreateWindow(16, 16, "", nullptr, nullptr);
-  if (window == nullptr) return "no OpenGL at all (" + last_glfw_error() + ")";
-  glfwMakeContextCurrent(window);
-  // glGetString is older than every loader's minimum version, so it is asked for by hand.
-  using GetString = const unsigned char* (*)(unsigned int);
-  const auto get_string = reinterpret_cast<GetString>(glfwGetProcAddress("glGetString"));
-  const auto text = [&](unsigned int name) {
-    const unsigned char* value = get_string != nullptr ? get_string(name) : nullptr;
-    return value != nullptr ? reinterpret_cast<const char*>(value) : "unknown";
-  };
-  std::string description = fmt::format("OpenGL {} on {}", text(GL_VERSION), text(GL_RENDERER));
-  glfwDestroyWindow(window);
-  return description;
-}
-
-GLFWwindow* create_window(const WindowOptions& options) {
-  glfwDefaultWindowHints();
-  if (options.offscreen) glfwWindowHint(GLFW_CONTEXT_CREATION_API, GLFW_OSMESA_CONTEXT_API);
-  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
-  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
-  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-  glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-  glfwWindowHintString(GLFW_X11_CLASS_NAME, "ghostforce");
-  glfwWindowHintString(GLFW_WAYLAND_APP_ID, "ghostforce");
-  WindowSize size{options.width, options.height};
-  if (options.fits_monitor) size = fitted(size);
-  GLFWwindow* window = glfwCreateWindow(size.width, size.height, options.title.c_str(), nullptr, nullptr);
-  if (window != nullptr) return window;
-  const std::string reason = last_glfw_error();
+GlfwWindow::GlfwWindow(const WindowOptions& options) : opengl_(OpenGlWindow::open(options)) {
   if (options.offscreen) {
-    throw Failure(ExitCode::no_display,
-                  fmt::format("cannot draw offscreen: {} (there is {}); this needs OSMesa with OpenGL 3.3, Debian's "
-                              "package libosmesa6",
-                              reason, describe_lesser_opengl()));
-  }
-  throw Failure(ExitCode::no_display, fmt::format("the window needs OpenGL 3.3, but there is {} ({}); a newer graphics "
-                                                  "driver may help, and {}",
-                                                  describe_lesser_opengl(), reason, offscreen_advice));
-}
-
-}  // namespace
-
-GlfwWindow::Library::Library(const WindowOptions& options) {
-  const bool offscreen = options.offscreen;
-  if (offscreen) choose_offscreen_driver();
-  make_room_for_drawing(options.width, options.height,
-                        offscreen ? "make the picture smaller, or an .svg or .pdf" : "close other programs");
-  // Asking for Wayland where there is none makes its library complain on stderr.
-  const int on_display = std::getenv("WAYLAND_DISPLAY") != nullptr ? GLFW_ANY_PLATFORM : GLFW_PLATFORM_X11;
-  glfwInitHint(GLFW_PLATFORM, offscreen ? GLFW_PLATFORM_NULL : on_display);
-  if (glfwInit() == GLFW_TRUE) {
-    watch_display();
-    return;
-  }
-  const std::string reason = last_glfw_error();
-  glfwTerminate();
-  throw Failure(ExitCode::no_display,
-                fmt::format("there is no display to open a window on ({}); {}", reason, offscreen_advice));
-}
-
-GlfwWindow::Library::~Library() {
-  glfwTerminate();
-}
-
-void GlfwWindow::Destroy::operator()(GLFWwindow* window) const {
-  glfwDestroyWindow(window);
-}
-
-GlfwWindow::GlfwWindow(const WindowOptions& options) : library_(options), window_(create_window(options)) {
-  glfwMakeContextCurrent(handle());
-  if (gladLoadGL(glfwGetProcAddress) < GLAD_MAKE_VERSION(3, 3)) {
-    throw Failure(ExitCode::no_display, fmt::format("the driver offers OpenGL 3.3, but it cannot be loaded: {}",
-                                                    glGetString != nullptr ? graphics_description() : "unknown"));
-  }
-  glfwSwapInterval(options.offscreen ? 0 : 1);
-  if (!options.offscreen) {
+    fit_canvas();
+  } else {
+    glfwSwapInterval(1);
     glfwSetWindowSizeLimits(handle(), least_window_width, least_window_height, GLFW_DONT_CARE, GLFW_DONT_CARE);
   }
   glfwSetWindowUserPointer(handle(), this);
@@ -128,7 +33,7 @@ GlfwWindow::GlfwWindow(const WindowOptions& options) : library_(options), window
   glfwSetDropCallback(handle(), on_drop);
   glfwSetWindowSizeCallback(handle(), on_resize);  // ImGui has none
   restored_size_ = size();
-  imgl3wInit2(glfwGetProcAddress);
+  imgl3wInit2(opengl_.loader());
   start_drawing(options.takes_mouse);
   ImGui_ImplGlfw_InitForOpenGL(handle(), true);
   glfwSetKeyCallback(handle(), on_key);  // in place of ImGui's: it gets what is handed on
@@ -314,12 +219,24 @@ void GlfwWindow::take_events(double wait_s) {
   end_if_display_is_lost();
 }
 
+// As large as the window has become.
+void GlfwWindow::fit_canvas() {
+  const auto [width, height] = framebuffer_size();
+  if (canvas_ && canvas_->width() == width && canvas_->height() == height) return;
+  canvas_.emplace(width, height);
+  // Rasterised from above, like a window's own framebuffer: from below, Mesa rounds otherwise along edges.
+  if (GLAD_GL_MESA_framebuffer_flip_y != 0) {
+    glFramebufferParameteriMESA(GL_FRAMEBUFFER, GL_FRAMEBUFFER_FLIP_Y_MESA, GL_TRUE);
+  }
+}
+
 void GlfwWindow::begin_imgui_frame() {
+  if (canvas_) fit_canvas();
   ImGui_ImplGlfw_NewFrame();
 }
 
 void GlfwWindow::show_frame() {
-  glfwSwapBuffers(handle());
+  if (!canvas_) glfwSwapBuffers(handle());
 }
 
 void GlfwWindow::set_clipboard_text(const std::string& text) {

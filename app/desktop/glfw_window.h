@@ -1,32 +1,23 @@
-// The desktop's window, by GLFW, with OpenGL 3.3 core: on a display, or offscreen (GLFW's null platform with an OSMesa
-// context, drawn in software into memory). One code path; only the two hints in glfw_window.cpp differ.
+// The desktop's window, by GLFW: on a display, or offscreen, where it is drawn into memory. One code path; what differs
+// is in opengl_window.h, and that an offscreen window draws on a canvas.
 #pragma once
 
-#include <memory>
+#include <optional>
 #include <string>
 
+#include "app/desktop/opengl_window.h"
+#include "app/paint/gl/canvas.h"
 #include "app/ui/window.h"
-
-struct GLFWwindow;
 
 namespace ghostforce {
 
-struct WindowOptions {
-  std::string title;
-  int width = 1280;  // [screen coordinates]
-  int height = 800;
-  bool offscreen = false;
-  bool fits_monitor = false;  // smaller where the monitor is
-  bool takes_mouse = true;    // false: no hover and no click changes a picture
-};
-
 class GlfwWindow : public Window {
  public:
-  // Throws Failure(no_display): no display, or no OpenGL 3.3 (says which renderer and version there is).
+  // Throws what OpenGlWindow::open() does.
   explicit GlfwWindow(const WindowOptions& options);
   ~GlfwWindow() override;
 
-  GLFWwindow* handle() const noexcept { return window_.get(); }
+  GLFWwindow* handle() const noexcept { return opengl_.handle(); }
 
   bool should_close() const override;
   void close() override;
@@ -52,16 +43,6 @@ class GlfwWindow : public Window {
   void show_frame() override;
 
  private:
-  struct Library {  // glfwInit … glfwTerminate
-    explicit Library(const WindowOptions& options);
-    ~Library();
-    Library(const Library&) = delete;
-    Library& operator=(const Library&) = delete;
-  };
-  struct Destroy {
-    void operator()(GLFWwindow* window) const;
-  };
-
   WindowSize size() const;
   template <typename... What>
   static void on_anything(GLFWwindow* window, What... what);
@@ -73,9 +54,11 @@ class GlfwWindow : public Window {
   static void on_resize(GLFWwindow* window, int width, int height);
   static void on_drop(GLFWwindow* window, int count, const char** paths);
 
-  Library library_;
-  std::unique_ptr<GLFWwindow, Destroy> window_;
-  WindowSize restored_size_;  // the last one while neither maximised nor full screen
+  void fit_canvas();
+
+  OpenGlWindow opengl_;
+  std::optional<gl::Canvas> canvas_;  // offscreen
+  WindowSize restored_size_;          // the last one while neither maximised nor full screen
   struct {
     int x = 0, y = 0;
   } restored_corner_;

@@ -202,8 +202,12 @@ std::vector<Pane> compose_moment(const PictureRequest& request, const Moment& mo
 namespace {
 
 WindowOptions offscreen_window(const PictureRequest& request) {
-  return {
-      .title = "ghostforce", .width = request.width, .height = request.height, .offscreen = true, .takes_mouse = false};
+  return {.title = "ghostforce",
+          .width = request.width,
+          .height = request.height,
+          .offscreen = true,
+          .renderer = request.renderer,
+          .takes_mouse = false};
 }
 
 // A panel of ImGui knows its size one frame after its content. Nobody sees the frames before the last.

@@ -12,6 +12,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "app/desktop/lesson_picture.h"
+#include "app/desktop/renderer.h"
 #include "app/files/image.h"
 #include "app/set_up/set_up.h"
 #include "app/ui/screen.h"
@@ -41,6 +42,7 @@ struct PictureRequest {
   bool is_bare = false;
   bool hides_handle =
       false;  // with it: nor is there a handle, or what follows from where it is, as while it is guessed
+  std::optional<Renderer> renderer{};  // of pixels; empty: the usual one
 };
 
 // The word that --strategy and a case file hold: a strategy's name shows that one alone, "all" shows the scene's own
@@ -67,7 +69,7 @@ SetUp set_up_of(const PictureRequest& request, const Moment& moment);
 std::vector<Pane> compose_moment(const PictureRequest& request, const Moment& moment, const Vector<2>& size,
                                  const MeasureText& measure);
 
-// Drawn by the screen's own code with OpenGL in software. Throws Failure(no_display).
+// Drawn by the screen's own code with OpenGL. Throws Failure(no_display).
 struct Drawing {
   Image image;
   std::vector<Pane> panes;

@@ -55,6 +55,10 @@ const SpaceMouseWords& words_about(SpaceMouseReading::Trouble trouble) {
   return spacemouse_words[static_cast<std::size_t>(trouble)];
 }
 
+std::string words_about(const RendererState& renderer) {
+  return fmt::format("pictures by {}: {}{}", renderer.name, renderer.words, renderer.is_default ? "; the default" : "");
+}
+
 std::string realtime_words(const RealtimeStatus& status) {
   return fmt::format(
       "real time: {}{}", describe(status),
@@ -89,6 +93,7 @@ std::string text_of(const Diagnosis& diagnosis) {
   text += calibration_words(diagnosis) + "\n";
   text += fmt::format("SpaceMouse: {}\n", words_about(diagnosis.spacemouse.trouble).words);
   text += realtime_words(diagnosis.realtime) + "\n";
+  for (const RendererState& renderer : diagnosis.renderers) text += words_about(renderer) + "\n";
   return text;
 }
 
@@ -122,6 +127,13 @@ std::string json_of(const Diagnosis& diagnosis) {
                        {"group", of_node(device.group)},
                        {"mode", of_node(fmt::format("{:04o}", device.mode))}});
   }
+  Json renderers = Json::array();
+  for (const RendererState& renderer : diagnosis.renderers) {
+    renderers.push_back({{"name", renderer.name},
+                         {"is_there", renderer.is_there},
+                         {"is_default", renderer.is_default},
+                         {"words", renderer.words}});
+  }
   const Json udev_rule =
       diagnosis.udev_rule.empty() ? Json() : Json(quoted_text(diagnosis.udev_rule.string(), longest_path));
   const Json all{
@@ -149,6 +161,7 @@ std::string json_of(const Diagnosis& diagnosis) {
       {"real_time",
        {{"priority", diagnosis.realtime.priority_error == 0},
         {"memory_locked", diagnosis.realtime.memory_lock_error == 0}}},
+      {"renderers", renderers},
       {"exit_code", static_cast<int>(diagnosis.verdict)},
   };
   return all.dump() + "\n";

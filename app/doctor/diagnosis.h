@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/console/failure.h"
 #include "core/spacemouse.h"
@@ -16,6 +17,14 @@
 
 namespace ghostforce {
 
+// A renderer that can draw pictures offscreen, or why it cannot.
+struct RendererState {
+  std::string name;
+  bool is_there = false;
+  bool is_default = false;
+  std::string words;
+};
+
 struct Diagnosis {
   FalconReport report;
   ExitCode verdict = ExitCode::done;
@@ -25,6 +34,7 @@ struct Diagnosis {
   std::filesystem::path udev_rule;  // empty: not installed
   RealtimeStatus realtime;
   SpaceMouseReading spacemouse;
+  std::vector<RendererState> renderers;
 };
 
 // One line for a person: which file, its SHA-256, and what that is commonly called.

@@ -63,7 +63,7 @@ Settings with_ratio(Settings settings, double ratio) {
 }
 
 Series style_of(StrategyId id) {
-  constexpr PerStrategy<double> widths{3.2, 2.2, 1.8};
+  constexpr PerStrategy<double> widths = std::to_array({3.2, 2.2, 1.8});
   return {.name = "",
           .colour = paper().strategy[index_of(id)],
           .points = {},

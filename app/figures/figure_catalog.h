@@ -1,4 +1,4 @@
-// The one list of figures: the paper's, and four that it does not have. A new figure is one file beside this one, a
+// The one list of figures: the paper's, and some that it does not have. A new figure is one file beside this one, a
 // line or two in figures.h and one row in figure_catalog.cpp. Immutable, any thread.
 #pragma once
 

@@ -21,9 +21,11 @@ void add_closed_forms(const Settings& settings, double x, Curves& curves) {
   const Wall<2> wall = wall_of(settings);
   const Actuation<2> actuation = actuation_of(settings);
   const Vector<2> goal = goal_behind(wall);
-  const PerStrategy<Equilibrium<2>> rest{equilibrium_fully_actuated(wall, settings.stiffnesses, goal),
-                                         equilibrium_naive(wall, actuation, settings.stiffnesses, goal),
-                                         equilibrium_anisotropic(wall, actuation, settings.stiffnesses, goal)};
+  const PerStrategy<Equilibrium<2>> rest = std::to_array<Equilibrium<2>>({
+      equilibrium_fully_actuated(wall, settings.stiffnesses, goal),
+      equilibrium_naive(wall, actuation, settings.stiffnesses, goal),
+      equilibrium_anisotropic(wall, actuation, settings.stiffnesses, goal),
+  });
   for (const Strategy& strategy : strategy_catalog()) {
     curves.push_back(
         {"", std::string(strategy.name), false, x, along_motor(settings, rest[index_of(strategy.id)].force)});

@@ -313,7 +313,7 @@ Spot device_spot(StrategyId id, const Vector<2>& at, std::string name, std::stri
 
 Trail device_trail(StrategyId id, std::vector<Vector<2>> points) {
   // One over the other they are all to be seen: the widest is at the bottom.
-  constexpr PerStrategy<double> widths{3.6, 2.4, 2.0};
+  constexpr PerStrategy<double> widths = std::to_array({3.6, 2.4, 2.0});
   return {.points = std::move(points),
           .colour = paper().strategy[index_of(id)],
           .pattern = strategy_style(id).pattern,

@@ -46,6 +46,11 @@ bool load(const KeptFile& file, const std::function<void(TomlReader&)>& read, st
                                   unreadable_words(contents.error), file.without));
     return false;
   }
+  if (is_of_newer_format(contents.text)) {
+    remarks.push_back(fmt::format("{} was written by a newer version of ghostforce, so {}; the file stays as it is",
+                                  shown, file.without));
+    return false;
+  }
   TomlReader reader(file.path.string());
   if (reader.parse(contents.text)) read(reader);
   const std::vector<ReadProblem> problems = reader.problems();
@@ -82,7 +87,14 @@ void save(const KeptFile& file, std::string_view text, std::span<const std::stri
                               "or remove it",
                               shown_path(file.path), std::generic_category().message(old.error), file.contents));
   }
+  if (is_of_newer_format(old.text)) {
+    throw Failure(ExitCode::file_trouble,
+                  fmt::format("{} was written by a newer version of ghostforce and stays as it is, so {} not kept; to "
+                              "begin anew, move it away",
+                              shown_path(file.path), file.contents));
+  }
   OutputFile output(file.path.string());
+  output.write(kept_beginning(file.comment));
   output.write(text);
   if (!keys.empty()) output.write(without_keys(old.text, keys));
   output.commit();

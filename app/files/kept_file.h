@@ -1,8 +1,8 @@
 // A small TOML file in which the program keeps something from one run to the next: preferences, the window's layout,
-// progress. A damaged file is set aside under another name, and one that cannot be read stays where it is: what a
-// person may want back is never overwritten, and nothing of this is a reason not to start. Saved whole or not at all
-// (output_file.h). In a page the browser keeps the text, for this page alone, under the file's name. Not for the servo
-// thread.
+// progress. A damaged file is set aside under another name, and one that cannot be read, or whose format is newer than
+// this program, stays where it is: what a person may want back is never overwritten, and nothing of this is a reason
+// not to start. Saved whole or not at all (output_file.h). In a page the browser keeps the text, for this page alone,
+// under the file's name. Not for the servo thread.
 #pragma once
 
 #include <filesystem>
@@ -19,6 +19,7 @@ namespace ghostforce {
 struct KeptFile {
   std::filesystem::path path;  // empty: without a home folder nothing is kept
   std::string_view contents;   // for messages, with its verb: "preferences are", "the window's layout is"
+  std::string_view comment;    // one line at its beginning, for who opens it
   std::string_view without = "the defaults are used";  // what happens where it cannot be used
 };
 

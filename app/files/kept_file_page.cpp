@@ -71,6 +71,11 @@ bool load(const KeptFile& file, const std::function<void(TomlReader&)>& read, st
   const std::string name = kept_name(file);
   const std::optional<std::string> text = stored_text(key_of(name));
   if (!text) return false;
+  if (is_of_newer_format(*text)) {
+    remarks.push_back(fmt::format("{} in this browser's storage was written by a newer version of ghostforce, so {}",
+                                  name, file.without));
+    return false;
+  }
   TomlReader reader(name);
   if (reader.parse(*text)) read(reader);
   const std::vector<ReadProblem> problems = reader.problems();
@@ -91,8 +96,11 @@ bool load(const KeptFile& file, const std::function<void(TomlReader&)>& read, st
 void save(const KeptFile& file, std::string_view text, std::span<const std::string_view> keys) {
   if (file.path.empty()) return;
   const std::string key = key_of(kept_name(file));
-  std::string whole(text);
-  if (!keys.empty()) whole += without_keys(stored_text(key).value_or(""), keys);
+  const std::string old = stored_text(key).value_or("");
+  if (is_of_newer_format(old)) return;  // the page has said so when it read it
+  std::string whole = kept_beginning(file.comment);
+  whole += text;
+  if (!keys.empty()) whole += without_keys(old, keys);
   // Every change would say the same again.
   static bool is_told = false;
   if (store_text(key.c_str(), whole.c_str())) {

@@ -7,6 +7,21 @@
 #include "app/files/toml_parse.h"
 
 namespace ghostforce {
+namespace {
+
+constexpr std::string_view kept_format_name = "format";
+constexpr int kept_format = 1;
+
+}  // namespace
+
+std::string kept_beginning(std::string_view comment) {
+  return fmt::format("# Written by ghostforce: {}\n{} = {}\n", comment, kept_format_name, kept_format);
+}
+
+bool is_of_newer_format(std::string_view text) {
+  const toml::table table = parse_toml(text).table;
+  return table[kept_format_name].value_or(kept_format) > kept_format;
+}
 
 std::string damage_words(const std::vector<ReadProblem>& problems) {
   std::string damage;
@@ -20,6 +35,7 @@ std::string damage_words(const std::vector<ReadProblem>& problems) {
 
 std::string without_keys(std::string_view text, std::span<const std::string_view> keys) {
   toml::table table = parse_toml(text).table;
+  table.erase(kept_format_name);
   for (const std::string_view key : keys) table.erase(key);
   if (table.empty()) return {};
   std::ostringstream others;

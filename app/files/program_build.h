@@ -5,7 +5,7 @@
 
 namespace ghostforce {
 
-// "0.1.0" on a desktop, "0.1.0, page" in a browser. Desktop builds of one version have one name, whatever compiled them
+// "0.2.0" on a desktop, "0.2.0, page" in a browser. Desktop builds of one version have one name, whatever compiled them
 // for whatever processor.
 std::string program_build();
 

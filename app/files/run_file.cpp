@@ -11,7 +11,8 @@
 namespace ghostforce {
 
 std::string provenance(const Scene& scene) {
-  std::string header = fmt::format("# ghostforce {}\n{}\n", program_build(), scene_begins);
+  std::string header =
+      fmt::format("# ghostforce {}\n{}{}\n{}\n", program_build(), format_begins, run_format, scene_begins);
   const std::string text = scene_text(scene);
   for (std::string_view rest = text; !rest.empty();) {
     const std::string_view line = rest.substr(0, rest.find('\n'));

@@ -21,6 +21,10 @@ inline constexpr std::string_view run_columns =
 inline constexpr std::string_view recording_columns =
     ",active,goal_kind,device_kind,sent_x_N,sent_y_N,saturated,loop_s";
 
+// How the line of the format's number begins. A reader that knows a lower one refuses the file.
+inline constexpr std::string_view format_begins = "# format ";
+inline constexpr int run_format = 1;
+
 // The lines between which the scene stands, each of its lines after "# ".
 inline constexpr std::string_view scene_begins = "# scene:";
 inline constexpr std::string_view scene_ends = "# end of scene";
@@ -38,7 +42,8 @@ inline constexpr std::string_view hand_begins = "# hand from ";
 // What stands before the arguments of "# set" and "# state".
 inline constexpr std::string_view time_begins = "t_s=";
 
-// What each file of rows begins with: the program's build (program_build.h) and the scene, as comments.
+// What each file of rows begins with: the program's build (program_build.h), the format's number and the scene,
+// as comments.
 std::string provenance(const Scene& scene);
 
 // All that stands before the first row. `further_columns` come after the common ones: "" or ",name,name…".

@@ -179,6 +179,8 @@ class RunReader {
     if (is_within_scene_) return take_scene_line(line);
     if (line.starts_with(version_begins) && run_.version.empty()) {
       run_.version = rest_after(version_begins);
+    } else if (line.starts_with(format_begins) && values_per_row_ == 0) {
+      check_format(rest_after(format_begins));
     } else if (line == scene_begins && !run_.scene && tick_count_ == 0) {
       is_within_scene_ = true;
       scene_text_.assign(line_number_, '\n');  // so that what is wrong in it is told with its line in this file
@@ -199,6 +201,20 @@ class RunReader {
     } else if (values_per_row_ > 0 && !line.starts_with(hand_begins)) {
       damaged(fmt::format("the comment '{}' is not understood", quoted_text(line)));
     }
+  }
+
+  // A run without a number is older than these numbers, and in the first format.
+  void check_format(std::string_view number) const {
+    int format = 0;
+    if (!take_number(number, format) || format < 1) damaged("the number of the format cannot be read");
+    if (format <= run_format) return;
+    throw ReadError(
+        ReadError::Kind::wrong,
+        {{.file = run_.name,
+          .line = line_number_,
+          .column = 1,
+          .what = fmt::format("this is a run of format {}, but this program only knows format {}", format, run_format),
+          .remedy = "a newer version of ghostforce may read it"}});
   }
 
   void take_scene_line(std::string_view line) {

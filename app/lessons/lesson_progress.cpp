@@ -17,6 +17,7 @@ KeptFile progress_file() {
   const std::filesystem::path folder = state_folder();
   return {.path = folder.empty() ? folder : folder / "lessons.toml",
           .contents = "the progress in lessons is",
+          .comment = "what has been done of each lesson. Delete this file to begin anew.",
           .without = "no lesson counts as begun"};
 }
 
@@ -77,7 +78,7 @@ LessonProgress load_lesson_progress(std::vector<std::string>& remarks) {
 }
 
 void save(const LessonProgress& progress) {
-  std::string text = "# Written by ghostforce: what has been done of each lesson. Delete this file to begin anew.\n";
+  std::string text;
   for (const auto& [name, record] : progress.lessons) {
     std::string right;
     for (const std::string& step : record.right) {

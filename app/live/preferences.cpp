@@ -25,12 +25,16 @@ namespace fs = std::filesystem;
 
 KeptFile preferences_file() {
   const fs::path where = config_folder();
-  return {.path = where.empty() ? where : where / "preferences.toml", .contents = "preferences are"};
+  return {.path = where.empty() ? where : where / "preferences.toml",
+          .contents = "preferences are",
+          .comment = "what a person has chosen. Delete it to begin anew."};
 }
 
 KeptFile layout_file() {
   const fs::path where = state_folder();
-  return {.path = where.empty() ? where : where / "layout.toml", .contents = "the window's layout is"};
+  return {.path = where.empty() ? where : where / "layout.toml",
+          .contents = "the window's layout is",
+          .comment = "how the window was when it closed."};
 }
 
 // A key of a file, and the part of `Kept` that it stands for.
@@ -199,9 +203,8 @@ std::optional<Kept> load_keys(const KeptFile& file, const std::vector<KeptKey<Ke
 }
 
 template <typename Kept>
-void save_keys(const KeptFile& file, const std::vector<KeptKey<Kept>>& keys, const Kept& kept,
-               std::string_view comment) {
-  std::string text = fmt::format("# Written by ghostforce: {}\n", comment);
+void save_keys(const KeptFile& file, const std::vector<KeptKey<Kept>>& keys, const Kept& kept) {
+  std::string text;
   for (const KeptKey<Kept>& key : keys) text += fmt::format("{} = {}\n", key.name, key.text(kept));
   save(file, text, names_of(keys));
 }
@@ -269,11 +272,11 @@ StoredPreferences for_visitors(const StoredPreferences& stored) {
 }
 
 void save(const Preferences& preferences) {
-  save_keys(preferences_file(), preference_keys(), preferences, "what a person has chosen. Delete it to begin anew.");
+  save_keys(preferences_file(), preference_keys(), preferences);
 }
 
 void save(const WindowLayout& layout) {
-  save_keys(layout_file(), layout_keys(), layout, "how the window was when it closed.");
+  save_keys(layout_file(), layout_keys(), layout);
 }
 
 void PreferenceKeeper::keep(const Session& session) {

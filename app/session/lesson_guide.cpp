@@ -1,7 +1,6 @@
 #include "app/session/lesson_guide.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -113,10 +112,9 @@ void show_again(Session& session) {
 
 // A hand that moves by itself does not wait for an answer.
 void take_hand(Session& session) {
-  constexpr std::array moving_by_themselves{scripted_hand.name, circling_hand.name, replayed_hand.name};
   const std::string input = session.requests.input.value_or(session.input);
-  const bool moves = std::ranges::find(moving_by_themselves, input) != moving_by_themselves.end();
-  if (moves) session.requests.input = mouse_hand.name;
+  const auto& moving = hands_moving_by_themselves;
+  if (std::ranges::find(moving, input, &InputChoice::name) != moving.end()) session.requests.input = mouse_hand.name;
 }
 
 void close_question(Session& session, LessonOutcome outcome) {

@@ -10,10 +10,9 @@
 #include <iterator>
 #include <utility>
 
-#include "app/console/failure.h"
 #include "app/paint/font_file.h"
 #include "app/paint/font_texture.h"
-#include "app/paint/gl/handle.h"
+#include "app/paint/gl/canvas.h"
 #include "app/session/keys.h"
 #include "app/ui/imgui_keys.h"
 #include "app/ui/key_layout.h"
@@ -176,33 +175,19 @@ Image Window::picture() const {
 }
 
 Image Window::picture_of(int density, const std::function<void()>& draw) {
-  GLint largest = 0;
-  glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
-  if (std::max(pixel_width(), pixel_height()) * density > largest) {
-    throw Failure(ExitCode::wrong_call, fmt::format("the graphics driver draws pictures of {} pixels at most each way; "
-                                                    "choose a smaller one",
-                                                    largest));
-  }
+  GLint before = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &before);
   // Whatever happens, the next frame is the window's again.
   struct Guard {
     int& density;
+    GLuint framebuffer;
     ~Guard() {
       density = 1;
-      glBindFramebuffer(GL_FRAMEBUFFER, 0);
+      glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     }
-  } const guard{density_};
+  } const guard{density_, static_cast<GLuint>(before)};
   density_ = density;
-  gl::Framebuffer framebuffer;
-  gl::Renderbuffer colours;
-  glBindRenderbuffer(GL_RENDERBUFFER, colours.name());
-  glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, pixel_width(), pixel_height());
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
-  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colours.name());
-  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-    throw Failure(ExitCode::wrong_call,
-                  "the graphics driver has no room for a picture of this size; choose a smaller "
-                  "one");
-  }
+  const gl::Canvas canvas(pixel_width(), pixel_height());
 
   begin_frame(0.0);
   ImGuiIO& io = ImGui::GetIO();
@@ -219,7 +204,7 @@ Image Window::picture_of(int density, const std::function<void()>& draw) {
   return image;
 }
 
-std::string Window::graphics_description() const {
+std::string Window::graphics_description() {
   const auto text = [](GLenum name) {
     const GLubyte* value = glGetString(name);
     return value != nullptr ? reinterpret_cast<const char*>(value) : "unknown";

@@ -97,7 +97,7 @@ class Window {
   Image picture_of(int density, const std::function<void()>& draw);
 
   // "renderer, version" of the OpenGL in use.
-  std::string graphics_description() const;
+  static std::string graphics_description();
 
   const Fonts& fonts() const noexcept { return fonts_; }
 
@@ -124,7 +124,7 @@ class Window {
   // Before each of ImGui's frames: ImGuiIO's DisplaySize and DisplayFramebufferScale, and where the pointer is. The time
   // between frames is set afterwards.
   virtual void begin_imgui_frame() = 0;
-  // Shows what was drawn on framebuffer 0.
+  // Shows what was drawn on the framebuffer that was bound when the frame began.
   virtual void show_frame() = 0;
 
   // --- What a platform's window tells as it happens. Pointer, buttons and wheel it tells to ImGuiIO itself too ---

@@ -3,23 +3,30 @@
 namespace ghostforce {
 namespace {
 
-constexpr PerStrategy<StrategyStyle> styles{{
-    {Shape::disc, solid_line},
-    {Shape::diamond, {13.0, 6.0, 13.0, 6.0}},
-    {Shape::triangle, {10.0, 4.0, 2.0, 4.0}},
-}};
+struct StrategyLook {
+  StrategyStyle style;
+  Colour light, light_letters;
+  Colour dark, dark_letters;
+};
 
-constexpr PerStrategy<Colour> light_strategies{rgb(0x173C93), rgb(0xB03407), rgb(0x37A080)};
-constexpr PerStrategy<Colour> light_letters{rgb(0x173C93), rgb(0x9E2E06), rgb(0x14604A)};
-constexpr PerStrategy<Colour> dark_strategies{rgb(0x4F8DEB), rgb(0xFF5530), rgb(0x86EBD0)};
-constexpr PerStrategy<Colour> dark_letters{rgb(0x8FB8F7), rgb(0xFF9478), rgb(0x86EBD0)};
+constexpr PerStrategy<StrategyLook> looks = std::to_array<StrategyLook>({
+    {{Shape::disc, solid_line}, rgb(0x173C93), rgb(0x173C93), rgb(0x4F8DEB), rgb(0x8FB8F7)},
+    {{Shape::diamond, {13.0, 6.0, 13.0, 6.0}}, rgb(0xB03407), rgb(0x9E2E06), rgb(0xFF5530), rgb(0xFF9478)},
+    {{Shape::triangle, {10.0, 4.0, 2.0, 4.0}}, rgb(0x37A080), rgb(0x14604A), rgb(0x86EBD0), rgb(0x86EBD0)},
+});
+
+constexpr PerStrategy<Colour> colours_of(Colour StrategyLook::*member) {
+  PerStrategy<Colour> colours;
+  for (std::size_t i = 0; i < strategy_count; ++i) colours[i] = looks[i].*member;
+  return colours;
+}
 
 constexpr std::array themes{
     Theme{.name = "light",
           .dark = false,
           .thickness = 1.0,
-          .strategy = light_strategies,
-          .strategy_text = light_letters,
+          .strategy = colours_of(&StrategyLook::light),
+          .strategy_text = colours_of(&StrategyLook::light_letters),
           .goal = rgb(0xF4D800),
           .goal_rim = rgb(0x3A3200),
           .background = rgb(0xFBFAF7),
@@ -39,8 +46,8 @@ constexpr std::array themes{
     Theme{.name = "dark",
           .dark = true,
           .thickness = 1.0,
-          .strategy = dark_strategies,
-          .strategy_text = dark_letters,
+          .strategy = colours_of(&StrategyLook::dark),
+          .strategy_text = colours_of(&StrategyLook::dark_letters),
           .goal = rgb(0xFFE600),
           .goal_rim = rgb(0x1A1700),
           .background = rgb(0x15171B),
@@ -61,8 +68,8 @@ constexpr std::array themes{
     Theme{.name = "projector",
           .dark = false,
           .thickness = 1.35,
-          .strategy = light_strategies,
-          .strategy_text = light_letters,
+          .strategy = colours_of(&StrategyLook::light),
+          .strategy_text = colours_of(&StrategyLook::light_letters),
           .goal = rgb(0xF4D800),
           .goal_rim = rgb(0x3A3200),
           .background = rgb(0xFFFFFF),
@@ -84,7 +91,7 @@ constexpr std::array themes{
 }  // namespace
 
 const StrategyStyle& strategy_style(StrategyId id) noexcept {
-  return styles[index_of(id)];
+  return looks[index_of(id)].style;
 }
 
 std::span<const Theme> theme_catalog() noexcept {

@@ -52,8 +52,9 @@ inline const std::map<std::string, std::regex>& library_includes() {
       {"cli11", std::regex("<CLI/.+>")},
       {"emscripten", std::regex("<emscripten(/[a-z_0-9]+)?\\.h>")},  // the browser's side of a page
       {"fmt", std::regex("<fmt/.+>")},
-      {"generated", std::regex("\"(embedded_[a-z_]+|ghostforce_version|ghostforce_paths)\\.h\"")},  // see cmake/
-      {"glad", std::regex("<glad/gl\\.h>")},
+      {"generated",
+       std::regex("\"(embedded_[a-z_]+|ghostforce_build|ghostforce_version|ghostforce_paths)\\.h\"")},  // see cmake/
+      {"glad", std::regex("<glad/e?gl\\.h>")},
       {"gles", std::regex("<GLES3/gl3\\.h>")},
       {"glfw", std::regex("<GLFW/.+>")},
       {"glm", std::regex("<glm/.+>")},

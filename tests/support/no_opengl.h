@@ -1,9 +1,11 @@
-// A machine without OpenGL in software, for a program that a test starts: the library of that name is another one.
+// A machine without OpenGL in software, or without one way to it, for a program that a test starts: the libraries of
+// these names are another one.
 #pragma once
 
 #include <dlfcn.h>
 
 #include <filesystem>
+#include <initializer_list>
 #include <stdexcept>
 #include <string>
 
@@ -11,12 +13,17 @@
 
 namespace ghostforce {
 
+inline constexpr const char* egl_library = "libEGL.so.1";
+inline constexpr const char* osmesa_library = "libOSMesa.so.8";
+
 class NoOpenGl {
  public:
-  NoOpenGl() {
+  explicit NoOpenGl(std::initializer_list<const char*> libraries = {egl_library, osmesa_library}) {
     Dl_info library{};
     if (dladdr(reinterpret_cast<void*>(&dlopen), &library) == 0) throw std::runtime_error("no C library");
-    std::filesystem::create_symlink(std::filesystem::canonical(library.dli_fname), folder_ / "libOSMesa.so.8");
+    for (const char* const name : libraries) {
+      std::filesystem::create_symlink(std::filesystem::canonical(library.dli_fname), folder_ / name);
+    }
   }
 
   // NAME=VALUE

@@ -101,11 +101,11 @@ const StageLanguage english_stage{
             .slide = "slid along the wall",
             .slide_unknown = "slide: unknown",
         },
-    .strategies = {{
+    .strategies = std::to_array<StageLanguage::StrategyButton>({
         {.in_full = "Two motors", .in_short = "Two motors"},
         {.in_full = "One motor, naïve", .in_short = "Naïve"},
         {.in_full = "One motor, anisotropic", .in_short = "Anisotropic"},
-    }},
+    }),
     .modes =
         {
             .predict = {.title = "Predict", .about = "Guess where the handle comes to rest."},

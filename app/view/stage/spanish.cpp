@@ -89,11 +89,11 @@ const StageLanguage spanish_stage{
             .slide = "deslizamiento",
             .slide_unknown = "desliza: no se sabe",
         },
-    .strategies = {{
+    .strategies = std::to_array<StageLanguage::StrategyButton>({
         {.in_full = "Dos motores", .in_short = "Dos motores"},
         {.in_full = "Un motor, ingenuo", .in_short = "Ingenuo"},
         {.in_full = "Un motor, anisótropo", .in_short = "Anisótropo"},
-    }},
+    }),
     .modes =
         {
             .predict = {.title = "Predecir", .about = "adivina dónde descansará el mango."},

@@ -3,6 +3,8 @@
 // Pure, any thread.
 #pragma once
 
+#include <algorithm>
+
 #include "core/settings.h"
 #include "core/snapshot.h"
 
@@ -24,7 +26,7 @@ struct StageMoment {
   bool has_target = false;          // that hand was told where to press: its slide is known all the same
   bool knows_ghost_force = true;    // of a measured handle only with a target; else ghost_force is 0
 
-  bool is_between() const noexcept { return weights[0] < 1.0 && weights[1] < 1.0 && weights[2] < 1.0; }
+  bool is_between() const noexcept { return std::ranges::max(weights) < 1.0; }
 };
 
 // As the active strategy has it. `goal`: where the hand pulls, which may be newer than the snapshot.

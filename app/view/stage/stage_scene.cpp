@@ -301,10 +301,11 @@ void add_slide(const StageLayer& layer) {
 }
 
 double shape_reach(const StageMoment& moment, double radius) {
-  constexpr PerStrategy<double> reach{1.0, 1.3, 1.57};  // of disc, diamond and triangle, as the painters draw them
+  constexpr std::array reach{1.0, 1.3, 1.57};  // of disc, diamond and triangle, as the painters draw them
   double most = 0.0;
-  for (std::size_t i = 0; i < strategy_count; ++i) {
-    if (moment.weights[i] > 0.0) most = std::max(most, reach[i]);
+  for (const Strategy& entry : strategy_catalog()) {
+    const auto shape = static_cast<std::size_t>(strategy_style(entry.id).shape);
+    if (moment.weights[index_of(entry.id)] > 0.0) most = std::max(most, reach[shape]);
   }
   return most * radius;
 }

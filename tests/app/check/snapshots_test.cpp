@@ -1,5 +1,6 @@
 // The stored pictures of this program, through its own `check`: a test per case file, so that each can be run and can
-// fail alone. The pictures of those that fail are in the report's folder.
+// fail alone. The pictures of those that fail are in the report's folder. Each is drawn by EGL, and by OSMesa once more,
+// which must give the same bytes.
 #include <algorithm>
 #include <filesystem>
 #include <ostream>
@@ -16,6 +17,7 @@
 #include "app/view/theme.h"
 #include "app/view/view.h"
 #include "tests/support/program.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce {
@@ -35,10 +37,12 @@ std::vector<std::string> names_of_files(const std::string& extension, const char
   return names;
 }
 
-// `name` of the report, which has a folder of its own: tests run side by side.
-void expect_drawn_as_stored(const char* folder, const std::vector<std::string>& cases, const std::string& name) {
+// `cases`: empty for all. `name` of the report, which has a folder of its own: tests run side by side.
+void expect_drawn_as_stored(const char* folder, const std::vector<std::string>& cases, const std::string& name,
+                            const char* renderer = "egl") {
   const std::string report = std::string(GHOSTFORCE_SNAPSHOTS_REPORT) + "/" + name;
-  std::vector<std::string> call{"check", folder, "--report", report, "--only"};
+  std::vector<std::string> call{"check", folder, "--report", report, "--renderer", renderer};
+  if (!cases.empty()) call.push_back("--only");
   call.insert(call.end(), cases.begin(), cases.end());
   const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, call);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err << "look at " << report << "/report.html";
@@ -91,6 +95,17 @@ TEST_P(LessonSnapshots, AreDrawnAsTheyAreStored) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, LessonSnapshots, testing::ValuesIn(names_of_lessons()), test_name);
+
+// It draws nothing else than EGL does, so once is enough: not in builds that take long.
+#ifndef GHOSTFORCE_ADDRESS_SANITIZED
+TEST(SnapshotsFolder, IsDrawnByOsMesaAsItIsStored) {
+  expect_drawn_as_stored(snapshots, {}, "osmesa", "osmesa");
+}
+
+TEST(LessonSnapshotsFolder, IsDrawnByOsMesaAsItIsStored) {
+  expect_drawn_as_stored(lesson_snapshots, {}, "lessons-osmesa", "osmesa");
+}
+#endif
 
 TEST(SnapshotsFolder, HasACaseForEachPicture) {
   for (const char* const folder : {snapshots, lesson_snapshots}) {

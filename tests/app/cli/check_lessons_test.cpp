@@ -118,7 +118,7 @@ TEST_F(CheckLessons, DoesNotMixThemWithFoldersOfCases) {
       << mixed.err;
   const Outcome report = check({good, "--report", folder_ / "report"});
   EXPECT_EQ(report.exit_code, 2);
-  EXPECT_TRUE(holds(report.err, "--only, --update and --report are for a folder of cases; leave them out"))
+  EXPECT_TRUE(holds(report.err, "--only, --update, --report, --jobs, --json and --renderer are for a folder of cases; leave them out"))
       << report.err;
   const Outcome missing = check({folder_ / "none"});
   EXPECT_EQ(missing.exit_code, 2) << "a word that is no lesson is a folder, as ever";

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -18,6 +19,7 @@
 #include "core/equilibrium.h"
 #include "core/ghost_force.h"
 #include "core/simulate.h"
+#include "ghostforce_version.h"
 #include "tests/support/program.h"
 #include "tests/support/scene_values.h"
 #include "tests/support/temporary_folder.h"
@@ -60,6 +62,7 @@ TEST(CommandLine, HelpAtEveryLevel) {
     if (command == "figures") told = {"-o,--output", "--hand"};  // each has scenes of its own
     if (command == "doctor") told = {"--json", "--wait"};        // a device needs none
     if (command == "worksheet") told = {"LESSON", "--answers"};
+    if (command == "help") told = {"COMMAND", "--format"};
     if (command == "measure-user") told = {"RUN.csv", "--target-mm"};
     for (const std::string_view words : told) {
       EXPECT_NE(outcome.out.find(words), std::string::npos) << command << words;
@@ -85,8 +88,14 @@ TEST(CommandLine, RunIsMeantWhereNoCommandIsNamed) {
 TEST(CommandLine, Version) {
   const Outcome outcome = run({"--version"});
   EXPECT_EQ(outcome.exit_code, 0);
-  EXPECT_EQ(outcome.out, "ghostforce " GHOSTFORCE_VERSION "\n");
   EXPECT_EQ(outcome.err, "");
+  // The first line is for scripts; the others tell what a report of a fault needs.
+  EXPECT_TRUE(outcome.out.starts_with(fmt::format("ghostforce {}\ncommit     ", version))) << outcome.out;
+  for (const char* const words :
+       {"\nbuild      ", "\nlibraries  Dear ImGui 1.", ", Cairo 1.", ", libusb 1.0.", "\nrenderer   llvmpipe ("}) {
+    EXPECT_NE(outcome.out.find(words), std::string::npos) << words << " in\n" << outcome.out;
+  }
+  EXPECT_EQ(std::ranges::count(outcome.out, '\n'), 5) << outcome.out;
 }
 
 TEST(CommandLine, WrongCallsAreNamedAndExit2) {
@@ -269,7 +278,7 @@ TEST(Simulate, WritesTheSceneStrategyUnlessTold) {
 TEST(Simulate, HeaderHoldsTheEffectiveScene) {
   const Csv csv =
       parse_csv(run({"simulate", "wall45", "--set", "wall.normal_deg=120.5", "--set", "goal.duration_s=0.0125"}).out);
-  EXPECT_EQ(csv.comments.front(), "# ghostforce " GHOSTFORCE_VERSION);
+  EXPECT_EQ(csv.comments.front(), fmt::format("# ghostforce {}", version));
   std::string text;
   bool within = false;
   for (const std::string& line : csv.comments) {

@@ -16,6 +16,7 @@
 #include "app/doctor/udev_rule.h"
 #include "core/motor_report.h"
 #include "device/virtual_falcon/virtual_falcon_input.h"
+#include "tests/support/no_opengl.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
@@ -80,7 +81,7 @@ TEST(Doctor, JsonHasEveryKeyEvenWithoutADevice) {
        {"ladder",    "state",          "fault",           "serial",      "is_virtual",      "firmware",
         "has_homed", "has_moved",      "encoders",        "exchange_hz", "exchange_s",      "worst_exchange_s",
         "exchanges", "lost_exchanges", "discarded_bytes", "line_errors", "has_calibration", "has_usb",
-        "devices",   "spacemouse",     "udev_rule",       "real_time",   "exit_code"}) {
+        "devices",   "spacemouse",     "udev_rule",       "real_time",   "renderers",       "exit_code"}) {
     EXPECT_TRUE(json.contains(key)) << key;
   }
   for (const char* key : {"file", "sha256", "known_as", "is_running"})
@@ -88,6 +89,31 @@ TEST(Doctor, JsonHasEveryKeyEvenWithoutADevice) {
   for (const char* key : {"rung", "title", "reached", "current", "words"}) {
     EXPECT_TRUE(json["ladder"][0].contains(key)) << key;
   }
+}
+
+TEST(Doctor, SaysWhatDrawsPictures) {
+  const nlohmann::json json = json_of(doctor({"--falcon-usb-id", "0000:0000", "--json"}));
+  ASSERT_EQ(json["renderers"].size(), 3U);
+  for (const auto& renderer : json["renderers"]) {
+    const std::string name = renderer["name"];
+    EXPECT_EQ(renderer["is_default"], name == "egl") << renderer;
+    if (name == "gpu") continue;  // as this machine is
+    EXPECT_EQ(renderer["is_there"], true) << renderer;
+    EXPECT_NE(renderer["words"].get<std::string>().find(", OpenGL "), std::string::npos) << renderer;
+  }
+}
+
+TEST(Doctor, SaysWhatIsMissingForPicturesAndEndsAsWithoutThem) {
+  const NoOpenGl no_opengl;
+  ProgramCall call;
+  call.words = {"doctor", "--falcon-usb-id", "0000:0000"};
+  call.environment = {no_opengl.variable()};
+  const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, call);
+  EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
+  for (const std::string_view words : {"pictures by egl: ", "libegl1", "pictures by osmesa: ", "libosmesa6"}) {
+    EXPECT_NE(outcome.out.find(words), std::string::npos) << words << " in " << outcome.out;
+  }
+  EXPECT_EQ(outcome.out.find("the default"), std::string::npos) << outcome.out;
 }
 
 TEST(Doctor, RefusesWrongWords) {

@@ -144,7 +144,7 @@ TEST(SceneTexts, OfAnOddKindAreAWrongCallEverywhere) {
     // The scene of a recording stands in its lines, and so does the place.
     const Outcome replayed = run_program(GHOSTFORCE_PROGRAM, {"replay", folder / "odd.csv"});
     EXPECT_EQ(replayed.exit_code, 2) << replayed.err;
-    EXPECT_NE(replayed.err.find("odd.csv:4:11: the key title: contains "), std::string::npos) << replayed.err;
+    EXPECT_NE(replayed.err.find("odd.csv:5:11: the key title: contains "), std::string::npos) << replayed.err;
     // Its hand can be played in another one.
     const Outcome elsewhere = run_program(GHOSTFORCE_PROGRAM, {"replay", folder / "odd.csv", "wall45"});
     EXPECT_EQ(elsewhere.exit_code, 0) << elsewhere.err;

@@ -11,9 +11,11 @@
 #include <variant>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "app/figures/figure_files.h"
+#include "ghostforce_version.h"
 #include "tests/app/figures/figure_tables.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
@@ -106,7 +108,7 @@ TEST(FiguresHand, BeginsAsItWasRecorded) {
   // Without that line nobody knows how it began: at rest.
   const HandFigure at_rest = hand_figure(folder, resting_run(""));
   EXPECT_LT(greatest_move(at_rest.table, 1.0), 1e-9);
-  EXPECT_TRUE(at_rest.words.starts_with("# ghostforce " GHOSTFORCE_VERSION "; hand run.csv\n")) << at_rest.words;
+  EXPECT_TRUE(at_rest.words.starts_with(fmt::format("# ghostforce {}; hand run.csv\n", version))) << at_rest.words;
   EXPECT_FALSE(contains(at_rest.words, "seed"));
 }
 

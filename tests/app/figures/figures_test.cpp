@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "app/figures/figure_catalog.h"
@@ -18,6 +19,7 @@
 #include "app/files/png_file.h"
 #include "app/files/scene_file.h"
 #include "app/paint/vector/vector_painter.h"
+#include "ghostforce_version.h"
 #include "tests/app/figures/figure_tables.h"
 #include "tests/support/read_png.h"
 #include "tests/support/temporary_folder.h"
@@ -67,7 +69,7 @@ TEST_P(EachFigure, HasATableThatSaysWhereItComesFromAndReadsBack) {
   const Figure figure = GetParam()->make({});
   const ReadTable table = read_table(csv_text(figure.data));
   ASSERT_GE(table.comments.size(), 2U);
-  EXPECT_TRUE(table.comments.front().starts_with("# ghostforce " GHOSTFORCE_VERSION "; scene "))
+  EXPECT_TRUE(table.comments.front().starts_with(fmt::format("# ghostforce {}; scene ", version)))
       << table.comments.front();
   EXPECT_TRUE(table.comments.front().ends_with("; seed 1"));
   EXPECT_EQ(table.columns, figure.data.columns);
@@ -108,7 +110,7 @@ TEST_P(EachFigure, HasItsWordsOnThePaperAndApart) {
       if (label == nullptr) continue;
       const Vector<2> at = to_screen(pane.camera, label->anchor) + label->offset;
       all.push_back({label->text, at, at + measure_on_paper(label->text, label->style)});
-      has_provenance |= label->text.starts_with("ghostforce " GHOSTFORCE_VERSION);
+      has_provenance |= label->text.starts_with(fmt::format("ghostforce {}", version));
     }
     for (std::size_t i = 0; i < all.size(); ++i) {
       const Words& words = all[i];

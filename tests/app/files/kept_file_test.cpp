@@ -6,6 +6,7 @@
 
 #include <array>
 #include <filesystem>
+#include <fstream>
 
 #include "app/console/failure.h"
 #include "tests/support/temporary_folder.h"
@@ -25,9 +26,12 @@ class KeptFileTest : public testing::Test {
   }
 
   TemporaryFolder folder_;
-  KeptFile file_{
-      .path = folder_ / "a/b/progress.toml", .contents = "the progress is", .without = "all lessons begin anew"};
+  KeptFile file_{.path = folder_ / "a/b/progress.toml",
+                 .contents = "the progress is",
+                 .comment = "how far one is.",
+                 .without = "all lessons begin anew"};
   std::vector<std::string> remarks_;
+  const std::string beginning_ = "# Written by ghostforce: how far one is.\nformat = 1\n";
 };
 
 TEST_F(KeptFileTest, ComesBackAsItWasSaved) {
@@ -42,10 +46,28 @@ TEST_F(KeptFileTest, ComesBackAsItWasSaved) {
 TEST_F(KeptFileTest, KeepsWhatStandsUnderOtherKeys) {
   constexpr std::array<std::string_view, 1> keys{"score"};
   save(file_, "score = 3\nrank = 7\n[more]\nx = 1\n");
-  save(file_, "# ours\nscore = 4\n", keys);
-  EXPECT_EQ(read_whole(file_.path), "# ours\nscore = 4\nrank = 7\n\n[more]\nx = 1\n");
+  save(file_, "score = 4\n", keys);
+  EXPECT_EQ(read_whole(file_.path), beginning_ + "score = 4\nrank = 7\n\n[more]\nx = 1\n");
   save(file_, "score = 5\n");
-  EXPECT_EQ(read_whole(file_.path), "score = 5\n");
+  EXPECT_EQ(read_whole(file_.path), beginning_ + "score = 5\n");
+}
+
+TEST_F(KeptFileTest, IsLeftAsItIsWhenItsFormatIsNewer) {
+  save(file_, "score = 3\n");
+  const std::string newer = "format = 2\nscore = \"three\"\n";
+  std::ofstream(file_.path) << newer;
+  EXPECT_FALSE(score());
+  ASSERT_EQ(remarks_.size(), 1U);
+  EXPECT_NE(remarks_.front().find("was written by a newer version of ghostforce, so all lessons begin anew"),
+            std::string::npos)
+      << remarks_.front();
+  try {
+    save(file_, "score = 4\n");
+    ADD_FAILURE() << "it was overwritten";
+  } catch (const Failure& failure) {
+    EXPECT_NE(std::string_view(failure.what()).find("move it away"), std::string_view::npos) << failure.what();
+  }
+  EXPECT_EQ(read_whole(file_.path), newer);
 }
 
 TEST_F(KeptFileTest, IsForgotten) {
@@ -71,9 +93,9 @@ TEST_F(KeptFileTest, IsSetAsideWhenDamagedAndSaysWhatFollows) {
   for (const char* aside : {"a/b/progress.toml.damaged", "a/b/progress.toml.damaged-2"}) {
     save(file_, "score = 11\n");
     EXPECT_FALSE(score());
-    EXPECT_EQ(read_whole(folder_ / aside), "score = 11\n");
+    EXPECT_EQ(read_whole(folder_ / aside), beginning_ + "score = 11\n");
     ASSERT_EQ(remarks_.size(), 1U);
-    EXPECT_NE(remarks_[0].find("progress.toml was damaged (line 1: the key score: 11 is out of range; give 0 to 10)"),
+    EXPECT_NE(remarks_[0].find("progress.toml was damaged (line 3: the key score: 11 is out of range; give 0 to 10)"),
               std::string::npos)
         << remarks_[0];
     EXPECT_TRUE(remarks_[0].ends_with("; all lessons begin anew")) << remarks_[0];

@@ -411,6 +411,27 @@ TEST(RunReader, RefusesWhatIsNoRun) {
   }
 }
 
+TEST(RunReader, RefusesANewerFormatAndTakesRunsThatTellNone) {
+  const std::string text = recording();
+  const std::size_t at = text.find("# format 1\n");
+  ASSERT_NE(at, std::string::npos);
+  const auto with_line = [&](std::string_view line) { return std::string(text).replace(at, 11, line); };
+  EXPECT_EQ(read_run(with_line(""), "old.csv").ticks.size(), read_run(text, "run.csv").ticks.size());
+  for (const auto& [line, words] :
+       {std::pair{"# format 2\n",
+                  "new.csv:2:1: this is a run of format 2, but this program only knows "
+                  "format 1; a newer version of ghostforce may read it"},
+        std::pair{"# format x\n", "new.csv:2:1: the number of the format cannot be read"},
+        std::pair{"# format 0\n", "new.csv:2:1: the number of the format cannot be read"}}) {
+    try {
+      read_run(with_line(line), "new.csv");
+      ADD_FAILURE() << line << " was read";
+    } catch (const ReadError& error) {
+      EXPECT_TRUE(std::string_view(error.what()).starts_with(words)) << error.what();
+    }
+  }
+}
+
 TEST(RunReader, LoadsFilesInPieces) {
   const TemporaryFolder folder;
   Scene scene = load_scene("fig3-normal");

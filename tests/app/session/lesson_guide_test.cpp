@@ -94,7 +94,7 @@ TEST_F(LessonGuideTest, WhatTakesItsPlaceFindsFaceAndSpeedAsTheyWere) {
 }
 
 TEST_F(LessonGuideTest, AsksForTheMouseWhereAHandMovesByItself) {
-  for (const InputChoice& hand : {scripted_hand, circling_hand, replayed_hand}) {
+  for (const InputChoice& hand : hands_moving_by_themselves) {
     session.requests.input.reset();
     session.input = hand.name;
     begin_lesson(session, lesson_for_test());

@@ -1,0 +1,62 @@
+#include "app/check/evaluation.h"
+
+#include <signal.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "app/check/rendered_cases.h"
+#include "app/check/verdict_bytes.h"
+#include "app/check/worker_processes.h"
+#include "app/console/failure.h"
+#include "app/console/interruption.h"
+#include "app/console/quoted.h"
+#include "app/desktop/offscreen_driver.h"
+
+namespace ghostforce {
+namespace {
+
+[[noreturn]] void refuse_to_guess(const WorkerEnded& ended, const std::vector<const Case*>& chosen) {
+  const std::string doing =
+      ended.piece < 0
+          ? ""
+          : fmt::format(" while it checked {}", quoted_text(chosen.at(static_cast<std::size_t>(ended.piece))->name));
+  if (ended.signal == SIGKILL) {
+    throw Failure(ExitCode::file_trouble,
+                  fmt::format("one of the --jobs was killed{}, perhaps because memory is short; choose fewer --jobs, "
+                              "or close other programs",
+                              doing));
+  }
+  throw std::runtime_error(ended.signal == 0
+                               ? fmt::format("one of the --jobs ended{}", doing)
+                               : fmt::format("one of the --jobs was ended by signal {}{}", ended.signal, doing));
+}
+
+}  // namespace
+
+void evaluate_all(const std::vector<Case>& all, const std::vector<const Case*>& chosen, const Evaluation& how,
+                  const std::function<void(Verdict)>& take) {
+  RenderedCases rendered(all, chosen, how.renderer);
+  const auto count = static_cast<std::int64_t>(chosen.size());
+  const auto verdict_on = [&](std::int64_t i) {
+    stop_if_interrupted();
+    return evaluate(*chosen[static_cast<std::size_t>(i)], rendered, how.folder, how.wants_pictures);
+  };
+  if (how.jobs == 1) {
+    for (std::int64_t i = 0; i < count; ++i) take(verdict_on(i));
+    return;
+  }
+  choose_offscreen_driver();  // what it says is said once
+  try {
+    run_in_workers(
+        count, how.jobs, [&](std::int64_t i) { return bytes_of(verdict_on(i)); },
+        [&](const std::string& bytes) { take(verdict_of(bytes)); });
+  } catch (const WorkerEnded& ended) {
+    refuse_to_guess(ended, chosen);
+  }
+}
+
+}  // namespace ghostforce

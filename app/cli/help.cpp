@@ -1,0 +1,88 @@
+// ghostforce help: the help of a command, its manual page, or a script that completes what is typed.
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "app/cli/command.h"
+#include "app/cli/command_tree.h"
+#include "app/cli/program_manual.h"
+#include "app/console/failure.h"
+#include "app/console/quoted.h"
+#include "app/manual/completion.h"
+#include "app/manual/man_page.h"
+
+namespace ghostforce {
+namespace {
+
+struct HelpOptions {
+  std::string command;  // empty: the program
+  std::string format = "text";
+};
+
+// As --help prints it.
+std::string text_of(const std::string& command) {
+  const std::shared_ptr<CommandTree> tree = make_command_tree();
+  return command.empty() ? tree->app.help() : tree->app.get_subcommand(command)->help(std::string(program_name));
+}
+
+std::string page_of(const std::string& command) {
+  const Manual manual = program_manual();
+  if (command.empty()) return man_page(manual);
+  return man_page(manual, *std::ranges::find(manual.commands, command, &ManualCommand::name));
+}
+
+template <std::string (*script)(const Manual&)>
+std::string script_of(const std::string& command) {
+  if (command.empty()) return script(program_manual());
+  throw Failure(ExitCode::wrong_call,
+                fmt::format("a completion script is for all commands; leave out {}", quoted_text(command)));
+}
+
+struct HelpFormat {
+  std::string_view name;
+  std::string (*print)(const std::string& command);
+};
+
+constexpr std::array help_formats{
+    HelpFormat{"text", text_of},
+    HelpFormat{"man", page_of},
+    HelpFormat{"bash", script_of<bash_completion>},
+    HelpFormat{"zsh", script_of<zsh_completion>},
+    HelpFormat{"fish", script_of<fish_completion>},
+};
+
+}  // namespace
+
+std::function<int()> attach_help(CLI::App& command, FileOptions&) {
+  const auto options = std::make_shared<HelpOptions>();
+  command.add_option("COMMAND", options->command, "The command to describe; default: the program as a whole")
+      ->type_name("")
+      ->check(one_of(names_of(command_catalog())));
+  command
+      .add_option("--format", options->format,
+                  "text, as --help prints it; man, a manual page; or bash, zsh or fish, a script with which that shell "
+                  "completes commands, options, scenes, lessons and keys; default: text")
+      ->type_name("NAME")
+      ->check(one_of(names_of(help_formats)));
+  command.footer(
+      "A package or an installation brings the manual pages and the scripts along. To try a script without one, see\n"
+      "the examples.\n"
+      "\n"
+      "Examples:\n"
+      "  ghostforce help render\n"
+      "  ghostforce help --format man render > ghostforce-render.1\n"
+      "  source <(ghostforce help --format bash)\n"
+      "  source <(ghostforce help --format zsh)\n"
+      "  ghostforce help --format fish | source");
+  return [options] {
+    print(std::ranges::find(help_formats, options->format, &HelpFormat::name)->print(options->command));
+    return static_cast<int>(ExitCode::done);
+  };
+}
+
+}  // namespace ghostforce

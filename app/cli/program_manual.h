@@ -1,0 +1,10 @@
+// The program's manual (app/manual), from what its commands tell CLI11. Allocates; not for the servo thread.
+#pragma once
+
+#include "app/manual/manual.h"
+
+namespace ghostforce {
+
+Manual program_manual();
+
+}  // namespace ghostforce
