@@ -16,8 +16,20 @@ file(RENAME ${scratch}/prefix ${scratch}/moved)
 if(NOT EXISTS ${scratch}/moved/lib/udev/rules.d/70-ghostforce.rules)
   message(FATAL_ERROR "The rules that let people use their devices were not installed.")
 endif()
-foreach(file IN ITEMS man/man1/ghostforce.1 man/man1/ghostforce-render.1 bash-completion/completions/ghostforce
-    fish/vendor_completions.d/ghostforce.fish)
+foreach(file IN ITEMS
+    applications/ghostforce.desktop
+    bash-completion/completions/ghostforce
+    doc/ghostforce/LICENSE
+    doc/ghostforce/THIRD_PARTY_NOTICES.md
+    doc/ghostforce/ghostforce.cdx.json
+    fish/vendor_completions.d/ghostforce.fish
+    ghostforce/lessons/ghost.toml
+    ghostforce/scenes/wall45.toml
+    icons/hicolor/scalable/apps/ghostforce.svg
+    man/man1/ghostforce-render.1
+    man/man1/ghostforce.1
+    metainfo/org.ghostforce.ghostforce.metainfo.xml
+    mime/packages/ghostforce.xml)
   if(NOT EXISTS ${scratch}/moved/share/${file})
     message(FATAL_ERROR "share/${file} was not installed.")
   endif()

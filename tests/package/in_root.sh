@@ -41,11 +41,13 @@ try_out() {
   as_visitor xvfb-run --auto-servernum "$1" run --exit-after 2
 }
 
-# All files but those in which apt, dpkg and the system keep their own books.
+# All files but people's own and those in which apt, dpkg and the running system keep their books.
 files() {
-  "${as_root[@]}" find "$trial" -xdev \( -path "$trial/proc" -o -path "$trial/sys" -o -path "$trial/dev" -o \
-    -path "$trial/home" -o -path "$trial/tmp" -o -path "$trial/run" -o -path "$trial/var/lib/apt" -o -path "$trial/var/lib/dpkg" -o \
-    -path "$trial/var/cache" -o -path "$trial/var/log" \) -prune -o -printf '%P\n' | sort
+  local folder left_out=()
+  for folder in proc sys dev run tmp home var/lib/apt var/lib/dpkg var/cache var/log; do
+    left_out+=(-path "$trial/$folder" -prune -o)
+  done
+  "${as_root[@]}" find "$trial" -xdev "${left_out[@]}" -printf '%P\n' | sort
 }
 
 begin "the package in a bare Debian 12"
