@@ -9,7 +9,7 @@ from pathlib import Path
 
 def entry(version: str, date: str, words: str, maintainer: str) -> str:
     points = [re.sub(r"\s+", " ", point) for point in re.findall(r"^- (.+(?:\n  .+)*)", words, re.MULTILINE)]
-    lines = [textwrap.fill(point, 100, initial_indent="  * ", subsequent_indent="    ") for point in points]
+    lines = [textwrap.fill(point, 79, initial_indent="  * ", subsequent_indent="    ") for point in points]
     day = datetime.date.fromisoformat(date).strftime("%a, %d %b %Y")
     return (
         f"ghostforce ({version}) unstable; urgency=medium\n\n"

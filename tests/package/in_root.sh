@@ -17,8 +17,8 @@ fresh() {
   "${as_root[@]}" rm -rf --one-file-system "$trial"
   "${as_root[@]}" cp --archive --reflink=auto "$root/build/roots/$1" "$trial"
   apt_there update
+  apt_there install mount passwd xvfb xauth  # what the trials themselves need
   in_trial useradd --create-home visitor
-  apt_there install mount xvfb xauth  # what the trials themselves need
 }
 
 in_trial() { in_debian_root "$trial" LC_ALL=C DEBIAN_FRONTEND=noninteractive HOME=/home/visitor "$@"; }
