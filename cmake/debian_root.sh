@@ -57,6 +57,9 @@ in_debian_root() {
       mount --rbind "${1%%:*}" "$folder${1#*:}"
       shift
     done
-    exec chroot ${user:+--userspec="$user"} "$folder" /usr/bin/env --ignore-environment PATH=/usr/sbin:/usr/bin:/sbin:/bin \
-      LANG=C.UTF-8 HOME=/tmp "$@"' bash "$folder" "$user" "${#mounts[@]}" "${mounts[@]}" "$@"
+    # The first process of its namespace: signals that it does not expect are kept from it, and all others end with it.
+    trap "exit 130" INT TERM
+    chroot ${user:+--userspec="$user"} "$folder" /usr/bin/env --ignore-environment PATH=/usr/sbin:/usr/bin:/sbin:/bin \
+      LANG=C.UTF-8 HOME=/tmp "$@" <&0 &
+    wait $!' bash "$folder" "$user" "${#mounts[@]}" "${mounts[@]}" "$@"
 }
