@@ -44,9 +44,7 @@ function(packages_of section out)
   set(${out} ${packages} PARENT_SCOPE)
 endfunction()
 
-# Who answers for the package. Whoever gives away packages of their own puts their own name here.
-set(GHOSTFORCE_MAINTAINER "the ghostforce authors <ghostforce@ghostforce.org>" CACHE STRING
-  "Who made the Debian package: Name <address>")
+set(GHOSTFORCE_MAINTAINER "" CACHE STRING "Who answers for the Debian package: Name <address>; ./package says it")
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME ghostforce)
