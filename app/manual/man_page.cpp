@@ -163,7 +163,8 @@ std::string reference(std::string_view page) {
   return fmt::format(".BR {} (1)", roff_text(page));
 }
 
-// No word is cut in two, since most could be copied. The title has no date: a page says of which version it is, and the same program always writes the same page.
+// No word is cut in two, since most could be copied. The title has no date: a page says of which version it is,
+// and the same program always writes the same page.
 std::string beginning(const Manual& manual, std::string_view page, std::string_view sentence) {
   std::string title(page);
   for (char& c : title) c = static_cast<char>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c);
