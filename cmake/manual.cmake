@@ -1,6 +1,7 @@
 # The manual pages, and what completes the command line in bash, zsh and fish: the program prints them itself
 # (ghostforce help --format …). The target all writes them to share/ of the build tree, as an installation has them.
 #
+# They are installed where they have been made: ./demo builds the program alone, and that can be installed too.
 # A package whose shells look elsewhere sets GHOSTFORCE_INSTALL_ZSHDIR: Debian's is share/zsh/vendor-completions.
 
 set(GHOSTFORCE_INSTALL_ZSHDIR ${CMAKE_INSTALL_DATADIR}/zsh/site-functions CACHE STRING
@@ -25,7 +26,7 @@ function(manual_file path destination)
     DEPENDS ghostforce
     COMMENT "Writing share/${path}"
     VERBATIM)
-  install(FILES ${file} DESTINATION ${destination})
+  install(FILES ${file} DESTINATION ${destination} OPTIONAL)
   set(manual_files ${manual_files} ${file} PARENT_SCOPE)
 endfunction()
 

@@ -117,8 +117,8 @@ std::vector<PixelBox> read_mask(const TomlValue& mask, int width, int height) {
     if (box_width == 0.0 || box_height == 0.0) {
       mask[i].refuse("a rectangle has no pixels", "give a width and a height of 1 or more");
     } else if (x + box_width > width || y + box_height > height) {
-      mask[i].refuse(fmt::format("the rectangle [{}, {}, {}, {}] leaves the picture, which has {}x{} pixels", x, y,
-                                 box_width, box_height, width, height),
+      mask[i].refuse(fmt::format("the rectangle [{}, {}, {}, {}] reaches beyond the picture, which has {}x{} pixels", x,
+                                 y, box_width, box_height, width, height),
                      "give one within it");
     } else {
       boxes.push_back(
@@ -275,8 +275,7 @@ void read_text(ReadCase& into, std::vector<ReadProblem>& problems) {
   };
   if (reader.parse(into.content.text)) {
     summary.has_tolerance = reader.has_table("tolerance");
-    const bool has_subject = reader.find("", "scene") || reader.find("", "lesson");
-    if (!has_subject && (reader.find("", "format") || reader.has_table("wall"))) {
+    if (!reader.find("", "scene") && reader.has_table("wall")) {
       reader.refuse("this is a scene, not a case",
                     fmt::format("put scenes into a subfolder, and refer to them as in scene = \"scenes/{}\"",
                                 quoted_text(path.filename().string())));

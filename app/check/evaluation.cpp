@@ -23,16 +23,16 @@ namespace {
   const std::string doing =
       ended.piece < 0
           ? ""
-          : fmt::format(" while it checked {}", quoted_text(chosen.at(static_cast<std::size_t>(ended.piece))->name));
+          : fmt::format(" while checking {}", quoted_text(chosen.at(static_cast<std::size_t>(ended.piece))->name));
   if (ended.signal == SIGKILL) {
     throw Failure(ExitCode::file_trouble,
-                  fmt::format("one of the --jobs was killed{}, perhaps because memory is short; choose fewer --jobs, "
+                  fmt::format("a worker process was killed{}, perhaps because memory is short; choose fewer --jobs, "
                               "or close other programs",
                               doing));
   }
   throw std::runtime_error(ended.signal == 0
-                               ? fmt::format("one of the --jobs ended{}", doing)
-                               : fmt::format("one of the --jobs was ended by signal {}{}", ended.signal, doing));
+                               ? fmt::format("a worker process ended unexpectedly{}", doing)
+                               : fmt::format("a worker process was ended by signal {}{}", ended.signal, doing));
 }
 
 }  // namespace

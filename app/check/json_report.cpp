@@ -56,11 +56,10 @@ std::string report_as_json(const std::vector<const Case*>& cases, const std::vec
     duration_s += verdicts[i].duration_s;
   }
   const auto failed = std::ranges::count(verdicts, false, &Verdict::passes);
-  Json json{{"version", version},
-            {"folder", folder},
-            {"total", {{"cases", verdicts.size()}, {"failed", failed}, {"duration_s", duration_s}}},
-            {"report", nullptr},
-            {"cases", std::move(all)}};
+  Json json{
+      {"format", 1},       {"version", version},
+      {"folder", folder},  {"total", {{"cases", verdicts.size()}, {"failed", failed}, {"duration_s", duration_s}}},
+      {"report", nullptr}, {"cases", std::move(all)}};
   if (report != nullptr) json["report"] = {{"html", report->html_path()}, {"junit", report->junit_path()}};
   // Names of files may be no UTF-8.
   return json.dump(1, ' ', false, Json::error_handler_t::replace);

@@ -13,7 +13,7 @@
 namespace ghostforce {
 
 // By --renderer gpu, for a golden that another renderer drew and a case without a tolerance of its own: graphics cards
-// round otherwise than Mesa's software renderer, most of all along edges. Ten times as many pixels as differ
+// round differently from Mesa's software renderer, most of all along edges. Ten times as many pixels as differ
 // by more with softpipe, Mesa's other software renderer.
 inline constexpr Tolerance graphics_card_tolerance{.channel = 16, .share = 0.0005};
 

@@ -28,7 +28,7 @@ namespace {
 
 using MakePiece = std::function<std::string(std::int64_t)>;
 
-// Enough that no worker waits while another has a slow piece.
+// Enough that a worker rarely waits while another has a slow piece.
 constexpr std::int64_t pieces_per_worker = 4;
 
 // Before the bytes of each piece.

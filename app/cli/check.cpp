@@ -202,7 +202,8 @@ std::function<int()> attach_check(CLI::App& command, FileOptions& files) {
                  }
                  return paths;
                });
-  command.add_option("--jobs", options->jobs, "Draw in so many processes at once")
+  command
+      .add_option("--jobs", options->jobs, fmt::format("Draw in N processes at once, 1 to {}; default: 1", most_jobs))
       ->type_name("N")
       ->check(whole_number_between(1, most_jobs))
       ->excludes(update_option);

@@ -53,7 +53,7 @@ void SceneOptions::attach(CLI::App& command, FileOptions& files, bool scene_requ
       command
           .add_option("--set", overrides, "Set a key of the scene, as in rendering.k_r_N_per_m=800; may be repeated")
           ->type_name("KEY=VALUE")
-          ->check(suggests_keys()));
+          ->check(suggests_keys(KeyKind::any)));
 }
 
 bool SceneOptions::is_named() const {
@@ -64,9 +64,11 @@ Scene SceneOptions::load() const {
   return load_scene(scene, overrides);
 }
 
-CLI::Validator suggests_keys() {
+CLI::Validator suggests_keys(KeyKind kind) {
   std::vector<std::string> keys;
-  for (const SceneKey& key : scene_keys()) keys.push_back(dotted_name(key) + "=");
+  for (const SceneKey& key : scene_keys()) {
+    if (kind == KeyKind::any || limits_of(key)) keys.push_back(dotted_name(key) + "=");
+  }
   return suggests({keys.begin(), keys.end()});
 }
 

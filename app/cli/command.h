@@ -61,7 +61,8 @@ struct SceneOptions {
 using WordCheck = std::function<std::string(const std::string& word)>;
 
 // An option's value begins with a key of the scene and "=".
-CLI::Validator suggests_keys();
+enum class KeyKind : std::uint8_t { any, number };
+CLI::Validator suggests_keys(KeyKind kind);
 
 // An option's value must be a number between these, both ends included; `unit` is for the message. It lets no NaN
 // through.

@@ -94,7 +94,7 @@ std::function<int()> attach_sweep(CLI::App& command, FileOptions& files) {
                              "Vary a numeric key of the scene over COUNT values from FROM to TO, both included, in "
                              "equal steps or, with :log, in equal ratios; may be given twice")
                  ->type_name("KEY=FROM:TO:COUNT[:log]")
-                 ->check(suggests_keys())
+                 ->check(suggests_keys(KeyKind::number))
                  ->required());
   command
       .add_option("--at-rest", options->kind,

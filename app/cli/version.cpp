@@ -14,8 +14,8 @@ std::string version_words(std::string_view renderer) {
       "build      {}, {}, {}\n"
       "libraries  {}\n"
       "renderer   {}\n",
-      version, build::commit.empty() ? "unknown: not built from a repository" : build::commit, build::type,
-      build::compiler, build::system, build::libraries, renderer);
+      version, build::commit.empty() ? "unknown" : build::commit, build::type, build::compiler, build::system,
+      build::libraries, renderer);
 }
 
 }  // namespace ghostforce

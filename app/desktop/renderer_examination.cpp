@@ -37,7 +37,10 @@ std::string tried(Renderer renderer) {
 // What drivers print is nobody's concern here.
 [[noreturn]] void try_as_child(Renderer renderer, int out) {
   alarm(longest_trial_s);
-  if (const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC); nowhere >= 0) dup2(nowhere, STDERR_FILENO);
+  if (const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC); nowhere >= 0) {
+    dup2(nowhere, STDOUT_FILENO);
+    dup2(nowhere, STDERR_FILENO);
+  }
   const std::string words = tried(renderer);
   const ssize_t written = write(out, words.data(), words.size());  // a pipe takes that much at once
   _exit(written == static_cast<ssize_t>(words.size()) ? 0 : 1);

@@ -206,7 +206,7 @@ class RunReader {
   // A run without a number is older than these numbers, and in the first format.
   void check_format(std::string_view number) const {
     int format = 0;
-    if (!take_number(number, format) || format < 1) damaged("the number of the format cannot be read");
+    if (!take_number(number, format) || format < 1) damaged("this is not the number of a format");
     if (format <= run_format) return;
     throw ReadError(
         ReadError::Kind::wrong,

@@ -369,7 +369,9 @@ bool TomlReader::has_known_format() {
   const auto* const number = node_at(value->node_).as_integer();
   if (number == nullptr) {
     value->refuse_type("write format = 1");
-  } else if (number->get() != known_format) {
+  } else if (number->get() < known_format) {
+    value->refuse(fmt::format("is {}", number->get()), "write format = 1");
+  } else if (number->get() > known_format) {
     value->refuse(fmt::format("is {}, but this program only knows format 1", number->get()),
                   "a newer version may read it");
     return false;

@@ -53,7 +53,7 @@ newest() {
 for limit in GLIBC:2.36 GLIBCXX:3.4.30; do
   found=$(newest "${limit%:*}")
   [[ $(printf '%s\n' "$found" "${limit#*:}" | sort --version-sort | tail -n 1) == "${limit#*:}" ]] ||
-    fail "The folder would need ${limit%:*} $found, but shall run where there is ${limit#*:}. Make it on Debian 12."
+    fail "The folder would need ${limit%:*} $found, but must run where there is ${limit#*:}. Make it on Debian 12."
 done
 
 bill=$folder/share/doc/ghostforce/ghostforce.cdx.json

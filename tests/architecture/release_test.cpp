@@ -30,11 +30,11 @@ Release first_release(const std::string& text, const char* pattern) {
 }
 
 TEST(Release, IsTheSameInProgramChangelogAndMetainfo) {
-  const Release newest = first_release(text_of("CHANGELOG.md"), R"(\n## \[([0-9.]+)\] - (\d{4}-\d{2}-\d{2})\n)");
+  const Release newest = first_release(text_of("CHANGELOG.md"), R"re(\n## \[([0-9.]+)\] - (\d{4}-\d{2}-\d{2})\n)re");
   EXPECT_EQ(newest.version, ghostforce::version);
   EXPECT_FALSE(newest.date.empty());
   EXPECT_EQ(newest, first_release(text_of("assets/desktop/org.ghostforce.ghostforce.metainfo.xml"),
-                                  R"(<release version="([0-9.]+)" date="([0-9-]+)"/>)"))
+                                  R"re(<release version="([0-9.]+)" date="([0-9-]+)"/>)re"))
       << "software centres show the metainfo's";
 }
 

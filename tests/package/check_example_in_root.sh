@@ -16,8 +16,9 @@ mapfile -t script < <(block yaml | sed -n '/^  script:$/,/^  [a-z]/s/^    - //p'
 golden=$(sed -n '/^ghostforce check .* --update /{p;q}' "$root/docs/check.md")
 ((${#script[@]} > 1)) && [[ $golden ]] || fail "docs/check.md has no job with a script, or no line that makes a golden."
 
-scratch=$(mktemp --directory)
+scratch=$root/build/roots/check-example
 trap '"${as_root[@]}" rm -rf --one-file-system "$scratch"' EXIT
+"${as_root[@]}" rm -rf --one-file-system "$scratch"
 make_debian_root "$scratch/debian12" bookworm --variant=minbase
 mkdir "$scratch/project"
 cp "$package" "$scratch/project/"

@@ -16,6 +16,11 @@ namespace ghostforce {
 inline constexpr const char* egl_library = "libEGL.so.1";
 inline constexpr const char* osmesa_library = "libOSMesa.so.8";
 
+// Newer versions of Mesa lack it (packages.txt).
+inline bool has_osmesa() {
+  return dlopen(osmesa_library, RTLD_LAZY) != nullptr;
+}
+
 class NoOpenGl {
  public:
   explicit NoOpenGl(std::initializer_list<const char*> libraries = {egl_library, osmesa_library}) {

@@ -136,15 +136,16 @@ TEST(CheckMask, IsRefusedWhereItIsWrong) {
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.out, "");
   for (const std::string words :
-       {"a.toml:4:9: the key mask: the rectangle [0, 0, 321, 10] leaves the picture, which has 320x240 pixels; give "
+       {"a.toml:4:9: the key mask: the rectangle [0, 0, 321, 10] reaches beyond the picture, which has 320x240 pixels; "
+        "give "
         "one within it",
-        "b.toml:4:25: the key mask: the rectangle [310, 230, 10, 11] leaves the picture",
+        "b.toml:4:25: the key mask: the rectangle [310, 230, 10, 11] reaches beyond the picture",
         "c.toml:4:9: the key mask: a rectangle has no pixels; give a width and a height of 1 or more",
         "d.toml:4:10: the key mask: -1 is out of range", "e.toml:4:9: the key mask: is an array of 3; give rectangles",
         "f.toml:4:9: the key mask: is a number; give rectangles", "g.toml:4:16: the key mask: has a decimal point",
         "h.toml:4:8: the key mask: is a number; give rectangles [x, y, width, height] in pixels",
         "i.toml:4:8: the key mask: covers the whole picture", "j.toml:4:8: the key mask: has 101 rectangles; give 100",
-        "k.toml:1:9: the key mask: the rectangle [0, 0, 1281, 10] leaves the picture, which has 1280x800"}) {
+        "k.toml:1:9: the key mask: the rectangle [0, 0, 1281, 10] reaches beyond the picture, which has 1280x800"}) {
     EXPECT_TRUE(contains(outcome.err, words));
   }
   EXPECT_FALSE(contains(outcome.err, "none.toml"));

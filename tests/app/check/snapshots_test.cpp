@@ -16,6 +16,7 @@
 #include "app/lessons/lesson_file.h"
 #include "app/view/theme.h"
 #include "app/view/view.h"
+#include "tests/support/no_opengl.h"
 #include "tests/support/program.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/temporary_folder.h"
@@ -99,10 +100,12 @@ INSTANTIATE_TEST_SUITE_P(, LessonSnapshots, testing::ValuesIn(names_of_lessons()
 // It draws nothing else than EGL does, so once is enough: not in builds that take long.
 #ifndef GHOSTFORCE_ADDRESS_SANITIZED
 TEST(SnapshotsFolder, IsDrawnByOsMesaAsItIsStored) {
+  if (!has_osmesa()) GTEST_SKIP() << "this system has no OSMesa";
   expect_drawn_as_stored(snapshots, {}, "osmesa", "osmesa");
 }
 
 TEST(LessonSnapshotsFolder, IsDrawnByOsMesaAsItIsStored) {
+  if (!has_osmesa()) GTEST_SKIP() << "this system has no OSMesa";
   expect_drawn_as_stored(lesson_snapshots, {}, "lessons-osmesa", "osmesa");
 }
 #endif
