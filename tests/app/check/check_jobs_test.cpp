@@ -178,7 +178,7 @@ TEST(CheckJobs, AreANumberWithinLimits) {
   EXPECT_EQ(cases.files().size(), 1U);
   const Outcome lesson = run_program(GHOSTFORCE_PROGRAM, {"check", "ghost", "--jobs", "2"});
   EXPECT_EQ(lesson.exit_code, 2);
-  EXPECT_TRUE(contains(lesson.err, "--jobs and --json are for a folder of cases"));
+  EXPECT_TRUE(contains(lesson.err, "--jobs, --json and --renderer are for a folder of cases"));
 }
 
 TEST(CheckJobs, SayWhatIsMissingWhereThereIsNoOpenGl) {

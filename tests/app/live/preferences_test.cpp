@@ -153,7 +153,7 @@ TEST_F(PreferencesTest, EachPartIsReadBackAsItWasWritten) {
   save(all_other());
   EXPECT_EQ(load_preferences().preferences, all_other());
   const std::string text = read_whole(preferences());
-  EXPECT_EQ(std::ranges::count(text, '='), parts_of_preferences) << "a line each:\n" << text;
+  EXPECT_EQ(std::ranges::count(text, '='), 1 + parts_of_preferences) << "a line each, and the format:\n" << text;
 }
 
 TEST_F(PreferencesTest, EachPartGoesIntoTheSessionAndBack) {
