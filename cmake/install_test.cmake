@@ -20,7 +20,9 @@ foreach(file IN ITEMS
     applications/ghostforce.desktop
     bash-completion/completions/ghostforce
     doc/ghostforce/LICENSE
+    doc/ghostforce/README.md
     doc/ghostforce/THIRD_PARTY_NOTICES.md
+    doc/ghostforce/docs/falcon.md
     doc/ghostforce/ghostforce.cdx.json
     fish/vendor_completions.d/ghostforce.fish
     ghostforce/lessons/ghost.toml

@@ -131,7 +131,7 @@ int check(const CheckOptions& options) {
   }
   stop_if_interrupted();
   if (report) report->write(verdicts, options.folder);
-  write_line(fmt::format("{} cases, {} failed", verdicts.size(), failed));
+  write_line(fmt::format("{} {}, {} failed", verdicts.size(), verdicts.size() == 1 ? "case" : "cases", failed));
   if (options.json) lines.write(report_as_json(chosen, verdicts, options.folder, report ? &*report : nullptr));
   for (const Verdict& verdict : verdicts) {
     if (!verdict.passes) tell_of_failure(verdict);
@@ -218,7 +218,7 @@ std::function<int()> attach_check(CLI::App& command, FileOptions& files) {
       "  part = \"window\"             # window, scene\n"
       "  strategy = \"naive\"          # full, naive, anisotropic, all\n"
       "  compare = \"overlay\"         # overlay, side-by-side, active-only\n"
-      "  theme = \"light\"\n"
+      "  theme = \"light\"           # light, dark, projector\n"
       "  scale = 1.0\n"
       "  set = [\"wall.normal_deg=120\"]\n"
       "  mask = [[0, 0, 200, 40]]    # x, y, width, height of what is not compared, in pixels\n"
@@ -226,6 +226,8 @@ std::function<int()> attach_check(CLI::App& command, FileOptions& files) {
       "  [tolerance]                 # default: exact\n"
       "  channel = 2                 # greatest difference of a channel that counts as none, 0-255\n"
       "  share = 0.001               # share of the pixels that may differ by more\n"
+      "\n"
+      "docs/check.md explains these keys, and those for the stage and for lessons.\n"
       "\n"
       "Of a lesson, check says whether each of its steps can be done: docs/lessons.md.\n"
       "\n"

@@ -35,6 +35,7 @@ constexpr std::array files{
     Row{"/usr/share/ghostforce/scenes/",
         "Copies of the shipped scenes, to start your own from. The program itself does not read them. Below another "
         "prefix, if the program is not installed in /usr."},
+    Row{"/usr/share/doc/ghostforce/docs/", "The guides that messages name, such as docs/falcon.md."},
 };
 
 std::vector<ManualRow> rows_of(std::span<const Row> rows) {

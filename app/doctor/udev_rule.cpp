@@ -16,6 +16,7 @@
 
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
+#include "app/console/shell_word.h"
 #include "app/files/output_file.h"
 #include "embedded_udev_rule.h"
 
@@ -75,7 +76,7 @@ void announce(const fs::path& rule) {
 void install_as_root(const fs::path& rule) {
   std::error_code error;
   const std::string self = fs::read_symlink("/proc/self/exe", error).string();
-  const std::string by_hand = fmt::format("sudo {} doctor --install-udev", quoted_text(self, longest_path));
+  const std::string by_hand = fmt::format("sudo {} doctor --install-udev", shell_word(self));
   const bool is_somebody_there = isatty(STDIN_FILENO) != 0 && isatty(STDERR_FILENO) != 0;
   for (const std::string_view asker : {"sudo", "pkexec"}) {
     const std::string program = is_somebody_there && !error ? find_program(asker) : "";

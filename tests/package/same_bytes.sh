@@ -8,8 +8,8 @@ scratch=$(mktemp --directory)
 trap 'rm -rf "$scratch"' EXIT
 clone="$scratch/another place"
 git clone --quiet --no-local --depth=1 "file://$root" "$clone"
-mkdir "$clone/build"
-cp -r "$root/build/downloads" "$clone/build/" 2>/dev/null || true  # the wheel is the same, and is not fetched again
+mkdir -p "$clone/build/downloads"
+cp -r "$root"/build/downloads/imgui-* "$clone/build/downloads/" || true  # where it is there, it is not fetched again
 logged same-bytes env --unset=CMAKE_C_COMPILER_LAUNCHER --unset=CMAKE_CXX_COMPILER_LAUNCHER "$clone/package" ||
   fail_with same-bytes "The packages could not be made a second time."
 

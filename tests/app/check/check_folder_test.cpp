@@ -39,7 +39,7 @@ TEST(Check, SaysWithWhichCommandAGoldenComesToBe) {
   const Outcome outcome = cases.check();
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_TRUE(contains(outcome.out, "FAIL it's new  there is no golden"));
-  EXPECT_TRUE(contains(outcome.out, "1 cases, 1 failed\n"));
+  EXPECT_TRUE(contains(outcome.out, "1 case, 1 failed\n"));
   const std::string command = fmt::format("check {} --update 'it'\\''s new'", cases.path());
   ASSERT_TRUE(contains(outcome.err, "ghostforce " + command));
   // By a shell, as the person does it.

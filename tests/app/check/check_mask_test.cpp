@@ -82,7 +82,7 @@ TEST(CheckMask, HidesWhatDiffersWithinIt) {
   ASSERT_EQ(cases.check().exit_code, 1);
   const std::string text = read_whole(cases / "wall.toml");
   write_whole(cases / "wall.toml", "mask = [[0, 0, 5, 5], [10, 20, 1, 1]]\n" + text);
-  EXPECT_EQ(cases.check().out, "pass wall\n1 cases, 0 failed\n");
+  EXPECT_EQ(cases.check().out, "pass wall\n1 case, 0 failed\n");
   write_whole(cases / "wall.toml", "mask = [[0, 0, 5, 5], [11, 20, 1, 1]]\n" + text);
   const std::string report = cases.beside("report");
   const Outcome beside = cases.check({"--report", report});

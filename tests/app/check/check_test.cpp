@@ -339,7 +339,7 @@ TEST(CheckMatch, ComparesWithAnotherCasesPicture) {
                      {"c", text + "strategy = \"full\"\nmismatch = \"b\"\n"}});
   EXPECT_EQ(cases.check().out, "pass a\npass b\npass c\n3 cases, 0 failed\n") << "also when they name each other";
   EXPECT_EQ(cases.files().size(), 3U);
-  EXPECT_EQ(cases.check({"--only", "b"}).out, "pass b\n1 cases, 0 failed\n");
+  EXPECT_EQ(cases.check({"--only", "b"}).out, "pass b\n1 case, 0 failed\n");
 
   write_whole(cases / "b.toml", text + "match = \"c\"\n");
   write_whole(cases / "a.toml", text + "mismatch = \"b\"\n");
