@@ -32,7 +32,13 @@ TEST(DesktopFiles, TheEntryIsValid) {
 }
 
 TEST(DesktopFiles, TheMetainfoIsValid) {
-  EXPECT_EQ(complaint_of({"appstreamcli", "validate", "--no-net", "--no-color", project_path(metainfo)}), "");
+  const Outcome outcome =
+      run_program("/usr/bin/env", {"appstreamcli", "validate", "--no-net", "--no-color", project_path(metainfo)});
+  EXPECT_NE((outcome.out + outcome.err).find("Validation "), std::string::npos) << outcome.out << outcome.err;
+  for (const std::string& complaint : all_in(outcome.out + outcome.err, "^([EW]: .*)")) {
+    // Newer versions miss an address in the web; there is none.
+    EXPECT_NE(complaint.find(": url-homepage-missing"), std::string::npos) << complaint;
+  }
 }
 
 TEST(DesktopFiles, OnlyNamesThatSayGhostforceAreItsScenes) {
