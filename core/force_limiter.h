@@ -38,11 +38,13 @@ class ForceLimiter {
   // Nothing goes out, and the next force starts from nothing.
   void reset() noexcept { *this = {}; }
 
-  // In this order: finite, cross-fade, `gain` (0 … 1: of ramp and fade), slew, length, finite. `limit` may change at
-  // any time: a lower one is reached as fast as a force may change. `elapsed_s`: since the call before.
-  Result pass(const Vector<2>& wanted, double gain, double limit, double elapsed_s) noexcept {
+  // In this order: finite, cross-fade, `added`, `gain` (0 … 1: of ramp and fade), slew, length, finite. `added` is no
+  // law of its own, and nothing leads over to it: tones that measure the hand [N]. `limit` may change at any time: a
+  // lower one is reached as fast as a force may change. `elapsed_s`: since the call before.
+  Result pass(const Vector<2>& wanted, double gain, double limit, double elapsed_s,
+              const Vector<2>& added = Vector<2>(0.0)) noexcept {
     Result result;
-    result.was_finite = is_finite(wanted) && std::isfinite(gain);
+    result.was_finite = is_finite(wanted) && is_finite(added) && std::isfinite(gain);
     if (!result.was_finite) {
       reset();
       return result;
@@ -56,7 +58,7 @@ class ForceLimiter {
     // Where the new law wants nothing, as in free space, nothing of the old one is left over.
     fade_s_ = wanted == Vector<2>(0.0) ? cross_fade_s : std::min(fade_s_ + step_s, cross_fade_s);
     wanted_ = glm::mix(from_, wanted, fade_s_ / cross_fade_s);
-    Vector<2> force = wanted_ * std::clamp(gain, 0.0, 1.0);
+    Vector<2> force = (wanted_ + added) * std::clamp(gain, 0.0, 1.0);
     // Far too long a vector has a length that no number holds.
     force = glm::clamp(force, Vector<2>(-farthest), Vector<2>(farthest));
     result.was_saturated = glm::length(force) > limit_;

@@ -37,6 +37,8 @@ const std::array keys{
     SceneKey{"device", "rate_hz", true,
              NumberKey{[](Scene& s) -> auto& { return s.settings.rate; }, 1.0, rate_range.least, rate_range.greatest,
                        false, true}},
+    SceneKey{"device", "encoder_mm", false,
+             NumberKey{[](Scene& s) -> auto& { return s.settings.encoder_step; }, mm_per_m, 0.0, 10.0}, true},
 
     SceneKey{"user", "k_u_N_per_m", true,
              NumberKey{[](Scene& s) -> auto& { return s.settings.stiffnesses.k_u; }, 1.0, user_stiffness_range.least,
@@ -44,6 +46,17 @@ const std::array keys{
     SceneKey{"user", "believed_k_u_N_per_m", false,
              OptionalNumberKey{[](Scene& s) -> auto& { return s.settings.stiffnesses.believed_k_u; },
                                user_stiffness_range.least, user_stiffness_range.greatest, ""}},
+    SceneKey{"user", "k_u_path_N_per_m", false,
+             NumbersKey{[](Scene& s) -> auto& { return s.stiffness_path.values; }, user_stiffness_range}, true},
+    SceneKey{"user", "k_u_times_s", false, TimesKey{[](Scene& s) -> auto& { return s.stiffness_path.times; }}, true},
+    SceneKey{"user", "tremor_mm_rms", false,
+             NumberKey{[](Scene& s) -> auto& { return s.unrest.tremor_rms; }, mm_per_m, 0.0, 10.0}, true},
+    SceneKey{"user", "tremor_hz", false, RangeKey{[](Scene& s) -> auto& { return s.unrest.tremor_hz; }, {0.1, 100.0}},
+             true},
+    SceneKey{"user", "drift_mm_per_s", false,
+             NumberKey{[](Scene& s) -> auto& { return s.unrest.drift_speed; }, mm_per_m, 0.0, 100.0}, true},
+    SceneKey{"user", "seed", false,
+             NumberKey{[](Scene& s) -> auto& { return s.unrest.seed; }, 1.0, 0.0, 1e9, false, true}, true},
 
     SceneKey{"rendering", "strategy", true,
              ChoiceKey{strategy_words, [](const Scene& s) { return index_of(s.settings.active); },
@@ -77,8 +90,8 @@ bool is_between(double value, double least, double greatest) noexcept {
   return value >= least && value <= greatest;  // false for NaN
 }
 
-// Whether a scene's value lies in the range of its key, one function per kind of key; texts and the path are no
-// settings.
+// Whether a scene's value lies in the range of its key, one function per kind of key; texts, paths and bands
+// are no settings.
 struct InRange {
   Scene& scene;
 
@@ -98,7 +111,23 @@ struct InRange {
   bool operator()(const TextKey&) const noexcept { return true; }
   bool operator()(const PointsKey&) const noexcept { return true; }
   bool operator()(const TimesKey&) const noexcept { return true; }
+  bool operator()(const NumbersKey&) const noexcept { return true; }
+  bool operator()(const RangeKey&) const noexcept { return true; }
 };
+
+// Of keys that may be missing: the one that is there is at fault.
+std::optional<SceneProblem> find_problem(const StiffnessPath& path) {
+  const std::size_t values = path.values.size();
+  const std::size_t times = path.times.size();
+  if (values == times) return std::nullopt;
+  const std::string_view both = "give both, or neither for a hand that is always as stiff";
+  if (times == 0) return SceneProblem{"user", "k_u_path_N_per_m", "k_u_times_s is missing", std::string(both)};
+  if (values == 0) return SceneProblem{"user", "k_u_times_s", "k_u_path_N_per_m is missing", std::string(both)};
+  return SceneProblem{"user", "k_u_times_s",
+                      "there are " + std::to_string(times) + " times for " + std::to_string(values) +
+                          " stiffnesses in k_u_path_N_per_m",
+                      "give as many of each"};
+}
 
 }  // namespace
 
@@ -120,10 +149,12 @@ void set_number(Scene& scene, const SceneKey& key, double number) noexcept {
 }
 
 bool is_setting(const SceneKey& key) noexcept {
-  return key.table == "wall" || key.table == "device" || key.table == "user" || key.table == "rendering";
+  if (key.table == "user") return !key.is_rare;  // how the hand moves is the scene's
+  return key.table == "wall" || key.table == "device" || key.table == "rendering";
 }
 
 std::optional<SceneProblem> find_problem(const Scene& scene) {
+  if (auto problem = find_problem(scene.stiffness_path)) return problem;
   if (scene.goal.points.size() != scene.goal.times.size()) {
     return SceneProblem{"goal", "times_s",
                         "there are " + std::to_string(scene.goal.times.size()) + " times for " +

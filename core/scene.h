@@ -15,7 +15,9 @@
 #include <glm/common.hpp>
 
 #include "core/goal_path.h"
+#include "core/hand_unrest.h"
 #include "core/settings.h"
+#include "core/stiffness_path.h"
 #include "core/units.h"
 
 namespace ghostforce {
@@ -31,6 +33,8 @@ struct Scene {
   std::string title;
   std::string about;
   Settings settings;
+  StiffnessPath stiffness_path;  // of the hand that moves the simulated devices, whoever guides it
+  HandUnrest unrest;             // of a hand that is simulated itself; what is recorded of a hand has its own
   GoalPath goal;
   double duration = 0.0;  // [s]
   SceneView view;
@@ -41,6 +45,13 @@ struct Scene {
 // round(duration · rate): the last tick of a run.
 inline std::int64_t last_tick(const Scene& scene) noexcept {
   return std::llround(scene.duration * scene.settings.rate);
+}
+
+// The settings as they hold at that moment of a run [s], for whoever asks what happens then: the hand is as stiff as the
+// scene says, and the renderer, which sees no hand, believes what it believed.
+inline Settings settings_at(const Scene& scene, const Settings& settings, double time_s) noexcept {
+  if (scene.stiffness_path.is_empty()) return settings;
+  return with_user_stiffness(settings, stiffness_at(scene.stiffness_path, time_s));
 }
 
 // A run's duration, and any moment that is asked for on the command line: eleven days.
@@ -97,11 +108,26 @@ struct TimesKey {
   std::vector<double>& (*in)(Scene&);
 };
 
+// A list of numbers; both ends included.
+struct NumbersKey {
+  std::vector<double>& (*in)(Scene&);
+  NumberRange range;
+};
+
+// [least, greatest], in this order or the same.
+struct RangeKey {
+  NumberRange& (*in)(Scene&);
+  NumberRange range;  // within which both lie
+};
+
 struct SceneKey {
   std::string_view table;  // "" at the top of the file
   std::string_view name;   // with its unit, as in the file
   bool required;
-  std::variant<NumberKey, OptionalNumberKey, TextKey, ChoiceKey, PointKey, PointsKey, TimesKey> value;
+  std::variant<NumberKey, OptionalNumberKey, TextKey, ChoiceKey, PointKey, PointsKey, TimesKey, NumbersKey, RangeKey>
+      value;
+  // What few scenes have: where it is as in a new Scene, a file says nothing of it.
+  bool is_rare = false;
 };
 
 // In the order in which a scene is written.

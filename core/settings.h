@@ -18,6 +18,8 @@ struct NumberRange {
   double greatest;
 
   constexpr double nearest_to(double number) const noexcept { return std::clamp(number, least, greatest); }
+
+  friend bool operator==(const NumberRange&, const NumberRange&) = default;
 };
 
 // A hand has some 10 to 10,000 N/m; a value far outside is a typing error [N/m].
@@ -37,6 +39,7 @@ struct Settings {
   double mass = 0.0;                            // device and hand [kg]
   double damping = 0.0;                         // device and hand [N·s/m]
   double rate = 0.0;                            // ticks per second of model time, 1/dt [Hz]
+  double encoder_step = 0.0;                    // of a simulated device, see encoder.h [m]; 0: the place itself
   Stiffnesses stiffnesses;                      // k_u, k_r, k_t, k_c, ρ
   StrategyId active = StrategyId::anisotropic;  // the one on the device; the others run beside it
 
@@ -53,8 +56,22 @@ inline Actuation<2> actuation_of(const Settings& settings) noexcept {
 }
 
 inline TickCoefficients<2> coefficients_of(const Settings& settings) noexcept {
-  return coefficients_of(wall_of(settings), actuation_of(settings), settings.stiffnesses, settings.mass,
-                         settings.damping, settings.rate);
+  TickCoefficients<2> coefficients = coefficients_of(wall_of(settings), actuation_of(settings), settings.stiffnesses,
+                                                     settings.mass, settings.damping, settings.rate);
+  coefficients.encoder_step = settings.encoder_step;
+  return coefficients;
+}
+
+// What the renderer sees of a simulated device [m].
+inline Vector<2> measured_position(const Settings& settings, const Vector<2>& device) noexcept {
+  return measured_position(settings.encoder_step, device);
+}
+
+// With another hand [N/m]; the renderer believes what it believed.
+inline Settings with_user_stiffness(Settings settings, double k_u) noexcept {
+  settings.stiffnesses.believed_k_u = believed_user_stiffness(settings.stiffnesses);
+  settings.stiffnesses.k_u = k_u;
+  return settings;
 }
 
 // Where a strategy comes to rest under a goal that is held still [m].

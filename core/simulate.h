@@ -22,14 +22,23 @@ inline TickState<2> equilibrium_state(const Settings& settings, const Vector<2>&
   return state;
 }
 
+// The same for a scene's hand as it is when a run begins.
+inline TickState<2> equilibrium_at_start(const Scene& scene, const Vector<2>& goal) noexcept {
+  return equilibrium_state(settings_at(scene, scene.settings, 0.0), goal);
+}
+
 // Calls on_tick(const Snapshot&) for k = 0 … last, beginning with `state`, whose k is 0, and returns the state after
 // the last tick, from which a servo may continue.
 template <typename OnTick>
 TickState<2> simulate_from(TickState<2> state, const Scene& scene, std::int64_t last, OnTick&& on_tick) {
-  const TickCoefficients<2> coefficients = coefficients_of(scene.settings);
+  TickCoefficients<2> coefficients = coefficients_of(scene.settings);
+  const UnrestMotion unrest(scene.unrest);
+  const bool changes_stiffness = !scene.stiffness_path.is_empty();
   on_tick(snapshot_of(coefficients, state));
   while (state.tick < last) {
-    tick(coefficients, goal_at(scene.goal, time_of(state.tick + 1, coefficients.rate)), state);
+    const double time_s = time_of(state.tick + 1, coefficients.rate);
+    if (changes_stiffness) set_user_stiffness(coefficients, stiffness_at(scene.stiffness_path, time_s));
+    tick(coefficients, unrest.shaken(goal_at(scene.goal, time_s), time_s), state);
     on_tick(snapshot_of(coefficients, state));
   }
   return state;

@@ -9,8 +9,8 @@ namespace ghostforce {
 template <glm::length_t D>
 TickCoefficients<D> coefficients_of(const Wall<D>& wall, const Actuation<D>& actuation, const Stiffnesses& stiffnesses,
                                     double mass, double damping, double rate) noexcept {
-  TickCoefficients<D> coefficients{
-      wall, actuation, sampled_device(mass, damping, stiffnesses.k_u, 1.0 / rate), rate, {}};
+  TickCoefficients<D> coefficients{wall, actuation, sampled_device(mass, damping, stiffnesses.k_u, 1.0 / rate),
+                                   rate, {},        0.0};
   for (const Strategy& strategy : strategy_catalog()) {
     const Coupling<D> coupling = make_coupling(strategy, stiffnesses, actuation);
     coefficients.strategies[index_of(strategy.id)] = {coupling.rendering,
@@ -30,6 +30,24 @@ TickState<D> state_at_start(const Vector<D>& goal) noexcept {
   return state;
 }
 
+namespace {
+
+// All strategies but one, under the state's goal, with a renderer that sees the devices through an encoder. Apart, so
+// that a tick without one costs no more.
+template <glm::length_t D>
+[[gnu::noinline]] void tick_through_encoder(const TickCoefficients<D>& coefficients, std::size_t but_for,
+                                            TickState<D>& state) noexcept {
+  const auto measure = [step = coefficients.encoder_step](const Vector<D>& device) {
+    return measured_position(step, device);
+  };
+  for (std::size_t i = 0; i < strategy_count; ++i) {
+    if (i == but_for) continue;
+    tick_strategy<D>(coefficients, coefficients.strategies[i], state.goal, state.strategies[i], measure);
+  }
+}
+
+}  // namespace
+
 // Flattened: all of a strategy's vectors in registers, from its state and back into it.
 template <glm::length_t D>
 [[gnu::flatten]] void tick(const TickCoefficients<D>& coefficients, const Vector<D>& goal,
@@ -37,6 +55,8 @@ template <glm::length_t D>
   ++state.tick;
   state.goal = goal;
   state.measured.reset();
+  if (coefficients.encoder_step != 0.0) [[unlikely]]
+    return tick_through_encoder(coefficients, strategy_count, state);
   for (std::size_t i = 0; i < strategy_count; ++i) {
     tick_strategy<D>(coefficients, coefficients.strategies[i], goal, state.strategies[i]);
   }
@@ -45,7 +65,7 @@ template <glm::length_t D>
 template <glm::length_t D>
 [[gnu::flatten]] void tick_with_device(const TickCoefficients<D>& coefficients, StrategyId active,
                                        const Vector<D>& device, const Vector<D>& motor_force, double believed_k_u,
-                                       TickState<D>& state) noexcept {
+                                       TickState<D>& state, double goal_share) noexcept {
   const std::size_t measured = index_of(active);
   const StrategyCoefficients<D>& own_coefficients = coefficients.strategies[measured];
   StrategyState<D>& own = state.strategies[measured];
@@ -56,7 +76,10 @@ template <glm::length_t D>
   const Vector<D> velocity = (device - own.motion.position) * coefficients.rate;
   move<D>(coefficients, own_coefficients.proxy_gain, {device, velocity}, device, force_of<D>(own_coefficients, own),
           own);
-  state.goal = device - motor_force / believed_k_u;
+  const Vector<D> goal = device - motor_force / believed_k_u;
+  state.goal = goal_share < 1.0 && own.in_contact ? glm::mix(state.goal, goal, goal_share) : goal;
+  if (coefficients.encoder_step != 0.0) [[unlikely]]
+    return tick_through_encoder(coefficients, measured, state);
   for (std::size_t i = 0; i < strategy_count; ++i) {
     if (i != measured) tick_strategy<D>(coefficients, coefficients.strategies[i], state.goal, state.strategies[i]);
   }
@@ -69,16 +92,17 @@ SnapshotIn<D> snapshot_of(const TickCoefficients<D>& coefficients, const TickSta
   return snapshot;
 }
 
+namespace {
+
+// `forces`: f_r of each strategy [N].
 template <glm::length_t D>
-[[gnu::flatten]] void take_snapshot(const TickCoefficients<D>& coefficients, const TickState<D>& state,
-                                    SnapshotIn<D>& snapshot) noexcept {
+[[gnu::always_inline]] inline void write_snapshot(const TickCoefficients<D>& coefficients, const TickState<D>& state,
+                                                  const PerStrategy<Vector<D>>& forces,
+                                                  SnapshotIn<D>& snapshot) noexcept {
   snapshot.tick = state.tick;
   snapshot.time_s = time_of(state.tick, coefficients.rate);
   snapshot.goal = state.goal;
   snapshot.measured = state.measured;
-  PerStrategy<Vector<D>> forces;
-  for (std::size_t i = 0; i < strategy_count; ++i)
-    forces[i] = force_of<D>(coefficients.strategies[i], state.strategies[i]);
   for (std::size_t i = 0; i < strategy_count; ++i) {
     const StrategyState<D>& own = state.strategies[i];
     const bool is_compared = own.in_contact && !state.measured;
@@ -95,13 +119,40 @@ template <glm::length_t D>
   }
 }
 
+// Apart for the same reason as the tick.
+template <glm::length_t D>
+[[gnu::noinline]] void take_snapshot_through_encoder(const TickCoefficients<D>& coefficients, const TickState<D>& state,
+                                                     SnapshotIn<D>& snapshot) noexcept {
+  PerStrategy<Vector<D>> forces;
+  for (std::size_t i = 0; i < strategy_count; ++i) {
+    const bool is_real = state.measured && index_of(*state.measured) == i;
+    const StrategyState<D>& own = state.strategies[i];
+    forces[i] = rendered_force<D>(coefficients.strategies[i], own.proxy,
+                                  measured_position(is_real ? 0.0 : coefficients.encoder_step, own.motion.position));
+  }
+  write_snapshot(coefficients, state, forces, snapshot);
+}
+
+}  // namespace
+
+template <glm::length_t D>
+[[gnu::flatten]] void take_snapshot(const TickCoefficients<D>& coefficients, const TickState<D>& state,
+                                    SnapshotIn<D>& snapshot) noexcept {
+  if (coefficients.encoder_step != 0.0) [[unlikely]]
+    return take_snapshot_through_encoder(coefficients, state, snapshot);
+  PerStrategy<Vector<D>> forces;
+  for (std::size_t i = 0; i < strategy_count; ++i)
+    forces[i] = force_of<D>(coefficients.strategies[i], state.strategies[i]);
+  write_snapshot(coefficients, state, forces, snapshot);
+}
+
 #define GHOSTFORCE_INSTANTIATE(D)                                                                                  \
   template TickCoefficients<D> coefficients_of<D>(const Wall<D>&, const Actuation<D>&, const Stiffnesses&, double, \
                                                   double, double) noexcept;                                        \
   template TickState<D> state_at_start<D>(const Vector<D>&) noexcept;                                              \
   template void tick<D>(const TickCoefficients<D>&, const Vector<D>&, TickState<D>&) noexcept;                     \
   template void tick_with_device<D>(const TickCoefficients<D>&, StrategyId, const Vector<D>&, const Vector<D>&,    \
-                                    double, TickState<D>&) noexcept;                                               \
+                                    double, TickState<D>&, double) noexcept;                                       \
   template SnapshotIn<D> snapshot_of<D>(const TickCoefficients<D>&, const TickState<D>&) noexcept;                 \
   template void take_snapshot<D>(const TickCoefficients<D>&, const TickState<D>&, SnapshotIn<D>&) noexcept
 GHOSTFORCE_INSTANTIATE(2);

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/actuation.h"
+#include "core/encoder.h"
 #include "core/energy.h"
 #include "core/proxy.h"
 #include "core/sampled_device.h"
@@ -28,7 +29,15 @@ struct TickCoefficients {
   SampledDevice device;
   double rate;  // 1/dt [Hz]
   PerStrategy<StrategyCoefficients> strategies;
+  double encoder_step = 0.0;  // what the renderer sees of a simulated device (encoder.h) [m]; 0: where it is
 };
+
+// From the next tick on the hand has another stiffness [N/m]. The renderer knows nothing of it.
+template <glm::length_t D>
+void set_user_stiffness(TickCoefficients<D>& coefficients, double k_u) noexcept {
+  const SampledDevice& device = coefficients.device;
+  coefficients.device = sampled_device(device.mass, device.damping, k_u, device.period);
+}
 
 // t_k = k dt [s], rounded once: k/rate is the nearest number to it, k·(1/rate) is not always.
 inline double time_of(std::int64_t tick, double rate) noexcept {
@@ -48,6 +57,7 @@ struct TickState {
     Vector<D> proxy{0.0};                                    // q_p [m]
     double energy = 0.0;                                     // W [J]
     bool in_contact = false;
+    Vector<D> tone{0.0};  // beside f_r, from this tick to the next [N]
   };
   std::int64_t tick = 0;               // k
   Vector<D> goal{0.0};                 // q_u [m]
@@ -59,8 +69,9 @@ struct TickState {
 template <glm::length_t D>
 TickState<D> state_at_start(const Vector<D>& goal) noexcept;
 
-// k ≥ 1, in this order, per strategy: (23) (24) with the force held from tick k − 1; then the proxy (25) of the device
-// of tick k − 1 (the delay of sampled data). Advances `state` from k − 1 to k; `goal` is q_u(t_k).
+// k ≥ 1, in this order, per strategy: (23) (24) with force and tone held from tick k − 1; then the proxy (25) of the
+// device of tick k − 1 (the delay of sampled data). Advances `state` from k − 1 to k; `goal` is q_u(t_k). The tones of
+// tick k, which measure the hand (measuring_tones.h), are for the caller to set: those before stay.
 template <glm::length_t D>
 void tick(const TickCoefficients<D>& coefficients, const Vector<D>& goal, TickState<D>& state) noexcept;
 
@@ -70,13 +81,16 @@ void tick(const TickCoefficients<D>& coefficients, const Vector<D>& goal, TickSt
 // with the force `motor_force` that the motors really make, f_r after the limits on its way to them; 0 in free space.
 // The other strategies are simulated under that goal. `believed_k_u` is k̂_u [N/m]. Work is counted and the velocity is
 // known from the second tick in a row that measures the device under `active`; after a gap in the measurements, reset
-// state.measured.
+// state.measured. `goal_share`: in contact, of the way to the inferred goal that the goal goes in this tick; below 1 it
+// is low-passed, as while tones shake the device.
 template <glm::length_t D>
 void tick_with_device(const TickCoefficients<D>& coefficients, StrategyId active, const Vector<D>& device,
-                      const Vector<D>& motor_force, double believed_k_u, TickState<D>& state) noexcept;
+                      const Vector<D>& motor_force, double believed_k_u, TickState<D>& state,
+                      double goal_share = 1.0) noexcept;
 
 // The state as it stands: rendered force, ghost force and proxy drift.
 //     f_r,k = K_r (q_p,k − q_h,k)
+// where a simulated q_h counts as its encoder shows it.
 template <glm::length_t D>
 SnapshotIn<D> snapshot_of(const TickCoefficients<D>& coefficients, const TickState<D>& state) noexcept;
 
@@ -105,13 +119,14 @@ Vector<D> rendered_force(const StrategyCoefficients<D>& coefficients, const Vect
   return coefficients.rendering * (proxy - device);
 }
 
-// Of the state as it stands.
+// Of the state as it stands, with a renderer that sees the device itself.
 template <glm::length_t D>
 Vector<D> force_of(const StrategyCoefficients<D>& coefficients, const StrategyState<D>& state) noexcept {
   return rendered_force<D>(coefficients, state.proxy, state.motion.position);
 }
 
-// The device has moved under the force held since the tick before, and the proxy belongs to `tracked`.
+// The device has moved under the force held since the tick before, and the proxy belongs to `tracked`. The energy is the
+// rendering's alone: a tone is none of it.
 template <glm::length_t D>
 void move(const TickCoefficients<D>& coefficients, const Vector<D>& proxy_gain, const DeviceMotion<D>& motion,
           const Vector<D>& tracked, const Vector<D>& held_force, StrategyState<D>& state) noexcept {
@@ -123,14 +138,23 @@ void move(const TickCoefficients<D>& coefficients, const Vector<D>& proxy_gain, 
   state.in_contact = place_proxy(tracked, coefficients.wall, proxy_gain, state.proxy);
 }
 
-// (23) (24) with the force held from the tick before, then the proxy (25) of the device of the tick before.
-template <glm::length_t D>
+// A renderer that sees the device itself.
+struct ExactMeasurement {
+  template <typename Position>
+  const Position& operator()(const Position& device) const noexcept {
+    return device;
+  }
+};
+
+// (23) (24) with force and tone held from the tick before, then the proxy (25) of the device of the tick before.
+// `measure`: what the renderer sees of a device.
+template <glm::length_t D, typename Measure = ExactMeasurement>
 void tick_strategy(const TickCoefficients<D>& coefficients, const StrategyCoefficients<D>& own, const Vector<D>& goal,
-                   StrategyState<D>& state) noexcept {
-  const Vector<D> before = state.motion.position;
-  const Vector<D> held_force = force_of<D>(own, state);
-  move<D>(coefficients, own.proxy_gain, step(coefficients.device, state.motion, goal, held_force), before, held_force,
-          state);
+                   StrategyState<D>& state, const Measure& measure = {}) noexcept {
+  const Vector<D> before = measure(state.motion.position);
+  const Vector<D> held_force = rendered_force<D>(own, state.proxy, before);
+  move<D>(coefficients, own.proxy_gain, step(coefficients.device, state.motion, goal, held_force + state.tone), before,
+          held_force, state);
 }
 
 }  // namespace ghostforce

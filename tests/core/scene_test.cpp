@@ -52,8 +52,15 @@ TEST(SceneTest, KeysAreThoseOfTheFileFormatInItsOrder) {
       {"device.mass_kg", true},
       {"device.damping_N_s_per_m", true},
       {"device.rate_hz", true},
+      {"device.encoder_mm", false},
       {"user.k_u_N_per_m", true},
       {"user.believed_k_u_N_per_m", false},
+      {"user.k_u_path_N_per_m", false},
+      {"user.k_u_times_s", false},
+      {"user.tremor_mm_rms", false},
+      {"user.tremor_hz", false},
+      {"user.drift_mm_per_s", false},
+      {"user.seed", false},
       {"rendering.strategy", true},
       {"rendering.k_r_N_per_m", true},
       {"rendering.k_t_N_per_m", true},
@@ -110,8 +117,15 @@ TEST(SceneTest, EachKeyIsAtItsPlace) {
       {"device.mass_kg", &scene.settings.mass},
       {"device.damping_N_s_per_m", &scene.settings.damping},
       {"device.rate_hz", &scene.settings.rate},
+      {"device.encoder_mm", &scene.settings.encoder_step},
       {"user.k_u_N_per_m", &scene.settings.stiffnesses.k_u},
       {"user.believed_k_u_N_per_m", &scene.settings.stiffnesses.believed_k_u},
+      {"user.k_u_path_N_per_m", &scene.stiffness_path.values},
+      {"user.k_u_times_s", &scene.stiffness_path.times},
+      {"user.tremor_mm_rms", &scene.unrest.tremor_rms},
+      {"user.tremor_hz", &scene.unrest.tremor_hz},
+      {"user.drift_mm_per_s", &scene.unrest.drift_speed},
+      {"user.seed", &scene.unrest.seed},
       {"rendering.k_r_N_per_m", &scene.settings.stiffnesses.k_r},
       {"rendering.k_t_N_per_m", &scene.settings.stiffnesses.k_t},
       {"rendering.k_c_N_per_m", &scene.settings.stiffnesses.k_c},
@@ -143,6 +157,12 @@ TEST(SceneTest, RangesAreThoseOfTheFileFormat) {
   expect_range("device.mass_kg", 0.001, 100.0);
   expect_range("device.damping_N_s_per_m", 0.0, 1e4);
   expect_range("device.rate_hz", 10.0, 20000.0);
+  expect_range("device.encoder_mm", 0.0, 10.0);
+  expect_range("user.tremor_mm_rms", 0.0, 10.0);
+  expect_range("user.drift_mm_per_s", 0.0, 100.0);
+  expect_range("user.seed", 0.0, 1e9);
+  EXPECT_EQ(std::get<NumbersKey>(key_named("user.k_u_path_N_per_m").value).range, user_stiffness_range);
+  EXPECT_EQ(std::get<RangeKey>(key_named("user.tremor_hz").value).range, (NumberRange{0.1, 100.0}));
   expect_range("user.k_u_N_per_m", 0.1, 1e6);
   expect_range("user.believed_k_u_N_per_m", 0.1, 1e6);
   expect_range("rendering.k_r_N_per_m", 0.0, 1e6);
@@ -159,7 +179,7 @@ TEST(SceneTest, RangesAreThoseOfTheFileFormat) {
       EXPECT_TRUE(std::isfinite(number->least) && std::isfinite(number->greatest));
       EXPECT_GT(number->per_si, 0.0);
       EXPECT_EQ(number->may_be_infinite, key.name == "k_c_N_per_m");
-      EXPECT_EQ(number->whole, key.name == "rate_hz");
+      EXPECT_EQ(number->whole, key.name == "rate_hz" || key.name == "seed");
     }
     if (const auto* optional = std::get_if<OptionalNumberKey>(&key.value)) {
       EXPECT_LT(optional->least, optional->greatest);
@@ -176,7 +196,7 @@ TEST(SceneTest, UnitsFollowTheNames) {
     if (number == nullptr) continue;
     if (key.name.ends_with("_deg")) {
       EXPECT_DOUBLE_EQ(number->per_si * std::numbers::pi, 180.0);
-    } else if (key.name.ends_with("_mm")) {
+    } else if (key.name.ends_with("_mm") || key.name.ends_with("_mm_rms") || key.name.ends_with("_mm_per_s")) {
       EXPECT_EQ(number->per_si, 1000.0);
     } else {
       EXPECT_EQ(number->per_si, 1.0);
@@ -289,7 +309,7 @@ TEST(SceneTest, SettingsAreInRangeWhereEachKeyIs) {
     return is_in_range(scene.settings);
   };
   for (const SceneKey& key : scene_keys()) {
-    if (key.table == "goal" || key.table == "view" || key.table.empty()) continue;  // no settings
+    if (!is_setting(key)) continue;
     SCOPED_TRACE(full_name(key));
     if (const auto* number = std::get_if<NumberKey>(&key.value)) {
       EXPECT_FALSE(with(key, nan));
@@ -298,7 +318,9 @@ TEST(SceneTest, SettingsAreInRangeWhereEachKeyIs) {
       if (number->greatest > 1e300) continue;  // any finite number
       EXPECT_TRUE(with(key, number->least / number->per_si));
       EXPECT_TRUE(with(key, number->greatest / number->per_si));
-      EXPECT_FALSE(with(key, std::nextafter(number->least, -infinity) / number->per_si));
+      // A number just below 0 is 0 in another unit.
+      const double below = number->least == 0.0 ? -1e-300 : std::nextafter(number->least, -infinity);
+      EXPECT_FALSE(with(key, below / number->per_si));
       EXPECT_FALSE(with(key, std::nextafter(number->greatest, infinity) / number->per_si));
       EXPECT_EQ(with(key, 100.5), !number->whole && number->greatest > 100.0 && number->least < 100.5);
     } else if (const auto* optional = std::get_if<OptionalNumberKey>(&key.value)) {
@@ -321,6 +343,66 @@ TEST(SceneTest, SettingsAreInRangeWhereEachKeyIs) {
   EXPECT_FALSE(is_in_range(settings));
 }
 static_assert(noexcept(is_in_range(std::declval<const Settings&>())));
+
+// What may change while a scene runs; how its hand moves stands once and for all in the scene.
+TEST(SceneTest, SettingsAreWhatAPersonMayChange) {
+  std::vector<std::string> others;
+  for (const SceneKey& key : scene_keys()) {
+    if (!is_setting(key)) others.push_back(full_name(key));
+  }
+  EXPECT_EQ(others, (std::vector<std::string>{"title", "about", "user.k_u_path_N_per_m", "user.k_u_times_s",
+                                              "user.tremor_mm_rms", "user.tremor_hz", "user.drift_mm_per_s",
+                                              "user.seed", "goal.path_mm", "goal.times_s", "goal.duration_s",
+                                              "goal.motion", "view.center_mm", "view.width_mm"}));
+}
+
+// Files that were written before these keys were there must still be written the same.
+TEST(SceneTest, RareKeysAreTheNewOnes) {
+  std::vector<std::string> rare;
+  for (const SceneKey& key : scene_keys()) {
+    EXPECT_FALSE(key.is_rare && key.required) << full_name(key);
+    if (key.is_rare) rare.push_back(full_name(key));
+  }
+  EXPECT_EQ(rare,
+            (std::vector<std::string>{"device.encoder_mm", "user.k_u_path_N_per_m", "user.k_u_times_s",
+                                      "user.tremor_mm_rms", "user.tremor_hz", "user.drift_mm_per_s", "user.seed"}));
+  const Scene scene;
+  EXPECT_EQ(scene.settings.encoder_step, 0.0);
+  EXPECT_TRUE(scene.stiffness_path.is_empty());
+  EXPECT_TRUE(scene.unrest.is_still());
+  EXPECT_EQ(scene.unrest.tremor_hz, (NumberRange{8.0, 12.0}));
+  EXPECT_EQ(scene.unrest.seed, 1.0);
+}
+
+TEST(SceneTest, AStiffnessNeedsItsTimes) {
+  Scene scene = valid();
+  scene.stiffness_path = {{200.0, 400.0}, {0.0, 5.0}};
+  EXPECT_FALSE(find_problem(scene).has_value());
+  const auto problem_of = [&scene](StiffnessPath path) {
+    scene.stiffness_path = std::move(path);
+    const auto problem = find_problem(scene);
+    return problem ? std::string(problem->name) + ": " + problem->what : "none";
+  };
+  EXPECT_EQ(problem_of({{200.0, 400.0}, {}}), "k_u_path_N_per_m: k_u_times_s is missing");
+  EXPECT_EQ(problem_of({{}, {0.0}}), "k_u_times_s: k_u_path_N_per_m is missing");
+  EXPECT_EQ(problem_of({{200.0, 400.0}, {0.0}}),
+            "k_u_times_s: there are 1 times for 2 stiffnesses in k_u_path_N_per_m");
+}
+
+// At a moment the hand is as stiff as its path says, and the renderer, which cannot see that, believes what it believed.
+TEST(SceneTest, SettingsOfAMomentHaveTheHandOfThatMoment) {
+  Scene scene = valid();
+  scene.settings = settings_in_range();
+  EXPECT_EQ(settings_at(scene, scene.settings, 1.0), scene.settings);
+  const double ratio = tracking_ratio(scene.settings.stiffnesses);
+  scene.stiffness_path = {{200.0, 400.0}, {0.0, 5.0}};
+  const Settings then = settings_at(scene, scene.settings, 2.5);
+  EXPECT_EQ(then.stiffnesses.k_u, 300.0);
+  EXPECT_EQ(then.stiffnesses.believed_k_u, 100.0);
+  EXPECT_EQ(tracking_ratio(then.stiffnesses), ratio);
+  scene.settings.stiffnesses.believed_k_u = 50.0;
+  EXPECT_EQ(settings_at(scene, scene.settings, 9.0).stiffnesses.believed_k_u, 50.0);
+}
 
 TEST(SceneTest, NumbersOfKeysAreInTheFilesUnit) {
   Scene scene = valid();

@@ -38,6 +38,33 @@ TEST(SimulateTest, ReportsEveryTickFromTheFirstToTheLast) {
   EXPECT_EQ(state.tick, 1500);
 }
 
+// The hand as its scene has it: at each tick as stiff as its path says, and as far from its way as its unrest takes it.
+TEST(SimulateTest, TheHandChangesAndIsNotStill) {
+  Scene scene = example();
+  scene.stiffness_path = {{100.0, 900.0, 50.0}, {0.0, 0.5, 1.2}};
+  scene.unrest = {.tremor_rms = 0.0005, .drift_speed = 0.01, .seed = 3.0};
+  scene.settings.encoder_step = 60e-6;
+  const UnrestMotion unrest(scene.unrest);
+  TickState<2> expected = state_at_start(scene.goal.points.front());
+  std::int64_t at = 0;
+  const TickState<2> end = simulate(scene, last_tick(scene), [&](const Snapshot& snapshot) {
+    while (at < snapshot.tick) {
+      const double time_s = time_of(++at, 1000.0);
+      Settings now = scene.settings;
+      now.stiffnesses.believed_k_u = 100.0;
+      now.stiffnesses.k_u = stiffness_at(scene.stiffness_path, time_s);
+      tick(coefficients_of(now), goal_at(scene.goal, time_s) + unrest.at(time_s), expected);
+    }
+    ASSERT_EQ(snapshot.goal, expected.goal);
+    for (std::size_t i = 0; i < strategy_count; ++i) {
+      ASSERT_EQ(snapshot.strategies[i].device, expected.strategies[i].motion.position) << snapshot.tick;
+      ASSERT_EQ(snapshot.strategies[i].proxy, expected.strategies[i].proxy) << snapshot.tick;
+    }
+  });
+  EXPECT_EQ(end.tick, 1500);
+  EXPECT_NE(end.goal, scene.goal.points.back());
+}
+
 // The same ticks as any other: bit for bit what the servo would compute, and what it may go on from.
 TEST(SimulateTest, IsTheTickRepeated) {
   const Scene scene = example();

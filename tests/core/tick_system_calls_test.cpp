@@ -13,8 +13,11 @@
 
 #include <gtest/gtest.h>
 
+#include "core/belief_follower.h"
+#include "core/hand_measurement.h"
 #include "core/latest_value.h"
 #include "core/ring.h"
+#include "core/sampled_device.h"
 #include "core/settings.h"
 #include "core/tick.h"
 
@@ -87,6 +90,33 @@ bool live(int ticks, Log& log) {
     if (newest.latest().strategies[0].in_contact) ++contacts;
   }
   return contacts > ticks / 4 && contacts < ticks;
+}
+
+// Tones, samples, estimates and the belief that follows, for a hand at a wall of 400 N/m.
+bool measure(int ticks) {
+  constexpr double dt = 0.001;
+  HandMeasurement measurement(1.0 / dt);
+  BeliefFollower follower(60.0);
+  const SampledDevice device = sampled_device(0.2, 5.0, 300.0, dt);
+  DeviceMotion<2> motion{Vector<2>(0.0), Vector<2>(0.0)};
+  Vector<2> force(0.0);
+  double believed = 0.0;
+  for (int k = 1; k <= ticks; ++k) {
+    motion = step(device, motion, Vector<2>(0.02, 0.0), force);
+    const double tone = measurement.sound(true, true, usual_tone_force);
+    force.x = tone - 400.0 * motion.position.x;
+    if (measurement.add({.position = motion.position.x, .force = force.x, .tone = tone, .in_contact = true}, k * dt)) {
+      believed = follower.update(measurement.reading().estimate, 600.0, 300.0);
+    }
+  }
+  return measurement.reading().estimate.is_known() && std::abs(believed - 300.0) < 10.0;
+}
+
+TEST(TickSystemCalls, MeasuringTheHandMakesNone) {
+  const int status = end_of([] { return measure(20'000); });
+  if (!could_forbid(status)) GTEST_SKIP() << "this kernel or container has no seccomp";
+  ASSERT_TRUE(WIFEXITED(status)) << "signal " << WTERMSIG(status);
+  EXPECT_EQ(WEXITSTATUS(status), 0);
 }
 
 TEST(TickSystemCalls, ThereAreNone) {

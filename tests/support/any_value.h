@@ -19,7 +19,7 @@ inline double any_between(Random& random, double least, double greatest) {
   return random.uniform(-1000.0, 1000.0);
 }
 
-// Visits the value of a SceneKey. Texts, paths and their times stay as they are.
+// Visits the value of a SceneKey. Texts, paths with their times and bands stay as they are.
 struct AnyValue {
   Scene& scene;
   Random& random;
@@ -41,6 +41,8 @@ struct AnyValue {
   void operator()(const TextKey&) const {}
   void operator()(const PointsKey&) const {}
   void operator()(const TimesKey&) const {}
+  void operator()(const NumbersKey&) const {}
+  void operator()(const RangeKey&) const {}
 };
 
 }  // namespace ghostforce

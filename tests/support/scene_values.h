@@ -48,6 +48,13 @@ inline std::vector<std::string> scene_values(Scene scene) {
       void operator()(const TimesKey& k) const {
         for (const double time : k.in(of)) with(time);
       }
+      void operator()(const NumbersKey& k) const {
+        for (const double number : k.in(of)) with(number);
+      }
+      void operator()(const RangeKey& k) const {
+        with(k.in(of).least);
+        with(k.in(of).greatest);
+      }
     };
     std::visit(Visitor{scene, value, add}, key.value);
     values.push_back(value);

@@ -1,0 +1,62 @@
+// HandMeasurement: measures the hand tick by tick. Tones out, samples in, an estimate every HandEstimator::period_s. A
+// plain value of fixed size; never allocates or throws; any one thread. SI units, along the motor.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "core/hand_estimator.h"
+#include "core/hand_reading.h"
+#include "core/measuring_tones.h"
+
+namespace ghostforce {
+
+class HandMeasurement {
+ public:
+  // `rate`: ticks per second [Hz].
+  explicit HandMeasurement(double rate) noexcept
+      : estimator_(rate), period_(1.0 / rate), ticks_per_estimate_(std::llround(HandEstimator::period_s * rate)) {}
+
+  // The samples that come next do not continue those before.
+  void interrupt(HandUnknown why = HandUnknown::collecting) noexcept {
+    estimator_.reset(why);
+    reading_.estimate = {.why = why};
+  }
+  // The same, and what sounds falls silent at once: another run begins.
+  void restart() noexcept {
+    tones_.silence();
+    reading_ = {};
+    interrupt();
+  }
+
+  // The tones' force from this tick to the next [N], once per tick; `force`: their amplitude p.
+  double sound(bool are_wanted, bool in_contact, double force) noexcept {
+    reading_.is_measuring = are_wanted;
+    return tones_.step(are_wanted, in_contact, force, period_);
+  }
+  bool is_sounding() const noexcept { return tones_.gain() > 0.0; }
+
+  // What the tick at `time_s` has made of it. True: there is a new estimate.
+  bool add(const HandSample& sample, double time_s) noexcept {
+    estimator_.add(sample);
+    reading_.tone_gain = tones_.gain();
+    reading_.filled = estimator_.filled();
+    if (++ticks_ < ticks_per_estimate_) return false;
+    ticks_ = 0;
+    reading_.estimate = estimator_.estimate();
+    reading_.at_s = time_s;
+    return true;
+  }
+
+  const HandReading& reading() const noexcept { return reading_; }
+
+ private:
+  MeasuringTones tones_;
+  HandEstimator estimator_;
+  HandReading reading_;
+  double period_;  // of a tick [s]
+  std::int64_t ticks_per_estimate_;
+  std::int64_t ticks_ = 0;  // since the newest estimate
+};
+
+}  // namespace ghostforce

@@ -1,0 +1,27 @@
+#include "core/hand_unrest.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <numbers>
+
+#include "core/goal_path.h"
+
+namespace ghostforce {
+
+UnrestMotion::UnrestMotion(const HandUnrest& unrest) noexcept : is_still_(unrest.is_still()) {
+  RandomShares random(static_cast<std::uint64_t>(unrest.seed));
+  tremor_ = tremor_waves(unrest.tremor_hz, unrest.tremor_rms, random);
+  // All waves of both axes are equally fast: 2n of them, each with half the square of its greatest speed.
+  const double wave_speed = unrest.drift_speed / std::sqrt(static_cast<double>(drift_wave_count));
+  const auto amplitude = [wave_speed](double hz) { return wave_speed / (2.0 * std::numbers::pi * hz); };
+  drift_ = random_waves<drift_wave_count>(drift_hz, amplitude, random);
+}
+
+Vector<2> UnrestMotion::at(double time_s) const noexcept {
+  Vector<2> way(0.0);
+  tremor_.add_to(way, time_s);
+  drift_.add_to(way, time_s);
+  return minimum_jerk(std::clamp(time_s / begins_within_s, 0.0, 1.0)) * way;
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,52 @@
+// How a hand moves that means to hold still: it trembles, and it drifts. A function of model time and seed, added to the
+// goal. Plain values; never allocate or throw; any thread. SI units.
+#pragma once
+
+#include <cmath>
+#include <type_traits>
+
+#include "core/conventions.h"
+#include "core/settings.h"
+#include "core/wave_sum.h"
+
+namespace ghostforce {
+
+struct HandUnrest {
+  double tremor_rms = 0.0;           // of each axis [m]
+  NumberRange tremor_hz{8.0, 12.0};  // where its tremor is [Hz]
+  double drift_speed = 0.0;          // root of the mean square [m/s]
+  double seed = 1.0;                 // another whole number: another hand of the same kind
+
+  bool is_still() const noexcept { return tremor_rms == 0.0 && drift_speed == 0.0; }
+  friend bool operator==(const HandUnrest&, const HandUnrest&) = default;
+};
+
+// That motion, ready to be asked a thousand times a second.
+class UnrestMotion {
+ public:
+  // As slow as what a person does without noticing [Hz].
+  static constexpr NumberRange drift_hz{0.2, 0.8};
+  // A run begins still: the goal starts where it is said to start [s].
+  static constexpr double begins_within_s = 0.5;
+
+  UnrestMotion() = default;
+  explicit UnrestMotion(const HandUnrest& unrest) noexcept;
+
+  bool is_still() const noexcept { return is_still_; }
+
+  // Away from where the hand means to be; t = 0 is where the run begins, and it is 0 there [m].
+  Vector<2> at(double time_s) const noexcept;
+
+  // Where a hand is that means to be at `goal` [m]; a still one: exactly there.
+  Vector<2> shaken(const Vector<2>& goal, double time_s) const noexcept { return is_still_ ? goal : goal + at(time_s); }
+
+ private:
+  static constexpr std::size_t drift_wave_count = 8;
+
+  TremorWaves tremor_{};
+  WaveSum<drift_wave_count> drift_{};
+  bool is_still_ = true;
+};
+static_assert(std::is_trivially_copyable_v<UnrestMotion>);
+
+}  // namespace ghostforce

@@ -1,0 +1,62 @@
+// WaveSum: random motion of the plane within a band of frequencies, as a sum of sines: any moment of it is known without
+// those before. A plain value; never allocates or throws; any thread. SI units.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+#include "core/conventions.h"
+#include "core/random_shares.h"
+#include "core/settings.h"
+
+namespace ghostforce {
+
+struct Wave {
+  double turns_per_second = 0.0;
+  double phase = 0.0;      // [turns]
+  double amplitude = 0.0;  // [m]
+};
+
+template <std::size_t count>
+struct WaveSum {
+  std::array<std::array<Wave, count>, 2> axes{};
+
+  void add_to(Vector<2>& place, double time_s) const noexcept {
+    for (const glm::length_t axis : {0, 1}) {
+      for (const Wave& wave : axes[static_cast<std::size_t>(axis)]) {
+        const double turns = wave.turns_per_second * time_s + wave.phase;
+        place[axis] += wave.amplitude * std::sin(2.0 * std::numbers::pi * turns);
+      }
+    }
+  }
+};
+
+// On each axis one wave in each of as many equal parts of the band [Hz]. `amplitude_of`: of a wave of that frequency [m].
+template <std::size_t count, typename AmplitudeOf>
+WaveSum<count> random_waves(const NumberRange& band, const AmplitudeOf& amplitude_of, RandomShares& random) noexcept {
+  WaveSum<count> waves;
+  const double part = (band.greatest - band.least) / static_cast<double>(count);
+  for (auto& axis : waves.axes) {
+    for (std::size_t i = 0; i < count; ++i) {
+      axis[i].turns_per_second = band.least + part * (static_cast<double>(i) + random.next());
+      axis[i].phase = random.next();
+      axis[i].amplitude = amplitude_of(axis[i].turns_per_second);
+    }
+  }
+  return waves;
+}
+
+// So many that no beat between two of them is seen.
+inline constexpr std::size_t tremor_wave_count = 24;
+using TremorWaves = WaveSum<tremor_wave_count>;
+
+// `rms`: of each axis [m].
+inline TremorWaves tremor_waves(const NumberRange& band, double rms, RandomShares& random) noexcept {
+  const double amplitude = rms * std::sqrt(2.0 / static_cast<double>(tremor_wave_count));
+  return random_waves<tremor_wave_count>(
+      band, [amplitude](double) { return amplitude; }, random);
+}
+
+}  // namespace ghostforce
