@@ -34,8 +34,8 @@ const InputMaker<VirtualFalconInput> virtual_falcon_kind{
      /*needs_recording=*/false,
      /*hand_is_simulated=*/true},
     [](const Scene& scene, const InputOptions& options) {
-      return std::make_unique<VirtualFalconInput>(options.falcon, options.injected_fault, scene.view.center,
-                                                  scene.settings.stiffnesses.k_u, options.virtual_falcon_clock);
+      return std::make_unique<VirtualFalconInput>(options.falcon, options.injected_fault, scene,
+                                                  options.virtual_falcon_clock);
     }};
 
 }  // namespace ghostforce

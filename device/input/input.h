@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "core/conventions.h"
 #include "device/input/haptic_device.h"
@@ -24,6 +25,10 @@ class Input {
 
   // q_u(t_k) [m], where t_k = k / rate; asked once per tick. `rate` in ticks per second of model time [Hz].
   virtual Vector<2> goal(std::int64_t tick, double rate) noexcept = 0;
+
+  // k_u of the hand in tick k [N/m], where a hand that changes moves the simulated devices, whoever says where to; asked
+  // once per tick. Empty: the settings say it.
+  virtual std::optional<double> user_stiffness(std::int64_t /*tick*/, double /*rate*/) noexcept { return {}; }
 
   // The motors of this input; null: it has none. Then nothing that it does can be felt.
   virtual HapticDevice* haptic_device() noexcept { return nullptr; }

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 
+#include "core/belief.h"
 #include "core/divergence.h"
 #include "core/proxy.h"
 #include "core/scene.h"
@@ -15,6 +17,20 @@ namespace {
 
 bool is_usable_speed(double speed) noexcept {
   return std::isfinite(speed) && speed > 0.0;
+}
+
+// Readings of a device that come later than after so many periods leave a gap in what measures the hand: five are a
+// tenth of a turn of the high tone at 1 kHz.
+constexpr double longest_gap_periods = 5.0;
+
+// The inferred goal follows a device that tones shake with a low pass of 2 Hz, below the lower of them [1].
+double goal_share_with_tones(double rate) noexcept {
+  const double angle = 2.0 * std::numbers::pi * 2.0 / rate;
+  return angle / (1.0 + angle);
+}
+
+bool is_usable_tone(double force) noexcept {
+  return force >= 0.0 && force <= greatest_tone_force;
 }
 
 bool is_usable(const SafetyOptions& options) noexcept {
@@ -32,6 +48,7 @@ Servo::Servo(std::unique_ptr<Input> input, const ServoCommand& initial)
       seen_generation_(initial.settings_generation),
       seen_restarts_(initial.restarts_asked),
       recording_(initial.recording),
+      measurement_(initial.settings.rate),
       safety_options_(initial.safety),
       has_focus_(initial.has_focus),
       seen_arms_(initial.arms_asked),
@@ -39,13 +56,18 @@ Servo::Servo(std::unique_ptr<Input> input, const ServoCommand& initial)
       seen_departures_(initial.departures),
       seen_acknowledgements_(initial.acknowledgements),
       seen_heartbeats_(initial.heartbeats) {
-  if (!is_in_range(initial.settings) || !is_usable_speed(initial.speed) || has_diverged(initial.restart_state)) {
-    throw std::invalid_argument("a servo cannot start with settings, a speed or a state out of range");
+  if (!is_in_range(initial.settings) || !is_usable_speed(initial.speed) || !is_usable_tone(initial.tone_force) ||
+      has_diverged(initial.restart_state)) {
+    throw std::invalid_argument("a servo cannot start with settings, a speed, a tone or a state out of range");
   }
+  wants_tones_ = initial.measures_hand || initial.belief_follows_hand;
+  tone_force_ = initial.tone_force;
+  if (initial.belief_follows_hand) begin_following();
   update_coefficients();
   if (device_ != nullptr) heartbeat_ns_ = updated_ns_ = device_->now_ns();
   report_.motors.has_motors = device_ != nullptr;
   report_.settings_generation = initial.settings_generation;
+  end_measuring();
   restart_from(initial.restart_state, initial.restarts_asked);
   speed_ = std::clamp(initial.speed, slowest, fastest);
   steps_wanted_ = steps_taken_ = initial.steps_asked;
@@ -127,14 +149,17 @@ void Servo::update(bool tick_is_due) noexcept {
   if (commands_.has_news()) apply_command(commands_.latest());
   if (device_ != nullptr) {
     watch_handle();
-    limit_force();
+    limit_force(tick_is_due);
   }
   const bool is_new_state = std::exchange(is_at_start_, false) || (takes_tick(tick_is_due) && advance());
   if (device_ != nullptr) drive_motors();
   // New settings show with the next tick: the old state under new settings is a state that never was.
   if (is_new_state) {
     take_snapshot(coefficients_, state_, report_.snapshot);
+    const bool has_estimate = measure_hand();
     publish_sample();
+    // From the next tick on: this one's sample tells the belief that it was made with.
+    if (has_estimate) follow_hand();
   }
   reports_.publish(report_);
 }
@@ -151,7 +176,8 @@ bool Servo::put_sample(double loop_s, SampleRing& ring) const noexcept {
   Sample* const slot = ring.slot();
   if (slot == nullptr) return false;
   // All of them, by name: what the ring has there is an older sample.
-  auto& [snapshot, velocity, settings, serial, restarts, recording, since_before_s, sent, is_saturated] = *slot;
+  auto& [snapshot, velocity, settings, serial, restarts, recording, since_before_s, sent, is_saturated, tone, hand] =
+      *slot;
   copy_whole(report_.snapshot, snapshot);
   for (std::size_t i = 0; i < strategy_count; ++i) velocity[i] = state_.strategies[i].motion.velocity;
   settings = limited_settings_;
@@ -161,6 +187,8 @@ bool Servo::put_sample(double loop_s, SampleRing& ring) const noexcept {
   since_before_s = loop_s;
   sent = report_.motors.sent;
   is_saturated = report_.motors.is_saturated;
+  tone = tone_;
+  hand = report_.hand;
   ring.put();
   return true;
 }
@@ -197,7 +225,64 @@ void Servo::watch_handle() noexcept {
   report_.motors.exchange_age_s = since(handle_.time_ns);
 }
 
-void Servo::limit_force() noexcept {
+// The tones from this tick to the next, in the plane [N].
+Vector<2> Servo::sound_tones(bool are_allowed, bool in_contact) noexcept {
+  const double tone = measurement_.sound(wants_tones_ && are_allowed, in_contact, tone_force_);
+  return tone * motor_axis_;
+}
+
+// By what the newest tick has made of it, which the snapshot has. True: there is a new estimate.
+bool Servo::measure_hand() noexcept {
+  const bool measures = wants_tones_ || measurement_.is_sounding();
+  if (!measures) {
+    if (report_.hand.is_measuring || report_.hand.tone_gain > 0.0) end_measuring();
+    return false;
+  }
+  const bool is_real = safety_.is_armed();
+  const std::optional<StrategyId> hand = is_real ? std::nullopt : std::optional(settings_.active);
+  if (std::exchange(measured_hand_, hand) != hand) measurement_.interrupt();
+  const StrategySnapshot<2>& active = report_.snapshot.strategies[index_of(settings_.active)];
+  // In the scene, where distances and forces of a device are both other than at its handle, a stiffness is the same.
+  const double at_handle = is_real ? device_->force_at_handle() : 1.0;
+  const Vector<2> force = is_real ? report_.motors.sent / at_handle : active.force + tone_;
+  const Vector<2> place = is_real ? active.device : measured_position(limited_settings_, active.device);
+  const bool has_estimate = measurement_.add({.position = glm::dot(motor_axis_, place),
+                                              .force = glm::dot(motor_axis_, force),
+                                              .tone = glm::dot(motor_axis_, tone_),
+                                              .in_contact = active.in_contact,
+                                              .is_at_limit = is_real && report_.motors.is_saturated},
+                                             report_.snapshot.time_s);
+  report_.hand = measurement_.reading();
+  report_.hand.believed_k_u = believed_user_stiffness(settings_.stiffnesses);
+  return has_estimate;
+}
+
+void Servo::end_measuring() noexcept {
+  measurement_.interrupt(HandUnknown::no_tones);
+  report_.hand = {.estimate = measurement_.reading().estimate,
+                  .believed_k_u = believed_user_stiffness(settings_.stiffnesses)};
+}
+
+// From the belief as it is, however it was chosen.
+void Servo::begin_following() noexcept {
+  Stiffnesses& stiffnesses = settings_.stiffnesses;
+  stiffnesses.believed_k_u = believed_user_stiffness(stiffnesses);
+  stiffnesses.chosen_tracking_ratio.reset();
+  follower_.emplace(*stiffnesses.believed_k_u);
+  update_coefficients();
+}
+
+// Without a cross-fade: it would hold back the whole force for as long as the belief moves.
+void Servo::follow_hand() noexcept {
+  if (!follower_) return;
+  const double believed = follower_->update(report_.hand.estimate, limited_settings_.stiffnesses.k_r,
+                                            least_regret_belief(limited_settings_));
+  if (settings_.stiffnesses.believed_k_u == believed) return;
+  settings_.stiffnesses.believed_k_u = report_.hand.believed_k_u = believed;
+  update_coefficients(Change::steps);
+}
+
+void Servo::limit_force(bool tick_is_due) noexcept {
   const std::int64_t now = device_->now_ns();
   const double elapsed_s = static_cast<double>(now - std::exchange(updated_ns_, now)) * 1e-9;
   MotorReport& motors = report_.motors;
@@ -206,7 +291,8 @@ void Servo::limit_force() noexcept {
   // A force for a place where the handle no longer is.
   if (safety_.is_armed() && !handle_.is_known) safety_.turn_off(OffReason::loop_late);
   if (safety_.is_armed()) {
-    result = limiter_.pass(force_at(handle_.position), safety_.gain(), motors.limit, elapsed_s);
+    if (tick_is_due) tone_ = sound_tones(safety_.state() == SafetyState::on, !motors.is_outside_wall);
+    result = limiter_.pass(force_at(handle_.position), safety_.gain(), motors.limit, elapsed_s, tone_);
     if (!result.was_finite) safety_.turn_off(OffReason::fault);
   }
   motors.sent = result.force;
@@ -229,7 +315,7 @@ void Servo::drive_motors() noexcept {
 }
 
 // On motors the wall is no stiffer than a person has agreed to.
-void Servo::update_coefficients() noexcept {
+void Servo::update_coefficients(Change change) noexcept {
   // Motors that come on have no force to lead over from.
   const bool comes_on = safety_.is_armed() && !coefficients_are_for_motors_;
   coefficients_are_for_motors_ = safety_.is_armed();
@@ -237,7 +323,12 @@ void Servo::update_coefficients() noexcept {
   double& k_r = limited_settings_.stiffnesses.k_r;
   if (coefficients_are_for_motors_) k_r = std::min(k_r, safety_options_.greatest_k_r);
   coefficients_ = coefficients_of(limited_settings_);
-  comes_on ? limiter_.reset() : limiter_.cross_fade();
+  motor_axis_ = direction_at(settings_.actuated_angle);
+  if (comes_on) {
+    limiter_.reset();
+  } else if (change == Change::leads_over) {
+    limiter_.cross_fade();
+  }
 }
 
 void Servo::apply_command(const ServoCommand& command) noexcept {
@@ -247,9 +338,16 @@ void Servo::apply_command(const ServoCommand& command) noexcept {
     if (is_usable) act();
     is_refused |= !is_usable;
   };
+  heed(is_usable_tone(command.tone_force), [&] {
+    wants_tones_ = command.measures_hand || command.belief_follows_hand;
+    tone_force_ = command.tone_force;
+  });
+  // Following ends before new settings are used, so that their belief counts, and begins after them, from their belief.
+  if (!command.belief_follows_hand) follower_.reset();
   if (std::exchange(seen_generation_, command.settings_generation) != command.settings_generation) {
     heed(is_in_range(command.settings), [&] { use(command.settings, command.settings_generation); });
   }
+  if (command.belief_follows_hand && !follower_) begin_following();
   if (std::exchange(seen_restarts_, command.restarts_asked) != command.restarts_asked) {
     heed(!has_diverged(command.restart_state), [&] { restart_from(command.restart_state, command.restarts_asked); });
   }
@@ -282,6 +380,10 @@ void Servo::apply_operator(const ServoCommand& command) noexcept {
 
 void Servo::restart_from(const TickState<2>& state, std::uint32_t restarts) noexcept {
   state_ = state;
+  // Of the run before no tone is left.
+  for (auto& strategy : state_.strategies) strategy.tone = Vector<2>(0.0);
+  tone_ = Vector<2>(0.0);
+  measurement_.restart();
   input_->restart(state.goal);
   is_at_start_ = true;
   report_.restarts = restarts;
@@ -290,11 +392,22 @@ void Servo::restart_from(const TickState<2>& state, std::uint32_t restarts) noex
 
 void Servo::use(const Settings& settings, std::uint32_t generation) noexcept {
   // Model time goes on: t_k is k/rate, so another rate is another k.
-  if (coefficients_.rate != settings.rate)
+  if (coefficients_.rate != settings.rate) {
     state_.tick = std::llround(time_of(state_.tick, coefficients_.rate) * settings.rate);
+    measurement_ = HandMeasurement(settings.rate);
+  }
+  // Places along another axis do not continue those before.
+  if (settings_.actuated_angle != settings.actuated_angle) measurement_.interrupt();
+  const double believed = believed_user_stiffness(settings_.stiffnesses);
   settings_ = settings;
+  if (follower_) {
+    settings_.stiffnesses.believed_k_u = believed;
+    settings_.stiffnesses.chosen_tracking_ratio.reset();
+  }
   update_coefficients();
   report_.settings_generation = generation;
+  // Also while no tick tells it: readers of the report pair it with the generation.
+  report_.hand.believed_k_u = believed_user_stiffness(settings_.stiffnesses);
   report_.diverged = false;
 }
 
@@ -307,15 +420,28 @@ bool Servo::takes_tick(bool tick_is_due) noexcept {
 
 bool Servo::advance() noexcept {
   if (report_.diverged) return false;
+  if (const auto k_u = input_->user_stiffness(state_.tick + 1, coefficients_.rate)) {
+    set_user_stiffness(coefficients_, *k_u);
+  }
   TickState<2> next = state_;
   if (safety_.is_armed()) {
     const std::int64_t gap_ns = handle_.time_ns - std::exchange(measured_ns_, handle_.time_ns);
-    if (static_cast<double>(gap_ns) * 1e-9 > Safety::longest_exchange_s) next.measured.reset();
-    tick_with_device(coefficients_, settings_.active, handle_.position,
-                     report_.motors.sent / device_->force_at_handle(), believed_user_stiffness(settings_.stiffnesses),
-                     next);
+    const double gap_s = static_cast<double>(gap_ns) * 1e-9;
+    if (gap_s > Safety::longest_exchange_s) next.measured.reset();
+    if (gap_s > longest_gap_periods / coefficients_.rate) measurement_.interrupt(HandUnknown::damaged);
+    // In front of the wall, where tones fade away, the goal is where the handle is.
+    const Vector<2> force = report_.motors.is_outside_wall ? report_.motors.sent - tone_ : report_.motors.sent;
+    tick_with_device(coefficients_, settings_.active, handle_.position, force / device_->force_at_handle(),
+                     believed_user_stiffness(settings_.stiffnesses), next,
+                     measurement_.is_sounding() ? goal_share_with_tones(coefficients_.rate) : 1.0);
   } else {
     tick(coefficients_, input_->goal(state_.tick + 1, coefficients_.rate), next);
+    // Without its motors nothing measures the hand at a device, and the simulated one beside it is not meant.
+    tone_ = sound_tones(device_ == nullptr, next.strategies[index_of(settings_.active)].in_contact);
+  }
+  for (std::size_t i = 0; i < strategy_count; ++i) {
+    const bool is_shaken = !safety_.is_armed() && i == index_of(settings_.active);
+    next.strategies[i].tone = is_shaken ? tone_ : Vector<2>(0.0);
   }
   report_.diverged = has_diverged(next);
   if (report_.diverged) safety_.turn_off(OffReason::fault);

@@ -13,8 +13,11 @@
 #include <optional>
 #include <type_traits>
 
+#include "core/belief_follower.h"
 #include "core/force_limiter.h"
+#include "core/hand_measurement.h"
 #include "core/latest_value.h"
+#include "core/measuring_tones.h"
 #include "core/motor_report.h"
 #include "core/ring.h"
 #include "core/safety.h"
@@ -38,6 +41,12 @@ struct ServoCommand {
   std::uint32_t restarts_asked = 0;  // another number: continue from restart_state
   TickState<2> restart_state{};
   std::uint32_t recording = 0;  // every sample goes to take_record() too, under this number; 0: none does
+
+  // Tones along the motor measure the hand, in contact. Where the belief about it follows, they do too; the believed k_u
+  // of the settings then counts only when that begins, and a chosen ratio not at all: the servo goes on from there alone.
+  bool measures_hand = false;
+  bool belief_follows_hand = false;
+  double tone_force = usual_tone_force;  // [N]
 
   // For devices with motors. A person wants them on, wants them off, or has read why they went off.
   std::uint32_t arms_asked = 0;
@@ -70,6 +79,7 @@ struct ServoReport {
   bool diverged = false;
   LoopHealth loop;
   MotorReport motors;
+  HandReading hand;
   RealtimeStatus realtime;
 };
 static_assert(std::is_trivially_copyable_v<ServoReport>);
@@ -85,6 +95,10 @@ struct Sample {
   double loop_s = 0.0;          // real time since the sample before; 0 where none is measured, or the first
   Vector<2> sent{0.0};          // force for the motors, after every limit [N]
   bool is_saturated = false;    // the limit has shortened it
+  // What measures the hand, on the active device [N]: part of `sent` where that is a real one, else beside the rendered
+  // force of the simulated one.
+  Vector<2> tone{0.0};
+  HandReading hand;
 };
 static_assert(std::is_trivially_copyable_v<Sample>);
 
@@ -158,10 +172,16 @@ class Servo {
   std::optional<std::int64_t> wake_at(std::int64_t now_ns) noexcept;
   void update(bool tick_is_due) noexcept;
   void watch_handle() noexcept;
-  void limit_force() noexcept;
+  void limit_force(bool tick_is_due) noexcept;
+  Vector<2> sound_tones(bool are_allowed, bool in_contact) noexcept;
+  bool measure_hand() noexcept;
+  void end_measuring() noexcept;
+  void begin_following() noexcept;
+  void follow_hand() noexcept;
   void drive_motors() noexcept;
   void apply_operator(const ServoCommand& command) noexcept;
-  void update_coefficients() noexcept;
+  enum class Change : std::uint8_t { leads_over, steps };
+  void update_coefficients(Change change = Change::leads_over) noexcept;
   void apply_command(const ServoCommand& command) noexcept;
   void restart_from(const TickState<2>& state, std::uint32_t restarts) noexcept;
   void publish_sample() noexcept;
@@ -183,6 +203,7 @@ class Servo {
   // The servo thread's.
   Settings settings_;
   Settings limited_settings_;  // what the coefficients are worked out from: on motors k_r may be held lower
+  Vector<2> motor_axis_{0.0};  // worked out with them: a sine and a cosine take longer than a tick
   TickCoefficients<2> coefficients_{};
   bool coefficients_are_for_motors_ = false;  // made for motors that are on
   TickState<2> state_;
@@ -202,6 +223,14 @@ class Servo {
   std::int64_t woken_ns_ = 0;        // when a thread woke it; 0: no real time is measured
   std::int64_t sampled_ns_ = 0;      // when it was awake for the newest sample
   ServoReport report_;
+
+  // Of the hand.
+  HandMeasurement measurement_;
+  bool wants_tones_ = false;
+  double tone_force_ = usual_tone_force;
+  Vector<2> tone_{0.0};                      // on the active device, until the next tick [N]
+  std::optional<StrategyId> measured_hand_;  // whose simulated device it holds; empty: the real one
+  std::optional<BeliefFollower> follower_;   // empty: the belief is the command's
 
   // Of the motors.
   Safety safety_;

@@ -39,7 +39,7 @@ void SimulatedHand::advance(std::int64_t now_ns, bool device_asks_for_homing) no
 }
 
 double SimulatedHand::stiffness() const noexcept {
-  return (homing_ ? *homing_ : course_).plan.stiffness;
+  return homing_ ? homing_->plan.stiffness : stiffness_.value_or(course_.plan.stiffness);
 }
 
 void SimulatedHand::Course::look_up(std::int64_t now_ns, Vector<3>& goal, std::uint8_t& buttons) const noexcept {

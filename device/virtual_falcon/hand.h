@@ -3,7 +3,8 @@
 // the device as a person would: pull the handle out, push it straight in, and come back.
 //
 // A plan is a whole value that another thread may give at any time (a mouse that moves the virtual hand). The rest
-// belongs to the one thread that lets time pass. Device frame, SI units, times in ns; never allocates or throws.
+// belongs to the one thread that lets time pass: it may also say, at any time, how far the hand is from where it means
+// to be, and how stiff it is instead of what the plan says. Device frame, SI units, times in ns; never allocates or throws.
 #pragma once
 
 #include <array>
@@ -60,8 +61,14 @@ class SimulatedHand {
   // Also begins the newest plan.
   void advance(std::int64_t now_ns, bool device_asks_for_homing) noexcept;
 
-  const Vector<3>& goal() const noexcept { return goal_; }  // q_u
-  double stiffness() const noexcept;                        // k_u
+  // From now on, but for homing: a person who does that pays attention. `way` [m]; `stiffness`: empty: the plan's.
+  void shake(const Vector<3>& way, std::optional<double> stiffness) noexcept {
+    way_ = way;
+    stiffness_ = stiffness;
+  }
+
+  Vector<3> goal() const noexcept { return homing_ ? goal_ : goal_ + way_; }  // q_u
+  double stiffness() const noexcept;                                          // k_u
   double load() const noexcept { return course_.plan.load; }
   std::uint8_t buttons() const noexcept { return buttons_; }
   bool is_homing() const noexcept { return homing_.has_value(); }  // because the device has asked
@@ -82,6 +89,8 @@ class SimulatedHand {
   std::optional<Course> homing_;
   Vector<3> goal_;
   std::uint8_t buttons_ = 0;
+  Vector<3> way_{0.0};
+  std::optional<double> stiffness_;
 };
 
 }  // namespace ghostforce

@@ -28,17 +28,32 @@ std::unique_ptr<VirtualLink> make_link(const InjectedFault& injected_fault, doub
 
 }  // namespace
 
-VirtualFalconInput::VirtualFalconInput(FalconOptions options, const InjectedFault& injected_fault,
-                                       const Vector<2>& view_center, double k_u, Clock clock)
-    : VirtualFalconInput(make_link(injected_fault, k_u, clock), completed(std::move(options)), view_center, k_u) {}
+VirtualFalconInput::VirtualFalconInput(FalconOptions options, const InjectedFault& injected_fault, const Scene& scene,
+                                       Clock clock)
+    : VirtualFalconInput(make_link(injected_fault, scene.settings.stiffnesses.k_u, clock),
+                         completed(std::move(options)), scene) {}
 
 VirtualFalconInput::VirtualFalconInput(std::unique_ptr<VirtualLink> link, const FalconOptions& options,
-                                       const Vector<2>& view_center, double k_u)
-    : FalconInput(std::move(link), options, view_center),
+                                       const Scene& scene)
+    : FalconInput(std::move(link), options, scene.view.center),
       link_(static_cast<VirtualLink&>(falcon().link())),
-      plane_(calibration_of(FalconSerial::from(VirtualLink::serial_number).value(), options.calibrations), view_center),
-      goal_(view_center),
-      k_u_(k_u) {}
+      plane_(calibration_of(FalconSerial::from(VirtualLink::serial_number).value(), options.calibrations),
+             scene.view.center),
+      goal_(scene.view.center),
+      k_u_(scene.settings.stiffnesses.k_u),
+      stiffness_(scene.stiffness_path),
+      unrest_(scene.unrest) {}
+
+std::optional<double> VirtualFalconInput::user_stiffness(std::int64_t tick, double rate) noexcept {
+  const double time_s = time_of(tick, rate);
+  std::optional<double> stiffness;
+  if (!stiffness_.is_empty()) stiffness = stiffness_at(stiffness_, time_s);
+  const Vector<3> way = unrest_.is_still()
+                            ? Vector<3>(0.0)
+                            : plane_.in_workspace(unrest_.at(time_s)) - plane_.in_workspace(Vector<2>(0.0));
+  link_.shake_hand(way, stiffness);
+  return stiffness;
+}
 
 void VirtualFalconInput::move_to(const Vector<2>& goal, double duration_s) noexcept {
   if (!std::isfinite(goal.x) || !std::isfinite(goal.y)) {

@@ -1,9 +1,17 @@
 // VirtualFalconInput: a rehearsal. The same driver as for a real Falcon, on a simulated device in a simulated hand; the
 // pointer of the window guides that hand, which homes the device when it is asked to, as a person would.
 //
+// The hand is the scene's: where the goal says, but for its unrest, and as stiff as its path says at each moment of the
+// run. It lives by the model's time, a tick at a time: as long as that stands still, so does what changes in the hand.
+//
 // Made on the UI thread; functions of PointerTarget and inject() stay its, the rest is the servo thread's.
 #pragma once
 
+#include <cstdint>
+#include <optional>
+
+#include "core/hand_unrest.h"
+#include "core/scene.h"
 #include "device/falcon/falcon_input.h"
 #include "device/input/pointer_target.h"
 #include "device/virtual_falcon/virtual_link.h"
@@ -14,9 +22,11 @@ class VirtualFalconInput final : public FalconInput, public PointerTarget {
  public:
   using Clock = VirtualLink::Clock;
 
-  // A device without firmware takes the one of `options`, or else a practice one. `k_u`: of the hand [N/m].
-  VirtualFalconInput(FalconOptions options, const InjectedFault& injected_fault, const Vector<2>& view_center,
-                     double k_u, Clock clock = Clock::monotonic);
+  // A device without firmware takes the one of `options`, or else a practice one.
+  VirtualFalconInput(FalconOptions options, const InjectedFault& injected_fault, const Scene& scene,
+                     Clock clock = Clock::monotonic);
+
+  std::optional<double> user_stiffness(std::int64_t tick, double rate) noexcept override;
 
   void move_to(const Vector<2>& goal, double duration_s) noexcept override;
   std::uint64_t ignored_moves() const noexcept override { return ignored_moves_; }
@@ -29,8 +39,7 @@ class VirtualFalconInput final : public FalconInput, public PointerTarget {
   const VirtualLink& link() const noexcept { return link_; }
 
  private:
-  VirtualFalconInput(std::unique_ptr<VirtualLink> link, const FalconOptions& options, const Vector<2>& view_center,
-                     double k_u);
+  VirtualFalconInput(std::unique_ptr<VirtualLink> link, const FalconOptions& options, const Scene& scene);
   void lead() noexcept;
 
   VirtualLink& link_;  // the driver's
@@ -40,6 +49,8 @@ class VirtualFalconInput final : public FalconInput, public PointerTarget {
   double move_s_ = 0.0;
   double k_u_;
   std::uint8_t buttons_ = 0;
+  StiffnessPath stiffness_;  // empty: k_u_
+  UnrestMotion unrest_;
 };
 
 }  // namespace ghostforce

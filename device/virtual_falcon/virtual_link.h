@@ -11,6 +11,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -75,6 +76,9 @@ class VirtualLink final : public FalconLink {
   // From another thread, one for each.
   void inject(const InjectedFault& wrong) noexcept { injected_faults_.publish(wrong); }
   void lead_hand(const HandPlan& plan) noexcept { hand_.follow(plan); }
+
+  // See SimulatedHand. Same thread as the link's.
+  void shake_hand(const Vector<3>& way, std::optional<double> stiffness) noexcept { hand_.shake(way, stiffness); }
 
   // How things really are behind the cable: for those who compare it with what the driver makes of it. Same thread as
   // the link's, or nobody drives it.

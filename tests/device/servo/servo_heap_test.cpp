@@ -33,11 +33,14 @@ TEST(ServoHeap, IsNotTouchedByAnyInputOrStrategy) {
           if (mouse != nullptr && round % 16 == 0) mouse->move_to(goal_at(scene.goal, round % 1500 * 1e-3), 0.016);
           if (round % 50 == 0) {
             command.settings.actuated_angle += 0.1;
+            if (round % 5000 == 0) command.settings.rate = command.settings.rate == 1000.0 ? 500.0 : 1000.0;
             ++command.settings_generation;
           }
           command.paused = round % 500 > 450;
           if (command.paused) ++command.steps_asked;
           command.speed = round % 2 == 0 ? 1.0 : 0.1;
+          command.measures_hand = round % 4000 > 500;
+          command.belief_follows_hand = round % 4000 > 1000;
           if (round % 3000 == 2999) ++command.restarts_asked;
           command.recording = round < 11'000 ? 1 : 0;
           servo.send(command);
@@ -58,6 +61,30 @@ TEST(ServoHeap, IsNotTouchedByAnyInputOrStrategy) {
       EXPECT_GT(servo.newest().loop.dropped_records, 0U);
       EXPECT_LT(servo.newest().loop.dropped_records, servo.newest().loop.dropped_samples);
       EXPECT_EQ(servo.newest().refused_commands, 0U);
+    }
+  }
+}
+
+// The scene's hand trembles, drifts and changes its grip, seen through an encoder, measured by tones and followed.
+TEST(ServoHeap, IsNotTouchedByAHandThatIsNotStill) {
+  Scene scene = slanted_wall();
+  scene.stiffness_path = {{100.0, 800.0, 150.0}, {0.0, 0.6, 1.1}};
+  scene.unrest = {.tremor_rms = 0.0004, .drift_speed = 0.01, .seed = 5.0};
+  scene.settings.encoder_step = 60e-6;
+  ServoCommand command = start_of(scene);
+  command.measures_hand = true;
+  command.belief_follows_hand = true;
+  for (const InputEntry& kind : desktop_inputs()) {
+    if (kind.make(scene, {}).input->haptic_device() != nullptr) continue;
+    SCOPED_TRACE(kind.name);
+    Servo servo(make_in_hand_of(scene, kind, {}).input, command);
+    HeapGuard guard;
+    for (int round = 0; round < 6000; ++round) {
+      if (round % 1000 == 999) {
+        ++command.restarts_asked;
+        servo.send(command);
+      }
+      servo.step();
     }
   }
 }

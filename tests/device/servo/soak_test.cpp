@@ -143,13 +143,19 @@ TEST(Soak, MouseWithAnySettings) {
 
 // --- The Falcon ---
 
+Scene held_softly() {
+  Scene scene;
+  scene.settings.stiffnesses.k_u = 100.0;
+  return scene;
+}
+
 // Between the driver and the servo: what no driver should ever say.
 class SpoiledFalcon final : public Input, public HapticDevice {
  public:
   enum class Spoilt { not_at_all, not_a_number, far_away, leaping, stale, nonsense };
 
   explicit SpoiledFalcon(Random& random)
-      : falcon_({}, {}, Vector<2>(0.0), 100.0, VirtualFalconInput::Clock::stepped), random_(random) {}
+      : falcon_({}, {}, held_softly(), VirtualFalconInput::Clock::stepped), random_(random) {}
 
   void restart(const Vector<2>& goal) noexcept override { falcon_.restart(goal); }
   Vector<2> goal(std::int64_t tick, double rate) noexcept override { return falcon_.goal(tick, rate); }

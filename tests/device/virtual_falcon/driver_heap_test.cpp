@@ -25,5 +25,15 @@ TEST(DriverHeap, IsNotTouchedFromTheFirstLookToTheLastFrame) {
   rehearsal.input().shut_down();
 }
 
+TEST(DriverHeap, IsNotTouchedByAHandThatIsNotStill) {
+  Rehearsal rehearsal({}, {}, 0.0, restless_scene());
+  rehearsal.command().measures_hand = true;
+  HeapGuard guard;
+  rehearsal.turn_on();
+  rehearsal.input().move_to({0.02, -0.02}, 0.3);
+  rehearsal.run(2.0);
+  ASSERT_EQ(rehearsal.motors().state, SafetyState::on);
+}
+
 }  // namespace
 }  // namespace ghostforce

@@ -55,6 +55,33 @@ TEST(SimulatedHand, ANewPlanBeginsWhereTheGoalIs) {
   EXPECT_EQ(hand.goal(), Vector<3>(0.0, 0.0, 0.1));
 }
 
+TEST(SimulatedHand, IsShakenAroundItsPlan) {
+  SimulatedHand hand(hand_at({0.02, 0.0, 0.125}), 0);
+  const Vector<3> way(0.0, 0.001, 0.0);
+  hand.shake(way, 300.0);
+  hand.advance(100 * ms, false);
+  EXPECT_EQ(hand.goal(), Vector<3>(0.02, 0.001, 0.125));
+  EXPECT_EQ(hand.stiffness(), 300.0);
+  hand.shake(Vector<3>(0.0), {});
+  EXPECT_EQ(hand.goal(), Vector<3>(0.02, 0.0, 0.125));
+  EXPECT_EQ(hand.stiffness(), 100.0);
+}
+
+TEST(SimulatedHand, PaysAttentionWhileItHomes) {
+  HandPlan plan = hand_at(HandPlan::centre);
+  plan.homes_when_asked = true;
+  SimulatedHand shaken(plan, 0);
+  SimulatedHand still(plan, 0);
+  shaken.shake(Vector<3>(0.001), 700.0);
+  for (std::int64_t now = 0; now < 2000 * ms; now += 10 * ms) {
+    shaken.advance(now, true);
+    still.advance(now, true);
+    ASSERT_TRUE(shaken.is_homing());
+    ASSERT_EQ(shaken.goal(), still.goal());
+    ASSERT_EQ(shaken.stiffness(), still.stiffness());
+  }
+}
+
 TEST(SimulatedHand, HomesADeviceThatAsksForItAndGoesBackToItsPlan) {
   HandPlan plan = hand_at({0.0, 0.01, 0.12}, 0.2);
   plan.homes_when_asked = true;

@@ -23,14 +23,29 @@ inline Settings rehearsal_settings() {
   return settings;
 }
 
+inline Scene rehearsal_scene() {
+  Scene scene;
+  scene.settings.stiffnesses.k_u = 100.0;
+  return scene;
+}
+
+// The same hand, no longer still.
+inline Scene restless_scene() {
+  Scene scene = rehearsal_scene();
+  scene.stiffness_path = {{100.0, 400.0}, {0.0, 12.0}};
+  scene.unrest = {.tremor_rms = 0.0002, .drift_speed = 0.004, .seed = 2.0};
+  return scene;
+}
+
 class Rehearsal {
  public:
-  // `frame_s`: of each frame; 0: tick by tick [s].
-  explicit Rehearsal(const InjectedFault& injected_fault = {}, FalconOptions options = {}, double frame_s = 0.0)
+  // `frame_s`: of each frame; 0: tick by tick [s]. `scene`: of the hand at the device.
+  explicit Rehearsal(const InjectedFault& injected_fault = {}, FalconOptions options = {}, double frame_s = 0.0,
+                     const Scene& scene = rehearsal_scene())
       : frame_s_(frame_s) {
     command_.settings = rehearsal_settings();
     command_.restart_state = state_at_start(free_place);
-    auto input = std::make_unique<VirtualFalconInput>(std::move(options), injected_fault, Vector<2>(0.0), 100.0,
+    auto input = std::make_unique<VirtualFalconInput>(std::move(options), injected_fault, scene,
                                                       VirtualFalconInput::Clock::stepped);
     input_ = input.get();
     servo_ = std::make_unique<Servo>(std::move(input), command_);
