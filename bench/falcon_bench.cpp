@@ -219,9 +219,10 @@ void measure() {
   }
   exchange(results, "virtual Falcon", virtual_link());
   share(results, "servo: mouse", std::make_unique<MouseInput>(), std::chrono::seconds(1));
+  Scene scene;
+  scene.settings.stiffnesses.k_u = 100.0;
   // It has to be loaded and homed first.
-  share(results, "servo: virtual Falcon",
-        std::make_unique<VirtualFalconInput>(FalconOptions{}, InjectedFault{}, Vector<2>(0.0), 100.0),
+  share(results, "servo: virtual Falcon", std::make_unique<VirtualFalconInput>(FalconOptions{}, InjectedFault{}, scene),
         std::chrono::seconds(6));
   simulation(results);
   servo_step(results);

@@ -7,9 +7,13 @@
 #include <cstdint>
 #include <cstdio>
 #include <exception>
+#include <memory>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -20,6 +24,7 @@
 #include "core/latest_value.h"
 #include "core/ring.h"
 #include "core/tick.h"
+#include "device/input/scripted_input.h"
 #include "device/servo/servo.h"
 
 namespace ghostforce::bench {
@@ -257,6 +262,64 @@ void log_and_publish(Report& report) {
              at_most(1e9 * all, 60.0, "ns"));
 }
 
+// The whole of what a tick does, at the wall, with and without tones that measure the hand.
+void measure_hand(Report& report) {
+  ServoCommand command;
+  command.settings.wall_normal_angle = 0.75 * std::numbers::pi;
+  command.settings.mass = 0.1;
+  command.settings.damping = 5.0;
+  command.settings.rate = 1000.0;
+  command.settings.stiffnesses.k_u = 200.0;
+  command.settings.stiffnesses.k_r = 600.0;
+  command.settings.stiffnesses.k_t = 600.0;
+  command.settings.stiffnesses.k_c = 1e5;
+  const Vector<2> goal = -0.02 * wall_of(command.settings).normal;
+  command.restart_state = state_at_start(goal);
+  const auto servo_of = [&](bool measures, bool follows) {
+    command.measures_hand = measures;
+    command.belief_follows_hand = follows;
+    auto servo =
+        std::make_unique<Servo>(std::make_unique<ScriptedInput>(GoalPath{.points = {goal}, .times = {0.0}}), command);
+    servo->send(command);
+    return servo;
+  };
+  struct Stepped {
+    std::string name;
+    std::unique_ptr<Servo> servo;
+  };
+  std::array<Stepped, 3> all{Stepped{"idle", servo_of(false, false)}, Stepped{"measures", servo_of(true, false)},
+                             Stepped{"follows", servo_of(true, true)}};
+  std::vector<Contestant> contestants;
+  const auto take_all = [](Servo& servo) {
+    for (Sample taken; servo.take_sample(taken);) keep(&taken);
+  };
+  for (Stepped& one : all) {
+    Servo& servo = *one.servo;
+    for (int i = 0; i < 4000; ++i) {
+      servo.step();
+      take_all(servo);
+    }
+    if (servo.newest().hand.estimate.is_known() != (one.name != "idle"))
+      throw std::runtime_error(one.name + ": " + std::string(sentence_of(servo.newest().hand.estimate.why)));
+    contestants.push_back({one.name,
+                           [&servo](std::int64_t calls) {
+                             for (std::int64_t k = 0; k < calls; ++k) servo.step();
+                           },
+                           [&servo, take_all] { take_all(servo); }});
+  }
+  // As many ticks as the ring holds, or fewer, and an estimate in each.
+  const Contest contest(std::move(contestants), {.rounds = 201, .seconds_per_turn = 0.0002});
+  if (all[1].servo->newest().loop.dropped_samples > 0) throw std::runtime_error("the ring was full");
+  const auto row = [&](std::string_view what, std::string_view name, std::optional<double> limit) {
+    const double ratio = contest.ratio(name, "idle");
+    report.row(std::string(what), fmt::format("{}, {:.2f} times", ns(contest.median_seconds(name)), ratio),
+               limit ? std::optional(at_most(ratio, *limit)) : std::nullopt);
+  };
+  report.row("Servo::step() at the wall", ns(contest.median_seconds("idle")));
+  row("… with tones and estimator", "measures", 2.0);
+  row("… and a belief that follows", "follows", std::nullopt);
+}
+
 void publish(Report& report) {
   struct alignas(64) Bytes {
     std::array<std::uint64_t, 32> numbers;
@@ -298,6 +361,7 @@ int run(int argc, char** argv) {
   compare<3>(report);
   compare<4>(report);
   log_and_publish(report);
+  measure_hand(report);
   publish(report);
   report.note(fmt::format(
       "Logged is what the servo's thread pays: the samples are taken out of the ring by another thread, here between "
