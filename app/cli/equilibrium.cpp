@@ -91,7 +91,8 @@ std::string table_text(const Scene& scene, double goal_depth, const PerStrategy<
 }
 
 int equilibrium(const EquilibriumOptions& options) {
-  const Scene scene = options.scene.load();
+  Scene scene = options.scene.load();
+  scene.settings = settings_at(scene, scene.settings, scene.duration);
   const Vector<2> goal = options.goal_mm ? position_from_mm("--goal-mm", *options.goal_mm) : scene.goal.points.back();
   const double goal_depth = depth(wall_of(scene.settings), goal);
   const PerStrategy<PredictedEquilibrium> equilibria = predicted_equilibria(scene.settings, goal);
@@ -111,7 +112,8 @@ std::function<int()> attach_equilibrium(CLI::App& command, FileOptions& files) {
   command.add_flag("--json", options->json, "Print JSON for programs, in SI units with all digits");
   command.footer(
       "The anisotropic strategy uses the scene's tracking ratio, so a wrong belief about the hand shows. If the "
-      "goal\nis outside the wall, device and proxy are at the goal and there is no force.\n"
+      "goal\nis outside the wall, device and proxy are at the goal and there is no force. A hand whose stiffness "
+      "changes\nhas the one of the scene's end.\n"
       "\n"
       "Examples:\n"
       "  ghostforce equilibrium fig3-normal\n"

@@ -1,5 +1,8 @@
-// ghostforce measure-user: how stiff the hand of a run was, from the proxy drift wherever it came to rest at the wall.
+// ghostforce measure-user: how stiff the hand of a run was, from the proxy drift wherever it came to rest at the wall,
+// and from the tones that measured it while it worked.
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <iterator>
 #include <memory>
 #include <optional>
@@ -19,6 +22,7 @@
 #include "app/console/quoted.h"
 #include "app/console/words.h"
 #include "app/files/run_reader.h"
+#include "app/runs/live_readings.h"
 #include "core/units.h"
 #include "core/user_measurement.h"
 
@@ -144,8 +148,8 @@ class RestFinder {
                       target_ ? std::nullopt : std::optional(settings.stiffnesses.k_u), reading});
   }
 
-  // Whether the motors of a real device had something else than the rendering asked for. A handle whose way is shown
-  // enlarged has a share of the force that is the same throughout; ramps, limits and fades have none.
+  // Whether the motors of a real device had something else than the rendering and the tones asked for. A handle whose way
+  // is shown enlarged has a share of the force that is the same throughout; ramps, limits and fades have none.
   bool is_limited(std::size_t begin, std::size_t end) const {
     double asked = 0.0;
     double sent = 0.0;
@@ -153,13 +157,13 @@ class RestFinder {
       if (row(i).is_saturated) return true;
       if (!row(i).sent) return false;  // simulated, or not told
       asked += glm::dot(row(i).force, row(i).force);
-      sent += glm::dot(*row(i).sent, row(i).force);
+      sent += glm::dot(*row(i).sent - row(i).tone, row(i).force);
     }
     if (!(asked > 0.0)) return false;
     const double share = sent / asked;
     if (!(share > 0.0)) return true;
     const auto is_share = [&](std::size_t i) {
-      return glm::distance(*row(i).sent, share * row(i).force) <= same_force;
+      return glm::distance(*row(i).sent - row(i).tone, share * row(i).force) <= same_force;
     };
     return !std::ranges::all_of(std::views::iota(begin, end), is_share);
   }
@@ -196,7 +200,24 @@ std::vector<Hand> hands_of(const std::vector<Rest>& rests) {
   return hands;
 }
 
-std::string json_text(const std::vector<Rest>& rests, const std::vector<Hand>& hands, bool measured) {
+// What cannot be known is null.
+nlohmann::ordered_json json_of(const LiveReading& reading) {
+  const HandEstimate& hand = reading.estimate;
+  nlohmann::ordered_json entry{{"t_s", reading.time_s}};
+  const auto add = [&](const char* name, double number) {
+    entry[name] = hand.has_number() ? nlohmann::ordered_json(number) : nullptr;
+  };
+  add("k_u_N_per_m", hand.k_u);
+  add("sigma_N_per_m", hand.sigma);
+  add("mass_kg", hand.mass);
+  add("damping_N_s_per_m", hand.damping);
+  entry["known"] = hand.is_known();
+  entry["reason"] = sentence_of(hand.why);
+  return entry;
+}
+
+std::string json_text(const std::vector<Rest>& rests, const std::vector<Hand>& hands,
+                      const std::vector<LiveReading>& live, bool measured) {
   nlohmann::ordered_json json;
   json["device_kind"] = measured ? "measured" : "simulated";
   json["readings"] = nlohmann::ordered_json::array();
@@ -224,7 +245,42 @@ std::string json_text(const std::vector<Rest>& rests, const std::vector<Hand>& h
                             {"upper_quartile", spread.upper_quartile}};
     json["hands"].push_back(std::move(entry));
   }
+  json["live"] = nlohmann::ordered_json::array();
+  for (const LiveReading& reading : live) json["live"].push_back(json_of(reading));
   return json.dump() + "\n";
+}
+
+bool is_known(const LiveReading& reading) {
+  return reading.estimate.is_known();
+}
+
+// Of those for which the hand is unknown.
+HandUnknown commonest_reason(const std::vector<LiveReading>& live) {
+  std::array<std::size_t, hand_unknown_count> counts{};
+  for (const LiveReading& reading : live) ++counts[static_cast<std::size_t>(reading.estimate.why)];
+  counts[static_cast<std::size_t>(HandUnknown::none)] = 0;
+  return static_cast<HandUnknown>(std::ranges::max_element(counts) - counts.begin());
+}
+
+// A line for each window that has nothing in common with the one before; all of them count in the summary.
+std::string live_text(const std::vector<LiveReading>& live) {
+  std::string text = fmt::format("{:>8} {:>10} {:>8} {:>8} {:>10}\n{:>8} {:>10} {:>8} {:>8} {:>10}\n", "window", "k_u",
+                                 "± σ", "m", "b", "ends s", "N/m", "N/m", "kg", "N·s/m");
+  std::vector<double> known;
+  double shown_s = -HandEstimator::usual_window_s;
+  for (const auto& [time_s, hand] : live | std::views::filter(is_known)) {
+    known.push_back(hand.k_u);
+    if (time_s - shown_s < HandEstimator::usual_window_s) continue;
+    shown_s = time_s;
+    text += fmt::format("{:8.3f} {:10.2f} {:8.2f} {:8.3f} {:10.2f}\n", time_s, hand.k_u, hand.sigma, hand.mass,
+                        hand.damping);
+  }
+  const Spread spread = spread_of(known);
+  return text +
+         fmt::format(
+             "\nmeasured live, at 3 Hz along the motor: median {:.2f} N/m, the middle half from {:.2f} to {:.2f} "
+             "N/m; known in {} of {} windows\n",
+             spread.median, spread.lower_quartile, spread.upper_quartile, known.size(), live.size());
 }
 
 std::string table_text(const std::vector<Rest>& rests, const std::vector<Hand>& hands, bool measured) {
@@ -265,7 +321,11 @@ int measure_user(const MeasureUserOptions& options) {
                                                     quoted_text(options.run, longest_path)));
   }
   const bool measured = std::ranges::any_of(run.ticks, [](const RunTick& tick) { return tick.measured.has_value(); });
-  if (measured && !target) {
+  const std::vector<LiveReading> live = live_readings(run);
+  const bool is_known_live = std::ranges::any_of(live, is_known);
+  const bool was_measured_by_tones = has_tones(run);
+  if (measured && !target && !was_measured_by_tones) {
+    if (options.json) print(json_text({}, {}, live, measured));
     throw Failure(ExitCode::wrong_call, fmt::format("{}: nobody knows the goal of a hand on a real device; give the "
                                                     "target on the wall that it aimed at, as in --target-mm=0,0",
                                                     quoted_text(options.run, longest_path)));
@@ -274,11 +334,22 @@ int measure_user(const MeasureUserOptions& options) {
     say("{}: the goal of its hand is given, so --target-mm, which is for a real device, is not used\n",
         quoted_text(options.run, longest_path));
   }
-  const std::vector<Rest> rests = find_rests(run, measured ? target : std::nullopt);
+  // Tones need no target, and without one there is no other reading.
+  const bool reads_rests = !measured || target;
+  const std::vector<Rest> rests = reads_rests ? find_rests(run, measured ? target : std::nullopt) : std::vector<Rest>();
   const std::vector<Hand> hands = hands_of(rests);
-  if (options.json) print(json_text(rests, hands, measured));
-  if (!options.json && !hands.empty()) print(table_text(rests, hands, measured));
-  if (!hands.empty()) return static_cast<int>(ExitCode::done);
+  if (options.json) {
+    print(json_text(rests, hands, live, measured));
+  } else {
+    if (!hands.empty()) print(table_text(rests, hands, measured));
+    if (!hands.empty() && is_known_live) print("\n");
+    if (is_known_live) print(live_text(live));
+  }
+  if (!hands.empty() || is_known_live) return static_cast<int>(ExitCode::done);
+  if (was_measured_by_tones) {
+    throw Failure(ExitCode::answer_is_no, fmt::format("{}: no reading. {}", quoted_text(options.run, longest_path),
+                                                      sentence_of(commonest_reason(live))));
+  }
   throw Failure(
       ExitCode::answer_is_no,
       fmt::format(
@@ -309,7 +380,13 @@ std::function<int()> attach_measure_user(CLI::App& command, FileOptions& files) 
       "each\n"
       "k_u that a simulated hand was given. A rest in which the motors gave less than was asked of them is listed, "
       "but\n"
-      "is not a reading. Exit code 1: there was no reading.\n"
+      "is not a reading.\n"
+      "\n"
+      "Where tones measured the hand while it worked (columns tone_x_N, tone_y_N), there is an estimate every 0.1 s "
+      "of\n"
+      "the last 2 s, with its standard deviation σ, and the mass m and damping b of hand and device. With --json, "
+      "each\n"
+      "is in \"live\", or the reason why the hand is unknown then. This needs no target. Exit code 1: no reading.\n"
       "\n"
       "Examples:\n"
       "  ghostforce measure-user run.csv\n"

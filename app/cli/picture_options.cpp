@@ -25,7 +25,9 @@ void PictureOptions::attach(CLI::App& command, bool with_all) {
                       : "stage or workbench; default: the one used last, at first the stage")
       ->type_name("FACE")
       ->check(one_of(names_of(face_catalog)));
-  command.add_option("--mode", mode, "A mode of the stage: predict, why, landscape, round or ribbon; default: none")
+  command
+      .add_option("--mode", mode,
+                  "A mode of the stage: predict, why, landscape, round, ribbon or measure; default: none")
       ->type_name("NAME")
       ->check(one_of(names_of(stage_mode_catalog())));
   command.add_option("--theme", theme, "light, dark or projector; default: light")

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/compile.h>
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
@@ -126,6 +128,7 @@ int replay_exactly(const ReplayOptions& options) {
   fmt::memory_buffer lines;
   Settings known;
   std::optional<Settings> newest;
+  bool tells_tones = false;
   Replay replay([&](const ReplayedTick& tick) {
     if (newest != tick.settings) {
       append_set_lines(lines, tick.snapshot.time_s, known, tick.settings);
@@ -135,6 +138,8 @@ int replay_exactly(const ReplayOptions& options) {
     for (const Strategy& each : strategy_catalog()) {
       if (!tick.is_known[index_of(each.id)]) continue;
       append_run_row(lines, tick.snapshot, each.id);
+      const Vector<2>& tone = tick.tones[index_of(each.id)];
+      if (tells_tones) fmt::format_to(std::back_inserter(lines), FMT_COMPILE(",{},{}"), tone.x, tone.y);
       lines.push_back('\n');
     }
     file.write({lines.data(), lines.size()});
@@ -145,7 +150,8 @@ int replay_exactly(const ReplayOptions& options) {
       stream_run(options.run, "replaying", !file.is_terminal(), [&](const RunFacts& so_far, const RunTick& tick) {
         if (!so_far.scene) return;  // said below, after why
         if (!std::exchange(is_begun, true)) {
-          file.write(run_header(*so_far.scene));
+          tells_tones = so_far.tells_tones;
+          file.write(run_header(*so_far.scene, tells_tones ? tone_columns : std::string_view()));
           known = so_far.scene->settings;
         }
         replay.take(so_far, tick);
@@ -164,10 +170,10 @@ int replay_exactly(const ReplayOptions& options) {
 // --- Its hand in another scene ---
 
 // The run's own is known once its first tick comes. None: it tells none.
-std::optional<Scene> other_scene(const RunFacts& run, const ReplayOptions& options) {
+std::optional<Scene> other_scene(const RunFacts& run, const RunTick& first, const ReplayOptions& options) {
   if (options.scene.is_named()) return options.scene.load();
   if (!run.scene) return std::nullopt;
-  return read_scene(scene_text(*run.scene), options.run, options.scene.overrides);
+  return read_scene(scene_text(scene_since(run, first)), options.run, options.scene.overrides);
 }
 
 // All that is needed of a run to play its hand: of its ticks the goals alone.
@@ -183,8 +189,9 @@ ReplayedHand load_hand(const ReplayOptions& options) {
   bool is_empty = true;
   const RunFacts run = stream_run(options.run, "reading", true, [&](const RunFacts& so_far, const RunTick& tick) {
     if (std::exchange(is_empty, false)) {
-      if (const std::optional<Scene> scene = other_scene(so_far, options)) {
-        hand = ReplayedHand{*scene, replay_start(so_far, tick, scene->settings), {}};
+      if (std::optional<Scene> scene = other_scene(so_far, tick, options)) {
+        scene->unrest = {};  // the recorded hand has its own
+        hand = ReplayedHand{*scene, replay_start(so_far, tick, *scene), {}};
         path.emplace(scene->settings.rate);
       }
     }

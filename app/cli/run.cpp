@@ -103,7 +103,8 @@ Scene scene_for(const RunOptions& options, const std::optional<Run>& recording) 
   if (!recording || !recording->scene || options.set_up.scene.is_named()) {
     return options.set_up.scene.load();
   }
-  return read_scene(scene_text(*recording->scene), options.input, options.set_up.scene.overrides);
+  const Scene scene = recording->ticks.empty() ? *recording->scene : scene_since(*recording, recording->ticks.front());
+  return read_scene(scene_text(scene), options.input, options.set_up.scene.overrides);
 }
 
 void refuse_goal_of_other_hand(const RunOptions& options) {

@@ -29,6 +29,7 @@ struct RunRow {
   // Of the strategy on a real device: what went to the motors after every limit, at the handle [N]; empty: not told.
   std::optional<Vector<2>> sent{};
   bool is_saturated = false;  // the limit has shortened it
+  Vector<2> tone{0.0};        // what measures the hand, until the next tick [N]
 };
 
 struct RunTick {
@@ -53,6 +54,7 @@ struct RunFacts {
   std::vector<RunState> states;       // from which it went on where it was reset, or motors came on or went off
   std::uint64_t dropped = 0;          // samples that were lost while it was recorded
   bool is_interrupted = false;        // the program was, while it was recorded
+  bool tells_tones = false;           // there are columns of what measured the hand
   std::vector<std::string> warnings;  // what is not told or was lost, one line each, for people
 };
 

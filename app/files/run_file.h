@@ -17,9 +17,14 @@ namespace ghostforce {
 inline constexpr std::string_view run_columns =
     "strategy,t_s,goal_x_m,goal_y_m,device_x_m,device_y_m,proxy_x_m,proxy_y_m,force_x_N,force_y_N";
 
-// What recordings add. sent: after the safety chain [N]; loop_s: real time since the tick before [s].
+// What recordings add. sent: after the safety chain [N]; loop_s: real time since the tick before [s]; tone: what measures
+// the hand, on the active device until the next tick [N]: part of what is sent to a real one, beside the force of a
+// simulated one, 0 where nothing measures.
 inline constexpr std::string_view recording_columns =
-    ",active,goal_kind,device_kind,sent_x_N,sent_y_N,saturated,loop_s";
+    ",active,goal_kind,device_kind,sent_x_N,sent_y_N,saturated,loop_s,tone_x_N,tone_y_N";
+
+// What replays of such recordings add, so that they can be replayed too.
+inline constexpr std::string_view tone_columns = ",tone_x_N,tone_y_N";
 
 // How the line of the format's number begins. A reader that knows a lower one refuses the file.
 inline constexpr std::string_view format_begins = "# format ";

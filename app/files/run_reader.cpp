@@ -51,6 +51,8 @@ enum Column : std::size_t {
   sent_x_column = needed_columns,
   sent_y_column,
   loop_column,
+  tone_x_column,
+  tone_y_column,
   active_column,  // these two are 0 or 1
   saturated_column,
   goal_kind_column,  // these are words again
@@ -58,8 +60,9 @@ enum Column : std::size_t {
   all_columns,
 };
 constexpr std::array<std::string_view, all_columns> column_names{
-    "strategy",  "t_s",      "goal_x_m", "goal_y_m", "device_x_m", "device_y_m", "proxy_x_m", "proxy_y_m",  "force_x_N",
-    "force_y_N", "sent_x_N", "sent_y_N", "loop_s",   "active",     "saturated",  "goal_kind", "device_kind"};
+    "strategy",  "t_s",       "goal_x_m",  "goal_y_m",  "device_x_m", "device_y_m", "proxy_x_m",
+    "proxy_y_m", "force_x_N", "force_y_N", "sent_x_N",  "sent_y_N",   "loop_s",     "tone_x_N",
+    "tone_y_N",  "active",    "saturated", "goal_kind", "device_kind"};
 
 // The text up to the separator, which is taken off `rest` with it.
 std::string_view take_until(std::string_view& rest, char separator) noexcept {
@@ -241,6 +244,7 @@ class RunReader {
     // Settings alone, so that a change is quick to read however long the path is.
     Scene short_scene = *run_.scene;
     short_scene.goal = {{Vector<2>(0.0)}, {0.0}, Motion::linear};
+    short_scene.stiffness_path = {};
     short_scene.duration = 0.0;
     scene_text_ = scene_text(short_scene);
   }
@@ -286,6 +290,11 @@ class RunReader {
     if (!missing.empty()) {
       refuse(fmt::format("this is not a run: line {} does not name the column {}", line_number_, listed(missing)));
     }
+    run_.tells_tones = has(tone_x_column) && has(tone_y_column);
+    if (!run_.tells_tones && (has(tone_x_column) || has(tone_y_column))) {
+      warn(fmt::format("it has no column {}, so its tones are not read",
+                       column_names[has(tone_x_column) ? tone_y_column : tone_x_column]));
+    }
     values_per_row_ = values_.size();
   }
 
@@ -322,9 +331,10 @@ class RunReader {
     RunRow row{{number[device_x_column], number[device_y_column]},
                {number[proxy_x_column], number[proxy_y_column]},
                {number[force_x_column], number[force_y_column]}};
+    row.is_saturated = number[saturated_column] != 0.0;
+    if (run_.tells_tones) row.tone = {number[tone_x_column], number[tone_y_column]};
     if (is_measured) {  // the others have no motors
       if (has(sent_x_column) && has(sent_y_column)) row.sent = {number[sent_x_column], number[sent_y_column]};
-      row.is_saturated = number[saturated_column] != 0.0;
     }
     go_to(number[time_column], {number[goal_x_column], number[goal_y_column]}, *id);
     if (is_measured) open_.measured = *id;

@@ -42,11 +42,16 @@ std::string toml_point(const Vector<2>& point) {
                      toml_number(file_value(point.y, mm_per_m)));
 }
 
+std::string toml_range(const NumberRange& range) {
+  return fmt::format("[{}, {}]", toml_number(range.least), toml_number(range.greatest));
+}
+
+// Empty for none.
 template <typename Values, typename Words>
 std::string toml_array(const Values& values, Words&& words_of) {
   std::string text;
   for (const auto& value : values) text += (text.empty() ? "" : ", ") + words_of(value);
-  return "[" + text + "]";
+  return text.empty() ? text : "[" + text + "]";
 }
 
 // The value of a key as TOML; empty: left out.
@@ -66,6 +71,8 @@ struct ValueText {
   std::string operator()(const PointKey& key) const { return toml_point(key.in(scene)); }
   std::string operator()(const PointsKey& key) const { return toml_array(key.in(scene), toml_point); }
   std::string operator()(const TimesKey& key) const { return toml_array(key.in(scene), toml_number); }
+  std::string operator()(const NumbersKey& key) const { return toml_array(key.in(scene), toml_number); }
+  std::string operator()(const RangeKey& key) const { return toml_range(key.in(scene)); }
 };
 
 // Replaces each value of a key by what reading its text gives.
@@ -109,7 +116,7 @@ std::string scene_text(const Scene& scene) {
   std::string_view table;
   for (const SceneKey& key : scene_keys()) {
     const std::string value = std::visit(ValueText{copy}, key.value);
-    if (value.empty()) continue;
+    if (value.empty() || (key.is_rare && value == value_text(Scene{}, key))) continue;
     if (key.table != table) {
       table = key.table;
       text += fmt::format("\n[{}]\n", table);

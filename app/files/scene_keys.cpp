@@ -90,10 +90,12 @@ std::string dotted_name(const SceneKey& key) {
 }
 
 std::string_view unit_of(std::string_view key_name) noexcept {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 7> units{{
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 9> units{{
       {"_N_s_per_m", "N·s/m"},
       {"_N_per_m", "N/m"},
       {"_mm", "mm"},
+      {"_mm_rms", "mm"},
+      {"_mm_per_s", "mm/s"},
       {"_deg", "degrees"},
       {"_kg", "kg"},
       {"_hz", "Hz"},

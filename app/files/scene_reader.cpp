@@ -79,6 +79,24 @@ struct ValueReader {
       times.push_back(*time);
     }
   }
+
+  void operator()(const NumbersKey& key) const {
+    const NumberLimits each{key.range.least, key.range.greatest, limits.unit};
+    const std::size_t count = read_count(value, "numbers");
+    for (std::size_t i = 0; i < count; ++i) key.in(scene).push_back(value[i].number(each).value_or(each.least));
+  }
+
+  void operator()(const RangeKey& key) const {
+    const auto ends =
+        value.numbers<2>({key.range.least, key.range.greatest, limits.unit}, "give a range as [least, greatest]");
+    if (!ends) return;
+    const auto [least, greatest] = *ends;
+    if (least > greatest) {
+      value.refuse(fmt::format("{} {} comes before {} {}", least, limits.unit, greatest, limits.unit),
+                   "give the smaller number first");
+    }
+    key.in(scene) = {least, greatest};
+  }
 };
 
 // KEY=VALUE, blanks around both allowed.

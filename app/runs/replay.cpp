@@ -47,7 +47,7 @@ ReplayReport replay(const Run& run, const std::function<void(const ReplayedTick&
 
 void Replay::take(const RunFacts& run, const RunTick& tick) {
   const RunState* const state = tick.state == RunTick::none ? nullptr : &run.states[tick.state];
-  if (!go_to(tick, run.settings[tick.settings], state)) {
+  if (!go_to(tick, run.settings[tick.settings], run.scene->stiffness_path, state)) {
     ++report_.skipped;
     return;
   }
@@ -62,11 +62,15 @@ void Replay::take(const RunFacts& run, const RunTick& tick) {
     if (compares) is_same_tick &= compare_row(tick, snapshot, each.id);
   }
   if (!is_same_tick) ++report_.diverging;
-  if (on_tick_) on_tick_({snapshot, *settings_, state, is_known_});
+  if (!on_tick_) return;
+  PerStrategy<Vector<2>> tones;
+  std::ranges::transform(state_.strategies, tones.begin(), &TickState<2>::StrategyState::tone);
+  on_tick_({snapshot, *settings_, state, is_known_, tones});
 }
 
 // False: the state at this tick cannot be known.
-bool Replay::go_to(const RunTick& tick, const Settings& settings, const RunState* state) {
+bool Replay::go_to(const RunTick& tick, const Settings& settings, const StiffnessPath& stiffness,
+                   const RunState* state) {
   if (settings_ != settings) use(settings);
   if (state != nullptr) {
     state_ = recorded_state(tick, *state);
@@ -77,6 +81,9 @@ bool Replay::go_to(const RunTick& tick, const Settings& settings, const RunState
   } else if (!is_any_known() || tick.tick != state_.tick + 1) {
     is_known_.fill(false);
   } else {
+    if (!stiffness.is_empty()) {
+      set_user_stiffness(coefficients_, stiffness_at(stiffness, time_of(tick.tick, coefficients_.rate)));
+    }
     follow(tick);
   }
   is_first_ = false;
@@ -95,6 +102,7 @@ void Replay::use(const Settings& settings) {
 void Replay::follow(const RunTick& now) {
   const TickState<2> before = state_;
   tick(coefficients_, now.goal, state_);
+  for (std::size_t i = 0; i < strategy_count; ++i) state_.strategies[i].tone = tone_on_simulated(now, i);
   if (!now.measured) return;
   // A real device is where it was measured, and its proxy belongs to that place.
   const std::size_t i = index_of(*now.measured);

@@ -73,7 +73,8 @@ struct ReplayedTick {
   const Snapshot& snapshot;
   const Settings& settings;
   const RunState* state;
-  PerStrategy<bool> is_known;  // whose numbers follow from the run; others mean nothing
+  PerStrategy<bool> is_known;    // whose numbers follow from the run; others mean nothing
+  PerStrategy<Vector<2>> tones;  // at simulated devices, until the next tick [N]
 };
 
 // Takes a run tick by tick, so that its length does not matter. Goes on through divergences, on its own numbers.
@@ -87,7 +88,7 @@ class Replay {
   const ReplayReport& report() const noexcept { return report_; }
 
  private:
-  bool go_to(const RunTick& tick, const Settings& settings, const RunState* state);
+  bool go_to(const RunTick& tick, const Settings& settings, const StiffnessPath& stiffness, const RunState* state);
   void use(const Settings& settings);
   void follow(const RunTick& now);
   bool is_any_known() const noexcept;

@@ -39,6 +39,11 @@ GoalPath goal_path_of(const Run& run, double rate) {
   return path.take_path();
 }
 
+Vector<2> tone_on_simulated(const RunTick& tick, std::size_t strategy) noexcept {
+  const std::optional<RunRow>& row = tick.rows[strategy];
+  return row && !tick.measured ? row->tone : Vector<2>(0.0);
+}
+
 TickState<2> recorded_state(const RunTick& tick, const RunState& state) {
   TickState<2> whole;
   whole.tick = tick.tick;
@@ -47,13 +52,23 @@ TickState<2> recorded_state(const RunTick& tick, const RunState& state) {
   for (std::size_t i = 0; i < strategy_count; ++i) {
     if (!tick.rows[i]) continue;
     const RunRow& row = *tick.rows[i];
-    whole.strategies[i] = {{row.device, state.velocity[i]}, row.proxy, state.energy[i], row.proxy != row.device};
+    whole.strategies[i] = {.motion = {row.device, state.velocity[i]},
+                           .proxy = row.proxy,
+                           .energy = state.energy[i],
+                           .in_contact = row.proxy != row.device,
+                           .tone = tone_on_simulated(tick, i)};
   }
   return whole;
 }
 
-ReplayStart replay_start(const RunFacts& run, const RunTick& first, const Settings& settings) {
-  const bool has_same_settings = run.scene && run.settings[first.settings] == settings;
+Scene scene_since(const RunFacts& run, const RunTick& first) {
+  Scene scene = *run.scene;
+  scene.stiffness_path = path_since(scene.stiffness_path, first.time_s);
+  return scene;
+}
+
+ReplayStart replay_start(const RunFacts& run, const RunTick& first, const Scene& scene) {
+  const bool has_same_settings = run.scene && run.settings[first.settings] == scene.settings;
   if (has_same_settings && !first.measured) {
     const bool is_whole = std::ranges::all_of(first.rows, [](const auto& row) { return row.has_value(); });
     if (first.state != RunTick::none && is_whole) {
@@ -64,7 +79,7 @@ ReplayStart replay_start(const RunFacts& run, const RunTick& first, const Settin
     // As `simulate` begins: devices and proxies where the hand is.
     if (first.state == RunTick::none && first.tick == 0) return {state_at_start(first.goal), true};
   }
-  return {equilibrium_state(settings, first.goal), false};
+  return {equilibrium_at_start(scene, first.goal), false};
 }
 
 }  // namespace ghostforce

@@ -2,6 +2,7 @@
 // where that holds, else at rest. Pure, any thread.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 
@@ -40,15 +41,23 @@ class HandPath {
 // The path of a whole run. Throws ReadError as HandPath does, and Failure(wrong_call) where there is no tick.
 GoalPath goal_path_of(const Run& run, double rate = 0.0);
 
+// What measures the hand at a simulated device, from this tick to the next [N]; a real one has it in its place already.
+// `strategy`: its index.
+Vector<2> tone_on_simulated(const RunTick& tick, std::size_t strategy) noexcept;
+
 // The state of a tick that has one. Strategies without a row stay at 0.
 TickState<2> recorded_state(const RunTick& tick, const RunState& state);
 
-// k = 0. `settings`: those that it will be played with; a state that was recorded under others is of no use to them,
-// nor is a real device's to a simulated one. `first`: the run's first tick.
+// The run's scene for its own hand when that is played from 0 s on: as stiff as it was in the run, whose first tick is
+// `first`. The run must tell its scene.
+Scene scene_since(const RunFacts& run, const RunTick& first);
+
+// k = 0. `scene`: the one that it will be played in; a state that was recorded under other settings is of no use to
+// these, nor is a real device's to a simulated one. `first`: the run's first tick.
 struct ReplayStart {
   TickState<2> state;
   bool is_recorded;  // else at rest
 };
-ReplayStart replay_start(const RunFacts& run, const RunTick& first, const Settings& settings);
+ReplayStart replay_start(const RunFacts& run, const RunTick& first, const Scene& scene);
 
 }  // namespace ghostforce

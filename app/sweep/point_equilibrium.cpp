@@ -13,8 +13,9 @@ void PointEquilibria::add(const Scene& scene) {
   const Vector<2>& goal = scene.goal.points.back();
   PointEquilibrium& point = points_.emplace_back();
   point.depth = depth(wall_of(scene.settings), goal);
-  if (kind_.predicted) point.predicted = predicted_equilibria(scene.settings, goal);
-  if (kind_.simulated) to_simulate_.push_back({scene.settings, scene.duration});
+  const Settings at_end = settings_at(scene, scene.settings, scene.duration);
+  if (kind_.predicted) point.predicted = predicted_equilibria(at_end, goal);
+  if (kind_.simulated) to_simulate_.push_back({at_end, scene.duration});
 }
 
 std::vector<PointEquilibrium> PointEquilibria::take(const GoalPath& path) {

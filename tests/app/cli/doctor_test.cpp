@@ -15,6 +15,7 @@
 #include "app/doctor/readiness.h"
 #include "app/doctor/udev_rule.h"
 #include "core/motor_report.h"
+#include "core/scene.h"
 #include "device/virtual_falcon/virtual_falcon_input.h"
 #include "tests/support/no_opengl.h"
 #include "tests/support/program.h"
@@ -133,7 +134,9 @@ TEST(Doctor, RefusesWrongWords) {
 // --- In virtual time ---
 
 FalconReport examined(const InjectedFault& wrong, double wait_s, const FalconOptions& options = {}) {
-  VirtualFalconInput falcon(options, wrong, Vector<2>(0.0), 100.0, VirtualLink::Clock::stepped);
+  Scene scene;
+  scene.settings.stiffnesses.k_u = 100.0;
+  VirtualFalconInput falcon(options, wrong, scene, VirtualLink::Clock::stepped);
   return examine(falcon, wait_s,
                  [&](const FalconReport& report) { EXPECT_EQ(report.motors, (std::array<std::int16_t, 3>{})); });
 }

@@ -11,6 +11,7 @@
 
 #include "app/files/run_file.h"
 #include "app/files/scene_file.h"
+#include "core/measuring_tones.h"
 #include "core/simulate.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
@@ -77,8 +78,93 @@ class MeasureUser : public testing::Test {
     return path("device.csv");
   }
 
+  // A recording of a hand that holds still in the wall for 4 s, at a real device or a simulated one. From 1 s on tones
+  // measure it.
+  std::string with_tones(double k_u, bool at_device, bool is_saturated = false) {
+    Scene scene = load_scene("wall45");
+    scene.settings.stiffnesses.k_u = k_u;
+    scene.settings.stiffnesses.believed_k_u = 500.0;
+    scene.settings.active = StrategyId::anisotropic;
+    const std::size_t active = index_of(scene.settings.active);
+    const TickCoefficients<2> coefficients = coefficients_of(scene.settings);
+    const double dt = 1.0 / scene.settings.rate;
+    const Vector<2> goal = scene.goal.points.back();
+    TickState<2> state = equilibrium_state(scene.settings, goal);
+    MeasuringTones tones;
+    fmt::memory_buffer rows;
+    while (state.tick < 4000) {
+      tick(coefficients, goal, state);
+      const Vector<2> tone(tones.step(state.tick > 1000, true, usual_tone_force, dt), 0.0);
+      state.strategies[active].tone = tone;
+      const Snapshot snapshot = snapshot_of(coefficients, state);
+      append_run_row(rows, snapshot, StrategyId::anisotropic);
+      const Vector<2> sent = at_device ? snapshot.strategies[active].force + tone : Vector<2>(0.0);
+      fmt::format_to(std::back_inserter(rows), ",1,{},{},{},{},{},0.001,{},{}\n", at_device ? "estimated" : "given",
+                     at_device ? "measured" : "simulated", sent.x, sent.y, is_saturated ? 1 : 0, tone.x, tone.y);
+    }
+    std::ofstream(path("tones.csv")) << run_header(scene, recording_columns)
+                                     << std::string_view(rows.data(), rows.size());
+    return path("tones.csv");
+  }
+
   TemporaryFolder folder_;
 };
+
+TEST_F(MeasureUser, TonesTellTheHandWithoutAnyTarget) {
+  for (const bool at_device : {true, false}) {
+    SCOPED_TRACE(at_device);
+    const nlohmann::json json = measured(with_tones(310.0, at_device));
+    ASSERT_EQ(json["live"].size(), 20U) << "every 0.1 s of 4 s, from the first window on";
+    const nlohmann::json& early = json["live"][0];
+    EXPECT_DOUBLE_EQ(early["t_s"].get<double>(), 2.1) << "the first row is that of 0.001 s";
+    EXPECT_FALSE(early["known"].get<bool>());
+    EXPECT_NE(early["reason"], "");
+    for (const char* const number : {"k_u_N_per_m", "sigma_N_per_m", "mass_kg", "damping_N_s_per_m"}) {
+      EXPECT_TRUE(early[number].is_null()) << number;
+    }
+    const nlohmann::json& last = json["live"].back();
+    EXPECT_TRUE(last["known"].get<bool>()) << last;
+    EXPECT_EQ(last["reason"], "");
+    EXPECT_NEAR(last["k_u_N_per_m"].get<double>(), 310.0, 0.005 * 310.0);
+    EXPECT_NEAR(last["mass_kg"].get<double>(), 0.1, 0.002);
+    // The tick's delay adds up to 0.7 N·s/m (docs/theory.md).
+    EXPECT_NEAR(last["damping_N_s_per_m"].get<double>(), 5.0, 0.8);
+    EXPECT_GT(last["sigma_N_per_m"].get<double>(), 0.0);
+    // Until the tones begin, the hand is at rest; a real one's goal is known by nobody.
+    EXPECT_EQ(json["hands"].size(), at_device ? 0U : 1U);
+  }
+  const Outcome outcome = run({"measure-user", with_tones(310.0, true)});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("measured live, at 3 Hz along the motor: median 3"), std::string::npos) << outcome.out;
+}
+
+// What was sent is the model's force and the tones: nothing has shortened it.
+TEST_F(MeasureUser, TonesAreNoLimit) {
+  const nlohmann::json json = measured(with_tones(310.0, true), {"--target-mm=0,0"});
+  ASSERT_EQ(json["readings"].size(), 1U) << json;
+  EXPECT_FALSE(json["readings"][0].contains("why_not")) << json["readings"][0];
+  // The mean over seconds of tones.
+  EXPECT_NEAR(median_of(json), 310.0, 0.02 * 310.0);
+}
+
+TEST_F(MeasureUser, AForceAtItsLimitTellsNoHand) {
+  const Outcome outcome = run({"measure-user", with_tones(310.0, true, true), "--json"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.err.find("at its limit"), std::string::npos) << outcome.err;
+  const nlohmann::json json = nlohmann::json::parse(outcome.out);
+  ASSERT_FALSE(json["live"].empty());
+  for (const nlohmann::json& reading : json["live"]) {
+    EXPECT_FALSE(reading["known"].get<bool>());
+    EXPECT_TRUE(reading["k_u_N_per_m"].is_null());
+  }
+}
+
+TEST_F(MeasureUser, ARunWithoutTonesHasOneLiveEntryThatSaysSo) {
+  const nlohmann::json json = measured(simulated({}));
+  ASSERT_EQ(json["live"].size(), 1U);
+  EXPECT_FALSE(json["live"][0]["known"].get<bool>());
+  EXPECT_NE(json["live"][0]["reason"].get<std::string>().find("No tones"), std::string::npos);
+}
 
 TEST_F(MeasureUser, GivesBackTheStiffnessOfASimulatedHandWhateverWasBelieved) {
   for (const std::string k_c : {"2000", "1e5", "inf"}) {

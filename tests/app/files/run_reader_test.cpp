@@ -42,7 +42,7 @@ std::string recording() {
     if (k == 7) rows.append(std::string_view("# dropped 12\n"));
     for (const Strategy& strategy : strategy_catalog()) {
       append_run_row(rows, snapshot, strategy.id);
-      rows.append(std::string_view(",0,given,simulated,0,0,0,0.001\n"));
+      rows.append(std::string_view(",0,given,simulated,0,0,0,0.001,0,0\n"));
     }
     ++k;
   });
@@ -231,7 +231,7 @@ TEST(RunReader, RefusesADamagedLineWithItsNumberAndWhatIsWrong) {
     int lines_after = 0;  // where it shows
   };
   for (const Case& c : {
-           Case{"naive,0.002,", "naive,0.002,,", "the row has 18 values, but there are 17 columns"},
+           Case{"naive,0.002,", "naive,0.002,,", "the row has 20 values, but there are 19 columns"},
            Case{"naive,0.002,", "naive,nan,", "t_s is 'nan', which is not a finite number"},
            Case{"naive,0.002,", "naive,inf,", "t_s is 'inf', which is not a finite number"},
            Case{"naive,0.002,", "naive,0.0021,", "t_s = 0.0021 is not the time of a tick at 1000 Hz"},
@@ -242,7 +242,7 @@ TEST(RunReader, RefusesADamagedLineWithItsNumberAndWhatIsWrong) {
            Case{"naive,0.002,", "naive,0.002x,", "t_s is '0.002x', which is not a finite number"},
            Case{"naive,0.002,", "naive,0.006,", "t_s = 0.002 does not come after the 0.006 of line", 1},
            Case{"naive,0.002,", "full,0.002,", "t_s = 0.002 does not come after the 0.002 of line"},
-           Case{"naive,0.002,", "naive,0.002,1e-9,", "the row has 18 values"},
+           Case{"naive,0.002,", "naive,0.002,1e-9,", "the row has 20 values"},
            Case{"given,simulated", "given,real", "device_kind is 'real', which is neither simulated nor measured"},
            Case{"given,simulated", "gone,simulated", "goal_kind is 'gone', which is neither given nor estimated"},
            Case{",0,given,simulated,", ",x,given,simulated,", "active is 'x', which is not a finite number"},
@@ -253,7 +253,7 @@ TEST(RunReader, RefusesADamagedLineWithItsNumberAndWhatIsWrong) {
            Case{"simulated,0,0,0,0.001", "simulated,0,0,0.5,0.001", "saturated is '0.5', which is neither 0 nor 1"},
            Case{"simulated,0,0,0,0.001", "simulated,0,0,0,-inf", "loop_s is '-inf'"},
            Case{"simulated,0,0,0,0.001", "simulated,0,0,0,soon", "loop_s is 'soon'"},
-           Case{"\nnaive,0.002,", ",naive,0.002,", "the row has 34 values, but there are 17 columns"},
+           Case{"\nnaive,0.002,", ",naive,0.002,", "the row has 38 values, but there are 19 columns"},
            Case{"naive,0.002,", "# naive,0.002,", "the comment '# naive,0.002,"},
            Case{"# set t_s=0.003 rend", "# set t_s=x rend", "the time of the change cannot be read"},
            Case{"rendering.k_r_N_per_m=", "rendering.k_x=", "'rendering.k_x' is not a setting"},
@@ -315,7 +315,7 @@ TEST(RunReader, RefusesWhatADamagedTimeMakesTooLong) {
   EXPECT_NE(words_of_refusal(replaced(text, "\nfull,0.005,", "\nfull,3e7,")), "");
   // A recording begins when it likes, and is as long as its rows say.
   std::string rows = text.substr(0, text.find("\nfull,0,") + 1);
-  const std::string row = ",0,0,0,0,0,0,0,0,0,given,simulated,0,0,0,0.001\n";
+  const std::string row = ",0,0,0,0,0,0,0,0,0,given,simulated,0,0,0,0.001,0,0\n";
   const std::string reset = "# state t_s=3 full=0,0,0 naive=0,0,0 anisotropic=0,0,0\n";
   EXPECT_EQ(words_of_refusal(rows + "full,90000" + row + "full,100000" + row), "") << "1e7 ticks";
   EXPECT_NE(words_of_refusal(rows + "full,90000" + row + "full,100000.001" + row), "") << "one more";

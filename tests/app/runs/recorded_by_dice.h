@@ -7,6 +7,7 @@
 #include <memory>
 #include <random>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -16,6 +17,7 @@
 #include "app/runs/recording.h"
 #include "core/simulate.h"
 #include "device/input/mouse_input.h"
+#include "device/input/unsteady_input.h"
 #include "device/servo/servo.h"
 
 namespace ghostforce {
@@ -26,19 +28,21 @@ inline Settings as_in_file(const Settings& settings) {
   return rounded_to_file(scene).settings;
 }
 
-// A minute at the window, by dice: every setting, pause, single steps, speed, reset, other rates.
-inline std::string recorded_by_dice(unsigned seed, int rounds, int gap_every = 0) {
+// A minute at the window, by dice: every setting, pause, single steps, speed, reset, other rates, tones and a belief that
+// follows them.
+inline std::string recorded_by_dice(unsigned seed, int rounds, int gap_every = 0,
+                                    const Scene& scene = load_scene("wall45")) {
   std::mt19937 random(seed);
   const auto between = [&](double least, double greatest) {
     return std::uniform_real_distribution<double>(least, greatest)(random);
   };
-  const Scene scene = load_scene("wall45");
   ServoCommand command;
   command.settings = scene.settings;
   command.recording = 1;
   command.restart_state = simulate(scene, last_tick(scene), [](const Snapshot&) {});
-  Servo servo(std::make_unique<MouseInput>(), command);
-  auto& mouse = dynamic_cast<MouseInput&>(servo.input());
+  auto input = std::make_unique<MouseInput>();
+  MouseInput& mouse = *input;
+  Servo servo(in_hand_of(scene, std::move(input), false), command);
   SampleText text(scene.settings);
   fmt::memory_buffer lines;
   for (int round = 0; round < rounds; ++round) {
@@ -94,6 +98,8 @@ inline std::string recorded_by_dice(unsigned seed, int rounds, int gap_every = 0
       default:
         command.paused = false;
     }
+    command.measures_hand = round % 4 != 0;
+    command.belief_follows_hand = round % 100 > 30;
     settings = as_in_file(settings);
     ++command.settings_generation;
     servo.send(command);

@@ -68,11 +68,12 @@ TEST(Recording, IsARunLikeSimulates) {
     EXPECT_EQ(progress.error, 0);
   }
   const std::string text = read_whole(folder / "run.csv");
-  EXPECT_NE(text.find(",force_y_N,active,goal_kind,device_kind,sent_x_N,sent_y_N,saturated,loop_s\n"),
+  EXPECT_NE(text.find(",force_y_N,active,goal_kind,device_kind,sent_x_N,sent_y_N,saturated,loop_s,tone_x_N,tone_y_N\n"),
             std::string::npos);
   EXPECT_NE(text.find("\nfull,0,"), std::string::npos);
-  EXPECT_NE(text.find(",0,given,simulated,0,0,0,0\nnaive,0,"), std::string::npos) << "the scene's strategy is another";
-  EXPECT_NE(text.find(",1,given,simulated,0,0,0,0\nfull,0.001,"), std::string::npos);
+  EXPECT_NE(text.find(",0,given,simulated,0,0,0,0,0,0\nnaive,0,"), std::string::npos)
+      << "the scene's strategy is another";
+  EXPECT_NE(text.find(",1,given,simulated,0,0,0,0,0,0\nfull,0.001,"), std::string::npos);
   EXPECT_TRUE(text.ends_with('\n'));
   EXPECT_EQ(text.find("# interrupted"), std::string::npos);
   const auto run = load_run(folder / "run.csv");

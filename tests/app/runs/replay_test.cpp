@@ -18,6 +18,7 @@
 #include "app/files/run_reader.h"
 #include "app/files/scene_file.h"
 #include "app/runs/recording.h"
+#include "app/runs/replay_start.h"
 #include "core/simulate.h"
 #include "tests/app/runs/recorded_by_dice.h"
 
@@ -45,6 +46,39 @@ TEST(Replay, RepeatsWhatAServoDidUnderEveryLiveChangeBitForBit) {
     EXPECT_EQ(report.compared, static_cast<std::int64_t>(run.ticks.size()));
     EXPECT_GT(report.compared, 5000);
   }
+}
+
+// A hand that trembles, drifts and changes its grip, seen through an encoder: its goals are in the rows, and its
+// stiffness follows from the scene in the header.
+TEST(Replay, RepeatsAHandThatIsNotStillBitForBit) {
+  const Scene scene = load_scene(
+      "wall45", std::vector<std::string>{"device.encoder_mm=0.06", "user.tremor_mm_rms=0.3", "user.drift_mm_per_s=10",
+                                         "user.k_u_path_N_per_m=[200, 500, 120]", "user.k_u_times_s=[0, 3.5, 6]"});
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    SCOPED_TRACE(seed);
+    auto run = read_run(recorded_by_dice(seed, 600, 0, scene), "run.csv");
+    EXPECT_TRUE(run.warnings.empty()) << run.warnings.front();
+    EXPECT_EQ(run.scene->stiffness_path, scene.stiffness_path);
+    const ReplayReport report = replay(run);
+    if (report.first) {
+      ADD_FAILURE() << report.first->column << " at " << report.first->time_s << ": " << report.first->recorded
+                    << " became " << report.first->replayed;
+    }
+    EXPECT_EQ(report.skipped, 0);
+    EXPECT_GT(report.compared, 5000);
+    run.scene->stiffness_path = {};
+    EXPECT_TRUE(replay(run).first) << "the stiffness counts";
+  }
+}
+
+TEST(Replay, AHandPlayedFromZeroIsAsStiffAsItWas) {
+  Scene scene = load_scene("wall45");
+  scene.stiffness_path = {{200.0, 500.0}, {0.0, 5.0}};
+  RunFacts run;
+  run.scene = scene;
+  RunTick first;
+  first.time_s = 3.0;
+  EXPECT_EQ(scene_since(run, first).stiffness_path, (StiffnessPath{{380.0, 500.0}, {0.0, 2.0}}));
 }
 
 TEST(Replay, FindsTheLastBitOfAnyValueThatIsAnother) {

@@ -46,6 +46,24 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
+// A hand that changes is, at rest, the one of the scene's end; what is believed of it is what the scene says.
+TEST(SweepRows, AChangingHandIsThatOfTheScenesEnd) {
+  const EquilibriumKind& both = equilibrium_kinds[2];
+  const Scene changing =
+      load_scene("wall45", std::vector<std::string>{"user.k_u_path_N_per_m=[200, 400]", "user.k_u_times_s=[0, 6]",
+                                                    "user.tremor_mm_rms=1", "device.encoder_mm=0.06"});
+  const Scene constant =
+      load_scene("wall45", std::vector<std::string>{"user.k_u_N_per_m=300", "user.believed_k_u_N_per_m=200"});
+  const PointEquilibrium found = point_equilibrium(changing, both);
+  const PointEquilibrium wanted = point_equilibrium(constant, both);
+  for (std::size_t i = 0; i < strategy_count; ++i) {
+    EXPECT_EQ(found.predicted[i].at.device, wanted.predicted[i].at.device);
+    EXPECT_EQ(found.predicted[i].at.force, wanted.predicted[i].at.force);
+    ASSERT_TRUE(found.simulated[i] && wanted.simulated[i]);
+    EXPECT_EQ(found.simulated[i]->device, wanted.simulated[i]->device);
+  }
+}
+
 struct Row {
   std::map<std::string, std::string> fields;
 

@@ -116,7 +116,7 @@ TEST(SweepRange, AValueIsBitForBitThatOfSet) {
       ASSERT_EQ(scene_values(by_sweep), scene_values(by_set)) << name << " at " << point;
     }
   }
-  EXPECT_EQ(keys, 13);
+  EXPECT_EQ(keys, 17);
 }
 
 TEST(SweepRange, WrongOnesAreRefusedAndNothingIsWritten) {

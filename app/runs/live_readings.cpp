@@ -1,0 +1,124 @@
+#include "app/runs/live_readings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "core/settings.h"
+#include "core/user_measurement.h"
+
+namespace ghostforce {
+namespace {
+
+bool is_measured_by_tones(const std::optional<RunRow>& row) noexcept {
+  return row && row->tone != Vector<2>(0.0);
+}
+
+// Which device the tones shake: the real one, or else the one whose row has them.
+StrategyId shaken_device(const RunTick& tick, StrategyId otherwise) noexcept {
+  if (tick.measured) return *tick.measured;
+  const auto row = std::ranges::find_if(tick.rows, is_measured_by_tones);
+  return row != tick.rows.end() ? strategy_catalog()[static_cast<std::size_t>(row - tick.rows.begin())].id : otherwise;
+}
+
+// Newtons at the handle of a real device per newton in the scene, where its way is shown enlarged: the share of the
+// model's force that was sent beside the tones. The median, because force that leads over from one strategy to another
+// has another share for a moment.
+double force_at_handle(const Run& run) {
+  std::vector<double> shares;
+  for (const RunTick& tick : run.ticks) {
+    if (!tick.measured) continue;
+    const std::optional<RunRow>& row = tick.rows[index_of(*tick.measured)];
+    if (!is_measured_by_tones(row) || !row->sent) continue;
+    const double share = glm::dot(*row->sent - row->tone, row->force) / glm::dot(row->force, row->force);
+    if (share > 0.0 && std::isfinite(share)) shares.push_back(share);
+  }
+  return shares.empty() ? 1.0 : spread_of(shares).median;
+}
+
+class LiveReader {
+ public:
+  explicit LiveReader(const Run& run) : run_(run), at_handle_(force_at_handle(run)) {}
+
+  std::vector<LiveReading> read() {
+    for (const RunTick& tick : run_.ticks) take(tick);
+    if (readings_.empty()) readings_.push_back({run_.ticks.back().time_s, estimator_.estimate()});
+    return std::move(readings_);
+  }
+
+ private:
+  void take(const RunTick& tick) {
+    const Settings& settings = run_.settings[tick.settings];
+    if (settings.rate != rate_) {
+      rate_ = settings.rate;
+      estimator_ = HandEstimator(rate_);
+      device_ = settings.active;
+      axis_angle_ = settings.actuated_angle;
+      begin_ = tick.tick;
+    } else if (tick.state != RunTick::none) {
+      estimator_.reset();
+      begin_ = tick.tick;
+    } else if (tick.tick != tick_ + 1) {
+      estimator_.reset(HandUnknown::damaged);
+    }
+    tick_ = tick.tick;
+    // Places along another axis do not continue those before.
+    if (std::exchange(axis_angle_, settings.actuated_angle) != settings.actuated_angle) estimator_.reset();
+    if (const StrategyId device = shaken_device(tick, device_); device != device_) {
+      device_ = device;
+      estimator_.reset();
+    }
+    if (const auto sample = sample_of(tick, settings)) {
+      estimator_.add(*sample);
+    } else {
+      estimator_.reset(HandUnknown::damaged);
+    }
+    const std::int64_t ticks_per_reading = std::max<std::int64_t>(1, std::llround(HandEstimator::period_s * rate_));
+    const bool can_have_window = time_of(tick.tick - begin_, rate_) >= HandEstimator::usual_window_s;
+    if (can_have_window && tick.tick % ticks_per_reading == 0) {
+      readings_.push_back({tick.time_s, estimator_.estimate()});
+    }
+  }
+
+  // Empty: the file does not tell it.
+  std::optional<HandSample> sample_of(const RunTick& tick, const Settings& settings) const {
+    const std::optional<RunRow>& row = tick.rows[index_of(device_)];
+    if (!row || (tick.measured && !row->sent)) return std::nullopt;
+    const Vector<2> axis = direction_at(settings.actuated_angle);
+    const Vector<2> force = tick.measured ? *row->sent / at_handle_ : row->force + row->tone;
+    const Vector<2> place = tick.measured ? row->device : measured_position(settings, row->device);
+    return HandSample{.position = glm::dot(axis, place),
+                      .force = glm::dot(axis, force),
+                      .tone = glm::dot(axis, row->tone),
+                      .in_contact = depth(wall_of(settings), row->device) > 0.0,
+                      .is_at_limit = row->is_saturated};
+  }
+
+  const Run& run_;
+  double at_handle_;
+  double rate_ = 0.0;  // 0: no tick yet
+  double axis_angle_ = 0.0;
+  std::int64_t begin_ = 0;  // k where the run began, or was reset last
+  HandEstimator estimator_{HandEstimator::least_rate};
+  StrategyId device_ = StrategyId::anisotropic;
+  std::int64_t tick_ = 0;
+  std::vector<LiveReading> readings_;
+};
+
+}  // namespace
+
+bool has_tones(const Run& run) noexcept {
+  return std::ranges::any_of(run.ticks,
+                             [](const RunTick& tick) { return std::ranges::any_of(tick.rows, is_measured_by_tones); });
+}
+
+std::vector<LiveReading> live_readings(const Run& run) {
+  if (run.ticks.empty()) return {};
+  if (!has_tones(run)) return {{run.ticks.back().time_s, {.why = HandUnknown::no_tones}}};
+  return LiveReader(run).read();
+}
+
+}  // namespace ghostforce
