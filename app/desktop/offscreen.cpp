@@ -66,6 +66,7 @@ Session session_of(const PictureRequest& request, const Moment& moment) {
   session.input = scripted_hand.name;
   session.goal = request.scene.goal.points.back();
   session.stage_shown = stage_view_of(session.settings, moment.snapshot.goal);
+  session.time_s = moment.snapshot.time_s;
   session.face = request.face;
   session.language = request.language;
   if (request.mode != StageMode::none) toggle_stage_mode(session, request.mode);
@@ -77,6 +78,10 @@ Session session_of(const PictureRequest& request, const Moment& moment) {
     session.stage.guess_is_open = true;
   }
   return session;
+}
+
+ShownMoment shown_moment(const Scene& scene, const Settings& settings, const Moment& moment) {
+  return {settings_at(scene, settings, moment.snapshot.time_s), moment.snapshot};
 }
 
 LoopReading loop_of(const PictureRequest& request, const Moment& moment) {
@@ -175,7 +180,7 @@ std::vector<Pane> compose_moment(const PictureRequest& request, const Moment& mo
                                  const MeasureText& measure) {
   if (request.face == Face::stage) {
     const Session session = session_of(request, moment);
-    const ShownMoment shown{request.scene.settings, moment.snapshot};
+    const ShownMoment shown = shown_moment(request.scene, request.scene.settings, moment);
     return {StageFace()
                 .still(session, {.shown = shown,
                                  .history = moment.history,
@@ -187,7 +192,7 @@ std::vector<Pane> compose_moment(const PictureRequest& request, const Moment& mo
                                  .is_bare = request.is_bare})
                 .pane};
   }
-  return compose_panes({.settings = request.scene.settings,
+  return compose_panes({.settings = shown_moment(request.scene, request.scene.settings, moment).settings,
                         .snapshot = moment.snapshot,
                         .history = moment.history,
                         .theme = *request.appearance.theme,
@@ -216,7 +221,8 @@ void draw_settled(Window& window, Screen& screen, Session& session, const Pictur
   constexpr int frames_to_settle = 3;
   for (int i = 0; i < frames_to_settle; ++i) {
     window.set_visible_drawing(i + 1 == frames_to_settle);
-    screen.draw(session, {session.settings, moment.snapshot}, moment.history, loop_of(request, moment), 0.0);
+    screen.draw(session, shown_moment(request.scene, session.settings, moment), moment.history,
+                loop_of(request, moment), 0.0);
   }
 }
 
@@ -259,8 +265,9 @@ void draw_clip(const PictureRequest& request, const ClipTimes& times, const std:
       session->stage_shown = stage_view_of(request.scene, times);
       draw_settled(window, screen, *session, request, moment);
     } else {
-      screen.draw(*session, {session->settings, moment.snapshot}, moment.history, loop_of(request, moment),
-                  1.0 / times.frames_per_second);
+      session->time_s = moment.snapshot.time_s;
+      screen.draw(*session, shown_moment(request.scene, session->settings, moment), moment.history,
+                  loop_of(request, moment), 1.0 / times.frames_per_second);
     }
     ++drawn;
     stop_if_interrupted();

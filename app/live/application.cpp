@@ -13,8 +13,8 @@
 #include "app/files/file_exchange.h"
 #include "app/files/output_file.h"
 #include "app/files/scene_file.h"
-#include "app/live/end_of_recording.h"
 #include "app/live/preferences.h"
+#include "app/session/hand_burst_guide.h"
 #include "app/session/lesson_guide.h"
 #include "app/session/live_table.h"
 #include "app/session/measurement_guide.h"
@@ -122,7 +122,7 @@ void Application::use(const InputEntry& entry, std::shared_ptr<const Scene> scen
   if (servo_driver_) servo_driver_->stop();
   LinkedInput made;
   try {
-    made = entry.make(*scene, input_options_);
+    made = make_in_hand_of(*scene, entry, input_options_);
   } catch (...) {
     if (is_started_) start();
     throw;
@@ -133,6 +133,8 @@ void Application::use(const InputEntry& entry, std::shared_ptr<const Scene> scen
                 !recording_problem_.empty());
   }
   const bool is_other_scene = scene != session_.scene;
+  // Another hand may be at another input, or in another scene.
+  if (is_other_scene || session_.input != entry.name) session_.hand_burst = {};
   input_ = &entry;
   session_.input = entry.name;
   session_.pointer_moves_goal = false;
@@ -143,6 +145,8 @@ void Application::use(const InputEntry& entry, std::shared_ptr<const Scene> scen
   session_.settings = settings;
   if (is_other_scene) {
     abandon_lesson(session_);
+    session_.belief_source = BeliefSource::typed;  // a scene says what is believed
+    session_.measured_k_u.reset();
     session_.goal = goal.value_or(session_.scene->goal.points.back());
     session_.shown = session_.scene->view;
     session_.stage_shown = stage_view_of(session_.settings, session_.goal);
@@ -154,11 +158,13 @@ void Application::use(const InputEntry& entry, std::shared_ptr<const Scene> scen
   command_.restarts_asked = session_.restarts_asked;
   command_.steps_asked = session_.steps_asked;
   copy_motor_requests();
+  HandFollowing::ask(session_, command_);
   command_.restart_state = start_state();
   link_.reset();
   servo_ = std::make_unique<Servo>(std::move(made.input), command_);
   link_ = std::move(made.link);
   link_->begin(session_);
+  hand_following_.accept(session_);
   report_ = {};
   report_.restarts = command_.restarts_asked;
   report_.snapshot = snapshot_of(coefficients_of(session_.settings), command_.restart_state);
@@ -180,7 +186,7 @@ TickState<2> Application::start_state() {
   if (is_elsewhere) scene.goal = {.points = {session_.goal}, .times = {0.0}};
   const Vector<2> first = goal_at(scene.goal, 0.0);
   const TickState<2> state =
-      simulate_from(is_replay || is_elsewhere ? equilibrium_state(scene.settings, first) : state_at_start(first), scene,
+      simulate_from(is_replay || is_elsewhere ? equilibrium_at_start(scene, first) : state_at_start(first), scene,
                     input_->is_scripted || is_elsewhere ? 0 : last_tick(scene),
                     [&](const Snapshot& snapshot) { history_.add(snapshot, scene.settings); });
   if (!has_diverged(state)) return state;
@@ -201,6 +207,11 @@ void Application::update(double interval_s) {
   if (servo_driver_) servo_driver_->step(std::llround(clock_s_ * 1e9));
   take_samples();
   report_ = servo_->newest();
+  hand_following_.look(session_);
+  hand_following_.note(report_.hand, command_.belief_follows_hand);
+  if (HandFollowing::has_news(command_, report_)) {
+    hand_following_.take(report_.hand.believed_k_u, session_, command_, sent_settings_);
+  }
   if (recording_) {
     recording_->look();
     read_recording();
@@ -215,9 +226,12 @@ void Application::update(double interval_s) {
   if (report_.restarts != command_.restarts_asked || report_.snapshot.tick == 0) {
     // The servo has not seen the restart yet: show the state that it will start from.
     report_.snapshot = snapshot_of(coefficients_of(session_.settings), command_.restart_state);
+    report_.hand = {};
   }
+  session_.time_s = report_.snapshot.time_s;
   follow_measurement(session_, report_.snapshot, report_.motors);
   session_.motors_may_push = report_.motors.has_motors && report_.motors.state != SafetyState::off;
+  follow_hand_burst(session_, report_.snapshot, report_.motors, report_.hand);
   follow_lesson_in_session(interval_s);
   follow_visit_in_session(interval_s);
   if (shader_watch_ && shader_watch_->look(screen_.painter(), clock_s_)) frames_to_settle_ = settling_frames;
@@ -268,6 +282,7 @@ void Application::draw() {
 void Application::do_what_is_asked() {
   looking_back_.follow(session_, report_.snapshot, history_.moments());
   handle_requests();
+  hand_following_.look(session_);
   undo_.note(edited(), session_.is_editing || is_measuring(session_));
   offer_undo();
 }
@@ -293,6 +308,8 @@ LoopReading Application::reading() const {
                       .why_no_falcon = why_no_falcon_,
                       .shader_problem = shader_watch_ ? std::string_view(shader_watch_->problem()) : std::string_view(),
                       .motors = report_.motors,
+                      .hand = report_.hand,
+                      .hand_unknown_s = hand_following_.unknown_s(),
                       .recording = recording_reading_,
                       .refused_by_system = refused_words(report_.realtime)};
   link_->fill(reading);
@@ -313,29 +330,9 @@ void Application::take_samples() {
                              sample.snapshot);
     }
     history_.add(sample.snapshot, sample.settings);
+    history_.add(hand_point(sample, *session_.scene, session_.hand_is_simulated));
     link_->add(sample.snapshot);
   }
-}
-
-void Application::follow_lesson_in_session(double interval_s) {
-  if (!session_.lesson) return;
-  const LoopReading reading = this->reading();
-  const StageMoment moment = stage_moment(session_.settings, report_.snapshot, report_.snapshot.goal);
-  follow_lesson(session_, {moment, session_.settings, reading.circle ? &*reading.circle : nullptr}, interval_s);
-}
-
-void Application::follow_visit_in_session(double interval_s) {
-  const MotorReport& motors = report_.motors;
-  const bool moves_by_itself = session_.pointer_moves_goal || input_->is_scripted || session_.circle_test.is_on;
-  const Window::Touch touch = window_.take_touch();
-  SignsOfLife signs{.has_acted = touch.has_acted, .has_pointed = touch.has_moved};
-  if (motors.has_motors) {
-    // Homing moves it too.
-    if (motors.is_handle_known && motors.is_ready) signs.handle = motors.handle;
-  } else if (!moves_by_itself) {
-    signs.handle = report_.snapshot.goal;
-  }
-  follow_visit(session_, signs, interval_s);
 }
 
 void Application::see_target() {
@@ -349,7 +346,8 @@ void Application::see_target() {
 
 void Application::send() {
   link_->send(session_, interval_s_);
-  if (session_.settings != sent_settings_) {
+  const bool belief_is_ones_own_again = HandFollowing::ask(session_, command_);
+  if (session_.settings != sent_settings_ || belief_is_ones_own_again) {
     ++command_.settings_generation;
     sent_settings_ = session_.settings;
     command_.settings = as_in_file(session_.settings);
@@ -412,7 +410,7 @@ void Application::handle_requests() {
     if (const auto& picture = requests.save_picture) save(picture->path, [&] { return picture_bytes(*picture); });
     if (requests.save_clip) save_clip(*requests.save_clip);
     if (const auto& plots = requests.save_plots) {
-      save(plots->path, [&] { return plot_file(session_, shown(), history_.plots(), *plots, painter_); });
+      save(plots->path, [&] { return plot_file(session_, shown(), history_, *plots, painter_); });
     }
     if (requests.copy_picture) copy_picture(*requests.copy_picture);
     if (requests.copy_table) {
@@ -452,46 +450,15 @@ void Application::take_back(bool undo) {
   const std::optional<Edited> edited = undo ? undo_.undo() : undo_.redo();
   if (!edited) return;
   if (edited->scene == session_.scene) {
+    const std::optional<double> followed = session_.settings.stiffnesses.believed_k_u;
+    const bool goes_on = session_.belief_source == BeliefSource::live && edited->belief_source == BeliefSource::live;
     session_.settings = edited->settings;
+    session_.belief_source = edited->belief_source;
+    if (goes_on) session_.settings.stiffnesses.believed_k_u = followed;
+    hand_following_.accept(session_);
   } else {
     show(*edited);
   }
-}
-
-void Application::start_recording(const std::string& path) {
-  end_recording();
-  Scene scene = *session_.scene;
-  scene.settings = command_.settings;
-  recording_ = std::make_unique<Recording>(path, rounded_to_file(std::move(scene)), *servo_, ++recordings_);
-  recording_problem_.clear();
-  command_.recording = recordings_;
-  servo_->send(command_);
-  read_recording();
-}
-
-std::string Application::end_recording() {
-  if (!recording_) return {};
-  command_.recording = 0;
-  servo_->send(command_);
-  recording_->end();
-  read_recording();
-  const int error = recording_->progress().error;
-  const std::string found_at = recording_->found_at();
-  recording_.reset();
-  if (!found_at.empty()) hand_out(found_at);
-  recording_reading_.is_on = false;
-  EndOfRecording end = end_of_recording(recording_reading_, found_at, error);
-  if (end.is_problem) recording_problem_ = end.words;
-  return std::move(end.words);
-}
-
-void Application::read_recording() {
-  const RecordingProgress progress = recording_->progress();
-  recording_reading_ = {.is_on = true,
-                        .path = recording_->path(),
-                        .seconds = progress.seconds,
-                        .bytes = progress.bytes,
-                        .dropped = progress.dropped};
 }
 
 }  // namespace ghostforce

@@ -11,6 +11,7 @@
 
 #include "app/files/clipboard_tool.h"
 #include "app/live/clip_saving.h"
+#include "app/live/hand_following.h"
 #include "app/live/input_link.h"
 #include "app/live/late_ticks.h"
 #include "app/live/looking_back.h"
@@ -177,6 +178,7 @@ class Application {
   ClipboardTool clipboard_tool_;
   ClipSaving clip_saving_;
   LookingBack looking_back_;
+  HandFollowing hand_following_;
   ServoCommand command_;
   Settings sent_settings_;  // the session's, of which those in the command are the nearest that a file can hold
   std::unique_ptr<Servo> servo_;

@@ -98,9 +98,9 @@ void Application::replay_run(const std::string& path) {
                     quoted_text(path, longest_path)));
   }
   input_options_.recorded_hand = std::make_shared<const GoalPath>(goal_path_of(run));
+  const auto scene = std::make_shared<const Scene>(scene_since(run, run.ticks.front()));
   input_choices_ = choices_of(inputs_, true);
-  use(*std::ranges::find_if(inputs_, &InputEntry::needs_recording), std::make_shared<const Scene>(*run.scene),
-      run.scene->settings);
+  use(*std::ranges::find_if(inputs_, &InputEntry::needs_recording), scene, scene->settings);
   show_notice(fmt::format("Replaying {}{}{}", quoted_text(path, longest_path), run.warnings.empty() ? "" : "\n",
                           fmt::join(run.warnings, "\n")),
               false);
@@ -110,9 +110,11 @@ Edited Application::edited() const {
   if (session_.lesson) {
     // It goes as it has come, and leaves nothing to undo.
     const LessonState::Before& before = session_.lesson->before;
-    return {session_.scene, before.settings, before.goal, session_.shown, before.face, StageMode::none};
+    return {session_.scene, before.settings, before.belief_source, before.goal,
+            session_.shown, before.face,     StageMode::none};
   }
-  return {session_.scene, session_.settings, session_.goal, session_.shown, session_.face, session_.stage.mode};
+  return {session_.scene, session_.settings, session_.belief_source, session_.goal,
+          session_.shown, session_.face,     session_.stage.mode};
 }
 
 void Application::show(const Edited& wanted) {
@@ -120,6 +122,8 @@ void Application::show(const Edited& wanted) {
   // A mode that brought an input of its own has asked for the one before.
   const std::string input = std::exchange(session_.requests.input, {}).value_or(session_.input);
   use(input_of(input), wanted.scene, wanted.settings, wanted.goal);
+  session_.belief_source = wanted.belief_source;
+  hand_following_.accept(session_);
   session_.shown = wanted.view;
   session_.stage.is_black = false;
   show_face(session_, wanted.face);
@@ -128,7 +132,7 @@ void Application::show(const Edited& wanted) {
 
 void Application::show(const SetUp& set_up) {
   const auto scene = std::make_shared<const Scene>(set_up.scene);
-  show({scene, scene->settings, set_up.goal, scene->view, set_up.face, set_up.mode});
+  show({scene, scene->settings, BeliefSource::typed, set_up.goal, scene->view, set_up.face, set_up.mode});
 }
 
 void Application::show_set_up(const std::string& line) {

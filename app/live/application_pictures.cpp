@@ -31,7 +31,7 @@ void Application::save_clip(const SaveClipRequest& request) {
   const Scene& scene = *session_.scene;
   const double scale = session_.appearance.scale * static_cast<double>(window_.display_scale());
   const ShownMoment last = history_.moments().at(request.end_s).value_or(shown());
-  clip_saving_.begin(request, history_.moments(),
+  clip_saving_.begin(request, scene, history_.moments(),
                      {.language = &stage_language(session_.language),
                       .keys = stage_keys(),
                       .theme = session_.appearance.theme,

@@ -39,8 +39,8 @@ std::vector<ClipMoment> clip_moments(const MomentHistory& moments, const SaveCli
   return chosen;
 }
 
-void ClipSaving::begin(const SaveClipRequest& request, const MomentHistory& moments, StageClipLook look,
-                       const FilePainter& painter, std::string_view text) {
+void ClipSaving::begin(const SaveClipRequest& request, const Scene& scene, const MomentHistory& moments,
+                       StageClipLook look, const FilePainter& painter, std::string_view text) {
   if (is_running()) {
     throw Failure(ExitCode::wrong_call, "Another clip is being saved. Wait until it is complete, or close its notice.");
   }
@@ -50,6 +50,9 @@ void ClipSaving::begin(const SaveClipRequest& request, const MomentHistory& mome
                                           .interval_s = 1.0 / request.frames_per_second,
                                           .file = {},
                                           .clip = StageClip(std::move(look))});
+  for (ClipMoment& moment : work->moments) {
+    moment.settings = settings_at(scene, moment.settings, moment.snapshot.time_s);
+  }
   if (work->moments.empty()) throw Failure(ExitCode::wrong_call, "Nothing has happened yet that could be saved.");
   const ClipShape shape{static_cast<int>(std::lround(work->look.size.x)),
                         static_cast<int>(std::lround(work->look.size.y)), request.frames_per_second};

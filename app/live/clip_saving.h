@@ -31,8 +31,8 @@ class ClipSaving {
   ~ClipSaving() { cancel(); }
 
   // Throws Failure: where the file can never come to be, where there is nothing to save, and where the last clip is not
-  // complete yet. `text`: what the file says of itself.
-  void begin(const SaveClipRequest& request, const MomentHistory& moments, StageClipLook look,
+  // complete yet. `scene`: that the moments are of. `text`: what the file says of itself.
+  void begin(const SaveClipRequest& request, const Scene& scene, const MomentHistory& moments, StageClipLook look,
              const FilePainter& painter, std::string_view text);
 
   // Often: tells the person in the session's notice how far it is and how it has ended. Where that notice was closed the

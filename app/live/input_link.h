@@ -82,6 +82,10 @@ InputEntry linked(const InputMaker<Made>& maker, const More&... more) {
           }};
 }
 
+// The input in the hand of the scene, which may tremble, drift and change its grip; a virtual device has such a hand
+// itself.
+LinkedInput make_in_hand_of(const Scene& scene, const InputEntry& entry, const InputOptions& options);
+
 // Null when none has that name.
 const InputEntry* find_input(std::span<const InputEntry> inputs, std::string_view name) noexcept;
 

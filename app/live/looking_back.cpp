@@ -26,8 +26,11 @@ void go_through(int ticks, Session& session, const Snapshot& present, const Mome
 
 ShownMoment shown_moment(const Session& session, const Snapshot& present, const MomentHistory& moments) {
   const std::optional<double> time_s = session.stage.looks_back_to_s;
-  if (!time_s || !(*time_s < present.time_s) || moments.is_empty()) return {session.settings, present};
+  if (!time_s || !(*time_s < present.time_s) || moments.is_empty()) {
+    return {settings_at(*session.scene, session.settings, present.time_s), present};
+  }
   ShownMoment past = *(*time_s < moments.oldest()->snapshot.time_s ? moments.oldest() : moments.at(*time_s));
+  past.settings = settings_at(*session.scene, past.settings, past.snapshot.time_s);
   past.settings.active = session.settings.active;
   return past;
 }
@@ -38,7 +41,8 @@ void LookingBack::follow(Session& session, const Snapshot& present, const Moment
       std::exchange(mode_, session.stage.mode) != session.stage.mode && session.stage.mode != StageMode::ribbon;
   // A moment is there for all strategies: another active one is no change of it.
   settings_.active = session.settings.active;
-  const bool has_changed = std::exchange(settings_, session.settings) != session.settings;
+  const Settings chosen = chosen_settings(session.settings, session.belief_source);
+  const bool has_changed = std::exchange(settings_, chosen) != chosen;
   const bool has_moved = std::exchange(goal_, session.goal) != session.goal || session.drags_goal;
   if (has_left || has_changed || has_moved) time_s.reset();
   if (const int ticks = std::exchange(session.requests.ticks_through_history, 0); ticks != 0) {

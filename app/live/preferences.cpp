@@ -100,7 +100,8 @@ constexpr std::array cap_modes{NamedId{CapMode::position, "position"}, NamedId{C
 constexpr std::array cap_ups{NamedId{CapUp::lift, "lifting"}, NamedId{CapUp::push_away, "pushing-away"}};
 constexpr std::array plot_tabs{NamedId{PlotTab::time, plot_tab_name(PlotTab::time)},
                                NamedId{PlotTab::wall_angle, plot_tab_name(PlotTab::wall_angle)},
-                               NamedId{PlotTab::ratio, plot_tab_name(PlotTab::ratio)}};
+                               NamedId{PlotTab::ratio, plot_tab_name(PlotTab::ratio)},
+                               NamedId{PlotTab::hand, plot_tab_name(PlotTab::hand)}};
 
 auto read_language(std::string& into) {
   return [&into](const TomlValue& value) {

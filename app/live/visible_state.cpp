@@ -5,8 +5,10 @@
 
 #include <fmt/format.h>
 
+#include "app/session/hand_burst_guide.h"
 #include "app/session/visit.h"
 #include "app/view/visible_change.h"
+#include "core/belief_follower.h"
 #include "core/units.h"
 
 namespace ghostforce {
@@ -30,6 +32,12 @@ void add_panel_words(const Session& session, const LoopReading& reading, std::st
   }
   if (reading.circle) fmt::format_to(out, "{:.2f}", reading.circle->share);
   fmt::format_to(out, "{}", session.dial_turned_s.has_value());
+  const HandReading& hand = reading.hand;
+  fmt::format_to(out, "{} {}", static_cast<int>(session.belief_source), hand.tone_gain > 0.0);
+  if (hand.is_measuring) {
+    fmt::format_to(out, " {} {:.0f} {:.0f} {:.0f} {}", static_cast<int>(hand.estimate.why), hand.estimate.k_u,
+                   hand.estimate.sigma, hand.believed_k_u, reading.hand_unknown_s > BeliefFollower::holds_s);
+  }
   const UserMeasurement& measurement = session.measurement;
   fmt::format_to(out, "{} {}{}{}", measurement.readings.size(), static_cast<int>(measurement.step),
                  measurement.was_refused, measurement.has_begun_anew);
@@ -48,6 +56,10 @@ std::string shown_words(const Session& session, const LoopReading& reading) {
   if (const auto& lesson = session.lesson) {
     words += fmt::format(" {} {} {} {} {}", progress_key(*lesson->lesson), session.language, lesson->step,
                          static_cast<int>(lesson->steps[lesson->step].outcome), invites_visitors(session));
+  }
+  if (const HandBurst& burst = session.hand_burst; burst.stage != HandBurst::Stage::off) {
+    words += fmt::format(" {} {:.3f} {} {} {}", static_cast<int>(burst.stage), burst.filled,
+                         static_cast<int>(burst.why), burst.estimate.k_u, hand_burst_is_believed(session));
   }
   if (session.face == Face::workbench || session.dialog != Dialog::none) add_panel_words(session, reading, words);
   return words;
@@ -69,7 +81,7 @@ VisibleState visible_state(const Session& session, const ShownMoment& shown, con
                      .words = shown_words(session, reading)};
   if (session.notice) state.notice = session.notice->words;
   const PlotView& plots = session.plots;
-  const bool has_plots = session.face == Face::workbench && plots.is_open && plots.tab == PlotTab::time;
+  const bool has_plots = session.face == Face::workbench && plots.is_open && is_over_time(plots.tab);
   if (has_plots && (plots.follows || present_s <= plots.to_s)) state.plots_end_s = present_s;
   const bool has_ribbon = session.face == Face::stage && session.stage.mode == StageMode::ribbon;
   if (has_ribbon) state.ribbon_end_s = history.moments().changed_s();

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/session/hand_burst_guide.h"
 #include "app/session/keys.h"
 #include "app/session/lesson_guide.h"
 #include "app/session/measurement_guide.h"
@@ -32,6 +33,12 @@ void activate_slowly(Session& session) {
 template <StageMode mode>
 void toggle_mode(Session& session) {
   toggle_stage_mode(session, mode);
+}
+
+// In a lesson the step says whether there is something to measure.
+void measure_hand(Session& session) {
+  if (!session.lesson) return toggle_stage_mode(session, StageMode::measure);
+  if (session.stage.mode == StageMode::measure) press_hand_burst(session);
 }
 
 void other_face(Session& session) {
@@ -313,6 +320,7 @@ std::vector<KeyBinding> key_table_of(const FrontKeys& keys) {
     KeyBinding{key::l, none, "L", "Landscape: the ghost force for all walls and hands", toggle_mode<StageMode::landscape>},
     KeyBinding{key::o, none, "O", "Round and round: the energy of a closed loop", toggle_mode<StageMode::round>},
     KeyBinding{key::h, none, "H", "Last minute: look at it again", toggle_mode<StageMode::ribbon>},
+    KeyBinding{key::s, none, "S", "Measure my hand: how stiff it is", measure_hand},
     for_visitors({key::enter, none, "Enter", "Next step of a lesson or of Why?; answer a guess", confirm}),
     for_visitors({key::number_pad_enter, none, "", "", confirm}),
     bound(keys.lessons, "Lessons: choose one", open_dialog<Dialog::lessons>, true),

@@ -9,6 +9,7 @@
 
 #include "app/lessons/lesson_file.h"
 #include "app/lessons/lesson_slider.h"
+#include "app/session/hand_burst_guide.h"
 #include "app/session/measurement_guide.h"
 #include "app/session/stage_modes.h"
 #include "app/view/stage/stage_scene.h"
@@ -95,6 +96,7 @@ void begin_step(Session& session) {
   lesson.furthest = std::max(lesson.furthest, lesson.step);
   note_progress(session);
   lesson.met_s = 0.0;
+  end_hand_burst(session);
   session.stage.is_black = false;
   session.stage.guess.reset();
   session.stage.guess_is_open = false;
@@ -102,7 +104,7 @@ void begin_step(Session& session) {
   const LessonStepState& state = lesson_step_state(lesson);
   session.stage.guess_is_open = state.outcome == LessonOutcome::open;
   session.stage.guess =
-      session.stage.guess_is_open ? std::optional(neutral_guess(session.settings, hand_of(session))) : state.guess;
+      session.stage.guess_is_open ? std::optional(neutral_guess(settings_now(session), hand_of(session))) : state.guess;
 }
 
 void show_again(Session& session) {
@@ -152,15 +154,16 @@ const LessonStepState& lesson_step_state(const LessonState& lesson) noexcept {
 
 void begin_lesson(Session& session, std::shared_ptr<const Lesson> lesson) {
   if (is_measuring(session)) cancel_measurement(session);
-  const LessonState::Before before =
-      session.lesson
-          ? session.lesson->before
-          : LessonState::Before{session.settings, session.goal, session.stage_shown, session.face, session.speed};
+  const LessonState::Before before = session.lesson
+                                         ? session.lesson->before
+                                         : LessonState::Before{session.settings, session.goal,  session.stage_shown,
+                                                               session.face,     session.speed, session.belief_source};
   leave_stage_mode(session);
   take_hand(session);
   LessonState state{.lesson = std::move(lesson), .steps = {}, .before = before};
   state.steps.resize(state.lesson->steps.size());
   session.lesson = std::move(state);
+  session.belief_source = BeliefSource::typed;
   session.face = Face::stage;
   session.dialog = Dialog::none;
   session.paused = false;
@@ -183,6 +186,7 @@ void leave_lesson(Session& session) {
   const LessonState::Before before = session.lesson->before;
   abandon_lesson(session);
   session.settings = before.settings;
+  session.belief_source = before.belief_source;
   session.stage_shown = before.stage_shown;
   if (session.goal == before.goal) return;
   session.goal = before.goal;
@@ -222,7 +226,7 @@ void settle_in_lesson(Session& session, std::size_t answer) {
   answer_in_lesson(session, answer);
   if (has_open_question(session, LessonQuestion::guess)) {
     const double off = answer == 0 ? 0.5 : 3.0;
-    const Vector<2> rest = stage_moment_at_rest(session.settings, session.goal).handle;
+    const Vector<2> rest = stage_moment_at_rest(settings_now(session), session.goal).handle;
     session.stage.guess = rest + Vector<2>(0.0, off * lesson_step(*session.lesson).within);
     guess_in_lesson(session);
   } else if (has_open_question(session, LessonQuestion::task)) {
@@ -249,7 +253,7 @@ void guess_in_lesson(Session& session) {
   LessonState& lesson = *session.lesson;
   LessonStepState& state = present_state(lesson);
   state.guess = session.stage.guess;
-  state.missed_by = glm::distance(*state.guess, stage_moment_at_rest(session.settings, hand_of(session)).handle);
+  state.missed_by = glm::distance(*state.guess, stage_moment_at_rest(settings_now(session), hand_of(session)).handle);
   const bool is_right = *state.missed_by <= lesson_step(lesson).within;
   close_question(session, is_right ? LessonOutcome::right : LessonOutcome::wrong);
 }
@@ -298,6 +302,15 @@ bool is_hidden(const Session& session, LessonSecret secret) noexcept {
 
 bool has_open_question(const Session& session, LessonQuestion question) noexcept {
   return session.lesson && lesson_step(*session.lesson).question == question && is_open(*session.lesson);
+}
+
+StageMode mode_of_step(const Lesson& lesson, std::size_t step) noexcept {
+  StageMode mode = StageMode::none;
+  for (std::size_t i = 0; i <= step; ++i) {
+    if (i > 0 && lesson.steps[i - 1].reveal) mode = lesson.steps[i - 1].reveal->mode;
+    if (lesson.steps[i].set_up) mode = lesson.steps[i].set_up->mode;
+  }
+  return mode;
 }
 
 LessonScore score_of(const LessonState& lesson) noexcept {

@@ -51,6 +51,9 @@ bool is_allowed(const Session& session, LessonControl control) noexcept;
 bool is_hidden(const Session& session, LessonSecret secret) noexcept;
 bool has_open_question(const Session& session, LessonQuestion question) noexcept;
 
+// The mode of the stage in which that step begins.
+StageMode mode_of_step(const Lesson& lesson, std::size_t step) noexcept;
+
 // Of the step that is shown; only in a lesson.
 const LessonStep& lesson_step(const LessonState& lesson) noexcept;
 const LessonStepState& lesson_step_state(const LessonState& lesson) noexcept;

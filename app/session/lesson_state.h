@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/lessons/lesson.h"
+#include "app/session/belief_source.h"
 #include "app/view/stage/face.h"
 #include "core/scene.h"
 
@@ -41,6 +42,7 @@ struct LessonState {
     SceneView stage_shown;
     Face face = Face::stage;
     double speed = 1.0;
+    BeliefSource belief_source = BeliefSource::typed;
   };
 
   std::shared_ptr<const Lesson> lesson;  // never null

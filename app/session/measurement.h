@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/session/belief_source.h"
 #include "core/settings.h"
 #include "core/user_measurement.h"
 
@@ -57,6 +58,7 @@ struct UserMeasurement {
   // What a cancel goes back to.
   StrategyId active_before = StrategyId::anisotropic;
   std::optional<double> ratio_before;
+  BeliefSource belief_source_before = BeliefSource::typed;
 
   // What the readings are of: other settings or another hand begin anew.
   const void* scene = nullptr;

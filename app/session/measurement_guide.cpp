@@ -77,6 +77,7 @@ void set_next_ratio(Session& session) {
 void restore(Session& session) {
   session.settings.active = session.measurement.active_before;
   session.settings.stiffnesses.chosen_tracking_ratio = session.measurement.ratio_before;
+  session.belief_source = session.measurement.belief_source_before;
 }
 
 void begin_anew(Session& session) {
@@ -158,7 +159,9 @@ void start_measuring(Session& session) {
   measurement.has_news = true;
   measurement.active_before = settings.active;
   measurement.ratio_before = settings.stiffnesses.chosen_tracking_ratio;
+  measurement.belief_source_before = session.belief_source;
   measurement.scene = session.scene.get();
+  session.belief_source = BeliefSource::typed;
   session.settings.active = StrategyId::anisotropic;
   begin_anew(session);
 }
@@ -217,8 +220,14 @@ void cancel_measurement(Session& session) {
   session.measurement = {};
 }
 
+void believe_measured(Session& session, double k_u) noexcept {
+  session.measured_k_u = user_stiffness_range.nearest_to(k_u);
+  session.settings.stiffnesses.believed_k_u = session.measured_k_u;
+  session.belief_source = BeliefSource::measured;
+}
+
 void believe_measurement(Session& session) {
-  session.settings.stiffnesses.believed_k_u = user_stiffness_range.nearest_to(spread_of(session.measurement).median);
+  believe_measured(session, spread_of(session.measurement).median);
   session.measurement = {};
 }
 

@@ -37,6 +37,9 @@ void cancel_measurement(Session& session);
 // The median of the readings becomes the k_u that the renderer believes in.
 void believe_measurement(Session& session);
 
+// So does what was measured in another way [N/m].
+void believe_measured(Session& session, double k_u) noexcept;
+
 // Of the readings' k_u [N/m].
 Spread spread_of(const UserMeasurement& measurement);
 

@@ -9,12 +9,17 @@
 
 namespace ghostforce {
 
-enum class PlotTab : std::uint8_t { time, wall_angle, ratio };
+enum class PlotTab : std::uint8_t { time, wall_angle, ratio, hand };
 
 // In proposed file names.
 constexpr std::string_view plot_tab_name(PlotTab tab) noexcept {
-  constexpr std::array<std::string_view, 3> names{"over-time", "over-wall-angle", "over-ratio"};
+  constexpr std::array<std::string_view, 4> names{"over-time", "over-wall-angle", "over-ratio", "hand-over-time"};
   return names[static_cast<std::size_t>(tab)];
+}
+
+// What it shows has a time axis, and can be looked back at.
+constexpr bool is_over_time(PlotTab tab) noexcept {
+  return tab == PlotTab::time || tab == PlotTab::hand;
 }
 
 struct PlotView {

@@ -14,6 +14,8 @@
 #include <vector>
 
 #include "app/lessons/lesson_progress.h"
+#include "app/session/belief_source.h"
+#include "app/session/hand_burst.h"
 #include "app/session/lesson_state.h"
 #include "app/session/measurement.h"
 #include "app/session/plot_view.h"
@@ -23,6 +25,7 @@
 #include "app/view/stage/stage_layout.h"
 #include "app/view/theme.h"
 #include "app/view/view.h"
+#include "core/hand_reading.h"
 #include "core/input_choice.h"
 #include "core/loop_energy.h"
 #include "core/motor_report.h"
@@ -153,11 +156,14 @@ struct CircleTest {
 };
 
 struct Session {
-  std::shared_ptr<const Scene> scene;  // as loaded; never null
-  Settings settings;                   // as changed since
-  Vector<2> goal{0.0};                 // where the person wants the goal [m]
-  bool drags_goal = false;             // the pointer holds the goal
-  bool is_editing = false;             // a control or a handle is held: its change is not complete yet
+  std::shared_ptr<const Scene> scene;                // as loaded; never null
+  Settings settings;                                 // as changed since
+  BeliefSource belief_source = BeliefSource::typed;  // of their believed k_u
+  std::optional<double> measured_k_u;                // that was believed last because it was measured [N/m]
+  double time_s = 0.0;                               // of the newest tick, model time
+  Vector<2> goal{0.0};                               // where the person wants the goal [m]
+  bool drags_goal = false;                           // the pointer holds the goal
+  bool is_editing = false;                           // a control or a handle is held: its change is not complete yet
   Face face = Face::workbench;
   StageChoice stage;
   std::optional<LessonState> lesson;    // empty: there is none
@@ -185,6 +191,7 @@ struct Session {
   SpaceMouseSettings spacemouse;
   bool aims_at_target = false;  // the hand at a device is told to aim at a target on the wall
   UserMeasurement measurement;
+  HandBurst hand_burst;
   CircleTest circle_test;
   std::string injected_fault;          // of a virtual device, a name of loop.injected_faults; empty: as it was started
   std::string input{mouse_hand.name};  // who moves the goal, a name of the input catalog
@@ -213,6 +220,12 @@ inline Session session_of(const Scene& scene) {
   return session;
 }
 
+// Under which the newest tick ran: the settings, with a hand that may have changed since the run began. For what is said
+// about the present; what the person changes are the settings themselves.
+inline Settings settings_now(const Session& session) noexcept {
+  return settings_at(*session.scene, session.settings, session.time_s);
+}
+
 // The recording that is being made, or the last one.
 struct RecordingReading {
   bool is_on = false;
@@ -235,9 +248,11 @@ struct LoopReading {
   std::uint64_t refused = 0;  // settings and moves that the loop could not take
   bool diverged = false;      // the settings made the simulation unstable; it waits for others
   std::span<const InputChoice> inputs{};
-  std::string_view why_no_falcon{};                       // is among them; empty: there is one
-  std::string_view shader_problem{};                      // why watched shaders are not in use; may be empty
-  MotorReport motors{};                                   // of the input, and what watches over them
+  std::string_view why_no_falcon{};   // is among them; empty: there is one
+  std::string_view shader_problem{};  // why watched shaders are not in use; may be empty
+  MotorReport motors{};               // of the input, and what watches over them
+  HandReading hand{};                 // that moves the active device, as it is measured
+  double hand_unknown_s = 0.0;        // model time since it was last known, or since the belief began to follow it
   std::vector<ReadinessStepState> readiness{};            // up to motors that push; empty: the input has none
   std::string device{};                                   // what these steps are of; may be empty
   std::string device_remark{};                            // what else is to be known about it; may be empty

@@ -19,11 +19,19 @@ Vector<2> goal_of(const Session& session, const ShownMoment& shown) {
   return nearest_in_scene(hand_is_at_session_goal(session, shown) || !is_known ? session.goal : seen);
 }
 
+// How stiff the hand was at that moment is told by its path.
+void leave_hand_to_path(const Settings& chosen, Settings& settings) {
+  std::optional<double>& believed = settings.stiffnesses.believed_k_u;
+  settings.stiffnesses.k_u = chosen.stiffnesses.k_u;
+  if (!chosen.stiffnesses.believed_k_u && believed == chosen.stiffnesses.k_u) believed.reset();
+}
+
 }  // namespace
 
 SetUp set_up_of(const Session& session, const ShownMoment& shown) {
   SetUp set_up{*session.scene, {}, session.face, StageMode::none};
   set_up.scene.settings = shown.settings;
+  if (!set_up.scene.stiffness_path.is_empty()) leave_hand_to_path(session.settings, set_up.scene.settings);
   set_up.scene.view = session.shown;
   set_up.scene.goal.points.back() = goal_of(session, shown);
   set_up.scene = rounded_to_file(std::move(set_up.scene));

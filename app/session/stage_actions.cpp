@@ -4,7 +4,9 @@
 #include <array>
 
 #include "app/session/front_keys.h"
+#include "app/session/hand_burst_guide.h"
 #include "app/session/lesson_guide.h"
+#include "app/session/measurement_guide.h"
 #include "app/session/motor_button.h"
 #include "app/session/visit.h"
 
@@ -61,6 +63,8 @@ void obey(Session& session, StageCommand command, const MotorReport& motors) {
       return leave_lesson(session);
     case StageCommand::language:
       return switch_to_next_language(session);
+    case StageCommand::measure:
+      return press_hand_burst(session);
     case StageCommand::slider:  // is dragged
       return;
   }
@@ -84,12 +88,19 @@ void show_face(Session& session, Face face) {
 
 void toggle_stage_mode(Session& session, StageMode mode) {
   if (session.lesson) return;
+  // It would show what a blind measurement hides.
+  if (mode == StageMode::measure && (is_measuring(session) || hides_answer(session))) {
+    session.notice = Notice{"First finish or cancel “Measure the hand” on the workbench.", false, 0.0};
+    return;
+  }
   show_face(session, Face::stage);
   session.stage.is_black = false;
   if (session.stage.mode == mode) {
     leave_stage_mode(session);
   } else {
     begin_stage_mode(session, mode);
+    // A lesson waits until its button is pressed.
+    if (mode == StageMode::measure) start_hand_burst(session);
   }
 }
 
@@ -120,6 +131,7 @@ void confirm_on_stage(Session& session) {
   StageChoice& stage = session.stage;
   const bool is_in_wall = depth(wall_of(session.settings), session.goal) > 0.0;
   if (stage.mode == StageMode::predict && is_in_wall) ++stage.reveals_asked;
+  if (stage.mode == StageMode::measure) press_hand_burst(session);
   if (stage.mode == StageMode::why) stage.why_step = std::min(stage.why_step + 1, last_why_step);
 }
 

@@ -1,6 +1,7 @@
 #include "app/session/stage_modes.h"
 
 #include "app/session/circle_test.h"
+#include "app/session/hand_burst_guide.h"
 #include "core/input_choice.h"
 
 namespace ghostforce {
@@ -18,6 +19,7 @@ void leave_stage_mode(Session& session) {
   const bool goes_round = session.circle_test.is_on || session.requests.input == circling_hand.name;
   if (stage.mode == StageMode::round && goes_round) end_circle_test(session);
   if (stage.mode == StageMode::ribbon) stage.looks_back_to_s.reset();
+  if (stage.mode == StageMode::measure) session.hand_burst = {};
   // Wall and hand may be others now.
   if (stage.mode == StageMode::landscape) session.requests.fit_view = true;
   stage.mode = StageMode::none;

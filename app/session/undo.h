@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "app/session/belief_source.h"
 #include "app/view/stage/face.h"
 #include "app/view/stage/stage_mode.h"
 #include "core/scene.h"
@@ -16,13 +17,17 @@ namespace ghostforce {
 struct Edited {
   std::shared_ptr<const Scene> scene;
   Settings settings;
+  BeliefSource belief_source = BeliefSource::typed;
   // How the scene stood on the screen. To change this is no step, but it comes back together with another scene.
   Vector<2> goal{0.0};
   SceneView view{};
   Face face = Face::stage;
   StageMode mode = StageMode::none;
 
-  bool is_same_step_as(const Edited& other) const { return scene == other.scene && settings == other.settings; }
+  bool is_same_step_as(const Edited& other) const {
+    return scene == other.scene && belief_source == other.belief_source &&
+           chosen_settings(settings, belief_source) == chosen_settings(other.settings, other.belief_source);
+  }
 };
 
 class UndoHistory {

@@ -11,17 +11,27 @@ namespace {
 
 struct Part {
   std::string_view words;
-  bool (*is_same)(const Settings&, const Settings&);
+  bool (*is_same)(const Edited&, const Edited&);
 };
 
 template <auto Settings::*member>
-bool is_same(const Settings& a, const Settings& b) {
-  return a.*member == b.*member;
+bool is_same(const Edited& a, const Edited& b) {
+  return a.settings.*member == b.settings.*member;
 }
 
 template <auto Stiffnesses::*member>
-bool is_same_stiffness(const Settings& a, const Settings& b) {
-  return a.stiffnesses.*member == b.stiffnesses.*member;
+bool is_same_stiffness(const Edited& a, const Edited& b) {
+  return a.settings.stiffnesses.*member == b.settings.stiffnesses.*member;
+}
+
+bool is_same_belief_source(const Edited& a, const Edited& b) {
+  return a.belief_source == b.belief_source;
+}
+
+// What follows the hand changes by itself, and is another value wherever it comes from elsewhere.
+bool is_same_belief(const Edited& a, const Edited& b) {
+  const bool follows = a.belief_source == BeliefSource::live || b.belief_source == BeliefSource::live;
+  return follows || is_same_stiffness<&Stiffnesses::believed_k_u>(a, b);
 }
 
 constexpr std::array parts{
@@ -31,7 +41,8 @@ constexpr std::array parts{
     Part{"k_c", is_same_stiffness<&Stiffnesses::k_c>},
     Part{"the ratio ρ", is_same_stiffness<&Stiffnesses::chosen_tracking_ratio>},
     Part{"k_u", is_same_stiffness<&Stiffnesses::k_u>},
-    Part{"the believed k_u", is_same_stiffness<&Stiffnesses::believed_k_u>},
+    Part{"the believed k_u", is_same_belief},
+    Part{"where the belief comes from", is_same_belief_source},
     Part{"the wall's angle", is_same<&Settings::wall_normal_angle>},
     Part{"the wall's position", is_same<&Settings::wall_point>},
     Part{"the actuated direction", is_same<&Settings::actuated_angle>},
@@ -46,7 +57,7 @@ std::string words_of_change(const Edited& before, const Edited& after) {
   if (before.scene != after.scene) return fmt::format("opening “{}”", after.scene->title);
   std::vector<std::string_view> changed;
   for (const Part& part : parts) {
-    if (!part.is_same(before.settings, after.settings)) changed.push_back(part.words);
+    if (!part.is_same(before, after)) changed.push_back(part.words);
   }
   if (changed.size() == 1) return std::string(changed.front());
   if (changed.size() == 2) return fmt::format("{} and {}", changed[0], changed[1]);

@@ -129,7 +129,7 @@ void Workbench::draw_panels(const PanelContext& context, const Layout& layout, c
   ImGui::EndChild();
   if (context.session.plots.is_open) {
     begin_piece("plots", layout.drawer, fixed_bar);
-    draw_plots(context, history.plots());
+    draw_plots(context, history);
     ImGui::EndChild();
   }
   // Round the plots, where they have taken the scene's place.

@@ -108,6 +108,17 @@ constexpr std::array entries{
         "Where the hand seems to want the device to be. Nobody can measure this, so it is inferred from the force "
         "and the believed k_u.",
         "q_h − f_r / believed k_u", "mm"},
+    GlossaryEntry{Term::live_user_stiffness, "Hand, measured live",
+                  "How stiff the hand is along the motor, not across it, while tones of 3 and 16 Hz shake the handle a "
+                  "little (about 0.7 mm). The band is one standard deviation. It is the stiffness at 3 Hz: a hand that "
+                  "creeps reads up to 24 % too stiff.",
+                  "k_u = Re Z(3 Hz) + ω² m,  Z = F/X", "N/m"},
+    GlossaryEntry{Term::given_user_stiffness, "Hand k_u, given",
+                  "The stiffness that the simulated hand was given. Of a real hand nobody knows it.", "", "N/m"},
+    GlossaryEntry{Term::live_ratio, "Ratio of the hand, measured live",
+                  "Where ρ would be optimal for the hand as it is measured live; the bar is one standard deviation of "
+                  "k_u to either side.",
+                  "ρ* = 1 + k_r / k_u", ""},
 };
 
 struct RoleEntry {

@@ -46,6 +46,9 @@ enum class Term : std::uint8_t {
   loop_energy,
   loop_formula,
   estimated_goal,
+  live_user_stiffness,
+  given_user_stiffness,
+  live_ratio,
 };
 
 struct GlossaryEntry {

@@ -10,6 +10,7 @@ void History::clear() {
   points_.clear();
   plots_.clear();
   moments_.clear();
+  hand_.clear();
 }
 
 void History::add(const Snapshot& snapshot, const Settings& settings) {

@@ -1,11 +1,12 @@
-// History: where goal and devices have been, as far as a trail can show it, what the plots show, and the moments that a
-// person can look back at. Bounded: a window that runs for days holds no more than one that runs for a minute. One
+// History: where goal and devices have been, as far as a trail can show it, what the plots show, what was known of the
+// hand, and the moments that a person can look back at. Bounded: a window that runs for days holds no more than one that runs for a minute. One
 // thread.
 #pragma once
 
 #include <cstddef>
 #include <deque>
 
+#include "app/view/hand_history.h"
 #include "app/view/moment_history.h"
 #include "app/view/plot_history.h"
 #include "core/snapshot.h"
@@ -34,17 +35,21 @@ class History {
   void add(const Snapshot& snapshot);
   // The same, and it can be looked back at; `settings`: those under which this tick ran.
   void add(const Snapshot& snapshot, const Settings& settings);
+  // What is known of the hand at that tick.
+  void add(const HandPoint& point) { hand_.add(point); }
   void clear();
   const std::deque<HistoryPoint>& points() const noexcept { return points_; }
   // Whether a picture of that moment has a trail.
   bool has_trail_at(double time_s) const noexcept;
   const PlotHistory& plots() const noexcept { return plots_; }
   const MomentHistory& moments() const noexcept { return moments_; }
+  const HandHistory& hand() const noexcept { return hand_; }
 
  private:
   std::deque<HistoryPoint> points_;
   PlotHistory plots_;
   MomentHistory moments_;
+  HandHistory hand_;
 };
 
 }  // namespace ghostforce

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "app/session/measurement_guide.h"
@@ -24,6 +26,7 @@ class Scale {
   // Of the ratio's logarithm, over the whole dial.
   double decade() const { return decade_; }
   double place(double ratio) const { return std::clamp(0.25 + std::log(ratio) / decade_, 0.0, 1.0); }
+  bool holds(double ratio) const { return place(ratio) > 0.0 && place(ratio) < 1.0; }
 
  private:
   double decade_;
@@ -53,6 +56,31 @@ bool is_turning(Session& session, bool is_held) {
   const bool is_other = std::exchange(last, ratio) != ratio;
   if (is_held || is_other) session.dial_turned_s = 0.0;
   return session.dial_turned_s.has_value();
+}
+
+// Where the hand is, as it is measured live: where ρ would be optimal for it, and for one deviation to either side.
+struct HandNeedle {
+  double ratio;
+  double least;
+  double greatest;
+};
+
+std::optional<HandNeedle> hand_needle(const HandEstimate& hand, double k_r) {
+  if (!hand.is_known()) return std::nullopt;
+  return HandNeedle{optimal_tracking_ratio(k_r, hand.k_u), optimal_tracking_ratio(k_r, hand.k_u + hand.sigma),
+                    optimal_tracking_ratio(k_r, hand.k_u - hand.sigma)};
+}
+
+const char* words_of_optimal(const Session& session) {
+  switch (session.belief_source) {
+    case BeliefSource::live:
+      return "live optimal";
+    case BeliefSource::measured:
+      return "measured optimal";
+    case BeliefSource::typed:
+      break;
+  }
+  return session.settings.stiffnesses.believed_k_u ? "believed optimal" : "optimal";
 }
 
 }  // namespace
@@ -114,7 +142,9 @@ void draw_ratio_dial(const PanelContext& context) {
     choose_ratio(stiffnesses, scale.ratio(std::clamp(place, 0.0, 1.0)), 0.5 * std::abs(step) * scale.decade());
   }
   const bool is_used = ImGui::IsItemActive() || is_focused();
-  tooltip(Term::tracking_ratio);
+  const std::optional<HandNeedle> needle = hand_needle(context.loop.hand.estimate, stiffnesses.k_r);
+  const bool is_at_needle = needle && std::abs(ImGui::GetIO().MousePos.x - x_of(scale.place(needle->ratio))) < radius;
+  tooltip(is_at_needle ? Term::live_ratio : Term::tracking_ratio);
 
   ImDrawList& draw_list = *ImGui::GetWindowDrawList();
   const float thickness = 5.0F * context.scale;
@@ -128,9 +158,9 @@ void draw_ratio_dial(const PanelContext& context) {
   stop(scale.place(1.0), naive);
   stop(scale.place(optimal), cure);
   // The words over their stops, as far as both have room beside each other.
-  const char* const words_of_optimal = stiffnesses.believed_k_u ? "believed optimal" : "optimal";
+  const char* const optimal_words = words_of_optimal(context.session);
   const float naive_width = ImGui::CalcTextSize("naïve").x;
-  const float optimal_width = ImGui::CalcTextSize(words_of_optimal).x;
+  const float optimal_width = ImGui::CalcTextSize(optimal_words).x;
   const float optimal_x = std::clamp(x_of(scale.place(optimal)) - 0.5F * optimal_width, corner.x,
                                      std::max(corner.x, corner.x + width - optimal_width));
   const float naive_end = optimal_x - 0.5F * ImGui::GetFontSize();
@@ -141,7 +171,7 @@ void draw_ratio_dial(const PanelContext& context) {
     draw_list.AddText(corner, packed(theme.text), "Only Anisotropic uses it.");
   } else {
     draw_list.AddText({optimal_x, corner.y}, packed(theme.strategy_text[index_of(StrategyId::anisotropic)]),
-                      words_of_optimal);
+                      optimal_words);
     if (naive_x >= corner.x) {
       draw_list.AddText({naive_x, corner.y}, packed(theme.strategy_text[index_of(StrategyId::naive)]), "naïve");
     }
@@ -152,17 +182,34 @@ void draw_ratio_dial(const PanelContext& context) {
   draw_list.AddCircleFilled(knob, radius, packed(theme.panel_field), 24);
   draw_list.AddCircle(knob, radius, packed(theme.text), 24, 2.0F * context.scale);
 
-  const float text_y = track_y + radius + 3.0F * context.scale;
-  if (stiffnesses.chosen_tracking_ratio) {
-    const std::string own = fmt::format("ρ = {:.2f}", ratio);
-    draw_list.AddText({left, text_y}, packed(theme.text), own.c_str());
-    const std::string other = fmt::format("ρ* = {:.2f}", optimal);
-    const float other_x = left + length - ImGui::CalcTextSize(other.c_str()).x;
-    const float end = left + ImGui::CalcTextSize(own.c_str()).x + 0.5F * ImGui::GetFontSize();
-    if (other_x >= end) draw_list.AddText({other_x, text_y}, packed(theme.faint_text), other.c_str());
-  } else {
-    draw_list.AddText({left, text_y}, packed(theme.text), fmt::format("ρ = ρ* = {:.2f}", ratio).c_str());
+  // Beyond the dial's ends the number below tells it alone.
+  if (needle && scale.holds(needle->ratio)) {
+    const ImU32 ink = packed(theme.accent);
+    const float x = x_of(scale.place(needle->ratio));
+    const float half = 0.6F * radius;
+    draw_list.AddLine({x, track_y - radius}, {x, track_y + radius}, ink, 2.0F * context.scale);
+    draw_list.AddTriangleFilled({x - half, track_y - radius - 2.0F * context.scale},
+                                {x + half, track_y - radius - 2.0F * context.scale}, {x, track_y - 0.2F * radius}, ink);
+    // As the bar of an error: along the track's lower side, with an upright end on either side.
+    const float bar_y = track_y + 0.75F * radius;
+    const float least_x = x_of(scale.place(needle->least));
+    const float greatest_x = x_of(scale.place(needle->greatest));
+    draw_list.AddLine({least_x, bar_y}, {greatest_x, bar_y}, ink, 1.5F * context.scale);
+    for (const float end : {least_x, greatest_x}) {
+      draw_list.AddLine({end, bar_y - 0.4F * radius}, {end, bar_y + 0.4F * radius}, ink, 1.5F * context.scale);
+    }
   }
+
+  const float text_y = track_y + radius + 3.0F * context.scale;
+  const std::string own = fmt::format("{} = {:.2f}", stiffnesses.chosen_tracking_ratio ? "ρ" : "ρ = ρ*", ratio);
+  draw_list.AddText({left, text_y}, packed(theme.text), own.c_str());
+  const std::string other = needle                              ? fmt::format("hand: {:.2f}", needle->ratio)
+                            : stiffnesses.chosen_tracking_ratio ? fmt::format("ρ* = {:.2f}", optimal)
+                                                                : std::string();
+  const float other_x = left + length - ImGui::CalcTextSize(other.c_str()).x;
+  const float end = left + ImGui::CalcTextSize(own.c_str()).x + 0.5F * ImGui::GetFontSize();
+  const ImU32 other_ink = packed(needle ? theme.accent : theme.faint_text);
+  if (other_x >= end) draw_list.AddText({other_x, text_y}, other_ink, other.c_str());
 }
 
 }  // namespace ghostforce

@@ -134,7 +134,7 @@ void draw_save_plots(const PanelContext& context) {
       row("Format", "CSV: the numbers, for a spreadsheet or a script. PNG, SVG and PDF: the picture.");
       draw_format_choice(form.path, formats);
     }
-    ImGui::BeginDisabled(session.plots.tab != PlotTab::time);
+    ImGui::BeginDisabled(!is_over_time(session.plots.tab));
     row("Times", "The times shown, or all that the plots keep: one minute at 1000 ticks a second.");
     if (ImGui::RadioButton("shown", !form.whole_history)) form.whole_history = false;
     ImGui::SameLine();

@@ -91,7 +91,10 @@ void draw_status_bar(const PanelContext& context, bool has_caption) {
   const ImGuiStyle& style = ImGui::GetStyle();
   const auto width = [](const std::string& text) { return symbol_text_width(text); };
   const auto button_width = [&](const std::string& text) { return width(text) + 2.0F * style.FramePadding.x; };
-  const std::string words = fmt::format("{}   ·   t = {:8.3f} s", loop.input_title, context.snapshot.time_s);
+  // On motors they are felt, and whoever holds the handle must not take them for the wall.
+  const bool tones_are_felt = loop.hand.tone_gain > 0.0 && loop.motors.state != SafetyState::off;
+  const std::string words = fmt::format("{}   ·   t = {:8.3f} s{}", loop.input_title, context.snapshot.time_s,
+                                        tones_are_felt ? "   ·   measuring the hand: tones on the motor" : "");
   std::vector<std::string> problems = has_caption ? std::vector<std::string>() : warnings_of_caption(context);
   std::ranges::move(troubles_of(loop, context.settings), std::back_inserter(problems));
   const std::string problem = problems.empty() ? "" : fmt::format("   ·   {}", fmt::join(problems, "   ·   "));

@@ -19,21 +19,25 @@ struct Tab {
   const char* title;
   const char* short_title;  // where there is no room for all
   std::string_view sentence;
-  void (*draw)(const PanelContext& context, const PlotHistory& history);
+  void (*draw)(const PanelContext& context, const History& history);
 };
 
 constexpr std::array tabs{
     Tab{PlotTab::time, "Time", "Time",
         "The recent past. Turn the wheel to show more or less time, drag to look back, and click to see a moment "
         "again.",
-        draw_time_plots},
+        [](const PanelContext& context, const History& history) { draw_time_plots(context, history.plots()); }},
     Tab{PlotTab::wall_angle, "Wall angle", "Angle",
         "Where everything would come to rest with the wall at another angle and the goal at the same depth. Drag to "
         "turn the wall; a goal that the mouse leads turns with it. Hold Ctrl for steps of less than a degree.",
-        [](const PanelContext& context, const PlotHistory&) { draw_wall_angle_plots(context); }},
+        [](const PanelContext& context, const History&) { draw_wall_angle_plots(context); }},
     Tab{PlotTab::ratio, "Ratio ρ", "ρ",
         "Where everything would come to rest at another tracking ratio. Drag to change the ratio.",
-        [](const PanelContext& context, const PlotHistory&) { draw_ratio_plots(context); }},
+        [](const PanelContext& context, const History&) { draw_ratio_plots(context); }},
+    Tab{PlotTab::hand, "Hand", "Hand",
+        "How stiff the hand has been found to be, with a band of one standard deviation to either side, what was "
+        "believed of it, and what a simulated hand was given. Wheel, drag and click as over time.",
+        draw_hand_plot},
 };
 
 constexpr const char* live_words = "Live";
@@ -66,7 +70,7 @@ float width_of_span() {
 float width_of_buttons(PlotTab tab) {
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
   const float others = width_of(live_words) + width_of(save_words) + width_of(close_words) + 2.0F * spacing;
-  return tab == PlotTab::time ? width_of_span() + spacing + others : others;
+  return is_over_time(tab) ? width_of_span() + spacing + others : others;
 }
 
 void draw_tabs(const PanelContext& context, const char* Tab::*title) {
@@ -105,12 +109,12 @@ void draw_buttons(const PanelContext& context) {
   PlotView& view = context.session.plots;
   const float first = ImGui::GetContentRegionMax().x - width_of_buttons(view.tab);
   ImGui::SetCursorPosX(std::max(first, ImGui::GetCursorPosX()));
-  if (view.tab == PlotTab::time) {
+  if (is_over_time(view.tab)) {
     draw_span(view);
     ImGui::SameLine();
   }
   std::optional<double>& looks_back_to_s = context.session.stage.looks_back_to_s;
-  ImGui::BeginDisabled((view.follows && !looks_back_to_s) || view.tab != PlotTab::time);
+  ImGui::BeginDisabled((view.follows && !looks_back_to_s) || !is_over_time(view.tab));
   if (ImGui::Button(live_words)) {
     view.follows = true;
     looks_back_to_s.reset();
@@ -132,7 +136,7 @@ bool hides_curves(const Session& session) noexcept {
   return session.plots.tab != PlotTab::time && (hides_answer(session) || is_measuring(session));
 }
 
-void draw_plots(const PanelContext& context, const PlotHistory& history) {
+void draw_plots(const PanelContext& context, const History& history) {
   PlotView& view = context.session.plots;
   const float room = ImGui::GetContentRegionAvail().x;
   const float gap = 2.0F * ImGui::GetStyle().ItemSpacing.x;

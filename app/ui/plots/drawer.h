@@ -2,19 +2,21 @@
 #pragma once
 
 #include "app/ui/widgets/panel_context.h"
-#include "app/view/plot_history.h"
+#include "app/view/trail_history.h"
 
 namespace ghostforce {
 
 // Into the current ImGui window. Edits session.plots, and settings where an operating point is dragged.
-void draw_plots(const PanelContext& context, const PlotHistory& history);
+void draw_plots(const PanelContext& context, const History& history);
 
-// The curves of theory know the hand: they are nowhere to be seen while it is measured.
+// The curves of theory know the hand, and so does what was measured live: they are nowhere to be seen while a person
+// measures it.
 bool hides_curves(const Session& session) noexcept;
 
 // Each fills what remains of the current ImGui window and edits the session.
 void draw_time_plots(const PanelContext& context, const PlotHistory& history);
 void draw_wall_angle_plots(const PanelContext& context);
 void draw_ratio_plots(const PanelContext& context);
+void draw_hand_plot(const PanelContext& context, const History& history);
 
 }  // namespace ghostforce

@@ -1,5 +1,6 @@
 #include "app/ui/plots/plot_export.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -93,6 +94,66 @@ Export over_time(const PlotHistory& history, double from_s, double to_s, const T
   return result;
 }
 
+// A series over time of what each point has of it.
+template <typename Value>
+Series hand_series(std::string name, Colour colour, const std::vector<HandPoint>& points, const Value& value) {
+  Series series;
+  series.name = std::move(name);
+  series.colour = colour;
+  for (const HandPoint& point : points) {
+    const std::optional<double> at = value(point);
+    series.points.emplace_back(point.time_s, at.value_or(std::numeric_limits<double>::quiet_NaN()));
+  }
+  return series;
+}
+
+Export hand_over_time(const HandHistory& history, double from_s, double to_s, const Theme& theme) {
+  Export result;
+  result.table.columns = {"t_s",   "k_u_live_N_per_m", "sigma_N_per_m",        "mass_kg",          "damping_N_s_per_m",
+                          "known", "reason",           "k_u_believed_N_per_m", "k_u_given_N_per_m"};
+  const std::vector<HandPoint> points = history.between(from_s, to_s);
+  for (const HandPoint& point : points) {
+    if (point.time_s < from_s || point.time_s > to_s) continue;
+    const HandEstimate& hand = point.estimate;
+    const auto number = [&](double value) { return hand.has_number() ? CsvCell(value) : CsvCell(std::string()); };
+    result.table.rows.push_back({point.time_s, number(hand.k_u), number(hand.sigma), number(hand.mass),
+                                 number(hand.damping), hand.is_known() ? 1.0 : 0.0, std::string(sentence_of(hand.why)),
+                                 point.believed_k_u,
+                                 point.given_k_u ? CsvCell(*point.given_k_u) : CsvCell(std::string())});
+  }
+  // So many deviations from the estimate, where that is known.
+  const auto live = [](double deviations) {
+    return [deviations](const HandPoint& point) {
+      const HandEstimate& hand = point.estimate;
+      return hand.is_known() ? std::optional(hand.k_u + deviations * hand.sigma) : std::nullopt;
+    };
+  };
+  Chart chart;
+  chart.title = "Stiffness of the hand";
+  chart.x.title = "time [s]";
+  chart.x.range = Vector<2>(from_s, to_s);
+  chart.y.title = "kᵤ [N/m]";
+  chart.references.push_back(zero);
+  for (const double deviations : {-1.0, 1.0}) {
+    Series edge =
+        hand_series(deviations < 0.0 ? "± one standard deviation" : "", theme.accent, points, live(deviations));
+    edge.width = 0.8;
+    chart.series.push_back(std::move(edge));
+  }
+  Series estimate = hand_series("measured live", theme.accent, points, live(0.0));
+  estimate.width = 2.6;
+  chart.series.push_back(std::move(estimate));
+  Series given = hand_series("given", theme.text, points, [](const HandPoint& point) { return point.given_k_u; });
+  given.pattern = dotted_line;
+  chart.series.push_back(std::move(given));
+  Series believed = hand_series("believed", theme.strategy_text[index_of(StrategyId::anisotropic)], points,
+                                [](const HandPoint& point) { return std::optional(point.believed_k_u); });
+  believed.pattern = {11.0, 6.0, 11.0, 6.0};
+  chart.series.push_back(std::move(believed));
+  result.charts.push_back(std::move(chart));
+  return result;
+}
+
 // What is swept, as the table and the charts name it.
 struct SweptSetting {
   std::string column;
@@ -139,14 +200,17 @@ Export over_setting(const EquilibriumCurves& curves, const SweptSetting& setting
   return result;
 }
 
-Export export_of(const Session& session, const ShownMoment& moment, const PlotHistory& history, bool whole_history) {
+Export export_of(const Session& session, const ShownMoment& moment, const History& history, bool whole_history) {
   const Theme& theme = *session.appearance.theme;
   const Settings& settings = moment.settings;
   const EquilibriumQuestion question = equilibrium_question(settings, moment.snapshot);
+  const double from_s = whole_history ? history.plots().oldest_s() : session.plots.from_s;
+  const double to_s = whole_history ? history.plots().newest_s() : session.plots.to_s;
   switch (session.plots.tab) {
     case PlotTab::time:
-      return whole_history ? over_time(history, history.oldest_s(), history.newest_s(), theme)
-                           : over_time(history, session.plots.from_s, session.plots.to_s, theme);
+      return over_time(history.plots(), from_s, to_s, theme);
+    case PlotTab::hand:
+      return hand_over_time(history.hand(), from_s, to_s, theme);
     case PlotTab::wall_angle: {
       const double turn = std::floor(settings.wall_normal_angle / (360.0 * radians_per_degree));
       return over_setting(
@@ -184,7 +248,8 @@ std::string picture_of(const std::vector<Chart>& charts, const Session& session,
     panes.push_back(chart_pane(charts[i], place * chart_size, chart_size, theme, 1.0, painter.measure));
   }
   const auto rows = static_cast<double>((charts.size() + charts_in_a_row - 1) / charts_in_a_row);
-  const Vector<2> size(static_cast<double>(charts_in_a_row) * chart_size.x, rows * chart_size.y);
+  const auto columns = static_cast<double>(std::min(charts.size(), charts_in_a_row));
+  const Vector<2> size(columns * chart_size.x, rows * chart_size.y);
   return painter.paint({.panes = panes,
                         .theme = theme,
                         .size = size,
@@ -196,7 +261,7 @@ std::string picture_of(const std::vector<Chart>& charts, const Session& session,
 
 }  // namespace
 
-std::string plot_file(const Session& session, const ShownMoment& moment, const PlotHistory& history,
+std::string plot_file(const Session& session, const ShownMoment& moment, const History& history,
                       const SavePlotsRequest& request, const FilePainter& painter) {
   if (hides_curves(session)) {
     throw Failure(ExitCode::wrong_call,

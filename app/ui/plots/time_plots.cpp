@@ -9,6 +9,7 @@
 
 #include "app/ui/plots/drawer.h"
 #include "app/ui/plots/plot_pieces.h"
+#include "app/ui/plots/time_axis.h"
 #include "app/ui/widgets/controls.h"
 #include "app/view/number_text.h"
 
@@ -112,38 +113,14 @@ void draw_head(const PanelContext& context, const Quantity& quantity, std::size_
   ImGui::PopFont();
 }
 
-// Whoever drags means the times in sight.
-bool is_click() {
-  const float threshold = ImGui::GetIO().MouseDragThreshold;
-  return ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
-         ImGui::GetIO().MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] < threshold * threshold;
-}
-
-void bring_into_sight(double time_s, PlotView& view) {
-  const double span = view.span_s();
-  const double margin = 0.1 * span;
-  if (time_s < view.from_s) view.from_s = time_s - margin;
-  if (time_s > view.to_s) view.from_s = time_s + margin - span;
-  view.to_s = view.from_s + span;
-}
-
 // One quantity; the time under the pointer, if it is there.
 std::optional<double> draw_plot(const PanelContext& context, const std::vector<PlotBucket>& buckets, std::size_t q,
                                 bool has_time_axis, ImVec2 size, float canvas) {
-  std::optional<double>& looks_back_to_s = context.session.stage.looks_back_to_s;
   PlotView& view = context.session.plots;
-  std::optional<double> cursor;
-  if (!ImPlot::BeginPlot("##plot", size, quiet_plot)) return cursor;
-  constexpr ImPlotAxisFlags quiet_axis =
-      ImPlotAxisFlags_NoMenus | ImPlotAxisFlags_NoSideSwitch | ImPlotAxisFlags_NoHighlight;
-  ImPlot::SetupAxis(ImAxis_X1, nullptr, quiet_axis | (has_time_axis ? 0 : ImPlotAxisFlags_NoTickLabels));
-  ImPlot::SetupAxis(ImAxis_Y1, nullptr, quiet_axis | ImPlotAxisFlags_Lock);
-  ImPlot::SetupAxisLinks(ImAxis_X1, &view.from_s, &view.to_s);
-  ImPlot::SetupAxisZoomConstraints(ImAxis_X1, PlotView::shortest_span_s, PlotView::longest_span_s);
+  if (!ImPlot::BeginPlot("##plot", size, quiet_plot)) return std::nullopt;
+  set_up_time_axis(view, has_time_axis, size.x);
   const PlotRange range = range_of(buckets, q);
-  ImPlot::SetupAxisLimits(ImAxis_Y1, range.least, range.greatest, ImPlotCond_Always);
-  set_up_ticks(ImAxis_X1, {view.from_s, view.to_s}, size.x - 4.0F * ImGui::GetFontSize(), " s");
-  set_up_ticks(ImAxis_Y1, range, canvas, "");
+  set_up_value_axis(range.least, range.greatest, canvas);
   for_each_strategy(context, [&](StrategyId id) {
     const Curve curve = curve_of(buckets, q, index_of(id));
     draw_strategy_curve(context, id, curve.x, curve.y);
@@ -153,12 +130,7 @@ std::optional<double> draw_plot(const PanelContext& context, const std::vector<P
   if (const auto middle = middle_of_unknown(buckets, q, width_s)) {
     ImPlot::PlotText(unknown, *middle, 0.5 * (range.least + range.greatest));
   }
-  if (view.cursor_s) draw_upright_line(context, *view.cursor_s, 1.0F);
-  if (looks_back_to_s) draw_upright_line(context, *looks_back_to_s, 2.0F);
-  if (ImPlot::IsPlotHovered()) {
-    cursor = ImPlot::GetPlotMousePos().x;
-    if (is_click()) looks_back_to_s = cursor;
-  }
+  const std::optional<double> cursor = draw_time_cursor(context);
   ImPlot::EndPlot();
   return cursor;
 }
@@ -167,13 +139,7 @@ std::optional<double> draw_plot(const PanelContext& context, const std::vector<P
 
 void draw_time_plots(const PanelContext& context, const PlotHistory& history) {
   PlotView& view = context.session.plots;
-  if (view.follows) {
-    const double span = view.span_s();
-    view.to_s = history.is_empty() ? span : history.newest_s();
-    view.from_s = view.to_s - span;
-  }
-  const std::optional<double> looks_back_to_s = context.session.stage.looks_back_to_s;
-  if (looks_back_to_s) bring_into_sight(*looks_back_to_s, view);
+  bring_times_into_sight(context, history);
   const PlotView before = view;
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const ImVec2 spacing = ImGui::GetStyle().ItemSpacing;
@@ -184,7 +150,7 @@ void draw_time_plots(const PanelContext& context, const PlotHistory& history) {
 
   const std::vector<PlotBucket> buckets =
       history.between(view.from_s, view.to_s, std::max<std::size_t>(64, static_cast<std::size_t>(width)));
-  const std::optional<double> read_at = view.cursor_s ? view.cursor_s : looks_back_to_s;
+  const std::optional<double> read_at = view.cursor_s ? view.cursor_s : context.session.stage.looks_back_to_s;
   const PlotBucket* const under_cursor = read_at ? history.at(*read_at) : nullptr;
   std::optional<double> cursor;
   for (std::size_t column = 0; column < columns; ++column) {
@@ -206,10 +172,7 @@ void draw_time_plots(const PanelContext& context, const PlotHistory& history) {
     ImGui::PopID();
     ImGui::EndGroup();
   }
-  view.cursor_s = cursor;
-  // The wheel chooses how long a time is in sight; whoever drags looks at a moment.
-  const bool has_moved = view.from_s != before.from_s || view.to_s != before.to_s;
-  if (has_moved && ImGui::IsMouseDragging(ImGuiMouseButton_Left)) view.follows = false;
+  keep_times(view, before, cursor);
 }
 
 }  // namespace ghostforce

@@ -28,7 +28,7 @@ void GuessGame::update(Session& session, double interval_s) {
     stage.guess_is_open = true;
     reveal_s_ = reveal_lasts_s;
     reveals_ = stage.reveals_asked;
-    if (!was_on || !stage.guess) stage.guess = neutral_guess(session.settings, session.goal);
+    if (!was_on || !stage.guess) stage.guess = neutral_guess(settings_now(session), session.goal);
     return;
   }
   if (stage.reveals_asked != reveals_) {
@@ -45,7 +45,7 @@ void GuessGame::update(Session& session, double interval_s) {
 StageGuess GuessGame::guess(const Session& session) const {
   StageGuess guess{.at = session.stage.guess, .is_open = session.stage.guess_is_open};
   if (guess.at && !guess.is_open && !is_revealing()) {
-    guess.missed_by = glm::distance(*guess.at, stage_moment_at_rest(session.settings, session.goal).handle);
+    guess.missed_by = glm::distance(*guess.at, stage_moment_at_rest(settings_now(session), session.goal).handle);
   }
   return guess;
 }
@@ -53,7 +53,7 @@ StageGuess GuessGame::guess(const Session& session) const {
 StageMoment GuessGame::moment(const Session& session) const {
   const double share = std::clamp(reveal_s_ / (0.85 * reveal_lasts_s), 0.0, 1.0);
   const Vector<2> foot = projection(wall_of(session.settings), session.goal);
-  return stage_moment_at_rest(session.settings, glm::mix(foot, session.goal, share));
+  return stage_moment_at_rest(settings_now(session), glm::mix(foot, session.goal, share));
 }
 
 }  // namespace ghostforce

@@ -83,7 +83,9 @@ StageLesson lesson_content(const Session& session) {
     const LessonStep& each = lesson.lesson->steps[i];
     const LessonStepWords& said = words.steps[i];
     content.dots.push_back(mark_of(lesson.steps[i].outcome));
-    StageLessonRow row{.answers = said.answers, .has_strategies = each.controls.contains(LessonControl::strategies)};
+    StageLessonRow row{.answers = said.answers,
+                       .has_strategies = each.controls.contains(LessonControl::strategies),
+                       .has_measuring = mode_of_step(*lesson.lesson, i) == StageMode::measure};
     if (each.slider) row.slider = slider_content(*each.slider, session, language);
     content.rows.push_back(std::move(row));
     for (const LessonOutcome outcome : {LessonOutcome::open, LessonOutcome::right, LessonOutcome::wrong}) {

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include <glm/geometric.hpp>
 
 #include "app/session/front_keys.h"
+#include "app/session/hand_burst_guide.h"
 #include "app/session/lesson_guide.h"
 #include "app/session/motor_button.h"
 #include "app/session/stage_actions.h"
@@ -55,6 +57,28 @@ std::optional<StageHint> stage_hint(const Session& session, const StageMoment& m
   return std::nullopt;
 }
 
+// What there is to do about it; empty: to wait.
+std::string_view measuring_words(const Session& session) {
+  const StageLanguage::Buttons& all = stage_language(session.language).buttons;
+  const HandBurst& burst = session.hand_burst;
+  if (burst.is_running()) return {};
+  if (session.lesson) return burst.stage == HandBurst::Stage::off ? all.measure : all.measure_again_in_lesson;
+  return burst.is_known() && !hand_burst_is_believed(session) ? all.believe : all.measure_again;
+}
+
+// A button of its own where the corner is not free for it.
+std::optional<StageMeasuringButton> measuring_button(const Session& session, const MotorReport& motors) {
+  const bool has_corner = !session.lesson && !motors.has_motors;
+  if (session.stage.mode != StageMode::measure || has_corner) return std::nullopt;
+  const StageLanguage::Buttons& all = stage_language(session.language).buttons;
+  const std::string_view words = measuring_words(session);
+  const std::array each{all.measure, all.measure_again_in_lesson, all.measuring, all.measure_again, all.believe};
+  const std::span<const std::string_view> possible =
+      session.lesson ? std::span(each).first(3) : std::span(each).subspan(2);
+  return StageMeasuringButton{.words = std::string(words.empty() ? all.measuring : words),
+                              .longest = std::string(std::ranges::max(possible, {}, &std::string_view::size))};
+}
+
 // The motors' comes first; else what there is to do next, or the way back out of a mode.
 std::optional<StageCornerButton> corner_button(const Session& session, const MotorReport& motors,
                                                const StageGuess& guess, bool is_revealing) {
@@ -71,11 +95,26 @@ std::optional<StageCornerButton> corner_button(const Session& session, const Mot
                                                   : language.buttons.guess_again;
     return StageCornerButton{StageCommand::next, std::string(words)};
   }
+  if (const std::string_view words = measuring_words(session); stage.mode == StageMode::measure && !words.empty()) {
+    return StageCornerButton{StageCommand::measure, std::string(words)};
+  }
   const bool has_more = session.settings.active != StrategyId::full && stage.why_step < last_why_step;
   if (stage.mode == StageMode::why && has_more) {
     return StageCornerButton{StageCommand::next, std::string(language.buttons.next_step)};
   }
   return StageCornerButton{stage.mode, std::string(language.buttons.back)};
+}
+
+// Only while the mode is on. A lesson's step asks for it when it likes.
+std::optional<StageMeasuring> measuring_content(const Session& session) {
+  const HandBurst& burst = session.hand_burst;
+  if (session.stage.mode != StageMode::measure || burst.stage == HandBurst::Stage::off) return std::nullopt;
+  return StageMeasuring{.is_running = burst.is_running(),
+                        .filled = burst.filled,
+                        .why = burst.why,
+                        .result = burst.is_known() ? std::optional(burst.estimate) : std::nullopt,
+                        .before = burst.before,
+                        .is_believed = hand_burst_is_believed(session)};
 }
 
 // What is not as it should be comes before what there is to see.
@@ -124,7 +163,7 @@ void StageFace::follow_view(Session& session, const StageFrame& frame, double in
       const std::array places{session.goal, handle};
       if (!is_seen(handle)) session.stage_shown = stage_view_of(session.settings, places);
     } else {
-      const StageMoment rest = stage_moment_at_rest(session.settings, session.goal);
+      const StageMoment rest = stage_moment_at_rest(settings_now(session), session.goal);
       const bool is_lost = !is_seen(rest.handle) || !is_seen(rest.proxy);
       if (is_lost && session.pointer_moves_goal && is_seen(session.goal)) {
         session.stage_shown = stage_view_of(session.settings, session.goal);
@@ -162,6 +201,7 @@ ShownMoment of_one_moment(const Session& session, const StageFrame& frame) {
   const bool is_live = !session.paused && !frame.shown.is_past;
   if (!is_live || !newest || newest->snapshot.tick == 0) return frame.shown;
   ShownMoment moment = *newest;
+  moment.settings = settings_at(*session.scene, moment.settings, moment.snapshot.time_s);
   moment.settings.active = frame.shown.settings.active;
   return moment;
 }
@@ -225,6 +265,8 @@ StageContent StageFace::content_of(const Session& session, const StageFrame& fra
     content.guess = lesson_guess(session);
     content.reference_force = lesson_reference_force(*session.lesson->lesson);
   }
+  content.measuring = measuring_content(session);
+  content.measuring_button = measuring_button(session, frame.loop.motors);
   content.corner = corner_button(session, frame.loop.motors, content.guess, guess_.is_revealing());
   if (session.stage.mode == StageMode::ribbon) content.moments = &frame.history.moments();
   if (session.stage.mode == StageMode::round && frame.loop.circle) {

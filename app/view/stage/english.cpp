@@ -66,6 +66,19 @@ const StageLanguage english_stage{
             .round_is_fair = "Round and round, and hardly anything is gained or lost.",
 
             .drag_along_ribbon = "Drag along the ribbon: the last minute again.",
+
+            .measure_runs = "Keep pressing: the motor trembles, and feels how your hand gives.",
+            .measure_needs_wall = "Press into the wall: there the motor can feel your hand.",
+            .measure_needs_motors = "Turn the motors on: they have to move your hand a little.",
+            .hand_known = "Your hand: {} ± {} N/m. A push of {} N moves it 1 cm.",
+            .hand_believed = "Anisotropic (3) now counts on a hand of {} N/m.",
+            .hand_left_wall = "Your hand came out of the wall. Press in, and measure again.",
+            .hand_not_moved = "The motor could not move your hand. Please measure again.",
+            .hand_at_limit = "The motor was at its limit. Press less hard, and measure again.",
+            .hand_damaged = "Some of the motion was lost. Please measure again.",
+            .hand_too_slowly = "This wall is computed too slowly to measure a hand.",
+            .hand_too_restless = "Your hand moved too much by itself. Hold still, and measure again.",
+            .hand_out_of_range = "No hand feels like that. Hold the handle firmly, and try again.",
         },
     .labels =
         {
@@ -92,6 +105,10 @@ const StageLanguage english_stage{
             .guess_off = "your guess: {} mm off",
             .first_round = "the first round",
             .energy_a_round = "{} mJ a round",
+            .measuring = "measuring your hand…",
+            .hand_measured = "your hand: {} ± {} N/m",
+            .hand_before = "before: {} N/m",
+            .hand_unknown = "your hand: unknown",
         },
     .numbers =
         {
@@ -114,6 +131,8 @@ const StageLanguage english_stage{
             .round = {.title = "Round and round",
                       .about = "How much energy the wall gives to a hand that circles in it."},
             .ribbon = {.title = "Last minute", .about = "Look again at what has just happened."},
+            .measure = {.title = "Measure my hand",
+                        .about = "The motor trembles for 2 seconds and feels how stiff your hand is."},
         },
     .hovers =
         {
@@ -180,6 +199,11 @@ const StageLanguage english_stage{
             .guess_again = "Enter: guess again",
             .next_step = "Enter: next step",
             .back = "Esc: back",
+            .measure = "Measure my hand",
+            .measure_again = "Enter: measure again",
+            .measure_again_in_lesson = "Measure again",
+            .measuring = "Measuring…",
+            .believe = "Enter: use it",
         },
     .warnings =
         {

@@ -126,6 +126,8 @@ class LessonArrangement {
         items.push_back({.lines = {}, .size = {width, points(row_height)}});
       }
     }
+    const std::size_t measuring = items.size();
+    if (row.has_measuring && words_.measuring != nullptr) items.push_back(button(words_.measuring->longest, 0.0));
     const std::size_t first_answer = items.size();
     for (const std::string& answer : row.answers) items.push_back(button(answer, number_room));
     std::vector<Item> ends;
@@ -140,6 +142,10 @@ class LessonArrangement {
     if (row.slider) made.slider = items.front().box;
     for (std::size_t i = 0; i < strategies.size(); ++i) strategies[i].box = items[first_strategy + i].box;
     layout_.strategies = std::move(strategies);
+    layout_.measuring.reset();
+    if (measuring < first_answer) {
+      layout_.measuring = StageButton{StageCommand::measure, items[measuring].box, words_.measuring->words};
+    }
     made.answers.clear();
     for (std::size_t i = first_answer; i < items.size(); ++i) {
       made.answers.push_back({items[i].box, std::move(items[i].lines)});

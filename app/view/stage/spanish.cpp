@@ -54,6 +54,19 @@ const StageLanguage spanish_stage{
             .round_is_fair = "Vueltas y vueltas, y apenas se gana o se pierde nada.",
 
             .drag_along_ribbon = "Arrastra por la cinta: otra vez el último minuto.",
+
+            .measure_runs = "Sigue apretando: el motor tiembla y siente cómo cede tu mano.",
+            .measure_needs_wall = "Aprieta contra la pared: ahí el motor puede sentir tu mano.",
+            .measure_needs_motors = "Activa los motores: tienen que mover un poco tu mano.",
+            .hand_known = "Tu mano: {} ± {} N/m. Un empuje de {} N la mueve 1 cm.",
+            .hand_believed = "Anisótropo (3) cuenta ahora con una mano de {} N/m.",
+            .hand_left_wall = "La mano ha salido de la pared. Aprieta, y mide otra vez.",
+            .hand_not_moved = "El motor no ha podido mover tu mano. Mide otra vez, por favor.",
+            .hand_at_limit = "El motor ha llegado a su límite. Aprieta menos, y mide otra vez.",
+            .hand_damaged = "Se ha perdido parte del movimiento. Mide otra vez, por favor.",
+            .hand_too_slowly = "Esta pared se calcula demasiado despacio para medir una mano.",
+            .hand_too_restless = "La mano se ha movido demasiado sola. No la muevas, y mide otra vez.",
+            .hand_out_of_range = "Ninguna mano es así. Agarra bien el mango, y mide otra vez.",
         },
     .labels =
         {
@@ -80,6 +93,10 @@ const StageLanguage spanish_stage{
             .guess_off = "tu apuesta: falló por {} mm",
             .first_round = "la primera vuelta",
             .energy_a_round = "{} mJ por vuelta",
+            .measuring = "midiendo tu mano…",
+            .hand_measured = "tu mano: {} ± {} N/m",
+            .hand_before = "antes: {} N/m",
+            .hand_unknown = "tu mano: no se sabe",
         },
     .numbers =
         {
@@ -102,6 +119,8 @@ const StageLanguage spanish_stage{
             .round = {.title = "Vueltas y vueltas",
                       .about = "cuánta energía da la pared a una mano que gira dentro de ella."},
             .ribbon = {.title = "Último minuto", .about = "mira otra vez lo que acaba de pasar."},
+            .measure = {.title = "Medir mi mano",
+                        .about = "el motor tiembla 2 segundos y siente lo rígida que es tu mano."},
         },
     .hovers =
         {
@@ -171,6 +190,11 @@ const StageLanguage spanish_stage{
             .guess_again = "Intro: otra apuesta",
             .next_step = "Intro: siguiente paso",
             .back = "Esc: volver",
+            .measure = "Medir mi mano",
+            .measure_again = "Intro: medir otra vez",
+            .measure_again_in_lesson = "Medir otra vez",
+            .measuring = "Midiendo…",
+            .believe = "Intro: usarla",
         },
     .warnings =
         {

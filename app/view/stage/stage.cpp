@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "app/view/stage/landscape_layer.h"
 #include "app/view/stage/stage_layers.h"
@@ -13,14 +14,17 @@ namespace ghostforce {
 namespace {
 
 const StageModeLayers* layers_of(StageMode mode) {
-  static const std::array all{&predict_layers, &why_layers, &landscape_layers, &round_layers, &ribbon_layers};
+  static const std::array all{&predict_layers, &why_layers,    &landscape_layers,
+                              &round_layers,   &ribbon_layers, &measure_layers};
   const auto found = std::ranges::find(all, mode, &StageModeLayers::id);
   return found == all.end() ? nullptr : *found;
 }
 
 std::string sentence_of(const StageContent& content, const StageModeLayers* mode) {
   if (!content.warning.empty()) return content.warning;
-  if (content.lesson) return content.lesson->text;
+  // What keeps the hand from being measured is told in a lesson, too, until the question is answered.
+  const bool is_held_up = content.measuring && content.measuring->has_trouble();
+  if (content.lesson && (!is_held_up || content.lesson->is_right)) return content.lesson->text;
   if (mode != nullptr) {
     if (std::string words = mode->sentence(content); !words.empty()) return words;
   }
@@ -46,6 +50,7 @@ StageLayout layout_of(const StageContent& content, const StageModeLayers* mode) 
                        .corner = content.corner ? std::string_view(content.corner->words) : "",
                        .corner_action = content.corner ? content.corner->action : StageCommand::keys,
                        .has_full = !content.moment.is_measured,
+                       .measuring = content.measuring_button ? &*content.measuring_button : nullptr,
                        .lesson = content.lesson ? &*content.lesson : nullptr});
 }
 
@@ -83,6 +88,11 @@ StageReading stage_reading(const StageContent& content) {
   StageReading reading{.strategy = content.settings.active, .sentence = sentence_of(content, layers_of(content.mode))};
   if (content.lesson && content.warning.empty()) {
     reading.sentence += open_answers(*content.lesson);
+    // Above stands the lesson's text, and the number beside the hand.
+    if (content.measuring && content.measuring->result) {
+      reading.sentence +=
+          fmt::format(" {}.", fmt::join(measured_hand_words(*content.measuring, content.language), ", "));
+    }
   } else if (!content.lesson && content.mode == StageMode::landscape && content.warning.empty()) {
     // The map has its verdict in place of a sentence.
     reading.sentence = landscape_sentence(stage_landscape(content, {}));
@@ -135,7 +145,9 @@ StagePicture compose_stage(const StageContent& content, LabelMemory& memory, dou
   for (const auto* const buttons : {&layout.strategies, &layout.icons}) {
     picture.buttons.insert(picture.buttons.end(), buttons->begin(), buttons->end());
   }
-  if (layout.corner) picture.buttons.push_back(*layout.corner);
+  for (const auto* const button : {&layout.measuring, &layout.corner}) {
+    if (*button) picture.buttons.push_back(**button);
+  }
   picture.buttons.insert(picture.buttons.end(), layout.links.begin(), layout.links.end());
   if (layout.lesson) {
     const std::vector<StageButton> buttons = lesson_buttons(*layout.lesson);

@@ -11,6 +11,7 @@
 #include "app/view/stage/stage_language.h"
 #include "app/view/stage/stage_layout.h"
 #include "app/view/stage/stage_lesson.h"
+#include "app/view/stage/stage_measuring.h"
 #include "app/view/stage/stage_moment.h"
 #include "app/view/stage/stage_sentence.h"
 #include "app/view/theme.h"
@@ -67,8 +68,10 @@ struct StageContent {
   int why_step = 0;
   std::optional<StageRound> round{};
   double landscape_dial = 0.0;
-  const MomentHistory* moments = nullptr;   // of the ribbon; null: there is none
-  std::optional<double> looks_back_to_s{};  // its cursor [s]
+  std::optional<StageMeasuring> measuring{};               // of the hand; empty: nobody has asked for it
+  std::optional<StageMeasuringButton> measuring_button{};  // the same, or it can be asked for
+  const MomentHistory* moments = nullptr;                  // of the ribbon; null: there is none
+  std::optional<double> looks_back_to_s{};                 // its cursor [s]
   std::optional<StageCornerButton> corner{};
   std::optional<StageLesson> lesson{};
   StageSecrets hides{};

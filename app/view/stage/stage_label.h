@@ -11,6 +11,7 @@ struct StageLabel {
     numbers,  // the block of the two large numbers
     hint,     // what a newcomer is asked to do
     guess,
+    measured_hand,
     ghost,
     slide,
     handle,

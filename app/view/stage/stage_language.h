@@ -71,6 +71,19 @@ struct StageLanguage {
     std::string_view round_is_fair;
 
     std::string_view drag_along_ribbon;
+
+    std::string_view measure_runs;
+    std::string_view measure_needs_wall;
+    std::string_view measure_needs_motors;
+    std::string_view hand_known;     // its stiffness, give or take, and the force for a centimetre
+    std::string_view hand_believed;  // stiffness
+    std::string_view hand_left_wall;
+    std::string_view hand_not_moved;
+    std::string_view hand_at_limit;
+    std::string_view hand_damaged;
+    std::string_view hand_too_slowly;
+    std::string_view hand_too_restless;
+    std::string_view hand_out_of_range;
   } sentences;
 
   // Beside the things of the scene.
@@ -98,6 +111,10 @@ struct StageLanguage {
     std::string_view guess_off;    // mm
     std::string_view first_round;  // is not complete
     std::string_view energy_a_round;
+    std::string_view measuring;
+    std::string_view hand_measured;  // its stiffness, give or take
+    std::string_view hand_before;    // what was measured before
+    std::string_view hand_unknown;
   } labels;
 
   // Below the large numbers.
@@ -126,6 +143,7 @@ struct StageLanguage {
     Mode landscape;
     Mode round;
     Mode ribbon;
+    Mode measure;
   } modes;
 
   // Other things that explain themselves under the pointer.
@@ -194,6 +212,11 @@ struct StageLanguage {
     std::string_view guess_again;
     std::string_view next_step;
     std::string_view back;  // out of a mode
+    std::string_view measure;
+    std::string_view measure_again;
+    std::string_view measure_again_in_lesson;
+    std::string_view measuring;
+    std::string_view believe;  // what was measured
   } buttons;
 
   // In place of the sentence.

@@ -50,6 +50,7 @@ extern const StageModeLayers why_layers;
 extern const StageModeLayers landscape_layers;
 extern const StageModeLayers round_layers;
 extern const StageModeLayers ribbon_layers;
+extern const StageModeLayers measure_layers;
 
 // All things of the scene and the words beside them.
 void add_whole_scene(const StageLayer& layer);
@@ -57,6 +58,8 @@ LandscapeView stage_landscape(const StageContent& content, const Camera& camera)
 // "ghost 1.27 N", or without the number where it is hidden.
 std::string with_number(const StageContent& content, std::string_view words, const std::string& number,
                         std::string_view unit);
+// Beside the hand, in lines; empty: nothing.
+std::vector<std::string> measured_hand_words(const StageMeasuring& measuring, const StageLanguage& language);
 // Empty where there is none.
 std::optional<Ribbon> stage_ribbon(const StageLayer& layer);
 
@@ -88,5 +91,6 @@ double shape_reach(const StageMoment& moment, double radius);
 
 inline constexpr double handle_radius = 17.0;  // [points of the design]
 inline constexpr double arrow_width = 14.0;
+inline constexpr double measuring_ring = 62.0;  // round the hand, its radius
 
 }  // namespace ghostforce

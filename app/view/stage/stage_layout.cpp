@@ -23,7 +23,8 @@ constexpr double number_em = 74.0;
 constexpr double unit_em = 34.0;
 constexpr double edge_margin = 36.0;
 constexpr double button_height = 56.0;
-constexpr double icon_side = 45.0;
+constexpr double icon_side = 40.0;
+constexpr double icon_gap = 5.0;
 constexpr double gap = 14.0;
 constexpr double button_padding = 18.0;
 
@@ -100,7 +101,9 @@ class Arrangement {
     }
     layout_.top = std::max(layout_.sentence_box.most.y, layout_.strip().most.y);
     if (layout_.lesson) layout_.top = std::max(layout_.top, layout_.lesson->title_box.most.y);
-    layout_.bottom = layout_.lesson ? layout_.lesson->top : layout_.strategies.front().box.least.y;
+    layout_.bottom = layout_.lesson      ? layout_.lesson->top
+                     : layout_.measuring ? layout_.measuring->box.least.y
+                                         : layout_.strategies.front().box.least.y;
     return std::move(layout_);
   }
 
@@ -117,9 +120,9 @@ class Arrangement {
   void arrange_icons() {
     layout_.icons.clear();
     const Vector<2> side(points(icon_side));
-    const double step = side.x + points(0.5 * gap);
+    const double step = side.x + points(icon_gap);
     const std::size_t count = stage_mode_catalog().size() + 2;
-    Vector<2> corner(layout_.size.x - layout_.margin - static_cast<double>(count) * step + points(0.5 * gap),
+    Vector<2> corner(layout_.size.x - layout_.margin - static_cast<double>(count) * step + points(icon_gap),
                      layout_.margin - points(10.0));
     const auto add = [&](const StageAction& action) {
       layout_.icons.push_back({action, {corner, corner + side}, {}});
@@ -147,10 +150,9 @@ class Arrangement {
     layout_.corner.reset();
     layout_.links.clear();
     if (!words_.corner.empty()) {
-      const double left = right - measure_(words_.corner, layout_.letters.bold_words).x - points(2.0 * button_padding);
-      layout_.corner = StageButton{
-          words_.corner_action, {{left, bottom - points(button_height)}, {right, bottom}}, std::string(words_.corner)};
-      return x <= left;
+      layout_.corner = button_ending_at({right, bottom}, words_.corner, words_.corner, words_.corner_action);
+      arrange_measuring();
+      return x <= layout_.corner->box.least.x;
     }
     const StageLanguage::Buttons& all = words_.language.buttons;
     const double line = layout_.letters.words.height;
@@ -171,6 +173,21 @@ class Arrangement {
         std::ranges::all_of(layout_.links, [&](const StageButton& link) { return x <= link.box.least.x; });
     if (!have_room) layout_.links.clear();
     return x - points(gap) <= right;
+  }
+
+  StageButton button_ending_at(const Vector<2>& end, std::string_view words, std::string_view longest,
+                               const StageAction& action) const {
+    const double width = measure_(longest, layout_.letters.bold_words).x + points(2.0 * button_padding);
+    return {action, {end - Vector<2>(width, points(button_height)), end}, std::string(words)};
+  }
+
+  // Where the corner is the motors', above it.
+  void arrange_measuring() {
+    layout_.measuring.reset();
+    if (words_.measuring == nullptr) return;
+    const ScreenBox& corner = layout_.corner->box;
+    layout_.measuring = button_ending_at({corner.most.x, corner.least.y - points(0.5 * gap)}, words_.measuring->words,
+                                         words_.measuring->longest, StageCommand::measure);
   }
 
   void arrange_numbers() {

@@ -26,6 +26,7 @@ struct StageLessonRow {
   std::vector<std::string> answers{};
   std::optional<StageLessonSlider> slider{};
   bool has_strategies = false;
+  bool has_measuring = false;  // the button that has the hand measured
 };
 
 struct StageLesson {

@@ -12,6 +12,7 @@ constexpr std::array modes{
     StageModeEntry{StageMode::landscape, "landscape", "L", &StageLanguage::Modes::landscape},
     StageModeEntry{StageMode::round, "round", "O", &StageLanguage::Modes::round},
     StageModeEntry{StageMode::ribbon, "ribbon", "H", &StageLanguage::Modes::ribbon},
+    StageModeEntry{StageMode::measure, "measure", "S", &StageLanguage::Modes::measure},
 };
 
 }  // namespace

@@ -11,7 +11,7 @@
 
 namespace ghostforce {
 
-enum class StageMode : std::uint8_t { none, predict, why, landscape, round, ribbon };
+enum class StageMode : std::uint8_t { none, predict, why, landscape, round, ribbon, measure };
 
 struct StageModeEntry {
   StageMode id;

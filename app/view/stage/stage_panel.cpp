@@ -44,10 +44,9 @@ void add_strategy_button(const StageLayer& layer, const StageButton& button) {
 }
 
 // Unmistakable from three metres while motors may push.
-void add_corner_button(const StageLayer& layer, const StageButton& button) {
+void add_corner_button(const StageLayer& layer, const StageButton& button, bool is_on) {
   const auto& [content, layout, canvas] = layer;
   const Theme& theme = content.theme;
-  const bool is_on = content.corner->is_alarming;
   canvas.box(Role::button, button.box, canvas.points(12.0), is_on ? theme.problem : theme.panel_field,
              is_on ? theme.problem : theme.accent, canvas.width(3.0));
   const TextStyle& style = layout.letters.bold_words;
@@ -85,8 +84,8 @@ struct Icon {
   void (*draw)(const IconPen&);
 };
 
-const std::array<Icon, 8>& icons() {
-  static const std::array<Icon, 8> all{{
+const std::array<Icon, 9>& icons() {
+  static const std::array<Icon, 9> all{{
       // A target to aim at.
       {StageMode::predict,
        [](const IconPen& pen) {
@@ -115,6 +114,13 @@ const std::array<Icon, 8>& icons() {
        [](const IconPen& pen) {
          pen.curve({{-0.9, 0.4}, {-0.5, 0.4}, {-0.2, -0.3}, {0.2, 0.1}, {0.9, 0.1}});
          pen.curve({{0.2, -0.8}, {0.2, 0.8}});
+       }},
+      // A spring between two plates.
+      {StageMode::measure,
+       [](const IconPen& pen) {
+         pen.curve({{-0.6, -0.85}, {0.6, -0.85}});
+         pen.curve({{-0.6, 0.85}, {0.6, 0.85}});
+         pen.curve({{0.0, -0.85}, {0.5, -0.6}, {-0.5, -0.2}, {0.5, 0.2}, {-0.5, 0.6}, {0.0, 0.85}});
        }},
       // An open book.
       {StageCommand::lessons,
@@ -292,7 +298,8 @@ void add_buttons(const StageLayer& layer) {
   for (const StageButton& button : layout.strategies) add_strategy_button(layer, button);
   for (const StageButton& button : layout.icons) add_icon(layer, button);
   if (content.lesson) add_lesson_frame(layer);
-  if (layout.corner) add_corner_button(layer, *layout.corner);
+  if (layout.measuring) add_corner_button(layer, *layout.measuring, false);
+  if (layout.corner) add_corner_button(layer, *layout.corner, content.corner->is_alarming);
   for (const StageButton& link : layout.links) {
     canvas.text(Role::button, link.box.least, link.words, layout.letters.words,
                 is_hovered(content, link.action) ? content.theme.accent : content.theme.faint_text);
@@ -310,7 +317,9 @@ void keep_frame_clear(const StageLayer& layer) {
   const double rim = canvas.width(2.0);
   for (const StageButton& button : layout.strategies) labels.keep_clear(button.box.grown(rim));
   for (const StageButton& button : layout.icons) labels.keep_clear(button.box.grown(rim));
-  if (layout.corner) labels.keep_clear(layout.corner->box.grown(rim));
+  for (const auto* const button : {&layout.measuring, &layout.corner}) {
+    if (*button) labels.keep_clear((*button)->box.grown(rim));
+  }
   for (const StageButton& link : layout.links) labels.keep_clear(link.box.grown(rim));
   if (layout.lesson) keep_lesson_clear(layer);
   if (layout.ribbon) labels.keep_clear(*layout.ribbon);

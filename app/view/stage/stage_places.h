@@ -14,6 +14,7 @@
 #include "app/view/stage/lesson_places.h"
 #include "app/view/stage/stage_language.h"
 #include "app/view/stage/stage_lesson.h"
+#include "app/view/stage/stage_measuring.h"
 #include "app/view/stage/stage_mode.h"
 #include "app/view/view.h"
 #include "core/strategy.h"
@@ -22,8 +23,19 @@ namespace ghostforce {
 
 // Something else than a strategy, a mode or a face that the stage can be asked for: the table of keys, the motors on or
 // off, the picker of lessons; the step before, the next step of the mode or the lesson that is on; the end of the lesson; its
-// next language; to move its slider.
-enum class StageCommand : std::uint8_t { keys, link, motors, lessons, previous, next, leave, language, slider };
+// next language; to move its slider; to measure the hand, or use what was measured.
+enum class StageCommand : std::uint8_t {
+  keys,
+  link,
+  motors,
+  lessons,
+  previous,
+  next,
+  leave,
+  language,
+  slider,
+  measure
+};
 
 // An answer to a lesson's question, from 0.
 enum class StageAnswer : std::uint8_t {};
@@ -53,17 +65,18 @@ struct StageLayout {
   StageLetters letters{};
   std::vector<std::string> sentence;  // its lines
   ScreenBox sentence_box;
-  double words_end = 0.0;               // of the longest text that may stand there: the numbers below keep their place
-  std::optional<ScreenBox> mark;        // of a lesson's answer, before the sentence
-  std::vector<StageButton> strategies;  // the row below
-  std::vector<StageButton> icons;       // the strip above, modes and workbench
-  std::optional<StageButton> corner;    // at the row's other end
-  std::vector<StageButton> links;       // or there, as words, where there is room: lessons and keys
-  std::optional<ScreenBox> ribbon;      // above the row, where there is one
-  std::optional<LessonLayout> lesson;   // of which the strip of icons keeps the way out at most
-  double header_left = 0.0;             // where what stands above at the right begins
-  Vector<2> numbers_size{0.0};          // of the two numbers with their words
-  double number_width = 0.0;            // of the widest number
+  double words_end = 0.0;                // of the longest text that may stand there: the numbers below keep their place
+  std::optional<ScreenBox> mark;         // of a lesson's answer, before the sentence
+  std::vector<StageButton> strategies;   // the row below
+  std::vector<StageButton> icons;        // the strip above, modes and workbench
+  std::optional<StageButton> corner;     // at the row's other end
+  std::optional<StageButton> measuring;  // above it, or in a lesson's row
+  std::vector<StageButton> links;        // or there, as words, where there is room: lessons and keys
+  std::optional<ScreenBox> ribbon;       // above the row, where there is one
+  std::optional<LessonLayout> lesson;    // of which the strip of icons keeps the way out at most
+  double header_left = 0.0;              // where what stands above at the right begins
+  Vector<2> numbers_size{0.0};           // of the two numbers with their words
+  double number_width = 0.0;             // of the widest number
 
   // Between them lies the scene.
   double top = 0.0;
@@ -91,8 +104,9 @@ struct StageFrameWords {
   std::string_view sentence;
   std::string_view corner{};  // of the button at the other end of the row; empty: the help's, where there is room
   StageAction corner_action = StageCommand::keys;
-  bool has_full = true;                 // the strategy with every motor can be chosen
-  const StageLesson* lesson = nullptr;  // null: there is none
+  bool has_full = true;                             // the strategy with every motor can be chosen
+  const StageMeasuringButton* measuring = nullptr;  // null: there is none
+  const StageLesson* lesson = nullptr;              // the same
 };
 
 }  // namespace ghostforce

@@ -172,15 +172,18 @@ void add_hand_words(const StageLayer& layer) {
                             : is_asked_to_drag                            ? std::string(all.hand_to_drag)
                             : content.lesson && deep >= least_shown_slide ? filled(all.hand_in_wall, slide_number(deep))
                                                                           : std::string(all.hand);
+  const std::vector<std::string> measured =
+      content.measuring ? measured_hand_words(*content.measuring, content.language) : std::vector<std::string>();
+  const bool stands_out = is_asked_to_drag || !measured.empty();
   canvas.label(Role::hand,
-               {is_asked_to_drag ? StageLabel::hint : StageLabel::hand,
-                {words},
-                is_asked_to_drag ? layout.letters.bold_words : layout.letters.words,
-                canvas.at(content.moment.goal),
-                canvas.at(content.moment.goal),
-                canvas.points(34.0),
+               {is_asked_to_drag   ? StageLabel::hint
+                : measured.empty() ? StageLabel::hand
+                                   : StageLabel::measured_hand,
+                is_asked_to_drag || measured.empty() ? std::vector{words} : measured,
+                stands_out ? layout.letters.bold_words : layout.letters.words, canvas.at(content.moment.goal),
+                canvas.at(content.moment.goal), canvas.points(content.measuring ? measuring_ring + 6.0 : 34.0),
                 Vector<2>(0.5, -1.0)},
-               is_asked_to_drag ? content.theme.accent : content.theme.text);
+               stands_out ? content.theme.accent : content.theme.text);
 }
 
 void add_motor_words(const StageLayer& layer) {

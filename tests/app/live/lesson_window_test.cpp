@@ -81,6 +81,8 @@ class LessonWindow : public DrivenWindow {
     const ghostforce::SetUp start{.scene = {.title = {},
                                             .about = {},
                                             .settings = session().settings,
+                                            .stiffness_path = {},
+                                            .unrest = {},
                                             .goal = {.points = {session().goal}, .times = {0.0}},
                                             .duration = 0.0,
                                             .view = {}},
@@ -114,6 +116,7 @@ class LessonWindow : public DrivenWindow {
       EXPECT_LT(std::abs(std::remainder(solved.actuated_angle - now.actuated_angle, pi)), 0.5 * std::abs(way))
           << step().name;
     }
+    if (session().stage.mode == StageMode::measure) click(StageCommand::measure);
     // To the last digit.
     session().settings.actuated_angle = solved.actuated_angle;
     session().settings.wall_normal_angle = solved.wall_normal_angle;

@@ -220,7 +220,7 @@ TEST_F(ExperimentsWindow, NothingShowsTheAnswerWhileTheHandIsMeasured) {
     frames(5, 0);
     return picture();
   };
-  for (const PlotTab tab : {PlotTab::time, PlotTab::wall_angle, PlotTab::ratio}) {
+  for (const PlotTab tab : {PlotTab::time, PlotTab::wall_angle, PlotTab::ratio, PlotTab::hand}) {
     SCOPED_TRACE(static_cast<int>(tab));
     EXPECT_NE(picture_with(200.0, tab, false, false), picture_with(310.0, tab, false, false));
     EXPECT_EQ(picture_with(200.0, tab, true, false), picture_with(310.0, tab, true, false));

@@ -94,6 +94,23 @@ TEST_F(PanelText, IsAllThereWhileTheHandIsMeasuredAndAfterwards) {
   expect_no_faults_at_all_scales("the result");
 }
 
+TEST_F(PanelText, IsAllThereWhileTheBeliefFollowsTheHand) {
+  open({}, "wall45", 1024, 640);
+  window_->set_visible_drawing(false);
+  session().plots.tab = PlotTab::hand;
+  session().settings.stiffnesses.believed_k_u = 700.0;
+  session().belief_source = BeliefSource::live;
+  frames(2);
+  expect_no_faults_at_all_scales("unknown yet");
+  frames(20, 200);
+  ASSERT_TRUE(application_->report().hand.estimate.is_known());
+  expect_no_faults_at_all_scales("known");
+  session().goal = {0.0, 0.05};
+  frames(20, 200);
+  ASSERT_FALSE(application_->report().hand.estimate.is_known());
+  expect_no_faults_at_all_scales("no contact");
+}
+
 TEST_F(PanelText, TheNameOfASceneHasIndicesToo) {
   open({}, "fig4-ratio5");
   window_->set_visible_drawing(false);

@@ -90,7 +90,13 @@ Preferences all_other() {
 void name_the_parts_of_the_session(Session& session) {
   [[maybe_unused]] auto& [
       // Of the scene, which has a file of its own.
-      scene, settings, goal,
+      scene, settings,
+      // Tones are felt: nobody begins with them who has not asked for them in this run.
+      belief_source, measured_k_u,
+      // Of this moment.
+      time_s,
+      // Of the scene again.
+      goal,
       // Of this moment: what a hand holds, what a key has just asked for.
       drags_goal, is_editing,
       // KEPT.
@@ -124,7 +130,7 @@ void name_the_parts_of_the_session(Session& session) {
       // KEPT.
       spacemouse,
       // Of the hand that is measured, and of the wall that is circled.
-      aims_at_target, measurement, circle_test,
+      aims_at_target, measurement, hand_burst, circle_test,
       // A device may be gone, and a line with a set-up must mean the same everywhere.
       injected_fault, input, pointer_moves_goal, hand_is_simulated, motors_may_push,
       // A recording has a new name each time.

@@ -49,6 +49,19 @@ TEST_F(VisibleStateTest, ATrailIsSeenAsLongAsItFades) {
   EXPECT_FALSE(sees(wait(0.5)));
 }
 
+TEST_F(VisibleStateTest, AnEstimateIsSeenWhereThereIsOne) {
+  session_.face = Face::workbench;
+  HandReading& hand = reading_.hand;
+  EXPECT_FALSE(sees([&] { hand.estimate.k_u = 310.0; })) << "nothing measures it";
+  EXPECT_TRUE(sees([&] { hand.is_measuring = true; }));
+  EXPECT_TRUE(sees([&] { hand.estimate.sigma += 1.0; }));
+  EXPECT_FALSE(sees([&] { hand.estimate.k_u += 0.1; })) << "finer than any number on the screen";
+  EXPECT_TRUE(sees([&] { hand.estimate.why = HandUnknown::too_much_tremor; }));
+  EXPECT_TRUE(sees([&] { reading_.hand_unknown_s = 10.0; })) << "it no longer holds";
+  EXPECT_TRUE(sees([&] { hand.tone_gain = 1.0; }));
+  EXPECT_TRUE(sees([&] { session_.belief_source = BeliefSource::live; }));
+}
+
 TEST_F(VisibleStateTest, TimeAndCountsAreNotSeen) {
   EXPECT_FALSE(sees([&] {
     snapshot_.tick += 1000;

@@ -19,9 +19,9 @@ struct ModeKey {
   int key;
   StageMode mode;
 };
-constexpr std::array mode_keys{ModeKey{key::q, StageMode::predict}, ModeKey{key::y, StageMode::why},
+constexpr std::array mode_keys{ModeKey{key::q, StageMode::predict},   ModeKey{key::y, StageMode::why},
                                ModeKey{key::l, StageMode::landscape}, ModeKey{key::o, StageMode::round},
-                               ModeKey{key::h, StageMode::ribbon}};
+                               ModeKey{key::h, StageMode::ribbon},    ModeKey{key::s, StageMode::measure}};
 
 class StageKeysTest : public DrivenWindow {
  protected:

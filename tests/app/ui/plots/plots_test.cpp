@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "app/figures/curves.h"
@@ -270,7 +271,7 @@ class PlotFile : public testing::Test {
 
   Scene scene_ = load_scene("wall45");
   Session session_ = session_of(scene_);
-  PlotHistory history_;
+  History history_;
   Snapshot snapshot_;
 };
 
@@ -340,7 +341,7 @@ TEST_F(PlotFile, HoldsTheCurvesOverASetting) {
 
 TEST_F(PlotFile, DoesNotGiveAwayTheHandThatIsMeasured) {
   start_measuring(session_);
-  for (const PlotTab tab : {PlotTab::wall_angle, PlotTab::ratio}) {
+  for (const PlotTab tab : {PlotTab::wall_angle, PlotTab::ratio, PlotTab::hand}) {
     session_.plots.tab = tab;
     EXPECT_THROW(file("plots.csv"), Failure);
     EXPECT_THROW(file("plots.svg"), Failure);
@@ -352,8 +353,30 @@ TEST_F(PlotFile, DoesNotGiveAwayTheHandThatIsMeasured) {
   EXPECT_FALSE(file("plots.csv").empty());
 }
 
+TEST_F(PlotFile, TheHandOverTimeHasItsBandAndTheReasonOfEachGap) {
+  session_.plots.tab = PlotTab::hand;
+  const std::string without_it = file("plots.svg");
+  const HandEstimate known{.why = HandUnknown::none, .k_u = 310.0, .sigma = 25.0, .mass = 0.2, .damping = 6.0};
+  const HandEstimate doubtful{
+      .why = HandUnknown::too_much_tremor, .k_u = 300.0, .sigma = 90.0, .mass = 0.2, .damping = 6.0};
+  history_.add(HandPoint{.time_s = 0.5, .estimate = known, .believed_k_u = 200.0, .given_k_u = 290.0});
+  history_.add(HandPoint{.time_s = 1.1, .estimate = known, .believed_k_u = 312.5, .given_k_u = 290.0});
+  history_.add(HandPoint{.time_s = 1.2, .estimate = doubtful, .believed_k_u = 312.5, .given_k_u = {}});
+  history_.add(
+      HandPoint{.time_s = 1.3, .estimate = {.why = HandUnknown::no_contact}, .believed_k_u = 312.5, .given_k_u = {}});
+  EXPECT_EQ(rows(file("plots.csv")),
+            (std::vector<std::string>{
+                "t_s,k_u_live_N_per_m,sigma_N_per_m,mass_kg,damping_N_s_per_m,known,reason,k_u_believed_N_per_m,"
+                "k_u_given_N_per_m",
+                "1.1,310,25,0.2,6,1,,312.5,290",
+                fmt::format("1.2,300,90,0.2,6,0,{},312.5,", sentence_of(HandUnknown::too_much_tremor)),
+                fmt::format("1.3,,,,,0,{},312.5,", sentence_of(HandUnknown::no_contact))}));
+  EXPECT_EQ(rows(file("plots.csv", true)).size(), 5U);
+  EXPECT_NE(file("plots.svg"), without_it);
+}
+
 TEST_F(PlotFile, IsAPictureWhereTheNameSaysSo) {
-  for (const PlotTab tab : {PlotTab::time, PlotTab::wall_angle, PlotTab::ratio}) {
+  for (const PlotTab tab : {PlotTab::time, PlotTab::wall_angle, PlotTab::ratio, PlotTab::hand}) {
     session_.plots.tab = tab;
     EXPECT_TRUE(file("plots.png").starts_with("\x89PNG"));
     EXPECT_TRUE(file("plots.pdf").starts_with("%PDF"));

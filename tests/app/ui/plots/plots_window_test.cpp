@@ -193,7 +193,7 @@ TEST_F(PlotsWindow, TheButtonAsksForAName) {
 TEST_F(PlotsWindow, StaysWithinASmallWindow) {
   open({}, "wall45", 640, 480);
   press(key::f3);
-  for (const PlotTab tab : {PlotTab::time, PlotTab::wall_angle, PlotTab::ratio}) choose(tab);
+  for (const PlotTab tab : {PlotTab::time, PlotTab::wall_angle, PlotTab::ratio, PlotTab::hand}) choose(tab);
   EXPECT_GT(screen().scene_size().y, 60.0);
 }
 

@@ -42,6 +42,8 @@ struct StageCase {
   std::optional<StageRound> round{};
   std::shared_ptr<const MomentHistory> moments{};
   std::optional<double> looks_back_to_s{};
+  std::optional<StageMeasuring> measuring{};
+  std::optional<StageMeasuringButton> measuring_button{};
   std::optional<StageCornerButton> corner{};
   std::optional<StageLesson> lesson{};
   StageSecrets hides{};
@@ -69,6 +71,8 @@ struct StageCase {
                             .guess = guess,
                             .why_step = why_step,
                             .round = round,
+                            .measuring = measuring,
+                            .measuring_button = measuring_button,
                             .moments = moments.get(),
                             .looks_back_to_s = looks_back_to_s,
                             .corner = corner,
