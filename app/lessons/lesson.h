@@ -34,6 +34,7 @@ enum class LessonQuantity : std::uint8_t {
   energy,            // that the rendering gave to the hand in the newest turn of the circle [mJ]
   turns,             // of the circle, completed
   belief,            // believed hand stiffness over the hand's true one
+  hand,              // how stiff the hand is, as it was measured in this step [N/m]
 };
 
 // Met while the quantity lies between these, both ends included, in its unit.

@@ -64,6 +64,8 @@ constexpr std::array quantities{
                         [](const LessonReading& now) noexcept {
                           return believed_user_stiffness(now.settings.stiffnesses) / now.settings.stiffnesses.k_u;
                         }},
+    LessonQuantityEntry{LessonQuantity::hand, "hand_N_per_m", "how stiff the hand is, as it was measured in this step",
+                        [](const LessonReading& now) noexcept { return now.hand_k_u.value_or(not_known); }},
 };
 
 }  // namespace

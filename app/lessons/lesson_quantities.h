@@ -2,6 +2,7 @@
 // shown. A new one is an identifier in lesson.h and a row here. Pure, any thread.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -16,6 +17,7 @@ struct LessonReading {
   const StageMoment& moment;
   const Settings& settings;
   const CircleReading* circle = nullptr;  // null: the hand does not go round
+  std::optional<double> hand_k_u{};       // as it was measured [N/m]; empty: it was not
 };
 
 struct LessonQuantityEntry {

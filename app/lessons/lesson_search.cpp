@@ -74,7 +74,10 @@ class TaskSearch {
         circle->turns = std::max(circle->turns, static_cast<int>(std::ceil(std::min(condition.least, 1e6))));
       }
     }
-    const LessonReading reading{moment, settings, circle ? &*circle : nullptr};
+    // Who is in the wall there can have the hand measured.
+    const bool can_be_measured = start_.mode == StageMode::measure && moment.in_contact;
+    const LessonReading reading{moment, settings, circle ? &*circle : nullptr,
+                                can_be_measured ? std::optional(settings.stiffnesses.k_u) : std::nullopt};
     double missed = 0.0;
     for (const LessonCondition& condition : task_.conditions) {
       constexpr double of_unknown = 1e3;

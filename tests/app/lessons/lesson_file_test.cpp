@@ -163,7 +163,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "ghost.toml:14:1: the key step: there is a task, but nothing to do it with; give controls or a slider"},
         Mistake{"ghost_force_N", "ghost_force",
                 "ghost.toml:18:26: the key step.until.quantity: 'ghost_force' is not one of depth_mm, force_N, "
-                "ghost_force_N, slide_mm, handle_to_target_mm, angle_deg, energy_mJ, turns, belief; did you mean "
+                "ghost_force_N, slide_mm, handle_to_target_mm, angle_deg, energy_mJ, turns, belief, hand_N_per_m; did "
+                "you mean "
                 "'ghost_force_N'?"},
         Mistake{"at_most = 0.05", "at_most = 0.05, at_least = 1",
                 "ghost.toml:18:13: the key step.until: wants at least 1 and at most 0.05; no number is both"},

@@ -96,10 +96,10 @@ TEST_F(LessonQuantities, MeetAConditionAtBothOfItsEnds) {
 }
 
 TEST(LessonQuantityCatalog, HasARowForEach) {
-  for (int i = 0; i <= static_cast<int>(LessonQuantity::belief); ++i) {
+  for (int i = 0; i <= static_cast<int>(LessonQuantity::hand); ++i) {
     EXPECT_EQ(lesson_quantity(static_cast<LessonQuantity>(i)).id, static_cast<LessonQuantity>(i));
   }
-  EXPECT_EQ(lesson_quantity_catalog().size(), static_cast<std::size_t>(LessonQuantity::belief) + 1);
+  EXPECT_EQ(lesson_quantity_catalog().size(), static_cast<std::size_t>(LessonQuantity::hand) + 1);
 }
 
 }  // namespace

@@ -81,6 +81,7 @@ constexpr std::array claims{
     Claim{"measure-a-hand", "deeper", true, LessonQuantity::depth, 0},
     Claim{"your-own-wall", "where", true, LessonQuantity::ghost_force, 2},
     Claim{"your-own-wall", "where", true, LessonQuantity::angle, 0},
+    Claim{"how-stiff-are-you", "belief", true, LessonQuantity::ghost_force, 2},
 };
 
 std::size_t number_of_step(const Lesson& lesson, std::string_view name) {
