@@ -19,6 +19,8 @@ constexpr std::array catalog{
                 force_over_stiffness_ratio_figure},
     FigureEntry{"proxy-drift", "Proxy drift over the tracking ratio and over a wrong belief", proxy_drift_figure},
     FigureEntry{"energy-per-loop", "Energy per closed loop over the tracking ratio", energy_per_loop_figure},
+    FigureEntry{"hand-estimate", "The hand measured live while its stiffness jumps", hand_estimate_figure},
+    FigureEntry{"wrong-belief", "What a wrong belief about the hand costs", wrong_belief_figure},
 };
 
 }  // namespace

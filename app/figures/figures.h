@@ -8,6 +8,7 @@
 #include "app/figures/curves.h"
 #include "app/figures/figure.h"
 #include "app/figures/simulated_motion.h"
+#include "core/hand_estimator.h"
 #include "core/prediction.h"
 #include "core/strategy.h"
 
@@ -70,5 +71,23 @@ struct EnergyOfLoop {
 };
 std::vector<EnergyOfLoop> energies_of_loops();
 Figure energy_per_loop_figure(const FigureRequest& request);
+
+// The hand measured live while it grips harder and softer, and the belief that follows it. A moment for each estimate.
+struct MeasuredMoment {
+  double time_s;
+  double k_u;             // of the simulated hand [N/m]
+  HandEstimate estimate;  // of it
+  double believed_k_u;    // from here on [N/m]
+  double live_error;      // of the force along the motor at rest, over that of the fully actuated strategy [1]
+  double fixed_error;     // with the belief that the run began with
+  double naive_error;
+};
+std::vector<MeasuredMoment> hand_measured_live();
+Figure hand_estimate_figure(const FigureRequest& request);
+
+// What a belief about the hand costs, over how wrong it is, for some angles between motor and wall normal. Series: the
+// angle, "45°". x: believed over true k_u [1]; y: ghost force, or proxy drift, over that of naïve rendering [1].
+Curves errors_of_wrong_beliefs();
+Figure wrong_belief_figure(const FigureRequest& request);
 
 }  // namespace ghostforce

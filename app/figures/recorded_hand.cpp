@@ -21,7 +21,10 @@ RecordedHand recorded_hand(const Run& run, std::string name) {
             name));
   }
   RecordedHand hand{.name = std::move(name), .scene = *run.scene, .start = {}};
-  if (!run.ticks.empty()) hand.scene.goal = goal_path_of(run);
+  if (!run.ticks.empty()) {
+    hand.scene = scene_since(run, run.ticks.front());
+    hand.scene.goal = goal_path_of(run);
+  }
   const GoalPath& path = hand.scene.goal;
   if (run.ticks.empty() || path.times.size() < 2) {
     throw Failure(ExitCode::wrong_call,
@@ -30,7 +33,7 @@ RecordedHand recorded_hand(const Run& run, std::string name) {
   }
   hand.scene.duration = path.times.back();
   hand.scene.settings = run.settings[run.ticks.front().settings];
-  hand.start = replay_start(run, run.ticks.front(), hand.scene.settings).state;
+  hand.start = replay_start(run, run.ticks.front(), hand.scene).state;
   const std::size_t shown = path.times.size();
   std::int64_t jumps = 0;
   for (std::size_t i = 0; i < shown; ++i) {

@@ -47,6 +47,10 @@ std::vector<std::string> change_lines(const SimulatedMotion& motion) {
   return lines;
 }
 
+Settings settings_at_end(const SimulatedMotion& motion) {
+  return settings_at(motion.scene, last_settings(motion), motion.moments.back().time_s);
+}
+
 std::vector<CsvCell> row_of(const SimulatedMotion& motion, StrategyId id, std::string source, double time_s,
                             const Vector<2>& goal, const Vector<2>& device, const Vector<2>& proxy,
                             const Vector<2>& force, const Vector<2>& ghost) {
@@ -78,13 +82,14 @@ SimulatedMotion simulate_motion(std::string name, const Scene& scene) {
   if (has_diverged(state)) {
     throw Failure(ExitCode::wrong_call, "with these settings the sampled loop is unstable and the device runs away");
   }
-  motion.rest = predicted_equilibria(last_settings(motion), motion.moments.back().goal);
+  motion.rest = predicted_equilibria(settings_at_end(motion), motion.moments.back().goal);
   return motion;
 }
 
 SimulatedMotion simulate_hand(const RecordedHand& hand) {
   SimulatedMotion motion{.name = "", .scene = hand.scene, .changes = hand.changes};
   const GoalPath& path = hand.scene.goal;
+  const StiffnessPath& stiffness = hand.scene.stiffness_path;
   const Thinned thinned(last_tick(hand.scene));
   TickCoefficients<2> coefficients = coefficients_of(hand.scene.settings);
   TickState<2> state = hand.start;
@@ -98,6 +103,7 @@ SimulatedMotion simulate_hand(const RecordedHand& hand) {
     const auto ticks = std::max<std::int64_t>(1, std::llround((path.times[i] - before_s) * coefficients.rate));
     for (std::int64_t k = 1; k <= ticks; ++k) {
       const double time_s = k == ticks ? path.times[i] : before_s + time_of(k, coefficients.rate);
+      if (!stiffness.is_empty()) set_user_stiffness(coefficients, stiffness_at(stiffness, time_s));
       tick(coefficients, goal_at(path, time_s), state);
       if (state.tick % ticks_between_looks == 0) stop_if_interrupted();
       const bool is_last = k == ticks && i + 1 == path.times.size();
@@ -113,7 +119,7 @@ SimulatedMotion simulate_hand(const RecordedHand& hand) {
                               "ghostforce replay RUN.csv --set rendering.k_r_N_per_m=500 -o calm.csv",
                               hand.name));
   }
-  motion.rest = predicted_equilibria(last_settings(motion), motion.moments.back().goal);
+  motion.rest = predicted_equilibria(settings_at_end(motion), motion.moments.back().goal);
   return motion;
 }
 

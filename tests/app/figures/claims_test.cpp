@@ -335,5 +335,51 @@ TEST(Claims, EquilibriaAreLabelledWhereTheyAre) {
   EXPECT_GT(glm::length(proxy_drift(wall, data.rest[naive].at.proxy, data.rest[naive].at.goal)), 0.010);
 }
 
+// ---- The hand, measured live ----------------------------------------------------------------------------------------
+
+TEST(Claims, TheHandIsFoundAgainAfterEachJumpAndTheForceWithIt) {
+  const std::vector<MeasuredMoment> moments = hand_measured_live();
+  ASSERT_EQ(moments.size(), 300U);
+  int known = 0;
+  int settled = 0;
+  for (const MeasuredMoment& now : moments) {
+    known += now.estimate.is_known() ? 1 : 0;
+    // The estimator looks back over 2 s, and the belief then goes there within one more.
+    const double since_jump_s = std::fmod(now.time_s + 1e-9, 6.0);
+    if (now.time_s < 6.0 || since_jump_s < 3.5) continue;
+    ++settled;
+    EXPECT_TRUE(now.estimate.is_known()) << now.time_s;
+    EXPECT_NEAR(now.estimate.k_u / now.k_u, 1.0, 0.2) << now.time_s;
+    EXPECT_LT(now.live_error, 0.1) << now.time_s;
+    if (now.k_u != 250.0) {
+      EXPECT_LT(now.live_error, 0.5 * now.fixed_error) << now.time_s;
+    }
+  }
+  EXPECT_EQ(settled, 4 * 25);
+  EXPECT_GT(known, 200);
+}
+
+TEST(Claims, ABeliefThatIsTooHighOrHalfTheTruthIsBetterThanNaive) {
+  const Curves curves = errors_of_wrong_beliefs();
+  int simulated = 0;
+  for (const CurvePoint& point : curves) {
+    SCOPED_TRACE(testing::Message() << point.series << " at " << point.x);
+    if (point.x >= 0.5) {
+      EXPECT_LT(std::abs(point.y), 1.0);
+    }
+    if (point.x >= 0.8 && point.x <= 1.2) {
+      EXPECT_LT(std::abs(point.y), 0.25);
+    }
+    if (!point.is_simulated) continue;
+    ++simulated;
+    for (const CurvePoint& other : curves) {
+      if (other.is_simulated || other.series != point.series || std::abs(other.x - point.x) > 1e-12 * point.x) continue;
+      // Of a ghost force of some newtons.
+      EXPECT_NEAR(point.y, other.y, 1000.0 * rounding);
+    }
+  }
+  EXPECT_EQ(simulated, 4 * 9);
+}
+
 }  // namespace
 }  // namespace ghostforce

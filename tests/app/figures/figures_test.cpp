@@ -185,7 +185,7 @@ TEST(Figures, ShowNoPointThatIsNotInTheirTable) {
 
 TEST(Figures, ShowEachSimulatedPointOfTheirTable) {
   for (const std::string_view name :
-       {"force-over-wall-angle", "force-over-stiffness-ratio", "proxy-drift", "energy-per-loop"}) {
+       {"force-over-wall-angle", "force-over-stiffness-ratio", "proxy-drift", "energy-per-loop", "wrong-belief"}) {
     const Figure figure = entry_named(name).make({});
     const std::size_t source = column(figure.data, "source");
     const auto told = std::ranges::count_if(
@@ -206,6 +206,8 @@ TEST(Figures, SayInTheirTablesWhereAGoalIsThatIsNotTheScenes) {
            {"force-over-wall-angle", "goal_depth_mm=20"},
            {"force-over-stiffness-ratio", "goal_depth_mm=20"},
            {"proxy-drift", "goal_depth_mm=20"},
+           {"hand-estimate", "goal_depth_mm=20"},
+           {"wrong-belief", "goal_depth_mm=20"},
            {"energy-per-loop", "circle_center_depth_mm=25 circle_radius_mm=10 turns_per_s=0.1"}}) {
     const std::vector<std::string> comments = entry_named(name).make({}).data.comments;
     EXPECT_TRUE(std::ranges::any_of(comments, [&](const std::string& line) { return line.starts_with(key); })) << name;
