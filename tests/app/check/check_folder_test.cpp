@@ -276,7 +276,7 @@ TEST(Check, TellsAllThatIsWrongWithAllCasesBeforeItDraws) {
         "'tolerance.channel'?",
         "k.toml:4:9: the key size: has a decimal point",
         "l.toml:1:9: the key scene: ",
-        "m.toml:3:8: the key mode: 'whi' is not one of predict, why, landscape, round, ribbon",
+        "m.toml:3:8: the key mode: 'whi' is not one of predict, why, landscape, round, ribbon, measure",
         "m.toml:4:12: the key strategy: the stage shows one strategy at a time",
         "m.toml:5:11: the key compare: the stage shows one strategy at a time",
         "n.toml:2:8: the key view: 'bench' is not one of stage, workbench",
@@ -333,7 +333,7 @@ TEST(Check, NamesASceneAsThePersonWroteIt) {
                             "'scenes/mine.toml'?\n",
                             "c.toml:1:9: the key scene: no scene named 'scenes/wall46.toml'; did you mean 'wall45'?\n",
                             "d.toml:1:9: the key scene: no scene named 'something else'; give a path relative to this "
-                            "file, or one of fig1, "}) {
+                            "file, or one of changing-hand, fig1, "}) {
     EXPECT_TRUE(contains(outcome.err, words));
   }
 }

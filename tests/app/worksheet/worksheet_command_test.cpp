@@ -26,7 +26,7 @@ TEST(WorksheetCommand, WritesAPageForEachLessonWithTheSameBytesOnEveryRun) {
   EXPECT_EQ(outcome.err, "");
   const std::string all = read_whole(folder / "all.pdf");
   EXPECT_TRUE(all.starts_with("%PDF-"));
-  EXPECT_TRUE(holds(all, "/Count 9\n")) << "pages";
+  EXPECT_TRUE(holds(all, "/Count 10\n")) << "pages";
   EXPECT_TRUE(holds(all, "[ 0 0 595.276 841.89 ]"));
   EXPECT_TRUE(holds(all, "/ToUnicode")) << "letters that a search understands";
   EXPECT_EQ(worksheet({"-o", "-"}).out, all);
