@@ -17,6 +17,14 @@ class HandMeasurement {
   explicit HandMeasurement(double rate) noexcept
       : estimator_(rate), period_(1.0 / rate), ticks_per_estimate_(std::llround(HandEstimator::period_s * rate)) {}
 
+  // From here on it is ticked at another rate [Hz]. Tones that sound go on.
+  void use_rate(double rate) noexcept {
+    estimator_ = HandEstimator(rate);
+    period_ = 1.0 / rate;
+    ticks_per_estimate_ = std::llround(HandEstimator::period_s * rate);
+    interrupt();
+  }
+
   // The samples that come next do not continue those before.
   void interrupt(HandUnknown why = HandUnknown::collecting) noexcept {
     estimator_.reset(why);

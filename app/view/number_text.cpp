@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 
@@ -23,6 +24,10 @@ std::string decimal_text(double value, int decimals) {
 
 std::string signed_decimal_text(double value, int decimals) {
   return with_sign(value, decimals, "+");
+}
+
+std::string deviation_text(double deviation) {
+  return decimal_text(std::max(1.0, deviation), 0);
 }
 
 }  // namespace ghostforce

@@ -394,7 +394,7 @@ void Servo::use(const Settings& settings, std::uint32_t generation) noexcept {
   // Model time goes on: t_k is k/rate, so another rate is another k.
   if (coefficients_.rate != settings.rate) {
     state_.tick = std::llround(time_of(state_.tick, coefficients_.rate) * settings.rate);
-    measurement_ = HandMeasurement(settings.rate);
+    measurement_.use_rate(settings.rate);
   }
   // Places along another axis do not continue those before.
   if (settings_.actuated_angle != settings.actuated_angle) measurement_.interrupt();

@@ -204,9 +204,13 @@ void draw_live_hand(const PanelContext& context) {
   const bool follows = context.session.belief_source == BeliefSource::live;
   ImGui::BeginGroup();
   if (hand.is_known()) {
-    text_in(context.fonts.number,
-            // No less than the last digit: "± 0" would claim that nothing can be wrong with it.
-            fmt::format("{:>4} ± {} N/m", decimal_text(hand.k_u, 0), decimal_text(std::max(1.0, hand.sigma), 0)));
+    text_in(context.fonts.number, fmt::format("{:>4} ± {} N/m", decimal_text(hand.k_u, 0), deviation_text(hand.sigma)));
+    ImGui::SameLine();
+    if (ImGui::SmallButton("Plot")) {
+      context.session.plots.is_open = true;
+      context.session.plots.tab = PlotTab::hand;
+    }
+    tooltip("Over the last minute, in the plots below.");
   } else {
     wrapped_text(fmt::format("Unknown. {}", sentence_of(hand.why)));
   }

@@ -211,7 +211,7 @@ void draw_legend(const PanelContext& context, const HandPoint* point) {
   tooltip(Term::user_stiffness);
   draw_legend_entry(context, live_look, context.theme.accent,
                     hand.is_known()
-                        ? fmt::format("live {:>4} ± {} N/m", decimal_text(hand.k_u, 0), decimal_text(hand.sigma, 0))
+                        ? fmt::format("live {:>4} ± {} N/m", decimal_text(hand.k_u, 0), deviation_text(hand.sigma))
                         : stiffness_words("live", {}),
                     Term::live_user_stiffness);
   draw_legend_entry(context, believed_look, believed_colour(context.theme),

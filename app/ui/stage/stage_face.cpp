@@ -109,12 +109,21 @@ std::optional<StageCornerButton> corner_button(const Session& session, const Mot
 std::optional<StageMeasuring> measuring_content(const Session& session) {
   const HandBurst& burst = session.hand_burst;
   if (session.stage.mode != StageMode::measure || burst.stage == HandBurst::Stage::off) return std::nullopt;
+  std::optional<double> asked;
+  if (burst.is_known() && has_open_question(session, LessonQuestion::task)) {
+    for (const LessonCondition& condition : lesson_step(*session.lesson).conditions) {
+      if (condition.quantity != LessonQuantity::hand) continue;
+      const double nearest = std::clamp(burst.estimate.k_u, condition.least, condition.greatest);
+      if (nearest != burst.estimate.k_u) asked = nearest;
+    }
+  }
   return StageMeasuring{.is_running = burst.is_running(),
                         .filled = burst.filled,
                         .why = burst.why,
                         .result = burst.is_known() ? std::optional(burst.estimate) : std::nullopt,
                         .before = burst.before,
-                        .is_believed = hand_burst_is_believed(session)};
+                        .is_believed = hand_burst_is_believed(session),
+                        .asked = asked};
 }
 
 // What is not as it should be comes before what there is to see.
@@ -266,6 +275,7 @@ StageContent StageFace::content_of(const Session& session, const StageFrame& fra
     content.reference_force = lesson_reference_force(*session.lesson->lesson);
   }
   content.measuring = measuring_content(session);
+  content.tones_sound = frame.loop.hand.tone_gain > 0.0 && !show_.is_on() && !frame.shown.is_past;
   content.measuring_button = measuring_button(session, frame.loop.motors);
   content.corner = corner_button(session, frame.loop.motors, content.guess, guess_.is_revealing());
   if (session.stage.mode == StageMode::ribbon) content.moments = &frame.history.moments();

@@ -96,6 +96,7 @@ const StageLanguage english_stage{
             .hand_to_drag = "drag me: your hand pulls here",
             .hand_inferred = "your hand, inferred",
             .motor_to_turn = "turn the motor by its ends",
+            .motor_measures = "the motor trembles to measure your hand",
             .motor_pushes = "the only motor pushes {}",
             .left_and_right = "left and right",
             .up_and_down = "up and down",
@@ -108,6 +109,8 @@ const StageLanguage english_stage{
             .measuring = "measuring your hand…",
             .hand_measured = "your hand: {} ± {} N/m",
             .hand_before = "before: {} N/m",
+            .hand_asked_softer = "too stiff: {} N/m or less",
+            .hand_asked_stiffer = "too soft: {} N/m or more",
             .hand_unknown = "your hand: unknown",
         },
     .numbers =

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "app/view/number_text.h"
 #include "app/view/stage/stage_layers.h"
 
 namespace ghostforce {
@@ -13,15 +14,6 @@ namespace {
 
 constexpr double ring_width = 8.0;
 constexpr double newton_per_cm = 0.01;  // of a stiffness of 1 N/m
-
-std::string whole(double number) {
-  return fmt::format("{:.0f}", number);
-}
-
-// "± 0" would claim that nothing can be wrong with it.
-std::string give_or_take(double sigma) {
-  return whole(std::max(1.0, sigma));
-}
 
 // From above, clockwise, as clocks have it.
 void add_arc(StageCanvas& canvas, const Vector<2>& middle, double share, double width, Colour colour) {
@@ -64,8 +56,8 @@ std::string measure_sentence(const StageContent& content) {
   if (measuring.has_trouble()) return std::string(all.*reasons[static_cast<std::size_t>(measuring.why)]);
   if (!measuring.result) return {};
   const HandEstimate& hand = *measuring.result;
-  if (measuring.is_believed) return filled(all.hand_believed, whole(hand.k_u));
-  return filled(all.hand_known, whole(hand.k_u), give_or_take(hand.sigma),
+  if (measuring.is_believed) return filled(all.hand_believed, decimal_text(hand.k_u, 0));
+  return filled(all.hand_known, decimal_text(hand.k_u, 0), deviation_text(hand.sigma),
                 fmt::format("{:.1f}", newton_per_cm * hand.k_u));
 }
 
@@ -97,8 +89,13 @@ std::vector<std::string> measured_hand_words(const StageMeasuring& measuring, co
   if (measuring.has_trouble()) return {std::string(all.hand_unknown)};
   if (!measuring.result) return {};
   const HandEstimate& hand = *measuring.result;
-  std::vector<std::string> lines{filled(all.hand_measured, whole(hand.k_u), give_or_take(hand.sigma))};
-  if (measuring.before) lines.push_back(filled(all.hand_before, whole(measuring.before->k_u)));
+  std::vector<std::string> lines{filled(all.hand_measured, decimal_text(hand.k_u, 0), deviation_text(hand.sigma))};
+  if (measuring.asked) {
+    lines.push_back(filled(*measuring.asked < hand.k_u ? all.hand_asked_softer : all.hand_asked_stiffer,
+                           decimal_text(*measuring.asked, 0)));
+  } else if (measuring.before) {
+    lines.push_back(filled(all.hand_before, decimal_text(measuring.before->k_u, 0)));
+  }
   return lines;
 }
 

@@ -84,6 +84,7 @@ const StageLanguage spanish_stage{
             .hand_to_drag = "arrástrame: tu mano tira aquí",
             .hand_inferred = "tu mano, deducida",
             .motor_to_turn = "gira el motor por sus extremos",
+            .motor_measures = "el motor tiembla para medir tu mano",
             .motor_pushes = "el motor solo empuja {}",
             .left_and_right = "a izquierda y derecha",
             .up_and_down = "arriba y abajo",
@@ -96,6 +97,8 @@ const StageLanguage spanish_stage{
             .measuring = "midiendo tu mano…",
             .hand_measured = "tu mano: {} ± {} N/m",
             .hand_before = "antes: {} N/m",
+            .hand_asked_softer = "demasiado rígida: {} N/m o menos",
+            .hand_asked_stiffer = "demasiado blanda: {} N/m o más",
             .hand_unknown = "tu mano: no se sabe",
         },
     .numbers =

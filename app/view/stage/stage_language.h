@@ -102,7 +102,8 @@ struct StageLanguage {
     std::string_view hand_to_drag;
     std::string_view hand_inferred;
     std::string_view motor_to_turn;
-    std::string_view motor_pushes;  // a direction:
+    std::string_view motor_measures;  // tones sound without a mode that tells of them
+    std::string_view motor_pushes;    // a direction:
     std::string_view left_and_right;
     std::string_view up_and_down;
     std::string_view at_angle;  // degrees
@@ -112,8 +113,10 @@ struct StageLanguage {
     std::string_view first_round;  // is not complete
     std::string_view energy_a_round;
     std::string_view measuring;
-    std::string_view hand_measured;  // its stiffness, give or take
-    std::string_view hand_before;    // what was measured before
+    std::string_view hand_measured;       // its stiffness, give or take
+    std::string_view hand_before;         // what was measured before
+    std::string_view hand_asked_softer;   // of a lesson, where another one was measured: at most so stiff
+    std::string_view hand_asked_stiffer;  // at least
     std::string_view hand_unknown;
   } labels;
 

@@ -16,6 +16,8 @@ struct StageMeasuring {
   std::optional<HandEstimate> result{};  // known
   std::optional<HandEstimate> before{};  // the one that was known before
   bool is_believed = false;              // the result is what the renderer believes in now
+  // Of a lesson that wants another grip: the nearest stiffness that would do [N/m].
+  std::optional<double> asked{};
 
   // It was tried, or is, and there is something to say about it instead of a number.
   bool has_trouble() const noexcept { return why != HandUnknown::none; }

@@ -192,8 +192,10 @@ void add_motor_words(const StageLayer& layer) {
   const bool is_asked_to_turn = content.hint == StageHint::motor;
   const StageLanguage::Labels& all = content.language.labels;
   const std::string words =
-      is_asked_to_turn
-          ? std::string(all.motor_to_turn)
+      is_asked_to_turn ? std::string(all.motor_to_turn)
+      // Whoever feels it must not take it for the wall. The mode that measures says so by itself.
+      : content.tones_sound && !content.measuring
+          ? std::string(all.motor_measures)
           : filled(all.motor_pushes, motor_direction_words(content.settings.actuated_angle, content.language));
   const auto ends = stage_grips(content.settings, content.moment, canvas.camera, layout.scene(), canvas.unit).motor;
   const Vector<2> rail = to_screen_direction(direction_at(content.settings.actuated_angle));

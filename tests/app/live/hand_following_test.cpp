@@ -304,7 +304,7 @@ TEST_F(HandFollowingWindow, DialPanelAndPlotSayWhatIsMeasured) {
   EXPECT_TRUE(says("not measured"));
   follow_until_it_is_right();
   for (const char* const words :
-       {"live optimal", "hand: 4.0", "Measured live", "200 ± 0 N/m", "live", "believed", "given"}) {
+       {"live optimal", "hand: 4.0", "Measured live", "200 ± 1 N/m", "live", "believed", "given"}) {
     EXPECT_TRUE(says(words)) << words;
   }
   // As the word, so the needle: it is gone with the contact.

@@ -16,6 +16,11 @@ TEST(NumberText, HasARealMinusSignAndNoNegativeZero) {
   EXPECT_EQ(decimal_text(-45.0, 0), "−45");
 }
 
+TEST(NumberText, ADeviationIsNeverNothing) {
+  EXPECT_EQ(deviation_text(24.7), "25");
+  EXPECT_EQ(deviation_text(0.02), "1");
+}
+
 TEST(NumberText, MarksWhatIsMoreThanZeroWhereItIsAskedTo) {
   EXPECT_EQ(signed_decimal_text(3.6, 2), "+3.60");
   EXPECT_EQ(signed_decimal_text(-3.6, 2), "−3.60");

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <numbers>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -172,6 +173,22 @@ TEST_F(ServoHand, AnotherRateMeasuresAnew) {
   change([](Settings& settings) { settings.rate = 100.0; });
   samples(400);
   EXPECT_EQ(hand().estimate.why, HandUnknown::rate_too_low);
+}
+
+// What a hand feels goes on: a tone that is cut off is a knock.
+TEST_F(ServoHand, AnotherRateDoesNotCutTheTonesOff) {
+  command_.measures_hand = true;
+  send();
+  Vector<2> before = samples(1000).back().tone;
+  change([](Settings& settings) { settings.rate = 2000.0; });
+  // Both tones at their steepest, from one tick to the next at the slower rate.
+  const double steepest =
+      usual_tone_force * 2.0 * std::numbers::pi * (low_tone_hz + 0.6 * high_tone_hz) / 1.6 / 1000.0;
+  for (const Sample& sample : samples(400)) {
+    EXPECT_LE(glm::distance(sample.tone, before), 1.001 * steepest);
+    before = sample.tone;
+  }
+  EXPECT_EQ(hand().tone_gain, 1.0);
 }
 
 // --- The belief that follows ---

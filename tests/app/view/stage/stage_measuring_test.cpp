@@ -26,6 +26,7 @@ void measure_by(PictureDice& dice, StageCase& shown) {
   } else if (!measuring.is_running) {
     measuring.result = estimate_by(dice);
     measuring.is_believed = dice.one_in(2);
+    if (shown.lesson && dice.one_in(2)) measuring.asked = estimate_by(dice).k_u;
   }
   shown.mode = StageMode::measure;
   shown.measuring = measuring;
@@ -145,6 +146,11 @@ TEST(StageMeasuring, SaysWhatIsSo) {
   softer.k_u = 118.0;
   says({.filled = 1.0, .result = hand, .before = softer});
   EXPECT_TRUE(is_beside_hand("your hand: 310 ± 25 N/m before: 118 N/m"));
+  // A lesson asks for another grip.
+  says({.filled = 1.0, .result = hand, .before = softer, .asked = 200.0});
+  EXPECT_TRUE(is_beside_hand("your hand: 310 ± 25 N/m too stiff: 200 N/m or less"));
+  says({.filled = 1.0, .result = hand, .asked = 400.0});
+  EXPECT_TRUE(is_beside_hand("your hand: 310 ± 25 N/m too soft: 400 N/m or more"));
   EXPECT_EQ(says({.why = HandUnknown::too_much_tremor}), english_stage.sentences.hand_too_restless);
   EXPECT_EQ(says({.why = HandUnknown::at_limit}), english_stage.sentences.hand_at_limit);
   EXPECT_TRUE(is_beside_hand("your hand: unknown"));
@@ -157,6 +163,23 @@ TEST(StageMeasuring, SaysWhatIsSo) {
   sure.sigma = 0.0;
   says({.result = sure});
   EXPECT_TRUE(is_beside_hand("your hand: 310 ± 1 N/m"));
+}
+
+// A belief that follows the hand has tones sound all the time: whoever feels them must not take them for the wall.
+TEST(StageMeasuring, SaysWhyTheMotorTrembles) {
+  StageCase shown = stage_case_at(wall45(), wall45_goal);
+  const auto is_said = [&] {
+    const Drawn drawn(shown.compose());
+    return std::ranges::any_of(drawn.extents.labels, [](const LabelExtent& label) {
+      return label.words == english_stage.labels.motor_measures;
+    });
+  };
+  EXPECT_FALSE(is_said());
+  shown.tones_sound = true;
+  EXPECT_TRUE(is_said());
+  shown.mode = StageMode::measure;
+  shown.measuring = StageMeasuring{.is_running = true};
+  EXPECT_FALSE(is_said()) << "the mode says so already";
 }
 
 // Neither the letters nor anything else tells of a fuller ring but the ring.
