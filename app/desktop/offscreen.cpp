@@ -11,12 +11,14 @@
 #include "app/console/interruption.h"
 #include "app/desktop/glfw_window.h"
 #include "app/paint/json_painter.h"
+#include "app/session/hand_burst_guide.h"
 #include "app/session/set_up_of.h"
 #include "app/session/stage_actions.h"
 #include "app/ui/panels/panel_catalog.h"
 #include "app/ui/stage/stage_face.h"
 #include "core/divergence.h"
 #include "core/simulate.h"
+#include "core/simulated_measurement.h"
 #include "core/units.h"
 #include "ghostforce_version.h"
 
@@ -72,6 +74,8 @@ Session session_of(const PictureRequest& request, const Moment& moment) {
   if (request.mode != StageMode::none) toggle_stage_mode(session, request.mode);
   if (request.mode == StageMode::why) session.stage.why_step = last_why_step;
   if (request.lesson) show_lesson(session, *request.lesson);
+  // In front of the wall it waits.
+  if (moment.hand && moment.hand->why != HandUnknown::no_contact) show_hand_burst(session, *moment.hand);
   if (request.is_bare) session.stage.guess.reset();
   if (request.hides_handle) {
     session.stage.mode = StageMode::predict;
@@ -126,6 +130,10 @@ Moment simulate_moments(const PictureRequest& request, const std::optional<doubl
     on_tick(moment);
   });
   if (has_diverged(state)) refuse_unstable_loop();
+  // A lesson's step waits for whoever does it.
+  if (request.mode == StageMode::measure && !request.lesson) {
+    moment.hand = measure_simulated_hand(scene, state, HandBurst::gives_up_after_s);
+  }
   return moment;
 }
 

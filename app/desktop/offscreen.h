@@ -18,6 +18,7 @@
 #include "app/ui/screen.h"
 #include "app/view/panes.h"
 #include "app/view/trail_history.h"
+#include "core/hand_estimator.h"
 #include "core/loop_energy.h"
 #include "core/scene.h"
 
@@ -59,6 +60,7 @@ struct Moment {
   Snapshot snapshot;
   History history;
   std::optional<CircleReading> circle{};  // of Round and round, for which the hand goes round twice
+  std::optional<HandEstimate> hand{};     // of measuring the hand, from that moment on
 };
 Moment simulate_to_moment(const PictureRequest& request);
 

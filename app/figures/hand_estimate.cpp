@@ -16,9 +16,9 @@
 #include "app/files/scene_file.h"
 #include "core/belief.h"
 #include "core/belief_follower.h"
-#include "core/hand_measurement.h"
 #include "core/hand_unrest.h"
 #include "core/simulate.h"
+#include "core/simulated_measurement.h"
 
 namespace ghostforce {
 namespace {
@@ -49,6 +49,7 @@ double force_error(Settings settings, double k_u, double believed_k_u) {
 
 Settings measured_settings() {
   Settings settings = load_scene(std::string(estimate_scene)).settings;
+  settings.active = StrategyId::anisotropic;
   settings.encoder_step = encoder_step;
   settings.stiffnesses.believed_k_u = first_belief;
   return settings;
@@ -60,8 +61,6 @@ std::vector<MeasuredMoment> hand_measured_live() {
   Settings settings = measured_settings();
   settings.stiffnesses.k_u = true_stiffness(0.0);
   const Vector<2> goal = goal_behind(wall_of(settings));
-  const Vector<2> axis = direction_at(settings.actuated_angle);
-  const std::size_t active = index_of(StrategyId::anisotropic);
   const UnrestMotion unrest(restless);
   HandMeasurement measurement(settings.rate);
   BeliefFollower follower(first_belief);
@@ -72,13 +71,7 @@ std::vector<MeasuredMoment> hand_measured_live() {
     const double time_s = time_of(state.tick + 1, settings.rate);
     settings.stiffnesses.k_u = true_stiffness(time_s);
     set_user_stiffness(coefficients, settings.stiffnesses.k_u);
-    tick(coefficients, unrest.shaken(goal, time_s), state);
-    TickState<2>::StrategyState& own = state.strategies[active];
-    const double tone = measurement.sound(true, own.in_contact, usual_tone_force);
-    own.tone = tone * axis;
-    const Vector<2> force = snapshot_of(coefficients, state).strategies[active].force + own.tone;
-    const Vector<2> place = measured_position(settings, own.motion.position);
-    if (!measurement.add({glm::dot(axis, place), glm::dot(axis, force), tone, own.in_contact, false}, time_s)) continue;
+    if (!tick_and_measure(settings, coefficients, unrest.shaken(goal, time_s), state, measurement)) continue;
     const HandEstimate& estimate = measurement.reading().estimate;
     const double believed = follower.update(estimate, settings.stiffnesses.k_r, least_regret_belief(settings));
     if (believed != settings.stiffnesses.believed_k_u) {

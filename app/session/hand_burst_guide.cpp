@@ -72,6 +72,11 @@ void follow_hand_burst(Session& session, const Snapshot& snapshot, const MotorRe
   }
 }
 
+void show_hand_burst(Session& session, const HandEstimate& estimate) noexcept {
+  session.hand_burst.given_k_u = session.settings.stiffnesses.k_u;
+  finish(session.hand_burst, estimate.why, estimate);
+}
+
 void believe_hand_burst(Session& session) {
   const HandBurst& burst = session.hand_burst;
   if (!burst.is_known()) return;

@@ -17,6 +17,9 @@ void end_hand_burst(Session& session) noexcept;
 // Once per frame, with what is seen now.
 void follow_hand_burst(Session& session, const Snapshot& snapshot, const MotorReport& motors, const HandReading& hand);
 
+// As it is when it has ended with that estimate.
+void show_hand_burst(Session& session, const HandEstimate& estimate) noexcept;
+
 // What is known becomes the k_u that the renderer believes in. Does nothing where nothing is known.
 void believe_hand_burst(Session& session);
 // And that is what it believes in now.
