@@ -153,18 +153,17 @@ void Application::use(const InputEntry& entry, std::shared_ptr<const Scene> scen
     session_.pane_views.reset();
     window_.set_title(window_title(*session_.scene));
   }
-  sent_settings_ = session_.settings;
+  sent_settings_ = chosen_settings(session_.settings, session_.belief_source);
   command_.settings = as_in_file(session_.settings);
   command_.restarts_asked = session_.restarts_asked;
   command_.steps_asked = session_.steps_asked;
   copy_motor_requests();
-  HandFollowing::ask(session_, command_);
+  command_hand(session_, command_);
   command_.restart_state = start_state();
   link_.reset();
   servo_ = std::make_unique<Servo>(std::move(made.input), command_);
   link_ = std::move(made.link);
   link_->begin(session_);
-  hand_following_.accept(session_);
   report_ = {};
   report_.restarts = command_.restarts_asked;
   report_.snapshot = snapshot_of(coefficients_of(session_.settings), command_.restart_state);
@@ -207,11 +206,7 @@ void Application::update(double interval_s) {
   if (servo_driver_) servo_driver_->step(std::llround(clock_s_ * 1e9));
   take_samples();
   report_ = servo_->newest();
-  hand_following_.look(session_);
-  hand_following_.note(report_.hand, command_.belief_follows_hand);
-  if (HandFollowing::has_news(command_, report_)) {
-    hand_following_.take(report_.hand.believed_k_u, session_, command_, sent_settings_);
-  }
+  hand_following_.take_report(report_, session_, command_);
   if (recording_) {
     recording_->look();
     read_recording();
@@ -282,7 +277,7 @@ void Application::draw() {
 void Application::do_what_is_asked() {
   looking_back_.follow(session_, report_.snapshot, history_.moments());
   handle_requests();
-  hand_following_.look(session_);
+  hand_following_.decide_source(session_);
   undo_.note(edited(), session_.is_editing || is_measuring(session_));
   offer_undo();
 }
@@ -346,10 +341,11 @@ void Application::see_target() {
 
 void Application::send() {
   link_->send(session_, interval_s_);
-  const bool belief_is_ones_own_again = HandFollowing::ask(session_, command_);
-  if (session_.settings != sent_settings_ || belief_is_ones_own_again) {
+  // What the servo has changed by itself is not sent back.
+  const Settings chosen = chosen_settings(session_.settings, session_.belief_source);
+  if (command_hand(session_, command_) || chosen != sent_settings_) {
     ++command_.settings_generation;
-    sent_settings_ = session_.settings;
+    sent_settings_ = chosen;
     command_.settings = as_in_file(session_.settings);
   }
   if (session_.restarts_asked != command_.restarts_asked) {
@@ -450,12 +446,7 @@ void Application::take_back(bool undo) {
   const std::optional<Edited> edited = undo ? undo_.undo() : undo_.redo();
   if (!edited) return;
   if (edited->scene == session_.scene) {
-    const std::optional<double> followed = session_.settings.stiffnesses.believed_k_u;
-    const bool goes_on = session_.belief_source == BeliefSource::live && edited->belief_source == BeliefSource::live;
-    session_.settings = edited->settings;
-    session_.belief_source = edited->belief_source;
-    if (goes_on) session_.settings.stiffnesses.believed_k_u = followed;
-    hand_following_.accept(session_);
+    hand_following_.restore(edited->settings, edited->belief_source, session_);
   } else {
     show(*edited);
   }

@@ -180,7 +180,7 @@ class Application {
   LookingBack looking_back_;
   HandFollowing hand_following_;
   ServoCommand command_;
-  Settings sent_settings_;  // the session's, of which those in the command are the nearest that a file can hold
+  Settings sent_settings_;  // chosen ones, of which those in the command are the nearest that a file can hold
   std::unique_ptr<Servo> servo_;
   std::unique_ptr<ServoDriver> servo_driver_;  // of the servo; null: nobody drives it
   std::unique_ptr<InputLink> link_;            // to the servo's input

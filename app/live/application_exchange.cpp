@@ -122,8 +122,7 @@ void Application::show(const Edited& wanted) {
   // A mode that brought an input of its own has asked for the one before.
   const std::string input = std::exchange(session_.requests.input, {}).value_or(session_.input);
   use(input_of(input), wanted.scene, wanted.settings, wanted.goal);
-  session_.belief_source = wanted.belief_source;
-  hand_following_.accept(session_);
+  hand_following_.restore(wanted.settings, wanted.belief_source, session_);
   session_.shown = wanted.view;
   session_.stage.is_black = false;
   show_face(session_, wanted.face);

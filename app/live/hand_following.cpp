@@ -15,50 +15,50 @@ HandPoint hand_point(const Sample& sample, const Scene& scene, bool is_simulated
           .given_k_u = is_given ? std::optional(stiffnesses.k_u) : std::nullopt};
 }
 
-void HandFollowing::accept(Session& session) noexcept {
-  source_ = session.belief_source;
-  believed_k_u_ = session.settings.stiffnesses.believed_k_u;
-  if (source_ == BeliefSource::measured) session.measured_k_u = believed_k_u_;
+bool command_hand(const Session& session, ServoCommand& command) noexcept {
+  const bool follows = session.belief_source == BeliefSource::live;
+  command.measures_hand = follows || wants_tones(session);
+  return std::exchange(command.belief_follows_hand, follows) != follows;
 }
 
-void HandFollowing::look(Session& session) noexcept {
+void HandFollowing::decide_source(Session& session) noexcept {
   Stiffnesses& stiffnesses = session.settings.stiffnesses;
-  const bool is_as_before = source_ == session.belief_source;
-  if (session.belief_source == BeliefSource::measured) {
-    if (stiffnesses.believed_k_u != session.measured_k_u) session.belief_source = BeliefSource::typed;
-  } else if (session.belief_source == BeliefSource::live && is_as_before) {
-    const bool is_typed = stiffnesses.believed_k_u != believed_k_u_ || stiffnesses.chosen_tracking_ratio;
-    if (is_typed) session.belief_source = BeliefSource::typed;
-  } else if (session.belief_source == BeliefSource::live) {
-    stiffnesses.chosen_tracking_ratio.reset();
+  const bool goes_on = source_ == BeliefSource::live && session.belief_source == BeliefSource::live;
+  const bool is_typed =
+      session.belief_source == BeliefSource::measured
+          ? stiffnesses.believed_k_u != session.measured_k_u
+          : goes_on && (stiffnesses.believed_k_u != believed_k_u_ || stiffnesses.chosen_tracking_ratio);
+  if (is_typed) session.belief_source = BeliefSource::typed;
+  if (session.belief_source == BeliefSource::live) {
+    // It goes on from what was believed, however that was chosen.
     stiffnesses.believed_k_u = believed_user_stiffness(stiffnesses);
+    stiffnesses.chosen_tracking_ratio.reset();
   }
-  accept(session);
+  source_ = session.belief_source;
+  believed_k_u_ = stiffnesses.believed_k_u;
 }
 
-bool HandFollowing::has_news(const ServoCommand& command, const ServoReport& report) noexcept {
-  return command.belief_follows_hand && report.settings_generation == command.settings_generation &&
-         report.hand.believed_k_u > 0.0;
-}
-
-void HandFollowing::take(double believed_k_u, Session& session, ServoCommand& command, Settings& sent) noexcept {
-  if (session.belief_source != BeliefSource::live) return;
-  believed_k_u_ = believed_k_u;
-  session.settings.stiffnesses.believed_k_u = believed_k_u;
-  command.settings.stiffnesses.believed_k_u = believed_k_u;
-  sent.stiffnesses.believed_k_u = believed_k_u;
-}
-
-void HandFollowing::note(const HandReading& hand, bool follows) noexcept {
+void HandFollowing::take_report(const ServoReport& report, Session& session, ServoCommand& command) noexcept {
+  decide_source(session);
+  const HandReading& hand = report.hand;
+  const bool follows = command.belief_follows_hand;
   // A run that begins anew begins at an earlier time.
   if (!follows || hand.estimate.is_known() || hand.at_s < known_at_s_) known_at_s_ = hand.at_s;
   unknown_s_ = hand.at_s - known_at_s_;
+  if (!follows || source_ != BeliefSource::live || report.settings_generation != command.settings_generation) return;
+  believed_k_u_ = hand.believed_k_u;
+  session.settings.stiffnesses.believed_k_u = hand.believed_k_u;
+  command.settings.stiffnesses.believed_k_u = hand.believed_k_u;
 }
 
-bool HandFollowing::ask(const Session& session, ServoCommand& command) noexcept {
-  const bool follows = session.belief_source == BeliefSource::live;
-  command.measures_hand = follows || wants_tones(session);
-  return std::exchange(command.belief_follows_hand, follows) && !follows;
+void HandFollowing::restore(const Settings& settings, BeliefSource source, Session& session) noexcept {
+  const bool goes_on = session.belief_source == BeliefSource::live && source == BeliefSource::live;
+  const std::optional<double> believed_k_u = (goes_on ? session.settings : settings).stiffnesses.believed_k_u;
+  session.settings = settings;
+  session.settings.stiffnesses.believed_k_u = believed_k_u;
+  session.belief_source = source_ = source;
+  believed_k_u_ = believed_k_u;
+  if (source == BeliefSource::measured) session.measured_k_u = believed_k_u;
 }
 
 }  // namespace ghostforce
