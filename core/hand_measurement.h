@@ -4,12 +4,26 @@
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
 
 #include "core/hand_estimator.h"
 #include "core/hand_reading.h"
 #include "core/measuring_tones.h"
+#include "core/settings.h"
 
 namespace ghostforce {
+
+// Where samples come from: those of another axis, or of another device, do not continue those before.
+struct HandSource {
+  double axis_angle = 0.0;                // of the motor [rad]
+  std::optional<StrategyId> simulated{};  // whose device the hand is on; empty: the real one
+
+  friend bool operator==(const HandSource&, const HandSource&) = default;
+};
+
+inline HandSource hand_source(const Settings& settings, bool is_real) noexcept {
+  return {settings.actuated_angle, is_real ? std::nullopt : std::optional(settings.active)};
+}
 
 class HandMeasurement {
  public:

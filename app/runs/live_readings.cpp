@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <utility>
 
+#include "core/hand_measurement.h"
 #include "core/settings.h"
 #include "core/user_measurement.h"
 
@@ -15,13 +15,6 @@ namespace {
 
 bool is_measured_by_tones(const std::optional<RunRow>& row) noexcept {
   return row && row->tone != Vector<2>(0.0);
-}
-
-// Which device the tones shake: the real one, or else the one whose row has them.
-StrategyId shaken_device(const RunTick& tick, StrategyId otherwise) noexcept {
-  if (tick.measured) return *tick.measured;
-  const auto row = std::ranges::find_if(tick.rows, is_measured_by_tones);
-  return row != tick.rows.end() ? strategy_catalog()[static_cast<std::size_t>(row - tick.rows.begin())].id : otherwise;
 }
 
 // Newtons at the handle of a real device per newton in the scene, where its way is shown enlarged: the share of the
@@ -52,24 +45,22 @@ class LiveReader {
  private:
   void take(const RunTick& tick) {
     const Settings& settings = run_.settings[tick.settings];
-    if (settings.rate != rate_) {
-      rate_ = settings.rate;
-      estimator_ = HandEstimator(rate_);
-      device_ = settings.active;
-      axis_angle_ = settings.actuated_angle;
-      begin_ = tick.tick;
-    } else if (tick.state != RunTick::none) {
-      estimator_.reset();
-      begin_ = tick.tick;
-    } else if (tick.tick != tick_ + 1) {
-      estimator_.reset(HandUnknown::damaged);
+    if (std::exchange(settings_, &settings) != &settings) {
+      axis_ = direction_at(settings.actuated_angle);
+      wall_ = wall_of(settings);
     }
-    tick_ = tick.tick;
-    // Places along another axis do not continue those before.
-    if (std::exchange(axis_angle_, settings.actuated_angle) != settings.actuated_angle) estimator_.reset();
-    if (const StrategyId device = shaken_device(tick, device_); device != device_) {
-      device_ = device;
+    const HandSource source = hand_source(settings, tick.measured.has_value());
+    const bool is_other_source = std::exchange(source_, source) != source;
+    const bool is_other_rate = std::exchange(rate_, settings.rate) != settings.rate;
+    const bool begins = is_other_rate || tick.state != RunTick::none;
+    if (begins) begin_ = tick.tick;
+    const bool is_next = std::exchange(tick_, tick.tick) + 1 == tick.tick;
+    if (is_other_rate) {
+      estimator_ = HandEstimator(rate_);
+    } else if (begins || is_other_source) {
       estimator_.reset();
+    } else if (!is_next) {
+      estimator_.reset(HandUnknown::damaged);
     }
     if (const auto sample = sample_of(tick, settings)) {
       estimator_.add(*sample);
@@ -85,25 +76,26 @@ class LiveReader {
 
   // Empty: the file does not tell it.
   std::optional<HandSample> sample_of(const RunTick& tick, const Settings& settings) const {
-    const std::optional<RunRow>& row = tick.rows[index_of(device_)];
+    const std::optional<RunRow>& row = tick.rows[index_of(tick.measured.value_or(settings.active))];
     if (!row || (tick.measured && !row->sent)) return std::nullopt;
-    const Vector<2> axis = direction_at(settings.actuated_angle);
     const Vector<2> force = tick.measured ? *row->sent / at_handle_ : row->force + row->tone;
     const Vector<2> place = tick.measured ? row->device : measured_position(settings, row->device);
-    return HandSample{.position = glm::dot(axis, place),
-                      .force = glm::dot(axis, force),
-                      .tone = glm::dot(axis, row->tone),
-                      .in_contact = depth(wall_of(settings), row->device) > 0.0,
+    return HandSample{.position = glm::dot(axis_, place),
+                      .force = glm::dot(axis_, force),
+                      .tone = glm::dot(axis_, row->tone),
+                      .in_contact = depth(wall_, row->device) > 0.0,
                       .is_at_limit = row->is_saturated};
   }
 
   const Run& run_;
   double at_handle_;
-  double rate_ = 0.0;  // 0: no tick yet
-  double axis_angle_ = 0.0;
+  const Settings* settings_ = nullptr;  // of the newest tick; null: no tick yet
+  Vector<2> axis_{0.0};                 // and what takes a sine and a cosine of them
+  Wall<2> wall_{};
+  double rate_ = 0.0;
+  HandSource source_;
   std::int64_t begin_ = 0;  // k where the run began, or was reset last
   HandEstimator estimator_{HandEstimator::least_rate};
-  StrategyId device_ = StrategyId::anisotropic;
   std::int64_t tick_ = 0;
   std::vector<LiveReading> readings_;
 };

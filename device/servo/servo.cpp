@@ -239,8 +239,8 @@ bool Servo::measure_hand() noexcept {
     return false;
   }
   const bool is_real = safety_.is_armed();
-  const std::optional<StrategyId> hand = is_real ? std::nullopt : std::optional(settings_.active);
-  if (std::exchange(measured_hand_, hand) != hand) measurement_.interrupt();
+  const HandSource source = hand_source(settings_, is_real);
+  if (std::exchange(hand_source_, source) != source) measurement_.interrupt();
   const StrategySnapshot<2>& active = report_.snapshot.strategies[index_of(settings_.active)];
   // In the scene, where distances and forces of a device are both other than at its handle, a stiffness is the same.
   const double at_handle = is_real ? device_->force_at_handle() : 1.0;
@@ -396,8 +396,6 @@ void Servo::use(const Settings& settings, std::uint32_t generation) noexcept {
     state_.tick = std::llround(time_of(state_.tick, coefficients_.rate) * settings.rate);
     measurement_.use_rate(settings.rate);
   }
-  // Places along another axis do not continue those before.
-  if (settings_.actuated_angle != settings.actuated_angle) measurement_.interrupt();
   const double believed = believed_user_stiffness(settings_.stiffnesses);
   settings_ = settings;
   if (follower_) {

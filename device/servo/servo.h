@@ -228,9 +228,9 @@ class Servo {
   HandMeasurement measurement_;
   bool wants_tones_ = false;
   double tone_force_ = usual_tone_force;
-  Vector<2> tone_{0.0};                      // on the active device, until the next tick [N]
-  std::optional<StrategyId> measured_hand_;  // whose simulated device it holds; empty: the real one
-  std::optional<BeliefFollower> follower_;   // empty: the belief is the command's
+  Vector<2> tone_{0.0};  // on the active device, until the next tick [N]
+  HandSource hand_source_;
+  std::optional<BeliefFollower> follower_;  // empty: the belief is the command's
 
   // Of the motors.
   Safety safety_;
