@@ -9,7 +9,7 @@
 #include "core/hand_estimator.h"
 #include "core/hand_reading.h"
 #include "core/measuring_tones.h"
-#include "core/settings.h"
+#include "core/strategy.h"
 
 namespace ghostforce {
 
@@ -20,10 +20,6 @@ struct HandSource {
 
   friend bool operator==(const HandSource&, const HandSource&) = default;
 };
-
-inline HandSource hand_source(const Settings& settings, bool is_real) noexcept {
-  return {settings.actuated_angle, is_real ? std::nullopt : std::optional(settings.active)};
-}
 
 class HandMeasurement {
  public:

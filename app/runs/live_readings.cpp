@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -15,6 +16,14 @@ namespace {
 
 bool is_measured_by_tones(const std::optional<RunRow>& row) noexcept {
   return row && row->tone != Vector<2>(0.0);
+}
+
+// Which device the tones shake: the real one, or else the one whose row has them. That need not be the active one of the
+// settings: a run that was made elsewhere may not tell which that is.
+StrategyId shaken_device(const RunTick& tick, StrategyId otherwise) noexcept {
+  if (tick.measured) return *tick.measured;
+  const auto row = std::ranges::find_if(tick.rows, is_measured_by_tones);
+  return row != tick.rows.end() ? strategy_catalog()[static_cast<std::size_t>(row - tick.rows.begin())].id : otherwise;
 }
 
 // Newtons at the handle of a real device per newton in the scene, where its way is shown enlarged: the share of the
@@ -49,9 +58,10 @@ class LiveReader {
       axis_ = direction_at(settings.actuated_angle);
       wall_ = wall_of(settings);
     }
-    const HandSource source = hand_source(settings, tick.measured.has_value());
-    const bool is_other_source = std::exchange(source_, source) != source;
     const bool is_other_rate = std::exchange(rate_, settings.rate) != settings.rate;
+    device_ = shaken_device(tick, is_other_rate ? settings.active : device_);
+    const HandSource source{settings.actuated_angle, tick.measured ? std::nullopt : std::optional(device_)};
+    const bool is_other_source = std::exchange(source_, source) != source;
     const bool begins = is_other_rate || tick.state != RunTick::none;
     if (begins) begin_ = tick.tick;
     const bool is_next = std::exchange(tick_, tick.tick) + 1 == tick.tick;
@@ -76,7 +86,7 @@ class LiveReader {
 
   // Empty: the file does not tell it.
   std::optional<HandSample> sample_of(const RunTick& tick, const Settings& settings) const {
-    const std::optional<RunRow>& row = tick.rows[index_of(tick.measured.value_or(settings.active))];
+    const std::optional<RunRow>& row = tick.rows[index_of(device_)];
     if (!row || (tick.measured && !row->sent)) return std::nullopt;
     const Vector<2> force = tick.measured ? *row->sent / at_handle_ : row->force + row->tone;
     const Vector<2> place = tick.measured ? row->device : measured_position(settings, row->device);
@@ -93,6 +103,7 @@ class LiveReader {
   Vector<2> axis_{0.0};                 // and what takes a sine and a cosine of them
   Wall<2> wall_{};
   double rate_ = 0.0;
+  StrategyId device_ = StrategyId::anisotropic;
   HandSource source_;
   std::int64_t begin_ = 0;  // k where the run began, or was reset last
   HandEstimator estimator_{HandEstimator::least_rate};

@@ -239,7 +239,7 @@ bool Servo::measure_hand() noexcept {
     return false;
   }
   const bool is_real = safety_.is_armed();
-  const HandSource source = hand_source(settings_, is_real);
+  const HandSource source{settings_.actuated_angle, is_real ? std::nullopt : std::optional(settings_.active)};
   if (std::exchange(hand_source_, source) != source) measurement_.interrupt();
   const StrategySnapshot<2>& active = report_.snapshot.strategies[index_of(settings_.active)];
   // In the scene, where distances and forces of a device are both other than at its handle, a stiffness is the same.

@@ -29,10 +29,11 @@ struct Recorded {
   std::vector<LiveReading> live;
 };
 
-Recorded recorded(double seconds, bool follows = false, double rate = 1000.0) {
+Recorded recorded(double seconds, bool follows = false, double rate = 1000.0,
+                  StrategyId active = StrategyId::anisotropic) {
   Scene scene = load_scene("wall45");
   scene.settings.rate = rate;
-  scene.settings.active = StrategyId::anisotropic;
+  scene.settings.active = active;
   if (follows) scene.settings.stiffnesses.believed_k_u = 60.0;
   ServoCommand command;
   command.settings = scene.settings;
@@ -198,6 +199,16 @@ TEST(LiveReadings, AnotherAxisBeginsAnew) {
   const std::size_t at = text.find("\nfull,3.5,") + 1;
   text.insert(at, "# set t_s=3.5 device.actuated_deg=1\n");
   expect_unknown_from(text, 3.5, HandUnknown::collecting);
+}
+
+// The header of a run that was made elsewhere may tell another strategy, or none: the tones tell whose hand it is.
+TEST(LiveReadings, AreOfTheDeviceThatTheTonesShake) {
+  std::string text = recorded(4.0, false, 1000.0, StrategyId::naive).text;
+  const std::string told = "strategy = \"naive\"";
+  const std::size_t at = text.find(told);
+  ASSERT_NE(at, std::string::npos);
+  text.replace(at, told.size(), "strategy = \"full\"");
+  EXPECT_NEAR(readings_of(text).back().estimate.k_u, 200.0, 0.005 * 200.0);
 }
 
 TEST(LiveReadings, AShortRunHasOneThatSaysSo) {
