@@ -263,6 +263,8 @@ double difference(std::span<const Case> cases, std::span<const End> ends, std::s
   return greatest;
 }
 
+}  // namespace
+
 int run(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);  // a Python without NumPy has gone
   const std::vector<Case> cases = random_cases();
@@ -401,9 +403,4 @@ int run(int argc, char** argv) {
   return report.finish(argc, argv);
 }
 
-}  // namespace
 }  // namespace ghostforce::bench
-
-int main(int argc, char** argv) {
-  return ghostforce::bench::run(argc, argv);
-}

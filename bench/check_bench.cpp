@@ -6,7 +6,6 @@
 #include <chrono>
 #include <cstdint>
 #include <cstdlib>
-#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -119,21 +118,16 @@ void add_suite(Report& report) {
 }
 
 }  // namespace
-}  // namespace ghostforce::bench
 
-int main(int argc, char** argv) {
-  using namespace ghostforce::bench;
+int run(int argc, char** argv) {
   Report report("6. The picture check");
   report.paragraph(
       "One window of 1280×720, drawn naïve and anisotropic. In process: the picture is in memory, its golden is read "
       "from a PNG and compared. The others are programs that read two PNG files; their start is part of it, as it is "
       "of a test suite's.");
-  try {
-    add_comparisons(report);
-    add_suite(report);
-  } catch (const std::exception& failure) {
-    fmt::print(stderr, "{}\n", failure.what());
-    return 70;
-  }
+  add_comparisons(report);
+  add_suite(report);
   return report.finish(argc, argv);
 }
+
+}  // namespace ghostforce::bench

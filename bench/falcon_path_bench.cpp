@@ -134,6 +134,8 @@ double direction_error(const FalconKinematics& kinematics, const FalconGeometry&
   return greatest;
 }
 
+}  // namespace
+
 int run(int argc, char** argv) {
   const FalconGeometry geometry;
   const FalconKinematics kinematics(geometry);
@@ -163,9 +165,4 @@ int run(int argc, char** argv) {
   return report.finish(argc, argv);
 }
 
-}  // namespace
 }  // namespace ghostforce::bench
-
-int main(int argc, char** argv) {
-  return ghostforce::bench::run(argc, argv);
-}

@@ -10,7 +10,6 @@
 #include <cmath>
 #include <cstdint>
 #include <ctime>
-#include <exception>
 #include <functional>
 #include <numbers>
 #include <stdexcept>
@@ -408,10 +407,8 @@ void add_landscape(Report& report) {
 }
 
 }  // namespace
-}  // namespace ghostforce::bench
 
-int main(int argc, char** argv) {
-  using namespace ghostforce::bench;
+int run(int argc, char** argv) {
   Report report("4. Frames");
   report.paragraph(
       "1280×720 into memory, drawn by llvmpipe to the last pixel, in one process and one OpenGL context, in turn. The "
@@ -419,12 +416,9 @@ int main(int argc, char** argv) {
       "widgets; the workbench shows the scene with all trails, the plots over time and the panels; the stage the same "
       "moment. The "
       "program's own code is what runs between ImGui's NewFrame and EndFrame, in processor time of its thread.");
-  try {
-    add_frames(report);
-    add_landscape(report);
-  } catch (const std::exception& failure) {
-    fmt::print(stderr, "{}\n", failure.what());
-    return 70;
-  }
+  add_frames(report);
+  add_landscape(report);
   return report.finish(argc, argv);
 }
+
+}  // namespace ghostforce::bench

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
-#include <exception>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -252,6 +250,8 @@ void add_times(Report& report) {
              fmt::format("{:.0f} ns, {:.1f} times", ns("estimate"), contest.ratio("estimate", "tick")));
 }
 
+}  // namespace
+
 int run(int argc, char** argv) {
   Report report("The hand, measured live");
   report.paragraph(
@@ -275,14 +275,4 @@ int run(int argc, char** argv) {
   return report.finish(argc, argv);
 }
 
-}  // namespace
 }  // namespace ghostforce::bench
-
-int main(int argc, char** argv) {
-  try {
-    return ghostforce::bench::run(argc, argv);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 70;
-  }
-}

@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -124,10 +123,8 @@ void add_rest(Report& report) {
 }
 
 }  // namespace
-}  // namespace ghostforce::bench
 
-int main(int argc, char** argv) {
-  using namespace ghostforce::bench;
+int run(int argc, char** argv) {
   Report report("7. At rest");
   report.paragraph(
       "`ghostforce run` in a window of 1280×800 under Xvfb, drawn by llvmpipe: processor time of all its threads but "
@@ -135,11 +132,8 @@ int main(int argc, char** argv) {
       "servo's, of one core, as Linux counts it for each thread. Medians of 4 turns of 15 s, each 2.5 s after the "
       "pointer "
       "was moved.");
-  try {
-    add_rest(report);
-  } catch (const std::exception& failure) {
-    fmt::print(stderr, "{}\n", failure.what());
-    return 70;
-  }
+  add_rest(report);
   return report.finish(argc, argv);
 }
+
+}  // namespace ghostforce::bench

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
-#include <exception>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -351,6 +349,8 @@ void publish(Report& report) {
              fmt::format("{}, {:.2f} times", ns(contest.median_seconds("published")), ratio), at_most(ratio, 1.5));
 }
 
+}  // namespace
+
 int run(int argc, char** argv) {
   Report report("1. The tick");
   report.paragraph(
@@ -376,14 +376,4 @@ int run(int argc, char** argv) {
   return report.finish(argc, argv);
 }
 
-}  // namespace
 }  // namespace ghostforce::bench
-
-int main(int argc, char** argv) {
-  try {
-    return ghostforce::bench::run(argc, argv);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 70;
-  }
-}

@@ -9,6 +9,9 @@
 
 namespace ghostforce::bench {
 
+// What a bench defines instead of a main: that of main.cpp calls it, and tells why where it throws.
+int run(int argc, char** argv);
+
 struct Goal {
   std::string words;
   bool is_met;
