@@ -23,8 +23,10 @@ constexpr double greatest_mass = 1.5;
 constexpr double farthest = 10.0;
 constexpr double greatest_force = 1e4;
 
-// Tones pass through zero, but never stay there for so long [s].
+// Tones pass through zero, but never stay there for so long [s]. Less than this is none: along an axis that they do not
+// sound along, rounding leaves something [N].
 constexpr double longest_silence_s = 0.05;
+constexpr double quietest_tone = 1e-6;
 
 // The geometric mean of exponentially distributed powers is lower than their mean by e to Euler's constant.
 constexpr double mean_over_geometric_mean = 1.78;
@@ -123,11 +125,13 @@ void HandEstimator::reset(HandUnknown why) noexcept {
 
 void HandEstimator::add(const HandSample& sample) noexcept {
   if (!is_rate_usable_) return;
-  silence_ = sample.tone == 0.0 ? silence_ + 1 : 0;
+  silence_ = std::abs(sample.tone) < quietest_tone ? silence_ + 1 : 0;
   if (!is_usable(sample)) return reset(HandUnknown::damaged);
   if (!sample.in_contact) return reset(HandUnknown::no_contact);
   if (sample.is_at_limit) return reset(HandUnknown::at_limit);
-  if (silence_ > longest_silence_ || (!has_before_ && silence_ > 0)) return reset(HandUnknown::no_tones);
+  if (silence_ > longest_silence_) return reset(HandUnknown::no_tones);
+  // A window begins with a tone.
+  if (!has_before_ && silence_ > 0) return;
   const HandSample before = std::exchange(before_, sample);
   if (!std::exchange(has_before_, true)) return;
   // The force of the tick before has acted from there to here, on the average halfway.

@@ -13,6 +13,10 @@
 
 namespace ghostforce {
 
+// Readings of a device that come later than after so many periods leave a gap: five are a tenth of a turn of the high tone
+// at 1 kHz.
+inline constexpr double longest_gap_periods = 5.0;
+
 // Where samples come from: those of another axis, or of another device, do not continue those before.
 struct HandSource {
   double axis_angle = 0.0;                // of the motor [rad]

@@ -47,6 +47,11 @@ inline std::int64_t last_tick(const Scene& scene) noexcept {
   return std::llround(scene.duration * scene.settings.rate);
 }
 
+// How stiff the hand is at that moment of a run [N/m].
+inline double user_stiffness_at(const Scene& scene, const Settings& settings, double time_s) noexcept {
+  return scene.stiffness_path.is_empty() ? settings.stiffnesses.k_u : stiffness_at(scene.stiffness_path, time_s);
+}
+
 // The settings as they hold at that moment of a run [s], for whoever asks what happens then: the hand is as stiff as the
 // scene says, and the renderer, which sees no hand, believes what it believed.
 inline Settings settings_at(const Scene& scene, const Settings& settings, double time_s) noexcept {

@@ -67,6 +67,13 @@ inline Vector<2> measured_position(const Settings& settings, const Vector<2>& de
   return measured_position(settings.encoder_step, device);
 }
 
+// k = 0, without force also where the renderer sees the device through an encoder: each proxy is where that sees it.
+inline TickState<2> state_at_start(const Settings& settings, const Vector<2>& goal) noexcept {
+  TickState<2> state = state_at_start(goal);
+  for (auto& strategy : state.strategies) strategy.proxy = measured_position(settings, goal);
+  return state;
+}
+
 // With another hand [N/m]; the renderer believes what it believed.
 inline Settings with_user_stiffness(Settings settings, double k_u) noexcept {
   settings.stiffnesses.believed_k_u = believed_user_stiffness(settings.stiffnesses);

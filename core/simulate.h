@@ -11,13 +11,14 @@ namespace ghostforce {
 // Where all strategies come to rest under a goal that is held still, as a state to continue from: k = 0, v = 0, W = 0.
 // In free space it is state_at_start().
 inline TickState<2> equilibrium_state(const Settings& settings, const Vector<2>& goal) noexcept {
-  TickState<2> state = state_at_start(goal);
+  TickState<2> state = state_at_start(settings, goal);
   for (const Strategy& each : strategy_catalog()) {
     const Equilibrium<2> rest = equilibrium_of(each.id, settings, goal);
+    if (!rest.in_contact) continue;
     auto& strategy = state.strategies[index_of(each.id)];
     strategy.motion.position = rest.device;
     strategy.proxy = rest.proxy;
-    strategy.in_contact = rest.in_contact;
+    strategy.in_contact = true;
   }
   return state;
 }
@@ -47,7 +48,7 @@ TickState<2> simulate_from(TickState<2> state, const Scene& scene, std::int64_t 
 // The same from where a scene's hand begins: with the devices there too, wherever the wall is.
 template <typename OnTick>
 TickState<2> simulate(const Scene& scene, std::int64_t last, OnTick&& on_tick) {
-  return simulate_from(state_at_start(goal_at(scene.goal, 0.0)), scene, last, on_tick);
+  return simulate_from(state_at_start(scene.settings, goal_at(scene.goal, 0.0)), scene, last, on_tick);
 }
 
 }  // namespace ghostforce

@@ -34,7 +34,8 @@ inline bool tick_and_measure(const Settings& settings, const TickCoefficients<2>
                          time_of(state.tick, settings.rate));
 }
 
-// How stiff the scene's hand is, measured from `state` on until it is known, or for so long. `state` is of these settings.
-HandEstimate measure_simulated_hand(const Scene& scene, TickState<2> state, double at_most_s) noexcept;
+// How stiff the scene's hand is, if it holds still from that moment on with its devices at rest: measured until it is known,
+// or for so long.
+HandEstimate measure_simulated_hand(const Scene& scene, double from_s, double at_most_s) noexcept;
 
 }  // namespace ghostforce

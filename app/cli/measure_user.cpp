@@ -53,10 +53,9 @@ struct Rest {
   StrategyId strategy;
   double from_s;
   double to_s;
-  double tracking_ratio;  // ρ in use
-  double force;           // along the motors [N]
-  // Of the simulated hand; of a measured one nobody knows it [N/m].
-  std::optional<double> given_k_u;
+  double tracking_ratio;            // ρ in use
+  double force;                     // along the motors [N]
+  std::optional<double> given_k_u;  // of a simulated hand [N/m]
   UserReading reading;
 };
 
@@ -105,7 +104,13 @@ class RestFinder {
     const RunTick& tick = run_.ticks[i];
     const RunTick& before = run_.ticks[i - 1];
     return counts(i) && counts(i - 1) && bases_[tick.settings] == bases_[before.settings] &&
-           tick.state == RunTick::none;
+           given_k_u(i) == given_k_u(i - 1) && tick.state == RunTick::none;
+  }
+  // Of the simulated hand [N/m]; of a measured one nobody knows it.
+  std::optional<double> given_k_u(std::size_t i) const {
+    if (target_) return std::nullopt;
+    const RunTick& tick = run_.ticks[i];
+    return user_stiffness_at(*run_.scene, run_.settings[tick.settings], tick.time_s);
   }
   // All that a reading depends on: of what is believed or chosen, the ratio that this strategy makes of it.
   Settings basis_of(Settings settings) const {
@@ -144,8 +149,7 @@ class RestFinder {
     const bool would_count = reading.problem == NoReading::none || reading.problem == NoReading::no_such_hand;
     if (would_count && is_limited(middle, end)) reading = {.problem = NoReading::limited, .drift = reading.drift};
     rests_.push_back({strategy_.id, from_s, to_s, mean.tracking_ratio,
-                      glm::dot(mean.force, direction_at(settings.actuated_angle)),
-                      target_ ? std::nullopt : std::optional(settings.stiffnesses.k_u), reading});
+                      glm::dot(mean.force, direction_at(settings.actuated_angle)), given_k_u(first), reading});
   }
 
   // Whether the motors of a real device had something else than the rendering and the tones asked for. A handle whose way
@@ -270,7 +274,8 @@ std::string live_text(const std::vector<LiveReading>& live) {
   double shown_s = -HandEstimator::usual_window_s;
   for (const auto& [time_s, hand] : live | std::views::filter(is_known)) {
     known.push_back(hand.k_u);
-    if (time_s - shown_s < HandEstimator::usual_window_s) continue;
+    const bool overlaps = time_s >= shown_s && time_s - shown_s < HandEstimator::usual_window_s;
+    if (overlaps) continue;
     shown_s = time_s;
     text += fmt::format("{:8.3f} {:10.2f} {:8.2f} {:8.3f} {:10.2f}\n", time_s, hand.k_u, hand.sigma, hand.mass,
                         hand.damping);
@@ -321,9 +326,17 @@ int measure_user(const MeasureUserOptions& options) {
                                                     quoted_text(options.run, longest_path)));
   }
   const bool measured = std::ranges::any_of(run.ticks, [](const RunTick& tick) { return tick.measured.has_value(); });
+  const auto was_not_told = [](const RunTick& tick) {
+    return tick.measured && tick.rows[index_of(*tick.measured)] && !tick.rows[index_of(*tick.measured)]->sent;
+  };
   const std::vector<LiveReading> live = live_readings(run);
   const bool is_known_live = std::ranges::any_of(live, is_known);
   const bool was_measured_by_tones = has_tones(run);
+  if (was_measured_by_tones && std::ranges::any_of(run.ticks, was_not_told)) {
+    say("{}: what the motors of its device gave is not told, and without it tones tell no hand; that takes the columns "
+        "device_kind, sent_x_N and sent_y_N\n",
+        quoted_text(options.run, longest_path));
+  }
   if (measured && !target && !was_measured_by_tones) {
     if (options.json) print(json_text({}, {}, live, measured));
     throw Failure(ExitCode::wrong_call, fmt::format("{}: nobody knows the goal of a hand on a real device; give the "
@@ -368,8 +381,8 @@ std::function<int()> attach_measure_user(CLI::App& command, FileOptions& files) 
                   ->required());
   command
       .add_option("--target-mm", options->target_mm,
-                  "Where the hand aimed, in mm; the nearest point of the wall counts. Needed for a real device, "
-                  "otherwise ignored")
+                  "Where the hand aimed, in mm; the nearest point of the wall counts. Needed for a real device "
+                  "unless tones measured the hand; ignored for a simulated one")
       ->type_name("X,Y");
   command.add_flag("--json", options->json, "Print JSON for programs, in SI units with all digits");
   command.footer(

@@ -74,8 +74,7 @@ Session session_of(const PictureRequest& request, const Moment& moment) {
   if (request.mode != StageMode::none) toggle_stage_mode(session, request.mode);
   if (request.mode == StageMode::why) session.stage.why_step = last_why_step;
   if (request.lesson) show_lesson(session, *request.lesson);
-  // In front of the wall it waits.
-  if (moment.hand && moment.hand->why != HandUnknown::no_contact) show_hand_burst(session, *moment.hand);
+  if (moment.hand) show_hand_burst(session, *moment.hand);
   if (request.is_bare) session.stage.guess.reset();
   if (request.hides_handle) {
     session.stage.mode = StageMode::predict;
@@ -132,7 +131,7 @@ Moment simulate_moments(const PictureRequest& request, const std::optional<doubl
   if (has_diverged(state)) refuse_unstable_loop();
   // A lesson's step waits for whoever does it.
   if (request.mode == StageMode::measure && !request.lesson) {
-    moment.hand = measure_simulated_hand(scene, state, HandBurst::gives_up_after_s);
+    moment.hand = measure_simulated_hand(scene, moment.snapshot.time_s, HandBurst::gives_up_after_s);
   }
   return moment;
 }

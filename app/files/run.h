@@ -38,6 +38,7 @@ struct RunTick {
   std::int64_t tick = 0;               // k; t_k = k / rate. Where there is no scene: the number of the tick
   double time_s = 0.0;                 // t_k, as the file has it
   Vector<2> goal{0.0};                 // q_u [m]
+  double loop_s = 0.0;                 // real time since the tick before; 0: not told
   std::optional<StrategyId> measured;  // whose device is a real one; the goal is then an estimate
   std::uint32_t state = none;          // of RunFacts::states: it does not follow from the tick before; none: it does
   PerStrategy<std::optional<RunRow>> rows{};  // empty: not in the file

@@ -337,6 +337,7 @@ class RunReader {
       if (has(sent_x_column) && has(sent_y_column)) row.sent = {number[sent_x_column], number[sent_y_column]};
     }
     go_to(number[time_column], {number[goal_x_column], number[goal_y_column]}, *id);
+    open_.loop_s = number[loop_column];
     if (is_measured) open_.measured = *id;
     // The strategy on a real device is the active one, also where its row is not there.
     if (is_estimated && !open_.measured && run_.scene) open_.measured = settings_.active;

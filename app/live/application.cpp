@@ -185,13 +185,13 @@ TickState<2> Application::start_state() {
   if (is_elsewhere) scene.goal = {.points = {session_.goal}, .times = {0.0}};
   const Vector<2> first = goal_at(scene.goal, 0.0);
   const TickState<2> state =
-      simulate_from(is_replay || is_elsewhere ? equilibrium_at_start(scene, first) : state_at_start(first), scene,
+      simulate_from(is_replay || is_elsewhere ? equilibrium_at_start(scene, first) : state_at_start(scene.settings, first), scene,
                     input_->is_scripted || is_elsewhere ? 0 : last_tick(scene),
                     [&](const Snapshot& snapshot) { history_.add(snapshot, scene.settings); });
   if (!has_diverged(state)) return state;
   // Unstable settings have no rest to start from: start where the hand is, and let the servo say what it finds.
   history_.clear();
-  return state_at_start(scene.goal.points.back());
+  return state_at_start(scene.settings, scene.goal.points.back());
 }
 
 void Application::frame(double interval_s) {

@@ -64,7 +64,9 @@ class LiveReader {
     const bool is_other_source = std::exchange(source_, source) != source;
     const bool begins = is_other_rate || tick.state != RunTick::none;
     if (begins) begin_ = tick.tick;
-    const bool is_next = std::exchange(tick_, tick.tick) + 1 == tick.tick;
+    // A real hand goes on while the loop does not.
+    const bool is_late = tick.measured && tick.loop_s * rate_ > longest_gap_periods;
+    const bool is_next = std::exchange(tick_, tick.tick) + 1 == tick.tick && !is_late;
     if (is_other_rate) {
       estimator_ = HandEstimator(rate_);
     } else if (begins || is_other_source) {

@@ -76,7 +76,7 @@ bool Replay::go_to(const RunTick& tick, const Settings& settings, const Stiffnes
     state_ = recorded_state(tick, *state);
     std::ranges::transform(tick.rows, is_known_.begin(), [](const auto& row) { return row.has_value(); });
   } else if (is_first_ && tick.tick == 0) {
-    state_ = state_at_start(tick.goal);
+    state_ = state_at_start(settings, tick.goal);
     is_known_.fill(true);
   } else if (!is_any_known() || tick.tick != state_.tick + 1) {
     is_known_.fill(false);

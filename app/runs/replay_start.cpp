@@ -77,7 +77,7 @@ ReplayStart replay_start(const RunFacts& run, const RunTick& first, const Scene&
       return {state, true};
     }
     // As `simulate` begins: devices and proxies where the hand is.
-    if (first.state == RunTick::none && first.tick == 0) return {state_at_start(first.goal), true};
+    if (first.state == RunTick::none && first.tick == 0) return {state_at_start(scene.settings, first.goal), true};
   }
   return {equilibrium_at_start(scene, first.goal), false};
 }

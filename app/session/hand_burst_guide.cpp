@@ -73,8 +73,13 @@ void follow_hand_burst(Session& session, const Snapshot& snapshot, const MotorRe
 }
 
 void show_hand_burst(Session& session, const HandEstimate& estimate) noexcept {
-  session.hand_burst.given_k_u = session.settings.stiffnesses.k_u;
-  finish(session.hand_burst, estimate.why, estimate);
+  HandBurst& burst = session.hand_burst;
+  burst.given_k_u = session.settings.stiffnesses.k_u;
+  if (estimate.why == HandUnknown::no_contact) {
+    burst.why = estimate.why;
+  } else {
+    finish(burst, estimate.why, estimate);
+  }
 }
 
 void believe_hand_burst(Session& session) {

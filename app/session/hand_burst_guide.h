@@ -17,7 +17,7 @@ void end_hand_burst(Session& session) noexcept;
 // Once per frame, with what is seen now.
 void follow_hand_burst(Session& session, const Snapshot& snapshot, const MotorReport& motors, const HandReading& hand);
 
-// As it is when it has ended with that estimate.
+// As it is when it has come to that estimate; in front of the wall it still waits.
 void show_hand_burst(Session& session, const HandEstimate& estimate) noexcept;
 
 // What is known becomes the k_u that the renderer believes in. Does nothing where nothing is known.

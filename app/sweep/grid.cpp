@@ -49,6 +49,10 @@ Grid make_grid(std::span<const std::string> arguments, const Scene& scene) {
         refuse(argument, fmt::format("the key {} already has a range; give only one", dotted_name(*range.key)));
       }
     }
+    // Rows would name a stiffness that the hand does not have.
+    if (!scene.stiffness_path.is_empty() && dotted_name(*range.key) == "user.k_u_N_per_m") {
+      refuse(argument, "the scene's hand changes its stiffness, by user.k_u_path_N_per_m; sweep a scene without that");
+    }
     if (grid.ranges.size() == most_swept_keys) {
       refuse(argument, "a sweep varies one or two keys; set the others with --set");
     }

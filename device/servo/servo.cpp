@@ -19,10 +19,6 @@ bool is_usable_speed(double speed) noexcept {
   return std::isfinite(speed) && speed > 0.0;
 }
 
-// Readings of a device that come later than after so many periods leave a gap in what measures the hand: five are a
-// tenth of a turn of the high tone at 1 kHz.
-constexpr double longest_gap_periods = 5.0;
-
 // The inferred goal follows a device that tones shake with a low pass of 2 Hz, below the lower of them [1].
 double goal_share_with_tones(double rate) noexcept {
   const double angle = 2.0 * std::numbers::pi * 2.0 / rate;

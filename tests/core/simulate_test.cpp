@@ -45,7 +45,7 @@ TEST(SimulateTest, TheHandChangesAndIsNotStill) {
   scene.unrest = {.tremor_rms = 0.0005, .drift_speed = 0.01, .seed = 3.0};
   scene.settings.encoder_step = 60e-6;
   const UnrestMotion unrest(scene.unrest);
-  TickState<2> expected = state_at_start(scene.goal.points.front());
+  TickState<2> expected = state_at_start(scene.settings, scene.goal.points.front());
   std::int64_t at = 0;
   const TickState<2> end = simulate(scene, last_tick(scene), [&](const Snapshot& snapshot) {
     while (at < snapshot.tick) {
@@ -84,6 +84,18 @@ TEST(SimulateTest, IsTheTickRepeated) {
   for (std::size_t i = 0; i < strategy_count; ++i) {
     EXPECT_EQ(state.strategies[i].motion.velocity, expected.strategies[i].motion.velocity);
   }
+}
+
+// Nothing pushes in free space, from the first row on, also between two steps of the encoder.
+TEST(SimulateTest, AnEncoderPushesNobodyInFreeSpace) {
+  Scene scene = example();
+  scene.settings.encoder_step = 0.002;
+  scene.goal = {{Vector<2>(-0.0307, 0.0203)}, {0.0}, Motion::linear};
+  const auto check = [](const Snapshot& snapshot) {
+    for (const auto& strategy : snapshot.strategies) EXPECT_EQ(strategy.force, Vector<2>(0.0)) << snapshot.tick;
+  };
+  simulate(scene, 20, check);
+  simulate_from(equilibrium_at_start(scene, scene.goal.points.front()), scene, 20, check);
 }
 
 TEST(SimulateTest, NoTicksIsTheStart) {

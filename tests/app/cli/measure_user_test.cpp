@@ -194,6 +194,19 @@ TEST_F(MeasureUser, GivesBackTheStiffnessOfASimulatedHandWhateverWasBelieved) {
   }
 }
 
+TEST_F(MeasureUser, AHandThatChangesIsOneForEachStiffness) {
+  const nlohmann::json json =
+      measured(simulated({"user.k_u_path_N_per_m=[100, 100, 400]", "user.k_u_times_s=[0, 2, 2.1]",
+                          "user.believed_k_u_N_per_m=50", "goal.duration_s=5"}));
+  ASSERT_EQ(json["hands"].size(), 2U) << json;
+  for (const nlohmann::json& hand : json["hands"]) {
+    const double given = hand["given_k_u_N_per_m"].get<double>();
+    EXPECT_NEAR(hand["k_u_N_per_m"]["median"].get<double>(), given, 1e-3 * given) << hand;
+  }
+  EXPECT_EQ(json["hands"][0]["given_k_u_N_per_m"], 100.0);
+  EXPECT_EQ(json["hands"][1]["given_k_u_N_per_m"], 400.0);
+}
+
 TEST_F(MeasureUser, TellsPeopleTheMedianAndTheGivenValue) {
   const Outcome outcome = run({"measure-user", simulated({"user.believed_k_u_N_per_m=50"})});
   EXPECT_EQ(outcome.exit_code, 0);

@@ -96,7 +96,7 @@ TEST(LiveReadings, AreThoseOfTheServo) {
   const auto last = std::ranges::find_if(recorded.live, [](const auto& each) { return each.estimate.is_known(); });
   ASSERT_NE(last, recorded.live.end());
   EXPECT_FALSE(found[0].estimate.has_number());
-  EXPECT_EQ(found[0].estimate.why, HandUnknown::no_tones) << "the first of 2 s of ticks has none yet";
+  EXPECT_EQ(found[0].estimate.why, HandUnknown::collecting) << "the first of 2 s of ticks has no tone yet";
   EXPECT_TRUE(found.back().estimate.is_known());
   // Windows that end at another phase of the tones, of which the best parabola takes 0.05 % along.
   EXPECT_NEAR(found.back().estimate.k_u, recorded.live.back().estimate.k_u, 1e-3 * 200.0);
@@ -271,6 +271,20 @@ TEST(LiveReadings, OfARealDeviceGoByWhatWasSent) {
     ASSERT_TRUE(found.back().estimate.is_known()) << sentence_of(found.back().estimate.why);
     EXPECT_NEAR(found.back().estimate.k_u, 200.0, 0.005 * 200.0);
   }
+}
+
+// Between two of its rows a real hand may have moved as it liked.
+TEST(LiveReadings, ALateLoopAtARealDeviceIsAGap) {
+  const std::string text = of_a_device(ghostforce::recorded(6.0).text, 1.0);
+  const auto with_loop_s = [&](const std::string& loop_s) {
+    return edited(text, [&](std::string row) {
+      if (std::abs(time_of_row(row) - 3.0) < 1e-4) replace(row, "loop_s", loop_s);
+      return row;
+    });
+  };
+  expect_unknown_from(with_loop_s("0.5"), 3.0, HandUnknown::damaged);
+  EXPECT_EQ(readings_of(with_loop_s("0.004")).size(), readings_of(text).size());
+  EXPECT_TRUE(readings_of(with_loop_s("0.004"))[15].estimate.is_known());
 }
 
 }  // namespace

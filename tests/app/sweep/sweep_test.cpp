@@ -176,6 +176,9 @@ TEST(SweepRange, WrongOnesAreRefusedAndNothingIsWritten) {
     EXPECT_EQ(folder.count(), 0) << wrong.said;
   }
   EXPECT_EQ(run({"wall45"}).exit_code, 2);
+  const Outcome changing = run({"changing-hand", "--over=user.k_u_N_per_m=100:200:2"});
+  EXPECT_EQ(changing.exit_code, 2);
+  EXPECT_NE(changing.err.find("the scene's hand changes its stiffness"), std::string::npos) << changing.err;
   const Outcome wrong_kind = run({"wall45", "--over=wall.normal_deg=1:2:3", "--at-rest=closed-from"});
   EXPECT_EQ(wrong_kind.exit_code, 2);
   EXPECT_NE(wrong_kind.err.find("did you mean 'closed-form'?"), std::string::npos) << wrong_kind.err;
