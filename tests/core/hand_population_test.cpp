@@ -49,10 +49,14 @@ TEST_P(HandPopulationTest, NineInTenAreNearTheTruthAndWhatIsKnownIsRight) {
 }
 
 TEST_P(HandPopulationTest, FourSecondsAreBetterThanTwo) {
-  const Tally tally = tally_of(GetParam(), 0.4, 4.0, false);
-  EXPECT_GE(tally.near, 95);
-  EXPECT_GE(tally.known, 95);
-  EXPECT_GE(tally.right, 0.97 * tally.known);
+  const Tally two = tally_of(GetParam(), 0.4, 2.0, false);
+  const Tally four = tally_of(GetParam(), 0.4, 4.0, false);
+  EXPECT_GE(four.near, two.near);
+  EXPECT_GT(four.known, two.known);
+  EXPECT_GT(four.right, two.right);
+  EXPECT_GE(four.near, 95);
+  EXPECT_GE(four.known, 95);
+  EXPECT_GE(four.right, 0.97 * four.known);
 }
 
 // Half the tones: fewer are known, and what is known is still right.

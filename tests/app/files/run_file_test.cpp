@@ -16,6 +16,7 @@
 #include "app/files/scene_file.h"
 #include "ghostforce_version.h"
 #include "tests/support/scene_values.h"
+#include "tests/support/temporary_folder.h"
 
 namespace ghostforce {
 namespace {
@@ -116,6 +117,23 @@ TEST(RunFile, NumbersAreShortAndKnowNoLocale) {
   append_run_row(row, snapshot, StrategyId::naive);
   std::locale::global(before);
   EXPECT_EQ(fmt::to_string(row), "naive,0.001,0.1,-1234567,0,0,0,0,0,0");
+}
+
+// --- The page about it ---
+
+TEST(RecordingDoc, OctaveReadsEveryColumn) {
+  const std::string page = read_whole(GHOSTFORCE_SOURCE_DIR "/docs/recording.md");
+  const std::string_view call = "textscan(file, \"";
+  const std::size_t found = page.find(call);
+  ASSERT_NE(found, std::string::npos);
+  const std::size_t begin = found + call.size();
+  const std::vector<std::string> conversions = split(page.substr(begin, page.find('"', begin) - begin), ' ');
+  const std::vector<std::string> columns = split(std::string(run_columns) + std::string(recording_columns), ',');
+  ASSERT_EQ(conversions.size(), columns.size());
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const bool is_text = columns[i] == "strategy" || columns[i] == "goal_kind" || columns[i] == "device_kind";
+    EXPECT_EQ(conversions[i], is_text ? "%s" : "%f") << columns[i];
+  }
 }
 
 }  // namespace

@@ -89,7 +89,7 @@ std::vector<LiveReading> readings_of(const std::string& text) {
   return live_readings(read_run(text, "run.csv"));
 }
 
-TEST(LiveReadings, AreThoseOfTheServo) {
+TEST(LiveReadings, ComeEveryTenthAndEndNearWhatTheServoFound) {
   const Recorded recorded = ghostforce::recorded(4.0);
   const std::vector<LiveReading> found = readings_of(recorded.text);
   ASSERT_EQ(found.size(), 20U) << "every 0.1 s from 2 s on; the last tick is at 3.999 s";
@@ -214,6 +214,7 @@ TEST(LiveReadings, AreOfTheDeviceThatTheTonesShake) {
 TEST(LiveReadings, AShortRunHasOneThatSaysSo) {
   const std::vector<LiveReading> found = readings_of(recorded(1.0).text);
   ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].estimate.why, HandUnknown::no_tones) << "the run's first tick has none yet";
   EXPECT_FALSE(found[0].estimate.has_number());
 }
 
