@@ -65,7 +65,7 @@ std::string_view sentence_of(HandUnknown why) noexcept {
     case HandUnknown::collecting:
       return "The measurement has not lasted long enough yet: it takes 2 s.";
     case HandUnknown::no_tones:
-      return "No tones have measured the hand throughout the last 2 s. On a device they need its motors on.";
+      return "The tones did not sound for the whole of the last 2 s. On a real device, turn its motors on.";
     case HandUnknown::no_contact:
       return "The handle was not at the wall throughout the last 2 s: keep pressing into it.";
     case HandUnknown::at_limit:
@@ -77,8 +77,7 @@ std::string_view sentence_of(HandUnknown why) noexcept {
     case HandUnknown::too_much_tremor:
       return "The hand moves too much by itself: hold it still.";
     case HandUnknown::out_of_range:
-      return "No hand moves like this under the tones: hold the handle, not too firmly, and keep pressing into the "
-             "wall.";
+      return "This does not move like a hand in the wall. Hold the handle with a medium grip, and try again.";
   }
   return {};
 }

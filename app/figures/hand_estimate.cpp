@@ -189,9 +189,8 @@ Figure hand_estimate_figure(const FigureRequest&) {
   sheet.add_legend(error_legend());
   return sheet.finish(
       "Two small tones in the motor's force measure the hand, over the last 2 s at any time, while it holds the handle "
-      "20 mm inside a wall at 45° and its stiffness jumps by 0.4 or 2.5. Where the line is broken the hand is unknown, "
-      "and "
-      "the belief stays. The hand is simulated, with tremor and drift.",
+      "20 mm inside a wall at 45° and its stiffness jumps by a factor of 0.4 or 2.5. Where the line is broken the "
+      "hand is unknown, and the belief stays. The hand is simulated, with tremor and drift.",
       provenance_of_scene(std::string(estimate_scene) + ", k_u jumps, believed k_u follows"), table_of(moments));
 }
 

@@ -184,7 +184,8 @@ std::string words_of_waiting(const PanelContext& context) {
     return fmt::format("The belief holds {} N/m.", decimal_text(believed, 0));
   }
   const double least_regret = least_regret_belief(settings);
-  return fmt::format("{} {} N/m: of least regret.", believed == least_regret ? "The belief is" : "The belief goes to",
+  return fmt::format("{} {} N/m, the value of least regret.",
+                     believed == least_regret ? "The belief is" : "The belief is going to",
                      decimal_text(least_regret, 0));
 }
 
@@ -192,7 +193,7 @@ std::string words_of_waiting(const PanelContext& context) {
 std::string words_of_following(const PanelContext& context) {
   const double believed = believed_user_stiffness(context.session.settings.stiffnesses);
   const bool is_near = std::abs(std::log(context.loop.hand.estimate.k_u / believed)) <= BeliefFollower::hysteresis;
-  return is_near ? "The belief stays: it is within 10 % of that." : "The belief goes there.";
+  return is_near ? "The belief stays: it is within 10 % of that." : "The belief is moving there.";
 }
 
 // Always as high, so that nothing below moves when the hand becomes known or unknown.
@@ -222,7 +223,8 @@ void draw_live_hand(const PanelContext& context) {
   ImGui::EndGroup();
   tooltip(
       "While the hand is unknown, a live belief holds for 3 s, then goes to the one of least regret for a hand of 50 "
-      "to 1000 N/m. For a very stiff hand that can be worse than naïve rendering: twice its ghost force at 1000 N/m.");
+      "to 1000 N/m. For a very stiff hand that can be worse than naïve rendering: for example 2.1 times its ghost "
+      "force at 1000 N/m with k_r 600 N/m and a wall at 45°.");
   ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), top + lines * ImGui::GetTextLineHeightWithSpacing()));
   ImGui::Dummy({0.0F, 0.0F});
 }

@@ -78,7 +78,7 @@ const StageLanguage english_stage{
             .hand_damaged = "Some of the motion was lost. Please measure again.",
             .hand_too_slowly = "This wall is computed too slowly to measure a hand.",
             .hand_too_restless = "Your hand moved too much by itself. Hold still, and measure again.",
-            .hand_out_of_range = "No hand feels like that. Hold the handle firmly, and try again.",
+            .hand_out_of_range = "This does not move like a hand. Hold the handle with a medium grip, and try again.",
         },
     .labels =
         {

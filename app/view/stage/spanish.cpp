@@ -55,7 +55,7 @@ const StageLanguage spanish_stage{
 
             .drag_along_ribbon = "Arrastra por la cinta: otra vez el último minuto.",
 
-            .measure_runs = "Sigue apretando: el motor tiembla y siente cómo cede tu mano.",
+            .measure_runs = "Sigue apretando: el motor tiembla y siente cuánto cede tu mano.",
             .measure_needs_wall = "Aprieta contra la pared: ahí el motor puede sentir tu mano.",
             .measure_needs_motors = "Activa los motores: tienen que mover un poco tu mano.",
             .hand_known = "Tu mano: {} ± {} N/m. Un empuje de {} N la mueve 1 cm.",
@@ -66,7 +66,7 @@ const StageLanguage spanish_stage{
             .hand_damaged = "Se ha perdido parte del movimiento. Mide otra vez, por favor.",
             .hand_too_slowly = "Esta pared se calcula demasiado despacio para medir una mano.",
             .hand_too_restless = "La mano se ha movido demasiado sola. No la muevas, y mide otra vez.",
-            .hand_out_of_range = "Ninguna mano es así. Agarra bien el mango, y mide otra vez.",
+            .hand_out_of_range = "Así no se mueve una mano. Agarra con fuerza media, y mide otra vez.",
         },
     .labels =
         {
