@@ -1,5 +1,5 @@
 // What a belief about the hand's stiffness costs, at rest, and what to believe where nothing is known. Pure, any thread;
-// never allocates or throws. docs/theory.md, "A wrong belief".
+// never allocates or throws. docs/theory.md, "What a wrong belief costs".
 #pragma once
 
 #include <cmath>

@@ -46,7 +46,7 @@ std::string_view sentence_of(HandUnknown why) noexcept;
 
 struct HandEstimate {
   HandUnknown why = HandUnknown::collecting;
-  // 0 where there is no number; with too_much_tremor there is one, and it is not to be relied on.
+  // 0 where there is no number. too_much_tremor and out_of_range come with one where k̂ > 0; it is not to be relied on.
   double k_u = 0.0;      // k̂ [N/m]
   double sigma = 0.0;    // of it, one standard deviation [N/m]
   double mass = 0.0;     // m, of hand and device [kg]
