@@ -149,7 +149,7 @@ void set_number(Scene& scene, const SceneKey& key, double number) noexcept {
 }
 
 bool is_setting(const SceneKey& key) noexcept {
-  if (key.table == "user") return !key.is_rare;  // how the hand moves is the scene's
+  if (key.table == "user") return !key.is_omitted_when_default;  // how the hand moves is the scene's
   return key.table == "wall" || key.table == "device" || key.table == "rendering";
 }
 

@@ -132,7 +132,7 @@ struct SceneKey {
   std::variant<NumberKey, OptionalNumberKey, TextKey, ChoiceKey, PointKey, PointsKey, TimesKey, NumbersKey, RangeKey>
       value;
   // What few scenes have: where it is as in a new Scene, a file says nothing of it.
-  bool is_rare = false;
+  bool is_omitted_when_default = false;
 };
 
 // In the order in which a scene is written.

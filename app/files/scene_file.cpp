@@ -116,7 +116,7 @@ std::string scene_text(const Scene& scene) {
   std::string_view table;
   for (const SceneKey& key : scene_keys()) {
     const std::string value = std::visit(ValueText{copy}, key.value);
-    if (value.empty() || (key.is_rare && value == value_text(Scene{}, key))) continue;
+    if (value.empty() || (key.is_omitted_when_default && value == value_text(Scene{}, key))) continue;
     if (key.table != table) {
       table = key.table;
       text += fmt::format("\n[{}]\n", table);

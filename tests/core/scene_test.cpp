@@ -360,8 +360,8 @@ TEST(SceneTest, SettingsAreWhatAPersonMayChange) {
 TEST(SceneTest, RareKeysAreTheNewOnes) {
   std::vector<std::string> rare;
   for (const SceneKey& key : scene_keys()) {
-    EXPECT_FALSE(key.is_rare && key.required) << full_name(key);
-    if (key.is_rare) rare.push_back(full_name(key));
+    EXPECT_FALSE(key.is_omitted_when_default && key.required) << full_name(key);
+    if (key.is_omitted_when_default) rare.push_back(full_name(key));
   }
   EXPECT_EQ(rare,
             (std::vector<std::string>{"device.encoder_mm", "user.k_u_path_N_per_m", "user.k_u_times_s",

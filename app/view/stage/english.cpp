@@ -67,7 +67,7 @@ const StageLanguage english_stage{
 
             .drag_along_ribbon = "Drag along the ribbon: the last minute again.",
 
-            .measure_runs = "Keep pressing: the motor trembles, and feels how your hand gives.",
+            .measure_runs = "Keep pressing: the motor trembles to feel how far your hand gives way.",
             .measure_needs_wall = "Press into the wall: there the motor can feel your hand.",
             .measure_needs_motors = "Turn the motors on: they have to move your hand a little.",
             .hand_known = "Your hand: {} ± {} N/m. A push of {} N moves it 1 cm.",
@@ -78,7 +78,7 @@ const StageLanguage english_stage{
             .hand_damaged = "Some of the motion was lost. Please measure again.",
             .hand_too_slowly = "This wall is computed too slowly to measure a hand.",
             .hand_too_restless = "Your hand moved too much by itself. Hold still, and measure again.",
-            .hand_out_of_range = "This does not move like a hand. Hold the handle with a medium grip, and try again.",
+            .hand_out_of_range = "This does not move like a hand. Use a medium grip, and try again.",
         },
     .labels =
         {

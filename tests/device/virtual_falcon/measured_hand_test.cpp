@@ -23,7 +23,7 @@ TEST(MeasuredHand, IsKnownThroughTheWholeDevice) {
     const HandEstimate& hand = rehearsal.report().hand.estimate;
     ASSERT_TRUE(hand.is_known()) << sentence_of(hand.why);
     // What is asked of hands that tremble; this one is still, and its encoders count steps of some 15 µm.
-    EXPECT_NEAR(hand.k_u, k_u, 0.2 * k_u);
+    EXPECT_NEAR(hand.k_u, k_u, 0.01 * k_u);
   }
 }
 
