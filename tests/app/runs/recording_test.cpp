@@ -36,7 +36,7 @@ struct Stepped {
 
   Stepped() {
     command.settings = scene.settings;
-    command.restart_state = state_at_start(goal_at(scene.goal, 0.0));
+    command.restart_state = state_at_start(scene.settings, goal_at(scene.goal, 0.0));
     command.recording = 1;
     servo = std::make_unique<Servo>(std::make_unique<ScriptedInput>(scene.goal), command);
   }

@@ -21,7 +21,7 @@ TEST(RecordingThread, TakesEverythingFromARunningServo) {
   const Scene scene = load_scene("fig3-normal");
   ServoCommand command;
   command.settings = scene.settings;
-  command.restart_state = state_at_start(goal_at(scene.goal, 0.0));
+  command.restart_state = state_at_start(scene.settings, goal_at(scene.goal, 0.0));
   command.recording = 1;
   Servo servo(std::make_unique<ScriptedInput>(scene.goal), command);
   Recording recording(folder / "run.csv", scene, servo, 1);

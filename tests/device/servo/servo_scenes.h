@@ -41,7 +41,7 @@ inline Settings unstable_settings() {
 inline ServoCommand start_of(const Scene& scene) {
   ServoCommand command;
   command.settings = scene.settings;
-  command.restart_state = state_at_start(goal_at(scene.goal, 0.0));
+  command.restart_state = state_at_start(scene.settings, goal_at(scene.goal, 0.0));
   return command;
 }
 
