@@ -35,7 +35,8 @@ int simulate(const SimulateOptions& options) {
 
   OutputFile file(options.output);
   file.write(run_header(scene));
-  write_played(file, "simulating", scene, state_at_start(scene.settings, goal_at(scene.goal, 0.0)), last_tick(scene), ids);
+  write_played(file, "simulating", scene, state_at_start(scene.settings, goal_at(scene.goal, 0.0)), last_tick(scene),
+               ids);
   file.commit();
   return static_cast<int>(ExitCode::done);
 }

@@ -184,10 +184,10 @@ TickState<2> Application::start_state() {
   const bool is_elsewhere = !input_->is_scripted && session_.goal != scene.goal.points.back();
   if (is_elsewhere) scene.goal = {.points = {session_.goal}, .times = {0.0}};
   const Vector<2> first = goal_at(scene.goal, 0.0);
-  const TickState<2> state =
-      simulate_from(is_replay || is_elsewhere ? equilibrium_at_start(scene, first) : state_at_start(scene.settings, first), scene,
-                    input_->is_scripted || is_elsewhere ? 0 : last_tick(scene),
-                    [&](const Snapshot& snapshot) { history_.add(snapshot, scene.settings); });
+  const TickState<2> state = simulate_from(
+      is_replay || is_elsewhere ? equilibrium_at_start(scene, first) : state_at_start(scene.settings, first), scene,
+      input_->is_scripted || is_elsewhere ? 0 : last_tick(scene),
+      [&](const Snapshot& snapshot) { history_.add(snapshot, scene.settings); });
   if (!has_diverged(state)) return state;
   // Unstable settings have no rest to start from: start where the hand is, and let the servo say what it finds.
   history_.clear();

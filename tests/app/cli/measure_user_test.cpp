@@ -163,7 +163,7 @@ TEST_F(MeasureUser, ARunWithoutTonesHasOneLiveEntryThatSaysSo) {
   const nlohmann::json json = measured(simulated({}));
   ASSERT_EQ(json["live"].size(), 1U);
   EXPECT_FALSE(json["live"][0]["known"].get<bool>());
-  EXPECT_NE(json["live"][0]["reason"].get<std::string>().find("No tones"), std::string::npos);
+  EXPECT_NE(json["live"][0]["reason"].get<std::string>().find("tones did not sound"), std::string::npos);
 }
 
 TEST_F(MeasureUser, GivesBackTheStiffnessOfASimulatedHandWhateverWasBelieved) {
