@@ -132,7 +132,11 @@ void HandEstimator::add(const HandSample& sample) noexcept {
   // A window begins with a tone.
   if (!has_before_ && silence_ > 0) return;
   const HandSample before = std::exchange(before_, sample);
-  if (!std::exchange(has_before_, true)) return;
+  if (!std::exchange(has_before_, true)) {
+    // They sound now, and it only takes its time.
+    if (why_ == HandUnknown::no_tones) why_ = HandUnknown::collecting;
+    return;
+  }
   // The force of the tick before has acted from there to here, on the average halfway.
   position_.sum += 0.5 * (before.position + sample.position);
   force_.sum += before.force;

@@ -261,6 +261,7 @@ StageContent StageFace::content_of(const Session& session, const StageFrame& fra
       .mode = session.stage.mode,
       .audience = {.can_drag = session.pointer_moves_goal,
                    .looks_back = frame.shown.is_past,
+                   .feels_tones = frame.loop.hand.tone_gain > 0.0 && !show_.is_on() && !frame.shown.is_past,
                    .heads_for = shown.settings.active},
       .guess = guess_.guess(session),
       .why_step = session.stage.why_step,
@@ -275,7 +276,6 @@ StageContent StageFace::content_of(const Session& session, const StageFrame& fra
     content.reference_force = lesson_reference_force(*session.lesson->lesson);
   }
   content.measuring = measuring_content(session);
-  content.tones_sound = frame.loop.hand.tone_gain > 0.0 && !show_.is_on() && !frame.shown.is_past;
   content.measuring_button = measuring_button(session, frame.loop.motors);
   content.corner = corner_button(session, frame.loop.motors, content.guess, guess_.is_revealing());
   if (session.stage.mode == StageMode::ribbon) content.moments = &frame.history.moments();

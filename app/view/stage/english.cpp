@@ -39,6 +39,7 @@ const StageLanguage english_stage{
             .straight_at_wall = "One motor, straight at the wall: no ghost force here.",
             .press_deeper = "Press deeper: there is hardly any ghost force here.",
             .cured = "Same motor, same hand: the ghost force is gone.",
+            .cured_but_for_tones = "All that is left is the trembling that measures your hand.",
             .hold_still = "Hold the hand still, and the ghost force goes away.",
             .stiffer_than_believed = "The hand is stiffer than believed: a ghost force is left.",
             .softer_than_believed = "The hand is softer than believed: a ghost force is left.",
@@ -109,8 +110,8 @@ const StageLanguage english_stage{
             .measuring = "measuring your hand…",
             .hand_measured = "your hand: {} ± {} N/m",
             .hand_before = "before: {} N/m",
-            .hand_asked_softer = "too stiff: {} N/m or less",
-            .hand_asked_stiffer = "too soft: {} N/m or more",
+            .hand_asked_softer = "wanted: {} N/m or less",
+            .hand_asked_stiffer = "wanted: {} N/m or more",
             .hand_unknown = "your hand: unknown",
         },
     .numbers =

@@ -27,6 +27,7 @@ const StageLanguage spanish_stage{
             .straight_at_wall = "Un motor, recto contra la pared: aquí no hay fuerza fantasma.",
             .press_deeper = "Aprieta más hondo: aquí apenas hay fuerza fantasma.",
             .cured = "El mismo motor, la misma mano: la fuerza fantasma se ha ido.",
+            .cured_but_for_tones = "Solo queda el temblor que mide tu mano.",
             .hold_still = "Deja quieta la mano, y la fuerza fantasma se irá.",
             .stiffer_than_believed = "La mano es más rígida de lo supuesto: queda fuerza fantasma.",
             .softer_than_believed = "La mano es más blanda de lo supuesto: queda fuerza fantasma.",
@@ -97,8 +98,8 @@ const StageLanguage spanish_stage{
             .measuring = "midiendo tu mano…",
             .hand_measured = "tu mano: {} ± {} N/m",
             .hand_before = "antes: {} N/m",
-            .hand_asked_softer = "demasiado rígida: {} N/m o menos",
-            .hand_asked_stiffer = "demasiado blanda: {} N/m o más",
+            .hand_asked_softer = "se pide: {} N/m o menos",
+            .hand_asked_stiffer = "se pide: {} N/m o más",
             .hand_unknown = "tu mano: no se sabe",
         },
     .numbers =

@@ -70,7 +70,6 @@ struct StageContent {
   double landscape_dial = 0.0;
   std::optional<StageMeasuring> measuring{};               // of the hand; empty: nobody has asked for it
   std::optional<StageMeasuringButton> measuring_button{};  // the same, or it can be asked for
-  bool tones_sound = false;                                // in the motor, to measure the hand
   const MomentHistory* moments = nullptr;                  // of the ribbon; null: there is none
   std::optional<double> looks_back_to_s{};                 // its cursor [s]
   std::optional<StageCornerButton> corner{};

@@ -44,6 +44,7 @@ struct StageLanguage {
     std::string_view straight_at_wall;
     std::string_view press_deeper;
     std::string_view cured;
+    std::string_view cured_but_for_tones;
     std::string_view hold_still;
     std::string_view stiffer_than_believed;
     std::string_view softer_than_believed;

@@ -30,6 +30,11 @@ struct Facts {
   }
   bool has_ghost() const { return std::abs(ghost) >= least_shown_force; }
   bool has_none_at_rest() const { return std::abs(ghost_at_rest) < least_shown_force; }
+  // Tones move the handle by some tenths of a millimetre, and a soft hand by more.
+  bool is_at_rest_but_for_tones() const {
+    constexpr double near = 0.002;  // [m]
+    return audience.feels_tones && glm::distance(moment.handle, moment.expected_rest) < near;
+  }
   bool is_at_rest() const {
     constexpr double near = 0.0005;  // [m]
     return glm::distance(moment.handle, moment.expected_rest) < near && glm::length(moment.slide) < near;
@@ -91,6 +96,8 @@ constexpr std::array sentences{
     // Anisotropic.
     Sentence{&Sentences::cured,
              [](const Facts& now) { return !now.has_ghost() && now.is_at_rest() && now.has_none_at_rest(); }},
+    Sentence{&Sentences::cured_but_for_tones,
+             [](const Facts& now) { return now.has_none_at_rest() && now.is_at_rest_but_for_tones(); }},
     Sentence{&Sentences::hold_still, [](const Facts& now) { return now.has_none_at_rest(); }},
     Sentence{&Sentences::stiffer_than_believed,
              [](const Facts& now) {

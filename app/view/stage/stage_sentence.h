@@ -15,6 +15,7 @@ namespace ghostforce {
 struct StageAudience {
   bool can_drag = true;                      // the hand follows the pointer
   bool looks_back = false;                   // an earlier moment is shown
+  bool feels_tones = false;                  // they sound in the motor, to measure the hand
   StrategyId heads_for = StrategyId::naive;  // of a moment between two strategies
 };
 

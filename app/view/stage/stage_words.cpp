@@ -189,13 +189,14 @@ void add_hand_words(const StageLayer& layer) {
 void add_motor_words(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   if (content.moment.weights[index_of(StrategyId::full)] > 0.0) return;
-  const bool is_asked_to_turn = content.hint == StageHint::motor;
   const StageLanguage::Labels& all = content.language.labels;
+  // Whoever feels tones must not take them for the wall. The mode that measures says so by itself.
+  const bool trembles = content.audience.feels_tones && !content.measuring;
+  const bool is_asked_to_turn = content.hint == StageHint::motor && !trembles;
   const std::string words =
-      is_asked_to_turn ? std::string(all.motor_to_turn)
-      // Whoever feels it must not take it for the wall. The mode that measures says so by itself.
-      : content.tones_sound && !content.measuring
-          ? std::string(all.motor_measures)
+      trembles ? std::string(all.motor_measures)
+      : is_asked_to_turn
+          ? std::string(all.motor_to_turn)
           : filled(all.motor_pushes, motor_direction_words(content.settings.actuated_angle, content.language));
   const auto ends = stage_grips(content.settings, content.moment, canvas.camera, layout.scene(), canvas.unit).motor;
   const Vector<2> rail = to_screen_direction(direction_at(content.settings.actuated_angle));

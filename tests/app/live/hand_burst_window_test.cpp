@@ -71,6 +71,22 @@ TEST_F(HandBurstWindow, ItsButtonsDoWhatItsKeysDo) {
   EXPECT_EQ(session().stage.mode, StageMode::none);
 }
 
+// A belief that follows the hand has the tones sound all the time. Nobody can hold still enough for them to go away.
+TEST_F(HandBurstWindow, ABeliefThatFollowsBlamesNobodyForItsTrembling) {
+  session().settings.active = StrategyId::anisotropic;
+  frames(120);
+  ASSERT_TRUE(says("the ghost force is gone")) << sentence();
+  session().belief_source = BeliefSource::live;
+  frames(30);
+  int with_trembling = 0;
+  for (int i = 0; i < 120; ++i) {
+    frames(1);
+    EXPECT_FALSE(says("Hold the hand still")) << i;
+    if (says("All that is left is the trembling")) ++with_trembling;
+  }
+  EXPECT_GT(with_trembling, 60);
+}
+
 // While the ring fills there is something new in each frame; and when all is said, nothing.
 TEST_F(HandBurstWindow, IsDrawnWhileItRunsAndThenRests) {
   press(key::s);

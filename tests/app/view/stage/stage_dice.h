@@ -44,7 +44,6 @@ struct StageCase {
   std::optional<double> looks_back_to_s{};
   std::optional<StageMeasuring> measuring{};
   std::optional<StageMeasuringButton> measuring_button{};
-  bool tones_sound = false;
   std::optional<StageCornerButton> corner{};
   std::optional<StageLesson> lesson{};
   StageSecrets hides{};
@@ -74,7 +73,6 @@ struct StageCase {
                             .round = round,
                             .measuring = measuring,
                             .measuring_button = measuring_button,
-                            .tones_sound = tones_sound,
                             .moments = moments.get(),
                             .looks_back_to_s = looks_back_to_s,
                             .corner = corner,

@@ -80,6 +80,16 @@ TEST_P(StageMeasuringTest, HasNoWordsOverMarksOrEachOtherOrCutOff) {
   }
 }
 
+TEST_P(StageMeasuringTest, AMotorThatTremblesSaysSoOverNothingElse) {
+  PictureDice dice(21);
+  for (int i = 0; i < cases / 2; ++i) {
+    StageCase shown = stage_case_by(dice, *GetParam());
+    shown.audience.feels_tones = true;
+    if (!(glm::length(shown.moment.ghost_force) < 999.0)) continue;
+    expect_no_faults(shown, i);
+  }
+}
+
 TEST_P(StageMeasuringTest, HasRoomInALesson) {
   PictureDice dice(19);
   for (int i = 0; i < cases / 2; ++i) {
@@ -148,9 +158,9 @@ TEST(StageMeasuring, SaysWhatIsSo) {
   EXPECT_TRUE(is_beside_hand("your hand: 310 ± 25 N/m before: 118 N/m"));
   // A lesson asks for another grip.
   says({.filled = 1.0, .result = hand, .before = softer, .asked = 200.0});
-  EXPECT_TRUE(is_beside_hand("your hand: 310 ± 25 N/m too stiff: 200 N/m or less"));
+  EXPECT_TRUE(is_beside_hand("your hand: 310 ± 25 N/m wanted: 200 N/m or less"));
   says({.filled = 1.0, .result = hand, .asked = 400.0});
-  EXPECT_TRUE(is_beside_hand("your hand: 310 ± 25 N/m too soft: 400 N/m or more"));
+  EXPECT_TRUE(is_beside_hand("your hand: 310 ± 25 N/m wanted: 400 N/m or more"));
   EXPECT_EQ(says({.why = HandUnknown::too_much_tremor}), english_stage.sentences.hand_too_restless);
   EXPECT_EQ(says({.why = HandUnknown::at_limit}), english_stage.sentences.hand_at_limit);
   EXPECT_TRUE(is_beside_hand("your hand: unknown"));
@@ -177,8 +187,20 @@ TEST(StageMeasuring, SaysWhyTheMotorTrembles) {
     return said == english_stage.labels.motor_measures;
   };
   EXPECT_FALSE(is_said());
-  shown.tones_sound = true;
+  shown.audience.feels_tones = true;
   EXPECT_TRUE(is_said());
+  shown.hint = StageHint::motor;
+  EXPECT_TRUE(is_said()) << "and it goes before a hint";
+  shown.hint.reset();
+  // The cure at rest, but for the tones.
+  shown.settings.active = StrategyId::anisotropic;
+  shown.moment = stage_moment_at_rest(shown.settings, wall45_goal);
+  EXPECT_EQ(shown.read().sentence, english_stage.sentences.cured);
+  shown.moment.handle.x += 0.0007;
+  EXPECT_EQ(shown.read().sentence, english_stage.sentences.cured_but_for_tones);
+  shown.audience.feels_tones = false;
+  EXPECT_EQ(shown.read().sentence, english_stage.sentences.hold_still);
+  shown.audience.feels_tones = true;
   shown.mode = StageMode::measure;
   shown.measuring = StageMeasuring{.is_running = true};
   EXPECT_FALSE(is_said()) << "the mode says so already";
