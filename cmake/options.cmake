@@ -41,6 +41,14 @@ if(GHOSTFORCE_SANITIZE STREQUAL "address")
   add_link_options(LINKER:--undefined=ghostforce_keeps_libraries_loaded)
 endif()
 
+# A quicker linker where there is one: the tests are a hundred programs. What is given away is linked as Debian does.
+if(BUILD_TESTING)
+  find_program(GHOSTFORCE_MOLD mold)
+  if(GHOSTFORCE_MOLD)
+    add_link_options(-fuse-ld=mold)
+  endif()
+endif()
+
 add_library(project_options INTERFACE)
 target_compile_features(project_options INTERFACE cxx_std_20)
 # Includes are written from the root, "core/wall.h", so that an include line shows which room it reaches into.

@@ -87,10 +87,12 @@ and start this again."
 
 # ---- Build -----------------------------------------------------------------------------------------------------------
 
+# What was compiled once is not compiled again, in whichever folder the checkout lies: the cache is outside it, paths count
+# from the checkout on, and precompiled headers are known by what is in them.
 use_ccache() {
-  if command -v ccache >/dev/null; then
-    export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
-  fi
+  command -v ccache >/dev/null || return 0
+  export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
+  export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=yes CCACHE_SLOPPINESS=pch_defines,time_macros
 }
 
 # build PRESET TARGET [-DNAME=VALUE...]: builds, in at most one process at a time. Configures, with these values, only
@@ -166,9 +168,16 @@ run_ninja() {
 
 # ---- Tests -----------------------------------------------------------------------------------------------------------
 
-# run_tests PRESET [ARGUMENTS of ctest]
+# run_tests PRESET [ARGUMENTS of ctest]: programs as a whole; with -R or -E, which are about names, test by test. The last
+# line counts the tests, of which ctest sees none in a program that it runs as a whole.
 run_tests() {
-  ctest --test-dir "$root/build/$1" --parallel "$(nproc)" --output-on-failure --no-tests=error "${@:2}"
+  local tree=$root/build/$1 status=0
+  ( # its environment is its own
+    if [[ " ${*:2}" =~ \ (-[RE]|--tests-regex|--exclude-regex)( |=|$) ]]; then export GHOSTFORCE_TEST_BY_TEST=yes; fi
+    ctest --test-dir "$tree" --parallel "$(nproc)" --output-on-failure --no-tests=error "${@:2}"
+  ) || status=$?
+  awk -f "$root/cmake/count_tests.awk" "$tree/Testing/Temporary/LastTest.log"
+  return $status
 }
 
 # tidy REGEX: clang-tidy over the sources that match, as the preset fuzz compiles them, which must have been built: it

@@ -1,37 +1,105 @@
-# ghostforce_add_test(name SOURCES file... [SUPPORT name...] [LIBRARIES target...] [LABELS label] [LAUNCHER command...]
-#                     [SERIAL])
+# ghostforce_add_test(name SOURCES file... [SUPPORT name...] [LIBRARIES target...] [LABELS label...] [LAUNCHER command...]
+#                     [SHARDS count] [SECONDS count] [EACH] [SERIAL])
 #
-# One GoogleTest program; each of its tests becomes one of ctest, named program.Suite.test. SUPPORT: files of
-# tests/support without their ending; `program` also builds ghostforce and says where it is. The label `tsan` marks a
-# program in which threads meet: CI runs it under the thread sanitizer too. SERIAL: nothing else runs beside its tests.
+# One GoogleTest program. ctest runs it whole, in one process or in SHARDS of them side by side. With
+# GHOSTFORCE_TEST_BY_TEST in the environment each of its tests is one of ctest, named program.Suite.test: that is how
+# ./check -R finds a single one.
+#
+# SUPPORT   files of tests/support without their ending; `program` also builds ghostforce
+# LABELS    tsan: threads meet in it, and .ci/run tests it under the thread sanitizer too
+#           asan: .ci/run tests it under the address sanitizer; .ci/long tests all programs so
+# SECONDS   what one process of it takes, where that is more than two: the slowest start first
+# EACH      a process for each test in every case, because the process is what is tested
+# SERIAL    nothing else runs beside it
+#
+# Where CMAKE_UNITY_BUILD is on, sources are compiled a few at a time, so that headers are read once for all of them:
+# each has a namespace of its own, named after it. Tests are compiled with little optimisation; what they test is not.
 
 include(GoogleTest)
 
 add_custom_target(tsan_tests COMMENT "The tests labelled tsan, without building the others")
+add_custom_target(asan_tests COMMENT "The tests labelled asan, without building the others")
+
+# What all tests include, compiled once.
+add_library(test_headers OBJECT ${PROJECT_SOURCE_DIR}/tests/support/places.cpp)
+set(test_options project_options project_warnings GTest::gtest glm::glm fmt::fmt Threads::Threads)
+set(test_compile_options $<$<CONFIG:Release>:-O1> $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
+target_link_libraries(test_headers PRIVATE ${test_options})
+target_compile_options(test_headers PRIVATE ${test_compile_options})
+set_property(SOURCE ${PROJECT_SOURCE_DIR}/tests/support/places.cpp PROPERTY COMPILE_DEFINITIONS
+  GHOSTFORCE_SOURCE_DIR="${PROJECT_SOURCE_DIR}" GHOSTFORCE_PROGRAM="$<TARGET_FILE:ghostforce>")
+target_precompile_headers(test_headers PRIVATE
+  <algorithm> <array> <chrono> <cmath> <cstdint> <filesystem> <functional> <map> <memory> <optional> <set> <sstream>
+  <string> <string_view> <thread> <variant> <vector> <fmt/format.h> <glm/glm.hpp> <gtest/gtest.h>)
+
+# Not of a library that is linked as a whole: an object that replaces the heap must come with those that ask for it only.
+foreach(support IN ITEMS animated_png_reader call_guard display file_calls hand_at_wall heap_guard program)
+  add_library(test_${support} OBJECT ${PROJECT_SOURCE_DIR}/tests/support/${support}.cpp)
+  target_link_libraries(test_${support} PRIVATE ${test_options})
+endforeach()
 
 function(ghostforce_add_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "SERIAL" "LABELS" "SOURCES;SUPPORT;LIBRARIES;LAUNCHER")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "EACH;SERIAL" "SHARDS;SECONDS" "SOURCES;SUPPORT;LIBRARIES;LABELS;LAUNCHER")
   if(NOT arg_SOURCES OR arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "ghostforce_add_test(${name}): want SOURCES; got \"${ARGV}\"")
   endif()
-  list(TRANSFORM arg_SUPPORT REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/tests/support/\\1.cpp" OUTPUT_VARIABLE support)
-  add_executable(${name} ${arg_SOURCES} ${support})
-  target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} GTest::gtest_main project_options project_warnings)
-  target_compile_definitions(${name} PRIVATE GHOSTFORCE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  add_executable(${name} ${arg_SOURCES})
+  set_property(TARGET ${name} PROPERTY UNITY_BUILD_BATCH_SIZE 8)
+  target_precompile_headers(${name} REUSE_FROM test_headers)
+  target_compile_options(${name} PRIVATE ${test_compile_options})
+  list(TRANSFORM arg_SUPPORT PREPEND test_ OUTPUT_VARIABLE support)
+  target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} ${support} test_headers GTest::gtest_main ${test_options})
   if(program IN_LIST arg_SUPPORT)
-    target_compile_definitions(${name} PRIVATE GHOSTFORCE_PROGRAM="$<TARGET_FILE:ghostforce>")
     add_dependencies(${name} ghostforce)
   endif()
+  foreach(label IN LISTS arg_LABELS)
+    add_dependencies(${label}_tests ${name})
+  endforeach()
   if(arg_LAUNCHER)
     # CMake's name for it, from the days when only another machine's programs had one.
     set_property(TARGET ${name} PROPERTY CROSSCOMPILING_EMULATOR ${arg_LAUNCHER})
   endif()
+
+  # A limit for what hangs, far above what any of them takes on a busy machine.
+  set(properties TIMEOUT 1200 RUN_SERIAL "${arg_SERIAL}" LABELS "${arg_LABELS}" COST "${arg_SECONDS}")
+
   # PRE_TEST lists the tests when ctest starts, not after each link: a build stays a build.
-  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 TEST_PREFIX ${name}.
-    PROPERTIES TIMEOUT 300 RUN_SERIAL "${arg_SERIAL}" LABELS "${arg_LABELS}")
-  if(arg_LABELS STREQUAL "tsan")
-    add_dependencies(tsan_tests ${name})
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 TEST_PREFIX ${name}. PROPERTIES ${properties})
+  if(NOT arg_EACH)
+    add_whole_test(${name} "${arg_SHARDS}" ${properties})
   endif()
+endfunction()
+
+# Puts the program as a whole in place of the list of its tests, which was added last, unless each is asked for.
+function(add_whole_test name shards)
+  get_property(lists DIRECTORY PROPERTY TEST_INCLUDE_FILES)
+  list(POP_BACK lists each)
+  set(whole ${CMAKE_CURRENT_BINARY_DIR}/${name}_whole.cmake)
+  set_property(DIRECTORY PROPERTY TEST_INCLUDE_FILES ${lists} ${whole})
+
+  get_property(command TARGET ${name} PROPERTY CROSSCOMPILING_EMULATOR)
+  list(APPEND command $<TARGET_FILE:${name}>)
+  list(JOIN command "]==] [==[" words)
+  list(JOIN ARGN "]==] [==[" values)
+  if(NOT shards)
+    set(shards 1)
+  endif()
+  set(tests "")
+  foreach(shard RANGE 1 ${shards})
+    math(EXPR index "${shard} - 1")
+    if(shards EQUAL 1)
+      set(test ${name})
+    else()
+      set(test ${name}.${shard}_of_${shards})
+    endif()
+    string(APPEND tests
+      "  add_test([==[${test}]==] [==[${words}]==])\n"
+      "  set_tests_properties([==[${test}]==] PROPERTIES [==[${values}]==]\n"
+      "    ENVIRONMENT [==[GTEST_TOTAL_SHARDS=${shards};GTEST_SHARD_INDEX=${index}]==]\n"
+      "    WORKING_DIRECTORY [==[${CMAKE_CURRENT_BINARY_DIR}]==])\n")
+  endforeach()
+  file(GENERATE OUTPUT ${whole} CONTENT
+    "if(DEFINED ENV{GHOSTFORCE_TEST_BY_TEST})\n  include([==[${each}]==])\nelse()\n${tests}endif()\n")
 endfunction()
 
 # Reports that are not ours to fix are kept out however ctest is started; the tests inherit its environment.

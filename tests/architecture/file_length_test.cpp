@@ -12,6 +12,9 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/places.h"
+
+namespace ghostforce::file_length_test {
 namespace {
 
 constexpr std::size_t most_lines = 500;
@@ -60,7 +63,7 @@ std::vector<std::string> too_long(const Lengths& lengths) {
 }
 
 TEST(FileLengthTest, NoSourceHasMoreThan500Lines) {
-  const Lengths lengths = lengths_at(GHOSTFORCE_SOURCE_DIR);
+  const Lengths lengths = lengths_at(source_path());
   for (const char* path :
        {".ci/run", "CMakeLists.txt", "app/main.cpp", "bench/batch.py", "check", "cmake/setup.sh", "cmake/testing.cmake",
         "core/conventions.h", "device/servo/servo.h", "shaders/mark.frag", "tests/architecture/file_length_test.cpp"}) {
@@ -86,7 +89,7 @@ TEST(FileLengthSelfTest, CountsLines) {
 }
 
 TEST(FileLengthSelfTest, LeavesDataAlone) {
-  const std::filesystem::path root = GHOSTFORCE_SOURCE_DIR;
+  const std::filesystem::path root = source_path();
   for (const char* path : {"LICENSE", "README.md", "packages.txt", ".clang-format", "assets/scenes/fig1.toml"}) {
     ASSERT_TRUE(std::filesystem::exists(root / path)) << path;
     EXPECT_FALSE(is_source(root / path)) << path;
@@ -94,3 +97,4 @@ TEST(FileLengthSelfTest, LeavesDataAlone) {
 }
 
 }  // namespace
+}  // namespace ghostforce::file_length_test

@@ -20,8 +20,9 @@
 #include <gtest/gtest.h>
 
 #include "tests/architecture/source_tree.h"
+#include "tests/support/places.h"
 
-namespace ghostforce {
+namespace ghostforce::page_test {
 namespace {
 
 constexpr std::array desktop_libraries{"cairo", "cli11", "glfw", "hidapi", "libcrypto", "libusb"};
@@ -119,13 +120,13 @@ std::vector<std::string> problems_of_the_page(const Tree& tree, const Lists& lis
 // --- The house -------------------------------------------------------------------------------------------------------
 
 TEST(PageTest, IncludesNothingThatABrowserLacks) {
-  const Tree tree = tree_at(GHOSTFORCE_SOURCE_DIR);
+  const Tree tree = tree_at(source_path());
   const std::set<std::string> rooms = rooms_of_the_page(rooms_of_the_house());
   for (const char* const room : {"core", "device/servo", "app/files", "app/ui/panels"}) {
     EXPECT_TRUE(rooms.contains(room)) << room;
   }
   EXPECT_FALSE(rooms.contains("app/cli"));
-  const Lists lists = lists_at(GHOSTFORCE_SOURCE_DIR, rooms);
+  const Lists lists = lists_at(source_path(), rooms);
   const std::set<std::string> compiled = compiled_for_the_page(tree, lists);
   ASSERT_TRUE(compiled.contains("app/files/kept_file_page.cpp")) << "the lists were not read";
   ASSERT_TRUE(compiled.contains("app/runs/recording.h")) << "headers were not followed";
@@ -137,7 +138,7 @@ TEST(PageTest, IncludesNothingThatABrowserLacks) {
 TEST(PageTest, BehindAHeaderStandsOneForEachFront) {
   std::set<std::string> shared = rooms_of_the_page(rooms_of_the_house());
   shared.erase("app/web");  // the page's own front
-  for (const auto& [folder, list] : lists_at(GHOSTFORCE_SOURCE_DIR, shared)) {
+  for (const auto& [folder, list] : lists_at(source_path(), shared)) {
     const std::set<std::string> desktop = sources_after("DESKTOP", list);
     for (const std::string& source : sources_after("PAGE", list)) {
       const std::size_t end = source.find("_page.cpp");
@@ -224,4 +225,4 @@ TEST(PageSelfTest, FollowsTheTableToTheLastRoom) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::page_test

@@ -8,11 +8,13 @@
 #include <gtest/gtest.h>
 
 #include "ghostforce_version.h"
+#include "tests/support/places.h"
 
+namespace ghostforce::release_test {
 namespace {
 
 std::string text_of(const std::string& path) {
-  std::ifstream file(std::string(GHOSTFORCE_SOURCE_DIR "/") + path);
+  std::ifstream file(source_path("/") + path);
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
@@ -39,3 +41,4 @@ TEST(Release, IsTheSameInProgramChangelogAndMetainfo) {
 }
 
 }  // namespace
+}  // namespace ghostforce::release_test

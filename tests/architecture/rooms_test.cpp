@@ -18,8 +18,9 @@
 #include <gtest/gtest.h>
 
 #include "tests/architecture/source_tree.h"
+#include "tests/support/places.h"
 
-namespace ghostforce {
+namespace ghostforce::rooms_test {
 namespace {
 
 // --- What is found ---------------------------------------------------------------------------------------------------
@@ -122,13 +123,13 @@ std::string ring_in(const Arrows& arrows) {
 // --- The house -------------------------------------------------------------------------------------------------------
 
 TEST(RoomsTest, NoArrowIsForbidden) {
-  const Tree tree = tree_at(GHOSTFORCE_SOURCE_DIR);
+  const Tree tree = tree_at(source_path());
   ASSERT_TRUE(tree.contains("core/conventions.h")) << "the tree was not read";
   EXPECT_EQ(listed(forbidden_arrows(rooms_of_the_house(), tree)), "");
 }
 
 TEST(RoomsTest, NoFoldersIncludeEachOtherInARing) {
-  const Arrows arrows = folder_arrows(tree_at(GHOSTFORCE_SOURCE_DIR));
+  const Arrows arrows = folder_arrows(tree_at(source_path()));
   std::size_t count = 0;
   for (const auto& [from, targets] : arrows) {
     count += targets.size();
@@ -142,7 +143,7 @@ TEST(RoomsTest, NoFoldersIncludeEachOtherInARing) {
 }
 
 TEST(RoomsTest, NoFilesIncludeEachOtherInARing) {
-  EXPECT_EQ(ring_in(file_arrows(tree_at(GHOSTFORCE_SOURCE_DIR))), "");
+  EXPECT_EQ(ring_in(file_arrows(tree_at(source_path()))), "");
 }
 
 // What nobody includes today somebody could include tomorrow.
@@ -156,7 +157,7 @@ TEST(RoomsTest, TheTableAllowsNoRing) {
 TEST(RoomsTest, TheTableNamesFoldersAndLibrariesThatAreThere) {
   const Rooms rooms = rooms_of_the_house();
   ASSERT_TRUE(rooms.contains("core"));
-  const Tree tree = tree_at(GHOSTFORCE_SOURCE_DIR);
+  const Tree tree = tree_at(source_path());
   for (const auto& [folder, room] : rooms) {
     EXPECT_TRUE(std::any_of(tree.begin(), tree.end(),
                             [&, &name = folder](const auto& file) { return folder_of(file.first) == name; }))
@@ -171,7 +172,7 @@ TEST(RoomsTest, TheTableNamesFoldersAndLibrariesThatAreThere) {
 // "core/wall.h", not "wall.h" and not "../core/wall.h": an include line shows which room it reaches into, and names a
 // file that is there.
 TEST(RoomsTest, QuotedIncludesNameFilesFromTheRoot) {
-  const Tree tree = tree_at(GHOSTFORCE_SOURCE_DIR);
+  const Tree tree = tree_at(source_path());
   for (const auto& [path, text] : tree) {
     for (const Include& include : includes_of(text)) {
       const std::optional<std::string> target = project_path(include.operand);
@@ -298,4 +299,4 @@ TEST(RoomsSelfTest, RefusesATableThatIsNone) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::rooms_test

@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/places.h"
+
 namespace ghostforce {
 
 // --- The table -------------------------------------------------------------------------------------------------------
@@ -127,7 +129,7 @@ inline std::string listed(const std::vector<std::string>& lines) {
 }
 
 inline Rooms rooms_of_the_house() {
-  std::ifstream file(GHOSTFORCE_SOURCE_DIR "/cmake/rooms.txt");
+  std::ifstream file(source_path("/cmake/rooms.txt"));
   return read_rooms(file);
 }
 

@@ -13,9 +13,12 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/places.h"
+
+namespace ghostforce::theory_test {
 namespace {
 
-const std::filesystem::path root = GHOSTFORCE_SOURCE_DIR;
+const std::filesystem::path root = source_path();
 
 std::string text_of(const std::filesystem::path& path) {
   std::ifstream file(path);
@@ -164,3 +167,4 @@ TEST(TheorySelfTest, MissesWhatIsNotThere) {
 }
 
 }  // namespace
+}  // namespace ghostforce::theory_test

@@ -11,7 +11,7 @@
 #include "tests/core/random_setting.h"
 #include "tests/core/reference_model.h"
 
-namespace ghostforce {
+namespace ghostforce::actuation_test {
 namespace {
 
 // Entries of a projector are at most 1 and sums of D products of D of them.
@@ -131,4 +131,4 @@ static_assert(noexcept(actuated_along(Vector<3>{})));
 static_assert(std::is_trivially_copyable_v<Actuation<2>>);
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::actuation_test

@@ -13,7 +13,7 @@
 #include "core/tick.h"
 #include "tests/core/random_setting.h"
 
-namespace ghostforce {
+namespace ghostforce::batch_test {
 namespace {
 
 constexpr std::int64_t ticks_on_the_way = 300;
@@ -199,4 +199,4 @@ TEST(Batch, TheLastLaneTakesTheRemovedOnesPlace) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::batch_test

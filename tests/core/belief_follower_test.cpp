@@ -7,7 +7,7 @@
 #include "core/stiffness.h"
 #include "tests/core/random_setting.h"
 
-namespace ghostforce {
+namespace ghostforce::belief_follower_test {
 namespace {
 
 constexpr double k_r = 600.0;       // [N/m]
@@ -178,4 +178,4 @@ TEST(BeliefFollowerTest, TheSmallestRenderingStiffnessIsNoDivisionByZero) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::belief_follower_test

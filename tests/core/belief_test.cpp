@@ -12,7 +12,7 @@
 #include "tests/core/dimensions.h"
 #include "tests/core/random_setting.h"
 
-namespace ghostforce {
+namespace ghostforce::belief_test {
 namespace {
 
 template <glm::length_t D>
@@ -217,4 +217,4 @@ TEST(BeliefTest, TheBeliefOfLeastRegretHasThatRatio) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::belief_test

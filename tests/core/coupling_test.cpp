@@ -9,7 +9,7 @@
 #include "tests/core/random_setting.h"
 #include "tests/core/reference_model.h"
 
-namespace ghostforce {
+namespace ghostforce::coupling_test {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -73,4 +73,4 @@ static_assert(noexcept(fully_actuated_coupling<2>(1.0, 1.0)));
 static_assert(noexcept(underactuated_coupling(1.0, 1.0, 1.0, Actuation<2>{})));
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::coupling_test

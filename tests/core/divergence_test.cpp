@@ -11,7 +11,7 @@
 #include "core/settings.h"
 #include "tests/core/random_setting.h"
 
-namespace ghostforce {
+namespace ghostforce::divergence_test {
 namespace {
 
 TEST(DivergenceTest, OneBadNumberAnywhereIsEnough) {
@@ -76,4 +76,4 @@ TEST(DivergenceTest, UnstableSettingsAreSeenBeforeTheyOverflow) {
 static_assert(noexcept(has_diverged(std::declval<const TickState<2>&>())));
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::divergence_test

@@ -8,7 +8,7 @@
 #include "core/settings.h"
 #include "tests/core/random_setting.h"
 
-namespace ghostforce {
+namespace ghostforce::encoder_test {
 namespace {
 
 Settings settings_with_encoder(double step) {
@@ -94,4 +94,4 @@ TEST(EncoderTest, AMeasuredDeviceIsNotRoundedAgain) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::encoder_test

@@ -14,7 +14,7 @@
 #include "core/tick.h"
 #include "tests/core/random_setting.h"
 
-namespace ghostforce {
+namespace ghostforce::energy_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -289,4 +289,4 @@ TEST(EnergyTest, FreeSpaceOnlyLoses) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::energy_test

@@ -13,7 +13,7 @@
 #include "tests/core/random_setting.h"
 #include "tests/core/reference_model.h"
 
-namespace ghostforce {
+namespace ghostforce::equilibrium_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -462,4 +462,4 @@ TEST(EquilibriumExample, SoftWallForceOfTheCureIsTheFullOneNotSlightlyLower) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::equilibrium_test

@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-namespace ghostforce {
+namespace ghostforce::force_limiter_test {
 namespace {
 
 constexpr double dt = 0.001;
@@ -158,4 +158,4 @@ TEST(ForceLimiter, KeepsItsPromiseUnderTenMillionHostileTicks) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::force_limiter_test

@@ -7,7 +7,7 @@
 #include "tests/core/dimensions.h"
 #include "tests/core/random_setting.h"
 
-namespace ghostforce {
+namespace ghostforce::ghost_force_test {
 namespace {
 
 // Unit vectors and projectors: a few products of numbers no larger than 1.
@@ -57,4 +57,4 @@ static_assert(noexcept(ghost_force(Actuation<2>{}, Vector<2>{}, Vector<2>{})));
 static_assert(noexcept(proxy_drift(Wall<2>{}, Vector<2>{}, Vector<2>{})));
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::ghost_force_test

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-namespace ghostforce {
+namespace ghostforce::goal_path_test {
 namespace {
 
 // Positions within 0.1 m, a handful of roundings.
@@ -91,4 +91,4 @@ TEST(GoalPathTest, HasNoJump) {
 static_assert(noexcept(goal_at(GoalPath{}, 0.0)));
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::goal_path_test

@@ -19,7 +19,7 @@
 #include "tests/support/hand_at_wall.h"
 #include "tests/support/heap_guard.h"
 
-namespace ghostforce {
+namespace ghostforce::hand_estimator_test {
 namespace {
 
 constexpr double turn = 2.0 * std::numbers::pi;
@@ -439,4 +439,4 @@ TEST(HandEstimatorTest, EachReasonIsASentenceOfItsOwn) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::hand_estimator_test

@@ -9,7 +9,7 @@
 #include "core/hand_estimator.h"
 #include "tests/support/hand_at_wall.h"
 
-namespace ghostforce {
+namespace ghostforce::hand_population_test {
 namespace {
 
 constexpr std::uint64_t hands = 100;
@@ -82,4 +82,4 @@ INSTANTIATE_TEST_SUITE_P(Both, HandPopulationTest, testing::Values(HandPopulatio
                          });
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::hand_population_test

@@ -10,7 +10,7 @@
 
 #include <glm/geometric.hpp>
 
-namespace ghostforce {
+namespace ghostforce::hand_unrest_test {
 namespace {
 
 constexpr double rate = 1000.0;
@@ -122,4 +122,4 @@ TEST(HandUnrestTest, IsTheSameOnEveryMachine) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::hand_unrest_test

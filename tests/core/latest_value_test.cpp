@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ghostforce {
+namespace ghostforce::latest_value_test {
 namespace {
 
 // Larger than a cache line, every word the same: a torn read shows as two words that differ.
@@ -111,4 +111,4 @@ static_assert(noexcept(std::declval<LatestValue<int>&>().publish(1)));
 static_assert(noexcept(std::declval<LatestValue<int>&>().latest()));
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::latest_value_test

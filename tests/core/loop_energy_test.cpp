@@ -6,7 +6,7 @@
 
 #include "tests/core/random_setting.h"
 
-namespace ghostforce {
+namespace ghostforce::loop_energy_test {
 namespace {
 
 TEST(Circle, LiesInTheWallWhereverTheHandWas) {
@@ -59,4 +59,4 @@ TEST(LoopEnergyMeterTest, ClosesTheLoopByAStraightLine) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::loop_energy_test

@@ -8,7 +8,7 @@
 #include "core/equilibrium.h"
 #include "core/settings.h"
 
-namespace ghostforce {
+namespace ghostforce::measured_tick_test {
 namespace {
 
 Settings figure_settings() {
@@ -134,4 +134,4 @@ TEST(MeasuredTick, SimulationGoesOnFromWhereTheHandleWas) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::measured_tick_test

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ghostforce {
+namespace ghostforce::measuring_tones_test {
 namespace {
 
 constexpr double turn = 2.0 * std::numbers::pi;
@@ -113,4 +113,4 @@ TEST(MeasuringTonesTest, SoundInProportionToTheirForce) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::measuring_tones_test

@@ -11,7 +11,7 @@
 #include "tests/core/random_setting.h"
 #include "tests/core/reference_model.h"
 
-namespace ghostforce {
+namespace ghostforce::proxy_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -150,4 +150,4 @@ static_assert(noexcept(proxy_of(Vector<2>{}, Wall<2>{}, Vector<2>{})));
 static_assert(std::is_trivially_copyable_v<Proxy<3>>);
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::proxy_test

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ghostforce {
+namespace ghostforce::ring_test {
 namespace {
 
 // Larger than a cache line, every word the same: a torn value shows as two words that differ.
@@ -94,4 +94,4 @@ static_assert(noexcept(std::declval<Ring<Whole, 4>&>().put()));
 static_assert(noexcept(std::declval<Ring<Whole, 4>&>().take(std::declval<Whole&>())));
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::ring_test

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace ghostforce {
+namespace ghostforce::safety_test {
 namespace {
 
 constexpr double dt = 0.001;
@@ -257,4 +257,4 @@ TEST(OffReasons, StandInTheirOrderAndSayWhatToDo) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::safety_test

@@ -11,7 +11,7 @@
 #include "tests/core/dimensions.h"
 #include "tests/core/random_setting.h"
 
-namespace ghostforce {
+namespace ghostforce::sampled_device_test {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -132,4 +132,4 @@ static_assert(noexcept(step(SampledDevice{}, DeviceMotion<2>{}, Vector<2>{}, Vec
 static_assert(std::is_trivially_copyable_v<SampledDevice> && std::is_trivially_copyable_v<DeviceMotion<4>>);
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::sampled_device_test

@@ -14,7 +14,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ghostforce {
+namespace ghostforce::scene_test {
 namespace {
 
 std::string full_name(const SceneKey& key) {
@@ -427,4 +427,4 @@ TEST(SceneTest, LastTickIsRoundedNotCut) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::scene_test

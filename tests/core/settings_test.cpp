@@ -10,7 +10,7 @@
 
 #include "tests/core/random_setting.h"
 
-namespace ghostforce {
+namespace ghostforce::settings_test {
 namespace {
 
 constexpr double degrees = std::numbers::pi / 180.0;
@@ -63,4 +63,4 @@ static_assert(std::is_trivially_copyable_v<Settings>);
 static_assert(noexcept(coefficients_of(std::declval<const Settings&>())));
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::settings_test

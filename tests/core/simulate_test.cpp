@@ -8,7 +8,7 @@
 
 #include "tests/core/random_setting.h"
 
-namespace ghostforce {
+namespace ghostforce::simulate_test {
 namespace {
 
 Scene example() {
@@ -129,4 +129,4 @@ TEST(SimulateTest, NothingMovesFromRest) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::simulate_test

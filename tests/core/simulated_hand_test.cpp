@@ -12,7 +12,7 @@
 
 #include "core/tick.h"
 
-namespace ghostforce {
+namespace ghostforce::simulated_hand_test {
 namespace {
 
 constexpr double rate = 1000.0;
@@ -102,4 +102,4 @@ TEST(SimulatedHand, IsThisOne) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::simulated_hand_test

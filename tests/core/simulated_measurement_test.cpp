@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ghostforce {
+namespace ghostforce::simulated_measurement_test {
 namespace {
 
 constexpr double longest_s = 6.0;
@@ -57,4 +57,4 @@ TEST(SimulatedMeasurement, SaysWhyNothingIsKnown) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::simulated_measurement_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ghostforce {
+namespace ghostforce::stiffness_path_test {
 namespace {
 
 const StiffnessPath path{{100.0, 400.0, 250.0}, {0.0, 5.0, 6.0}};
@@ -27,4 +27,4 @@ TEST(StiffnessPathTest, GoesOnUnderAClockThatStartsLater) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::stiffness_path_test

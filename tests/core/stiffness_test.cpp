@@ -6,7 +6,7 @@
 
 #include "tests/core/random_setting.h"
 
-namespace ghostforce {
+namespace ghostforce::stiffness_test {
 namespace {
 
 TEST(StiffnessTest, OptimalRatioIsOnePlusStiffnessRatio) {
@@ -32,4 +32,4 @@ static_assert(std::is_trivially_copyable_v<Stiffnesses>);
 static_assert(noexcept(tracking_ratio(Stiffnesses{})));
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::stiffness_test

@@ -8,7 +8,7 @@
 
 #include "tests/core/random_setting.h"
 
-namespace ghostforce {
+namespace ghostforce::strategy_test {
 namespace {
 
 TEST(StrategyTest, CatalogIsInTheOrderOfTheIdentifiers) {
@@ -87,4 +87,4 @@ static_assert(noexcept(strategy_catalog()) && noexcept(find_strategy("")));
 static_assert(noexcept(make_coupling(strategy(StrategyId::full), Stiffnesses{}, Actuation<2>{})));
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::strategy_test

@@ -11,7 +11,7 @@
 #include "tests/core/dimensions.h"
 #include "tests/core/random_setting.h"
 
-namespace ghostforce {
+namespace ghostforce::target_reading_test {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -179,4 +179,4 @@ TEST(TargetReading, OfTheLoopAtRestIsThatOfTheHandBehindIt) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::target_reading_test

@@ -13,7 +13,7 @@
 #include "core/tick.h"
 #include "tests/core/random_setting.h"
 
-namespace ghostforce {
+namespace ghostforce::tick_live_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -160,4 +160,4 @@ constexpr bool crosses_threads_whole = std::is_trivially_copyable_v<TickCoeffici
 static_assert(crosses_threads_whole<2> && crosses_threads_whole<3> && crosses_threads_whole<4>);
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::tick_live_test

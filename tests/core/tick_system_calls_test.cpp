@@ -21,7 +21,7 @@
 #include "core/settings.h"
 #include "core/tick.h"
 
-namespace ghostforce {
+namespace ghostforce::tick_system_calls_test {
 namespace {
 
 constexpr int cannot_be_forbidden = 2;  // an exit code
@@ -140,4 +140,4 @@ TEST(TickSystemCalls, OneWouldBeSeen) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::tick_system_calls_test

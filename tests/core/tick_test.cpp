@@ -14,7 +14,7 @@
 #include "tests/core/random_setting.h"
 #include "tests/core/reference_model.h"
 
-namespace ghostforce {
+namespace ghostforce::tick_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -363,4 +363,4 @@ TYPED_TEST(TickTest, WallActsOnOneSideAndOneTickLate) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::tick_test

@@ -12,7 +12,7 @@
 #include "core/tick.h"
 #include "tests/core/random_setting.h"
 
-namespace ghostforce {
+namespace ghostforce::user_measurement_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -202,4 +202,4 @@ TEST(RestWatchTest, CountsFromWhenItStayedNear) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::user_measurement_test

@@ -8,7 +8,7 @@
 #include "tests/core/dimensions.h"
 #include "tests/core/random_setting.h"
 
-namespace ghostforce {
+namespace ghostforce::wall_test {
 namespace {
 
 // Points lie within 0.2 m; a sum of D products of such numbers is good to a few roundings of that.
@@ -73,4 +73,4 @@ static_assert(noexcept(projection(Wall<2>{}, Vector<2>{})) && noexcept(depth(Wal
     along(Wall<2>{}, Vector<2>{})));
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::wall_test

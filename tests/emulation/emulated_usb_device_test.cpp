@@ -24,7 +24,7 @@
 #include "device/input/monotonic_clock.h"
 #include "tests/emulation/recording_chip.h"
 
-namespace ghostforce {
+namespace ghostforce::emulated_usb_device_test {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -343,4 +343,4 @@ TEST_F(EmulatedUsbDeviceTest, IsUnpluggedAndPluggedIn) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::emulated_usb_device_test

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/emulation/fault_trial.h"
+#include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce {
@@ -43,7 +44,7 @@ INSTANTIATE_TEST_SUITE_P(, FalconFaultsTest, testing::ValuesIn(quick_faults()),
                          [](const auto& run) { return std::string(run.param.name); });
 
 TEST(FaultCatalog, IsToldInTheDocumentation) {
-  const std::string doc = read_whole(GHOSTFORCE_SOURCE_DIR "/docs/falcon.md");
+  const std::string doc = read_whole(source_path("/docs/falcon.md"));
   for (const Fault& fault : fault_catalog()) {
     EXPECT_NE(doc.find("| " + std::string(fault.title) + " | "), std::string::npos)
         << "docs/falcon.md does not tell of: " << fault.title;

@@ -13,7 +13,7 @@
 #include "tests/emulation/emulated_usb_device.h"
 #include "tests/emulation/falcon_chip.h"
 
-namespace ghostforce {
+namespace ghostforce::falcon_over_usb_test {
 namespace {
 
 constexpr std::int64_t ms = 1'000'000;
@@ -74,4 +74,4 @@ TEST_F(FalconOverUsbTest, IsFoundLoadedHomedAndReadAndFoundAgain) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::falcon_over_usb_test

@@ -10,7 +10,7 @@
 #include "tests/emulation/emulated_usb_device.h"
 #include "tests/emulation/recording_chip.h"
 
-namespace ghostforce {
+namespace ghostforce::ftdi_link_faults_test {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -176,4 +176,4 @@ TEST_F(FtdiLinkFaultsTest, WaitsForTheSerialNumber) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::ftdi_link_faults_test

@@ -16,7 +16,7 @@
 #include "tests/emulation/recording_chip.h"
 #include "tests/support/program.h"
 
-namespace ghostforce {
+namespace ghostforce::ftdi_link_test {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -449,4 +449,4 @@ TEST_F(FtdiLinkTest, SendsFromTheHandlerOfADyingProgram) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::ftdi_link_test

@@ -5,16 +5,17 @@
 
 #include "tests/emulation/test_bed.h"
 #include "tests/support/display.h"
+#include "tests/support/places.h"
 #include "tests/support/program.h"
 
-namespace ghostforce {
+namespace ghostforce::run_without_devices_test {
 namespace {
 
 Outcome visit(const Display& display, const std::string& input) {
   ProgramCall call;
   call.words = {"run", "--no-hints", "--exit-after", "1", "--input", input};
   call.environment = display.environment();
-  return run_program(GHOSTFORCE_PROGRAM, call);
+  return run_program(ghostforce_program(), call);
 }
 
 TEST(RunWithoutDevices, SaysWhichOneIsMissing) {
@@ -32,4 +33,4 @@ TEST(RunWithoutDevices, SaysWhichOneIsMissing) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::run_without_devices_test

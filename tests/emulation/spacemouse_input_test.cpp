@@ -13,7 +13,7 @@
 #include "tests/emulation/emulated_hid_device.h"
 #include "tests/emulation/ordinary_user.h"
 
-namespace ghostforce {
+namespace ghostforce::spacemouse_input_test {
 namespace {
 
 using Report = std::vector<std::uint8_t>;
@@ -173,4 +173,4 @@ TEST_F(SpaceMouseInputTest, EndsSoon) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::spacemouse_input_test

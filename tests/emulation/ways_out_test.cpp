@@ -17,7 +17,7 @@
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::ways_out_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -274,4 +274,4 @@ TEST_F(WaysOutWithAWatchdogTest, KilledTheDeviceLetsGo) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::ways_out_test

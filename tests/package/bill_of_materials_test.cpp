@@ -10,8 +10,9 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/package/project_file.h"
+#include "tests/support/places.h"
 
-namespace ghostforce {
+namespace ghostforce::bill_of_materials_test {
 namespace {
 
 using nlohmann::json;
@@ -51,7 +52,7 @@ TEST(BillOfMaterials, NamesEveryWorkInTheProgramAndEveryLibraryThatItIsLinkedWit
   for (const std::string& work : works_in_program()) EXPECT_TRUE(names.contains(work)) << work;
 
   // Another program is asked than the one that made the list.
-  const Outcome linked = run_program("/usr/bin/env", {"objdump", "-p", GHOSTFORCE_PROGRAM});
+  const Outcome linked = run_program("/usr/bin/env", {"objdump", "-p", ghostforce_program()});
   ASSERT_EQ(linked.exit_code, 0) << linked.err;
   const std::vector<std::string> libraries = all_in(linked.out, R"(NEEDED +(\S+))");
   EXPECT_TRUE(std::ranges::any_of(libraries, [](const std::string& name) { return name.starts_with("libusb"); }));
@@ -79,7 +80,7 @@ TEST(BillOfMaterials, IsTheSameWhenItIsMadeAgain) {
                   "--version=1",
                   "--notices=" + project_path("THIRD_PARTY_NOTICES.md"),
                   "--architecture=none",
-                  GHOSTFORCE_PROGRAM};
+                  ghostforce_program()};
     call.environment = {"SOURCE_DATE_EPOCH=" + epoch};
     const Outcome outcome = run_program(GHOSTFORCE_PYTHON, call);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -91,4 +92,4 @@ TEST(BillOfMaterials, IsTheSameWhenItIsMadeAgain) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::bill_of_materials_test

@@ -7,7 +7,7 @@
 
 #include "tests/package/project_file.h"
 
-namespace ghostforce {
+namespace ghostforce::debian_files_test {
 namespace {
 
 TEST(DebianCopyright, NamesEveryWorkAndHasTheTextOfEachLicence) {
@@ -64,4 +64,4 @@ TEST(DebianChangelog, AFileWithoutReleasesIsSaid) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::debian_files_test

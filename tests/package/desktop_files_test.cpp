@@ -10,7 +10,7 @@
 
 #include "tests/package/project_file.h"
 
-namespace ghostforce {
+namespace ghostforce::desktop_files_test {
 namespace {
 
 const std::string metainfo = "assets/desktop/org.ghostforce.ghostforce.metainfo.xml";
@@ -84,4 +84,4 @@ TEST(DesktopFiles, TheMetainfoNamesTheDevicesOfTheUdevRule) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::desktop_files_test

@@ -8,13 +8,14 @@
 #include <string_view>
 #include <vector>
 
+#include "tests/support/places.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce {
 
 inline std::string project_path(std::string_view path) {
-  return std::string(GHOSTFORCE_SOURCE_DIR "/").append(path);
+  return source_path("/").append(path);
 }
 
 inline std::string project_file(std::string_view path) {

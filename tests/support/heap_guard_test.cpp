@@ -9,7 +9,7 @@
 #include <gtest/gtest-spi.h>
 #include <gtest/gtest.h>
 
-namespace ghostforce {
+namespace ghostforce::heap_guard_test {
 namespace {
 
 // Keeps the compiler from leaving out an allocation that nothing reads.
@@ -112,4 +112,4 @@ TEST(HeapGuard, DoesNotLookAtOtherThreads) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::heap_guard_test

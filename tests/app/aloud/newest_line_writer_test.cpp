@@ -15,7 +15,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ghostforce {
+namespace ghostforce::newest_line_writer_test {
 namespace {
 
 class Pipe {
@@ -147,4 +147,4 @@ TEST(NewestLineWriter, WaitsForAPipeThatSomebodyMadeNonBlocking) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::newest_line_writer_test

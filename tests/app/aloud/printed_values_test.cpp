@@ -10,7 +10,7 @@
 #include "tests/app/view/picture_extents.h"
 #include "tests/app/view/stage/stage_dice.h"
 
-namespace ghostforce {
+namespace ghostforce::printed_values_test {
 namespace {
 
 // In the order of printed_header().
@@ -134,4 +134,4 @@ TEST(PrintedValues, ComeWhenSomethingElseThanTheTimeIsNewAndNotTooOften) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::printed_values_test

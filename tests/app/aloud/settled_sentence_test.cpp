@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace ghostforce {
+namespace ghostforce::settled_sentence_test {
 namespace {
 
 constexpr double step_s = 0.1;
@@ -51,4 +51,4 @@ TEST(SettledSentence, RunningNumbersAreNeverTaken) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::settled_sentence_test

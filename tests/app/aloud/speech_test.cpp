@@ -21,7 +21,7 @@
 #include "tests/support/fake_speech_service.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::speech_test {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -249,4 +249,4 @@ TEST_F(SpeechTest, FindsTheSocketAsItsClientsDo) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::speech_test

@@ -16,7 +16,7 @@
 #include "app/paint/vector/file_painter.h"
 #include "app/paint/vector/vector_painter.h"
 
-namespace ghostforce {
+namespace ghostforce::chart_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -315,4 +315,4 @@ TEST(ImagePainter, HasTheColoursInTheirPlaces) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::chart_test

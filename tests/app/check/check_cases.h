@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/places.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
@@ -40,7 +41,7 @@ class Cases {
     call.words = {"check", path()};
     call.words.insert(call.words.end(), more.begin(), more.end());
     call.environment = environment;
-    return run_program(GHOSTFORCE_PROGRAM, call);
+    return run_program(ghostforce_program(), call);
   }
   void update(const std::string& name) const {
     const Outcome outcome = check({"--update", name});

@@ -11,8 +11,9 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/app/check/check_cases.h"
+#include "tests/support/places.h"
 
-namespace ghostforce {
+namespace ghostforce::check_doc_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -20,7 +21,7 @@ using Json = nlohmann::ordered_json;
 
 // What stands in each ``` of that kind.
 std::vector<std::string> blocks(std::string_view kind) {
-  const std::string doc = read_whole(GHOSTFORCE_SOURCE_DIR "/docs/check.md");
+  const std::string doc = read_whole(source_path("/docs/check.md"));
   const std::string fence = fmt::format("\n```{}\n", kind);
   std::vector<std::string> found;
   for (std::size_t at = doc.find(fence); at != std::string::npos; at = doc.find(fence, at + 1)) {
@@ -112,7 +113,7 @@ TemporaryFolder* CheckDoc::installed_ = nullptr;
 TEST_F(CheckDoc, LeadsFromNothingToTheFirstCheck) {
   const Outcome outcome = store_golden();
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_TRUE(contains(read_whole(GHOSTFORCE_SOURCE_DIR "/docs/check.md"), "```\n" + outcome.out + "```\n"));
+  EXPECT_TRUE(contains(read_whole(source_path("/docs/check.md")), "```\n" + outcome.out + "```\n"));
 }
 
 TEST_F(CheckDoc, HasAJobThatRunsAsItIsWritten) {
@@ -159,7 +160,7 @@ TEST_F(CheckDoc, ShowsTheJsonThatIsPrinted) {
   const Outcome outcome = run("ghostforce check pictures --report report --json");
   EXPECT_EQ(outcome.exit_code, 1);
   expect_same_shape(documented, Json::parse(outcome.out), "");
-  const std::string doc = read_whole(GHOSTFORCE_SOURCE_DIR "/docs/check.md");
+  const std::string doc = read_whole(source_path("/docs/check.md"));
   const auto expect_explained = [&](const auto& self, const Json& json) -> void {
     for (const auto& [key, value] : json.items()) {
       if (json.is_object()) {
@@ -172,4 +173,4 @@ TEST_F(CheckDoc, ShowsTheJsonThatIsPrinted) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::check_doc_test

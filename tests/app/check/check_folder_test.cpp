@@ -26,8 +26,9 @@
 #include "tests/app/check/check_cases.h"
 #include "tests/support/file_calls.h"
 #include "tests/support/no_opengl.h"
+#include "tests/support/places.h"
 
-namespace ghostforce {
+namespace ghostforce::check_folder_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -43,7 +44,7 @@ TEST(Check, SaysWithWhichCommandAGoldenComesToBe) {
   const std::string command = fmt::format("check {} --update 'it'\\''s new'", cases.path());
   ASSERT_TRUE(contains(outcome.err, "ghostforce " + command));
   // By a shell, as the person does it.
-  EXPECT_EQ(run_program("/bin/sh", {"-c", GHOSTFORCE_PROGRAM " " + command}).exit_code, 0);
+  EXPECT_EQ(run_program("/bin/sh", {"-c", ghostforce_program() + " " + command}).exit_code, 0);
   EXPECT_EQ(cases.check().exit_code, 0);
 }
 
@@ -289,7 +290,7 @@ TEST(Check, TellsAllThatIsWrongWithAllCasesBeforeItDraws) {
 TEST(Check, TellsASceneFromACase) {
   const Cases cases({{"good", std::string(small_case)},
                      {"half", "[wall]\nnormal_deg = 90\n"},
-                     {"mine", read_whole(GHOSTFORCE_SOURCE_DIR "/assets/scenes/wall45.toml")},
+                     {"mine", read_whole(source_path("/assets/scenes/wall45.toml"))},
                      {"numbered", "format = 1\n" + std::string(small_case)},
                      {"newer", "format = 2\n" + std::string(small_case) + "hologram = true\n"}});
   const Outcome outcome = cases.check();
@@ -353,7 +354,7 @@ TEST(Check, FindsASceneBesideItsCase) {
   const Cases cases({{"mine", replaced(std::string(small_case), "wall45", "../scenes/mine.toml")},
                      {"shipped", std::string(small_case) + "match = \"mine\"\n"}});
   fs::create_directory(cases.beside("scenes"));
-  fs::copy_file(GHOSTFORCE_SOURCE_DIR "/assets/scenes/wall45.toml", cases.beside("scenes/mine.toml"));
+  fs::copy_file(source_path("/assets/scenes/wall45.toml"), cases.beside("scenes/mine.toml"));
   EXPECT_EQ(cases.check({"--only", "shipped"}).exit_code, 0);
 }
 
@@ -362,7 +363,7 @@ TEST(Check, RefusesFoldersAndNamesThatAreNot) {
   fs::create_directory(cases.beside("pictures"));
   const auto refusal = [](std::vector<std::string> words) {
     words.insert(words.begin(), "check");
-    const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, words);
+    const Outcome outcome = run_program(ghostforce_program(), words);
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_EQ(outcome.out, "");
     return outcome.err;
@@ -396,13 +397,13 @@ TEST(Check, KeepsItsExitCodeWhenNobodyReadsOn) {
   ProgramCall call;
   call.words = {"check", cases.path()};
   call.close_after_first_piece = true;
-  EXPECT_EQ(run_program(GHOSTFORCE_PROGRAM, call).exit_code, 1);
+  EXPECT_EQ(run_program(ghostforce_program(), call).exit_code, 1);
 }
 
 // Words are lost on a reader who has gone, or on a full disk; the answer is not.
 TEST(Check, KeepsItsExitCodeWhenNobodyReadsItsWords) {
   const Cases cases({{"new", std::string(small_case)}});
-  const std::string check = fmt::format("{} check {}", GHOSTFORCE_PROGRAM, cases.path());
+  const std::string check = fmt::format("{} check {}", ghostforce_program(), cases.path());
   const std::string pipe = cases.beside("pipe");
   // A pipe that nobody reads any more.
   const std::string to_nobody = fmt::format("mkfifo {0}; exec 3<>{0} 4>{0} 3<&-; {1} 2>&4", pipe, check);
@@ -421,7 +422,7 @@ TEST(Check, LeavesNothingBehindWhenInterrupted) {
   call.words = {"check", cases.path(), "--report", report};
   call.signal_when_created_in = report;
   call.signal = SIGINT;
-  EXPECT_EQ(run_program(GHOSTFORCE_PROGRAM, call).exit_code, 130);
+  EXPECT_EQ(run_program(ghostforce_program(), call).exit_code, 130);
   EXPECT_EQ(Cases::files_in(report), std::set<std::string>{});
   EXPECT_EQ(cases.files().size(), 60U);
 }
@@ -430,7 +431,7 @@ TEST(CheckUpdate, LeavesNothingBehindWhenInterrupted) {
   // Ten million ticks: long enough to be met in the middle.
   const std::string endless = std::string(small_case) + "set = [\"goal.duration_s=10000\"]\n";
   const Cases cases({{"a", std::string(small_case)}, {"b", endless}, {"c", endless}, {"d", endless}});
-  const Outcome outcome = run_program("/usr/bin/timeout", {"--preserve-status", "-s", "INT", "0.3", GHOSTFORCE_PROGRAM,
+  const Outcome outcome = run_program("/usr/bin/timeout", {"--preserve-status", "-s", "INT", "0.3", ghostforce_program(),
                                                            "check", cases.path(), "--update", "a", "b", "c", "d"});
   EXPECT_EQ(outcome.exit_code, 130);
   EXPECT_EQ(cases.files(), (std::set<std::string>{"a.toml", "b.toml", "c.toml", "d.toml"}));
@@ -484,4 +485,4 @@ TEST(GraphicsCardTolerance, IsForGoldensOfOthersWhereTheCaseStatesNone) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::check_folder_test

@@ -25,8 +25,9 @@
 #include "app/console/failure.h"
 #include "tests/app/check/check_cases.h"
 #include "tests/support/no_opengl.h"
+#include "tests/support/places.h"
 
-namespace ghostforce {
+namespace ghostforce::check_jobs_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -176,7 +177,7 @@ TEST(CheckJobs, AreANumberWithinLimits) {
   }
   EXPECT_EQ(cases.check({"--jobs", "2", "--update", "wall"}).exit_code, 2);
   EXPECT_EQ(cases.files().size(), 1U);
-  const Outcome lesson = run_program(GHOSTFORCE_PROGRAM, {"check", "ghost", "--jobs", "2"});
+  const Outcome lesson = run_program(ghostforce_program(), {"check", "ghost", "--jobs", "2"});
   EXPECT_EQ(lesson.exit_code, 2);
   EXPECT_TRUE(contains(lesson.err, "--jobs, --json and --renderer are for a folder of cases"));
 }
@@ -215,7 +216,7 @@ TEST(CheckJobs, LeaveNothingBehindWhenInterrupted) {
   call.signal_when_created_in = report;
   call.signal = SIGINT;
   // It would wait for as long as a process has the other end of its output: none outlives the check.
-  EXPECT_EQ(run_program(GHOSTFORCE_PROGRAM, call).exit_code, 130);
+  EXPECT_EQ(run_program(ghostforce_program(), call).exit_code, 130);
   EXPECT_EQ(Cases::files_in(report), std::set<std::string>{});
 }
 
@@ -232,7 +233,7 @@ class HeldUpCheck {
       write_whole(fmt::format("{}/{}-{:02}.toml", folder_ / "cases", std::string(200, 'x'), i), small_case);
     }
     ProgramCall call;
-    call.words = {"-c", fmt::format("exec {} check {} --jobs 2 >{} 2>{}", GHOSTFORCE_PROGRAM, folder_ / "cases", pipe,
+    call.words = {"-c", fmt::format("exec {} check {} --jobs 2 >{} 2>{}", ghostforce_program(), folder_ / "cases", pipe,
                                     folder_ / "err")};
     program_.emplace("/bin/sh", call);
   }
@@ -292,4 +293,4 @@ TEST(CheckJobs, EndWithTheProgramThatStartedThem) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::check_jobs_test

@@ -11,9 +11,10 @@
 #include "app/files/png_file.h"
 #include "ghostforce_version.h"
 #include "tests/app/check/check_cases.h"
+#include "tests/support/places.h"
 #include "tests/support/read_png.h"
 
-namespace ghostforce {
+namespace ghostforce::check_json_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -101,7 +102,7 @@ TEST(CheckJson, IsNotPrintedWhereNothingWasChecked) {
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.out, "");
   EXPECT_EQ(cases.check({"--json", "--update", "a"}).exit_code, 2);
-  EXPECT_EQ(run_program(GHOSTFORCE_PROGRAM, {"check", "ghost", "--json"}).exit_code, 2);
+  EXPECT_EQ(run_program(ghostforce_program(), {"check", "ghost", "--json"}).exit_code, 2);
 }
 
 TEST(CheckJson, KeepsTheExitCodeWhenNobodyReadsIt) {
@@ -109,10 +110,10 @@ TEST(CheckJson, KeepsTheExitCodeWhenNobodyReadsIt) {
   const std::string pipe = cases.beside("pipe");
   // A pipe that nobody reads any more.
   EXPECT_EQ(run_program("/bin/sh", {"-c", "mkfifo " + pipe + "; exec 3<>" + pipe + " 4>" + pipe + " 3<&-; " +
-                                              GHOSTFORCE_PROGRAM + " check " + cases.path() + " --json >&4"})
+                                              ghostforce_program() + " check " + cases.path() + " --json >&4"})
                 .exit_code,
             1);
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::check_json_test

@@ -18,10 +18,11 @@
 #include "app/files/png_file.h"
 #include "tests/app/check/check_cases.h"
 #include "tests/app/files/png_pieces.h"
+#include "tests/support/places.h"
 #include "tests/support/read_png.h"
 #include "tests/support/sanitized.h"
 
-namespace ghostforce {
+namespace ghostforce::check_limits_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -136,7 +137,7 @@ TEST(CheckUpdate, WritesThroughALinkThatStaysInside) {
   write_whole(cases / "wall.toml", std::string(small_case) + "strategy = \"full\"\n");
   // Wherever the folder itself is reached from.
   fs::create_directory_symlink("cases", cases.beside("link"));
-  const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, {"check", cases.beside("link"), "--update", "wall"});
+  const Outcome outcome = run_program(ghostforce_program(), {"check", cases.beside("link"), "--update", "wall"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_TRUE(fs::is_symlink(cases / "wall.png"));
   EXPECT_EQ(cases.check().exit_code, 0);
@@ -185,7 +186,7 @@ TEST(Check, TellsTheFirstOfManyMistakes) {
 
 // The most memory that the program had while it checked these cases [MB].
 double peak_memory_mb(const Cases& cases, const std::vector<std::string>& more = {}) {
-  std::vector<std::string> words{GHOSTFORCE_PROGRAM, "check", cases.path()};
+  std::vector<std::string> words{ghostforce_program(), "check", cases.path()};
   words.insert(words.end(), more.begin(), more.end());
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
@@ -254,4 +255,4 @@ TEST(CheckReport, HoldsThePicturesOfAnyNumberOfCases) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::check_limits_test

@@ -11,7 +11,7 @@
 #include "tests/app/check/check_cases.h"
 #include "tests/support/read_png.h"
 
-namespace ghostforce {
+namespace ghostforce::check_mask_test {
 namespace {
 
 // Black, but for these white pixels.
@@ -152,4 +152,4 @@ TEST(CheckMask, IsRefusedWhereItIsWrong) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::check_mask_test

@@ -31,9 +31,10 @@
 #include "app/paint/label_painter.h"
 #include "app/ui/widgets/style.h"
 #include "tests/app/check/check_cases.h"
+#include "tests/support/places.h"
 #include "tests/support/read_png.h"
 
-namespace ghostforce {
+namespace ghostforce::check_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -206,7 +207,7 @@ TEST(Check, DrawsWhatRenderDraws) {
   for (const auto& [name, words] : renders) {
     std::vector<std::string> call{"render", "-o", cases / (name + ".png")};
     call.insert(call.end(), words.begin(), words.end());
-    ASSERT_EQ(run_program(GHOSTFORCE_PROGRAM, call).exit_code, 0);
+    ASSERT_EQ(run_program(ghostforce_program(), call).exit_code, 0);
   }
   const Outcome outcome = cases.check();
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -236,13 +237,13 @@ TEST(Check, PassesAgainWhereverAndHoweverItRuns) {
     ProgramCall call;
     call.words = {"check", folder};
     call.folder = from;
-    const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, call);
+    const Outcome outcome = run_program(ghostforce_program(), call);
     EXPECT_EQ(outcome.exit_code, 0) << folder << '\n' << outcome.out << outcome.err;
   }
   if (fs::exists("/usr/bin/taskset")) {
     const std::string processor = std::to_string(an_allowed_processor());
     const Outcome outcome =
-        run_program("/usr/bin/taskset", {"-c", processor, GHOSTFORCE_PROGRAM, "check", cases.path()});
+        run_program("/usr/bin/taskset", {"-c", processor, ghostforce_program(), "check", cases.path()});
     EXPECT_EQ(outcome.exit_code, 0) << "on processor " << processor << '\n' << outcome.out << outcome.err;
   }
 }
@@ -497,4 +498,4 @@ TEST(CheckReport, IsRefusedWhereItCannotBe) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::check_test

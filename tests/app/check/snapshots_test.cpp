@@ -17,19 +17,20 @@
 #include "app/view/theme.h"
 #include "app/view/view.h"
 #include "tests/support/no_opengl.h"
+#include "tests/support/places.h"
 #include "tests/support/program.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::snapshots_test {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* snapshots = GHOSTFORCE_SOURCE_DIR "/tests/snapshots";
-constexpr const char* lesson_snapshots = GHOSTFORCE_SOURCE_DIR "/tests/snapshots/lessons";
+const std::string snapshots = source_path("/tests/snapshots");
+const std::string lesson_snapshots = source_path("/tests/snapshots/lessons");
 
-std::vector<std::string> names_of_files(const std::string& extension, const char* folder = snapshots) {
+std::vector<std::string> names_of_files(const std::string& extension, const std::string& folder = snapshots) {
   std::vector<std::string> names;
   for (const auto& entry : fs::directory_iterator(folder)) {
     if (entry.path().extension() == extension) names.push_back(entry.path().stem().string());
@@ -39,13 +40,13 @@ std::vector<std::string> names_of_files(const std::string& extension, const char
 }
 
 // `cases`: empty for all. `name` of the report, which has a folder of its own: tests run side by side.
-void expect_drawn_as_stored(const char* folder, const std::vector<std::string>& cases, const std::string& name,
+void expect_drawn_as_stored(const std::string& folder, const std::vector<std::string>& cases, const std::string& name,
                             const char* renderer = "egl") {
   const std::string report = std::string(GHOSTFORCE_SNAPSHOTS_REPORT) + "/" + name;
   std::vector<std::string> call{"check", folder, "--report", report, "--renderer", renderer};
   if (!cases.empty()) call.push_back("--only");
   call.insert(call.end(), cases.begin(), cases.end());
-  const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, call);
+  const Outcome outcome = run_program(ghostforce_program(), call);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err << "look at " << report << "/report.html";
 }
 
@@ -111,7 +112,7 @@ TEST(LessonSnapshotsFolder, IsDrawnByOsMesaAsItIsStored) {
 #endif
 
 TEST(SnapshotsFolder, HasACaseForEachPicture) {
-  for (const char* const folder : {snapshots, lesson_snapshots}) {
+  for (const std::string& folder : {snapshots, lesson_snapshots}) {
     const std::vector<std::string> cases = names_of_files(".toml", folder);
     for (const std::string& picture : names_of_files(".png", folder)) {
       EXPECT_TRUE(std::binary_search(cases.begin(), cases.end(), picture)) << picture << ".png belongs to nothing";
@@ -145,4 +146,4 @@ TEST(SnapshotsFolder, HoldsEverySceneUnderEveryStrategyAndEveryWayToCompareInEve
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::snapshots_test

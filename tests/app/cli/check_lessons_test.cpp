@@ -4,10 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/places.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::check_lessons_test {
 namespace {
 
 constexpr std::string_view lesson = R"(format = 1
@@ -40,7 +41,7 @@ class CheckLessons : public testing::Test {
 
 Outcome check(std::vector<std::string> words) {
   words.insert(words.begin(), "check");
-  return run_program(GHOSTFORCE_PROGRAM, std::move(words));
+  return run_program(ghostforce_program(), std::move(words));
 }
 
 bool holds(const std::string& text, std::string_view part) {
@@ -98,14 +99,14 @@ TEST_F(CheckLessons, KnowsWhichLessonAMistypedNameMeant) {
 }
 
 TEST_F(CheckLessons, PrintsWhatTheDocShows) {
-  const std::string doc = read_whole(GHOSTFORCE_SOURCE_DIR "/docs/lessons.md");
+  const std::string doc = read_whole(source_path("/docs/lessons.md"));
   constexpr std::string_view fence = "```toml\n";
   const std::size_t begin = doc.rfind(fence) + fence.size();
   write_whole(folder_ / "steep.toml", doc.substr(begin, doc.find("```", begin) - begin));
   ProgramCall call;
   call.words = {"check", "steep.toml"};
   call.folder = folder_.path();
-  const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, call);
+  const Outcome outcome = run_program(ghostforce_program(), call);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_TRUE(holds(doc, outcome.out)) << "docs/lessons.md should hold\n" << outcome.out;
 }
@@ -128,4 +129,4 @@ TEST_F(CheckLessons, DoesNotMixThemWithFoldersOfCases) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::check_lessons_test

@@ -20,15 +20,16 @@
 #include "core/ghost_force.h"
 #include "core/simulate.h"
 #include "ghostforce_version.h"
+#include "tests/support/places.h"
 #include "tests/support/program.h"
 #include "tests/support/scene_values.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::command_line_test {
 namespace {
 
 Outcome run(std::vector<std::string> words) {
-  return run_program(GHOSTFORCE_PROGRAM, std::move(words));
+  return run_program(ghostforce_program(), std::move(words));
 }
 
 // A call that is wrong: exit 2, nothing on stdout, and these words on stderr.
@@ -129,7 +130,7 @@ TEST(CommandLine, ProblemsOfASceneFileAreToldByLine) {
   ProgramCall call;
   call.words = {"simulate", "bad.toml", "-o", "run.csv"};
   call.folder = folder.path();
-  const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, call);
+  const Outcome outcome = run_program(ghostforce_program(), call);
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.err,
             "bad.toml:9:1: the key device.rate_hz is missing\n"
@@ -146,7 +147,7 @@ TEST(CommandLine, FileTroubleExits8) {
   for (const std::vector<std::string>& words :
        {std::vector<std::string>{"simulate", "wall45"}, {"--help"}, {"equilibrium", "fig1"}}) {
     call.words = words;
-    const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, call);
+    const Outcome outcome = run_program(ghostforce_program(), call);
     EXPECT_EQ(outcome.exit_code, 8);
     EXPECT_NE(outcome.err.find("standard output cannot be written: No space left"), std::string::npos);
   }
@@ -156,7 +157,7 @@ TEST(CommandLine, AReaderThatLeavesIsNoTrouble) {
   ProgramCall call;
   call.words = {"simulate", "wall45", "--strategy", "all", "--set", "goal.duration_s=10000"};
   call.close_after_first_piece = true;
-  const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, call);
+  const Outcome outcome = run_program(ghostforce_program(), call);
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.err, "");
 }
@@ -171,7 +172,7 @@ TEST_P(CommandLineInterrupted, LeavesNothingAndExits130) {
   call.words = {"simulate", "wall45", "--set", "goal.duration_s=10000", "-o", folder / "run.csv"};
   call.signal_when_created_in = folder.path();
   call.signal = GetParam();
-  const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, call);
+  const Outcome outcome = run_program(ghostforce_program(), call);
   EXPECT_EQ(outcome.exit_code, 130);
   EXPECT_EQ(outcome.err, "interrupted\n");
   EXPECT_EQ(outcome.out, "");
@@ -305,7 +306,7 @@ TEST(Simulate, FileAndStandardOutputAreTheSameBytes) {
     ProgramCall call;
     call.words = {"simulate", "fig1", "--strategy", "all", "-o", "-"};
     call.environment = {"LC_ALL=" + locale, "LANG=" + locale, "LC_NUMERIC=" + locale};
-    EXPECT_EQ(run_program(GHOSTFORCE_PROGRAM, call).out, bytes) << locale;
+    EXPECT_EQ(run_program(ghostforce_program(), call).out, bytes) << locale;
   }
 }
 
@@ -413,7 +414,7 @@ TEST(EquilibriumCommand, TableIsForPeople) {
 TEST(Simulate, SaysSoWhereTheLoopRunsAwayAndWritesNothing) {
   const TemporaryFolder folder;
   const Outcome outcome =
-      run_program(GHOSTFORCE_PROGRAM, {"simulate", "wall45", "--strategy", "all", "-o", folder / "run.csv", "--set",
+      run_program(ghostforce_program(), {"simulate", "wall45", "--strategy", "all", "-o", folder / "run.csv", "--set",
                                        "rendering.k_r_N_per_m=1e6", "--set", "device.mass_kg=0.001"});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_NE(outcome.err.find("unstable"), std::string::npos) << outcome.err;
@@ -431,11 +432,11 @@ TEST(Run, RefusesWhatBelongsToAnotherFaceOrHand) {
 
 TEST(Run, RefusesATimeThatIsNoNumber) {
   for (const char* time : {"nan", "-1", "inf", "soon"}) {
-    const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, {"run", "--exit-after", time});
+    const Outcome outcome = run_program(ghostforce_program(), {"run", "--exit-after", time});
     EXPECT_EQ(outcome.exit_code, 2) << time;
     EXPECT_NE(outcome.err.find("--exit-after"), std::string::npos) << outcome.err;
   }
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::command_line_test

@@ -9,10 +9,11 @@
 #include <gtest/gtest.h>
 
 #include "app/cli/command.h"
+#include "tests/support/places.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::completion_test {
 namespace {
 
 struct Shell {
@@ -65,7 +66,7 @@ const std::vector<Typed> typed_lines{
 class Completion : public testing::TestWithParam<Shell> {
  protected:
   Completion() {
-    write_whole(folder_ / "script", run_program(GHOSTFORCE_PROGRAM, {"help", "--format", GetParam().name}).out);
+    write_whole(folder_ / "script", run_program(ghostforce_program(), {"help", "--format", GetParam().name}).out);
     std::filesystem::create_directory(folder_ / "my_folder");
     for (const char* name : {"my_scene.toml", "my_notes.txt", "my_folder/inside.txt"}) write_whole(folder_ / name, "");
   }
@@ -74,7 +75,7 @@ class Completion : public testing::TestWithParam<Shell> {
   std::map<std::string, std::set<std::string>> complete(const std::vector<std::string>& lines) {
     ProgramCall call;
     call.words = {GetParam().call.begin() + 1, GetParam().call.end()};
-    call.words.push_back(std::string(GHOSTFORCE_SOURCE_DIR "/tests/app/cli/complete.") + GetParam().name);
+    call.words.push_back(source_path("/tests/app/cli/complete.") + GetParam().name);
     call.words.push_back(folder_ / "script");
     call.words.insert(call.words.end(), lines.begin(), lines.end());
     call.folder = folder_.path();
@@ -127,7 +128,7 @@ TEST_P(Completion, OffersTheOptionsOfEachCommand) {
   for (const Command& command : command_catalog()) {
     const std::string name(command.name);
     std::set<std::string> expected;
-    std::istringstream help(run_program(GHOSTFORCE_PROGRAM, {"help", name}).out);
+    std::istringstream help(run_program(ghostforce_program(), {"help", name}).out);
     for (std::string line; std::getline(help, line);) {
       if (!line.starts_with("  -")) continue;
       line.resize(line.find(' ', 2));
@@ -148,4 +149,4 @@ INSTANTIATE_TEST_SUITE_P(Shells, Completion,
                          [](const auto& shell) { return shell.param.name; });
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::completion_test

@@ -6,7 +6,7 @@
 
 #include "tests/device/servo/servo_scenes.h"
 
-namespace ghostforce {
+namespace ghostforce::desktop_inputs_test {
 namespace {
 
 TEST(DesktopInputs, EveryKindSaysWhatItIs) {
@@ -46,4 +46,4 @@ TEST(DesktopInputs, StandInTheirOrder) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::desktop_inputs_test

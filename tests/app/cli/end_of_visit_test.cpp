@@ -8,7 +8,7 @@
 #include "core/safety.h"
 #include "device/falcon/falcon_report.h"
 
-namespace ghostforce {
+namespace ghostforce::end_of_visit_test {
 namespace {
 
 FalconReport with_fault(FalconFault fault) {
@@ -82,4 +82,4 @@ TEST(EndOfVisit, ASafetyLimitComesFirst) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::end_of_visit_test

@@ -15,7 +15,7 @@
 #include "device/virtual_falcon/practice_firmware.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::falcon_options_test {
 namespace {
 
 class FalconSetUpTest : public testing::Test {
@@ -134,4 +134,4 @@ TEST_F(FalconSetUpTest, TakesTheCalibrationsThatAreKept) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::falcon_options_test

@@ -9,15 +9,16 @@
 #include <gtest/gtest.h>
 
 #include "app/cli/command.h"
+#include "tests/support/places.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::help_test {
 namespace {
 
 Outcome help(std::vector<std::string> words) {
   words.insert(words.begin(), "help");
-  return run_program(GHOSTFORCE_PROGRAM, std::move(words));
+  return run_program(ghostforce_program(), std::move(words));
 }
 
 // Of each command, and of the program by an empty name.
@@ -74,10 +75,10 @@ std::string without_wide_blanks(std::string text) {
 }
 
 TEST(Help, IsWhatTheOptionPrints) {
-  EXPECT_EQ(printed({}, ""), run_program(GHOSTFORCE_PROGRAM, {"--help"}).out);
+  EXPECT_EQ(printed({}, ""), run_program(ghostforce_program(), {"--help"}).out);
   for (const Command& command : command_catalog()) {
     const std::string name(command.name);
-    EXPECT_EQ(printed({}, name), run_program(GHOSTFORCE_PROGRAM, {name, "--help"}).out);
+    EXPECT_EQ(printed({}, name), run_program(ghostforce_program(), {name, "--help"}).out);
   }
 }
 
@@ -142,4 +143,4 @@ TEST(ManualPages, ShowLettersAndSigns) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::help_test

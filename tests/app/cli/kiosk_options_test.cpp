@@ -5,9 +5,10 @@
 #include <vector>
 
 #include "app/cli/command_line.h"
+#include "tests/support/places.h"
 #include "tests/support/program.h"
 
-namespace ghostforce {
+namespace ghostforce::kiosk_options_test {
 namespace {
 
 // Without a display it would end there, with another code.
@@ -16,7 +17,7 @@ Outcome run_kiosk(std::vector<std::string> more) {
   ProgramCall call;
   call.words = std::move(more);
   call.environment = {"DISPLAY=", "WAYLAND_DISPLAY="};
-  return run_program(GHOSTFORCE_PROGRAM, call);
+  return run_program(ghostforce_program(), call);
 }
 
 TEST(KioskOptions, ContradictionsAreRefusedInWords) {
@@ -50,4 +51,4 @@ TEST(KioskOptions, TheRestGoesTogether) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::kiosk_options_test

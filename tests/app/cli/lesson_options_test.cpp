@@ -6,10 +6,11 @@
 #include <utility>
 #include <vector>
 
+#include "tests/support/places.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::lesson_options_test {
 namespace {
 
 // A lesson in French, which the stage does not speak.
@@ -30,7 +31,7 @@ Outcome run_words(std::vector<std::string> words) {
   ProgramCall call;
   call.words = std::move(words);
   call.environment = {"DISPLAY=", "WAYLAND_DISPLAY="};
-  return run_program(GHOSTFORCE_PROGRAM, call);
+  return run_program(ghostforce_program(), call);
 }
 
 std::vector<std::string> joined(std::vector<std::string> words, const std::vector<std::string>& more) {
@@ -94,4 +95,4 @@ TEST(Language, IsOneThatTheStageOrTheLessonHas) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::lesson_options_test

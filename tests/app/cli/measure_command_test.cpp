@@ -12,10 +12,11 @@
 #include <fmt/format.h>
 
 #include "app/files/falcon_calibration_file.h"
+#include "tests/support/places.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::measure_command_test {
 namespace {
 
 class MeasureCommand : public testing::Test {
@@ -24,7 +25,7 @@ class MeasureCommand : public testing::Test {
   Outcome measure(const std::string& answers, const std::string& options) const {
     write_whole(folder_ / "answers", answers);
     return run_program("/bin/sh", shell(fmt::format("exec '{}' doctor --measure --input virtual-falcon {} <'{}'",
-                                                    GHOSTFORCE_PROGRAM, options, folder_ / "answers")));
+                                                    ghostforce_program(), options, folder_ / "answers")));
   }
   ProgramCall shell(const std::string& line) const {
     ProgramCall call;
@@ -84,7 +85,7 @@ TEST_F(MeasureCommand, InterruptedIs130AndWritesNothing) {
   const std::string report = folder_ / "report.md";
   RunningProgram program("/bin/sh",
                          shell(fmt::format("exec '{}' doctor --measure --input virtual-falcon -o '{}' <'{}' 2>&1",
-                                           GHOSTFORCE_PROGRAM, report, folder_ / "typing")));
+                                           ghostforce_program(), report, folder_ / "typing")));
   bool is_asking = false;
   while (!is_asking) {
     const auto line = program.next_line(std::chrono::seconds(60));
@@ -104,8 +105,8 @@ TEST_F(MeasureCommand, ExitCodesOfWhatIsInTheWay) {
   EXPECT_EQ(measure(enters, "--misbehave never-homes").exit_code, 5);
   EXPECT_EQ(measure(enters, "-o /nowhere/report.md").exit_code, 8);
   EXPECT_EQ(measure(enters, "--json").exit_code, 2);
-  EXPECT_EQ(run_program(GHOSTFORCE_PROGRAM, {"doctor", "--calibration", "f.toml"}).exit_code, 2);
+  EXPECT_EQ(run_program(ghostforce_program(), {"doctor", "--calibration", "f.toml"}).exit_code, 2);
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::measure_command_test

@@ -13,15 +13,16 @@
 #include "app/files/scene_file.h"
 #include "core/measuring_tones.h"
 #include "core/simulate.h"
+#include "tests/support/places.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::measure_user_test {
 namespace {
 
 class MeasureUser : public testing::Test {
  protected:
-  Outcome run(const std::vector<std::string>& words) { return run_program(GHOSTFORCE_PROGRAM, words); }
+  Outcome run(const std::vector<std::string>& words) { return run_program(ghostforce_program(), words); }
   std::string path(const std::string& name) const { return folder_.path() + "/" + name; }
 
   std::string simulated(const std::vector<std::string>& settings) {
@@ -356,4 +357,4 @@ TEST_F(MeasureUser, RefusesWhatItCannotRead) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::measure_user_test

@@ -4,11 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/places.h"
 #include "tests/support/program.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::memory_limit_test {
 namespace {
 
 class MemoryLimit : public testing::Test {
@@ -22,7 +23,7 @@ class MemoryLimit : public testing::Test {
   Outcome run_under(int limit_kb, const std::vector<std::string>& words) {
     ProgramCall call;
     call.words = {"-c", "ulimit -c 0; ulimit -v " + std::to_string(limit_kb) + "; exec \"$@\"", "sh",
-                  GHOSTFORCE_PROGRAM};
+                  ghostforce_program()};
     call.words.insert(call.words.end(), words.begin(), words.end());
     call.environment = {"DISPLAY=", "WAYLAND_DISPLAY="};
     call.folder = folder.path();
@@ -53,7 +54,7 @@ TEST_F(MemoryLimit, AdvisesNoSmallerPictureWhereThereIsNone) {
 }
 
 TEST_F(MemoryLimit, NoCommandCrashesUnderIt) {
-  ASSERT_EQ(run_program(GHOSTFORCE_PROGRAM, {"simulate", "wall45", "-o", folder / "run.csv"}).exit_code, 0);
+  ASSERT_EQ(run_program(ghostforce_program(), {"simulate", "wall45", "-o", folder / "run.csv"}).exit_code, 0);
   write_whole(folder / "case.toml", "scene = \"wall45\"\nsize = [4096, 4096]\n");
   for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
            {"simulate", "wall45", "-o", "again.csv"},
@@ -74,4 +75,4 @@ TEST_F(MemoryLimit, NoCommandCrashesUnderIt) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::memory_limit_test

@@ -11,10 +11,11 @@
 #include <gtest/gtest.h>
 
 #include "app/files/scene_file.h"
+#include "tests/support/places.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::overwrite_guard_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -24,13 +25,13 @@ class OwnInputs : public testing::Test {
  protected:
   OwnInputs() {
     write_whole(folder_ / "scene.toml", scene_text(load_scene("wall45")));
-    EXPECT_EQ(run_program(GHOSTFORCE_PROGRAM, {"simulate", "fig1", "-o", folder_ / "run.csv"}).exit_code, 0);
+    EXPECT_EQ(run_program(ghostforce_program(), {"simulate", "fig1", "-o", folder_ / "run.csv"}).exit_code, 0);
   }
 
   // Words are divided by spaces; they run in the folder.
   Outcome in_folder(const std::string& words) {
     ProgramCall call;
-    call.words = {"-c", fmt::format("exec {} {}", GHOSTFORCE_PROGRAM, words)};
+    call.words = {"-c", fmt::format("exec {} {}", ghostforce_program(), words)};
     call.folder = folder_.path();
     return run_program("/bin/sh", call);
   }
@@ -155,4 +156,4 @@ TEST_F(OwnInputs, NothingElseIsRefused) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::overwrite_guard_test

@@ -11,10 +11,11 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/places.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::pipe_test {
 namespace {
 
 // It has got so far that Ctrl+C is something it handles itself.
@@ -54,7 +55,7 @@ TEST_P(PipeTest, InterruptedWhileItWaitsForSomebody) {
   ProgramCall call;
   call.words = GetParam();
   call.folder = folder.path();
-  RunningProgram program(GHOSTFORCE_PROGRAM, call);
+  RunningProgram program(ghostforce_program(), call);
   const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(60);
   while (!handles_interruption(program.pid()) && std::chrono::steady_clock::now() < until) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
@@ -80,4 +81,4 @@ INSTANTIATE_TEST_SUITE_P(, PipeTest,
                                          std::vector<std::string>{"run", "--input", "replay:pipe.csv"}));
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::pipe_test

@@ -7,10 +7,11 @@
 #include <vector>
 
 #include "tests/support/display.h"
+#include "tests/support/places.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::print_values_program_test {
 namespace {
 
 ProgramCall printing_on(const Display& display, std::vector<std::string> more) {
@@ -23,7 +24,7 @@ ProgramCall printing_on(const Display& display, std::vector<std::string> more) {
 
 TEST(PrintValuesProgram, PrintsWhatTheStageSays) {
   const Display display(1280, 800);
-  RunningProgram program(GHOSTFORCE_PROGRAM, printing_on(display, {}));
+  RunningProgram program(ghostforce_program(), printing_on(display, {}));
   const auto next_line = [&] { return program.next_line(std::chrono::seconds(60)).value_or(""); };
   std::string line = next_line();
   EXPECT_TRUE(line.starts_with("# sentence\tstrategy\t")) << line;
@@ -36,7 +37,7 @@ TEST(PrintValuesProgram, PrintsWhatTheStageSays) {
 
 TEST(PrintValuesProgram, EndsAtTheEndOfALine) {
   const Display display(1280, 800);
-  const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, printing_on(display, {"--exit-after", "0"}));
+  const Outcome outcome = run_program(ghostforce_program(), printing_on(display, {"--exit-after", "0"}));
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_TRUE(outcome.out.starts_with("# sentence\tstrategy\t")) << outcome.out;
   EXPECT_EQ(outcome.out.find('\n'), outcome.out.size() - 1) << outcome.out;
@@ -47,7 +48,7 @@ TEST(PrintValuesProgram, EndsInSilenceWhenItsReaderGoes) {
   const Display display(1280, 800);
   ProgramCall call = printing_on(display, {"--input", "circle"});
   call.close_after_first_piece = true;
-  const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, call);
+  const Outcome outcome = run_program(ghostforce_program(), call);
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.err, "");
   EXPECT_NE(read_whole(display.layout_file()), "") << "it ends as if the window had been closed";
@@ -57,18 +58,18 @@ TEST(PrintValuesProgram, AFullDiskIsAnExitCode) {
   const Display display(1280, 800);
   ProgramCall call = printing_on(display, {"--exit-after", "0"});
   call.out_to = "/dev/full";
-  const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, call);
+  const Outcome outcome = run_program(ghostforce_program(), call);
   EXPECT_EQ(outcome.exit_code, 8);
   EXPECT_NE(outcome.err.find("not all values were printed: No space left on device"), std::string::npos) << outcome.err;
 }
 
 TEST(PrintValuesProgram, RefusesWhatNobodyCouldReadOrWaitFor) {
   for (const char* hz : {"61", "0", "nan", "five"}) {
-    const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, {"run", "--print-values", hz});
+    const Outcome outcome = run_program(ghostforce_program(), {"run", "--print-values", hz});
     EXPECT_EQ(outcome.exit_code, 2) << hz;
     EXPECT_NE(outcome.err.find("0.1 to 60 Hz"), std::string::npos) << outcome.err;
   }
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::print_values_program_test

@@ -17,7 +17,7 @@
 #include "tests/support/screen_text.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::reading_aloud_test {
 namespace {
 
 struct Line {
@@ -224,4 +224,4 @@ TEST_F(ReadingAloudTest, WithoutASpeechServiceItSaysWhyAndKeepsTheChoice) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::reading_aloud_test

@@ -8,9 +8,10 @@
 
 #include "app/view/theme.h"
 #include "tests/support/display.h"
+#include "tests/support/places.h"
 #include "tests/support/program.h"
 
-namespace ghostforce {
+namespace ghostforce::real_window_test {
 namespace {
 
 Colour at(const Image& image, int x, int y) {
@@ -66,7 +67,7 @@ bool bar_shows(const Image& image, StrategyId id) {
 
 TEST(RealWindow, KeysAndADragChangeThePictureAsTheyShould) {
   const Display display(1280, 800);
-  BackgroundProgram program({GHOSTFORCE_PROGRAM, "run", "--view", "workbench", "--no-hints"}, display.environment());
+  BackgroundProgram program({ghostforce_program(), "run", "--view", "workbench", "--no-hints"}, display.environment());
   const Colour goal = find_theme("light")->goal;
 
   ASSERT_TRUE(display.becomes([](const Image& image) { return bar_shows(image, StrategyId::naive); }))
@@ -106,7 +107,7 @@ TEST(RealWindow, RemembersTheThemeThatWasChosen) {
     return [theme](const Image& image) { return at(image, 300, 650) == find_theme(theme)->wall; };
   };
   {
-    BackgroundProgram program({GHOSTFORCE_PROGRAM, "run", "--view", "workbench", "--no-hints"}, display.environment());
+    BackgroundProgram program({ghostforce_program(), "run", "--view", "workbench", "--no-hints"}, display.environment());
     ASSERT_TRUE(display.becomes(shows("light")));
     display.act({"key", "ctrl+t"});
     EXPECT_TRUE(display.becomes(shows("dark")));
@@ -115,7 +116,7 @@ TEST(RealWindow, RemembersTheThemeThatWasChosen) {
     EXPECT_EQ(program.end(0), 0);
   }
   EXPECT_NE(read_whole(display.preferences_file()).find("theme = \"dark\""), std::string::npos);
-  BackgroundProgram again({GHOSTFORCE_PROGRAM, "run", "--view", "workbench", "--no-hints"}, display.environment());
+  BackgroundProgram again({ghostforce_program(), "run", "--view", "workbench", "--no-hints"}, display.environment());
   EXPECT_TRUE(display.becomes(shows("dark")));
   EXPECT_EQ(again.end(SIGINT), 130);
 }
@@ -140,7 +141,7 @@ TEST(RealWindow, OpensWithTheStageAndThenWithWhatWasLeftLast) {
     EXPECT_EQ(program.end(SIGTERM), 0);
   };
   {
-    BackgroundProgram program({GHOSTFORCE_PROGRAM, "run", "--no-hints"}, display.environment());
+    BackgroundProgram program({ghostforce_program(), "run", "--no-hints"}, display.environment());
     ASSERT_TRUE(display.becomes(shows_stage));
     display.act({"key", "F4"});
     EXPECT_TRUE(display.becomes(shows_workbench));
@@ -151,19 +152,19 @@ TEST(RealWindow, OpensWithTheStageAndThenWithWhatWasLeftLast) {
   };
   EXPECT_TRUE(is_kept());
   {
-    BackgroundProgram program({GHOSTFORCE_PROGRAM, "run", "--view", "stage"}, display.environment());
+    BackgroundProgram program({ghostforce_program(), "run", "--view", "stage"}, display.environment());
     EXPECT_TRUE(display.becomes(shows_stage));
     quit(program);
   }
   EXPECT_TRUE(is_kept()) << "what is asked for holds for one run";
-  BackgroundProgram program({GHOSTFORCE_PROGRAM}, display.environment());
+  BackgroundProgram program({ghostforce_program()}, display.environment());
   EXPECT_TRUE(display.becomes(shows_workbench));
   quit(program);
 }
 
 TEST(RealWindow, VisitorsStayInItAndLeaveNothingBehind) {
   const Display display(1280, 800);
-  BackgroundProgram program({GHOSTFORCE_PROGRAM, "run", "--kiosk"}, display.environment());
+  BackgroundProgram program({ghostforce_program(), "run", "--kiosk"}, display.environment());
   ASSERT_TRUE(display.becomes(shows_stage)) << "on the whole screen";
   display.act({"key", "ctrl+q", "F1", "F4", "F5", "F11", "ctrl+o", "ctrl+t", "Escape"});
   const Image first = display.picture();
@@ -189,7 +190,7 @@ TEST(RealWindow, IsTwiceAsLargeOnADenseScreenAndStaysSo) {
     return framed > 120 && at(image, 2556, 1596) == find_theme("light")->panel;
   };
   for (int start = 0; start < 2; ++start) {
-    BackgroundProgram program({GHOSTFORCE_PROGRAM, "run", "--view", "workbench", "--no-hints"}, display.environment());
+    BackgroundProgram program({ghostforce_program(), "run", "--view", "workbench", "--no-hints"}, display.environment());
     EXPECT_TRUE(display.becomes(is_twice_as_large)) << "start " << start;
     display.act({"key", "ctrl+q"});
     EXPECT_TRUE(display.becomes([&](const Image&) { return !program.is_running(); }));
@@ -205,7 +206,7 @@ TEST(RealWindow, SaysWhichOpenGlThereIsWhenItIsTooOld) {
   call.words = {"run"};
   call.environment = display.environment();
   call.environment.push_back("MESA_GL_VERSION_OVERRIDE=2.1");
-  const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, call);
+  const Outcome outcome = run_program(ghostforce_program(), call);
   EXPECT_EQ(outcome.exit_code, 6);
   EXPECT_NE(outcome.err.find("OpenGL 2.1"), std::string::npos) << outcome.err;
 }
@@ -213,7 +214,7 @@ TEST(RealWindow, SaysWhichOpenGlThereIsWhenItIsTooOld) {
 TEST(RealWindow, ClosesByItselfWhenAsked) {
   const Display display(1280, 800);
   BackgroundProgram program(
-      {GHOSTFORCE_PROGRAM, "run", "--view", "workbench", "--exit-after", "0.5", "--theme", "dark"},
+      {ghostforce_program(), "run", "--view", "workbench", "--exit-after", "0.5", "--theme", "dark"},
       display.environment());
   const Colour background = find_theme("dark")->background;
   EXPECT_TRUE(
@@ -222,4 +223,4 @@ TEST(RealWindow, ClosesByItselfWhenAsked) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::real_window_test

@@ -13,17 +13,18 @@
 #include "app/runs/replay.h"
 #include "core/settings.h"
 #include "tests/support/display.h"
+#include "tests/support/places.h"
 #include "tests/support/program.h"
 #include "tests/support/small_files.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::recording_program_test {
 namespace {
 
 // Records until the file has grown for a while, then gets the signal; returns the exit code.
 int record_until(int signal, const std::string& path) {
   const Display display(1024, 640);
-  BackgroundProgram program({GHOSTFORCE_PROGRAM, "run", "--input", "script", "--no-hints", "--record", path},
+  BackgroundProgram program({ghostforce_program(), "run", "--input", "script", "--no-hints", "--record", path},
                             display.environment());
   std::size_t size = 0;
   while (size < 500'000 && program.is_running()) {
@@ -76,7 +77,7 @@ TEST(RecordingProgram, TheDisplayGoesItSaysSoAndClosesTheFile) {
   ProgramCall call;
   call.words = {"run", "--input", "script", "--no-hints", "--record", path};
   call.environment = display.environment();
-  const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, call);
+  const Outcome outcome = run_program(ghostforce_program(), call);
   EXPECT_EQ(outcome.exit_code, 6);
   EXPECT_NE(outcome.err.find("the display is gone: "), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.err.find("run.csv"), std::string::npos) << outcome.err;
@@ -91,7 +92,7 @@ TEST(RecordingProgram, EndsByItselfAndOverwritesNothing) {
   const Display display(1024, 640);
   const std::string path = folder / "run.csv";
   const auto record = [&] {
-    BackgroundProgram program({GHOSTFORCE_PROGRAM, "run", "--exit-after", "0.3", "--record", path},
+    BackgroundProgram program({ghostforce_program(), "run", "--exit-after", "0.3", "--record", path},
                               display.environment());
     while (program.is_running()) std::this_thread::sleep_for(std::chrono::milliseconds(10));
     return program.end(0);
@@ -110,7 +111,7 @@ TEST(RecordingProgram, BeginsAtRestUnderTheGoalThatWasAskedFor) {
   for (const std::string face : {"stage", "workbench"}) {
     const TemporaryFolder folder;
     const Display display(1024, 640);
-    BackgroundProgram program({GHOSTFORCE_PROGRAM, "run", "--goal-mm=-5,-20", "--view", face, "--exit-after", "0.3",
+    BackgroundProgram program({ghostforce_program(), "run", "--goal-mm=-5,-20", "--view", face, "--exit-after", "0.3",
                                "--record", folder / "run.csv"},
                               display.environment());
     while (program.is_running()) std::this_thread::sleep_for(std::chrono::milliseconds(10));
@@ -134,7 +135,7 @@ TEST(RecordingProgram, SaysWhereTheFileTookNoMore) {
   call.words = {"run", "--input", "script", "--exit-after", "2", "--record", folder / "run.csv"};
   call.environment = display.environment();
   const SmallFiles small(100'000);
-  const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, call);
+  const Outcome outcome = run_program(ghostforce_program(), call);
   EXPECT_EQ(outcome.exit_code, 8);
   EXPECT_NE(outcome.err.find("run.csv cannot be written any further: File too large"), std::string::npos)
       << outcome.err;
@@ -155,7 +156,7 @@ TEST(RecordingProgram, SaysThatTheFolderHasVanished) {
   const std::string gone = std::filesystem::canonical(folder.path()) / "gone";
   std::filesystem::create_directory(gone);
   const std::string command =
-      std::string("exec " GHOSTFORCE_PROGRAM " run --input script --no-hints --record ") + gone + "/run.csv";
+      std::string("exec " + ghostforce_program() + " run --input script --no-hints --record ") + gone + "/run.csv";
   BackgroundProgram program({"/bin/sh", "-c", command + " 2> " + (folder / "words")}, display.environment());
   const auto wait = [] { std::this_thread::sleep_for(std::chrono::milliseconds(50)); };
   while (read_whole(gone + "/run.csv").empty() && program.is_running()) wait();
@@ -174,11 +175,11 @@ TEST(RecordingProgram, SaysThatTheFolderHasVanished) {
 
 TEST(RecordingProgram, IsAskedForAFile) {
   for (const std::string no_file : {"", "-"}) {
-    const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, {"run", "--exit-after", "0.1", "--record", no_file});
+    const Outcome outcome = run_program(ghostforce_program(), {"run", "--exit-after", "0.1", "--record", no_file});
     EXPECT_EQ(outcome.exit_code, 2) << no_file;
     EXPECT_NE(outcome.err.find("--record: name a file"), std::string::npos) << outcome.err;
   }
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::recording_program_test

@@ -24,15 +24,16 @@
 #include "app/files/run_reader.h"
 #include "app/files/scene_file.h"
 #include "tests/app/runs/recorded_by_dice.h"
+#include "tests/support/places.h"
 #include "tests/support/program.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::replay_command_test {
 namespace {
 
 Outcome run_ghostforce(std::vector<std::string> words) {
-  return run_program(GHOSTFORCE_PROGRAM, std::move(words));
+  return run_program(ghostforce_program(), std::move(words));
 }
 
 bool says(const Outcome& outcome, std::string_view words) {
@@ -60,7 +61,7 @@ TEST(ReplayCommand, IsIdenticalAlsoWhereItsWordsGoNowhere) {
   const TemporaryFolder folder;
   write_whole(folder / "run.csv", recorded_by_dice(6, 100));
   ProgramCall call;
-  call.words = {"-c", "exec \"$0\" replay run.csv 2>/dev/full", GHOSTFORCE_PROGRAM};
+  call.words = {"-c", "exec \"$0\" replay run.csv 2>/dev/full", ghostforce_program()};
   call.folder = folder.path();
   EXPECT_EQ(run_program("/bin/sh", call).exit_code, 0);
 }
@@ -167,7 +168,7 @@ TEST(ReplayCommand, HoldsNoRunWhole) {
       0);
   for (const std::string_view how : {"", "--set rendering.tracking_ratio=2"}) {
     const Outcome outcome = run_program("/bin/sh", {"-c", fmt::format("ulimit -d 20000; exec {} replay {} {} -o {}",
-                                                                      GHOSTFORCE_PROGRAM, run, how, folder / "out")});
+                                                                      ghostforce_program(), run, how, folder / "out")});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   }
 }
@@ -179,7 +180,7 @@ TEST(ReplayCommand, SaysThatARunIsTooLongForTheMemory) {
   write_whole(folder / "long.csv", text);
   // A tick takes more than 200 bytes.
   const std::string limited =
-      fmt::format("ulimit -v 300000 && exec {} measure-user {}", GHOSTFORCE_PROGRAM, folder / "long.csv");
+      fmt::format("ulimit -v 300000 && exec {} measure-user {}", ghostforce_program(), folder / "long.csv");
   const Outcome outcome = run_program("/bin/sh", {"-c", limited});
   EXPECT_EQ(outcome.exit_code, 8) << outcome.err;
   EXPECT_TRUE(says(outcome, "long.csv: the run is too long for the memory of this machine; shorten it")) << outcome.err;
@@ -203,7 +204,7 @@ TEST(ReplayCommand, AndEveryOtherThatTakesARunRefusesOneWithAnEndlessTime) {
     call.replace(call.find("RUN"), 3, run);
     if (const std::size_t out = call.find("OUT"); out != std::string::npos) call.replace(out, 3, folder / "out");
     const Outcome outcome = run_program(
-        "/bin/sh", {"-c", fmt::format("ulimit -t 60; ulimit -f 100000; exec {} {}", GHOSTFORCE_PROGRAM, call)});
+        "/bin/sh", {"-c", fmt::format("ulimit -t 60; ulimit -f 100000; exec {} {}", ghostforce_program(), call)});
     EXPECT_EQ(outcome.exit_code, 2) << words << outcome.err;
     EXPECT_TRUE(says(outcome, line)) << words << outcome.err;
     EXPECT_EQ(folder.count(), 1) << words;
@@ -218,7 +219,7 @@ TEST(ReplayCommand, RefusesALengthThatAnotherRateMakesTooMuch) {
   const Outcome outcome = run_program(
       "/bin/sh",
       {"-c", fmt::format("ulimit -t 60; ulimit -f 100000; exec {} replay {} --set device.rate_hz=20000 -o {}",
-                         GHOSTFORCE_PROGRAM, run, folder / "out.csv")});
+                         ghostforce_program(), run, folder / "out.csv")});
   EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
   EXPECT_TRUE(says(outcome, "with t_s = 600 here, the run is longer than 10000000 ticks")) << outcome.err;
   EXPECT_TRUE(says(outcome, "if the run really is that long, cut it before this line:\nhead -n ")) << outcome.err;
@@ -275,7 +276,7 @@ TEST(ReplayCommand, ShowsHowFarItIsAndEndsThatLineBeforeItsWords) {
   for (const bool is_exact : {true, false}) {
     const Terminal terminal;
     ProgramCall call;
-    call.words = {"-c", fmt::format("echo $$; exec {} replay {} {} -o {} 2>{}", GHOSTFORCE_PROGRAM, run,
+    call.words = {"-c", fmt::format("echo $$; exec {} replay {} {} -o {} 2>{}", ghostforce_program(), run,
                                     is_exact ? "" : "--set rendering.tracking_ratio=2", folder / "out/again.csv",
                                     terminal.path())};
     RunningProgram program("/bin/sh", call);
@@ -397,7 +398,7 @@ TEST(ReplayCommand, LeavesNothingWhenInterrupted) {
           .exit_code,
       0);
   const Outcome outcome =
-      run_program(GHOSTFORCE_PROGRAM, {.words = {"replay", folder / "run.csv", "-o", results / "again.csv"},
+      run_program(ghostforce_program(), {.words = {"replay", folder / "run.csv", "-o", results / "again.csv"},
                                        .environment = {},
                                        .folder = {},
                                        .out_to = {},
@@ -408,4 +409,4 @@ TEST(ReplayCommand, LeavesNothingWhenInterrupted) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::replay_command_test

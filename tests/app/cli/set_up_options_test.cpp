@@ -10,12 +10,13 @@
 #include "app/console/shell_word.h"
 #include "app/set_up/picture_set_up.h"
 #include "app/set_up/set_up_line.h"
+#include "tests/support/places.h"
 #include "tests/support/program.h"
 #include "tests/support/random_set_up.h"
 #include "tests/support/set_up_values.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::set_up_options_test {
 namespace {
 
 // What `ghostforce run` opens with these words after it, where the face that was used last is another one.
@@ -64,7 +65,7 @@ TEST(RenderedPicture, SaysWhatItShows) {
                                  "--size", "320x240", "-o"});
       for (const std::string name : {"a.", "b."}) {
         words.push_back(folder / (name + ending));
-        ASSERT_EQ(run_program(GHOSTFORCE_PROGRAM, words).exit_code, 0);
+        ASSERT_EQ(run_program(ghostforce_program(), words).exit_code, 0);
         words.pop_back();
       }
       EXPECT_EQ(read_whole(folder / ("a." + ending)), read_whole(folder / ("b." + ending)));
@@ -74,4 +75,4 @@ TEST(RenderedPicture, SaysWhatItShows) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::set_up_options_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ghostforce {
+namespace ghostforce::did_you_mean_test {
 namespace {
 
 using namespace std::string_view_literals;
@@ -50,4 +50,4 @@ TEST(NearestName, AsksAsTheEndOfASentence) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::did_you_mean_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ghostforce {
+namespace ghostforce::language_test {
 namespace {
 
 TEST(LanguageCode, IsTwoSmallLetters) {
@@ -30,4 +30,4 @@ TEST(WantedLanguage, IsEnglishWhereALocaleNamesNone) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::language_test

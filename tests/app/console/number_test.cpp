@@ -14,7 +14,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace ghostforce {
+namespace ghostforce::number_test {
 namespace {
 
 std::optional<double> expected(std::string_view text) {
@@ -93,4 +93,4 @@ TEST(Number, IsReadAsItWasWritten) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::number_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ghostforce {
+namespace ghostforce::quoted_test {
 namespace {
 
 using namespace std::string_view_literals;
@@ -30,4 +30,4 @@ TEST(QuotedText, Lists) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::quoted_test

@@ -7,7 +7,7 @@
 
 #include "tests/support/program.h"
 
-namespace ghostforce {
+namespace ghostforce::shell_word_test {
 namespace {
 
 TEST(ShellWord, IsTakenByAShellAsItIs) {
@@ -48,4 +48,4 @@ TEST(ShellWords, SayWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::shell_word_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ghostforce {
+namespace ghostforce::wrapped_test {
 namespace {
 
 TEST(Wrapped, BreaksWhereALineWouldBeTooLong) {
@@ -19,4 +19,4 @@ TEST(Wrapped, LeavesALongWordWhole) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::wrapped_test

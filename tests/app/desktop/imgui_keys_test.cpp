@@ -8,7 +8,7 @@
 // Of the GLFW backend, which exports it for those who feed Dear ImGui themselves, but declares it nowhere.
 ImGuiKey ImGui_ImplGlfw_KeyToImGuiKey(int key, int scancode);
 
-namespace ghostforce {
+namespace ghostforce::imgui_keys_test {
 namespace {
 
 TEST(ImguiKey, IsTheBackendsForEveryKey) {
@@ -19,4 +19,4 @@ TEST(ImguiKey, IsTheBackendsForEveryKey) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::imgui_keys_test

@@ -9,10 +9,11 @@
 
 #include "app/desktop/renderer_examination.h"
 #include "tests/support/no_opengl.h"
+#include "tests/support/places.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::renderer_test {
 namespace {
 
 class RendererTest : public testing::Test {
@@ -23,7 +24,7 @@ class RendererTest : public testing::Test {
     call.words = {"render", "wall45", "--size", "640x400", "-o", folder_ / name};
     call.words.insert(call.words.end(), more.begin(), more.end());
     call.environment = environment;
-    return run_program(GHOSTFORCE_PROGRAM, call);
+    return run_program(ghostforce_program(), call);
   }
   std::string file(const std::string& name) const { return read_whole(folder_ / name); }
 
@@ -76,7 +77,7 @@ TEST_F(RendererTest, TheOneThatIsAskedForHasNoSubstitute) {
 TEST_F(RendererTest, IsRefusedWhereItHasNoSay) {
   for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
            {"render", "wall45", "-o", "a.svg", "--renderer", "egl"}, {"check", "ghost", "--renderer", "egl"}}) {
-    const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, words);
+    const Outcome outcome = run_program(ghostforce_program(), words);
     EXPECT_EQ(outcome.exit_code, 2) << words[0];
     EXPECT_NE(outcome.err.find("--renderer"), std::string::npos) << outcome.err;
   }
@@ -105,4 +106,4 @@ TEST(RendererCatalog, IsInTheOrderOfItsEnumeration) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::renderer_test

@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-namespace ghostforce {
+namespace ghostforce::window_test {
 namespace {
 
 TEST(Window, RemembersTheSizeBeforeItWasMaximised) {
@@ -40,4 +40,4 @@ TEST(Window, DrawsOnAllOfItWhateverItsSizeIsAndWhateverElseWasDrawn) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::window_test

@@ -14,9 +14,10 @@
 #include "core/safety.h"
 #include "device/falcon/falcon_report.h"
 #include "device/virtual_falcon/injected_fault.h"
+#include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::falcon_doc_test {
 namespace {
 
 // As rows of its tables begin and end.
@@ -27,7 +28,7 @@ void expect_row(const std::string& doc, std::string_view first, std::string_view
 
 class FalconDoc : public testing::Test {
  protected:
-  const std::string doc_ = read_whole(GHOSTFORCE_SOURCE_DIR "/docs/falcon.md");
+  const std::string doc_ = read_whole(source_path("/docs/falcon.md"));
 };
 
 TEST_F(FalconDoc, TellsEveryFaultAndItsRemedy) {
@@ -71,4 +72,4 @@ TEST_F(FalconDoc, TellsEveryKeyOfACalibration) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::falcon_doc_test

@@ -14,7 +14,7 @@
 #include "device/falcon_measurement/encoder_wiring.h"
 #include "tests/app/doctor/measured_rehearsal.h"
 
-namespace ghostforce {
+namespace ghostforce::falcon_measurement_test {
 namespace {
 
 using State = Finding::State;
@@ -447,4 +447,4 @@ TEST(FalconMeasurement, ReportHasEveryReadingAndTheCalibration) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::falcon_measurement_test

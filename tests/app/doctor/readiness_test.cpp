@@ -15,7 +15,7 @@
 #include "core/motor_report.h"
 #include "device/falcon/falcon_report.h"
 
-namespace ghostforce {
+namespace ghostforce::readiness_test {
 namespace {
 
 FalconReport in_state(FalconState state, FalconFault fault = FalconFault::none) {
@@ -259,4 +259,4 @@ TEST(Readiness, SaysWhichEncodersDoNotMove) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::readiness_test

@@ -14,7 +14,7 @@
 #include "core/energy.h"
 #include "core/ghost_force.h"
 
-namespace ghostforce {
+namespace ghostforce::claims_test {
 namespace {
 
 constexpr std::size_t full = index_of(StrategyId::full);
@@ -382,4 +382,4 @@ TEST(Claims, ABeliefThatIsTooHighOrHalfTheTruthIsBetterThanNaive) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::claims_test

@@ -15,13 +15,14 @@
 
 #include "app/figures/figure_catalog.h"
 #include "app/files/csv_table.h"
+#include "tests/support/places.h"
 #include "tests/support/program.h"
 
 namespace ghostforce {
 
 inline Outcome figures(std::vector<std::string> words) {
   words.insert(words.begin(), "figures");
-  return run_program(GHOSTFORCE_PROGRAM, std::move(words));
+  return run_program(ghostforce_program(), std::move(words));
 }
 
 inline std::set<std::string> names_in(const std::string& folder) {

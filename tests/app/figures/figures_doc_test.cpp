@@ -9,9 +9,10 @@
 
 #include "app/figures/figure_catalog.h"
 #include "app/figures/figures.h"
+#include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::figures_doc_test {
 namespace {
 
 std::string cell(double value) {
@@ -34,7 +35,7 @@ std::string numbers_table() {
 }
 
 TEST(FiguresDoc, NamesEachFigureWithItsCommand) {
-  const std::string doc = read_whole(GHOSTFORCE_SOURCE_DIR "/docs/figures.md");
+  const std::string doc = read_whole(source_path("/docs/figures.md"));
   for (const FigureEntry& entry : figure_catalog()) {
     EXPECT_NE(doc.find(fmt::format("| `{0}` | `ghostforce figures -o figures --only {0}` |", entry.name)),
               std::string::npos)
@@ -44,10 +45,10 @@ TEST(FiguresDoc, NamesEachFigureWithItsCommand) {
 
 TEST(FiguresDoc, HasTheNumbersOfThisProgram) {
   const std::string table = numbers_table();
-  EXPECT_NE(read_whole(GHOSTFORCE_SOURCE_DIR "/docs/figures.md").find(table), std::string::npos)
+  EXPECT_NE(read_whole(source_path("/docs/figures.md")).find(table), std::string::npos)
       << "docs/figures.md should hold\n"
       << table;
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::figures_doc_test

@@ -24,7 +24,7 @@
 #include "tests/support/read_png.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::figures_test {
 namespace {
 
 TEST(FigureCatalog, BeginsWithThePapersFigures) {
@@ -282,4 +282,4 @@ TEST(Figures, PutLettersNearestToTheirOwnDevices) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::figures_test

@@ -10,7 +10,7 @@
 #include "tests/support/read_png.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::animated_png_test {
 namespace {
 
 constexpr ClipShape shape{.width = 40, .height = 30, .frames_per_second = 25};
@@ -161,4 +161,4 @@ TEST(AnimatedPngReader, RefusesWhatTheSpecificationForbids) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::animated_png_test

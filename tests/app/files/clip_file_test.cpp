@@ -17,7 +17,7 @@
 #include "tests/support/fake_ffmpeg.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::clip_file_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -180,4 +180,4 @@ TEST(ClipLimits, AreTold) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::clip_file_test

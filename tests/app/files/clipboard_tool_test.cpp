@@ -11,7 +11,7 @@
 
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::clipboard_tool_test {
 namespace {
 
 // With a zero byte, as every PNG has, and longer than a pipe holds.
@@ -95,4 +95,4 @@ TEST_F(ClipboardToolTest, OneThatFailsIsReported) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::clipboard_tool_test

@@ -5,7 +5,7 @@
 #include <limits>
 #include <locale>
 
-namespace ghostforce {
+namespace ghostforce::csv_table_test {
 namespace {
 
 TEST(CsvTable, HasCommentsNamesAndRows) {
@@ -38,4 +38,4 @@ TEST(CsvTable, HasNumbersInTheShortestFormThatReadsBackWhateverTheLocale) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::csv_table_test

@@ -13,7 +13,7 @@
 #include "core/units.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::falcon_calibration_file_test {
 namespace {
 
 constexpr std::string_view least = "format = 1\nserial = \"A1\"\n";
@@ -227,4 +227,4 @@ TEST_F(FalconCalibrationFolderTest, KeepsNothingThatHasNoName) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::falcon_calibration_file_test

@@ -11,7 +11,7 @@
 #include "app/files/falcon_calibration_file.h"
 #include "app/files/scene_reader.h"
 
-namespace ghostforce {
+namespace ghostforce::first_problems_test {
 namespace {
 
 std::vector<std::string> lines_of(const FirstProblems<int>& problems) {
@@ -82,4 +82,4 @@ TEST(FirstProblems, OfScenesAndCalibrationsAreTold) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::first_problems_test

@@ -11,7 +11,7 @@
 #include "app/console/failure.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::kept_file_test {
 namespace {
 
 class KeptFileTest : public testing::Test {
@@ -119,4 +119,4 @@ TEST_F(KeptFileTest, IsNotOverwrittenWhereSomethingElseIs) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::kept_file_test

@@ -20,11 +20,12 @@
 #include "app/console/failure.h"
 #include "app/files/output_folder.h"
 #include "tests/support/file_calls.h"
+#include "tests/support/places.h"
 #include "tests/support/program.h"
 #include "tests/support/small_files.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::output_file_test {
 namespace {
 
 mode_t mode_of(const std::string& path) {
@@ -301,7 +302,7 @@ TEST(OutputFile, OfAKilledProgramGoesWithTheNextStart) {
   const auto start = [&](const std::string& name) {
     ProgramCall call;
     call.words = words(name, "9000");
-    Stopped stopped{std::make_unique<RunningProgram>(GHOSTFORCE_PROGRAM, call), ""};
+    Stopped stopped{std::make_unique<RunningProgram>(ghostforce_program(), call), ""};
     while (stopped.part.empty()) {  // in vain: ctest ends the test
       for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
         std::error_code has_just_gone;
@@ -315,12 +316,12 @@ TEST(OutputFile, OfAKilledProgramGoesWithTheNextStart) {
   killed.program->send(SIGKILL);
   EXPECT_EQ(killed.program->wait_for_end(), 128 + SIGKILL);
   ASSERT_TRUE(std::filesystem::exists(killed.part));
-  EXPECT_EQ(run_program(GHOSTFORCE_PROGRAM, words("next.csv", "3")).exit_code, 0);
+  EXPECT_EQ(run_program(ghostforce_program(), words("next.csv", "3")).exit_code, 0);
   EXPECT_FALSE(std::filesystem::exists(killed.part));
   std::filesystem::remove(folder / "next.csv");
 
   const Stopped alive = start("alive.csv");
-  EXPECT_EQ(run_program(GHOSTFORCE_PROGRAM, words("next.csv", "3")).exit_code, 0);
+  EXPECT_EQ(run_program(ghostforce_program(), words("next.csv", "3")).exit_code, 0);
   EXPECT_TRUE(std::filesystem::exists(alive.part));
   EXPECT_EQ(folder.count(), 2);
 }
@@ -369,7 +370,7 @@ TEST(OutputFile, GuardsTheOldFileUntilTheNewOneIsKept) {
     file.write("new");
     file.finish();
     file.put_in_place();
-    EXPECT_EQ(run_program(GHOSTFORCE_PROGRAM, {"simulate", "fig1", "-o", folder / "other.csv"}).exit_code, 0);
+    EXPECT_EQ(run_program(ghostforce_program(), {"simulate", "fig1", "-o", folder / "other.csv"}).exit_code, 0);
     EXPECT_EQ(read_whole(path), "new");
   }
   EXPECT_EQ(read_whole(path), "old");
@@ -408,4 +409,4 @@ TEST(OutputFolder, ReplacesNothingWhenThereIsNoMoreRoom) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::output_file_test

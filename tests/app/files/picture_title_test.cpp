@@ -6,7 +6,7 @@
 #include "app/files/pdf_title.h"
 #include "app/files/svg_title.h"
 
-namespace ghostforce {
+namespace ghostforce::picture_title_test {
 namespace {
 
 using namespace std::string_literals;
@@ -39,4 +39,4 @@ TEST(PdfTitle, IsEmptyWhereThereIsNone) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::picture_title_test

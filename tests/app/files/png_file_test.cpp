@@ -15,7 +15,7 @@
 #include "tests/support/read_png.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::png_file_test {
 namespace {
 
 Image noise(int width, int height, bool has_alpha) {
@@ -176,4 +176,4 @@ TEST_F(PngFileTest, TellsWhyAFileCannotBeRead) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::png_file_test

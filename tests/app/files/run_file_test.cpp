@@ -15,10 +15,11 @@
 
 #include "app/files/scene_file.h"
 #include "ghostforce_version.h"
+#include "tests/support/places.h"
 #include "tests/support/scene_values.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::run_file_test {
 namespace {
 
 std::vector<std::string> split(std::string_view text, char at) {
@@ -122,7 +123,7 @@ TEST(RunFile, NumbersAreShortAndKnowNoLocale) {
 // --- The page about it ---
 
 TEST(RecordingDoc, OctaveReadsEveryColumn) {
-  const std::string page = read_whole(GHOSTFORCE_SOURCE_DIR "/docs/recording.md");
+  const std::string page = read_whole(source_path("/docs/recording.md"));
   const std::string_view call = "textscan(file, \"";
   const std::size_t found = page.find(call);
   ASSERT_NE(found, std::string::npos);
@@ -137,4 +138,4 @@ TEST(RecordingDoc, OctaveReadsEveryColumn) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::run_file_test

@@ -17,7 +17,7 @@
 #include "tests/support/scene_values.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::run_reader_test {
 namespace {
 
 std::string text_of(const fmt::memory_buffer& buffer) {
@@ -486,4 +486,4 @@ TEST(RunReader, TheHandOfARunIsItsGoalAtEachTickBitForBit) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::run_reader_test

@@ -20,10 +20,11 @@
 #include "app/cli/exit_code.h"
 #include "app/files/input_file.h"
 #include "embedded_scenes.h"
+#include "tests/support/places.h"
 #include "tests/support/scene_values.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::scene_file_test {
 namespace {
 
 Scene read_back(const Scene& scene) {
@@ -112,7 +113,7 @@ class RandomScene {
 TEST(SceneFile, ShippedScenesAreThereAndGood) {
   const std::vector<std::string_view> names = shipped_scene_names();
   std::set<std::string> files;
-  for (const auto& file : std::filesystem::directory_iterator(GHOSTFORCE_SOURCE_DIR "/assets/scenes")) {
+  for (const auto& file : std::filesystem::directory_iterator(source_path("/assets/scenes"))) {
     files.insert(file.path().stem().string());
   }
   EXPECT_EQ(std::set<std::string>(names.begin(), names.end()), files) << "app/files/CMakeLists.txt lists them";
@@ -276,12 +277,12 @@ TEST(SceneFile, TellsWhatIsNoReadableFile) {
 
 TEST(SceneFile, ShippedTextsAreWhatTheFolderHolds) {
   for (const EmbeddedText& scene : embedded_scenes) {
-    EXPECT_EQ(read_whole(std::string(GHOSTFORCE_SOURCE_DIR "/assets/scenes") + "/" + std::string(scene.name)),
+    EXPECT_EQ(read_whole(source_path("/assets/scenes") + "/" + std::string(scene.name)),
               scene.contents)
         << scene.name;
   }
   EXPECT_EQ(static_cast<std::size_t>(
-                std::distance(std::filesystem::directory_iterator(GHOSTFORCE_SOURCE_DIR "/assets/scenes"), {})),
+                std::distance(std::filesystem::directory_iterator(source_path("/assets/scenes")), {})),
             embedded_scenes.size())
       << "a scene in assets/scenes is not listed in app/CMakeLists.txt";
 }
@@ -297,4 +298,4 @@ TEST(UnreadableWords, AdviseAHigherLimitWhereTooManyFilesAreOpen) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::scene_file_test

@@ -8,7 +8,7 @@
 #include "app/files/scene_reader.h"
 #include "tests/app/files/scene_with.h"
 
-namespace ghostforce {
+namespace ghostforce::scene_hand_keys_test {
 namespace {
 
 TEST(SceneHandKeys, ReadsTheHandThatIsNotStill) {
@@ -115,4 +115,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const testing::TestParamInfo<BadFile>& tested) { return std::string(tested.param.name); });
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::scene_hand_keys_test

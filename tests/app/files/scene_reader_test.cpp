@@ -17,7 +17,7 @@
 #include "tests/app/files/scene_with.h"
 #include "tests/support/scene_values.h"
 
-namespace ghostforce {
+namespace ghostforce::scene_reader_test {
 namespace {
 
 Scene with_overrides(const std::vector<std::string>& overrides) {
@@ -413,4 +413,4 @@ TEST(SceneReader, SurvivesDamagedFiles) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::scene_reader_test

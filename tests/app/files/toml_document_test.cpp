@@ -9,7 +9,7 @@
 
 #include "app/cli/exit_code.h"
 
-namespace ghostforce {
+namespace ghostforce::toml_document_test {
 namespace {
 
 struct Shelf {
@@ -133,4 +133,4 @@ TEST(ReadError, NamesNoLineOfAFileAsAWhole) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::toml_document_test

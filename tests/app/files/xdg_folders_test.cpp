@@ -7,7 +7,7 @@
 
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::xdg_folders_test {
 namespace {
 
 class FirmwarePathTest : public testing::Test {
@@ -40,4 +40,4 @@ TEST_F(FirmwarePathTest, IsWhereThePersonSays) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::xdg_folders_test

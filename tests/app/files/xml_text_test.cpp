@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace ghostforce {
+namespace ghostforce::xml_text_test {
 namespace {
 
 TEST(XmlText, KeepsWordsOfAnyLanguage) {
@@ -41,4 +41,4 @@ TEST(XmlText, LeavesOutWhatIsNoUtf8) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::xml_text_test

@@ -10,7 +10,7 @@
 #include "tests/app/lessons/lesson_text.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::lesson_file_test {
 namespace {
 
 // All that is wrong with it; empty: nothing.
@@ -263,4 +263,4 @@ TEST(LessonFile, IsFoundByNameOrByPath) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::lesson_file_test

@@ -11,7 +11,7 @@
 #include "tests/app/lessons/lesson_text.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::lesson_progress_test {
 namespace {
 
 class LessonProgressFile : public testing::Test {
@@ -100,4 +100,4 @@ TEST_F(LessonProgressFile, IsNowhereWithoutAHome) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::lesson_progress_test

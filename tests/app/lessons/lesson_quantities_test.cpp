@@ -9,7 +9,7 @@
 #include "app/files/scene_file.h"
 #include "core/prediction.h"
 
-namespace ghostforce {
+namespace ghostforce::lesson_quantities_test {
 namespace {
 
 class LessonQuantities : public testing::Test {
@@ -103,4 +103,4 @@ TEST(LessonQuantityCatalog, HasARowForEach) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::lesson_quantities_test

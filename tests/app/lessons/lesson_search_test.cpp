@@ -7,7 +7,7 @@
 #include "app/lessons/lesson_quantities.h"
 #include "app/set_up/set_up_line.h"
 
-namespace ghostforce {
+namespace ghostforce::lesson_search_test {
 namespace {
 
 SetUp wall45(std::string_view options = "") {
@@ -109,4 +109,4 @@ TEST(LessonSearch, KnowsWhatCanBeGuessed) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::lesson_search_test

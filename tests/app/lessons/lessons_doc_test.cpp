@@ -5,13 +5,14 @@
 #include "app/lessons/lesson_check.h"
 #include "app/lessons/lesson_file.h"
 #include "app/lessons/lesson_quantities.h"
+#include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::lessons_doc_test {
 namespace {
 
 const std::string& doc() {
-  static const std::string text = read_whole(GHOSTFORCE_SOURCE_DIR "/docs/lessons.md");
+  static const std::string text = read_whole(source_path("/docs/lessons.md"));
   return text;
 }
 
@@ -55,4 +56,4 @@ TEST(LessonsDoc, NamesEachLesson) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::lessons_doc_test

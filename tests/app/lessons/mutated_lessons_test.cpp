@@ -6,7 +6,7 @@
 #include "app/lessons/lesson_file.h"
 #include "tests/app/lessons/lesson_text.h"
 
-namespace ghostforce {
+namespace ghostforce::mutated_lessons_test {
 namespace {
 
 class Mutation {
@@ -92,4 +92,4 @@ TEST(MutatedLessons, AreReadOrRefused) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::mutated_lessons_test

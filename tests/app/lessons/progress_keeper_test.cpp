@@ -11,7 +11,7 @@
 #include "app/console/failure.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::progress_keeper_test {
 namespace {
 
 // A window: what has been done in it, and its keeper.
@@ -119,4 +119,4 @@ TEST_F(KeptProgress, IsWhatTheWindowKnowsWhereTheFileWasDamaged) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::progress_keeper_test

@@ -12,7 +12,7 @@
 #include "app/lessons/lesson_quantities.h"
 #include "app/lessons/lesson_search.h"
 
-namespace ghostforce {
+namespace ghostforce::shipped_lessons_test {
 namespace {
 
 class ShippedLesson : public testing::TestWithParam<std::string_view> {
@@ -129,4 +129,4 @@ TEST(ShippedLessons, AreInTheOrderOfTheirNumbers) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::shipped_lessons_test

@@ -2,7 +2,7 @@
 #include "app/session/key_bindings.h"
 #include "tests/app/live/driven_window.h"
 
-namespace ghostforce {
+namespace ghostforce::application_test {
 namespace {
 
 class ApplicationTest : public DrivenWindow {};
@@ -147,4 +147,4 @@ TEST_F(ApplicationTest, UnstableSettingsAreSaidAndLeftAgain) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::application_test

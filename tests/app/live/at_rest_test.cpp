@@ -9,7 +9,7 @@
 #include "tests/support/screen_text.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::at_rest_test {
 namespace {
 
 constexpr int ticks_per_look = 16;
@@ -312,4 +312,4 @@ TEST_F(AtRestTest, TheGoalIsWhereThePointerIsInTheFirstFrame) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::at_rest_test

@@ -15,7 +15,7 @@
 #include "tests/support/fake_ffmpeg.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::clip_saving_test {
 namespace {
 
 class ClipWindow : public DrivenWindow {
@@ -179,4 +179,4 @@ TEST(ClipMoments, AreFewerWhereThereAreNoMore) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::clip_saving_test

@@ -15,7 +15,7 @@
 #include "tests/app/live/experiments_window.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::experiments_window_test {
 namespace {
 
 TEST_F(ExperimentsWindow, AWrongBeliefShowsAsDrift) {
@@ -211,4 +211,4 @@ TEST_F(ExperimentsWindow, TheCircleFollowsTheWallAndBeginsAnew) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::experiments_window_test

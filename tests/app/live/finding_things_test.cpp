@@ -15,7 +15,7 @@
 #include "tests/support/screen_text.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::finding_things_test {
 namespace {
 
 Colour pixel(const Image& image, int x, int y) {
@@ -401,4 +401,4 @@ TEST_F(FindingThings, AllPreferencesAreResetAfterAQuestion) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::finding_things_test

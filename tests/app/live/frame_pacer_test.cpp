@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ghostforce {
+namespace ghostforce::frame_pacer_test {
 namespace {
 
 // A window whose pacer is asked as `run` asks it. Moments of things that happen are in order.
@@ -88,4 +88,4 @@ TEST(FramePacer, TakesNoTimeBackFromAFrameThatTookLong) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::frame_pacer_test

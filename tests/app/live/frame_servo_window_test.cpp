@@ -6,7 +6,7 @@
 #include "device/servo/frame_servo_driver.h"
 #include "tests/app/live/driven_window.h"
 
-namespace ghostforce {
+namespace ghostforce::frame_servo_window_test {
 namespace {
 
 class FrameServoWindow : public DrivenWindow {
@@ -86,4 +86,4 @@ TEST_F(FrameServoWindow, ARehearsalPushesAtTenFramesASecond) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::frame_servo_window_test

@@ -7,7 +7,7 @@
 #include "app/session/stage_actions.h"
 #include "tests/app/live/driven_window.h"
 
-namespace ghostforce {
+namespace ghostforce::hand_burst_window_test {
 namespace {
 
 class HandBurstWindow : public DrivenWindow {
@@ -104,4 +104,4 @@ TEST_F(HandBurstWindow, IsDrawnWhileItRunsAndThenRests) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::hand_burst_window_test

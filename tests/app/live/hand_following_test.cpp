@@ -18,7 +18,7 @@
 #include "tests/support/screen_text.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::hand_following_test {
 namespace {
 
 class HandFollowingWindow : public DrivenWindow {
@@ -349,4 +349,4 @@ TEST_F(HandFollowingWindow, ARecordingOfItIsReplayedBitForBit) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::hand_following_test

@@ -8,7 +8,7 @@
 #include "tests/app/live/driven_window.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::input_link_test {
 namespace {
 
 // The goal is on one side until it is told to be on the other.
@@ -150,4 +150,4 @@ TEST_F(InputLinkTest, WithoutAPainterOfFilesPixelsAndNumbersCanStillBeSaved) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::input_link_test

@@ -8,7 +8,7 @@
 #include "tests/app/live/driven_window.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::keyboard_session_test {
 namespace {
 
 class KeyboardSession : public DrivenWindow {
@@ -111,4 +111,4 @@ TEST_F(KeyboardSession, NeedsNoMouse) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::keyboard_session_test

@@ -15,7 +15,7 @@
 #include "tests/app/live/driven_window.h"
 #include "tests/support/screen_text.h"
 
-namespace ghostforce {
+namespace ghostforce::keyboard_test {
 namespace {
 
 struct Press {
@@ -404,4 +404,4 @@ TEST_F(KeyboardTest, WhatIsTypedNeverActsAsAKey) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::keyboard_test

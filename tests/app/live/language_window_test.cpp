@@ -14,7 +14,7 @@
 #include "tests/support/screen_text.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::language_window_test {
 namespace {
 
 class LanguageWindow : public DrivenWindow {
@@ -159,4 +159,4 @@ TEST_F(LanguageWindow, TheVoiceIsThatOfTheWords) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::language_window_test

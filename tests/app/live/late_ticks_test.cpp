@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ghostforce {
+namespace ghostforce::late_ticks_test {
 namespace {
 
 constexpr double frame_s = 0.125;  // a number without rounding
@@ -41,4 +41,4 @@ TEST(LateTicks, ANewLoopBeginsAtZero) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::late_ticks_test

@@ -19,10 +19,11 @@
 #include "app/ui/widgets/focus.h"
 #include "tests/app/live/driven_window.h"
 #include "tests/device/servo/servo_scenes.h"
+#include "tests/support/places.h"
 #include "tests/support/screen_text.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::lesson_window_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -265,7 +266,7 @@ TEST_F(LessonWindow, TheWayOutGivesTheStageBack) {
 TEST_F(LessonWindow, ALessonThatIsDroppedBegins) {
   const TemporaryFolder folder;
   const std::string path = folder / "mine.toml";
-  write_whole(path, read_whole(GHOSTFORCE_SOURCE_DIR "/assets/lessons/ghost.toml"));
+  write_whole(path, read_whole(source_path("/assets/lessons/ghost.toml")));
   open({.face = Face::workbench});
   drop({path.c_str()});
   ASSERT_TRUE(session().lesson);
@@ -450,4 +451,4 @@ TEST_F(LessonWindow, ProgressIsForgottenOnceThePersonHasSaidSoTwice) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::lesson_window_test

@@ -12,7 +12,7 @@
 #include "tests/app/live/driven_window.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::looking_back_test {
 namespace {
 
 class LookingBackTest : public DrivenWindow {
@@ -361,4 +361,4 @@ TEST_F(LookingBackTest, AClickInThePlotsLooksAtItsTime) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::looking_back_test

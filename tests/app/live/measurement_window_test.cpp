@@ -15,7 +15,7 @@
 #include "tests/app/live/experiments_window.h"
 #include "tests/support/screen_text.h"
 
-namespace ghostforce {
+namespace ghostforce::measurement_window_test {
 namespace {
 
 TEST_F(ExperimentsWindow, MeasuresTheHandWithTheMouse) {
@@ -424,4 +424,4 @@ TEST_F(ExperimentsWindow, AHandThatAimsAtATargetHasNumbersAgainstIt) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::measurement_window_test

@@ -23,7 +23,7 @@
 #include "tests/device/servo/servo_scenes.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::monkey_test {
 namespace {
 
 TEST(NoNumber, IsFoundAmidWords) {
@@ -205,4 +205,4 @@ TEST_F(MonkeyTest, BreaksNothing) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::monkey_test

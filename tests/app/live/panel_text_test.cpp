@@ -8,7 +8,7 @@
 #include "tests/app/live/driven_window.h"
 #include "tests/support/screen_text.h"
 
-namespace ghostforce {
+namespace ghostforce::panel_text_test {
 namespace {
 
 class PanelText : public DrivenWindow {
@@ -135,4 +135,4 @@ TEST_F(PanelText, IsAllThereInDialogs) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::panel_text_test

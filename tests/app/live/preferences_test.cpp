@@ -18,7 +18,7 @@
 #include "app/session/lesson_guide.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::preferences_test {
 namespace {
 
 class PreferencesTest : public testing::Test {
@@ -469,4 +469,4 @@ TEST_F(PreferencesTest, WhatCannotBeReadIsSaidAndStaysAsItIs) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::preferences_test

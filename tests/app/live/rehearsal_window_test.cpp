@@ -4,7 +4,7 @@
 
 #include "tests/app/live/driven_window.h"
 
-namespace ghostforce {
+namespace ghostforce::rehearsal_window_test {
 namespace {
 
 class RehearsalWindow : public DrivenWindow {
@@ -202,4 +202,4 @@ TEST_F(RehearsalWindow, SaysThatASceneDoesNotFitTheWorkspace) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::rehearsal_window_test

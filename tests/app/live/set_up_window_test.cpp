@@ -16,7 +16,7 @@
 #include "tests/support/small_files.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::set_up_window_test {
 namespace {
 
 class SetUpWindow : public DrivenWindow {
@@ -250,4 +250,4 @@ TEST_F(SetUpWindow, SaysThatOnlyTheFirstOfSeveralFilesIsOpen) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::set_up_window_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ghostforce {
+namespace ghostforce::spacemouse_input_link_test {
 namespace {
 
 using Trouble = SpaceMouseReading::Trouble;
@@ -61,4 +61,4 @@ TEST(SpaceMouseInputLink, TellsTheInputItsSettings) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::spacemouse_input_link_test

@@ -9,7 +9,7 @@
 #include "core/equilibrium.h"
 #include "tests/app/live/driven_window.h"
 
-namespace ghostforce {
+namespace ghostforce::unsteady_hand_window_test {
 namespace {
 
 class UnsteadyHandWindow : public DrivenWindow {
@@ -86,4 +86,4 @@ TEST_F(UnsteadyHandWindow, TheHandWandersRoundTheMouse) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::unsteady_hand_window_test

@@ -7,7 +7,7 @@
 
 #include "app/files/scene_file.h"
 
-namespace ghostforce {
+namespace ghostforce::visible_state_test {
 namespace {
 
 constexpr double points_per_metre = 10000.0;
@@ -168,4 +168,4 @@ TEST_F(VisibleStateTest, TimeIsSeenInPlotsAndOnTheRibbon) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::visible_state_test

@@ -11,8 +11,9 @@
 #include "app/session/lesson_guide.h"
 #include "tests/app/live/monkey.h"
 #include "tests/app/live/visit_window.h"
+#include "tests/support/places.h"
 
-namespace ghostforce {
+namespace ghostforce::visit_monkey_test {
 namespace {
 
 constexpr int frames_of_a_minute = 3600;
@@ -21,7 +22,7 @@ class VisitMonkey : public VisitWindow {
  protected:
   VisitMonkey() {
     write_whole(elsewhere_ / "scene.toml", scene_text(load_scene("fig1")));
-    write_whole(elsewhere_ / "lesson.toml", read_whole(GHOSTFORCE_SOURCE_DIR "/assets/lessons/ghost.toml"));
+    write_whole(elsewhere_ / "lesson.toml", read_whole(source_path("/assets/lessons/ghost.toml")));
   }
 
   int any(int count) { return std::uniform_int_distribution<int>(0, count - 1)(random_); }
@@ -169,4 +170,4 @@ TEST_F(VisitMonkey, FindsNoWayOutWithADevice) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::visit_monkey_test

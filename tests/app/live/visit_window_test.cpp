@@ -10,8 +10,9 @@
 #include "app/ui/widgets/focus.h"
 #include "device/falcon/falcon_report.h"
 #include "tests/app/live/visit_window.h"
+#include "tests/support/places.h"
 
-namespace ghostforce {
+namespace ghostforce::visit_window_test {
 namespace {
 
 class VisitWindowTest : public VisitWindow {
@@ -219,11 +220,11 @@ TEST_F(VisitWindowTest, WhatIsDroppedIsNotTaken) {
   begin();
   const TemporaryFolder elsewhere;
   const std::string lesson_path = elsewhere / "mine.toml";
-  write_whole(lesson_path, read_whole(GHOSTFORCE_SOURCE_DIR "/assets/lessons/ghost.toml"));
+  write_whole(lesson_path, read_whole(source_path("/assets/lessons/ghost.toml")));
   const std::string scene_path = elsewhere / "scene.toml";
   write_whole(scene_path, scene_text(load_scene("fig1")));
   const std::string missing = elsewhere / "missing";
-  const std::string picture = GHOSTFORCE_SOURCE_DIR "/docs/stage-why.png";
+  const std::string picture = source_path("/docs/stage-why.png");
   for (const std::string& path : {lesson_path, scene_path, picture, missing}) {
     drop({path.c_str()});
     frames(3);
@@ -306,4 +307,4 @@ TEST_F(VisitWindowTest, WhoMovesTheHandleOfADeviceIsThere) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::visit_window_test

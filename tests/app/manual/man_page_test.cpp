@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ghostforce {
+namespace ghostforce::man_page_test {
 namespace {
 
 Manual manual_with_notes(const std::string& notes) {
@@ -87,4 +87,4 @@ TEST(ManPage, OptionsSayWhatTheyTake) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::man_page_test

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ghostforce {
+namespace ghostforce::area_coverage_test {
 namespace {
 
 using Shares = std::vector<std::uint8_t>;
@@ -65,4 +65,4 @@ TEST(AreaCoverage, IsEmptyWhereNothingIsEnclosed) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::area_coverage_test

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-namespace ghostforce {
+namespace ghostforce::half_plane_tiles_test {
 namespace {
 
 constexpr int width = 205;
@@ -67,4 +67,4 @@ TEST(HalfPlaneTiles, OfAnEmptyPictureThereAreNone) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::half_plane_tiles_test

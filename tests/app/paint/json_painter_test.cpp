@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace ghostforce {
+namespace ghostforce::json_painter_test {
 namespace {
 
 std::string json_of(Role role, decltype(Mark::form) form) {
@@ -66,4 +66,4 @@ TEST(JsonPainter, NamesEveryRoleByAnotherName) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::json_painter_test

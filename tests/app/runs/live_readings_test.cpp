@@ -20,7 +20,7 @@
 #include "device/input/mouse_input.h"
 #include "device/servo/servo.h"
 
-namespace ghostforce {
+namespace ghostforce::live_readings_test {
 namespace {
 
 // A recording of a hand that holds still in the wall, and what the servo found meanwhile.
@@ -289,4 +289,4 @@ TEST(LiveReadings, ALateLoopAtARealDeviceIsAGap) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::live_readings_test

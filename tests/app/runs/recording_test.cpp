@@ -19,7 +19,7 @@
 #include "tests/support/small_files.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::recording_test {
 namespace {
 
 // Until it is so; a test that waits in vain is ended by ctest.
@@ -474,4 +474,4 @@ TEST_F(RecordingWindow, TheButtonInTheBarBeginsAndEnds) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::recording_test

@@ -13,7 +13,7 @@
 #include "device/servo/servo_thread.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::recording_thread_test {
 namespace {
 
 TEST(RecordingThread, TakesEverythingFromARunningServo) {
@@ -41,4 +41,4 @@ TEST(RecordingThread, TakesEverythingFromARunningServo) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::recording_thread_test

@@ -22,7 +22,7 @@
 #include "core/simulate.h"
 #include "tests/app/runs/recorded_by_dice.h"
 
-namespace ghostforce {
+namespace ghostforce::replay_test {
 namespace {
 
 ReplayReport replay_text(const std::string& text) {
@@ -291,4 +291,4 @@ TEST(Replay, LeavesMeasuredDevicesAsTheyAreAndComparesTheOthers) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::replay_test

@@ -14,7 +14,7 @@
 #include "app/session/key_bindings.h"
 #include "app/session/keys.h"
 
-namespace ghostforce {
+namespace ghostforce::front_keys_test {
 namespace {
 
 constexpr int ctrl = modifier::control;
@@ -209,4 +209,4 @@ TEST(FrontKeys, WhileSomebodyTypesItIsOursWhatIsTyped) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::front_keys_test

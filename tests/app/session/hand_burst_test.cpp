@@ -9,7 +9,7 @@
 #include "app/session/session.h"
 #include "app/session/stage_actions.h"
 
-namespace ghostforce {
+namespace ghostforce::hand_burst_test {
 namespace {
 
 constexpr double look_s = 0.05;  // between two frames
@@ -215,4 +215,4 @@ TEST_F(HandBurstTest, InALessonItsButtonMeasures) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::hand_burst_test

@@ -18,9 +18,10 @@
 #include "app/session/stage_actions.h"
 #include "app/view/handles.h"
 #include "tests/app/live/driven_window.h"
+#include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::key_bindings_test {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
@@ -63,7 +64,7 @@ void prepare(const KeyBinding& binding, Session& session) {
 }
 
 TEST(KeyTable, IsTheOneInTheReadme) {
-  const std::string readme = read_whole(GHOSTFORCE_SOURCE_DIR "/README.md");
+  const std::string readme = read_whole(source_path("/README.md"));
   std::string table = "| mouse, key | what it does |\n| --- | --- |\n";
   for (const MouseGesture& gesture : mouse_table()) {
     table += fmt::format("| {} | {} |\n", gesture.shown, gesture.sentence);
@@ -319,4 +320,4 @@ TEST_F(KeysTest, LettersTypedIntoAFieldAreLetters) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::key_bindings_test

@@ -10,7 +10,7 @@
 #include "app/session/keys.h"
 #include "app/session/stage_actions.h"
 
-namespace ghostforce {
+namespace ghostforce::lesson_guide_test {
 namespace {
 
 std::shared_ptr<const SetUp> set_up_at(const Vector<2>& goal, StrategyId active = StrategyId::naive,
@@ -296,4 +296,4 @@ TEST_F(LessonGuideTest, RemembersWhatWasDone) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::lesson_guide_test

@@ -20,7 +20,7 @@
 
 #include <imgui_internal.h>
 
-namespace ghostforce {
+namespace ghostforce::session_test {
 namespace {
 
 class SessionTest : public DrivenWindow {
@@ -398,4 +398,4 @@ TEST(SavePath, MakesFileNamesOfTitles) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::session_test

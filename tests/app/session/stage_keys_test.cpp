@@ -10,9 +10,10 @@
 
 #include "app/session/stage_actions.h"
 #include "tests/app/live/driven_window.h"
+#include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::stage_keys_test {
 namespace {
 
 struct ModeKey {
@@ -66,8 +67,8 @@ TEST_F(StageKeysTest, AModesKeyOpensTheStageAndTheWorkbenchEndsIt) {
 }
 
 TEST_F(StageKeysTest, ThePagesNameEachMode) {
-  const std::string readme = read_whole(GHOSTFORCE_SOURCE_DIR "/README.md");
-  const std::string page = read_whole(GHOSTFORCE_SOURCE_DIR "/docs/stage.md");
+  const std::string readme = read_whole(source_path("/README.md"));
+  const std::string page = read_whole(source_path("/docs/stage.md"));
   for (const StageModeEntry& each : stage_mode_catalog()) {
     EXPECT_NE(readme.find("- **" + std::string(each.key) + "**, "), std::string::npos) << each.name;
     EXPECT_NE(page.find("\n**" + std::string(each.key) + ", "), std::string::npos) << each.name;
@@ -219,4 +220,4 @@ TEST_F(StageKeysTest, BHidesThePictureAndEscapeShowsItToo) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::stage_keys_test

@@ -10,7 +10,7 @@
 #include "app/session/lesson_guide.h"
 #include "app/session/stage_actions.h"
 
-namespace ghostforce {
+namespace ghostforce::visit_test {
 namespace {
 
 class VisitTest : public testing::Test {
@@ -227,4 +227,4 @@ TEST_F(VisitTest, OfAllThatCanBeAskedForLittleIsLeft) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::visit_test

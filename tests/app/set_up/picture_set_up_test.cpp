@@ -14,7 +14,7 @@
 #include "tests/support/set_up_values.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::picture_set_up_test {
 namespace {
 
 class PictureSetUp : public testing::Test {
@@ -78,4 +78,4 @@ TEST_F(PictureSetUp, IsNotReadFromADamagedFile) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::picture_set_up_test

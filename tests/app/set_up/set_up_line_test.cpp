@@ -14,7 +14,7 @@
 #include "tests/support/random_set_up.h"
 #include "tests/support/set_up_values.h"
 
-namespace ghostforce {
+namespace ghostforce::set_up_line_test {
 namespace {
 
 using namespace std::string_literals;
@@ -192,4 +192,4 @@ TEST(PositionText, IsShortAndReadsBack) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::set_up_line_test

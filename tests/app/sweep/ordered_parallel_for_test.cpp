@@ -11,7 +11,7 @@
 
 #include "app/sweep/ordered_parallel_for.h"
 
-namespace ghostforce {
+namespace ghostforce::ordered_parallel_for_test {
 namespace {
 
 std::vector<std::int64_t> taken_with(std::size_t threads, std::int64_t count) {
@@ -92,4 +92,4 @@ TEST(OrderedParallelFor, WhatTheTakerThrowsComesOut) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::ordered_parallel_for_test

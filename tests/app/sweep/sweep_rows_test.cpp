@@ -24,9 +24,10 @@
 #include "core/ghost_force.h"
 #include "tests/app/sweep/point_equilibrium.h"
 #include "tests/core/linear_equilibrium.h"
+#include "tests/support/places.h"
 #include "tests/support/program.h"
 
-namespace ghostforce {
+namespace ghostforce::sweep_rows_test {
 namespace {
 
 std::vector<std::string> split(std::string_view line) {
@@ -111,7 +112,7 @@ Csv parse_csv(const std::string& text) {
 
 Csv swept(std::vector<std::string> words) {
   words.insert(words.begin(), "sweep");
-  const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, std::move(words));
+  const Outcome outcome = run_program(ghostforce_program(), std::move(words));
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
   return parse_csv(outcome.out);
@@ -169,7 +170,7 @@ TEST(Sweep, OnePointIsWhatEquilibriumTells) {
                          "--at-rest=closed-form"});
   for (const Row& row : csv.rows) {
     const Outcome outcome =
-        run_program(GHOSTFORCE_PROGRAM, {"equilibrium", "fig1", "--json",
+        run_program(ghostforce_program(), {"equilibrium", "fig1", "--json",
                                          "--set=user.believed_k_u_N_per_m=" + row.text("user.believed_k_u_N_per_m"),
                                          "--set=wall.normal_deg=" + row.text("wall.normal_deg")});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -365,4 +366,4 @@ TEST(Sweep, AsManyThreadsAsOneLikes) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::sweep_rows_test

@@ -30,16 +30,17 @@
 #include "app/sweep/rows.h"
 #include "app/sweep/sweep.h"
 #include "tests/app/sweep/point_equilibrium.h"
+#include "tests/support/places.h"
 #include "tests/support/program.h"
 #include "tests/support/scene_values.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::sweep_test {
 namespace {
 
 Outcome run(std::vector<std::string> words) {
   words.insert(words.begin(), "sweep");
-  return run_program(GHOSTFORCE_PROGRAM, std::move(words));
+  return run_program(ghostforce_program(), std::move(words));
 }
 
 Range range(std::string_view argument) {
@@ -220,7 +221,7 @@ TEST(SweepEnds, InterruptedItLeavesWholeRowsInTheFile) {
     ProgramCall call;
     call.words = long_sweep;
     call.words.insert(call.words.end(), {"-o", folder / "sweep.csv"});
-    RunningProgram program(GHOSTFORCE_PROGRAM, call);
+    RunningProgram program(ghostforce_program(), call);
     const auto has_rows = [&] {
       return std::ranges::any_of(std::filesystem::directory_iterator(folder.path()),
                                  [](const auto& file) { return file.file_size() > 100'000; });
@@ -251,7 +252,7 @@ TEST(SweepEnds, InterruptedBeforeItsFirstRowItKeepsTheOldFile) {
                   folder / "sweep.csv"};
     call.signal_when_created_in = folder.path();
     call.signal = SIGINT;
-    const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, call);
+    const Outcome outcome = run_program(ghostforce_program(), call);
     EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
     EXPECT_NE(outcome.err.find("interrupted"), std::string::npos) << outcome.err;
     const std::string text = read_whole(folder / "sweep.csv");
@@ -264,7 +265,7 @@ TEST(SweepEnds, InterruptedBeforeItsFirstRowItKeepsTheOldFile) {
 TEST(SweepEnds, InterruptedWhileAReaderIsSlowItLeavesWholeRowsInThePipe) {
   ProgramCall call;
   call.words = long_sweep;
-  RunningProgram program(GHOSTFORCE_PROGRAM, call);
+  RunningProgram program(ghostforce_program(), call);
   std::string text;
   const auto take = [&] {
     const auto line = program.next_line(std::chrono::seconds(20));
@@ -283,7 +284,7 @@ TEST(SweepEnds, InterruptedWhileAReaderIsSlowItLeavesWholeRowsInThePipe) {
 TEST(SweepEnds, AReaderWhoTakesNothingIsNotWaitedFor) {
   ProgramCall call;
   call.words = long_sweep;
-  RunningProgram program(GHOSTFORCE_PROGRAM, call);
+  RunningProgram program(ghostforce_program(), call);
   ASSERT_TRUE(program.next_line(std::chrono::seconds(20)));
   program.send(SIGTERM);
   EXPECT_EQ(program.wait_for_end(), 130);
@@ -293,7 +294,7 @@ TEST(SweepEnds, AClosedPipeIsNoTrouble) {
   ProgramCall call;
   call.words = long_sweep;
   call.close_after_first_piece = true;
-  const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, call);
+  const Outcome outcome = run_program(ghostforce_program(), call);
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.err, "");
 }
@@ -308,7 +309,7 @@ TEST(SweepEnds, WhatCannotBeWrittenIsTold) {
   ProgramCall call;
   call.words = long_sweep;
   call.out_to = "/dev/full";
-  EXPECT_EQ(run_program(GHOSTFORCE_PROGRAM, call).exit_code, 8);
+  EXPECT_EQ(run_program(ghostforce_program(), call).exit_code, 8);
 }
 
 // --- On a terminal ---
@@ -332,7 +333,7 @@ TEST(SweepProgress, ATerminalIsToldHowLongItTook) {
   const int kept_open = open(other_end.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);  // so that what was said stays
   const Outcome outcome = run_program(
       "/bin/sh",
-      {"-c", "exec \"$0\" sweep fig1 --over wall.normal_deg=90:180:3 2> \"$1\"", GHOSTFORCE_PROGRAM, other_end});
+      {"-c", "exec \"$0\" sweep fig1 --over wall.normal_deg=90:180:3 2> \"$1\"", ghostforce_program(), other_end});
   EXPECT_EQ(outcome.exit_code, 0);
   pollfd wait{terminal, POLLIN, 0};
   ASSERT_EQ(poll(&wait, 1, 5000), 1);
@@ -349,7 +350,7 @@ TEST(SweepProgress, ATerminalIsToldHowLongItTook) {
 // --- The page about it ---
 
 TEST(SweepDoc, ItsCommandsRun) {
-  const std::string page = read_whole(GHOSTFORCE_SOURCE_DIR "/docs/sweep.md");
+  const std::string page = read_whole(source_path("/docs/sweep.md"));
   // In a block of its own, and followed by the block of what it prints if that is anything.
   const std::regex call("\n```\nghostforce (sweep [^`]*)```\n");
   int calls = 0;
@@ -357,7 +358,7 @@ TEST(SweepDoc, ItsCommandsRun) {
   for (std::sregex_iterator found(page.begin(), page.end(), call), end; found != end; ++found) {
     ++calls;
     ProgramCall shell;
-    shell.words = {"-c", "\"$0\" " + (*found)[1].str(), GHOSTFORCE_PROGRAM};
+    shell.words = {"-c", "\"$0\" " + (*found)[1].str(), ghostforce_program()};
     shell.folder = folder.path();
     const Outcome outcome = run_program("/bin/sh", shell);
     EXPECT_EQ(outcome.exit_code, 0) << (*found)[1] << "\n" << outcome.err;
@@ -371,4 +372,4 @@ TEST(SweepDoc, ItsCommandsRun) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::sweep_test

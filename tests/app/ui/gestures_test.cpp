@@ -13,7 +13,7 @@
 
 #include <imgui_internal.h>
 
-namespace ghostforce {
+namespace ghostforce::gestures_test {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
@@ -274,4 +274,4 @@ TEST_F(GesturesTest, APointerOnAMarkExplainsIt) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::gestures_test

@@ -5,7 +5,7 @@
 
 #include "app/session/keys.h"
 
-namespace ghostforce {
+namespace ghostforce::key_layout_test {
 namespace {
 
 TEST(KeyLayout, LettersAreWhereTheyArePrinted) {
@@ -82,4 +82,4 @@ TEST(KeyLayout, WhatWasTypedDecides) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::key_layout_test

@@ -12,7 +12,7 @@
 #include "app/desktop/glfw_window.h"
 #include "app/paint/label_painter.h"
 
-namespace ghostforce {
+namespace ghostforce::letters_test {
 namespace {
 
 constexpr int width = 640;
@@ -92,4 +92,4 @@ TEST(Letters, LookTheSameAloneAndBesideOthers) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::letters_test

@@ -10,7 +10,7 @@
 #include "tests/app/live/driven_window.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::shader_watch_test {
 namespace {
 
 class ShaderWatchTest : public DrivenWindow {
@@ -125,4 +125,4 @@ TEST_F(ShaderWatchTest, AFolderWithoutTheShadersIsRefused) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::shader_watch_test

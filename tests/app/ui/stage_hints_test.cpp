@@ -9,7 +9,7 @@
 #include "app/session/stage_actions.h"
 #include "tests/app/live/driven_window.h"
 
-namespace ghostforce {
+namespace ghostforce::stage_hints_test {
 namespace {
 
 constexpr std::string_view drag_words = "drag me: your hand";
@@ -142,4 +142,4 @@ TEST_F(StageHintsTest, AreOfferedToNobodyUnasked) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::stage_hints_test

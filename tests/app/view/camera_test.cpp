@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ghostforce {
+namespace ghostforce::camera_test {
 namespace {
 
 TEST(Camera, PutsItsCentreInTheMiddleAndUpIsUp) {
@@ -30,4 +30,4 @@ TEST(Camera, ShowsTheAskedWidthWhateverTheShapeOfTheWindow) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::camera_test

@@ -15,7 +15,7 @@
 #include "app/view/panes.h"
 #include "core/simulate.h"
 
-namespace ghostforce {
+namespace ghostforce::compose_test {
 namespace {
 
 // Letters of a fixed width: close to DejaVu Sans, and the same everywhere.
@@ -389,4 +389,4 @@ TEST(Compose, IsAFunctionOfItsInputs) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::compose_test

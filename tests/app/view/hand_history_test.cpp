@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ghostforce {
+namespace ghostforce::hand_history_test {
 namespace {
 
 constexpr double tick_s = 0.001;
@@ -81,4 +81,4 @@ TEST(HandHistory, IsBoundedInTimeAndInNumber) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::hand_history_test

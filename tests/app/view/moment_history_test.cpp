@@ -9,7 +9,7 @@
 
 #include "tests/support/heap_guard.h"
 
-namespace ghostforce {
+namespace ghostforce::moment_history_test {
 namespace {
 
 constexpr double rate = 1000.0;
@@ -170,4 +170,4 @@ TEST(MomentHistory, AsksForNoMoreMemoryOnceItIsFull) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::moment_history_test

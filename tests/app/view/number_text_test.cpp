@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace ghostforce {
+namespace ghostforce::number_text_test {
 namespace {
 
 TEST(NumberText, HasARealMinusSignAndNoNegativeZero) {
@@ -33,4 +33,4 @@ TEST(NumberText, NamesWhatIsNoNumber) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::number_text_test

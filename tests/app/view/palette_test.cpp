@@ -12,7 +12,7 @@
 
 #include "app/view/theme.h"
 
-namespace ghostforce {
+namespace ghostforce::palette_test {
 namespace {
 
 using Triple = std::array<double, 3>;
@@ -210,4 +210,4 @@ TEST(Palette, TooMuchAndTooLittleDifferForEveryVision) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::palette_test

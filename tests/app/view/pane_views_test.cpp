@@ -10,7 +10,7 @@
 #include "app/view/fit.h"
 #include "tests/app/view/workbench_case.h"
 
-namespace ghostforce {
+namespace ghostforce::pane_views_test {
 namespace {
 
 TEST(Fit, TakesTheGreatestScaleAtWhichAllIsInSight) {
@@ -100,4 +100,4 @@ TEST_F(PaneViewsTest, AreSaneInFreeSpaceAndForAnySettings) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::pane_views_test

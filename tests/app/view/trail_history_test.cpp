@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-namespace ghostforce {
+namespace ghostforce::trail_history_test {
 namespace {
 
 // A millisecond after the one before.
@@ -75,4 +75,4 @@ TEST(History, HasATrailForThreeSecondsOfModelTime) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::trail_history_test

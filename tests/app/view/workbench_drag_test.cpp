@@ -14,7 +14,7 @@
 #include "tests/app/view/label_unrest.h"
 #include "tests/app/view/workbench_case.h"
 
-namespace ghostforce {
+namespace ghostforce::workbench_drag_test {
 namespace {
 
 const MeasureText measure = measure_vector_text;
@@ -165,4 +165,4 @@ TEST(WorkbenchDrag, PanesThatAreGoneLeaveNothingBehind) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::workbench_drag_test

@@ -12,7 +12,7 @@
 #include "tests/app/view/picture_extents.h"
 #include "tests/app/view/workbench_case.h"
 
-namespace ghostforce {
+namespace ghostforce::workbench_words_test {
 namespace {
 
 const MeasureText measure = measure_vector_text;
@@ -169,4 +169,4 @@ TEST(WorkbenchWords, AreAllThereInTheUsualPicture) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::workbench_words_test

@@ -3,7 +3,7 @@
 
 #include "app/worker/worker.h"
 
-namespace ghostforce {
+namespace ghostforce::worker_page_test {
 namespace {
 
 TEST(WorkerPage, MakesOneStepALook) {
@@ -19,4 +19,4 @@ TEST(WorkerPage, MakesOneStepALook) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::worker_page_test

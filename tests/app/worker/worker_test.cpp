@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ghostforce {
+namespace ghostforce::worker_test {
 namespace {
 
 // What a person's frames are to it; a test that waits in vain is ended by ctest.
@@ -67,4 +67,4 @@ TEST(Worker, TakesItsTimeBetweenSteps) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::worker_test

@@ -6,14 +6,15 @@
 #include <gtest/gtest.h>
 
 #include "app/lessons/lesson_file.h"
+#include "tests/support/places.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::teaching_doc_test {
 namespace {
 
 const std::string& doc() {
-  static const std::string text = read_whole(GHOSTFORCE_SOURCE_DIR "/docs/teaching.md");
+  static const std::string text = read_whole(source_path("/docs/teaching.md"));
   return text;
 }
 
@@ -47,7 +48,7 @@ TEST(TeachingDoc, HasCommandsThatRun) {
     std::string word;
     words_of_line >> word;
     while (words_of_line >> word) call.words.push_back(word);
-    const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, call);
+    const Outcome outcome = run_program(ghostforce_program(), call);
     EXPECT_EQ(outcome.exit_code, 0) << line << "\n" << outcome.err;
     ++count;
   }
@@ -55,4 +56,4 @@ TEST(TeachingDoc, HasCommandsThatRun) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::teaching_doc_test

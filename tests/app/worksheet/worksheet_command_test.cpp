@@ -4,15 +4,16 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/places.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::worksheet_command_test {
 namespace {
 
 Outcome worksheet(std::vector<std::string> words) {
   words.insert(words.begin(), "worksheet");
-  return run_program(GHOSTFORCE_PROGRAM, std::move(words));
+  return run_program(ghostforce_program(), std::move(words));
 }
 
 bool holds(const std::string& text, std::string_view part) {
@@ -43,13 +44,13 @@ TEST(WorksheetCommand, TakesLessonsLanguageAndPaper) {
   ProgramCall call;
   call.words = {"worksheet", "ghost", "-o", "-"};
   call.environment = {"LC_ALL=es_ES.UTF-8"};
-  EXPECT_TRUE(holds(run_program(GHOSTFORCE_PROGRAM, call).out, "/Title (The ghost)")) << "the same everywhere";
+  EXPECT_TRUE(holds(run_program(ghostforce_program(), call).out, "/Title (The ghost)")) << "the same everywhere";
   EXPECT_NE(worksheet({"ghost", "-o", "-", "--answers"}).out, worksheet({"ghost", "-o", "-"}).out);
 }
 
 TEST(WorksheetCommand, TakesALessonOfATeachersOwnAndNeverWritesOverIt) {
   const TemporaryFolder folder;
-  const std::string doc = read_whole(GHOSTFORCE_SOURCE_DIR "/docs/lessons.md");
+  const std::string doc = read_whole(source_path("/docs/lessons.md"));
   constexpr std::string_view fence = "```toml\n";
   const std::size_t begin = doc.rfind(fence) + fence.size();
   const std::string lesson = doc.substr(begin, doc.find("```", begin) - begin);
@@ -82,4 +83,4 @@ TEST(WorksheetCommand, SaysWhatIsWrongAndLeavesNothing) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::worksheet_command_test

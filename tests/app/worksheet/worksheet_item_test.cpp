@@ -9,7 +9,7 @@
 #include "app/worksheet/worksheet_item.h"
 #include "app/worksheet/worksheet_phrases.h"
 
-namespace ghostforce {
+namespace ghostforce::worksheet_item_test {
 namespace {
 
 std::vector<WorksheetItem> items_of(std::string_view lesson, WorksheetSide side) {
@@ -81,4 +81,4 @@ TEST(WorksheetPhrases, AreThereInEachLanguageOfTheLessons) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::worksheet_item_test

@@ -15,7 +15,7 @@
 #include "app/view/screen_box.h"
 #include "app/worksheet/worksheet.h"
 
-namespace ghostforce {
+namespace ghostforce::worksheet_pages_test {
 namespace {
 
 using Pages = std::vector<std::vector<Pane>>;
@@ -250,4 +250,4 @@ TEST(Worksheet, IsInALanguageThatTheLessonHas) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::worksheet_pages_test

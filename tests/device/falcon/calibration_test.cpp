@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-namespace ghostforce {
+namespace ghostforce::calibration_test {
 namespace {
 
 // Handed to the servo thread as a value.
@@ -76,4 +76,4 @@ TEST(FalconCalibration, MotorNumbersMakeTheForceOnSuchADevice) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::calibration_test

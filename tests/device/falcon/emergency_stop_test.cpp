@@ -8,7 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace ghostforce {
+namespace ghostforce::emergency_stop_test {
 namespace {
 
 // Asked of the system itself: what becomes of a process that gets this signal and has never heard of it.
@@ -93,4 +93,4 @@ TEST(EmergencyStop, TheProcessEndsAsItWouldHave) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::emergency_stop_test

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace ghostforce {
+namespace ghostforce::frame_test {
 namespace {
 
 std::string text(const FrameBytes& bytes) {
@@ -111,4 +111,4 @@ TEST(FrameReader, GarbageNeverMakesAFrameThatWasNotThere) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::frame_test

@@ -12,7 +12,7 @@
 
 #include "device/falcon/kinematics.h"
 
-namespace ghostforce {
+namespace ghostforce::geometry_test {
 namespace {
 
 TEST(GeometryCatalog, BeginsWithTheDefault) {
@@ -96,4 +96,4 @@ TEST(FalconGeometry, AnglesOfCountsAndBack) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::geometry_test

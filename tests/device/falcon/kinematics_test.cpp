@@ -18,7 +18,7 @@
 #include "tests/core/random_setting.h"
 #include "tests/device/falcon/reference_kinematics.h"
 
-namespace ghostforce {
+namespace ghostforce::kinematics_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -458,4 +458,4 @@ static_assert(noexcept(std::declval<const FalconKinematics&>().position(Vector<3
 static_assert(noexcept(motor_counts(Vector<3>(), Matrix<3>(), 1.0)));
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::kinematics_test

@@ -10,7 +10,7 @@
 
 #include "device/input/monotonic_clock.h"
 
-namespace ghostforce {
+namespace ghostforce::link_opener_test {
 namespace {
 
 constexpr std::int64_t ms = 1'000'000;
@@ -138,4 +138,4 @@ TEST(LinkOpener, ALinkThatNeverWaitsNeedsNoThread) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::link_opener_test

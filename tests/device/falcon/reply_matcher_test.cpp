@@ -6,7 +6,7 @@
 #include <deque>
 #include <random>
 
-namespace ghostforce {
+namespace ghostforce::reply_matcher_test {
 namespace {
 
 constexpr std::int64_t ms = 1'000'000;
@@ -106,4 +106,4 @@ TEST(ReplyMatcher, NoReplyEverLooksYoungerThanItIs) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::reply_matcher_test

@@ -7,7 +7,7 @@
 
 #include "device/virtual_falcon/virtual_link.h"
 
-namespace ghostforce {
+namespace ghostforce::bench_test {
 namespace {
 
 constexpr CommandFrame push{.motors = {100, -50, 25}, .info = CommandFrame::blue};
@@ -79,4 +79,4 @@ TEST(FalconBench, ALostReplyIsFollowedByZeros) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::bench_test

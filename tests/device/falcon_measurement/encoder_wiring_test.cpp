@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-namespace ghostforce {
+namespace ghostforce::encoder_wiring_test {
 namespace {
 
 constexpr std::array directions{Vector<3>{0.0, 0.0, 1.0}, Vector<3>{1.0, 0.0, 0.0}, Vector<3>{0.0, 1.0, 0.0}};
@@ -76,4 +76,4 @@ TEST(EncoderWiring, OffsetsBringTheArmsTogetherAtTheStop) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::encoder_wiring_test

@@ -8,7 +8,7 @@
 
 #include "device/falcon/kinematics.h"
 
-namespace ghostforce {
+namespace ghostforce::motor_constants_test {
 namespace {
 
 constexpr std::array places{Vector<3>{0.0, 0.0, 0.125}, Vector<3>{-0.03, -0.025, 0.138}};
@@ -97,4 +97,4 @@ TEST(MotorConstants, SayNothingWhereNothingCanBeSaid) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::motor_constants_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ghostforce {
+namespace ghostforce::motor_wiring_test {
 namespace {
 
 // Above 0 pulls in: that leg's counts shrink, and the others move a little too.
@@ -39,4 +39,4 @@ TEST(MotorWiring, ConcludesNothingFromNothing) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::motor_wiring_test

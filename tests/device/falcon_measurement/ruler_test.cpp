@@ -11,7 +11,7 @@
 
 #include "device/falcon/kinematics.h"
 
-namespace ghostforce {
+namespace ghostforce::ruler_test {
 namespace {
 
 struct Way {
@@ -103,4 +103,4 @@ TEST(Ruler, SaysThatNothingFits) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::ruler_test

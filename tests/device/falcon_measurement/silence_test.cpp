@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ghostforce {
+namespace ghostforce::silence_test {
 namespace {
 
 SilenceReading reading(double silence_s, double share, double tremor = 0.0001) {
@@ -42,4 +42,4 @@ TEST(Silence, GuessesNothing) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::silence_test

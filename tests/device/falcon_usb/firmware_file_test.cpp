@@ -12,7 +12,7 @@
 #include "tests/core/random_setting.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::firmware_file_test {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -213,4 +213,4 @@ TEST_F(FirmwareOnDiskTest, TellsApartWhyNot) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::firmware_file_test

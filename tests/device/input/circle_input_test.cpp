@@ -4,7 +4,7 @@
 
 #include "tests/device/servo/servo_scenes.h"
 
-namespace ghostforce {
+namespace ghostforce::circle_input_test {
 namespace {
 
 constexpr double rate = 1000.0;
@@ -57,4 +57,4 @@ TEST(CircleInputTest, LeadsAServoRoundInContact) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::circle_input_test

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-namespace ghostforce {
+namespace ghostforce::mouse_input_test {
 namespace {
 
 constexpr double rate = 1000.0;
@@ -110,4 +110,4 @@ TEST(MouseInput, StaysWithinAMetre) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::mouse_input_test

@@ -4,7 +4,7 @@
 
 #include "core/tick.h"
 
-namespace ghostforce {
+namespace ghostforce::scripted_input_test {
 namespace {
 
 TEST(ScriptedInput, FollowsThePathByTickNumber) {
@@ -19,4 +19,4 @@ TEST(ScriptedInput, FollowsThePathByTickNumber) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::scripted_input_test

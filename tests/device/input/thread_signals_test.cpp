@@ -8,7 +8,7 @@
 #include <signal.h>
 #include <unistd.h>
 
-namespace ghostforce {
+namespace ghostforce::thread_signals_test {
 namespace {
 
 stack_t stack_in_use() {
@@ -56,4 +56,4 @@ TEST(AlternateStack, HasAPageBelowThatNobodyMayTouch) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::thread_signals_test

@@ -13,7 +13,7 @@
 #include "device/input/scripted_input.h"
 #include "tests/device/servo/servo_scenes.h"
 
-namespace ghostforce {
+namespace ghostforce::unsteady_input_test {
 namespace {
 
 Scene restless_wall() {
@@ -109,4 +109,4 @@ TEST(UnsteadyInputTest, LeadsMouseAndCircle) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::unsteady_input_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ghostforce {
+namespace ghostforce::hybrid_sleep_test {
 namespace {
 
 constexpr std::int64_t us = 1'000;
@@ -149,4 +149,4 @@ TEST(HybridSleep, DeadlinesThatHavePassedTakeNoTime) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::hybrid_sleep_test

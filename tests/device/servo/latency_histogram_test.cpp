@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ghostforce {
+namespace ghostforce::latency_histogram_test {
 namespace {
 
 TEST(LatencyHistogram, KnowsNothingWithoutTicks) {
@@ -45,4 +45,4 @@ TEST(LatencyHistogram, KeepsWhatIsOffTheScale) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::latency_histogram_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ghostforce {
+namespace ghostforce::pacer_test {
 namespace {
 
 constexpr std::int64_t start_ns = 5'000'000'000;
@@ -110,4 +110,4 @@ TEST(Pacer, MeasuresTheRateOfTicksThatWereMade) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::pacer_test

@@ -13,7 +13,7 @@
 #include <sys/utsname.h>
 #include <unistd.h>
 
-namespace ghostforce {
+namespace ghostforce::realtime_test {
 namespace {
 
 // From Linux 6.12 on threads have slices of their own.
@@ -144,4 +144,4 @@ TEST(Realtime, SaysWhatWasNotAndWhy) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::realtime_test

@@ -11,7 +11,7 @@
 #include "tests/device/servo/servo_scenes.h"
 #include "tests/device/servo/servo_steps.h"
 
-namespace ghostforce {
+namespace ghostforce::servo_frames_test {
 namespace {
 
 constexpr std::int64_t ms = 1'000'000;
@@ -266,4 +266,4 @@ TEST_F(ServoFramesOfDevice, IsShutDownWhenTheDriverGoes) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::servo_frames_test

@@ -11,7 +11,7 @@
 #include "device/servo/servo.h"
 #include "tests/device/servo/motor_settings.h"
 
-namespace ghostforce {
+namespace ghostforce::servo_hand_motors_test {
 namespace {
 
 // A handle with a mass, in a hand that pulls it to a goal; motors push it. A clock that only waiting moves. `gain`: of
@@ -255,4 +255,4 @@ TEST_F(ServoHandAtMotors, AnotherAxisBeginsTheWindowAnew) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::servo_hand_motors_test

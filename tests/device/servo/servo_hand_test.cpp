@@ -13,7 +13,7 @@
 #include "device/servo/servo.h"
 #include "tests/device/servo/servo_scenes.h"
 
-namespace ghostforce {
+namespace ghostforce::servo_hand_test {
 namespace {
 
 // A hand of 200 N/m that holds its goal 20 mm inside a wall at 45°, under motors along x.
@@ -275,4 +275,4 @@ TEST_F(ServoHand, RefusesAToneForceOutOfRange) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::servo_hand_test

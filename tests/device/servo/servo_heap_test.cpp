@@ -10,7 +10,7 @@
 #include "tests/device/servo/servo_scenes.h"
 #include "tests/support/heap_guard.h"
 
-namespace ghostforce {
+namespace ghostforce::servo_heap_test {
 namespace {
 
 // Walks everything that a servo can be asked for, until its samples overflow.
@@ -117,4 +117,4 @@ TEST(ServoHeap, IsNotTouchedByWhatIsRefusedOrUnstable) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::servo_heap_test

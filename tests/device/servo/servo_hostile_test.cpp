@@ -16,7 +16,7 @@
 #include "tests/device/servo/servo_scenes.h"
 #include "tests/device/servo/servo_steps.h"
 
-namespace ghostforce {
+namespace ghostforce::servo_hostile_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -216,4 +216,4 @@ TEST(Servo, StaysFiniteWhateverItIsSent) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::servo_hostile_test

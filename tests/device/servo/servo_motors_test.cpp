@@ -15,7 +15,7 @@
 #include "device/servo/servo_thread.h"
 #include "tests/device/servo/motor_settings.h"
 
-namespace ghostforce {
+namespace ghostforce::servo_motors_test {
 namespace {
 
 constexpr double dt = 0.001;
@@ -455,4 +455,4 @@ TEST_F(ServoMotors, KeepTheirPromiseUnderTenMillionHostileTicks) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::servo_motors_test

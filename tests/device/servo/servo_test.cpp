@@ -12,7 +12,7 @@
 #include "tests/device/servo/servo_scenes.h"
 #include "tests/device/servo/servo_steps.h"
 
-namespace ghostforce {
+namespace ghostforce::servo_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -347,4 +347,4 @@ TEST(Servo, CountsWhatTheRecorderWasTooSlowFor) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::servo_test

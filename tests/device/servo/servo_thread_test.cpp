@@ -15,7 +15,7 @@
 #include "device/servo/servo_thread.h"
 #include "tests/device/servo/servo_scenes.h"
 
-namespace ghostforce {
+namespace ghostforce::servo_thread_test {
 namespace {
 
 // Until it is so; a test that waits in vain is ended by ctest.
@@ -231,4 +231,4 @@ TEST(ServoThread, ExchangesWholeValuesWithTheWindow) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::servo_thread_test

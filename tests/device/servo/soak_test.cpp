@@ -25,7 +25,7 @@
 #include "tests/support/any_value.h"
 #include "tests/support/heap_guard.h"
 
-namespace ghostforce {
+namespace ghostforce::soak_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -294,4 +294,4 @@ TEST(Soak, FalconThatGoesWrong) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::soak_test

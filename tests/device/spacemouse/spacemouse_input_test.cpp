@@ -4,7 +4,7 @@
 
 #include "device/spacemouse/spacemouse_report.h"
 
-namespace ghostforce {
+namespace ghostforce::spacemouse_input_test {
 namespace {
 
 constexpr double rate = 1000.0;
@@ -70,4 +70,4 @@ TEST_F(ReadSpaceMouse, GoesByTheWindowsSettings) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::spacemouse_input_test

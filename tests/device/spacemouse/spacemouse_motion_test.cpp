@@ -9,7 +9,7 @@
 
 #include "device/spacemouse/spacemouse_report.h"
 
-namespace ghostforce {
+namespace ghostforce::spacemouse_motion_test {
 namespace {
 
 using Axes = std::array<double, 6>;
@@ -217,4 +217,4 @@ TEST(SpaceMouseMotion, FollowsReports) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::spacemouse_motion_test

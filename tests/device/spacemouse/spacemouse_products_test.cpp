@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ghostforce {
+namespace ghostforce::spacemouse_products_test {
 namespace {
 
 TEST(SpaceMouseProducts, TellWhatADeviceIsUsedFor) {
@@ -31,4 +31,4 @@ TEST(SpaceMouseProducts, AreKnownByNumberWhereTheSystemTellsNoUse) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::spacemouse_products_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ghostforce {
+namespace ghostforce::spacemouse_report_test {
 namespace {
 
 using Report = std::vector<std::uint8_t>;
@@ -85,4 +85,4 @@ TEST(SpaceMouseReport, TakesAnythingUnharmed) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::spacemouse_report_test

@@ -9,7 +9,7 @@
 
 #include "device/spacemouse_hid/hid_spacemouse_input.h"
 
-namespace ghostforce {
+namespace ghostforce::hid_spacemouse_thread_test {
 namespace {
 
 TEST(SpaceMouseThreads, MeetInWholeValues) {
@@ -42,4 +42,4 @@ TEST(SpaceMouseThreads, EndAtOnce) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::hid_spacemouse_thread_test

@@ -9,7 +9,7 @@
 #include <limits>
 #include <random>
 
-namespace ghostforce {
+namespace ghostforce::arm_test {
 namespace {
 
 constexpr double dt = 1e-4;
@@ -191,4 +191,4 @@ TEST(SimulatedArm, WorksWithEachGeometry) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::arm_test

@@ -6,7 +6,7 @@
 #include "core/equilibrium.h"
 #include "tests/device/virtual_falcon/rehearsal.h"
 
-namespace ghostforce {
+namespace ghostforce::closed_loop_test {
 namespace {
 
 constexpr Vector<2> goal{0.02, -0.02};
@@ -107,4 +107,4 @@ TEST(ClosedLoop, LimitHoldsForAMotorThatIsTakenForWeak) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::closed_loop_test

@@ -6,7 +6,7 @@
 
 #include "tests/device/virtual_falcon/rehearsal.h"
 
-namespace ghostforce {
+namespace ghostforce::driver_faults_test {
 namespace {
 
 InjectedFault named(const std::string& name) {
@@ -142,4 +142,4 @@ TEST_F(PushingFalcon, SaysThatItMayStillPush) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::driver_faults_test

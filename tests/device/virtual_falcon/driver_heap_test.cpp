@@ -4,7 +4,7 @@
 #include "tests/device/virtual_falcon/rehearsal.h"
 #include "tests/support/heap_guard.h"
 
-namespace ghostforce {
+namespace ghostforce::driver_heap_test {
 namespace {
 
 TEST(DriverHeap, IsNotTouchedFromTheFirstLookToTheLastFrame) {
@@ -36,4 +36,4 @@ TEST(DriverHeap, IsNotTouchedByAHandThatIsNotStill) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::driver_heap_test

@@ -8,7 +8,7 @@
 
 #include "tests/device/virtual_falcon/rehearsal.h"
 
-namespace ghostforce {
+namespace ghostforce::driver_test {
 namespace {
 
 TEST(FalconDriver, ComesFromNothingToReady) {
@@ -323,4 +323,4 @@ TEST(FalconDriver, TheEndOfTheProgramIsNoForceOnTheDeviceItself) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::driver_test

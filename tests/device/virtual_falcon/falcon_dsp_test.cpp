@@ -11,7 +11,7 @@
 #include "device/virtual_falcon/practice_firmware.h"
 #include "tests/device/virtual_falcon/dsp_host.h"
 
-namespace ghostforce {
+namespace ghostforce::falcon_dsp_test {
 namespace {
 
 TEST(Baud, IsWhatTheChipsTableSays) {
@@ -263,4 +263,4 @@ TEST(FalconDsp, TheWatchdogBitesOnlyWhereThereIsOne) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::falcon_dsp_test

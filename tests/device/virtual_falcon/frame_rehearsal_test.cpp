@@ -6,7 +6,7 @@
 
 #include "tests/device/virtual_falcon/rehearsal.h"
 
-namespace ghostforce {
+namespace ghostforce::frame_rehearsal_test {
 namespace {
 
 class FrameRehearsal : public testing::TestWithParam<int> {
@@ -79,4 +79,4 @@ TEST_P(FrameRehearsal, LeavesTheMotorsOffAtTheEnd) {
 INSTANTIATE_TEST_SUITE_P(OfSoManyMilliseconds, FrameRehearsal, testing::Values(1, 4, 16, 33, 100, 150));
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::frame_rehearsal_test

@@ -7,7 +7,7 @@
 
 #include "device/falcon/frame.h"
 
-namespace ghostforce {
+namespace ghostforce::hand_test {
 namespace {
 
 constexpr std::int64_t ms = 1'000'000;
@@ -112,4 +112,4 @@ TEST(HandPlan, TakesNoMoreWaypointsThanItHasPlacesFor) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::hand_test

@@ -12,7 +12,7 @@
 #include "device/virtual_falcon/practice_firmware.h"
 #include "tests/device/virtual_falcon/dsp_host.h"
 
-namespace ghostforce {
+namespace ghostforce::injected_fault_test {
 namespace {
 
 TEST(InjectedFault, HasOneNameEachAndDoesSomething) {
@@ -270,4 +270,4 @@ TEST(InjectedFault, PowerBlinks) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::injected_fault_test

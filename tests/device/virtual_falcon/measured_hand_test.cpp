@@ -5,7 +5,7 @@
 
 #include "tests/device/virtual_falcon/rehearsal.h"
 
-namespace ghostforce {
+namespace ghostforce::measured_hand_test {
 namespace {
 
 TEST(MeasuredHand, IsKnownThroughTheWholeDevice) {
@@ -39,4 +39,4 @@ TEST(MeasuredHand, IsFollowedWhileItGripsHarder) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::measured_hand_test

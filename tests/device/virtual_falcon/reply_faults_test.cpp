@@ -9,7 +9,7 @@
 #include "tests/device/virtual_falcon/link_exchange.h"
 #include "tests/device/virtual_falcon/rehearsal.h"
 
-namespace ghostforce {
+namespace ghostforce::reply_faults_test {
 namespace {
 
 constexpr double longest_hold_s = 0.025;
@@ -92,4 +92,4 @@ constexpr std::array<std::string_view, 11> passing{
 INSTANTIATE_TEST_SUITE_P(, PassingReplyFaultTest, testing::ValuesIn(passing), test_name);
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::reply_faults_test

@@ -5,7 +5,7 @@
 
 #include "tests/device/virtual_falcon/rehearsal.h"
 
-namespace ghostforce {
+namespace ghostforce::unsteady_hand_test {
 namespace {
 
 TEST(UnsteadyHand, IsThatOfTheMomentOfTheRun) {
@@ -73,4 +73,4 @@ TEST(UnsteadyHand, TellsTheServoHowStiffItIs) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::unsteady_hand_test

@@ -9,7 +9,7 @@
 #include "tests/device/virtual_falcon/link_exchange.h"
 #include "tests/support/heap_guard.h"
 
-namespace ghostforce {
+namespace ghostforce::virtual_link_heap_test {
 namespace {
 
 TEST(VirtualLinkHeap, IsNotTouchedFromOpeningToUnplugging) {
@@ -47,4 +47,4 @@ TEST(VirtualLinkHeap, IsNotTouchedByAnyInjectedFault) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::virtual_link_heap_test

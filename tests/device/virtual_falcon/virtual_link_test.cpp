@@ -9,7 +9,7 @@
 #include "device/virtual_falcon/practice_firmware.h"
 #include "tests/device/virtual_falcon/link_exchange.h"
 
-namespace ghostforce {
+namespace ghostforce::virtual_link_test {
 namespace {
 
 TEST(VirtualLink, IsClosedUntilItIsOpened) {
@@ -262,4 +262,4 @@ TEST(VirtualLink, CanLiveByTheClockOfEverybody) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::virtual_link_test

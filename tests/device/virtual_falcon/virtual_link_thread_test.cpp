@@ -8,7 +8,7 @@
 #include "device/virtual_falcon/virtual_link.h"
 #include "tests/device/virtual_falcon/link_exchange.h"
 
-namespace ghostforce {
+namespace ghostforce::virtual_link_thread_test {
 namespace {
 
 TEST(VirtualLinkThread, FaultsAndTheHandComeFromOtherThreads) {
@@ -41,4 +41,4 @@ TEST(VirtualLinkThread, FaultsAndTheHandComeFromOtherThreads) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::virtual_link_thread_test

@@ -17,7 +17,7 @@
 #include "app/paint/label_painter.h"
 #include "tests/app/paint/vector/both_painters.h"
 
-namespace ghostforce {
+namespace ghostforce::form_pixels_test {
 namespace {
 
 constexpr Colour red = rgb(0xB03407), blue = rgb(0x173C93);
@@ -303,4 +303,4 @@ TEST(FormFiles, HaveTheSameBytesOnEveryCallWithEveryForm) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::form_pixels_test

@@ -25,15 +25,16 @@
 #include "app/view/layers.h"
 #include "tests/app/paint/vector/vector_panes.h"
 #include "tests/support/no_opengl.h"
+#include "tests/support/places.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::vector_file_test {
 namespace {
 
 Outcome render(std::vector<std::string> words) {
   words.insert(words.begin(), "render");
-  return run_program(GHOSTFORCE_PROGRAM, std::move(words));
+  return run_program(ghostforce_program(), std::move(words));
 }
 
 std::string vector_file(VectorFormat format, std::string_view title = "A title") {
@@ -194,7 +195,7 @@ TEST(RenderVectors, NeedsNoOpenGlAndGivesTheSameBytesOnEveryRun) {
       ProgramCall call;
       call.words = {"render", "fig1", "--strategy", "all", "-o", folder / std::string(name).append(ending)};
       call.environment = {no_opengl.variable(), "DISPLAY=", "WAYLAND_DISPLAY="};
-      const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, call);
+      const Outcome outcome = run_program(ghostforce_program(), call);
       ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
       EXPECT_EQ(outcome.out + outcome.err, "");
       files.push_back(read_whole(call.words.back()));
@@ -248,7 +249,7 @@ TEST(RenderVectors, RefusesTwoOutputsOfOneName) {
     ProgramCall call;
     call.words = {"render", "wall45", "-o", picture, "--json", json};
     call.folder = folder.path();
-    const Outcome outcome = run_program(GHOSTFORCE_PROGRAM, call);
+    const Outcome outcome = run_program(ghostforce_program(), call);
     EXPECT_EQ(outcome.out, "");
     return outcome.exit_code == 2 && outcome.err.find("--output already writes to this file") != std::string::npos;
   };
@@ -290,7 +291,7 @@ TEST(RenderVectors, SaysWhichFontItMissesAndLeavesNothingBehind) {
   const TemporaryFolder folder;
   const TemporaryFolder elsewhere;
   const std::string program = elsewhere / "ghostforce";
-  std::filesystem::copy_file(GHOSTFORCE_PROGRAM, program);
+  std::filesystem::copy_file(ghostforce_program(), program);
   const auto call = [&] { return run_program(program, {"render", "wall45", "-o", folder / "a.svg"}); };
   Outcome outcome = call();
   EXPECT_EQ(outcome.exit_code, 8);
@@ -332,4 +333,4 @@ TEST(SavePicture, WritesVectorsWhereTheNameSaysSo) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::vector_file_test

@@ -16,7 +16,7 @@
 #include "tests/app/paint/vector/both_painters.h"
 #include "tests/app/paint/vector/vector_panes.h"
 
-namespace ghostforce {
+namespace ghostforce::vector_picture_test {
 namespace {
 
 // Letters are smoothed in another way by ImGui, and stand on whole pixels there: they are compared for themselves.
@@ -223,4 +223,4 @@ TEST(VectorPicture, SetsLettersAndTheirHaloWhereTheScreenDoes) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::vector_picture_test

@@ -20,7 +20,7 @@
 #include "app/view/plot_history.h"
 #include "core/simulate.h"
 
-namespace ghostforce {
+namespace ghostforce::plots_test {
 namespace {
 
 constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
@@ -386,4 +386,4 @@ TEST_F(PlotFile, IsAPictureWhereTheNameSaysSo) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::plots_test

@@ -11,7 +11,7 @@
 #include "tests/support/screen_text.h"
 #include "tests/support/temporary_folder.h"
 
-namespace ghostforce {
+namespace ghostforce::plots_window_test {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
@@ -208,4 +208,4 @@ TEST_F(PlotsWindow, AMinuteOfHistoryShowsToo) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::plots_window_test

@@ -8,7 +8,7 @@
 #include "tests/app/live/driven_window.h"
 #include "tests/support/screen_text.h"
 
-namespace ghostforce {
+namespace ghostforce::symbol_text_test {
 namespace {
 
 // An index in braces.
@@ -58,4 +58,4 @@ TEST_F(SymbolText, HasASmallLoweredIndexInARow) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::symbol_text_test

@@ -7,7 +7,7 @@
 #include "tests/app/live/driven_window.h"
 #include "tests/support/screen_text.h"
 
-namespace ghostforce {
+namespace ghostforce::tooltips_test {
 namespace {
 
 class TooltipTest : public DrivenWindow {
@@ -92,4 +92,4 @@ TEST_F(TooltipTest, ComesBackWhereADragEndedOnceThePointerHasLeftIt) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::tooltips_test

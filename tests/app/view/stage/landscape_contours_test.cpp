@@ -9,7 +9,7 @@
 #include "app/files/scene_file.h"
 #include "tests/app/view/stage/random_settings.h"
 
-namespace ghostforce {
+namespace ghostforce::landscape_contours_test {
 namespace {
 
 bool is_at_the_edge(const LandscapePoint& point) {
@@ -108,4 +108,4 @@ TEST(LandscapeContours, PlacesOnTheMapAreThereAndBackTheSame) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::landscape_contours_test

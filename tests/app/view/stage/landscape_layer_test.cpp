@@ -18,7 +18,7 @@
 #include "core/units.h"
 #include "tests/app/view/stage/random_settings.h"
 
-namespace ghostforce {
+namespace ghostforce::landscape_layer_test {
 namespace {
 
 const MeasureText measure = measure_vector_text;
@@ -336,4 +336,4 @@ TEST(LandscapeLayer, IsFiniteInAPictureOfNoSize) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::landscape_layer_test

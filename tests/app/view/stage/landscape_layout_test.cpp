@@ -8,7 +8,7 @@
 
 #include "tests/app/view/stage/random_settings.h"
 
-namespace ghostforce {
+namespace ghostforce::landscape_layout_test {
 namespace {
 
 TEST(LandscapeLayout, PointsAndPlacesOnTheScreenAreThereAndBackTheSame) {
@@ -79,4 +79,4 @@ TEST(LandscapeLayout, IsFiniteForAnySize) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::landscape_layout_test

@@ -13,7 +13,7 @@
 #include "core/units.h"
 #include "tests/app/view/stage/random_settings.h"
 
-namespace ghostforce {
+namespace ghostforce::landscape_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -194,4 +194,4 @@ TEST(LandscapePoint, IsFiniteWhateverTheSettingsHold) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::landscape_test

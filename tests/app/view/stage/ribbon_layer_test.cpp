@@ -12,7 +12,7 @@
 
 #include <fmt/format.h>
 
-namespace ghostforce {
+namespace ghostforce::ribbon_layer_test {
 namespace {
 
 // Letters of a fixed width: close to DejaVu Sans, and the same everywhere.
@@ -272,4 +272,4 @@ TEST(Ribbon, TheHeightItAsksForHasRoomForAll) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::ribbon_layer_test

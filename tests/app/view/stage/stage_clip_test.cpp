@@ -12,7 +12,7 @@
 #include "app/view/stage/stage_layout.h"
 #include "core/simulate.h"
 
-namespace ghostforce {
+namespace ghostforce::stage_clip_test {
 namespace {
 
 constexpr double frame_s = 1.0 / 30.0;
@@ -83,4 +83,4 @@ TEST(StageClip, IsTheSameTwice) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::stage_clip_test

@@ -14,7 +14,7 @@
 #include "tests/app/view/label_unrest.h"
 #include "tests/app/view/stage/stage_dice.h"
 
-namespace ghostforce {
+namespace ghostforce::stage_drag_test {
 namespace {
 
 const MeasureText measure = measure_vector_text;
@@ -181,4 +181,4 @@ TEST(StageDrag, EndsAtRest) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::stage_drag_test

@@ -9,7 +9,7 @@
 
 #include "app/view/stage/landscape_words.h"
 
-namespace ghostforce {
+namespace ghostforce::stage_language_test {
 namespace {
 
 std::size_t places_in(std::string_view words) {
@@ -86,4 +86,4 @@ TEST(StageLanguage, BreaksWordsOfTheMapWithoutChangingThem) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::stage_language_test

@@ -8,7 +8,7 @@
 
 #include "tests/app/view/stage/stage_faults.h"
 
-namespace ghostforce {
+namespace ghostforce::stage_lesson_test {
 namespace {
 
 constexpr int cases = 700;
@@ -148,4 +148,4 @@ TEST_P(StageInLesson, HasLettersOfOneSizeInALesson) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::stage_lesson_test

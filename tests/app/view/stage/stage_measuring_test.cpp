@@ -6,7 +6,7 @@
 
 #include "tests/app/view/stage/stage_faults.h"
 
-namespace ghostforce {
+namespace ghostforce::stage_measuring_test {
 namespace {
 
 constexpr int cases = 400;
@@ -225,4 +225,4 @@ TEST(StageMeasuring, TheRingFills) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::stage_measuring_test

@@ -15,7 +15,7 @@
 #include "app/view/stage/stage_transition.h"
 #include "core/simulate.h"
 
-namespace ghostforce {
+namespace ghostforce::stage_sentence_test {
 namespace {
 
 bool says(std::string_view sentence, std::string_view words) {
@@ -214,4 +214,4 @@ TEST(StageNumbers, HaveThreeDigitsAtAnySize) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::stage_sentence_test

@@ -16,7 +16,7 @@
 
 #include "tests/app/view/stage/stage_faults.h"
 
-namespace ghostforce {
+namespace ghostforce::stage_test {
 namespace {
 
 constexpr int cases = 700;
@@ -334,4 +334,4 @@ TEST_P(Stage, HasNumbersOfOneWidth) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::stage_test

@@ -10,7 +10,7 @@
 #include "core/prediction.h"
 #include "core/simulate.h"
 
-namespace ghostforce {
+namespace ghostforce::stage_transition_test {
 namespace {
 
 constexpr double frame_s = 1.0 / 60.0;
@@ -155,4 +155,4 @@ TEST(StageMoment, WhereItShouldRestIsTheAnisotropicRestAtTheTrueRatio) {
 }
 
 }  // namespace
-}  // namespace ghostforce
+}  // namespace ghostforce::stage_transition_test
