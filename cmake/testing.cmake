@@ -61,10 +61,16 @@ function(ghostforce_add_test name)
   endif()
 
   # A limit for what hangs, far above what any of them takes on a busy machine.
-  set(properties TIMEOUT 1200 RUN_SERIAL "${arg_SERIAL}" LABELS "${arg_LABELS}" COST "${arg_SECONDS}")
+  set(properties TIMEOUT 1200 RUN_SERIAL ${arg_SERIAL})
+  if(arg_SECONDS)
+    list(APPEND properties COST ${arg_SECONDS})
+  endif()
+  if(arg_LABELS)
+    list(APPEND properties LABELS "${arg_LABELS}")
+  endif()
 
   # PRE_TEST lists the tests when ctest starts, not after each link: a build stays a build.
-  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 TEST_PREFIX ${name}. PROPERTIES ${properties})
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 NO_PRETTY_VALUES TEST_PREFIX ${name}. PROPERTIES ${properties})
   if(NOT arg_EACH)
     add_whole_test(${name} "${arg_SHARDS}" ${properties})
   endif()

@@ -220,7 +220,7 @@ TEST(CheckMemory, DoesNotGrowWithTheNumberOfCases) {
   const auto peak = [](int count) {
     std::map<std::string, std::string> texts;
     for (int i = 0; i < count; ++i) {
-      texts.emplace(fmt::format("case{:02}", i), std::string(small_case) + "set = [\"goal.duration_s=10\"]\n");
+      texts.emplace(fmt::format("case{:02}", i), fmt::format("{}set = [\"goal.duration_s=10\"]\n", small_case));
     }
     const Cases cases(texts);
     return peak_memory_mb(cases, {"--report", cases.beside("report")});

@@ -31,7 +31,6 @@
 #include "app/paint/label_painter.h"
 #include "app/ui/widgets/style.h"
 #include "tests/app/check/check_cases.h"
-#include "tests/support/places.h"
 #include "tests/support/read_png.h"
 
 namespace ghostforce::check_test {

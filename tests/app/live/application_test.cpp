@@ -17,13 +17,13 @@ TEST_F(ApplicationTest, StartsAtRestAtTheEndOfTheScenesPath) {
 }
 
 TEST_F(ApplicationTest, KeysChooseTheStrategyAndThePictureFollows) {
-  Image before = window_->picture();
+  Image before = picture();
   for (const auto& [key, id] :
        {std::pair{key::digit_3, StrategyId::anisotropic}, std::pair{key::digit_1, StrategyId::full},
         std::pair{key::digit_2, StrategyId::naive}}) {
     press(key);
     EXPECT_EQ(session().settings.active, id);
-    const Image after = window_->picture();
+    const Image after = picture();
     EXPECT_NE(before, after) << strategy(id).name;
     before = after;
   }
@@ -123,13 +123,13 @@ TEST_F(ApplicationTest, TheScriptedHandPlaysFromThePathsBeginning) {
 }
 
 TEST_F(ApplicationTest, AWindowMinimisedToNothingDrawsNothingAndComesBack) {
-  const Image before = window_->picture();
+  const Image before = picture();
   window_->resize(0, 0);
   if (window_->pixel_width() != 0) glfwIconifyWindow(window_->handle());
   frames(5);
   window_->resize(1280, 800);
   frames(5);
-  EXPECT_EQ(window_->picture().rgb.size(), before.rgb.size());
+  EXPECT_EQ(picture().rgb.size(), before.rgb.size());
 }
 
 TEST_F(ApplicationTest, UnstableSettingsAreSaidAndLeftAgain) {

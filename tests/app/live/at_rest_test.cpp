@@ -28,8 +28,6 @@ class AtRestTest : public DrivenWindow {
   // As `run` lives while the person does nothing: looks, and frames only where they are needed. Returns how many.
   int live_for(double seconds) {
     int drawn = 0;
-    // Of a frame that nobody looks at no pixel is needed.
-    window_->set_visible_drawing(false);
     for (double t = 0.0; t < seconds; t += look_s) {
       for (int k = 0; k < ticks_per_look; ++k) application_->servo().step();
       application_->update(look_s);
@@ -37,7 +35,6 @@ class AtRestTest : public DrivenWindow {
       application_->draw();
       ++drawn;
     }
-    window_->set_visible_drawing(true);
     return drawn;
   }
   Vector<2> drawn_at(Role role) const {

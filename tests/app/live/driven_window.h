@@ -38,6 +38,7 @@ class DrivenWindow : public testing::Test {
           WindowOptions{.title = "test", .width = width, .height = height, .offscreen = true, .takes_mouse = true});
       ImGui_ImplGlfw_WindowFocusCallback(window_->handle(), GLFW_TRUE);
       ImGui_ImplGlfw_CursorEnterCallback(window_->handle(), GLFW_TRUE);
+      window_->set_visible_drawing(false);
     }
     application_ = std::make_unique<Application>(*window_, load_scene(scene), options);
     point_at(width - 400.0, height - 5.0);  // nothing there
@@ -50,7 +51,13 @@ class DrivenWindow : public testing::Test {
   // Where that is the input in use.
   VirtualFalconInput& virtual_falcon() { return dynamic_cast<VirtualFalconInput&>(application_->servo().input()); }
   const Window& window() const { return *window_; }
-  Image picture() const { return window_->picture(); }
+  // What is on the window. Pixels are drawn only here: in software they are most of a frame's work.
+  Image picture() {
+    window_->set_visible_drawing(true);
+    application_->draw();
+    window_->set_visible_drawing(false);
+    return window_->picture();
+  }
 
   // A frame of the window and the ticks that the servo makes meanwhile.
   void frames(int count, int ticks_per_frame = 16) {

@@ -52,7 +52,6 @@ class FindingThings : public DrivenWindow {
   std::map<ImGuiID, Vector<2>> things_in_bar() {
     std::map<ImGuiID, Vector<2>> found;
     const double scale = session().appearance.scale;
-    window_->set_visible_drawing(false);  // nobody looks meanwhile
     const ImGuiWindow& bar = window_named("strategies");
     for (double y = 23.0 * scale; y < static_cast<double>(bar.Size.y); y += 35.0 * scale) {
       for (double x = 4.0; x < static_cast<double>(bar.Size.x); x += 8.0 * scale) {
@@ -61,7 +60,6 @@ class FindingThings : public DrivenWindow {
         if (hovered() != 0) found.try_emplace(hovered(), x + 4.0 * scale, y);
       }
     }
-    window_->set_visible_drawing(true);
     return found;
   }
   void click_on(const char* window, const char* name) {
@@ -124,12 +122,13 @@ TEST_F(FindingThings, ThePickerTellsAPersonsSceneFromTheOneItWasMadeFrom) {
 }
 
 TEST_F(FindingThings, ThePickerShowsAPictureOfEachSceneInEachTheme) {
+  window_->set_visible_drawing(true);  // small pictures are drawn once and kept
   for (const Theme& theme : theme_catalog()) {
     session().appearance.theme = &theme;
     press(key::o, modifier::control);
     frames(3);
     const ImGuiWindow& dialog = window_named("Open a scene");
-    const Image shown = picture();
+    const Image shown = window_->picture();
     // The goal of each is in its picture, and nothing else in the dialog has that colour: nine discs of some pixels.
     EXPECT_GT(count_pixels(shown, theme.goal, dialog.Rect().Min, dialog.Rect().Max), 9 * 10) << theme.name;
     EXPECT_GT(count_pixels(shown, theme.wall, dialog.Rect().Min, dialog.Rect().Max), 9 * 1000) << theme.name;

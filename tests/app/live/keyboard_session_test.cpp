@@ -14,7 +14,6 @@ namespace {
 class KeyboardSession : public DrivenWindow {
  protected:
   KeyboardSession() {
-    window_->set_visible_drawing(false);
     ImGui_ImplGlfw_CursorEnterCallback(window_->handle(), GLFW_FALSE);
   }
 

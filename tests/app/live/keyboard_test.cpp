@@ -27,8 +27,6 @@ constexpr int shift = modifier::shift;
 
 class KeyboardTest : public DrivenWindow {
  protected:
-  KeyboardTest() { window_->set_visible_drawing(false); }
-
   void send(const Press& press) {
     send_key(press.key, GLFW_PRESS, press.modifiers);
     const bool types = press.modifiers == 0 && press.key >= key::digit_0 && press.key <= key::z;

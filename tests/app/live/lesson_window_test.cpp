@@ -39,7 +39,6 @@ class LessonWindow : public DrivenWindow {
     options.lesson = lesson;
     options.language = std::move(language);
     open(options);
-    window_->set_visible_drawing(false);
     arrive();
   }
   // Until hand and picture stand still.
@@ -353,7 +352,6 @@ TEST_F(LessonWindow, NothingThatIsPressedBreaksALesson) {
   std::mt19937 random{20261122};
   const auto any = [&](int count) { return std::uniform_int_distribution<int>(0, count - 1)(random); };
   open({.face = Face::stage});
-  window_->set_visible_drawing(false);
   const Settings before = session().settings;
   // Alt+P and Enter save a clip where the program was started.
   const TemporaryFolder folder;

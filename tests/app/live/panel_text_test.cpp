@@ -62,7 +62,6 @@ TEST_F(PanelText, IsAllThereAtEverySize) {
   for (const auto& [width, height] :
        {std::pair{1024, 640}, std::pair{1280, 800}, std::pair{1920, 1080}, std::pair{3840, 2160}}) {
     open({}, "wall45", width, height);
-    window_->set_visible_drawing(false);
     expect_no_faults_at_all_scales(fmt::format("{}×{}", width, height));
   }
 }
@@ -70,7 +69,6 @@ TEST_F(PanelText, IsAllThereAtEverySize) {
 TEST_F(PanelText, IsAllThereWithADevice) {
   for (const auto& [width, height] : {std::pair{1024, 640}, std::pair{1280, 800}}) {
     open({.input = "virtual-falcon"}, "wall45", width, height);
-    window_->set_visible_drawing(false);
     expect_no_faults_at_all_scales(fmt::format("virtual Falcon, {}×{}", width, height));
   }
 }
@@ -78,14 +76,12 @@ TEST_F(PanelText, IsAllThereWithADevice) {
 TEST_F(PanelText, IsAllThereInEveryThemeAndWithHints) {
   for (const Theme& theme : theme_catalog()) {
     open({.appearance = {.theme = &theme}, .offers_hints = true}, "wall45", 1024, 640);
-    window_->set_visible_drawing(false);
     expect_no_faults_at_all_scales(fmt::format("{}, hints", theme.name));
   }
 }
 
 TEST_F(PanelText, IsAllThereWhileTheHandIsMeasuredAndAfterwards) {
   open({}, "wall45", 1024, 640);
-  window_->set_visible_drawing(false);
   start_measuring(session());
   expect_no_faults_at_all_scales("measuring");
   session().measurement.readings.assign(readings_wanted, {4.0, 200.0});
@@ -96,7 +92,6 @@ TEST_F(PanelText, IsAllThereWhileTheHandIsMeasuredAndAfterwards) {
 
 TEST_F(PanelText, IsAllThereWhileTheBeliefFollowsTheHand) {
   open({}, "wall45", 1024, 640);
-  window_->set_visible_drawing(false);
   session().plots.tab = PlotTab::hand;
   session().settings.stiffnesses.believed_k_u = 700.0;
   session().belief_source = BeliefSource::live;
@@ -113,13 +108,11 @@ TEST_F(PanelText, IsAllThereWhileTheBeliefFollowsTheHand) {
 
 TEST_F(PanelText, TheNameOfASceneHasIndicesToo) {
   open({}, "fig4-ratio5");
-  window_->set_visible_drawing(false);
   expect_no_faults_at_all_scales("a ratio of stiffnesses");
 }
 
 TEST_F(PanelText, ANoticeIsReadInTheLowestWindowToo) {
   open({}, "wall45", 1024, 640);
-  window_->set_visible_drawing(false);
   session().notice = Notice{.words = "k_r is too large for this rate.", .is_problem = true};
   expect_no_faults_at_all_scales("notice");
 }
@@ -128,7 +121,6 @@ TEST_F(PanelText, IsAllThereInDialogs) {
   for (const Dialog dialog : {Dialog::help, Dialog::doctor, Dialog::open_scene, Dialog::save_scene,
                               Dialog::save_picture, Dialog::save_plots, Dialog::reset_preferences}) {
     open({}, "wall45", 1024, 640);
-    window_->set_visible_drawing(false);
     session().dialog = dialog;
     expect_no_faults_at_all_scales(fmt::format("dialog {}", static_cast<int>(dialog)));
   }

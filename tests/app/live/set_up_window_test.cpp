@@ -230,7 +230,7 @@ TEST_F(SetUpWindow, SaysWhatCanBeDropped) {
   const std::string path = folder / ".";
   drop({path.c_str()});
   EXPECT_NE(notice().find("is a folder.\nWhat can be dropped here: "), std::string::npos) << notice();
-  write_whole(folder / "plain.png", png_bytes(window().picture()));
+  write_whole(folder / "plain.png", png_bytes(picture()));
   const std::string plain = folder / "plain.png";
   drop({plain.c_str()});
   EXPECT_NE(notice().find("plain.png: the picture does not say what it shows"), std::string::npos) << notice();

@@ -34,7 +34,6 @@ class VisitWindow : public DrivenWindow {
     options.input_options.virtual_falcon_clock = VirtualLink::Clock::stepped;
     options.inputs = desktop_inputs({.id = {0xFFFF, 0xFFFF}});  // nobody's: no test drives a real one
     open(options);
-    window_->set_visible_drawing(false);
   }
 
   // As GLFW passes on what the close button, Alt+F4 and the desktop ask for.

@@ -90,7 +90,7 @@ std::vector<LiveReading> readings_of(const std::string& text) {
 }
 
 TEST(LiveReadings, ComeEveryTenthAndEndNearWhatTheServoFound) {
-  const Recorded recorded = ghostforce::recorded(4.0);
+  const Recorded recorded = live_readings_test::recorded(4.0);
   const std::vector<LiveReading> found = readings_of(recorded.text);
   ASSERT_EQ(found.size(), 20U) << "every 0.1 s from 2 s on; the last tick is at 3.999 s";
   const auto last = std::ranges::find_if(recorded.live, [](const auto& each) { return each.estimate.is_known(); });
@@ -104,7 +104,7 @@ TEST(LiveReadings, ComeEveryTenthAndEndNearWhatTheServoFound) {
 }
 
 TEST(LiveReadings, EveryMoveOfTheBeliefIsReplayedBitForBit) {
-  const Recorded recorded = ghostforce::recorded(6.0, true);
+  const Recorded recorded = live_readings_test::recorded(6.0, true);
   const auto run = read_run(recorded.text, "run.csv");
   ASSERT_GT(run.settings.size(), 5U);
   EXPECT_NEAR(believed_user_stiffness(run.settings.back().stiffnesses), 200.0, 2.0);
@@ -121,7 +121,7 @@ TEST(LiveReadings, EveryMoveOfTheBeliefIsReplayedBitForBit) {
 }
 
 TEST(LiveReadings, ARunWithoutTonesTellsNothing) {
-  const Recorded recorded = ghostforce::recorded(3.0);
+  const Recorded recorded = live_readings_test::recorded(3.0);
   const std::string columns = ",tone_x_N,tone_y_N";
   // The columns are not there, and there but zero.
   std::string without = edited(recorded.text, [](std::string row) {
@@ -163,7 +163,7 @@ void expect_unknown_from(const std::string& text, double from_s, HandUnknown why
 }
 
 TEST(LiveReadings, AGapIsDamage) {
-  const Recorded recorded = ghostforce::recorded(6.0);
+  const Recorded recorded = live_readings_test::recorded(6.0);
   expect_unknown_from(edited(recorded.text,
                              [](const std::string& row) {
                                const double time_s = time_of_row(row);
@@ -180,7 +180,7 @@ TEST(LiveReadings, AGapIsDamage) {
 }
 
 TEST(LiveReadings, ALimitOrALostContactIsNoWindow) {
-  const Recorded recorded = ghostforce::recorded(6.0);
+  const Recorded recorded = live_readings_test::recorded(6.0);
   const auto at_three = [&](std::string_view column, const std::string& value) {
     return edited(recorded.text, [&](std::string row) {
       if (std::abs(time_of_row(row) - 3.0) < 1e-4 && row.starts_with("anisotropic")) replace(row, column, value);
@@ -195,7 +195,7 @@ TEST(LiveReadings, ALimitOrALostContactIsNoWindow) {
 }
 
 TEST(LiveReadings, AnotherAxisBeginsAnew) {
-  std::string text = ghostforce::recorded(7.0).text;
+  std::string text = live_readings_test::recorded(7.0).text;
   const std::size_t at = text.find("\nfull,3.5,") + 1;
   text.insert(at, "# set t_s=3.5 device.actuated_deg=1\n");
   expect_unknown_from(text, 3.5, HandUnknown::collecting);
@@ -264,7 +264,7 @@ std::string of_a_device(const std::string& text, double gain) {
 }
 
 TEST(LiveReadings, OfARealDeviceGoByWhatWasSent) {
-  const Recorded recorded = ghostforce::recorded(4.0);
+  const Recorded recorded = live_readings_test::recorded(4.0);
   for (const double gain : {1.0, 0.35}) {
     SCOPED_TRACE(gain);
     const std::string text = of_a_device(recorded.text, gain);
@@ -276,7 +276,7 @@ TEST(LiveReadings, OfARealDeviceGoByWhatWasSent) {
 
 // Between two of its rows a real hand may have moved as it liked.
 TEST(LiveReadings, ALateLoopAtARealDeviceIsAGap) {
-  const std::string text = of_a_device(ghostforce::recorded(6.0).text, 1.0);
+  const std::string text = of_a_device(live_readings_test::recorded(6.0).text, 1.0);
   const auto with_loop_s = [&](const std::string& loop_s) {
     return edited(text, [&](std::string row) {
       if (std::abs(time_of_row(row) - 3.0) < 1e-4) replace(row, "loop_s", loop_s);

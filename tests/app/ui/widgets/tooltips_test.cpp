@@ -12,7 +12,6 @@ namespace {
 
 class TooltipTest : public DrivenWindow {
  protected:
-  TooltipTest() { window_->set_visible_drawing(false); }
   static const ImGuiWindow* shown() {
     for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows) {
       if ((window->Flags & ImGuiWindowFlags_Tooltip) != 0 && window->Active && !window->Hidden) return window;
