@@ -174,7 +174,7 @@ run_tests() {
   local tree=$root/build/$1 status=0
   ( # its environment is its own
     if [[ " ${*:2}" =~ \ (-[RE]|--tests-regex|--exclude-regex)( |=|$) ]]; then export GHOSTFORCE_TEST_BY_TEST=yes; fi
-    ctest --test-dir "$tree" --parallel "$(nproc)" --output-on-failure --no-tests=error "${@:2}"
+    ctest --test-dir "$tree" --parallel "$((2 * $(nproc)))" --output-on-failure --no-tests=error "${@:2}"
   ) || status=$?
   awk -f "$root/cmake/count_tests.awk" "$tree/Testing/Temporary/LastTest.log"
   return $status

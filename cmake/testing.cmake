@@ -1,5 +1,5 @@
 # ghostforce_add_test(name SOURCES file... [SUPPORT name...] [LIBRARIES target...] [LABELS label...] [LAUNCHER command...]
-#                     [SHARDS count] [SECONDS count] [EACH] [SERIAL])
+#                     [SHARDS count] [SECONDS count] [EACH] [WAITS] [SERIAL])
 #
 # One GoogleTest program. ctest runs it whole, in one process or in SHARDS of them side by side. With
 # GHOSTFORCE_TEST_BY_TEST in the environment each of its tests is one of ctest, named program.Suite.test: that is how
@@ -10,6 +10,8 @@
 #           asan: .ci/run tests it under the address sanitizer; .ci/long tests all programs so
 # SECONDS   what one process of it takes, where that is more than two: the slowest start first
 # EACH      a process for each test in every case, because the process is what is tested
+# WAITS     for devices and other processes more than it computes: twice as many of these run side by side. So a test
+#           counts as two of ctest's processors, one that waits as one, and run_tests (setup.sh) gives two for each core.
 # SERIAL    nothing else runs beside it
 #
 # Where CMAKE_UNITY_BUILD is on, sources are compiled a few at a time, so that headers are read once for all of them:
@@ -39,7 +41,7 @@ foreach(support IN ITEMS animated_png_reader call_guard display file_calls hand_
 endforeach()
 
 function(ghostforce_add_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "EACH;SERIAL" "SHARDS;SECONDS" "SOURCES;SUPPORT;LIBRARIES;LABELS;LAUNCHER")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "EACH;SERIAL;WAITS" "SHARDS;SECONDS" "SOURCES;SUPPORT;LIBRARIES;LABELS;LAUNCHER")
   if(NOT arg_SOURCES OR arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "ghostforce_add_test(${name}): want SOURCES; got \"${ARGV}\"")
   endif()
@@ -62,6 +64,9 @@ function(ghostforce_add_test name)
 
   # A limit for what hangs, far above what any of them takes on a busy machine.
   set(properties TIMEOUT 1200 RUN_SERIAL ${arg_SERIAL})
+  if(NOT arg_WAITS)
+    list(APPEND properties PROCESSORS 2)
+  endif()
   if(arg_SECONDS)
     list(APPEND properties COST ${arg_SECONDS})
   endif()

@@ -23,6 +23,7 @@ class ClipWindow : public DrivenWindow {
   ClipWindow() {
     std::signal(SIGPIPE, SIG_IGN);  // as main() has it
     open({.face = Face::stage}, "wall45", 640, 400);
+    draw_every_frame();
   }
 
   // As the dialog does.

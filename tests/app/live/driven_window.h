@@ -38,7 +38,7 @@ class DrivenWindow : public testing::Test {
           WindowOptions{.title = "test", .width = width, .height = height, .offscreen = true, .takes_mouse = true});
       ImGui_ImplGlfw_WindowFocusCallback(window_->handle(), GLFW_TRUE);
       ImGui_ImplGlfw_CursorEnterCallback(window_->handle(), GLFW_TRUE);
-      window_->set_visible_drawing(false);
+      window_->set_visible_drawing(draws_every_frame_);
     }
     application_ = std::make_unique<Application>(*window_, load_scene(scene), options);
     point_at(width - 400.0, height - 5.0);  // nothing there
@@ -53,10 +53,17 @@ class DrivenWindow : public testing::Test {
   const Window& window() const { return *window_; }
   // What is on the window. Pixels are drawn only here: in software they are most of a frame's work.
   Image picture() {
-    window_->set_visible_drawing(true);
-    application_->draw();
-    window_->set_visible_drawing(false);
+    if (!draws_every_frame_) {
+      window_->set_visible_drawing(true);
+      application_->draw();
+      window_->set_visible_drawing(false);
+    }
     return window_->picture();
+  }
+  // For pictures that the program makes of itself, and for those that it draws once and keeps.
+  void draw_every_frame() {
+    draws_every_frame_ = true;
+    window_->set_visible_drawing(true);
   }
 
   // A frame of the window and the ticks that the servo makes meanwhile.
@@ -152,6 +159,7 @@ class DrivenWindow : public testing::Test {
     return count;
   }
 
+  bool draws_every_frame_ = false;
   std::unique_ptr<GlfwWindow> window_;
   std::unique_ptr<Application> application_;
 };

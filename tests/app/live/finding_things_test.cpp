@@ -122,13 +122,13 @@ TEST_F(FindingThings, ThePickerTellsAPersonsSceneFromTheOneItWasMadeFrom) {
 }
 
 TEST_F(FindingThings, ThePickerShowsAPictureOfEachSceneInEachTheme) {
-  window_->set_visible_drawing(true);  // small pictures are drawn once and kept
+  draw_every_frame();
   for (const Theme& theme : theme_catalog()) {
     session().appearance.theme = &theme;
     press(key::o, modifier::control);
     frames(3);
     const ImGuiWindow& dialog = window_named("Open a scene");
-    const Image shown = window_->picture();
+    const Image shown = picture();
     // The goal of each is in its picture, and nothing else in the dialog has that colour: nine discs of some pixels.
     EXPECT_GT(count_pixels(shown, theme.goal, dialog.Rect().Min, dialog.Rect().Max), 9 * 10) << theme.name;
     EXPECT_GT(count_pixels(shown, theme.wall, dialog.Rect().Min, dialog.Rect().Max), 9 * 1000) << theme.name;

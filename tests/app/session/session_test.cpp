@@ -177,6 +177,7 @@ TEST_F(SessionTest, SavingWhereNothingCanBeIsSaid) {
 // --- Pictures --------------------------------------------------------------------------------------------------------
 
 TEST_F(SessionTest, APictureIsTheScreenOnceToFourTimesAsFine) {
+  draw_every_frame();
   const TemporaryFolder folder;
   session().paused = true;
   session().hint = 0;
@@ -199,6 +200,7 @@ TEST_F(SessionTest, APictureIsTheScreenOnceToFourTimesAsFine) {
 }
 
 TEST_F(SessionTest, APictureShowsNeitherHintsNorHandlesNorNotices) {
+  draw_every_frame();
   const TemporaryFolder folder;
   session().paused = true;
   session().has_handles = false;
