@@ -5,11 +5,11 @@
 #include <memory>
 #include <optional>
 
-#include "app/aloud/newest_line_writer.h"
 #include "app/aloud/printed_values.h"
 #include "app/aloud/settled_sentence.h"
 #include "app/aloud/speech.h"
 #include "app/live/application.h"
+#include "app/worker/newest_line_writer.h"
 
 namespace ghostforce {
 

@@ -1,5 +1,5 @@
 // Lines for a reader that is slow, gone, or asleep.
-#include "app/aloud/newest_line_writer.h"
+#include "app/worker/newest_line_writer.h"
 
 #include <fcntl.h>
 #include <poll.h>

@@ -1,4 +1,4 @@
-#include "app/aloud/newest_line_writer.h"
+#include "app/worker/newest_line_writer.h"
 
 #include <poll.h>
 #include <sys/stat.h>
