@@ -7,6 +7,8 @@
 #include <limits>
 #include <random>
 
+#include "tests/support/long_run.h"
+
 namespace ghostforce::force_limiter_test {
 namespace {
 
@@ -98,7 +100,7 @@ TEST(ForceLimiter, NothingThatIsNoNumberPasses) {
 // Ten million ticks of whatever can go wrong: jumps, numbers that are none, times that stand still or leap, limits and
 // laws that change at any moment. The one promise: a finite force, under the limit that was asked for or on its way
 // down to it, and no faster than allowed.
-TEST(ForceLimiter, KeepsItsPromiseUnderTenMillionHostileTicks) {
+TEST(ForceLimiter, KeepsItsPromiseUnderMillionsOfHostileTicks) {
   std::mt19937_64 random{20200417};
   const auto any = [&](double least, double greatest) {
     return std::uniform_real_distribution<double>(least, greatest)(random);
@@ -111,7 +113,8 @@ TEST(ForceLimiter, KeepsItsPromiseUnderTenMillionHostileTicks) {
   double limit = 6.0;
   double allowed = 6.0;  // the limit, as fast as it may come down
   std::int64_t moved = 0;
-  for (int i = 0; i < 10'000'000; ++i) {
+  const int ticks = is_long_run() ? 10'000'000 : 1'000'000;
+  for (int i = 0; i < ticks; ++i) {
     double elapsed = 0.001;
     const std::uint64_t dice = random() % 256;
     if (dice < 16) wanted = {any(-1e3, 1e3), any(-1e3, 1e3)};
@@ -154,7 +157,7 @@ TEST(ForceLimiter, KeepsItsPromiseUnderTenMillionHostileTicks) {
     }
     if (result.force != before) ++moved;
   }
-  EXPECT_GT(moved, 1'000'000);  // it was about something
+  EXPECT_GT(moved, ticks / 10);  // it was about something
 }
 
 }  // namespace
