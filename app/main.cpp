@@ -2,7 +2,6 @@
 #include <unistd.h>
 
 #include <csignal>
-#include <cstdio>
 #include <exception>
 #include <new>
 #include <string>
@@ -13,6 +12,7 @@
 #include "app/cli/exit_code.h"
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
+#include "app/console/words.h"
 #include "app/files/output_file.h"
 #include "device/falcon/emergency_handlers.h"
 #include "device/falcon/emergency_stop.h"
@@ -30,9 +30,11 @@ void fill_standard_streams() noexcept {
 }
 
 int say_bug(const char* what) noexcept {
-  std::fprintf(stderr, "This is a bug in ghostforce: %s. Please report it, with the command line and the files used.\n",
-               what);
-  return static_cast<int>(ghostforce::ExitCode::bug);
+  using namespace ghostforce;
+  write_words("This is a bug in ghostforce: ");
+  write_words(what);
+  write_words(". Please report it, with the command line and the files used.\n");
+  return static_cast<int>(ExitCode::bug);
 }
 
 }  // namespace
@@ -49,21 +51,19 @@ int main(int argc, char** argv) {
   } catch (const ReaderGone&) {
     return static_cast<int>(ExitCode::done);
   } catch (const Failure& failure) {
-    std::fprintf(stderr, "%s\n", failure.what());
+    say("{}\n", failure.what());
     return static_cast<int>(failure.code());
   } catch (const ReadError& error) {
-    std::fprintf(stderr, "%s\n", error.what());
+    say("{}\n", error.what());
     return static_cast<int>(exit_code_of(error.kind()));
   } catch (const std::bad_alloc&) {
-    std::fputs("There is not enough memory for this. Close other programs, or raise this one's limit (ulimit -v).\n",
-               stderr);
+    write_words("There is not enough memory for this. Close other programs, or raise this one's limit (ulimit -v).\n");
     return static_cast<int>(ExitCode::file_trouble);
   } catch (const std::system_error& error) {
     if (error.code() != std::errc::resource_unavailable_try_again) return say_bug(error.what());
-    std::fputs(
+    write_words(
         "The system does not let this program start another thread. Close other programs, or raise this one's limits "
-        "(ulimit -u, ulimit -v).\n",
-        stderr);
+        "(ulimit -u, ulimit -v).\n");
     return static_cast<int>(ExitCode::file_trouble);
   } catch (const std::exception& error) {
     return say_bug(error.what());

@@ -35,7 +35,7 @@ target_precompile_headers(test_headers PRIVATE
   <string> <string_view> <thread> <variant> <vector> <fmt/format.h> <glm/glm.hpp> <gtest/gtest.h>)
 
 # Not of a library that is linked as a whole: an object that replaces the heap must come with those that ask for it only.
-foreach(support IN ITEMS animated_png_reader call_guard display file_calls hand_at_wall heap_guard program)
+foreach(support IN ITEMS animated_png_reader before_waiting call_guard display file_calls hand_at_wall heap_guard program)
   add_library(test_${support} OBJECT ${PROJECT_SOURCE_DIR}/tests/support/${support}.cpp)
   target_link_libraries(test_${support} PRIVATE ${test_options})
 endforeach()

@@ -37,17 +37,13 @@ struct PieceHeader {
   std::size_t size = 0;
 };
 
-// False: the other process has ended. `look` is called where a signal has come in between.
-bool receive_all(int socket, void* into, std::size_t size, const std::function<void()>& look) {
+// False: the other process has ended. `wait` is called before each time that it may wait for the other one.
+bool receive_all(int socket, void* into, std::size_t size, void (*wait)(int socket)) {
   for (std::size_t have = 0; have < size;) {
+    wait(socket);
     const ssize_t got = recv(socket, static_cast<char*>(into) + have, size - have, 0);
-    if (got > 0) {
-      have += static_cast<std::size_t>(got);
-    } else if (got == 0 || errno != EINTR) {
-      return false;
-    } else {
-      look();
-    }
+    if (got == 0 || (got < 0 && errno != EINTR)) return false;
+    if (got > 0) have += static_cast<std::size_t>(got);
   }
   return true;
 }
@@ -63,7 +59,7 @@ bool send_all(int socket, const void* from, std::size_t size) {
 
 // The life of a worker: a piece for each number that it is sent, until there is nobody any more to send one.
 void serve(int socket, const MakePiece& make) noexcept {
-  const auto go_on = [] {};  // an interruption is the parent's matter, and make()'s
+  const auto go_on = [](int) {};  // an interruption is the parent's matter, and make()'s
   for (std::int64_t i = 0; receive_all(socket, &i, sizeof i, go_on);) {
     std::string piece;
     PieceHeader header;
@@ -109,9 +105,9 @@ class Worker {
   // The piece that it was sent, once there is something to read; no text: make() has thrown.
   std::pair<std::int64_t, std::optional<std::string>> finish() {
     PieceHeader header;
-    if (!receive_all(socket(), &header, sizeof header, stop_if_interrupted)) has_ended();
+    if (!receive_all(socket(), &header, sizeof header, wait_to_read)) has_ended();
     std::string text(header.size, '\0');
-    if (!receive_all(socket(), text.data(), text.size(), stop_if_interrupted)) has_ended();
+    if (!receive_all(socket(), text.data(), text.size(), wait_to_read)) has_ended();
     const std::int64_t piece = std::exchange(piece_, -1);
     return {piece, header.is_made ? std::optional(std::move(text)) : std::nullopt};
   }
@@ -166,6 +162,7 @@ void run_in_workers(std::int64_t count, int workers, const MakePiece& make,
     }
     std::vector<pollfd> waits;
     for (const Worker& worker : crew) waits.push_back({worker.socket(), POLLIN, 0});
+    waits.push_back({interruption_descriptor(), POLLIN, 0});
     if (poll(waits.data(), waits.size(), -1) <= 0) continue;  // a signal
     for (std::size_t i = 0; i < crew.size(); ++i) {
       if (waits[i].revents != 0) ready.insert(crew[i].finish());

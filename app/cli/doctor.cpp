@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cstdio>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -68,7 +67,7 @@ class LiveLine {
  public:
   explicit LiveLine(bool shows) : shows_(shows) {}
   ~LiveLine() {
-    if (has_shown_) std::fputs("\r\x1b[K", stderr);
+    if (has_shown_) write_words("\r\x1b[K");
   }
   LiveLine(const LiveLine&) = delete;
   LiveLine& operator=(const LiveLine&) = delete;

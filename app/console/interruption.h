@@ -1,5 +1,9 @@
 // Ctrl+C, SIGTERM and a closed terminal: long work asks now and then whether it should stop, and unwinds, so that
 // nothing half-done stays behind. Asking is a plain atomic load, any thread.
+//
+// A signal ends only a system call that has begun: one that comes between a look at interrupted() and a read(2) would
+// leave that read waiting. So whatever waits for a person or another program waits here first, where an interruption
+// counts as something to read.
 #pragma once
 
 namespace ghostforce {
@@ -9,6 +13,10 @@ namespace ghostforce {
 // background jobs) stay ignored. Called once, by main().
 void remember_interruptions(void (*stop_motors)() noexcept) noexcept;
 
+// From here on the first one calls `stop_motors` too, whatever the program is waiting for. For when the thread that
+// drives motors is also the one that waits for people.
+void stop_motors_when_interrupted() noexcept;
+
 bool interrupted() noexcept;
 
 // As a signal would have done it.
@@ -17,12 +25,20 @@ void interrupt() noexcept;
 // Throws Failure(ExitCode::interrupted) if so.
 void stop_if_interrupted();
 
-// open(2), which waits where a pipe has nobody at its other end: that ends when interrupted, as above.
-// A first signal in the moment before it waits does not end the wait; the second one ends the process, as always.
-int open_unless_interrupted(const char* path, int flags);
+// Something to read from the interruption on, for whoever waits for several things with poll(2). Nobody may take it.
+// Negative: there is none, and poll(2) passes over it.
+int interruption_descriptor() noexcept;
 
-// Once interrupted, before a write that no further signal would end: waits until a pipe can be written to, a second at
-// most, and then throws as above.
-void wait_for_reader_of(int descriptor);
+// Wait until it can be read or written, or its other end has gone. They throw as above where an interruption, however
+// early it came, leaves nothing else to wait for. Any thread.
+void wait_to_read(int descriptor);
+void wait_to_write(int descriptor);
+
+// For what is written even by an interrupted program, which waits a second at most. False: that was in vain.
+bool wait_for_reader(int descriptor) noexcept;
+
+// open(2), which waits where a pipe has nobody at its other end: that ends as above. Reading and writing do not wait:
+// they may fail with EAGAIN.
+int open_unless_interrupted(const char* path, int flags);
 
 }  // namespace ghostforce

@@ -1,4 +1,4 @@
-// Nothing interrupts a page: whoever closes it ends it.
+// Nothing interrupts a page: whoever closes it ends it. It has no pipes and terminals to wait for.
 #include <fcntl.h>
 
 #include "app/console/interruption.h"
@@ -6,6 +6,8 @@
 namespace ghostforce {
 
 void remember_interruptions(void (*)() noexcept) noexcept {}
+
+void stop_motors_when_interrupted() noexcept {}
 
 bool interrupted() noexcept {
   return false;
@@ -15,10 +17,20 @@ void interrupt() noexcept {}
 
 void stop_if_interrupted() {}
 
+int interruption_descriptor() noexcept {
+  return -1;
+}
+
+void wait_to_read(int) {}
+
+void wait_to_write(int) {}
+
+bool wait_for_reader(int) noexcept {
+  return true;
+}
+
 int open_unless_interrupted(const char* path, int flags) {
   return open(path, flags);
 }
-
-void wait_for_reader_of(int) {}
 
 }  // namespace ghostforce

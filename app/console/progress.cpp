@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <utility>
 
 #include <fmt/core.h>
@@ -46,7 +45,7 @@ Progress::Progress(std::string what, std::int64_t total, bool shows)
       next_(start_ + first_word_after) {}
 
 Progress::~Progress() {
-  if (has_shown_) std::fputs("\r\x1b[K", stderr);
+  if (has_shown_) write_words("\r\x1b[K");
 }
 
 void Progress::at(std::int64_t done) {

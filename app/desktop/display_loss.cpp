@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "app/console/failure.h"
+#include "app/console/words.h"
 
 #define GLFW_EXPOSE_NATIVE_WAYLAND
 #define GLFW_NATIVE_INCLUDE_NONE  // nothing of Wayland is needed to build
@@ -46,10 +47,9 @@ Function* find_function(const char* library, const char* name) {
   // Who comes second does not come back either.
   while (has_begun.test_and_set()) pause();
   if (put_everything_in_order) put_everything_in_order();
-  std::fputs(
+  write_words(
       "the display is gone: its server ended, or the connection to it broke; start the program again when the display "
-      "is back\n",
-      stderr);
+      "is back\n");
   // No destructor and no library's last call: they would talk to the server, and never return.
   std::fflush(nullptr);
   std::_Exit(static_cast<int>(ExitCode::no_display));

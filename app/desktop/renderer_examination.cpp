@@ -1,6 +1,7 @@
 #include "app/desktop/renderer_examination.h"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -13,7 +14,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "app/console/interruption.h"
 #include "app/desktop/opengl_window.h"
+#include "app/files/descriptor.h"
 #include "app/ui/window.h"
 
 namespace ghostforce {
@@ -50,27 +53,36 @@ std::string read_to_end(int in) {
   std::string text;
   std::array<char, 4096> piece{};
   for (;;) {
+    wait_to_read(in);
     const ssize_t count = read(in, piece.data(), piece.size());
     if (count > 0) text.append(piece.data(), static_cast<std::size_t>(count));
     if (count == 0 || (count < 0 && errno != EINTR)) return text;
   }
 }
 
+// It has said everything, or nobody waits for it any more.
+struct EndOfChild {
+  pid_t child;
+  ~EndOfChild() {
+    kill(child, SIGKILL);
+    while (waitpid(child, nullptr, 0) < 0 && errno == EINTR) {
+    }
+  }
+};
+
 RendererFinding examine(Renderer renderer) {
   RendererFinding finding{.renderer = renderer, .words = "this system lets the program start no other process"};
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) return finding;
+  const Descriptor read_end(ends[0]);
   const pid_t child = fork();
   if (child == 0) try_as_child(renderer, ends[1]);
   close(ends[1]);
-  if (child > 0) {
-    const std::string answer = read_to_end(ends[0]);
-    while (waitpid(child, nullptr, 0) < 0 && errno == EINTR) {
-    }
-    finding.is_there = answer.starts_with(is_there_mark);
-    finding.words = answer.empty() ? "its driver crashes or hangs" : answer.substr(1);
-  }
-  close(ends[0]);
+  if (child < 0) return finding;
+  const EndOfChild end{child};
+  const std::string answer = read_to_end(read_end.number());
+  finding.is_there = answer.starts_with(is_there_mark);
+  finding.words = answer.empty() ? "its driver crashes or hangs" : answer.substr(1);
   return finding;
 }
 

@@ -1,11 +1,11 @@
 #include "app/doctor/udev_rule.h"
 
+#include <poll.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
-#include <cerrno>
 #include <cstdlib>
 #include <sstream>
 #include <system_error>
@@ -15,6 +15,7 @@
 #include <fmt/ranges.h>
 
 #include "app/console/failure.h"
+#include "app/console/interruption.h"
 #include "app/console/quoted.h"
 #include "app/console/shell_word.h"
 #include "app/files/output_file.h"
@@ -50,26 +51,41 @@ std::string find_program(std::string_view name) {
   return {};
 }
 
-// Its exit code; -1: it could not be started, or something killed it.
+// Nobody need listen.
+void tell(const std::string& words) {
+  try {
+    OutputFile output("-");
+    output.write(words);
+    output.commit();
+  } catch (const ReaderGone&) {
+  }
+}
+
+// Its exit code; -1: it could not be started, or something killed it. Throws Failure(interrupted).
 int run_and_wait(const std::string& program, Words words) {
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   pid_t child = 0;
   if (posix_spawn(&child, program.c_str(), nullptr, nullptr, arguments.data(), environ) != 0) return -1;
+  // It may ask for a password on this terminal. Ctrl+C is for it too: it gets a second to put the terminal in order.
+  constexpr int glance_ms = 50;
+  int glances_left = 20;
   int status = 0;
-  while (waitpid(child, &status, 0) < 0) {
-    if (errno != EINTR) return -1;
+  pid_t ended = 0;
+  while ((ended = waitpid(child, &status, WNOHANG)) == 0 && (!interrupted() || glances_left-- > 0)) {
+    poll(nullptr, 0, glance_ms);
   }
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  stop_if_interrupted();
+  return ended == child && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
 void announce(const fs::path& rule) {
-  fmt::print("This will be written to {}, which needs root:\n\n{}\nThese commands then notify udev:\n", rule.string(),
-             udev_rule_text());
-  for (const Words& words : reload) fmt::print("  {}\n", shown(words));
-  fmt::print("\n");
-  std::fflush(stdout);
+  std::string text =
+      fmt::format("This will be written to {}, which needs root:\n\n{}\nThese commands then notify udev:\n",
+                  rule.string(), udev_rule_text());
+  for (const Words& words : reload) text += fmt::format("  {}\n", shown(words));
+  tell(text + "\n");
 }
 
 // As a person would type it: this program as root.
@@ -82,8 +98,7 @@ void install_as_root(const fs::path& rule) {
     const std::string program = is_somebody_there && !error ? find_program(asker) : "";
     if (program.empty()) continue;
     const Words words{std::string(asker), self, "doctor", "--install-udev", "--udev-announced"};
-    fmt::print("Asking for root: {}\n", shown(words));
-    std::fflush(stdout);
+    tell(fmt::format("Asking for root: {}\n", shown(words)));
     if (run_and_wait(program, words) == 0) return;
     throw Failure(ExitCode::file_trouble,
                   fmt::format("{} did not write {}; as root, run: {}", asker, rule.string(), by_hand));
@@ -94,12 +109,11 @@ void install_as_root(const fs::path& rule) {
 void tell_udev() {
   const std::string udevadm = find_program("udevadm");
   if (udevadm.empty()) {
-    fmt::print(
-        "There is no udevadm here, so udev was not notified. Restart the machine, or plug the devices in again.\n");
+    tell("There is no udevadm here, so udev was not notified. Restart the machine, or plug the devices in again.\n");
     return;
   }
   for (const Words& words : reload) {
-    if (run_and_wait(udevadm, words) != 0) fmt::print("'{}' failed. Plug the devices in again.\n", shown(words));
+    if (run_and_wait(udevadm, words) != 0) tell(fmt::format("'{}' failed. Plug the devices in again.\n", shown(words)));
   }
 }
 
@@ -143,7 +157,7 @@ void install_udev_rule(bool is_announced) {
   const fs::path folder(udev_rule_folder);
   if (!is_announced) announce(folder / udev_rule_name);
   if (geteuid() != 0) return install_as_root(folder / udev_rule_name);
-  fmt::print("Written: {}\n", write_udev_rule(folder).string());
+  tell(fmt::format("Written: {}\n", write_udev_rule(folder).string()));
   tell_udev();
 }
 

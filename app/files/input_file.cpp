@@ -42,13 +42,11 @@ int read_pieces(const std::filesystem::path& path, const std::function<bool(std:
   constexpr std::size_t longest_piece = 1 << 16;
   std::array<char, longest_piece> piece;
   while (true) {
+    wait_to_read(descriptor);
     const ssize_t count = read(descriptor, piece.data(), piece.size());
-    if (count < 0 && errno != EINTR) return errno;
-    if (count < 0) {
-      stop_if_interrupted();
-    } else if (count == 0 || !take({piece.data(), static_cast<std::size_t>(count)})) {
-      return 0;
-    }
+    if (count < 0 && (errno == EINTR || errno == EAGAIN)) continue;
+    if (count < 0) return errno;
+    if (count == 0 || !take({piece.data(), static_cast<std::size_t>(count)})) return 0;
   }
 }
 

@@ -34,6 +34,12 @@ int descriptor_named(std::string_view path) {
   return -1;
 }
 
+// As far as anybody can tell; of a file nobody waits for a reader.
+bool is_file(int descriptor) {
+  struct stat status {};
+  return fstat(descriptor, &status) != 0 || S_ISREG(status.st_mode);
+}
+
 // Where a chain of links ends, whether or not anything is there yet.
 std::filesystem::path end_of_links(std::filesystem::path path) {
   constexpr int longest_chain = 40;  // as Linux has it
@@ -76,11 +82,15 @@ OutputFile::OutputFile(const std::string& path) : shown_(path) {
   if (path == "-" || path == "/dev/stdout") {
     shown_ = "standard output";
     descriptor_ = STDOUT_FILENO;
+    has_reader_ = !is_file(descriptor_);
     return;
   }
   if (const int open = descriptor_named(path); open >= 0) {
-    descriptor_ = fcntl(open, F_DUPFD_CLOEXEC, 0);
-    if (descriptor_ < 0) fail(errno);
+    // What this program has opened for itself is nothing that a shell has opened.
+    const int flags = fcntl(open, F_GETFD);
+    descriptor_ = flags >= 0 && (flags & FD_CLOEXEC) == 0 ? fcntl(open, F_DUPFD_CLOEXEC, 0) : -1;
+    if (descriptor_ < 0) fail(flags < 0 ? errno : EBADF);
+    has_reader_ = !is_file(descriptor_);
     return;
   }
   struct stat status {};
@@ -91,6 +101,7 @@ OutputFile::OutputFile(const std::string& path) : shown_(path) {
     // A pipe or a device: nothing to put in its place.
     descriptor_ = open_unless_interrupted(path.c_str(), O_WRONLY | O_CLOEXEC);
     if (descriptor_ < 0) fail(errno);
+    has_reader_ = true;
     return;
   }
   if (exists && access(path.c_str(), W_OK) != 0) fail(errno);
@@ -147,7 +158,7 @@ void OutputFile::flush() {
     const ssize_t written = write_some(rest);
     if (written >= 0) {
       rest.remove_prefix(static_cast<std::size_t>(written));
-    } else if (errno == EINTR) {
+    } else if (errno == EINTR || errno == EAGAIN) {
       if (!finishes_) stop_if_interrupted();
     } else {
       fail(errno);
@@ -158,9 +169,13 @@ void OutputFile::flush() {
 
 // As write(2).
 ssize_t OutputFile::write_some(std::string_view text) const {
-  if (finishes_ && interrupted()) {
-    // No further signal will end a wait. A pipe that can be written to takes this much without one.
-    wait_for_reader_of(descriptor_);
+  if (has_reader_) {
+    if (!finishes_) {
+      wait_to_write(descriptor_);
+    } else if (!wait_for_reader(descriptor_)) {
+      stop_if_interrupted();
+    }
+    // A pipe that can be written to takes this much at once.
     text = text.substr(0, PIPE_BUF);
   }
   return ::write(descriptor_, text.data(), text.size());

@@ -70,6 +70,7 @@ class OutputFile {
   std::string buffer_;
   int descriptor_ = -1;
   bool finishes_ = false;
+  bool has_reader_ = false;   // a pipe, a terminal, a device: who is at its other end may take nothing for a while
   bool is_in_place_ = false;  // and not kept yet
 };
 

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "app/console/failure.h"
+#include "app/console/interruption.h"
 #include "app/console/quoted.h"
 #include "app/doctor/diagnosis.h"
 #include "app/doctor/measure/measurement.h"
@@ -92,6 +93,7 @@ void write_calibration(const MeasureCall& call, std::optional<OutputFile>& file,
 
 int measure_with_doctor(const MeasureCall& call) {
   emergency_stop::refuse_to_be_stopped();
+  stop_motors_when_interrupted();
   InputOptions options = call.input;
   std::unique_ptr<FalconLink> link;
   std::unique_ptr<MeasuredPerson> simulated;

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cerrno>
-#include <cstdio>
 
 #include <fmt/format.h>
 
@@ -55,7 +54,6 @@ std::optional<std::string> TerminalOperator::ask(const Deed& deed, std::string_v
     tell("(Rehearsal: the simulated hand does it.)");
   }
   say("> ");
-  std::fflush(stderr);
   std::optional<std::string> line = read_line();
   if (line && line->empty()) line = answer;
   return line;
@@ -72,10 +70,11 @@ std::optional<std::string> TerminalOperator::read_line() {
       typed_.erase(0, end + 1);
       return line;
     }
+    wait_to_read(STDIN_FILENO);
     std::array<char, 4096> piece;
     const ssize_t count = read(STDIN_FILENO, piece.data(), piece.size());
     stop_if_interrupted();
-    if (count < 0 && errno == EINTR) continue;
+    if (count < 0 && (errno == EINTR || errno == EAGAIN)) continue;
     if (count <= 0) return std::nullopt;
     typed_.append(piece.data(), static_cast<std::size_t>(count));
     constexpr std::size_t longest_answer = 65536;

@@ -23,7 +23,9 @@
 #include "app/check/verdict_bytes.h"
 #include "app/check/worker_processes.h"
 #include "app/console/failure.h"
+#include "app/console/interruption.h"
 #include "tests/app/check/check_cases.h"
+#include "tests/support/before_waiting.h"
 #include "tests/support/no_opengl.h"
 #include "tests/support/places.h"
 
@@ -91,6 +93,23 @@ TEST(WorkerProcesses, TellWhichPieceWasLostAndHow) {
   EXPECT_EQ(ends(SIGKILL).piece, 1);
   EXPECT_EQ(ends(0).signal, 0);
   EXPECT_EQ(ends(0).piece, 1);
+}
+
+// In the moment before it waits for a worker that takes for ever.
+TEST(WorkerProcessesDeathTest, AreNotWaitedForByAnInterruptedProgram) {
+  const auto wait_for_one = [] {
+    remember_interruptions([]() noexcept {});
+    before_waiting([] { raise(SIGINT); });
+    try {
+      pieces_of(1, 1, [](std::int64_t) -> std::string {
+        for (;;) pause();
+      });
+    } catch (const Failure& failure) {
+      _exit(static_cast<int>(failure.code()));
+    }
+    _exit(0);
+  };
+  EXPECT_EXIT(wait_for_one(), testing::ExitedWithCode(130), "");
 }
 
 TEST(VerdictBytes, HoldEverything) {

@@ -253,13 +253,16 @@ TEST(OutputFile, WritesOnWhatIsOpenAlready) {
   const TemporaryFolder folder;
   const std::string path = folder / "log";
   write_whole(path, "before ");
-  const int log = open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+  const int log = open(path.c_str(), O_WRONLY | O_APPEND);  // without O_CLOEXEC, as what comes from a shell
+  const int own = open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
   ASSERT_GE(log, 0);
   for (const std::string place : {"/dev/fd/", "/proc/self/fd/"}) {
     OutputFile file(place + std::to_string(log));
     file.write("after ");
     file.commit();
+    EXPECT_THROW(OutputFile(place + std::to_string(own)), Failure) << "what the program has opened for itself";
   }
+  close(own);
   close(log);
   EXPECT_EQ(read_whole(path), "before after after ");
 }
