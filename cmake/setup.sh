@@ -121,8 +121,18 @@ build() {
 
 # configure_and_build PRESET TARGET [-DNAME=VALUE...]: for a tree that may have been configured with other values.
 configure_and_build() {
-  configure "$1" "${@:3}"
+  is_configured "$1" "${@:3}" || configure "$1" "${@:3}"
   build "$@"
+}
+
+# is_configured PRESET [-DNAME=VALUE...]: whether a tree has been configured with these values before.
+is_configured() {
+  local setting cache=$root/build/$1/CMakeCache.txt
+  [[ -e $root/build/$1/build.ninja && -e $cache ]] || return 1
+  for setting in "${@:2}"; do
+    setting=${setting#-D}
+    grep -q "^${setting%%=*}:[A-Z]*=${setting#*=}\$" "$cache" || return 1
+  done
 }
 
 # configure PRESET [-DNAME=VALUE...]
