@@ -21,7 +21,7 @@ void compose_landscape(benchmark::State& state) {
   Marks marks;
   for (auto _ : state) {
     marks.clear();
-    add_landscape({settings, dial, false, *find_theme("light"), camera, 1.0, measure}, marks);
+    add_landscape({settings, dial, false, english_stage, *find_theme("light"), camera, 1.0, measure}, marks);
     benchmark::DoNotOptimize(marks.data());
   }
   state.counters["marks"] = static_cast<double>(marks.size());

@@ -362,6 +362,7 @@ class PageTest(unittest.TestCase):
     """A test with a browser, and with the page where its server or the disk has it. The tests of a class share one
     browser, which takes as long to start as many of them take."""
 
+    is_main = False  # whether .ci/run runs them, which has a minute for all of these; .ci/long runs the others too
     allowed_errors = ()  # parts of what the console may tell
     shared = None
 

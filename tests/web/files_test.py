@@ -11,6 +11,8 @@ from display import display
 
 
 class Scenes(PageTest):
+    is_main = True
+
     def test_is_opened(self):
         browser = self.open()
         path = browser.downloads / "mine.toml"

@@ -7,6 +7,8 @@ from model import Rest, ghost_force
 
 
 class Keys(PageTest):
+    is_main = True
+
     def test_choose_the_strategy(self):
         browser = self.open()
         goal = browser.state()["goal_m"]
@@ -80,6 +82,8 @@ class Keys(PageTest):
 
 
 class Mouse(PageTest):
+    is_main = True
+
     def test_a_drag_moves_the_goal_and_the_force_follows_the_model(self):
         browser = self.open()
         begin = browser.on_screen(browser.state()["goal_m"])

@@ -7,6 +7,8 @@ from model import Rest, ghost_force
 
 
 class Lesson(PageTest):
+    is_main = True
+
     def step(self, number, question):
         """Waits for this step, and until the hand has gone where the step wants it."""
         self.browser.wait(

@@ -1,4 +1,5 @@
-"""Prints a line for each class of tests, which share a browser: its name in ctest, and how unittest finds it."""
+"""Prints a line for each class of tests, which share a browser: its name in ctest, how unittest finds it, and its label
+there: "main" where the class has is_main, else "more"."""
 import pathlib
 import unittest
 
@@ -14,5 +15,7 @@ def tests_in(suite):
 
 
 tests = tests_in(unittest.defaultTestLoader.discover(str(folder), pattern="*_test.py"))
-for each in sorted({test.id().rpartition(".")[0] for test in tests}):
-    print(f"web.{each.replace('_test.', '.')}={each}")
+classes = {test.id().rpartition(".")[0]: type(test) for test in tests}
+for each, suite in sorted(classes.items()):
+    label = "main" if getattr(suite, "is_main", False) else "more"
+    print(f"web.{each.replace('_test.', '.')}={each}={label}")

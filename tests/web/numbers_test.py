@@ -20,6 +20,8 @@ def read(text):
 
 
 class Numbers(PageTest):
+    is_main = True
+
     def compare(self, found, wanted):
         """The greatest relative difference, and in which column."""
         # The first line tells the build.

@@ -17,6 +17,8 @@ TOLERANCE = 0.004  # of the pixels: digits of a time, and a driver's own edges
 
 
 class Pictures(PageTest):
+    is_main = True
+
     def compare(self, name):
         stored = FOLDER / f"{name}.png"
         if os.environ.get("GHOSTFORCE_STORE_PICTURES"):

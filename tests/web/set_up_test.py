@@ -13,6 +13,8 @@ def fragment_of(line):
 
 
 class SetUp(PageTest):
+    is_main = True
+
     def test_of_the_fragment_is_shown(self):
         browser = self.open(fragment=fragment_of(LINE))
         state = browser.wait_until(face="workbench", strategy="anisotropic")

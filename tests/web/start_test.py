@@ -5,6 +5,8 @@ from browser import HEIGHT, LESSONS, PAGE, PLOTS, ROOT, WIDTH, PageTest, wait_fo
 
 
 class Start(PageTest):
+    is_main = True
+
     def expect_stage(self, browser):
         state = browser.state()
         self.assertEqual(state["face"], "stage")

@@ -1,0 +1,19 @@
+# What clang warns of, of which g++ does not; and whether each source can be compiled by itself, where other presets
+# compile several together. Sourced after setup.sh.
+
+# clang_warnings [COMMIT]: of the sources that differ from that commit, and those that include what does
+# (cmake/changed_sources.py, which also says from which commit on if none is named). They are read and not compiled
+# (cmake/syntax_check.py). Benches are among them where their library is installed.
+clang_warnings() {
+  local benches=OFF list changed
+  [[ ! -e /usr/include/benchmark/benchmark.h ]] || benches=ON
+  [[ $benches == ON ]] || say "Without the benches: libbenchmark-dev is not installed."
+  list=$("$root/cmake/changed_sources.py" "$@") || fail "What has changed is not known."
+  mapfile -t changed <<<"$list"
+  # The only header that is made by the build, not when it is configured.
+  configure_and_build clang generated/glad/include/glad/gl.h \
+    -DBUILD_TESTING=ON -DGHOSTFORCE_WARNINGS_AS_ERRORS=ON -DGHOSTFORCE_BENCH=$benches
+  logged clang-warnings "$root/cmake/syntax_check.py" "$root/build/clang/compile_commands.json" ${list:+"${changed[@]}"} ||
+    fail_with clang-warnings "clang has something to say."
+  say "clang has nothing to say of what changed: $(tail -n 1 "$(log_of clang-warnings)")"
+}
