@@ -13,7 +13,7 @@
 #include "core/snapshot.h"
 #include "core/stiffness.h"
 #include "core/strategy.h"
-
+#include "core/wall.h"
 
 namespace ghostforce {
 

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-
+#include <gtest/gtest.h>
 
 #include "core/equilibrium.h"
 #include "tests/core/dimensions.h"

@@ -6,6 +6,8 @@
 
 namespace ghostforce {
 
-inline bool is_long_run() { return std::getenv("GHOSTFORCE_LONG") != nullptr; }
+inline bool is_long_run() {
+  return std::getenv("GHOSTFORCE_LONG") != nullptr;
+}
 
 }  // namespace ghostforce

@@ -2,7 +2,9 @@
 
 namespace ghostforce {
 
-std::string source_path(std::string_view beneath) { return std::string(GHOSTFORCE_SOURCE_DIR).append(beneath); }
+std::string source_path(std::string_view beneath) {
+  return std::string(GHOSTFORCE_SOURCE_DIR).append(beneath);
+}
 
 const std::string& ghostforce_program() {
   static const std::string path = GHOSTFORCE_PROGRAM;

@@ -431,8 +431,9 @@ TEST(CheckUpdate, LeavesNothingBehindWhenInterrupted) {
   // Ten million ticks: long enough to be met in the middle.
   const std::string endless = std::string(small_case) + "set = [\"goal.duration_s=10000\"]\n";
   const Cases cases({{"a", std::string(small_case)}, {"b", endless}, {"c", endless}, {"d", endless}});
-  const Outcome outcome = run_program("/usr/bin/timeout", {"--preserve-status", "-s", "INT", "0.3", ghostforce_program(),
-                                                           "check", cases.path(), "--update", "a", "b", "c", "d"});
+  const Outcome outcome =
+      run_program("/usr/bin/timeout", {"--preserve-status", "-s", "INT", "0.3", ghostforce_program(), "check",
+                                       cases.path(), "--update", "a", "b", "c", "d"});
   EXPECT_EQ(outcome.exit_code, 130);
   EXPECT_EQ(cases.files(), (std::set<std::string>{"a.toml", "b.toml", "c.toml", "d.toml"}));
   EXPECT_EQ(read_whole(cases / "b.toml"), endless);

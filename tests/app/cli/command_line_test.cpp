@@ -415,7 +415,7 @@ TEST(Simulate, SaysSoWhereTheLoopRunsAwayAndWritesNothing) {
   const TemporaryFolder folder;
   const Outcome outcome =
       run_program(ghostforce_program(), {"simulate", "wall45", "--strategy", "all", "-o", folder / "run.csv", "--set",
-                                       "rendering.k_r_N_per_m=1e6", "--set", "device.mass_kg=0.001"});
+                                         "rendering.k_r_N_per_m=1e6", "--set", "device.mass_kg=0.001"});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_NE(outcome.err.find("unstable"), std::string::npos) << outcome.err;
   EXPECT_EQ(folder.count(), 0);

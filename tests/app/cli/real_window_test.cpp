@@ -107,7 +107,8 @@ TEST(RealWindow, RemembersTheThemeThatWasChosen) {
     return [theme](const Image& image) { return at(image, 300, 650) == find_theme(theme)->wall; };
   };
   {
-    BackgroundProgram program({ghostforce_program(), "run", "--view", "workbench", "--no-hints"}, display.environment());
+    BackgroundProgram program({ghostforce_program(), "run", "--view", "workbench", "--no-hints"},
+                              display.environment());
     ASSERT_TRUE(display.becomes(shows("light")));
     display.act({"key", "ctrl+t"});
     EXPECT_TRUE(display.becomes(shows("dark")));
@@ -190,7 +191,8 @@ TEST(RealWindow, IsTwiceAsLargeOnADenseScreenAndStaysSo) {
     return framed > 120 && at(image, 2556, 1596) == find_theme("light")->panel;
   };
   for (int start = 0; start < 2; ++start) {
-    BackgroundProgram program({ghostforce_program(), "run", "--view", "workbench", "--no-hints"}, display.environment());
+    BackgroundProgram program({ghostforce_program(), "run", "--view", "workbench", "--no-hints"},
+                              display.environment());
     EXPECT_TRUE(display.becomes(is_twice_as_large)) << "start " << start;
     display.act({"key", "ctrl+q"});
     EXPECT_TRUE(display.becomes([&](const Image&) { return !program.is_running(); }));

@@ -399,11 +399,11 @@ TEST(ReplayCommand, LeavesNothingWhenInterrupted) {
       0);
   const Outcome outcome =
       run_program(ghostforce_program(), {.words = {"replay", folder / "run.csv", "-o", results / "again.csv"},
-                                       .environment = {},
-                                       .folder = {},
-                                       .out_to = {},
-                                       .signal_when_created_in = results.path(),
-                                       .signal = SIGINT});
+                                         .environment = {},
+                                         .folder = {},
+                                         .out_to = {},
+                                         .signal_when_created_in = results.path(),
+                                         .signal = SIGINT});
   EXPECT_EQ(outcome.exit_code, 130);
   EXPECT_EQ(results.count(), 0);
 }

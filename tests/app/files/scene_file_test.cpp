@@ -277,13 +277,11 @@ TEST(SceneFile, TellsWhatIsNoReadableFile) {
 
 TEST(SceneFile, ShippedTextsAreWhatTheFolderHolds) {
   for (const EmbeddedText& scene : embedded_scenes) {
-    EXPECT_EQ(read_whole(source_path("/assets/scenes") + "/" + std::string(scene.name)),
-              scene.contents)
-        << scene.name;
+    EXPECT_EQ(read_whole(source_path("/assets/scenes") + "/" + std::string(scene.name)), scene.contents) << scene.name;
   }
-  EXPECT_EQ(static_cast<std::size_t>(
-                std::distance(std::filesystem::directory_iterator(source_path("/assets/scenes")), {})),
-            embedded_scenes.size())
+  EXPECT_EQ(
+      static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(source_path("/assets/scenes")), {})),
+      embedded_scenes.size())
       << "a scene in assets/scenes is not listed in app/CMakeLists.txt";
 }
 

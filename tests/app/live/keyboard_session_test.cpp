@@ -13,9 +13,7 @@ namespace {
 
 class KeyboardSession : public DrivenWindow {
  protected:
-  KeyboardSession() {
-    ImGui_ImplGlfw_CursorEnterCallback(window_->handle(), GLFW_FALSE);
-  }
+  KeyboardSession() { ImGui_ImplGlfw_CursorEnterCallback(window_->handle(), GLFW_FALSE); }
 
   bool tab_to(ImGuiID wanted) {
     for (int i = 0; i < 100; ++i) {

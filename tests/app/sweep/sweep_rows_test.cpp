@@ -171,8 +171,8 @@ TEST(Sweep, OnePointIsWhatEquilibriumTells) {
   for (const Row& row : csv.rows) {
     const Outcome outcome =
         run_program(ghostforce_program(), {"equilibrium", "fig1", "--json",
-                                         "--set=user.believed_k_u_N_per_m=" + row.text("user.believed_k_u_N_per_m"),
-                                         "--set=wall.normal_deg=" + row.text("wall.normal_deg")});
+                                           "--set=user.believed_k_u_N_per_m=" + row.text("user.believed_k_u_N_per_m"),
+                                           "--set=wall.normal_deg=" + row.text("wall.normal_deg")});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const nlohmann::json told = nlohmann::json::parse(outcome.out);
     EXPECT_EQ(row.number("depth_m"), told.at("depth_m").get<double>());
