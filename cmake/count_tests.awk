@@ -3,18 +3,28 @@
 
 function end_of_program() {
   if (!in_program) return
-  if (!ran) ran = 1
-  if (has_failed && !failed) failed = 1  # it broke before it could say so
+  if (!ran) {
+    ran = 1
+    skipped = was_skipped
+  }
+  if ((has_failed || is_missing) && !failed) failed = 1  # it broke before it could say so
   total_failed += failed
   total_skipped += skipped
   total_passed += ran - failed - skipped
-  in_program = 0
+  in_program = is_missing = 0
 }
 
-/^[0-9]+\/[0-9]+ Testing: / { end_of_program(); in_program = 1; ran = failed = skipped = has_failed = 0 }
+# Stands before the program's first line.
+/^Unable to find executable/ { end_of_program(); is_missing = 1 }
+/^[0-9]+\/[0-9]+ Testing: / {
+  if (!is_missing) end_of_program()
+  in_program = 1
+  ran = failed = skipped = was_skipped = has_failed = 0
+}
 /^\[==========\] [0-9]+ tests? from [0-9]+ test suites? ran\./ { ran += $2 }
 /^\[  FAILED  \] [0-9]+ tests?, listed below:/ { failed += $4 }
 /^\[  SKIPPED \] [0-9]+ tests?, listed below:/ { skipped += $4 }
+/^Skip regular expression found in output/ { was_skipped = 1 }
 /^Test Failed\.$/ { has_failed = 1 }
 END {
   end_of_program()

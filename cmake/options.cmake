@@ -41,8 +41,8 @@ if(GHOSTFORCE_SANITIZE STREQUAL "address")
   add_link_options(LINKER:--undefined=ghostforce_keeps_libraries_loaded)
 endif()
 
-# A quicker linker where there is one: the tests are a hundred programs. What is given away is linked as Debian does.
-if(BUILD_TESTING)
+# A quicker linker where there is one, for trees with tests, which are a hundred programs. ./package has none of them.
+if(BUILD_TESTING AND NOT CMAKE_CROSSCOMPILING)
   find_program(GHOSTFORCE_MOLD mold)
   if(GHOSTFORCE_MOLD)
     add_link_options(-fuse-ld=mold)

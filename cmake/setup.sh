@@ -127,11 +127,12 @@ configure_and_build() {
 
 # is_configured PRESET [-DNAME=VALUE...]: whether a tree has been configured with these values before.
 is_configured() {
-  local setting cache=$root/build/$1/CMakeCache.txt
-  [[ -e $root/build/$1/build.ninja && -e $cache ]] || return 1
+  local setting tree=$root/build/$1
+  [[ -e $tree/build.ninja && $tree/CMakeCache.txt -nt $root/CMakePresets.json ]] || return 1
   for setting in "${@:2}"; do
     setting=${setting#-D}
-    grep -q "^${setting%%=*}:[A-Z]*=${setting#*=}\$" "$cache" || return 1
+    grep -q "^${setting%%=*}:[A-Z]*=" "$tree/CMakeCache.txt" || return 1
+    sed "s/^\([^:]*\):[A-Z]*=/\1=/" "$tree/CMakeCache.txt" | grep -Fxq "$setting" || return 1
   done
 }
 
@@ -181,12 +182,18 @@ run_ninja() {
 # run_tests PRESET [ARGUMENTS of ctest]: programs as a whole; with -R or -E, which are about names, test by test. The last
 # line counts the tests, of which ctest sees none in a program that it runs as a whole.
 run_tests() {
-  local tree=$root/build/$1 status=0
+  local tree=$root/build/$1 status=0 log=$root/build/$1/Testing/Temporary/LastTest.log
   ( # its environment is its own
-    if [[ " ${*:2}" =~ \ (-[RE]|--tests-regex|--exclude-regex)( |=|$) ]]; then export GHOSTFORCE_TEST_BY_TEST=yes; fi
+    case " ${*:2} " in
+      *' --rerun-failed '*) ;;  # as the last time: those that failed are known by their numbers
+      *' -R'* | *' -E'* | *' --tests-regex'* | *' --exclude-regex'*) touch "$tree/test_by_test" ;;
+      *) rm -f "$tree/test_by_test" ;;
+    esac
+    [[ ! -e $tree/test_by_test ]] || export GHOSTFORCE_TEST_BY_TEST=yes
+    rm -f "$log"
     ctest --test-dir "$tree" --parallel "$((2 * $(nproc)))" --output-on-failure --no-tests=error "${@:2}"
   ) || status=$?
-  awk -f "$root/cmake/count_tests.awk" "$tree/Testing/Temporary/LastTest.log"
+  [[ ! -e $log ]] || awk -f "$root/cmake/count_tests.awk" "$log"
   return $status
 }
 

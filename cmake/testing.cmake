@@ -8,6 +8,7 @@
 # SUPPORT   files of tests/support without their ending; `program` also builds ghostforce
 # LABELS    tsan: threads meet in it, and .ci/run tests it under the thread sanitizer too
 #           asan: .ci/run tests it under the address sanitizer; .ci/long tests all programs so
+#           Both are one label of ctest, tsan+asan.
 # SECONDS   what one process of it takes, where that is more than two: the slowest start first
 # EACH      a process for each test in every case, because the process is what is tested
 # WAITS     for devices and other processes more than it computes: twice as many of these run side by side. So a test
@@ -22,10 +23,13 @@ include(GoogleTest)
 add_custom_target(tsan_tests COMMENT "The tests labelled tsan, without building the others")
 add_custom_target(asan_tests COMMENT "The tests labelled asan, without building the others")
 
-# What all tests include, compiled once.
-add_library(test_headers OBJECT ${PROJECT_SOURCE_DIR}/tests/support/places.cpp)
+# What all tests include, compiled once, and what all of them are linked with.
+add_library(test_headers OBJECT
+  ${PROJECT_SOURCE_DIR}/tests/support/left_as_found.cpp
+  ${PROJECT_SOURCE_DIR}/tests/support/places.cpp)
 set(test_options project_options project_warnings GTest::gtest glm::glm fmt::fmt Threads::Threads)
-set(test_compile_options $<$<CONFIG:Release>:-O1> $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
+set(test_compile_options $<$<CONFIG:Release>:-O1> $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>
+  $<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>)
 target_link_libraries(test_headers PRIVATE ${test_options})
 target_compile_options(test_headers PRIVATE ${test_compile_options})
 set_property(SOURCE ${PROJECT_SOURCE_DIR}/tests/support/places.cpp PROPERTY COMPILE_DEFINITIONS
@@ -71,7 +75,8 @@ function(ghostforce_add_test name)
     list(APPEND properties COST ${arg_SECONDS})
   endif()
   if(arg_LABELS)
-    list(APPEND properties LABELS "${arg_LABELS}")
+    list(JOIN arg_LABELS + label)  # one, as a list would fall apart below
+    list(APPEND properties LABELS ${label})
   endif()
 
   # PRE_TEST lists the tests when ctest starts, not after each link: a build stays a build.

@@ -29,8 +29,9 @@ void stop_if_interrupted();
 // Negative: there is none, and poll(2) passes over it.
 int interruption_descriptor() noexcept;
 
-// Wait until it can be read or written, or its other end has gone. They throw as above where an interruption, however
-// early it came, leaves nothing else to wait for. Any thread.
+// Wait until it can be read or written, or its other end has gone. What is there already is still taken: an interruption
+// ends a wait, not the reading of what keeps coming. They throw as above where an interruption, however early it came,
+// leaves nothing else to wait for. Any thread.
 void wait_to_read(int descriptor);
 void wait_to_write(int descriptor);
 

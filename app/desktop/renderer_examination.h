@@ -1,6 +1,6 @@
 // Which renderers this machine has. Each is tried in a process of its own, so that a driver that crashes or hangs does no
-// harm, and nothing of it stays. Takes some 50 ms each. Throws Failure(interrupted) only. While there is one thread
-// only.
+// harm, and nothing of it stays. Takes some 50 ms each. Throws nothing but Failure(interrupted). Call it
+// while there is one thread.
 #pragma once
 
 #include <string>

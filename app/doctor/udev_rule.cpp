@@ -76,7 +76,7 @@ int run_and_wait(const std::string& program, Words words) {
   while ((ended = waitpid(child, &status, WNOHANG)) == 0 && (!interrupted() || glances_left-- > 0)) {
     poll(nullptr, 0, glance_ms);
   }
-  stop_if_interrupted();
+  if (ended != child) stop_if_interrupted();
   return ended == child && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 

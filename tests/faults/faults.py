@@ -21,6 +21,7 @@ import subprocess
 import sys
 import time
 import tomllib
+import zlib
 
 root = pathlib.Path(__file__).resolve().parents[2]
 COSTS = "CTestCostData.txt"  # of ctest: how long each test took, and after a line --- the names of those that failed
@@ -73,13 +74,18 @@ def build(copy):
         sys.exit("\n".join(errors[:10] + [f"The tree with the faults could not be built. All of it is in {log}."]))
 
 
+def slots(copy):
+    """Of ctest: two for each processor where most tests count as two, as run_tests has it in cmake/setup.sh."""
+    return len(os.sched_getaffinity(0)) * (2 if (copy / "cmake/count_tests.awk").exists() else 1)
+
+
 def run_tests(copy, number, first=(), limit=None):
     """Returns what has found the fault, empty if nothing has, and how long it took [s]."""
     results, status = copy / "build/release/Testing/Temporary", None
     shutil.rmtree(results, ignore_errors=True)
     os.makedirs(results)
     (results / COSTS).write_text("\n".join(["---", *first, ""]))  # as if these had failed: ctest begins with them
-    words = ["ctest", "--test-dir", copy / "build/release", "--parallel", str(len(os.sched_getaffinity(0))),
+    words = ["ctest", "--test-dir", copy / "build/release", "--parallel", str(slots(copy)),
              "--stop-on-failure", "--no-tests=error"]
     began = time.monotonic()
     with subprocess.Popen(words, env={**os.environ, "GHOSTFORCE_FAULT": number}, stdin=subprocess.DEVNULL,
@@ -123,7 +129,7 @@ def main():
     wanted = options.only.split(",") if options.only else [str(fault["number"]) for fault in faults]
     if unknown := set(wanted) - {str(fault["number"]) for fault in faults}:
         sys.exit(f"There is no fault {', '.join(sorted(unknown))}; the list has 1 to {len(faults)}.")
-    copy = root / "build" / f"faults-{tree.name}"
+    copy = root / "build" / f"faults-{tree.name}-{zlib.crc32(bytes(tree)):08x}"
     if not options.no_build:
         print(f"Building {copy}", flush=True)
         put_into(tree, copy, faults)

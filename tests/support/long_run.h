@@ -1,5 +1,5 @@
-// Whether tests may take hours: .ci/long says so. Else what is tried ten million times is tried a million times, and a
-// sanitizer sees ten of the stored pictures.
+// With GHOSTFORCE_LONG in the environment (.ci/long) some tests run in full: ten million ticks instead of one million, and
+// all stored pictures under a sanitizer instead of ten.
 #pragma once
 
 #include <cstdlib>
