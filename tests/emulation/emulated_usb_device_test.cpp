@@ -5,6 +5,7 @@
 #include <fcntl.h>
 #include <linux/usbdevice_fs.h>
 #include <sys/ioctl.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -119,6 +120,21 @@ TEST(UsbFault, HasOneNameEachAndDoesSomething) {
     EXPECT_TRUE(kind.sentence.ends_with('.')) << kind.name;
   }
   EXPECT_THROW(usb_fault("nonsense"), std::invalid_argument);
+}
+
+// As a program leaves it that ends, or opens its device anew, in the moment in which it is told of a device.
+TEST(TestBedTest, AListenerThatHasJustGoneIsToldNothing) {
+  const TestBed bed;
+  std::array<int, 2> ends{};
+  ASSERT_EQ(socketpair(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0, ends.data()), 0);
+  ::close(ends[1]);
+  std::string words = "add";
+  iovec piece{words.data(), words.size()};
+  msghdr message{};
+  message.msg_iov = &piece;
+  message.msg_iovlen = 1;
+  EXPECT_EQ(sendmsg(ends[0], &message, 0), 3) << "umockdev would abort";
+  ::close(ends[0]);
 }
 
 TEST_F(EmulatedUsbDeviceTest, OneTransferFailsAndTheNextIsWell) {
