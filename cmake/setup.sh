@@ -128,11 +128,9 @@ configure_and_build() {
 # is_configured PRESET [-DNAME=VALUE...]: whether a tree has been configured with these values before.
 is_configured() {
   local setting tree=$root/build/$1
-  [[ -e $tree/build.ninja && $tree/CMakeCache.txt -nt $root/CMakePresets.json ]] || return 1
+  [[ $tree/build.ninja -nt $root/CMakePresets.json ]] || return 1  # which CMake does not look at by itself
   for setting in "${@:2}"; do
-    setting=${setting#-D}
-    grep -q "^${setting%%=*}:[A-Z]*=" "$tree/CMakeCache.txt" || return 1
-    sed "s/^\([^:]*\):[A-Z]*=/\1=/" "$tree/CMakeCache.txt" | grep -Fxq "$setting" || return 1
+    grep -Fxq -e "${setting#-D}" <(sed 's/^\([^:]*\):[A-Z]*=/\1=/' "$tree/CMakeCache.txt") || return 1
   done
 }
 
