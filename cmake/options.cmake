@@ -57,7 +57,9 @@ target_compile_options(project_options INTERFACE
   # Fused multiply-adds round differently from machine to machine; without them results and pictures are the same.
   -ffp-contract=off
   # Nothing reads errno after a maths function; std::sqrt becomes one instruction. Results do not change.
-  -fno-math-errno)
+  -fno-math-errno
+  # g++ collects its garbage from half a gigabyte on instead of an eighth: a tenth of its time.
+  $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=524288>)
 
 if(EMSCRIPTEN)
   # Of all code: exceptions as the browser has them. Small first, for the page is sent by mail.
@@ -80,8 +82,4 @@ target_compile_options(project_warnings INTERFACE
   $<$<CXX_COMPILER_ID:GNU>:-Wdouble-promotion>
   # g++ takes the sanitizers' own bookkeeping for uses of uninitialised values; its manual says so.
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${GHOSTFORCE_SANITIZE}>>:-Wno-maybe-uninitialized>
-  # In sources that are compiled together a name of one seems to be shadowed in the next, and g++ takes them for headers.
-  # Where each is compiled by itself, clang warns of what is shadowed.
-  "$<$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>:-Wno-shadow>"
-  "$<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>:-Wno-subobject-linkage>"
   $<$<BOOL:${GHOSTFORCE_WARNINGS_AS_ERRORS}>:-Werror>)

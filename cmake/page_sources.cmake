@@ -57,5 +57,3 @@ target_compile_definitions(imgui_sources PUBLIC
   IMGUI_DISABLE_DEMO_WINDOWS IMGUI_DISABLE_DEBUG_TOOLS IMGUI_DISABLE_DEFAULT_FONT
   PRIVATE IMGUI_IMPL_OPENGL_ES3)
 add_library(ghostforce::gui ALIAS imgui_sources)
-
-set_property(TARGET imgui_sources PROPERTY UNITY_BUILD OFF)

@@ -1,13 +1,11 @@
-# ghostforce_add_room([SEPARATE] [SOURCES file...] [DESKTOP file...] [PAGE file...])
+# ghostforce_add_room([SEPARATE] [COLD] [SOURCES file...] [DESKTOP file...] [PAGE file...])
 #
 # One folder as one CMake library, named after it: app/ui/plots is app_ui_plots. What it links is its line of rooms.txt,
 # so that each folder can be built and tested by itself. That it includes no more is kept by the architecture test, which
 # reads the same lines: links hand on, and what is inline needs none.
 #
-# Presets with CMAKE_UNITY_BUILD compile all sources of a room as one, so that headers are read once for all of them:
-# less than half the processor time. So names must differ within a room, in unnamed namespaces too. The preset clang sees
-# that each source can be compiled by itself, and dev is the quicker one after a change of one source. SEPARATE: each by
-# itself in every preset.
+# Its sources are one batch (batches.cmake). SEPARATE: each is compiled by itself in every preset. COLD: what runs once a
+# command or a click, and not in every frame or tick, is optimised less and compiled a third faster.
 #
 # The program has two fronts, a desktop and a page in a browser. DESKTOP sources are compiled for the one only, PAGE
 # sources for the other. Where both stand behind one header, x.h, the desktop's is x.cpp and the page's is x_page.cpp.
@@ -77,7 +75,7 @@ function(room_links folder result)
 endfunction()
 
 function(ghostforce_add_room)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "SEPARATE" "" "SOURCES;DESKTOP;PAGE")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "SEPARATE;COLD" "" "SOURCES;DESKTOP;PAGE")
   cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE folder)
   room_library(${folder} name)
   room_links(${folder} links)
@@ -86,10 +84,14 @@ function(ghostforce_add_room)
   else()
     set(own ${arg_DESKTOP})
   endif()
-  add_library(${name} STATIC ${arg_SOURCES} ${own})
-  target_link_libraries(${name} PUBLIC ${links} project_options PRIVATE project_warnings)
-  set_property(TARGET ${name} PROPERTY UNITY_BUILD_BATCH_SIZE 0)  # no limit
-  if(arg_SEPARATE)
-    set_property(TARGET ${name} PROPERTY UNITY_BUILD OFF)
+  set(sources ${arg_SOURCES} ${own})
+  if(NOT arg_SEPARATE)
+    list(LENGTH sources size)
+    ghostforce_batches(sources ${name} ${size} ${sources})
+  endif()
+  add_library(${name} STATIC ${sources})
+  target_link_libraries(${name} PUBLIC ${links} project_options PRIVATE project_warnings batch_warnings)
+  if(arg_COLD)
+    target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
   endif()
 endfunction()

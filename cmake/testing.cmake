@@ -15,8 +15,8 @@
 #           counts as two of ctest's processors, one that waits as one, and run_tests (setup.sh) gives two for each core.
 # SERIAL    nothing else runs beside it
 #
-# Where CMAKE_UNITY_BUILD is on, sources are compiled a few at a time, so that headers are read once for all of them:
-# each has a namespace of its own, named after it. Tests are compiled with little optimisation; what they test is not.
+# Sources are compiled eight at a time (batches.cmake), and each has a namespace of its own, named after it. Tests are
+# compiled with little optimisation; what they test is not.
 
 include(GoogleTest)
 
@@ -27,7 +27,7 @@ add_custom_target(asan_tests COMMENT "The tests labelled asan, without building 
 add_library(test_headers OBJECT
   ${PROJECT_SOURCE_DIR}/tests/support/left_as_found.cpp
   ${PROJECT_SOURCE_DIR}/tests/support/places.cpp)
-set(test_options project_options project_warnings GTest::gtest glm::glm fmt::fmt Threads::Threads)
+set(test_options project_options project_warnings batch_warnings GTest::gtest glm::glm fmt::fmt Threads::Threads)
 set(test_compile_options $<$<CONFIG:Release>:-O1> $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>
   $<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>)
 target_link_libraries(test_headers PRIVATE ${test_options})
@@ -49,8 +49,8 @@ function(ghostforce_add_test name)
   if(NOT arg_SOURCES OR arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "ghostforce_add_test(${name}): want SOURCES; got \"${ARGV}\"")
   endif()
-  add_executable(${name} ${arg_SOURCES})
-  set_property(TARGET ${name} PROPERTY UNITY_BUILD_BATCH_SIZE 8)
+  ghostforce_batches(sources ${name} 8 ${arg_SOURCES})
+  add_executable(${name} ${sources})
   target_precompile_headers(${name} REUSE_FROM test_headers)
   target_compile_options(${name} PRIVATE ${test_compile_options})
   list(TRANSFORM arg_SUPPORT PREPEND test_ OUTPUT_VARIABLE support)
