@@ -1,12 +1,21 @@
 #include "device/spacemouse_hid/hid_spacemouse_input.h"
 
+#include <array>
 #include <cerrno>
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
 #include <memory>
 #include <mutex>
 #include <span>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <system_error>
 
 #include <fcntl.h>
 #include <hidapi.h>
@@ -25,25 +34,59 @@ using Trouble = SpaceMouseReading::Trouble;
 constexpr std::chrono::milliseconds search_interval{500};
 constexpr int read_timeout_ms = 20;  // and so long may the destructor wait
 
-bool is_spacemouse_entry(const hid_device_info& info) noexcept {
-  return is_spacemouse({info.vendor_id, info.product_id, info.usage_page, info.usage});
-}
-
 struct CloseDevice {
   void operator()(hid_device* device) const noexcept { hid_close(device); }
 };
 using Device = std::unique_ptr<hid_device, CloseDevice>;
 
-struct FreeList {
-  void operator()(hid_device_info* list) const noexcept { hid_free_enumeration(list); }
+// The kernel's list of devices is read here: hidapi's (0.13) ends the program where one is unplugged while it looks.
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();  // what cannot be read is empty
+  return text.str();
+}
+
+// What stands after NAME= in the kernel's description of a device; empty if it is not there, or the device no longer is.
+std::string value_of(const std::string& uevent, const std::string& name) {
+  std::istringstream lines(uevent);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with(name + '=')) return line.substr(name.size() + 1);
+  }
+  return {};
+}
+
+// What the kernel tells of a device; nothing where that has just been unplugged.
+struct ListedDevice {
+  HidIdentity identity;
+  std::string name;
 };
 
-std::array<char, 64> narrow(const wchar_t* text) noexcept {
-  std::array<char, 64> name{};
-  for (std::size_t i = 0; text != nullptr && text[i] != L'\0' && i + 1 < name.size(); ++i) {
-    name[i] = text[i] > 0 && text[i] < 128 ? static_cast<char>(text[i]) : '?';
+ListedDevice describe(const std::filesystem::path& entry) {
+  const std::string uevent = text_of(entry / "device/uevent");
+  const std::string descriptor = text_of(entry / "device/report_descriptor");
+  unsigned bus = 0;
+  unsigned vendor = 0;
+  unsigned product = 0;
+  if (std::sscanf(value_of(uevent, "HID_ID").c_str(), "%x:%x:%x", &bus, &vendor, &product) != 3) return {};
+  ListedDevice device;
+  device.name = value_of(uevent, "HID_NAME");
+  device.identity.vendor = static_cast<std::uint16_t>(vendor);
+  device.identity.product = static_cast<std::uint16_t>(product);
+  if (descriptor.empty()) return device;
+  device.identity.usage_page = desktop_usage_page;
+  // Usage page (desktop), usage (multi-axis controller), collection: what the reports of a SpaceMouse are a part of.
+  constexpr std::string_view multi_axis_collection("\x05\x01\x09\x08\xA1");
+  if (descriptor.find(multi_axis_collection) != std::string::npos) device.identity.usage = multi_axis_controller_usage;
+  return device;
+}
+
+std::array<char, 64> shown_name(const std::string& name) noexcept {
+  std::array<char, 64> shown{};
+  for (std::size_t i = 0; i < name.size() && i + 1 < shown.size(); ++i) {
+    shown[i] = name[i] > 0 ? name[i] : '?';  // ASCII
   }
-  return name;
+  return shown;
 }
 
 // hidapi does not tell why it could not open one.
@@ -57,12 +100,15 @@ Trouble why_not(const char* path) noexcept {
 // The first that can be opened; the reading tells which one it is, or what is in the way.
 Device search(SpaceMouseReading& reading) {
   reading.trouble = Trouble::absent;
-  const std::unique_ptr<hid_device_info, FreeList> list(hid_enumerate(0, 0));
-  for (const hid_device_info* info = list.get(); info != nullptr; info = info->next) {
-    if (!is_spacemouse_entry(*info)) continue;
-    reading.name = narrow(info->product_string);
-    Device device(hid_open_path(info->path));
-    reading.trouble = device ? Trouble::none : why_not(info->path);
+  std::error_code none;  // a kernel without such devices has no list
+  for (std::filesystem::directory_iterator entry("/sys/class/hidraw", none), end; !none && entry != end;
+       entry.increment(none)) {
+    const ListedDevice listed = describe(entry->path());
+    if (!is_spacemouse(listed.identity)) continue;
+    const std::filesystem::path file = "/dev" / entry->path().filename();
+    reading.name = shown_name(listed.name);
+    Device device(hid_open_path(file.c_str()));
+    reading.trouble = device ? Trouble::none : why_not(file.c_str());
     if (device) return device;
   }
   return {};

@@ -127,6 +127,11 @@ void EmulatedHidDevice::unplug() {
   for (auto path = syspaths_.rbegin(); path != syspaths_.rend(); ++path) bed_.remove(*path);
 }
 
+void EmulatedHidDevice::forget_what_it_is() {
+  bed_.make_unreadable("/sys" + syspaths_[2] + "/uevent");
+  bed_.make_unreadable("/sys" + syspaths_[2] + "/report_descriptor");
+}
+
 void EmulatedHidDevice::send(std::vector<std::uint8_t> report) {
   const std::lock_guard lock(mutex_);
   if (!is_plugged_) return;

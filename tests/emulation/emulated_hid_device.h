@@ -26,6 +26,9 @@ class EmulatedHidDevice {
   void unplug();
   void set_mode(mode_t mode) { bed_.set_mode(file_.path, mode); }
 
+  // What a program finds that looks while the device is unplugged: still listed, and no file there can be read.
+  void forget_what_it_is();
+
   // Nobody reads it: it waits, as in the kernel.
   void send(std::vector<std::uint8_t> report);
 

@@ -440,7 +440,7 @@ TEST_F(FtdiLinkTest, SendsFromTheHandlerOfADyingProgram) {
   falcon.plug();
   const Outcome outcome = run_program(DYING_PROGRAM, std::vector<std::string>{});
   EXPECT_EQ(outcome.exit_code, 128 + SIGABRT) << outcome.err;
-  EXPECT_TRUE(chip.wait_for_bytes(16, std::chrono::seconds(3)));
+  EXPECT_TRUE(chip.wait_for_bytes(16, std::chrono::minutes(2)));
   const std::string text = "<AAAAAAAAAAAAAA>";
   EXPECT_EQ(chip.received(), Bytes(text.begin(), text.end()));
   // And it has let go of the device.

@@ -57,6 +57,11 @@ void TestBed::remove_name(const std::string& path) {
   unlink((root_ + "/ioctl" + path).c_str());
 }
 
+void TestBed::make_unreadable(const std::string& path) {
+  std::filesystem::remove(root_ + path);
+  std::filesystem::create_directory(root_ + path);  // no mode keeps root from reading
+}
+
 void TestBed::set_mode(const std::string& path, mode_t mode) {
   if (chmod((root_ + path).c_str(), mode) != 0) throw std::runtime_error("cannot change the mode of " + path);
 }

@@ -40,6 +40,7 @@ class TestBed {
   // The name goes; whoever has it open still does.
   void remove_name(const std::string& path);
   void set_mode(const std::string& path, mode_t mode);
+  void make_unreadable(const std::string& path);
 
   // In umockdev's language, one device per paragraph; programs are told of each.
   void add(const std::string& description);

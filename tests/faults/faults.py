@@ -75,8 +75,8 @@ def build(copy):
 
 
 def slots(copy):
-    """Of ctest: two for each processor where most tests count as two, as run_tests has it in cmake/setup.sh."""
-    return len(os.sched_getaffinity(0)) * (2 if (copy / "cmake/count_tests.awk").exists() else 1)
+    """Of ctest: three for each processor where most tests count as two, as run_tests has it in cmake/setup.sh."""
+    return len(os.sched_getaffinity(0)) * (3 if (copy / "cmake/count_tests.awk").exists() else 1)
 
 
 def run_tests(copy, number, first=(), limit=None):
