@@ -92,7 +92,7 @@ and start this again."
 use_ccache() {
   command -v ccache >/dev/null || return 0
   export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
-  export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=yes CCACHE_SLOPPINESS=pch_defines,time_macros
+  export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=yes CCACHE_DEPEND=yes CCACHE_SLOPPINESS=pch_defines,time_macros
 }
 
 # build PRESET TARGET [-DNAME=VALUE...]: builds, in at most one process at a time. Configures, with these values, only

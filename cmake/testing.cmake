@@ -16,8 +16,7 @@
 #           core: those that compute wait now and then too.
 # SERIAL    nothing else runs beside it
 #
-# Sources are compiled eight at a time (batches.cmake), and each has a namespace of its own, named after it. Tests are
-# compiled with little optimisation; what they test is not.
+# Sources are compiled eight at a time (batches.cmake), and each has a namespace of its own, named after it.
 
 include(GoogleTest)
 
@@ -29,7 +28,7 @@ add_library(test_headers OBJECT
   ${PROJECT_SOURCE_DIR}/tests/support/left_as_found.cpp
   ${PROJECT_SOURCE_DIR}/tests/support/places.cpp)
 set(test_options project_options project_warnings batch_warnings GTest::gtest glm::glm fmt::fmt Threads::Threads)
-set(test_compile_options $<$<CONFIG:Release>:-O1> $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>
+set(test_compile_options $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>
   $<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>)
 target_link_libraries(test_headers PRIVATE ${test_options})
 target_compile_options(test_headers PRIVATE ${test_compile_options})
@@ -45,6 +44,11 @@ foreach(support IN ITEMS animated_png_reader before_waiting call_guard display f
   target_link_libraries(test_${support} PRIVATE ${test_options})
 endforeach()
 
+# The target starts that program. Only its linking waits for it.
+function(ghostforce_starts target program)
+  set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS $<TARGET_FILE:${program}>)
+endfunction()
+
 function(ghostforce_add_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "EACH;SERIAL;WAITS" "SHARDS;SECONDS" "SOURCES;SUPPORT;LIBRARIES;LABELS;LAUNCHER")
   if(NOT arg_SOURCES OR arg_UNPARSED_ARGUMENTS)
@@ -57,7 +61,7 @@ function(ghostforce_add_test name)
   list(TRANSFORM arg_SUPPORT PREPEND test_ OUTPUT_VARIABLE support)
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} ${support} test_headers GTest::gtest_main ${test_options})
   if(program IN_LIST arg_SUPPORT)
-    add_dependencies(${name} ghostforce)
+    ghostforce_starts(${name} ghostforce)
   endif()
   foreach(label IN LISTS arg_LABELS)
     add_dependencies(${label}_tests ${name})
