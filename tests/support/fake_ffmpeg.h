@@ -26,8 +26,7 @@ class FakeFfmpeg {
   static constexpr const char* never_reads = "exec /bin/sleep 1000\n";
   static constexpr const char* never_ends = "/bin/cat > \"$file\"\nexec /bin/sleep 1000\n";
 
-  FakeFfmpeg() : path_before_(getenv("PATH")) { setenv("PATH", folder_.path().c_str(), 1); }
-  ~FakeFfmpeg() { setenv("PATH", path_before_.c_str(), 1); }
+  FakeFfmpeg() { setenv("PATH", folder_.path().c_str(), 1); }
   FakeFfmpeg(const FakeFfmpeg&) = delete;
   FakeFfmpeg& operator=(const FakeFfmpeg&) = delete;
 
@@ -42,7 +41,6 @@ class FakeFfmpeg {
 
  private:
   TemporaryFolder folder_;
-  std::string path_before_;
 };
 
 }  // namespace ghostforce

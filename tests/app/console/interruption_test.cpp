@@ -16,6 +16,7 @@
 #include "app/console/interruption.h"
 #include "app/console/words.h"
 #include "tests/support/before_waiting.h"
+#include "tests/support/exit_code_of.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce::interruption_test {
@@ -46,12 +47,7 @@ const auto interrupt_itself = [] { std::raise(SIGINT); };
 [[noreturn]] void run(const std::function<void()>& work, const std::function<void()>& before_it_waits) {
   remember_interruptions([]() noexcept { ++stops; });
   before_waiting(before_it_waits);
-  try {
-    work();
-  } catch (const Failure& failure) {
-    std::exit(static_cast<int>(failure.code()));
-  }
-  std::exit(0);
+  std::exit(exit_code_of(work));
 }
 
 const testing::ExitedWithCode interrupted_exit(static_cast<int>(ExitCode::interrupted));

@@ -17,6 +17,7 @@
 #include "device/falcon/emergency_stop.h"
 #include "tests/app/doctor/measured_rehearsal.h"
 #include "tests/support/before_waiting.h"
+#include "tests/support/exit_code_of.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce::interrupted_measurement_test {
@@ -26,15 +27,6 @@ namespace {
 void give_nothing_to_read() {
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0 || dup2(ends[0], STDIN_FILENO) < 0) std::abort();
-}
-
-int exit_code_of(const std::function<void()>& measure) {
-  try {
-    measure();
-  } catch (const Failure& failure) {
-    return static_cast<int>(failure.code());
-  }
-  return 0;
 }
 
 // Nothing should have left motors on at a prompt. If something has, they go off all the same.

@@ -21,8 +21,7 @@ std::string some_png() {
 
 class ClipboardToolTest : public testing::Test {
  protected:
-  ClipboardToolTest() : path_before_(getenv("PATH")) { setenv("PATH", folder_.path().c_str(), 1); }
-  ~ClipboardToolTest() override { setenv("PATH", path_before_.c_str(), 1); }
+  ClipboardToolTest() { setenv("PATH", folder_.path().c_str(), 1); }
 
   void make_tool(const std::string& name, const std::string& script) {
     write_whole(folder_ / name, "#!/bin/sh\n" + script);
@@ -38,7 +37,6 @@ class ClipboardToolTest : public testing::Test {
   }
 
   TemporaryFolder folder_;
-  std::string path_before_;
   ClipboardTool tool_;
 };
 

@@ -16,6 +16,7 @@
 #include "app/files/input_file.h"
 #include "app/files/output_file.h"
 #include "tests/support/before_waiting.h"
+#include "tests/support/exit_code_of.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce::interrupted_files_test {
@@ -24,12 +25,7 @@ namespace {
 [[noreturn]] void interrupt_before_waiting(const std::function<void()>& work) {
   remember_interruptions([]() noexcept {});
   before_waiting([] { std::raise(SIGTERM); });
-  try {
-    work();
-  } catch (const Failure& failure) {
-    std::exit(static_cast<int>(failure.code()));
-  }
-  std::exit(0);
+  std::exit(exit_code_of(work));
 }
 
 const testing::ExitedWithCode interrupted_exit(static_cast<int>(ExitCode::interrupted));
