@@ -2,6 +2,7 @@
 // ahead of all that waits, or it is still owed when the device listens again.
 #include "device/falcon_usb/ftdi_link.h"
 
+#include <cerrno>
 #include <functional>
 #include <vector>
 
@@ -59,6 +60,23 @@ TEST_F(FtdiLinkFaultsTest, ClearsTheHaltsThatItFinds) {
     EXPECT_EQ(link.fault(), LinkFault::none) << name;
     link.close();
   }
+}
+
+TEST_F(FtdiLinkFaultsTest, ACommandThatFailsIsSentTwiceMore) {
+  open();
+  UsbFault errors;
+  errors.out.error = EPROTO;
+  errors.out.failures = 2;
+  falcon.inject(errors);
+  ASSERT_TRUE(link.write(Bytes{1}));
+  ASSERT_TRUE(wait_until_sent());
+  EXPECT_EQ(chip.received(), (Bytes{1}));
+  EXPECT_EQ(link.fault(), LinkFault::none);
+  errors.out.failures = 3;
+  falcon.inject(errors);
+  ASSERT_TRUE(link.write(Bytes{2}));
+  EXPECT_TRUE(wait_for([this] { return link.fault() == LinkFault::broken; }));
+  EXPECT_EQ(chip.received(), (Bytes{1}));
 }
 
 TEST_F(FtdiLinkFaultsTest, AStopTakesThePlaceOfWhatWaits) {

@@ -109,10 +109,16 @@ def run_tests(copy, number, first=(), limit=None):
     return f"{finders} ({test[1]})" if test else finders, seconds
 
 
-def quick_tests(copy):
-    """By the run before: a fault that one of them finds need not wait for those that take minutes."""
+def seconds_of_tests(copy):
+    """Of each test, by the run before."""
     costs = (copy / "build/release/Testing/Temporary" / COSTS).read_text().partition("---")[0]
-    return [line.split()[0] for line in costs.splitlines() if float(line.split()[-1]) < 15.0]
+    return {line.split()[0]: float(line.split()[-1]) for line in costs.splitlines()}
+
+
+def likely_finders(seconds, fault):
+    """Those of its folder, and quick ones: a fault that one of them finds need not wait for those that take minutes."""
+    folder = os.path.dirname(fault["file"]).replace("/", "_") + "_"
+    return [name for name in seconds if name.startswith(folder) or seconds[name] < 5.0]
 
 
 def main():
@@ -140,14 +146,14 @@ def main():
     if problem:
         sys.exit(f"Without any fault the tests fail, and so they can find none: {problem}.")
     print(f"No fault: all tests pass, {seconds:.0f} s", flush=True)
-    first, limit = quick_tests(copy), options.limit or 3 * seconds
+    seconds_of, limit = seconds_of_tests(copy), options.limit or 3 * seconds
     found = tried = 0
     for fault in (fault for fault in faults if str(fault["number"]) in wanted):
         name = f"{fault['number']:2}  {fault['file']}"
         if not is_in(tree, fault):
             print(f"{name}  is left out: the file does not have its text once")
             continue
-        finders, seconds = run_tests(copy, str(fault["number"]), first, limit)
+        finders, seconds = run_tests(copy, str(fault["number"]), likely_finders(seconds_of, fault), limit)
         tried, found = tried + 1, found + bool(finders)
         print(f"{name}  {f'found by {finders}' if finders else 'NOT FOUND'}, {seconds:.0f} s", flush=True)
     print(f"{found} of {tried} found")

@@ -19,8 +19,9 @@ TEST(CsvTable, QuotesWhatWouldBeTakenForSomethingElse) {
                        {"a", "b"},
                        {{std::string("#1"), std::string("x, y")},
                         {std::string("say \"no\""), std::string(" ")},
-                        {std::string("1\r\n2"), std::string("#")}}};
-  EXPECT_EQ(csv_text(table), "a,b\n\"#1\",\"x, y\"\n\"say \"\"no\"\"\",\" \"\n1  2,#\n");
+                        {std::string("1\r\n2"), std::string("#")},
+                        {std::string(" before"), std::string("behind ")}}};
+  EXPECT_EQ(csv_text(table), "a,b\n\"#1\",\"x, y\"\n\"say \"\"no\"\"\",\" \"\n1  2,#\n\" before\",\"behind \"\n");
 }
 
 TEST(CsvTable, HasNumbersInTheShortestFormThatReadsBackWhateverTheLocale) {

@@ -29,6 +29,12 @@ TEST(SceneHandKeys, ReadsTheHandThatIsNotStill) {
   EXPECT_EQ(scene.settings.encoder_step, 0.06 / 1000.0);
 }
 
+TEST(SceneHandKeys, ATremorMayHaveOneFrequency) {
+  const Scene scene =
+      read_scene(scene_with("k_u_N_per_m = 100.0\n", "k_u_N_per_m = 100.0\ntremor_hz = [8, 8]\n"), "f.toml");
+  EXPECT_EQ(scene.unrest.tremor_hz, (NumberRange{8.0, 8.0}));
+}
+
 class SceneHandKeysRefuse : public testing::TestWithParam<BadFile> {};
 
 TEST_P(SceneHandKeysRefuse, WithPlaceAndWords) {
