@@ -3,7 +3,8 @@
 # What a target NAME compiles of these sources. With GHOSTFORCE_BATCHES it is files that include up to SIZE sources each,
 # so that headers are read once for all of them: less than half the processor time. Names must then differ within a batch,
 # in unnamed namespaces too. The preset clang sees that each source can be compiled by itself, and dev is the quicker one
-# after a change of one source. A source with the property ALONE is in no batch.
+# after a change of one source. A source with COMPILE_OPTIONS of its own, or with the property ALONE, is in no batch; say
+# so before the call.
 #
 # CMake's own UNITY_BUILD names sources by absolute paths, so that ccache finds nothing again in another folder.
 
@@ -15,7 +16,8 @@ function(ghostforce_batches result name size)
   if(GHOSTFORCE_BATCHES)
     foreach(source IN LISTS ARGN)
       get_property(alone SOURCE ${source} PROPERTY ALONE)
-      if(alone)
+      get_property(options SOURCE ${source} PROPERTY COMPILE_OPTIONS)
+      if(alone OR options)
         list(REMOVE_ITEM sources ${source})
         list(APPEND compiled ${source})
       endif()

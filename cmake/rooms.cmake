@@ -4,8 +4,8 @@
 # so that each folder can be built and tested by itself. That it includes no more is kept by the architecture test, which
 # reads the same lines: links hand on, and what is inline needs none.
 #
-# Its sources are one batch (batches.cmake). SEPARATE: each is compiled by itself in every preset. COLD: what runs once a
-# command or a click, and not in every frame or tick, is optimised less and compiled a third faster.
+# Its sources are one batch (batches.cmake). SEPARATE: each is compiled by itself in every preset. COLD: where no frame
+# and no tick spends time worth measuring, it is optimised less and compiled a third faster.
 #
 # The program has two fronts, a desktop and a page in a browser. DESKTOP sources are compiled for the one only, PAGE
 # sources for the other. Where both stand behind one header, x.h, the desktop's is x.cpp and the page's is x_page.cpp.

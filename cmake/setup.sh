@@ -88,7 +88,8 @@ and start this again."
 # ---- Build -----------------------------------------------------------------------------------------------------------
 
 # What was compiled once is not compiled again, in whichever folder the checkout lies: the cache is outside it, paths count
-# from the checkout on, and precompiled headers are known by what is in them.
+# from the checkout on, and precompiled headers are known by what is in them. What a source includes the compiler itself
+# says (depend), so that none is preprocessed only to be looked up.
 use_ccache() {
   command -v ccache >/dev/null || return 0
   export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
@@ -140,8 +141,9 @@ configure() {
   say "Configuring $preset"
   if is_foreign "$tree"; then
     rm -rf "$tree"
-  elif [[ -e $tree/CMakeCache.txt ]]; then
-    logged "$preset" cmake -S "$root" --preset "$@" && return  # else the cache may be what is in the way
+  elif [[ -e $tree/CMakeCache.txt && $tree/build.ninja -nt $root/CMakePresets.json ]]; then
+    # Else its cache may be what is in the way: it keeps what is no longer in the presets.
+    logged "$preset" cmake -S "$root" --preset "$@" && return
   fi
   logged "$preset" cmake -S "$root" --fresh --preset "$@" || fail_with "$preset" "The build could not be configured."
 }

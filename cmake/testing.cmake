@@ -44,7 +44,7 @@ foreach(support IN ITEMS animated_png_reader before_waiting call_guard display f
   target_link_libraries(test_${support} PRIVATE ${test_options})
 endforeach()
 
-# The target starts that program. Only its linking waits for it.
+# The target starts that program: it is linked after it, and compiled whenever there is time.
 function(ghostforce_starts target program)
   set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS $<TARGET_FILE:${program}>)
 endfunction()

@@ -1,9 +1,9 @@
 // Which HID devices are a SpaceMouse, by what a system or a browser tells of them. Pure values, any thread.
 #pragma once
 
-#include <algorithm>
-#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 namespace ghostforce {
 
@@ -13,26 +13,44 @@ inline constexpr std::uint16_t connexion_vendor = 0x256F;
 inline constexpr std::uint16_t desktop_usage_page = 1;
 inline constexpr std::uint16_t multi_axis_controller_usage = 8;
 
-struct HidIdentity {
-  std::uint16_t vendor = 0;
-  std::uint16_t product = 0;
-  std::uint16_t usage_page = 0;  // 0: the system does not tell what the device is used for
-  std::uint16_t usage = 0;
-};
-
-// One device shows several of these identities: a receiver, for instance, is a keyboard too.
-constexpr bool is_spacemouse(const HidIdentity& identity) noexcept {
-  constexpr std::array<std::uint16_t, 11> logitech_products{0xC603, 0xC605, 0xC606, 0xC621, 0xC623, 0xC625,
-                                                            0xC626, 0xC627, 0xC628, 0xC629, 0xC62B};
-  constexpr std::array<std::uint16_t, 8> connexion_products{0xC62E, 0xC62F, 0xC631, 0xC632,
-                                                            0xC633, 0xC635, 0xC636, 0xC652};
-  if (identity.vendor != logitech_vendor && identity.vendor != connexion_vendor) return false;
-  if (identity.usage_page != 0) {
-    return identity.usage_page == desktop_usage_page && identity.usage == multi_axis_controller_usage;
+// Whether some of the device's reports are those of a multi-axis controller: its report descriptor (Device Class
+// Definition for HID 1.11, 6.2.2) has a collection of that usage. False where the descriptor breaks off before it.
+constexpr bool has_multi_axis_collection(std::string_view descriptor) noexcept {
+  unsigned page = 0;
+  unsigned usage = 0;
+  while (!descriptor.empty()) {
+    const unsigned prefix = static_cast<unsigned char>(descriptor[0]);
+    const std::size_t size = (prefix & 3U) == 3U ? 4 : prefix & 3U;
+    if (descriptor.size() <= size) return false;
+    unsigned value = 0;  // the low byte is the first
+    for (std::size_t i = size; i > 0; --i) value = value << 8U | static_cast<unsigned char>(descriptor[i]);
+    switch (prefix & 0xFCU) {
+      case 0x04:
+        page = value;
+        break;
+      case 0x08:
+        usage = value;
+        break;
+      case 0xA0:
+        if (page == desktop_usage_page && usage == multi_axis_controller_usage) return true;
+        [[fallthrough]];
+      case 0x80:
+      case 0x90:
+      case 0xB0:
+      case 0xC0:
+        usage = 0;
+        break;  // it was for this item
+      default:
+        break;
+    }
+    descriptor.remove_prefix(1 + size);
   }
-  return identity.vendor == logitech_vendor
-             ? std::ranges::find(logitech_products, identity.product) != logitech_products.end()
-             : std::ranges::find(connexion_products, identity.product) != connexion_products.end();
+  return false;
+}
+
+// One device shows itself several times: a receiver, for instance, is a keyboard too.
+constexpr bool is_spacemouse(std::uint16_t vendor, std::string_view descriptor) noexcept {
+  return (vendor == logitech_vendor || vendor == connexion_vendor) && has_multi_axis_collection(descriptor);
 }
 
 }  // namespace ghostforce

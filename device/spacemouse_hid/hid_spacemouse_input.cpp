@@ -1,5 +1,6 @@
 #include "device/spacemouse_hid/hid_spacemouse_input.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
@@ -16,6 +17,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 #include <fcntl.h>
 #include <hidapi.h>
@@ -39,8 +41,6 @@ struct CloseDevice {
 };
 using Device = std::unique_ptr<hid_device, CloseDevice>;
 
-// The kernel's list of devices is read here: hidapi's (0.13) ends the program where one is unplugged while it looks.
-
 std::string text_of(const std::filesystem::path& file) {
   std::ostringstream text;
   text << std::ifstream(file, std::ios::binary).rdbuf();  // what cannot be read is empty
@@ -56,37 +56,36 @@ std::string value_of(const std::string& uevent, const std::string& name) {
   return {};
 }
 
-// What the kernel tells of a device; nothing where that has just been unplugged.
-struct ListedDevice {
-  HidIdentity identity;
-  std::string name;
-};
-
-ListedDevice describe(const std::filesystem::path& entry) {
-  const std::string uevent = text_of(entry / "device/uevent");
-  const std::string descriptor = text_of(entry / "device/report_descriptor");
+// The vendor's number in HID_ID=bus:vendor:product, hexadecimal; 0 if there is none.
+std::uint16_t vendor_in(const std::string& id) {
   unsigned bus = 0;
   unsigned vendor = 0;
-  unsigned product = 0;
-  if (std::sscanf(value_of(uevent, "HID_ID").c_str(), "%x:%x:%x", &bus, &vendor, &product) != 3) return {};
-  ListedDevice device;
-  device.name = value_of(uevent, "HID_NAME");
-  device.identity.vendor = static_cast<std::uint16_t>(vendor);
-  device.identity.product = static_cast<std::uint16_t>(product);
-  if (descriptor.empty()) return device;
-  device.identity.usage_page = desktop_usage_page;
-  // Usage page (desktop), usage (multi-axis controller), collection: what the reports of a SpaceMouse are a part of.
-  constexpr std::string_view multi_axis_collection("\x05\x01\x09\x08\xA1");
-  if (descriptor.find(multi_axis_collection) != std::string::npos) device.identity.usage = multi_axis_controller_usage;
-  return device;
+  return std::sscanf(id.c_str(), "%x:%x:", &bus, &vendor) == 2 ? static_cast<std::uint16_t>(vendor) : std::uint16_t{0};
 }
 
-std::array<char, 64> shown_name(const std::string& name) noexcept {
+// As people know it: the kernel puts the maker before it.
+std::array<char, 64> shown_name(std::string_view name) noexcept {
+  constexpr std::string_view maker = "3Dconnexion ";
+  if (name.starts_with(maker)) name.remove_prefix(maker.size());
   std::array<char, 64> shown{};
   for (std::size_t i = 0; i < name.size() && i + 1 < shown.size(); ++i) {
-    shown[i] = name[i] > 0 ? name[i] : '?';  // ASCII
+    const auto letter = static_cast<unsigned char>(name[i]);
+    shown[i] = letter >= 0x20 && letter < 0x7F ? name[i] : '?';  // printable ASCII
   }
   return shown;
+}
+
+// The kernel's list of HID devices, in the order of their names. hidapi's own (0.13) ends the program where a device is
+// unplugged while it looks.
+std::vector<std::filesystem::path> listed_devices() {
+  std::vector<std::filesystem::path> entries;
+  std::error_code error;  // a kernel without such devices has no list
+  for (std::filesystem::directory_iterator entry("/sys/class/hidraw", error), end; !error && entry != end;
+       entry.increment(error)) {
+    entries.push_back(entry->path());
+  }
+  std::ranges::sort(entries);
+  return entries;
 }
 
 // hidapi does not tell why it could not open one.
@@ -100,13 +99,12 @@ Trouble why_not(const char* path) noexcept {
 // The first that can be opened; the reading tells which one it is, or what is in the way.
 Device search(SpaceMouseReading& reading) {
   reading.trouble = Trouble::absent;
-  std::error_code none;  // a kernel without such devices has no list
-  for (std::filesystem::directory_iterator entry("/sys/class/hidraw", none), end; !none && entry != end;
-       entry.increment(none)) {
-    const ListedDevice listed = describe(entry->path());
-    if (!is_spacemouse(listed.identity)) continue;
-    const std::filesystem::path file = "/dev" / entry->path().filename();
-    reading.name = shown_name(listed.name);
+  for (const std::filesystem::path& entry : listed_devices()) {
+    const std::string uevent = text_of(entry / "device/uevent");
+    const std::string descriptor = text_of(entry / "device/report_descriptor");
+    if (!is_spacemouse(vendor_in(value_of(uevent, "HID_ID")), descriptor)) continue;
+    const std::filesystem::path file = "/dev" / entry.filename();
+    reading.name = shown_name(value_of(uevent, "HID_NAME"));
     Device device(hid_open_path(file.c_str()));
     reading.trouble = device ? Trouble::none : why_not(file.c_str());
     if (device) return device;

@@ -1,6 +1,6 @@
 // The hand on a SpaceMouse that is plugged into this computer. A thread of the input's own looks for a device about twice
-// a second, opens it and reads it (hidapi; all of which may wait and allocate); the servo thread only takes the newest
-// reading.
+// a second (in /sys/class/hidraw), opens it and reads it (hidapi; all of which may wait and allocate); the servo thread
+// only takes the newest reading.
 //
 // The constructor belongs to the UI thread. The destructor waits for the reading thread: some 20 ms, or until that has
 // seen what is plugged in.

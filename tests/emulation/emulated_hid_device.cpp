@@ -13,7 +13,7 @@
 namespace ghostforce {
 namespace {
 
-// Three axes in report 1: hidapi looks at what the device is for and no further.
+// Three axes in report 1: the program looks at what the device is for and no further.
 std::string report_descriptor(std::uint8_t usage) {
   return {'\x05', '\x01', '\x09', static_cast<char>(usage),
           '\xA1', '\x01', '\x85', '\x01',
@@ -109,7 +109,7 @@ void EmulatedHidDevice::plug() {
            "\\n\nA: speed=12\\n\nA: bConfigurationValue=1\\n\n" + attributes + "A: bcdDevice=0100\\n\n" +
            "A: manufacturer=3Dconnexion\\n\nA: product=" + name_ + "\\n\n");
   bed_.add("P: " + interface + "\nE: DEVTYPE=usb_interface\nE: SUBSYSTEM=usb\nA: bInterfaceNumber=00\\n\n");
-  bed_.add("P: " + hid + "\nE: SUBSYSTEM=hid\nE: HID_ID=" + long_ids + "\nE: HID_NAME=" + name_ +
+  bed_.add("P: " + hid + "\nE: SUBSYSTEM=hid\nE: HID_ID=" + long_ids + "\nE: HID_NAME=3Dconnexion " + name_ +
            "\nE: HID_UNIQ=\nE: HID_PHYS=usb-1/input0\nH: report_descriptor=" + hex_of(descriptor_) + "\n");
   bed_.add("P: " + raw + "\nE: DEVNAME=" + file_.path + "\nE: SUBSYSTEM=hidraw\nA: dev=" + file_.number() +
            "\\n\nL: device=../../../0003:" + ids + ".0001\n");

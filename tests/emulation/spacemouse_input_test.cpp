@@ -167,7 +167,9 @@ TEST_F(SpaceMouseInputTest, ADeviceThatIsHalfGoneIsNone) {
   going.forget_what_it_is();
   EmulatedHidDevice mouse(bed, navigator, "SpaceNavigator", multi_axis);
   HidSpaceMouseInput input;
-  ASSERT_TRUE(wait_for([&] { return input.reading().trouble == Trouble::absent; }));
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));  // the first look
+  EXPECT_EQ(input.reading().trouble, Trouble::absent);
+  EXPECT_STREQ(input.reading().name.data(), "");
   mouse.plug();
   ASSERT_TRUE(wait_for([&] { return input.reading().connected(); }));
   EXPECT_STREQ(input.reading().name.data(), "SpaceNavigator");
@@ -181,7 +183,7 @@ TEST_F(SpaceMouseInputTest, EndsWithOrWithoutADevice) {
     if (plugged) {
       ASSERT_TRUE(wait_for([&] { return input->reading().connected(); }));
     }
-    input.reset();
+    input.reset();  // where that waits for ever, ctest ends the test
   }
 }
 

@@ -8,9 +8,7 @@
 #include <csignal>
 #include <cstdint>
 #include <cstdlib>
-#include <functional>
 
-#include "app/console/failure.h"
 #include "app/console/interruption.h"
 #include "app/doctor/measure/measure_command.h"
 #include "app/doctor/measure/terminal_operator.h"
