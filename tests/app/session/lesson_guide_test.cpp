@@ -194,6 +194,17 @@ TEST_F(LessonGuideTest, SeesThatATaskIsDoneAndNotInPassing) {
   EXPECT_EQ(outcome(), LessonOutcome::right);
 }
 
+TEST_F(LessonGuideTest, ATaskIsDoneWhileTheHandIsHeldButNotWhileAValueIsTurned) {
+  go_to(3);
+  choose_strategy(session, StrategyId::anisotropic, false);
+  session.is_editing = true;
+  wait(2.0);
+  EXPECT_EQ(outcome(), LessonOutcome::open) << "the value may be on its way";
+  session.drags_goal = true;
+  wait(1.0);
+  EXPECT_EQ(outcome(), LessonOutcome::right);
+}
+
 TEST_F(LessonGuideTest, AddsOneForceAfterAnotherInWhy) {
   const int expected[] = {2, 3, 4};
   for (std::size_t i = 0; i < 3; ++i) {
