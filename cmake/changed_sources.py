@@ -6,7 +6,8 @@ however many steps, a file that does. What is not committed counts too.
 
 Without COMMIT it is the newest commit of this branch that is at least a day older than the last one, by their dates.
 What changed before that is read again by .ci/long only, which reads everything. Where there is no such commit, because
-the history is short or this is a copy without any, all .cpp files are printed. What stands in CMakeLists.txt and the like changes no source.
+the history is short or this is a copy without any, all .cpp files are printed. What stands in CMakeLists.txt and the
+like changes no source.
 """
 import collections
 import pathlib

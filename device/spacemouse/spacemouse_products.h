@@ -25,21 +25,21 @@ constexpr bool has_multi_axis_collection(std::string_view descriptor) noexcept {
     unsigned value = 0;  // the low byte is the first
     for (std::size_t i = size; i > 0; --i) value = value << 8U | static_cast<unsigned char>(descriptor[i]);
     switch (prefix & 0xFCU) {
-      case 0x04:
+      case 0x04:  // usage page
         page = value;
         break;
-      case 0x08:
+      case 0x08:  // usage
         usage = value;
         break;
-      case 0xA0:
+      case 0xA0:  // collection
         if (page == desktop_usage_page && usage == multi_axis_controller_usage) return true;
         [[fallthrough]];
-      case 0x80:
+      case 0x80:  // input, output, feature, end of a collection: the usage was for this item only
       case 0x90:
       case 0xB0:
       case 0xC0:
         usage = 0;
-        break;  // it was for this item
+        break;
       default:
         break;
     }
