@@ -51,6 +51,7 @@ TEST(WorksheetItems, LeaveToTheScreenWhatIsToldAfterAQuestion) {
   EXPECT_EQ(items[1].number, "2–6");
   EXPECT_EQ(items[1].text, "");
   EXPECT_EQ(items[1].lines.front().words, "Look at the screen. What do you see?");
+  EXPECT_EQ(items[1].lines.size(), 3U) << "five steps, and room to write about three of them";
   EXPECT_EQ(items[2].number, "7");
   EXPECT_EQ(items_of("ghost", WorksheetSide::questions)[6].lines.front().words,
             "Try it on the screen. What do you see?");
