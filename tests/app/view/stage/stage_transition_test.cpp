@@ -93,6 +93,22 @@ TEST(StageTransition, ToAndFromEveryMotorItIsAStraightLine) {
   }
 }
 
+// With one motor there are two strategies. On the way to every motor the stage does not pass through the other one.
+TEST(StageTransition, ToAndFromEveryMotorTheStrategyOfOneMotorStays) {
+  for (const StrategyId of_one_motor : {StrategyId::naive, StrategyId::anisotropic}) {
+    const double cure = stage_blend_of(of_one_motor).cure;
+    StageTransition transition(of_one_motor);
+    for (const StrategyId next : {StrategyId::full, of_one_motor}) {
+      transition.go_to(next, false);
+      transition.advance(0.5 * StageTransition::usual_s);
+      EXPECT_GT(transition.blend().fullness, 0.0);
+      EXPECT_LT(transition.blend().fullness, 1.0);
+      EXPECT_EQ(transition.blend().cure, cure);
+      transition.advance(StageTransition::usual_s);
+    }
+  }
+}
+
 TEST(StageTransition, NothingJumpsInAFrameHoweverOftenOneSwitches) {
   Way way;
   std::mt19937 random(7);
