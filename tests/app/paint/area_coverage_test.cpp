@@ -48,6 +48,14 @@ TEST(AreaCoverage, HasTheAreaOfADiscWhateverItsPlace) {
   }
 }
 
+// Of slanted edges too: the lines lie in the middle of what they stand for.
+TEST(AreaCoverage, HasTheAreaOfATriangleWhicheverWayItPoints) {
+  for (const double tip : {0.0, 10.0}) {
+    const std::vector<Vector<2>> triangle{{0.0, 10.0 - tip}, {10.0, 10.0 - tip}, {0.0, tip}};
+    EXPECT_NEAR(area_of(area_coverage(triangle, 12, 12)), 50.0, 0.1);
+  }
+}
+
 TEST(AreaCoverage, KeepsToThePicture) {
   const std::vector<Vector<2>> large{{-1e7, -1e7}, {1e7, -1e7}, {1e7, 1e7}, {-1e7, 1e7}};
   const AreaCoverage all = area_coverage(large, 4, 3);
