@@ -41,6 +41,10 @@ constexpr std::array reasons{
                    false},
     OffReasonEntry{OffReason::program_ending, "program_ending", "program ending", "The program was closing.", true,
                    false},
+    OffReasonEntry{OffReason::overruled, "overruled", "turned off by the guard",
+                   "The program did not run for 20 ms, so its guard turned the motors off. Close other busy programs, "
+                   "then arm the motors again.",
+                   true, true},
     OffReasonEntry{OffReason::fault, "fault", "fault", "Something failed. The device status ({}) says what.", true,
                    false},
 };

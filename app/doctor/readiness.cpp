@@ -87,12 +87,21 @@ constexpr std::array faults{
     FaultEntry{FalconFault::kinematics, ReadinessStep::homed,
                "The encoders report a position that the arms cannot reach.",
                "Home the device again (F2), and check the geometry in its calibration file."},
+    FaultEntry{FalconFault::overruled, ReadinessStep::free,
+               "The program did not run for 20 ms, so its guard turned the motors off.",
+               "Close other busy programs. The program opens the device again by itself."},
+    FaultEntry{FalconFault::unguarded, ReadinessStep::free, "The guard of the motors has ended.",
+               "The program opens the device again by itself, with a new guard."},
 };
-static_assert(faults.size() == static_cast<std::size_t>(FalconFault::kinematics) + 1);
+static_assert(faults.size() == static_cast<std::size_t>(FalconFault::unguarded) + 1);
 
 // The wire to the device is dead, and what it was told last was a force.
 constexpr std::string_view still_pushing =
     "The motors may still push, and the program cannot stop them: unplug the device's power supply now. ";
+
+constexpr std::string_view no_guard =
+    "The guard that turns the motors off if this program cannot has not started. The motors stay off. Install "
+    "ghostforce again: the program ghostforce-guard belongs to it.";
 
 // The motors of which `is_so` is `wanted`: "motor 1 and motor 3".
 std::string motors_where(const std::array<bool, 3>& is_so, bool wanted) {
@@ -257,7 +266,10 @@ class ReadinessCheck {
     switch (motors_->state) {
       case SafetyState::off:
       case SafetyState::fade: {
-        if (motors_->reason == OffReason::none) break;
+        if (motors_->reason == OffReason::none) {
+          if (report_.is_readable() && !report_.is_guarded) return std::string(no_guard);
+          break;
+        }
         const OffReasonEntry& reason = entry_of(motors_->reason);
         return fmt::format("The motors went off: {}. {}", reason.title,
                            fmt::format(fmt::runtime(reason.remedy), device_status_key));

@@ -42,10 +42,10 @@ constexpr std::array purge{
 };
 
 // In the order of LinkFault: a device that is not there is no fault.
-constexpr std::array link_faults{FalconFault::none,  FalconFault::none,        FalconFault::not_allowed,
-                                 FalconFault::busy,  FalconFault::unsupported, FalconFault::unplugged,
-                                 FalconFault::broken};
-static_assert(link_faults.size() == static_cast<std::size_t>(LinkFault::broken) + 1);
+constexpr std::array link_faults{FalconFault::none,   FalconFault::none,        FalconFault::not_allowed,
+                                 FalconFault::busy,   FalconFault::unsupported, FalconFault::unplugged,
+                                 FalconFault::broken, FalconFault::overruled,   FalconFault::unguarded};
+static_assert(link_faults.size() == static_cast<std::size_t>(LinkFault::unguarded) + 1);
 
 // In the order of BootFault.
 constexpr std::array boot_faults{FalconFault::none, FalconFault::no_handshake, FalconFault::no_baud_answer,
@@ -135,6 +135,7 @@ void Falcon::opened(LinkFault fault) noexcept {
   }
   if (fault != LinkFault::none) return end(fault_of(fault));
   emergency_stop::watch(&link());
+  report_.is_guarded = link().is_guarded();
   report_.serial = FalconSerial::from(link().serial()).value_or(FalconSerial());
   calibration_ = calibration_of(report_.serial, options_.calibrations);
   kinematics_ = FalconKinematics(calibration_.geometry);
@@ -299,7 +300,10 @@ void Falcon::take(const ReplyFrame& frame) noexcept {
   const auto asked_ns = replies_.replied(link().now_ns());
   if (!asked_ns) return;  // a reply that came twice is no news
   heard_ns_ = link().now_ns();
-  if (!replies_.is_waiting() && report_.motors == MotorNumbers{}) may_push_ = report_.may_still_push = false;
+  if (may_push_ && !replies_.is_waiting() && report_.motors == MotorNumbers{}) {
+    may_push_ = report_.may_still_push = false;
+    link().set_may_push(false);
+  }
   ++report_.exchanges;
   ++window_.exchanges;
   const double exchange_s = since(*asked_ns);
@@ -403,9 +407,11 @@ void Falcon::set_force(const Vector<3>& force, bool is_armed) noexcept {
 bool Falcon::send_command() noexcept {
   // Whoever waits too long for a reply does not go on pushing.
   if (since(heard_ns_) > stop_s || emergency_stop::is_ordered()) command_.motors = {};
+  const bool begins_to_push = command_.motors != MotorNumbers{} && !may_push_;
+  if (begins_to_push) link().set_may_push(true);
   if (!link().write(encode(command_))) return false;
   report_.motors = command_.motors;
-  may_push_ |= command_.motors != MotorNumbers{};
+  may_push_ |= begins_to_push;
   is_command_new_ = false;
   sent_ns_ = link().now_ns();
   if (!replies_.is_waiting()) asked_ns_ = sent_ns_;

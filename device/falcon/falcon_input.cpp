@@ -28,7 +28,8 @@ OffReason trouble_of(const FalconReport& report) noexcept {
     case FalconState::absent:
       return OffReason::unplugged;
     case FalconState::fault:
-      return report.fault == FalconFault::unplugged ? OffReason::unplugged : OffReason::fault;
+      if (report.fault == FalconFault::unplugged) return OffReason::unplugged;
+      return report.fault == FalconFault::overruled ? OffReason::overruled : OffReason::fault;
   }
   return OffReason::fault;
 }
@@ -79,7 +80,7 @@ HandleReading FalconInput::read() noexcept {
   }
   reading_.speed = speed();
   reading_.deadman_held = report.buttons != 0;
-  reading_.is_ready = report.is_readable() && report.encoders_move();
+  reading_.is_ready = report.is_readable() && report.encoders_move() && report.is_guarded;
   reading_.is_healthy = report.is_fast_enough() && report.worst_exchange_s < Safety::longest_exchange_s;
   reading_.trouble = trouble_of(report);
   reports_.publish(report);

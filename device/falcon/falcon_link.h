@@ -31,6 +31,8 @@ enum class LinkFault : std::uint8_t {
   unsupported,  // it, or this system's USB, cannot be driven this way
   unplugged,    // it was there and has gone
   broken,       // transfers fail for another reason
+  overruled,    // the guard has stopped the motors, because this program did not live
+  unguarded,    // the guard is gone
 };
 
 // The outcome of a request.
@@ -88,6 +90,13 @@ class FalconLink {
   // have arrived. If not, close() and the next open() keep trying to send them.
   virtual void stop(std::span<const std::uint8_t> bytes) noexcept = 0;
   virtual bool owes_stop() const noexcept = 0;
+
+  // Whether somebody stops the motors when this program cannot: a guard (device/motor_guard/motor_guard.h), to which
+  // wait_until() tells that the program lives. Without it motors must stay off. A link that ends with the program needs
+  // none.
+  virtual bool is_guarded() const noexcept { return true; }
+  // From before the first force is written until the device has answered a zero.
+  virtual void set_may_push(bool /*may_push*/) noexcept {}
 
   // Takes the bytes that have come in, oldest first, without the chip's status bytes; returns how many.
   virtual std::size_t read(std::span<std::uint8_t> into) noexcept = 0;

@@ -19,6 +19,8 @@ constexpr std::array faults{
     FalconFaultEntry{FalconFault::firmware_silent, "firmware_silent", "firmware does not answer"},
     FalconFaultEntry{FalconFault::no_replies, "no_replies", "stopped answering"},
     FalconFaultEntry{FalconFault::kinematics, "kinematics", "impossible position"},
+    FalconFaultEntry{FalconFault::overruled, "overruled", "turned off by the guard"},
+    FalconFaultEntry{FalconFault::unguarded, "unguarded", "guard gone"},
 };
 
 // In the order of FalconState.

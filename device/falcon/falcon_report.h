@@ -40,6 +40,8 @@ enum class FalconFault : std::uint8_t {
   firmware_silent,  // loaded, and no frame is answered
   no_replies,       // frames were answered, and are no more
   kinematics,       // the encoders' numbers belong to no position of the handle
+  overruled,        // the guard has stopped the motors in place of this program
+  unguarded,        // the guard is gone
 };
 
 struct FalconFaultEntry {
@@ -62,6 +64,7 @@ struct FalconReport {
   FalconSerial serial;
   bool is_virtual = false;
   bool has_looked = false;      // for a device, once at least
+  bool is_guarded = false;      // somebody stops the motors when this program cannot
   bool may_still_push = false;  // it was told to stop and has not heard it: only its power plug helps
 
   bool has_firmware_file = false;

@@ -10,6 +10,8 @@
 #include <time.h>
 
 #include "device/falcon/emergency_stop.h"
+#include "device/falcon/frame.h"
+#include "device/falcon/ftdi_requests.h"
 
 namespace ghostforce {
 namespace {
@@ -31,8 +33,8 @@ constexpr std::int64_t close_timeout_ns = 200'000'000;
 constexpr std::int64_t stop_timeout_ns = 20'000'000;
 // Letters that a USB string can hold.
 constexpr std::size_t longest_serial = 126;
-// While nothing comes, libusb is asked this often whether a transfer has timed out.
-constexpr std::int64_t longest_wait_ns = 20'000'000;
+// While nothing comes, libusb is asked this often whether a transfer has timed out, and the guard hears of it.
+constexpr std::int64_t longest_wait_ns = 5'000'000;
 
 }  // namespace
 
@@ -65,8 +67,41 @@ LinkFault FtdiLink::open() noexcept {
   for (Receiver& receiver : receivers_) {
     if (fault_ == LinkFault::none) post(receiver);
   }
-  if (fault_ != LinkFault::none) close();
+  if (fault_ != LinkFault::none) {
+    close();
+  } else {
+    guard_.start(usb_.descriptor(), usb_.node(), guard_orders());
+  }
   return fault_;
+}
+
+// The guard knows nothing of frames: it gets the bytes.
+GuardOrders FtdiLink::guard_orders() const noexcept {
+  GuardOrders orders;
+  orders.interface = UsbConnection::interface_number;
+  orders.out_endpoint = usb_.out_endpoint();
+  for (const VendorRequest& request : {ftdi::running_rate, ftdi::eight_bits_no_parity_one_stop}) {
+    orders.set_up[orders.set_up_count++] = {request.request, request.value, request.index};
+  }
+  const auto stop = stop_frames();
+  std::ranges::copy(stop, orders.stop.begin());
+  orders.stop_size = static_cast<std::uint8_t>(stop.size());
+  return orders;
+}
+
+// A guard that has stopped motors has locked this program out, and what fails then fails because of that.
+bool FtdiLink::is_overruled() const noexcept {
+  return guard_.state() > GuardState::watching;
+}
+
+void FtdiLink::heed_guard() noexcept {
+  const std::int64_t now_ns = monotonic_ns();
+  guard_.beat(now_ns);
+  if (is_overruled()) {
+    set_fault(LinkFault::overruled);
+  } else if (guard_.state() == GuardState::watching && !guard_.is_watching(now_ns)) {
+    set_fault(LinkFault::unguarded);
+  }
 }
 
 bool FtdiLink::make_transfers() {
@@ -107,6 +142,7 @@ void FtdiLink::find_poll_descriptors() {
 void FtdiLink::close() noexcept {
   if (usb_.context() == nullptr) return;
   closing_ = true;
+  if (is_overruled()) guard_.end();  // it gives back what it has taken
   std::int64_t deadline_ns = monotonic_ns() + stop_timeout_ns;
   while (stop_.is_posted && monotonic_ns() < deadline_ns) handle_events(1);
   for (const Transfer* const transfer : transfers()) {
@@ -116,6 +152,7 @@ void FtdiLink::close() noexcept {
   while (std::ranges::any_of(transfers(), &Transfer::is_posted) && monotonic_ns() < deadline_ns) handle_events(10);
   const bool is_owed_here = owes_stop() && usb_.serial() == owed_serial_;
   if (is_owed_here && usb_.send_at_any_cost(owed())) owed_size_ = 0;
+  guard_.end();
   usb_.release_device();
   // A transfer that did not come back in time was libusb's until now.
   free_transfers();
@@ -140,6 +177,7 @@ bool FtdiLink::request(const VendorRequest& request) noexcept {
 }
 
 bool FtdiLink::write(std::span<const std::uint8_t> bytes) noexcept {
+  heed_guard();
   if (!is_usable() || is_sending() || bytes.size() > out_size) return false;
   std::ranges::copy(bytes, out_.buffer.begin());
   libusb_fill_bulk_transfer(out_.transfer, usb_.handle(), usb_.out_endpoint(), out_.buffer.data(),
@@ -268,7 +306,7 @@ std::size_t FtdiLink::read(std::span<std::uint8_t> into) noexcept {
 
 // The first one is the cause of all others.
 void FtdiLink::set_fault(LinkFault fault) noexcept {
-  if (fault_ == LinkFault::none) fault_ = fault;
+  if (fault_ == LinkFault::none) fault_ = is_overruled() ? LinkFault::overruled : fault;
   something_happened_ = true;
 }
 
@@ -294,6 +332,7 @@ void FtdiLink::recover() noexcept {
 // --- Time ------------------------------------------------------------------------------------------------------------
 
 void FtdiLink::handle_events(int timeout_ms) noexcept {
+  guard_.beat(monotonic_ns());
   timeval timeout{0, timeout_ms * 1000L};
   ++counters_.library_calls;
   libusb_handle_events_timeout_completed(usb_.context(), &timeout, nullptr);
@@ -303,6 +342,7 @@ void FtdiLink::handle_events(int timeout_ms) noexcept {
 // and the waiting is done here.
 void FtdiLink::wait_until(std::int64_t deadline_ns) noexcept {
   something_happened_ = false;
+  heed_guard();
   if (!is_usable()) return sleep_until_monotonic(deadline_ns);  // nothing but the deadline will come
   for (;;) {
     handle_events(0);

@@ -20,6 +20,7 @@
 #include "device/falcon_usb/usb_connection.h"
 #include "device/falcon_usb/usb_search.h"
 #include "device/input/monotonic_clock.h"
+#include "device/motor_guard/motor_guard.h"
 
 struct libusb_transfer;
 
@@ -48,6 +49,9 @@ class FtdiLink final : public FalconLink {
 
   void stop(std::span<const std::uint8_t> bytes) noexcept override;
   bool owes_stop() const noexcept override { return owed_size_ > 0; }
+
+  bool is_guarded() const noexcept override { return guard_.is_watching(monotonic_ns()); }
+  void set_may_push(bool may_push) noexcept override { guard_.set_may_push(may_push, monotonic_ns()); }
 
   std::size_t read(std::span<std::uint8_t> into) noexcept override;
   std::uint8_t modem_status() const noexcept override { return modem_status_; }
@@ -94,6 +98,9 @@ class FtdiLink final : public FalconLink {
   void take_packets(std::span<const std::uint8_t> bytes) noexcept;
   void keep(std::span<const std::uint8_t> payload) noexcept;
   bool may_send_again() noexcept;
+  GuardOrders guard_orders() const noexcept;
+  bool is_overruled() const noexcept;
+  void heed_guard() noexcept;
   void failed(int transfer_status) noexcept;
   void recover() noexcept;
   void handle_events(int timeout_ms) noexcept;
@@ -101,6 +108,7 @@ class FtdiLink final : public FalconLink {
 
   FtdiLinkOptions options_;
   UsbConnection usb_;
+  MotorGuard guard_;
   LinkFault fault_ = LinkFault::absent;
   LinkCounters counters_;
   std::uint8_t modem_status_ = 0;

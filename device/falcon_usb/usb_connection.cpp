@@ -16,7 +16,6 @@
 namespace ghostforce {
 namespace {
 
-constexpr int interface_number = 0;
 constexpr std::size_t transfer_unit = 512;  // a transfer from the device is a multiple of this
 
 // Right after a device was plugged in, the kernel has shown it and not yet given it its interfaces.
@@ -24,7 +23,7 @@ constexpr int claim_attempts = 10;
 constexpr std::int64_t claim_pause_ns = 10'000'000;
 
 // Of send_at_any_cost(): one attempt, and the pause before the next.
-constexpr unsigned attempt_ms = 20;
+constexpr unsigned attempt_ms = 10;
 constexpr std::int64_t insist_ns = 500'000'000;
 constexpr std::int64_t attempt_pause_ns = 100'000;
 
@@ -177,10 +176,14 @@ LinkFault UsbConnection::clear_halts(libusb_device_handle* handle) const noexcep
   return LinkFault::none;
 }
 
+std::string UsbConnection::node() const {
+  return usb_node_of(libusb_get_device(handle_));
+}
+
 // libusb does not tell which file it has opened; it is the one that is the same device as the node on the bus.
 void UsbConnection::find_descriptor() {
   struct stat node {};
-  if (stat(usb_node_of(libusb_get_device(handle_)).c_str(), &node) != 0) return;
+  if (stat(this->node().c_str(), &node) != 0) return;
   DIR* folder = opendir("/proc/self/fd");
   if (folder == nullptr) return;
   while (const dirent* entry = readdir(folder)) {

@@ -23,6 +23,8 @@ inline constexpr std::size_t ftdi_status_size = 2;
 
 class UsbConnection {
  public:
+  static constexpr int interface_number = 0;
+
   UsbConnection() = default;
   UsbConnection(const UsbConnection&) = delete;
   UsbConnection& operator=(const UsbConnection&) = delete;
@@ -51,6 +53,8 @@ class UsbConnection {
   std::uint8_t in_endpoint() const noexcept { return in_endpoint_; }
   std::uint8_t out_endpoint() const noexcept { return out_endpoint_; }
   std::size_t packet_size() const noexcept { return packet_size_; }  // of the IN endpoint [bytes]
+  // The file by which the kernel gives the device to programs.
+  std::string node() const;
   // Of the device that is open or was.
   std::string_view serial() const noexcept { return serial_; }
   // The file behind the handle; -1: not open, or not known.

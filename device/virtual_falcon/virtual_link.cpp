@@ -4,13 +4,14 @@
 #include <limits>
 
 #include "device/input/monotonic_clock.h"
+#include "device/motor_guard/guard_page.h"
 
 namespace ghostforce {
 namespace {
 
 // Who has not looked for longer finds that nothing has happened meanwhile.
 constexpr std::int64_t longest_gap_ns = 1'000'000'000;
-constexpr std::int64_t longest_sleep_ns = 100'000'000;
+constexpr std::int64_t longest_sleep_ns = 10'000'000;
 
 constexpr std::uint64_t emergency_stop_ordered = std::uint64_t{1} << 48U;
 
@@ -41,6 +42,8 @@ LinkFault VirtualLink::open() noexcept {
   incoming_.clear();
   was_open_ = true;
   is_open_ = true;
+  may_push_ = false;
+  beat_ns_ = now_ns();
   settle_stop();
   return fault_;
 }
@@ -98,7 +101,9 @@ std::int64_t VirtualLink::now_ns() const noexcept {
 void VirtualLink::wait_until(std::int64_t deadline_ns) noexcept {
   for (;;) {
     const std::int64_t now = now_ns();
-    if (live_until(now) || now >= deadline_ns) return;
+    const bool has_news = live_until(now);
+    beat_ns_ = now;
+    if (has_news || now >= deadline_ns) return;
     const std::int64_t until_ns = std::min({deadline_ns, next_event_ns(), now + longest_sleep_ns});
     if (clock_ == Clock::monotonic) {
       sleep_until_monotonic(until_ns);
@@ -137,6 +142,7 @@ bool VirtualLink::live_until(std::int64_t now_ns) noexcept {
   while (lived_ns_ + step_ns <= now_ns) {
     has_news |= exchange_until(lived_ns_ + step_ns);
     step_to(lived_ns_ + step_ns);
+    guard_motors();
   }
   has_news |= exchange_until(now_ns);
   return has_news;
@@ -215,6 +221,14 @@ void VirtualLink::step_to(std::int64_t at_ns) noexcept {
   dsp_.set_encoders(arm_.encoders());
   dsp_.set_buttons(hand_.buttons());
   lived_ns_ = at_ns;
+}
+
+void VirtualLink::guard_motors() noexcept {
+  if (!is_live() || deed_of(false, may_push_, beat_ns_, false, lived_ns_) != GuardDeed::stop_motors) return;
+  dsp_.receive(stop_frames(), lived_ns_);
+  may_push_ = false;
+  sending_ = Sending::nothing;
+  fault_ = LinkFault::overruled;
 }
 
 std::int64_t VirtualLink::next_event_ns() const noexcept {

@@ -64,6 +64,10 @@ class VirtualLink final : public FalconLink {
   void stop(std::span<const std::uint8_t> bytes) noexcept override;
   bool owes_stop() const noexcept override { return owes_stop_; }
 
+  // The guard of a real device is a process. This one ends a force of the simulated device as that would, if whoever
+  // drives the link has not waited for it for too long.
+  void set_may_push(bool may_push) noexcept override { may_push_ = may_push; }
+
   std::size_t read(std::span<std::uint8_t> into) noexcept override;
   std::uint8_t modem_status() const noexcept override { return modem_status_; }
   LinkCounters counters() const noexcept override { return counters_; }
@@ -99,6 +103,7 @@ class VirtualLink final : public FalconLink {
   bool take_packet(std::int64_t at_ns) noexcept;
   void settle_stop() noexcept;
   void step_to(std::int64_t at_ns) noexcept;
+  void guard_motors() noexcept;
   std::int64_t next_event_ns() const noexcept;
 
   Clock clock_;
@@ -124,6 +129,9 @@ class VirtualLink final : public FalconLink {
   std::size_t outgoing_size_ = 0;
   bool owes_stop_ = false;  // it is what is going out, or will when there is a link
   FixedQueue<std::uint8_t, 16384> incoming_;
+
+  bool may_push_ = false;
+  std::int64_t beat_ns_ = 0;  // when somebody last waited
 
   // Motors of a last command past the line: three numbers, and above them whether there was one.
   std::atomic<std::uint64_t> emergency_stop_ = 0;

@@ -249,7 +249,7 @@ constexpr std::array faults{
     Fault{.name = "Sys", .title = "SIGSYS", .promise = zero, .signal = SIGSYS, .is_quick = false},
     Fault{
         .name = "RealTimeSignal", .title = "a real-time signal (50)", .promise = zero, .signal = 50, .is_quick = false},
-    Fault{.name = "Kill", .title = "SIGKILL", .promise = none, .signal = SIGKILL, .is_quick = false},
+    Fault{.name = "Kill", .title = "SIGKILL", .promise = zero, .signal = SIGKILL, .is_quick = false},
 };
 
 }  // namespace

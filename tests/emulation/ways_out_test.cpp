@@ -4,6 +4,8 @@
 #include <csignal>
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <memory>
 #include <string>
 #include <thread>
@@ -30,11 +32,7 @@ std::int64_t now_ns() {
 
 class WaysOutTest : public testing::Test {
  protected:
-  // A device that runs and is homed, so that each test takes seconds.
-  explicit WaysOutTest(int watchdog_ms = 0)
-      : chip({.starts_with_firmware = true, .starts_homed = true, .watchdog_ms = watchdog_ms}) {
-    falcon.plug();
-  }
+  WaysOutTest() { falcon.plug(); }
 
   // Returns when its motors push.
   void start(const std::string& way, const std::string& detail = "") {
@@ -83,7 +81,8 @@ class WaysOutTest : public testing::Test {
 
   TemporaryFolder folder;
   TestBed bed;
-  FalconChip chip;
+  // It runs and is homed, so that each test takes seconds.
+  FalconChip chip{{.starts_with_firmware = true, .starts_homed = true}};
   EmulatedUsbDevice falcon{bed, chip, "12PZ657E"};
   std::unique_ptr<RunningProgram> program;
   std::int64_t event_ns = 0;
@@ -245,32 +244,92 @@ TEST_F(WaysOutTest, SegmentationFaultOnTheServosThread) {
   expect_no_force(128 + SIGSEGV);
 }
 
-// --- No code can run -------------------------------------------------------------------------------------------------
+// --- None of its code can run ----------------------------------------------------------------------------------------
 
-// The device is told nothing more, and goes on with what it was told last. Nothing on this side of the cable can help.
-TEST_F(WaysOutTest, KilledTheDeviceGoesOnPushing) {
-  ASSERT_NO_FATAL_FAILURE(start("wait"));
-  ASSERT_NO_FATAL_FAILURE(send(SIGKILL));
-  EXPECT_EQ(program->wait_for_end(), 128 + SIGKILL);
-  const FalconChip::Told told = told_in_the_end();
-  std::this_thread::sleep_for(milliseconds(300));
-  EXPECT_EQ(chip.told().frames, told.frames);
-  EXPECT_EQ(chip.told().motors, told.motors);
-  EXPECT_NE(told.motors, MotorNumbers{});
-}
-
-class WaysOutWithAWatchdogTest : public WaysOutTest {
+// The guard is left.
+class WaysOutWithAGuardTest : public WaysOutTest {
  protected:
-  WaysOutWithAWatchdogTest() : WaysOutTest(200) {}
+  void wait_for_zero() {
+    const std::int64_t deadline_ns = now_ns() + patience / std::chrono::nanoseconds(1);
+    while (chip.told().motors != MotorNumbers{} && now_ns() < deadline_ns) std::this_thread::sleep_for(milliseconds(1));
+    ASSERT_EQ(chip.told().motors, MotorNumbers{});
+  }
+
+  // The one child that the program has.
+  pid_t guard() const {
+    const std::string process = std::to_string(program->pid());
+    pid_t child = 0;
+    std::ifstream("/proc/" + process + "/task/" + process + "/children") >> child;
+    for (const auto& thread : std::filesystem::directory_iterator("/proc/" + process + "/task")) {
+      if (child == 0) std::ifstream(thread.path() / "children") >> child;
+    }
+    return child;
+  }
 };
 
-// Whether a real device's firmware has one is not known.
-TEST_F(WaysOutWithAWatchdogTest, KilledTheDeviceLetsGo) {
+TEST_F(WaysOutWithAGuardTest, Killed) {
   ASSERT_NO_FATAL_FAILURE(start("wait"));
   ASSERT_NO_FATAL_FAILURE(send(SIGKILL));
   EXPECT_EQ(program->wait_for_end(), 128 + SIGKILL);
-  std::this_thread::sleep_for(milliseconds(250));
-  EXPECT_EQ(chip.told().motors, MotorNumbers{});
+  wait_for_zero();
+}
+
+TEST_F(WaysOutWithAGuardTest, Stopped) {
+  ASSERT_NO_FATAL_FAILURE(start("wait"));
+  ASSERT_NO_FATAL_FAILURE(send(SIGSTOP));
+  ASSERT_NO_FATAL_FAILURE(wait_for_zero());
+  const std::uint64_t frames = chip.told().frames;
+  program->send(SIGCONT);
+  // It takes the device again, and nothing that it was about to say before comes through.
+  const std::int64_t deadline_ns = now_ns() + patience / std::chrono::nanoseconds(1);
+  while (chip.told().frames < frames + 100 && now_ns() < deadline_ns) {
+    ASSERT_EQ(chip.told().motors, MotorNumbers{});
+  }
+  EXPECT_GE(chip.told().frames, frames + 100);
+  program->send(SIGTERM);
+  EXPECT_EQ(program->wait_for_end(), static_cast<int>(ExitCode::interrupted));
+}
+
+// The program turns motors off that nobody guards, and starts another guard.
+TEST_F(WaysOutWithAGuardTest, TheGuardIsKilled) {
+  ASSERT_NO_FATAL_FAILURE(start("wait"));
+  const pid_t first = guard();
+  ASSERT_GT(first, 0);
+  kill(first, SIGKILL);
+  ASSERT_NO_FATAL_FAILURE(wait_for_zero());
+  const std::int64_t deadline_ns = now_ns() + patience / std::chrono::nanoseconds(1);
+  while ((guard() == first || guard() == 0) && now_ns() < deadline_ns) std::this_thread::sleep_for(milliseconds(1));
+  EXPECT_NE(guard(), first);
+  EXPECT_NE(guard(), 0);
+}
+
+TEST_F(WaysOutWithAGuardTest, TheGuardEndsWithItsProgram) {
+  ASSERT_NO_FATAL_FAILURE(start("wait"));
+  const pid_t first = guard();
+  ASSERT_GT(first, 0);
+  program->send(SIGTERM);
+  EXPECT_EQ(program->wait_for_end(), static_cast<int>(ExitCode::interrupted));
+  EXPECT_NE(kill(first, 0), 0);
+}
+
+// There is none beside this copy of the program.
+TEST_F(WaysOutWithAGuardTest, WithoutAGuardTheMotorsStayOff) {
+  const std::filesystem::path alone = std::filesystem::path(folder.path()) / "armed_program";
+  std::filesystem::copy_file(ARMED_PROGRAM, alone);
+  ProgramCall call;
+  call.words = {"wait", ""};
+  program = std::make_unique<RunningProgram>(alone, call);
+  // It has tried to arm them, as long as it usually takes and longer, and tries once more.
+  for (;;) {
+    const auto line = program->next_line(patience);
+    ASSERT_TRUE(line);
+    ASSERT_NE(*line, "pushing");
+    lead_hand(chip, *line);
+    if (*line == "aside") break;
+  }
+  EXPECT_TRUE(chip.told().is_homed);
+  EXPECT_GT(chip.told().frames, 500U);
+  EXPECT_EQ(chip.told().last_force_ns, 0);
 }
 
 }  // namespace
