@@ -273,5 +273,16 @@ TEST_F(GesturesTest, APointerOnAMarkExplainsIt) {
   EXPECT_NE(before, picture());
 }
 
+// As far from the edges as words beside it need.
+TEST_F(GesturesTest, AllThatThereIsFitsWithAMargin) {
+  session().goal = {0.04, 0.0};
+  session().settings.wall_point = {-0.04, 0.0};
+  const Vector<2> size{800.0, 600.0};
+  const SceneView shown = view_of_everything(session(), {}, size, 1.0);
+  const Camera fitted = camera_on(shown.center, shown.width, size);
+  EXPECT_NEAR(to_screen(fitted, session().settings.wall_point).x, 90.0, 1e-6);
+  EXPECT_NEAR(to_screen(fitted, session().goal).x, size.x - 90.0, 1e-6);
+}
+
 }  // namespace
 }  // namespace ghostforce::gestures_test
