@@ -233,6 +233,7 @@ const StageLanguage spanish_stage{
                     "desconectado",
                     "sin punto de referencia",
                     "el programa se cierra",
+                    "parados por el vigilante",
                     "fallo",
                 },
         },
