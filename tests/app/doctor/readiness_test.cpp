@@ -32,6 +32,7 @@ FalconReport well() {
   report.exchange_hz = 975.0;
   report.exchange_s = 0.00102;
   report.worst_exchange_s = 0.0031;
+  report.is_guarded = true;
   return report;
 }
 
@@ -161,6 +162,17 @@ TEST(Readiness, EndsWithThePersonsWill) {
   motors.reason = OffReason::too_fast;
   EXPECT_EQ(current(), "armed");
   EXPECT_NE(words().find(entry_of(OffReason::too_fast).remedy), std::string::npos);
+}
+
+// Where everything else is ready, and until a newer reason stands there.
+TEST(Readiness, SaysThatNobodyGuardsTheMotors) {
+  MotorReport motors;
+  motors.has_motors = motors.is_handle_known = motors.is_outside_wall = true;
+  FalconReport report = well();
+  report.is_guarded = false;
+  EXPECT_NE(readiness_of(report, &motors).back().words.find("ghostforce-guard"), std::string::npos);
+  motors.reason = OffReason::too_fast;
+  EXPECT_EQ(readiness_of(report, &motors).back().words.find("ghostforce-guard"), std::string::npos);
 }
 
 // ---- Every step in each of its states ---------------------------------------------------------------------------------
