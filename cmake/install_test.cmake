@@ -16,6 +16,9 @@ file(RENAME ${scratch}/prefix ${scratch}/moved)
 if(NOT EXISTS ${scratch}/moved/lib/udev/rules.d/70-ghostforce.rules)
   message(FATAL_ERROR "The rules that let people use their devices were not installed.")
 endif()
+if(NOT EXISTS ${scratch}/moved/libexec/ghostforce/ghostforce-guard)
+  message(FATAL_ERROR "The guard of the motors was not installed.")
+endif()
 foreach(file IN ITEMS
     applications/ghostforce.desktop
     bash-completion/completions/ghostforce
