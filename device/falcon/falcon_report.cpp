@@ -19,6 +19,7 @@ constexpr std::array faults{
     FalconFaultEntry{FalconFault::firmware_silent, "firmware_silent", "firmware does not answer"},
     FalconFaultEntry{FalconFault::no_replies, "no_replies", "stopped answering"},
     FalconFaultEntry{FalconFault::kinematics, "kinematics", "impossible position"},
+    FalconFaultEntry{FalconFault::stop_owed, "stop_owed", "another Falcon comes first"},
 };
 
 // In the order of FalconState.

@@ -40,6 +40,7 @@ enum class FalconFault : std::uint8_t {
   firmware_silent,  // loaded, and no frame is answered
   no_replies,       // frames were answered, and are no more
   kinematics,       // the encoders' numbers belong to no position of the handle
+  stop_owed,        // another one, which may still push, is plugged in again and comes first
 };
 
 struct FalconFaultEntry {
@@ -61,8 +62,11 @@ struct FalconReport {
   FalconFault fault = FalconFault::none;  // in the state fault; else the one before, while it is tried again
   FalconSerial serial;
   bool is_virtual = false;
-  bool has_looked = false;      // for a device, once at least
-  bool may_still_push = false;  // it was told to stop and has not heard it: only its power plug helps
+  bool has_looked = false;  // for a device, once at least
+  // A device, this one or another, was told to stop and has not answered since: until it does, only its power plug
+  // helps for certain.
+  bool may_still_push = false;
+  FalconSerial owed_serial;  // of the one for which that has been so for longest
 
   bool has_firmware_file = false;
   bool has_firmware = false;  // the device answers frames

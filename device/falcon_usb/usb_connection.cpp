@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <exception>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -51,18 +52,15 @@ LinkFault link_fault_of(int libusb_error) noexcept {
   }
 }
 
-LinkFault UsbConnection::open(const UsbId& id, const std::string& serial,
-                              std::span<const std::uint8_t> first_bytes) noexcept {
+LinkFault UsbConnection::open(const UsbId& id, const std::string& serial, const StopDebts& owed) noexcept {
   close();
-  first_bytes_ = first_bytes;
-  has_taken_first_bytes_ = false;
   if (libusb_init(&context_) != LIBUSB_SUCCESS) {
     context_ = nullptr;
     return LinkFault::unsupported;
   }
   LinkFault fault = LinkFault::broken;
   try {
-    fault = find_and_take(id, serial);
+    fault = find_and_take(id, serial, owed);
     if (fault == LinkFault::none) find_descriptor();
   } catch (const std::exception&) {  // out of memory
     fault = LinkFault::broken;
@@ -71,8 +69,9 @@ LinkFault UsbConnection::open(const UsbId& id, const std::string& serial,
   return fault;
 }
 
-LinkFault UsbConnection::find_and_take(const UsbId& id, const std::string& wanted) {
+LinkFault UsbConnection::find_and_take(const UsbId& id, const std::string& wanted, const StopDebts& owed) {
   struct Candidate {
+    std::size_t place;  // among the debts
     std::string serial;
     libusb_device_handle* handle;
   };
@@ -95,23 +94,27 @@ LinkFault UsbConnection::find_and_take(const UsbId& id, const std::string& wante
     // A device that does not even tell its name now is left for later: its calibration goes by it.
     std::optional<std::string> serial = usb_serial_of(handle);
     if (!serial && fault == LinkFault::absent) fault = LinkFault::broken;
-    if (serial && (wanted.empty() || *serial == wanted)) {
-      candidates.push_back({*std::move(serial), handle});
+    const std::size_t place = serial ? owed.place_of(falcon_serial_of(*serial)) : StopDebts::most;
+    if (serial && (wanted.empty() || *serial == wanted || place < StopDebts::most)) {
+      candidates.push_back({place, *std::move(serial), handle});
     } else {
       libusb_close(handle);
     }
   }
   libusb_free_device_list(devices, 1);
 
-  std::ranges::sort(candidates, {}, &Candidate::serial);
+  std::ranges::sort(candidates, {}, [](const Candidate& one) { return std::tie(one.place, one.serial); });
+  const bool is_any_owed = !candidates.empty() && candidates.front().place < StopDebts::most;
   for (Candidate& candidate : candidates) {
-    if (handle_ == nullptr) {
+    const bool comes_later = is_any_owed && candidate.place == StopDebts::most;
+    if (handle_ == nullptr && !comes_later) {
       const LinkFault why_not = take(candidate.handle);
       if (why_not == LinkFault::none) {
         serial_ = std::move(candidate.serial);
         continue;
       }
-      if (fault == LinkFault::absent) fault = why_not;
+      // Why the device that comes first cannot be had says more than why another one tells nothing.
+      if (fault == LinkFault::absent || is_any_owed) fault = why_not;
     }
     libusb_close(candidate.handle);
   }
@@ -133,7 +136,6 @@ LinkFault UsbConnection::take(libusb_device_handle* handle) {
   LinkFault fault = find_endpoints(handle);
   if (fault == LinkFault::none) {
     handle_ = handle;
-    has_taken_first_bytes_ = !first_bytes_.empty() && send_at_any_cost(first_bytes_);
     fault = clear_halts(handle);
   }
   if (fault != LinkFault::none) {

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "device/falcon/falcon_link.h"
+#include "device/falcon/stop_debts.h"
 #include "device/falcon_usb/usb_search.h"
 
 struct libusb_context;
@@ -30,9 +31,8 @@ class UsbConnection {
 
   // Takes the first device with these ids, in the order of their serial numbers, that can be had; `serial` empty: any.
   // Clears the halt of both endpoints: a device that another driver or an earlier fault has left halted works again.
-  // `first_bytes` are sent before anything else is asked of the device, and sent again until the device takes them.
-  LinkFault open(const UsbId& id, const std::string& serial, std::span<const std::uint8_t> first_bytes = {}) noexcept;
-  bool has_taken_first_bytes() const noexcept { return has_taken_first_bytes_; }
+  // While any that is `owed` a stop is plugged in, the one whose debt is oldest is taken instead, and no other.
+  LinkFault open(const UsbId& id, const std::string& serial, const StopDebts& owed = {}) noexcept;
 
   // Gives the device back: what is still under way on it ends. Transfers are freed after that, and before close().
   void release_device() noexcept;
@@ -57,7 +57,7 @@ class UsbConnection {
   int descriptor() const noexcept { return descriptor_.load(std::memory_order_relaxed); }
 
  private:
-  LinkFault find_and_take(const UsbId& id, const std::string& serial);
+  LinkFault find_and_take(const UsbId& id, const std::string& serial, const StopDebts& owed);
   LinkFault take(libusb_device_handle* handle);
   LinkFault find_endpoints(libusb_device_handle* handle);
   LinkFault clear_halts(libusb_device_handle* handle) const noexcept;
@@ -69,8 +69,6 @@ class UsbConnection {
   std::uint8_t out_endpoint_ = 0;
   std::size_t packet_size_ = 0;
   std::string serial_;
-  std::span<const std::uint8_t> first_bytes_;  // during open()
-  bool has_taken_first_bytes_ = false;
   std::atomic<int> descriptor_{-1};
 };
 

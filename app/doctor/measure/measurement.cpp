@@ -75,7 +75,7 @@ FalconMeasurement measure_falcon(Falcon& falcon, Operator& person, const FalconC
   begin.scale = before.scale;
 
   FalconMeasurement measurement;
-  MeasuringRig rig(person, falcon.link(), begin);
+  MeasuringRig rig(person, falcon.lend_link(), begin);
   std::array<bool, 3> has{true, false, false};  // by MeasureStep::Needs
   const auto catalog = measure_step_catalog();
   try {
