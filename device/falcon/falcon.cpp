@@ -147,7 +147,7 @@ void Falcon::configure() noexcept {
   const LinkProgress progress = link_script_.update(link());
   if (progress == LinkProgress::running) return;
   if (progress == LinkProgress::failed) return end(FalconFault::broken);
-  questions_left_ = has_answered_ ? patient_questions : first_questions;
+  questions_left_ = has_answered_ || may_push_ ? patient_questions : first_questions;
   packets_before_ = link().counters().packets_in;
   begin_exchanging();
   phase_ = Phase::asking;
@@ -427,7 +427,8 @@ void Falcon::measure_rate() noexcept {
   report_.exchange_s = window_.exchanges > 0 ? window_.sum_s / window_.exchanges : 0.0;
   report_.worst_exchange_s = window_.worst_s;
   report_.line_errors = link().counters().line_errors;
-  wants_latency_ = !report_.is_fast_enough();
+  // By the time of one answer: a device that is not homed yet is asked less often than it could be.
+  wants_latency_ = report_.exchange_s * FalconReport::fast_enough_hz > 1.0;
   window_ = {.began_ns = link().now_ns()};
 }
 
