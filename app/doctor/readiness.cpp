@@ -92,16 +92,21 @@ constexpr std::array faults{
                "Close other busy programs. The program opens the device again by itself."},
     FaultEntry{FalconFault::unguarded, ReadinessStep::free, "The guard of the motors has ended.",
                "The program opens the device again by itself, with a new guard."},
+    FaultEntry{FalconFault::stop_owed, ReadinessStep::firmware,
+               "Another Falcon, whose motors may still push, was plugged in again.",
+               "Wait a moment: the program stops that one first, and then continues with this one."},
 };
-static_assert(faults.size() == static_cast<std::size_t>(FalconFault::unguarded) + 1);
+static_assert(faults.size() == static_cast<std::size_t>(FalconFault::stop_owed) + 1);
 
-// The wire to the device is dead, and what it was told last was a force.
-constexpr std::string_view still_pushing =
-    "The motors may still push, and the program cannot stop them: unplug the device's power supply now. ";
-
-constexpr std::string_view no_guard =
-    "The guard that turns the motors off if this program cannot has not started. The motors stay off. Install "
-    "ghostforce again: the program ghostforce-guard belongs to it.";
+// What a device was told last was a force, or it has not answered since it was told to stop.
+std::string still_pushing(const FalconReport& report) {
+  if (!report.may_still_push) return "";
+  const std::string_view serial = report.owed_serial.text();
+  return fmt::format(
+      "The motors{}{} may still push: unplug the device's power supply now. The program stops them as "
+      "soon as the device answers again. ",
+      serial.empty() ? "" : " of the Falcon with the serial number ", serial);
+}
 
 // The motors of which `is_so` is `wanted`: "motor 1 and motor 3".
 std::string motors_where(const std::array<bool, 3>& is_so, bool wanted) {
@@ -184,12 +189,16 @@ class ReadinessCheck {
       if (has_failed) state.title = entry.open_title;
       if (state.is_current && report_.state == FalconState::fault && report_.fault != FalconFault::none) {
         const FaultEntry& fault = readiness_fault(report_.fault);
-        state.words = fmt::format("{}{} {}", report_.may_still_push ? still_pushing : "", fault.sentence, fault.remedy);
+        state.words = fmt::format("{} {}", fault.sentence, fault.remedy);
       } else if (state.is_reached || has_failed) {
         state.words = words(entry, state.is_reached);
       }
       states.push_back(std::move(state));
     }
+    // Where everybody looks, whatever else is so: it may be another device than the one that is in use.
+    const auto current = std::ranges::find(states, true, &ReadinessStepState::is_current);
+    ReadinessStepState& shown = current == states.end() ? states.back() : *current;
+    shown.words.insert(0, still_pushing(report_));
     return states;
   }
 
@@ -267,7 +276,7 @@ class ReadinessCheck {
       case SafetyState::off:
       case SafetyState::fade: {
         if (motors_->reason == OffReason::none) {
-          if (report_.is_readable() && !report_.is_guarded) return std::string(no_guard);
+          if (report_.is_readable() && !report_.is_guarded) return std::string(no_guard());
           break;
         }
         const OffReasonEntry& reason = entry_of(motors_->reason);
@@ -298,6 +307,11 @@ std::span<const ReadinessEntry> readiness_catalog() noexcept {
 
 const ReadinessEntry& entry_of(ReadinessStep step) noexcept {
   return steps[static_cast<std::size_t>(step)];
+}
+
+std::string_view no_guard() noexcept {
+  return "The guard that turns the motors off if this program cannot has not started. The motors stay off. Install "
+         "ghostforce again: the program ghostforce-guard belongs to it.";
 }
 
 std::string_view sentence_of(FalconFault fault) noexcept {

@@ -35,6 +35,9 @@ const ReadinessEntry& entry_of(ReadinessStep step) noexcept;
 std::string_view sentence_of(FalconFault fault) noexcept;
 std::string_view remedy_of(FalconFault fault) noexcept;
 
+// Why a device that is well may not push: nobody guards its motors, and what to do about it.
+std::string_view no_guard() noexcept;
+
 // Whether the device can exchange often enough, and answers none too late. Until it is homed the driver asks less often
 // than it could; then the time of one answer tells.
 bool is_fast_and_even(const FalconReport& report) noexcept;

@@ -40,6 +40,11 @@ class FalconSerial {
   std::uint8_t size_ = 0;
 };
 
+// As a device is known by what it says; one whose number is too long is known as one without.
+constexpr FalconSerial falcon_serial_of(std::string_view text) noexcept {
+  return FalconSerial::from(text).value_or(FalconSerial());
+}
+
 // Motor counts per N·m at an upper arm. Three were published and they disagree: from captures of the vendor's driver,
 // from Martin & Hillier's measurement of the motors, and from libnifalcon's comparison with the vendor's driver
 // (10000). Only the second was measured as a torque. A device whose true number is smaller pushes harder than it was

@@ -8,6 +8,7 @@
 
 #include "device/falcon/emergency_stop.h"
 #include "device/falcon/ftdi_requests.h"
+#include "device/falcon/link_setup.h"
 
 namespace ghostforce {
 namespace {
@@ -24,22 +25,6 @@ constexpr double greatest_leap_per_s = 65e3;
 constexpr double least_reach = 40.0;      // [counts]
 constexpr double greatest_reach = 250.0;  // less than what a wrong digit of the third place makes [counts]
 constexpr double rate_window_s = 0.5;
-
-using Step = LinkScriptStep;
-
-// DTR and RTS are left as they are: a device that runs may take their edge for a reset.
-constexpr std::array run_time{
-    ask(ftdi::latency(1)),           ask(ftdi::running_rate),    ask(ftdi::eight_bits_no_parity_one_stop),
-    ask(ftdi::no_flow_control),      ask(ftdi::forget_received), ask(ftdi::forget_unsent),
-    Step{.kind = Step::Kind::flush},
-};
-
-constexpr std::array purge{
-    Step{.kind = Step::Kind::wait, .duration_ms = Falcon::flush_ms},
-    ask(ftdi::forget_received),
-    ask(ftdi::forget_unsent),
-    Step{.kind = Step::Kind::flush},
-};
 
 // In the order of LinkFault: a device that is not there is no fault.
 constexpr std::array link_faults{FalconFault::none,   FalconFault::none,        FalconFault::not_allowed,
@@ -80,6 +65,7 @@ Falcon::Falcon(std::unique_ptr<FalconLink> link, FalconOptions options)
 
 Falcon::~Falcon() {
   shut_down();
+  pay_debts();
   opener_.end();  // until then an emergency still finds the link
   emergency_stop::watch(nullptr);
 }
@@ -91,7 +77,6 @@ double Falcon::since(std::int64_t then_ns) const noexcept {
 void Falcon::update() noexcept {
   if (opener_.is_busy()) return;
   if (phase_ == Phase::pausing) {
-    follow_stop();
     if (since(phase_began_ns_) < pause_s_) return;
     look();
     if (opener_.is_busy()) return;
@@ -99,6 +84,7 @@ void Falcon::update() noexcept {
   if (phase_ == Phase::opening) return opened(link().fault());
   link().wait_until(link().now_ns());  // lets transfers make progress
   if (link().fault() != LinkFault::none) return end(fault_of(link().fault()));
+  if (has_owed_returned()) return end(FalconFault::stop_owed);
   switch (phase_) {
     case Phase::pausing:
     case Phase::opening:
@@ -115,17 +101,17 @@ void Falcon::update() noexcept {
 }
 
 void Falcon::look() noexcept {
-  opener_.open();
+  opener_.open(debts_);
   phase_ = Phase::opening;
 }
 
 void Falcon::opened(LinkFault fault) noexcept {
-  follow_stop();
+  opener_.has_found_one();  // whatever it was, it has been looked for again
   report_.has_looked = true;
   phase_began_ns_ = link().now_ns();
   if (fault == LinkFault::absent) {
     phase_ = Phase::pausing;
-    pause_s_ = look_again_s;
+    pause_s_ = debts_.empty() ? look_again_s : soon_s;
     has_answered_ = false;
     // That it was there and has gone stays on screen until it is back.
     if (report_.fault != FalconFault::none) report_.fault = FalconFault::unplugged;
@@ -136,14 +122,22 @@ void Falcon::opened(LinkFault fault) noexcept {
   if (fault != LinkFault::none) return end(fault_of(fault));
   emergency_stop::watch(&link());
   report_.is_guarded = link().is_guarded();
-  report_.serial = FalconSerial::from(link().serial()).value_or(FalconSerial());
+  const FalconSerial before = std::exchange(report_.serial, falcon_serial_of(link().serial()));
+  if (before != report_.serial) {
+    attempt_ = 0;
+    has_answered_ = false;
+  }
+  may_push_ = debts_.has(report_.serial);
+  link().set_may_push(may_push_);
+  is_only_owed_ = may_push_ && report_.serial != in_use_;
+  if (!is_only_owed_) in_use_ = report_.serial;
   calibration_ = calibration_of(report_.serial, options_.calibrations);
   kinematics_ = FalconKinematics(calibration_.geometry);
   report_.exchanges = 0;
   report_.lost_exchanges = 0;
   report_.state = attempt_ == 0 ? FalconState::opening : FalconState::loading_firmware;
   may_have_firmware_ = attempt_ == 0;
-  link_script_ = LinkScript(run_time);
+  link_script_ = LinkScript(set_up_link);
   phase_ = Phase::configuring;
   if (!may_have_firmware_) {
     boot_loader_ = BootLoader(options_.firmware);
@@ -155,7 +149,7 @@ void Falcon::configure() noexcept {
   const LinkProgress progress = link_script_.update(link());
   if (progress == LinkProgress::running) return;
   if (progress == LinkProgress::failed) return end(FalconFault::broken);
-  questions_left_ = has_answered_ ? patient_questions : first_questions;
+  questions_left_ = has_answered_ || may_push_ ? patient_questions : first_questions;
   packets_before_ = link().counters().packets_in;
   begin_exchanging();
   phase_ = Phase::asking;
@@ -165,6 +159,14 @@ void Falcon::configure() noexcept {
 // never taken for silence: loading firmware makes a device forget its home.
 void Falcon::ask() noexcept {
   if (take_replies()) {
+    if (is_only_owed_) {
+      if (may_push_) return;
+      // The one that is to be used is next.
+      opener_.close();
+      phase_ = Phase::pausing;
+      pause_s_ = 0.0;
+      return;
+    }
     report_.has_firmware = has_answered_ = true;
     attempt_ = 0;
     phase_ = Phase::exchanging;
@@ -201,7 +203,7 @@ void Falcon::load() noexcept {
   report_.bytes_echoed = static_cast<std::uint32_t>(boot_loader_.bytes_echoed());
   if (progress == LinkProgress::failed) return try_loading_again(fault_of(boot_loader_.fault()));
   if (progress == LinkProgress::running) return;
-  link_script_ = LinkScript(run_time);
+  link_script_ = LinkScript(set_up_link);
   phase_ = Phase::configuring;
 }
 
@@ -234,7 +236,7 @@ void Falcon::begin_exchanging() noexcept {
 
 void Falcon::end(FalconFault fault) noexcept {
   // Also through a link that hears no more: it may still be heard, and closing it insists.
-  if (phase_ == Phase::exchanging) stop_motors();
+  if (phase_ == Phase::exchanging || (phase_ == Phase::asking && may_push_)) stop_motors();
   opener_.close();
   if (fault == FalconFault::unplugged) has_answered_ = false;
   report_.state = FalconState::fault;
@@ -251,7 +253,7 @@ void Falcon::end(FalconFault fault) noexcept {
   phase_ = Phase::pausing;
   phase_began_ns_ = link().now_ns();
   // Somebody who plugs a device in again is not made to wait.
-  pause_s_ = fault == FalconFault::unplugged ? 0.1 : try_again_s;
+  pause_s_ = fault == FalconFault::unplugged || !debts_.empty() ? soon_s : try_again_s;
 }
 
 void Falcon::exchange() noexcept {
@@ -259,7 +261,6 @@ void Falcon::exchange() noexcept {
   const double silence_s = since(heard_ns_);
   if (silence_s >= give_up_s) return end(FalconFault::no_replies);
   if (is_purging_) {
-    follow_stop();
     if (link().owes_stop() && !link().is_sending()) stop_motors();
     is_purging_ = link_script_.update(link()) == LinkProgress::running;
     if (is_purging_) return;
@@ -273,9 +274,12 @@ void Falcon::exchange() noexcept {
     ++report_.lost_exchanges;
     window_.worst_s = std::max(window_.worst_s, since(asked_ns_));
     command_.motors = {};
-    stop_motors();
-    link_script_ = LinkScript(purge);
+    note_stop();
+    link_script_ = LinkScript(stop_and_set_up_link_again);
+    link_script_.update(link());
     is_purging_ = true;
+  } else if (wants_latency_ && !replies_.is_waiting() && report_.motors == MotorNumbers{}) {
+    wants_latency_ = !link().request(ftdi::latency(1));
   } else if (replies_.may_ask_again(now_ns)) {
     if (send_command()) ++report_.lost_exchanges;
   } else if ((is_command_new_ || silence_s >= keep_alive_s) && replies_.may_send(now_ns)) {
@@ -300,9 +304,11 @@ void Falcon::take(const ReplyFrame& frame) noexcept {
   const auto asked_ns = replies_.replied(link().now_ns());
   if (!asked_ns) return;  // a reply that came twice is no news
   heard_ns_ = link().now_ns();
-  if (may_push_ && !replies_.is_waiting() && report_.motors == MotorNumbers{}) {
-    may_push_ = report_.may_still_push = false;
-    link().set_may_push(false);
+  if (!replies_.is_waiting() && report_.motors == MotorNumbers{}) {
+    if (may_push_) link().set_may_push(false);
+    may_push_ = false;
+    debts_.remove(report_.serial);
+    note_debts();
   }
   ++report_.exchanges;
   ++window_.exchanges;
@@ -419,17 +425,6 @@ bool Falcon::send_command() noexcept {
   return true;
 }
 
-void Falcon::stop_motors() noexcept {
-  link().stop(stop_frames());
-  report_.motors = {};
-  report_.may_still_push = may_push_;
-}
-
-// Whether the stop has arrived by now.
-void Falcon::follow_stop() noexcept {
-  if (report_.may_still_push && !link().owes_stop()) may_push_ = report_.may_still_push = false;
-}
-
 void Falcon::measure_rate() noexcept {
   const double window_s = since(window_.began_ns);
   if (window_s < rate_window_s) return;
@@ -437,37 +432,9 @@ void Falcon::measure_rate() noexcept {
   report_.exchange_s = window_.exchanges > 0 ? window_.sum_s / window_.exchanges : 0.0;
   report_.worst_exchange_s = window_.worst_s;
   report_.line_errors = link().counters().line_errors;
+  // By the time of one answer: a device that is not homed yet is asked less often than it could be.
+  wants_latency_ = report_.exchange_s * FalconReport::fast_enough_hz > 1.0;
   window_ = {.began_ns = link().now_ns()};
-}
-
-void Falcon::shut_down() noexcept {
-  if (opener_.is_busy()) return;
-  if (is_exchanging()) {
-    say_goodbye();
-    report_.state = FalconState::absent;
-    report_.motors = {};
-  }
-  opener_.close();
-  phase_ = Phase::pausing;
-  phase_began_ns_ = link().now_ns();
-  pause_s_ = try_again_s;
-}
-
-// Until three answers have come: the device has heard it, and not only the chip before it.
-void Falcon::say_goodbye() noexcept {
-  command_ = {};
-  const std::int64_t deadline_ns = link().now_ns() + 100'000'000;
-  const int on_its_way = replies_.is_waiting() ? 1 : 0;  // the answer to what was said before
-  int heard = -on_its_way;
-  while (heard < 3 && link().fault() == LinkFault::none && link().now_ns() < deadline_ns) {
-    if (replies_.may_send(link().now_ns()) || since(sent_ns_) >= stop_s) send_command();
-    link().wait_until(std::min(deadline_ns, link().now_ns() + 5'000'000));
-    if (take_replies()) {
-      ++heard;
-      command_ = {};
-    }
-  }
-  if (heard < 3) stop_motors();
 }
 
 }  // namespace ghostforce

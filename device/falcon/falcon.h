@@ -7,8 +7,13 @@
 // takes a while, opening and closing (link_opener.h).
 //
 // A reply that is lost or garbled is asked for again after 6 ms, and for up to 18 ms no new force goes out
-// (reply_matcher.h). After 20 ms without a reply the motors are told to stop. Encoders that leap farther than a hand
-// can move are not believed until three replies in a row say so.
+// (reply_matcher.h). After 20 ms without a reply the motors are told to stop, and again once the chip has been set up
+// anew (link_setup.h). Encoders that leap farther than a hand can move are not believed until three replies in a row
+// say so.
+//
+// A device that has pushed and does not answer a zero is owed a stop (stop_debts.h). It comes before any other: while
+// it is plugged in no other one is used, and when it is plugged in while another one is, that one's motors stop and it
+// is closed. Another one may push while it is away: nothing could be done for it meanwhile.
 #pragma once
 
 #include <array>
@@ -25,6 +30,7 @@
 #include "device/falcon/link_opener.h"
 #include "device/falcon/link_script.h"
 #include "device/falcon/reply_matcher.h"
+#include "device/falcon/stop_debts.h"
 
 namespace ghostforce {
 
@@ -40,16 +46,17 @@ class Falcon {
   static constexpr int attempts = 10;
   static constexpr double look_again_s = 0.5;  // while absent
   static constexpr double try_again_s = 1.0;   // after a fault
+  static constexpr double soon_s = 0.1;        // after it was unplugged, and while a stop is owed
   // Without a reply: motors are told to stop. Replies that come later still must never look fresh.
   static constexpr double stop_s = 0.020;
-  // After that: replies to commands that were given up may still come, and are thrown away for so long.
-  static constexpr int flush_ms = 60;
   static constexpr double give_up_s = 1.0;        // without a reply
   static constexpr double keep_alive_s = 0.003;   // after a reply, if nobody commands anything
   static constexpr double first_reply_s = 0.020;  // of a device that may have firmware
   static constexpr int first_questions = 25;
   // The same for one that has answered before, so that a slow device is not taken for one without firmware and reset.
   static constexpr int patient_questions = 50;
+  // At the end of the program, for devices that are owed a stop and are plugged in.
+  static constexpr double last_stops_s = 3.0;
 
   Falcon(std::unique_ptr<FalconLink> link, FalconOptions options);
   ~Falcon();
@@ -75,6 +82,12 @@ class Falcon {
   // Lets the device work until then; returns sooner when something has happened.
   void wait_until(std::int64_t deadline_ns) noexcept { opener_.wait_until(deadline_ns); }
   FalconLink& link() const noexcept { return opener_.link(); }
+  // For who drives the motors without this driver, while nobody calls update(): afterwards the device has to answer a
+  // zero, or it is owed one.
+  FalconLink& lend_link() noexcept {
+    may_push_ = true;
+    return link();
+  }
 
  private:
   enum class Phase : std::uint8_t { pausing, opening, configuring, asking, loading, exchanging };
@@ -100,7 +113,10 @@ class Falcon {
   void locate(const MotorNumbers& encoders, std::int64_t asked_ns) noexcept;
   bool send_command() noexcept;
   void stop_motors() noexcept;
-  void follow_stop() noexcept;
+  void note_stop() noexcept;
+  void note_debts() noexcept;
+  bool has_owed_returned() noexcept;
+  void pay_debts() noexcept;
   void say_goodbye() noexcept;
   void measure_rate() noexcept;
 
@@ -114,6 +130,10 @@ class Falcon {
   std::int64_t phase_began_ns_ = 0;
   double pause_s_ = 0.0;  // until the next look
   int attempt_ = 0;       // to load the firmware
+  StopDebts debts_;
+  FalconSerial in_use_;         // the last one that was opened to be used
+  bool is_only_owed_ = false;   // this one is open for its stop alone
+  std::int64_t looked_ns_ = 0;  // for one that is owed a stop, while another is in use
   bool may_have_firmware_ = true;
   LinkScript link_script_;
   BootLoader boot_loader_;
@@ -130,10 +150,11 @@ class Falcon {
   std::int64_t asked_ns_ = 0;  // the first command since the last reply
   std::int64_t heard_ns_ = 0;  // the last reply
   bool is_purging_ = false;
-  int unhomed_replies_ = 0;  // in a row
-  int homed_replies_ = 0;    // in a row
-  bool has_home_ = false;    // believed
-  MotorNumbers least_{};     // of the encoders, since homing
+  bool wants_latency_ = false;  // the chip is too slow, and has perhaps refused to be faster
+  int unhomed_replies_ = 0;     // in a row
+  int homed_replies_ = 0;       // in a row
+  bool has_home_ = false;       // believed
+  MotorNumbers least_{};        // of the encoders, since homing
   MotorNumbers greatest_{};
   MotorNumbers believed_{};       // the newest encoders that were believed
   MotorNumbers odd_{};            // and the newest that were not

@@ -13,6 +13,8 @@
 
 namespace ghostforce {
 
+class StopDebts;
+
 // A control transfer to the chip: bmRequestType 0x40, no data.
 struct VendorRequest {
   std::uint8_t request = 0;
@@ -66,6 +68,11 @@ class FalconLink {
   // Looks for the device, takes it and clears what an earlier fault has left; from then on bytes come in by themselves.
   // Returns fault().
   virtual LinkFault open() noexcept = 0;
+  // The same, but devices that are owed a stop come before the one that would be chosen: while one of them is plugged
+  // in, no other is opened, and the fault says why it cannot be. A link that leads to a single device has no choice.
+  virtual LinkFault open_first(const StopDebts& /*owed*/) noexcept { return open(); }
+  // Looks whether one of these devices is plugged in, whatever is open. Waits for the system; on the thread that opens.
+  virtual bool is_any_plugged_in(const StopDebts& /*owed*/) const noexcept { return false; }
 
   // Sends what owes_stop() speaks of, ends what is under way and gives the device back. Also after a fault. Nothing if
   // it is not open.
@@ -86,8 +93,9 @@ class FalconLink {
   virtual bool is_sending() const noexcept = 0;
 
   // The motors' zero, ahead of everything: what is being written is cancelled, and these bytes go out in its place,
-  // even after a fault, unless the device is gone. At most 64 bytes. Returns at once; owes_stop() says whether they
-  // have arrived. If not, close() and the next open() keep trying to send them.
+  // even after a fault, unless the device is gone. At most 64 bytes. Returns at once; owes_stop() says whether the chip
+  // still has to take them, and close() then keeps trying for a while. That the device behind the chip has heard them,
+  // only its reply tells.
   virtual void stop(std::span<const std::uint8_t> bytes) noexcept = 0;
   virtual bool owes_stop() const noexcept = 0;
 

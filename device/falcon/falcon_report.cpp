@@ -21,6 +21,7 @@ constexpr std::array faults{
     FalconFaultEntry{FalconFault::kinematics, "kinematics", "impossible position"},
     FalconFaultEntry{FalconFault::overruled, "overruled", "turned off by the guard"},
     FalconFaultEntry{FalconFault::unguarded, "unguarded", "guard gone"},
+    FalconFaultEntry{FalconFault::stop_owed, "stop_owed", "another Falcon comes first"},
 };
 
 // In the order of FalconState.

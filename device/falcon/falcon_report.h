@@ -42,6 +42,7 @@ enum class FalconFault : std::uint8_t {
   kinematics,       // the encoders' numbers belong to no position of the handle
   overruled,        // the guard has stopped the motors in place of this program
   unguarded,        // the guard is gone
+  stop_owed,        // another one, which may still push, is plugged in again and comes first
 };
 
 struct FalconFaultEntry {
@@ -63,9 +64,12 @@ struct FalconReport {
   FalconFault fault = FalconFault::none;  // in the state fault; else the one before, while it is tried again
   FalconSerial serial;
   bool is_virtual = false;
-  bool has_looked = false;      // for a device, once at least
-  bool is_guarded = false;      // somebody stops the motors when this program cannot
-  bool may_still_push = false;  // it was told to stop and has not heard it: only its power plug helps
+  bool has_looked = false;  // for a device, once at least
+  bool is_guarded = false;  // somebody stops the motors when this program cannot
+  // A device, this one or another, was told to stop and has not answered since: until it does, only its power plug
+  // helps for certain.
+  bool may_still_push = false;
+  FalconSerial owed_serial;  // of the one for which that has been so for longest
 
   bool has_firmware_file = false;
   bool has_firmware = false;  // the device answers frames

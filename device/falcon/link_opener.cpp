@@ -27,14 +27,33 @@ class LinkOpener::Worker {
     thread_.join();
   }
 
+  void open(const StopDebts& owed) noexcept {
+    to_open_ = owed;
+    ask(Task::open);
+  }
+  void close() noexcept { ask(Task::close); }
+  bool is_busy() const noexcept { return task_.load(std::memory_order_acquire) != Task::none; }
+
+  void look_for(const StopDebts& owed) noexcept {
+    if (search_.load(std::memory_order_acquire) == Search::asked) return;
+    to_find_ = owed;
+    search_.store(Search::asked, std::memory_order_release);
+    asked_.release();
+  }
+  bool has_found_one() noexcept {
+    Search found = Search::found;
+    return search_.compare_exchange_strong(found, Search::none, std::memory_order_acq_rel);
+  }
+
+ private:
+  enum class Search : std::uint8_t { none, asked, found };
+
   void ask(Task task) noexcept {
     assert(!is_busy());
     task_.store(task, std::memory_order_release);
     asked_.release();
   }
-  bool is_busy() const noexcept { return task_.load(std::memory_order_acquire) != Task::none; }
 
- private:
   void run() noexcept {
     const AlternateStack alternate_stack;
     leave_process_signals();
@@ -42,22 +61,22 @@ class LinkOpener::Worker {
     for (;;) {
       asked_.acquire();
       Task task = task_.load(std::memory_order_acquire);
-      if (task == Task::end) {
-        if (link_.owes_stop()) link_.open();
-        return link_.close();
-      }
-      if (task == Task::open) {
-        link_.open();
-      } else {
-        link_.close();
-      }
+      if (task == Task::end) return link_.close();
+      if (task == Task::open) link_.open_first(to_open_);
+      if (task == Task::close) link_.close();
       // The link is the driver's again, unless the end has been asked for meanwhile.
-      task_.compare_exchange_strong(task, Task::none, std::memory_order_acq_rel);
+      if (task != Task::none) task_.compare_exchange_strong(task, Task::none, std::memory_order_acq_rel);
+      if (search_.load(std::memory_order_acquire) == Search::asked) {
+        search_.store(link_.is_any_plugged_in(to_find_) ? Search::found : Search::none, std::memory_order_release);
+      }
     }
   }
 
   FalconLink& link_;
   std::atomic<Task> task_{Task::none};
+  StopDebts to_open_;  // of a task to open
+  std::atomic<Search> search_{Search::none};
+  StopDebts to_find_;  // while it is asked for
   std::counting_semaphore<> asked_{0};
   std::thread thread_;  // last: it uses what stands above
 };
@@ -70,14 +89,23 @@ LinkOpener::~LinkOpener() {
   end();
 }
 
-void LinkOpener::open() noexcept {
-  if (worker_) return worker_->ask(Worker::Task::open);
-  link_->open();
+void LinkOpener::open(const StopDebts& owed) noexcept {
+  if (worker_) return worker_->open(owed);
+  link_->open_first(owed);
 }
 
 void LinkOpener::close() noexcept {
-  if (worker_) return worker_->ask(Worker::Task::close);
+  if (worker_) return worker_->close();
   link_->close();
+}
+
+void LinkOpener::look_for(const StopDebts& owed) noexcept {
+  if (worker_) return worker_->look_for(owed);
+  has_found_ = link_->is_any_plugged_in(owed);
+}
+
+bool LinkOpener::has_found_one() noexcept {
+  return worker_ ? worker_->has_found_one() : std::exchange(has_found_, false);
 }
 
 void LinkOpener::end() noexcept {

@@ -4,7 +4,7 @@
 // for. A page, which has no threads, has no other links.
 //
 // The link belongs to one thread at a time: to the opener's while is_busy(), else to the driver's. Its now_ns() and
-// send_at_once() belong to everybody. All functions here belong to the driver's thread; none but the constructor
+// send_at_once() belong to everybody, is_any_plugged_in() to the opener's thread. All functions here belong to the driver's thread; none but the constructor
 // allocates or throws, and only end() and wait_until() wait.
 #pragma once
 
@@ -12,6 +12,7 @@
 #include <memory>
 
 #include "device/falcon/falcon_link.h"
+#include "device/falcon/stop_debts.h"
 
 namespace ghostforce {
 
@@ -23,13 +24,17 @@ class LinkOpener {
   LinkOpener& operator=(const LinkOpener&) = delete;
   ~LinkOpener();
 
-  // Not while it is busy.
-  void open() noexcept;
+  // Not while it is busy. See FalconLink::open_first().
+  void open(const StopDebts& owed) noexcept;
   void close() noexcept;
-  // For good: ends the thread with the link closed, and with a last attempt at a stop that the link still owes. Waits
-  // for what is under way, perhaps for seconds.
+  // For good: ends the thread with the link closed. Waits for what is under way, perhaps for seconds.
   void end() noexcept;
   bool is_busy() const noexcept;
+
+  // Looks whether one of these devices is plugged in, while the driver goes on with the link. Nothing if it is looking.
+  void look_for(const StopDebts& owed) noexcept;
+  // Whether one was. Says so once.
+  bool has_found_one() noexcept;
 
   FalconLink& link() const noexcept { return *link_; }
 
@@ -40,6 +45,7 @@ class LinkOpener {
   class Worker;
 
   std::unique_ptr<FalconLink> link_;
+  bool has_found_ = false;          // without a thread
   std::unique_ptr<Worker> worker_;  // with the thread; null: the link needs none
 };
 

@@ -15,8 +15,8 @@ LinkOpener::~LinkOpener() {
   end();
 }
 
-void LinkOpener::open() noexcept {
-  link_->open();
+void LinkOpener::open(const StopDebts& owed) noexcept {
+  link_->open_first(owed);
 }
 
 void LinkOpener::close() noexcept {
@@ -25,6 +25,14 @@ void LinkOpener::close() noexcept {
 
 void LinkOpener::end() noexcept {
   link_->close();
+}
+
+void LinkOpener::look_for(const StopDebts& owed) noexcept {
+  has_found_ = link_->is_any_plugged_in(owed);
+}
+
+bool LinkOpener::has_found_one() noexcept {
+  return std::exchange(has_found_, false);
 }
 
 bool LinkOpener::is_busy() const noexcept {

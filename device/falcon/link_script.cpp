@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "device/falcon/frame.h"
+
 namespace ghostforce {
 namespace {
 
@@ -22,6 +24,7 @@ LinkProgress LinkScript::update(FalconLink& link) noexcept {
       const std::span bytes(reinterpret_cast<const std::uint8_t*>(step.bytes.data()), step.bytes.size());
       if (step.kind == LinkScriptStep::Kind::request && !link.request(step.asked)) return LinkProgress::running;
       if (step.kind == LinkScriptStep::Kind::send && !link.write(bytes)) return LinkProgress::running;
+      if (step.kind == LinkScriptStep::Kind::stop) link.stop(stop_frames());
       if (step.kind == LinkScriptStep::Kind::flush) flush(link);
       has_begun_ = true;
       began_ns_ = link.now_ns();
@@ -50,6 +53,7 @@ LinkProgress LinkScript::pursue(const LinkScriptStep& step, FalconLink& link) no
       return done_if(is_over);
     case LinkScriptStep::Kind::await_clear_to_send:
       return done_if(is_over || (link.modem_status() & clear_to_send) != 0);
+    case LinkScriptStep::Kind::stop:
     case LinkScriptStep::Kind::flush:
       return LinkProgress::done;
   }

@@ -16,6 +16,7 @@ struct LinkScriptStep {
   enum class Kind : std::uint8_t {
     request,              // the chip is asked for something
     send,                 // `bytes` go out
+    stop,                 // the motors' zero goes out, ahead of everything; it is not waited for
     expect,               // `bytes` must come within `duration_ms`, whatever comes before them
     wait,                 // `duration_ms` pass
     await_clear_to_send,  // until the other side raises CTS, but `duration_ms` at most: not all devices do

@@ -12,6 +12,7 @@
 #include "device/falcon/emergency_stop.h"
 #include "device/falcon/frame.h"
 #include "device/falcon/ftdi_requests.h"
+#include "device/falcon/stop_debts.h"
 
 namespace ghostforce {
 namespace {
@@ -31,8 +32,9 @@ constexpr unsigned last_send_timeout_ms = 20;
 constexpr std::int64_t close_timeout_ns = 200'000'000;
 // In closing, a stop that is under way gets so long; then it is sent anew.
 constexpr std::int64_t stop_timeout_ns = 20'000'000;
-// Letters that a USB string can hold.
-constexpr std::size_t longest_serial = 126;
+// For so long after that, and with such pauses.
+constexpr std::int64_t insist_ns = 500'000'000;
+constexpr std::int64_t attempt_pause_ns = 100'000;
 // While nothing comes, libusb is asked this often whether a transfer has timed out, and the guard hears of it.
 constexpr std::int64_t longest_wait_ns = 5'000'000;
 
@@ -50,18 +52,14 @@ struct FtdiLink::Callbacks {
 
 // --- Opening and closing ---------------------------------------------------------------------------------------------
 
-LinkFault FtdiLink::open() noexcept {
+LinkFault FtdiLink::open_first(const StopDebts& owed) noexcept {
   close();
   counters_ = {};
   modem_status_ = 0;
   first_ = held_ = 0;
   failures_in_a_row_ = errors_out_in_a_row_ = 0;
-  owed_serial_.reserve(longest_serial);  // stop() may not allocate
-  // A device that is owed a stop comes first: its motors have a supply of their own, so that it may push although its
-  // cable was out.
-  fault_ = owes_stop() ? usb_.open(options_.id, owed_serial_, owed()) : LinkFault::absent;
-  if (fault_ == LinkFault::none && usb_.has_taken_first_bytes()) owed_size_ = 0;
-  if (fault_ == LinkFault::absent) fault_ = usb_.open(options_.id, options_.serial);
+  owed_size_ = 0;
+  fault_ = usb_.open(options_.id, options_.serial, owed);
   if (fault_ == LinkFault::none && !make_transfers()) fault_ = LinkFault::broken;
   if (fault_ == LinkFault::none) find_poll_descriptors();
   for (Receiver& receiver : receivers_) {
@@ -102,6 +100,12 @@ void FtdiLink::heed_guard() noexcept {
   } else if (guard_.state() == GuardState::watching && !guard_.is_watching(now_ns)) {
     set_fault(LinkFault::unguarded);
   }
+}
+
+bool FtdiLink::is_any_plugged_in(const StopDebts& owed) const noexcept {
+  return std::ranges::any_of(list_falcons(options_.id).devices, [&owed](const UsbDeviceFound& found) {
+    return found.may_open && owed.has(falcon_serial_of(found.serial));
+  });
 }
 
 bool FtdiLink::make_transfers() {
@@ -150,8 +154,7 @@ void FtdiLink::close() noexcept {
   }
   deadline_ns = monotonic_ns() + close_timeout_ns;
   while (std::ranges::any_of(transfers(), &Transfer::is_posted) && monotonic_ns() < deadline_ns) handle_events(10);
-  const bool is_owed_here = owes_stop() && usb_.serial() == owed_serial_;
-  if (is_owed_here && usb_.send_at_any_cost(owed())) owed_size_ = 0;
+  insist_on_stop();
   guard_.end();
   usb_.release_device();
   // A transfer that did not come back in time was libusb's until now.
@@ -159,6 +162,18 @@ void FtdiLink::close() noexcept {
   usb_.close();
   closing_ = false;
   poll_count_ = 0;
+}
+
+// The guard is told that this program lives, or it would do the same, and lock it out.
+void FtdiLink::insist_on_stop() noexcept {
+  const std::int64_t deadline_ns = monotonic_ns() + insist_ns;
+  while (owes_stop() && monotonic_ns() < deadline_ns) {
+    guard_.beat(monotonic_ns());
+    const LinkFault why_not = usb_.send(std::span(stop_.buffer).first(owed_size_));
+    if (why_not == LinkFault::none) owed_size_ = 0;
+    if (why_not == LinkFault::unplugged) return;
+    sleep_until_monotonic(monotonic_ns() + attempt_pause_ns);
+  }
 }
 
 // --- Out -------------------------------------------------------------------------------------------------------------
@@ -192,7 +207,6 @@ void FtdiLink::stop(std::span<const std::uint8_t> bytes) noexcept {
   if (stop_.is_posted) return;
   std::ranges::copy(bytes, stop_.buffer.begin());
   owed_size_ = bytes.size();
-  owed_serial_ = usb_.serial();
   libusb_fill_bulk_transfer(stop_.transfer, usb_.handle(), usb_.out_endpoint(), stop_.buffer.data(),
                             static_cast<int>(bytes.size()), &Callbacks::sent, this, send_timeout_ms);
   post(stop_);

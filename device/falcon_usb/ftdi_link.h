@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "device/falcon/falcon_link.h"
+#include "device/falcon/stop_debts.h"
 #include "device/falcon_usb/usb_connection.h"
 #include "device/falcon_usb/usb_search.h"
 #include "device/input/monotonic_clock.h"
@@ -37,7 +38,9 @@ class FtdiLink final : public FalconLink {
   ~FtdiLink() override { close(); }
 
   bool waits_to_open() const noexcept override { return true; }
-  LinkFault open() noexcept override;
+  LinkFault open() noexcept override { return open_first({}); }
+  LinkFault open_first(const StopDebts& owed) noexcept override;
+  bool is_any_plugged_in(const StopDebts& owed) const noexcept override;
   void close() noexcept override;
   LinkFault fault() const noexcept override { return fault_; }
   std::string_view serial() const noexcept override { return usb_.serial(); }
@@ -89,7 +92,6 @@ class FtdiLink final : public FalconLink {
   void find_poll_descriptors();
   void free_transfers() noexcept;
 
-  std::span<const std::uint8_t> owed() const noexcept { return std::span(stop_.buffer).first(owed_size_); }
   bool is_usable() const noexcept { return usb_.handle() != nullptr && fault_ == LinkFault::none; }
   std::array<Transfer*, in_transfers + 3> transfers() noexcept;
   bool post(Transfer& transfer) noexcept;
@@ -101,6 +103,7 @@ class FtdiLink final : public FalconLink {
   GuardOrders guard_orders() const noexcept;
   bool is_overruled() const noexcept;
   void heed_guard() noexcept;
+  void insist_on_stop() noexcept;
   void failed(int transfer_status) noexcept;
   void recover() noexcept;
   void handle_events(int timeout_ms) noexcept;
@@ -123,10 +126,8 @@ class FtdiLink final : public FalconLink {
   int errors_out_in_a_row_ = 0;
   bool something_happened_ = false;  // since wait_until() was called
 
-  // The stop in stop_'s buffer that the device has not taken yet; stays through closing, for the next time that it is
-  // open. 0: it has.
+  // Of the stop in stop_'s buffer that the chip has not taken yet. 0: it has, or the link was opened anew.
   std::size_t owed_size_ = 0;
-  std::string owed_serial_;
 
   // The bytes that nobody has taken yet, from first_ on.
   std::array<std::uint8_t, ring_size> ring_{};

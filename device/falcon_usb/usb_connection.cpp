@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <exception>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -22,10 +23,7 @@ constexpr std::size_t transfer_unit = 512;  // a transfer from the device is a m
 constexpr int claim_attempts = 10;
 constexpr std::int64_t claim_pause_ns = 10'000'000;
 
-// Of send_at_any_cost(): one attempt, and the pause before the next.
-constexpr unsigned attempt_ms = 10;
-constexpr std::int64_t insist_ns = 500'000'000;
-constexpr std::int64_t attempt_pause_ns = 100'000;
+constexpr unsigned attempt_ms = 10;  // of send()
 
 void pause(std::int64_t ns) noexcept {
   sleep_until_monotonic(monotonic_ns() + ns);
@@ -50,18 +48,15 @@ LinkFault link_fault_of(int libusb_error) noexcept {
   }
 }
 
-LinkFault UsbConnection::open(const UsbId& id, const std::string& serial,
-                              std::span<const std::uint8_t> first_bytes) noexcept {
+LinkFault UsbConnection::open(const UsbId& id, const std::string& serial, const StopDebts& owed) noexcept {
   close();
-  first_bytes_ = first_bytes;
-  has_taken_first_bytes_ = false;
   if (libusb_init(&context_) != LIBUSB_SUCCESS) {
     context_ = nullptr;
     return LinkFault::unsupported;
   }
   LinkFault fault = LinkFault::broken;
   try {
-    fault = find_and_take(id, serial);
+    fault = find_and_take(id, serial, owed);
     if (fault == LinkFault::none) find_descriptor();
   } catch (const std::exception&) {  // out of memory
     fault = LinkFault::broken;
@@ -70,8 +65,9 @@ LinkFault UsbConnection::open(const UsbId& id, const std::string& serial,
   return fault;
 }
 
-LinkFault UsbConnection::find_and_take(const UsbId& id, const std::string& wanted) {
+LinkFault UsbConnection::find_and_take(const UsbId& id, const std::string& wanted, const StopDebts& owed) {
   struct Candidate {
+    std::size_t place;  // among the debts
     std::string serial;
     libusb_device_handle* handle;
   };
@@ -94,23 +90,27 @@ LinkFault UsbConnection::find_and_take(const UsbId& id, const std::string& wante
     // A device that does not even tell its name now is left for later: its calibration goes by it.
     std::optional<std::string> serial = usb_serial_of(handle);
     if (!serial && fault == LinkFault::absent) fault = LinkFault::broken;
-    if (serial && (wanted.empty() || *serial == wanted)) {
-      candidates.push_back({*std::move(serial), handle});
+    const std::size_t place = serial ? owed.place_of(falcon_serial_of(*serial)) : StopDebts::most;
+    if (serial && (wanted.empty() || *serial == wanted || place < StopDebts::most)) {
+      candidates.push_back({place, *std::move(serial), handle});
     } else {
       libusb_close(handle);
     }
   }
   libusb_free_device_list(devices, 1);
 
-  std::ranges::sort(candidates, {}, &Candidate::serial);
+  std::ranges::sort(candidates, {}, [](const Candidate& one) { return std::tie(one.place, one.serial); });
+  const bool is_any_owed = !candidates.empty() && candidates.front().place < StopDebts::most;
   for (Candidate& candidate : candidates) {
-    if (handle_ == nullptr) {
+    const bool comes_later = is_any_owed && candidate.place == StopDebts::most;
+    if (handle_ == nullptr && !comes_later) {
       const LinkFault why_not = take(candidate.handle);
       if (why_not == LinkFault::none) {
         serial_ = std::move(candidate.serial);
         continue;
       }
-      if (fault == LinkFault::absent) fault = why_not;
+      // Why the device that comes first cannot be had says more than why another one tells nothing.
+      if (fault == LinkFault::absent || is_any_owed) fault = why_not;
     }
     libusb_close(candidate.handle);
   }
@@ -132,7 +132,6 @@ LinkFault UsbConnection::take(libusb_device_handle* handle) {
   LinkFault fault = find_endpoints(handle);
   if (fault == LinkFault::none) {
     handle_ = handle;
-    has_taken_first_bytes_ = !first_bytes_.empty() && send_at_any_cost(first_bytes_);
     fault = clear_halts(handle);
   }
   if (fault != LinkFault::none) {
@@ -196,19 +195,14 @@ void UsbConnection::find_descriptor() {
   closedir(folder);
 }
 
-bool UsbConnection::send_at_any_cost(std::span<const std::uint8_t> bytes) noexcept {
-  if (handle_ == nullptr) return false;
-  const std::int64_t deadline_ns = monotonic_ns() + insist_ns;
-  for (;;) {
-    int sent = 0;
-    // Outwards: libusb reads it.
-    const int error = libusb_bulk_transfer(handle_, out_endpoint_, const_cast<std::uint8_t*>(bytes.data()),
-                                           static_cast<int>(bytes.size()), &sent, attempt_ms);
-    if (error == LIBUSB_SUCCESS) return true;
-    if (error == LIBUSB_ERROR_NO_DEVICE || monotonic_ns() >= deadline_ns) return false;
-    if (error == LIBUSB_ERROR_PIPE) libusb_clear_halt(handle_, out_endpoint_);
-    pause(attempt_pause_ns);
-  }
+LinkFault UsbConnection::send(std::span<const std::uint8_t> bytes) noexcept {
+  if (handle_ == nullptr) return LinkFault::absent;
+  int sent = 0;
+  // Outwards: libusb reads it.
+  const int error = libusb_bulk_transfer(handle_, out_endpoint_, const_cast<std::uint8_t*>(bytes.data()),
+                                         static_cast<int>(bytes.size()), &sent, attempt_ms);
+  if (error == LIBUSB_ERROR_PIPE) libusb_clear_halt(handle_, out_endpoint_);
+  return link_fault_of(error);
 }
 
 void UsbConnection::release_device() noexcept {

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "device/falcon/falcon_link.h"
+#include "device/falcon/stop_debts.h"
 #include "device/falcon_usb/usb_search.h"
 
 struct libusb_context;
@@ -32,9 +33,8 @@ class UsbConnection {
 
   // Takes the first device with these ids, in the order of their serial numbers, that can be had; `serial` empty: any.
   // Clears the halt of both endpoints: a device that another driver or an earlier fault has left halted works again.
-  // `first_bytes` are sent before anything else is asked of the device, and sent again until the device takes them.
-  LinkFault open(const UsbId& id, const std::string& serial, std::span<const std::uint8_t> first_bytes = {}) noexcept;
-  bool has_taken_first_bytes() const noexcept { return has_taken_first_bytes_; }
+  // While any that is `owed` a stop is plugged in, the one whose debt is oldest is taken instead, and no other.
+  LinkFault open(const UsbId& id, const std::string& serial, const StopDebts& owed = {}) noexcept;
 
   // Gives the device back: what is still under way on it ends. Transfers are freed after that, and before close().
   void release_device() noexcept;
@@ -42,9 +42,9 @@ class UsbConnection {
   // That, and leaves libusb.
   void close() noexcept;
 
-  // Sends bytes and waits, clearing the halt of the endpoint where there is one, until the device has taken them or
-  // half a second has passed. False: it has not.
-  bool send_at_any_cost(std::span<const std::uint8_t> bytes) noexcept;
+  // Sends bytes, and waits 10 ms for the device to take them. Where the endpoint is halted it clears that, and the next
+  // attempt may succeed.
+  LinkFault send(std::span<const std::uint8_t> bytes) noexcept;
 
   // Null while it is not open.
   libusb_context* context() const noexcept { return context_; }
@@ -61,7 +61,7 @@ class UsbConnection {
   int descriptor() const noexcept { return descriptor_.load(std::memory_order_relaxed); }
 
  private:
-  LinkFault find_and_take(const UsbId& id, const std::string& serial);
+  LinkFault find_and_take(const UsbId& id, const std::string& serial, const StopDebts& owed);
   LinkFault take(libusb_device_handle* handle);
   LinkFault find_endpoints(libusb_device_handle* handle);
   LinkFault clear_halts(libusb_device_handle* handle) const noexcept;
@@ -73,8 +73,6 @@ class UsbConnection {
   std::uint8_t out_endpoint_ = 0;
   std::size_t packet_size_ = 0;
   std::string serial_;
-  std::span<const std::uint8_t> first_bytes_;  // during open()
-  bool has_taken_first_bytes_ = false;
   std::atomic<int> descriptor_{-1};
 };
 

@@ -1,5 +1,5 @@
 // The Falcon's link with the real libusb, when endpoints halt, stall and do not listen: the motors' zero gets through,
-// ahead of all that waits, or it is still owed when the device listens again.
+// ahead of all that waits, or it is the last thing tried; and a device that is owed one comes first.
 #include "device/falcon_usb/ftdi_link.h"
 
 #include <cerrno>
@@ -125,7 +125,7 @@ TEST_F(FtdiLinkFaultsTest, ClosingInsistsOnTheStopThroughAHaltedEndpoint) {
   }
 }
 
-TEST_F(FtdiLinkFaultsTest, AStopThatCannotArriveIsTheLastThingTriedAndIsOwed) {
+TEST_F(FtdiLinkFaultsTest, AStopThatCannotArriveIsTheLastThingTried) {
   open();
   falcon.inject(usb_fault("out-nak"));
   ASSERT_TRUE(link.write(Bytes{1, 2, 3}));
@@ -135,34 +135,37 @@ TEST_F(FtdiLinkFaultsTest, AStopThatCannotArriveIsTheLastThingTriedAndIsOwed) {
   EXPECT_TRUE(link.owes_stop());
   EXPECT_EQ(falcon.last_out().bytes, (Bytes{7, 8}));
   EXPECT_TRUE(chip.received().empty());
+  // The chip may have lost its settings by then, which are the driver's: bytes without them would be noise.
   falcon.inject({});
   ASSERT_EQ(link.open(), LinkFault::none);
   EXPECT_FALSE(link.owes_stop());
-  EXPECT_EQ(chip.received(), (Bytes{7, 8}));
+  EXPECT_TRUE(chip.received().empty());
 }
 
 // Its motors have a supply of their own.
-TEST_F(FtdiLinkFaultsTest, AStopIsStillOwedToADeviceThatWasAway) {
-  open();
-  falcon.inject(usb_fault("out-nak"));
-  link.stop(Bytes{7, 8});
-  link.close();
-  ASSERT_TRUE(link.owes_stop());
-  falcon.unplug();
-  EXPECT_EQ(link.open(), LinkFault::absent);
-  EXPECT_TRUE(link.owes_stop());
-  falcon.inject({});
+TEST_F(FtdiLinkFaultsTest, ADeviceThatIsOwedAStopComesFirst) {
   RecordingChip other_chip;
   EmulatedUsbDevice other(bed, other_chip, "00FIRST0");
   other.plug();
-  ASSERT_EQ(link.open(), LinkFault::none);
-  EXPECT_TRUE(link.owes_stop()) << "it is not this one that is owed";
-  EXPECT_TRUE(other_chip.received().empty());
+  StopDebts owed;
+  owed.add(*FalconSerial::from("12PZ657E"));
+  ASSERT_EQ(link.open_first(owed), LinkFault::none);
+  EXPECT_EQ(link.serial(), "00FIRST0") << "the one that is owed is away";
+  EXPECT_FALSE(link.is_any_plugged_in(owed));
   falcon.plug();
-  ASSERT_EQ(link.open(), LinkFault::none);
+  EXPECT_TRUE(link.is_any_plugged_in(owed));
+  EXPECT_EQ(link.fault(), LinkFault::none) << "it is looked for beside the one in use";
+  ASSERT_EQ(link.open_first(owed), LinkFault::none);
   EXPECT_EQ(link.serial(), "12PZ657E");
-  EXPECT_FALSE(link.owes_stop());
-  EXPECT_EQ(chip.received(), (Bytes{7, 8}));
+  // Also where another serial number was asked for.
+  FtdiLink chosen({falcon_usb_id, "00FIRST0"});
+  EXPECT_EQ(chosen.open_first(owed), LinkFault::busy) << "the one that comes first is in use, and no other is taken";
+  link.close();
+  ASSERT_EQ(chosen.open_first(owed), LinkFault::none);
+  EXPECT_EQ(chosen.serial(), "12PZ657E");
+  ASSERT_EQ(chosen.open_first({}), LinkFault::none);
+  EXPECT_EQ(chosen.serial(), "00FIRST0");
+  EXPECT_TRUE(other_chip.received().empty());
 }
 
 TEST_F(FtdiLinkFaultsTest, TellsWhatBecameOfARequest) {

@@ -40,7 +40,10 @@ void await_homed(Falcon& falcon, Operator& person) {
     stop_if_interrupted();
     falcon.update();
     const FalconReport& report = falcon.report();
-    if (report.is_readable()) return;
+    if (report.is_readable()) {
+      if (!report.is_guarded) throw Failure(ExitCode::device_failed, std::string(no_guard()));
+      return;
+    }
     const double waited_s = static_cast<double>(now_ns() - began_ns) * 1e-9;
     if (report.has_looked && report.state == FalconState::absent && waited_s > absent_patience_s) {
       throw Failure(ExitCode::device_absent, "No Falcon is plugged in. Plug in its power supply, then its USB cable.");
@@ -75,7 +78,7 @@ FalconMeasurement measure_falcon(Falcon& falcon, Operator& person, const FalconC
   begin.scale = before.scale;
 
   FalconMeasurement measurement;
-  MeasuringRig rig(person, falcon.link(), begin);
+  MeasuringRig rig(person, falcon.lend_link(), begin);
   std::array<bool, 3> has{true, false, false};  // by MeasureStep::Needs
   const auto catalog = measure_step_catalog();
   try {

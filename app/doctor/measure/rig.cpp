@@ -34,6 +34,9 @@ constexpr double nearest = 0.075;   // z [m]
 constexpr double farthest = 0.172;  // z [m]
 constexpr int unhomed_to_believe = 3;
 
+constexpr std::string_view may_still_push_words =
+    "Its motors may still push, and the program cannot stop them: unplug its power supply now. ";
+
 // In the order of MotorStop.
 constexpr std::array<std::string_view, 5> stop_words{
     "",
@@ -140,14 +143,17 @@ ReplyFrame MeasuringRig::exchange(const CommandFrame& command) {
       sent_ = Vector<3>(0.0);
       was_lost_ = true;
       const LinkFault fault = bench_.fault();
+      const std::string_view danger = bench_.may_still_push() ? may_still_push_words : "";
       if (fault == LinkFault::unplugged || fault == LinkFault::absent) {
-        throw Failure(ExitCode::device_absent,
-                      "The Falcon is gone: its USB cable was unplugged. Plug it in and start again.");
+        throw Failure(
+            ExitCode::device_absent,
+            fmt::format("The Falcon is gone: its USB cable was unplugged. {}Plug it in and start again.", danger));
       }
       if (fault != LinkFault::none || bench_.now_s() - began_s > 1.0) {
         throw Failure(ExitCode::device_failed,
-                      "The Falcon stopped answering. Check that its power supply is plugged in. If it is, unplug both "
-                      "cables, wait 5 s, plug in power first, and start again.");
+                      fmt::format("The Falcon stopped answering. {}Check that its power supply is plugged in. If it "
+                                  "is, unplug both cables, wait 5 s, plug in power first, and start again.",
+                                  danger));
       }
       continue;
     }
@@ -232,8 +238,12 @@ MotorStop MeasuringRig::be_silent(double seconds, const Watch& after) {
   // In small pieces, so that an interruption is heard.
   constexpr double piece_s = 0.005;
   for (double left_s = seconds; left_s > 0.0; left_s -= piece_s) {
-    bench_.be_silent(std::min(piece_s, left_s));
+    const bool is_as_asked = bench_.be_silent(std::min(piece_s, left_s));
     stop_if_interrupted();
+    if (!is_as_asked) {
+      turn_off();
+      return MotorStop::no_reply;
+    }
   }
   sent_ = Vector<3>(0.0);
   place_count_ = 0;  // a speed across the silence would be none

@@ -410,6 +410,31 @@ TEST(FalconMeasurement, EndsWhereTheDeviceGoes) {
   }
 }
 
+// Its motors have a supply of their own.
+TEST(FalconMeasurement, SaysThatAMotorMayStillPushWhereTheDeviceGoesDuringAPush) {
+  for (const bool is_pushing : {true, false}) {
+    MeasuredRehearsal rehearsal;
+    VirtualLink& link = rehearsal.link->link;
+    const InjectedFault unplugged{.link = LinkFault::unplugged};
+    if (is_pushing) {
+      rehearsal.link->on_drive = [&] { link.inject(unplugged); };
+    } else {
+      rehearsal.person->hook = [&](const Deed& deed, VirtualLink&) {
+        if (deed.kind == Deed::Kind::say_distance) link.inject(unplugged);
+      };
+    }
+    try {
+      rehearsal.measure({"Encoders", "Lengths", "Motors' directions"});
+      FAIL();
+    } catch (const Failure& failure) {
+      EXPECT_EQ(failure.code(), ExitCode::device_absent);
+      const std::string words = failure.what();
+      EXPECT_EQ(words.find("may still push") != std::string::npos, is_pushing) << words;
+      EXPECT_EQ(words.find("unplug its power supply") != std::string::npos, is_pushing) << words;
+    }
+  }
+}
+
 TEST(FalconMeasurement, LeavesHowTheWallLies) {
   MeasuredRehearsal rehearsal;
   rehearsal.person->only = {"Encoders"};

@@ -80,12 +80,23 @@ TEST(Readiness, EveryFaultIsOneStepsAndTellsItsRemedyThere) {
   EXPECT_EQ(step_of(FalconFault::kinematics), "homed");
 }
 
-// What nobody can reach any more has to be said where everybody looks.
+// What nobody can reach any more has to be said where everybody looks, and which device it is.
 TEST(Readiness, SaysThatTheMotorsMayStillPush) {
   FalconReport report = in_state(FalconState::fault, FalconFault::broken);
   EXPECT_EQ(readiness_of(report, nullptr)[3].words.find("unplug the device's power supply"), std::string::npos);
   report.may_still_push = true;
   EXPECT_NE(readiness_of(report, nullptr)[3].words.find("unplug the device's power supply"), std::string::npos);
+  report.owed_serial = *FalconSerial::from("12PZ657E");
+  EXPECT_NE(readiness_of(report, nullptr)[3].words.find("12PZ657E"), std::string::npos);
+}
+
+TEST(Readiness, SaysThatAnotherDeviceMayStillPushWhileThisOneIsWell) {
+  FalconReport report = well();
+  report.may_still_push = true;
+  report.owed_serial = *FalconSerial::from("12PZ657E");
+  EXPECT_NE(readiness_of(report, nullptr).back().words.find("12PZ657E may still push"), std::string::npos);
+  const MotorReport motors{.has_motors = true, .state = SafetyState::on, .is_handle_known = true, .is_ready = true};
+  EXPECT_NE(readiness_of(report, &motors).back().words.find("12PZ657E may still push"), std::string::npos);
 }
 
 TEST(Readiness, GrowsWithTheDevice) {

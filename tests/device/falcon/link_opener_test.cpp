@@ -34,6 +34,14 @@ class SlowLink final : public FalconLink {
     is_open = true;
     return LinkFault::none;
   }
+  LinkFault open_first(const StopDebts& owed) noexcept override {
+    was_owed = !owed.empty();
+    return open();
+  }
+  bool is_any_plugged_in(const StopDebts& owed) const noexcept override {
+    finder = std::this_thread::get_id();
+    return owed.has(*FalconSerial::from("PLUGGED"));
+  }
   void close() noexcept override {
     if (!is_open) return;
     if (waits_) gates_.closes.acquire();
@@ -46,7 +54,7 @@ class SlowLink final : public FalconLink {
   bool write(std::span<const std::uint8_t> /*bytes*/) noexcept override { return false; }
   bool is_sending() const noexcept override { return false; }
   void stop(std::span<const std::uint8_t> /*bytes*/) noexcept override {}
-  bool owes_stop() const noexcept override { return owes; }
+  bool owes_stop() const noexcept override { return false; }
   std::size_t read(std::span<std::uint8_t> /*into*/) noexcept override { return 0; }
   std::uint8_t modem_status() const noexcept override { return 0; }
   LinkCounters counters() const noexcept override { return {}; }
@@ -57,7 +65,8 @@ class SlowLink final : public FalconLink {
   std::thread::id opener;
   bool is_open = false;
   int times_open = 0;
-  bool owes = false;
+  bool was_owed = false;
+  mutable std::thread::id finder;
   int waits = 0;
 
  private:
@@ -80,7 +89,7 @@ struct Opened {
 TEST(LinkOpener, OpensAndClosesOnAThreadOfItsOwn) {
   Opened opened;
   EXPECT_FALSE(opened.opener.is_busy());
-  opened.opener.open();
+  opened.opener.open({});
   EXPECT_TRUE(opened.opener.is_busy()) << "the gate is shut, and the driver goes on";
   opened.gates.opens.release();
   opened.let_finish();
@@ -95,7 +104,7 @@ TEST(LinkOpener, OpensAndClosesOnAThreadOfItsOwn) {
 
 TEST(LinkOpener, WaitsForTheDeadlineWhileTheLinkIsNotItsOwn) {
   Opened opened;
-  opened.opener.open();
+  opened.opener.open({});
   const std::int64_t deadline_ns = monotonic_ns() + 5 * ms;
   opened.opener.wait_until(deadline_ns);
   EXPECT_GE(monotonic_ns(), deadline_ns);
@@ -106,22 +115,37 @@ TEST(LinkOpener, WaitsForTheDeadlineWhileTheLinkIsNotItsOwn) {
   EXPECT_EQ(opened.link().waits, 1);
 }
 
-// Somebody has quit while the device did not listen: once more, before nobody is left to try.
-TEST(LinkOpener, TriesAStopThatIsOwedOnceMoreAtTheEnd) {
-  Opened opened;
-  opened.link().owes = true;
-  opened.gates.opens.release();
-  opened.gates.closes.release();
-  opened.opener.end();
-  EXPECT_EQ(opened.link().times_open, 1);
-  EXPECT_FALSE(opened.link().is_open);
+// A device that is owed a stop may be plugged in while another one is in use, which goes on meanwhile.
+TEST(LinkOpener, LooksForOwedDevicesWhileTheLinkIsInUse) {
+  for (const bool needs_thread : {true, false}) {
+    Opened opened(needs_thread);
+    opened.gates.opens.release();
+    opened.opener.open({});
+    opened.let_finish();
+    StopDebts owed;
+    owed.add(*FalconSerial::from("PLUGGED"));
+    opened.opener.look_for(owed);
+    EXPECT_FALSE(opened.opener.is_busy());
+    while (!opened.opener.has_found_one()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    EXPECT_FALSE(opened.opener.has_found_one()) << "it says so once";
+    EXPECT_EQ(opened.link().finder == std::this_thread::get_id(), !needs_thread);
+  }
+}
+
+TEST(LinkOpener, OpensWhatIsOwedAStop) {
+  Opened opened(false);
+  StopDebts owed;
+  owed.add(*FalconSerial::from("PLUGGED"));
+  opened.opener.open(owed);
+  EXPECT_TRUE(opened.link().was_owed);
+  opened.opener.close();
 }
 
 // The link outlives the thread, and the thread what it was at.
 TEST(LinkOpener, ClosesWhatIsStillOpen) {
   for (const bool is_done : {true, false}) {
     Opened opened;
-    opened.opener.open();
+    opened.opener.open({});
     opened.gates.opens.release();
     if (is_done) opened.let_finish();
   }
@@ -129,7 +153,7 @@ TEST(LinkOpener, ClosesWhatIsStillOpen) {
 
 TEST(LinkOpener, ALinkThatNeverWaitsNeedsNoThread) {
   Opened opened(false);
-  opened.opener.open();
+  opened.opener.open({});
   EXPECT_FALSE(opened.opener.is_busy());
   EXPECT_TRUE(opened.link().is_open);
   EXPECT_EQ(opened.link().opener, std::this_thread::get_id());

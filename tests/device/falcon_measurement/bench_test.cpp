@@ -2,10 +2,12 @@
 #include "device/falcon_measurement/bench.h"
 
 #include <memory>
+#include <optional>
 
 #include <gtest/gtest.h>
 
 #include "device/virtual_falcon/virtual_link.h"
+#include "tests/device/falcon/fake_falcons.h"
 
 namespace ghostforce::bench_test {
 namespace {
@@ -76,6 +78,75 @@ TEST(FalconBench, ALostReplyIsFollowedByZeros) {
   EXPECT_FALSE(bench.exchange(push));
   EXPECT_EQ(bench.fault(), LinkFault::unplugged);
   EXPECT_FALSE(bench.stop());
+}
+
+// With one that is set up as the driver leaves it.
+class FalconBenchTest : public testing::Test {
+ protected:
+  FalconBenchTest() {
+    falcon.rate = ftdi::running_rate;
+    falcon.latency_ms = 1;
+    EXPECT_EQ(link.open(), LinkFault::none);
+    bench.emplace(link);
+  }
+  void push_for_a_while() {
+    for (int i = 0; i < 10; ++i) ASSERT_TRUE(bench->exchange(push));
+    ASSERT_TRUE(falcon.pushes());
+  }
+
+  static constexpr std::int64_t ms = 1'000'000;
+  std::int64_t now_ns = 1000 * ms;
+  FakeFalcon falcon{"12PZ657E"};
+  FakeFalcons link{{&falcon}, now_ns};
+  std::optional<FalconBench> bench;
+};
+
+// The process is stopped between a command and its reply, which waits for it: old news, and nobody has watched.
+TEST_F(FalconBenchTest, AReplyThatCameLateIsNone) {
+  push_for_a_while();
+  link.pause(1000 * ms);
+  EXPECT_FALSE(bench->exchange(push));
+  EXPECT_FALSE(falcon.pushes());
+  EXPECT_TRUE(bench->may_still_push()) << "until it answers";
+  EXPECT_TRUE(bench->exchange(CommandFrame{}));
+  EXPECT_FALSE(bench->may_still_push());
+}
+
+TEST_F(FalconBenchTest, APauseBetweenTwoCommandsEndsTheForce) {
+  push_for_a_while();
+  now_ns += 1000 * ms;
+  EXPECT_FALSE(bench->exchange(push));
+  EXPECT_FALSE(falcon.pushes());
+}
+
+TEST_F(FalconBenchTest, ASilenceThatBecameLongerIsNone) {
+  push_for_a_while();
+  EXPECT_TRUE(bench->be_silent(0.5));
+  EXPECT_TRUE(falcon.pushes());
+  ASSERT_TRUE(bench->exchange(push)) << "this one was meant";
+  link.pause(1000 * ms);
+  EXPECT_FALSE(bench->be_silent(0.5));
+  EXPECT_FALSE(falcon.pushes());
+}
+
+TEST_F(FalconBenchTest, AChipThatIsResetGetsTheStopInTime) {
+  push_for_a_while();
+  falcon.reset_chip();
+  const std::int64_t began_ns = now_ns;
+  EXPECT_FALSE(bench->exchange(push));
+  EXPECT_FALSE(falcon.pushes());
+  EXPECT_LE(falcon.last_force_ns - began_ns, 25 * ms);
+  EXPECT_TRUE(bench->exchange(push)) << "and it is well again";
+}
+
+TEST_F(FalconBenchTest, SaysThatMotorsMayStillPushWhereNobodyHearsTheStop) {
+  EXPECT_FALSE(bench->may_still_push());
+  push_for_a_while();
+  falcon.unplug();
+  EXPECT_FALSE(bench->exchange(push));
+  EXPECT_TRUE(bench->may_still_push());
+  EXPECT_FALSE(bench->stop());
+  EXPECT_TRUE(bench->may_still_push());
 }
 
 }  // namespace

@@ -1,0 +1,82 @@
+// How a Falcon's motors are told to stop, and what becomes of those that do not answer.
+#include <algorithm>
+
+#include "device/falcon/falcon.h"
+
+namespace ghostforce {
+
+void Falcon::stop_motors() noexcept {
+  link().stop(stop_frames());
+  note_stop();
+}
+
+// That the device has been told to stop, and may not have heard.
+void Falcon::note_stop() noexcept {
+  report_.motors = {};
+  if (may_push_) debts_.add(report_.serial);
+  note_debts();
+}
+
+void Falcon::note_debts() noexcept {
+  report_.may_still_push = !debts_.empty();
+  report_.owed_serial = debts_.empty() ? FalconSerial() : debts_.serials().front();
+}
+
+// One that is owed a stop is plugged in again, while another one is in use.
+bool Falcon::has_owed_returned() noexcept {
+  if (debts_.empty() || debts_.has(report_.serial)) return false;
+  if (since(looked_ns_) >= soon_s) {
+    looked_ns_ = link().now_ns();
+    opener_.look_for(debts_);
+  }
+  return opener_.has_found_one();
+}
+
+void Falcon::shut_down() noexcept {
+  if (opener_.is_busy()) return;
+  if (is_exchanging()) {
+    say_goodbye();
+    report_.state = FalconState::absent;
+    report_.motors = {};
+  }
+  opener_.close();
+  phase_ = Phase::pausing;
+  phase_began_ns_ = link().now_ns();
+  pause_s_ = try_again_s;
+}
+
+// There is no later. A device that is silent is not given firmware now.
+void Falcon::pay_debts() noexcept {
+  const std::int64_t began_ns = link().now_ns();
+  options_.firmware.clear();
+  attempt_ = 0;
+  pause_s_ = 0.0;
+  for (bool is_there = true; is_there && !debts_.empty() && since(began_ns) < last_stops_s;) {
+    update();
+    if (!opener_.is_busy()) {
+      const bool is_open = phase_ != Phase::pausing && phase_ != Phase::opening;
+      is_there = link().fault() != LinkFault::absent && (!is_open || debts_.has(report_.serial));
+    }
+    if (is_there) opener_.wait_until(link().now_ns() + 1'000'000);
+  }
+  shut_down();
+}
+
+// Until three answers have come: the device has heard it, and not only the chip before it.
+void Falcon::say_goodbye() noexcept {
+  command_ = {};
+  const std::int64_t deadline_ns = link().now_ns() + 100'000'000;
+  const int on_its_way = replies_.is_waiting() ? 1 : 0;  // the answer to what was said before
+  int heard = -on_its_way;
+  while (heard < 3 && link().fault() == LinkFault::none && link().now_ns() < deadline_ns) {
+    if (replies_.may_send(link().now_ns()) || since(sent_ns_) >= stop_s) send_command();
+    link().wait_until(std::min(deadline_ns, link().now_ns() + 5'000'000));
+    if (take_replies()) {
+      ++heard;
+      command_ = {};
+    }
+  }
+  if (heard < 3) stop_motors();
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,155 @@
+// The complete driver over the real libusb with two Falcons, whose chips forget their settings with the cable or are
+// reset while it is in: no force outlives the moment at which its device can be told again.
+#include <algorithm>
+#include <atomic>
+#include <functional>
+#include <memory>
+
+#include <gtest/gtest.h>
+
+#include "device/falcon/falcon_input.h"
+#include "device/falcon/ftdi_requests.h"
+#include "device/falcon_usb/ftdi_link.h"
+#include "tests/emulation/emulated_usb_device.h"
+#include "tests/emulation/falcon_chip.h"
+
+namespace ghostforce::owed_stop_test {
+namespace {
+
+constexpr std::int64_t ms = 1'000'000;
+
+// A Falcon that runs its firmware and is homed. While its chip is at its own rate, all that it passes on is noise.
+class ForgetfulChip final : public EmulatedChip {
+ public:
+  void forget() { is_set_up_ = false; }
+
+  void control(const VendorRequest& request, std::int64_t now_ns) override {
+    if (request.request == ftdi::running_rate.request) is_set_up_ = request == ftdi::running_rate;
+    falcon_.control(request, now_ns);
+  }
+  std::size_t room() const override { return falcon_.room(); }
+  void receive(std::span<const std::uint8_t> bytes, std::int64_t now_ns) override {
+    if (is_set_up_) return falcon_.receive(bytes, now_ns);
+    noise_bytes_ += bytes.size();
+  }
+  std::size_t take_packet(std::span<std::uint8_t, packet_size> into, std::int64_t now_ns) override {
+    return falcon_.take_packet(into, now_ns);
+  }
+  std::int64_t next_due_ns() const override { return falcon_.next_due_ns(); }
+
+  bool pushes() { return falcon_.told().motors != MotorNumbers{}; }
+  std::size_t noise_bytes() const { return noise_bytes_; }
+
+ private:
+  FalconChip falcon_{FalconDsp::Options{.starts_with_firmware = true, .starts_homed = true}};
+  std::atomic<bool> is_set_up_ = false;
+  std::atomic<std::size_t> noise_bytes_ = 0;
+};
+
+class OwedStopTest : public testing::Test {
+ protected:
+  OwedStopTest() {
+    input = std::make_unique<FalconInput>(std::make_unique<FtdiLink>(), FalconOptions{}, Vector<2>{0.0, 0.0});
+    input->restart({0.0, 0.0});
+  }
+
+  // Ticks as the servo does, until something is so.
+  bool tick_until(const std::function<bool()>& condition) {
+    const std::int64_t end_ns = input->now_ns() + 15'000 * ms;
+    while (!condition()) {
+      if (input->now_ns() > end_ns) return false;
+      input->wait_until(input->now_ns() + ms);
+      const HandleReading reading = input->read();
+      input->set_force({0.0, is_armed ? 1.0 : 0.0}, is_armed && reading.is_known);
+    }
+    return true;
+  }
+  bool pushes_with(ForgetfulChip& chip) {
+    return tick_until([&] { return chip.pushes(); });
+  }
+  void pull_out(EmulatedUsbDevice& cable, ForgetfulChip& chip) {
+    cable.unplug();
+    chip.forget();
+  }
+
+  TestBed bed;
+  ForgetfulChip chip_a;
+  ForgetfulChip chip_b;
+  EmulatedUsbDevice a{bed, chip_a, "12PZ657E"};
+  EmulatedUsbDevice b{bed, chip_b, "FTPNM0FB"};
+  std::unique_ptr<FalconInput> input;
+  bool is_armed = true;
+};
+
+TEST_F(OwedStopTest, ADeviceThatWasPluggedInAgainIsSetUpAndThenStopped) {
+  a.plug();
+  ASSERT_TRUE(pushes_with(chip_a));
+  pull_out(a, chip_a);
+  ASSERT_TRUE(tick_until([&] { return input->report().fault == FalconFault::unplugged; }));
+  EXPECT_TRUE(input->report().may_still_push);
+  is_armed = false;
+  a.plug();
+  ASSERT_TRUE(tick_until([&] { return !chip_a.pushes(); }));
+  EXPECT_EQ(chip_a.noise_bytes(), 0U);
+  EXPECT_TRUE(tick_until([&] { return !input->report().may_still_push; }));
+}
+
+TEST_F(OwedStopTest, TheFirstOneIsStoppedWhenItIsBackThoughTheSecondPushes) {
+  a.plug();
+  b.plug();
+  ASSERT_TRUE(pushes_with(chip_a));
+  pull_out(a, chip_a);
+  ASSERT_TRUE(pushes_with(chip_b));
+  EXPECT_TRUE(input->report().may_still_push);
+  EXPECT_EQ(input->report().owed_serial.text(), "12PZ657E");
+  a.plug();
+  ASSERT_TRUE(tick_until([&] { return !chip_a.pushes(); }));
+  is_armed = false;
+  EXPECT_TRUE(tick_until([&] { return !input->report().may_still_push; }));
+  EXPECT_FALSE(chip_a.pushes());
+  EXPECT_FALSE(chip_b.pushes());
+}
+
+TEST_F(OwedStopTest, BothAreStoppedThoughBothWereAway) {
+  a.plug();
+  b.plug();
+  ASSERT_TRUE(pushes_with(chip_a));
+  pull_out(a, chip_a);
+  ASSERT_TRUE(pushes_with(chip_b));
+  pull_out(b, chip_b);
+  is_armed = false;
+  b.plug();
+  ASSERT_TRUE(tick_until([&] { return !chip_b.pushes(); }));
+  EXPECT_TRUE(input->report().may_still_push);
+  a.plug();
+  ASSERT_TRUE(tick_until([&] { return !chip_a.pushes(); }));
+  EXPECT_TRUE(tick_until([&] { return !input->report().may_still_push; }));
+}
+
+TEST_F(OwedStopTest, AtTheEndOfTheProgramTheOwedOneIsStoppedAndNotOnlyTheOneInUse) {
+  a.plug();
+  b.plug();
+  ASSERT_TRUE(pushes_with(chip_a));
+  pull_out(a, chip_a);
+  ASSERT_TRUE(pushes_with(chip_b));
+  a.plug();
+  input->shut_down();
+  input.reset();
+  EXPECT_FALSE(chip_a.pushes());
+  EXPECT_FALSE(chip_b.pushes());
+}
+
+TEST_F(OwedStopTest, AChipThatIsResetWhileItsCableIsInIsSetUpAgainAndStopped) {
+  a.plug();
+  ASSERT_TRUE(pushes_with(chip_a));
+  const std::uint64_t times_taken = a.times_taken();
+  chip_a.forget();
+  ASSERT_TRUE(tick_until([&] { return !chip_a.pushes(); }));
+  is_armed = false;
+  EXPECT_TRUE(tick_until([&] { return !input->report().may_still_push; }));
+  EXPECT_TRUE(tick_until([&] { return input->report().is_readable(); }));
+  EXPECT_EQ(a.times_taken(), times_taken) << "it is not opened anew";
+}
+
+}  // namespace
+}  // namespace ghostforce::owed_stop_test
