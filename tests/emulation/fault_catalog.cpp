@@ -146,7 +146,7 @@ constexpr std::array faults{
           .is_quick = false},
 
     // What is behind it.
-    Fault{.name = "Silence", .title = "deaf and dumb", .promise = last_try, .device = "silence"},
+    Fault{.name = "Silence", .title = "deaf and dumb", .promise = last_try, .device = "silence", .is_quick = false},
     Fault{.name = "Mute", .title = "obeys and does not answer", .promise = zero, .device = "mute"},
     Fault{.name = "Late50ms", .title = "answers 50 ms late", .promise = zero, .device = "late-50ms", .is_quick = false},
     Fault{.name = "LateCreeping",
