@@ -40,10 +40,12 @@ namespace chip_code {
 constexpr std::uint8_t reset = 0x00;
 constexpr std::uint8_t modem_control = 0x01;
 constexpr std::uint8_t baud = 0x03;
+constexpr std::uint8_t format = 0x04;
 constexpr std::uint8_t latency = 0x09;
 constexpr std::uint8_t status = 0x01;
 constexpr std::uint8_t line_status = 0x60;
 constexpr std::uint8_t line_overrun = 0x02;
+constexpr std::uint16_t format_8n1 = 0x0008;
 }  // namespace chip_code
 
 }  // namespace
@@ -90,6 +92,9 @@ void FalconDsp::control(const VendorRequest& request, std::int64_t now_ns) noexc
       break;
     case chip_code::baud:
       set_baud(request.value, request.index, now_ns);
+      break;
+    case chip_code::format:
+      chip_.is_8n1 = request.value == chip_code::format_8n1;
       break;
     case chip_code::latency:
       chip_.latency_ns = std::clamp<std::int64_t>(request.value, 1, 255) * 1'000'000;
@@ -149,15 +154,19 @@ void FalconDsp::inject(const InjectedFault& wrong) noexcept {
   replies_ = 0;
   noise_to_come_ = wrong.noise_bytes;
   if (wrong.forgets_home) homed_ = 0;
-  if (wrong.power_lost || wrong.power_blinks || wrong.is_off_the_cable()) reset(Stage::idle);
-  if (wrong.is_off_the_cable()) {
-    chip_ = {};
-    to_dsp_.clear();
-    to_host_.clear();
-  }
+  if (wrong.power_lost || wrong.power_blinks) reset(Stage::idle);
+  if (wrong.chip_resets || wrong.is_off_the_cable()) power_up_chip(last_packet_ns_);
 }
 
 // --- The chip --------------------------------------------------------------------------------------------------------
+
+void FalconDsp::power_up_chip(std::int64_t now_ns) noexcept {
+  chip_ = {};
+  cts_from_ns_ = 0;
+  to_dsp_.clear();
+  to_host_.clear();
+  line_out_free_ns_ = line_in_free_ns_ = last_packet_ns_ = now_ns;
+}
 
 void FalconDsp::set_dtr(bool high) noexcept {
   if (high == chip_.dtr) return;
@@ -172,19 +181,35 @@ void FalconDsp::set_dtr(bool high) noexcept {
 
 void FalconDsp::set_baud(std::uint16_t value, std::uint16_t index, std::int64_t now_ns) noexcept {
   chip_.baud = baud_of(value, index);
-  if (stage_ == Stage::boot_loader && baud_is_about(boot_baud) && !wrong_.without_cts) {
+  send_again_from(now_ns);
+  if (stage_ == Stage::boot_loader && line_is_at(boot_baud) && !wrong_.without_cts) {
     cts_from_ns_ = now_ns + cts_delay_ns;
   }
 }
 
 // As far as a serial line forgives.
-bool FalconDsp::baud_is_about(double rate) const noexcept {
-  return std::abs(chip_.baud - rate) < 0.03 * rate;
+bool FalconDsp::line_is_at(double rate) const noexcept {
+  return chip_.is_8n1 && std::abs(chip_.baud - rate) < 0.03 * rate;
 }
 
 // A start bit, eight, and a stop bit.
 std::int64_t FalconDsp::byte_time_ns() const noexcept {
   return std::llround(10e9 / chip_.baud);
+}
+
+// What still waits in the chip when its rate changes goes out at the new one.
+void FalconDsp::send_again_from(std::int64_t now_ns) noexcept {
+  line_out_free_ns_ = now_ns;
+  for (std::size_t i = to_dsp_.size(); i > 0; --i) {
+    line_out_free_ns_ += byte_time_ns();
+    to_dsp_.push({line_out_free_ns_, to_dsp_.pop().byte});
+  }
+}
+
+// What a receiver makes of a byte that was sent at another rate or in another format.
+std::uint8_t FalconDsp::next_noise() noexcept {
+  noise_ = noise_ * 1664525U + 1013904223U;
+  return static_cast<std::uint8_t>(noise_ >> 24U);
 }
 
 std::size_t FalconDsp::payload_limit() const noexcept {
@@ -231,22 +256,23 @@ void FalconDsp::hear(std::uint8_t byte, std::int64_t at_ns) noexcept {
       break;
     case Stage::hand_shake:
     case Stage::shaken:
-      if (baud_is_about(hand_shake_baud)) hear_hand_shake(byte, at_ns);
+      hear_hand_shake(line_is_at(hand_shake_baud) ? byte : next_noise(), at_ns);
       break;
     case Stage::boot_loader:
-      if (byte != rate_mark || !baud_is_about(boot_baud)) break;
+      if (byte != rate_mark || !line_is_at(boot_baud)) break;
       if (wrong_.leading_13) say(0x13, at_ns);
       say(byte, at_ns);
       table_ = {};
       stage_ = Stage::boot_table;
       break;
     case Stage::boot_table:
-      if (baud_is_about(boot_baud)) hear_boot_table(byte, at_ns);
+      hear_boot_table(line_is_at(boot_baud) ? byte : next_noise(), at_ns);
       break;
-    case Stage::firmware:
-      if (!baud_is_about(run_baud)) break;
-      if (const auto frame = commands_.take({&byte, 1})) hear_frame(*frame, at_ns);
+    case Stage::firmware: {
+      const std::uint8_t heard = line_is_at(run_baud) ? byte : next_noise();
+      if (const auto frame = commands_.take({&heard, 1})) hear_frame(*frame, at_ns);
       break;
+    }
   }
 }
 
@@ -335,6 +361,9 @@ void FalconDsp::hear_frame(const CommandFrame& frame, std::int64_t at_ns) noexce
   last_command_ = frame;
   last_frame_ns_ = at_ns;
   motors_ = frame.motors;
+  if (wrong_.motors_are_reversed) {
+    for (std::int16_t& motor : motors_) motor = static_cast<std::int16_t>(-motor);
+  }
   lights_ = frame.info & (CommandFrame::green | CommandFrame::blue | CommandFrame::red);
   home(at_ns);
   if (!wrong_.frozen_encoders) {

@@ -55,6 +55,10 @@ class FalconDsp {
   // Returns the packet's size, status bytes included; 0: none is due.
   std::size_t take_packet(std::span<std::uint8_t, packet_size> into, std::int64_t now_ns) noexcept;
 
+  // The USB chip has been without power, which comes through the cable: all that it was told is forgotten. The DSP has a
+  // supply of its own and goes on, as do its motors.
+  void power_up_chip(std::int64_t now_ns) noexcept;
+
   // Lets happen what happens by itself: bytes arrive, the watchdog acts.
   void advance(std::int64_t now_ns) noexcept;
 
@@ -110,8 +114,10 @@ class FalconDsp {
   void reset(Stage stage) noexcept;
   void set_dtr(bool high) noexcept;
   void set_baud(std::uint16_t value, std::uint16_t index, std::int64_t now_ns) noexcept;
-  bool baud_is_about(double rate) const noexcept;
+  bool line_is_at(double rate) const noexcept;
   std::int64_t byte_time_ns() const noexcept;
+  void send_again_from(std::int64_t now_ns) noexcept;
+  std::uint8_t next_noise() noexcept;
 
   void hear(std::uint8_t byte, std::int64_t at_ns) noexcept;
   void hear_hand_shake(std::uint8_t byte, std::int64_t at_ns) noexcept;
@@ -135,6 +141,7 @@ class FalconDsp {
   // The chip, as it is when it gets current.
   struct Settings {
     double baud = 9600.0;
+    bool is_8n1 = false;  // 8 data bits, no parity, 1 stop bit; what it is before anybody asks is not promised
     std::int64_t latency_ns = 16'000'000;
     bool dtr = false;
   };
@@ -146,6 +153,7 @@ class FalconDsp {
   FixedQueue<Timed, 4096> to_host_;
   std::int64_t line_out_free_ns_ = 0;  // when the last byte under way is through
   std::int64_t line_in_free_ns_ = 0;
+  std::uint32_t noise_ = 0x2545F491;  // the same each time
 
   // The DSP.
   Stage stage_ = Stage::idle;

@@ -29,8 +29,8 @@ enum class ReplyFault : std::uint8_t {
 
 // As it is made: none.
 struct InjectedFault {
-  // The link: not_allowed and busy keep it from opening; absent and unplugged do too, and end one that is open. A
-  // device off the cable has no power either.
+  // The link: not_allowed and busy keep it from opening; absent and unplugged do too, and end one that is open. Off the
+  // cable only the USB chip is without power; the processor and the motors have a supply of their own.
   LinkFault link = LinkFault::none;
   bool is_off_the_cable() const noexcept { return link == LinkFault::absent || link == LinkFault::unplugged; }
 
@@ -46,12 +46,14 @@ struct InjectedFault {
   // The cable.
   bool split_packets = false;   // few bytes in each
   bool joined_packets = false;  // held back until several answers fill one
+  bool chip_resets = false;     // once, when the fault is asked for: the USB chip is as it is when it gets power
 
   // The firmware.
   unsigned short_frames = 0;  // each so many-th frame lacks two bytes; 0: none
   bool garbage = false;       // between frames
   bool silence = false;       // takes everything and answers nothing
   bool frozen_encoders = false;
+  bool motors_are_reversed = false;  // all three push the other way
   bool never_homes = false;
   bool forgets_home = false;  // once, when the fault is asked for
   std::int64_t reply_delay_ns = 0;

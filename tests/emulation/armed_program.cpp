@@ -1,7 +1,7 @@
 // Takes the Falcon, arms it, and once its motors push ends in the way that its argument names. On the way it says a
 // line at a time what it wants of the hand ("outside", "aside", "inside"), that its motors push ("pushing"), and, of what it
 // does itself, when ("ends", in ns of CLOCK_MONOTONIC). Some ways take a second argument: a signal's number, or the
-// name of a thread.
+// name of a thread. With "signals blocked" before it all, it begins as a program does that was started with them so.
 #undef NDEBUG  // assertions hold in every build of this program
 #include <cassert>
 
@@ -79,6 +79,11 @@ void overflow_stack() {
   limit.rlim_cur = std::min<rlim_t>(limit.rlim_cur, 8 << 20);
   setrlimit(RLIMIT_STACK, &limit);
   go_deeper(1);
+}
+
+void loop_for_ever() {
+  for (volatile bool goes_on = true; goes_on;) {
+  }
 }
 
 // Threads show their names here.
@@ -196,6 +201,7 @@ constexpr Way ways[] = {
        for (;;) person.live();
      }},
     {"obey", [](Person& person) { obey_orders(person); }},
+    {"look", [](Person& person) { obey_orders(person); }},  // without arming the motors first
     // Hears of nothing, because its main thread hangs.
     {"hang",
      [](Person&) {
@@ -224,6 +230,12 @@ constexpr Way ways[] = {
        tgkill(getpid(), thread, SIGURG);
        std::this_thread::sleep_for(std::chrono::seconds(5));
      }},
+    // On one that knows nothing of this program's handlers.
+    {"stack overflow on a library's thread",
+     [](Person&) {
+       std::thread(overflow_stack).detach();
+       std::this_thread::sleep_for(std::chrono::seconds(5));
+     }},
     {"segmentation faults on two threads",
      [](Person& person) {
        person.input().lay(touch_forbidden_memory);
@@ -231,6 +243,7 @@ constexpr Way ways[] = {
      }},
     {"signal on the servo's thread", [](Person& person) { person.input().lay(raise_signal); }},
     {"stack overflow on the servo's thread", [](Person& person) { person.input().lay(overflow_stack); }},
+    {"endless loop on the servo's thread", [](Person& person) { person.input().lay(loop_for_ever); }},
     {"abort on the servo's thread", [](Person& person) { person.input().lay([] { std::abort(); }); }},
     {"segmentation fault on the servo's thread", [](Person& person) { person.input().lay(touch_forbidden_memory); }},
 };
@@ -239,7 +252,7 @@ int run(std::string_view name) {
   for (const Way& way : ways) {
     if (way.name != name) continue;
     Person person;
-    person.arm_and_lean_in();
+    if (name != "look") person.arm_and_lean_in();
     say_end();
     way.go(person);
     // The servo's thread is on its way.
@@ -249,11 +262,21 @@ int run(std::string_view name) {
   return static_cast<int>(ExitCode::wrong_call);
 }
 
+// As whoever started it may have had them; what a program begins with outlives its exec.
+void start_anew_with_signals_blocked(char** argv) {
+  sigset_t blocked;
+  sigemptyset(&blocked);
+  for (const int signal : {SIGTERM, SIGHUP, SIGINT}) sigaddset(&blocked, signal);
+  sigprocmask(SIG_BLOCK, &blocked, nullptr);
+  execv("/proc/self/exe", argv + 1);
+}
+
 }  // namespace
 }  // namespace ghostforce
 
 int main(int argc, char** argv) {
   using namespace ghostforce;
+  if (argc > 1 && std::string_view(argv[1]) == "signals blocked") start_anew_with_signals_blocked(argv);
   // In the order of the real main().
   remember_interruptions(emergency_stop::stop_motors);
   emergency_stop::install_handlers();

@@ -16,6 +16,9 @@ class EmulatedChip {
 
   virtual ~EmulatedChip() = default;
 
+  // It gets power, which comes through the cable: what it was told before is forgotten.
+  virtual void power_up(std::int64_t now_ns) = 0;
+
   virtual void control(const VendorRequest& request, std::int64_t now_ns) = 0;
 
   // The host waits with bytes for which there is no room.

@@ -85,7 +85,8 @@ EmulatedHidDevice::~EmulatedHidDevice() {
 void EmulatedHidDevice::plug() {
   unplug();
   const std::string number = std::to_string(bed_.next_address());
-  DeviceFile file = bed_.make_file("/dev/hidraw" + number, [this] { return std::make_unique<File>(*this); });
+  DeviceFile file =
+      bed_.make_file("/dev/hidraw" + number, [this](const CallerMemory&) { return std::make_unique<File>(*this); });
   {
     const std::lock_guard lock(mutex_);
     if (file_.door) past_files_.push_back(std::move(file_));

@@ -47,12 +47,14 @@ void EmulatedUsbDevice::plug() {
   const int address = bed_.next_address();
   char node[64];
   std::snprintf(node, sizeof node, "/dev/bus/usb/001/%03d", address);
-  DeviceFile file = bed_.make_file(node, [this] { return std::make_unique<File>(*this); });
+  DeviceFile file =
+      bed_.make_file(node, [this](const CallerMemory& caller) { return std::make_unique<File>(*this, caller); });
   {
     const std::lock_guard lock(mutex_);
     if (file_.door) past_files_.push_back(std::move(file_));
     file_ = std::move(file);
     is_plugged_ = true;
+    chip_.power_up(monotonic_ns());
   }
   syspath_ = std::string(TestBed::hub) + "/1-" + std::to_string(address);
   char ids[64];
@@ -120,7 +122,12 @@ EmulatedUsbDevice::OutAttempt EmulatedUsbDevice::last_out() const {
 
 std::uint64_t EmulatedUsbDevice::times_taken() const {
   const std::lock_guard lock(mutex_);
-  return times_taken_;
+  return takers_.size();
+}
+
+std::uint64_t EmulatedUsbDevice::times_taken_by(int process) const {
+  const std::lock_guard lock(mutex_);
+  return static_cast<std::uint64_t>(std::ranges::count(takers_, process));
 }
 
 std::uint64_t EmulatedUsbDevice::halts_cleared() const {
@@ -179,6 +186,11 @@ int EmulatedUsbDevice::answer_control(Urb& urb, const std::array<std::uint8_t, 8
 }
 
 void EmulatedUsbDevice::complete(const Urb& urb, int status, bool inwards) {
+  if (urb.waiter != nullptr) {
+    *urb.waiter = {true, status, inwards ? urb.data.size() : urb.length, urb.data};
+    changed_.notify_all();
+    return;
+  }
   File::Completion completion;
   completion.urb = urb.address;
   completion.status = status;

@@ -1,6 +1,8 @@
 // EmulatedUsbDevice: what the kernel's usbfs shows of a device with one interface, a bulk endpoint each way and a
-// serial chip behind them. It answers the ioctls of libusb as the kernel does, keeps its queues of transfers and its
-// time, can be pulled out and plugged in again, and goes wrong when asked to. plug(), unplug(), inject() and the
+// serial chip behind them. It answers the ioctls of libusb as the kernel does, and those of programs that do without;
+// several of them may have it open at once. It keeps its queues of transfers and its time, can be pulled out and plugged
+// in again, and goes wrong when asked to. What differs from a kernel: poll() tells of another program's transfers too.
+// plug(), unplug(), inject() and the
 // like on the test's thread; what only tells on any.
 #pragma once
 
@@ -53,6 +55,7 @@ class EmulatedUsbDevice {
   OutAttempt last_out() const;
 
   std::uint64_t times_taken() const;  // how often a program has claimed the interface
+  std::uint64_t times_taken_by(int process) const;
   std::uint64_t halts_cleared() const;
   std::uint64_t transfers_pending() const;
   // Of the transfers from the device that have come back well: how many packets the fullest one carried.
@@ -60,6 +63,14 @@ class EmulatedUsbDevice {
 
  private:
   class File;
+
+  // A program's call that waits for its transfer.
+  struct Waiter {
+    bool is_over = false;
+    int status = 0;
+    std::size_t length = 0;
+    std::vector<std::uint8_t> data;  // that has come in
+  };
 
   // A transfer that was handed to the kernel.
   struct Urb {
@@ -69,6 +80,7 @@ class EmulatedUsbDevice {
     std::size_t length = 0;
     std::vector<std::uint8_t> data;  // outwards: to be sent; inwards: come so far
     std::size_t packets = 0;
+    Waiter* waiter = nullptr;  // null: it is reaped
   };
   struct ControlUrb {
     Urb urb;
@@ -92,12 +104,23 @@ class EmulatedUsbDevice {
   std::unique_lock<std::mutex> lock_device();
   CallResult submit(File& file, const CallerMemory& memory, std::uintptr_t address);
   CallResult reap(File& file, const CallerMemory& memory, std::uintptr_t into);
-  CallResult discard(std::uintptr_t address);
-  void end_transfers_of(const File& file);
-  CallResult claim(File& file, int not_ready);
-  CallResult send_now(File& file, const CallerMemory& memory, std::uintptr_t argument);
+  CallResult discard(const File& file, std::uintptr_t address);
+  void end_transfers_of(const File& file, int status);
+  CallResult claim(File& file, const CallerMemory& memory, std::uintptr_t argument);
+  CallResult disconnect_and_claim(File& file, const CallerMemory& memory, std::uintptr_t argument);
+  int wait_until_free(const File& file, std::unique_lock<std::mutex>& lock, int not_ready);
+  int take(File& file);
+  void let_go();
+  CallResult release(const File& file, const CallerMemory& memory, std::uintptr_t argument);
+  CallResult tell_driver(const CallerMemory& memory, std::uintptr_t argument);
+  CallResult order_driver(const CallerMemory& memory, std::uintptr_t argument);
+  CallResult transfer_now(File& file, const CallerMemory& memory, std::uintptr_t argument);
+  CallResult control_now(File& file, const CallerMemory& memory, std::uintptr_t argument);
+  void wait_for(const Waiter& waiter, std::unique_lock<std::mutex>& lock, unsigned int timeout_ms);
   CallResult clear_halt(File& file, const CallerMemory& memory, std::uintptr_t argument);
   CallResult reset(File& file);
+  CallResult set_interface(File& file, const CallerMemory& memory, std::uintptr_t argument);
+  CallResult set_configuration(File& file);
   int ask_device(File& file, std::unique_lock<std::mutex>& lock, int answer_ms);
   int answer_control(Urb& urb, const std::array<std::uint8_t, 8>& setup);
   void note_attempt(const std::vector<std::uint8_t>& bytes);
@@ -130,7 +153,7 @@ class EmulatedUsbDevice {
   std::int64_t control_naks_until_ns_ = 0;
   OutAttempt last_out_;
   int claims_to_delay_ = 0;
-  std::uint64_t times_taken_ = 0;
+  std::vector<int> takers_;  // the processes that have claimed the interface, each time
   std::uint64_t halts_cleared_ = 0;
   std::size_t most_packets_ = 0;
   std::thread clock_;

@@ -20,17 +20,20 @@ class EmulatedUsbDevice::File final : public OpenFile {
     std::vector<std::uint8_t> data;
   };
 
-  explicit File(EmulatedUsbDevice& device);
+  File(EmulatedUsbDevice& device, const CallerMemory& caller);
   ~File() override;
 
   CallResult ioctl(const CallerMemory& memory, unsigned long request, std::uintptr_t argument) override;
   CallResult read(const CallerMemory& memory, std::uintptr_t into, std::size_t size) override;
+
+  const CallerMemory& caller() const { return caller_; }
 
   std::deque<Completion> completions;
   bool is_unplugged = false;  // for good, even if the device comes back: that is another file
 
  private:
   EmulatedUsbDevice& device_;
+  const CallerMemory& caller_;
 };
 
 // Its endpoints.

@@ -25,6 +25,7 @@ class FalconChip final : public EmulatedChip {
     std::int64_t last_force_ns = 0;    // when they were last driven with anything but 0; 0: never
     std::int64_t longest_hold_ns = 0;  // that a force stood without a new command, since watch()
     std::uint64_t frames = 0;          // since the beginning
+    std::uint64_t force_frames = 0;    // those of them that asked for a force
     std::uint64_t silent_frames = 0;   // the newest ones in a row that asked for no force and no light
     bool is_homed = false;
   };
@@ -57,6 +58,13 @@ class FalconChip final : public EmulatedChip {
     dsp_.advance(now);
     note();
     return told_;
+  }
+
+  void power_up(std::int64_t now_ns) override {
+    const std::lock_guard lock(mutex_);
+    live_until(now_ns);
+    dsp_.power_up_chip(now_ns);
+    note();
   }
 
   void control(const VendorRequest& request, std::int64_t now_ns) override {
@@ -144,6 +152,7 @@ class FalconChip final : public EmulatedChip {
     if (news == 0) return;
     commanded_ns_ = lived_ns_;
     const bool is_silent = dsp_.last_command().motors == MotorNumbers{} && dsp_.lights() == 0;
+    if (dsp_.last_command().motors != MotorNumbers{}) told_.force_frames += news;
     told_.silent_frames = is_silent ? told_.silent_frames + news : 0;
   }
 

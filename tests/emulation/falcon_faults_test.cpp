@@ -4,6 +4,7 @@
 #include <chrono>
 #include <ostream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -33,6 +34,7 @@ std::vector<Fault> quick_faults() {
 class FalconFaultsTest : public testing::TestWithParam<Fault> {};
 
 TEST_P(FalconFaultsTest, EndsTheForceAndComesBack) {
+  if (const std::string_view obstacle = hold_obstacle(GetParam().hold); !obstacle.empty()) GTEST_SKIP() << obstacle;
   TestBed bed;
   const FaultOutcome outcome = try_fault(bed, GetParam(), patience);
   EXPECT_EQ(broken_promise(GetParam(), outcome, false), "")

@@ -24,11 +24,7 @@ constexpr milliseconds program_patience{60'000};  // with what must happen befor
 constexpr milliseconds return_patience{30'000};
 constexpr std::chrono::microseconds look_interval{250};
 
-// What is promised.
 constexpr std::int64_t ms = 1'000'000;
-constexpr std::int64_t zero_limit_ns = 25 * ms;
-constexpr std::int64_t fade_limit_ns = 200 * ms + zero_limit_ns;
-constexpr std::int64_t stall_limit_ns = 500 * ms + fade_limit_ns;
 
 // Without the device's being opened anew it is not the driver's reopening that has ended the force.
 constexpr std::int64_t after_reopening_ns = 3'000 * ms;
@@ -36,6 +32,9 @@ constexpr std::int64_t after_reopening_ns = 3'000 * ms;
 constexpr std::uint64_t frames_onward = 400;
 // What ends for good has ended for so long.
 constexpr std::int64_t for_good_ns = 60 * ms;
+// Once a program can run again, what it does next shows within this.
+constexpr std::int64_t after_hold_ns = 500 * ms;
+constexpr std::int64_t fast_patience_ns = 10'000 * ms;
 
 // As orders.h has it.
 struct ToldByProgram {
@@ -44,9 +43,13 @@ struct ToldByProgram {
   std::string reason;
   std::string device;
   std::string fault;
+  std::string push;
+  std::string speed;
 
   bool motors_are_off() const { return motors == name_of(SafetyState::off); }
   bool motors_push() const { return motors == name_of(SafetyState::ramp) || motors == name_of(SafetyState::on); }
+  bool says_off() const { return motors_are_off() && push == "cannot push"; }
+  bool is_fast() const { return speed == "fast"; }
   bool device_is_readable() const {
     return device == name_of(FalconState::idle) || device == name_of(FalconState::active);
   }
@@ -67,10 +70,22 @@ auto named(std::span<Entry, Extent> catalog, std::string_view name) {
 
 class FaultTrial {
  public:
-  FaultTrial(TestBed& bed, const Fault& fault) : cable_(bed, chip_, "12PZ657E"), fault_(fault) { cable_.plug(); }
+  FaultTrial(TestBed& bed, const Fault& fault, int busy_processes)
+      : cable_(bed, chip_, "12PZ657E"),
+        other_cable_(bed, other_chip_, "12PZ657F"),
+        fault_(fault),
+        busy_count_(std::max(fault.busy_processes, busy_processes)) {
+    cable_.plug();
+    if (has_other()) other_cable_.plug();
+    if (!fault.usb_at_start.empty()) cable_.inject(usb_fault(fault.usb_at_start));
+  }
 
   // None: the motors had gone off by themselves.
   std::optional<FaultOutcome> run(milliseconds patience) {
+    if (fault_.promise == Promise::fast) {
+      watch_the_speed();
+      return outcome_;
+    }
     start();
     if (is_by_order()) {
       // Not always at the same moment of a second, a frame or an exchange.
@@ -82,6 +97,7 @@ class FaultTrial {
     inject();
     watch_the_force(patience);
     if (told_at_off_ && told_at_off_->at_ns < event_ns_) return std::nullopt;
+    if (fault_.other_falcon == OtherFalcon::pulled_out_too) pull_out_the_other();
     end_of_fault();
     watch_the_return();
     return outcome_;
@@ -89,17 +105,20 @@ class FaultTrial {
 
  private:
   bool is_by_order() const { return fault_.way == "obey"; }
+  bool has_other() const { return fault_.other_falcon != OtherFalcon::none; }
   bool fades() const { return fault_.promise == Promise::fade || fault_.promise == Promise::stall_and_fade; }
 
   void start() {
     ProgramCall call;
-    call.words = {std::string(fault_.way)};
+    if (fault_.starts_with_signals_blocked) call.words = {"signals blocked"};
+    call.words.emplace_back(fault_.way);
     call.takes_orders = true;
     program_.emplace(ARMED_PROGRAM, call);
     for (;;) {
       const auto line = program_->next_line(program_patience);
       if (!line) throw std::runtime_error("armed_program has ended, or has not got so far");
       lead_hand(chip_, *line);
+      if (*line == "inside") begin_load();
       if (!line->starts_with("ends ")) continue;
       event_ns_ = std::stoll(line->substr(5));
       chip_.watch();
@@ -110,12 +129,24 @@ class FaultTrial {
     while (told_.at_ns == 0 && monotonic_ns() < end_ns) look();
   }
 
+  // From before it pushes: it may be about to end by itself.
+  void begin_load() {
+    if (!urgent_) urgent_.emplace();
+    if (busy_count_ > 0 && !busy_) busy_.emplace(busy_count_);
+  }
+
   void inject() {
     first_frame_ = chip_.told().frames;
-    times_taken_ = cable_.times_taken();
+    program_pid_ = program_->pid();
+    times_taken_ = cable_.times_taken_by(program_pid_);
     if (!is_by_order()) return;
     chip_.watch();
     event_ns_ = monotonic_ns();
+    if (fault_.hold != Hold::none) {
+      held_.emplace(program_->pid(), fault_.hold, milliseconds(fault_.lasts_ms));
+      // Real-time processes gather first.
+      if (fault_.hold == Hold::starved) event_ns_ = monotonic_ns();
+    }
     if (!fault_.usb.empty()) cable_.inject(usb_fault(fault_.usb));
     if (!fault_.device.empty()) {
       InjectedFault wrong;
@@ -129,6 +160,7 @@ class FaultTrial {
       plan.stiffness = 1000.0;
       chip_.lead_hand(plan);
     }
+    if (fault_.hand_goes_out) lead_hand(chip_, "outside");
   }
 
   void watch_the_force(milliseconds patience) {
@@ -136,10 +168,11 @@ class FaultTrial {
     for (;;) {
       look();
       const FalconChip::Told& told = chip_told_;
-      const bool is_over = program_has_ended_ || told_.motors_are_off();
+      end_hold();
+      if (held_ || monotonic_ns() < hold_end_ns_ + after_hold_ns) continue;
+      const bool is_over = program_has_ended_ || told_.motors_are_off() || fault_.program_hangs;
       if (is_over && told.motors == MotorNumbers{} && monotonic_ns() > told.last_force_ns + for_good_ns) {
-        outcome_.zero_ns = told.last_force_ns - event_ns_;
-        outcome_.was_taken_anew = was_taken_anew_;
+        note_zero();
         break;
       }
       if (told_.motors_push() && told.frames >= first_frame_ + frames_onward && told.motors != MotorNumbers{} &&
@@ -151,11 +184,63 @@ class FaultTrial {
       if (was_taken_anew_ && monotonic_ns() > event_ns_ + after_reopening_ns) break;
       if (monotonic_ns() > end_ns) break;
     }
+    if (fault_.hold != Hold::none) outcome_.forces_after_hold = chip_.told().force_frames - force_frames_;
     outcome_.longest_hold_ns = chip_.told().longest_hold_ns;
     outcome_.late_ns = late_ns_;
     // Until something is seen of the force again the wire may be dead.
     while (!program_has_ended_ && monotonic_ns() < end_of_lasting_ns()) look();
     outcome_.zero_try_ns = zero_try_ns_;
+  }
+
+  void note_zero() {
+    if (outcome_.zero_ns) return;
+    outcome_.zero_ns = chip_told_.last_force_ns - event_ns_;
+    outcome_.was_taken_anew = was_taken_anew_;
+  }
+
+  // What comes afterwards is told apart from a zero that came before.
+  void end_hold() {
+    if (!held_ || monotonic_ns() < end_of_lasting_ns()) return;
+    chip_told_ = chip_.told();
+    if (chip_told_.motors == MotorNumbers{}) note_zero();
+    force_frames_ = chip_told_.force_frames;
+    held_.reset();
+    hold_end_ns_ = monotonic_ns();
+  }
+
+  // It may be that the program does not take it, with a debt to the first.
+  void pull_out_the_other() {
+    led_chip_ = &other_chip_;
+    program_->order("arm");
+    const std::int64_t end_ns = monotonic_ns() + return_patience / std::chrono::nanoseconds(1);
+    while (!pushes_again_ && monotonic_ns() < end_ns && !program_has_ended_) look();
+    other_cable_.inject(usb_fault("unplugged"));
+    is_other_out_ = true;
+    look_for(milliseconds(fault_.lasts_ms));
+  }
+
+  // Of a program that arms no motors.
+  void watch_the_speed() {
+    ProgramCall call;
+    call.words = {"look"};
+    call.takes_orders = true;
+    program_.emplace(ARMED_PROGRAM, call);
+    event_ns_ = monotonic_ns();
+    std::int64_t start_ns = 0;  // of what counts
+    for (;;) {
+      look();
+      const std::int64_t now_ns = monotonic_ns();
+      if (start_ns == 0 && told_.device_is_readable() && now_ns > end_of_lasting_ns()) {
+        if (fault_.lasts_ms > 0) cable_.inject({});
+        start_ns = now_ns;
+      }
+      if (program_has_ended_ || now_ns > end_of_lasting_ns() + fast_patience_ns) break;
+      if (start_ns == 0 || !told_.is_fast()) continue;
+      outcome_.fast_ns = now_ns - start_ns;
+      break;
+    }
+    outcome_.came_back = outcome_.fast_ns.has_value();
+    if (program_has_ended_) outcome_.exit_code = program_->wait_for_end();
   }
 
   std::int64_t end_of_lasting_ns() const { return event_ns_ + fault_.lasts_ms * ms; }
@@ -164,18 +249,25 @@ class FaultTrial {
     is_taken_away_ = true;
     chip_.inject({});
     cable_.inject(fault_.usb_afterwards.empty() ? UsbFault{} : usb_fault(fault_.usb_afterwards));
+    if (is_other_out_) other_cable_.inject({});
+    if (fault_.other_falcon == OtherFalcon::taken_and_left) program_->order("end");
     if (fault_.order == "focus lost") program_->order("focus");
     if (fault_.hand_is_torn_away) lead_hand(chip_, "outside");
   }
 
   void watch_the_return() {
+    if (fault_.program_hangs) return;
     const std::int64_t start_ns = monotonic_ns();
     const std::int64_t end_ns = start_ns + return_patience / std::chrono::nanoseconds(1);
+    const std::uint64_t other_taken = other_cable_.times_taken();
     std::int64_t back_ns = 0;
     while (monotonic_ns() < end_ns && !program_has_ended_) {
       look();
+      if (has_other() && any_pushes() && !is_other_out_) {
+        outcome_.other_was_taken_first |= other_cable_.times_taken() > other_taken;
+      }
       const bool is_back = told_.device_is_readable() && (outcome_.went_on || told_.motors_are_off()) &&
-                           (outcome_.went_on || chip_told_.motors == MotorNumbers{});
+                           (outcome_.went_on || !any_pushes());
       if (!is_back) {
         back_ns = 0;
       } else if (back_ns == 0) {
@@ -186,12 +278,32 @@ class FaultTrial {
         break;
       }
     }
-    if (!outcome_.zero_ns && !outcome_.went_on && chip_told_.motors == MotorNumbers{}) {
-      outcome_.zero_ns = chip_told_.last_force_ns - event_ns_;
-      outcome_.was_taken_anew = was_taken_anew_;
+    if (program_has_ended_) {
+      // What was on the way arrives.
+      std::this_thread::sleep_for(std::chrono::nanoseconds(for_good_ns));
+      chip_told_ = chip_.told();
+      other_told_ = other_chip_.told();
+    }
+    if (!outcome_.went_on && !any_pushes()) {
+      if (fault_.usb == "unplugged") {
+        const std::int64_t last_ns =
+            is_other_out_ ? std::max(chip_told_.last_force_ns, other_told_.last_force_ns) : chip_told_.last_force_ns;
+        outcome_.plug_to_zero_ns = std::max<std::int64_t>(last_ns - start_ns, 0);
+      }
+      note_zero();
     }
     outcome_.lost_home = lost_home_;
+    if (outcome_.came_back && fault_.is_fast_again) {
+      const std::int64_t fast_end_ns = monotonic_ns() + fast_patience_ns;
+      while (!told_.is_fast() && monotonic_ns() < fast_end_ns) look();
+      outcome_.stays_slow = !told_.is_fast();
+    }
     if (program_has_ended_) outcome_.exit_code = program_->wait_for_end();
+  }
+
+  // One of those that were pulled out.
+  bool any_pushes() const {
+    return chip_told_.motors != MotorNumbers{} || (is_other_out_ && other_told_.motors != MotorNumbers{});
   }
 
   void look_for(std::chrono::microseconds duration) {
@@ -206,9 +318,15 @@ class FaultTrial {
     while (const auto line = program_->next_line(milliseconds(0))) hear(*line);
     program_has_ended_ = had_ended;
     chip_told_ = chip_.told();
+    other_told_ = other_chip_.told();
     lost_home_ |= !chip_told_.is_homed;
     const bool pushes = chip_told_.motors != MotorNumbers{};
-    if (pushes && cable_.times_taken() > times_taken_ && times_taken_ > 0) was_taken_anew_ = true;
+    // By the program itself, that is: whoever else takes it does so to end the force.
+    if (pushes && cable_.times_taken_by(program_pid_) > times_taken_ && times_taken_ > 0) was_taken_anew_ = true;
+    if (any_pushes() && told_.says_off() && !program_has_ended_ && event_ns_ > 0) {
+      const std::int64_t since_ns = std::max(told_.at_ns, event_ns_);
+      outcome_.longest_false_off_ns = std::max(outcome_.longest_false_off_ns, monotonic_ns() - since_ns);
+    }
     if (!is_taken_away_) note_what_is_tried();
     if (pushes) late_ns_ = std::max(late_ns_, monotonic_ns() - before_ns);
   }
@@ -227,10 +345,13 @@ class FaultTrial {
     std::istringstream words(line);
     std::string word;
     std::getline(words, word, '\t');
+    if (led_chip_ != nullptr) lead_hand(*led_chip_, word);
+    pushes_again_ |= word == "pushing";
     if (word != "state") return;
     std::getline(words, word, '\t');
     told_.at_ns = std::stoll(word);
-    for (std::string* const field : {&told_.motors, &told_.reason, &told_.device, &told_.fault}) {
+    for (std::string* const field :
+         {&told_.motors, &told_.reason, &told_.device, &told_.fault, &told_.push, &told_.speed}) {
       std::getline(words, *field, '\t');
     }
     if (!told_.motors_push() && !told_at_off_) told_at_off_ = told_;
@@ -240,17 +361,30 @@ class FaultTrial {
   }
 
   FalconChip chip_{{.starts_with_firmware = true, .starts_homed = true}};
+  FalconChip other_chip_{{.starts_with_firmware = true, .starts_homed = true}};
   EmulatedUsbDevice cable_;
+  EmulatedUsbDevice other_cable_;
   const Fault& fault_;
+  const int busy_count_;
   std::optional<RunningProgram> program_;
+  std::optional<HeldProgram> held_;
+  std::optional<BusyProcesses> busy_;
+  std::optional<UrgentHere> urgent_;
 
   std::int64_t event_ns_ = 0;
   std::uint64_t first_frame_ = 0;
-  std::uint64_t times_taken_ = 0;  // before the fault
+  pid_t program_pid_ = 0;
+  std::uint64_t times_taken_ = 0;   // before the fault
+  std::uint64_t force_frames_ = 0;  // when the program could run again
+  std::int64_t hold_end_ns_ = 0;
+  FalconChip* led_chip_ = nullptr;  // whose hand does what the program wants, after the fault
+  bool is_other_out_ = false;
   bool is_taken_away_ = false;
 
   // Seen so far.
   FalconChip::Told chip_told_;
+  FalconChip::Told other_told_;
+  bool pushes_again_ = false;
   ToldByProgram told_;
   std::optional<ToldByProgram> told_at_off_;
   std::optional<std::int64_t> zero_try_ns_;
@@ -263,64 +397,13 @@ class FaultTrial {
 
 }  // namespace
 
-std::string FaultOutcome::words() const {
-  const std::string motors(entry_of(reason).title);
-  const std::string device(entry_of(device_fault).title);
-  if (reason == OffReason::none) return device_fault == FalconFault::none ? "" : device;
-  if (device_fault == FalconFault::none || motors == device) return motors;
-  return reason == OffReason::fault ? device : motors + ", then " + device;
-}
-
-FaultOutcome try_fault(TestBed& bed, const Fault& fault, milliseconds patience) {
+FaultOutcome try_fault(TestBed& bed, const Fault& fault, milliseconds patience, int busy_processes) {
   constexpr int attempts = 20;
   for (int i = 0; i < attempts; ++i) {
-    FaultTrial trial(bed, fault);
+    FaultTrial trial(bed, fault, busy_processes);
     if (const auto outcome = trial.run(patience)) return *outcome;
   }
   throw std::runtime_error("the motors went off by themselves each time: the machine has too much else to do");
-}
-
-std::string broken_promise(const Fault& fault, const FaultOutcome& outcome, bool timed) {
-  const auto over = [&](std::optional<std::int64_t> time_ns, std::int64_t limit_ns) {
-    return timed && time_ns && *time_ns > limit_ns;
-  };
-  // What goes wrong with cable, device or window ends no program.
-  const bool is_to_end = fault.signal != 0 || fault.way != "obey";
-  if (!is_to_end && outcome.exit_code) return "the program ended, with " + std::to_string(*outcome.exit_code);
-  switch (fault.promise) {
-    case Promise::none:
-      return "";
-    case Promise::zero_or_onward:
-      if (outcome.went_on) {
-        if (timed && outcome.longest_hold_ns > zero_limit_ns) return "held a force for longer than 25 ms";
-        break;
-      }
-      if (over(outcome.zero_ns, zero_limit_ns) && outcome.longest_hold_ns > zero_limit_ns) {
-        return "zero came later than 25 ms, after a force that was held for longer";
-      }
-      [[fallthrough]];
-    case Promise::zero:
-      if (outcome.went_on) return "the motors stayed on";
-      if (!outcome.zero_ns) return "the force stayed";
-      if (outcome.was_taken_anew) return "the force ended only when the device was opened anew";
-      if (fault.promise == Promise::zero && over(outcome.zero_ns, zero_limit_ns)) return "zero came later than 25 ms";
-      break;
-    case Promise::last_try:
-      if (!outcome.zero_try_ns) return "the last thing tried was a force";
-      if (over(outcome.zero_try_ns, zero_limit_ns)) return "a zero was tried later than 25 ms";
-      if (!outcome.zero_ns) return "the force stayed when the wire was well again";
-      break;
-    case Promise::fade:
-    case Promise::stall_and_fade:
-      if (!outcome.zero_ns) return "the force stayed";
-      if (over(outcome.zero_ns, fault.promise == Promise::fade ? fade_limit_ns : stall_limit_ns)) {
-        return "the force faded too late";
-      }
-      break;
-  }
-  if (outcome.lost_home && !fault.forgets_home) return "the device was taken for one without firmware";
-  if (!is_to_end && !outcome.came_back) return "the device does not come back by itself";
-  return "";
 }
 
 }  // namespace ghostforce

@@ -68,6 +68,11 @@ bool CallerMemory::store(std::uintptr_t address, const void* from, std::size_t s
   return send_all(connection_, &message, sizeof message) && send_all(connection_, from, size);
 }
 
+bool CallerMemory::has_gone() const {
+  char byte = 0;
+  return recv(connection_, &byte, 1, MSG_PEEK | MSG_DONTWAIT) == 0;
+}
+
 KernelDoor::KernelDoor(const std::string& socket_path, Open open) : socket_path_(socket_path), open_(std::move(open)) {
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
@@ -118,7 +123,7 @@ void KernelDoor::serve(int connection) {
   getsockopt(connection, SOL_SOCKET, SO_PEERCRED, &peer, &size);
   const CallerMemory memory(connection, peer.pid);
   {
-    const std::unique_ptr<OpenFile> file = open_();
+    const std::unique_ptr<OpenFile> file = open_(memory);
     Message call{};
     while (receive_all(connection, &call, sizeof call)) {
       CallResult result{make_the_real_call, 0};

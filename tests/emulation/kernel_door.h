@@ -27,6 +27,10 @@ class CallerMemory {
   bool fetch(std::uintptr_t address, void* into, std::size_t size) const;
   bool store(std::uintptr_t address, const void* from, std::size_t size) const;
 
+  // The program has closed the file, or died, and the thread that serves it has yet to hear of it.
+  bool has_gone() const;
+  int process() const { return process_; }
+
  private:
   int connection_;
   int process_;
@@ -50,7 +54,8 @@ class OpenFile {
 
 class KernelDoor {
  public:
-  using Open = std::function<std::unique_ptr<OpenFile>()>;
+  // What it is given stays as long as the file.
+  using Open = std::function<std::unique_ptr<OpenFile>(const CallerMemory&)>;
 
   KernelDoor(const std::string& socket_path, Open open);
   KernelDoor(const KernelDoor&) = delete;

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <thread>
 
+#include "core/motor_report.h"
 #include "core/safety.h"
 #include "device/falcon/falcon_report.h"
 #include "device/input/monotonic_clock.h"
@@ -42,13 +43,15 @@ class Orders {
 };
 
 // As a line: "state", the time in ns of CLOCK_MONOTONIC, then SafetyState, OffReason, FalconState and FalconFault by
-// name.
+// name, whether the device may still push, and whether it is fast enough.
 class ToldState {
  public:
-  void tell(SafetyState motors, OffReason reason, FalconState device, FalconFault fault) {
+  void tell(const MotorReport& motors, const FalconReport& device) {
     std::string state;
     for (const std::string_view word :
-         {name_of(motors), entry_of(reason).name, name_of(device), entry_of(fault).name}) {
+         {name_of(motors.state), entry_of(motors.reason).name, name_of(device.state), entry_of(device.fault).name,
+          std::string_view(device.may_still_push ? "may push" : "cannot push"),
+          std::string_view(device.is_fast_enough() ? "fast" : "slow")}) {
       state += '\t';
       state += word;
     }
@@ -69,11 +72,11 @@ void obey_orders(Person& person) {
   ToldState told;
   for (;;) {
     person.live();
-    const FalconReport& report = person.input().report();
-    told.tell(person.motors().state, person.motors().reason, report.state, report.fault);
+    told.tell(person.motors(), person.input().report());
     const std::optional<std::string> order = orders.next();
     if (!order) continue;
     if (*order == "end") return;
+    if (*order == "arm") person.arm_and_lean_in();
     if (*order == "off") ++person.command().offs_asked;  // as Esc does
     if (*order == "focus lost") person.command().has_focus = false;
     if (*order == "focus") person.command().has_focus = true;

@@ -56,6 +56,16 @@ class RecordingChip final : public EmulatedChip {
     return changed_.wait_for(lock, patience, [&] { return received_.size() >= count; });
   }
 
+  int power_ups() const {
+    const std::lock_guard lock(mutex_);
+    return power_ups_;
+  }
+
+  void power_up(std::int64_t /*now_ns*/) override {
+    const std::lock_guard lock(mutex_);
+    ++power_ups_;
+  }
+
   void control(const VendorRequest& request, std::int64_t /*now_ns*/) override {
     const std::lock_guard lock(mutex_);
     requests_.push_back(request);
@@ -104,6 +114,7 @@ class RecordingChip final : public EmulatedChip {
   std::int64_t next_status_ns_ = 0;
   bool echo_ = true;
   bool is_stuck_ = false;
+  int power_ups_ = 0;
   std::deque<std::vector<std::uint8_t>> packets_;
   std::vector<VendorRequest> requests_;
   std::vector<std::uint8_t> received_;

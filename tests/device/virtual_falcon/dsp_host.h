@@ -52,6 +52,7 @@ struct Host {
 
   void begin_hand_shake() {
     request(latency_16);
+    request(format_8n1);
     request(hand_shake_baud);
     request(dtr_low);
     request(dtr_high);
@@ -84,6 +85,7 @@ struct Host {
 
   void run() {
     request(latency_1);
+    request(format_8n1);
     request(run_baud);
   }
 

@@ -189,6 +189,50 @@ TEST(FalconDsp, AFrameTakesItsTimeOnTheLineBothWays) {
   EXPECT_EQ(host.dsp.frames(), 1U);
 }
 
+TEST(FalconDsp, AFrameAtAnotherRateOrInAnotherFormatArrivesAsNoise) {
+  constexpr VendorRequest format_7e1{0x04, 0x0207, 0};
+  for (const VendorRequest& wrong : {hand_shake_baud, boot_baud, format_7e1}) {
+    Host host({.starts_with_firmware = true, .starts_homed = true});
+    host.run();
+    ASSERT_TRUE(host.exchange({{500, 0, 0}, 0}));
+    host.request(wrong);
+    EXPECT_FALSE(host.exchange({}, 100 * ms));
+    EXPECT_EQ(host.dsp.motors(), (MotorNumbers{500, 0, 0})) << "it has heard of no zero";
+    host.run();
+    EXPECT_TRUE(host.exchange({{0, 0, 0}, CommandFrame::green}));
+    EXPECT_EQ(host.dsp.motors(), MotorNumbers{});
+  }
+}
+
+TEST(FalconDsp, WhatWaitsInTheChipGoesOutAtItsNewRate) {
+  Host host({.starts_with_firmware = true, .starts_homed = true});
+  host.run();
+  ASSERT_TRUE(host.exchange({}));
+  host.request(hand_shake_baud);
+  const FrameBytes frame = encode(CommandFrame{{500, 0, 0}, 0});
+  host.write({frame.begin(), frame.end()});
+  host.run();
+  EXPECT_TRUE(host.reader.take(host.listen(5 * ms))) << "all of it was still waiting";
+  EXPECT_EQ(host.dsp.motors(), (MotorNumbers{500, 0, 0}));
+}
+
+TEST(FalconDsp, ThePlugGivesTheChipItsCurrentAndNotTheMotors) {
+  Host host({.starts_with_firmware = true, .starts_homed = true});
+  host.run();
+  ASSERT_TRUE(host.exchange({{500, 0, 0}, 0}));
+  host.dsp.power_up_chip(host.now);
+  EXPECT_EQ(host.dsp.motors(), (MotorNumbers{500, 0, 0}));
+  EXPECT_FALSE(host.exchange({}, 100 * ms)) << "its rate is another one";
+  EXPECT_EQ(host.dsp.motors(), (MotorNumbers{500, 0, 0}));
+  host.packets = 0;
+  host.listen(160 * ms);
+  EXPECT_EQ(host.packets, 10) << "its latency is 16 ms";
+  host.run();
+  EXPECT_TRUE(host.exchange({}));
+  EXPECT_EQ(host.dsp.motors(), MotorNumbers{});
+  EXPECT_EQ(host.dsp.homed(), ReplyFrame::homed);
+}
+
 TEST(FalconDsp, PurgingForgetsWhatHasArrived) {
   Host host({.starts_with_firmware = true});
   host.run();

@@ -146,6 +146,26 @@ TEST(InjectedFault, EncodersFreeze) {
   EXPECT_EQ(host.exchange({})->encoders, (std::array<std::int16_t, 3>{1, 2, 3}));
 }
 
+TEST(InjectedFault, TheChipForgetsItsSettings) {
+  Host host({.starts_with_firmware = true, .starts_homed = true});
+  host.run();
+  ASSERT_TRUE(host.exchange({{500, 0, 0}, 0}));
+  host.dsp.inject(injected_fault("chip-resets"));
+  EXPECT_FALSE(host.exchange({}, 100 * ms));
+  EXPECT_EQ(host.dsp.motors(), (MotorNumbers{500, 0, 0}));
+  host.run();
+  EXPECT_TRUE(host.exchange({})) << "once";
+  EXPECT_EQ(host.dsp.motors(), MotorNumbers{});
+}
+
+TEST(InjectedFault, MotorsPushTheOtherWay) {
+  Host host({.starts_with_firmware = true, .starts_homed = true});
+  host.run();
+  host.dsp.inject(injected_fault("reversed-motors"));
+  ASSERT_TRUE(host.exchange({{500, -400, 0}, 0}));
+  EXPECT_EQ(host.dsp.motors(), (MotorNumbers{-500, 400, 0}));
+}
+
 TEST(InjectedFault, AnswersComeLate) {
   Host host = running("late-5ms");
   EXPECT_FALSE(host.exchange({}, 5 * ms));

@@ -22,6 +22,7 @@ inline constexpr VendorRequest dtr_high{0x01, 0x0101, 0};
 inline constexpr VendorRequest hand_shake_baud{0x03, 0x4138, 0};
 inline constexpr VendorRequest boot_baud{0x03, 0x0015, 0};
 inline constexpr VendorRequest run_baud{0x03, 0x0002, 0};
+inline constexpr VendorRequest format_8n1{0x04, 0x0008, 0};
 inline constexpr VendorRequest latency_1{0x09, 1, 0};
 inline constexpr VendorRequest latency_16{0x09, 16, 0};
 
@@ -43,6 +44,7 @@ inline void request(FalconLink& link, const VendorRequest& request) {
 
 inline void begin_run_time(FalconLink& link) {
   request(link, latency_1);
+  request(link, format_8n1);
   request(link, run_baud);
 }
 
@@ -63,7 +65,8 @@ inline bool load_firmware(FalconLink& link, std::span<const std::uint8_t> firmwa
   constexpr std::array<std::uint8_t, 3> question{0x0A, 0x43, 0x0D};
   constexpr std::array<std::uint8_t, 4> answer{0x0A, 0x44, 0x2C, 0x0D};
   constexpr std::array<std::uint8_t, 1> rate_mark{'A'};
-  for (const VendorRequest& setting : {latency_16, hand_shake_baud, dtr_low, dtr_high}) request(link, setting);
+  for (const VendorRequest& setting : {latency_16, format_8n1, hand_shake_baud, dtr_low, dtr_high})
+    request(link, setting);
   link.write(question);
   if (!hears(link, answer)) return false;
   request(link, dtr_low);

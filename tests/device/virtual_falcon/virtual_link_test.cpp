@@ -62,6 +62,7 @@ TEST(VirtualLink, TimeMovesOnlyByWaiting) {
 TEST(VirtualLink, SendsOneThingAtATimeInOrder) {
   VirtualLink link({.clock = VirtualLink::Clock::stepped, .device = {.starts_with_firmware = true}});
   link.open();
+  request(link, format_8n1);
   EXPECT_FALSE(link.is_sending());
   EXPECT_TRUE(link.request(run_baud));
   EXPECT_TRUE(link.is_sending());
@@ -124,9 +125,10 @@ TEST(VirtualLink, AnUnpluggedCableEndsItAndItCanBeOpenedAgain) {
   link.inject({});
   EXPECT_EQ(link.open(), LinkFault::none);
   EXPECT_EQ(link.counters().bytes_out, 0U);
-  // It has its current from the cable.
-  begin_run_time(link);
+  // The USB chip has its current from the cable, and the processor behind it has not.
   EXPECT_FALSE(exchange(link, {}));
+  begin_run_time(link);
+  EXPECT_TRUE(exchange(link, {}));
 }
 
 TEST(VirtualLink, ClosingForgetsNothingThatTheDeviceKnows) {
