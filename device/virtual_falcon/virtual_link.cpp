@@ -44,7 +44,7 @@ LinkFault VirtualLink::open() noexcept {
   is_open_ = true;
   may_push_ = false;
   beat_ns_ = now_ns();
-  settle_stop();
+  owes_stop_ = false;
   return fault_;
 }
 
@@ -81,7 +81,7 @@ void VirtualLink::stop(std::span<const std::uint8_t> bytes) noexcept {
   delivery_ns_ = now_ns() + transfer_ns;
 }
 
-// What waits for a live link arrives with it.
+// What is on its way arrives before the link closes.
 void VirtualLink::settle_stop() noexcept {
   if (!is_live() || !owes_stop_) return;
   dsp_.receive(std::span{outgoing_}.first(outgoing_size_), now_ns());

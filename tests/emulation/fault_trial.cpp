@@ -131,7 +131,7 @@ class FaultTrial {
 
   // From before it pushes: it may be about to end by itself.
   void begin_load() {
-    if (!urgent_) urgent_.emplace();
+    if (!urgent_ && (busy_count_ > 0 || fault_.hold == Hold::starved)) urgent_.emplace();
     if (busy_count_ > 0 && !busy_) busy_.emplace(busy_count_);
   }
 
