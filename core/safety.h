@@ -26,6 +26,7 @@ enum class OffReason : std::uint8_t {
   unplugged,
   not_homed,
   program_ending,
+  machine_sleeps,
   fault,
 };
 
