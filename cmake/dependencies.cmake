@@ -119,6 +119,17 @@ else()
   # glad declares OpenGL; the system's <GL/gl.h> must stay out of its way.
   target_compile_definitions(ghostforce::gui INTERFACE GLFW_INCLUDE_NONE)
 
+  # xcb: a connection to an X server beside GLFW's, which tells what becomes of the window without ending the program, as
+  # Xlib does. Cairo brings it along anyway. apt: libxcb1-dev.
+  pkg_check_modules(XCB REQUIRED IMPORTED_TARGET xcb)
+  add_library(ghostforce::xcb ALIAS PkgConfig::XCB)
+
+  # libsystemd: sd-bus, by which logind is asked to wait before the computer sleeps. Its header only: the library is
+  # opened at run time, because a system without logind may lack it. apt: libsystemd-dev.
+  find_path(SYSTEMD_INCLUDE_DIR systemd/sd-bus.h REQUIRED)
+  add_library(ghostforce::libsystemd INTERFACE IMPORTED)
+  target_include_directories(ghostforce::libsystemd INTERFACE ${SYSTEMD_INCLUDE_DIR})
+
   # EGL with Mesa's drivers, or OSMesa, which newer versions of Mesa lack: OpenGL in software into memory, for pictures
   # without a display. Opened at run time, the one by us and the other by GLFW: nothing to find here. apt: libegl1 and
   # libgl1-mesa-dri, libosmesa6.
@@ -139,6 +150,9 @@ endforeach()
 if(BUILD_TESTING)
   # GoogleTest. apt: libgtest-dev.
   find_package(GTest REQUIRED)
+
+  # libsystemd once more, linked: the tests are the other end of a bus.
+  pkg_check_modules(SYSTEMD REQUIRED IMPORTED_TARGET libsystemd)
 
   # umockdev: real libusb and real hidapi against devices that exist only at the kernel's boundary. A program,
   # umockdev-wrapper, and a library. apt: umockdev, libumockdev-dev.

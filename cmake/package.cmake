@@ -73,7 +73,7 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 packages_of(run opened)
 # Those without which a window opens and pictures are drawn all the same.
 set(recommended ${opened})
-list(FILTER recommended INCLUDE REGEX "^lib(osmesa|decor)")
+list(FILTER recommended INCLUDE REGEX "^lib(osmesa|decor|systemd)")
 list(REMOVE_ITEM opened ${recommended})
 list(JOIN recommended ", " CPACK_DEBIAN_PACKAGE_RECOMMENDS)
 list(JOIN opened ", " CPACK_DEBIAN_PACKAGE_DEPENDS)

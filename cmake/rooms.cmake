@@ -37,6 +37,8 @@ else()
   set(library_cairo ghostforce::cairo)
   set(library_glad ghostforce::glad)
   set(library_glfw ghostforce::gui)
+  set(library_xcb ghostforce::xcb)
+  set(library_libsystemd ghostforce::libsystemd)
 endif()
 
 set(rooms_file ${CMAKE_CURRENT_LIST_DIR}/rooms.txt)

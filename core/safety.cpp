@@ -18,9 +18,10 @@ constexpr std::array reasons{
                    "Nothing is wrong: nobody had touched anything for a while. Arm the motors again.", false, false},
     OffReasonEntry{OffReason::button_released, "button_released", "button released",
                    "The deadman switch was released. Hold the grip button while the motors are on.", false, false},
-    OffReasonEntry{OffReason::focus_lost, "focus_lost", "window not in front",
-                   "Esc would not have reached this window. Bring it to the front, then arm the motors again.", false,
-                   false},
+    OffReasonEntry{OffReason::focus_lost, "focus_lost", "keys go elsewhere",
+                   "Esc would not have reached this window. Click on it, or close the menu or program that has the "
+                   "keyboard, then arm the motors again.",
+                   false, false},
     OffReasonEntry{OffReason::too_fast, "too_fast", "too fast",
                    "The handle moved faster than 1 m/s. Hold it more firmly, or lower the rendering stiffness.", false,
                    true},
@@ -45,6 +46,8 @@ constexpr std::array reasons{
                    "The program did not run for 20 ms, so its guard turned the motors off. Close other busy programs, "
                    "then arm the motors again.",
                    true, true},
+    OffReasonEntry{OffReason::machine_sleeps, "machine_sleeps", "computer going to sleep",
+                   "Nothing is wrong: the computer was about to sleep. Arm the motors again.", false, false},
     OffReasonEntry{OffReason::fault, "fault", "fault", "Something failed. The device status ({}) says what.", true,
                    false},
 };
@@ -57,7 +60,8 @@ constexpr std::array obstacles{
     ArmingObstacleEntry{ArmingObstacle::inside_wall, "move the handle out of the wall"},
     ArmingObstacleEntry{ArmingObstacle::force, "hold the handle still, away from the wall"},
     ArmingObstacleEntry{ArmingObstacle::button, "hold the grip button"},
-    ArmingObstacleEntry{ArmingObstacle::focus, "bring the window to the front"},
+    ArmingObstacleEntry{ArmingObstacle::focus,
+                        "click on this window, or close the menu or program that has the keyboard"},
 };
 
 // In the order of SafetyState.

@@ -27,6 +27,7 @@ enum class OffReason : std::uint8_t {
   not_homed,
   program_ending,
   overruled,
+  machine_sleeps,
   fault,
 };
 

@@ -29,6 +29,7 @@
 #include "app/console/words.h"
 #include "app/desktop/display_loss.h"
 #include "app/desktop/glfw_window.h"
+#include "app/desktop/sleep_watch.h"
 #include "app/doctor/diagnosis.h"
 #include "app/files/output_file.h"
 #include "app/files/run_reader.h"
@@ -43,6 +44,7 @@
 #include "core/input_choice.h"
 #include "core/safety.h"
 #include "device/falcon/emergency_handlers.h"
+#include "device/falcon/emergency_stop.h"
 #include "device/servo/realtime.h"
 #include "device/servo/servo_thread.h"
 
@@ -145,8 +147,11 @@ int run(const RunOptions& options) {
       WindowLayout{.width = scaled(WindowLayout::first_width), .height = scaled(WindowLayout::first_height)});
   if (is_kiosk) say("{}\n", end_of_kiosk);
   leave_processor_to_servo();
-  GlfwWindow window(
-      {.title = window_title(set_up.scene), .width = layout.width, .height = layout.height, .fits_monitor = true});
+  GlfwWindow window({.title = window_title(set_up.scene),
+                     .width = layout.width,
+                     .height = layout.height,
+                     .fits_monitor = true,
+                     .when_lost = emergency_stop::stop_motors});
   if (layout.is_maximized) window.maximize();
   if (layout.is_full_screen) window.toggle_full_screen();
   Application application(
@@ -179,6 +184,7 @@ int run(const RunOptions& options) {
     progress_keeper.keep(application.session().lesson_progress);
   };
   application.start();
+  SleepWatch sleep_watch;
   ReadingAloud reading_aloud(options.printed_hz, STDOUT_FILENO);
   const BeforeDisplayLoss before_display_loss([&application] {
     application.stop();
@@ -196,6 +202,7 @@ int run(const RunOptions& options) {
     const double now_s = clock_s();
     if (options.exit_after_s && now_s >= *options.exit_after_s) break;
     const double interval_s = now_s - std::exchange(last_s, now_s);
+    sleep_watch.delay(application.delays_sleep(sleep_watch.is_coming()));
     application.update(interval_s);
     reading_aloud.follow(application, interval_s);
     if (reading_aloud.output_problem() == EPIPE) break;  // who wanted the values has gone

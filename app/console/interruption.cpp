@@ -23,7 +23,6 @@ constexpr int patience_ms = 1000;
 constexpr int glance_ms = 20;
 
 std::atomic<bool> is_interrupted{false};
-std::atomic<bool> stops_motors_first{false};
 void (*before_the_end)() noexcept = nullptr;  // set before any handler
 // An event that happens once and is never taken back, so that it ends every wait on every thread, later ones too.
 std::atomic<int> interruption_event{-1};
@@ -46,8 +45,7 @@ void make_event() noexcept {
 extern "C" void remember(int number) {
   const int error_before = errno;
   const bool is_first = !is_interrupted.exchange(true);
-  // After a second one nobody else turns the motors off.
-  if (!is_first || stops_motors_first) before_the_end();
+  before_the_end();
   tell_waits();
   if (!is_first) {
     signal(number, SIG_DFL);
@@ -77,6 +75,8 @@ void remember_interruptions(void (*stop_motors)() noexcept) noexcept {
   before_the_end = stop_motors;
   make_event();
   pthread_atfork(nullptr, nullptr, make_event);
+  sigset_t handled;
+  sigemptyset(&handled);
   for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction action {};
     sigaction(number, nullptr, &action);
@@ -87,11 +87,10 @@ void remember_interruptions(void (*stop_motors)() noexcept) noexcept {
     // A second signal waits until the first has been dealt with.
     sigfillset(&action.sa_mask);
     sigaction(number, &action, nullptr);
+    sigaddset(&handled, number);
   }
-}
-
-void stop_motors_when_interrupted() noexcept {
-  stops_motors_first = true;
+  // Whoever started this program may have had them blocked: then nothing but SIGKILL would end it.
+  pthread_sigmask(SIG_UNBLOCK, &handled, nullptr);
 }
 
 bool interrupted() noexcept {

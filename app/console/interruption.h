@@ -8,14 +8,11 @@
 
 namespace ghostforce {
 
-// From here on the first SIGINT, SIGTERM or SIGHUP is only remembered; a second one calls `stop_motors`, which must be
-// async-signal-safe, and ends the process at once. Signals that were ignored when the program started (nohup,
-// background jobs) stay ignored. Called once, by main().
+// From here on the first SIGINT, SIGTERM or SIGHUP calls `stop_motors`, which must be async-signal-safe, and is
+// remembered: motors are off before any thread has heard of it. A second one does so too, and ends the process at once.
+// Signals that were ignored when the program started (nohup, background jobs) stay ignored; those that were blocked are
+// not any longer. Called once, by main(), before there are other threads.
 void remember_interruptions(void (*stop_motors)() noexcept) noexcept;
-
-// From here on the first one calls `stop_motors` too, whatever the program is waiting for. For when the thread that
-// drives motors is also the one that waits for people.
-void stop_motors_when_interrupted() noexcept;
 
 bool interrupted() noexcept;
 

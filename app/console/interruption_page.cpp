@@ -7,8 +7,6 @@ namespace ghostforce {
 
 void remember_interruptions(void (*)() noexcept) noexcept {}
 
-void stop_motors_when_interrupted() noexcept {}
-
 bool interrupted() noexcept {
   return false;
 }

@@ -24,7 +24,11 @@ namespace {
 std::function<void()> put_everything_in_order;
 
 std::thread::id ui_thread;
-std::atomic<bool> is_lost = false;  // another thread has found it out
+std::atomic<DisplayLoss> lost = DisplayLoss::none;  // as another thread has found out
+
+using ErrorHandler = int(void* display, void* error);
+ErrorHandler* usual_error_handler = nullptr;
+std::uint32_t expected_window = 0;
 
 // A frame takes far less.
 constexpr std::chrono::seconds patience(2);
@@ -36,27 +40,34 @@ Function* find_function(const char* library, const char* name) {
   return handle != nullptr ? reinterpret_cast<Function*>(dlsym(handle, name)) : nullptr;
 }
 
-[[noreturn]] void end_without_display() {
+[[noreturn]] void end_without_display(DisplayLoss loss) {
   static std::atomic_flag has_begun;
   if (std::this_thread::get_id() != ui_thread) {
     // A thread of the graphics driver: the UI thread may be in the midst of a frame, and what it is to put in order is
     // its own. It ends the program, unless it waits for this thread.
-    is_lost = true;
+    lost = loss;
     std::this_thread::sleep_for(patience);
   }
   // Who comes second does not come back either.
   while (has_begun.test_and_set()) pause();
   if (put_everything_in_order) put_everything_in_order();
-  write_words(
-      "the display is gone: its server ended, or the connection to it broke; start the program again when the display "
-      "is back\n");
+  write_words(loss == DisplayLoss::window
+                  ? "the window is gone: another program closed it; start the program again\n"
+                  : "the display is gone: its server ended, or the connection to it broke; start the program again "
+                    "when the display is back\n");
   // No destructor and no library's last call: they would talk to the server, and never return.
   std::fflush(nullptr);
   std::_Exit(static_cast<int>(ExitCode::no_display));
 }
 
 extern "C" int on_x11_loss(void* /*display*/) {
-  end_without_display();
+  end_without_display(DisplayLoss::server);
+}
+
+// Xlib's own handler prints words for programmers and ends the program.
+extern "C" int on_x11_error(void* display, void* error) {
+  if (expected_window != 0 && !DisplayWatch::window_exists(expected_window)) end_without_display(DisplayLoss::window);
+  return usual_error_handler(display, error);
 }
 
 }  // namespace
@@ -68,13 +79,22 @@ void watch_display() {
   if (auto* const set_handler = find_function<Handler*(Handler*)>("libX11.so.6", "XSetIOErrorHandler")) {
     set_handler(on_x11_loss);
   }
+  if (auto* const set_handler = find_function<ErrorHandler*(ErrorHandler*)>("libX11.so.6", "XSetErrorHandler")) {
+    ErrorHandler* const before = set_handler(on_x11_error);
+    if (before != on_x11_error) usual_error_handler = before;  // a second window finds ours
+  }
 }
 
-void end_if_display_is_lost() {
-  if (is_lost) end_without_display();
+void expect_window(std::uint32_t window) {
+  expected_window = window;
+}
+
+void end_if_display_is_lost(DisplayLoss seen_by_watch) {
+  if (seen_by_watch != DisplayLoss::none) end_without_display(seen_by_watch);
+  if (lost != DisplayLoss::none) end_without_display(lost);
   if (glfwGetPlatform() != GLFW_PLATFORM_WAYLAND) return;
   static auto* const get_error = find_function<int(wl_display*)>("libwayland-client.so.0", "wl_display_get_error");
-  if (get_error != nullptr && get_error(glfwGetWaylandDisplay()) != 0) end_without_display();
+  if (get_error != nullptr && get_error(glfwGetWaylandDisplay()) != 0) end_without_display(DisplayLoss::server);
 }
 
 BeforeDisplayLoss::BeforeDisplayLoss(std::function<void()> put_in_order) {

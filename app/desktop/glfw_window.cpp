@@ -27,7 +27,7 @@ GlfwWindow::GlfwWindow(const WindowOptions& options) : opengl_(OpenGlWindow::ope
   glfwSetCursorEnterCallback(handle(), on_anything);
   glfwSetMouseButtonCallback(handle(), on_act);
   glfwSetScrollCallback(handle(), on_act);
-  glfwSetWindowFocusCallback(handle(), on_anything);
+  glfwSetWindowFocusCallback(handle(), on_focus);
   glfwSetWindowRefreshCallback(handle(), on_anything);  // ImGui has none for this and the next two
   glfwSetWindowIconifyCallback(handle(), on_anything);
   glfwSetFramebufferSizeCallback(handle(), on_anything);
@@ -97,9 +97,10 @@ bool GlfwWindow::is_maximized() const {
 }
 
 bool GlfwWindow::has_focus() const {
-  // Without a display there is nobody to give it; what a test says about it is known to ImGui.
-  if (glfwGetPlatform() == GLFW_PLATFORM_NULL) return !ImGui::GetIO().AppFocusLost;
-  return glfwGetWindowAttrib(handle(), GLFW_FOCUSED) == GLFW_TRUE;
+  // Without a display there is nobody to give it; a test may say that it is gone.
+  if (glfwGetPlatform() == GLFW_PLATFORM_NULL) return was_told_of_focus_;
+  const DisplayWatch* const watch = opengl_.watch();
+  return glfwGetWindowAttrib(handle(), GLFW_FOCUSED) == GLFW_TRUE && (watch == nullptr || !watch->keyboard_is_taken());
 }
 
 void GlfwWindow::maximize() {
@@ -188,6 +189,11 @@ void GlfwWindow::on_act(GLFWwindow* handle, What...) {
   window_of(handle).note_act();
 }
 
+void GlfwWindow::on_focus(GLFWwindow* handle, int is_focused) {
+  window_of(handle).was_told_of_focus_ = is_focused == GLFW_TRUE;
+  window_of(handle).note_change();
+}
+
 void GlfwWindow::on_pointer(GLFWwindow* handle, double /*x*/, double /*y*/) {
   window_of(handle).note_move();
 }
@@ -217,7 +223,8 @@ void GlfwWindow::take_events(double wait_s) {
   } else {
     glfwPollEvents();
   }
-  end_if_display_is_lost();
+  const DisplayWatch* const watch = opengl_.watch();
+  end_if_display_is_lost(watch != nullptr ? watch->loss() : DisplayLoss::none);
 }
 
 // As large as the window has become. Mesa rounds along edges as in a window's own framebuffer where, like that, it is

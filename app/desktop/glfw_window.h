@@ -48,6 +48,7 @@ class GlfwWindow : public Window {
   static void on_anything(GLFWwindow* window, What... what);
   template <typename... What>
   static void on_act(GLFWwindow* window, What... what);
+  static void on_focus(GLFWwindow* window, int is_focused);
   static void on_pointer(GLFWwindow* window, double x, double y);
   static void on_key(GLFWwindow* window, int key, int scancode, int action, int modifiers);
   static void on_character(GLFWwindow* window, unsigned int character);
@@ -59,7 +60,8 @@ class GlfwWindow : public Window {
   OpenGlWindow opengl_;
   std::optional<gl::Canvas> canvas_;       // offscreen
   std::optional<gl::Renderbuffer> depth_;  // of the canvas
-  WindowSize restored_size_;               // the last one while neither maximised nor full screen
+  bool was_told_of_focus_ = true;
+  WindowSize restored_size_;  // the last one while neither maximised nor full screen
   struct {
     int x = 0, y = 0;
   } restored_corner_;

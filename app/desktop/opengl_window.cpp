@@ -15,6 +15,9 @@
 #include "app/desktop/offscreen_driver.h"
 #include "app/ui/window.h"
 
+// GLFW's header for it wants those of Xlib.
+extern "C" unsigned long glfwGetX11Window(GLFWwindow* window);
+
 namespace ghostforce {
 namespace {
 
@@ -52,6 +55,10 @@ std::string describe_lesser_opengl() {
   return description;
 }
 
+bool has_watch() {
+  return glfwGetPlatform() == GLFW_PLATFORM_X11;
+}
+
 GLFWwindow* create_window(const WindowOptions& options, const std::optional<Renderer>& renderer) {
   glfwDefaultWindowHints();
   if (renderer == Renderer::osmesa) {
@@ -65,6 +72,8 @@ GLFWwindow* create_window(const WindowOptions& options, const std::optional<Rend
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
   glfwWindowHintString(GLFW_X11_CLASS_NAME, "ghostforce");
   glfwWindowHintString(GLFW_WAYLAND_APP_ID, "ghostforce");
+  // Its watch hears from the beginning where its keys go.
+  if (has_watch()) glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
   WindowSize size{options.width, options.height};
   if (options.fits_monitor) size = fitted(size);
   GLFWwindow* window = glfwCreateWindow(size.width, size.height, options.title.c_str(), nullptr, nullptr);
@@ -100,6 +109,7 @@ OpenGlWindow::Library::~Library() {
 }
 
 void OpenGlWindow::Destroy::operator()(GLFWwindow* window) const {
+  expect_window(0);
   glfwDestroyWindow(window);
 }
 
@@ -118,6 +128,12 @@ OpenGlWindow::OpenGlWindow(const WindowOptions& options, std::optional<Renderer>
     throw Failure(ExitCode::no_display,
                   fmt::format("the driver offers OpenGL 3.3, but it cannot be loaded: {}",
                               glGetString != nullptr ? Window::graphics_description() : "unknown"));
+  }
+  if (has_watch()) {
+    const auto window = static_cast<std::uint32_t>(glfwGetX11Window(handle()));
+    watch_.emplace(window, options.when_lost);
+    expect_window(window);
+    glfwShowWindow(handle());
   }
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "app/desktop/display_watch.h"
 #include "app/desktop/egl_context.h"
 #include "app/desktop/renderer.h"
 
@@ -23,6 +24,9 @@ struct WindowOptions {
       renderer{};             // that draws offscreen; empty: the first that is there and needs no graphics card
   bool fits_monitor = false;  // smaller where the monitor is
   bool takes_mouse = true;    // false: no hover and no click changes a picture
+  // Called at once, on another thread, when a display or its window is lost; null: nothing is. The program ends a little
+  // later, with words (display_loss.h).
+  void (*when_lost)() noexcept = nullptr;
 };
 
 class OpenGlWindow {
@@ -36,6 +40,8 @@ class OpenGlWindow {
   static OpenGlWindow open(const WindowOptions& options);
 
   GLFWwindow* handle() const noexcept { return window_.get(); }
+  // Null where GLFW itself is told (Wayland), and offscreen.
+  const DisplayWatch* watch() const noexcept { return watch_ ? &*watch_ : nullptr; }
 
   // Finds OpenGL's functions.
   using Loader = EglContext::Loader;
@@ -54,7 +60,8 @@ class OpenGlWindow {
 
   Library library_;
   std::unique_ptr<GLFWwindow, Destroy> window_;
-  std::optional<EglContext> egl_;  // empty: the window has a context of its own
+  std::optional<EglContext> egl_;      // empty: the window has a context of its own
+  std::optional<DisplayWatch> watch_;  // of an X server's
 };
 
 }  // namespace ghostforce

@@ -241,6 +241,11 @@ void Application::update(double interval_s) {
   heartbeat();
 }
 
+bool Application::delays_sleep(bool is_coming) {
+  command_.machine_sleeps = is_coming;
+  return report_.motors.has_motors && !(is_coming && report_.motors.state == SafetyState::off);
+}
+
 VisibleState Application::visible() const {
   return visible_state(session_, shown(), history_, report_.snapshot.time_s, reading());
 }
@@ -364,7 +369,8 @@ void Application::copy_motor_requests() {
   command_.acknowledgements = session_.acknowledgements;
   command_.departures = session_.visit ? session_.visit->departures : 0;
   command_.safety = session_.safety;
-  command_.has_focus = window_.has_focus();
+  // The words on screen need not wait until the servo has heard of it.
+  command_.has_focus = report_.motors.has_focus = window_.has_focus();
 }
 
 void Application::heartbeat() {

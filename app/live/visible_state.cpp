@@ -48,8 +48,8 @@ std::string shown_words(const Session& session, const LoopReading& reading) {
   const MotorReport& motors = reading.motors;
   const auto step = std::ranges::find_if(reading.readiness, &ReadinessStepState::is_current);
   std::string words =
-      fmt::format("{}{}{}{}{} {} {}{}{} {} {}", reading.diverged, motors.has_motors, motors.is_ready,
-                  motors.is_saturated, static_cast<int>(motors.state), static_cast<int>(motors.reason),
+      fmt::format("{}{}{}{}{}{} {} {}{}{} {} {}", reading.diverged, motors.has_motors, motors.has_focus,
+                  motors.is_ready, motors.is_saturated, static_cast<int>(motors.state), static_cast<int>(motors.reason),
                   static_cast<int>(motors.obstacle), step != reading.readiness.end() ? step->title : std::string_view(),
                   reading.recording.is_on, reading.recording.path, reading.circle ? reading.circle->turns : 0);
   words += reading.shader_problem;

@@ -12,10 +12,10 @@ std::string_view words_in(const StageLanguage::Motors& all, const MotorReport& m
       if (motors.reason != OffReason::none) return all.off;
       return motors.is_ready ? all.arm : all.not_ready;
     case SafetyState::arming:
-      return all.arming;
+      return motors.has_focus ? all.arming : all.arming_without_keys;
     case SafetyState::ramp:
     case SafetyState::on:
-      return all.on;
+      return motors.has_focus ? all.on : all.on_without_keys;
     case SafetyState::fade:
       return all.fading;
   }

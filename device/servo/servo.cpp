@@ -370,6 +370,7 @@ void Servo::apply_operator(const ServoCommand& command) noexcept {
   if (std::exchange(seen_departures_, command.departures) != command.departures) {
     safety_.turn_off(OffReason::visitor_gone);
   }
+  if (command.machine_sleeps) safety_.turn_off(OffReason::machine_sleeps);
   // Last: whoever asks for both at once gets motors that are off.
   if (std::exchange(seen_offs_, command.offs_asked) != command.offs_asked) safety_.turn_off(OffReason::key);
 }

@@ -55,6 +55,7 @@ struct ServoCommand {
   std::uint32_t departures = 0;  // of visitors: another number turns the motors off
   SafetyOptions safety;
   bool has_focus = true;         // keys reach the window
+  bool machine_sleeps = false;   // is about to: motors go off, and stay off until it has slept
   std::uint32_t heartbeats = 0;  // another number: the window is alive
 };
 static_assert(std::is_trivially_copyable_v<ServoCommand>);

@@ -12,8 +12,7 @@ bool SpaceMouseInput::set(const SpaceMouseSettings& settings) noexcept {
 }
 
 Vector<2> SpaceMouseInput::goal(std::int64_t /*tick*/, double rate) noexcept {
-  const SpaceMouseReading& reading = for_servo_.latest();
-  return motion_.step(reading.connection, reading.axes, settings_.latest(), rate);
+  return motion_.step(for_servo_.latest(), settings_.latest(), rate);
 }
 
 void SpaceMouseInput::publish(const SpaceMouseReading& reading) noexcept {

@@ -1,6 +1,7 @@
 #include "device/spacemouse/spacemouse_motion.h"
 
 #include <cmath>
+#include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -28,10 +29,10 @@ void SpaceMouseMotion::restart(const Vector<2>& goal) noexcept {
   first_ = second_ = Vector<2>{0.0};
 }
 
-Vector<2> SpaceMouseMotion::step(std::uint32_t connection, const std::array<double, 6>& axes,
-                                 const SpaceMouseSettings& settings, double rate_hz) noexcept {
-  if (connection != connection_) {  // what was known of the cap was another time's
-    connection_ = connection;
+Vector<2> SpaceMouseMotion::step(const SpaceMouseReading& reading, const SpaceMouseSettings& settings,
+                                 double rate_hz) noexcept {
+  if (reading.connection != connection_) {  // what was known of the cap was another time's
+    connection_ = reading.connection;
     first_ = second_ = Vector<2>{0.0};
     rest_ = goal_;
   }
@@ -39,11 +40,14 @@ Vector<2> SpaceMouseMotion::step(std::uint32_t connection, const std::array<doub
     mode_ = settings.mode;
     rest_ = goal_ - settings.reach_m * second_;
   }
-  if (connection == 0) return goal_;
-
   const double step_s = 1.0 / rate_hz;
+  if (mode_ == SpaceMouseSettings::Mode::rate) since_report_s_ += step_s;
+  if (std::exchange(reports_, reading.reports) != reading.reports) since_report_s_ = 0.0;
+  if (connection_ == 0) return goal_;
+
+  const Vector<2> deflected = since_report_s_ > longest_silence_s ? Vector<2>{0.0} : deflection(reading.axes, settings);
   const double share = 1.0 - std::exp(-step_s / lag_s);
-  first_ += share * (deflection(axes, settings) - first_);
+  first_ += share * (deflected - first_);
   second_ += share * (first_ - second_);
   Vector<2> move = settings.mode == SpaceMouseSettings::Mode::rate ? settings.speed_m_s * step_s * second_
                                                                    : rest_ + settings.reach_m * second_ - goal_;

@@ -1,7 +1,8 @@
 // How the cap of a SpaceMouse moves the goal. Its sideways axis is x; y is lifting it, or pushing it away. Either the
 // goal is as far from its place of rest as the cap is deflected, or it goes as fast. Whatever happens (late reports, a
 // change of mode, a device that goes and comes back), the goal never moves faster than fastest_m_s, and it stays where
-// it is while there is no device. Stepped once per tick; allocates and throws nothing; one thread. SI units.
+// it is while there is no device, or one that has gone silent. Stepped once per tick; allocates and throws nothing; one
+// thread. SI units.
 #pragma once
 
 #include <array>
@@ -25,12 +26,14 @@ class SpaceMouseMotion {
   static constexpr double fastest_m_s = 0.6;  // of the goal
   // The cap's deflection passes two of these lags, which turn some hundred steps a second into one smooth motion.
   static constexpr double lag_s = 0.010;
+  // A deflected cap repeats its reports some hundred times a second. When a rate gets none for this long, the last one,
+  // that of a cap at rest, was lost: the rate is 0 until the next report.
+  static constexpr double longest_silence_s = 0.5;
 
   void restart(const Vector<2>& goal) noexcept;
 
-  // The next tick. `connection` is another number each time a device has been opened, 0: there is none.
-  Vector<2> step(std::uint32_t connection, const std::array<double, 6>& axes, const SpaceMouseSettings& settings,
-                 double rate_hz) noexcept;
+  // The next tick, with the newest reading.
+  Vector<2> step(const SpaceMouseReading& reading, const SpaceMouseSettings& settings, double rate_hz) noexcept;
 
  private:
   Vector<2> goal_{0.0};
@@ -38,6 +41,8 @@ class SpaceMouseMotion {
   Vector<2> first_{0.0};   // deflection after the first lag
   Vector<2> second_{0.0};  // and after the other
   std::uint32_t connection_ = 0;
+  std::uint64_t reports_ = 0;    // of the newest reading
+  double since_report_s_ = 0.0;  // in rate mode
   SpaceMouseSettings::Mode mode_ = SpaceMouseSettings::Mode::position;
 };
 

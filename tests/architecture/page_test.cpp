@@ -25,7 +25,7 @@
 namespace ghostforce::page_test {
 namespace {
 
-constexpr std::array desktop_libraries{"cairo", "cli11", "glfw", "hidapi", "libcrypto", "libusb"};
+constexpr std::array desktop_libraries{"cairo", "cli11", "glfw", "hidapi", "libcrypto", "libsystemd", "libusb", "xcb"};
 
 bool is_for_desktop_alone(const std::string& operand) {
   static const std::regex system(

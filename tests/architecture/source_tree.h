@@ -64,6 +64,7 @@ inline const std::map<std::string, std::regex>& library_includes() {
       {"imgui", std::regex("<imgui.*\\.h>")},
       {"implot", std::regex("<implot.*\\.h>")},
       {"libcrypto", std::regex("<openssl/.+>")},
+      {"libsystemd", std::regex("<systemd/sd-bus\\.h>")},
       {"libpng", std::regex("<png\\.h>")},
       {"libusb", std::regex("<libusb(-1\\.0)?(/libusb)?\\.h>")},
       {"nlohmann_json", std::regex("<nlohmann/.+>")},
@@ -73,6 +74,7 @@ inline const std::map<std::string, std::regex>& library_includes() {
                            "sched|signal|spawn|stdio|stdlib|string|strings|syslog|termios|time|unistd)\\.h>")},
       {"stb", std::regex("<stb/.+>")},
       {"tomlplusplus", std::regex("<toml\\+\\+/.+>")},
+      {"xcb", std::regex("<xcb/xcb\\.h>")},
       {"zlib", std::regex("<zlib\\.h>")},
   };
   return list;

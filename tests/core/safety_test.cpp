@@ -118,6 +118,7 @@ const std::vector<Stop>& stops() {
       {OffReason::not_homed, [](SafetyReading& r) { r.trouble = OffReason::not_homed; }},
       {OffReason::program_ending, {}},
       {OffReason::overruled, [](SafetyReading& r) { r.trouble = OffReason::overruled; }},
+      {OffReason::machine_sleeps, {}},
       {OffReason::fault, [](SafetyReading& r) { r.trouble = OffReason::fault; }},
   };
   return all;

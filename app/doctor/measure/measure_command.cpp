@@ -93,7 +93,6 @@ void write_calibration(const MeasureCall& call, std::optional<OutputFile>& file,
 
 int measure_with_doctor(const MeasureCall& call) {
   emergency_stop::refuse_to_be_stopped();
-  stop_motors_when_interrupted();
   InputOptions options = call.input;
   std::unique_ptr<FalconLink> link;
   std::unique_ptr<MeasuredPerson> simulated;

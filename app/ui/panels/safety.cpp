@@ -13,6 +13,11 @@
 namespace ghostforce {
 namespace {
 
+// Nothing is said of a key that does not reach the window.
+std::string_view words_about_esc(const MotorReport& motors) {
+  return motors.has_focus ? " Esc turns them off." : "";
+}
+
 std::string words_about(const MotorReport& motors) {
   const std::string_view status_key = front_keys().device_status.shown;
   switch (motors.state) {
@@ -26,9 +31,9 @@ std::string words_about(const MotorReport& motors) {
     case SafetyState::arming:
       return fmt::format("Arming: {}.", filled(entry_of(motors.obstacle).sentence, status_key));
     case SafetyState::ramp:
-      return fmt::format("Turning on: {:.0f} %. Esc turns them off.", 100.0 * motors.gain);
+      return fmt::format("Turning on: {:.0f} %.{}", 100.0 * motors.gain, words_about_esc(motors));
     case SafetyState::on:
-      return "On. Esc turns them off.";
+      return fmt::format("On.{}", words_about_esc(motors));
     case SafetyState::fade:
       return fmt::format("Turning off: {}.", entry_of(motors.reason).title);
   }

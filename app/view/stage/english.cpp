@@ -226,6 +226,8 @@ const StageLanguage english_stage{
             .not_ready = "Motors not ready",
             .arming = "Arming… Esc: off",
             .on = "MOTORS ON. Esc: off",
+            .arming_without_keys = "Arming…",
+            .on_without_keys = "MOTORS ON",
             .fading = "MOTORS turning off",
             .reasons = titles_of_off_reasons(),
         },

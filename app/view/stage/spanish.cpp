@@ -218,6 +218,8 @@ const StageLanguage spanish_stage{
             .not_ready = "Motores no preparados",
             .arming = "Activando… Esc: parar",
             .on = "EN MARCHA. Esc: parar",
+            .arming_without_keys = "Activando…",
+            .on_without_keys = "EN MARCHA",
             .fading = "Parando MOTORES",
             .reasons =
                 {
@@ -225,7 +227,7 @@ const StageLanguage spanish_stage{
                     "los has parado",
                     "no hay nadie",
                     "botón suelto",
-                    "ventana detrás de otra",
+                    "el teclado va a otra parte",
                     "demasiado rápido",
                     "demasiada fuerza",
                     "respuesta tardía",
@@ -234,6 +236,7 @@ const StageLanguage spanish_stage{
                     "sin punto de referencia",
                     "el programa se cierra",
                     "parados por el vigilante",
+                    "el ordenador se suspende",
                     "fallo",
                 },
         },

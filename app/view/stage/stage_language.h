@@ -241,6 +241,9 @@ struct StageLanguage {
     std::string_view not_ready;
     std::string_view arming;
     std::string_view on;
+    // The same while no key reaches the window.
+    std::string_view arming_without_keys;
+    std::string_view on_without_keys;
     std::string_view fading;
     std::array<std::string_view, static_cast<std::size_t>(OffReason::fault) + 1> reasons;  // in the order of OffReason
   } motors;

@@ -4,9 +4,11 @@
 #include <chrono>
 #include <csignal>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <system_error>
 #include <thread>
+#include <vector>
 
 #include "app/files/run_reader.h"
 #include "app/files/scene_file.h"
@@ -64,27 +66,45 @@ TEST(RecordingProgram, InterruptedItSaysSoInItsLastLine) {
   }
 }
 
-TEST(RecordingProgram, TheDisplayGoesItSaysSoAndClosesTheFile) {
-  const TemporaryFolder folder;
-  const Display display(1024, 640);
-  const std::string path = folder / "run.csv";
-  std::jthread crash([&](const std::stop_token& stop) {
-    while (read_whole(path).size() < 500'000 && !stop.stop_requested()) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    display.lose();
-  });
-  ProgramCall call;
-  call.words = {"run", "--input", "script", "--no-hints", "--record", path};
-  call.environment = display.environment();
-  const Outcome outcome = run_program(ghostforce_program(), call);
-  EXPECT_EQ(outcome.exit_code, 6);
-  EXPECT_NE(outcome.err.find("the display is gone: "), std::string::npos) << outcome.err;
-  EXPECT_NE(outcome.err.find("run.csv"), std::string::npos) << outcome.err;
-  EXPECT_TRUE(read_whole(path).ends_with("\n# interrupted\n"));
-  const auto run = load_run(path);
-  EXPECT_TRUE(run.is_interrupted);
-  expect_repeats(run);
+// What another client of the display does to it, by xdotool.
+void act_on_window(const Display& display, const std::string& act) {
+  display.act({"search", "--sync", "--onlyvisible", "--class", "ghostforce", act, "%1"});
+}
+
+TEST(RecordingProgram, TheDisplayOrTheWindowGoesItSaysSoAndClosesTheFile) {
+  struct Way {
+    std::function<void(const Display& display)> go;
+    std::string words;
+  };
+  const std::vector<Way> ways{
+      {[](const Display& display) { display.lose(); }, "the display is gone: "},
+      {[](const Display& display) { act_on_window(display, "windowclose"); }, "the window is gone: "},
+      // The end of the window and that of the connection come at once.
+      {[](const Display& display) { act_on_window(display, "windowkill"); }, " is gone: "},
+  };
+  for (const Way& way : ways) {
+    const TemporaryFolder folder;
+    const Display display(1024, 640);
+    const std::string path = folder / "run.csv";
+    std::jthread loss([&](const std::stop_token& stop) {
+      while (read_whole(path).size() < 500'000 && !stop.stop_requested()) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      }
+      if (!stop.stop_requested()) way.go(display);
+    });
+    ProgramCall call;
+    call.words = {"run", "--input", "script", "--no-hints", "--record", path};
+    call.environment = display.environment();
+    const Outcome outcome = run_program(ghostforce_program(), call);
+    EXPECT_EQ(outcome.exit_code, 6) << way.words;
+    EXPECT_NE(outcome.err.find(way.words), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("run.csv"), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.err.find("X Error"), std::string::npos) << outcome.err;
+    EXPECT_TRUE(read_whole(path).ends_with("\n# interrupted\n")) << way.words;
+    const auto run = load_run(path);
+    EXPECT_TRUE(run.is_interrupted);
+    expect_repeats(run);
+  }
 }
 
 TEST(RecordingProgram, EndsByItselfAndOverwritesNothing) {

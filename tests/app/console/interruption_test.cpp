@@ -148,15 +148,31 @@ TEST(InterruptionDeathTest, WordsThatNobodyReadsAreLost) {
 
 // --- Motors ----------------------------------------------------------------------------------------------------------
 
-TEST(InterruptionDeathTest, TheFirstStopsMotorsWhereThatIsAskedFor) {
-  const auto stops_at_first = [](bool is_asked_for) {
-    remember_interruptions([]() noexcept { ++stops; });
-    if (is_asked_for) stop_motors_when_interrupted();
-    interrupt_itself();
-    std::exit(stops);
-  };
-  EXPECT_EXIT(stops_at_first(false), testing::ExitedWithCode(0), "");
-  EXPECT_EXIT(stops_at_first(true), testing::ExitedWithCode(1), "");
+TEST(InterruptionDeathTest, TheFirstStopsMotorsBeforeAnybodyHasHeardOfIt) {
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+    const auto stops_at_first = [&] {
+      remember_interruptions([]() noexcept { ++stops; });
+      std::raise(number);
+      std::exit(stops);
+    };
+    EXPECT_EXIT(stops_at_first(), testing::ExitedWithCode(1), "") << number;
+  }
+}
+
+// As by a service manager or a shell script that blocks them for itself.
+TEST(InterruptionDeathTest, SignalsThatWereBlockedAreHeard) {
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+    const auto starts_with_it_blocked = [&] {
+      sigset_t blocked;
+      sigemptyset(&blocked);
+      sigaddset(&blocked, number);
+      pthread_sigmask(SIG_BLOCK, &blocked, nullptr);
+      remember_interruptions([]() noexcept { ++stops; });
+      kill(getpid(), number);
+      std::exit(stops);
+    };
+    EXPECT_EXIT(starts_with_it_blocked(), testing::ExitedWithCode(1), "") << number;
+  }
 }
 
 TEST(InterruptionDeathTest, TheSecondEndsAtOnce) {
@@ -168,7 +184,7 @@ TEST(InterruptionDeathTest, TheSecondEndsAtOnce) {
     std::raise(SIGTERM);
     std::raise(SIGINT);
   };
-  EXPECT_EXIT(twice(), testing::KilledBySignal(SIGINT), "^stopped$");
+  EXPECT_EXIT(twice(), testing::KilledBySignal(SIGINT), "^stoppedstopped$");
 }
 
 }  // namespace

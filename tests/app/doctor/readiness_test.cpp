@@ -162,7 +162,8 @@ TEST(Readiness, EndsWithThePersonsWill) {
   EXPECT_EQ(words(), entry_of(ReadinessStep::armed).remedy);
   motors.state = SafetyState::arming;
   motors.obstacle = ArmingObstacle::focus;
-  EXPECT_EQ(words(), "The motors are not on yet: bring the window to the front.");
+  EXPECT_EQ(words(),
+            "The motors are not on yet: click on this window, or close the menu or program that has the keyboard.");
   motors.state = SafetyState::on;
   motors.is_outside_wall = false;  // in contact
   motors.limit = 6.0;

@@ -2,6 +2,8 @@
 // driver, led by the pointer. Its clock is moved by the servo's steps.
 #include <algorithm>
 
+#include "app/session/motor_button.h"
+#include "app/view/stage/stage_language.h"
 #include "tests/app/live/driven_window.h"
 
 namespace ghostforce::rehearsal_window_test {
@@ -158,6 +160,52 @@ TEST_F(RehearsalWindow, EscapeTurnsOffAlsoBehindAMenuAndWhileTyping) {
   type("name");
   press(key::escape);
   EXPECT_TRUE(frames_until(0.5, [&] { return motors().state == SafetyState::off; }));
+}
+
+TEST_F(RehearsalWindow, WordsPromiseNoKeyThatCannotArrive) {
+  const auto words = [&](const StageLanguage& language) {
+    return safety_words(application_->reading().motors, language);
+  };
+  const auto promises_escape = [&] {
+    return words(english_stage).find("Esc") != std::string::npos ||
+           words(spanish_stage).find("Esc") != std::string::npos;
+  };
+  turn_on();
+  EXPECT_TRUE(promises_escape());
+  ImGui_ImplGlfw_WindowFocusCallback(window_->handle(), GLFW_FALSE);
+  frames(1, 0);  // nor before the servo has heard of it
+  EXPECT_EQ(motors().state, SafetyState::on);
+  EXPECT_FALSE(promises_escape()) << words(english_stage);
+  EXPECT_TRUE(frames_until(1.0, [&] { return motors().state == SafetyState::off; }));
+  EXPECT_EQ(motors().reason, OffReason::focus_lost);
+  press_motor_button();  // read
+  frames(2, ticks);
+  press_motor_button();  // arm: in vain
+  EXPECT_TRUE(frames_until(1.0, [&] { return motors().state == SafetyState::arming; }));
+  EXPECT_EQ(motors().obstacle, ArmingObstacle::focus);
+  EXPECT_FALSE(promises_escape()) << words(english_stage);
+  ImGui_ImplGlfw_WindowFocusCallback(window_->handle(), GLFW_TRUE);
+  EXPECT_TRUE(frames_until(3.0, [&] { return motors().state == SafetyState::on; }));
+  EXPECT_TRUE(promises_escape());
+}
+
+TEST_F(RehearsalWindow, SleepWaitsForTheMotorsWhichStayOffUntilItIsOver) {
+  turn_on();
+  EXPECT_TRUE(application_->delays_sleep(false));
+  frames(1, ticks);
+  EXPECT_EQ(motors().state, SafetyState::on);
+  EXPECT_TRUE(application_->delays_sleep(true));
+  frames(1, 10);
+  EXPECT_TRUE(application_->delays_sleep(true)) << "they are not off yet";
+  EXPECT_TRUE(frames_until(1.0, [&] { return !application_->delays_sleep(true); }));
+  EXPECT_EQ(motors().state, SafetyState::off);
+  EXPECT_EQ(motors().reason, OffReason::machine_sleeps);
+  press_motor_button();  // read
+  press_motor_button();  // arm: in vain
+  EXPECT_FALSE(frames_until(0.5, [&] { return motors().state != SafetyState::off; }));
+  EXPECT_TRUE(application_->delays_sleep(false)) << "awake again";
+  press_motor_button();
+  EXPECT_TRUE(frames_until(3.0, [&] { return motors().state == SafetyState::on; }));
 }
 
 TEST_F(RehearsalWindow, PullingThePlugIsSaidAndPuttingItInDoesNotArm) {

@@ -280,6 +280,7 @@ TEST_F(ServoMotors, EveryReasonEndsInNoForce) {
       {OffReason::loop_late, [](PuppetInput& p, ServoCommand&) { p.answers = false; }},
       {OffReason::unplugged, [](PuppetInput& p, ServoCommand&) { p.reading.trouble = OffReason::unplugged; }},
       {OffReason::not_homed, [](PuppetInput& p, ServoCommand&) { p.reading.trouble = OffReason::not_homed; }},
+      {OffReason::machine_sleeps, [](PuppetInput&, ServoCommand& c) { c.machine_sleeps = true; }},
       {OffReason::fault, [](PuppetInput& p, ServoCommand&) { p.reading.trouble = OffReason::fault; }},
   };
   for (const Stop& stop : stops) {
@@ -302,6 +303,7 @@ TEST_F(ServoMotors, EveryReasonEndsInNoForce) {
     puppet_->reading = good;
     puppet_->answers = true;
     command_.has_focus = true;
+    command_.machine_sleeps = false;
     run(2.0);
     EXPECT_EQ(motors().state, SafetyState::off) << name;
     EXPECT_EQ(puppet_->pushed, Vector<2>(0.0)) << name;

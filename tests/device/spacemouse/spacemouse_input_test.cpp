@@ -23,6 +23,7 @@ class ReadSpaceMouse : public testing::Test {
   void push_right_fully() {
     constexpr std::uint8_t bytes[] = {0x5E, 0x01, 0, 0, 0, 0};
     ASSERT_TRUE(take_report(1, bytes, state));
+    ++reading.reports;
     show(state, reading);
     input.publish(reading);
   }
@@ -43,6 +44,19 @@ TEST_F(ReadSpaceMouse, MovesTheGoal) {
   const Vector<2> goal = after(1000);
   EXPECT_NEAR(goal.x, here.x + SpaceMouseSettings{}.reach_m, 1e-6);
   EXPECT_NEAR(goal.y, here.y, 1e-6);
+}
+
+TEST_F(ReadSpaceMouse, StopsWhereTheLastReportIsNotFollowedByAnother) {
+  SpaceMouseSettings settings;
+  settings.mode = SpaceMouseSettings::Mode::rate;
+  ASSERT_TRUE(input.set(settings));
+  connect(1);
+  push_right_fully();
+  const Vector<2> goal = after(1000);
+  EXPECT_NEAR(goal.x, here.x + 0.5 * settings.speed_m_s, 1e-6);
+  EXPECT_NEAR(after(5000).x, goal.x, 1e-9);
+  push_right_fully();
+  EXPECT_GT(after(200).x, goal.x + 0.02) << "the next report moves it again";
 }
 
 TEST_F(ReadSpaceMouse, MovesNothingWithoutADevice) {

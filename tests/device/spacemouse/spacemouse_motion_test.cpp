@@ -30,11 +30,21 @@ SpaceMouseSettings in_mode(Mode mode) {
   return settings;
 }
 
+// As a cap that is held there repeats it: a report a tick.
+SpaceMouseReading reading_of(std::uint32_t connection, const Axes& axes) {
+  static std::uint64_t reports = 0;
+  SpaceMouseReading reading;
+  reading.connection = connection;
+  reading.axes = axes;
+  reading.reports = ++reports;
+  return reading;
+}
+
 // Steps for so long, and sees to it that the goal never jumps; returns where it ends.
 Vector<2> run(SpaceMouseMotion& motion, double duration_s, std::uint32_t connection, const Axes& axes,
               const SpaceMouseSettings& settings, Vector<2> from) {
   for (int k = 0; k < std::lround(duration_s * rate_hz); ++k) {
-    const Vector<2> goal = motion.step(connection, axes, settings, rate_hz);
+    const Vector<2> goal = motion.step(reading_of(connection, axes), settings, rate_hz);
     EXPECT_LE(glm::distance(goal, from), SpaceMouseMotion::fastest_m_s / rate_hz + rounding_m) << "tick " << k;
     from = goal;
   }
@@ -136,10 +146,37 @@ TEST(SpaceMouseMotion, RateModeIsTheSameAtEveryRate) {
     SpaceMouseMotion motion;
     motion.restart(here);
     Vector<2> goal = here;
-    for (int k = 0; k < static_cast<int>(rate); ++k) goal = motion.step(1, right, in_mode(Mode::rate), rate);
+    for (int k = 0; k < static_cast<int>(rate); ++k)
+      goal = motion.step(reading_of(1, right), in_mode(Mode::rate), rate);
     return goal.x - here.x;
   };
   EXPECT_NEAR(distance_after_a_second(1000.0), distance_after_a_second(4000.0), 2e-4);
+}
+
+TEST(SpaceMouseMotion, RateModeCountsSilenceAsACapAtRestAtEveryRate) {
+  for (const double rate : {100.0, 1000.0, 4000.0}) {
+    SpaceMouseMotion motion;
+    motion.restart(here);
+    const SpaceMouseReading last = reading_of(1, right);
+    const auto goal_after = [&](double duration_s, Mode mode) {
+      Vector<2> goal{0.0};
+      for (int k = 0; k < std::lround(duration_s * rate); ++k) goal = motion.step(last, in_mode(mode), rate);
+      return goal;
+    };
+    const Vector<2> goal = goal_after(1.0, Mode::rate);
+    EXPECT_NEAR(goal.x - here.x, SpaceMouseMotion::longest_silence_s * SpaceMouseSettings{}.speed_m_s, 3e-3) << rate;
+    EXPECT_NEAR(goal_after(10.0, Mode::rate).x, goal.x, 1e-6) << rate;
+    EXPECT_NEAR(goal_after(1.0, Mode::position).x, goal.x, 1e-6) << "nor does another mode move it, at " << rate;
+  }
+}
+
+TEST(SpaceMouseMotion, PositionModeHoldsWhatWasReportedLast) {
+  SpaceMouseMotion motion;
+  motion.restart(here);
+  const SpaceMouseReading last = reading_of(1, right);
+  Vector<2> goal{0.0};
+  for (int k = 0; k < 5000; ++k) goal = motion.step(last, in_mode(Mode::position), rate_hz);
+  EXPECT_NEAR(goal.x, here.x + SpaceMouseSettings{}.reach_m, 1e-6);
 }
 
 TEST(SpaceMouseMotion, StaysWithinAMetre) {
@@ -163,7 +200,7 @@ TEST(SpaceMouseMotion, IsSmoothBetweenReports) {
   for (int k = 0; k < 1000; ++k) {
     const double at_report_s = (k / 10) * 0.010;
     const Axes axes{0.5 * std::sin(6.0 * at_report_s), 0.0, 0.0, 0.0, 0.0, 0.0};
-    const Vector<2> goal = motion.step(1, axes, settings, rate_hz);
+    const Vector<2> goal = motion.step(reading_of(1, axes), settings, rate_hz);
     const Vector<2> move = goal - before;
     EXPECT_LT(glm::distance(move, move_before), 20e-6) << "tick " << k;  // of up to 0.2 m/s
     before = goal;

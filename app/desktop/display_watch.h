@@ -1,0 +1,54 @@
+// DisplayWatch: hears from an X server at once what becomes of a window, however long the window's own thread is busy:
+// another client takes the keyboard, destroys the window, or the server ends. It has a connection and a thread of its
+// own. GLFW tells none of this: it passes over keyboard grabs and destroyed windows, and Xlib tells of a server's end
+// only whoever calls it.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <thread>
+
+#include "app/files/descriptor.h"
+
+struct xcb_connection_t;
+
+namespace ghostforce {
+
+enum class DisplayLoss : std::uint8_t { none, window, server };
+
+class DisplayWatch {
+ public:
+  // Of that window, which nobody has focused yet. `when_lost` is called once, on the watch's thread; null: nothing is.
+  // Throws Failure(no_display) if the server takes no second connection, or the window is gone.
+  DisplayWatch(std::uint32_t window, void (*when_lost)() noexcept);
+  ~DisplayWatch();
+  DisplayWatch(const DisplayWatch&) = delete;
+  DisplayWatch& operator=(const DisplayWatch&) = delete;
+
+  // Another client has grabbed the keyboard: keys go there, whichever window has the focus. A grab that names this very
+  // window for its keys is not seen: the server tells nobody of it. Any thread.
+  bool keyboard_is_taken() const noexcept { return keyboard_is_taken_.load(std::memory_order_relaxed); }
+  DisplayLoss loss() const noexcept { return loss_.load(std::memory_order_relaxed); }
+
+  // Asks the server, by a connection made for it. False also where there is no server any more.
+  static bool window_exists(std::uint32_t window) noexcept;
+
+ private:
+  struct Disconnect {
+    void operator()(xcb_connection_t* connection) const noexcept;
+  };
+
+  void watch() noexcept;
+  void take_events() noexcept;
+
+  std::uint32_t window_;
+  void (*when_lost_)() noexcept;
+  std::unique_ptr<xcb_connection_t, Disconnect> connection_;
+  Descriptor end_;  // something to read: the thread is to end
+  std::atomic<bool> keyboard_is_taken_{false};
+  std::atomic<DisplayLoss> loss_{DisplayLoss::none};
+  std::thread thread_;  // last: it uses what stands above
+};
+
+}  // namespace ghostforce
