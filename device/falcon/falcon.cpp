@@ -100,6 +100,10 @@ void Falcon::update() noexcept {
   }
 }
 
+void Falcon::wait_until(std::int64_t deadline_ns) noexcept {
+  opener_.wait_until(std::min(deadline_ns, stop_ns()));
+}
+
 void Falcon::look() noexcept {
   opener_.open(debts_);
   phase_ = Phase::opening;
@@ -270,7 +274,7 @@ void Falcon::exchange() noexcept {
     return;
   }
   const std::int64_t now_ns = link().now_ns();
-  if (replies_.is_waiting() && since(std::max(asked_ns_, heard_ns_)) >= stop_s) {
+  if (now_ns >= stop_ns()) {
     ++report_.lost_exchanges;
     window_.worst_s = std::max(window_.worst_s, since(asked_ns_));
     command_.motors = {};

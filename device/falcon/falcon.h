@@ -79,8 +79,8 @@ class Falcon {
   // When that reply came: after a loss the time above may be that of an earlier command.
   std::int64_t position_heard_ns() const noexcept { return position_heard_ns_; }
   bool is_waiting_for_reply() const noexcept { return is_exchanging() && replies_.is_waiting(); }
-  // Lets the device work until then; returns sooner when something has happened.
-  void wait_until(std::int64_t deadline_ns) noexcept { opener_.wait_until(deadline_ns); }
+  // Lets the device work until then; returns sooner when something has happened, or the motors are to be told to stop.
+  void wait_until(std::int64_t deadline_ns) noexcept;
   FalconLink& link() const noexcept { return opener_.link(); }
   // For who drives the motors without this driver, while nobody calls update(): afterwards the device has to answer a
   // zero, or it is owed one.
@@ -114,6 +114,7 @@ class Falcon {
   bool send_command() noexcept;
   void stop_motors() noexcept;
   void note_stop() noexcept;
+  std::int64_t stop_ns() const noexcept;
   void note_debts() noexcept;
   bool has_owed_returned() noexcept;
   void pay_debts() noexcept;

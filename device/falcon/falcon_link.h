@@ -85,7 +85,7 @@ class FalconLink {
   virtual std::string_view serial() const noexcept = 0;
 
   // Starts to send; false, and nothing happens, while something else is still being sent (is_sending()) or the link is
-  // not open. At most 64 bytes.
+  // not open. A request may go out beside a stop. At most 64 bytes.
   virtual bool request(const VendorRequest& request) noexcept = 0;
   // Of the newest request, once nothing is being sent any more.
   virtual RequestOutcome request_outcome() const noexcept = 0;

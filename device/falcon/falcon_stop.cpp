@@ -1,5 +1,6 @@
 // How a Falcon's motors are told to stop, and what becomes of those that do not answer.
 #include <algorithm>
+#include <limits>
 
 #include "device/falcon/falcon.h"
 
@@ -8,6 +9,13 @@ namespace ghostforce {
 void Falcon::stop_motors() noexcept {
   link().stop(stop_frames());
   note_stop();
+}
+
+// When the motors are to be told to stop if no reply has come by then.
+std::int64_t Falcon::stop_ns() const noexcept {
+  const bool is_waiting = phase_ == Phase::exchanging && !is_purging_ && replies_.is_waiting();
+  if (!is_waiting) return std::numeric_limits<std::int64_t>::max();
+  return std::max(asked_ns_, heard_ns_) + static_cast<std::int64_t>(stop_s * 1e9);
 }
 
 // That the device has been told to stop, and may not have heard.

@@ -23,13 +23,15 @@ inline constexpr std::array set_up_link{
     LinkScriptStep{.kind = LinkScriptStep::Kind::flush},
 };
 
-// For a device that does not answer: the stop at once, and again with the rate that the chip may have lost, for it may
-// have been reset without leaving the bus. What it has not sent by then may be a force, and takes long at a low rate.
+// For a device that does not answer: the stop at once, and again as soon as it can be understood, for the chip may have
+// been reset without leaving the bus and have lost the rate, and perhaps the format. What it has not sent by then may be
+// a force, and takes long at a low rate.
 inline constexpr std::array stop_and_set_up_link_again{
     LinkScriptStep{.kind = LinkScriptStep::Kind::stop},
     ask(ftdi::running_rate),
-    ask(ftdi::eight_bits_no_parity_one_stop),
     ask(ftdi::forget_unsent),
+    LinkScriptStep{.kind = LinkScriptStep::Kind::stop},
+    ask(ftdi::eight_bits_no_parity_one_stop),
     LinkScriptStep{.kind = LinkScriptStep::Kind::stop},
     ask(ftdi::no_flow_control),
     ask(ftdi::latency(1)),

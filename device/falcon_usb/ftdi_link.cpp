@@ -183,7 +183,7 @@ bool FtdiLink::is_sending() const noexcept {
 }
 
 bool FtdiLink::request(const VendorRequest& request) noexcept {
-  if (!is_usable() || is_sending()) return false;
+  if (!is_usable() || out_.is_posted || control_.is_posted) return false;
   libusb_fill_control_setup(control_.buffer.data(), vendor_request_type, request.request, request.value, request.index,
                             0);
   libusb_fill_control_transfer(control_.transfer, usb_.handle(), control_.buffer.data(), &Callbacks::sent, this,

@@ -136,7 +136,10 @@ class FakeFalcons final : public FalconLink {
       has_news = happen();
       if (now_ns_ >= deadline_ns && !has_news) break;
     }
+    if (pause_ns_ == 0) return;
     now_ns_ += std::exchange(pause_ns_, 0);
+    while (happen()) {
+    }
   }
   void send_at_once(std::span<const std::uint8_t> /*bytes*/) noexcept override {}
 
