@@ -23,6 +23,10 @@ class ForgetfulChip final : public EmulatedChip {
  public:
   void forget() { is_set_up_ = false; }
 
+  void power_up(std::int64_t now_ns) override {
+    forget();
+    falcon_.power_up(now_ns);
+  }
   void control(const VendorRequest& request, std::int64_t now_ns) override {
     if (request.request == ftdi::running_rate.request) is_set_up_ = request == ftdi::running_rate;
     falcon_.control(request, now_ns);
@@ -55,7 +59,7 @@ class OwedStopTest : public testing::Test {
 
   // Ticks as the servo does, until something is so.
   bool tick_until(const std::function<bool()>& condition) {
-    const std::int64_t end_ns = input->now_ns() + 15'000 * ms;
+    const std::int64_t end_ns = input->now_ns() + 60'000 * ms;
     while (!condition()) {
       if (input->now_ns() > end_ns) return false;
       input->wait_until(input->now_ns() + ms);
@@ -66,10 +70,6 @@ class OwedStopTest : public testing::Test {
   }
   bool pushes_with(ForgetfulChip& chip) {
     return tick_until([&] { return chip.pushes(); });
-  }
-  void pull_out(EmulatedUsbDevice& cable, ForgetfulChip& chip) {
-    cable.unplug();
-    chip.forget();
   }
 
   TestBed bed;
@@ -84,7 +84,7 @@ class OwedStopTest : public testing::Test {
 TEST_F(OwedStopTest, ADeviceThatWasPluggedInAgainIsSetUpAndThenStopped) {
   a.plug();
   ASSERT_TRUE(pushes_with(chip_a));
-  pull_out(a, chip_a);
+  a.unplug();
   ASSERT_TRUE(tick_until([&] { return input->report().fault == FalconFault::unplugged; }));
   EXPECT_TRUE(input->report().may_still_push);
   is_armed = false;
@@ -98,7 +98,7 @@ TEST_F(OwedStopTest, TheFirstOneIsStoppedWhenItIsBackThoughTheSecondPushes) {
   a.plug();
   b.plug();
   ASSERT_TRUE(pushes_with(chip_a));
-  pull_out(a, chip_a);
+  a.unplug();
   ASSERT_TRUE(pushes_with(chip_b));
   EXPECT_TRUE(input->report().may_still_push);
   EXPECT_EQ(input->report().owed_serial.text(), "12PZ657E");
@@ -114,9 +114,9 @@ TEST_F(OwedStopTest, BothAreStoppedThoughBothWereAway) {
   a.plug();
   b.plug();
   ASSERT_TRUE(pushes_with(chip_a));
-  pull_out(a, chip_a);
+  a.unplug();
   ASSERT_TRUE(pushes_with(chip_b));
-  pull_out(b, chip_b);
+  b.unplug();
   is_armed = false;
   b.plug();
   ASSERT_TRUE(tick_until([&] { return !chip_b.pushes(); }));
@@ -130,7 +130,7 @@ TEST_F(OwedStopTest, AtTheEndOfTheProgramTheOwedOneIsStoppedAndNotOnlyTheOneInUs
   a.plug();
   b.plug();
   ASSERT_TRUE(pushes_with(chip_a));
-  pull_out(a, chip_a);
+  a.unplug();
   ASSERT_TRUE(pushes_with(chip_b));
   a.plug();
   input->shut_down();

@@ -1,5 +1,4 @@
 // Reports of a SpaceMouse: what it says moves the goal no faster and no farther than promised.
-#include <array>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -15,14 +14,15 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   SpaceMouseSettings settings;
   SpaceMouseState state;
   SpaceMouseMotion motion;
-  std::uint32_t connection = 1;
+  SpaceMouseReading reading;
+  reading.connection = 1;
   constexpr double rate_hz = 1000.0;
   Vector<2> before{0.0};
   motion.restart(before);
   while (!bytes.empty()) {
     const std::uint8_t head = bytes.next();
     if (head >= 0xF0) {  // plugged out or in, other settings
-      connection = head % 4;
+      reading.connection = head % 4;
       settings.mode = static_cast<SpaceMouseSettings::Mode>(bytes.next() % 2);
       settings.up = static_cast<SpaceMouseSettings::Up>(bytes.next() % 2);
       settings.dead_zone = bytes.next() / 256.0;
@@ -32,19 +32,22 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     } else {
       const SpaceMouseState before_report = state;
       const auto report = bytes.take(head % 16);
-      if (!take_report(report, state)) require(state == before_report, "a report that is none changes nothing");
+      if (take_report(report, state)) {
+        ++reading.reports;
+      } else {
+        require(state == before_report, "a report that is none changes nothing");
+      }
     }
     // Of any size, as if a device counted to more than others do.
-    std::array<double, 6> axes{};
-    for (std::size_t i = 0; i < axes.size(); ++i) axes[i] = state.axes[i] / 350.0;
+    for (std::size_t i = 0; i < reading.axes.size(); ++i) reading.axes[i] = state.axes[i] / 350.0;
     for (int tick = 0; tick < 8; ++tick) {
-      const Vector<2> goal = motion.step(connection, axes, settings, rate_hz);
+      const Vector<2> goal = motion.step(reading, settings, rate_hz);
       require(std::isfinite(goal.x) && std::isfinite(goal.y), "the goal is a place");
       require(std::abs(goal.x) <= SpaceMouseMotion::farthest_m && std::abs(goal.y) <= SpaceMouseMotion::farthest_m,
               "the goal stays near");
       require(glm::length(goal - before) * rate_hz <= SpaceMouseMotion::fastest_m_s * (1.0 + 1e-9),
               "the goal goes no faster than promised");
-      require(connection != 0 || goal == before, "without a device the goal stays");
+      require(reading.connected() || goal == before, "without a device the goal stays");
       before = goal;
     }
   }
