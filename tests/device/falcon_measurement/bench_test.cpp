@@ -21,7 +21,8 @@ std::unique_ptr<VirtualLink> running_link() {
   auto link = std::make_unique<VirtualLink>(options);
   EXPECT_EQ(link->open(), LinkFault::none);
   // As the driver leaves it.
-  for (const VendorRequest& request : {VendorRequest{0x09, 1, 0}, VendorRequest{0x03, 2, 0}}) {
+  for (const VendorRequest& request :
+       {VendorRequest{0x09, 1, 0}, VendorRequest{0x03, 2, 0}, VendorRequest{0x04, 8, 0}}) {
     while (!link->request(request)) link->wait_until(link->now_ns() + 1'000'000);
     while (link->is_sending()) link->wait_until(link->now_ns() + 1'000'000);
   }
