@@ -117,6 +117,7 @@ const std::vector<Stop>& stops() {
       {OffReason::unplugged, [](SafetyReading& r) { r.trouble = OffReason::unplugged; }},
       {OffReason::not_homed, [](SafetyReading& r) { r.trouble = OffReason::not_homed; }},
       {OffReason::program_ending, {}},
+      {OffReason::calibration, [](SafetyReading& r) { r.trouble = OffReason::calibration; }},
       {OffReason::fault, [](SafetyReading& r) { r.trouble = OffReason::fault; }},
   };
   return all;

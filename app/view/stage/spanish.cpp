@@ -233,6 +233,7 @@ const StageLanguage spanish_stage{
                     "desconectado",
                     "sin punto de referencia",
                     "el programa se cierra",
+                    "los motores no coinciden",
                     "fallo",
                 },
         },

@@ -280,6 +280,7 @@ TEST_F(ServoMotors, EveryReasonEndsInNoForce) {
       {OffReason::loop_late, [](PuppetInput& p, ServoCommand&) { p.answers = false; }},
       {OffReason::unplugged, [](PuppetInput& p, ServoCommand&) { p.reading.trouble = OffReason::unplugged; }},
       {OffReason::not_homed, [](PuppetInput& p, ServoCommand&) { p.reading.trouble = OffReason::not_homed; }},
+      {OffReason::calibration, [](PuppetInput& p, ServoCommand&) { p.reading.trouble = OffReason::calibration; }},
       {OffReason::fault, [](PuppetInput& p, ServoCommand&) { p.reading.trouble = OffReason::fault; }},
   };
   for (const Stop& stop : stops) {
