@@ -127,12 +127,18 @@ void FalconInput::probe() noexcept {
     pushed_way_ = way_of_leg(push.leg).value_or(Vector<3>(0.0));
     reading_.probe = push.force * plane().along(pushed_way_);
   } else if (encoder_watch_.is_asking()) {
-    const Vector<2> way = plane().along(way_of_leg(encoder_watch_.asked_leg()).value_or(Vector<3>(0.0)));
-    const double length = glm::length(way);
-    // Against the force that stands, so that together they are no stronger.
-    const double sign = glm::dot(way, standing_) > 0.0 ? -1.0 : 1.0;
-    if (length > 0.0) reading_.probe = sign * encoder_watch_.force_at(now_ns()) / length * way;
+    if (asked_way_ == Vector<2>(0.0)) asked_way_ = way_to_ask();
+    reading_.probe = encoder_watch_.force_at(now_ns()) * asked_way_;
   }
+  if (!encoder_watch_.is_asking()) asked_way_ = Vector<2>(0.0);
+}
+
+// The leg's in the plane, against the force that stands, so that together they are no stronger.
+Vector<2> FalconInput::way_to_ask() const noexcept {
+  const auto way = way_of_leg(encoder_watch_.asked_leg());
+  if (!way) return Vector<2>(0.0);
+  const Vector<2> along = glm::normalize(plane().along(*way));
+  return glm::dot(along, standing_) > 0.0 ? -along : along;
 }
 
 // The direction in which the handle moves a leg the most.

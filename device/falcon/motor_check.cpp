@@ -16,7 +16,7 @@ constexpr std::int64_t longest_gap_ns = 10'000'000;
 // Energy of a push with a = 1 N at a hand of 0.3 kg and 10 N·s/m: what a lively hand adds by itself must stay below it [J].
 constexpr double usual_energy = 66e-6;
 // Pushes that move nothing, each with all force.
-constexpr int silent_tries_to_tell = 3;
+constexpr int silent_tries_to_tell = 4;
 // Of a verdict's two halves the smaller one is at least this share of the greater one [1].
 constexpr double agreement = 0.2;
 // Mean magnitude of f for a = 1 [1].
@@ -27,6 +27,10 @@ double shape(double time_s) noexcept {
   if (time_s < 0.0 || time_s >= push_s) return 0.0;
   const double sign = time_s < MotorCheck::half_s ? 1.0 : -1.0;
   return sign * (std::sin(2.0 * omega * time_s) - 0.5 * std::sin(omega * time_s));
+}
+
+int sign_beyond(double energy, double margin) noexcept {
+  return energy > margin ? 1 : energy < -margin ? -1 : 0;
 }
 
 double seconds(std::int64_t ns) noexcept {
@@ -54,6 +58,7 @@ void MotorCheck::end() noexcept {
   force_ = 0.0;
   needs_rest_ = true;
   tries_ = votes_ = silent_tries_ = 0;
+  unclear_energy_ = unclear_margin_ = 0.0;
   verdict_ = MotorVerdict::none;
 }
 
@@ -152,15 +157,19 @@ void MotorCheck::judge(const Energy& energy) noexcept {
   if (!energy.is_true) return;
   newest_ = energy;
   ++tries_;
-  const int sign = energy.whole > energy.margin ? 1 : energy.whole < -energy.margin ? -1 : 0;
-  if (sign == 0) {
-    votes_ = 0;
+  unclear_energy_ += energy.whole;
+  unclear_margin_ = std::hypot(unclear_margin_, energy.margin);
+  int sign = sign_beyond(energy.whole, energy.margin);
+  if (sign == 0 && sign_beyond(unclear_energy_, unclear_margin_) == 0) {
     needs_rest_ = energy.has_moved;
     silent_tries_ = energy.is_quiet && tries_ > 2 ? silent_tries_ + 1 : 0;
     if (silent_tries_ >= silent_tries_to_tell) verdict_ = MotorVerdict::silent;
     return;
   }
+  // Many that are too weak to tell may tell together.
+  if (sign == 0) sign = sign_beyond(unclear_energy_, unclear_margin_);
   silent_tries_ = 0;
+  unclear_energy_ = unclear_margin_ = 0.0;
   const double smaller = std::min(sign * energy.first, sign * energy.second);
   const double greater = std::max(sign * energy.first, sign * energy.second);
   const bool is_strong = std::abs(energy.whole) > 2.0 * energy.margin && smaller > agreement * greater;

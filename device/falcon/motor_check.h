@@ -34,7 +34,7 @@ class MotorCheck {
   static constexpr double half_s = 0.045;        // of a force to and fro; the other one follows at once
   static constexpr double rest_s = 0.120;        // before each leg's: what the hand does by itself is seen here
   static constexpr double least_force = 0.6;     // a [N]
-  static constexpr double greatest_force = 1.5;  // a, where the hand is heavy, stiff or lively [N]
+  static constexpr double greatest_force = 2.4;  // a, where the hand is heavy, stiff or lively [N]
   static constexpr double crest = 1.3;           // the greatest force is this times a
 
   // A place of the arms, and the torques that act from then on.
@@ -113,6 +113,8 @@ class MotorCheck {
   int tries_ = 0;                 // for this leg
   int votes_ = 0;                 // of pushes in a row; below 0: wrong
   int silent_tries_ = 0;          // in a row
+  double unclear_energy_ = 0.0;   // of pushes in a row that were too weak to tell [J]
+  double unclear_margin_ = 0.0;
   Energy newest_;
   std::array<Energy, 3> found_{};  // leg by leg
   MotorVerdict verdict_ = MotorVerdict::none;

@@ -70,5 +70,31 @@ TEST(HandleCheck, EncodersThatFreezeWhileAForceStandsEndIt) {
   }
 }
 
+TEST(HandleCheck, Disturbs) {
+  for (const double stiffness : {50.0, 100.0, 500.0, 2000.0}) {
+    HeldFalcon::Options options;
+    options.stiffness = stiffness;
+    HeldFalcon falcon(options);
+    ASSERT_TRUE(falcon.get_ready());
+    Vector<3> c0 = falcon.link().arm().position();
+    double worst0 = 0.0;
+    falcon.ask_to_arm();
+    falcon.run_until(5.0, [&] { worst0 = std::max(worst0, glm::length(falcon.link().arm().position() - c0)); return falcon.motors().state == SafetyState::on; });
+    falcon.lead(HeldFalcon::deep_place, 0.5);
+    falcon.run(2.5);
+    Vector<3> mean(0.0);
+    const Vector<3> c = falcon.link().arm().position();
+    double worst = 0.0, sum = 0.0;
+    for (int i = 0; i < 2000; ++i) {
+      falcon.step();
+      const double d = glm::length(falcon.link().arm().position() - c);
+      worst = std::max(worst, d);
+      sum += d;
+      mean += (falcon.link().arm().position() - c) / 2000.0;
+    }
+    std::printf("k %g: arming %.0f um, worst %.0f um, mean length %.0f um, mean %.0f %.0f %.0f um\n", stiffness, 1e6*worst0, 1e6 * worst, 1e6 * sum / 2000, 1e6 * mean.x, 1e6*mean.y, 1e6*mean.z);
+  }
+}
+
 }  // namespace
 }  // namespace ghostforce::handle_check_test

@@ -78,7 +78,6 @@ class HeldFalcon {
     plan.stiffness = stiffness_;
     link_->lead_hand(plan);
   }
-  void grip(double stiffness) { stiffness_ = stiffness; }
 
   // Until it could be armed, outside the wall.
   bool get_ready() {
@@ -91,6 +90,11 @@ class HeldFalcon {
   void ask_to_arm() {
     ++command_.acknowledgements;
     ++command_.arms_asked;
+  }
+  void disarm() { ++command_.offs_asked; }
+  void use(StrategyId active) {
+    command_.settings.active = active;
+    ++command_.settings_generation;
   }
   bool arm() {
     ask_to_arm();
