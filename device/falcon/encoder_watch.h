@@ -22,6 +22,7 @@ class EncoderWatch {
   static constexpr double silence_s = 0.025;     // before an encoder is asked
   static constexpr double answer_s = 0.060;      // in which it has to answer
   static constexpr double greatest_force = 2.4;  // of the question, at the end of that time [N]
+  static constexpr double longest_question_s = 0.150;  // while other legs move a little
   static constexpr double far_counts = 20.0;
   static constexpr int least_replies = 8;  // without so many nobody has been asked
 
@@ -35,17 +36,20 @@ class EncoderWatch {
     }
     encoders_ = encoders;
     if (ended_ns_ != 0) {
-      if (now_ns - ended_ns_ < ended_ns_ - asked_ns_) return;
+      if (force_at(now_ns) != 0.0) return;
       asked_ = nobody;
       ended_ns_ = 0;
       return;
     }
     if (asked_ == nobody) return ask(now_ns);
     replies_ += has_reply ? 1 : 0;
-    if (seconds(now_ns - asked_ns_) < answer_s || replies_ < least_replies) return;
+    if (replies_ < least_replies) return;
+    const double asked_s = seconds(now_ns - asked_ns_);
+    const double all_silent_s = std::min(asked_s, seconds(now_ns - std::ranges::max(since_ns_)));
     const Vector<3> moved = glm::abs(encoders - encoders_asked_);
-    const double farthest = std::max({moved.x, moved.y, moved.z});
-    is_frozen_ |= farthest == 0.0 || farthest >= far_counts;
+    const bool is_alone = asked_s >= answer_s && std::max({moved.x, moved.y, moved.z}) >= far_counts;
+    is_frozen_ |= all_silent_s >= answer_s || is_alone;
+    if (asked_s < longest_question_s) return;
     since_ns_[asked_] = now_ns;
     end_question(now_ns);
   }
@@ -61,8 +65,9 @@ class EncoderWatch {
   double force_at(std::int64_t now_ns) const noexcept {
     if (!is_asking()) return 0.0;
     if (ended_ns_ == 0) return grown(now_ns - asked_ns_);
-    // The same the other way round, so that the handle is left without momentum.
-    return -grown(std::max(std::int64_t{0}, 2 * ended_ns_ - asked_ns_ - now_ns));
+    // A short one is followed by the same the other way round, so that the handle is left without momentum.
+    const std::int64_t lasted_ns = ended_ns_ - asked_ns_;
+    return seconds(lasted_ns) < 0.5 * answer_s ? -grown(std::max(std::int64_t{0}, ended_ns_ + lasted_ns - now_ns)) : 0.0;
   }
 
  private:

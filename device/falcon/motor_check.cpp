@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace ghostforce {
 namespace {
@@ -180,21 +181,29 @@ void MotorCheck::judge(const Energy& energy) noexcept {
   tries_ = votes_ = 0;
   if (++leg_ < found_.size()) return;
   leg_ = 0;
-  verdict_ = are_legs_mixed_up() ? MotorVerdict::wrong : MotorVerdict::right;
+  verdict_ = verdict_on_legs();
 }
 
-// Two motors against each other, one after the other, added up: a hand gives back no more than it got from the two.
-bool MotorCheck::are_legs_mixed_up() const noexcept {
+// Two motors against each other, added up from the pushes of one after the other: a hand gives back no more than it got
+// from both. None: too close to tell.
+MotorVerdict MotorCheck::verdict_on_legs() const noexcept {
+  int agreeing = 0;
   for (std::size_t one = 0; one < found_.size(); ++one) {
     const std::size_t other = (one + 1) % found_.size();
-    const auto of_difference = [](const Energy& energy, std::size_t pushed, std::size_t against) {
-      const double at_both = energy.at_legs[static_cast<glm::length_t>(pushed)] -
-                             energy.at_legs[static_cast<glm::length_t>(against)];
-      return at_both / (energy.torque * energy.torque);
-    };
-    if (of_difference(found_[one], one, other) + of_difference(found_[other], other, one) < 0.0) return true;
+    double energy = 0.0;
+    double margin = 0.0;
+    for (const auto& [pushed, against] : {std::pair(one, other), std::pair(other, one)}) {
+      const Energy& found = found_[pushed];
+      const double per_force = 1.0 / (found.torque * found.torque);
+      const Vector<3>& at = found.at_legs;
+      energy += per_force * (at[static_cast<glm::length_t>(pushed)] - at[static_cast<glm::length_t>(against)]);
+      margin += per_force * found.margin;
+    }
+    const int sign = sign_beyond(energy, margin);
+    if (sign < 0) return MotorVerdict::wrong;
+    agreeing += sign;
   }
-  return false;
+  return agreeing == 3 ? MotorVerdict::right : MotorVerdict::none;
 }
 
 }  // namespace ghostforce

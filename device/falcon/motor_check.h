@@ -35,7 +35,7 @@ class MotorCheck {
   static constexpr double rest_s = 0.120;        // before each leg's: what the hand does by itself is seen here
   static constexpr double least_force = 0.6;     // a [N]
   static constexpr double greatest_force = 2.4;  // a, where the hand is heavy, stiff or lively [N]
-  static constexpr double crest = 1.3;           // the greatest force is this times a
+  static constexpr double crest = 1.37;          // the greatest force is this times a
 
   // A place of the arms, and the torques that act from then on.
   struct Reading {
@@ -93,7 +93,7 @@ class MotorCheck {
   double own_energy(std::size_t leg) const noexcept;
   Energy energy_of_push() const noexcept;
   void judge(const Energy& energy) noexcept;
-  bool are_legs_mixed_up() const noexcept;
+  MotorVerdict verdict_on_legs() const noexcept;
 
   std::array<double, weight_count> weights_{};  // of a movement in the energy of a push with a = 1
   std::array<Reading, history_size> history_{};

@@ -2,8 +2,8 @@
 // finds out about motors and encoders. The calibration says how the driver takes the device, `link.arm` how it is.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <functional>
 #include <memory>
 #include <utility>
@@ -101,17 +101,19 @@ class HeldFalcon {
     return run_until(5.0, [&] { return motors().state == SafetyState::on; });
   }
 
-  // How long any motor is driven, from the first time on, while this time passes [s].
-  double driven_for(double seconds) {
-    double first = -1.0;
-    double last = 0.0;
+  // While so much time passes: the longest time for which a motor was driven without a pause of 50 ms [s].
+  double longest_drive(double seconds) {
+    double longest = 0.0;
+    double began = 0.0;
+    double last = -1.0;
     for (double t = 0.0; t < seconds; t += 0.001) {
       step();
       if (link_->motors() == MotorNumbers{}) continue;
-      if (first < 0.0) first = t;
-      last = t + 0.001;
+      if (t - last > 0.05 || last < 0.0) began = t;
+      last = t;
+      longest = std::max(longest, last + 0.001 - began);
     }
-    return first < 0.0 ? 0.0 : last - first;
+    return longest;
   }
 
   void inject(const char* name) {

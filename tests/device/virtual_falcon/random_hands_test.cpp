@@ -3,6 +3,7 @@
 // and encoders never stop one of them.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "core/hand_unrest.h"
@@ -36,6 +37,9 @@ Person person(HandRandom& random) {
   person.unrest.seed = std::floor(random.uniform(1.0, 1e6));
   return person;
 }
+
+constexpr std::array wrong_motors{LegNumbers{-1, -2, -3}, LegNumbers{-1, 2, 3}, LegNumbers{1, -2, 3},
+                                  LegNumbers{1, 2, -3},   LegNumbers{2, 1, 3},  LegNumbers{2, 3, 1}};
 
 // What they did in all.
 struct Hour {
@@ -89,10 +93,38 @@ TEST(RandomHands, AreNeverTakenForMotorsThatDoNotMatch) {
   const double seconds = is_long_run() ? 3600.0 : 360.0;
   Hour hour;
   while (hour.seconds < seconds && !testing::Test::HasFatalFailure()) spend(20.0, random, hour);
-  std::printf("%g s, armed %g s, pushed %g s, armings %d, on %d\n", hour.seconds, hour.armed_s, hour.pushed_s, hour.armings, hour.comings_on);
   // It was about something.
   EXPECT_GT(hour.armed_s, 0.3 * hour.seconds);
   EXPECT_GT(hour.pushed_s, 0.1 * hour.seconds);
+}
+
+// The same people, with a device that has some motors mixed up or the wrong way round: it never pushes against them.
+TEST(RandomHands, NeverFeelMotorsThatDoNotMatch) {
+  HandRandom random(20261125);
+  const int people = is_long_run() ? 600 : 60;
+  int found_out = 0;
+  for (int i = 0; i < people; ++i) {
+    Person who = person(random);
+    who.options.calibration.motor_of_leg = wrong_motors[static_cast<std::size_t>(i) % wrong_motors.size()];
+    HeldFalcon falcon(who.options);
+    const UnrestMotion unrest(who.unrest);
+    falcon.lead({-0.03, 0.0}, 0.3);
+    for (int ms = 0; ms < 6000; ++ms) {
+      if (ms % 1500 == 800) falcon.lead(HeldFalcon::free_place, 0.2);
+      if (ms % 1500 == 1400) falcon.lead(HeldFalcon::deep_place, 0.1);
+      const Vector<2> way = unrest.at(0.001 * ms);
+      falcon.link().shake_hand({way.x, way.y, 0.5 * (way.x + way.y)}, std::nullopt);
+      if (falcon.motors().state == SafetyState::off) falcon.ask_to_arm();
+      falcon.step();
+      ASSERT_EQ(falcon.motors().gain, 0.0) << i << ", " << who.options.stiffness << " N/m";
+      if (falcon.motors().reason != OffReason::calibration) continue;
+      ++found_out;
+      break;
+    }
+  }
+  // Some are too lively for the check, and wait.
+  EXPECT_GT(found_out, people / 2);
+  std::printf("found %d of %d\n", found_out, people);
 }
 
 }  // namespace

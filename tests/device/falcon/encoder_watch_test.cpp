@@ -1,0 +1,91 @@
+// What counts as a frozen encoder, reading by reading.
+#include "device/falcon/encoder_watch.h"
+
+#include <gtest/gtest.h>
+
+namespace ghostforce::encoder_watch_test {
+namespace {
+
+constexpr std::int64_t tick_ns = 1'000'000;
+
+// Encoders that say what `counts` makes of the number of milliseconds.
+template <typename Counts>
+void watch(EncoderWatch& watch, int from_ms, int to_ms, double force, Counts&& counts, bool has_reply = true) {
+  for (int ms = from_ms; ms < to_ms; ++ms) watch.update(counts(ms), has_reply, force, ms * tick_ns);
+}
+
+Vector<3> silent(int /*ms*/) {
+  return {10.0, 20.0, 30.0};
+}
+
+TEST(EncoderWatch, TakesEncodersForFrozenThatDoNotAnswer) {
+  EncoderWatch encoders;
+  watch(encoders, 1, 2, 0.0, silent);
+  watch(encoders, 2, 80, 1.0, silent);
+  EXPECT_TRUE(encoders.is_asking());
+  EXPECT_FALSE(encoders.is_frozen());
+  watch(encoders, 80, 92, 1.0, silent);
+  EXPECT_TRUE(encoders.is_frozen());
+}
+
+TEST(EncoderWatch, WatchesNoWeakForce) {
+  EncoderWatch encoders;
+  watch(encoders, 1, 2000, 0.29, silent);
+  EXPECT_FALSE(encoders.is_asking());
+  EXPECT_FALSE(encoders.is_frozen());
+}
+
+TEST(EncoderWatch, AsksNobodyWhoSpeaks) {
+  EncoderWatch encoders;
+  watch(encoders, 1, 2000, 3.0, [](int ms) { return Vector<3>(ms / 20, ms / 15, ms / 24); });
+  EXPECT_FALSE(encoders.is_asking());
+  EXPECT_FALSE(encoders.is_frozen());
+}
+
+TEST(EncoderWatch, LeavesAnEncoderAloneThatHasAnswered) {
+  EncoderWatch encoders;
+  watch(encoders, 1, 2, 0.0, silent);
+  watch(encoders, 2, 50, 1.0, silent);
+  ASSERT_TRUE(encoders.is_asking());
+  const double asked = encoders.force_at(49 * tick_ns);
+  ASSERT_GT(asked, 0.0);
+  const auto answered = [](int ms) { return silent(ms) + Vector<3>(1.0); };
+  watch(encoders, 50, 51, 1.0, answered);
+  // The same back, and then nothing.
+  EXPECT_LE(encoders.force_at(50 * tick_ns), -asked);
+  watch(encoders, 51, 74, 1.0, answered);
+  watch(encoders, 74, 75, 1.0, answered);
+  EXPECT_FALSE(encoders.is_frozen());
+}
+
+TEST(EncoderWatch, TakesOneForFrozenIfTheOthersComeFarWithoutIt) {
+  for (const bool comes_far : {false, true}) {
+    EncoderWatch encoders;
+    const double counts_per_ms = comes_far ? 1.0 : 0.1;
+    watch(encoders, 1, 2, 0.0, silent);
+    watch(encoders, 2, 120, 1.0, [&](int ms) {
+      return silent(ms) + std::floor(counts_per_ms * ms) * Vector<3>(1.0, 0.0, 1.0);
+    });
+    EXPECT_EQ(encoders.is_frozen(), comes_far);
+  }
+}
+
+// The link has trouble of its own: nobody was asked.
+TEST(EncoderWatch, WaitsForReplies) {
+  EncoderWatch encoders;
+  watch(encoders, 1, 2, 0.0, silent);
+  watch(encoders, 2, 500, 1.0, silent, false);
+  EXPECT_FALSE(encoders.is_frozen());
+}
+
+TEST(EncoderWatch, ForgetsWhenMotorsGoOff) {
+  EncoderWatch encoders;
+  watch(encoders, 1, 200, 1.0, silent);
+  ASSERT_TRUE(encoders.is_frozen());
+  encoders.reset();
+  EXPECT_FALSE(encoders.is_frozen());
+  EXPECT_FALSE(encoders.is_asking());
+}
+
+}  // namespace
+}  // namespace ghostforce::encoder_watch_test
