@@ -61,9 +61,9 @@ class ForceLimiter {
     wanted_ = glm::mix(from_, wanted, fade_s_ / cross_fade_s);
     Vector<2> force = (wanted_ + added) * std::clamp(gain, 0.0, 1.0);
     // Far too long a vector has a length that no number holds.
-    force = glm::clamp(force, Vector<2>(-farthest), Vector<2>(farthest));
+    force = within_reason(force);
     result.was_saturated = glm::length(force) > limit_;
-    if (probe != Vector<2>(0.0)) force = shortened(force, limit_) + probe;
+    if (probe != Vector<2>(0.0)) force = shortened(force, limit_) + within_reason(probe);
 
     force = sent_ + shortened(force - sent_, longest_change);
     // The length and not each axis: to shorten one axis alone would turn the force, which is a ghost force of its own.
@@ -80,6 +80,10 @@ class ForceLimiter {
   static constexpr double farthest = 1e6;
 
   static bool is_finite(const Vector<2>& v) noexcept { return std::isfinite(v.x) && std::isfinite(v.y); }
+
+  static Vector<2> within_reason(const Vector<2>& v) noexcept {
+    return glm::clamp(v, Vector<2>(-farthest), Vector<2>(farthest));
+  }
 
   static Vector<2> shortened(const Vector<2>& v, double longest) noexcept {
     const double length = glm::length(v);

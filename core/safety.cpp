@@ -41,11 +41,12 @@ constexpr std::array reasons{
                    false},
     OffReasonEntry{OffReason::program_ending, "program_ending", "program ending", "The program was closing.", true,
                    false},
-    OffReasonEntry{OffReason::calibration, "calibration", "motors do not match",
-                   "The motors did not move the handle as they were told, or the encoders did not say so. Check the "
-                   "power supply. Then run 'ghostforce doctor --measure': the calibration file may have wrong numbers in "
-                   "motor_of_leg or encoder_of_leg.",
-                   true, false},
+    OffReasonEntry{
+        OffReason::calibration, "calibration", "motors do not match",
+        "The motors did not move the handle as they were told, or the encoders did not say so. Check the "
+        "power supply. Then run 'ghostforce doctor --measure': the calibration file may have wrong numbers in "
+        "motor_of_leg or encoder_of_leg.",
+        true, false},
     OffReasonEntry{OffReason::fault, "fault", "fault", "Something failed. The device status ({}) says what.", true,
                    false},
 };

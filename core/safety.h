@@ -1,5 +1,6 @@
 // Safety: whether motors may push. OFF at the start; a person asks for ARMING, which waits until all is well; RAMP waits
-// until the device has checked its motors and lets the force grow over a second; ON; FADE takes it away, and OFF says why. Only a person leads out of OFF.
+// until the device has checked its motors, then lets the force grow over a second; ON; FADE takes it away, and OFF says
+// why. Only a person leads out of OFF.
 //
 // A plain value that is told what is going on once per tick; SI units; never allocates or throws; any one thread.
 #pragma once

@@ -18,10 +18,10 @@ namespace ghostforce {
 
 class EncoderWatch {
  public:
-  static constexpr double least_force = 0.3;     // that stands; a weaker one is not watched [N]
-  static constexpr double silence_s = 0.025;     // before an encoder is asked
-  static constexpr double answer_s = 0.060;      // in which it has to answer
-  static constexpr double greatest_force = 2.4;  // of the question, at the end of that time [N]
+  static constexpr double least_force = 0.3;           // that stands; a weaker one is not watched [N]
+  static constexpr double silence_s = 0.025;           // before an encoder is asked
+  static constexpr double answer_s = 0.060;            // in which it has to answer
+  static constexpr double greatest_force = 2.4;        // of the question, at the end of that time [N]
   static constexpr double longest_question_s = 0.150;  // while other legs move a little
   static constexpr double far_counts = 20.0;
   static constexpr int least_replies = 8;  // without so many nobody has been asked
@@ -67,7 +67,8 @@ class EncoderWatch {
     if (ended_ns_ == 0) return grown(now_ns - asked_ns_);
     // A short one is followed by the same the other way round, so that the handle is left without momentum.
     const std::int64_t lasted_ns = ended_ns_ - asked_ns_;
-    return seconds(lasted_ns) < 0.5 * answer_s ? -grown(std::max(std::int64_t{0}, ended_ns_ + lasted_ns - now_ns)) : 0.0;
+    return seconds(lasted_ns) < 0.5 * answer_s ? -grown(std::max(std::int64_t{0}, ended_ns_ + lasted_ns - now_ns))
+                                               : 0.0;
   }
 
  private:

@@ -105,15 +105,15 @@ class MotorCheck {
 
   bool is_running_ = false;
   std::size_t leg_ = 0;
-  double force_ = 0.0;            // a; 0: at rest
-  double own_ = 0.0;              // the hand's own energy before the push, for a = 1
-  std::int64_t began_ns_ = 0;     // the push
-  std::int64_t ended_ns_ = 0;     // the one before
-  bool needs_rest_ = true;        // before the next one
-  int tries_ = 0;                 // for this leg
-  int votes_ = 0;                 // of pushes in a row; below 0: wrong
-  int silent_tries_ = 0;          // in a row
-  double unclear_energy_ = 0.0;   // of pushes in a row that were too weak to tell [J]
+  double force_ = 0.0;           // a; 0: at rest
+  double own_ = 0.0;             // the hand's own energy before the push, for a = 1
+  std::int64_t began_ns_ = 0;    // the push
+  std::int64_t ended_ns_ = 0;    // the one before
+  bool needs_rest_ = true;       // before the next one
+  int tries_ = 0;                // for this leg
+  int votes_ = 0;                // of pushes in a row; below 0: wrong
+  int silent_tries_ = 0;         // in a row
+  double unclear_energy_ = 0.0;  // of pushes in a row that were too weak to tell [J]
   double unclear_margin_ = 0.0;
   Energy newest_;
   std::array<Energy, 3> found_{};  // leg by leg

@@ -63,9 +63,8 @@ TEST(EncoderWatch, TakesOneForFrozenIfTheOthersComeFarWithoutIt) {
     EncoderWatch encoders;
     const double counts_per_ms = comes_far ? 1.0 : 0.1;
     watch(encoders, 1, 2, 0.0, silent);
-    watch(encoders, 2, 120, 1.0, [&](int ms) {
-      return silent(ms) + std::floor(counts_per_ms * ms) * Vector<3>(1.0, 0.0, 1.0);
-    });
+    watch(encoders, 2, 120, 1.0,
+          [&](int ms) { return silent(ms) + std::floor(counts_per_ms * ms) * Vector<3>(1.0, 0.0, 1.0); });
     EXPECT_EQ(encoders.is_frozen(), comes_far);
   }
 }

@@ -41,9 +41,24 @@ TEST(HandleCheck, NoticesMotorsThatAllPushTheOtherWay) {
   expect_found_out(falcon);
 }
 
+// A wall like a table: legs are checked along their whole way, whichever plane that lies in.
+TEST(HandleCheck, WorksInAnotherPlane) {
+  for (const LegNumbers& legs : {legs_in_order, LegNumbers{-1, 2, 3}, LegNumbers{1, -2, 3}, LegNumbers{1, 2, -3}}) {
+    HeldFalcon::Options options = with_motors(legs);
+    options.calibration.up_axis = FalconAxis::minus_z;
+    HeldFalcon falcon(options);
+    if (legs != legs_in_order) {
+      expect_found_out(falcon);
+      continue;
+    }
+    ASSERT_TRUE(falcon.get_ready());
+    EXPECT_TRUE(falcon.arm()) << entry_of(falcon.motors().reason).title;
+  }
+}
+
 TEST(HandleCheck, NoticesEachMotorThatPushesTheOtherWay) {
-  for (const LegNumbers& legs : {LegNumbers{-1, 2, 3}, LegNumbers{1, -2, 3}, LegNumbers{1, 2, -3}, LegNumbers{-1, -2, 3},
-                                 LegNumbers{1, -2, -3}, LegNumbers{-1, 2, -3}}) {
+  for (const LegNumbers& legs : {LegNumbers{-1, 2, 3}, LegNumbers{1, -2, 3}, LegNumbers{1, 2, -3},
+                                 LegNumbers{-1, -2, 3}, LegNumbers{1, -2, -3}, LegNumbers{-1, 2, -3}}) {
     HeldFalcon falcon(with_motors(legs));
     expect_found_out(falcon);
   }

@@ -67,7 +67,8 @@ void spend(double seconds, HandRandom& random, Hour& hour) {
       const double depth = random.uniform(-0.02, 0.03);
       const double along = random.uniform(-0.02, 0.02);
       const double lasts_s = taps ? random.uniform(0.05, 0.2) : random.uniform(0.1, 2.0);
-      falcon.lead({depth * 0.7 + along * 0.7, along * 0.7 - depth * 0.7}, taps ? lasts_s : random.uniform(0.1, lasts_s));
+      falcon.lead({depth * 0.7 + along * 0.7, along * 0.7 - depth * 0.7},
+                  taps ? lasts_s : random.uniform(0.1, lasts_s));
       until_s = time_s + lasts_s;
       if (random.uniform(0.0, 1.0) < 0.2) falcon.use(static_cast<StrategyId>(random.uniform(0.0, 3.0)));
       if (random.uniform(0.0, 1.0) < 0.1) falcon.disarm();
