@@ -107,8 +107,7 @@ void FalconInput::check() noexcept {
                       .torques = -pulls / motor_constants(calibration)},
                      radians_per_count(calibration.geometry), levers);
   }
-  const Vector<3> counts = in_leg_order(vector_of(report.encoders), calibration.encoder_of_leg);
-  encoder_watch_.update(counts, has_reply, glm::length(standing_), now_ns());
+  encoder_watch_.update(vector_of(report.encoders), has_reply, glm::length(standing_), now_ns());
   reading_.is_still = motor_check_.is_still();
   reading_.is_checked = motor_check_.verdict() == MotorVerdict::right;
   const bool do_not_match =
@@ -127,18 +126,10 @@ void FalconInput::probe() noexcept {
     pushed_way_ = way_of_leg(push.leg).value_or(Vector<3>(0.0));
     reading_.probe = push.force * plane().along(pushed_way_);
   } else if (encoder_watch_.is_asking()) {
-    if (asked_way_ == Vector<2>(0.0)) asked_way_ = way_to_ask();
+    if (asked_way_ == Vector<2>(0.0)) asked_way_ = glm::normalize(standing_);
     reading_.probe = encoder_watch_.force_at(now_ns()) * asked_way_;
   }
   if (!encoder_watch_.is_asking()) asked_way_ = Vector<2>(0.0);
-}
-
-// The leg's in the plane, against the force that stands, so that together they are no stronger.
-Vector<2> FalconInput::way_to_ask() const noexcept {
-  const auto way = way_of_leg(encoder_watch_.asked_leg());
-  if (!way) return Vector<2>(0.0);
-  const Vector<2> along = glm::normalize(plane().along(*way));
-  return glm::dot(along, standing_) > 0.0 ? -along : along;
 }
 
 // The direction in which the handle moves a leg the most.

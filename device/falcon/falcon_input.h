@@ -57,7 +57,6 @@ class FalconInput : public Input, public HapticDevice {
   double speed() const noexcept;
   void check() noexcept;
   void probe() noexcept;
-  Vector<2> way_to_ask() const noexcept;
   std::optional<Vector<3>> way_of_leg(std::size_t leg) const noexcept;
   void note(const Place& place) noexcept;
 
@@ -73,7 +72,7 @@ class FalconInput : public Input, public HapticDevice {
   std::int64_t checked_ns_ = 0;  // the newest reply that they have seen
   bool is_armed_ = false;
   Vector<2> standing_{0.0};    // sent last, without the probe [N]
-  Vector<2> asked_way_{0.0};   // in which an encoder is asked now [1]
+  Vector<2> asked_way_{0.0};   // that of the force that stood when encoders were asked [1]
   Vector<3> pushed_way_{0.0};  // of the leg whose motor is checked [1]
   Vector<2> goal_{0.0};
   double approach_ = 0.0;  // how much of the way to the handle the goal has gone, 0 … 1

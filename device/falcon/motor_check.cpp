@@ -16,6 +16,8 @@ constexpr double seconds_per_ns = 1e-9;
 constexpr std::int64_t longest_gap_ns = 10'000'000;
 // Energy of a push with a = 1 N at a hand of 0.3 kg and 10 N·s/m: what a lively hand adds by itself must stay below it [J].
 constexpr double usual_energy = 66e-6;
+// How far a handle may be from where it was after a push, for a = 1 N; the liveliest resonance of a light one [m].
+constexpr double longest_stray_per_force = 1.7e-3;
 // Pushes that move nothing, each with all force.
 constexpr int silent_tries_to_tell = 4;
 // Of a verdict's two halves the smaller one is at least this share of the greater one [1].
@@ -118,6 +120,7 @@ double MotorCheck::own_energy(std::size_t leg) const noexcept {
 MotorCheck::Energy MotorCheck::energy_of_push() const noexcept {
   Energy energy;
   const auto axis = static_cast<glm::length_t>(leg_);
+  Vector<2> halves{0.0};  // turned in each [rad]
   double later_weight = 0.0;
   double roughness = 0.0;
   double impulse = 0.0;
@@ -130,6 +133,7 @@ MotorCheck::Energy MotorCheck::energy_of_push() const noexcept {
     const Vector<3> turned = back(steps).angles - from.angles;
     const double weight = torque * std::max(0.0, 1.0 - time_s / push_s);
     energy.at_legs += weight * turned;
+    halves[time_s < half_s ? 0 : 1] += turned[axis];
     if (time_s < half_s) {
       energy.first += torque * (1.0 - time_s / half_s) * turned[axis];
     } else {
@@ -148,7 +152,9 @@ MotorCheck::Energy MotorCheck::energy_of_push() const noexcept {
   const double of_hand = 2.0 * own_ * force_ * std::min(share, 1.0);
   energy.margin = of_steps + of_hand;
   energy.is_quiet = of_hand <= of_steps;
-  energy.is_true = share > 0.25;
+  // A push leaves a handle where it was after each of its halves, or nearly so. A hand has set off meanwhile if not.
+  const double set_off = std::abs(halves.y - halves.x) * levers_[axis];
+  energy.is_true = share > 0.25 && set_off <= longest_stray_per_force * force_;
   return energy;
 }
 

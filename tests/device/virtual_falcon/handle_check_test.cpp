@@ -131,7 +131,7 @@ TEST(HandleCheck, IsPartOfWhatIsRecordedAsSent) {
 TEST(HandleCheck, NoticesEncodersThatFreezeWhileAForceStands) {
   for (const double stiffness : {50.0, 100.0, 500.0, 2000.0}) {
     SCOPED_TRACE(stiffness);
-    for (int after_ms = 0; after_ms < 100; after_ms += 7) {
+    for (int after_ms = 0; after_ms < 100; after_ms += 21) {
       HeldFalcon falcon({.stiffness = stiffness});
       ASSERT_TRUE(falcon.get_ready());
       ASSERT_TRUE(falcon.arm());

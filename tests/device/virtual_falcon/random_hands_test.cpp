@@ -125,7 +125,6 @@ TEST(RandomHands, NeverFeelMotorsThatDoNotMatch) {
   }
   // Some are too lively for the check, and wait.
   EXPECT_GT(found_out, people / 2);
-  std::printf("found %d of %d\n", found_out, people);
 }
 
 }  // namespace
