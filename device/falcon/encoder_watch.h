@@ -19,7 +19,8 @@ class EncoderWatch {
   static constexpr double silence_s = 0.025;     // before they are asked
   static constexpr double answer_s = 0.060;      // in which one of them has to answer
   static constexpr double greatest_force = 3.0;  // of the question [N]
-  static constexpr int least_replies = 8;        // without so many nobody has been asked
+  // Fewer replies in that time come too late to be answers.
+  static constexpr int least_replies = 25;
 
   // `encoders`: as they came [counts]; `has_reply`: they are new; `force`: that stands, without the question [N].
   void update(const Vector<3>& encoders, bool has_reply, double force, std::int64_t now_ns) noexcept {
@@ -38,7 +39,10 @@ class EncoderWatch {
       replies_ = 0;
     }
     replies_ += has_reply ? 1 : 0;
-    is_frozen_ |= seconds(now_ns - asked_ns_) >= answer_s && replies_ >= least_replies;
+    if (seconds(now_ns - asked_ns_) < answer_s) return;
+    is_frozen_ |= replies_ >= least_replies;
+    changed_ns_ = now_ns;
+    asked_ns_ = 0;
   }
 
   // No force stands.
@@ -51,7 +55,8 @@ class EncoderWatch {
   double force_at(std::int64_t now_ns) const noexcept {
     if (asked_ns_ == 0) return 0.0;
     if (ended_ns_ == 0) return dip(now_ns - asked_ns_);
-    // The same the other way round, back to nothing, so that the handle is left without momentum.
+    // After an early answer: the same the other way round, back to nothing, so that the handle is left without momentum.
+    if (seconds(ended_ns_ - asked_ns_) > 0.5 * answer_s) return 0.0;
     const std::int64_t left_ns = ended_ns_ + (ended_ns_ - asked_ns_) - now_ns;
     return left_ns > 0 ? -dip(left_ns) : 0.0;
   }

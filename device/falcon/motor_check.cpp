@@ -16,6 +16,8 @@ constexpr double seconds_per_ns = 1e-9;
 constexpr std::int64_t longest_gap_ns = 10'000'000;
 // Energy of a push with a = 1 N at a hand of 0.3 kg and 10 N·s/m: what a lively hand adds by itself must stay below it [J].
 constexpr double usual_energy = 66e-6;
+// In a push: fewer come too late to tell of it.
+constexpr std::size_t least_replies = 40;
 // How far a handle may be from where it was after a push, for a = 1 N; the liveliest resonance of a light one [m].
 constexpr double longest_stray_per_force = 1.7e-3;
 // Pushes that move nothing, each with all force.
@@ -154,7 +156,7 @@ MotorCheck::Energy MotorCheck::energy_of_push() const noexcept {
   energy.is_quiet = of_hand <= of_steps;
   // A push leaves a handle where it was after each of its halves, or nearly so. A hand has set off meanwhile if not.
   const double set_off = std::abs(halves.y - halves.x) * levers_[axis];
-  energy.is_true = share > 0.25 && set_off <= longest_stray_per_force * force_;
+  energy.is_true = share > 0.25 && steps >= least_replies && set_off <= longest_stray_per_force * force_;
   return energy;
 }
 
