@@ -38,13 +38,14 @@ class ForceLimiter {
   // Nothing goes out, and the next force starts from nothing.
   void reset() noexcept { *this = {}; }
 
-  // In this order: finite, cross-fade, `added`, `gain` (0 … 1: of ramp and fade), slew, length, finite. `added` is no
-  // law of its own, and nothing leads over to it: tones that measure the hand [N]. `limit` may change at any time: a
-  // lower one is reached as fast as a force may change. `elapsed_s`: since the call before.
+  // In this order: finite, cross-fade, `added`, `gain` (0 … 1: of ramp and fade), `probe`, slew, length, finite. `added`
+  // is no law of its own, and nothing leads over to it: tones that measure the hand [N]. `probe` is what the device
+  // checks itself with: it has its own envelope, and comes on top of a force that the limit has shortened [N]. `limit`
+  // may change at any time: a lower one is reached as fast as a force may change. `elapsed_s`: since the call before.
   Result pass(const Vector<2>& wanted, double gain, double limit, double elapsed_s,
-              const Vector<2>& added = Vector<2>(0.0)) noexcept {
+              const Vector<2>& added = Vector<2>(0.0), const Vector<2>& probe = Vector<2>(0.0)) noexcept {
     Result result;
-    result.was_finite = is_finite(wanted) && is_finite(added) && std::isfinite(gain);
+    result.was_finite = is_finite(wanted) && is_finite(added) && is_finite(probe) && std::isfinite(gain);
     if (!result.was_finite) {
       reset();
       return result;
@@ -60,8 +61,9 @@ class ForceLimiter {
     wanted_ = glm::mix(from_, wanted, fade_s_ / cross_fade_s);
     Vector<2> force = (wanted_ + added) * std::clamp(gain, 0.0, 1.0);
     // Far too long a vector has a length that no number holds.
-    force = glm::clamp(force, Vector<2>(-farthest), Vector<2>(farthest));
+    force = within_reason(force);
     result.was_saturated = glm::length(force) > limit_;
+    if (probe != Vector<2>(0.0)) force = shortened(force, limit_) + within_reason(probe);
 
     force = sent_ + shortened(force - sent_, longest_change);
     // The length and not each axis: to shorten one axis alone would turn the force, which is a ghost force of its own.
@@ -78,6 +80,10 @@ class ForceLimiter {
   static constexpr double farthest = 1e6;
 
   static bool is_finite(const Vector<2>& v) noexcept { return std::isfinite(v.x) && std::isfinite(v.y); }
+
+  static Vector<2> within_reason(const Vector<2>& v) noexcept {
+    return glm::clamp(v, Vector<2>(-farthest), Vector<2>(farthest));
+  }
 
   static Vector<2> shortened(const Vector<2>& v, double longest) noexcept {
     const double length = glm::length(v);

@@ -48,6 +48,12 @@ constexpr std::array reasons{
                    true, true},
     OffReasonEntry{OffReason::machine_sleeps, "machine_sleeps", "computer going to sleep",
                    "Nothing is wrong: the computer was about to sleep. Arm the motors again.", false, false},
+    OffReasonEntry{
+        OffReason::calibration, "calibration", "motors do not match",
+        "The motors did not move the handle as they were told, or the encoders did not say so. Check the "
+        "power supply. Then run 'ghostforce doctor --measure': the calibration file may have wrong numbers in "
+        "motor_of_leg or encoder_of_leg.",
+        true, false},
     OffReasonEntry{OffReason::fault, "fault", "fault", "Something failed. The device status ({}) says what.", true,
                    false},
 };
@@ -119,6 +125,7 @@ void Safety::update(const SafetyReading& reading, const SafetyOptions& options, 
       if (obstacle_ == ArmingObstacle::none) state_ = SafetyState::ramp;
       return;
     case SafetyState::ramp:
+      if (!reading.motors_are_checked) return;
       gain_ = std::min(1.0, gain_ + step_s / ramp_s);
       if (gain_ == 1.0) state_ = SafetyState::on;
       return;
@@ -151,7 +158,7 @@ ArmingObstacle Safety::obstacle_in(const SafetyReading& reading, const SafetyOpt
     return ArmingObstacle::loop_not_healthy;
   }
   if (!reading.is_outside_wall) return ArmingObstacle::inside_wall;
-  if (!(reading.wanted_force < greatest_arming_force) || !(reading.speed <= greatest_speed)) {
+  if (!(reading.wanted_force < greatest_arming_force) || !(reading.speed <= greatest_speed) || !reading.is_still) {
     return ArmingObstacle::force;
   }
   if (options.needs_button && !reading.deadman_held) return ArmingObstacle::button;

@@ -1,5 +1,6 @@
-// Safety: whether motors may push. OFF at the start; a person asks for ARMING, which waits until all is well; RAMP lets
-// the force grow over a second; ON; FADE takes it away, and OFF says why. Only a person leads out of OFF.
+// Safety: whether motors may push. OFF at the start; a person asks for ARMING, which waits until all is well; RAMP waits
+// until the device has checked its motors, then lets the force grow over a second; ON; FADE takes it away, and OFF says
+// why. Only a person leads out of OFF.
 //
 // A plain value that is told what is going on once per tick; SI units; never allocates or throws; any one thread.
 #pragma once
@@ -28,6 +29,7 @@ enum class OffReason : std::uint8_t {
   program_ending,
   overruled,
   machine_sleeps,
+  calibration,
   fault,
 };
 
@@ -84,6 +86,8 @@ struct SafetyReading {
   bool is_outside_wall = false;         // the handle
   double speed = 0.0;                   // of the handle [m/s]
   double wanted_force = 0.0;            // magnitude of what the force law wants, before any limit [N]
+  bool is_still = true;                 // the handle, enough for the device to check its motors
+  bool motors_are_checked = true;       // the device has seen that they do what they are told; RAMP waits for that
 };
 
 class Safety {

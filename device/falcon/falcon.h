@@ -19,6 +19,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "device/falcon/boot_loader.h"
@@ -74,6 +75,8 @@ class Falcon {
 
   const FalconReport& report() const noexcept { return report_; }
   const FalconCalibration& calibration() const noexcept { return calibration_; }
+  // Of the position in the report; see FalconKinematics.
+  std::optional<Matrix<3>> jacobian() const noexcept { return kinematics_.jacobian(report_.position); }
   // Of the newest reply that told a position; 0 before the first.
   std::int64_t position_time_ns() const noexcept { return position_time_ns_; }
   // When that reply came: after a loss the time above may be that of an earlier command.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_access.hpp>
 
 #include "core/scene.h"
 
@@ -83,8 +84,81 @@ HandleReading FalconInput::read() noexcept {
   reading_.is_ready = report.is_readable() && report.encoders_move() && report.is_guarded;
   reading_.is_healthy = report.is_fast_enough() && report.worst_exchange_s < Safety::longest_exchange_s;
   reading_.trouble = trouble_of(report);
+  check();
+  probe();
   reports_.publish(report);
   return reading_;
+}
+
+// What has come since the last call.
+void FalconInput::check() noexcept {
+  const FalconReport& report = falcon_.report();
+  const FalconCalibration& calibration = falcon_.calibration();
+  const bool has_reply = reading_.is_known && falcon_.position_heard_ns() != checked_ns_;
+  const std::optional<Matrix<3>> jacobian = has_reply ? falcon_.jacobian() : std::nullopt;
+  if (jacobian) {
+    checked_ns_ = falcon_.position_heard_ns();
+    Vector<3> levers;
+    for (glm::length_t leg = 0; leg < 3; ++leg) levers[leg] = 1.0 / glm::length(glm::row(*jacobian, leg));
+    // The reply belongs to the command that went out last: the arms were there when it began to act. Positive counts pull
+    // an arm in.
+    const Vector<3> pulls = in_leg_order(vector_of(report.motors), calibration.motor_of_leg);
+    motor_check_.add({.time_ns = falcon_.position_time_ns(),
+                      .angles = joint_angles(report.encoders, calibration),
+                      .torques = -pulls / motor_constants(calibration)},
+                     radians_per_count(calibration.geometry), levers);
+  }
+  encoder_watch_.update(vector_of(report.encoders), has_reply, glm::length(standing_), now_ns());
+  reading_.is_still = motor_check_.is_still();
+  reading_.is_checked = motor_check_.verdict() == MotorVerdict::right;
+  const bool do_not_match =
+      motor_check_.verdict() == MotorVerdict::wrong || motor_check_.verdict() == MotorVerdict::silent;
+  if (is_armed_ && reading_.trouble == OffReason::none && (do_not_match || encoder_watch_.is_frozen())) {
+    reading_.trouble = OffReason::calibration;
+  }
+}
+
+// What the checks want to be pushed with now.
+void FalconInput::probe() noexcept {
+  reading_.probe = Vector<2>(0.0);
+  if (!is_armed_ || !reading_.is_known) return;
+  const MotorCheck::Push push = motor_check_.push_at(now_ns());
+  if (push.force != 0.0) {
+    pushed_way_ = way_of_leg(push.leg).value_or(Vector<3>(0.0));
+    reading_.probe = push.force * plane().along(pushed_way_);
+  } else if (encoder_watch_.is_asking()) {
+    if (asked_way_ == Vector<2>(0.0)) asked_way_ = glm::normalize(standing_);
+    reading_.probe = encoder_watch_.force_at(now_ns()) * asked_way_;
+  }
+  if (!encoder_watch_.is_asking()) asked_way_ = Vector<2>(0.0);
+}
+
+// The direction in which the handle moves a leg the most.
+std::optional<Vector<3>> FalconInput::way_of_leg(std::size_t leg) const noexcept {
+  const std::optional<Matrix<3>> jacobian = falcon_.jacobian();
+  if (!jacobian) return std::nullopt;
+  return glm::normalize(glm::row(*jacobian, static_cast<glm::length_t>(leg)));
+}
+
+void FalconInput::set_force(const Vector<2>& force, bool is_armed) noexcept {
+  if (is_armed != is_armed_) {
+    is_armed_ = is_armed;
+    encoder_watch_.reset();
+    pushed_way_ = Vector<3>(0.0);
+    if (is_armed) {
+      motor_check_.begin();
+    } else {
+      motor_check_.end();
+    }
+  }
+  standing_ = is_armed ? force - reading_.probe : Vector<2>(0.0);
+  Vector<3> on_handle = plane().on_handle(force);
+  // As long as motors are checked, nothing else is pushed with: what lies across the plane goes with what lies in it.
+  const Vector<2> along = plane().along(pushed_way_);
+  if (!reading_.is_checked && along != Vector<2>(0.0)) {
+    on_handle = glm::dot(force, along) / glm::dot(along, along) * pushed_way_;
+  }
+  falcon_.set_force(on_handle, is_armed);
 }
 
 void FalconInput::note(const Place& place) noexcept {

@@ -7,9 +7,12 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
 
 #include "core/latest_value.h"
+#include "device/falcon/encoder_watch.h"
 #include "device/falcon/falcon.h"
+#include "device/falcon/motor_check.h"
 #include "device/falcon/plane.h"
 #include "device/input/haptic_device.h"
 #include "device/input/input.h"
@@ -34,9 +37,7 @@ class FalconInput : public Input, public HapticDevice {
   void wait_until(std::int64_t deadline_ns) noexcept override;
   HandleReading read() noexcept override;
   double force_at_handle() const noexcept override { return 1.0 / falcon_.calibration().scale; }
-  void set_force(const Vector<2>& force, bool is_armed) noexcept override {
-    falcon_.set_force(plane().on_handle(force), is_armed);
-  }
+  void set_force(const Vector<2>& force, bool is_armed) noexcept override;
   double force_uncertainty() const noexcept override;
   void shut_down() noexcept override;
 
@@ -54,6 +55,9 @@ class FalconInput : public Input, public HapticDevice {
   };
 
   double speed() const noexcept;
+  void check() noexcept;
+  void probe() noexcept;
+  std::optional<Vector<3>> way_of_leg(std::size_t leg) const noexcept;
   void note(const Place& place) noexcept;
 
   Falcon falcon_;
@@ -63,6 +67,13 @@ class FalconInput : public Input, public HapticDevice {
   std::array<Place, speed_readings> places_{};  // a ring
   std::size_t next_place_ = 0;
   std::size_t place_count_ = 0;
+  MotorCheck motor_check_;
+  EncoderWatch encoder_watch_;
+  std::int64_t checked_ns_ = 0;  // the newest reply that they have seen
+  bool is_armed_ = false;
+  Vector<2> standing_{0.0};    // sent last, without the probe [N]
+  Vector<2> asked_way_{0.0};   // that of the force that stood when encoders were asked [1]
+  Vector<3> pushed_way_{0.0};  // of the leg whose motor is checked [1]
   Vector<2> goal_{0.0};
   double approach_ = 0.0;  // how much of the way to the handle the goal has gone, 0 … 1
 };

@@ -36,6 +36,11 @@ class FalconPlane {
   // A force in the plane as the handle's.
   Vector<3> on_handle(const Vector<2>& force) const noexcept { return force.x * right_ + force.y * up_; }
 
+  // The part of a vector at the handle that lies in the plane.
+  Vector<2> along(const Vector<3>& at_handle) const noexcept {
+    return {glm::dot(right_, at_handle), glm::dot(up_, at_handle)};
+  }
+
   // The smallest scale with which the handle reaches a place in the scene [1].
   double scale_to_reach(const Vector<2>& place) const noexcept {
     return glm::length(place - view_center_) / workspace_radius;

@@ -18,6 +18,11 @@ struct HandleReading {
   bool is_ready = false;                // every step before the handle's place is reached
   bool is_healthy = false;              // exchanges have been fast and even for a while
   OffReason trouble = OffReason::none;  // why motors must not push
+
+  // What the device wants its motors to push with besides, to check them and its encoders: at the handle [N].
+  Vector<2> probe{0.0};
+  bool is_still = true;    // enough for that check
+  bool is_checked = true;  // nothing but the probe may be pushed with before
 };
 
 class HapticDevice {

@@ -210,7 +210,9 @@ void Servo::watch_handle() noexcept {
                   .deadman_held = handle_.deadman_held,
                   .is_outside_wall = is_outside,
                   .speed = handle_.speed,
-                  .wanted_force = glm::length(force_at(handle_.position))},
+                  .wanted_force = glm::length(force_at(handle_.position)),
+                  .is_still = handle_.is_still,
+                  .motors_are_checked = handle_.is_checked},
                  safety_options_, since(updated_ns_));
   if (safety_.is_armed() != coefficients_are_for_motors_) update_coefficients();
   report_.motors.handle = handle_.position;
@@ -288,7 +290,7 @@ void Servo::limit_force(bool tick_is_due) noexcept {
   if (safety_.is_armed() && !handle_.is_known) safety_.turn_off(OffReason::loop_late);
   if (safety_.is_armed()) {
     if (tick_is_due) tone_ = sound_tones(safety_.state() == SafetyState::on, !motors.is_outside_wall);
-    result = limiter_.pass(force_at(handle_.position), safety_.gain(), motors.limit, elapsed_s, tone_);
+    result = limiter_.pass(force_at(handle_.position), safety_.gain(), motors.limit, elapsed_s, tone_, handle_.probe);
     if (!result.was_finite) safety_.turn_off(OffReason::fault);
   }
   motors.sent = result.force;
@@ -424,8 +426,9 @@ bool Servo::advance() noexcept {
     const double gap_s = static_cast<double>(gap_ns) * 1e-9;
     if (gap_s > Safety::longest_exchange_s) next.measured.reset();
     if (gap_s > longest_gap_periods / coefficients_.rate) measurement_.interrupt(HandUnknown::damaged);
-    // In front of the wall, where tones fade away, the goal is where the handle is.
-    const Vector<2> force = report_.motors.is_outside_wall ? report_.motors.sent - tone_ : report_.motors.sent;
+    // In front of the wall, where tones fade away, the goal is where the handle is. A probe is too short to move it.
+    const Vector<2> added = handle_.probe + (report_.motors.is_outside_wall ? tone_ : Vector<2>(0.0));
+    const Vector<2> force = report_.motors.sent - added;
     tick_with_device(coefficients_, settings_.active, handle_.position, force / device_->force_at_handle(),
                      believed_user_stiffness(settings_.stiffnesses), next,
                      measurement_.is_sounding() ? goal_share_with_tones(coefficients_.rate) : 1.0);

@@ -80,6 +80,19 @@ TEST(ForceLimiter, ASecondChangeBeginsWhereTheFirstHasCome) {
   EXPECT_NEAR(next.x, 4.0 * dt / ForceLimiter::cross_fade_s, 1e-9);
 }
 
+// A probe has its own envelope, and a law that wants more than the limit does not hide it.
+TEST(ForceLimiter, AddsAProbeToWhatTheGainAndTheLimitHaveLeft) {
+  ForceLimiter limiter;
+  const auto settle_with = [&](const Vector<2>& wanted, double gain, const Vector<2>& probe) {
+    for (int i = 0; i < 1000; ++i) limiter.pass(wanted, gain, 6.0, dt, Vector<2>(0.0), probe);
+    return limiter.sent();
+  };
+  EXPECT_EQ(settle_with({0.0, 0.0}, 0.0, {0.5, -0.25}), (Vector<2>{0.5, -0.25}));
+  EXPECT_EQ(settle_with({30.0, 0.0}, 1.0, {-2.0, 0.0}), (Vector<2>{4.0, 0.0}));
+  EXPECT_NEAR(glm::length(settle_with({30.0, 0.0}, 1.0, {2.0, 1.0})), 6.0, rounding);
+  EXPECT_LT(glm::length(limiter.pass({0.0, 0.0}, 1.0, 6.0, dt, Vector<2>(0.0), {-1e300, 1e300}).force), 6.0);
+}
+
 TEST(ForceLimiter, NothingThatIsNoNumberPasses) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -109,6 +122,7 @@ TEST(ForceLimiter, KeepsItsPromiseUnderMillionsOfHostileTicks) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   ForceLimiter limiter;
   Vector<2> wanted{0.0};
+  Vector<2> probe{0.0};
   double gain = 1.0;
   double limit = 6.0;
   double allowed = 6.0;  // the limit, as fast as it may come down
@@ -136,13 +150,17 @@ TEST(ForceLimiter, KeepsItsPromiseUnderMillionsOfHostileTicks) {
     if (dice == 194) elapsed = any(-1.0, 10.0);
     if (dice == 195) elapsed = nan;
     if (dice == 196) elapsed = infinity;
+    if (dice >= 198 && dice < 210) probe = {any(-3.0, 3.0), any(-3.0, 3.0)};
+    if (dice == 210) probe = {-1e300, 1e300};
+    if (dice == 211) probe = {0.0, nan};
+    if (dice >= 212 && dice < 216) probe = Vector<2>(0.0);
     if (dice == 197 && i % 16 == 0) {
       limiter.reset();
       allowed = 0.0;
     }
 
     const Vector<2> before = limiter.sent();
-    const ForceLimiter::Result result = limiter.pass(wanted, gain, limit, elapsed);
+    const ForceLimiter::Result result = limiter.pass(wanted, gain, limit, elapsed, Vector<2>(0.0), probe);
     const double step = elapsed > 0.0 ? std::min(elapsed, ForceLimiter::longest_step_s) : 0.0;
     const double change = ForceLimiter::slew * step;
     const double wanted_limit = limit > 0.0 ? std::min(limit, force_ceiling) : 0.0;

@@ -57,6 +57,17 @@ TEST_F(SafetyTest, GoesFromOffToOnWithARampOfASecond) {
   EXPECT_EQ(safety_.gain(), 1.0);
 }
 
+TEST_F(SafetyTest, TheForceGrowsOnlyOnceTheMotorsAreChecked) {
+  reading_.motors_are_checked = false;
+  safety_.arm();
+  run(10.0);
+  EXPECT_EQ(safety_.state(), SafetyState::ramp);
+  EXPECT_EQ(safety_.gain(), 0.0);
+  reading_.motors_are_checked = true;
+  run(0.5);
+  EXPECT_NEAR(safety_.gain(), 0.5, 1e-9);
+}
+
 TEST_F(SafetyTest, ArmingWaitsAndSaysWhatFor) {
   const std::vector<std::pair<std::function<void(SafetyReading&)>, ArmingObstacle>> obstacles{
       {[](SafetyReading& r) { r.device_is_ready = false; }, ArmingObstacle::device_not_ready},
@@ -66,6 +77,7 @@ TEST_F(SafetyTest, ArmingWaitsAndSaysWhatFor) {
       {[](SafetyReading& r) { r.is_outside_wall = false; }, ArmingObstacle::inside_wall},
       {[](SafetyReading& r) { r.wanted_force = 0.21; }, ArmingObstacle::force},
       {[](SafetyReading& r) { r.speed = 1.1; }, ArmingObstacle::force},
+      {[](SafetyReading& r) { r.is_still = false; }, ArmingObstacle::force},
       {[](SafetyReading& r) { r.has_focus = false; }, ArmingObstacle::focus},
       {[](SafetyReading& r) { r.deadman_held = false; }, ArmingObstacle::button},
   };
@@ -119,6 +131,7 @@ const std::vector<Stop>& stops() {
       {OffReason::program_ending, {}},
       {OffReason::overruled, [](SafetyReading& r) { r.trouble = OffReason::overruled; }},
       {OffReason::machine_sleeps, {}},
+      {OffReason::calibration, [](SafetyReading& r) { r.trouble = OffReason::calibration; }},
       {OffReason::fault, [](SafetyReading& r) { r.trouble = OffReason::fault; }},
   };
   return all;

@@ -281,6 +281,7 @@ TEST_F(ServoMotors, EveryReasonEndsInNoForce) {
       {OffReason::unplugged, [](PuppetInput& p, ServoCommand&) { p.reading.trouble = OffReason::unplugged; }},
       {OffReason::not_homed, [](PuppetInput& p, ServoCommand&) { p.reading.trouble = OffReason::not_homed; }},
       {OffReason::machine_sleeps, [](PuppetInput&, ServoCommand& c) { c.machine_sleeps = true; }},
+      {OffReason::calibration, [](PuppetInput& p, ServoCommand&) { p.reading.trouble = OffReason::calibration; }},
       {OffReason::fault, [](PuppetInput& p, ServoCommand&) { p.reading.trouble = OffReason::fault; }},
   };
   for (const Stop& stop : stops) {
