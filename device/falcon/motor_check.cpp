@@ -22,6 +22,8 @@ constexpr std::size_t least_replies = 40;
 constexpr double longest_stray_per_force = 1.7e-3;
 // Pushes that move nothing, each with all force.
 constexpr int silent_tries_to_tell = 4;
+// Pushes, each stronger than the one before, during which no encoder counts at all.
+constexpr int mute_tries_to_tell = 2;
 // Of a verdict's two halves the smaller one is at least this share of the greater one [1].
 constexpr double agreement = 0.2;
 // Mean magnitude of f for a = 1 [1].
@@ -172,7 +174,8 @@ void MotorCheck::judge(const Energy& energy) noexcept {
   if (sign == 0 && sign_beyond(unclear_energy_, unclear_margin_) == 0) {
     needs_rest_ = energy.has_moved;
     silent_tries_ = energy.is_quiet && tries_ > 2 ? silent_tries_ + 1 : 0;
-    if (silent_tries_ >= silent_tries_to_tell) verdict_ = MotorVerdict::silent;
+    const bool is_mute = !energy.has_moved && tries_ >= mute_tries_to_tell;
+    if (is_mute || silent_tries_ >= silent_tries_to_tell) verdict_ = MotorVerdict::silent;
     return;
   }
   // Many that are too weak to tell may tell together.

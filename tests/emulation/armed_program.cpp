@@ -45,6 +45,8 @@ namespace ghostforce {
 namespace {
 
 constexpr double pushing_n = 1.0;
+// For so many looks, 2 ms and more each: what checks the motors goes to and fro faster.
+constexpr int enough_pushes = 40;
 
 void say(const char* line) {
   std::printf("%s\n", line);
@@ -152,8 +154,10 @@ class Person {
       for (int rounds = 0; !is_armed() && rounds < 1000; ++rounds) live();
       if (!is_armed()) continue;
       say("inside");
+      int pushes = 0;  // in a row
       while (motors().state == SafetyState::ramp || motors().state == SafetyState::on) {
-        if (glm::length(motors().sent) > pushing_n) return say("pushing");
+        pushes = glm::length(motors().sent) > pushing_n ? pushes + 1 : 0;
+        if (pushes > enough_pushes) return say("pushing");
         live();
       }
       while (motors().state != SafetyState::off) live();

@@ -152,10 +152,10 @@ TEST(InjectedFault, TheChipForgetsItsSettings) {
   ASSERT_TRUE(host.exchange({{500, 0, 0}, 0}));
   host.dsp.inject(injected_fault("chip-resets"));
   EXPECT_FALSE(host.exchange({}, 100 * ms));
-  EXPECT_EQ(host.dsp.motors(), (MotorNumbers{500, 0, 0}));
+  EXPECT_EQ(host.dsp.motors(), (std::array<std::int16_t, 3>{500, 0, 0}));
   host.run();
   EXPECT_TRUE(host.exchange({})) << "once";
-  EXPECT_EQ(host.dsp.motors(), MotorNumbers{});
+  EXPECT_EQ(host.dsp.motors(), (std::array<std::int16_t, 3>{}));
 }
 
 TEST(InjectedFault, MotorsPushTheOtherWay) {
@@ -163,7 +163,7 @@ TEST(InjectedFault, MotorsPushTheOtherWay) {
   host.run();
   host.dsp.inject(injected_fault("reversed-motors"));
   ASSERT_TRUE(host.exchange({{500, -400, 0}, 0}));
-  EXPECT_EQ(host.dsp.motors(), (MotorNumbers{-500, 400, 0}));
+  EXPECT_EQ(host.dsp.motors(), (std::array<std::int16_t, 3>{-500, 400, 0}));
 }
 
 TEST(InjectedFault, AnswersComeLate) {
