@@ -109,7 +109,7 @@ CallResult EmulatedUsbDevice::claim(File& file, const CallerMemory& memory, std:
   unsigned int number = 0;
   if (!memory.fetch(argument, &number, sizeof number)) return CallResult::failure(EFAULT);
   auto lock = lock_device();
-  if (const int error = wait_until_free(file, lock, ENOENT); error != 0) return CallResult::failure(error);
+  if (const int error = claim_obstacle(file, ENOENT); error != 0) return CallResult::failure(error);
   if (number != the_interface) return CallResult::failure(ENOENT);
   const int error = take(file);
   return error == 0 ? CallResult{} : CallResult::failure(error);
@@ -121,7 +121,7 @@ CallResult EmulatedUsbDevice::disconnect_and_claim(File& file, const CallerMemor
   usbdevfs_disconnect_claim order{};
   if (!memory.fetch(argument, &order, sizeof order)) return CallResult::failure(EFAULT);
   auto lock = lock_device();
-  if (const int error = wait_until_free(file, lock, EINVAL); error != 0) return CallResult::failure(error);
+  if (const int error = claim_obstacle(file, EINVAL); error != 0) return CallResult::failure(error);
   if (order.interface != the_interface) return CallResult::failure(EINVAL);
   if (owner_ != nullptr) {
     const bool names_usbfs = std::string_view(order.driver, strnlen(order.driver, sizeof order.driver)) == usbfs;
@@ -133,21 +133,20 @@ CallResult EmulatedUsbDevice::disconnect_and_claim(File& file, const CallerMemor
   return error == 0 ? CallResult{} : CallResult::failure(error);
 }
 
-// Returns an errno; 0: it can be tried. One that has closed its file and is about to be heard of is gone in a kernel.
-int EmulatedUsbDevice::wait_until_free(const File& file, std::unique_lock<std::mutex>& lock, int not_ready) {
+// Returns an errno; 0: it can be tried.
+int EmulatedUsbDevice::claim_obstacle(const File& file, int not_ready) {
   if (file.is_unplugged) return ENODEV;
-  if (claims_to_delay_ > 0) {
-    --claims_to_delay_;
-    return not_ready;
-  }
-  const auto has_gone = [&] { return owner_ != nullptr && owner_ != &file && owner_->caller().has_gone(); };
-  while (has_gone() && !file.is_unplugged) changed_.wait_for(lock, tick);
-  return file.is_unplugged ? ENODEV : 0;
+  // In a kernel a program that has closed its file a moment ago is gone; here it may not have been heard of yet.
+  if (owner_ != nullptr && owner_ != &file && owner_->caller().has_gone()) let_go();
+  if (claims_to_delay_ == 0) return 0;
+  --claims_to_delay_;
+  return not_ready;
 }
 
 // Returns an errno. Also what a transfer does whose program has claimed nothing.
 int EmulatedUsbDevice::take(File& file) {
   if (owner_ == &file) return 0;
+  if (owner_ != nullptr && owner_->caller().has_gone()) let_go();
   if (owner_ != nullptr) return EBUSY;
   owner_ = &file;
   takers_.push_back(file.caller().process());

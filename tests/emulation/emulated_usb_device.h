@@ -108,7 +108,7 @@ class EmulatedUsbDevice {
   void end_transfers_of(const File& file, int status);
   CallResult claim(File& file, const CallerMemory& memory, std::uintptr_t argument);
   CallResult disconnect_and_claim(File& file, const CallerMemory& memory, std::uintptr_t argument);
-  int wait_until_free(const File& file, std::unique_lock<std::mutex>& lock, int not_ready);
+  int claim_obstacle(const File& file, int not_ready);
   int take(File& file);
   void let_go();
   CallResult release(const File& file, const CallerMemory& memory, std::uintptr_t argument);

@@ -39,7 +39,7 @@ class WaysOutTest : public testing::Test {
     ProgramCall call;
     call.words = {way, detail};
     call.folder = folder.path();
-    program = std::make_unique<RunningProgram>(ARMED_PROGRAM, call);
+    program = std::make_unique<RunningProgram>(armed_program, call);
     for (;;) {
       const auto line = program->next_line(patience);
       ASSERT_TRUE(line) << "the program has ended, or has not got so far";
@@ -84,6 +84,7 @@ class WaysOutTest : public testing::Test {
   // It runs and is homed, so that each test takes seconds.
   FalconChip chip{{.starts_with_firmware = true, .starts_homed = true}};
   EmulatedUsbDevice falcon{bed, chip, "12PZ657E"};
+  std::string armed_program = ARMED_PROGRAM;
   std::unique_ptr<RunningProgram> program;
   std::int64_t event_ns = 0;
 };
@@ -310,6 +311,21 @@ TEST_F(WaysOutWithAGuardTest, TheGuardEndsWithItsProgram) {
   program->send(SIGTERM);
   EXPECT_EQ(program->wait_for_end(), static_cast<int>(ExitCode::interrupted));
   EXPECT_NE(kill(first, 0), 0);
+}
+
+// As `cmake --install` puts the two.
+TEST_F(WaysOutWithAGuardTest, TheGuardIsFoundWhereItIsInstalled) {
+  const std::filesystem::path prefix = folder.path();
+  const std::filesystem::path built = std::filesystem::path(ARMED_PROGRAM).parent_path();
+  std::filesystem::create_directories(prefix / "bin");
+  std::filesystem::create_directories(prefix / "libexec/ghostforce");
+  std::filesystem::copy_file(ARMED_PROGRAM, prefix / "bin/armed_program");
+  std::filesystem::copy_file(built / "ghostforce-guard", prefix / "libexec/ghostforce/ghostforce-guard");
+  armed_program = prefix / "bin/armed_program";
+  ASSERT_NO_FATAL_FAILURE(start("wait"));
+  ASSERT_NO_FATAL_FAILURE(send(SIGKILL));
+  EXPECT_EQ(program->wait_for_end(), 128 + SIGKILL);
+  wait_for_zero();
 }
 
 // There is none beside this copy of the program.
