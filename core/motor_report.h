@@ -25,6 +25,7 @@ struct MotorReport {
   double limit = 0.0;            // in use: lower than asked for, because the motors are not known well [N]
   double held_k_r = 0.0;         // k_r is held at this while armed; 0: it is not held [N/m]
   double exchange_age_s = 0.0;   // of the newest reading
+  bool is_checking = false;      // in RAMP: the device checks its motors, and nothing else pushes yet
   bool has_focus = true;         // keys reach the window, so that Esc turns them off
 };
 static_assert(std::is_trivially_copyable_v<MotorReport>);

@@ -28,7 +28,7 @@ std::atomic<DisplayLoss> lost = DisplayLoss::none;  // as another thread has fou
 
 using ErrorHandler = int(void* display, void* error);
 ErrorHandler* usual_error_handler = nullptr;
-std::uint32_t expected_window = 0;
+std::atomic<std::uint32_t> expected_window = 0;
 
 // A frame takes far less.
 constexpr std::chrono::seconds patience(2);

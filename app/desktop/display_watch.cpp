@@ -72,7 +72,7 @@ void DisplayWatch::watch() noexcept {
 // window that gets the focus while the keyboard is grabbed is told so.
 void DisplayWatch::take_events() noexcept {
   while (const Given<xcb_generic_event_t> event{xcb_poll_for_event(connection_.get())}) {
-    const auto* const focus = reinterpret_cast<const xcb_focus_in_event_t*>(event.get());  // and of focus out
+    const auto* const focus = reinterpret_cast<const xcb_focus_in_event_t*>(event.get());  // focus out is alike
     const auto* const destroyed = reinterpret_cast<const xcb_destroy_notify_event_t*>(event.get());
     switch (event->response_type) {  // what another client makes up has one bit more
       case XCB_FOCUS_IN:

@@ -132,7 +132,7 @@ class Logind {
   const Library& library_;
   std::atomic<bool>& is_coming_;
   sd_bus* bus_ = nullptr;
-  bool is_asked_for_ = false;  // or refused
+  bool is_asked_for_ = false;  // the lock, and not given yet; or it was refused
   Descriptor lock_;
 };
 

@@ -103,8 +103,8 @@ std::string still_pushing(const FalconReport& report) {
   if (!report.may_still_push) return "";
   const std::string_view serial = report.owed_serial.text();
   return fmt::format(
-      "The motors{}{} may still push: unplug the device's power supply now. The program stops them as "
-      "soon as the device answers again. ",
+      "The motors{}{} may still push: unplug the device's power supply now, then its USB cable. The program stops them "
+      "as soon as the device answers again. ",
       serial.empty() ? "" : " of the Falcon with the serial number ", serial);
 }
 
@@ -289,6 +289,7 @@ class ReadinessCheck {
                            fmt::format(fmt::runtime(entry_of(motors_->obstacle).sentence), device_status_key));
       case SafetyState::ramp:
       case SafetyState::on:
+        if (motors_->is_checking) return "The motors are being checked: hold the handle still.";
         return fmt::format("The motors are on and push with {:.1f} N at most.", motors_->limit);
     }
     return std::string(entry.remedy);

@@ -46,7 +46,8 @@ patchelf --set-rpath "$system:\$ORIGIN" "$folder"/lib/fallback/*
 
 # newest PREFIX: the newest of these versions of symbols that anything in the folder asks for.
 newest() {
-  objdump --dynamic-syms "$folder/bin/ghostforce" "$folder"/libexec/ghostforce/* "$folder"/lib/*.so* "$folder"/lib/fallback/* |
+  objdump --dynamic-syms "$folder/bin/ghostforce" "$folder"/libexec/ghostforce/* "$folder"/lib/*.so* \
+    "$folder"/lib/fallback/* |
     sed -n "s/.*(\?$1_\([0-9.]*\))\?.*/\1/p" | sort --version-sort | tail -n 1
 }
 # Those of Debian 12 and its contemporaries: glibc 2.36, and the C++ library of GCC 12.

@@ -418,10 +418,12 @@ bool Falcon::send_command() noexcept {
   // Whoever waits too long for a reply does not go on pushing.
   if (since(heard_ns_) > stop_s || emergency_stop::is_ordered()) command_.motors = {};
   const bool begins_to_push = command_.motors != MotorNumbers{} && !may_push_;
-  if (begins_to_push) link().set_may_push(true);
+  if (begins_to_push) {
+    may_push_ = true;
+    link().set_may_push(true);
+  }
   if (!link().write(encode(command_))) return false;
   report_.motors = command_.motors;
-  may_push_ |= begins_to_push;
   is_command_new_ = false;
   sent_ns_ = link().now_ns();
   if (!replies_.is_waiting()) asked_ns_ = sent_ns_;
@@ -436,6 +438,7 @@ void Falcon::measure_rate() noexcept {
   report_.exchange_s = window_.exchanges > 0 ? window_.sum_s / window_.exchanges : 0.0;
   report_.worst_exchange_s = window_.worst_s;
   report_.line_errors = link().counters().line_errors;
+  report_.is_guarded = link().is_guarded();
   // By the time of one answer: a device that is not homed yet is asked less often than it could be.
   wants_latency_ = report_.exchange_s * FalconReport::fast_enough_hz > 1.0;
   window_ = {.began_ns = link().now_ns()};

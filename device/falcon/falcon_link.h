@@ -2,7 +2,8 @@
 // set the chip up, bytes out, bytes in. The real one is libusb's (ftdi_link.h), the other one is this program's own end
 // of the protocol (device/virtual_falcon/virtual_link.h). The driver above cannot tell them apart.
 //
-// All functions but now_ns() and send_at_once() belong to one thread at a time: link_opener.h says which. None throws,
+// All functions but now_ns(), send_at_once() and is_any_plugged_in() belong to one thread at a time: link_opener.h says
+// which. None throws,
 // and none waits except wait_until(), open() and close(). Times in ns.
 #pragma once
 
@@ -121,8 +122,8 @@ class FalconLink {
   // `deadline_ns` at the latest. If the deadline has passed, looks and returns at once.
   virtual void wait_until(std::int64_t deadline_ns) noexcept = 0;
 
-  // The emergency stop of a process that is about to die, from a signal handler, on any thread: sends these bytes past
-  // all that is under way. Async-signal-safe; returns within 30 ms. No other function may be called afterwards.
+  // The emergency stop, from a signal handler, on any thread: sends these bytes beside what is under way, and waits until
+  // the chip has taken them, 30 ms at most. Async-signal-safe. The program is about to end.
   virtual void send_at_once(std::span<const std::uint8_t> bytes) noexcept = 0;
 };
 

@@ -4,8 +4,8 @@
 // for. A page, which has no threads, has no other links.
 //
 // The link belongs to one thread at a time: to the opener's while is_busy(), else to the driver's. Its now_ns() and
-// send_at_once() belong to everybody, is_any_plugged_in() to the opener's thread. All functions here belong to the driver's thread; none but the constructor
-// allocates or throws, and only end() and wait_until() wait.
+// send_at_once() belong to everybody, is_any_plugged_in() to the opener's thread. All functions here belong to the
+// driver's thread; none but the constructor allocates or throws, and only end() and wait_until() wait.
 #pragma once
 
 #include <cstdint>

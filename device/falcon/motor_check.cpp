@@ -92,6 +92,7 @@ MotorCheck::Push MotorCheck::push_at(std::int64_t now_ns) noexcept {
   if (force_ == 0.0) {
     if (needs_rest_ && (!is_still_ || seconds(now_ns - ended_ns_) < rest_s)) return {};
     force_ = std::clamp(std::max(least_force * (1.0 + tries_), 2.0 * own_ / usual_energy), least_force, greatest_force);
+    force_ = std::min(force_, limit_ / crest);
     began_ns_ = now_ns;
   }
   return {leg_, force_ * shape(seconds(now_ns - began_ns_))};
@@ -158,14 +159,14 @@ MotorCheck::Energy MotorCheck::energy_of_push() const noexcept {
   energy.is_quiet = of_hand <= of_steps;
   // A push leaves a handle where it was after each of its halves, or nearly so. A hand has set off meanwhile if not.
   const double set_off = std::abs(halves.y - halves.x) * levers_[axis];
-  energy.is_true = share > 0.25 && steps >= least_replies && set_off <= longest_stray_per_force * force_;
+  energy.is_valid = share > 0.25 && steps >= least_replies && set_off <= longest_stray_per_force * force_;
   return energy;
 }
 
 void MotorCheck::judge(const Energy& energy) noexcept {
   force_ = 0.0;
   needs_rest_ = true;
-  if (!energy.is_true) return;
+  if (!energy.is_valid) return;
   newest_ = energy;
   ++tries_;
   unclear_energy_ += energy.whole;

@@ -17,6 +17,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "core/conventions.h"
 
@@ -52,6 +53,9 @@ class MotorCheck {
 
   MotorCheck() noexcept;
 
+  // No push is stronger [N].
+  void set_force_limit(double limit) noexcept { limit_ = limit; }
+
   // `count_angle`: of one step of an encoder [rad]; `levers`: torque on each leg per newton along its way [m].
   void add(const Reading& reading, double count_angle, const Vector<3>& levers) noexcept;
 
@@ -84,7 +88,7 @@ class MotorCheck {
     double torque = 0.0;     // mean magnitude [N·m]
     bool has_moved = false;  // any encoder
     bool is_quiet = false;   // the encoders' steps are the greater part of the margin
-    bool is_true = false;    // it was pushed with, and listened to all along
+    bool is_valid = false;   // it was pushed with, and listened to all along
   };
 
   const Reading& back(std::size_t steps) const noexcept {
@@ -105,6 +109,7 @@ class MotorCheck {
 
   bool is_running_ = false;
   std::size_t leg_ = 0;
+  double limit_ = std::numeric_limits<double>::infinity();
   double force_ = 0.0;           // a; 0: at rest
   double own_ = 0.0;             // the hand's own energy before the push, for a = 1
   std::int64_t began_ns_ = 0;    // the push

@@ -105,7 +105,7 @@ bool FalconBench::be_silent(double seconds) noexcept {
   const std::int64_t end_ns = link_.now_ns() + ns_of(seconds);
   wait_until(end_ns);
   next_ns_ = watched_ns_ = link_.now_ns();
-  if (next_ns_ - end_ns <= ns_of(longest_exchange_s)) return true;
+  if (link_.fault() == LinkFault::none && next_ns_ - end_ns <= ns_of(longest_exchange_s)) return true;
   recover();
   return false;
 }

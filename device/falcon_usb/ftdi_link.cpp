@@ -223,6 +223,7 @@ bool FtdiLink::post(Transfer& transfer) noexcept {
 void FtdiLink::sent(const libusb_transfer& transfer) noexcept {
   something_happened_ = true;
   const bool is_done = transfer.status == LIBUSB_TRANSFER_COMPLETED;
+  const bool is_whole = transfer.actual_length == transfer.length;
   if (&transfer == control_.transfer) {
     control_.is_posted = false;
     const bool is_refused = transfer.status == LIBUSB_TRANSFER_STALL;
@@ -238,7 +239,7 @@ void FtdiLink::sent(const libusb_transfer& transfer) noexcept {
   if (is_done) {
     errors_out_in_a_row_ = 0;
     counters_.bytes_out += static_cast<std::uint64_t>(transfer.actual_length);
-    if (was_stop) owed_size_ = 0;
+    if (was_stop && is_whole) owed_size_ = 0;
   } else if (!was_stop && transfer.status == LIBUSB_TRANSFER_ERROR && may_send_again()) {
     // The device goes on with the force of before, so that there is no time to lose.
     post(out_);

@@ -45,6 +45,9 @@ class HapticDevice {
   // a wall as stiff in the hand as its setting says.
   virtual double force_at_handle() const noexcept = 0;
 
+  // No force is stronger than this from now on, those included with which the device checks itself [N].
+  virtual void set_force_limit(double /*limit*/) noexcept {}
+
   // Drives the motors: the force at the handle, in the plane [N]. It acts until the next call. `is_armed` false: motors
   // off, whatever the force.
   virtual void set_force(const Vector<2>& force, bool is_armed) noexcept = 0;

@@ -36,8 +36,8 @@ enum class GuardState : std::uint8_t {
   none,      // has not begun to watch
   watching,  // over a program that lives
   stopping,  // overrules the program: from here on that may not ask for a force
-  stopped,   // the device has taken the stop
-  in_vain,   // the device takes nothing; the guard keeps trying
+  stopped,   // the device has taken the stop, several times
+  failing,   // the device takes nothing; the guard keeps trying
 };
 
 struct GuardPage {
@@ -60,10 +60,10 @@ static_assert(std::atomic<std::int64_t>::is_always_lock_free && std::atomic<bool
 // Without a beat for so long a program that may push is taken for dead: with the time to send, less than 25 ms [ns].
 inline constexpr std::int64_t longest_beat_gap_ns = 18'000'000;
 
-enum class GuardDeed : std::uint8_t { watch, stop_motors, end };
+enum class GuardAction : std::uint8_t { watch, stop_motors, end };
 
 // What a guard is to do now. `program_is_gone`: its process.
-GuardDeed deed_of(bool has_ended, bool may_push, std::int64_t beat_ns, bool program_is_gone,
-                  std::int64_t now_ns) noexcept;
+GuardAction guard_action(bool has_ended, bool may_push, std::int64_t beat_ns, bool program_is_gone,
+                         std::int64_t now_ns) noexcept;
 
 }  // namespace ghostforce

@@ -36,7 +36,7 @@ std::string folder_of_this_program() {
 
 std::string guard_program() {
   const std::string folder = folder_of_this_program();
-  for (const char* const place : {"/ghostforce-guard", "/../libexec/ghostforce/ghostforce-guard"}) {
+  for (const char* const place : {"/ghostforce-guard", "/../" GHOSTFORCE_GUARD_FOLDER "/ghostforce-guard"}) {
     if (access((folder + place).c_str(), X_OK) == 0) return folder + place;
   }
   return {};
@@ -55,6 +55,7 @@ int moved_up(int descriptor) noexcept {
 
 bool MotorGuard::start(int descriptor, const std::string& node, const GuardOrders& orders) noexcept {
   end();
+  if (descriptor < 0) return false;
   int page_file = memfd_create("ghostforce-guard", MFD_CLOEXEC);
   void* memory = MAP_FAILED;
   if (page_file >= 0 && ftruncate(page_file, sizeof(GuardPage)) == 0) {
@@ -99,7 +100,9 @@ bool MotorGuard::spawn(int descriptor, const std::string& node, int page_file) n
     std::string program = guard_program();
     std::string file = node;
     char* const words[] = {program.data(), file.data(), nullptr};
-    if (!program.empty()) error = posix_spawn(&process_, program.c_str(), &files, &attributes, words, environ);
+    const bool has_files = device >= 0 && page >= 0 && end_of_lifeline >= 0;
+    if (has_files && !program.empty())
+      error = posix_spawn(&process_, program.c_str(), &files, &attributes, words, environ);
   } catch (const std::exception&) {  // out of memory
   }
   posix_spawnattr_destroy(&attributes);

@@ -39,6 +39,11 @@ bool control(int descriptor, const LineRequest& request) noexcept {
   return ioctl(descriptor, USBDEVFS_CONTROL, &transfer) >= 0;
 }
 
+bool is_one(int descriptor) noexcept {
+  std::uint32_t capabilities = 0;
+  return ioctl(descriptor, USBDEVFS_GET_CAPABILITIES, &capabilities) == 0;
+}
+
 bool take_over(int descriptor, std::uint8_t interface) noexcept {
   usbdevfs_disconnect_claim claim{};
   claim.interface = interface;

@@ -15,6 +15,9 @@ bool send(int descriptor, std::uint8_t endpoint, std::span<const std::uint8_t> b
 
 bool control(int descriptor, const LineRequest& request) noexcept;
 
+// Whether the file is that of a USB device.
+bool is_one(int descriptor) noexcept;
+
 // Takes an interface away from whoever has it, a driver or another program, whose transfers end.
 bool take_over(int descriptor, std::uint8_t interface) noexcept;
 void release(int descriptor, std::uint8_t interface) noexcept;

@@ -215,6 +215,7 @@ void Servo::watch_handle() noexcept {
                   .motors_are_checked = handle_.is_checked},
                  safety_options_, since(updated_ns_));
   if (safety_.is_armed() != coefficients_are_for_motors_) update_coefficients();
+  report_.motors.is_checking = safety_.state() == SafetyState::ramp && !handle_.is_checked;
   report_.motors.handle = handle_.position;
   report_.motors.is_handle_known = handle_.is_known;
   report_.motors.is_outside_wall = is_outside;
@@ -285,12 +286,15 @@ void Servo::limit_force(bool tick_is_due) noexcept {
   const double elapsed_s = static_cast<double>(now - std::exchange(updated_ns_, now)) * 1e-9;
   MotorReport& motors = report_.motors;
   motors.limit = safety_options_.force_limit / device_->force_uncertainty();
+  device_->set_force_limit(motors.limit);
   ForceLimiter::Result result;
   // A force for a place where the handle no longer is.
   if (safety_.is_armed() && !handle_.is_known) safety_.turn_off(OffReason::loop_late);
   if (safety_.is_armed()) {
     if (tick_is_due) tone_ = sound_tones(safety_.state() == SafetyState::on, !motors.is_outside_wall);
-    result = limiter_.pass(force_at(handle_.position), safety_.gain(), motors.limit, elapsed_s, tone_, handle_.probe);
+    // Whoever has turned motors off is not pushed by what checks them.
+    const Vector<2> probe = safety_.state() == SafetyState::fade ? Vector<2>(0.0) : handle_.probe;
+    result = limiter_.pass(force_at(handle_.position), safety_.gain(), motors.limit, elapsed_s, tone_, probe);
     if (!result.was_finite) safety_.turn_off(OffReason::fault);
   }
   motors.sent = result.force;

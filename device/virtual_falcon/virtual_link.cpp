@@ -224,7 +224,7 @@ void VirtualLink::step_to(std::int64_t at_ns) noexcept {
 }
 
 void VirtualLink::guard_motors() noexcept {
-  if (!is_live() || deed_of(false, may_push_, beat_ns_, false, lived_ns_) != GuardDeed::stop_motors) return;
+  if (!is_live() || guard_action(false, may_push_, beat_ns_, false, lived_ns_) != GuardAction::stop_motors) return;
   dsp_.receive(stop_frames(), lived_ns_);
   may_push_ = false;
   sending_ = Sending::nothing;

@@ -41,7 +41,7 @@ struct Fault {
   std::string_view order = "";
   int signal = 0;
   bool starts_with_signals_blocked = false;
-  Hold hold = Hold::none;
+  ProcessHold hold = ProcessHold::none;
   int busy_processes = 0;  // beside the program
   OtherFalcon other_falcon = OtherFalcon::none;
   bool hand_is_torn_away = false;

@@ -10,7 +10,7 @@ constexpr std::int64_t finding_limit_ns = 100 * ms;
 constexpr std::int64_t fade_limit_ns = 200 * ms + zero_limit_ns;
 constexpr std::int64_t stall_limit_ns = 500 * ms + fade_limit_ns;
 // Where no times count, so that a machine that does other things breaks no promise.
-constexpr std::int64_t untimed_false_off_ns = 1'000 * ms;
+constexpr std::int64_t untimed_false_off_ns = 10'000 * ms;
 
 }  // namespace
 

@@ -131,7 +131,7 @@ class FaultTrial {
 
   // From before it pushes: it may be about to end by itself.
   void begin_load() {
-    if (!urgent_ && (busy_count_ > 0 || fault_.hold == Hold::starved)) urgent_.emplace();
+    if (!urgent_ && (busy_count_ > 0 || fault_.hold == ProcessHold::starved)) urgent_.emplace();
     if (busy_count_ > 0 && !busy_) busy_.emplace(busy_count_);
   }
 
@@ -142,10 +142,10 @@ class FaultTrial {
     if (!is_by_order()) return;
     chip_.watch();
     event_ns_ = monotonic_ns();
-    if (fault_.hold != Hold::none) {
+    if (fault_.hold != ProcessHold::none) {
       held_.emplace(program_->pid(), fault_.hold, milliseconds(fault_.lasts_ms));
       // Real-time processes gather first.
-      if (fault_.hold == Hold::starved) event_ns_ = monotonic_ns();
+      if (fault_.hold == ProcessHold::starved) event_ns_ = monotonic_ns();
     }
     if (!fault_.usb.empty()) cable_.inject(usb_fault(fault_.usb));
     if (!fault_.device.empty()) {
@@ -184,7 +184,7 @@ class FaultTrial {
       if (was_taken_anew_ && monotonic_ns() > event_ns_ + after_reopening_ns) break;
       if (monotonic_ns() > end_ns) break;
     }
-    if (fault_.hold != Hold::none) outcome_.forces_after_hold = chip_.told().force_frames - force_frames_;
+    if (fault_.hold != ProcessHold::none) outcome_.forces_after_hold = chip_.told().force_frames - force_frames_;
     outcome_.longest_hold_ns = chip_.told().longest_hold_ns;
     outcome_.late_ns = late_ns_;
     // Until something is seen of the force again the wire may be dead.

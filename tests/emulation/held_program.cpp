@@ -65,23 +65,23 @@ void kill_all(std::vector<pid_t>& processes) {
 
 }  // namespace
 
-std::string_view hold_obstacle(Hold hold) {
-  if (hold != Hold::starved) return "";
+std::string_view hold_obstacle(ProcessHold hold) {
+  if (hold != ProcessHold::starved) return "";
   const bool is_allowed = set_real_time(0, sched_get_priority_max(SCHED_FIFO));
   if (is_allowed) set_real_time(0, 0);
   return is_allowed ? "" : "this user may not run real-time processes (SCHED_FIFO)";
 }
 
-HeldProgram::HeldProgram(pid_t program, Hold hold, std::chrono::milliseconds duration)
+HeldProgram::HeldProgram(pid_t program, ProcessHold hold, std::chrono::milliseconds duration)
     : program_(program), hold_(hold) {
   if (program <= 0) return;
-  if (hold == Hold::stopped) kill(program, SIGSTOP);
-  if (hold == Hold::debugged) debug();
-  if (hold == Hold::starved) starve(duration);
+  if (hold == ProcessHold::stopped) kill(program, SIGSTOP);
+  if (hold == ProcessHold::debugged) debug();
+  if (hold == ProcessHold::starved) starve(duration);
 }
 
 HeldProgram::~HeldProgram() {
-  if (program_ > 0 && hold_ == Hold::stopped) kill(program_, SIGCONT);
+  if (program_ > 0 && hold_ == ProcessHold::stopped) kill(program_, SIGCONT);
   for (const pid_t thread : debugged_) ptrace(PTRACE_DETACH, thread, nullptr, nullptr);
   kill_all(starvers_);
 }

@@ -11,7 +11,7 @@
 
 namespace ghostforce {
 
-enum class Hold : std::uint8_t {
+enum class ProcessHold : std::uint8_t {
   none,
   stopped,   // by SIGSTOP
   debugged,  // a debugger has stopped each of its threads
@@ -19,12 +19,12 @@ enum class Hold : std::uint8_t {
 };
 
 // Why it cannot be done here, in words; empty: it can.
-std::string_view hold_obstacle(Hold hold);
+std::string_view hold_obstacle(ProcessHold hold);
 
 // Begins at once, if the program still runs. Starving ends by itself after `duration`.
 class HeldProgram {
  public:
-  HeldProgram(pid_t program, Hold hold, std::chrono::milliseconds duration);
+  HeldProgram(pid_t program, ProcessHold hold, std::chrono::milliseconds duration);
   HeldProgram(const HeldProgram&) = delete;
   HeldProgram& operator=(const HeldProgram&) = delete;
   ~HeldProgram();
@@ -34,7 +34,7 @@ class HeldProgram {
   void starve(std::chrono::milliseconds duration);
 
   pid_t program_;
-  Hold hold_;
+  ProcessHold hold_;
   std::vector<pid_t> debugged_;  // its threads
   std::vector<pid_t> starvers_;
 };

@@ -149,6 +149,10 @@ ReplyFrame MeasuringRig::exchange(const CommandFrame& command) {
             ExitCode::device_absent,
             fmt::format("The Falcon is gone: its USB cable was unplugged. {}Plug it in and start again.", danger));
       }
+      if (fault == LinkFault::overruled || fault == LinkFault::unguarded) {
+        const FalconFault why = fault == LinkFault::overruled ? FalconFault::overruled : FalconFault::unguarded;
+        throw Failure(ExitCode::device_failed, fmt::format("{} Start again.", sentence_of(why)));
+      }
       if (fault != LinkFault::none || bench_.now_s() - began_s > 1.0) {
         throw Failure(ExitCode::device_failed,
                       fmt::format("The Falcon stopped answering. {}Check that its power supply is plugged in. If it "

@@ -31,6 +31,7 @@ std::string words_about(const MotorReport& motors) {
     case SafetyState::arming:
       return fmt::format("Arming: {}.", filled(entry_of(motors.obstacle).sentence, status_key));
     case SafetyState::ramp:
+      if (motors.is_checking) return fmt::format("Being checked: hold the handle still.{}", words_about_esc(motors));
       return fmt::format("Turning on: {:.0f} %.{}", 100.0 * motors.gain, words_about_esc(motors));
     case SafetyState::on:
       return fmt::format("On.{}", words_about_esc(motors));

@@ -164,6 +164,10 @@ TEST(Readiness, EndsWithThePersonsWill) {
   motors.obstacle = ArmingObstacle::focus;
   EXPECT_EQ(words(),
             "The motors are not on yet: click on this window, or close the menu or program that has the keyboard.");
+  motors.state = SafetyState::ramp;
+  motors.is_checking = true;
+  EXPECT_EQ(words(), "The motors are being checked: hold the handle still.");
+  motors.is_checking = false;
   motors.state = SafetyState::on;
   motors.is_outside_wall = false;  // in contact
   motors.limit = 6.0;
