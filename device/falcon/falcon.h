@@ -58,6 +58,7 @@ class Falcon {
   static constexpr int patient_questions = 50;
   // At the end of the program, for devices that are owed a stop and are plugged in.
   static constexpr double last_stops_s = 3.0;
+  static constexpr double last_look_s = 0.5;  // and where none of them is
 
   Falcon(std::unique_ptr<FalconLink> link, FalconOptions options);
   ~Falcon();

@@ -53,19 +53,21 @@ void Falcon::shut_down() noexcept {
   pause_s_ = try_again_s;
 }
 
-// There is no later. A device that is silent is not given firmware now.
+// There is no later. A device that is silent is not given firmware now. One that is just being plugged in may not be
+// listed yet, and so it is looked for a little longer.
 void Falcon::pay_debts() noexcept {
   const std::int64_t began_ns = link().now_ns();
   options_.firmware.clear();
   attempt_ = 0;
   pause_s_ = 0.0;
-  for (bool is_there = true; is_there && !debts_.empty() && since(began_ns) < last_stops_s;) {
+  bool is_there = true;
+  while (!debts_.empty() && since(began_ns) < (is_there ? last_stops_s : last_look_s)) {
     update();
     if (!opener_.is_busy()) {
       const bool is_open = phase_ != Phase::pausing && phase_ != Phase::opening;
       is_there = link().fault() != LinkFault::absent && (!is_open || debts_.has(report_.serial));
     }
-    if (is_there) opener_.wait_until(link().now_ns() + 1'000'000);
+    opener_.wait_until(link().now_ns() + 1'000'000);
   }
   shut_down();
 }

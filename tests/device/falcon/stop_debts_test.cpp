@@ -229,14 +229,16 @@ TEST_F(OwedStops, TheEndOfTheProgramDoesNotWaitForEver) {
   EXPECT_LT(now_ns - began_ns, 5000 * ms);
 }
 
-TEST_F(OwedStops, TheEndOfTheProgramDoesNotWaitForADeviceThatIsAway) {
+// It may just be on its way.
+TEST_F(OwedStops, TheEndOfTheProgramWaitsForADeviceThatIsAwayForAMomentOnly) {
   b.is_plugged = false;
   push_with(a);
   a.unplug();
   run(0.01);
   const std::int64_t began_ns = now_ns;
   driver.reset();
-  EXPECT_LT(now_ns - began_ns, 300 * ms);
+  EXPECT_GE(now_ns - began_ns, 400 * ms);
+  EXPECT_LT(now_ns - began_ns, 800 * ms);
 }
 
 // --- What a chip may lose or refuse while its cable is in ---
