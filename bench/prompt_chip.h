@@ -23,6 +23,7 @@ class PromptChip final : public EmulatedChip {
     reply_ = encode(frame);
   }
 
+  void power_up(std::int64_t /*now_ns*/) override {}
   void control(const VendorRequest& /*request*/, std::int64_t /*now_ns*/) override {}
   std::size_t room() const override { return packet_size; }
   void receive(std::span<const std::uint8_t> bytes, std::int64_t /*now_ns*/) override {

@@ -35,8 +35,8 @@ class WaysOutTest : public testing::Test {
   WaysOutTest() { falcon.plug(); }
 
   // Returns when its motors push.
-  void start(const std::string& way, const std::string& detail = "") {
-    this->way = way;
+  void start(const std::string& name, const std::string& detail = "") {
+    way = name;
     ProgramCall call;
     call.words = {way, detail};
     call.folder = folder.path();

@@ -12,6 +12,8 @@
 #include "app/console/interruption.h"
 #include "app/console/quoted.h"
 #include "app/console/typed_text.h"
+#include "app/doctor/readiness.h"
+#include "device/falcon/falcon_report.h"
 
 namespace ghostforce {
 namespace {

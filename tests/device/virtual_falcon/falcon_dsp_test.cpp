@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "device/falcon/geometry.h"
 #include "device/virtual_falcon/practice_firmware.h"
 #include "tests/device/virtual_falcon/dsp_host.h"
 
