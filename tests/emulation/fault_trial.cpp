@@ -131,7 +131,9 @@ class FaultTrial {
 
   // From before it pushes: it may be about to end by itself.
   void begin_load() {
-    if (!urgent_ && (busy_count_ > 0 || fault_.hold == ProcessHold::starved)) urgent_.emplace();
+    // A servo of real-time priority that hangs takes a processor too.
+    const bool is_crowded = busy_count_ > 0 || fault_.hold == ProcessHold::starved || fault_.program_hangs;
+    if (is_crowded && !urgent_) urgent_.emplace();
     if (busy_count_ > 0 && !busy_) busy_.emplace(busy_count_);
   }
 
