@@ -6,13 +6,13 @@
 #include <pthread.h>
 #include <sys/eventfd.h>
 #include <systemd/sd-bus.h>
-#include <time.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdint>
 
+#include "device/input/monotonic_clock.h"
 #include "device/input/thread_signals.h"
 
 namespace ghostforce {
@@ -58,10 +58,7 @@ class Library {
 // As poll() wants it, of a time of CLOCK_MONOTONIC [µs]; the greatest stands for never.
 int milliseconds_until(std::uint64_t time_us) noexcept {
   if (time_us == UINT64_MAX) return -1;
-  timespec now{};
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  const std::uint64_t now_us =
-      static_cast<std::uint64_t>(now.tv_sec) * 1'000'000U + static_cast<std::uint64_t>(now.tv_nsec) / 1000U;
+  const auto now_us = static_cast<std::uint64_t>(monotonic_ns() / 1000);
   if (time_us <= now_us) return 0;
   return static_cast<int>(std::min<std::uint64_t>((time_us - now_us) / 1000U + 1U, 60'000U));
 }

@@ -5,14 +5,13 @@
 #include <utility>
 
 #include <libusb.h>
-#include <linux/usbdevice_fs.h>
-#include <sys/ioctl.h>
 #include <time.h>
 
 #include "device/falcon/emergency_stop.h"
 #include "device/falcon/frame.h"
 #include "device/falcon/ftdi_requests.h"
 #include "device/falcon/stop_debts.h"
+#include "device/motor_guard/usb_node.h"
 
 namespace ghostforce {
 namespace {
@@ -259,12 +258,7 @@ void FtdiLink::send_at_once(std::span<const std::uint8_t> bytes) noexcept {
   const int descriptor = usb_.descriptor();
   if (descriptor < 0) return;
   const int error_before = errno;
-  usbdevfs_bulktransfer transfer{};
-  transfer.ep = usb_.out_endpoint();
-  transfer.len = static_cast<unsigned>(bytes.size());
-  transfer.timeout = last_send_timeout_ms;
-  transfer.data = const_cast<std::uint8_t*>(bytes.data());  // outwards: the kernel reads it
-  ioctl(descriptor, USBDEVFS_BULK, &transfer);
+  usb_node::send_once(descriptor, usb_.out_endpoint(), bytes, last_send_timeout_ms);
   errno = error_before;
 }
 

@@ -11,22 +11,23 @@ namespace {
 constexpr unsigned patience_ms = 10;
 constexpr std::uint8_t vendor_request_type = 0x40;  // to the device, of the maker's, without data
 
-bool send_once(int descriptor, std::uint8_t endpoint, std::span<const std::uint8_t> bytes) noexcept {
+}  // namespace
+
+bool send_once(int descriptor, std::uint8_t endpoint, std::span<const std::uint8_t> bytes,
+               unsigned timeout_ms) noexcept {
   usbdevfs_bulktransfer transfer{};
   transfer.ep = endpoint;
   transfer.len = static_cast<unsigned>(bytes.size());
-  transfer.timeout = patience_ms;
+  transfer.timeout = timeout_ms;
   transfer.data = const_cast<std::uint8_t*>(bytes.data());  // outwards: the kernel reads it
   return ioctl(descriptor, USBDEVFS_BULK, &transfer) == static_cast<int>(bytes.size());
 }
 
-}  // namespace
-
 bool send(int descriptor, std::uint8_t endpoint, std::span<const std::uint8_t> bytes) noexcept {
-  if (send_once(descriptor, endpoint, bytes)) return true;
+  if (send_once(descriptor, endpoint, bytes, patience_ms)) return true;
   if (errno != EPIPE) return false;
   unsigned halted = endpoint;
-  return ioctl(descriptor, USBDEVFS_CLEAR_HALT, &halted) == 0 && send_once(descriptor, endpoint, bytes);
+  return ioctl(descriptor, USBDEVFS_CLEAR_HALT, &halted) == 0 && send_once(descriptor, endpoint, bytes, patience_ms);
 }
 
 bool control(int descriptor, const LineRequest& request) noexcept {

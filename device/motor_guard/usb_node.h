@@ -9,8 +9,11 @@
 
 namespace ghostforce::usb_node {
 
-// To a bulk endpoint. Clears its halt where there is one. False: the device has not taken it, or the file is none of a
-// USB device.
+// To a bulk endpoint, once. False: the device has not taken it in that time, or the file is none of a USB device.
+bool send_once(int descriptor, std::uint8_t endpoint, std::span<const std::uint8_t> bytes,
+               unsigned timeout_ms) noexcept;
+
+// The same, within some ms. Clears the endpoint's halt where there is one, and sends again.
 bool send(int descriptor, std::uint8_t endpoint, std::span<const std::uint8_t> bytes) noexcept;
 
 bool control(int descriptor, const LineRequest& request) noexcept;
