@@ -122,6 +122,7 @@ class Falcon {
   void note_debts() noexcept;
   bool has_owed_returned() noexcept;
   void pay_debts() noexcept;
+  bool is_paying() const noexcept;
   void say_goodbye() noexcept;
   void measure_rate() noexcept;
 

@@ -54,22 +54,27 @@ void Falcon::shut_down() noexcept {
 }
 
 // There is no later. A device that is silent is not given firmware now. One that is just being plugged in may not be
-// listed yet, and so it is looked for a little longer.
+// listed yet, or may have been found a moment ago: the time counts from the last sign of it.
 void Falcon::pay_debts() noexcept {
   const std::int64_t began_ns = link().now_ns();
+  std::int64_t seen_ns = began_ns;
   options_.firmware.clear();
   attempt_ = 0;
   pause_s_ = 0.0;
-  bool is_there = true;
-  while (!debts_.empty() && since(began_ns) < (is_there ? last_stops_s : last_look_s)) {
+  while (!debts_.empty() && since(began_ns) < last_stops_s) {
     update();
-    if (!opener_.is_busy()) {
-      const bool is_open = phase_ != Phase::pausing && phase_ != Phase::opening;
-      is_there = link().fault() != LinkFault::absent && (!is_open || debts_.has(report_.serial));
-    }
+    if (is_paying()) seen_ns = link().now_ns();
+    if (!opener_.is_busy() && since(seen_ns) >= last_look_s) break;
     opener_.wait_until(link().now_ns() + 1'000'000);
   }
   shut_down();
+}
+
+// Whether one that is owed a stop is open, or is there and is opened next or tried again.
+bool Falcon::is_paying() const noexcept {
+  const bool is_open = phase_ != Phase::pausing && phase_ != Phase::opening;
+  if (is_open) return debts_.has(report_.serial);
+  return report_.fault != FalconFault::none && report_.fault != FalconFault::unplugged;
 }
 
 // Until three answers have come: the device has heard it, and not only the chip before it.

@@ -57,7 +57,8 @@ TEST_F(FalconOverUsbTest, IsFoundLoadedHomedAndReadAndFoundAgain) {
   EXPECT_EQ(reading.trouble, OffReason::none);
   const std::uint64_t exchanges = input->report().exchanges;
   ASSERT_TRUE(tick_until([&] { return input->report().exchanges >= exchanges + 300; }));
-  EXPECT_NEAR(glm::distance(input->report().position, chip.position()), 0.0, 1e-3);
+  // A handle that moves is not where it was read.
+  EXPECT_TRUE(tick_until([&] { return glm::distance(input->report().position, chip.position()) < 1e-3; }));
 
   // Pushed up, it goes up against the hand; with the plug pulled, that is what is said.
   force = {0.0, 1.0};

@@ -36,6 +36,7 @@ struct FakeFalcon {
 
   std::string serial;
   bool is_plugged = true;
+  std::int64_t return_ns = std::numeric_limits<std::int64_t>::max();  // when it is plugged in by itself
   bool is_busy = false;  // another program has it
   bool is_deaf = false;  // the processor; the chip goes on
   bool refuses_latency = false;
@@ -133,6 +134,7 @@ class FakeFalcons final : public FalconLink {
     while (!has_news) {
       const std::int64_t next_ns = std::min(deadline_ns, next_event_ns());
       now_ns_ = std::max(now_ns_, next_ns);
+      plug_in_who_returns();
       has_news = happen();
       if (now_ns_ >= deadline_ns && !has_news) break;
     }
@@ -166,6 +168,13 @@ class FakeFalcons final : public FalconLink {
     if (is_live() && is_sending()) next_ns = sent_ns_;
     if (is_live() && !replies_.empty()) next_ns = std::min(next_ns, replies_.front().at_ns);
     return next_ns;
+  }
+  void plug_in_who_returns() {
+    for (FakeFalcon* const falcon : falcons_) {
+      if (now_ns_ < falcon->return_ns) continue;
+      falcon->return_ns = std::numeric_limits<std::int64_t>::max();
+      falcon->plug();
+    }
   }
   bool happen() {
     if (!is_live()) return false;

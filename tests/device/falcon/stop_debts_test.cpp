@@ -229,6 +229,18 @@ TEST_F(OwedStops, TheEndOfTheProgramDoesNotWaitForEver) {
   EXPECT_LT(now_ns - began_ns, 5000 * ms);
 }
 
+TEST_F(OwedStops, AtTheEndOfTheProgramADeviceThatAnotherProgramHoldsIsTriedForLonger) {
+  b.is_plugged = false;
+  push_with(a);
+  a.unplug();
+  run(0.01);
+  a.plug();
+  a.is_busy = true;
+  const std::int64_t began_ns = now_ns;
+  driver.reset();
+  EXPECT_GT(now_ns - began_ns, 2000 * ms);
+}
+
 // It may just be on its way.
 TEST_F(OwedStops, TheEndOfTheProgramWaitsForADeviceThatIsAwayForAMomentOnly) {
   b.is_plugged = false;
@@ -239,6 +251,28 @@ TEST_F(OwedStops, TheEndOfTheProgramWaitsForADeviceThatIsAwayForAMomentOnly) {
   driver.reset();
   EXPECT_GE(now_ns - began_ns, 400 * ms);
   EXPECT_LT(now_ns - began_ns, 800 * ms);
+}
+
+// Whenever that is within the time for which it is looked for, and whatever else is open then.
+TEST_F(OwedStops, AtTheEndOfTheProgramADeviceMayReturnAtAnyMoment) {
+  for (const bool is_alone : {true, false}) {
+    for (int at_ms = 1; at_ms < 480; at_ms += 7) {
+      SCOPED_TRACE(std::to_string(at_ms) + (is_alone ? " ms, alone" : " ms, beside another one"));
+      a = FakeFalcon("12PZ657E");
+      b = FakeFalcon("FTPNM0FB");
+      driver = std::make_unique<Falcon>(std::make_unique<FakeFalcons>(std::vector{&a, &b}, now_ns), FalconOptions{});
+      b.is_plugged = !is_alone;
+      push_with(a);
+      a.unplug();
+      run(0.01);
+      if (!is_alone) push_with(b);
+      a.return_ns = now_ns + at_ms * ms;
+      driver.reset();
+      EXPECT_TRUE(a.is_plugged);
+      EXPECT_FALSE(a.pushes());
+      EXPECT_FALSE(b.pushes());
+    }
+  }
 }
 
 // --- What a chip may lose or refuse while its cable is in ---
