@@ -149,8 +149,7 @@ class Person {
     while (!input_->report().is_readable()) live();
     for (int attempt = 0;; ++attempt) {
       say(attempt % 2 == 0 ? "outside" : "aside");
-      ++command_.acknowledgements;
-      ++command_.arms_asked;
+      ask_for_motors();
       for (int rounds = 0; !is_armed() && rounds < 1000; ++rounds) live();
       if (!is_armed()) continue;
       say("inside");
@@ -162,6 +161,11 @@ class Person {
       }
       while (motors().state != SafetyState::off) live();
     }
+  }
+
+  void ask_for_motors() {
+    ++command_.acknowledgements;
+    ++command_.arms_asked;
   }
 
   // Throws when interrupted.

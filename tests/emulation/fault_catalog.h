@@ -35,9 +35,10 @@ struct Fault {
   std::string_view name;   // of its test: letters and digits
   std::string_view title;  // for a person
   Promise promise;
-  std::string_view usb = "";           // a name of usb_fault_catalog()
-  std::string_view device = "";        // a name of injected_fault_catalog()
-  std::string_view usb_at_start = "";  // as the cable is when the program begins to look for the device
+  std::string_view usb = "";              // a name of usb_fault_catalog()
+  std::string_view device = "";           // a name of injected_fault_catalog()
+  std::string_view usb_at_start = "";     // as the cable is when the program begins to look for the device
+  std::string_view device_at_start = "";  // as `device`, but before the motors are armed: they must not come on
   std::string_view order = "";
   int signal = 0;
   bool starts_with_signals_blocked = false;

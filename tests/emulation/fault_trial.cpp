@@ -48,6 +48,7 @@ struct ToldByProgram {
 
   bool motors_are_off() const { return motors == name_of(SafetyState::off); }
   bool motors_push() const { return motors == name_of(SafetyState::ramp) || motors == name_of(SafetyState::on); }
+  bool motors_are_on() const { return motors == name_of(SafetyState::on); }
   bool says_off() const { return motors_are_off() && push == "cannot push"; }
   bool is_fast() const { return speed == "fast"; }
   bool device_is_readable() const {
@@ -78,6 +79,7 @@ class FaultTrial {
     cable_.plug();
     if (has_other()) other_cable_.plug();
     if (!fault.usb_at_start.empty()) cable_.inject(usb_fault(fault.usb_at_start));
+    if (!fault.device_at_start.empty()) inject_into_device(fault.device_at_start);
   }
 
   // None: the motors had gone off by themselves.
@@ -86,12 +88,18 @@ class FaultTrial {
       watch_the_speed();
       return outcome_;
     }
+    if (!fault_.device_at_start.empty()) {
+      watch_the_arming(patience);
+      end_of_fault();
+      watch_the_return();
+      return outcome_;
+    }
     start();
     if (is_by_order()) {
       // Not always at the same moment of a second, a frame or an exchange.
       look_for(milliseconds(5) + std::chrono::microseconds(monotonic_ns() / 1000 % 3000));
       // A force that has not grown to its full size fades sooner.
-      while (fades() && told_.motors_push() && told_.motors != name_of(SafetyState::on)) look();
+      while (fades() && told_.motors_push() && !told_.motors_are_on()) look();
       if (!told_.motors_push() || chip_.told().motors == MotorNumbers{}) return std::nullopt;
     }
     inject();
@@ -137,6 +145,12 @@ class FaultTrial {
     if (busy_count_ > 0 && !busy_) busy_.emplace(busy_count_);
   }
 
+  void inject_into_device(std::string_view name) {
+    InjectedFault wrong;
+    find_injected_fault(name)->add(wrong);
+    chip_.inject(wrong);
+  }
+
   void inject() {
     first_frame_ = chip_.told().frames;
     program_pid_ = program_->pid();
@@ -150,11 +164,7 @@ class FaultTrial {
       if (fault_.hold == ProcessHold::starved) event_ns_ = monotonic_ns();
     }
     if (!fault_.usb.empty()) cable_.inject(usb_fault(fault_.usb));
-    if (!fault_.device.empty()) {
-      InjectedFault wrong;
-      find_injected_fault(fault_.device)->add(wrong);
-      chip_.inject(wrong);
-    }
+    if (!fault_.device.empty()) inject_into_device(fault_.device);
     if (!fault_.order.empty()) program_->order(std::string(fault_.order));
     if (fault_.signal != 0) program_->send(fault_.signal);
     if (fault_.hand_is_torn_away) {
@@ -221,12 +231,37 @@ class FaultTrial {
     look_for(milliseconds(fault_.lasts_ms));
   }
 
-  // Of a program that arms no motors.
-  void watch_the_speed() {
+  // The program arms no motors until it is told to.
+  void start_to_look() {
     ProgramCall call;
     call.words = {"look"};
     call.takes_orders = true;
     program_.emplace(ARMED_PROGRAM, call);
+  }
+
+  // From the first push by which the motors are checked.
+  void watch_the_arming(milliseconds patience) {
+    start_to_look();
+    lead_hand(chip_, "outside");
+    const std::int64_t end_ns = monotonic_ns() + (program_patience + patience) / std::chrono::nanoseconds(1);
+    while (!told_.device_is_readable() && !program_has_ended_ && monotonic_ns() < end_ns) look();
+    look_for(milliseconds(500));  // the handle comes to rest
+    begin_load();
+    program_->order("ask for motors");
+    while (!program_has_ended_ && monotonic_ns() < end_ns) {
+      look();
+      if (event_ns_ == 0 && chip_told_.motors != MotorNumbers{}) event_ns_ = monotonic_ns();
+      if (event_ns_ == 0) continue;
+      outcome_.went_on = told_.motors_are_on();  // they are checked while they ramp up
+      const bool is_over = told_.motors_are_off() && told_.at_ns > event_ns_ && chip_told_.motors == MotorNumbers{};
+      if (outcome_.went_on || (is_over && monotonic_ns() > chip_told_.last_force_ns + for_good_ns)) break;
+    }
+    if (!outcome_.went_on && event_ns_ > 0) note_zero();
+    outcome_.late_ns = late_ns_;
+  }
+
+  void watch_the_speed() {
+    start_to_look();
     event_ns_ = monotonic_ns();
     std::int64_t start_ns = 0;  // of what counts
     for (;;) {

@@ -77,6 +77,7 @@ void obey_orders(Person& person) {
     if (!order) continue;
     if (*order == "end") return;
     if (*order == "arm") person.arm_and_lean_in();
+    if (*order == "ask for motors") person.ask_for_motors();
     if (*order == "off") ++person.command().offs_asked;  // as Esc does
     if (*order == "focus lost") person.command().has_focus = false;
     if (*order == "focus") person.command().has_focus = true;
