@@ -11,6 +11,7 @@
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
 #include "app/console/typed_text.h"
+#include "app/console/words.h"
 #include "app/files/falcon_calibration_file.h"
 #include "app/files/xdg_folders.h"
 #include "device/virtual_falcon/injected_fault.h"
@@ -31,6 +32,12 @@ std::string refuse_other_than_usb_id(const std::string& text) {
   return fmt::format(
       "'{}' is not a USB ID; give vendor and product as lsusb shows them, four hex digits each, as in {:04x}:{:04x}",
       quoted_text(text), falcon_usb_id.vendor, falcon_usb_id.product);
+}
+
+void tell_of_left_pushing(const FalconSerial& serial) noexcept {
+  const std::string_view number = serial.text();
+  say("The motors of the Falcon{}{} may still push: it has not answered. Unplug its power supply now.\n",
+      number.empty() ? "" : " with the serial number ", number);
 }
 
 }  // namespace
@@ -71,6 +78,7 @@ InputOptions FalconSetUp::input_options(const std::optional<FirmwareImage>& imag
   InputOptions options;
   if (image) options.falcon.firmware = image->bytes;
   options.falcon.calibrations = load_falcon_calibrations();
+  options.falcon.when_left_pushing = tell_of_left_pushing;
   // They have been looked at when the command line was.
   for (const std::string& name : misbehave) find_injected_fault(name)->add(options.injected_fault);
   return options;

@@ -230,7 +230,7 @@ void Falcon::begin_exchanging() noexcept {
   is_purging_ = false;
   has_home_ = false;
   lost_position_ns_ = 0;
-  sent_ns_ = heard_ns_ = link().now_ns();
+  sent_ns_ = heard_ns_ = unanswered_ns_ = link().now_ns();
   window_ = {.began_ns = sent_ns_};
   report_.exchange_hz = 0.0;
   report_.has_homed = {};
@@ -262,8 +262,9 @@ void Falcon::end(FalconFault fault) noexcept {
 
 void Falcon::exchange() noexcept {
   if (!is_purging_) take_replies();
-  const double silence_s = since(heard_ns_);
-  if (silence_s >= give_up_s) return end(FalconFault::no_replies);
+  // A program that did not run for a while has asked nothing meanwhile.
+  const bool is_silent = unanswered_ns_ > heard_ns_;
+  if (is_silent && since(unanswered_ns_) >= give_up_s) return end(FalconFault::no_replies);
   if (is_purging_) {
     if (link().owes_stop() && !link().is_sending()) stop_motors();
     is_purging_ = link_script_.update(link()) == LinkProgress::running;
@@ -286,7 +287,7 @@ void Falcon::exchange() noexcept {
     wants_latency_ = !link().request(ftdi::latency(1));
   } else if (replies_.may_ask_again(now_ns)) {
     if (send_command()) ++report_.lost_exchanges;
-  } else if ((is_command_new_ || silence_s >= keep_alive_s) && replies_.may_send(now_ns)) {
+  } else if ((is_command_new_ || since(heard_ns_) >= keep_alive_s) && replies_.may_send(now_ns)) {
     send_command();
   }
 }
@@ -427,6 +428,7 @@ bool Falcon::send_command() noexcept {
   is_command_new_ = false;
   sent_ns_ = link().now_ns();
   if (!replies_.is_waiting()) asked_ns_ = sent_ns_;
+  if (unanswered_ns_ <= heard_ns_) unanswered_ns_ = sent_ns_;
   replies_.sent(sent_ns_);
   return true;
 }

@@ -39,6 +39,9 @@ struct FalconOptions {
   std::vector<std::uint8_t> firmware;           // a validated image (firmware_file.h); empty: there is none
   std::vector<FalconCalibration> calibrations;  // by serial number; a device without one gets the default
   bool is_virtual = false;                      // for the report
+  // The driver ends, and this device, a real one, has not answered a stop: it may still push. On the thread that ends the
+  // driver; null: nobody wants to hear of it.
+  void (*when_left_pushing)(const FalconSerial& serial) noexcept = nullptr;
 };
 
 class Falcon {
@@ -152,9 +155,10 @@ class Falcon {
   bool is_command_new_ = false;  // not sent yet
   bool may_push_ = false;        // a force was asked for, and no zero that the device has heard since
   ReplyMatcher replies_;
-  std::int64_t sent_ns_ = 0;   // the last command
-  std::int64_t asked_ns_ = 0;  // the first command since the last reply
-  std::int64_t heard_ns_ = 0;  // the last reply
+  std::int64_t sent_ns_ = 0;        // the last command
+  std::int64_t asked_ns_ = 0;       // the first command since the last reply, or since the link was set up again
+  std::int64_t unanswered_ns_ = 0;  // the first command since the last reply
+  std::int64_t heard_ns_ = 0;       // the last reply
   bool is_purging_ = false;
   bool wants_latency_ = false;  // the chip is too slow, and has perhaps refused to be faster
   int unhomed_replies_ = 0;     // in a row

@@ -62,12 +62,15 @@ void Falcon::pay_debts() noexcept {
   attempt_ = 0;
   pause_s_ = 0.0;
   while (!debts_.empty() && since(began_ns) < last_stops_s) {
+    const bool was_busy = opener_.is_busy();  // what it has found is known after the next update()
     update();
     if (is_paying()) seen_ns = link().now_ns();
-    if (!opener_.is_busy() && since(seen_ns) >= last_look_s) break;
+    if (!was_busy && !opener_.is_busy() && since(seen_ns) >= last_look_s) break;
     opener_.wait_until(link().now_ns() + 1'000'000);
   }
   shut_down();
+  if (options_.when_left_pushing == nullptr || options_.is_virtual) return;
+  for (const FalconSerial& serial : debts_.serials()) options_.when_left_pushing(serial);
 }
 
 // Whether one that is owed a stop is open, or is there and is opened next or tried again.

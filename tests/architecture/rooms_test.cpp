@@ -64,6 +64,27 @@ std::vector<std::string> forbidden_arrows(const Rooms& rooms, const Tree& tree) 
   return found;
 }
 
+// What the table allows and no include line uses: a way that nobody decided on, open for the next shortcut.
+std::vector<std::string> unused_arrows(const Rooms& rooms, const Tree& tree) {
+  Rooms unused = rooms;
+  for (const auto& [path, text] : tree) {
+    const auto room = unused.find(folder_of(path));
+    if (room == unused.end()) continue;
+    for (const Include& include : includes_of(text)) {
+      std::erase_if(room->second.libraries, [&](const std::string& library) {
+        return std::regex_match(include.operand, library_includes().at(library));
+      });
+      if (const auto target = project_path(include.operand)) room->second.folders.erase(folder_of(*target));
+    }
+  }
+  std::vector<std::string> found;
+  for (const auto& [folder, room] : unused) {
+    for (const std::string& target : room.folders) found.push_back(folder + " uses nothing of " + target);
+    for (const std::string& library : room.libraries) found.push_back(folder + " uses nothing of " + library);
+  }
+  return found;
+}
+
 using Arrows = std::map<std::string, std::set<std::string>>;
 
 // From folder to folder, as the include lines have it.
@@ -126,6 +147,10 @@ TEST(RoomsTest, NoArrowIsForbidden) {
   const Tree tree = tree_at(source_path());
   ASSERT_TRUE(tree.contains("core/conventions.h")) << "the tree was not read";
   EXPECT_EQ(listed(forbidden_arrows(rooms_of_the_house(), tree)), "");
+}
+
+TEST(RoomsTest, NoArrowIsAllowedInVain) {
+  EXPECT_EQ(listed(unused_arrows(rooms_of_the_house(), tree_at(source_path()))), "");
 }
 
 TEST(RoomsTest, NoFoldersIncludeEachOtherInARing) {
@@ -258,6 +283,12 @@ TEST(RoomsSelfTest, LetsThroughWhatEachRoomNeeds) {
 TEST(RoomsSelfTest, SaysWhere) {
   EXPECT_EQ(listed(forbidden_arrows(rooms_of_the_house(), {{"core/a.h", "#pragma once\n\n#include <imgui.h>\n"}})),
             "core/a.h:3: core may not include <imgui.h>\n");
+}
+
+TEST(RoomsSelfTest, SeesWhatIsAllowedAndNotUsed) {
+  const Rooms rooms{{"app/ui", {.folders = {"core", "app/view"}, .libraries = {"fmt", "imgui"}}}};
+  const Tree tree{{"app/ui/a.cpp", "#include \"core/b.h\"\n#include <imgui.h>\n"}};
+  EXPECT_EQ(listed(unused_arrows(rooms, tree)), "app/ui uses nothing of app/view\napp/ui uses nothing of fmt\n");
 }
 
 TEST(RoomsSelfTest, SeesARingOfFolders) {

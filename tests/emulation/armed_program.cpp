@@ -83,6 +83,10 @@ void overflow_stack() {
   go_deeper(1);
 }
 
+void sleep_for_ever() {
+  for (;;) std::this_thread::sleep_for(std::chrono::seconds(1));
+}
+
 void loop_for_ever() {
   for (volatile bool goes_on = true; goes_on;) {
   }
@@ -211,10 +215,7 @@ constexpr Way ways[] = {
     {"obey", [](Person& person) { obey_orders(person); }},
     {"look", [](Person& person) { obey_orders(person); }},  // without arming the motors first
     // Hears of nothing, because its main thread hangs.
-    {"hang",
-     [](Person&) {
-       for (;;) std::this_thread::sleep_for(std::chrono::seconds(1));
-     }},
+    {"hang", [](Person&) { sleep_for_ever(); }},
     {"stall",
      [](Person& person) {
        std::this_thread::sleep_for(std::chrono::milliseconds(1500));
@@ -236,13 +237,13 @@ constexpr Way ways[] = {
        pid_t thread = 0;
        while ((thread = thread_named(detail)) == 0) person.live();
        tgkill(getpid(), thread, SIGURG);
-       std::this_thread::sleep_for(std::chrono::seconds(5));
+       sleep_for_ever();
      }},
     // On one that knows nothing of this program's handlers.
     {"stack overflow on a library's thread",
      [](Person&) {
        std::thread(overflow_stack).detach();
-       std::this_thread::sleep_for(std::chrono::seconds(5));
+       sleep_for_ever();
      }},
     {"segmentation faults on two threads",
      [](Person& person) {
@@ -264,7 +265,7 @@ int run(std::string_view name) {
     say_end();
     way.go(person);
     // The servo's thread is on its way.
-    if (name.ends_with("thread")) std::this_thread::sleep_for(std::chrono::seconds(5));
+    if (name.ends_with("thread")) sleep_for_ever();
     return 0;
   }
   return static_cast<int>(ExitCode::wrong_call);

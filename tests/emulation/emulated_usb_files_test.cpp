@@ -230,7 +230,7 @@ TEST_F(EmulatedUsbFilesTest, RequestsToTheDeviceNeedNoClaim) {
   falcon.inject(usb_fault("latency-refused"));
   EXPECT_EQ(other->ask_vendor(9), EPIPE);
   EXPECT_EQ(other->ask_vendor(9), 0);
-  falcon.inject(usb_fault("control-nak-3s"));
+  falcon.inject(usb_fault("control-nak"));
   EXPECT_EQ(other->ask_vendor(3, 20), ETIMEDOUT);
   EXPECT_EQ(falcon.transfers_pending(), 0U);
   falcon.inject(usb_fault("unplugged"));

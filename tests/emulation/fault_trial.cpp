@@ -34,7 +34,7 @@ constexpr std::uint64_t frames_onward = 400;
 constexpr std::int64_t for_good_ns = 60 * ms;
 // Once a program can run again, what it does next shows within this.
 constexpr std::int64_t after_hold_ns = 500 * ms;
-constexpr std::int64_t fast_patience_ns = 10'000 * ms;
+constexpr std::int64_t fast_patience_ns = 60'000 * ms;
 
 // As orders.h has it.
 struct ToldByProgram {
@@ -188,7 +188,7 @@ class FaultTrial {
         break;
       }
       if (told_.motors_push() && told.frames >= first_frame_ + frames_onward && told.motors != MotorNumbers{} &&
-          !fades() && monotonic_ns() > event_ns_ + fault_.lasts_ms * ms) {
+          !fades() && fault_.promise != Promise::zero_and_why && monotonic_ns() > event_ns_ + fault_.lasts_ms * ms) {
         outcome_.went_on = true;
         break;
       }
@@ -283,6 +283,9 @@ class FaultTrial {
   std::int64_t end_of_lasting_ns() const { return event_ns_ + fault_.lasts_ms * ms; }
 
   void end_of_fault() {
+    // The other one is taken by now, however busy this machine is.
+    const std::int64_t end_ns = monotonic_ns() + return_patience / std::chrono::nanoseconds(1);
+    while (has_other() && other_cable_.times_taken() == 0 && !program_has_ended_ && monotonic_ns() < end_ns) look();
     is_taken_away_ = true;
     chip_.inject({});
     cable_.inject(fault_.usb_afterwards.empty() ? UsbFault{} : usb_fault(fault_.usb_afterwards));
@@ -301,7 +304,7 @@ class FaultTrial {
     while (monotonic_ns() < end_ns && !program_has_ended_) {
       look();
       if (has_other() && any_pushes() && !is_other_out_) {
-        outcome_.other_was_taken_first |= other_cable_.times_taken() > other_taken;
+        outcome_.other_was_taken_first |= other_taken_ > other_taken;
       }
       const bool is_back = told_.device_is_readable() && (outcome_.went_on || told_.motors_are_off()) &&
                            (outcome_.went_on || !any_pushes());
@@ -354,12 +357,15 @@ class FaultTrial {
     const bool had_ended = program_->has_ended();
     while (const auto line = program_->next_line(milliseconds(0))) hear(*line);
     program_has_ended_ = had_ended;
+    // Before what it pushes with: what is taken once it lets go is not taken too early.
+    const std::uint64_t taken = cable_.times_taken_by(program_pid_);
+    other_taken_ = other_cable_.times_taken();
     chip_told_ = chip_.told();
     other_told_ = other_chip_.told();
     lost_home_ |= !chip_told_.is_homed;
     const bool pushes = chip_told_.motors != MotorNumbers{};
     // By the program itself, that is: whoever else takes it does so to end the force.
-    if (pushes && cable_.times_taken_by(program_pid_) > times_taken_ && times_taken_ > 0) was_taken_anew_ = true;
+    if (pushes && taken > times_taken_ && times_taken_ > 0) was_taken_anew_ = true;
     if (any_pushes() && told_.says_off() && !program_has_ended_ && event_ns_ > 0) {
       const std::int64_t since_ns = std::max(told_.at_ns, event_ns_);
       outcome_.longest_false_off_ns = std::max(outcome_.longest_false_off_ns, monotonic_ns() - since_ns);
@@ -421,6 +427,7 @@ class FaultTrial {
   // Seen so far.
   FalconChip::Told chip_told_;
   FalconChip::Told other_told_;
+  std::uint64_t other_taken_ = 0;
   bool pushes_again_ = false;
   ToldByProgram told_;
   std::optional<ToldByProgram> told_at_off_;

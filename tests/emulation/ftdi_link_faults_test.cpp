@@ -112,7 +112,7 @@ TEST_F(FtdiLinkFaultsTest, AStopGoesOutThroughALinkThatHearsNoMore) {
 }
 
 TEST_F(FtdiLinkFaultsTest, ClosingInsistsOnTheStopThroughAHaltedEndpoint) {
-  for (const char* name : {"out-stall", "out-halt", "both-halt", "out-errors-40"}) {
+  for (const char* name : {"out-stall", "out-halt", "both-halt", "out-errors-5"}) {
     SCOPED_TRACE(name);
     open();
     const std::size_t before = chip.received().size();
@@ -179,7 +179,7 @@ TEST_F(FtdiLinkFaultsTest, TellsWhatBecameOfARequest) {
   ASSERT_TRUE(wait_until_sent());
   EXPECT_EQ(link.request_outcome(), RequestOutcome::done);
   EXPECT_EQ(chip.requests(), (std::vector{latency}));
-  falcon.inject(usb_fault("control-nak-3s"));
+  falcon.inject(usb_fault("control-nak"));
   ASSERT_TRUE(link.request(latency));
   ASSERT_TRUE(wait_until_sent());
   EXPECT_EQ(link.request_outcome(), RequestOutcome::unanswered);
@@ -189,7 +189,7 @@ TEST_F(FtdiLinkFaultsTest, TellsWhatBecameOfARequest) {
 // Its calibration goes by the serial number: a device that does not tell it now is not taken for one without.
 TEST_F(FtdiLinkFaultsTest, WaitsForTheSerialNumber) {
   falcon.plug();
-  falcon.inject(usb_fault("control-nak-3s"));
+  falcon.inject(usb_fault("control-nak"));
   EXPECT_EQ(link.open(), LinkFault::broken);
   falcon.inject({});
   EXPECT_EQ(link.open(), LinkFault::none);

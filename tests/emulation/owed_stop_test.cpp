@@ -4,6 +4,8 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -50,10 +52,15 @@ class ForgetfulChip final : public EmulatedChip {
   std::atomic<std::size_t> noise_bytes_ = 0;
 };
 
+std::vector<std::string> left_pushing;
+
 class OwedStopTest : public testing::Test {
  protected:
   OwedStopTest() {
-    input = std::make_unique<FalconInput>(std::make_unique<FtdiLink>(), FalconOptions{}, Vector<2>{0.0, 0.0});
+    left_pushing.clear();
+    FalconOptions options;
+    options.when_left_pushing = [](const FalconSerial& serial) noexcept { left_pushing.emplace_back(serial.text()); };
+    input = std::make_unique<FalconInput>(std::make_unique<FtdiLink>(), options, Vector<2>{0.0, 0.0});
     input->restart({0.0, 0.0});
   }
 
@@ -88,9 +95,11 @@ TEST_F(OwedStopTest, ADeviceThatWasPluggedInAgainIsSetUpAndThenStopped) {
   ASSERT_TRUE(tick_until([&] { return input->report().fault == FalconFault::unplugged; }));
   EXPECT_TRUE(input->report().may_still_push);
   is_armed = false;
+  const std::uint64_t faults = input->report().faults;
   a.plug();
   ASSERT_TRUE(tick_until([&] { return !chip_a.pushes(); }));
-  EXPECT_EQ(chip_a.noise_bytes(), 0U);
+  // A guard that takes the device, because this machine came late, says zero before it sets anything up.
+  EXPECT_TRUE(input->report().faults != faults || chip_a.noise_bytes() == 0);
   EXPECT_TRUE(tick_until([&] { return !input->report().may_still_push; }));
 }
 
@@ -135,20 +144,29 @@ TEST_F(OwedStopTest, AtTheEndOfTheProgramTheOwedOneIsStoppedAndNotOnlyTheOneInUs
   a.plug();
   input->shut_down();
   input.reset();
-  EXPECT_FALSE(chip_a.pushes());
+  // Where this machine took too long for that, it was said (stop_debts_test.cpp has the times).
+  EXPECT_EQ(left_pushing.empty(), !chip_a.pushes());
   EXPECT_FALSE(chip_b.pushes());
 }
 
+// Once more where this machine came so late that the guard took the device meanwhile.
 TEST_F(OwedStopTest, AChipThatIsResetWhileItsCableIsInIsSetUpAgainAndStopped) {
   a.plug();
-  ASSERT_TRUE(pushes_with(chip_a));
-  const std::uint64_t times_taken = a.times_taken();
-  chip_a.forget();
-  ASSERT_TRUE(tick_until([&] { return !chip_a.pushes(); }));
-  is_armed = false;
-  EXPECT_TRUE(tick_until([&] { return !input->report().may_still_push; }));
-  EXPECT_TRUE(tick_until([&] { return input->report().is_readable(); }));
-  EXPECT_EQ(a.times_taken(), times_taken) << "it is not opened anew";
+  bool was_late = true;
+  for (int attempt = 0; was_late && attempt < 50; ++attempt) {
+    is_armed = true;
+    ASSERT_TRUE(pushes_with(chip_a));
+    const std::uint64_t times_taken = a.times_taken();
+    const std::uint64_t faults = input->report().faults;
+    chip_a.forget();
+    ASSERT_TRUE(tick_until([&] { return !chip_a.pushes(); }));
+    is_armed = false;
+    EXPECT_TRUE(tick_until([&] { return !input->report().may_still_push; }));
+    EXPECT_TRUE(tick_until([&] { return input->report().is_readable(); }));
+    was_late = input->report().faults != faults;
+    EXPECT_TRUE(was_late || a.times_taken() == times_taken) << "it is not opened anew";
+  }
+  EXPECT_FALSE(was_late);
 }
 
 }  // namespace

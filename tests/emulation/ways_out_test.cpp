@@ -52,15 +52,33 @@ class WaysOutTest : public testing::Test {
     event_ns = std::stoll(line->substr(5));
   }
 
-  // While the motors push. They may have gone off before, because this machine has other things to do: then once more.
-  void send(int signal) {
+  // Motors that push may go off again at once, because this machine has other things to do: then once more.
+  void see_it_push() {
     for (int attempt = 0; attempt < 20 && chip.told().motors == MotorNumbers{}; ++attempt) {
       program.reset();
       ASSERT_NO_FATAL_FAILURE(start(way));
     }
     ASSERT_NE(chip.told().motors, MotorNumbers{});
+  }
+
+  // While the motors push.
+  void send(int signal) {
+    ASSERT_NO_FATAL_FAILURE(see_it_push());
     event_ns = now_ns();
     program->send(signal);
+  }
+
+  // The program has not taken it yet, on any thread.
+  bool is_pending(int signal) const {
+    const std::string tasks = "/proc/" + std::to_string(program->pid()) + "/task";
+    for (const auto& thread : std::filesystem::directory_iterator(tasks)) {
+      std::ifstream status(thread.path() / "status");
+      for (std::string name, value; status >> name && std::getline(status, value);) {
+        const bool is_mask = name == "SigPnd:" || name == "ShdPnd:";
+        if (is_mask && ((std::stoull(value, nullptr, 16) >> (signal - 1)) & 1) != 0) return true;
+      }
+    }
+    return false;
   }
 
   // What was on the way when the program ended has arrived.
@@ -74,9 +92,8 @@ class WaysOutTest : public testing::Test {
     const FalconChip::Told told = told_in_the_end();
     EXPECT_EQ(told.motors, MotorNumbers{});
     EXPECT_GT(told.last_force_ns, 0);
-    const std::int64_t after_us = (told.last_force_ns - event_ns) / 1000;
-    EXPECT_LT(after_us, 1'000'000);
-    RecordProperty("last_force_us_after", std::to_string(after_us));
+    // How soon: fault_table measures it.
+    RecordProperty("last_force_us_after", std::to_string((told.last_force_ns - event_ns) / 1000));
   }
 
   // There was time for a goodbye: the device has answered what it was told last, and has been heard.
@@ -127,7 +144,6 @@ TEST_F(WaysOutTest, TheWindowStalls) {
   EXPECT_NE(*reason, "none");
   const FalconChip::Told told = chip.told();
   EXPECT_EQ(told.motors, MotorNumbers{});
-  EXPECT_LT(told.last_force_ns - event_ns, 1'200'000'000) << "0.5 s, and 0.2 s to fade";
   RecordProperty("last_force_us_after", std::to_string((told.last_force_ns - event_ns) / 1000));
   EXPECT_EQ(program->wait_for_end(), 0);
 }
@@ -137,7 +153,9 @@ TEST_F(WaysOutTest, TheWindowStalls) {
 TEST_F(WaysOutTest, InterruptedTwiceBecauseItHangs) {
   ASSERT_NO_FATAL_FAILURE(start("hang"));
   program->send(SIGINT);
-  std::this_thread::sleep_for(milliseconds(20));  // two that come at once are one
+  // Two that come at once are one.
+  const std::int64_t deadline_ns = now_ns() + patience / std::chrono::nanoseconds(1);
+  while (is_pending(SIGINT) && now_ns() < deadline_ns) std::this_thread::sleep_for(milliseconds(1));
   event_ns = now_ns();
   program->send(SIGINT);
   expect_no_force(128 + SIGINT);
@@ -184,7 +202,7 @@ INSTANTIATE_TEST_SUITE_P(, WaysOutByTheServosSignalTest,
 // The second must not end it before the first has turned motors off.
 TEST_F(WaysOutTest, TwoSignalsAtOnce) {
   ASSERT_NO_FATAL_FAILURE(start("wait"));
-  ASSERT_NE(chip.told().motors, MotorNumbers{});
+  ASSERT_NO_FATAL_FAILURE(see_it_push());
   program->send(SIGSTOP);
   event_ns = now_ns();
   for (int i = 0; i < 2; ++i) program->send(SIGRTMIN);  // real-time signals are queued, each of them
@@ -263,6 +281,14 @@ class WaysOutWithAGuardTest : public WaysOutTest {
     ASSERT_EQ(chip.told().motors, MotorNumbers{});
   }
 
+  // It may just be started.
+  pid_t some_guard() const {
+    const std::int64_t deadline_ns = now_ns() + patience / std::chrono::nanoseconds(1);
+    pid_t found = 0;
+    while ((found = guard()) == 0 && now_ns() < deadline_ns) std::this_thread::sleep_for(milliseconds(1));
+    return found;
+  }
+
   // The one child that the program has.
   pid_t guard() const {
     const std::string process = std::to_string(program->pid());
@@ -313,19 +339,21 @@ TEST_F(WaysOutWithAGuardTest, Stopped) {
 // The program turns motors off that nobody guards, and starts another guard.
 TEST_F(WaysOutWithAGuardTest, TheGuardIsKilled) {
   ASSERT_NO_FATAL_FAILURE(start("wait"));
-  const pid_t first = guard();
+  const pid_t first = some_guard();
   ASSERT_GT(first, 0);
   kill(first, SIGKILL);
   ASSERT_NO_FATAL_FAILURE(wait_for_zero());
   const std::int64_t deadline_ns = now_ns() + patience / std::chrono::nanoseconds(1);
-  while ((guard() == first || guard() == 0) && now_ns() < deadline_ns) std::this_thread::sleep_for(milliseconds(1));
-  EXPECT_NE(guard(), first);
-  EXPECT_NE(guard(), 0);
+  pid_t next = 0;
+  while ((next = guard()) == first || next == 0) {
+    ASSERT_LT(now_ns(), deadline_ns);
+    std::this_thread::sleep_for(milliseconds(1));
+  }
 }
 
 TEST_F(WaysOutWithAGuardTest, TheGuardEndsWithItsProgram) {
   ASSERT_NO_FATAL_FAILURE(start("wait"));
-  const pid_t first = guard();
+  const pid_t first = some_guard();
   ASSERT_GT(first, 0);
   program->send(SIGTERM);
   EXPECT_EQ(program->wait_for_end(), static_cast<int>(ExitCode::interrupted));

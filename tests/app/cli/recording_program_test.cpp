@@ -148,19 +148,6 @@ TEST(RecordingProgram, BeginsAtRestUnderTheGoalThatWasAskedFor) {
   }
 }
 
-TEST(RecordingProgram, SaysWhereTheFileTookNoMore) {
-  const TemporaryFolder folder;
-  const Display display(1024, 640);
-  ProgramCall call;
-  call.words = {"run", "--input", "script", "--exit-after", "2", "--record", folder / "run.csv"};
-  call.environment = display.environment();
-  const SmallFiles small(100'000);
-  const Outcome outcome = run_program(ghostforce_program(), call);
-  EXPECT_EQ(outcome.exit_code, 8);
-  EXPECT_NE(outcome.err.find("run.csv cannot be written any further: File too large"), std::string::npos)
-      << outcome.err;
-}
-
 bool has_open(pid_t process, const std::string& path) {
   std::error_code has_just_gone;
   for (const auto& entry :
@@ -168,6 +155,33 @@ bool has_open(pid_t process, const std::string& path) {
     if (std::filesystem::read_symlink(entry, has_just_gone).string().starts_with(path)) return true;
   }
   return false;
+}
+
+void wait_a_little() {
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+}
+
+// The end of the recording closes the file; then its person quits.
+int end_after_recording(BackgroundProgram& program, const Display& display, const std::string& recorded_in) {
+  while (program.is_running() && has_open(program.pid(), recorded_in)) wait_a_little();
+  while (program.is_running()) {
+    display.act({"key", "ctrl+q"});
+    wait_a_little();
+  }
+  return program.end(0);
+}
+
+TEST(RecordingProgram, SaysWhereTheFileTookNoMore) {
+  const TemporaryFolder folder;
+  const Display display(1024, 640);
+  const std::string path = std::filesystem::canonical(folder.path()) / "run.csv";
+  const SmallFiles small(100'000);
+  const std::string command = "exec " + ghostforce_program() + " run --input script --no-hints --record " + path;
+  BackgroundProgram program({"/bin/sh", "-c", command + " 2> " + (folder / "words")}, display.environment());
+  while (read_whole(path).empty() && program.is_running()) wait_a_little();
+  EXPECT_EQ(end_after_recording(program, display, path), 8);
+  const std::string words = read_whole(folder / "words");
+  EXPECT_NE(words.find("run.csv cannot be written any further: File too large"), std::string::npos) << words;
 }
 
 TEST(RecordingProgram, SaysThatTheFolderHasVanished) {
@@ -178,16 +192,9 @@ TEST(RecordingProgram, SaysThatTheFolderHasVanished) {
   const std::string command =
       std::string("exec " + ghostforce_program() + " run --input script --no-hints --record ") + gone + "/run.csv";
   BackgroundProgram program({"/bin/sh", "-c", command + " 2> " + (folder / "words")}, display.environment());
-  const auto wait = [] { std::this_thread::sleep_for(std::chrono::milliseconds(50)); };
-  while (read_whole(gone + "/run.csv").empty() && program.is_running()) wait();
+  while (read_whole(gone + "/run.csv").empty() && program.is_running()) wait_a_little();
   std::filesystem::remove_all(gone);
-  // The end of the recording closes the file.
-  while (program.is_running() && has_open(program.pid(), gone)) wait();
-  while (program.is_running()) {
-    display.act({"key", "ctrl+q"});
-    wait();
-  }
-  EXPECT_EQ(program.end(0), 8);
+  EXPECT_EQ(end_after_recording(program, display, gone), 8);
   const std::string words = read_whole(folder / "words");
   EXPECT_NE(words.find(" s of recording are lost: "), std::string::npos) << words;
   EXPECT_NE(words.find("gone/run.csv was removed while it was being written"), std::string::npos) << words;

@@ -37,8 +37,8 @@ struct FakeFalcon {
   std::string serial;
   bool is_plugged = true;
   std::int64_t return_ns = std::numeric_limits<std::int64_t>::max();  // when it is plugged in by itself
-  bool is_busy = false;  // another program has it
-  bool is_deaf = false;  // the processor; the chip goes on
+  bool is_busy = false;                                               // another program has it
+  bool is_deaf = false;                                               // the processor; the chip goes on
   bool refuses_latency = false;
   std::int64_t reply_delay_ns = 0;
 
@@ -139,9 +139,12 @@ class FakeFalcons final : public FalconLink {
       if (now_ns_ >= deadline_ns && !has_news) break;
     }
     if (pause_ns_ == 0) return;
-    now_ns_ += std::exchange(pause_ns_, 0);
-    while (happen()) {
+    const std::int64_t end_ns = now_ns_ + std::exchange(pause_ns_, 0);
+    for (std::int64_t next_ns = 0; (next_ns = next_event_ns()) <= end_ns;) {
+      now_ns_ = std::max(now_ns_, next_ns);
+      happen();
     }
+    now_ns_ = end_ns;
   }
   void send_at_once(std::span<const std::uint8_t> /*bytes*/) noexcept override {}
 

@@ -4,6 +4,8 @@
 
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -71,12 +73,17 @@ class OwedStops : public testing::Test {
     return static_cast<int>((now_ns - began_ns) / ms);
   }
   const FalconReport& report() const { return driver->report(); }
+  std::unique_ptr<Falcon> driver_with(FalconOptions options) {
+    auto falcons = std::make_unique<FakeFalcons>(std::vector{&a, &b}, now_ns);
+    link = falcons.get();
+    return std::make_unique<Falcon>(std::move(falcons), std::move(options));
+  }
 
   FakeFalcon a{"12PZ657E"};
   FakeFalcon b{"FTPNM0FB"};
   std::int64_t now_ns = 1000 * ms;
-  std::unique_ptr<Falcon> driver =
-      std::make_unique<Falcon>(std::make_unique<FakeFalcons>(std::vector{&a, &b}, now_ns), FalconOptions{});
+  FakeFalcons* link = nullptr;  // the driver's
+  std::unique_ptr<Falcon> driver = driver_with({});
   double force = 1.0;
   bool is_armed = true;
 };
@@ -241,6 +248,25 @@ TEST_F(OwedStops, AtTheEndOfTheProgramADeviceThatAnotherProgramHoldsIsTriedForLo
   EXPECT_GT(now_ns - began_ns, 2000 * ms);
 }
 
+std::vector<std::string> left_pushing;
+
+TEST_F(OwedStops, TheEndOfTheProgramSaysWhichOnesAreLeftPushing) {
+  for (const bool comes_back : {false, true}) {
+    left_pushing.clear();
+    FalconOptions options;
+    options.when_left_pushing = [](const FalconSerial& serial) noexcept { left_pushing.emplace_back(serial.text()); };
+    a = FakeFalcon("12PZ657E");
+    b.is_plugged = false;
+    driver = driver_with(options);
+    push_with(a);
+    a.unplug();
+    run(0.01);
+    if (comes_back) a.plug();
+    driver.reset();
+    EXPECT_EQ(left_pushing, comes_back ? std::vector<std::string>{} : std::vector<std::string>{"12PZ657E"});
+  }
+}
+
 // It may just be on its way.
 TEST_F(OwedStops, TheEndOfTheProgramWaitsForADeviceThatIsAwayForAMomentOnly) {
   b.is_plugged = false;
@@ -260,7 +286,7 @@ TEST_F(OwedStops, AtTheEndOfTheProgramADeviceMayReturnAtAnyMoment) {
       SCOPED_TRACE(std::to_string(at_ms) + (is_alone ? " ms, alone" : " ms, beside another one"));
       a = FakeFalcon("12PZ657E");
       b = FakeFalcon("FTPNM0FB");
-      driver = std::make_unique<Falcon>(std::make_unique<FakeFalcons>(std::vector{&a, &b}, now_ns), FalconOptions{});
+      driver = driver_with({});
       b.is_plugged = !is_alone;
       push_with(a);
       a.unplug();
@@ -289,6 +315,21 @@ TEST_F(OwedStops, AChipThatIsResetWhileItsCableIsInGetsTheStopInTime) {
   EXPECT_EQ(a.times_opened, 1) << "it is well again without being opened anew";
   EXPECT_TRUE(report().is_readable());
   EXPECT_TRUE(report().is_fast_enough()) << report().exchange_hz;
+}
+
+// Nothing was asked meanwhile, and so nothing was left unanswered.
+TEST_F(OwedStops, AProgramThatDidNotRunForAWhileDoesNotTakeTheDeviceForSilent) {
+  is_armed = false;
+  ASSERT_GE(ms_until([&] { return report().state == FalconState::idle; }, 5.0), 0);
+  run(0.1);
+  for (int pause = 0; pause < 20; ++pause) {
+    link->pause(5'000 * ms);
+    run(0.0137);
+  }
+  EXPECT_EQ(report().faults, 0U);
+  EXPECT_EQ(a.times_opened, 1);
+  a.is_deaf = true;
+  EXPECT_GE(ms_until([&] { return report().fault == FalconFault::no_replies; }, 1.2), 900);
 }
 
 TEST_F(OwedStops, ALatencyThatWasRefusedIsAskedForUntilTheDeviceIsFast) {

@@ -190,7 +190,7 @@ TEST(ServoThread, ExchangesWholeValuesWithTheWindow) {
   std::uint32_t generation_before = 0;
   Sample before;
   before.snapshot.tick = -1;
-  while (samples < 500) {
+  while (samples < 500 || reports < 100) {
     const auto dice = static_cast<std::uint32_t>(random());
     mouse.move_to({(dice % 80) * 1e-3 - 0.04, (dice / 80 % 80) * 1e-3 - 0.04}, 0.016);
     command.settings.wall_normal_angle = dice % 628 * 0.01;
@@ -227,7 +227,6 @@ TEST(ServoThread, ExchangesWholeValuesWithTheWindow) {
   thread.stop();
   EXPECT_GT(generation_before, 0U);
   EXPECT_EQ(servo.newest().loop.dropped_samples, 0U);
-  EXPECT_GE(reports, 100U);
 }
 
 }  // namespace
