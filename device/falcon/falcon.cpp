@@ -280,6 +280,8 @@ void Falcon::exchange() noexcept {
     window_.worst_s = std::max(window_.worst_s, since(asked_ns_));
     command_.motors = {};
     note_stop();
+    // An older command may have been answered meanwhile.
+    if (unanswered_ns_ <= heard_ns_) unanswered_ns_ = now_ns;
     link_script_ = LinkScript(stop_and_set_up_link_again);
     link_script_.update(link());
     is_purging_ = true;
@@ -423,12 +425,13 @@ bool Falcon::send_command() noexcept {
     may_push_ = true;
     link().set_may_push(true);
   }
+  // Also of one that the link does not take now.
+  if (unanswered_ns_ <= heard_ns_) unanswered_ns_ = link().now_ns();
   if (!link().write(encode(command_))) return false;
   report_.motors = command_.motors;
   is_command_new_ = false;
   sent_ns_ = link().now_ns();
   if (!replies_.is_waiting()) asked_ns_ = sent_ns_;
-  if (unanswered_ns_ <= heard_ns_) unanswered_ns_ = sent_ns_;
   replies_.sent(sent_ns_);
   return true;
 }

@@ -61,7 +61,7 @@ class Falcon {
   static constexpr int patient_questions = 50;
   // At the end of the program, for devices that are owed a stop and are plugged in.
   static constexpr double last_stops_s = 3.0;
-  static constexpr double last_look_s = 0.5;  // and where none of them is
+  static constexpr double last_look_s = 0.5;  // since the last sign of one of them
 
   Falcon(std::unique_ptr<FalconLink> link, FalconOptions options);
   ~Falcon();
@@ -157,7 +157,7 @@ class Falcon {
   ReplyMatcher replies_;
   std::int64_t sent_ns_ = 0;        // the last command
   std::int64_t asked_ns_ = 0;       // the first command since the last reply, or since the link was set up again
-  std::int64_t unanswered_ns_ = 0;  // the first command since the last reply
+  std::int64_t unanswered_ns_ = 0;  // the first command since the last reply; up to heard_ns_: there was none
   std::int64_t heard_ns_ = 0;       // the last reply
   bool is_purging_ = false;
   bool wants_latency_ = false;  // the chip is too slow, and has perhaps refused to be faster

@@ -65,7 +65,8 @@ void Falcon::pay_debts() noexcept {
     const bool was_busy = opener_.is_busy();  // what it has found is known after the next update()
     update();
     if (is_paying()) seen_ns = link().now_ns();
-    if (!was_busy && !opener_.is_busy() && since(seen_ns) >= last_look_s) break;
+    const bool is_looking = was_busy || opener_.is_busy() || phase_ == Phase::opening;
+    if (!is_looking && since(seen_ns) >= last_look_s) break;
     opener_.wait_until(link().now_ns() + 1'000'000);
   }
   shut_down();
@@ -73,7 +74,7 @@ void Falcon::pay_debts() noexcept {
   for (const FalconSerial& serial : debts_.serials()) options_.when_left_pushing(serial);
 }
 
-// Whether one that is owed a stop is open, or is there and is opened next or tried again.
+// Whether one that is owed a stop is open; or some device is there and could not be opened, perhaps that one.
 bool Falcon::is_paying() const noexcept {
   const bool is_open = phase_ != Phase::pausing && phase_ != Phase::opening;
   if (is_open) return debts_.has(report_.serial);

@@ -56,10 +56,11 @@ struct ToldByProgram {
   }
 };
 
-bool is_zero(const std::vector<std::uint8_t>& bytes) {
+// What the motors are told; empty: the bytes are no command, but firmware, for one.
+std::optional<MotorNumbers> motors_of(const std::vector<std::uint8_t>& bytes) {
   FrameReader<CommandFrame> reader;
   const auto frame = reader.take(bytes);
-  return frame && frame->motors == MotorNumbers{};
+  return frame ? std::optional(frame->motors) : std::nullopt;
 }
 
 template <typename Entry, std::size_t Extent>
@@ -374,12 +375,13 @@ class FaultTrial {
     if (pushes) late_ns_ = std::max(late_ns_, monotonic_ns() - before_ns);
   }
 
-  // The first zero after the last thing that was none.
+  // The first zero after the last force.
   void note_what_is_tried() {
     const EmulatedUsbDevice::OutAttempt attempt = cable_.last_out();
-    if (attempt.at_ns < event_ns_ || !is_zero(attempt.bytes)) {
+    const std::optional<MotorNumbers> motors = motors_of(attempt.bytes);
+    if (attempt.at_ns < event_ns_ || (motors && *motors != MotorNumbers{})) {
       zero_try_ns_.reset();
-    } else if (!zero_try_ns_) {
+    } else if (motors && !zero_try_ns_) {
       zero_try_ns_ = attempt.at_ns - event_ns_;
     }
   }

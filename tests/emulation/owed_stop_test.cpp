@@ -145,7 +145,7 @@ TEST_F(OwedStopTest, AtTheEndOfTheProgramTheOwedOneIsStoppedAndNotOnlyTheOneInUs
   input->shut_down();
   input.reset();
   // Where this machine took too long for that, it was said (stop_debts_test.cpp has the times).
-  EXPECT_EQ(left_pushing.empty(), !chip_a.pushes());
+  EXPECT_TRUE(!chip_a.pushes() || !left_pushing.empty());
   EXPECT_FALSE(chip_b.pushes());
 }
 
