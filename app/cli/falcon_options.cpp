@@ -12,6 +12,7 @@
 #include "app/console/quoted.h"
 #include "app/console/typed_text.h"
 #include "app/console/words.h"
+#include "app/doctor/readiness.h"
 #include "app/files/falcon_calibration_file.h"
 #include "app/files/xdg_folders.h"
 #include "device/virtual_falcon/injected_fault.h"
@@ -35,9 +36,7 @@ std::string refuse_other_than_usb_id(const std::string& text) {
 }
 
 void tell_of_left_pushing(const FalconSerial& serial) noexcept {
-  const std::string_view number = serial.text();
-  say("The motors of the Falcon{}{} may still push: it has not answered. Unplug its power supply now.\n",
-      number.empty() ? "" : " with the serial number ", number);
+  say("{}\n", left_pushing_words(serial));
 }
 
 }  // namespace

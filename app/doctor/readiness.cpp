@@ -101,11 +101,7 @@ static_assert(faults.size() == static_cast<std::size_t>(FalconFault::stop_owed) 
 // What a device was told last was a force, or it has not answered since it was told to stop.
 std::string still_pushing(const FalconReport& report) {
   if (!report.may_still_push) return "";
-  const std::string_view serial = report.owed_serial.text();
-  return fmt::format(
-      "The motors{}{} may still push: unplug the device's power supply now, then its USB cable. The program stops them "
-      "as soon as the device answers again. ",
-      serial.empty() ? "" : " of the Falcon with the serial number ", serial);
+  return left_pushing_words(report.owed_serial) + " The program stops them as soon as the device answers again. ";
 }
 
 // The motors of which `is_so` is `wanted`: "motor 1 and motor 3".
@@ -308,6 +304,12 @@ std::span<const ReadinessEntry> readiness_catalog() noexcept {
 
 const ReadinessEntry& entry_of(ReadinessStep step) noexcept {
   return steps[static_cast<std::size_t>(step)];
+}
+
+std::string left_pushing_words(const FalconSerial& serial) {
+  const std::string_view number = serial.text();
+  return fmt::format("The motors{}{} may still push: unplug the device's power supply now, then its USB cable.",
+                     number.empty() ? "" : " of the Falcon with the serial number ", number);
 }
 
 std::string_view no_guard() noexcept {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -14,6 +15,7 @@ namespace ghostforce {
 
 // Of the device, of which what draws the steps knows nothing else.
 enum class FalconFault : std::uint8_t;
+class FalconSerial;
 struct FalconReport;
 struct MotorReport;
 
@@ -34,6 +36,9 @@ const ReadinessEntry& entry_of(ReadinessStep step) noexcept;
 // What is wrong, and what to do about it, as sentences; empty for none.
 std::string_view sentence_of(FalconFault fault) noexcept;
 std::string_view remedy_of(FalconFault fault) noexcept;
+
+// That this Falcon was told to stop and has not answered, and what to do now.
+std::string left_pushing_words(const FalconSerial& serial);
 
 // Why a device that is well may not push: nobody guards its motors, and what to do about it.
 std::string_view no_guard() noexcept;

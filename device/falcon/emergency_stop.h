@@ -1,6 +1,7 @@
 // The emergency stop: when the process is to end, motors are told to stop by the signal handler itself, before any thread
-// hears of it, or because no thread ever will (emergency_handlers.h). One link per process has motors. Everything here is async-signal-safe, on any
-// thread. In a page no process dies that leaves a device behind: there it is ordered only by who calls it.
+// hears of it, or because no thread ever will (emergency_handlers.h). One link per process has motors. Everything here is
+// async-signal-safe, on any thread. In a page no process dies that leaves a device behind: there it is ordered only by
+// who calls it.
 #pragma once
 
 namespace ghostforce {

@@ -230,7 +230,8 @@ void Falcon::begin_exchanging() noexcept {
   is_purging_ = false;
   has_home_ = false;
   lost_position_ns_ = 0;
-  sent_ns_ = heard_ns_ = unanswered_ns_ = link().now_ns();
+  sent_ns_ = heard_ns_ = link().now_ns();
+  unanswered_ns_.reset();
   window_ = {.began_ns = sent_ns_};
   report_.exchange_hz = 0.0;
   report_.has_homed = {};
@@ -263,8 +264,7 @@ void Falcon::end(FalconFault fault) noexcept {
 void Falcon::exchange() noexcept {
   if (!is_purging_) take_replies();
   // A program that did not run for a while has asked nothing meanwhile.
-  const bool is_silent = unanswered_ns_ > heard_ns_;
-  if (is_silent && since(unanswered_ns_) >= give_up_s) return end(FalconFault::no_replies);
+  if (unanswered_ns_ && since(*unanswered_ns_) >= give_up_s) return end(FalconFault::no_replies);
   if (is_purging_) {
     if (link().owes_stop() && !link().is_sending()) stop_motors();
     is_purging_ = link_script_.update(link()) == LinkProgress::running;
@@ -280,8 +280,6 @@ void Falcon::exchange() noexcept {
     window_.worst_s = std::max(window_.worst_s, since(asked_ns_));
     command_.motors = {};
     note_stop();
-    // An older command may have been answered meanwhile.
-    if (unanswered_ns_ <= heard_ns_) unanswered_ns_ = now_ns;
     link_script_ = LinkScript(stop_and_set_up_link_again);
     link_script_.update(link());
     is_purging_ = true;
@@ -311,6 +309,8 @@ void Falcon::take(const ReplyFrame& frame) noexcept {
   const auto asked_ns = replies_.replied(link().now_ns());
   if (!asked_ns) return;  // a reply that came twice is no news
   heard_ns_ = link().now_ns();
+  // It may have been the answer to an older command.
+  unanswered_ns_ = replies_.is_waiting() ? std::optional(heard_ns_) : std::nullopt;
   if (!replies_.is_waiting() && report_.motors == MotorNumbers{}) {
     if (may_push_) link().set_may_push(false);
     may_push_ = false;
@@ -425,13 +425,12 @@ bool Falcon::send_command() noexcept {
     may_push_ = true;
     link().set_may_push(true);
   }
-  // Also of one that the link does not take now.
-  if (unanswered_ns_ <= heard_ns_) unanswered_ns_ = link().now_ns();
   if (!link().write(encode(command_))) return false;
   report_.motors = command_.motors;
   is_command_new_ = false;
   sent_ns_ = link().now_ns();
   if (!replies_.is_waiting()) asked_ns_ = sent_ns_;
+  if (!unanswered_ns_) unanswered_ns_ = sent_ns_;
   replies_.sent(sent_ns_);
   return true;
 }

@@ -3,8 +3,7 @@
 // of the protocol (device/virtual_falcon/virtual_link.h). The driver above cannot tell them apart.
 //
 // All functions but now_ns(), send_at_once() and is_any_plugged_in() belong to one thread at a time: link_opener.h says
-// which. None throws,
-// and none waits except wait_until(), open() and close(). Times in ns.
+// which. None throws, and none waits except wait_until(), open() and close(). Times in ns.
 #pragma once
 
 #include <cstddef>

@@ -64,7 +64,7 @@ std::vector<std::string> forbidden_arrows(const Rooms& rooms, const Tree& tree) 
   return found;
 }
 
-// What the table allows and no include line uses: a way that nobody decided on, open for the next shortcut.
+// The arrows that the table allows and no include line uses.
 std::vector<std::string> unused_arrows(const Rooms& rooms, const Tree& tree) {
   Rooms unused = rooms;
   for (const auto& [path, text] : tree) {

@@ -38,7 +38,7 @@ struct Fault {
   std::string_view usb = "";              // a name of usb_fault_catalog()
   std::string_view device = "";           // a name of injected_fault_catalog()
   std::string_view usb_at_start = "";     // as the cable is when the program begins to look for the device
-  std::string_view device_at_start = "";  // as `device`, but before the motors are armed: they must not come on
+  std::string_view device_at_start = "";  // as `device`, but before the motors are armed: they are never fully on
   std::string_view order = "";
   int signal = 0;
   bool starts_with_signals_blocked = false;

@@ -19,6 +19,7 @@ namespace ghostforce::owed_stop_test {
 namespace {
 
 constexpr std::int64_t ms = 1'000'000;
+constexpr int most_attempts = 50;
 
 // A Falcon that runs its firmware and is homed. While its chip is at its own rate, all that it passes on is noise.
 class ForgetfulChip final : public EmulatedChip {
@@ -56,7 +57,9 @@ std::vector<std::string> left_pushing;
 
 class OwedStopTest : public testing::Test {
  protected:
-  OwedStopTest() {
+  OwedStopTest() { begin_driver(); }
+
+  void begin_driver() {
     left_pushing.clear();
     FalconOptions options;
     options.when_left_pushing = [](const FalconSerial& serial) noexcept { left_pushing.emplace_back(serial.text()); };
@@ -88,19 +91,26 @@ class OwedStopTest : public testing::Test {
   bool is_armed = true;
 };
 
+// Once more where this machine came so late that the guard took the device: it says zero before it sets anything up.
 TEST_F(OwedStopTest, ADeviceThatWasPluggedInAgainIsSetUpAndThenStopped) {
   a.plug();
-  ASSERT_TRUE(pushes_with(chip_a));
-  a.unplug();
-  ASSERT_TRUE(tick_until([&] { return input->report().fault == FalconFault::unplugged; }));
-  EXPECT_TRUE(input->report().may_still_push);
-  is_armed = false;
-  const std::uint64_t faults = input->report().faults;
-  a.plug();
-  ASSERT_TRUE(tick_until([&] { return !chip_a.pushes(); }));
-  // A guard that takes the device, because this machine came late, says zero before it sets anything up.
-  EXPECT_TRUE(input->report().faults != faults || chip_a.noise_bytes() == 0);
-  EXPECT_TRUE(tick_until([&] { return !input->report().may_still_push; }));
+  bool was_late = true;
+  for (int attempt = 0; was_late && attempt < most_attempts; ++attempt) {
+    is_armed = true;
+    ASSERT_TRUE(pushes_with(chip_a));
+    const std::size_t noise_before = chip_a.noise_bytes();
+    a.unplug();
+    ASSERT_TRUE(tick_until([&] { return input->report().fault == FalconFault::unplugged; }));
+    EXPECT_TRUE(input->report().may_still_push);
+    is_armed = false;
+    const std::uint64_t faults = input->report().faults;
+    a.plug();
+    ASSERT_TRUE(tick_until([&] { return !chip_a.pushes(); }));
+    was_late = input->report().faults != faults;
+    EXPECT_TRUE(was_late || chip_a.noise_bytes() == noise_before);
+    EXPECT_TRUE(tick_until([&] { return !input->report().may_still_push; }));
+  }
+  EXPECT_FALSE(was_late);
 }
 
 TEST_F(OwedStopTest, TheFirstOneIsStoppedWhenItIsBackThoughTheSecondPushes) {
@@ -135,25 +145,30 @@ TEST_F(OwedStopTest, BothAreStoppedThoughBothWereAway) {
   EXPECT_TRUE(tick_until([&] { return !input->report().may_still_push; }));
 }
 
+// Once more where this machine took longer than the driver waits (stop_debts_test.cpp has the times), and it was said.
 TEST_F(OwedStopTest, AtTheEndOfTheProgramTheOwedOneIsStoppedAndNotOnlyTheOneInUse) {
   a.plug();
   b.plug();
-  ASSERT_TRUE(pushes_with(chip_a));
-  a.unplug();
-  ASSERT_TRUE(pushes_with(chip_b));
-  a.plug();
-  input->shut_down();
-  input.reset();
-  // Where this machine took too long for that, it was said (stop_debts_test.cpp has the times).
-  EXPECT_TRUE(!chip_a.pushes() || !left_pushing.empty());
-  EXPECT_FALSE(chip_b.pushes());
+  for (int attempt = 0; attempt < most_attempts; ++attempt) {
+    ASSERT_TRUE(pushes_with(chip_a));
+    a.unplug();
+    ASSERT_TRUE(pushes_with(chip_b));
+    a.plug();
+    input->shut_down();
+    input.reset();
+    EXPECT_FALSE(chip_b.pushes());
+    if (left_pushing.empty()) break;
+    begin_driver();
+  }
+  EXPECT_TRUE(left_pushing.empty());
+  EXPECT_FALSE(chip_a.pushes());
 }
 
 // Once more where this machine came so late that the guard took the device meanwhile.
 TEST_F(OwedStopTest, AChipThatIsResetWhileItsCableIsInIsSetUpAgainAndStopped) {
   a.plug();
   bool was_late = true;
-  for (int attempt = 0; was_late && attempt < 50; ++attempt) {
+  for (int attempt = 0; was_late && attempt < most_attempts; ++attempt) {
     is_armed = true;
     ASSERT_TRUE(pushes_with(chip_a));
     const std::uint64_t times_taken = a.times_taken();

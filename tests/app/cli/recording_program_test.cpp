@@ -161,6 +161,11 @@ void wait_a_little() {
   std::this_thread::sleep_for(std::chrono::milliseconds(50));
 }
 
+BackgroundProgram recording_program(const Display& display, const std::string& path, const std::string& words) {
+  const std::string command = "exec " + ghostforce_program() + " run --input script --no-hints --record " + path;
+  return BackgroundProgram({"/bin/sh", "-c", command + " 2> " + words}, display.environment());
+}
+
 // The end of the recording closes the file; then its person quits.
 int end_after_recording(BackgroundProgram& program, const Display& display, const std::string& recorded_in) {
   while (program.is_running() && has_open(program.pid(), recorded_in)) wait_a_little();
@@ -176,8 +181,7 @@ TEST(RecordingProgram, SaysWhereTheFileTookNoMore) {
   const Display display(1024, 640);
   const std::string path = std::filesystem::canonical(folder.path()) / "run.csv";
   const SmallFiles small(100'000);
-  const std::string command = "exec " + ghostforce_program() + " run --input script --no-hints --record " + path;
-  BackgroundProgram program({"/bin/sh", "-c", command + " 2> " + (folder / "words")}, display.environment());
+  BackgroundProgram program = recording_program(display, path, folder / "words");
   while (read_whole(path).empty() && program.is_running()) wait_a_little();
   EXPECT_EQ(end_after_recording(program, display, path), 8);
   const std::string words = read_whole(folder / "words");
@@ -189,9 +193,7 @@ TEST(RecordingProgram, SaysThatTheFolderHasVanished) {
   const Display display(1024, 640);
   const std::string gone = std::filesystem::canonical(folder.path()) / "gone";
   std::filesystem::create_directory(gone);
-  const std::string command =
-      std::string("exec " + ghostforce_program() + " run --input script --no-hints --record ") + gone + "/run.csv";
-  BackgroundProgram program({"/bin/sh", "-c", command + " 2> " + (folder / "words")}, display.environment());
+  BackgroundProgram program = recording_program(display, gone + "/run.csv", folder / "words");
   while (read_whole(gone + "/run.csv").empty() && program.is_running()) wait_a_little();
   std::filesystem::remove_all(gone);
   EXPECT_EQ(end_after_recording(program, display, gone), 8);
