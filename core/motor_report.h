@@ -13,6 +13,7 @@ struct MotorReport {
   bool has_motors = false;  // the input has
   SafetyState state = SafetyState::off;
   OffReason reason = OffReason::none;
+  OffReason last_reason = OffReason::none;  // why they went off last, acknowledged or not; none once they are on again
   ArmingObstacle obstacle = ArmingObstacle::none;
   double gain = 0.0;      // of ramp and fade
   Vector<2> handle{0.0};  // where it is, or was last known [m]

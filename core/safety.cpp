@@ -49,7 +49,7 @@ constexpr std::array reasons{
     OffReasonEntry{OffReason::machine_sleeps, "machine_sleeps", "computer going to sleep",
                    "Nothing is wrong: the computer was about to sleep. Arm the motors again.", false, false},
     OffReasonEntry{
-        OffReason::calibration, "calibration", "motors do not match",
+        OffReason::calibration, "calibration", "motor check failed",
         "The motors did not move the handle as they were told, or the encoders did not say so. Check the "
         "power supply. Then run 'ghostforce doctor --measure': the calibration file may have wrong numbers in "
         "motor_of_leg or encoder_of_leg.",
@@ -99,7 +99,7 @@ void Safety::turn_off(OffReason reason) noexcept {
   arm_asked_ = false;
   if (state_ == SafetyState::off) return;
   const bool at_once = entry_of(reason).at_once || gain_ == 0.0;
-  if (state_ != SafetyState::fade) reason_ = reason;
+  if (state_ != SafetyState::fade) reason_ = last_reason_ = reason;
   if (at_once) {
     state_ = SafetyState::off;
     gain_ = 0.0;
@@ -122,7 +122,9 @@ void Safety::update(const SafetyReading& reading, const SafetyOptions& options, 
       return;
     case SafetyState::arming:
       obstacle_ = obstacle_in(reading, options);
-      if (obstacle_ == ArmingObstacle::none) state_ = SafetyState::ramp;
+      if (obstacle_ != ArmingObstacle::none) return;
+      state_ = SafetyState::ramp;
+      last_reason_ = OffReason::none;
       return;
     case SafetyState::ramp:
       if (!reading.motors_are_checked) return;

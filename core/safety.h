@@ -110,9 +110,10 @@ class Safety {
   void update(const SafetyReading& reading, const SafetyOptions& options, double elapsed_s) noexcept;
 
   SafetyState state() const noexcept { return state_; }
-  OffReason reason() const noexcept { return reason_; }           // in FADE and OFF
-  ArmingObstacle obstacle() const noexcept { return obstacle_; }  // in ARMING
-  double gain() const noexcept { return gain_; }                  // on the force, 0 … 1
+  OffReason reason() const noexcept { return reason_; }            // in FADE and OFF
+  OffReason last_reason() const noexcept { return last_reason_; }  // stays when it is acknowledged, until RAMP
+  ArmingObstacle obstacle() const noexcept { return obstacle_; }   // in ARMING
+  double gain() const noexcept { return gain_; }                   // on the force, 0 … 1
 
   // The device is the handle, and not simulated.
   bool is_armed() const noexcept { return state_ != SafetyState::off && state_ != SafetyState::arming; }
@@ -123,6 +124,7 @@ class Safety {
 
   SafetyState state_ = SafetyState::off;
   OffReason reason_ = OffReason::none;
+  OffReason last_reason_ = OffReason::none;
   ArmingObstacle obstacle_ = ArmingObstacle::none;
   double gain_ = 0.0;
   bool arm_asked_ = false;

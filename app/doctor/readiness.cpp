@@ -34,7 +34,9 @@ constexpr std::array steps{
                    "Pull the handle all the way out, then push it straight in until it stops.",
                    "All three motors have found their zero."},
     ReadinessEntry{ReadinessStep::encoders_move, ExitCode::device_failed, "encoders_move", "Encoders move",
-                   "Encoders do not move", "Move the handle up and down, left and right, out and in.",
+                   "Encoders do not move",
+                   "Move the handle up and down, left and right, out and in. If that changes nothing, unplug both "
+                   "cables, wait 5 s, and plug them in again. An encoder that still does not move is broken.",
                    "All three motors have moved."},
     ReadinessEntry{ReadinessStep::fast_enough, ExitCode::answer_is_no, "fast_enough", "Fast enough", "Not fast enough",
                    "Use a USB port on the computer itself, without a hub, and close programs that keep it busy.", ""},
@@ -181,8 +183,11 @@ class ReadinessCheck {
       state.is_reached = is_reached(entry.id);
       state.is_current = is_below_current && !state.is_reached;
       is_below_current = is_below_current && state.is_reached;
-      const bool has_failed = state.is_current || is_measured_too_slow(entry.id);
+      const bool has_failed = state.is_current || is_measured_too_slow(entry.id) || has_turned_off(entry.id);
       if (has_failed) state.title = entry.open_title;
+      if (entry.id == ReadinessStep::outside_wall && motors_ != nullptr && are_on(*motors_)) {
+        state.title = "Outside when armed";
+      }
       if (state.is_current && report_.state == FalconState::fault && report_.fault != FalconFault::none) {
         const FaultEntry& fault = readiness_fault(report_.fault);
         state.words = fmt::format("{} {}", fault.sentence, fault.remedy);
@@ -218,6 +223,11 @@ class ReadinessCheck {
   // Needs no hand, so it may fail before its turn.
   bool is_measured_too_slow(ReadinessStep step) const noexcept {
     return step == ReadinessStep::fast_enough && attainable_exchange_hz(report_) > 0.0 && !is_fast_and_even(report_);
+  }
+
+  // Why the motors went off is told until a person has acknowledged it, wherever the handle is.
+  bool has_turned_off(ReadinessStep step) const noexcept {
+    return step == ReadinessStep::armed && !are_on(*motors_) && motors_->reason != OffReason::none;
   }
 
   std::string words(const ReadinessEntry& entry, bool reached) const {
@@ -273,11 +283,11 @@ class ReadinessCheck {
       case SafetyState::fade: {
         if (motors_->reason == OffReason::none) {
           if (report_.is_readable() && !report_.is_guarded) return std::string(no_guard());
-          break;
+          const OffReasonEntry& last = entry_of(motors_->last_reason);
+          if (!last.at_once && !last.is_safety_limit) break;
+          return fmt::format("{} {}", entry.remedy, turned_off_words("The last time, the motors went off", last));
         }
-        const OffReasonEntry& reason = entry_of(motors_->reason);
-        return fmt::format("The motors went off: {}. {}", reason.title,
-                           fmt::format(fmt::runtime(reason.remedy), device_status_key));
+        return turned_off_words("The motors went off", entry_of(motors_->reason));
       }
       case SafetyState::arming:
         if (motors_->obstacle == ArmingObstacle::none) return "The motors are being armed.";
@@ -289,6 +299,10 @@ class ReadinessCheck {
         return fmt::format("The motors are on and push with {:.1f} N at most.", motors_->limit);
     }
     return std::string(entry.remedy);
+  }
+
+  static std::string turned_off_words(std::string_view what, const OffReasonEntry& reason) {
+    return fmt::format("{}: {}. {}", what, reason.title, fmt::format(fmt::runtime(reason.remedy), device_status_key));
   }
 
   const FalconReport& report_;

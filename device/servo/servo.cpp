@@ -311,6 +311,7 @@ void Servo::drive_motors() noexcept {
   device_->set_force(motors.sent, safety_.is_armed());
   motors.state = safety_.state();
   motors.reason = safety_.reason();
+  motors.last_reason = safety_.last_reason();
   motors.obstacle = safety_.obstacle();
   motors.gain = safety_.gain();
   motors.held_k_r = settings_.stiffnesses.k_r > safety_options_.greatest_k_r ? safety_options_.greatest_k_r : 0.0;

@@ -167,7 +167,9 @@ TEST_F(SafetyTest, EveryReasonEndsInOffAndStaysUntilAPersonActs) {
     safety_.acknowledge();
     run(2.0);
     EXPECT_EQ(safety_.state(), SafetyState::off) << name;
+    EXPECT_EQ(safety_.last_reason(), stop.reason) << name;
     turn_on();
+    EXPECT_EQ(safety_.last_reason(), OffReason::none) << name;
   }
 }
 

@@ -237,7 +237,7 @@ const StageLanguage spanish_stage{
                     "el programa se cierra",
                     "parados por el vigilante",
                     "el ordenador se suspende",
-                    "los motores no coinciden",
+                    "la prueba de motores falló",
                     "fallo",
                 },
         },
