@@ -5,6 +5,7 @@
 #undef NDEBUG  // assertions hold in every build of this program
 #include <cassert>
 
+#include <pthread.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <time.h>
@@ -74,13 +75,30 @@ int go_deeper(int depth) {
   return depth < 0 ? 0 : go_deeper(depth + 1) + room[0];
 }
 
+// Until a stack is used up nothing has gone wrong. A small one is used up at once, however busy the machine is.
+constexpr std::size_t small_stack = 256 << 10;  // [bytes]
+
 void overflow_stack() {
   // Wherever this program was started: the main thread's stack grows up to this limit, which may be none.
   rlimit limit{};
   getrlimit(RLIMIT_STACK, &limit);
-  limit.rlim_cur = std::min<rlim_t>(limit.rlim_cur, 8 << 20);
+  limit.rlim_cur = std::min<rlim_t>(limit.rlim_cur, small_stack);
   setrlimit(RLIMIT_STACK, &limit);
   go_deeper(1);
+}
+
+void overflow_stack_of_another_thread() {
+  pthread_attr_t attributes;
+  pthread_attr_init(&attributes);
+  pthread_attr_setstacksize(&attributes, small_stack);
+  pthread_t thread{};
+  pthread_create(
+      &thread, &attributes,
+      [](void*) -> void* {
+        overflow_stack();
+        return nullptr;
+      },
+      nullptr);
 }
 
 void sleep_for_ever() {
@@ -242,7 +260,7 @@ constexpr Way ways[] = {
     // On one that knows nothing of this program's handlers.
     {"stack overflow on a library's thread",
      [](Person&) {
-       std::thread(overflow_stack).detach();
+       overflow_stack_of_another_thread();
        sleep_for_ever();
      }},
     {"segmentation faults on two threads",

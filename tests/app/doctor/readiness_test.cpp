@@ -289,7 +289,9 @@ TEST(Readiness, EveryStepReadsAsWholeSentencesInEveryState) {
     for (const ReadinessStepState& state : readiness) {
       const ReadinessEntry& entry = entry_of(state.step);
       EXPECT_EQ(state.title, state.is_current ? entry.open_title : state.title);
-      if (state.is_reached && state.title != entry.title) EXPECT_EQ(state.title, "Outside when armed");
+      if (state.is_reached && state.title != entry.title) {
+        EXPECT_EQ(state.title, "Outside when armed");
+      }
       EXPECT_TRUE(state.words.empty() ? !state.is_reached && !state.is_current : true) << state.title;
       if (!state.words.empty() && seen.emplace(state.name, state.words).second) expect_whole_sentences(state.words);
     }
