@@ -185,7 +185,7 @@ class ReadinessCheck {
       is_below_current = is_below_current && state.is_reached;
       const bool has_failed = state.is_current || is_measured_too_slow(entry.id) || has_turned_off(entry.id);
       if (has_failed) state.title = entry.open_title;
-      if (entry.id == ReadinessStep::outside_wall && motors_ != nullptr && are_on(*motors_)) {
+      if (entry.id == ReadinessStep::outside_wall && state.is_reached && are_on(*motors_)) {
         state.title = "Outside when armed";
       }
       if (state.is_current && report_.state == FalconState::fault && report_.fault != FalconFault::none) {
