@@ -219,6 +219,8 @@ int run(const RunOptions& options) {
     const bool is_stirred = window.poll(pacer.wait_s(application.is_idle(), now_s, clock_s()));
     pacer.waited(is_stirred, clock_s());
   }
+  // Before files are written and pipes are waited for: no motor pushes meanwhile.
+  application.stop();
   try {
     keep();
     const WindowSize size = window.restored_size();

@@ -311,7 +311,9 @@ void Falcon::take(const ReplyFrame& frame) noexcept {
   heard_ns_ = link().now_ns();
   // It may have been the answer to an older command.
   unanswered_ns_ = replies_.is_waiting() ? std::optional(heard_ns_) : std::nullopt;
-  if (!replies_.is_waiting() && report_.motors == MotorNumbers{}) {
+  // A reply to an older command, one with force, says nothing about a zero that was sent beside it.
+  const bool has_heard_zero = zero_ns_ && *asked_ns >= *zero_ns_;
+  if (!replies_.is_waiting() && report_.motors == MotorNumbers{} && has_heard_zero) {
     if (may_push_) link().set_may_push(false);
     may_push_ = false;
     debts_.remove(report_.serial);
@@ -429,6 +431,11 @@ bool Falcon::send_command() noexcept {
   report_.motors = command_.motors;
   is_command_new_ = false;
   sent_ns_ = link().now_ns();
+  if (command_.motors != MotorNumbers{}) {
+    zero_ns_.reset();
+  } else if (!zero_ns_) {
+    zero_ns_ = sent_ns_;
+  }
   if (!replies_.is_waiting()) asked_ns_ = sent_ns_;
   if (!unanswered_ns_) unanswered_ns_ = sent_ns_;
   replies_.sent(sent_ns_);

@@ -104,6 +104,21 @@ TEST_F(OwedStops, ADebtIsPaidByAReplyAndNotByWhatUsbHasTaken) {
   EXPECT_EQ(report().owed_serial, FalconSerial());
 }
 
+// The stop goes out beside a force that is not answered yet, and the device hangs before it has heard the stop.
+TEST_F(OwedStops, TheReplyToAForceThatWasSentBeforeTheStopPaysNothing) {
+  b.is_plugged = false;
+  push_with(a);
+  a.reply_delay_ns = 4 * ms;
+  run(0.1);
+  for (int i = 0; i < 100 && (!driver->is_waiting_for_reply() || link->is_sending()); ++i) tick();
+  ASSERT_TRUE(driver->is_waiting_for_reply());
+  a.is_deaf = true;
+  is_armed = false;
+  run(3.0);
+  EXPECT_TRUE(a.pushes());
+  EXPECT_TRUE(report().may_still_push);
+}
+
 TEST_F(OwedStops, AChipThatWasPluggedInAgainIsSetUpBeforeItGetsTheStop) {
   b.is_plugged = false;
   push_with(a);
