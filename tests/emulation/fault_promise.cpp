@@ -73,11 +73,7 @@ std::string broken_promise(const Fault& fault, const FaultOutcome& outcome, bool
   if (over(outcome.plug_to_zero_ns, fault.plug_to_zero_ms * ms))
     return "the force stayed after it was plugged in again";
   if (outcome.other_was_taken_first) return "the other Falcon was taken while this one still pushed";
-  // Where the guard had to stop the motors, a silent device has been asked for one second before the fault is over.
-  const bool is_asked_to_the_end = outcome.device_fault == FalconFault::overruled;
-  if (outcome.lost_home && !fault.forgets_home && !is_asked_to_the_end) {
-    return "the device was taken for one without firmware";
-  }
+  if (outcome.lost_home && !fault.forgets_home) return "the device was taken for one without firmware";
   if (outcome.stays_slow) return "the device stays too slow";
   if (!is_to_end && !outcome.came_back) return "the device does not come back by itself";
   return "";
