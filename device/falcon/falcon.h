@@ -58,7 +58,7 @@ class Falcon {
   static constexpr double first_reply_s = 0.020;  // of a device that may have firmware
   static constexpr int first_questions = 25;
   // The same for one that has answered before, so that a slow device is not taken for one without firmware and reset.
-  static constexpr int patient_questions = 50;
+  static constexpr int patient_questions = 100;
   // At the end of the program, for devices that are owed a stop and are plugged in.
   static constexpr double last_stops_s = 3.0;
   static constexpr double last_look_s = 0.5;  // since the last sign of one of them
