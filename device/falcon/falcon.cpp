@@ -313,7 +313,7 @@ void Falcon::take(const ReplyFrame& frame) noexcept {
   unanswered_ns_ = replies_.is_waiting() ? std::optional(heard_ns_) : std::nullopt;
   // A reply to an older command, one with force, says nothing about a zero that was sent beside it.
   const bool has_heard_zero = zero_ns_ && *asked_ns >= *zero_ns_;
-  if (!replies_.is_waiting() && report_.motors == MotorNumbers{} && has_heard_zero) {
+  if (!replies_.is_waiting() && has_heard_zero) {
     if (may_push_) link().set_may_push(false);
     may_push_ = false;
     debts_.remove(report_.serial);

@@ -87,18 +87,13 @@ void overflow_stack() {
   go_deeper(1);
 }
 
-void overflow_stack_of_another_thread() {
+void overflow_stack_of_new_thread() {
   pthread_attr_t attributes;
   pthread_attr_init(&attributes);
   pthread_attr_setstacksize(&attributes, small_stack);
-  pthread_t thread{};
-  pthread_create(
-      &thread, &attributes,
-      [](void*) -> void* {
-        overflow_stack();
-        return nullptr;
-      },
-      nullptr);
+  pthread_setattr_default_np(&attributes);
+  pthread_attr_destroy(&attributes);
+  std::thread(overflow_stack).detach();
 }
 
 void sleep_for_ever() {
@@ -260,7 +255,7 @@ constexpr Way ways[] = {
     // On one that knows nothing of this program's handlers.
     {"stack overflow on a library's thread",
      [](Person&) {
-       overflow_stack_of_another_thread();
+       overflow_stack_of_new_thread();
        sleep_for_ever();
      }},
     {"segmentation faults on two threads",

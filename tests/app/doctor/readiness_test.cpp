@@ -290,6 +290,7 @@ TEST(Readiness, EveryStepReadsAsWholeSentencesInEveryState) {
       const ReadinessEntry& entry = entry_of(state.step);
       EXPECT_EQ(state.title, state.is_current ? entry.open_title : state.title);
       if (state.is_reached && state.title != entry.title) {
+        EXPECT_EQ(state.step, ReadinessStep::outside_wall);
         EXPECT_EQ(state.title, "Outside when armed");
       }
       EXPECT_TRUE(state.words.empty() ? !state.is_reached && !state.is_current : true) << state.title;
