@@ -190,6 +190,7 @@ int run(const RunOptions& options) {
     application.stop();
     interrupt();
     if (const std::string words = application.end_recording(); !words.empty()) say("{}\n", words);
+    application.let_go_of_input();
   });
 
   const Clock::time_point began = Clock::now();

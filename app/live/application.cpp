@@ -109,9 +109,19 @@ void Application::stop() noexcept {
   if (servo_driver_) servo_driver_->stop();
 }
 
+void Application::let_go_of_input() noexcept {
+  link_.reset();
+  servo_.reset();
+}
+
 const InputEntry& Application::input_of(std::string_view name) const {
   if (const InputEntry* const entry = find_input(inputs_, name)) return *entry;
   throw Failure(ExitCode::wrong_call, fmt::format("there is no input '{}' here; choose another", quoted_text(name)));
+}
+
+void Application::refuse_to_leave_for(const InputEntry& entry) const {
+  if (!link_ || session_.input == entry.name) return;
+  if (const std::string why = link_->why_not_leave(); !why.empty()) throw Failure(ExitCode::device_failed, why);
 }
 
 // A servo owns its input, so another input or another script is another servo; counts go on, so that what is asked for
@@ -122,6 +132,7 @@ void Application::use(const InputEntry& entry, std::shared_ptr<const Scene> scen
   if (servo_driver_) servo_driver_->stop();
   LinkedInput made;
   try {
+    refuse_to_leave_for(entry);
     made = make_in_hand_of(*scene, entry, input_options_);
   } catch (...) {
     if (is_started_) start();

@@ -45,6 +45,11 @@ FalconFault fault_of(BootFault fault) noexcept {
   return boot_faults[static_cast<std::size_t>(fault)];
 }
 
+FalconOptions with_debts(FalconOptions options) {
+  if (!options.debts) options.debts = std::make_shared<StopDebts>();
+  return options;
+}
+
 bool is_near(const MotorNumbers& a, const MotorNumbers& b, double counts) noexcept {
   return std::ranges::equal(a, b, [counts](int one, int other) { return std::abs(one - other) <= counts; });
 }
@@ -53,7 +58,8 @@ bool is_near(const MotorNumbers& a, const MotorNumbers& b, double counts) noexce
 
 Falcon::Falcon(std::unique_ptr<FalconLink> link, FalconOptions options)
     : opener_(std::move(link)),
-      options_(std::move(options)),
+      options_(with_debts(std::move(options))),
+      debts_(*options_.debts),
       kinematics_(calibration_.geometry),
       // What is looked for is looked for at once.
       phase_began_ns_(opener_.link().now_ns()) {
@@ -112,6 +118,7 @@ void Falcon::look() noexcept {
 void Falcon::opened(LinkFault fault) noexcept {
   opener_.has_found_one();  // whatever it was, it has been looked for again
   report_.has_looked = true;
+  note_debts();  // those of an earlier driver too
   phase_began_ns_ = link().now_ns();
   if (fault == LinkFault::absent) {
     phase_ = Phase::pausing;
@@ -265,25 +272,9 @@ void Falcon::exchange() noexcept {
   if (!is_purging_) take_replies();
   // A program that did not run for a while has asked nothing meanwhile.
   if (unanswered_ns_ && since(*unanswered_ns_) >= give_up_s) return end(FalconFault::no_replies);
-  if (is_purging_) {
-    if (link().owes_stop() && !link().is_sending()) stop_motors();
-    is_purging_ = link_script_.update(link()) == LinkProgress::running;
-    if (is_purging_) return;
-    reader_.reset();
-    replies_.reset();
-    send_command();
-    return;
-  }
+  if (is_recovering()) return;
   const std::int64_t now_ns = link().now_ns();
-  if (now_ns >= stop_ns()) {
-    ++report_.lost_exchanges;
-    window_.worst_s = std::max(window_.worst_s, since(asked_ns_));
-    command_.motors = {};
-    note_stop();
-    link_script_ = LinkScript(stop_and_set_up_link_again);
-    link_script_.update(link());
-    is_purging_ = true;
-  } else if (wants_latency_ && !replies_.is_waiting() && report_.motors == MotorNumbers{}) {
+  if (wants_latency_ && !replies_.is_waiting() && report_.motors == MotorNumbers{}) {
     wants_latency_ = !link().request(ftdi::latency(1));
   } else if (replies_.may_ask_again(now_ns)) {
     if (send_command()) ++report_.lost_exchanges;

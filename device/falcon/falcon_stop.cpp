@@ -81,16 +81,42 @@ bool Falcon::is_paying() const noexcept {
   return report_.fault != FalconFault::none && report_.fault != FalconFault::unplugged;
 }
 
+// The device is silent, or was until now: it gets the stop, its chip is set up anew, and nothing else goes out meanwhile.
+bool Falcon::is_recovering() noexcept {
+  if (is_purging_) {
+    if (link().owes_stop() && !link().is_sending()) stop_motors();
+    is_purging_ = link_script_.update(link()) == LinkProgress::running;
+    if (is_purging_) return true;
+    reader_.reset();
+    replies_.reset();
+    send_command();
+    return true;
+  }
+  if (link().now_ns() < stop_ns()) return false;
+  ++report_.lost_exchanges;
+  window_.worst_s = std::max(window_.worst_s, since(asked_ns_));
+  command_.motors = {};
+  note_stop();
+  link_script_ = LinkScript(stop_and_set_up_link_again);
+  link_script_.update(link());
+  is_purging_ = true;
+  return true;
+}
+
 // Until three answers have come: the device has heard it, and not only the chip before it.
 void Falcon::say_goodbye() noexcept {
   command_ = {};
-  const std::int64_t deadline_ns = link().now_ns() + 100'000'000;
+  const std::int64_t deadline_ns = link().now_ns() + static_cast<std::int64_t>(goodbye_s * 1e9);
   const int on_its_way = replies_.is_waiting() ? 1 : 0;  // the answer to what was said before
   int heard = -on_its_way;
   while (heard < 3 && link().fault() == LinkFault::none && link().now_ns() < deadline_ns) {
-    if (replies_.may_send(link().now_ns()) || since(sent_ns_) >= stop_s) send_command();
-    link().wait_until(std::min(deadline_ns, link().now_ns() + 5'000'000));
-    if (take_replies()) {
+    if (is_recovering()) {
+      heard = 0;
+    } else if (replies_.may_send(link().now_ns()) || since(sent_ns_) >= stop_s) {
+      send_command();
+    }
+    link().wait_until(std::min({deadline_ns, stop_ns(), link().now_ns() + 5'000'000}));
+    if (!is_purging_ && take_replies()) {
       ++heard;
       command_ = {};
     }

@@ -93,10 +93,14 @@ bool FalconBench::stop() noexcept {
   constexpr int tries = 6;
   constexpr int enough = 3;
   int heard = 0;
-  for (int i = 0; i < tries && heard < enough && link_.fault() == LinkFault::none; ++i) {
-    if (ask(CommandFrame{})) ++heard;
+  for (int i = 0; i < tries && heard < enough; ++i) {
+    if (ask(CommandFrame{})) {
+      ++heard;
+    } else {
+      recover();
+    }
+    if (link_.fault() != LinkFault::none) break;
   }
-  if (heard < enough) recover();
   next_ns_ = link_.now_ns();
   return heard == enough;
 }

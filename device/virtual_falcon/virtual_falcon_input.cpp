@@ -15,6 +15,7 @@ constexpr unsigned practice_words = 4000;
 
 FalconOptions completed(FalconOptions options) {
   options.is_virtual = true;
+  options.debts.reset();  // of real ones
   if (options.firmware.empty()) options.firmware = practice_firmware(practice_words);
   return options;
 }

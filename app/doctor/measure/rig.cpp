@@ -259,7 +259,8 @@ MotorStop MeasuringRig::be_silent(double seconds, const Watch& after) {
 void MeasuringRig::turn_off() {
   sent_ = Vector<3>(0.0);
   place_count_ = 0;
-  look();
+  // A single reply may be one that came twice.
+  if (!bench_.stop()) look();
 }
 
 // The button is held, and the handle has been near the place, and slow, for a moment.

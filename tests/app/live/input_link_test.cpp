@@ -33,6 +33,7 @@ struct Log {
   int sent = 0;
   int ended = 0;
   bool has_news = false;
+  std::string why_not_leave;
   Vector<2> button{0.0};  // the middle of the one that it draws
 };
 
@@ -55,6 +56,7 @@ class SwitchLink final : public InputLink {
   void send(Session& /*session*/, double /*interval_s*/) override { ++log_.sent; }
   bool is_idle() const noexcept override { return false; }
   bool has_news() const noexcept override { return log_.has_news; }
+  std::string why_not_leave() override { return log_.why_not_leave; }
   EndOfVisit end() const override { return {ExitCode::device_absent, "The switch is gone."}; }
 
  private:
@@ -128,6 +130,33 @@ TEST_F(InputLinkTest, AnInputThatIsNotInTheListIsRefusedAndTheOneInUseStays) {
   ASSERT_TRUE(session().notice);
   EXPECT_TRUE(session().notice->is_problem);
   EXPECT_NE(session().notice->words.find("falcon"), std::string::npos) << session().notice->words;
+}
+
+TEST_F(InputLinkTest, AnInputThatHasToStayStaysAndSaysWhy) {
+  open_with_switch("switch");
+  log_.why_not_leave = "It still pushes.";
+  session().requests.input = "mouse";
+  frames(2);
+  EXPECT_EQ(session().input, "switch");
+  ASSERT_TRUE(session().notice);
+  EXPECT_TRUE(session().notice->is_problem);
+  EXPECT_EQ(session().notice->words, "It still pushes.");
+  const int samples = log_.samples;
+  frames(3);
+  EXPECT_GT(log_.samples, samples) << "it goes on";
+  log_.why_not_leave.clear();
+  session().requests.input = "mouse";
+  frames(2);
+  EXPECT_EQ(session().input, "mouse");
+}
+
+// As where the display is lost, and no destructor will run.
+TEST_F(InputLinkTest, IsLetGo) {
+  open_with_switch("switch");
+  frames(3);
+  application_->stop();
+  application_->let_go_of_input();
+  EXPECT_EQ(log_.ended, 1);
 }
 
 // A page in a browser has no Cairo.

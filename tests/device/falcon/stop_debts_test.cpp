@@ -215,6 +215,46 @@ TEST_F(OwedStops, WhoHasNotPushedIsOwedNothing) {
   EXPECT_EQ(a.times_opened, before) << "it waits for its turn";
 }
 
+// Another scene or input is chosen, and with it another driver.
+TEST_F(OwedStops, ADebtOutlivesItsDriver) {
+  FalconOptions options;
+  options.debts = std::make_shared<StopDebts>();
+  driver = driver_with(options);
+  a.is_plugged = false;
+  push_with(b);
+  b.unplug();
+  run(0.1);
+  driver = driver_with(options);
+  EXPECT_TRUE(b.pushes());
+  run(0.1);
+  EXPECT_TRUE(report().may_still_push);
+  EXPECT_EQ(report().owed_serial.text(), b.serial);
+  a.plug();
+  b.plug();
+  is_armed = false;
+  run(1.0);
+  EXPECT_FALSE(b.pushes());
+  EXPECT_FALSE(report().may_still_push);
+}
+
+// A moment before somebody chooses another input, or ends the program.
+TEST_F(OwedStops, AChipThatIsResetBeforeItIsLetGoIsSetUpForTheStop) {
+  for (const int before_ms : {0, 5, 15, 22, 50}) {
+    SCOPED_TRACE(before_ms);
+    a = FakeFalcon("12PZ657E");
+    driver = driver_with({});
+    b.is_plugged = false;
+    push_with(a);
+    a.reset_chip();
+    const std::int64_t began_ns = now_ns;
+    run(1e-3 * before_ms);
+    driver->shut_down();
+    EXPECT_FALSE(a.pushes());
+    EXPECT_LE(a.last_force_ns - began_ns, 25 * ms);
+    EXPECT_FALSE(report().may_still_push) << "and it has answered";
+  }
+}
+
 // As a program ends: the servo first, then what it had.
 TEST_F(OwedStops, AtTheEndOfTheProgramTheOwedOneIsStoppedIfItIsThere) {
   b.is_plugged = false;
