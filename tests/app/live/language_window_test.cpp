@@ -111,7 +111,7 @@ TEST_F(LanguageWindow, ALessonGoesOnInTheOtherLanguage) {
 }
 
 TEST_F(LanguageWindow, ThePickersWordsHaveRoom) {
-  for (const StageLanguage* const language : stage_language_catalog()) {
+  for (const StageLanguage* const language : stage_languages) {
     for (const auto& [width, height] : {std::pair{1024, 640}, std::pair{1280, 720}}) {
       ApplicationOptions options{.face = Face::stage};
       options.language = language->code;
