@@ -21,6 +21,7 @@
 #include "app/session/scene_as_seen.h"
 #include "app/session/set_up_of.h"
 #include "app/session/stage_actions.h"
+#include "app/session/stage_modes.h"
 #include "app/session/target.h"
 #include "app/session/undo_words.h"
 #include "app/session/visit.h"
@@ -128,11 +129,12 @@ void Application::refuse_to_leave_for(const InputEntry& entry) const {
 // later still looks new to it. An input that cannot be had leaves everything as it was.
 void Application::use(const InputEntry& entry, std::shared_ptr<const Scene> scene, const Settings& settings,
                       const std::optional<Vector<2>>& goal) {
+  refuse_to_leave_for(entry);
   // A device has one driver: the one before lets go of it first.
   if (servo_driver_) servo_driver_->stop();
   LinkedInput made;
   try {
-    refuse_to_leave_for(entry);
+    refuse_to_leave_for(entry);  // it may not have answered just now
     made = make_in_hand_of(*scene, entry, input_options_);
   } catch (...) {
     if (is_started_) start();
@@ -413,9 +415,7 @@ void Application::handle_requests() {
     if (requests.quit) window_.close();
     if (requests.toggle_full_screen) window_.toggle_full_screen();
     if (requests.undo || requests.redo) take_back(requests.undo);
-    if (requests.input && *requests.input != session_.input) {
-      use(input_of(*requests.input), session_.scene, session_.settings);
-    }
+    if (requests.input && *requests.input != session_.input) use_at_request(input_of(*requests.input));
     if (requests.open_scene) open_for_dialog(*requests.open_scene);
     if (requests.open_lesson) open_lesson(*requests.open_lesson);
     if (!dropped.empty()) open_dropped(dropped);
@@ -448,6 +448,16 @@ void Application::handle_requests() {
     show_notice(error.what(), true);
   } catch (const ReaderGone&) {
     show_notice("No program is reading from that pipe any more. Save to a file instead.", true);
+  }
+}
+
+// A mode that cannot have its input does not begin.
+void Application::use_at_request(const InputEntry& entry) {
+  try {
+    use(entry, session_.scene, session_.settings);
+  } catch (...) {
+    if (session_.stage.mode == StageMode::round && !session_.circle_test.is_on) leave_stage_mode(session_);
+    throw;
   }
 }
 

@@ -68,8 +68,8 @@ class Application {
   void start();
   // Nobody drives it any longer.
   void stop() noexcept;
-  // After stop(), where no destructor will run: the input ends, and a device that is owed a stop gets it. Nothing else
-  // may be called any more.
+  // After stop(), where no destructor will run: the input ends, and a device that is owed a stop gets it if it is
+  // plugged in. Nothing else may be called any more.
   void let_go_of_input() noexcept;
 
   Servo& servo() noexcept { return *servo_; }
@@ -161,6 +161,7 @@ class Application {
   // Another scene puts the hand at `goal`, or at the end of its path.
   void use(const InputEntry& entry, std::shared_ptr<const Scene> scene, const Settings& settings,
            const std::optional<Vector<2>>& goal = {});
+  void use_at_request(const InputEntry& entry);
   Edited edited() const;
   // Another scene as it stood, or shall stand, on the screen. The input stays.
   void show(const Edited& wanted);

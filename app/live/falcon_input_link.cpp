@@ -36,8 +36,7 @@ class FalconInputLink : public InputLink {
     look();
     if (!report_.may_still_push || report_.is_virtual) return {};
     return "The Falcon's motors may still push, and only its own input can stop them. F2 says what to do. If the "
-           "device will "
-           "not come back, end the program and start it again.";
+           "device will not come back, end the program and start it again.";
   }
 
   // What a haptic device reports changes all the time.

@@ -67,6 +67,7 @@ Falcon::Falcon(std::unique_ptr<FalconLink> link, FalconOptions options)
   report_.has_firmware_file = !options_.firmware.empty();
   report_.firmware_size = static_cast<std::uint32_t>(options_.firmware.size());
   report_.attempts = attempts;
+  note_debts();  // those of an earlier driver
 }
 
 Falcon::~Falcon() {
@@ -118,7 +119,7 @@ void Falcon::look() noexcept {
 void Falcon::opened(LinkFault fault) noexcept {
   opener_.has_found_one();  // whatever it was, it has been looked for again
   report_.has_looked = true;
-  note_debts();  // those of an earlier driver too
+  note_debts();  // an earlier driver has ended meanwhile
   phase_began_ns_ = link().now_ns();
   if (fault == LinkFault::absent) {
     phase_ = Phase::pausing;
@@ -237,7 +238,7 @@ void Falcon::begin_exchanging() noexcept {
   is_purging_ = false;
   has_home_ = false;
   lost_position_ns_ = 0;
-  sent_ns_ = heard_ns_ = link().now_ns();
+  sent_ns_ = heard_ns_ = awaited_ns_ = link().now_ns();
   unanswered_ns_.reset();
   window_ = {.began_ns = sent_ns_};
   report_.exchange_hz = 0.0;
@@ -272,7 +273,7 @@ void Falcon::exchange() noexcept {
   if (!is_purging_) take_replies();
   // A program that did not run for a while has asked nothing meanwhile.
   if (unanswered_ns_ && since(*unanswered_ns_) >= give_up_s) return end(FalconFault::no_replies);
-  if (is_recovering()) return;
+  if (recover()) return;
   const std::int64_t now_ns = link().now_ns();
   if (wants_latency_ && !replies_.is_waiting() && report_.motors == MotorNumbers{}) {
     wants_latency_ = !link().request(ftdi::latency(1));
@@ -299,7 +300,7 @@ bool Falcon::take_replies() noexcept {
 void Falcon::take(const ReplyFrame& frame) noexcept {
   const auto asked_ns = replies_.replied(link().now_ns());
   if (!asked_ns) return;  // a reply that came twice is no news
-  heard_ns_ = link().now_ns();
+  heard_ns_ = awaited_ns_ = link().now_ns();
   // It may have been the answer to an older command.
   unanswered_ns_ = replies_.is_waiting() ? std::optional(heard_ns_) : std::nullopt;
   // A reply to an older command, one with force, says nothing about a zero that was sent beside it.

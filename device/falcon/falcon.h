@@ -39,8 +39,8 @@ struct FalconOptions {
   std::vector<std::uint8_t> firmware;           // a validated image (firmware_file.h); empty: there is none
   std::vector<FalconCalibration> calibrations;  // by serial number; a device without one gets the default
   bool is_virtual = false;                      // for the report
-  // Of the devices of this link; they outlive a driver, so that the next one with these options pays them. Null: those of
-  // the driver alone.
+  // Of the devices of this link; they outlive a driver, so that the next one with these options pays them. One driver runs
+  // at a time; the one before ends on the thread that has made the next. Null: those of the driver alone.
   std::shared_ptr<StopDebts> debts{};
   // The driver ends, and this device, a real one, has not answered a stop: it may still push. On the thread that ends the
   // driver; null: nobody wants to hear of it.
@@ -125,7 +125,7 @@ class Falcon {
   void locate(const MotorNumbers& encoders, std::int64_t asked_ns) noexcept;
   bool send_command() noexcept;
   void stop_motors() noexcept;
-  bool is_recovering() noexcept;
+  bool recover() noexcept;
   void note_stop() noexcept;
   std::int64_t stop_ns() const noexcept;
   void note_debts() noexcept;
@@ -161,11 +161,11 @@ class Falcon {
   bool is_command_new_ = false;  // not sent yet
   bool may_push_ = false;        // a force was asked for, and no zero that the device has heard since
   ReplyMatcher replies_;
-  std::int64_t sent_ns_ = 0;   // the last command
-  std::int64_t asked_ns_ = 0;  // the first command since the last reply, or since the link was set up again
-  std::int64_t heard_ns_ = 0;  // the last reply
-  std::optional<std::int64_t>
-      zero_ns_;  // the first command without force since the last with one; empty: that was last
+  std::int64_t sent_ns_ = 0;             // the last command
+  std::int64_t asked_ns_ = 0;            // the first command since the last reply, or since the link was set up again
+  std::int64_t heard_ns_ = 0;            // the last reply
+  std::int64_t awaited_ns_ = 0;          // so, or when the link was set up again
+  std::optional<std::int64_t> zero_ns_;  // the first zero since the last force; empty: a force was last
   std::optional<std::int64_t> unanswered_ns_;  // since when a command waits for its reply; empty: none does
   bool is_purging_ = false;
   bool wants_latency_ = false;  // the chip is too slow, and has perhaps refused to be faster

@@ -5,7 +5,9 @@
 #include <atomic>
 
 #include "app/live/portable_inputs.h"
+#include "device/falcon/falcon_input.h"
 #include "tests/app/live/driven_window.h"
+#include "tests/device/falcon/fake_falcons.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce::input_link_test {
@@ -145,6 +147,38 @@ TEST_F(InputLinkTest, AnInputThatHasToStayStaysAndSaysWhy) {
   frames(3);
   EXPECT_GT(log_.samples, samples) << "it goes on";
   log_.why_not_leave.clear();
+  session().requests.input = "mouse";
+  frames(2);
+  EXPECT_EQ(session().input, "mouse");
+}
+
+// A Falcon that is away, and that an earlier driver could not stop.
+TEST_F(InputLinkTest, AFalconThatIsOwedAStopIsNotLeft) {
+  FakeFalcon falcon("12PZ657E");
+  falcon.unplug();
+  std::int64_t now_ns = 1'000'000'000;
+  const InputMaker<FalconInput> maker{
+      {{"falcon", "Falcon", "A Falcon."}}, [&](const Scene& scene, const InputOptions& options) {
+        return std::make_unique<FalconInput>(std::make_unique<FakeFalcons>(std::vector{&falcon}, now_ns),
+                                             options.falcon, scene.view.center);
+      }};
+  ApplicationOptions options{.inputs = portable_inputs({}), .input = "falcon"};
+  options.inputs.push_back(falcon_entry(maker, {}));
+  options.input_options.falcon.debts = std::make_shared<StopDebts>();
+  options.input_options.falcon.debts->add(falcon_serial_of(falcon.serial));
+  open(options, "wall45", 1280, 720);
+  session().requests.input = "mouse";
+  frames(2);
+  EXPECT_EQ(session().input, "falcon");
+  ASSERT_TRUE(session().notice);
+  EXPECT_NE(session().notice->words.find("may still push"), std::string::npos) << session().notice->words;
+  session().requests.open_scene = "fig1";
+  frames(2);
+  EXPECT_EQ(session().scene->title, load_scene("fig1").title) << "another scene is no other input";
+  EXPECT_TRUE(application_->report().motors.may_still_push);
+  falcon.plug();
+  for (int i = 0; i < 200 && application_->report().motors.may_still_push; ++i) frames(2);
+  EXPECT_FALSE(application_->report().motors.may_still_push);
   session().requests.input = "mouse";
   frames(2);
   EXPECT_EQ(session().input, "mouse");
