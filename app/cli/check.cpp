@@ -184,10 +184,10 @@ std::function<int()> attach_check(CLI::App& command, FileOptions& files) {
           ->required()
           ->check(suggests(shipped_lesson_names())),
       files_read);
-  CLI::Option* const only = command.add_option("--only", options->only, "Check only these cases")->type_name("NAME");
+  CLI::Option* const only = command.add_option("--only", options->only, "Check only these cases")->type_name("CASE");
   CLI::Option* const update_option =
       command.add_option("--update", options->update, "Store new goldens for these cases, and check nothing")
-          ->type_name("NAME")
+          ->type_name("CASE")
           ->excludes(only);
   files.writes(command
                    .add_option("--report", options->report,

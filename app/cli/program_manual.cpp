@@ -55,6 +55,7 @@ std::vector<ManualRow> exit_code_rows() {
 // What completion offers as a path for this option. What comes with the program comes as TOML, and so do its like.
 ManualPaths paths_of(const CLI::Option& option, const ManualOption& described, const FileOptions* files_named) {
   if (described.value == "DIR") return ManualPaths::folders;
+  if (described.value == "CASE") return ManualPaths::toml_names;
   const bool is_word_first = std::ranges::any_of(described.words, [](const auto& word) { return word.ends_with(':'); });
   if (is_word_first || files_named == nullptr) return ManualPaths::none;
   if (std::ranges::find(files_named->list(), &option, &FileOption::option) == files_named->list().end()) {
