@@ -35,7 +35,7 @@ class ReadingAloud {
   std::optional<PrintedValues> printed_;
   std::unique_ptr<NewestLineWriter> writer_;
   int output_problem_ = 0;
-  std::unique_ptr<Speech> speech_;  // null: switched off, or it does not work
+  Speech speech_;
   SettledSentence settled_;
   double since_sentence_s_ = 0.0;
 };
