@@ -12,6 +12,7 @@
 #include "app/console/quoted.h"
 #include "app/files/input_file.h"
 #include "app/files/png_file.h"
+#include "app/files/png_writer.h"
 #include "app/files/read_error.h"
 
 namespace ghostforce {

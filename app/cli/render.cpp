@@ -22,7 +22,7 @@
 #include "app/desktop/offscreen.h"
 #include "app/files/clip_file.h"
 #include "app/files/output_file.h"
-#include "app/files/png_file.h"
+#include "app/files/png_writer.h"
 #include "app/paint/vector/vector_painter.h"
 #include "app/set_up/picture_set_up.h"
 #include "app/set_up/set_up_line.h"
