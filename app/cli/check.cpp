@@ -20,7 +20,7 @@
 #include "app/cli/check_lessons.h"
 #include "app/cli/command.h"
 #include "app/cli/lines.h"
-#include "app/cli/renderer_option.h"
+#include "app/cli/picture_options.h"
 #include "app/console/did_you_mean.h"
 #include "app/console/failure.h"
 #include "app/console/interruption.h"

@@ -8,7 +8,6 @@
 
 #include "app/cli/command.h"
 #include "app/cli/command_tree.h"
-#include "app/cli/offered_words.h"
 #include "app/console/exit_code_catalog.h"
 #include "ghostforce_version.h"
 

@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "app/aloud/printed_values.h"
-#include "app/aloud/settled_sentence.h"
 #include "app/aloud/speech.h"
 #include "app/live/application.h"
 #include "app/worker/newest_line_writer.h"

@@ -15,7 +15,6 @@
 #include "app/cli/contradictions.h"
 #include "app/cli/lesson_options.h"
 #include "app/cli/picture_options.h"
-#include "app/cli/renderer_option.h"
 #include "app/console/failure.h"
 #include "app/console/progress.h"
 #include "app/console/quoted.h"
