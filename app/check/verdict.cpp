@@ -12,7 +12,6 @@
 #include <fmt/format.h>
 
 #include "app/check/update.h"
-#include "app/console/failure.h"
 #include "app/console/quoted.h"
 #include "app/files/input_file.h"
 #include "app/files/png_file.h"

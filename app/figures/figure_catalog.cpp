@@ -4,7 +4,7 @@
 
 #include "app/console/interruption.h"
 #include "app/figures/figures.h"
-#include "app/figures/sheet.h"
+#include "app/files/csv_table.h"
 #include "app/paint/vector/file_painter.h"
 
 namespace ghostforce {

@@ -29,7 +29,7 @@ constexpr double roundings = 16.0;
 struct Balance {
   double k_u;             // [N/m]
   double still;           // √(k_u m) [N·s/m]
-  double least;           // F of simulate_to_equilibrium.h without the roundings [N]
+  double least;           // F of point_equilibrium.h without the roundings [N]
   double rounding;        // what a position's roundings make of it [N/m]
   double farthest_given;  // the greater one of q_u² and o² [m²]
 };
