@@ -16,7 +16,6 @@
 
 #include "app/cli/command.h"
 #include "app/cli/desktop_inputs.h"
-#include "app/cli/end_of_visit.h"
 #include "app/cli/falcon_options.h"
 #include "app/cli/kiosk_options.h"
 #include "app/cli/lesson_options.h"

@@ -1,8 +1,6 @@
 #include "app/view/label_placer.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
 #include <utility>
 
 namespace ghostforce {
