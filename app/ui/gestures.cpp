@@ -126,7 +126,7 @@ void Gestures::go_on(Session& session, const Settings& shown, const Pane& pane, 
     case Grip::circle:
       // Whoever drags wants the goal back; a click is no drag.
       if (glm::distance(pointer, began_at_) < HeldAngle::first_turn * unit) break;
-      session.requests.input = session.circle_test.input_before;
+      session.wanted_input = session.circle_test.input_before;
       grip_ = Grip::goal;
       break;
     case Grip::handle:

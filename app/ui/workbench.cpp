@@ -156,7 +156,7 @@ void Workbench::draw(const PanelContext& context, const WorkbenchFrame& frame) {
     gestures_.take(session, panes_, scene_size_, unit, frame.moment);
     ImGui::EndChild();
   }
-  if (frame.is_live && std::exchange(session.requests.fit_view, false)) {
+  if (frame.is_live && std::exchange(session.fits_view, false)) {
     session.pane_views.reset();
     if (session.options.compare != Compare::side_by_side) {
       session.shown = view_of_everything(session, panes_, scene_size_, unit);

@@ -93,7 +93,7 @@ void draw_lessons(const PanelContext& context) {
                            .remark = progress_words(lesson, session.lesson_progress, said),
                            .picture_width = lesson_picture_width,
                            .is_marked = is_marked};
-    if (draw_picture_card(context, card, rows.card_size(), picture_of)) session.requests.open_lesson = lesson.name;
+    if (draw_picture_card(context, card, rows.card_size(), picture_of)) context.apply(OpenLesson{lesson.name});
   }
   ImGui::PopStyleVar();
   ImGui::EndChild();

@@ -13,10 +13,10 @@ namespace ghostforce {
 void toggle_recording(const PanelContext& context) {
   Session& session = context.session;
   if (context.loop.recording.is_on) {
-    session.requests.stop_recording = true;
+    context.apply(StopRecording{});
   } else {
-    session.requests.record =
-        session.recording_path.empty() ? proposed_path(file_stem(session.scene->title), "csv") : session.recording_path;
+    context.apply(StartRecording{session.recording_path.empty() ? proposed_path(file_stem(session.scene->title), "csv")
+                                                                : session.recording_path});
     session.recording_path.clear();  // the next one is another file
   }
 }

@@ -76,7 +76,7 @@ void draw_save_picture(const PanelContext& context) {
   ImGui::SameLine();
   ImGui::BeginDisabled(!is_png);
   if (ImGui::Button("Copy to clipboard")) {
-    session.requests.copy_picture = CopyPictureRequest{form.density, form.scene_alone};
+    context.apply(CopyPicture{form.density, form.scene_alone});
     session.dialog = Dialog::none;
   }
   ImGui::EndDisabled();
@@ -87,7 +87,7 @@ void draw_save_picture(const PanelContext& context) {
     tooltip("The last seconds of the stage, as a moving picture. Alt+P.");
   }
   if (!shall_save) return;
-  session.requests.save_picture = SavePictureRequest{form.path, form.density, form.scene_alone};
+  context.apply(SavePicture{form.path, form.density, form.scene_alone});
   session.dialog = Dialog::none;
 }
 
@@ -116,8 +116,8 @@ void draw_save_clip(const PanelContext& context) {
     end_rows();
   }
   if (!draw_save_path_with(clip_formats, context)) return;
-  session.requests.save_clip =
-      SaveClipRequest{.path = form.path, .seconds = static_cast<double>(form.clip_seconds), .end_s = form.clip_end_s};
+  context.apply(
+      SaveClip{.path = form.path, .seconds = static_cast<double>(form.clip_seconds), .end_s = form.clip_end_s});
   session.dialog = Dialog::none;
 }
 
@@ -143,7 +143,7 @@ void draw_save_plots(const PanelContext& context) {
     end_rows();
   }
   if (!draw_save_path_with(formats, context)) return;
-  session.requests.save_plots = SavePlotsRequest{form.path, form.whole_history};
+  context.apply(SavePlots{form.path, form.whole_history});
   session.dialog = Dialog::none;
 }
 
@@ -154,7 +154,7 @@ void draw_save_scene(const PanelContext& context) {
   }
   ImGui::TextUnformatted("The scene with its current settings, and a path that ends at the goal:");
   if (!draw_save_path(context)) return;
-  session.requests.save_scene = session.form.path;
+  context.apply(SaveScene{session.form.path});
   session.dialog = Dialog::none;
 }
 

@@ -81,7 +81,7 @@ void draw_problem(const PanelContext& context, float width) {
   if (form.suggestion.empty()) return;
   if (ImGui::Button(fmt::format("Open {} instead###suggestion", form.suggestion).c_str())) {
     form.path = form.suggestion;
-    context.session.requests.open_scene = form.path;
+    context.apply(OpenScene{form.path});
   }
 }
 
@@ -108,7 +108,7 @@ void draw_open_scene(const PanelContext& context) {
     rows.begin_card(i);
     if (draw_scene_card(context, i, rows.card_size())) {
       form.marked_scene = i;
-      session.requests.open_scene = scenes[i].name;
+      context.apply(OpenScene{scenes[i].name});
     }
     if (i == form.marked_scene && (has_moved || is_new)) ImGui::SetScrollHereY();
   }
@@ -141,9 +141,9 @@ void draw_open_scene(const PanelContext& context) {
   if (entered || pressed) {
     const ShippedScene& marked = scenes[form.marked_scene];
     if (!form.path.empty()) {
-      session.requests.open_scene = form.path;
+      context.apply(OpenScene{form.path});
     } else if (!is_open_now(session, marked)) {
-      session.requests.open_scene = marked.name;
+      context.apply(OpenScene{marked.name});
     } else {
       session.dialog = Dialog::none;  // it is open, and what has been changed in it stays
     }

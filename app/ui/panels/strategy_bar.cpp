@@ -5,8 +5,6 @@
 #include <array>
 #include <string>
 
-#include "app/session/key_bindings.h"
-#include "app/session/stage_actions.h"
 #include "app/ui/panels/bar_signs.h"
 #include "app/ui/panels/hints.h"
 #include "app/ui/panels/motor_control.h"
@@ -99,7 +97,7 @@ void draw_strategy_button(const Bar& bar, const Strategy& entry) {
   const ImVec2 size{bar.width_of(entry), bar.height()};
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImGui::PushID(static_cast<int>(i));
-  if (ImGui::InvisibleButton("strategy", size, ImGuiButtonFlags_EnableNav)) context.session.settings.active = entry.id;
+  if (ImGui::InvisibleButton("strategy", size, ImGuiButtonFlags_EnableNav)) context.apply(ChooseStrategy{entry.id});
   ImGui::PopID();
   const bool hovered = ImGui::IsItemHovered();
   const bool is_hinted = i == 2 && points_at(context.session, HintTarget::third_strategy);
@@ -197,17 +195,17 @@ void draw_time(const Bar& bar) {
   const bool can_stop = !context.snapshot.measured;
   const bool is_still = session.paused || looks_back;
   if (icon_button(bar, "##pause", is_still ? draw_play_sign : draw_pause_sign, can_stop || looks_back)) {
-    toggle_pause(session);
+    context.apply(TogglePause{});
   }
   tooltip(is_still ? "Resumes model time. Space." : "Pauses model time. Space.");
   ImGui::SameLine();
-  if (icon_button(bar, "##back", draw_step_back_sign)) step_back(session);
+  if (icon_button(bar, "##back", draw_step_back_sign)) context.apply(StepBack{});
   tooltip("Pauses and steps back one tick, up to a minute. The key is the comma.");
   ImGui::SameLine();
-  if (icon_button(bar, "##step", draw_step_on_sign, can_stop || looks_back)) step_on(session);
+  if (icon_button(bar, "##step", draw_step_on_sign, can_stop || looks_back)) context.apply(StepOn{});
   tooltip("Pauses and steps forward one tick. The key is the full stop.");
   ImGui::SameLine();
-  if (icon_button(bar, "##reset", draw_reset_sign)) restart(session);
+  if (icon_button(bar, "##reset", draw_reset_sign)) context.apply(Restart{});
   tooltip("Resets the motion. Key R; Alt+R also resets the settings.");
   ImGui::SameLine();
   ImGui::BeginDisabled(!can_stop);
@@ -216,12 +214,12 @@ void draw_time(const Bar& bar) {
 }
 
 void draw_undo_and_redo(const Bar& bar) {
-  Session& session = bar.context.session;
-  const UndoOffer& offer = session.undo_offer;
-  if (icon_button(bar, "##undo", draw_undo_sign, !offer.undo.empty())) session.requests.undo = true;
+  const ActionSink& apply = bar.context.apply;
+  const UndoOffer& offer = bar.context.session.undo_offer;
+  if (icon_button(bar, "##undo", draw_undo_sign, !offer.undo.empty())) apply(Undo{});
   tooltip(offer.undo.empty() ? "There is nothing to undo." : fmt::format("Undo {}. Ctrl+Z.", offer.undo));
   ImGui::SameLine();
-  if (icon_button(bar, "##redo", draw_redo_sign, !offer.redo.empty())) session.requests.redo = true;
+  if (icon_button(bar, "##redo", draw_redo_sign, !offer.redo.empty())) apply(Redo{});
   tooltip(offer.redo.empty() ? "There is nothing to redo." : fmt::format("Redo {}. Ctrl+Shift+Z.", offer.redo));
 }
 
@@ -251,7 +249,7 @@ void draw_strategy_bar(const PanelContext& context) {
   ImGui::SameLine(0.0F, bar.gap());
   draw_undo_and_redo(bar);
   ImGui::SameLine(0.0F, bar.gap());
-  if (ImGui::Button(stage_words, {bar.stage_width(), bar.height()})) show_face(session, Face::stage);
+  if (ImGui::Button(stage_words, {bar.stage_width(), bar.height()})) context.apply(ShowFace{Face::stage});
   tooltip("Back to the stage: one hand, one handle, one wall. F4.");
   if (!plan.has_two_rows) draw_motor_button(context, bar.height());
 }

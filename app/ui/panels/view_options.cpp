@@ -86,7 +86,7 @@ void draw_reset_preferences(const PanelContext& context) {
       "they are.",
       ImGui::GetCursorPosX() + width);
   if (ImGui::Button("Reset all")) {
-    session.requests.reset_preferences = true;
+    context.apply(ResetPreferences{});
     session.dialog = Dialog::none;
   }
   ImGui::SameLine();

@@ -132,10 +132,6 @@ void draw_buttons(const PanelContext& context) {
 
 }  // namespace
 
-bool hides_curves(const Session& session) noexcept {
-  return session.plots.tab != PlotTab::time && (hides_answer(session) || is_measuring(session));
-}
-
 void draw_plots(const PanelContext& context, const History& history) {
   PlotView& view = context.session.plots;
   const float room = ImGui::GetContentRegionAvail().x;

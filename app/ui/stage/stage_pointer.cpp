@@ -7,7 +7,7 @@
 #include "app/lessons/lesson_slider.h"
 #include "app/session/lesson_guide.h"
 #include "app/session/scene_view_limits.h"
-#include "app/session/stage_actions.h"
+#include "app/session/stage_buttons.h"
 #include "app/ui/widgets/focus.h"
 #include "app/view/screen_box.h"
 #include "app/view/stage/landscape_layout.h"
@@ -21,6 +21,10 @@ constexpr double hand_room = 30.0;  // of a fist round the goal [points of the d
 // The ring is at a wall and at a stiffness.
 bool may_change_landscape(const Session& session) {
   return is_allowed(session, LessonControl::wall);
+}
+
+void press(const StageAction& button, const ActionSink& apply, const MotorReport& motors) {
+  if (const std::optional<Action> action = action_of_button(button, motors)) apply(*action);
 }
 
 std::optional<StageAction> button_at(const StagePicture& picture, const Vector<2>& pointer) {
@@ -86,7 +90,8 @@ StagePointer::Hold StagePointer::hold_at(const Session& session, const Scene& sc
   return may_drag ? Hold::goal : Hold::nothing;
 }
 
-void StagePointer::update(Session& session, const StageFrame& frame, const StagePicture& picture) {
+void StagePointer::update(Session& session, const ActionSink& apply, const StageFrame& frame,
+                          const StagePicture& picture) {
   ImGui::SetCursorPos({0.0F, 0.0F});
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImGui::InvisibleButton("stage", {static_cast<float>(frame.size.x), static_cast<float>(frame.size.y)},
@@ -130,7 +135,7 @@ void StagePointer::update(Session& session, const StageFrame& frame, const Stage
       // Where the pointer is now: who is quick comes and presses within one frame.
       hovered_ = action;
       if (action == StageAction(StageCommand::slider)) hold_ = Hold::slider;
-      act_on_stage(session, *action, frame.loop.motors);
+      press(*action, apply, frame.loop.motors);
     } else {
       hold_ = hold_at(session, scene, pointer);
       if (hold_ == Hold::motor) held_angle_.begin(pointer, session.settings.actuated_angle);
@@ -139,7 +144,7 @@ void StagePointer::update(Session& session, const StageFrame& frame, const Stage
   }
   if (is_held) drag(session, scene, pointer);
   last_ = pointer;
-  press_by_key(session, frame, picture, corner);
+  press_by_key(session, apply, frame, picture, corner);
 }
 
 // With the focus, arrows are the slider's.
@@ -152,7 +157,8 @@ void StagePointer::nudge_by_key(Session& session) {
 }
 
 // Each button once more, for the keyboard: the pointer belongs to the whole stage, which comes first.
-void StagePointer::press_by_key(Session& session, const StageFrame& frame, const StagePicture& picture, ImVec2 corner) {
+void StagePointer::press_by_key(Session& session, const ActionSink& apply, const StageFrame& frame,
+                                const StagePicture& picture, ImVec2 corner) {
   for (auto each = picture.buttons.begin(); each != picture.buttons.end(); ++each) {
     const StageButton& button = *each;
     // What can be asked for in two places is one stop.
@@ -164,7 +170,7 @@ void StagePointer::press_by_key(Session& session, const StageFrame& frame, const
     ImGui::PushID(std::visit([](auto action) { return static_cast<int>(action); }, button.action));
     if (ImGui::InvisibleButton("button", {static_cast<float>(size.x), static_cast<float>(size.y)},
                                ImGuiButtonFlags_EnableNav)) {
-      act_on_stage(session, button.action, frame.loop.motors);
+      press(button.action, apply, frame.loop.motors);
     }
     if (button.action == StageAction(StageCommand::slider)) nudge_by_key(session);
     ImGui::PopID();

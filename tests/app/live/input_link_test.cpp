@@ -81,7 +81,7 @@ TEST_F(InputLinkTest, AnInputOfTheListIsChosenAndMovesTheGoal) {
   EXPECT_EQ(log_.begun, 0);
   EXPECT_EQ(application_->reading().inputs.back().title, "Switch");
   EXPECT_EQ(application_->reading().draw_input, nullptr);
-  session().requests.input = "switch";
+  act(ChooseInput{"switch"});
   frames(3);
   EXPECT_EQ(session().input, "switch");
   EXPECT_EQ(application_->reading().input_title, "Switch");
@@ -112,7 +112,7 @@ TEST_F(InputLinkTest, KeepsTheWindowAwakeAndSaysHowItEnded) {
   log_.has_news = true;
   EXPECT_TRUE(application_->needs_drawing());
   EXPECT_EQ(application_->input_link().end().code, ExitCode::device_absent);
-  session().requests.input = "mouse";
+  act(ChooseInput{"mouse"});
   frames(10);
   EXPECT_EQ(log_.ended, 1);
   EXPECT_TRUE(session().pointer_moves_goal);
@@ -122,7 +122,7 @@ TEST_F(InputLinkTest, KeepsTheWindowAwakeAndSaysHowItEnded) {
 
 TEST_F(InputLinkTest, AnInputThatIsNotInTheListIsRefusedAndTheOneInUseStays) {
   open_with_switch("switch");
-  session().requests.input = "falcon";
+  act(ChooseInput{"falcon"});
   frames(2);
   EXPECT_EQ(session().input, "switch");
   ASSERT_TRUE(session().notice);
@@ -137,12 +137,12 @@ TEST_F(InputLinkTest, WithoutAPainterOfFilesPixelsAndNumbersCanStillBeSaved) {
       std::make_unique<Application>(*window_, load_scene("wall45"), ApplicationOptions{.inputs = portable_inputs({})});
   frames(2);
   const TemporaryFolder folder;
-  session().requests.save_picture = SavePictureRequest{.path = folder / "a.png"};
-  session().requests.save_plots = SavePlotsRequest{.path = folder / "a.csv"};
+  act(SavePicture{.path = folder / "a.png"});
+  act(SavePlots{.path = folder / "a.csv"});
   frames(1);
   EXPECT_FALSE(session().notice->is_problem) << session().notice->words;
   EXPECT_EQ(folder.count(), 2);
-  session().requests.save_picture = SavePictureRequest{.path = folder / "a.pdf"};
+  act(SavePicture{.path = folder / "a.pdf"});
   frames(1);
   EXPECT_TRUE(session().notice->is_problem);
   EXPECT_NE(session().notice->words.find(".png"), std::string::npos) << session().notice->words;

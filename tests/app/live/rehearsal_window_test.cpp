@@ -2,7 +2,7 @@
 // driver, led by the pointer. Its clock is moved by the servo's steps.
 #include <algorithm>
 
-#include "app/session/motor_button.h"
+#include "app/session/stage_buttons.h"
 #include "app/view/stage/stage_language.h"
 #include "tests/app/live/driven_window.h"
 
@@ -164,7 +164,7 @@ TEST_F(RehearsalWindow, EscapeTurnsOffAlsoBehindAMenuAndWhileTyping) {
 
 TEST_F(RehearsalWindow, WordsPromiseNoKeyThatCannotArrive) {
   const auto words = [&](const StageLanguage& language) {
-    return safety_words(application_->reading().motors, language);
+    return motor_words(application_->reading().motors, language);
   };
   const auto promises_escape = [&] {
     return words(english_stage).find("Esc") != std::string::npos ||
@@ -230,21 +230,21 @@ TEST_F(RehearsalWindow, AnotherSceneOrInputNeverTakesTheForceAlong) {
   turn_on();
   lead_slowly(outside, inside);
   ASSERT_GT(glm::length(motors().sent), 0.5);
-  session().requests.open_scene = "fig1";
+  act(OpenScene{"fig1"});
   frames(5);
   EXPECT_EQ(motors().state, SafetyState::off);
   EXPECT_EQ(motors().sent, Vector<2>(0.0));
-  session().requests.input = "mouse";
+  act(ChooseInput{"mouse"});
   frames(5);
   EXPECT_FALSE(motors().has_motors);
   EXPECT_TRUE(application_->reading().readiness.empty());
 }
 
 TEST_F(RehearsalWindow, SaysThatASceneDoesNotFitTheWorkspace) {
-  session().requests.open_scene = "fig1";
+  act(OpenScene{"fig1"});
   frames(5);
   EXPECT_NE(application_->reading().device_remark.find("Set scale"), std::string::npos);
-  session().requests.open_scene = "wall45";
+  act(OpenScene{"wall45"});
   frames(5);
   EXPECT_EQ(application_->reading().device_remark, "");
 }
