@@ -5,11 +5,13 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "app/session/session.h"
+#include "app/view/stage/landscape.h"
 
 namespace ghostforce {
 
@@ -18,6 +20,25 @@ namespace ghostforce {
 // By a key [m]. While a guess is open it is what moves; where a lesson lets nobody move the hand, its slider.
 struct MoveHandBy {
   Vector<2> by{0.0};
+};
+// By the pointer, which holds the hand until it lets go.
+struct MoveHandTo {
+  Vector<2> goal{0.0};  // [m]
+};
+struct LetGoOfHand {};
+// Of where the handle comes to rest.
+struct MoveGuessTo {
+  Vector<2> guess{0.0};  // [m]
+};
+struct TurnMotorTo {
+  double angle = 0.0;  // [rad]
+};
+struct TurnWallTo {
+  double angle = 0.0;  // of its normal [rad]
+};
+// Wall and hand are those of that place on the map.
+struct GoToLandscapePoint {
+  LandscapePoint point;
 };
 // To whole steps, so that holding a key down runs through round angles.
 struct TurnMotorBy {
@@ -39,6 +60,11 @@ struct ChooseByNumber {
   StrategyId id;
 };
 
+// On the landscape, between two strategies; the nearer one becomes the active one.
+struct TurnLandscapeDial {
+  double cure = 0.0;  // 0: naïve, 1: anisotropic
+};
+
 // --- Time ---
 
 // Also stops looking back.
@@ -46,6 +72,9 @@ struct TogglePause {};
 // A tick, into what has been; and on, through that to its end and then through what has not been yet.
 struct StepBack {};
 struct StepOn {};
+struct LookBackTo {
+  std::optional<double> time_s{};  // model time; empty: now
+};
 struct Restart {
   bool with_scene_settings = false;
 };
@@ -74,6 +103,13 @@ struct ToggleBlank {};
 struct AnswerLesson {
   std::size_t answer = 0;
 };
+// Of the step that is shown.
+struct MoveSliderTo {
+  double value = 0.0;  // of the lesson's unit
+};
+struct NudgeSlider {
+  double hundredths = 0.0;  // of its length
+};
 struct LeaveLesson {};
 struct NextLanguage {};
 
@@ -93,7 +129,16 @@ struct ToggleViewOption {
 };
 struct FitView {};
 struct ZoomView {
-  double factor = 1.0;  // above 1: closer
+  struct Place {
+    Vector<2> at{0.0};  // [m]
+    StrategyId pane;    // of those side by side
+  };
+
+  double factor = 1.0;           // above 1: closer
+  std::optional<Place> place{};  // that stays where it is; empty: the middle
+};
+struct MoveView {
+  Vector<2> by{0.0};  // [m]
 };
 // By these shares of the picture's width; what is seen goes the other way.
 struct PanView {
@@ -179,15 +224,15 @@ using Effect = std::variant<Quit, ToggleFullScreen, Undo, Redo, OpenScene, OpenL
                             StartRecording, StopRecording, ResetPreferences>;
 using Effects = std::vector<Effect>;
 
-using Action =
-    std::variant<MoveHandBy, TurnMotorBy, TurnWallToLargestDrift, TurnRatio, ChooseStrategy, ChooseByNumber,
-                 TogglePause, StepBack, StepOn, Restart, ShowFace, SwitchFace, ToggleMode, MeasureHand,
-                 PressMeasuringButton, Confirm, GoOn, NextStep, PreviousStep, ToggleBlank, AnswerLesson, LeaveLesson,
-                 NextLanguage, ArmMotors, StopMotors, AcknowledgeOff, Escape, NextCompareMode, ToggleViewOption,
-                 FitView, ZoomView, PanView, TogglePlots, NextTheme, ChangeTextSize, UseUsualTextSize, OpenDialog,
-                 ToggleDialog, ChooseInput, Quit, ToggleFullScreen, Undo, Redo, OpenScene, OpenLesson, DropFiles,
-                 SaveScene, SavePicture, SaveClip, SavePlots, CopyPicture, CopyValues, CopySetUp, PasteSetUp, ShowLink,
-                 StartRecording, StopRecording, ResetPreferences>;
+using Action = std::variant<
+    MoveHandBy, MoveHandTo, LetGoOfHand, MoveGuessTo, TurnMotorTo, TurnWallTo, GoToLandscapePoint, TurnLandscapeDial,
+    LookBackTo, MoveSliderTo, NudgeSlider, MoveView, TurnMotorBy, TurnWallToLargestDrift, TurnRatio, ChooseStrategy,
+    ChooseByNumber, TogglePause, StepBack, StepOn, Restart, ShowFace, SwitchFace, ToggleMode, MeasureHand,
+    PressMeasuringButton, Confirm, GoOn, NextStep, PreviousStep, ToggleBlank, AnswerLesson, LeaveLesson, NextLanguage,
+    ArmMotors, StopMotors, AcknowledgeOff, Escape, NextCompareMode, ToggleViewOption, FitView, ZoomView, PanView,
+    TogglePlots, NextTheme, ChangeTextSize, UseUsualTextSize, OpenDialog, ToggleDialog, ChooseInput, Quit,
+    ToggleFullScreen, Undo, Redo, OpenScene, OpenLesson, DropFiles, SaveScene, SavePicture, SaveClip, SavePlots,
+    CopyPicture, CopyValues, CopySetUp, PasteSetUp, ShowLink, StartRecording, StopRecording, ResetPreferences>;
 
 // To whom those who make Actions hand them. UI thread.
 using ActionSink = std::function<void(const Action& action)>;

@@ -32,6 +32,31 @@ void act(Session& session, const MoveHandBy& action) {
   }
 }
 
+void act(Session& session, const MoveHandTo& action) {
+  session.goal = nearest_in_scene(action.goal);
+  session.drags_goal = true;
+}
+
+void act(Session& session, const LetGoOfHand&) {
+  session.drags_goal = false;
+}
+
+void act(Session& session, const MoveGuessTo& action) {
+  session.stage.guess = nearest_in_scene(action.guess);
+}
+
+void act(Session& session, const TurnMotorTo& action) {
+  session.settings.actuated_angle = action.angle;
+}
+
+void act(Session& session, const TurnWallTo& action) {
+  session.settings.wall_normal_angle = action.angle;
+}
+
+void act(Session& session, const GoToLandscapePoint& action) {
+  session.settings = with_landscape_point(session.settings, action.point);
+}
+
 void act(Session& session, const TurnMotorBy& action) {
   double& angle = session.settings.actuated_angle;
   const double step = std::abs(action.degrees) * radians_per_degree;
@@ -77,7 +102,17 @@ void act(Session& session, const ChooseByNumber& action) {
   act(session, ChooseStrategy{action.id});
 }
 
+// The lit button is the nearer end's.
+void act(Session& session, const TurnLandscapeDial& action) {
+  session.stage.landscape_dial = action.cure;
+  session.settings.active = action.cure < 0.5 ? StrategyId::naive : StrategyId::anisotropic;
+}
+
 // --- Time ---
+
+void act(Session& session, const LookBackTo& action) {
+  session.stage.looks_back_to_s = action.time_s;
+}
 
 void go_on_live(Session& session) {
   session.stage.looks_back_to_s.reset();
@@ -216,6 +251,14 @@ void act(Session& session, const AnswerLesson& action) {
   answer_in_lesson(session, action.answer);
 }
 
+void act(Session& session, const MoveSliderTo& action) {
+  move_lesson_slider(session, action.value);
+}
+
+void act(Session& session, const NudgeSlider& action) {
+  nudge_lesson_slider(session, action.hundredths);
+}
+
 void act(Session& session, const LeaveLesson&) {
   leave_lesson(session);
 }
@@ -282,21 +325,27 @@ bool has_panes(const Session& session) {
 void act(Session& session, const ZoomView& action) {
   if (has_panes(session)) {
     const StrategyId active = session.settings.active;
-    const Vector<2> at = session.pane_views->centers[index_of(active)];
-    session.pane_views = zoomed(*session.pane_views, action.factor, active, at);
+    const ZoomView::Place middle{session.pane_views->centers[index_of(active)], active};
+    const ZoomView::Place place = action.place.value_or(middle);
+    session.pane_views = zoomed(*session.pane_views, action.factor, place.pane, place.at);
   } else {
     SceneView& view = view_of_face(session);
-    view = zoomed(view, action.factor, view.center);
+    view = zoomed(view, action.factor, action.place ? action.place->at : view.center);
+  }
+}
+
+void act(Session& session, const MoveView& action) {
+  if (has_panes(session)) {
+    session.pane_views = moved(*session.pane_views, action.by);
+  } else {
+    SceneView& view = view_of_face(session);
+    view = within_scene_limits({view.center + action.by, view.width});
   }
 }
 
 void act(Session& session, const PanView& action) {
-  if (has_panes(session)) {
-    session.pane_views = moved(*session.pane_views, session.pane_views->width * action.shares);
-  } else {
-    SceneView& view = view_of_face(session);
-    view = within_scene_limits({view.center + view.width * action.shares, view.width});
-  }
+  const double width = has_panes(session) ? session.pane_views->width : view_of_face(session).width;
+  act(session, MoveView{width * action.shares});
 }
 
 void act(Session& session, const TogglePlots&) {

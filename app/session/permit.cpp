@@ -13,6 +13,7 @@ constexpr Refusal left_to_lesson{"The lesson does that itself. Leave it first."}
 constexpr Refusal not_in_this_step{"This step of the lesson leaves that as it is."};
 constexpr Refusal nothing_is_asked{"Nothing is asked that this could answer."};
 constexpr Refusal not_by_pointer{"The goal follows another hand."};
+constexpr Refusal map_is_gone{"The landscape is not shown, or has no such handle."};
 constexpr Refusal not_seen{"That is seen on the workbench alone."};
 constexpr Refusal view_of_its_own{"This picture always shows all that there is."};
 constexpr Refusal measurement_sets_it{"The measurement has changed that. Finish or cancel it first."};
@@ -24,8 +25,10 @@ constexpr Refusal measures_otherwise{"First finish or cancel “Measure the hand
 
 // A visitor has no way to files, settings or the window.
 using ForVisitors =
-    std::variant<MoveHandBy, TurnMotorBy, ChooseStrategy, ChooseByNumber, PressMeasuringButton, Confirm, GoOn, NextStep,
-                 PreviousStep, AnswerLesson, NextLanguage, ArmMotors, StopMotors, AcknowledgeOff, Escape, Quit>;
+    std::variant<MoveHandBy, MoveHandTo, LetGoOfHand, MoveGuessTo, TurnMotorTo, TurnWallTo, GoToLandscapePoint,
+                 TurnLandscapeDial, LookBackTo, MoveSliderTo, NudgeSlider, TurnMotorBy, ChooseStrategy, ChooseByNumber,
+                 PressMeasuringButton, Confirm, GoOn, NextStep, PreviousStep, AnswerLesson, NextLanguage, ArmMotors,
+                 StopMotors, AcknowledgeOff, Escape, Quit>;
 
 // A lesson tells its own time, says which mode is on, and leaves nothing to undo.
 using LeftToLesson =
@@ -37,6 +40,11 @@ Permission refuse_unless(bool is_allowed, const Refusal& refusal) {
 
 Permission permit_control(const Session& session, LessonControl control) {
   return refuse_unless(is_allowed(session, control), not_in_this_step);
+}
+
+Permission permit_slider(const Session& session) {
+  const bool has_slider = session.lesson && lesson_step(*session.lesson).slider;
+  return refuse_unless(has_slider, not_in_this_step);
 }
 
 // The mode would show what a blind measurement hides.
@@ -53,7 +61,44 @@ Permission permit_kind(const Session& /*session*/, const A& /*action*/) {
 Permission permit_kind(const Session& session, const MoveHandBy&) {
   if (session.stage.guess && session.stage.guess_is_open) return std::nullopt;
   if (is_allowed(session, LessonControl::hand)) return refuse_unless(session.pointer_moves_goal, not_by_pointer);
-  return refuse_unless(lesson_step(*session.lesson).slider.has_value(), not_in_this_step);
+  return permit_slider(session);
+}
+
+Permission permit_kind(const Session& session, const MoveHandTo&) {
+  if (!is_allowed(session, LessonControl::hand)) return not_in_this_step;
+  return refuse_unless(session.pointer_moves_goal, not_by_pointer);
+}
+
+Permission permit_kind(const Session& session, const MoveGuessTo&) {
+  return refuse_unless(session.stage.guess && session.stage.guess_is_open, nothing_is_asked);
+}
+
+Permission permit_kind(const Session& session, const TurnMotorTo&) {
+  return permit_control(session, LessonControl::motor);
+}
+
+Permission permit_kind(const Session& session, const TurnWallTo&) {
+  return permit_control(session, LessonControl::wall);
+}
+
+// A place on the map is a wall and a stiffness.
+Permission permit_kind(const Session& session, const GoToLandscapePoint&) {
+  if (session.stage.mode != StageMode::landscape) return map_is_gone;
+  return permit_control(session, LessonControl::wall);
+}
+
+// With every motor there is no dial.
+Permission permit_kind(const Session& session, const TurnLandscapeDial&) {
+  if (session.stage.mode != StageMode::landscape || session.settings.active == StrategyId::full) return map_is_gone;
+  return permit_control(session, LessonControl::strategies);
+}
+
+Permission permit_kind(const Session& session, const MoveSliderTo&) {
+  return permit_slider(session);
+}
+
+Permission permit_kind(const Session& session, const NudgeSlider&) {
+  return permit_slider(session);
 }
 
 Permission permit_kind(const Session& session, const TurnMotorBy&) {
@@ -101,6 +146,10 @@ Permission permit_view(const Session& session) {
 }
 
 Permission permit_kind(const Session& session, const ZoomView&) {
+  return permit_view(session);
+}
+
+Permission permit_kind(const Session& session, const MoveView&) {
   return permit_view(session);
 }
 

@@ -153,7 +153,7 @@ void Workbench::draw(const PanelContext& context, const WorkbenchFrame& frame) {
   begin_screen("workbench");
   if (frame.is_live && layout.scene.size.y > 0.0F) {
     begin_piece("scene", layout.scene, fixed_window | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNav);
-    gestures_.take(session, panes_, scene_size_, unit, frame.moment);
+    gestures_.take(session, context.apply, panes_, scene_size_, unit, frame.moment);
     ImGui::EndChild();
   }
   if (frame.is_live && std::exchange(session.fits_view, false)) {

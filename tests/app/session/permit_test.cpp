@@ -107,6 +107,35 @@ TEST_F(PermitTest, AnswersNeedAnOpenQuestionAndSlidersAStepThatHasOne) {
   }
 }
 
+TEST_F(PermitTest, ThePointerMovesWhatAStepAllowsAndWhatIsThere) {
+  EXPECT_TRUE(may(MoveHandTo{}) && may(TurnWallTo{}) && may(TurnMotorTo{}) && may(MoveView{}));
+  EXPECT_FALSE(may(MoveGuessTo{}) || may(MoveSliderTo{}) || may(GoToLandscapePoint{}) || may(TurnLandscapeDial{}));
+  apply(session, ToggleMode{StageMode::landscape});
+  EXPECT_FALSE(may(MoveView{}) || may(ZoomView{2.0})) << "the map has a view of its own";
+  EXPECT_TRUE(may(GoToLandscapePoint{}) && may(TurnLandscapeDial{}));
+  session.settings.active = StrategyId::full;
+  EXPECT_FALSE(may(TurnLandscapeDial{})) << "there is none";
+  for (const auto& lesson : shipped_lessons()) {
+    begin_lesson(session, lesson);
+    for (std::size_t step = 0; step < lesson->steps.size(); ++step) {
+      show_lesson_step(session, step);
+      const LessonStep& shown = lesson->steps[step];
+      EXPECT_EQ(may(MoveHandTo{}), shown.controls.contains(LessonControl::hand)) << shown.name;
+      EXPECT_EQ(may(TurnWallTo{}), shown.controls.contains(LessonControl::wall)) << shown.name;
+      EXPECT_EQ(may(MoveSliderTo{}), shown.slider.has_value()) << shown.name;
+      EXPECT_EQ(may(MoveGuessTo{}), session.stage.guess_is_open && session.stage.guess) << shown.name;
+    }
+  }
+}
+
+TEST_F(PermitTest, AHandIsHeldUntilThePointerLetsGo) {
+  apply(session, MoveHandTo{{10.0, 0.01}});
+  EXPECT_TRUE(session.drags_goal);
+  EXPECT_EQ(session.goal, nearest_in_scene({10.0, 0.01})) << "in sight of a scene's file";
+  apply(session, LetGoOfHand{});
+  EXPECT_FALSE(session.drags_goal);
+}
+
 TEST_F(PermitTest, WhatWouldShowTheHandWaitsForTheMeasurement) {
   session.plots.tab = PlotTab::ratio;
   EXPECT_TRUE(may(SavePlots{"a.csv"}));
