@@ -7,6 +7,8 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -161,6 +163,49 @@ struct ChooseInput {
   std::string name;  // of the input catalog
 };
 
+// --- Controls of panels and dialogs ---
+
+// One thing of the session becomes what its control shows.
+template <auto Session::*member>
+struct Change {
+  std::remove_reference_t<decltype(std::declval<Session&>().*member)> after;
+};
+using ChangeSpeed = Change<&Session::speed>;
+using ChangeViewOptions = Change<&Session::options>;
+using ChangeAppearance = Change<&Session::appearance>;
+using ChangePlots = Change<&Session::plots>;
+using ChangeSafety = Change<&Session::safety>;
+using ChangeSpaceMouse = Change<&Session::spacemouse>;
+using ChooseLanguage = Change<&Session::language>;
+using SwitchSpeech = Change<&Session::speaks>;
+using InjectFault = Change<&Session::injected_fault>;
+using AimAtTarget = Change<&Session::aims_at_target>;
+
+struct ChangeStiffnesses {
+  Stiffnesses after;
+};
+// About the hand's k_u.
+struct Believe {
+  BeliefSource source;
+  std::optional<double> k_u{};  // typed [N/m]; empty: the same as the hand's. Of other sources: nothing
+};
+struct StartMeasuring {};
+struct TakeReading {};
+struct CancelMeasuring {};
+struct RevealHand {};
+struct BelieveMeasurement {};
+struct BeginCircleTest {};
+struct EndCircleTest {};
+struct ChangeCircle {
+  CircleChoice after;
+};
+// The newest moment again, at the right edge of the plots.
+struct FollowNewest {};
+struct ForgetLessons {};
+struct CloseDialog {};
+struct CloseNotice {};
+struct HideHints {};
+
 // --- What the shell does ---
 
 struct Quit {
@@ -224,15 +269,20 @@ using Effect = std::variant<Quit, ToggleFullScreen, Undo, Redo, OpenScene, OpenL
                             StartRecording, StopRecording, ResetPreferences>;
 using Effects = std::vector<Effect>;
 
-using Action = std::variant<
-    MoveHandBy, MoveHandTo, LetGoOfHand, MoveGuessTo, TurnMotorTo, TurnWallTo, GoToLandscapePoint, TurnLandscapeDial,
-    LookBackTo, MoveSliderTo, NudgeSlider, MoveView, TurnMotorBy, TurnWallToLargestDrift, TurnRatio, ChooseStrategy,
-    ChooseByNumber, TogglePause, StepBack, StepOn, Restart, ShowFace, SwitchFace, ToggleMode, MeasureHand,
-    PressMeasuringButton, Confirm, GoOn, NextStep, PreviousStep, ToggleBlank, AnswerLesson, LeaveLesson, NextLanguage,
-    ArmMotors, StopMotors, AcknowledgeOff, Escape, NextCompareMode, ToggleViewOption, FitView, ZoomView, PanView,
-    TogglePlots, NextTheme, ChangeTextSize, UseUsualTextSize, OpenDialog, ToggleDialog, ChooseInput, Quit,
-    ToggleFullScreen, Undo, Redo, OpenScene, OpenLesson, DropFiles, SaveScene, SavePicture, SaveClip, SavePlots,
-    CopyPicture, CopyValues, CopySetUp, PasteSetUp, ShowLink, StartRecording, StopRecording, ResetPreferences>;
+using Action =
+    std::variant<MoveHandBy, MoveHandTo, LetGoOfHand, MoveGuessTo, TurnMotorTo, TurnWallTo, GoToLandscapePoint,
+                 TurnLandscapeDial, LookBackTo, MoveSliderTo, NudgeSlider, MoveView, TurnMotorBy,
+                 TurnWallToLargestDrift, TurnRatio, ChooseStrategy, ChooseByNumber, TogglePause, StepBack, StepOn,
+                 Restart, ShowFace, SwitchFace, ToggleMode, MeasureHand, PressMeasuringButton, Confirm, GoOn, NextStep,
+                 PreviousStep, ToggleBlank, AnswerLesson, LeaveLesson, NextLanguage, ArmMotors, StopMotors,
+                 AcknowledgeOff, Escape, NextCompareMode, ToggleViewOption, FitView, ZoomView, PanView, TogglePlots,
+                 NextTheme, ChangeTextSize, UseUsualTextSize, OpenDialog, ToggleDialog, ChooseInput, ChangeSpeed,
+                 ChangeViewOptions, ChangeAppearance, ChangePlots, ChangeSafety, ChangeSpaceMouse, ChooseLanguage,
+                 SwitchSpeech, InjectFault, AimAtTarget, ChangeStiffnesses, Believe, StartMeasuring, TakeReading,
+                 CancelMeasuring, RevealHand, BelieveMeasurement, BeginCircleTest, EndCircleTest, ChangeCircle,
+                 FollowNewest, ForgetLessons, CloseDialog, CloseNotice, HideHints, Quit, ToggleFullScreen, Undo, Redo,
+                 OpenScene, OpenLesson, DropFiles, SaveScene, SavePicture, SaveClip, SavePlots, CopyPicture, CopyValues,
+                 CopySetUp, PasteSetUp, ShowLink, StartRecording, StopRecording, ResetPreferences>;
 
 // To whom those who make Actions hand them. UI thread.
 using ActionSink = std::function<void(const Action& action)>;

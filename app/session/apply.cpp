@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "app/session/circle_test.h"
 #include "app/session/hand_burst_guide.h"
 #include "app/session/lesson_guide.h"
 #include "app/session/measurement_guide.h"
@@ -379,6 +380,76 @@ void act(Session& session, const ToggleDialog& action) {
 
 void act(Session& session, const ChooseInput& action) {
   session.wanted_input = action.name;
+}
+
+// --- Controls ---
+
+template <auto Session::*member>
+void act(Session& session, const Change<member>& action) {
+  session.*member = action.after;
+}
+
+void act(Session& session, const ChangeStiffnesses& action) {
+  session.settings.stiffnesses = action.after;
+}
+
+void act(Session& session, const Believe& action) {
+  if (action.source == BeliefSource::measured) return believe_measured(session, *session.measured_k_u);
+  session.belief_source = action.source;
+  if (action.source == BeliefSource::typed) session.settings.stiffnesses.believed_k_u = action.k_u;
+}
+
+void act(Session& session, const StartMeasuring&) {
+  start_measuring(session);
+}
+
+void act(Session& session, const TakeReading&) {
+  take_reading(session);
+}
+
+void act(Session& session, const CancelMeasuring&) {
+  cancel_measurement(session);
+}
+
+void act(Session& session, const RevealHand&) {
+  reveal_hand(session);
+}
+
+void act(Session& session, const BelieveMeasurement&) {
+  believe_measurement(session);
+}
+
+void act(Session& session, const BeginCircleTest&) {
+  begin_circle_test(session);
+}
+
+void act(Session& session, const EndCircleTest&) {
+  end_circle_test(session);
+}
+
+void act(Session& session, const ChangeCircle& action) {
+  session.circle_test.choice = action.after;
+}
+
+void act(Session& session, const FollowNewest&) {
+  session.plots.follows = true;
+  session.stage.looks_back_to_s.reset();
+}
+
+void act(Session& session, const ForgetLessons&) {
+  session.lesson_progress = {};
+}
+
+void act(Session& session, const CloseDialog&) {
+  session.dialog = Dialog::none;
+}
+
+void act(Session& session, const CloseNotice&) {
+  session.notice.reset();
+}
+
+void act(Session& session, const HideHints&) {
+  session.hint.reset();
 }
 
 }  // namespace

@@ -14,6 +14,7 @@ constexpr Refusal not_in_this_step{"This step of the lesson leaves that as it is
 constexpr Refusal nothing_is_asked{"Nothing is asked that this could answer."};
 constexpr Refusal not_by_pointer{"The goal follows another hand."};
 constexpr Refusal map_is_gone{"The landscape is not shown, or has no such handle."};
+constexpr Refusal not_measured{"The hand has not been measured yet."};
 constexpr Refusal not_seen{"That is seen on the workbench alone."};
 constexpr Refusal view_of_its_own{"This picture always shows all that there is."};
 constexpr Refusal measurement_sets_it{"The measurement has changed that. Finish or cancel it first."};
@@ -164,6 +165,15 @@ Permission permit_kind(const Session& session, const Redo&) {
 
 Permission permit_kind(const Session& session, const SavePlots&) {
   return refuse_unless(!hides_curves(session), curves_are_hidden);
+}
+
+// What was never measured cannot be believed.
+Permission permit_kind(const Session& session, const Believe& action) {
+  return refuse_unless(action.source != BeliefSource::measured || session.measured_k_u, not_measured);
+}
+
+Permission permit_kind(const Session& session, const BelieveMeasurement&) {
+  return refuse_unless(session.measurement.stage == UserMeasurement::Stage::done, not_measured);
 }
 
 Permission permit_kind(const Session& session, const Quit& action) {

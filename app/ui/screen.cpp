@@ -88,8 +88,8 @@ void Screen::apply_appearance(const Appearance& appearance) {
 void Screen::draw_everything(Session& session, const ActionSink& apply, const ShownMoment& moment,
                              const History& history, const LoopReading& loop, const Frame& frame) {
   const Theme& theme = *styled_appearance_.theme;
-  const PanelContext context{session, apply,           moment.snapshot, moment.settings,   loop,
-                             theme,   window_.fonts(), styled_scale_,   drawing_->gallery, drawing_->lessons};
+  const PanelContext context{session, apply,           session,       moment.snapshot,   moment.settings,  loop,
+                             theme,   window_.fonts(), styled_scale_, drawing_->gallery, drawing_->lessons};
   if (frame.is_live) keep_tooltips_from_drags();
   if (session.face == Face::stage) {
     draw_stage(context, moment, history, frame);
@@ -131,7 +131,7 @@ void Screen::draw_stage(const PanelContext& context, const ShownMoment& moment, 
     return;
   }
   begin_screen("stage");
-  stage_.update(context.session, context.apply, stage_frame, keyboard_.has_pressed(), frame.interval_s);
+  stage_.update(context.edited, context.apply, stage_frame, keyboard_.has_pressed(), frame.interval_s);
   draw_motor_frame(context);
   if (context.session.stage.is_black) draw_motor_words(context);
   ImGui::End();

@@ -66,13 +66,14 @@ void draw_input(const PanelContext& context) {
       const std::string_view wrong =
           choose("##fault", context.loop.injected_faults,
                  context.session.injected_fault.empty() ? "none" : context.session.injected_fault);
-      if (!wrong.empty()) context.session.injected_fault = wrong;
+      if (!wrong.empty()) context.apply(InjectFault{std::string(wrong)});
     }
     if (context.loop.motors.has_motors) {
       row("Aim at a target",
           "Draws a target on the wall. Press straight into the wall there, and ghost force and drift are measured "
           "relative to the target. Without a target, nobody knows where a hand aims.");
-      ImGui::Checkbox("##target", &context.session.aims_at_target);
+      bool aims = context.session.aims_at_target;
+      if (ImGui::Checkbox("##target", &aims)) context.apply(AimAtTarget{aims});
     }
     end_rows();
   }

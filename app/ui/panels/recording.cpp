@@ -11,7 +11,7 @@
 namespace ghostforce {
 
 void toggle_recording(const PanelContext& context) {
-  Session& session = context.session;
+  Session& session = context.edited;
   if (context.loop.recording.is_on) {
     context.apply(StopRecording{});
   } else {
@@ -35,7 +35,7 @@ void draw_recording(const PanelContext& context) {
     ImGui::BeginDisabled(recording.is_on);
     std::string shown = recording.is_on ? recording.path : context.session.recording_path;
     const bool entered = text_field("##recording", "a new name", shown);
-    if (!recording.is_on) context.session.recording_path = shown;
+    if (!recording.is_on) context.edited.recording_path = shown;
     ImGui::EndDisabled();
     if (entered) toggle_recording(context);
     end_rows();

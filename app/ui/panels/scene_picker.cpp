@@ -73,7 +73,7 @@ std::string beginning_of(const std::string& problem) {
 }
 
 void draw_problem(const PanelContext& context, float width) {
-  Form& form = context.session.form;
+  Form& form = context.edited.form;
   if (form.problem.empty()) return;
   ImGui::PushStyleColor(ImGuiCol_Text, unpacked(context.theme.problem));
   wrapped_text(beginning_of(form.problem), ImGui::GetCursorPosX() + width);
@@ -88,7 +88,7 @@ void draw_problem(const PanelContext& context, float width) {
 }  // namespace
 
 void draw_open_scene(const PanelContext& context) {
-  Session& session = context.session;
+  Session& session = context.edited;
   Form& form = session.form;
   const bool is_new = form.belongs_to != Dialog::open_scene;
   const auto& scenes = shipped_scenes();
@@ -137,7 +137,7 @@ void draw_open_scene(const PanelContext& context) {
     if (ImGui::Button(choose_words)) choose_file();
     ImGui::SameLine();
   }
-  if (ImGui::Button(cancel_words)) session.dialog = Dialog::none;
+  if (ImGui::Button(cancel_words)) context.apply(CloseDialog{});
   if (entered || pressed) {
     const ShippedScene& marked = scenes[form.marked_scene];
     if (!form.path.empty()) {
@@ -145,7 +145,7 @@ void draw_open_scene(const PanelContext& context) {
     } else if (!is_open_now(session, marked)) {
       context.apply(OpenScene{marked.name});
     } else {
-      session.dialog = Dialog::none;  // it is open, and what has been changed in it stays
+      context.apply(CloseDialog{});  // it is open, and what has been changed in it stays
     }
   }
   draw_problem(context, width);

@@ -135,21 +135,25 @@ void bar_combo(const char* id, const std::string& shown, float width, float heig
   ImGui::PopStyleVar();
 }
 
-void draw_compare(Session& session, float width, float height) {
-  const CompareMode& mode = compare_catalog()[static_cast<std::size_t>(session.options.compare)];
+void draw_compare(const PanelContext& context, float width, float height) {
+  ViewOptions options = context.session.options;
+  const CompareMode& mode = compare_catalog()[static_cast<std::size_t>(options.compare)];
   bar_combo("##compare", std::string(mode.title), width * ImGui::GetFontSize(), height, [&] {
     for (const CompareMode& each : compare_catalog()) {
-      if (ImGui::Selectable(each.title.data(), each.id == session.options.compare)) session.options.compare = each.id;
+      if (!ImGui::Selectable(each.title.data(), each.id == mode.id)) continue;
+      options.compare = each.id;
+      context.apply(ChangeViewOptions{options});
     }
   });
   tooltip("Compare: all strategies in one picture, a picture for each, or the active one only. Key 0.");
 }
 
-void draw_speed(Session& session, float width, float height) {
+void draw_speed(const PanelContext& context, float width, float height) {
   constexpr std::array speeds{1.0, 0.5, 0.2, 0.1, 0.02};
-  bar_combo("##speed", fmt::format("{:g}×", session.speed), width * ImGui::GetFontSize(), height, [&] {
+  bar_combo("##speed", fmt::format("{:g}×", context.session.speed), width * ImGui::GetFontSize(), height, [&] {
     for (const double speed : speeds) {
-      if (ImGui::Selectable(fmt::format("{:g}×", speed).c_str(), speed == session.speed)) session.speed = speed;
+      const bool is_chosen = speed == context.session.speed;
+      if (ImGui::Selectable(fmt::format("{:g}×", speed).c_str(), is_chosen)) context.apply(ChangeSpeed{speed});
     }
   });
   tooltip("Slow motion: fewer ticks per second, the same physics.");
@@ -189,7 +193,7 @@ void draw_record_button(const Bar& bar) {
 
 void draw_time(const Bar& bar) {
   const PanelContext& context = bar.context;
-  Session& session = context.session;
+  const Session& session = context.session;
   const bool looks_back = session.stage.looks_back_to_s.has_value();
   // Nobody stops the time of a real hand; one can look back at what it did.
   const bool can_stop = !context.snapshot.measured;
@@ -209,7 +213,7 @@ void draw_time(const Bar& bar) {
   tooltip("Resets the motion. Key R; Alt+R also resets the settings.");
   ImGui::SameLine();
   ImGui::BeginDisabled(!can_stop);
-  draw_speed(session, bar.sizes.speed, bar.height());
+  draw_speed(context, bar.sizes.speed, bar.height());
   ImGui::EndDisabled();
 }
 
@@ -231,12 +235,11 @@ float strategy_bar_height(const PanelContext& context) {
 }
 
 void draw_strategy_bar(const PanelContext& context) {
-  Session& session = context.session;
   const BarPlan plan = plan_bar(context);
   const Bar bar{context, plan.sizes};
   for (const Strategy& entry : strategy_catalog()) draw_strategy_button(bar, entry);
   ImGui::SameLine(0.0F, bar.gap());
-  draw_compare(session, bar.sizes.compare, bar.height());
+  draw_compare(context, bar.sizes.compare, bar.height());
   // The motors' button has its place at the right edge of the first row.
   if (plan.has_two_rows) {
     draw_motor_button(context, bar.height());

@@ -159,6 +159,28 @@ TEST_F(PermitTest, WhatWouldShowTheHandWaitsForTheMeasurement) {
   EXPECT_TRUE(may(SavePlots{"a.csv"}));
 }
 
+TEST_F(PermitTest, OnlyWhatWasMeasuredIsBelieved) {
+  EXPECT_FALSE(may(Believe{BeliefSource::measured}));
+  EXPECT_FALSE(may(BelieveMeasurement{}));
+  const Settings before = session.settings;
+  apply(session, BelieveMeasurement{});
+  EXPECT_EQ(session.settings, before);
+  apply(session, Believe{BeliefSource::typed, 250.0});
+  EXPECT_EQ(session.settings.stiffnesses.believed_k_u, 250.0);
+  session.measured_k_u = 321.0;
+  apply(session, Believe{BeliefSource::measured});
+  EXPECT_EQ(session.settings.stiffnesses.believed_k_u, 321.0);
+  EXPECT_EQ(session.belief_source, BeliefSource::measured);
+}
+
+// A button that says that it opens something never closes it, and a key does both.
+TEST_F(PermitTest, OpeningADialogTwiceLeavesItOpen) {
+  for (int i = 0; i < 2; ++i) apply(session, OpenDialog{Dialog::help});
+  EXPECT_EQ(session.dialog, Dialog::help);
+  apply(session, ToggleDialog{Dialog::help});
+  EXPECT_EQ(session.dialog, Dialog::none);
+}
+
 TEST_F(PermitTest, EachRefusalSaysWhy) {
   begin_visit(session, shipped_lessons());
   for (const KeyBinding& binding : key_table()) {
