@@ -16,7 +16,7 @@
 
 #include "app/check/comparison.h"
 #include "app/desktop/offscreen.h"
-#include "app/files/png_file.h"
+#include "app/files/png_writer.h"
 #include "app/files/scene_file.h"
 #include "bench/support/child.h"
 #include "bench/support/contest.h"

@@ -8,7 +8,7 @@
 #include <benchmark/benchmark.h>
 
 #include "app/files/scene_file.h"
-#include "app/sweep/simulate_to_equilibrium.h"
+#include "app/sweep/point_equilibrium.h"
 #include "app/sweep/sweep.h"
 
 namespace ghostforce {

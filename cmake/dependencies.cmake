@@ -37,6 +37,10 @@ endif()
 
 # ---- Files and words -------------------------------------------------------------------------------------------------
 
+# Python: reads assets/languages while the program is built (languages.py), and runs glad. Debian's is named by its full
+# path because one that stands earlier in PATH does not see Debian's modules. apt: python3, which python3-glad brings along.
+find_program(GHOSTFORCE_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH REQUIRED)
+
 if(NOT EMSCRIPTEN)
   # fmt: text from numbers; g++ 12 has no <format>. apt: libfmt-dev.
   find_package(fmt REQUIRED)
@@ -84,9 +88,7 @@ else()
   # glad: the OpenGL 3.3 core loader, <glad/gl.h>, and the types of EGL, <glad/egl.h>, generated at build time. With the
   # extensions by which EGL tells devices apart, and by which Mesa draws into memory to the bit as into a window.
   # --reproducible makes it read the specification that it was installed with; without that it asks the network.
-  # Debian's Python is named by its full path because one that stands earlier in PATH does not see Debian's modules.
   # apt: python3-glad.
-  find_program(GHOSTFORCE_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH REQUIRED)
   set(glad_dir ${PROJECT_BINARY_DIR}/generated/glad)
   add_custom_command(
     OUTPUT ${glad_dir}/src/gl.c ${glad_dir}/include/glad/gl.h ${glad_dir}/include/glad/egl.h

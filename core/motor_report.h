@@ -27,6 +27,7 @@ struct MotorReport {
   double held_k_r = 0.0;         // k_r is held at this while armed; 0: it is not held [N/m]
   double exchange_age_s = 0.0;   // of the newest reading
   bool is_checking = false;      // in RAMP: the device checks its motors, and nothing else pushes yet
+  bool may_still_push = false;   // a device has not answered since it was told to stop, perhaps another one
   bool has_focus = true;         // keys reach the window, so that Esc turns them off
 };
 static_assert(std::is_trivially_copyable_v<MotorReport>);

@@ -15,9 +15,9 @@
 #include <glm/common.hpp>
 
 #include "core/goal_path.h"
-#include "core/hand_unrest.h"
 #include "core/settings.h"
 #include "core/stiffness_path.h"
+#include "core/tremor_and_drift.h"
 #include "core/units.h"
 
 namespace ghostforce {
@@ -33,8 +33,8 @@ struct Scene {
   std::string title;
   std::string about;
   Settings settings;
-  StiffnessPath stiffness_path;  // of the hand that moves the simulated devices, whoever guides it
-  HandUnrest unrest;             // of a hand that is simulated itself; what is recorded of a hand has its own
+  StiffnessPath stiffness_path;     // of the hand that moves the simulated devices, whoever guides it
+  TremorAndDrift tremor_and_drift;  // of a hand that is simulated itself; what is recorded of a hand has its own
   GoalPath goal;
   double duration = 0.0;  // [s]
   SceneView view;

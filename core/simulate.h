@@ -33,13 +33,13 @@ inline TickState<2> equilibrium_at_start(const Scene& scene, const Vector<2>& go
 template <typename OnTick>
 TickState<2> simulate_from(TickState<2> state, const Scene& scene, std::int64_t last, OnTick&& on_tick) {
   TickCoefficients<2> coefficients = coefficients_of(scene.settings);
-  const UnrestMotion unrest(scene.unrest);
+  const TremorAndDriftMotion tremor_and_drift(scene.tremor_and_drift);
   const bool changes_stiffness = !scene.stiffness_path.is_empty();
   on_tick(snapshot_of(coefficients, state));
   while (state.tick < last) {
     const double time_s = time_of(state.tick + 1, coefficients.rate);
     if (changes_stiffness) set_user_stiffness(coefficients, stiffness_at(scene.stiffness_path, time_s));
-    tick(coefficients, unrest.shaken(goal_at(scene.goal, time_s), time_s), state);
+    tick(coefficients, tremor_and_drift.shaken(goal_at(scene.goal, time_s), time_s), state);
     on_tick(snapshot_of(coefficients, state));
   }
   return state;

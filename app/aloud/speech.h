@@ -1,75 +1,60 @@
-// Speech: sentences for speech-dispatcher, the speech service of Linux desktops, which is asked by its own protocol
-// (SSIP) over its Unix socket. Where it does not run yet it is started, as its own clients do. Nothing here waits: what
-// the service cannot take now goes on at the next update(). UI thread.
+// Speech: sentences for speech-dispatcher, the speech service of Linux desktops, by its own tool spd-say, which also
+// starts the service where it does not run yet. The tool lives as long as its sentence is spoken. Nothing here waits.
+// UI thread.
 #pragma once
 
 #include <sys/types.h>
 
-#include <cstdint>
-#include <deque>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
-
-#include "app/files/descriptor.h"
+#include <vector>
 
 namespace ghostforce {
 
-// Where the service listens: $SPEECHD_ADDRESS, else in the folder of the person's sockets. Empty: nowhere that is
-// understood here.
-std::filesystem::path speech_socket();
+// Which sentences are worth being spoken: those that have stood for a moment. What changes all the time, as words with
+// running numbers in them do, is never spoken.
+class SettledSentence {
+ public:
+  static constexpr double settles_in_s = 0.6;
+
+  // `interval_s`: since the last call. The sentence, once, when it has stood for so long and is not the one before.
+  std::optional<std::string> take(std::string_view sentence, double interval_s);
+
+ private:
+  std::string seen_;
+  std::string taken_;
+  double stands_s_ = 0.0;
+};
 
 class Speech {
  public:
-  static constexpr double starts_within_s = 10.0;  // the service, once asked to
-  static constexpr double answers_within_s = 5.0;  // to a command
+  static constexpr double speaks_within_s = 60.0;  // a sentence; the service may have to start first
 
-  explicit Speech(std::filesystem::path socket = speech_socket()) : path_(std::move(socket)) {}
-  // What is being said ends, as far as the service listens.
-  ~Speech();
+  Speech() = default;
+  ~Speech() { end(); }
   Speech(const Speech&) = delete;
   Speech& operator=(const Speech&) = delete;
 
-  // In place of what is being said, and of what has not been begun. `language` as in "en", "es".
-  void say(std::string_view words, std::string_view language);
+  // In place of what is being said. `language` as in "en", "es". Returns why nothing can be spoken, and what to do;
+  // empty: it has begun.
+  std::string say(std::string_view words, std::string_view language);
 
-  // Often. Returns why nothing can be spoken, and what to do; empty: all is well. After a problem it begins anew with
-  // the next sentence.
+  // Often: buries the tools that have ended. Returns the same of a sentence that has failed meanwhile, once.
   std::string update(double interval_s);
 
+  // What is being said ends, as far as the service listens.
+  void end();
+
  private:
-  // What the service is told in turn, each after its answer to the one before.
-  enum class Step : std::uint8_t { name, cancel, language, speak, text };
-  struct Sentence {
-    std::string words;
-    std::string language;
-  };
+  // Whether a sentence was being spoken. Its tool is killed, so that a service that hangs gathers none.
+  bool silence();
+  // 0, or the number of an error.
+  int start(const std::vector<std::string>& words, pid_t& child);
 
-  std::string open(double interval_s);
-  std::string start_service();
-  void begin_sentence();
-  void prepare_step();
-  std::string send_rest();
-  std::string receive();
-  std::string take_answer(std::string_view line);
-  std::string hang_up();
-  std::string lose(std::string_view why);
-  void close();
-
-  std::filesystem::path path_;
-  Descriptor socket_;
-  pid_t starter_ = 0;         // the process that starts the service; 0: there is none
-  bool has_started_ = false;  // the service was asked to start, and has not been heard of yet
-  bool has_failed_ = false;   // the process that was to start it
-  double waited_s_ = 0.0;     // for the start, or for the answer
-  std::deque<Step> steps_;    // the first one has been sent, or is being sent
-  std::string outgoing_;      // of that step, and not sent yet
-  std::string incoming_;      // not a whole line yet
-  std::string language_;      // that the service has been told
-  Sentence sentence_;         // being told
-  std::optional<Sentence> next_;
-  bool has_spoken_ = false;  // since the connection was opened
+  std::vector<pid_t> children_;  // that have not been buried
+  pid_t speaking_ = 0;           // the one of them with the sentence that is being spoken; 0: there is none
+  double speaks_since_s_ = 0.0;
 };
 
 }  // namespace ghostforce

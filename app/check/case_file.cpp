@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <span>
@@ -132,172 +133,222 @@ std::vector<PixelBox> read_mask(const TomlValue& mask, int width, int height) {
   return boxes;
 }
 
-// The keys of a step of a lesson, as they stand.
-struct LessonKeys {
+// A case that is being read.
+struct CaseReading {
+  TomlReader& reader;
+  std::filesystem::path folder;  // of the case
+  Case& summary;
+  PictureRequest& request;
+  // The keys of a step of a lesson, as they stand.
   std::optional<std::string> lesson{};
   std::size_t step = 1;
   std::optional<std::size_t> answer{};
+  std::vector<TomlKey> keys{};
 };
 
 // What the lesson's reader tells becomes a problem of the key that names the lesson.
-void show_lesson_of(const LessonKeys& keys, const TomlValue& named, const std::optional<TomlValue>& language,
-                    const std::filesystem::path& folder, PictureRequest& request) {
+void show_lesson_of(const TomlValue& named, CaseReading& at) {
+  const std::optional<TomlValue> language = at.reader.find("", "language");
   const std::vector<std::string_view> shipped = shipped_lesson_names();
-  const bool is_shipped = std::find(shipped.begin(), shipped.end(), *keys.lesson) != shipped.end();
+  const bool is_shipped = std::find(shipped.begin(), shipped.end(), *at.lesson) != shipped.end();
   try {
     LessonPicture picture{.lesson = std::make_shared<const Lesson>(
-                              load_lesson(is_shipped ? *keys.lesson : (folder / *keys.lesson).string())),
-                          .step = keys.step - 1,
-                          .answer = keys.answer};
+                              load_lesson(is_shipped ? *at.lesson : (at.folder / *at.lesson).string())),
+                          .step = at.step - 1,
+                          .answer = at.answer};
     if (const std::string problem = find_problem(picture); !problem.empty()) return named.refuse(problem, "");
     // A lesson may speak more languages than the stage.
     const std::vector<std::string_view> codes = languages_with(std::span(&picture.lesson, 1));
-    if (const auto code = language ? language->word(codes) : std::nullopt) request.language = codes[*code];
-    request.scene = load_scene(std::string(default_scene_name));
-    show_lesson_in(request, std::move(picture));
+    if (const auto code = language ? language->word(codes) : std::nullopt) at.request.language = codes[*code];
+    at.request.scene = load_scene(std::string(default_scene_name));
+    show_lesson_in(at.request, std::move(picture));
   } catch (const ReadError& error) {
     for (const ReadProblem& problem : error.problems()) named.refuse(words_of(problem), problem.remedy);
   }
 }
 
-void read_text(ReadCase& into, std::vector<ReadProblem>& problems) {
-  Case& summary = into.summary;
-  PictureRequest& request = into.content.request;
-  const std::filesystem::path path = summary.path;
-  constexpr std::array<std::string_view, 2> parts{"window", "scene"};
+void read_moment(const TomlValue& value, CaseReading& at) {
+  PictureRequest& request = at.request;
+  request.at_s = value.number({0.0, longest_s, "s"});
+  if (!request.at_s || *request.at_s * request.scene.settings.rate <= most_ticks) return;
+  value.refuse(fmt::format("{} s is out of range", *request.at_s),
+               fmt::format("give 0 to {} s, which is {} ticks", most_ticks / request.scene.settings.rate, most_ticks));
+}
+
+void read_size(const TomlValue& value, CaseReading& at) {
+  constexpr std::string_view need = "give [width, height] in pixels, as in [1280, 800]";
+  const auto count = value.count(need);
+  if (count && *count != 2) value.refuse(fmt::format("is an array of {}", *count), need);
+  if (count != 2) return;
+  const NumberLimits side{.least = smallest_picture, .greatest = largest_picture, .whole = true};
+  const auto width = value[0].number(side);
+  const auto height = value[1].number(side);
+  if (!width || !height) return;
+  at.request.width = static_cast<int>(*width);
+  at.request.height = static_cast<int>(*height);
+}
+
+void refuse_on_stage(const TomlValue& value, const CaseReading& at) {
+  if (at.request.face != Face::stage) return;
+  value.refuse("the stage shows one strategy at a time", "name one with strategy, or leave out view = \"stage\"");
+}
+
+void refuse_on_workbench(const TomlValue& value, const CaseReading& at, std::string_view remedy) {
+  if (at.request.face == Face::workbench) value.refuse("belongs to the stage", remedy);
+}
+
+void read_strategy(const TomlValue& value, CaseReading& at) {
   std::vector<std::string_view> strategies = names_of(strategy_catalog());
   strategies.push_back(every_strategy);
+  const auto word = value.word(strategies);
+  if (word) apply_strategy_word(strategies[*word], at.request);
+  if (word && strategies[*word] == every_strategy) refuse_on_stage(value, at);
+}
 
+void read_language(const TomlValue& value, CaseReading& at) {
+  if (at.lesson) return;  // with the lesson
+  const std::vector<std::string_view> codes = languages_with({});
+  if (const auto code = value.word(codes)) at.request.language = codes[*code];
+  refuse_on_workbench(value, at, "give view = \"stage\" too, or name a lesson");
+}
+
+template <auto member>
+void read_count(const TomlValue& value, CaseReading& at) {
+  const auto number = value.number({.least = 1.0, .greatest = 1e6, .whole = true});
+  if (number) at.*member = static_cast<std::size_t>(*number);
+}
+
+template <Expectation expectation>
+void read_other(const TomlValue& value, CaseReading& at) {
+  Case& summary = at.summary;
+  const std::optional<std::string> name = value.text();
+  if (!name) return;
+  if (summary.expectation != Expectation::golden) {
+    value.refuse(fmt::format("the key {} is there too", expectation_name(summary.expectation)),
+                 "a case can have only one of them");
+  } else if (*name == summary.name) {
+    value.refuse("names this case itself, which always equals itself", "name another");
+  } else {
+    summary.expectation = expectation;
+    summary.other = *name;
+    summary.other_place = value.place();
+  }
+}
+
+template <std::string GoldenOrigin::*member>
+void read_origin(const TomlValue& value, CaseReading& at) {
+  (*at.summary.origin).*member = value.text().value_or("");
+}
+
+// Which cases a key belongs to: all, those of a scene, or those of a step of a lesson, which says the rest itself.
+enum class CaseKind : std::uint8_t { any, of_scene, of_lesson };
+
+struct CaseKey {
+  std::string_view table;  // "" at the top of the file
+  std::string_view name;
+  void (*read)(const TomlValue& value, CaseReading& at);  // null: it is read with another
+  CaseKind kind = CaseKind::any;
+};
+
+// In the order in which they are read.
+constexpr std::array case_keys{
+    CaseKey{
+        "", "scene",
+        [](auto& value, auto& at) { at.request.scene = load_scene_of(value, at.reader.find("", "set"), at.folder); },
+        CaseKind::of_scene},
+    CaseKey{"", "at_s", read_moment},
+    CaseKey{"", "size", read_size},
+    CaseKey{"", "mask",
+            [](auto& value, auto& at) { at.summary.mask = read_mask(value, at.request.width, at.request.height); }},
+    CaseKey{"", "part",
+            [](auto& value, auto& at) {
+              constexpr std::array<std::string_view, 2> parts{"window", "scene"};
+              at.request.part = value.word(parts) == 1U ? Part::scene : Part::window;
+            }},
+    CaseKey{"", "view",
+            [](auto& value, auto& at) {
+              catalog_entry(std::span<const FaceEntry>(face_catalog),
+                            [&](auto& entry) { at.request.face = entry.id; })(value);
+            },
+            CaseKind::of_scene},
+    CaseKey{"", "mode",
+            [](auto& value, auto& at) {
+              catalog_entry(stage_mode_catalog(), [&](auto& mode) { at.request.mode = mode.id; })(value);
+              refuse_on_workbench(value, at, "give view = \"stage\" too");
+            },
+            CaseKind::of_scene},
+    CaseKey{"", "strategy", read_strategy, CaseKind::of_scene},
+    CaseKey{"", "compare",
+            [](auto& value, auto& at) {
+              catalog_entry(compare_catalog(), [&](auto& mode) { at.request.options.compare = mode.id; })(value);
+              refuse_on_stage(value, at);
+            },
+            CaseKind::of_scene},
+    CaseKey{"", "theme",
+            [](auto& value, auto& at) {
+              catalog_entry(theme_catalog(), [&](auto& theme) { at.request.appearance.theme = &theme; })(value);
+            }},
+    CaseKey{"", "scale",
+            [](auto& value, auto& at) {
+              number_into(at.request.appearance.scale, {Appearance::least_scale, Appearance::greatest_scale})(value);
+            }},
+    CaseKey{"", "set", nullptr, CaseKind::of_scene},
+    CaseKey{"", "lesson", [](auto& value, auto& at) { at.lesson = value.text(); }},
+    CaseKey{"", "language", read_language},
+    CaseKey{"", "step", read_count<&CaseReading::step>, CaseKind::of_lesson},
+    CaseKey{"", "answer", read_count<&CaseReading::answer>, CaseKind::of_lesson},
+    CaseKey{"", "match", read_other<Expectation::match>},
+    CaseKey{"", "mismatch", read_other<Expectation::mismatch>},
+    CaseKey{"tolerance", "channel",
+            [](auto& value, auto& at) {
+              number_into(at.summary.tolerance.channel, {.least = 0.0, .greatest = 255.0, .whole = true})(value);
+            }},
+    CaseKey{"tolerance", "share",
+            [](auto& value, auto& at) {
+              number_into(at.summary.tolerance.share, {0.0, 1.0})(value);
+            }},
+    CaseKey{"golden", "renderer", read_origin<&GoldenOrigin::renderer>},
+    CaseKey{"golden", "mesa", read_origin<&GoldenOrigin::mesa>},
+    CaseKey{"golden", "version", read_origin<&GoldenOrigin::version>},
+    CaseKey{"", "format", nullptr},  // may be missing: then it is 1
+};
+
+void read_keys(CaseReading& at) {
+  const std::optional<TomlValue> named = at.reader.find("", "lesson");
+  for (const CaseKey& key : case_keys) {
+    TomlKey& added = at.keys.emplace_back(TomlKey{key.table, key.name, {}});
+    if (key.read != nullptr) added.read = [&](const TomlValue& value) { key.read(value, at); };
+  }
+  if (!named) at.keys.front().if_missing = "give the name of a shipped scene, or a path relative to this file";
+  at.reader.read(at.keys);
+  for (const CaseKey& key : case_keys) {
+    if (key.kind != (named ? CaseKind::of_scene : CaseKind::of_lesson)) continue;
+    const std::optional<TomlValue> wrong = at.reader.find(key.table, key.name);
+    if (wrong && named) wrong->refuse("is what a step of a lesson says", "leave it out, or leave out lesson");
+    if (wrong && !named) wrong->refuse("belongs to a lesson", "name one with lesson");
+  }
+  if (at.lesson) show_lesson_of(*named, at);
+  if (at.summary.origin && at.summary.expectation != Expectation::golden) {
+    at.reader.refuse(
+        fmt::format("the table [golden]: with the key {} no golden is used", expectation_name(at.summary.expectation)),
+        "remove one of them", at.reader.find("", "golden"));
+  }
+}
+
+void read_text(ReadCase& into, std::vector<ReadProblem>& problems) {
+  Case& summary = into.summary;
+  const std::filesystem::path path = summary.path;
   TomlReader reader(summary.path);
-  const auto other = [&](Expectation expectation) {
-    return [&summary, expectation](const TomlValue& value) {
-      const std::optional<std::string> name = value.text();
-      if (!name) return;
-      if (summary.expectation != Expectation::golden) {
-        value.refuse(fmt::format("the key {} is there too", expectation_name(summary.expectation)),
-                     "a case can have only one of them");
-      } else if (*name == summary.name) {
-        value.refuse("names this case itself, which always equals itself", "name another");
-      } else {
-        summary.expectation = expectation;
-        summary.other = *name;
-        summary.other_place = value.place();
-      }
-    };
-  };
-  const auto refuse_on_stage = [&request](const TomlValue& value) {
-    if (request.face != Face::stage) return;
-    value.refuse("the stage shows one strategy at a time", "name one with strategy, or leave out view = \"stage\"");
-  };
-  const auto origin = [&](std::string GoldenOrigin::*member) {
-    return [&summary, member](const TomlValue& value) { (*summary.origin).*member = value.text().value_or(""); };
-  };
-  LessonKeys lesson;
-  const auto whole_number = [](auto& into_number) {
-    return [&into_number](const TomlValue& value) {
-      const auto number = value.number({.least = 1.0, .greatest = 1e6, .whole = true});
-      if (number) into_number = static_cast<std::size_t>(*number);
-    };
-  };
-  std::vector<TomlKey> keys{
-      {"", "scene",
-       [&](const TomlValue& value) {
-         request.scene = load_scene_of(value, reader.find("", "set"), path.parent_path());
-       },
-       "give the name of a shipped scene, or a path relative to this file"},
-      {"", "at_s",
-       [&](const TomlValue& value) {
-         request.at_s = value.number({0.0, longest_s, "s"});
-         if (!request.at_s || *request.at_s * request.scene.settings.rate <= most_ticks) return;
-         value.refuse(
-             fmt::format("{} s is out of range", *request.at_s),
-             fmt::format("give 0 to {} s, which is {} ticks", most_ticks / request.scene.settings.rate, most_ticks));
-       }},
-      {"", "size",
-       [&](const TomlValue& value) {
-         constexpr std::string_view need = "give [width, height] in pixels, as in [1280, 800]";
-         const auto count = value.count(need);
-         if (count && *count != 2) value.refuse(fmt::format("is an array of {}", *count), need);
-         if (count != 2) return;
-         const NumberLimits side{.least = smallest_picture, .greatest = largest_picture, .whole = true};
-         const auto width = value[0].number(side);
-         const auto height = value[1].number(side);
-         if (!width || !height) return;
-         request.width = static_cast<int>(*width);
-         request.height = static_cast<int>(*height);
-       }},
-      {"", "mask", [&](const TomlValue& value) { summary.mask = read_mask(value, request.width, request.height); }},
-      {"", "part",
-       [&](const TomlValue& value) { request.part = value.word(parts) == 1U ? Part::scene : Part::window; }},
-      {"", "view",
-       catalog_entry(std::span<const FaceEntry>(face_catalog),
-                     [&](const FaceEntry& entry) { request.face = entry.id; })},
-      {"", "mode",
-       [&](const TomlValue& value) {
-         catalog_entry(stage_mode_catalog(), [&](const StageModeEntry& mode) { request.mode = mode.id; })(value);
-         if (request.face == Face::workbench) value.refuse("belongs to the stage", "give view = \"stage\" too");
-       }},
-      {"", "strategy",
-       [&](const TomlValue& value) {
-         const auto word = value.word(strategies);
-         if (word) apply_strategy_word(strategies[*word], request);
-         if (word && strategies[*word] == every_strategy) refuse_on_stage(value);
-       }},
-      {"", "compare",
-       [&](const TomlValue& value) {
-         catalog_entry(compare_catalog(), [&](const CompareMode& mode) { request.options.compare = mode.id; })(value);
-         refuse_on_stage(value);
-       }},
-      {"", "theme", catalog_entry(theme_catalog(), [&](const Theme& theme) { request.appearance.theme = &theme; })},
-      {"", "scale", number_into(request.appearance.scale, {Appearance::least_scale, Appearance::greatest_scale})},
-      {"", "set", nullptr},  // with the scene
-      {"", "lesson", [&](const TomlValue& value) { lesson.lesson = value.text(); }},
-      {"", "language",
-       [&](const TomlValue& value) {
-         if (lesson.lesson) return;  // with the lesson
-         const std::vector<std::string_view> codes = languages_with({});
-         if (const auto code = value.word(codes)) request.language = codes[*code];
-         if (request.face == Face::workbench) {
-           value.refuse("belongs to the stage", "give view = \"stage\" too, or name a lesson");
-         }
-       }},
-      {"", "step", whole_number(lesson.step)},
-      {"", "answer", whole_number(lesson.answer)},
-      {"", "match", other(Expectation::match)},
-      {"", "mismatch", other(Expectation::mismatch)},
-      {"tolerance", "channel",
-       number_into(summary.tolerance.channel, {.least = 0.0, .greatest = 255.0, .whole = true})},
-      {"tolerance", "share", number_into(summary.tolerance.share, {0.0, 1.0})},
-      {"golden", "renderer", origin(&GoldenOrigin::renderer)},
-      {"golden", "mesa", origin(&GoldenOrigin::mesa)},
-      {"golden", "version", origin(&GoldenOrigin::version)},
-      {"", "format", nullptr},  // may be missing: then it is 1
-  };
+  CaseReading at{reader, path.parent_path(), summary, into.content.request};
   if (reader.parse(into.content.text)) {
     summary.has_tolerance = reader.has_table("tolerance");
+    if (reader.has_table("golden")) summary.origin.emplace();
     if (!reader.find("", "scene") && reader.has_table("wall")) {
       reader.refuse("this is a scene, not a case",
                     fmt::format("put scenes into a subfolder, and refer to them as in scene = \"scenes/{}\"",
                                 quoted_text(path.filename().string())));
     } else if (!reader.find("", "format") || reader.has_known_format()) {
-      if (reader.has_table("golden")) summary.origin.emplace();
-      const std::optional<TomlValue> named = reader.find("", "lesson");
-      if (named) keys.front().if_missing.reset();
-      reader.read(keys);
-      for (const std::string_view key : {"step", "answer"}) {
-        const std::optional<TomlValue> alone = named ? std::nullopt : reader.find("", key);
-        if (alone) alone->refuse("belongs to a lesson", "name one with lesson");
-      }
-      for (const std::string_view key : {"scene", "set", "view", "mode", "strategy", "compare"}) {
-        const std::optional<TomlValue> other_key = named ? reader.find("", key) : std::nullopt;
-        if (other_key) other_key->refuse("is what a step of a lesson says", "leave it out, or leave out lesson");
-      }
-      if (lesson.lesson) show_lesson_of(lesson, *named, reader.find("", "language"), path.parent_path(), request);
-      if (summary.origin && summary.expectation != Expectation::golden) {
-        reader.refuse(
-            fmt::format("the table [golden]: with the key {} no golden is used", expectation_name(summary.expectation)),
-            "remove one of them", reader.find("", "golden"));
-      }
+      read_keys(at);
     }
   }
   const std::vector<ReadProblem> found = reader.problems();

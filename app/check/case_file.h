@@ -10,7 +10,6 @@
 
 #include "app/check/comparison.h"
 #include "app/check/golden_origin.h"
-#include "app/check/mask.h"
 #include "app/desktop/offscreen.h"
 #include "app/files/read_error.h"
 

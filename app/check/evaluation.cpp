@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "app/check/rendered_cases.h"
-#include "app/check/verdict_bytes.h"
+#include "app/check/verdict.h"
 #include "app/check/worker_processes.h"
 #include "app/console/failure.h"
 #include "app/console/interruption.h"

@@ -6,8 +6,10 @@
 #include <filesystem>
 #include <optional>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
@@ -71,8 +73,8 @@ std::string_view word_of(const Verdict& verdict) {
   return verdict.passes ? "pass" : "FAIL";
 }
 
-std::ptrdiff_t failures_in(const std::vector<Verdict>& verdicts) {
-  return std::ranges::count(verdicts, false, &Verdict::passes);
+std::string path_in(const std::string& folder, std::string_view name) {
+  return (std::filesystem::path(folder) / name).string();
 }
 
 std::string section_about(const Verdict& verdict, std::size_t number) {
@@ -94,6 +96,15 @@ std::string section_about(const Verdict& verdict, std::size_t number) {
   return html + "</div>\n";
 }
 
+void remove_picture(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(path, error))) return;
+  std::filesystem::remove(path, error);
+  if (!error) return;
+  throw Failure(ExitCode::file_trouble,
+                fmt::format("{} cannot be removed: {}", quoted_text(path, longest_path), reason_of(error.value())));
+}
+
 // The folder, which is there from now on.
 std::string made(const std::string& folder) {
   std::error_code error;
@@ -103,15 +114,65 @@ std::string made(const std::string& folder) {
                                                     quoted_text(folder, longest_path), reason_of(error.value())));
 }
 
+using Json = nlohmann::ordered_json;
+
+Json null_if_empty(const std::string& text) {
+  return text.empty() ? Json() : Json(text);
+}
+
+Json difference_as_json(const Comparison& comparison) {
+  Json json{{"pixels", comparison.over},   {"compared_pixels", comparison.pixels}, {"masked_pixels", comparison.masked},
+            {"share", comparison.share()}, {"greatest", comparison.greatest},      {"box", nullptr}};
+  if (const PixelBox box = comparison.box(); comparison.over > 0) {
+    json["box"] = Json::array({box.x, box.y, box.width, box.height});
+  }
+  return json;
+}
+
+Json case_as_json(const Case& checked, const Verdict& verdict, const std::string& pictures) {
+  Json json{{"name", verdict.name},
+            {"pass", verdict.passes},
+            {"reason", verdict.reason},
+            {"remark", null_if_empty(verdict.remark)},
+            {"update", null_if_empty(verdict.remedy)},
+            {"compared_with", expectation_name(checked.expectation)},
+            {"other", null_if_empty(checked.other)},
+            {"difference", nullptr},
+            {"tolerance", {{"channel", verdict.tolerance.channel}, {"share", verdict.tolerance.share}}},
+            {"renderer", verdict.drawn_by.renderer},
+            {"mesa", verdict.drawn_by.mesa},
+            {"duration_s", verdict.duration_s},
+            {"files", Json::object()}};
+  if (verdict.comparison) json["difference"] = difference_as_json(*verdict.comparison);
+  for (const PictureKind& kind : picture_kinds) {
+    if (pictures.empty() || !(verdict.pictures.*kind.bytes).has_value()) continue;
+    json["files"][std::string(kind.word)] = path_in(pictures, picture_name(verdict, kind));
+  }
+  return json;
+}
+
+}  // namespace
+
+std::ptrdiff_t CheckReport::failed() const {
+  return std::ranges::count(verdicts, false, &Verdict::passes);
+}
+
+double CheckReport::duration_s() const {
+  double sum = 0.0;
+  for (const Verdict& verdict : verdicts) sum += verdict.duration_s;
+  return sum;
+}
+
 // The page shows the pictures as files beside it.
-std::string report_as_html(const std::vector<Verdict>& verdicts, std::string_view folder) {
-  const std::string title = fmt::format("{} cases, {} failed", verdicts.size(), failures_in(verdicts));
+std::string report_as_html(const CheckReport& report) {
+  const std::vector<Verdict>& verdicts = report.verdicts;
+  const std::string title = fmt::format("{} cases, {} failed", verdicts.size(), report.failed());
   std::string html = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width\">\n<title>{} – ghostforce check</title>\n"
       "<style>{}</style>\n</head>\n<body>\n<h1>{}</h1>\n<p>ghostforce {} check <code>{}</code></p>\n"
       "<table>\n<thead><tr><th>verdict</th><th>case</th><th>what was found</th><th>time</th></tr></thead>\n<tbody>\n",
-      title, style, title, version, xml_text(folder));
+      title, style, title, version, xml_text(report.folder));
   std::string sections;
   for (std::size_t i = 0; i < verdicts.size(); ++i) {
     const Verdict& verdict = verdicts[i];
@@ -125,18 +186,17 @@ std::string report_as_html(const std::vector<Verdict>& verdicts, std::string_vie
 }
 
 // A testcase per case, as JUnit's readers take it.
-std::string report_as_junit(const std::vector<Verdict>& verdicts, std::string_view folder) {
-  double duration_s = 0.0;
-  for (const Verdict& verdict : verdicts) duration_s += verdict.duration_s;
+std::string report_as_junit(const CheckReport& report) {
+  const std::string folder = xml_text(report.folder);
   const std::string counts = fmt::format("tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"0\" time=\"{:.3f}\"",
-                                         verdicts.size(), failures_in(verdicts), duration_s);
+                                         report.verdicts.size(), report.failed(), report.duration_s());
   std::string xml = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"ghostforce check\" {}>\n"
       "  <testsuite name=\"{}\" {}>\n",
-      counts, xml_text(folder), counts);
-  for (const Verdict& verdict : verdicts) {
-    xml += fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\"", xml_text(folder),
-                       xml_text(verdict.name), verdict.duration_s);
+      counts, folder, counts);
+  for (const Verdict& verdict : report.verdicts) {
+    xml += fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\"", folder, xml_text(verdict.name),
+                       verdict.duration_s);
     if (verdict.passes) {
       xml += "/>\n";
       continue;
@@ -149,67 +209,51 @@ std::string report_as_junit(const std::vector<Verdict>& verdicts, std::string_vi
   return xml + "  </testsuite>\n</testsuites>\n";
 }
 
-}  // namespace
+std::string report_as_json(const CheckReport& report) {
+  Json all = Json::array();
+  for (std::size_t i = 0; i < report.verdicts.size(); ++i) {
+    all.push_back(case_as_json(*report.cases[i], report.verdicts[i], report.to_folder));
+  }
+  const Json total{{"cases", report.verdicts.size()}, {"failed", report.failed()}, {"duration_s", report.duration_s()}};
+  Json json{{"format", 1},    {"version", version}, {"folder", report.folder},
+            {"total", total}, {"report", nullptr},  {"cases", std::move(all)}};
+  if (!report.to_folder.empty()) {
+    json["report"] = {{"html", path_in(report.to_folder, page_name)}, {"junit", path_in(report.to_folder, junit_name)}};
+  }
+  // Names of files may be no UTF-8.
+  return json.dump(1, ' ', false, Json::error_handler_t::replace);
+}
 
-Report::Report(const std::string& to_folder) : to_folder_(made(to_folder)), html_(html_path()), junit_(junit_path()) {}
+ReportFolder::ReportFolder(const std::string& folder)
+    : folder_(made(folder)), html_(path_in(folder, page_name)), junit_(path_in(folder, junit_name)) {}
 
-bool Report::may_write(std::string_view path) {
+bool ReportFolder::may_write(std::string_view path) {
   const std::string_view name = path.substr(path.rfind('/') + 1);
   return name == page_name || name == junit_name ||
          std::ranges::any_of(picture_kinds, [&](const PictureKind& kind) { return name.ends_with(kind.ending); });
 }
 
-std::string Report::path_of(std::string_view name) const {
-  return (std::filesystem::path(to_folder_) / name).string();
-}
-
-std::string Report::html_path() const {
-  return path_of(page_name);
-}
-
-std::string Report::junit_path() const {
-  return path_of(junit_name);
-}
-
-std::vector<std::pair<std::string_view, std::string>> Report::pictures_of(const Verdict& verdict) const {
-  std::vector<std::pair<std::string_view, std::string>> pictures;
-  for (const PictureKind& kind : picture_kinds) {
-    if ((verdict.pictures.*kind.bytes).has_value())
-      pictures.emplace_back(kind.word, path_of(picture_name(verdict, kind)));
-  }
-  return pictures;
-}
-
-void Report::remove_picture(const std::string& path) const {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(path, error))) return;
-  std::filesystem::remove(path, error);
-  if (!error) return;
-  throw Failure(ExitCode::file_trouble,
-                fmt::format("{} cannot be removed: {}", quoted_text(path, longest_path), reason_of(error.value())));
-}
-
-void Report::take_pictures(Verdict& verdict) {
+void ReportFolder::take_pictures(Verdict& verdict) {
   for (const PictureKind& kind : picture_kinds) {
     std::optional<std::string>& bytes = verdict.pictures.*kind.bytes;
     if (!bytes) continue;
-    OutputFile& file = pictures_.emplace_back(path_of(picture_name(verdict, kind)));
+    OutputFile& file = pictures_.emplace_back(path_in(folder_, picture_name(verdict, kind)));
     file.write(*bytes);
     file.finish();
     bytes.emplace();
   }
 }
 
-void Report::write(const std::vector<Verdict>& verdicts, std::string_view folder) {
+void ReportFolder::write(const CheckReport& report) {
   // The pages come last: they never show a picture that is not there.
   for (OutputFile& picture : pictures_) picture.commit();
-  for (const Verdict& verdict : verdicts) {
+  for (const Verdict& verdict : report.verdicts) {
     for (const PictureKind& kind : picture_kinds) {
-      if (verdict.passes) remove_picture(path_of(picture_name(verdict, kind)));
+      if (verdict.passes) remove_picture(path_in(folder_, picture_name(verdict, kind)));
     }
   }
-  html_.write(report_as_html(verdicts, folder));
-  junit_.write(report_as_junit(verdicts, folder));
+  html_.write(report_as_html(report));
+  junit_.write(report_as_junit(report));
   html_.commit();
   junit_.commit();
 }

@@ -17,6 +17,7 @@
 #include "app/files/input_file.h"
 #include "app/files/output_file.h"
 #include "app/files/png_file.h"
+#include "app/files/png_writer.h"
 #include "app/files/read_error.h"
 
 namespace ghostforce {

@@ -45,4 +45,10 @@ struct Verdict {
 // `folder` as the person named it, for the remedy. Pictures are made where `wants_pictures`. Throws what drawing does.
 Verdict evaluate(const Case& checked, RenderedCases& rendered, std::string_view folder, bool wants_pictures);
 
+// On its way from one process of this program to another.
+std::string bytes_of(const Verdict& verdict);
+
+// Of the same build, by the function above.
+Verdict verdict_of(std::string_view bytes);
+
 }  // namespace ghostforce

@@ -15,13 +15,12 @@
 
 #include "app/check/case_folder.h"
 #include "app/check/evaluation.h"
-#include "app/check/json_report.h"
 #include "app/check/report.h"
 #include "app/check/update.h"
 #include "app/cli/check_lessons.h"
 #include "app/cli/command.h"
 #include "app/cli/lines.h"
-#include "app/cli/renderer_option.h"
+#include "app/cli/picture_options.h"
 #include "app/console/did_you_mean.h"
 #include "app/console/failure.h"
 #include "app/console/interruption.h"
@@ -100,44 +99,41 @@ int update(const CheckOptions& options) {
 
 int check(const CheckOptions& options) {
   const std::vector<Case> cases = read_case_folder(options.folder);
-  const std::vector<const Case*> chosen = chosen_cases(cases, options.only, "--only");
+  CheckReport report{
+      .folder = options.folder, .to_folder = options.report, .cases = chosen_cases(cases, options.only, "--only")};
   refuse_report_among_cases(options);
-  std::optional<Report> report;
-  if (!options.report.empty()) report.emplace(options.report);
+  std::optional<ReportFolder> to_folder;
+  if (!options.report.empty()) to_folder.emplace(options.report);
 
   Lines lines;
   const auto write_line = [&](const std::string& line) {
     if (!options.json) lines.write(line);
   };
-  std::vector<Verdict> verdicts;
-  ExitCode end = ExitCode::done;
-  std::size_t failed = 0;
+  const std::size_t count = report.cases.size();
   {
-    Progress progress("checking", static_cast<std::int64_t>(chosen.size()), !lines.is_terminal());
+    Progress progress("checking", static_cast<std::int64_t>(count), !lines.is_terminal());
     const Evaluation evaluation{.folder = options.folder,
-                                .wants_pictures = report.has_value(),
+                                .wants_pictures = to_folder.has_value(),
                                 .jobs = options.jobs,
                                 .renderer = options.renderer};
-    evaluate_all(cases, chosen, evaluation, [&](Verdict verdict) {
-      if (report) report->take_pictures(verdict);
+    evaluate_all(cases, report.cases, evaluation, [&](Verdict verdict) {
+      if (to_folder) to_folder->take_pictures(verdict);
       const std::string name = quoted_text(verdict.name, longest_path);
       write_line(verdict.passes ? fmt::format("pass {}", name) : fmt::format("FAIL {}  {}", name, verdict.reason));
-      if (!verdict.passes) ++failed;
-      if (!verdict.passes && end == ExitCode::done) end = ExitCode::answer_is_no;
-      if (verdict.is_file_trouble) end = ExitCode::file_trouble;
-      verdicts.push_back(std::move(verdict));
-      progress.at(static_cast<std::int64_t>(verdicts.size()));
+      report.verdicts.push_back(std::move(verdict));
+      progress.at(static_cast<std::int64_t>(report.verdicts.size()));
     });
   }
   stop_if_interrupted();
-  if (report) report->write(verdicts, options.folder);
-  write_line(fmt::format("{} {}, {} failed", verdicts.size(), verdicts.size() == 1 ? "case" : "cases", failed));
-  if (options.json) lines.write(report_as_json(chosen, verdicts, options.folder, report ? &*report : nullptr));
-  for (const Verdict& verdict : verdicts) {
+  if (to_folder) to_folder->write(report);
+  write_line(fmt::format("{} {}, {} failed", count, count == 1 ? "case" : "cases", report.failed()));
+  if (options.json) lines.write(report_as_json(report));
+  for (const Verdict& verdict : report.verdicts) {
     if (!verdict.passes) tell_of_failure(verdict);
   }
-  tell_of_leniency(verdicts);
-  return static_cast<int>(end);
+  tell_of_leniency(report.verdicts);
+  if (std::ranges::any_of(report.verdicts, &Verdict::is_file_trouble)) return static_cast<int>(ExitCode::file_trouble);
+  return static_cast<int>(report.failed() > 0 ? ExitCode::answer_is_no : ExitCode::done);
 }
 
 // What is neither a folder nor a file is most likely the name of a lesson where it is nearly one.
@@ -184,10 +180,10 @@ std::function<int()> attach_check(CLI::App& command, FileOptions& files) {
           ->required()
           ->check(suggests(shipped_lesson_names())),
       files_read);
-  CLI::Option* const only = command.add_option("--only", options->only, "Check only these cases")->type_name("NAME");
+  CLI::Option* const only = command.add_option("--only", options->only, "Check only these cases")->type_name("CASE");
   CLI::Option* const update_option =
       command.add_option("--update", options->update, "Store new goldens for these cases, and check nothing")
-          ->type_name("NAME")
+          ->type_name("CASE")
           ->excludes(only);
   files.writes(command
                    .add_option("--report", options->report,
@@ -198,7 +194,7 @@ std::function<int()> attach_check(CLI::App& command, FileOptions& files) {
                [](const std::string& folder) {
                  std::vector<std::string> paths;
                  for (const std::filesystem::path& path : files_in(folder)) {
-                   if (Report::may_write(path.string())) paths.push_back(path.string());
+                   if (ReportFolder::may_write(path.string())) paths.push_back(path.string());
                  }
                  return paths;
                });

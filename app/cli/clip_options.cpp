@@ -1,6 +1,5 @@
 #include "app/cli/clip_options.h"
 
-#include <cmath>
 #include <optional>
 #include <string>
 

@@ -9,14 +9,30 @@
 #include <string_view>
 #include <vector>
 
-#include "app/cli/offered_words.h"
 #include "app/cli/overwrite_guard.h"
 #include "app/files/output_file.h"
 #include "app/files/scene_file.h"
 #include "core/scene.h"
 #include "core/tick.h"
 
+namespace CLI {
+class Option;
+class Validator;
+}  // namespace CLI
+
 namespace ghostforce {
+
+// The words that completion offers for an option's value, kept with the option. One that ends in '=' is not finished;
+// after one that ends in ':' comes a path.
+//
+// An option's value must be one of these words; if not, the nearest is named.
+CLI::Validator one_of(std::vector<std::string_view> words);
+
+// An option's value may be one of these words, or anything else.
+CLI::Validator suggests(const std::vector<std::string_view>& words);
+
+// Those of both, of all checks of the option.
+std::vector<std::string> offered_words(CLI::Option& option);
 
 // Adds options to `command`, those that name files to `files` too, and returns what runs once they are parsed; that
 // returns an exit code or throws Failure. Both outlive it.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -11,12 +12,14 @@
 
 #include "app/cli/command.h"
 #include "app/cli/command_tree.h"
+#include "app/cli/program_manual.h"
 #include "app/cli/version.h"
 #include "app/console/did_you_mean.h"
 #include "app/console/failure.h"
 #include "app/console/quoted.h"
 #include "app/desktop/renderer_examination.h"
 #include "app/files/scene_file.h"
+#include "app/manual/completion.h"
 
 namespace ghostforce {
 namespace {
@@ -104,6 +107,9 @@ std::function<int()> printing(std::string text) {
 }  // namespace
 
 std::function<int()> parse_command_line(std::vector<std::string> words) {
+  if (!words.empty() && words.front() == completing_command) {
+    return printing(completions(program_manual(), std::span(words).subspan(1)));
+  }
   insert_default_command(words);
 
   const std::shared_ptr<CommandTree> tree = make_command_tree();

@@ -5,7 +5,7 @@
 #include "app/cli/command.h"
 #include "app/console/exit_code_catalog.h"
 #include "app/console/quoted.h"
-#include "app/console/wrapped.h"
+#include "app/console/words.h"
 #include "app/files/scene_file.h"
 #include "ghostforce_version.h"
 

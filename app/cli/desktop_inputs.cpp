@@ -1,8 +1,13 @@
 #include "app/cli/desktop_inputs.h"
 
+#include <algorithm>
+
+#include <fmt/format.h>
+
 #include "app/doctor/readiness.h"
 #include "app/live/portable_inputs.h"
 #include "app/live/spacemouse_input_link.h"
+#include "core/safety.h"
 #include "device/falcon/falcon_input.h"
 #include "device/spacemouse_hid/hid_spacemouse_input.h"
 
@@ -35,6 +40,18 @@ InputMaker<FalconInput> falcon_kind(const FtdiLinkOptions& cable) {
 std::vector<InputEntry> desktop_inputs(const FtdiLinkOptions& cable) {
   return portable_inputs(readiness_with_motors, {linked<SpaceMouseInputLink>(spacemouse_kind, spacemouse_words),
                                                  falcon_entry(falcon_kind(cable), readiness_with_motors)});
+}
+
+EndOfVisit end_of_visit(const MotorReport& motors, std::span<const ReadinessStepState> readiness,
+                        const EndOfVisit& of_input) {
+  if (const OffReasonEntry& reason = entry_of(motors.reason); reason.is_safety_limit) {
+    return {ExitCode::safety_stop, fmt::format("The motors went off ({}). {}", reason.title, reason.remedy)};
+  }
+  // Whoever could read the handle has had what they came for.
+  const auto step = std::ranges::find_if(readiness, &ReadinessStepState::is_current);
+  if (step == readiness.end() || step->step > ReadinessStep::homed) return of_input;
+  const char* const what = step->step == ReadinessStep::seen ? "No Falcon is plugged in" : "The Falcon is not ready";
+  return {exit_code_of(readiness, true), fmt::format("{}. {}", what, step->words)};
 }
 
 }  // namespace ghostforce

@@ -2,9 +2,11 @@
 // Any thread; making an input allocates and may throw.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "app/live/input_link.h"
+#include "core/motor_report.h"
 #include "device/falcon_usb/ftdi_link.h"
 
 namespace ghostforce {
@@ -16,5 +18,10 @@ InputMaker<FalconInput> falcon_kind(const FtdiLinkOptions& cable);
 
 // In the order in which people see them.
 std::vector<InputEntry> desktop_inputs(const FtdiLinkOptions& cable = {});
+
+// How a visit at the window ended, as far as the input's device is concerned. Pure.
+// `readiness`: of the input, empty where it has none; `of_input`: what its link says.
+EndOfVisit end_of_visit(const MotorReport& motors, std::span<const ReadinessStepState> readiness,
+                        const EndOfVisit& of_input);
 
 }  // namespace ghostforce

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -77,6 +78,7 @@ InputOptions FalconSetUp::input_options(const std::optional<FirmwareImage>& imag
   InputOptions options;
   if (image) options.falcon.firmware = image->bytes;
   options.falcon.calibrations = load_falcon_calibrations();
+  options.falcon.debts = std::make_shared<StopDebts>();
   options.falcon.when_left_pushing = tell_of_left_pushing;
   // They have been looked at when the command line was.
   for (const std::string& name : misbehave) find_injected_fault(name)->add(options.injected_fault);

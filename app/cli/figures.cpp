@@ -17,7 +17,6 @@
 #include "app/console/quoted.h"
 #include "app/console/words.h"
 #include "app/figures/figure_catalog.h"
-#include "app/figures/figure_files.h"
 #include "app/figures/recorded_hand.h"
 #include "app/files/output_folder.h"
 #include "app/files/run_reader.h"

@@ -36,9 +36,9 @@ std::string page_of(const std::string& command) {
   return man_page(manual, *std::ranges::find(manual.commands, command, &ManualCommand::name));
 }
 
-template <std::string (*script)(const Manual&)>
+template <const std::string_view& script>
 std::string script_of(const std::string& command) {
-  if (command.empty()) return script(program_manual());
+  if (command.empty()) return std::string(script);
   throw Failure(ExitCode::wrong_call,
                 fmt::format("a completion script is for all commands; leave out {}", quoted_text(command)));
 }

@@ -1,5 +1,7 @@
 #include "app/cli/picture_options.h"
 
+#include <string>
+
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
@@ -58,6 +60,21 @@ void PictureOptions::apply_strategy(Scene& scene) const {
 void PictureOptions::apply_appearance(Appearance& appearance) const {
   if (!theme.empty()) appearance.theme = find_theme(theme);
   if (scale) appearance.scale = *scale;
+}
+
+void attach_renderer(CLI::App& command, std::optional<Renderer>& renderer) {
+  std::string words = "What draws";
+  const char* separator = ": ";
+  for (const RendererEntry& entry : renderer_catalog()) {
+    words += fmt::format("{}{}, {}", separator, entry.name, entry.sentence);
+    separator = "; ";
+  }
+  command
+      .add_option_function<std::string>(
+          "--renderer", [&renderer](const std::string& name) { renderer = find_renderer(name); },
+          words + "; default: egl, or osmesa where it is missing")
+      ->type_name("NAME")
+      ->check(one_of(names_of(renderer_catalog())));
 }
 
 }  // namespace ghostforce

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "app/desktop/renderer.h"
 #include "app/session/session.h"
 #include "core/scene.h"
 
@@ -29,5 +30,8 @@ struct PictureOptions {
   // What was not asked for stays as it is.
   void apply_appearance(Appearance& appearance) const;
 };
+
+// --renderer, for commands that draw offscreen; `renderer` stays empty where the option is not given.
+void attach_renderer(CLI::App& command, std::optional<Renderer>& renderer);
 
 }  // namespace ghostforce

@@ -8,7 +8,6 @@
 
 #include "app/cli/command.h"
 #include "app/cli/command_tree.h"
-#include "app/cli/offered_words.h"
 #include "app/console/exit_code_catalog.h"
 #include "ghostforce_version.h"
 
@@ -55,6 +54,7 @@ std::vector<ManualRow> exit_code_rows() {
 // What completion offers as a path for this option. What comes with the program comes as TOML, and so do its like.
 ManualPaths paths_of(const CLI::Option& option, const ManualOption& described, const FileOptions* files_named) {
   if (described.value == "DIR") return ManualPaths::folders;
+  if (described.value == "CASE") return ManualPaths::toml_names;
   const bool is_word_first = std::ranges::any_of(described.words, [](const auto& word) { return word.ends_with(':'); });
   if (is_word_first || files_named == nullptr) return ManualPaths::none;
   if (std::ranges::find(files_named->list(), &option, &FileOption::option) == files_named->list().end()) {

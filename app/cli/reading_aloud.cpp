@@ -53,28 +53,24 @@ void ReadingAloud::print(Application& application, double interval_s) {
 void ReadingAloud::speak(Application& application, double interval_s) {
   constexpr double looks_every_s = 0.1;
   Session& session = application.session();
+  std::string problem = speech_.update(interval_s);
   if (!session.speaks) {
-    speech_.reset();
+    speech_.end();
+    settled_ = {};
     session.speech_problem.clear();
     return;
   }
   if (!session.speech_problem.empty()) return;
-  if (!speech_) {
-    speech_ = std::make_unique<Speech>();
-    settled_ = {};
-  }
   since_sentence_s_ += interval_s;
-  if (since_sentence_s_ >= looks_every_s) {
+  if (problem.empty() && since_sentence_s_ >= looks_every_s) {
     const double since_s = std::exchange(since_sentence_s_, 0.0);
     if (const auto sentence = settled_.take(application.stage_reading().sentence, since_s)) {
-      speech_->say(*sentence, spoken_language(session));
+      problem = speech_.say(*sentence, spoken_language(session));
     }
   }
-  if (const std::string problem = speech_->update(interval_s); !problem.empty()) {
-    speech_.reset();
-    session.speech_problem = problem;
-    application.show_notice(problem, true);
-  }
+  if (problem.empty()) return;
+  session.speech_problem = problem;
+  application.show_notice(std::move(problem), true);
 }
 
 }  // namespace ghostforce

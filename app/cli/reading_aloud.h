@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "app/aloud/printed_values.h"
-#include "app/aloud/settled_sentence.h"
 #include "app/aloud/speech.h"
 #include "app/live/application.h"
 #include "app/worker/newest_line_writer.h"
@@ -35,7 +34,7 @@ class ReadingAloud {
   std::optional<PrintedValues> printed_;
   std::unique_ptr<NewestLineWriter> writer_;
   int output_problem_ = 0;
-  std::unique_ptr<Speech> speech_;  // null: switched off, or it does not work
+  Speech speech_;
   SettledSentence settled_;
   double since_sentence_s_ = 0.0;
 };

@@ -190,7 +190,7 @@ ReplayedHand load_hand(const ReplayOptions& options) {
   const RunFacts run = stream_run(options.run, "reading", true, [&](const RunFacts& so_far, const RunTick& tick) {
     if (std::exchange(is_empty, false)) {
       if (std::optional<Scene> scene = other_scene(so_far, tick, options)) {
-        scene->unrest = {};  // the recorded hand has its own
+        scene->tremor_and_drift = {};  // the recorded hand has its own
         hand = ReplayedHand{*scene, replay_start(so_far, tick, *scene), {}};
         path.emplace(scene->settings.rate);
       }

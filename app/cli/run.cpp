@@ -16,7 +16,6 @@
 
 #include "app/cli/command.h"
 #include "app/cli/desktop_inputs.h"
-#include "app/cli/end_of_visit.h"
 #include "app/cli/falcon_options.h"
 #include "app/cli/kiosk_options.h"
 #include "app/cli/lesson_options.h"
@@ -190,6 +189,7 @@ int run(const RunOptions& options) {
     application.stop();
     interrupt();
     if (const std::string words = application.end_recording(); !words.empty()) say("{}\n", words);
+    application.let_go_of_input();
   });
 
   const Clock::time_point began = Clock::now();

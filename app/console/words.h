@@ -3,6 +3,8 @@
 // but the servo's.
 #pragma once
 
+#include <cstddef>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -17,5 +19,9 @@ template <typename... Values>
 void say(fmt::format_string<Values...> format, Values&&... values) {
   write_words(fmt::format(format, std::forward<Values>(values)...));
 }
+
+// With line breaks in place of blanks where a line would be longer than so many bytes; a longer word has a line of its
+// own.
+std::string wrapped(std::string_view text, std::size_t longest_line);
 
 }  // namespace ghostforce

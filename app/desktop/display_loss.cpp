@@ -30,8 +30,8 @@ using ErrorHandler = int(void* display, void* error);
 ErrorHandler* usual_error_handler = nullptr;
 std::atomic<std::uint32_t> expected_window = 0;
 
-// A frame takes far less.
-constexpr std::chrono::seconds patience(2);
+// Longer than a frame, and than the end of a device that is owed a stop.
+constexpr std::chrono::seconds patience(10);
 
 // The libraries are GLFW's: it opens them when it looks for a display.
 template <typename Function>

@@ -9,7 +9,6 @@
 #include <array>
 #include <cerrno>
 #include <exception>
-#include <string_view>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -22,6 +22,9 @@ constexpr const char* service = "org.freedesktop.login1";
 constexpr const char* object = "/org/freedesktop/login1";
 constexpr const char* interface = "org.freedesktop.login1.Manager";
 
+// A bus that is not there, or has ended, may come later.
+constexpr int connect_again_ms = 10'000;
+
 // A system without logind may lack its library too, so it is opened while the program runs.
 class Library {
  private:
@@ -63,7 +66,15 @@ int milliseconds_until(std::uint64_t time_us) noexcept {
   return static_cast<int>(std::min<std::uint64_t>((time_us - now_us) / 1000U + 1U, 60'000U));
 }
 
-// The connection to logind. Nothing here waits but wait().
+// Until there is news of the one or the other.
+void wait_for_news(int news, const pollfd& bus, int longest_ms) noexcept {
+  std::array<pollfd, 2> waits{{bus, {news, POLLIN, 0}}};
+  poll(waits.data(), waits.size(), longest_ms);
+  eventfd_t ignored = 0;
+  if (waits[1].revents != 0) eventfd_read(news, &ignored);
+}
+
+// The connection to logind. Nothing here waits.
 class Logind {
  public:
   Logind(const Library& library, std::atomic<bool>& is_coming) : library_(library), is_coming_(is_coming) {
@@ -96,14 +107,13 @@ class Logind {
     return result == 0;
   }
 
-  void wait(int news) const noexcept {
+  pollfd poll_descriptor() const noexcept {
+    return {library_.get_fd(bus_), static_cast<short>(library_.get_events(bus_)), 0};
+  }
+  int milliseconds_to_wait() const noexcept {
     std::uint64_t until_us = UINT64_MAX;
     library_.get_timeout(bus_, &until_us);
-    std::array<pollfd, 2> waits{
-        {{library_.get_fd(bus_), static_cast<short>(library_.get_events(bus_)), 0}, {news, POLLIN, 0}}};
-    poll(waits.data(), waits.size(), milliseconds_until(until_us));
-    eventfd_t ignored = 0;
-    if (waits[1].revents != 0) eventfd_read(news, &ignored);
+    return milliseconds_until(until_us);
   }
 
  private:
@@ -153,11 +163,16 @@ void SleepWatch::watch() noexcept {
   pthread_setname_np(pthread_self(), "sleep-watch");
   const Library library;
   if (!library.is_complete) return;
-  {
-    Logind logind(library, is_coming_);
-    while (!is_ending_ && logind.process() && logind.delay_sleep(is_wanted_)) logind.wait(news_.number());
+  while (!is_ending_) {
+    {
+      Logind logind(library, is_coming_);
+      while (!is_ending_ && logind.process() && logind.delay_sleep(is_wanted_)) {
+        wait_for_news(news_.number(), logind.poll_descriptor(), logind.milliseconds_to_wait());
+      }
+    }
+    is_coming_ = false;
+    if (!is_ending_) wait_for_news(news_.number(), {-1, 0, 0}, connect_again_ms);
   }
-  is_coming_ = false;
 }
 
 }  // namespace ghostforce

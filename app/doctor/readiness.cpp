@@ -190,7 +190,8 @@ class ReadinessCheck {
       }
       if (state.is_current && report_.state == FalconState::fault && report_.fault != FalconFault::none) {
         const FaultEntry& fault = readiness_fault(report_.fault);
-        state.words = fmt::format("{} {}", fault.sentence, fault.remedy);
+        // What to do about motors that may push comes first, and nothing against it beside it.
+        state.words = fmt::format("{} {}", fault.sentence, report_.may_still_push ? "" : fault.remedy);
       } else if (state.is_reached || has_failed) {
         state.words = words(entry, state.is_reached);
       }
@@ -200,6 +201,7 @@ class ReadinessCheck {
     const auto current = std::ranges::find(states, true, &ReadinessStepState::is_current);
     ReadinessStepState& shown = current == states.end() ? states.back() : *current;
     shown.words.insert(0, still_pushing(report_));
+    while (shown.words.ends_with(' ')) shown.words.pop_back();
     return states;
   }
 
@@ -287,6 +289,10 @@ class ReadinessCheck {
           if (!last.at_once && !last.is_safety_limit) break;
           return fmt::format("{} {}", entry.remedy, turned_off_words("The last time, the motors went off", last));
         }
+        if (report_.is_readable() && is_of_device(motors_->reason)) {
+          return fmt::format("The motors went off: {}. The device is well again: arm the motors.",
+                             entry_of(motors_->reason).title);
+        }
         return turned_off_words("The motors went off", entry_of(motors_->reason));
       }
       case SafetyState::arming:
@@ -299,6 +305,11 @@ class ReadinessCheck {
         return fmt::format("The motors are on and push with {:.1f} N at most.", motors_->limit);
     }
     return std::string(entry.remedy);
+  }
+
+  // What its steps say as long as it is so.
+  static bool is_of_device(OffReason reason) noexcept {
+    return reason == OffReason::unplugged || reason == OffReason::not_homed || reason == OffReason::fault;
   }
 
   static std::string turned_off_words(std::string_view what, const OffReasonEntry& reason) {

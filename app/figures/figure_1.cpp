@@ -23,8 +23,8 @@ Figure one_motion_figure(const FigureRequest&) {
   // A is a place here; the paper's letter for the cure is O.
   constexpr std::size_t cure = index_of(StrategyId::anisotropic);
   const Vector<2> end = motion.moments.back().strategies[cure].device;
-  for (Spot& spot : picture.spots) {
-    if (spot.at == end && !spot.name.empty()) spot.name = "O";
+  for (FigurePoint& point : picture.points) {
+    if (point.at == end && !point.name.empty()) point.name = "O";
   }
   legend[cure].name = fmt::format("O  {}", strategy(StrategyId::anisotropic).title);
   add_scenes(sheet, 370.0, {std::move(picture)}, 1);

@@ -34,21 +34,21 @@ ScenePicture picture_of(const ThreeEquilibria& data, const Strategy& strategy) {
   picture.trails.push_back({{rest.goal, rest.device}, paper().faint_text, dotted_line, 1.8});
   picture.trails.push_back({{rest.device, rest.proxy}, colour, solid_line, 1.8});
   picture.trails.push_back({{rest.proxy, rest.contact}, paper().wall_edge, {4.0, 3.0, 4.0, 3.0}, 1.6});
-  picture.spots.push_back({.at = rest.contact,
-                           .fill = paper().wall_edge,
-                           .rim = paper().wall_edge,
-                           .radius = 2.6,
-                           .name = "q",
-                           .subscript = "c"});
-  picture.spots.push_back({.at = rest.proxy,
-                           .shape = strategy_style(strategy.id).shape,
-                           .fill = paper().background,
-                           .rim = colour,
-                           .radius = 6.0,
-                           .name = "q",
-                           .subscript = "p"});
-  picture.spots.push_back(device_spot(strategy.id, rest.device, "q", "h"));
-  picture.spots.push_back(goal_spot(rest.goal, "q", "u"));
+  picture.points.push_back({.at = rest.contact,
+                            .fill = paper().wall_edge,
+                            .rim = paper().wall_edge,
+                            .radius = 2.6,
+                            .name = "q",
+                            .subscript = "c"});
+  picture.points.push_back({.at = rest.proxy,
+                            .shape = strategy_style(strategy.id).shape,
+                            .fill = paper().background,
+                            .rim = colour,
+                            .radius = 6.0,
+                            .name = "q",
+                            .subscript = "p"});
+  picture.points.push_back(device_point(strategy.id, rest.device, "q", "h"));
+  picture.points.push_back(goal_point(rest.goal, "q", "u"));
   return picture;
 }
 

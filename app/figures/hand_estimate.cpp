@@ -16,9 +16,9 @@
 #include "app/files/scene_file.h"
 #include "core/belief.h"
 #include "core/belief_follower.h"
-#include "core/hand_unrest.h"
 #include "core/simulate.h"
 #include "core/simulated_measurement.h"
+#include "core/tremor_and_drift.h"
 
 namespace ghostforce {
 namespace {
@@ -29,7 +29,7 @@ constexpr double stay_s = 6.0;                                             // as
 constexpr std::array true_stiffnesses{250.0, 100.0, 250.0, 625.0, 250.0};  // by 0.4 or 2.5 at once [N/m]
 constexpr double whole_s = stay_s * true_stiffnesses.size();
 constexpr double encoder_step = 60e-6;  // of a Falcon, about [m]
-constexpr HandUnrest restless{.tremor_rms = 0.0002, .drift_speed = 0.008, .seed = figure_seed};
+constexpr TremorAndDrift restless{.tremor_rms = 0.0002, .drift_speed = 0.008, .seed = figure_seed};
 
 double true_stiffness(double time_s) {
   const auto stay = static_cast<std::size_t>(time_s / stay_s);
@@ -61,7 +61,7 @@ std::vector<MeasuredMoment> hand_measured_live() {
   Settings settings = measured_settings();
   settings.stiffnesses.k_u = true_stiffness(0.0);
   const Vector<2> goal = goal_behind(wall_of(settings));
-  const UnrestMotion unrest(restless);
+  const TremorAndDriftMotion tremor_and_drift(restless);
   HandMeasurement measurement(settings.rate);
   BeliefFollower follower(first_belief);
   TickCoefficients<2> coefficients = coefficients_of(settings);
@@ -71,7 +71,7 @@ std::vector<MeasuredMoment> hand_measured_live() {
     const double time_s = time_of(state.tick + 1, settings.rate);
     settings.stiffnesses.k_u = true_stiffness(time_s);
     set_user_stiffness(coefficients, settings.stiffnesses.k_u);
-    if (!tick_and_measure(settings, coefficients, unrest.shaken(goal, time_s), state, measurement)) continue;
+    if (!tick_and_measure(settings, coefficients, tremor_and_drift.shaken(goal, time_s), state, measurement)) continue;
     const HandEstimate& estimate = measurement.reading().estimate;
     const double believed = follower.update(estimate, settings.stiffnesses.k_r, least_regret_belief(settings));
     if (believed != settings.stiffnesses.believed_k_u) {

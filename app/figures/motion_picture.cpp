@@ -5,7 +5,7 @@
 namespace ghostforce {
 namespace {
 
-Spot proxy_spot(StrategyId id, const Vector<2>& at) {
+FigurePoint proxy_point(StrategyId id, const Vector<2>& at) {
   return {.at = at,
           .shape = strategy_style(id).shape,
           .fill = paper().background,
@@ -27,20 +27,20 @@ ScenePicture picture_of(const SimulatedMotion& motion, const std::string& start,
     for (const Snapshot& moment : motion.moments) points.push_back(moment.strategies[i].device);
     picture.trails.push_back(device_trail(strategy.id, std::move(points)));
     const StrategySnapshot<2>& now = last.strategies[i];
-    if (now.in_contact) picture.spots.push_back(proxy_spot(strategy.id, now.proxy));
+    if (now.in_contact) picture.points.push_back(proxy_point(strategy.id, now.proxy));
   }
   for (const Strategy& strategy : strategy_catalog()) {
-    picture.spots.push_back(
-        device_spot(strategy.id, last.strategies[index_of(strategy.id)].device, std::string(1, strategy.letter)));
+    picture.points.push_back(
+        device_point(strategy.id, last.strategies[index_of(strategy.id)].device, std::string(1, strategy.letter)));
   }
   if (!start.empty()) {
-    picture.spots.push_back({.at = motion.moments.front().goal,
-                             .fill = paper().background,
-                             .rim = paper().text,
-                             .radius = 3.5,
-                             .name = start});
+    picture.points.push_back({.at = motion.moments.front().goal,
+                              .fill = paper().background,
+                              .rim = paper().text,
+                              .radius = 3.5,
+                              .name = start});
   }
-  picture.spots.push_back(goal_spot(last.goal, goal));
+  picture.points.push_back(goal_point(last.goal, goal));
   return picture;
 }
 

@@ -33,7 +33,7 @@ ScreenBox extent_of(const ScenePicture& picture) {
   for (const Trail& trail : picture.trails) {
     for (const Vector<2>& point : trail.points) box.include(point);
   }
-  for (const Spot& spot : picture.spots) box.include(spot.at);
+  for (const FigurePoint& point : picture.points) box.include(point.at);
   return box;
 }
 
@@ -52,9 +52,9 @@ class Drawing {
     add_scene();
     for (const Trail& trail : picture_.trails) add_trail(trail);
     for (const MotorForceArrow& arrow : picture_.arrows) add_arrow(arrow);
-    for (const Spot& spot : picture_.spots) add_spot(spot);
+    for (const FigurePoint& point : picture_.points) add_point(point);
     if (picture_.has_scale) add_scale();
-    for (const Spot& spot : picture_.spots) place_name(on_screen(spot.at), spot.radius + 3.0, spot);
+    for (const FigurePoint& point : picture_.points) place_name(on_screen(point.at), point.radius + 3.0, point);
   }
 
  private:
@@ -133,16 +133,16 @@ class Drawing {
     words(tail + Vector<2>(side, -0.55 * extent.y), arrow.name, small_text, arrow.letters);
   }
 
-  void add_spot(const Spot& spot) {
+  void add_point(const FigurePoint& point) {
     pane_.marks.push_back(
-        {Role::device, std::nullopt, Marker{spot.at, spot.shape, spot.radius, spot.fill, spot.rim, 1.6}});
-    const Vector<2> at = on_screen(spot.at);
-    if (spot.has_cross) {
-      const double arm = spot.radius + 4.0;
-      line(Role::goal, at - Vector<2>(arm, 0.0), at + Vector<2>(arm, 0.0), 1.5, spot.rim);
-      line(Role::goal, at - Vector<2>(0.0, arm), at + Vector<2>(0.0, arm), 1.5, spot.rim);
+        {Role::device, std::nullopt, Marker{point.at, point.shape, point.radius, point.fill, point.rim, 1.6}});
+    const Vector<2> at = on_screen(point.at);
+    if (point.has_cross) {
+      const double arm = point.radius + 4.0;
+      line(Role::goal, at - Vector<2>(arm, 0.0), at + Vector<2>(arm, 0.0), 1.5, point.rim);
+      line(Role::goal, at - Vector<2>(0.0, arm), at + Vector<2>(0.0, arm), 1.5, point.rim);
     }
-    const double reach = spot.radius + 3.0;
+    const double reach = point.radius + 3.0;
     spots_.push_back({at - Vector<2>(reach), at + Vector<2>(reach)});
   }
 
@@ -187,12 +187,12 @@ class Drawing {
   }
 
   // Beside its point, where least is covered.
-  void place_name(const Vector<2>& at, double gap, const Spot& spot) {
-    if (spot.name.empty()) return;
-    Vector<2> extent = measure_on_paper(spot.name, spot.style);
+  void place_name(const Vector<2>& at, double gap, const FigurePoint& point) {
+    if (point.name.empty()) return;
+    Vector<2> extent = measure_on_paper(point.name, point.style);
     const double name_width = extent.x;
-    if (!spot.subscript.empty()) {
-      extent += Vector<2>(measure_on_paper(spot.subscript, small_text).x + 1.0, 0.0);
+    if (!point.subscript.empty()) {
+      extent += Vector<2>(measure_on_paper(point.subscript, small_text).x + 1.0, 0.0);
     }
     const Vector<2> room = size_ - extent - Vector<2>(3.0);
     Vector<2> best(0.0);
@@ -208,39 +208,39 @@ class Drawing {
         const Vector<2> corner = middle - 0.5 * extent;
         const bool leaves = corner.x < 3.0 || corner.y < 3.0 || corner.x > room.x || corner.y > room.y;
         const double cost = crowding({corner + Vector<2>(0.0, 0.1 * extent.y), corner + extent}) + 2.5 * reach +
-                            doubt(middle, spot) + (leaves ? 1e5 : 0.0);
+                            ambiguity(middle, point) + (leaves ? 1e5 : 0.0);
         if (cost < least) {
           least = cost;
           best = corner;
         }
       }
     }
-    const Colour colour = letter_colour(spot);
+    const Colour colour = letter_colour(point);
     const double small = small_text.height;
-    words(best, spot.name, spot.style, colour);
-    if (!spot.subscript.empty()) {
+    words(best, point.name, point.style, colour);
+    if (!point.subscript.empty()) {
       const double drop = extent.y - small + 0.2 * subscript_drop;
-      words(best + Vector<2>(name_width + 0.5, drop), spot.subscript, small_text, colour);
+      words(best + Vector<2>(name_width + 0.5, drop), point.subscript, small_text, colour);
     }
   }
 
   // Whether a name in this place could be another point's: it should be nearer to its own by far.
-  double doubt(const Vector<2>& middle, const Spot& own) const {
-    const auto way_to = [&](const Spot& spot) {
-      return std::max(1.0, glm::distance(middle, on_screen(spot.at)) - spot.radius);
+  double ambiguity(const Vector<2>& middle, const FigurePoint& own) const {
+    const auto way_to = [&](const FigurePoint& point) {
+      return std::max(1.0, glm::distance(middle, on_screen(point.at)) - point.radius);
     };
     constexpr double clearly = 1.8;
     double cost = 0.0;
-    for (const Spot& other : picture_.spots) {
+    for (const FigurePoint& other : picture_.points) {
       if (&other != &own) cost += 60.0 * std::max(0.0, clearly - way_to(other) / way_to(own));
     }
     return cost;
   }
 
   // The strategies' own letters where the point has a strategy's colour.
-  static Colour letter_colour(const Spot& spot) {
+  static Colour letter_colour(const FigurePoint& point) {
     for (std::size_t i = 0; i < strategy_count; ++i) {
-      if (spot.fill == paper().strategy[i] || spot.rim == paper().strategy[i]) return paper().strategy_text[i];
+      if (point.fill == paper().strategy[i] || point.rim == paper().strategy[i]) return paper().strategy_text[i];
     }
     return paper().text;
   }
@@ -291,7 +291,7 @@ Pane scene_pane(const ScenePicture& picture, const Place& place, const Vector<2>
   return pane;
 }
 
-Spot goal_spot(const Vector<2>& at, std::string name, std::string subscript) {
+FigurePoint goal_point(const Vector<2>& at, std::string name, std::string subscript) {
   return {.at = at,
           .fill = paper().goal,
           .rim = paper().goal_rim,
@@ -301,7 +301,7 @@ Spot goal_spot(const Vector<2>& at, std::string name, std::string subscript) {
           .has_cross = true};
 }
 
-Spot device_spot(StrategyId id, const Vector<2>& at, std::string name, std::string subscript) {
+FigurePoint device_point(StrategyId id, const Vector<2>& at, std::string name, std::string subscript) {
   return {.at = at,
           .shape = strategy_style(id).shape,
           .fill = paper().strategy[index_of(id)],

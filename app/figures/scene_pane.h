@@ -18,7 +18,7 @@ struct Trail {
   double width = 2.0;  // [points]
 };
 
-struct Spot {
+struct FigurePoint {
   Vector<2> at;  // [m]
   Shape shape = Shape::disc;
   Colour fill;
@@ -44,7 +44,7 @@ struct ScenePicture {
   Settings settings;  // of the scene: wall and motor axis
   std::vector<Trail> trails{};
   std::vector<MotorForceArrow> arrows{};
-  std::vector<Spot> spots{};
+  std::vector<FigurePoint> points{};
   bool has_scale = false;  // scale bar and motor axis
 };
 
@@ -60,8 +60,8 @@ inline constexpr double points_per_newton_on_paper = 18.0;
 Pane scene_pane(const ScenePicture& picture, const Place& place, const Vector<2>& center, double points_per_metre);
 
 // The pieces that several figures have in common.
-Spot goal_spot(const Vector<2>& at, std::string name, std::string subscript = {});
-Spot device_spot(StrategyId id, const Vector<2>& at, std::string name, std::string subscript = {});
+FigurePoint goal_point(const Vector<2>& at, std::string name, std::string subscript = {});
+FigurePoint device_point(StrategyId id, const Vector<2>& at, std::string name, std::string subscript = {});
 Trail device_trail(StrategyId id, std::vector<Vector<2>> points);
 
 }  // namespace ghostforce

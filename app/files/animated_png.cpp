@@ -5,13 +5,12 @@
 #include <stdexcept>
 
 #include "app/files/deflate.h"
-#include "app/files/png_chunks.h"
+#include "app/files/png_writer.h"
 
 namespace ghostforce {
 namespace {
 
 constexpr unsigned int longest_shown = 0xFFFF;  // pictures of the clip: a number of 16 bits
-constexpr int channels = 4;
 constexpr int rgb_channels = 3;
 
 // What is done with a picture's rectangle before the next one, and how it is put there: the values of the format.
@@ -98,25 +97,22 @@ AnimatedPng::PixelBox AnimatedPng::changed_box(const Image& image) const {
 
 // Compressed; what has not changed is transparent.
 std::string AnimatedPng::stored(const Image& image, const PixelBox& box) const {
-  constexpr char as_it_is = 0;  // the filter of a row
+  constexpr int compression_level = 6;
   const bool is_first = newest_.rgb.empty();
-  std::string rows;
-  rows.reserve((static_cast<std::size_t>(channels) * static_cast<std::size_t>(box.width) + 1) *
-               static_cast<std::size_t>(box.height));
+  const auto pixels = static_cast<std::size_t>(box.width) * static_cast<std::size_t>(box.height);
+  Image changes{box.width, box.height, std::vector<std::uint8_t>(rgb_channels * pixels),
+                std::vector<std::uint8_t>(pixels)};
+  std::size_t i = 0;
   for (int y = box.top; y < box.top + box.height; ++y) {
-    rows += as_it_is;
     const std::uint8_t* pixel = row_of(image, y).data() + rgb_channels * box.left;
     const std::uint8_t* before = is_first ? nullptr : row_of(newest_, y).data() + rgb_channels * box.left;
-    for (int x = 0; x < box.width; ++x, pixel += rgb_channels) {
-      if (before != nullptr && std::equal(pixel, pixel + rgb_channels, before + rgb_channels * x)) {
-        rows.append(channels, '\0');
-      } else {
-        rows.append(reinterpret_cast<const char*>(pixel), rgb_channels);
-        rows += '\xFF';
-      }
+    for (int x = 0; x < box.width; ++x, ++i, pixel += rgb_channels) {
+      if (before != nullptr && std::equal(pixel, pixel + rgb_channels, before + rgb_channels * x)) continue;
+      std::copy_n(pixel, rgb_channels, &changes.rgb[rgb_channels * i]);
+      changes.alpha[i] = 0xFF;
     }
   }
-  return deflated(rows);
+  return deflated(png_rows(changes), compression_level);
 }
 
 void AnimatedPng::write_pending() {

@@ -13,12 +13,10 @@ const Bytef* bytes_of(std::string_view text) {
 
 }  // namespace
 
-std::string deflated(std::string_view bytes) {
-  constexpr int compression_level = 6;
+std::string deflated(std::string_view bytes, int level) {
   std::string stream(compressBound(bytes.size()), '\0');
   uLongf size = stream.size();
-  const int result =
-      compress2(reinterpret_cast<Bytef*>(stream.data()), &size, bytes_of(bytes), bytes.size(), compression_level);
+  const int result = compress2(reinterpret_cast<Bytef*>(stream.data()), &size, bytes_of(bytes), bytes.size(), level);
   if (result != Z_OK) throw std::bad_alloc();  // there is room: it was memory
   stream.resize(size);
   return stream;

@@ -7,8 +7,8 @@
 
 namespace ghostforce {
 
-// A zlib stream (RFC 1950).
-std::string deflated(std::string_view bytes);
+// A zlib stream (RFC 1950). `level`: from 1, fast, to 9, small.
+std::string deflated(std::string_view bytes, int level);
 
 // CRC-32.
 std::uint32_t checksum(std::string_view bytes) noexcept;

@@ -1,6 +1,6 @@
 #include "app/files/deflate.h"
 
-#include <array>
+#include <algorithm>
 #include <cstdlib>
 #include <memory>
 #include <new>
@@ -12,13 +12,13 @@
 
 namespace ghostforce {
 
-std::string deflated(std::string_view bytes) {
-  constexpr int quality = 6;  // stb's are 5 and more
+std::string deflated(std::string_view bytes, int level) {
+  constexpr int least_quality = 5;
   // It only reads them.
   auto* const data = reinterpret_cast<unsigned char*>(const_cast<char*>(bytes.data()));
   int size = 0;
   const std::unique_ptr<unsigned char, void (*)(void*)> stream(
-      stbi_zlib_compress(data, static_cast<int>(bytes.size()), &size, quality), std::free);
+      stbi_zlib_compress(data, static_cast<int>(bytes.size()), &size, std::max(level, least_quality)), std::free);
   if (!stream) throw std::bad_alloc();
   return {reinterpret_cast<const char*>(stream.get()), static_cast<std::size_t>(size)};
 }

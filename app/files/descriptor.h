@@ -1,6 +1,8 @@
 // An open file, closed in the end; negative: there is none. Any one thread.
 #pragma once
 
+#include <unistd.h>
+
 namespace ghostforce {
 
 class Descriptor {
@@ -11,7 +13,10 @@ class Descriptor {
   Descriptor& operator=(const Descriptor&) = delete;
 
   int number() const noexcept { return number_; }
-  void reset(int number = -1) noexcept;
+  void reset(int number = -1) noexcept {
+    if (number_ >= 0) close(number_);
+    number_ = number;
+  }
 
  private:
   int number_;

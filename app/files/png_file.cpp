@@ -21,66 +21,6 @@ namespace {
 
 // libpng comes back from an error by a jump: no function that calls setjmp() may have anything with a destructor.
 
-// ---- Writing --------------------------------------------------------------------------------------------------------
-
-// Rows are stored as they are: what is drawn is flat for the most part, and the filters that photographs want make such
-// files larger (that of the window by a sixth), in three times the time.
-bool write_rows(png_structp png, png_infop info, png_uint_32 width, png_uint_32 height, int colour_type,
-                const png_byte* pixels, png_textp texts, int text_count) {
-  if (setjmp(png_jmpbuf(png)) != 0) return false;
-  png_set_IHDR(png, info, width, height, 8, colour_type, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
-               PNG_FILTER_TYPE_DEFAULT);
-  png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
-  png_set_compression_level(png, 3);
-  png_set_text(png, info, texts, text_count);
-  png_write_info(png, info);
-  const std::size_t row = png_get_rowbytes(png, info);
-  for (png_uint_32 y = 0; y < height; ++y) png_write_row(png, pixels + row * y);
-  png_write_end(png, info);
-  return true;
-}
-
-// Called by libpng, through which no exception may fly.
-void append(png_structp png, png_bytep data, std::size_t size) {
-  bool has_room = true;
-  try {
-    static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(data), size);
-  } catch (const std::bad_alloc&) {
-    has_room = false;
-  }
-  if (!has_room) png_error(png, "out of memory");
-}
-
-// libpng's own would take the string for a file.
-void flush(png_structp) {}
-
-// As libpng takes them; they refer to the texts. Those of plain letters need no more than the oldest kind of chunk.
-std::vector<png_text> texts_for_libpng(std::span<const PngText> texts) {
-  std::vector<png_text> result;
-  for (const PngText& text : texts) {
-    const bool is_ascii = std::ranges::all_of(text.text, [](char c) { return static_cast<unsigned char>(c) < 0x80; });
-    png_text one{};
-    one.compression = is_ascii ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
-    // It only reads them.
-    one.key = const_cast<char*>(text.keyword.c_str());
-    one.text = const_cast<char*>(text.text.c_str());
-    (is_ascii ? one.text_length : one.itxt_length) = text.text.size();
-    result.push_back(one);
-  }
-  return result;
-}
-
-std::vector<png_byte> with_alpha(const Image& image) {
-  std::vector<png_byte> pixels;
-  pixels.reserve(4 * image.alpha.size());
-  for (std::size_t i = 0; i < image.alpha.size(); ++i) {
-    pixels.insert(pixels.end(), {image.rgb[3 * i], image.rgb[3 * i + 1], image.rgb[3 * i + 2], image.alpha[i]});
-  }
-  return pixels;
-}
-
-// ---- Reading --------------------------------------------------------------------------------------------------------
-
 using Words = std::array<char, 256>;
 
 // Called by libpng.
@@ -134,25 +74,6 @@ bool read_rows(png_structp png, png_bytepp rows) {
 }
 
 }  // namespace
-
-std::string png_bytes(const Image& image, std::span<const PngText> texts) {
-  std::string bytes;
-  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
-  if (png == nullptr) throw std::bad_alloc();
-  png_infop info = png_create_info_struct(png);
-  png_set_write_fn(png, &bytes, append, flush);
-  const bool is_opaque = image.alpha.empty();
-  const std::vector<png_byte> translucent = with_alpha(image);
-  std::vector<png_text> words = texts_for_libpng(texts);
-  const bool is_written =
-      info != nullptr &&
-      write_rows(png, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height),
-                 is_opaque ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGB_ALPHA,
-                 is_opaque ? image.rgb.data() : translucent.data(), words.data(), static_cast<int>(words.size()));
-  png_destroy_write_struct(&png, &info);
-  if (!is_written) throw std::bad_alloc();  // its sizes are right: it was that
-  return bytes;
-}
 
 struct PngFile::Reading {
   std::string path;

@@ -1,19 +1,15 @@
-// PNG files: the same image gives the same bytes. Any thread.
+// PNG files that are read. Any thread.
 #pragma once
 
 #include <cstdint>
 #include <memory>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "app/files/image.h"
-#include "app/files/png_text.h"
+#include "app/files/png_writer.h"
 
 namespace ghostforce {
-
-// The whole file's content. The texts stand before the pixels, so that a reader need not decode these.
-std::string png_bytes(const Image& image, std::span<const PngText> texts = {});
 
 // Whether the texts in a file are read. Many programs write them slightly wrong, and no pixel depends on them.
 enum class PngWords : std::uint8_t { skipped, read };

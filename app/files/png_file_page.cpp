@@ -1,35 +1,15 @@
-// The page writes the pictures that it shows, and reads what such files say of themselves; it decodes none.
+// The page reads what PNG files say of themselves; it decodes none.
 #include "app/files/png_file.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <string_view>
 
 #include "app/console/quoted.h"
 #include "app/files/deflate.h"
 #include "app/files/input_file.h"
-#include "app/files/png_chunks.h"
 #include "app/files/read_error.h"
 
 namespace ghostforce {
-
-std::string png_bytes(const Image& image, std::span<const PngText> texts) {
-  constexpr char as_it_is = 0;  // the filter of a row
-  std::string bytes(png_signature);
-  const bool is_opaque = image.alpha.empty();
-  bytes += png_header(image.width, image.height, is_opaque ? PngColour::rgb : PngColour::rgb_and_alpha);
-  for (const PngText& text : texts) bytes += png_text_chunk(text);
-  std::string rows;
-  rows.reserve(image.rgb.size() + image.alpha.size() + static_cast<std::size_t>(image.height));
-  const auto columns = static_cast<std::size_t>(image.width);
-  for (std::size_t pixel = 0; pixel < image.rgb.size() / 3; ++pixel) {
-    if (pixel % columns == 0) rows += as_it_is;
-    rows.append(reinterpret_cast<const char*>(&image.rgb[3 * pixel]), 3);
-    if (!is_opaque) rows += static_cast<char>(image.alpha[pixel]);
-  }
-  bytes += png_chunk("IDAT", deflated(rows));
-  return bytes += png_chunk("IEND", {});
-}
 
 struct PngFile::Reading {
   std::string path;

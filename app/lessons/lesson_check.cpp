@@ -67,7 +67,7 @@ std::vector<LessonStepFinding> examine_lesson(const Lesson& lesson) {
 
 std::vector<std::string_view> languages_missing_in(const Lesson& lesson) {
   std::vector<std::string_view> missing;
-  for (const StageLanguage* const language : stage_language_catalog()) {
+  for (const StageLanguage* const language : stage_languages) {
     if (!lesson.words.contains(std::string(language->code))) missing.push_back(language->code);
   }
   return missing;

@@ -46,7 +46,7 @@ const LessonWords& words_in(const Lesson& lesson, std::string_view wanted) {
 
 std::vector<std::string_view> languages_with(std::span<const std::shared_ptr<const Lesson>> lessons) {
   std::vector<std::string_view> codes;
-  for (const StageLanguage* const each : stage_language_catalog()) codes.push_back(each->code);
+  for (const StageLanguage* const each : stage_languages) codes.push_back(each->code);
   for (const auto& lesson : lessons) {
     for (const auto& [code, words] : lesson->words) {
       if (std::ranges::find(codes, code) == codes.end()) codes.push_back(code);

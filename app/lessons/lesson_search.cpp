@@ -1,7 +1,6 @@
 #include "app/lessons/lesson_search.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>

@@ -108,19 +108,31 @@ void Application::stop() noexcept {
   if (servo_driver_) servo_driver_->stop();
 }
 
+void Application::let_go_of_input() noexcept {
+  link_.reset();
+  servo_.reset();
+}
+
 const InputEntry& Application::input_of(std::string_view name) const {
   if (const InputEntry* const entry = find_input(inputs_, name)) return *entry;
   throw Failure(ExitCode::wrong_call, fmt::format("there is no input '{}' here; choose another", quoted_text(name)));
+}
+
+void Application::refuse_to_leave_for(const InputEntry& entry) const {
+  if (!link_ || session_.input == entry.name) return;
+  if (const std::string why = link_->why_not_leave(); !why.empty()) throw Failure(ExitCode::device_failed, why);
 }
 
 // A servo owns its input, so another input or another script is another servo; counts go on, so that what is asked for
 // later still looks new to it. An input that cannot be had leaves everything as it was.
 void Application::use(const InputEntry& entry, std::shared_ptr<const Scene> scene, const Settings& settings,
                       const std::optional<Vector<2>>& goal) {
+  refuse_to_leave_for(entry);
   // A device has one driver: the one before lets go of it first.
   if (servo_driver_) servo_driver_->stop();
   LinkedInput made;
   try {
+    refuse_to_leave_for(entry);  // it may not have answered just now
     made = make_in_hand_of(*scene, entry, input_options_);
   } catch (...) {
     if (is_started_) start();

@@ -68,6 +68,9 @@ class Application {
   void start();
   // Nobody drives it any longer.
   void stop() noexcept;
+  // After stop(), where no destructor will run: the input ends, and a device that is owed a stop gets it if it is
+  // plugged in. Nothing else may be called any more.
+  void let_go_of_input() noexcept;
 
   Servo& servo() noexcept { return *servo_; }
   Session& session() noexcept { return session_; }
@@ -161,9 +164,11 @@ class Application {
   void take_back(bool undo);
   void offer_undo();
   const InputEntry& input_of(std::string_view name) const;
+  void refuse_to_leave_for(const InputEntry& entry) const;
   // Another scene puts the hand at `goal`, or at the end of its path.
   void use(const InputEntry& entry, std::shared_ptr<const Scene> scene, const Settings& settings,
            const std::optional<Vector<2>>& goal = {});
+  void use_at_request(const InputEntry& entry);
   Edited edited() const;
   // Another scene as it stood, or shall stand, on the screen. The input stays.
   void show(const Edited& wanted);

@@ -17,6 +17,7 @@
 #include "app/session/permit.h"
 #include "app/session/scene_as_seen.h"
 #include "app/session/set_up_of.h"
+#include "app/session/stage_modes.h"
 #include "app/set_up/set_up_line.h"
 #include "app/ui/plots/plot_export.h"
 
@@ -73,9 +74,7 @@ void Application::do_effects() {
   if (!dropped.empty()) act(DropFiles{std::move(dropped)});
   // A step of a lesson may bring an input of its own, for visitors too.
   const std::optional<std::string> input = std::exchange(session_.wanted_input, {});
-  if (input && *input != session_.input) {
-    attempt([&] { use(input_of(*input), session_.scene, session_.settings); });
-  }
+  if (input && *input != session_.input) attempt([&] { use_at_request(input_of(*input)); });
   for (const Effect& effect : std::exchange(effects_, {})) {
     // What was done before it may have changed what is allowed.
     const auto do_permitted = [&](const auto& wanted) {
@@ -111,6 +110,16 @@ void Application::save(const std::string& path, const std::function<std::string(
 // But for what has failed just now.
 void Application::dismiss_notice() {
   if (!has_failed_) session_.notice.reset();
+}
+
+// A mode that cannot have its input does not begin.
+void Application::use_at_request(const InputEntry& entry) {
+  try {
+    use(entry, session_.scene, session_.settings);
+  } catch (...) {
+    if (session_.stage.mode == StageMode::round && !session_.circle_test.is_on) leave_stage_mode(session_);
+    throw;
+  }
 }
 
 void Application::take_back(bool undo) {

@@ -97,10 +97,16 @@ void Application::replay_run(const std::string& path) {
                     "ghostforce run wall45 --input replay:RUN.csv",
                     quoted_text(path, longest_path)));
   }
-  input_options_.recorded_hand = std::make_shared<const GoalPath>(goal_path_of(run));
   const auto scene = std::make_shared<const Scene>(scene_since(run, run.ticks.front()));
+  auto hand = std::make_shared<const GoalPath>(goal_path_of(run));
+  std::swap(input_options_.recorded_hand, hand);
+  try {
+    use(*std::ranges::find_if(inputs_, &InputEntry::needs_recording), scene, scene->settings);
+  } catch (...) {
+    std::swap(input_options_.recorded_hand, hand);
+    throw;
+  }
   input_choices_ = choices_of(inputs_, true);
-  use(*std::ranges::find_if(inputs_, &InputEntry::needs_recording), scene, scene->settings);
   show_notice(fmt::format("Replaying {}{}{}", quoted_text(path, longest_path), run.warnings.empty() ? "" : "\n",
                           fmt::join(run.warnings, "\n")),
               false);

@@ -1,7 +1,7 @@
 // What the application makes pictures of: the screen as it is, and the last seconds of the stage.
 #include <array>
 
-#include "app/files/png_file.h"
+#include "app/files/png_writer.h"
 #include "app/live/application.h"
 #include "app/session/set_up_of.h"
 #include "app/session/stage_buttons.h"

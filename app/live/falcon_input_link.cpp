@@ -31,6 +31,14 @@ class FalconInputLink : public InputLink {
     reading.device_remark = remark();
   }
 
+  // Nobody else would stop it when it is back. One that is simulated ends with its input.
+  std::string why_not_leave() override {
+    look();
+    if (!report_.may_still_push || report_.is_virtual) return {};
+    return "The Falcon's motors may still push, and only its own input can stop them. F2 says what to do. If the "
+           "device will not come back, end the program and start it again.";
+  }
+
   // What a haptic device reports changes all the time.
   bool is_idle() const noexcept override { return false; }
 

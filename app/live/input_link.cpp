@@ -11,8 +11,8 @@ LinkedInput make_in_hand_of(const Scene& scene, const InputEntry& entry, const I
   LinkedInput made = entry.make(scene, options);
   if (entry.hand_is_simulated) return made;
   const bool is_recorded = entry.needs_recording && options.recorded_hand != nullptr;
-  const bool has_own_unrest = is_recorded || made.input->haptic_device() != nullptr;
-  made.input = in_hand_of(scene, std::move(made.input), has_own_unrest);
+  const bool has_own_tremor = is_recorded || made.input->haptic_device() != nullptr;
+  made.input = in_hand_of(scene, std::move(made.input), has_own_tremor);
   return made;
 }
 

@@ -58,6 +58,9 @@ class InputLink {
   // What the reading's draw_input shows has changed since the last frame; the rest of the reading tells it by itself.
   virtual bool has_news() const noexcept { return false; }
 
+  // Why another input may not take its place now, in words; empty: it may.
+  virtual std::string why_not_leave() { return {}; }
+
   // Where the readiness that it shows does not tell it.
   virtual EndOfVisit end() const { return {}; }
 };

@@ -1,5 +1,5 @@
 // What the program's manual says, as a value: app/cli/program_manual makes it from the tables that --help is made from.
-// Manual pages (man_page.h) and completion scripts (completion.h) are written from it.
+// Manual pages (man_page.h) are written from it, and completion (completion.h) is answered.
 #pragma once
 
 #include <string>
@@ -7,8 +7,9 @@
 
 namespace ghostforce {
 
-// Which paths an option's value may be.
-enum class ManualPaths { none, any, toml, folders };
+// Which paths an option's value may be. Of toml_names it is the name, without extension, of a .toml file in a folder
+// that the arguments name.
+enum class ManualPaths { none, any, toml, folders, toml_names };
 
 // An option, or an argument, which has no dashes.
 struct ManualOption {

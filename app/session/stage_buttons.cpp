@@ -9,6 +9,7 @@ std::string_view words_in(const StageLanguage::Motors& all, const MotorReport& m
   if (!motors.has_motors) return all.none;
   switch (motors.state) {
     case SafetyState::off:
+      if (motors.may_still_push) return all.may_still_push;
       if (motors.reason == OffReason::key) return all.off_by_key;
       if (motors.reason != OffReason::none) return all.off;
       return motors.is_ready ? all.arm : all.not_ready;

@@ -9,9 +9,8 @@
 #include "app/console/quoted.h"
 #include "app/console/typed_text.h"
 #include "app/files/input_file.h"
-#include "app/files/pdf_title.h"
 #include "app/files/png_file.h"
-#include "app/files/svg_title.h"
+#include "app/files/picture_title.h"
 #include "app/set_up/set_up_line.h"
 
 namespace ghostforce {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/files/png_text.h"
+#include "app/files/png_writer.h"
 #include "app/set_up/set_up.h"
 
 namespace ghostforce {

@@ -1,7 +1,6 @@
 #include "app/set_up/position_text.h"
 
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 

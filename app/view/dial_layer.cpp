@@ -1,6 +1,5 @@
 // What a person can turn: the dial of the actuated direction in the lower right corner, and the wall by its grips.
 #include <algorithm>
-#include <array>
 #include <string>
 #include <utility>
 #include <vector>

@@ -80,7 +80,7 @@ class SceneWords {
     if (!force) return;
     const double half_width = 0.5 * view_.points(force_arrow_width);
     const auto add_part = [&](LabelId id, Role role, std::string words, const Vector<2>& from, const Vector<2>& to,
-                              double best_share, double weight_of_doubt) {
+                              double best_share, double ambiguity_weight) {
       const Vector<2> across{-force->direction.y, force->direction.x};
       add({.id = id,
            .lines = {std::move(words)},
@@ -90,7 +90,7 @@ class SceneWords {
            .clearance = 2.0 * half_width,
            .direction = across.y < 0.0 ? across : -across,
            .best_share = best_share,
-           .weight_of_doubt = weight_of_doubt},
+           .ambiguity_weight = ambiguity_weight},
           role, active());
     };
     if (force->ghost != 0.0) {

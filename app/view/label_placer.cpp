@@ -1,8 +1,6 @@
 #include "app/view/label_placer.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
 #include <utility>
 
 namespace ghostforce {
@@ -231,7 +229,7 @@ std::optional<LabelPlacer::PlacedBlock> LabelPlacer::place_block(const LabelBloc
   place.strength = std::min(1.0, place.strength + interval_s_ / fade_s);
   const auto box_at = [&](const Vector<2>& corner) { return ScreenBox{corner, corner + block.extent}; };
   const auto cost_of = [&](const Vector<2>& corner) {
-    return glm::dot(block.dearness, glm::abs(corner - block.wanted));
+    return glm::dot(block.distance_cost, glm::abs(corner - block.wanted));
   };
   const auto can_stay = [&](Clearance clearance) {
     const ScreenBox box = box_at(place.corner);
@@ -244,7 +242,7 @@ std::optional<LabelPlacer::PlacedBlock> LabelPlacer::place_block(const LabelBloc
       return obstacles_.find_block({.extent = block.extent,
                                     .region = block.region,
                                     .wanted = block.wanted,
-                                    .dearness = block.dearness,
+                                    .distance_cost = block.distance_cost,
                                     .edge = block.edge,
                                     .air = points(air),
                                     .air_to_boxes = points(new_label_air),

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <numeric>
 #include <utility>
@@ -18,13 +17,13 @@ constexpr std::array reaches{6.0, 10.0, 15.0, 22.0, 30.0, 42.0, 58.0, 80.0, 110.
 constexpr double far_reach = 36.0;  // words beyond need a line to what they name
 
 // What else makes a place worse, in the same measure.
-constexpr double turn_cost = 15.0;    // for a place at right angles to the wanted direction
-constexpr double shift_cost = 24.0;   // for one at the end of a thing instead of at its middle, twice that
-constexpr double break_cost = 14.0;   // for two lines,
-constexpr double split_cost = 30.0;   // and of words that are short enough for one
-constexpr double leader_cost = 45.0;  // for a line to what it names
-constexpr double doubt_cost = 40.0;   // for one that is nearer to something else,
-constexpr double full_doubt = 20.0;   // by so much
+constexpr double turn_cost = 15.0;       // for a place at right angles to the wanted direction
+constexpr double shift_cost = 24.0;      // for one at the end of a thing instead of at its middle, twice that
+constexpr double break_cost = 14.0;      // for two lines,
+constexpr double split_cost = 30.0;      // and of words that are short enough for one
+constexpr double leader_cost = 45.0;     // for a line to what it names
+constexpr double ambiguity_cost = 40.0;  // for one that is nearer to something else,
+constexpr double full_ambiguity = 20.0;  // by so much
 
 // A choice that is large enough; places that are nearly the same count once.
 constexpr std::size_t most_options = 64;
@@ -110,7 +109,7 @@ double LabelSearch::cost_of_doubt(const ScreenBox& box) const {
   const double own = distance_to_line(middle, from_, to_);
   double least = own;
   for (const ScreenPiece& other : others_) least = std::min(least, distance_to_line(middle, other.from, other.to));
-  return request_.weight_of_doubt * doubt_cost * std::min(1.0, (own - least) / points(full_doubt));
+  return request_.ambiguity_weight * ambiguity_cost * std::min(1.0, (own - least) / points(full_ambiguity));
 }
 
 std::optional<LabelOption> LabelSearch::at(const LabelPlace& place, double air) {

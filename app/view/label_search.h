@@ -24,7 +24,7 @@ struct LabelBlock {
   Vector<2> extent;
   ScreenBox region;
   Vector<2> wanted;                   // of its upper left corner
-  Vector<2> dearness{1.0, 1.0};       // of each point away from there, across and down
+  Vector<2> distance_cost{1.0, 1.0};  // of each point away from there, across and down
   std::optional<ScreenPiece> edge{};  // it must lie to the right of this, looking along it
   bool may_cover = false;             // what is to be kept clear if possible, where there is no other place
   bool is_never_missing = false;      // where it loses its place, it takes the next one at once
@@ -41,7 +41,7 @@ struct LabelRequest {
   Vector<2> direction{0.0};           // where from there it had best stand, of any length
   double best_share = 0.5;            // of the way from one end to the other
   bool is_of_long_thing = false;      // which nobody takes for something else, however near other words stand
-  double weight_of_doubt = 1.0;       // how bad it is to stand nearer to something else, against the usual
+  double ambiguity_weight = 1.0;      // how bad it is to stand nearer to something else, against the usual
   std::optional<LabelBlock> block{};  // instead of all that: where these words are to stand
 };
 

@@ -1,7 +1,5 @@
 #include "app/worksheet/worksheet_item.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "app/lessons/lesson_file.h"

@@ -19,7 +19,7 @@ class EncoderWatch {
   static constexpr double silence_s = 0.025;     // before they are asked
   static constexpr double answer_s = 0.060;      // in which one of them has to answer
   static constexpr double greatest_force = 3.0;  // of the question [N]
-  // Fewer replies in that time come too late to be answers.
+  // Fewer replies without an answer prove nothing: after that time the question is put again, until they are enough.
   static constexpr int least_replies = 25;
 
   // `encoders`: as they came [counts]; `has_reply`: they are new; `force`: that stands, without the question [N].
@@ -40,7 +40,11 @@ class EncoderWatch {
     }
     replies_ += has_reply ? 1 : 0;
     if (seconds(now_ns - asked_ns_) < answer_s) return;
-    is_frozen_ |= replies_ >= least_replies;
+    if (replies_ < least_replies) {
+      asked_ns_ = now_ns;
+      return;
+    }
+    is_frozen_ = true;
     changed_ns_ = now_ns;
     asked_ns_ = 0;
   }

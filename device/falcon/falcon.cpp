@@ -45,6 +45,11 @@ FalconFault fault_of(BootFault fault) noexcept {
   return boot_faults[static_cast<std::size_t>(fault)];
 }
 
+FalconOptions with_debts(FalconOptions options) {
+  if (!options.debts) options.debts = std::make_shared<StopDebts>();
+  return options;
+}
+
 bool is_near(const MotorNumbers& a, const MotorNumbers& b, double counts) noexcept {
   return std::ranges::equal(a, b, [counts](int one, int other) { return std::abs(one - other) <= counts; });
 }
@@ -53,7 +58,8 @@ bool is_near(const MotorNumbers& a, const MotorNumbers& b, double counts) noexce
 
 Falcon::Falcon(std::unique_ptr<FalconLink> link, FalconOptions options)
     : opener_(std::move(link)),
-      options_(std::move(options)),
+      options_(with_debts(std::move(options))),
+      debts_(*options_.debts),
       kinematics_(calibration_.geometry),
       // What is looked for is looked for at once.
       phase_began_ns_(opener_.link().now_ns()) {
@@ -61,6 +67,7 @@ Falcon::Falcon(std::unique_ptr<FalconLink> link, FalconOptions options)
   report_.has_firmware_file = !options_.firmware.empty();
   report_.firmware_size = static_cast<std::uint32_t>(options_.firmware.size());
   report_.attempts = attempts;
+  note_debts();  // those of an earlier driver
 }
 
 Falcon::~Falcon() {
@@ -112,6 +119,7 @@ void Falcon::look() noexcept {
 void Falcon::opened(LinkFault fault) noexcept {
   opener_.has_found_one();  // whatever it was, it has been looked for again
   report_.has_looked = true;
+  note_debts();  // an earlier driver has ended meanwhile
   phase_began_ns_ = link().now_ns();
   if (fault == LinkFault::absent) {
     phase_ = Phase::pausing;
@@ -230,7 +238,7 @@ void Falcon::begin_exchanging() noexcept {
   is_purging_ = false;
   has_home_ = false;
   lost_position_ns_ = 0;
-  sent_ns_ = heard_ns_ = link().now_ns();
+  sent_ns_ = heard_ns_ = awaited_ns_ = link().now_ns();
   unanswered_ns_.reset();
   window_ = {.began_ns = sent_ns_};
   report_.exchange_hz = 0.0;
@@ -265,25 +273,9 @@ void Falcon::exchange() noexcept {
   if (!is_purging_) take_replies();
   // A program that did not run for a while has asked nothing meanwhile.
   if (unanswered_ns_ && since(*unanswered_ns_) >= give_up_s) return end(FalconFault::no_replies);
-  if (is_purging_) {
-    if (link().owes_stop() && !link().is_sending()) stop_motors();
-    is_purging_ = link_script_.update(link()) == LinkProgress::running;
-    if (is_purging_) return;
-    reader_.reset();
-    replies_.reset();
-    send_command();
-    return;
-  }
+  if (recover()) return;
   const std::int64_t now_ns = link().now_ns();
-  if (now_ns >= stop_ns()) {
-    ++report_.lost_exchanges;
-    window_.worst_s = std::max(window_.worst_s, since(asked_ns_));
-    command_.motors = {};
-    note_stop();
-    link_script_ = LinkScript(stop_and_set_up_link_again);
-    link_script_.update(link());
-    is_purging_ = true;
-  } else if (wants_latency_ && !replies_.is_waiting() && report_.motors == MotorNumbers{}) {
+  if (wants_latency_ && !replies_.is_waiting() && report_.motors == MotorNumbers{}) {
     wants_latency_ = !link().request(ftdi::latency(1));
   } else if (replies_.may_ask_again(now_ns)) {
     if (send_command()) ++report_.lost_exchanges;
@@ -308,7 +300,7 @@ bool Falcon::take_replies() noexcept {
 void Falcon::take(const ReplyFrame& frame) noexcept {
   const auto asked_ns = replies_.replied(link().now_ns());
   if (!asked_ns) return;  // a reply that came twice is no news
-  heard_ns_ = link().now_ns();
+  heard_ns_ = awaited_ns_ = link().now_ns();
   // It may have been the answer to an older command.
   unanswered_ns_ = replies_.is_waiting() ? std::optional(heard_ns_) : std::nullopt;
   // A reply to an older command, one with force, says nothing about a zero that was sent beside it.

@@ -39,6 +39,9 @@ struct FalconOptions {
   std::vector<std::uint8_t> firmware;           // a validated image (firmware_file.h); empty: there is none
   std::vector<FalconCalibration> calibrations;  // by serial number; a device without one gets the default
   bool is_virtual = false;                      // for the report
+  // Of the devices of this link; they outlive a driver, so that the next one with these options pays them. One driver runs
+  // at a time; the one before ends on the thread that has made the next. Null: those of the driver alone.
+  std::shared_ptr<StopDebts> debts{};
   // The driver ends, and this device, a real one, has not answered a stop: it may still push. On the thread that ends the
   // driver; null: nobody wants to hear of it.
   void (*when_left_pushing)(const FalconSerial& serial) noexcept = nullptr;
@@ -59,6 +62,8 @@ class Falcon {
   static constexpr int first_questions = 25;
   // The same for one that has answered before, so that a slow device is not taken for one without firmware and reset.
   static constexpr int patient_questions = 100;
+  // For the answers of a device that is let go, which may have to be set up anew before it hears anything.
+  static constexpr double goodbye_s = 0.25;
   // At the end of the program, for devices that are owed a stop and are plugged in.
   static constexpr double last_stops_s = 3.0;
   static constexpr double last_look_s = 0.5;  // since the last sign of one of them
@@ -74,7 +79,7 @@ class Falcon {
   // answered the last command, else as soon as it does. Only has an effect in idle and active.
   void set_force(const Vector<3>& force, bool is_armed) noexcept;
 
-  // Turns the motors off and tells the device; waits for its answers, 0.1 s at most.
+  // Turns the motors off and tells the device; waits for its answers, goodbye_s at most.
   void shut_down() noexcept;
 
   const FalconReport& report() const noexcept { return report_; }
@@ -120,6 +125,7 @@ class Falcon {
   void locate(const MotorNumbers& encoders, std::int64_t asked_ns) noexcept;
   bool send_command() noexcept;
   void stop_motors() noexcept;
+  bool recover() noexcept;
   void note_stop() noexcept;
   std::int64_t stop_ns() const noexcept;
   void note_debts() noexcept;
@@ -131,15 +137,15 @@ class Falcon {
 
   LinkOpener opener_;
   FalconOptions options_;
+  StopDebts& debts_;  // the options'
   FalconCalibration calibration_;
   FalconKinematics kinematics_;
   FalconReport report_;
 
   Phase phase_ = Phase::pausing;
   std::int64_t phase_began_ns_ = 0;
-  double pause_s_ = 0.0;  // until the next look
-  int attempt_ = 0;       // to load the firmware
-  StopDebts debts_;
+  double pause_s_ = 0.0;        // until the next look
+  int attempt_ = 0;             // to load the firmware
   FalconSerial in_use_;         // the last one that was opened to be used
   bool is_only_owed_ = false;   // this one is open for its stop alone
   std::int64_t looked_ns_ = 0;  // for one that is owed a stop, while another is in use
@@ -155,11 +161,11 @@ class Falcon {
   bool is_command_new_ = false;  // not sent yet
   bool may_push_ = false;        // a force was asked for, and no zero that the device has heard since
   ReplyMatcher replies_;
-  std::int64_t sent_ns_ = 0;   // the last command
-  std::int64_t asked_ns_ = 0;  // the first command since the last reply, or since the link was set up again
-  std::int64_t heard_ns_ = 0;  // the last reply
-  std::optional<std::int64_t>
-      zero_ns_;  // the first command without force since the last with one; empty: that was last
+  std::int64_t sent_ns_ = 0;             // the last command
+  std::int64_t asked_ns_ = 0;            // the first command since the last reply, or since the link was set up again
+  std::int64_t heard_ns_ = 0;            // the last reply
+  std::int64_t awaited_ns_ = 0;          // so, or when the link was set up again
+  std::optional<std::int64_t> zero_ns_;  // the first zero since the last force; empty: a force was last
   std::optional<std::int64_t> unanswered_ns_;  // since when a command waits for its reply; empty: none does
   bool is_purging_ = false;
   bool wants_latency_ = false;  // the chip is too slow, and has perhaps refused to be faster

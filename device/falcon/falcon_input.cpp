@@ -84,6 +84,7 @@ HandleReading FalconInput::read() noexcept {
   reading_.is_ready = report.is_readable() && report.encoders_move() && report.is_guarded;
   reading_.is_healthy = report.is_fast_enough() && report.worst_exchange_s < Safety::longest_exchange_s;
   reading_.trouble = trouble_of(report);
+  reading_.may_still_push = report.may_still_push;
   check();
   probe();
   reports_.publish(report);

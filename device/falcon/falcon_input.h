@@ -63,7 +63,7 @@ class FalconInput : public Input, public HapticDevice {
 
   Falcon falcon_;
   Vector<2> view_center_;
-  LatestValue<FalconReport> reports_{FalconReport{}};
+  LatestValue<FalconReport> reports_{falcon_.report()};
   HandleReading reading_;
   std::array<Place, speed_readings> places_{};  // a ring
   std::size_t next_place_ = 0;

@@ -15,7 +15,9 @@ void Falcon::stop_motors() noexcept {
 std::int64_t Falcon::stop_ns() const noexcept {
   const bool is_waiting = phase_ == Phase::exchanging && !is_purging_ && replies_.is_waiting();
   if (!is_waiting) return std::numeric_limits<std::int64_t>::max();
-  return std::max(asked_ns_, heard_ns_) + static_cast<std::int64_t>(stop_s * 1e9);
+  // While it may push, time runs also where nobody asks.
+  const std::int64_t since_ns = may_push_ ? awaited_ns_ : std::max(asked_ns_, awaited_ns_);
+  return since_ns + static_cast<std::int64_t>(stop_s * 1e9);
 }
 
 // That the device has been told to stop, and may not have heard.
@@ -50,7 +52,7 @@ void Falcon::shut_down() noexcept {
   opener_.close();
   phase_ = Phase::pausing;
   phase_began_ns_ = link().now_ns();
-  pause_s_ = try_again_s;
+  pause_s_ = debts_.empty() ? try_again_s : soon_s;
 }
 
 // There is no later. A device that is silent is not given firmware now. One that is just being plugged in may not be
@@ -81,21 +83,49 @@ bool Falcon::is_paying() const noexcept {
   return report_.fault != FalconFault::none && report_.fault != FalconFault::unplugged;
 }
 
-// Until three answers have come: the device has heard it, and not only the chip before it.
+// A silent device gets the stop, and its chip is set up anew. True: the link is busy with that, and nothing else goes out.
+bool Falcon::recover() noexcept {
+  if (is_purging_) {
+    if (link().owes_stop() && !link().is_sending()) stop_motors();
+    is_purging_ = link_script_.update(link()) == LinkProgress::running;
+    if (is_purging_) return true;
+    reader_.reset();
+    replies_.reset();
+    awaited_ns_ = link().now_ns();
+    send_command();
+    return true;
+  }
+  if (link().now_ns() < stop_ns()) return false;
+  ++report_.lost_exchanges;
+  window_.worst_s = std::max(window_.worst_s, since(asked_ns_));
+  command_.motors = {};
+  note_stop();
+  link_script_ = LinkScript(stop_and_set_up_link_again);
+  link_script_.update(link());
+  is_purging_ = true;
+  return true;
+}
+
+// Until three answers have come, one of them to a zero: the device has heard it, and not only the chip before it.
 void Falcon::say_goodbye() noexcept {
   command_ = {};
-  const std::int64_t deadline_ns = link().now_ns() + 100'000'000;
+  const std::int64_t deadline_ns = link().now_ns() + static_cast<std::int64_t>(goodbye_s * 1e9);
   const int on_its_way = replies_.is_waiting() ? 1 : 0;  // the answer to what was said before
   int heard = -on_its_way;
-  while (heard < 3 && link().fault() == LinkFault::none && link().now_ns() < deadline_ns) {
-    if (replies_.may_send(link().now_ns()) || since(sent_ns_) >= stop_s) send_command();
-    link().wait_until(std::min(deadline_ns, link().now_ns() + 5'000'000));
-    if (take_replies()) {
+  const auto has_heard = [&] { return heard >= 3 && !may_push_; };
+  while (!has_heard() && link().fault() == LinkFault::none && link().now_ns() < deadline_ns) {
+    if (recover()) {
+      heard = 0;
+    } else if (replies_.may_send(link().now_ns()) || since(sent_ns_) >= stop_s) {
+      send_command();
+    }
+    link().wait_until(std::min({deadline_ns, stop_ns(), link().now_ns() + 5'000'000}));
+    if (!is_purging_ && take_replies()) {
       ++heard;
       command_ = {};
     }
   }
-  if (heard < 3) stop_motors();
+  if (!has_heard()) stop_motors();
 }
 
 }  // namespace ghostforce

@@ -76,27 +76,32 @@ std::optional<ReplyFrame> FalconBench::exchange(const CommandFrame& command) noe
   return reply;
 }
 
-// The device may hear and only not be heard, or its chip may have lost the rate.
-void FalconBench::recover() noexcept {
+// The device may hear and only not be heard, or its chip may have lost the rate. False: it could not be set up again.
+bool FalconBench::recover() noexcept {
   LinkScript script(stop_and_set_up_link_again);
   const std::int64_t deadline_ns = link_.now_ns() + ns_of(Falcon::give_up_s);
   // Also through a link that is of no use any more: the stop is the first step.
-  while (script.update(link_) == LinkProgress::running && link_.fault() == LinkFault::none &&
-         link_.now_ns() < deadline_ns) {
+  LinkProgress progress = script.update(link_);
+  while (progress == LinkProgress::running && link_.fault() == LinkFault::none && link_.now_ns() < deadline_ns) {
     link_.wait_until(link_.now_ns() + ns_of(period_s));
+    progress = script.update(link_);
   }
   reader_.reset();
   next_ns_ = watched_ns_ = link_.now_ns();
+  return progress == LinkProgress::done;
 }
 
 bool FalconBench::stop() noexcept {
   constexpr int tries = 6;
   constexpr int enough = 3;
   int heard = 0;
-  for (int i = 0; i < tries && heard < enough && link_.fault() == LinkFault::none; ++i) {
-    if (ask(CommandFrame{})) ++heard;
+  for (int i = 0; i < tries && heard < enough; ++i) {
+    if (ask(CommandFrame{})) {
+      ++heard;
+    } else if (!recover()) {
+      break;
+    }
   }
-  if (heard < enough) recover();
   next_ns_ = link_.now_ns();
   return heard == enough;
 }

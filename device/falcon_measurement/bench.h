@@ -47,7 +47,7 @@ class FalconBench {
   void wait_until(std::int64_t deadline_ns) noexcept;
   std::optional<ReplyFrame> ask(const CommandFrame& command) noexcept;
   void forget_replies() noexcept;
-  void recover() noexcept;
+  bool recover() noexcept;
 
   FalconLink& link_;
   FrameReader<ReplyFrame> reader_;

@@ -93,7 +93,7 @@ MotorConstants find_motor_constants(std::span<const WeightReading> readings) noe
 
   const double share = 1.0 / static_cast<double>(readings.size());
   for (const WeightReading& reading : readings) {
-    const Hold& hold = reading.without;
+    const HoldReading& hold = reading.without;
     const Vector<3> rub = force_per_torque(reading.jacobian, 0.5 * (hold.up - hold.down)) * used;
     found.friction += share * std::abs(rub.y);
     found.handle_weight += share * (force_per_torque(reading.jacobian, hold.mean()) * used).y;

@@ -11,7 +11,7 @@
 namespace ghostforce {
 
 // The motors' counts, by leg, at one place while the handle went slowly up and down through it.
-struct Hold {
+struct HoldReading {
   Vector<3> up{0.0};
   Vector<3> down{0.0};
 
@@ -20,8 +20,8 @@ struct Hold {
 
 struct WeightReading {
   Matrix<3> jacobian{1.0};  // ∂angles/∂position at the place
-  Hold without;
-  Hold with_weight;
+  HoldReading without;
+  HoldReading with_weight;
   double weight = 0.0;  // that was hung on the handle [N]
 };
 

@@ -67,7 +67,7 @@ LinkFault FtdiLink::open_first(const StopDebts& owed) noexcept {
   if (fault_ != LinkFault::none) {
     close();
   } else {
-    guard_.start(usb_.descriptor(), usb_.node(), guard_orders());
+    guard_.start(usb_.descriptor(), usb_.node(), guard_orders(), owed.has(falcon_serial_of(usb_.serial())));
   }
   return fault_;
 }

@@ -18,6 +18,7 @@ struct HandleReading {
   bool is_ready = false;                // every step before the handle's place is reached
   bool is_healthy = false;              // exchanges have been fast and even for a while
   OffReason trouble = OffReason::none;  // why motors must not push
+  bool may_still_push = false;          // a device has not answered since it was told to stop, perhaps another one
 
   // What the device wants its motors to push with besides, to check them and its encoders: at the handle [N].
   Vector<2> probe{0.0};

@@ -45,7 +45,8 @@ struct GuardPage {
 
   // The program's.
   std::atomic<std::int64_t> beat_ns{0};
-  std::atomic<bool> may_push{false};   // a force was sent, or is about to be, and no zero has been answered since
+  std::atomic<bool> may_push{
+      false};  // a force was sent, by whomever, or is about to be, and no zero has been answered since
   std::atomic<bool> has_ended{false};  // the guard is needed no more
 
   // The guard's.

@@ -53,7 +53,7 @@ int moved_up(int descriptor) noexcept {
 
 }  // namespace
 
-bool MotorGuard::start(int descriptor, const std::string& node, const GuardOrders& orders) noexcept {
+bool MotorGuard::start(int descriptor, const std::string& node, const GuardOrders& orders, bool may_push) noexcept {
   end();
   if (descriptor < 0) return false;
   int page_file = memfd_create("ghostforce-guard", MFD_CLOEXEC);
@@ -65,7 +65,7 @@ bool MotorGuard::start(int descriptor, const std::string& node, const GuardOrder
   if (memory != MAP_FAILED) {
     page_ = new (memory) GuardPage{};
     page_->orders = orders;
-    beat(monotonic_ns());
+    set_may_push(may_push, monotonic_ns());
     is_started = spawn(descriptor, node, page_file) && wait_until_it_watches();
   }
   close_file(page_file);
@@ -115,6 +115,7 @@ bool MotorGuard::spawn(int descriptor, const std::string& node, int page_file) n
 bool MotorGuard::wait_until_it_watches() noexcept {
   const std::int64_t deadline_ns = monotonic_ns() + start_patience_ns;
   while (monotonic_ns() < deadline_ns) {
+    beat(monotonic_ns());  // this program lives, however long the guard takes to begin
     if (state() != GuardState::none) return true;
     if (waitpid(process_, nullptr, WNOHANG) == process_) {
       process_ = -1;

@@ -24,8 +24,8 @@ class MotorGuard {
   ~MotorGuard() { end(); }
 
   // Over the USB device of this file, which is open as `descriptor` and has its interface claimed. Returns once the guard
-  // watches. False: there is none, and motors must stay off.
-  bool start(int descriptor, const std::string& node, const GuardOrders& orders) noexcept;
+  // watches. `may_push`: the device may push already. False: there is none, and motors must stay off.
+  bool start(int descriptor, const std::string& node, const GuardOrders& orders, bool may_push) noexcept;
   // Returns when the guard has closed the device's file.
   void end() noexcept;
 

@@ -218,6 +218,7 @@ void Servo::watch_handle() noexcept {
   report_.motors.is_checking = safety_.state() == SafetyState::ramp && !handle_.is_checked;
   report_.motors.handle = handle_.position;
   report_.motors.is_handle_known = handle_.is_known;
+  report_.motors.may_still_push = handle_.may_still_push;
   report_.motors.is_outside_wall = is_outside;
   report_.motors.is_ready = handle_.is_ready && handle_.is_known && handle_.is_healthy;
   report_.motors.handle_speed = handle_.speed;

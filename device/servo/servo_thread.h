@@ -18,7 +18,7 @@ class ServoThread final : public ServoDriver {
 
   // Changes nothing while it runs. Throws std::system_error.
   void start(Servo& servo) override;
-  // Returns when the thread has ended, within Servo::command_period_s.
+  // Returns when the thread has ended: within Servo::command_period_s, and what its device takes to be let go.
   void stop() noexcept override;
 
   // How late the ticks came since start(). While the thread is stopped.

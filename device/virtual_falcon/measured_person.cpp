@@ -33,31 +33,31 @@ void MeasuredPerson::lead(const Vector<3>& place, double stiffness, std::uint8_t
   link_.lead_hand(plan);
 }
 
-std::string MeasuredPerson::act(const Deed& deed) {
-  switch (deed.kind) {
-    case Deed::Kind::read_on:
+std::string MeasuredPerson::act(const OperatorAction& action) {
+  switch (action.kind) {
+    case OperatorAction::Kind::read_on:
       return {};
-    case Deed::Kind::go_to:
-    case Deed::Kind::take_again:
+    case OperatorAction::Kind::go_to:
+    case OperatorAction::Kind::take_again:
       marks_[0] = link_.arm().position();
-      lead(deed.place, habits_.grip, 0);
+      lead(action.place, habits_.grip, 0);
       return {};
-    case Deed::Kind::push_in:
+    case OperatorAction::Kind::push_in:
       lead({0.0, 0.0, 0.06}, 2.0 * habits_.grip, 0);
       return {};
-    case Deed::Kind::hold_button:
-      lead(deed.place, habits_.grip, held_button);
+    case OperatorAction::Kind::hold_button:
+      lead(action.place, habits_.grip, held_button);
       return {};
-    case Deed::Kind::loosen:
+    case OperatorAction::Kind::loosen:
       lead(place_, habits_.fingertip, held_button);
       return {};
-    case Deed::Kind::hang_weight:
-      load_ = deed.weight;
-      lead(deed.place, habits_.grip, 0);
+    case OperatorAction::Kind::hang_weight:
+      load_ = action.weight;
+      lead(action.place, habits_.grip, 0);
       return {};
-    case Deed::Kind::press: {
+    case OperatorAction::Kind::press: {
       HandPlan plan = hand_at(place_, 0.0);
-      plan.waypoints[0].buttons = deed.buttons;
+      plan.waypoints[0].buttons = action.buttons;
       // Longer than a link may leave out that nobody has looked at.
       plan.add({.time = 2.5, .goal = place_});
       plan.stiffness = habits_.grip;
@@ -65,20 +65,20 @@ std::string MeasuredPerson::act(const Deed& deed) {
       link_.lead_hand(plan);
       return {};
     }
-    case Deed::Kind::say_distance: {
+    case OperatorAction::Kind::say_distance: {
       marks_[1] = link_.arm().position();
       const double distance_mm = 1e3 * glm::distance(marks_[0], marks_[1]);
       return in_words(habits_.ruler_step * std::round(distance_mm / habits_.ruler_step));
     }
-    case Deed::Kind::say_weight:
+    case OperatorAction::Kind::say_weight:
       return in_words(habits_.weight);
-    case Deed::Kind::say_light: {
+    case OperatorAction::Kind::say_light: {
       const std::uint8_t lights = link_.device().lights();
       if (lights == CommandFrame::red) return "red";
       if (lights == CommandFrame::green) return "green";
       return lights == CommandFrame::blue ? "blue" : "other";
     }
-    case Deed::Kind::say_yes_or_no:
+    case OperatorAction::Kind::say_yes_or_no:
       return "y";
   }
   return {};

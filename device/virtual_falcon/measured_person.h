@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "device/virtual_falcon/deed.h"
+#include "device/virtual_falcon/operator_action.h"
 #include "device/virtual_falcon/virtual_link.h"
 
 namespace ghostforce {
@@ -21,7 +21,7 @@ class MeasuredPerson {
   MeasuredPerson(VirtualLink& link, const Habits& habits) noexcept : link_(link), habits_(habits) {}
 
   // Begins to do it; the hand takes about a second. Returns what the person would type, mostly nothing.
-  std::string act(const Deed& deed);
+  std::string act(const OperatorAction& action);
 
  private:
   void lead(const Vector<3>& place, double stiffness, std::uint8_t buttons);

@@ -15,6 +15,7 @@ constexpr unsigned practice_words = 4000;
 
 FalconOptions completed(FalconOptions options) {
   options.is_virtual = true;
+  options.debts.reset();  // of real ones
   if (options.firmware.empty()) options.firmware = practice_firmware(practice_words);
   return options;
 }
@@ -42,15 +43,15 @@ VirtualFalconInput::VirtualFalconInput(std::unique_ptr<VirtualLink> link, const 
       goal_(scene.view.center),
       k_u_(scene.settings.stiffnesses.k_u),
       stiffness_(scene.stiffness_path),
-      unrest_(scene.unrest) {}
+      tremor_and_drift_(scene.tremor_and_drift) {}
 
 std::optional<double> VirtualFalconInput::user_stiffness(std::int64_t tick, double rate) noexcept {
   const double time_s = time_of(tick, rate);
   std::optional<double> stiffness;
   if (!stiffness_.is_empty()) stiffness = stiffness_at(stiffness_, time_s);
-  const Vector<3> way = unrest_.is_still()
+  const Vector<3> way = tremor_and_drift_.is_still()
                             ? Vector<3>(0.0)
-                            : plane_.in_workspace(unrest_.at(time_s)) - plane_.in_workspace(Vector<2>(0.0));
+                            : plane_.in_workspace(tremor_and_drift_.at(time_s)) - plane_.in_workspace(Vector<2>(0.0));
   link_.shake_hand(way, stiffness);
   return stiffness;
 }

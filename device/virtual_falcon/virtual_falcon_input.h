@@ -1,8 +1,9 @@
 // VirtualFalconInput: a rehearsal. The same driver as for a real Falcon, on a simulated device in a simulated hand; the
 // pointer of the window guides that hand, which homes the device when it is asked to, as a person would.
 //
-// The hand is the scene's: where the goal says, but for its unrest, and as stiff as its path says at each moment of the
-// run. It lives by the model's time, a tick at a time: as long as that stands still, so does what changes in the hand.
+// The hand is the scene's: where the goal says, but for its tremor and drift, and as stiff as its path says at each
+// moment of the run. It lives by the model's time, a tick at a time: as long as that stands still, so does what changes in
+// the hand.
 //
 // Made on the UI thread; functions of PointerTarget and inject() stay its, the rest is the servo thread's.
 #pragma once
@@ -10,8 +11,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "core/hand_unrest.h"
 #include "core/scene.h"
+#include "core/tremor_and_drift.h"
 #include "device/falcon/falcon_input.h"
 #include "device/input/pointer_target.h"
 #include "device/virtual_falcon/virtual_link.h"
@@ -50,7 +51,7 @@ class VirtualFalconInput final : public FalconInput, public PointerTarget {
   double k_u_;
   std::uint8_t buttons_ = 0;
   StiffnessPath stiffness_;  // empty: k_u_
-  UnrestMotion unrest_;
+  TremorAndDriftMotion tremor_and_drift_;
 };
 
 }  // namespace ghostforce

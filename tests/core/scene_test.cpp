@@ -122,10 +122,10 @@ TEST(SceneTest, EachKeyIsAtItsPlace) {
       {"user.believed_k_u_N_per_m", &scene.settings.stiffnesses.believed_k_u},
       {"user.k_u_path_N_per_m", &scene.stiffness_path.values},
       {"user.k_u_times_s", &scene.stiffness_path.times},
-      {"user.tremor_mm_rms", &scene.unrest.tremor_rms},
-      {"user.tremor_hz", &scene.unrest.tremor_hz},
-      {"user.drift_mm_per_s", &scene.unrest.drift_speed},
-      {"user.seed", &scene.unrest.seed},
+      {"user.tremor_mm_rms", &scene.tremor_and_drift.tremor_rms},
+      {"user.tremor_hz", &scene.tremor_and_drift.tremor_hz},
+      {"user.drift_mm_per_s", &scene.tremor_and_drift.drift_speed},
+      {"user.seed", &scene.tremor_and_drift.seed},
       {"rendering.k_r_N_per_m", &scene.settings.stiffnesses.k_r},
       {"rendering.k_t_N_per_m", &scene.settings.stiffnesses.k_t},
       {"rendering.k_c_N_per_m", &scene.settings.stiffnesses.k_c},
@@ -369,9 +369,9 @@ TEST(SceneTest, RareKeysAreTheNewOnes) {
   const Scene scene;
   EXPECT_EQ(scene.settings.encoder_step, 0.0);
   EXPECT_TRUE(scene.stiffness_path.is_empty());
-  EXPECT_TRUE(scene.unrest.is_still());
-  EXPECT_EQ(scene.unrest.tremor_hz, (NumberRange{8.0, 12.0}));
-  EXPECT_EQ(scene.unrest.seed, 1.0);
+  EXPECT_TRUE(scene.tremor_and_drift.is_still());
+  EXPECT_EQ(scene.tremor_and_drift.tremor_hz, (NumberRange{8.0, 12.0}));
+  EXPECT_EQ(scene.tremor_and_drift.seed, 1.0);
 }
 
 TEST(SceneTest, AStiffnessNeedsItsTimes) {

@@ -38,13 +38,14 @@ TEST(SimulateTest, ReportsEveryTickFromTheFirstToTheLast) {
   EXPECT_EQ(state.tick, 1500);
 }
 
-// The hand as its scene has it: at each tick as stiff as its path says, and as far from its way as its unrest takes it.
+// The hand as its scene has it: at each tick as stiff as its path says, and as far from its way as its tremor and drift
+// take it.
 TEST(SimulateTest, TheHandChangesAndIsNotStill) {
   Scene scene = example();
   scene.stiffness_path = {{100.0, 900.0, 50.0}, {0.0, 0.5, 1.2}};
-  scene.unrest = {.tremor_rms = 0.0005, .drift_speed = 0.01, .seed = 3.0};
+  scene.tremor_and_drift = {.tremor_rms = 0.0005, .drift_speed = 0.01, .seed = 3.0};
   scene.settings.encoder_step = 60e-6;
-  const UnrestMotion unrest(scene.unrest);
+  const TremorAndDriftMotion tremor_and_drift(scene.tremor_and_drift);
   TickState<2> expected = state_at_start(scene.settings, scene.goal.points.front());
   std::int64_t at = 0;
   const TickState<2> end = simulate(scene, last_tick(scene), [&](const Snapshot& snapshot) {
@@ -53,7 +54,7 @@ TEST(SimulateTest, TheHandChangesAndIsNotStill) {
       Settings now = scene.settings;
       now.stiffnesses.believed_k_u = 100.0;
       now.stiffnesses.k_u = stiffness_at(scene.stiffness_path, time_s);
-      tick(coefficients_of(now), goal_at(scene.goal, time_s) + unrest.at(time_s), expected);
+      tick(coefficients_of(now), goal_at(scene.goal, time_s) + tremor_and_drift.at(time_s), expected);
     }
     ASSERT_EQ(snapshot.goal, expected.goal);
     for (std::size_t i = 0; i < strategy_count; ++i) {

@@ -52,7 +52,7 @@ TEST(SimulatedMeasurement, SaysWhyNothingIsKnown) {
   scene.settings.rate = 200.0;
   EXPECT_EQ(measure_simulated_hand(scene, 0.0, longest_s).why, HandUnknown::rate_too_low);
   scene = held_in_wall(200.0, StrategyId::naive);
-  scene.unrest = {.tremor_rms = 0.005, .tremor_hz = {2.0, 18.0}};
+  scene.tremor_and_drift = {.tremor_rms = 0.005, .tremor_hz = {2.0, 18.0}};
   EXPECT_FALSE(measure_simulated_hand(scene, 0.0, longest_s).is_known());
 }
 

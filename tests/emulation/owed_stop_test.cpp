@@ -14,6 +14,7 @@
 #include "device/falcon_usb/ftdi_link.h"
 #include "tests/emulation/emulated_usb_device.h"
 #include "tests/emulation/falcon_chip.h"
+#include "tests/support/becomes.h"
 
 namespace ghostforce::owed_stop_test {
 namespace {
@@ -162,6 +163,22 @@ TEST_F(OwedStopTest, AtTheEndOfTheProgramTheOwedOneIsStoppedAndNotOnlyTheOneInUs
   }
   EXPECT_TRUE(left_pushing.empty());
   EXPECT_FALSE(chip_a.pushes());
+}
+
+// The program goes no further than to open it: from the first moment the guard knows what it has to do.
+TEST_F(OwedStopTest, TheGuardOfADeviceThatIsOwedAStopGivesIt) {
+  a.plug();
+  ASSERT_TRUE(pushes_with(chip_a));
+  a.unplug();
+  ASSERT_TRUE(tick_until([&] { return input->report().fault == FalconFault::unplugged; }));
+  input.reset();
+  ASSERT_TRUE(chip_a.pushes());
+  a.plug();
+  StopDebts owed;
+  owed.add(falcon_serial_of("12PZ657E"));
+  FtdiLink link;
+  ASSERT_TRUE(becomes([&] { return link.open_first(owed) == LinkFault::none; }));
+  EXPECT_TRUE(becomes([&] { return !chip_a.pushes(); }));
 }
 
 // Once more where this machine came so late that the guard took the device meanwhile.

@@ -7,6 +7,7 @@
 #include <systemd/sd-bus.h>
 #include <unistd.h>
 
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <memory>
@@ -28,10 +29,7 @@ class FakeLogind {
         << "<busconfig><type>session</type><listen>" << address() << "</listen><auth>EXTERNAL</auth>"
         << "<policy context=\"default\"><allow user=\"*\"/><allow own=\"*\"/><allow send_destination=\"*\"/>"
         << "<allow receive_sender=\"*\"/></policy></busconfig>";
-    daemon_ = std::make_unique<BackgroundProgram>(
-        std::vector<std::string>{"dbus-daemon", "--nofork", "--nopidfile", "--config-file=" + (folder_ / "bus.conf")},
-        std::vector<std::string>{});
-    if (!becomes([this] { return open(); })) throw std::runtime_error("the bus cannot be used");
+    begin_bus();
   }
   ~FakeLogind() {
     sd_bus_close(bus_);
@@ -67,6 +65,13 @@ class FakeLogind {
     return becomes(as_wanted, [this] { step(); });
   }
   void end_bus() { daemon_->end(SIGKILL); }
+  void begin_bus() {
+    std::filesystem::remove(folder_ / "socket");
+    daemon_ = std::make_unique<BackgroundProgram>(
+        std::vector<std::string>{"dbus-daemon", "--nofork", "--nopidfile", "--config-file=" + (folder_ / "bus.conf")},
+        std::vector<std::string>{});
+    if (!becomes([this] { return open(); })) throw std::runtime_error("the bus cannot be used");
+  }
 
  private:
   bool open() {

@@ -23,26 +23,26 @@ constexpr std::size_t rounds = 2;
 constexpr double push_force = 0.9;  // towards the person, of the strongest published motors [N]
 
 MotorStop take_silence(MeasuringRig& rig, double silence_s, SilenceReading& reading) {
-  const auto outwards = [](const Glimpse& glimpse) {
-    return MeasuringRig::counts_for({0.0, 0.0, push_force}, glimpse.jacobian);
+  const auto outwards = [](const RigSample& sample) {
+    return MeasuringRig::counts_for({0.0, 0.0, push_force}, sample.jacobian);
   };
   Mean without;
   MotorStop stop =
-      rig.drive(0.3, MeasuringRig::no_counts, [&](const Glimpse& glimpse) { without.add(glimpse.position); });
+      rig.drive(0.3, MeasuringRig::no_counts, [&](const RigSample& sample) { without.add(sample.position); });
   if (stop != MotorStop::none) return stop;
   const double rest = without.value().z;
   Mean held;
   double least = 1.0;
   double greatest = 0.0;
-  stop = rig.drive(0.7, outwards, [&](const Glimpse& glimpse) {
-    if (glimpse.time_s < 0.5) return;
-    held.add(glimpse.position);
-    least = std::min(least, glimpse.position.z);
-    greatest = std::max(greatest, glimpse.position.z);
+  stop = rig.drive(0.7, outwards, [&](const RigSample& sample) {
+    if (sample.time_s < 0.5) return;
+    held.add(sample.position);
+    least = std::min(least, sample.position.z);
+    greatest = std::max(greatest, sample.position.z);
   });
   if (stop != MotorStop::none) return stop;
   reading = {.silence_s = silence_s, .held = held.value().z - rest, .tremor = greatest - least};
-  return rig.be_silent(silence_s, [&](const Glimpse& glimpse) { reading.after = glimpse.position.z - rest; });
+  return rig.be_silent(silence_s, [&](const RigSample& sample) { reading.after = sample.position.z - rest; });
 }
 
 }  // namespace
@@ -63,7 +63,7 @@ std::vector<Finding> measure_silence(MeasuringRig& rig) {
     return MotorStop::none;
   };
   const bool is_done = rig.with_button(
-      {.kind = Deed::Kind::hold_button},
+      {.kind = OperatorAction::Kind::hold_button},
       "Hold the handle loosely in the middle of its workspace and hold down a button of the grip. After Enter you will "
       "feel up to twelve pushes towards you, each below 1 N, for half a minute in all. During each push the program "
       "sends nothing to the device for 20 ms to one second, and cannot see your button until that is over. Let the "
@@ -106,7 +106,7 @@ std::vector<Finding> measure_silence(MeasuringRig& rig) {
 
 std::vector<Finding> measure_exchanges(MeasuringRig& rig) {
   constexpr int count = 2000;
-  rig.ask({.kind = Deed::Kind::take_again},
+  rig.ask({.kind = OperatorAction::Kind::take_again},
           "Hold the handle still for three seconds. Enter: the exchanges are counted. The motors stay off.");
   rig.rest(0.5);
   std::vector<double> times;
@@ -173,7 +173,7 @@ std::vector<Finding> check_lights(MeasuringRig& rig) {
   for (const Bit& light : lights) {
     for (int i = 0; i < 50; ++i) rig.look(light.bit);
     const std::string answer =
-        rig.ask({.kind = Deed::Kind::say_light},
+        rig.ask({.kind = OperatorAction::Kind::say_light},
                 "Look at the ring of light on the device. What colour is it? Type red, green, blue or other.");
     finding.readings.push_back(fmt::format("bit {:#04x}, assumed to be {}: seen as {}", light.bit, light.name,
                                            answer.empty() ? "nothing" : quoted_text(answer)));
@@ -191,7 +191,7 @@ std::vector<Finding> check_buttons(MeasuringRig& rig) {
   finding.state = Finding::State::as_assumed;
   for (const Bit& button : buttons) {
     rig.ask(
-        {.kind = Deed::Kind::press, .buttons = button.bit},
+        {.kind = OperatorAction::Kind::press, .buttons = button.bit},
         fmt::format("Within ten seconds after Enter, press the button {} of the grip and release it.", button.name));
     unsigned seen = 0;
     for (const double end_s = rig.bench().now_s() + patience_s; rig.bench().now_s() < end_s;) {

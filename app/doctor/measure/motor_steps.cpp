@@ -25,20 +25,20 @@ MotorStop take_pulse(MeasuringRig& rig, std::size_t number, double force, MotorP
   Mean before;
   Mean during;
   double counts = 0.0;
-  MotorStop stop = rig.drive(0.3, MeasuringRig::no_counts, [&](const Glimpse& glimpse) { before.add(glimpse.legs); });
+  MotorStop stop = rig.drive(0.3, MeasuringRig::no_counts, [&](const RigSample& sample) { before.add(sample.legs); });
   if (stop != MotorStop::none) return stop;
   stop = rig.drive(
       0.7,
-      [&](const Glimpse& glimpse) {
+      [&](const RigSample& sample) {
         Vector<3> alone(0.0);
         alone[static_cast<glm::length_t>(number)] = 1.0;
         const Vector<3> of_one =
-            force_of_motor_counts(alone, glimpse.jacobian, Vector<3>(smallest_published_motor_constant));
+            force_of_motor_counts(alone, sample.jacobian, Vector<3>(smallest_published_motor_constant));
         counts = force / glm::length(of_one);
         return counts * alone;
       },
-      [&](const Glimpse& glimpse) {
-        if (glimpse.time_s > 0.5) during.add(glimpse.legs);
+      [&](const RigSample& sample) {
+        if (sample.time_s > 0.5) during.add(sample.legs);
       });
   if (stop != MotorStop::none) return stop;
   pulse = {.counts = counts, .moved = during.value() - before.value()};
@@ -55,7 +55,7 @@ std::vector<Finding> measure_motor_signs(MeasuringRig& rig) {
   std::array<MotorPulse, 3> pulses;
   for (std::size_t number = 0; number < pulses.size(); ++number) {
     const bool is_done = rig.with_button(
-        {.kind = Deed::Kind::hold_button},
+        {.kind = OperatorAction::Kind::hold_button},
         fmt::format(
             "Motor {} of 3. Hold the handle loosely in the middle of its workspace and hold down a button of the grip. "
             "After Enter the motor pushes with less than 2 N for a second. Releasing the button turns it off.",
@@ -117,16 +117,16 @@ constexpr double carried = 0.004;  // the handle is then as near as this [m]
 // Holds the handle at a place: a soft spring with damping, and what is needed to get there.
 class Holder {
  public:
-  Vector<3> counts(const Glimpse& glimpse, const Vector<3>& place) {
+  Vector<3> counts(const RigSample& sample, const Vector<3>& place) {
     constexpr double stiffness = 150.0;  // [N/m]
     constexpr double damping = 3.0;      // [N·s/m]
     constexpr double gain = 300.0;       // [N/(m·s)]
-    const Vector<3> off = place - glimpse.position;
+    const Vector<3> off = place - sample.position;
     sum_ += gain * FalconBench::period_s * off;
     // What has piled up is never more than may be pushed with.
     const double most = MeasuringRig::greatest_force;
     if (const double length = glm::length(sum_); length > most) sum_ *= most / length;
-    return MeasuringRig::counts_for(stiffness * off - damping * glimpse.velocity + sum_, glimpse.jacobian);
+    return MeasuringRig::counts_for(stiffness * off - damping * sample.velocity + sum_, sample.jacobian);
   }
 
  private:
@@ -134,7 +134,7 @@ class Holder {
 };
 
 struct HoldTaken {
-  Hold hold;
+  HoldReading hold;
   Matrix<3> jacobian{1.0};
   bool is_carried = false;
 };
@@ -142,17 +142,17 @@ struct HoldTaken {
 MotorStop take_hold(MeasuringRig& rig, const Vector<3>& place, HoldTaken& taken) {
   Holder holder;
   std::optional<Vector<3>> begin;
-  const auto towards_place = [&](const Glimpse& glimpse) {
-    if (!begin) begin = glimpse.position;
-    return holder.counts(glimpse, glm::mix(*begin, place, std::min(1.0, glimpse.time_s / grip_s)));
+  const auto towards_place = [&](const RigSample& sample) {
+    if (!begin) begin = sample.position;
+    return holder.counts(sample, glm::mix(*begin, place, std::min(1.0, sample.time_s / grip_s)));
   };
   MotorStop stop = rig.drive(grip_s, towards_place);
   if (stop != MotorStop::none) return stop;
-  rig.person().cue({.kind = Deed::Kind::loosen});
+  rig.person().cue({.kind = OperatorAction::Kind::loosen});
   Vector<3> position{0.0};
-  stop = rig.drive(settle_s, [&](const Glimpse& glimpse) {
-    position = glimpse.position;
-    return holder.counts(glimpse, place);
+  stop = rig.drive(settle_s, [&](const RigSample& sample) {
+    position = sample.position;
+    return holder.counts(sample, place);
   });
   if (stop != MotorStop::none) return stop;
   taken.is_carried = glm::distance(position, place) <= carried;
@@ -169,23 +169,23 @@ MotorStop take_hold(MeasuringRig& rig, const Vector<3>& place, HoldTaken& taken)
     };
     stop = rig.drive(
         sweeps * sweep_period_s,
-        [&](const Glimpse& glimpse) {
-          return holder.counts(glimpse, place + Vector<3>(0.0, sweep_reach * sweep_at(glimpse.time_s).first, 0.0));
+        [&](const RigSample& sample) {
+          return holder.counts(sample, place + Vector<3>(0.0, sweep_reach * sweep_at(sample.time_s).first, 0.0));
         },
-        [&](const Glimpse& glimpse) {
-          const auto [height, goes_up] = sweep_at(glimpse.time_s);
+        [&](const RigSample& sample) {
+          const auto [height, goes_up] = sweep_at(sample.time_s);
           // The first quarter begins at rest.
-          if (glimpse.time_s < 0.25 * sweep_period_s || std::abs(sweep_reach * height) > counted_reach) return;
+          if (sample.time_s < 0.25 * sweep_period_s || std::abs(sweep_reach * height) > counted_reach) return;
           const Vector<3> strongest(smallest_published_motor_constant);
-          const double force = glm::length(force_of_motor_counts(glimpse.counts, glimpse.jacobian, strongest));
+          const double force = glm::length(force_of_motor_counts(sample.counts, sample.jacobian, strongest));
           if (force > 0.98 * MeasuringRig::greatest_force) taken.is_carried = false;  // they might need more
-          (goes_up ? up : down).add(glimpse.counts);
+          (goes_up ? up : down).add(sample.counts);
         });
     if (stop != MotorStop::none) return stop;
     taken.hold = {.up = up.value(), .down = down.value()};
     if (const auto jacobian = FalconKinematics(rig.calibration().geometry).jacobian(place)) taken.jacobian = *jacobian;
   }
-  rig.person().cue({.kind = Deed::Kind::hold_button, .place = place});
+  rig.person().cue({.kind = OperatorAction::Kind::hold_button, .place = place});
   return rig.let_go(1.0);
 }
 
@@ -199,13 +199,13 @@ std::optional<HoldTaken> hold_at(MeasuringRig& rig, const Vector<3>& place, std:
       place == workspace_center ? "in the middle of its workspace"
                                 : "3 cm to the left of the middle, 3 cm lower and 1 cm further out",
       load_words);
-  const bool is_done = rig.with_button({.kind = Deed::Kind::hold_button, .place = place}, words,
+  const bool is_done = rig.with_button({.kind = OperatorAction::Kind::hold_button, .place = place}, words,
                                        [&] { return take_hold(rig, place, taken); });
   if (!is_done || !taken.is_carried) return std::nullopt;
   return taken;
 }
 
-std::string hold_words(std::string_view place, std::string_view load, const Hold& hold) {
+std::string hold_words(std::string_view place, std::string_view load, const HoldReading& hold) {
   return fmt::format("{}, {}: motors {} counts going up, {} going down", place, load, counts_words(hold.up),
                      counts_words(hold.down));
 }
@@ -219,7 +219,7 @@ std::optional<WeightReadings> take_weights(MeasuringRig& rig, double grams, std:
   const double weight = grams * kg_per_g * standard_gravity;
   WeightReadings readings;
   for (const bool has_weight : {false, true}) {
-    rig.ask({.kind = Deed::Kind::hang_weight, .weight = has_weight ? weight : 0.0},
+    rig.ask({.kind = OperatorAction::Kind::hang_weight, .weight = has_weight ? weight : 0.0},
             has_weight ? "Hang the weight on the grip by its thread, so that it hangs freely, and hold the handle. "
                          "Enter: continue. The motors are still off."
                        : "Do not hang the weight on the grip yet. If a rubber band supports the handle, leave it on "
@@ -241,7 +241,7 @@ std::optional<WeightReadings> take_weights(MeasuringRig& rig, double grams, std:
                                  has_weight ? fmt::format("{:g} g", grams) : "nothing", taken->hold));
     }
   }
-  rig.ask({.kind = Deed::Kind::hang_weight, .weight = 0.0},
+  rig.ask({.kind = OperatorAction::Kind::hang_weight, .weight = 0.0},
           "Take off the weight, and the rubber band if there is one. Enter: continue. The motors are off.");
   return readings;
 }
@@ -257,7 +257,7 @@ std::vector<Finding> measure_motor_constant(MeasuringRig& rig) {
   std::optional<WeightReadings> taken;
   for (int i = 0; i < MeasuringRig::tries && !taken; ++i) {
     const double grams = rig.ask_number(
-        {.kind = Deed::Kind::say_weight},
+        {.kind = OperatorAction::Kind::say_weight},
         "How heavy is the weight with its thread, in g? 20 to 50 g is best. The motors push with less than 2 N here "
         "and also carry the handle. If the handle is heavy, hang it from above on a long, soft rubber band.",
         5.0, 300.0, "g");

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "device/virtual_falcon/deed.h"
+#include "device/virtual_falcon/operator_action.h"
 
 namespace ghostforce {
 
@@ -21,13 +21,13 @@ class Operator {
   virtual void tell(std::string_view words) = 0;
 
   // Says what to do and waits for a line: the answer, or an empty one when it is done. None: nobody is there any more.
-  virtual std::optional<std::string> ask(const Deed& deed, std::string_view words) = 0;
+  virtual std::optional<std::string> ask(const OperatorAction& action, std::string_view words) = 0;
 
   // While motors are on, and never waits: it is time for what the person has been told before.
-  virtual void cue(const Deed& deed) = 0;
+  virtual void cue(const OperatorAction& action) = 0;
 
   bool says_yes(std::string_view words) {
-    const auto line = ask({.kind = Deed::Kind::say_yes_or_no}, words);
+    const auto line = ask({.kind = OperatorAction::Kind::say_yes_or_no}, words);
     return line && (line->starts_with('y') || line->starts_with('Y'));
   }
 };

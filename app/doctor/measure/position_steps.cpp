@@ -19,8 +19,8 @@ namespace {
 
 constexpr double mm = 1e-3;
 
-Deed go_to(const Vector<3>& place) {
-  return {.kind = Deed::Kind::go_to, .place = place};
+OperatorAction go_to(const Vector<3>& place) {
+  return {.kind = OperatorAction::Kind::go_to, .place = place};
 }
 
 // --- Encoders ---
@@ -93,7 +93,7 @@ std::vector<Finding> measure_encoders(MeasuringRig& rig) {
       fmt::join(wiring.encoder_of_leg, ", "), wiring.agreement, wiring.runner_up);
 
   Finding stop{.title = "Where the encoders stand at the stop", .settles = "the encoders' offsets"};
-  const Vector<3> at_stop = rig.read_still_at({.kind = Deed::Kind::push_in},
+  const Vector<3> at_stop = rig.read_still_at({.kind = OperatorAction::Kind::push_in},
                                               "Push the handle straight in until it stops, and hold it there. "
                                               "Enter: the encoders are read.");
   stop.readings.push_back(fmt::format("pushed in to the stop: encoders {} counts", counts_words(at_stop)));
@@ -186,7 +186,7 @@ std::vector<Finding> measure_lengths(MeasuringRig& rig) {
         rig.read_still_at(go_to(move.to), fmt::format("{} Hold it there. Enter: they are read again.", move.move)),
         calibration);
     reading.distance =
-        mm * rig.ask_number({.kind = Deed::Kind::say_distance},
+        mm * rig.ask_number({.kind = OperatorAction::Kind::say_distance},
                             "How far did the handle move along the ruler, in mm, to the nearest half millimetre?", 20.0,
                             110.0, "mm");
     angle.readings.push_back(

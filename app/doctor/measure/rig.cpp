@@ -79,8 +79,8 @@ void MeasuringRig::use(const FalconCalibration& calibration) {
 
 // --- The person ---
 
-std::string MeasuringRig::ask(const Deed& deed, const std::string& words) {
-  const std::optional<std::string> line = person_.ask(deed, words);
+std::string MeasuringRig::ask(const OperatorAction& action, const std::string& words) {
+  const std::optional<std::string> line = person_.ask(action, words);
   stop_if_interrupted();
   if (!line) {
     throw Failure(ExitCode::answer_is_no,
@@ -93,10 +93,10 @@ std::string MeasuringRig::ask(const Deed& deed, const std::string& words) {
   return answer;
 }
 
-double MeasuringRig::ask_number(const Deed& deed, const std::string& words, double least, double greatest,
+double MeasuringRig::ask_number(const OperatorAction& action, const std::string& words, double least, double greatest,
                                 std::string_view unit) {
   for (;;) {
-    const std::string answer = ask(deed, words);
+    const std::string answer = ask(action, words);
     std::string with_point = answer;
     std::ranges::replace(with_point, ',', '.');
     const std::optional<double> value = number_in<double>(with_point);
@@ -107,9 +107,9 @@ double MeasuringRig::ask_number(const Deed& deed, const std::string& words, doub
   }
 }
 
-Vector<3> MeasuringRig::read_still_at(const Deed& deed, const std::string& words) {
+Vector<3> MeasuringRig::read_still_at(const OperatorAction& action, const std::string& words) {
   for (;;) {
-    ask(deed, words);
+    ask(action, words);
     Vector<3> least(0.0);
     Vector<3> greatest(0.0);
     Mean mean;
@@ -182,27 +182,27 @@ void MeasuringRig::rest(double seconds) {
   for (const double end_s = bench_.now_s() + seconds; bench_.now_s() < end_s;) look();
 }
 
-MotorStop MeasuringRig::see(const ReplyFrame& reply, Glimpse& glimpse) {
+MotorStop MeasuringRig::see(const ReplyFrame& reply, RigSample& sample) {
   if ((reply.status & 0x0F) == 0) return MotorStop::released;
   const Vector<3> start = place_count_ > 0 ? last_.position : cold_start;
-  glimpse.legs = leg_counts(vector_of(reply.encoders), calibration_);
-  const ForwardKinematics found = kinematics_.position(angles_of_counts(glimpse.legs, calibration_.geometry), start);
+  sample.legs = leg_counts(vector_of(reply.encoders), calibration_);
+  const ForwardKinematics found = kinematics_.position(angles_of_counts(sample.legs, calibration_.geometry), start);
   const auto jacobian = kinematics_.jacobian(found.position);
   if (!found.has_converged || !jacobian || std::hypot(found.position.x, found.position.y) > widest ||
       found.position.z < nearest || found.position.z > farthest) {
     return MotorStop::left_workspace;
   }
-  glimpse.position = found.position;
-  glimpse.jacobian = *jacobian;
-  glimpse.counts = sent_;
+  sample.position = found.position;
+  sample.jacobian = *jacobian;
+  sample.counts = sent_;
   const std::size_t at = place_count_ % places_.size();
   if (place_count_ >= places_.size()) {
-    glimpse.velocity = (found.position - places_[at]) / (FalconBench::period_s * static_cast<double>(places_.size()));
+    sample.velocity = (found.position - places_[at]) / (FalconBench::period_s * static_cast<double>(places_.size()));
   }
   places_[at] = found.position;
   ++place_count_;
-  last_ = glimpse;
-  return glm::length(glimpse.velocity) > fastest ? MotorStop::too_fast : MotorStop::none;
+  last_ = sample;
+  return glm::length(sample.velocity) > fastest ? MotorStop::too_fast : MotorStop::none;
 }
 
 MotorStop MeasuringRig::drive(double seconds, const Law& law, const Watch& watch) {
@@ -216,20 +216,20 @@ MotorStop MeasuringRig::drive(double seconds, const Law& law, const Watch& watch
     was_lost_ = false;
     const ReplyFrame reply =
         exchange({.motors = in_frame_order(numbers, calibration_.motor_of_leg), .info = CommandFrame::blue});
-    Glimpse glimpse;
-    const MotorStop stop = was_lost_ ? MotorStop::no_reply : see(reply, glimpse);
+    RigSample sample;
+    const MotorStop stop = was_lost_ ? MotorStop::no_reply : see(reply, sample);
     if (stop != MotorStop::none) {
       turn_off();
       return stop;
     }
-    glimpse.time_s = bench_.now_s() - began_s;
-    if (watch) watch(glimpse);
-    if (glimpse.time_s >= seconds) return MotorStop::none;
-    Vector<3> wanted = law(glimpse);
-    const double force = glm::length(force_of_motor_counts(wanted, glimpse.jacobian, strongest));
+    sample.time_s = bench_.now_s() - began_s;
+    if (watch) watch(sample);
+    if (sample.time_s >= seconds) return MotorStop::none;
+    Vector<3> wanted = law(sample);
+    const double force = glm::length(force_of_motor_counts(wanted, sample.jacobian, strongest));
     if (!(force <= greatest_force)) wanted = force > 0.0 ? wanted * (greatest_force / force) : Vector<3>(0.0);
     const Vector<3> change = wanted - sent_;
-    const double step = glm::length(force_of_motor_counts(change, glimpse.jacobian, strongest));
+    const double step = glm::length(force_of_motor_counts(change, sample.jacobian, strongest));
     const double most = steepest * FalconBench::period_s;
     sent_ += step > most ? change * (most / step) : change;
   }
@@ -237,7 +237,7 @@ MotorStop MeasuringRig::drive(double seconds, const Law& law, const Watch& watch
 
 MotorStop MeasuringRig::let_go(double seconds) {
   const Vector<3> from = sent_;
-  return drive(seconds, [&](const Glimpse& glimpse) { return from * std::max(0.0, 1.0 - glimpse.time_s / seconds); });
+  return drive(seconds, [&](const RigSample& sample) { return from * std::max(0.0, 1.0 - sample.time_s / seconds); });
 }
 
 MotorStop MeasuringRig::be_silent(double seconds, const Watch& after) {
@@ -259,7 +259,8 @@ MotorStop MeasuringRig::be_silent(double seconds, const Watch& after) {
 void MeasuringRig::turn_off() {
   sent_ = Vector<3>(0.0);
   place_count_ = 0;
-  look();
+  // A single reply may be one that came twice.
+  if (!bench_.stop()) look();
 }
 
 // The button is held, and the handle has been near the place, and slow, for a moment.
@@ -267,21 +268,22 @@ bool MeasuringRig::await_ready(const Vector<3>& place) {
   double since_s = bench_.now_s();
   place_count_ = 0;
   for (const double end_s = since_s + button_patience_s; bench_.now_s() < end_s;) {
-    Glimpse glimpse;
-    const bool is_ready = see(look(), glimpse) == MotorStop::none && glm::distance(glimpse.position, place) <= near &&
-                          glm::length(glimpse.velocity) <= slow;
+    RigSample sample;
+    const bool is_ready = see(look(), sample) == MotorStop::none && glm::distance(sample.position, place) <= near &&
+                          glm::length(sample.velocity) <= slow;
     if (!is_ready) since_s = bench_.now_s();
     if (bench_.now_s() - since_s >= ready_s) return true;
   }
   return false;
 }
 
-bool MeasuringRig::with_button(const Deed& deed, const std::string& words, const std::function<MotorStop()>& what) {
+bool MeasuringRig::with_button(const OperatorAction& action, const std::string& words,
+                               const std::function<MotorStop()>& what) {
   MotorStop stop = MotorStop::none;
   for (int i = 0; i < tries; ++i) {
-    ask(deed, words);
+    ask(action, words);
     stop = MotorStop::released;
-    if (await_ready(deed.place)) {
+    if (await_ready(action.place)) {
       stop = what();
       turn_off();
       if (stop == MotorStop::none) return true;

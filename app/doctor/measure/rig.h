@@ -47,7 +47,7 @@ struct SkipMeasurement {};   // s
 enum class MotorStop : std::uint8_t { none, released, too_fast, left_workspace, no_reply };
 
 // What is so at one tick, with motors on or off.
-struct Glimpse {
+struct RigSample {
   double time_s = 0.0;  // since the drive began
   Vector<3> legs{0.0};  // where they stand [counts]
   Vector<3> position{0.0};
@@ -63,9 +63,9 @@ class MeasuringRig {
   static constexpr double fastest = 0.3;         // [m/s]
   static constexpr int tries = 3;
 
-  using Law = std::function<Vector<3>(const Glimpse&)>;  // the motor counts to drive each leg with
-  using Watch = std::function<void(const Glimpse&)>;
-  static Vector<3> no_counts(const Glimpse& /*glimpse*/) noexcept { return Vector<3>(0.0); }
+  using Law = std::function<Vector<3>(const RigSample&)>;  // the motor counts to drive each leg with
+  using Watch = std::function<void(const RigSample&)>;
+  static Vector<3> no_counts(const RigSample& /*sample*/) noexcept { return Vector<3>(0.0); }
 
   MeasuringRig(Operator& person, FalconLink& link, const FalconCalibration& calibration);
 
@@ -76,21 +76,22 @@ class MeasuringRig {
   const FalconBench& bench() const noexcept { return bench_; }
 
   // The line that was typed, without spaces around it.
-  std::string ask(const Deed& deed, const std::string& words);
+  std::string ask(const OperatorAction& action, const std::string& words);
   // The same until it is a number from `least` to `greatest`.
-  double ask_number(const Deed& deed, const std::string& words, double least, double greatest, std::string_view unit);
+  double ask_number(const OperatorAction& action, const std::string& words, double least, double greatest,
+                    std::string_view unit);
 
   // Has it done, and returns the mean of the encoders, in a frame's order, once the handle is still.
-  Vector<3> read_still_at(const Deed& deed, const std::string& words);
+  Vector<3> read_still_at(const OperatorAction& action, const std::string& words);
 
   // Motors off: one exchange, or so many seconds of them.
   ReplyFrame look(std::uint8_t info = CommandFrame::green);
   void rest(double seconds);
 
-  // Has the person hold a button near the deed's place, does what is to be done, and turns the motors off. Whatever
+  // Has the person hold a button near the action's place, does what is to be done, and turns the motors off. Whatever
   // stops it is told, and it is begun again, `tries` times in all. False: it never came to its end. Throws
   // Failure(safety_stop) where the handle was too fast or out of its workspace each time.
-  bool with_button(const Deed& deed, const std::string& words, const std::function<MotorStop()>& what);
+  bool with_button(const OperatorAction& action, const std::string& words, const std::function<MotorStop()>& what);
 
   // For what is called by with_button(). Goes on from whatever the motors do.
   MotorStop drive(double seconds, const Law& law, const Watch& watch = {});
@@ -104,7 +105,7 @@ class MeasuringRig {
 
  private:
   ReplyFrame exchange(const CommandFrame& command);
-  MotorStop see(const ReplyFrame& reply, Glimpse& glimpse);
+  MotorStop see(const ReplyFrame& reply, RigSample& sample);
   void turn_off();
   bool await_ready(const Vector<3>& place);
 
@@ -115,7 +116,7 @@ class MeasuringRig {
   Vector<3> sent_{0.0};  // the motors' counts, by leg
   int unhomed_ = 0;
   bool was_lost_ = false;  // since it was last looked at
-  Glimpse last_;
+  RigSample last_;
   std::array<Vector<3>, 8> places_{};  // a ring, one a tick
   std::size_t place_count_ = 0;
 };

@@ -44,10 +44,10 @@ void TerminalOperator::tell(std::string_view words) {
   say("{}\n", wrapped(words));
 }
 
-std::optional<std::string> TerminalOperator::ask(const Deed& deed, std::string_view words) {
+std::optional<std::string> TerminalOperator::ask(const OperatorAction& action, std::string_view words) {
   say("\n");
   tell(words);
-  const std::string answer = simulated_ == nullptr ? "" : simulated_->act(deed);
+  const std::string answer = simulated_ == nullptr ? "" : simulated_->act(action);
   if (!answer.empty()) {
     tell(fmt::format("(Rehearsal: press Enter to answer {}.)", answer));
   } else if (simulated_ != nullptr) {
@@ -59,8 +59,8 @@ std::optional<std::string> TerminalOperator::ask(const Deed& deed, std::string_v
   return line;
 }
 
-void TerminalOperator::cue(const Deed& deed) {
-  if (simulated_ != nullptr) simulated_->act(deed);
+void TerminalOperator::cue(const OperatorAction& action) {
+  if (simulated_ != nullptr) simulated_->act(action);
 }
 
 std::optional<std::string> TerminalOperator::read_line() {

@@ -1,5 +1,5 @@
 // TerminalOperator: a person at a terminal, or a file of answers: words go to the error output, lines come from the
-// standard input. In a rehearsal a simulated person does the deeds, and answers where the line is empty. UI thread.
+// standard input. In a rehearsal a simulated person does what is asked, and answers where the line is empty. UI thread.
 #pragma once
 
 #include <string>
@@ -15,8 +15,8 @@ class TerminalOperator final : public Operator {
   explicit TerminalOperator(MeasuredPerson* simulated) : simulated_(simulated) {}
 
   void tell(std::string_view words) override;
-  std::optional<std::string> ask(const Deed& deed, std::string_view words) override;
-  void cue(const Deed& deed) override;
+  std::optional<std::string> ask(const OperatorAction& action, std::string_view words) override;
+  void cue(const OperatorAction& action) override;
 
  private:
   std::optional<std::string> read_line();

@@ -10,7 +10,7 @@
 #include <memory>
 
 #include "app/console/failure.h"
-#include "app/files/png_file.h"
+#include "app/files/png_writer.h"
 #include "app/paint/vector/vector_painter.h"
 
 namespace ghostforce {

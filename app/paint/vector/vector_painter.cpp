@@ -347,7 +347,7 @@ Surface surface_for(VectorFormat format, const Vector<2>& size, std::string_view
     return surface;
   }
   Surface surface(cairo_pdf_surface_create_for_stream(append, &file, size.x, size.y));
-  // Later versions let Cairo pack the title away, where who looks for it (app/files/pdf_title.h) would not find it.
+  // Later versions let Cairo pack the title away, where who looks for it (app/files/picture_title.h) would not find it.
   cairo_pdf_surface_restrict_to_version(surface.get(), CAIRO_PDF_VERSION_1_4);
   cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, drawable(title).c_str());
   cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATOR,

@@ -35,7 +35,7 @@ void draw_step(const PanelContext& context, const ReadinessStepState& step, floa
   ImGui::SameLine();
   text_in(step.is_current ? context.fonts.bold : context.fonts.regular, step.title);
   if (step.words.empty()) return;
-  ImGui::SameLine(220.0F * context.scale);
+  ImGui::SameLine(250.0F * context.scale);  // beside the longest title
   wrapped_text(step.words, end);
 }
 

@@ -6,9 +6,9 @@ namespace ghostforce {
 
 void draw_language_choice(const PanelContext& context) {
   const StageLanguage& shown = stage_language(context.session.language);
-  for (const StageLanguage* const language : stage_language_catalog()) {
+  for (const StageLanguage* const language : stage_languages) {
     const float width = ImGui::GetFrameHeightWithSpacing() + ImGui::CalcTextSize(language->name.data()).x;
-    if (language != stage_language_catalog().front()) same_line_if_room(width);
+    if (language != stage_languages.front()) same_line_if_room(width);
     if (ImGui::RadioButton(language->name.data(), &shown == language)) {
       context.apply(ChooseLanguage{std::string(language->code)});
     }

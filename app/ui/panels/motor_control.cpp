@@ -19,7 +19,8 @@ constexpr float least_width = 7.0F;     // of the button [heights of a letter]
 constexpr float frame_width = 8.0F;     // [points]
 
 bool may_push(const MotorReport& motors) noexcept {
-  return motors.has_motors && motors.state != SafetyState::off && motors.state != SafetyState::arming;
+  const bool are_on = motors.state != SafetyState::off && motors.state != SafetyState::arming;
+  return motors.has_motors && (are_on || motors.may_still_push);
 }
 
 // As large as fits.

@@ -84,7 +84,8 @@ std::optional<StageCornerButton> corner_button(const Session& session, const Mot
                                                const StageGuess& guess, bool is_revealing) {
   const StageLanguage& language = stage_language(session.language);
   if (motors.has_motors) {
-    return StageCornerButton{StageCommand::motors, motor_words(motors, language), motors.state != SafetyState::off};
+    const bool may_push = motors.state != SafetyState::off || motors.may_still_push;
+    return StageCornerButton{StageCommand::motors, motor_words(motors, language), may_push};
   }
   const StageChoice& stage = session.stage;
   if (session.lesson || stage.mode == StageMode::none) return std::nullopt;
@@ -131,6 +132,10 @@ std::string warning_of(const Session& session, const LoopReading& loop) {
   const StageLanguage::Warnings& words = stage_language(session.language).warnings;
   if (loop.diverged) {
     return std::string(session.face == Face::stage && !session.visit ? words.unstable : words.unstable_on_workbench);
+  }
+  if (loop.motors.may_still_push) {
+    return session.visit ? std::string(words.motors_may_still_push_for_visitors)
+                         : filled(words.motors_may_still_push, front_keys().device_status.shown);
   }
   const auto step = std::ranges::find_if(loop.readiness, &ReadinessStepState::is_current);
   if (loop.motors.has_motors && !loop.motors.is_ready && step != loop.readiness.end()) {

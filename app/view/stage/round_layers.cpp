@@ -57,7 +57,7 @@ void add_battery(const StageLayer& layer) {
                                                 .extent = extent,
                                                 .region = layout.room(),
                                                 .wanted = layout.numbers_corner(),
-                                                .dearness = {3.0, 1.0},
+                                                .distance_cost = {3.0, 1.0},
                                                 .may_cover = content.is_bare,
                                                 .is_never_missing = true});
   if (!found) return;

@@ -4,15 +4,9 @@
 
 namespace ghostforce {
 
-std::span<const StageLanguage* const> stage_language_catalog() noexcept {
-  static constexpr std::array all{&english_stage, &spanish_stage};
-  return all;
-}
-
 const StageLanguage& stage_language(std::string_view code) noexcept {
-  const auto all = stage_language_catalog();
-  const auto found = std::ranges::find(all, code, &StageLanguage::code);
-  return found == all.end() ? *all.front() : **found;
+  const auto found = std::ranges::find(stage_languages, code, &StageLanguage::code);
+  return found == stage_languages.end() ? *stage_languages.front() : **found;
 }
 
 }  // namespace ghostforce

@@ -139,7 +139,7 @@ class Arrangement {
     double x = layout_.margin;
     for (const Strategy& strategy : strategy_catalog()) {
       if (strategy.id == StrategyId::full && !words_.has_full) continue;
-      const StageLanguage::StrategyButton& words = words_.language.strategies[index_of(strategy.id)];
+      const StageLanguage::StrategyButton& words = words_.language.strategy_buttons[index_of(strategy.id)];
       const std::string_view shown = in_full ? words.in_full : words.in_short;
       const double width = strategy_button_width(shown, layout_.unit, layout_.letters, measure_);
       layout_.strategies.push_back(

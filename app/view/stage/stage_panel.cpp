@@ -270,7 +270,7 @@ void add_numbers(const StageLayer& layer) {
                                                 .extent = layout.numbers_size,
                                                 .region = layout.room(),
                                                 .wanted = layout.numbers_corner(),
-                                                .dearness = {3.0, 1.0},
+                                                .distance_cost = {3.0, 1.0},
                                                 .may_cover = true,
                                                 .is_never_missing = true});
   if (!found || found->strength <= 0.0) return;

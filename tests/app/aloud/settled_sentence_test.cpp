@@ -1,5 +1,5 @@
 // Which sentences are spoken: those that stand.
-#include "app/aloud/settled_sentence.h"
+#include "app/aloud/speech.h"
 
 #include <gtest/gtest.h>
 

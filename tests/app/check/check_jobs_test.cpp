@@ -20,7 +20,7 @@
 #include <gtest/gtest.h>
 
 #include "app/check/evaluation.h"
-#include "app/check/verdict_bytes.h"
+#include "app/check/verdict.h"
 #include "app/check/worker_processes.h"
 #include "app/console/failure.h"
 #include "app/console/interruption.h"

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/files/png_file.h"
+#include "app/files/png_writer.h"
 #include "ghostforce_version.h"
 #include "tests/app/check/check_cases.h"
 #include "tests/support/places.h"

@@ -15,7 +15,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "app/files/png_file.h"
+#include "app/files/png_writer.h"
 #include "tests/app/check/check_cases.h"
 #include "tests/app/files/png_pieces.h"
 #include "tests/support/places.h"

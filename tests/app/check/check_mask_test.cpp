@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "app/check/comparison.h"
-#include "app/files/png_file.h"
+#include "app/files/png_writer.h"
 #include "tests/app/check/check_cases.h"
 #include "tests/support/read_png.h"
 

@@ -25,7 +25,7 @@
 #include "app/check/comparison.h"
 #include "app/desktop/glfw_window.h"
 #include "app/desktop/offscreen.h"
-#include "app/files/png_file.h"
+#include "app/files/png_writer.h"
 #include "app/files/scene_file.h"
 #include "app/paint/gl_painter.h"
 #include "app/paint/label_painter.h"

@@ -1,4 +1,5 @@
-// The completion scripts, each run by its shell.
+// The completion scripts, each run by its shell, which asks the program.
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -6,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "app/cli/command.h"
@@ -59,7 +61,12 @@ const std::vector<Typed> typed_lines{
     {"ghostforce doctor --misbehave=busy,sil", {"silence"}, {}},
     {"ghostforce figures --only figure-1 proxy", {"proxy-drift"}, {}},
     {"ghostforce figures -o my_", {"my_folder"}, {"my_notes.txt"}},
+    {"ghostforce check my_folder --only ", {"inside"}, {"my_scene", "notes", "my_notes.txt"}},
+    {"ghostforce check my_folder --update ins", {"inside"}, {}},
+    {"ghostforce check --only ", {}, {"inside", "my_scene", "my_notes.txt"}},
     {"ghostforce help rend", {"render"}, {}},
+    {"ghostforce help --format man --f", {}, {"--format"}},
+    {"ghostforce check my_folder --only inside --up", {}, {"--update"}},
     {"ghostforce help --format z", {"zsh"}, {"text"}},
 };
 
@@ -68,7 +75,8 @@ class Completion : public testing::TestWithParam<Shell> {
   Completion() {
     write_whole(folder_ / "script", run_program(ghostforce_program(), {"help", "--format", GetParam().name}).out);
     std::filesystem::create_directory(folder_ / "my_folder");
-    for (const char* name : {"my_scene.toml", "my_notes.txt", "my_folder/inside.txt"}) write_whole(folder_ / name, "");
+    for (const char* name : {"my_scene.toml", "my_notes.txt", "my_folder/inside.toml", "my_folder/notes.txt"})
+      write_whole(folder_ / name, "");
   }
 
   // What is offered for each line: of a word with '=' or ':' in it, what follows those.
@@ -79,6 +87,8 @@ class Completion : public testing::TestWithParam<Shell> {
     call.words.push_back(folder_ / "script");
     call.words.insert(call.words.end(), lines.begin(), lines.end());
     call.folder = folder_.path();
+    const std::string around = std::filesystem::path(ghostforce_program()).parent_path();
+    call.environment.push_back(fmt::format("PATH={}:{}", around, std::getenv("PATH")));
     for (const char* variable : {"HOME=", "XDG_CONFIG_HOME=", "XDG_DATA_HOME=", "XDG_CACHE_HOME="}) {
       call.environment.push_back(variable + folder_.path());
     }

@@ -1,5 +1,5 @@
 // Each way in which a device lets a script down has its number and its sentence.
-#include "app/cli/end_of_visit.h"
+#include "app/cli/desktop_inputs.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/console/wrapped.h"
+#include "app/console/words.h"
 
 #include <gtest/gtest.h>
 

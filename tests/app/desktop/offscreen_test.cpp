@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "app/files/png_file.h"
+#include "app/files/png_writer.h"
 #include "tests/support/no_opengl.h"
 #include "tests/support/places.h"
 #include "tests/support/program.h"

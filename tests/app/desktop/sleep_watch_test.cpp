@@ -92,6 +92,18 @@ TEST_F(SleepWatchTest, SleepIsNotComingWhenTheBusHasEnded) {
   EXPECT_FALSE(logind_.is_delayed());
 }
 
+TEST_F(SleepWatchTest, FindsABusThatHasBegunAgain) {
+  SleepWatch watch;
+  watch.delay(true);
+  ASSERT_TRUE(comes_to([&] { return logind_.is_delayed(); }));
+  logind_.end_bus();
+  EXPECT_TRUE(becomes([&] { return !logind_.is_delayed(); }));
+  logind_.begin_bus();
+  watch.delay(false);  // whoever wants something else is a reason to look at once
+  watch.delay(true);
+  EXPECT_TRUE(comes_to([&] { return logind_.is_delayed(); }));
+}
+
 TEST(SleepWatchWithoutABus, DelaysNothing) {
   setenv("DBUS_SYSTEM_BUS_ADDRESS", "unix:path=/nonexistent/socket", 1);
   SleepWatch watch;

@@ -188,7 +188,7 @@ TEST(FalconMeasurement, FindsAWeakMotor) {
     arm.motor_strengths[weak] = 0.6;
     arm.weight = 0.15;  // on a rubber band: a weak motor carries little of it
     MeasuredRehearsal rehearsal(arm);
-    rehearsal.person->answers[Deed::Kind::say_weight] = {"25"};
+    rehearsal.person->answers[OperatorAction::Kind::say_weight] = {"25"};
     const FalconMeasurement measurement = rehearsal.measure({"Encoders", "Motors' directions", "Motors' strength"});
     const Finding& finding = finding_of(measurement, alike);
     EXPECT_EQ(finding.state, State::differs) << finding.sentence;
@@ -234,11 +234,11 @@ TEST(FalconMeasurement, AsksForALighterWeightWhereTheMotorsAreTooWeak) {
     MeasuredRehearsal rehearsal(arm);
     const FalconMeasurement measurement = rehearsal.measure({"Encoders", "Motors' directions", "Motors' strength"});
     EXPECT_EQ(finding_of(measurement, constant).state, State::not_measured);
-    EXPECT_EQ(rehearsal.person->asked[Deed::Kind::say_weight], 3);
+    EXPECT_EQ(rehearsal.person->asked[OperatorAction::Kind::say_weight], 3);
     EXPECT_EQ(measurement.calibration.counts_per_newton_metre, measured_motor_constant);
   }
   MeasuredRehearsal rehearsal(arm);
-  rehearsal.person->answers[Deed::Kind::say_weight] = {"50", "20"};
+  rehearsal.person->answers[OperatorAction::Kind::say_weight] = {"50", "20"};
   const FalconMeasurement measurement = rehearsal.measure({"Encoders", "Motors' directions", "Motors' strength"});
   EXPECT_TRUE(rehearsal.person->has_heard("Take a lighter one"));
   const Measured measured = measured_in(finding_of(measurement, constant));
@@ -288,17 +288,18 @@ TEST(FalconMeasurement, MakesADeviceRightThatIsWrongInEveryWay) {
 
 TEST(FalconMeasurement, AsksAgainForADistanceThatIsNone) {
   MeasuredRehearsal rehearsal;
-  rehearsal.person->answers[Deed::Kind::say_distance] = {"about so much", "-60", "1e9", "", "nan", "60,0", "60 "};
+  rehearsal.person->answers[OperatorAction::Kind::say_distance] = {"about so much", "-60",  "1e9", "",
+                                                                   "nan",           "60,0", "60 "};
   const FalconMeasurement measurement = rehearsal.measure({"Encoders", "Lengths"});
   EXPECT_EQ(finding_of(measurement, angle).state, State::as_assumed);
-  EXPECT_EQ(rehearsal.person->asked[Deed::Kind::say_distance], 5 + 5)
+  EXPECT_EQ(rehearsal.person->asked[OperatorAction::Kind::say_distance], 5 + 5)
       << "five are no numbers, five distances there are";
   EXPECT_TRUE(rehearsal.person->has_heard("'about so much' is not a number from 20 to 110 mm"));
 }
 
 TEST(FalconMeasurement, SaysThatDistancesContradictEachOther) {
   MeasuredRehearsal rehearsal;
-  rehearsal.person->answers[Deed::Kind::say_distance] = {"60", "35"};
+  rehearsal.person->answers[OperatorAction::Kind::say_distance] = {"60", "35"};
   const FalconMeasurement measurement = rehearsal.measure({"Encoders", "Lengths"});
   EXPECT_EQ(finding_of(measurement, angle).state, State::contradicts);
   EXPECT_FALSE(measurement.has_all_answers());
@@ -308,23 +309,23 @@ TEST(FalconMeasurement, SaysThatDistancesContradictEachOther) {
 TEST(FalconMeasurement, TurnsMotorsOffWhenTheButtonIsLetGoAndBeginsTheStepAgain) {
   MeasuredRehearsal rehearsal;
   int held = 0;
-  rehearsal.person->hook = [&](const Deed& deed, VirtualLink& link) {
-    if (deed.kind != Deed::Kind::hold_button || ++held != 2) return;
-    HandPlan plan = link.hand().goal() == deed.place ? hand_at(deed.place) : hand_at(deed.place, 0.0);
+  rehearsal.person->hook = [&](const OperatorAction& action, VirtualLink& link) {
+    if (action.kind != OperatorAction::Kind::hold_button || ++held != 2) return;
+    HandPlan plan = link.hand().goal() == action.place ? hand_at(action.place) : hand_at(action.place, 0.0);
     plan.waypoints[0].buttons = ReplyFrame::button_centre;
-    plan.add({.time = 0.6, .goal = deed.place, .buttons = 0});
+    plan.add({.time = 0.6, .goal = action.place, .buttons = 0});
     link.lead_hand(plan);
   };
   const FalconMeasurement measurement = rehearsal.measure({"Encoders", "Motors' directions"});
   EXPECT_EQ(finding_of(measurement, motors).state, State::as_assumed);
-  EXPECT_EQ(rehearsal.person->asked[Deed::Kind::hold_button], 4) << "three motors, one of them twice";
+  EXPECT_EQ(rehearsal.person->asked[OperatorAction::Kind::hold_button], 4) << "three motors, one of them twice";
   EXPECT_TRUE(rehearsal.person->has_heard("The button was released"));
 }
 
 TEST(FalconMeasurement, GivesUpAStepThatIsLetGoOfAgainAndAgain) {
   MeasuredRehearsal rehearsal;
-  rehearsal.person->hook = [](const Deed& deed, VirtualLink& link) {
-    if (deed.kind == Deed::Kind::hold_button) link.lead_hand(hand_at(deed.place));  // no button
+  rehearsal.person->hook = [](const OperatorAction& action, VirtualLink& link) {
+    if (action.kind == OperatorAction::Kind::hold_button) link.lead_hand(hand_at(action.place));  // no button
   };
   const FalconMeasurement measurement = rehearsal.measure({"Encoders", "Motors' directions", "Motors' strength"});
   EXPECT_EQ(finding_of(measurement, motors).state, State::not_measured);
@@ -342,11 +343,11 @@ TEST(FalconMeasurement, EndsWhereTheHandleIsTooFastOrPulledOutOfItsWorkspaceEach
   for (const Jerk& jerk : {Jerk{{0.03, 0.0, 0.125}, 0.01, "moved faster than 0.3 m/s"},
                            Jerk{{0.0, 0.0, 0.2}, 0.6, "left its workspace"}}) {
     MeasuredRehearsal rehearsal;
-    rehearsal.person->hook = [&](const Deed& deed, VirtualLink& link) {
-      if (deed.kind != Deed::Kind::hold_button) return;
-      HandPlan plan = hand_at(deed.place, 0.0);
+    rehearsal.person->hook = [&](const OperatorAction& action, VirtualLink& link) {
+      if (action.kind != OperatorAction::Kind::hold_button) return;
+      HandPlan plan = hand_at(action.place, 0.0);
       plan.waypoints[0].buttons = ReplyFrame::button_centre;
-      plan.add({.time = 1.2, .goal = deed.place, .buttons = ReplyFrame::button_centre});
+      plan.add({.time = 1.2, .goal = action.place, .buttons = ReplyFrame::button_centre});
       plan.add({.time = 1.2 + jerk.time, .goal = jerk.goal, .buttons = ReplyFrame::button_centre});
       plan.stiffness = 600.0;
       link.lead_hand(plan);
@@ -383,24 +384,24 @@ TEST(FalconMeasurementDeathTest, InterruptedMotorsAreOff) {
 
 TEST(FalconMeasurement, LeavesWithOrWithoutAReport) {
   MeasuredRehearsal rehearsal;
-  rehearsal.person->answers[Deed::Kind::say_distance] = {"60", "q"};
+  rehearsal.person->answers[OperatorAction::Kind::say_distance] = {"60", "q"};
   const FalconMeasurement measurement = rehearsal.measure({"Encoders", "Lengths"});
   EXPECT_FALSE(measurement.is_complete);
   ASSERT_EQ(measurement.steps.size(), 1U);
   EXPECT_NE(report_of(measurement, {}).find("The person ended it"), std::string::npos);
   MeasuredRehearsal second;
-  second.person->answers[Deed::Kind::say_distance] = {"q"};
-  second.person->answers[Deed::Kind::say_yes_or_no] = {"n"};
+  second.person->answers[OperatorAction::Kind::say_distance] = {"q"};
+  second.person->answers[OperatorAction::Kind::say_yes_or_no] = {"n"};
   EXPECT_THROW(second.measure({"Encoders", "Lengths"}), Failure);
   MeasuredRehearsal third;
-  third.person->answers[Deed::Kind::say_distance] = {std::nullopt};  // nobody is there any more
+  third.person->answers[OperatorAction::Kind::say_distance] = {std::nullopt};  // nobody is there any more
   EXPECT_THROW(third.measure({"Encoders", "Lengths"}), Failure);
 }
 
 TEST(FalconMeasurement, EndsWhereTheDeviceGoes) {
   MeasuredRehearsal rehearsal;
-  rehearsal.person->hook = [](const Deed& deed, VirtualLink& link) {
-    if (deed.kind == Deed::Kind::say_distance) link.inject({.link = LinkFault::unplugged});
+  rehearsal.person->hook = [](const OperatorAction& action, VirtualLink& link) {
+    if (action.kind == OperatorAction::Kind::say_distance) link.inject({.link = LinkFault::unplugged});
   };
   try {
     rehearsal.measure({"Encoders", "Lengths"});
@@ -419,8 +420,8 @@ TEST(FalconMeasurement, SaysThatAMotorMayStillPushWhereTheDeviceGoesDuringAPush)
     if (is_pushing) {
       rehearsal.link->on_drive = [&] { link.inject(unplugged); };
     } else {
-      rehearsal.person->hook = [&](const Deed& deed, VirtualLink&) {
-        if (deed.kind == Deed::Kind::say_distance) link.inject(unplugged);
+      rehearsal.person->hook = [&](const OperatorAction& action, VirtualLink&) {
+        if (action.kind == OperatorAction::Kind::say_distance) link.inject(unplugged);
       };
     }
     try {

@@ -1,4 +1,4 @@
-// A whole measurement of a virtual Falcon in virtual time: a simulated person does the deeds, a test changes the
+// A whole measurement of a virtual Falcon in virtual time: a simulated person does what is asked, a test changes the
 // answers and what the device is like, and the motors are looked at all the time.
 #pragma once
 
@@ -106,19 +106,19 @@ class RehearsedOperator final : public Operator {
     const std::size_t title = words.find(": ") + 2;
     title_ = words.substr(title, words.find(". ") - title);
   }
-  std::optional<std::string> ask(const Deed& deed, std::string_view words) override {
+  std::optional<std::string> ask(const OperatorAction& action, std::string_view words) override {
     heard.emplace_back(words);
-    if (!only.empty() && !only.contains(title_) && deed.kind != Deed::Kind::say_yes_or_no) return "s";
-    ++asked[deed.kind];
-    const std::string answer = person_.act(deed);
-    if (hook) hook(deed, link_);
-    auto& mine = answers[deed.kind];
+    if (!only.empty() && !only.contains(title_) && action.kind != OperatorAction::Kind::say_yes_or_no) return "s";
+    ++asked[action.kind];
+    const std::string answer = person_.act(action);
+    if (hook) hook(action, link_);
+    auto& mine = answers[action.kind];
     if (mine.empty()) return answer;
     std::optional<std::string> first = mine.front();
     mine.pop_front();
     return first;
   }
-  void cue(const Deed& deed) override { person_.act(deed); }
+  void cue(const OperatorAction& action) override { person_.act(action); }
 
   bool has_heard(std::string_view words) const {
     for (const std::string& line : heard) {
@@ -128,9 +128,9 @@ class RehearsedOperator final : public Operator {
   }
 
   std::set<std::string> only;  // titles of steps; the others are skipped. Empty: all
-  std::map<Deed::Kind, std::deque<std::optional<std::string>>> answers;  // before the simulated person's own
-  std::function<void(const Deed&, VirtualLink&)> hook;                   // after a deed was begun
-  std::map<Deed::Kind, int> asked;
+  std::map<OperatorAction::Kind, std::deque<std::optional<std::string>>> answers;  // before the simulated person's own
+  std::function<void(const OperatorAction&, VirtualLink&)> hook;                   // after an action was begun
+  std::map<OperatorAction::Kind, int> asked;
   std::vector<std::string> heard;
 
  private:

@@ -90,6 +90,24 @@ TEST(Readiness, SaysThatTheMotorsMayStillPush) {
   EXPECT_NE(readiness_of(report, nullptr)[3].words.find("12PZ657E"), std::string::npos);
 }
 
+// "Unplug it" and "plug it in" side by side leave nobody wiser.
+TEST(Readiness, SaysNothingElseToDoWhileTheMotorsMayStillPush) {
+  FalconReport report = in_state(FalconState::fault, FalconFault::unplugged);
+  EXPECT_NE(readiness_of(report, nullptr)[0].words.find(remedy_of(FalconFault::unplugged)), std::string::npos);
+  report.may_still_push = true;
+  const std::string words = readiness_of(report, nullptr)[0].words;
+  EXPECT_TRUE(words.ends_with("The device was unplugged.")) << words;
+  EXPECT_NE(words.find("unplug the device's power supply"), std::string::npos);
+}
+
+TEST(Readiness, SaysThatADeviceIsWellAgainInPlaceOfWhatToDoForIt) {
+  const MotorReport motors{.has_motors = true, .reason = OffReason::not_homed, .is_ready = true};
+  const std::string words = readiness_of(well(), &motors).back().words;
+  EXPECT_NE(words.find("not homed"), std::string::npos);
+  EXPECT_NE(words.find("well again"), std::string::npos);
+  EXPECT_EQ(words.find("Home it"), std::string::npos) << words;
+}
+
 TEST(Readiness, SaysThatAnotherDeviceMayStillPushWhileThisOneIsWell) {
   FalconReport report = well();
   report.may_still_push = true;

@@ -14,7 +14,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "app/figures/figure_files.h"
+#include "app/figures/figure_catalog.h"
 #include "ghostforce_version.h"
 #include "tests/app/figures/figure_tables.h"
 #include "tests/support/places.h"

@@ -14,9 +14,8 @@
 #include <gtest/gtest.h>
 
 #include "app/figures/figure_catalog.h"
-#include "app/figures/figure_files.h"
 #include "app/figures/sheet.h"
-#include "app/files/png_file.h"
+#include "app/files/png_writer.h"
 #include "app/files/scene_file.h"
 #include "app/paint/vector/vector_painter.h"
 #include "ghostforce_version.h"

@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/files/pdf_title.h"
-#include "app/files/svg_title.h"
+#include "app/files/picture_title.h"
 
 namespace ghostforce::picture_title_test {
 namespace {

@@ -1,5 +1,6 @@
 // PNG files as others write them: the values are those stored, and what is damaged is told.
 #include "app/files/png_file.h"
+#include "app/files/png_writer.h"
 
 #include <array>
 #include <cstddef>

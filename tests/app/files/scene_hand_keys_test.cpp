@@ -22,17 +22,17 @@ TEST(SceneHandKeys, ReadsTheHandThatIsNotStill) {
                                             "seed = 12\n"),
                                  "f.toml", std::vector<std::string>{"device.encoder_mm=0.06"});
   EXPECT_EQ(scene.stiffness_path, (StiffnessPath{{100.0, 400.5}, {0.0, 2.5}}));
-  EXPECT_EQ(scene.unrest.tremor_rms, 0.0003);
-  EXPECT_EQ(scene.unrest.tremor_hz, (NumberRange{7.0, 11.5}));
-  EXPECT_EQ(scene.unrest.drift_speed, 0.005);
-  EXPECT_EQ(scene.unrest.seed, 12.0);
+  EXPECT_EQ(scene.tremor_and_drift.tremor_rms, 0.0003);
+  EXPECT_EQ(scene.tremor_and_drift.tremor_hz, (NumberRange{7.0, 11.5}));
+  EXPECT_EQ(scene.tremor_and_drift.drift_speed, 0.005);
+  EXPECT_EQ(scene.tremor_and_drift.seed, 12.0);
   EXPECT_EQ(scene.settings.encoder_step, 0.06 / 1000.0);
 }
 
 TEST(SceneHandKeys, ATremorMayHaveOneFrequency) {
   const Scene scene =
       read_scene(scene_with("k_u_N_per_m = 100.0\n", "k_u_N_per_m = 100.0\ntremor_hz = [8, 8]\n"), "f.toml");
-  EXPECT_EQ(scene.unrest.tremor_hz, (NumberRange{8.0, 8.0}));
+  EXPECT_EQ(scene.tremor_and_drift.tremor_hz, (NumberRange{8.0, 8.0}));
 }
 
 class SceneHandKeysRefuse : public testing::TestWithParam<BadFile> {};

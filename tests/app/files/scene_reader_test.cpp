@@ -63,7 +63,7 @@ TEST(SceneReader, FillsWhatIsOptional) {
   EXPECT_EQ(scene.view.width, SceneView{}.width);
   EXPECT_EQ(scene.settings.encoder_step, 0.0);
   EXPECT_TRUE(scene.stiffness_path.is_empty());
-  EXPECT_EQ(scene.unrest, HandUnrest{});
+  EXPECT_EQ(scene.tremor_and_drift, TremorAndDrift{});
   EXPECT_EQ(read_scene(scene_with("11.5", "\"optimal\""), "f.toml").settings.stiffnesses.chosen_tracking_ratio,
             std::nullopt);
 }

@@ -5,7 +5,9 @@
 #include <atomic>
 
 #include "app/live/portable_inputs.h"
+#include "device/falcon/falcon_input.h"
 #include "tests/app/live/driven_window.h"
+#include "tests/device/falcon/fake_falcons.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce::input_link_test {
@@ -33,6 +35,7 @@ struct Log {
   int sent = 0;
   int ended = 0;
   bool has_news = false;
+  std::string why_not_leave;
   Vector<2> button{0.0};  // the middle of the one that it draws
 };
 
@@ -55,6 +58,7 @@ class SwitchLink final : public InputLink {
   void send(Session& /*session*/, double /*interval_s*/) override { ++log_.sent; }
   bool is_idle() const noexcept override { return false; }
   bool has_news() const noexcept override { return log_.has_news; }
+  std::string why_not_leave() override { return log_.why_not_leave; }
   EndOfVisit end() const override { return {ExitCode::device_absent, "The switch is gone."}; }
 
  private:
@@ -128,6 +132,65 @@ TEST_F(InputLinkTest, AnInputThatIsNotInTheListIsRefusedAndTheOneInUseStays) {
   ASSERT_TRUE(session().notice);
   EXPECT_TRUE(session().notice->is_problem);
   EXPECT_NE(session().notice->words.find("falcon"), std::string::npos) << session().notice->words;
+}
+
+TEST_F(InputLinkTest, AnInputThatHasToStayStaysAndSaysWhy) {
+  open_with_switch("switch");
+  log_.why_not_leave = "It still pushes.";
+  act(ChooseInput{"mouse"});
+  frames(2);
+  EXPECT_EQ(session().input, "switch");
+  ASSERT_TRUE(session().notice);
+  EXPECT_TRUE(session().notice->is_problem);
+  EXPECT_EQ(session().notice->words, "It still pushes.");
+  const int samples = log_.samples;
+  frames(3);
+  EXPECT_GT(log_.samples, samples) << "it goes on";
+  log_.why_not_leave.clear();
+  act(ChooseInput{"mouse"});
+  frames(2);
+  EXPECT_EQ(session().input, "mouse");
+}
+
+// A Falcon that is away, and that an earlier driver could not stop.
+TEST_F(InputLinkTest, AFalconThatIsOwedAStopIsNotLeft) {
+  FakeFalcon falcon("12PZ657E");
+  falcon.unplug();
+  std::int64_t now_ns = 1'000'000'000;
+  const InputMaker<FalconInput> maker{
+      {{"falcon", "Falcon", "A Falcon."}}, [&](const Scene& scene, const InputOptions& options) {
+        return std::make_unique<FalconInput>(std::make_unique<FakeFalcons>(std::vector{&falcon}, now_ns),
+                                             options.falcon, scene.view.center);
+      }};
+  ApplicationOptions options{.inputs = portable_inputs({}), .input = "falcon"};
+  options.inputs.push_back(falcon_entry(maker, {}));
+  options.input_options.falcon.debts = std::make_shared<StopDebts>();
+  options.input_options.falcon.debts->add(falcon_serial_of(falcon.serial));
+  open(options, "wall45", 1280, 720);
+  act(ChooseInput{"mouse"});
+  frames(2);
+  EXPECT_EQ(session().input, "falcon");
+  ASSERT_TRUE(session().notice);
+  EXPECT_NE(session().notice->words.find("may still push"), std::string::npos) << session().notice->words;
+  act(OpenScene{"fig1"});
+  frames(2);
+  EXPECT_EQ(session().scene->title, load_scene("fig1").title) << "another scene is no other input";
+  EXPECT_TRUE(application_->report().motors.may_still_push);
+  falcon.plug();
+  for (int i = 0; i < 200 && application_->report().motors.may_still_push; ++i) frames(2);
+  EXPECT_FALSE(application_->report().motors.may_still_push);
+  act(ChooseInput{"mouse"});
+  frames(2);
+  EXPECT_EQ(session().input, "mouse");
+}
+
+// As where the display is lost, and no destructor will run.
+TEST_F(InputLinkTest, IsLetGo) {
+  open_with_switch("switch");
+  frames(3);
+  application_->stop();
+  application_->let_go_of_input();
+  EXPECT_EQ(log_.ended, 1);
 }
 
 // A page in a browser has no Cairo.

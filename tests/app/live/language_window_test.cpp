@@ -1,18 +1,17 @@
 // The language in the window: chosen in the View panel or where lessons are chosen, it changes the stage, a lesson and what
 // is spoken at once.
-#include <cstdlib>
-#include <filesystem>
 #include <optional>
 #include <string>
+
+#include <fmt/format.h>
 
 #include "app/cli/reading_aloud.h"
 #include "app/lessons/lesson_file.h"
 #include "app/lessons/lesson_shelf.h"
 #include "app/session/lesson_guide.h"
 #include "tests/app/live/driven_window.h"
-#include "tests/support/fake_speech_service.h"
+#include "tests/support/fake_speech_tool.h"
 #include "tests/support/screen_text.h"
-#include "tests/support/temporary_folder.h"
 
 namespace ghostforce::language_window_test {
 namespace {
@@ -111,7 +110,7 @@ TEST_F(LanguageWindow, ALessonGoesOnInTheOtherLanguage) {
 }
 
 TEST_F(LanguageWindow, ThePickersWordsHaveRoom) {
-  for (const StageLanguage* const language : stage_language_catalog()) {
+  for (const StageLanguage* const language : stage_languages) {
     for (const auto& [width, height] : {std::pair{1024, 640}, std::pair{1280, 720}}) {
       ApplicationOptions options{.face = Face::stage};
       options.language = language->code;
@@ -130,32 +129,23 @@ TEST_F(LanguageWindow, ThePickersWordsHaveRoom) {
 }
 
 TEST_F(LanguageWindow, TheVoiceIsThatOfTheWords) {
-  const TemporaryFolder folder;
-  std::filesystem::create_directory(folder / "speech-dispatcher");
-  FakeSpeechService service(folder / "speech-dispatcher/speechd.sock");
-  unsetenv("SPEECHD_ADDRESS");
-  setenv("XDG_RUNTIME_DIR", folder.path().c_str(), 1);
+  const FakeSpeechTool tool;
   ApplicationOptions options{.face = Face::stage};
   options.language = "es";
   open(options);
   ReadingAloud aloud({}, -1);
-  const auto listen = [&] {
-    for (int i = 0; i < 120; ++i) {
+  // The tool writes down its call when it comes to it.
+  const auto hears = [&](const std::string& call) {
+    while (tool.calls().empty() || !tool.calls().back().ends_with(call)) {
       frames(1);
       aloud.follow(*application_, frame_s);
-      service.step();
+      ASSERT_EQ(session().speech_problem, "");
     }
   };
   session().speaks = true;
-  listen();
-  const auto has_been_told = [&](const char* command) { return std::ranges::count(service.commands, command) == 1; };
-  EXPECT_TRUE(has_been_told("SET SELF LANGUAGE es"));
-  ASSERT_FALSE(service.spoken.empty());
-  EXPECT_EQ(service.spoken.back(), spanish_stage.sentences.naive_ghost);
+  hears(fmt::format("--language es -- {}", spanish_stage.sentences.naive_ghost));
   session().language = "en";
-  listen();
-  EXPECT_TRUE(has_been_told("SET SELF LANGUAGE en"));
-  EXPECT_EQ(service.spoken.back(), english_stage.sentences.naive_ghost);
+  hears(fmt::format("--language en -- {}", english_stage.sentences.naive_ghost));
 }
 
 }  // namespace

@@ -82,7 +82,7 @@ class LessonWindow : public DrivenWindow {
                                             .about = {},
                                             .settings = session().settings,
                                             .stiffness_path = {},
-                                            .unrest = {},
+                                            .tremor_and_drift = {},
                                             .goal = {.points = {session().goal}, .times = {0.0}},
                                             .duration = 0.0,
                                             .view = {}},

@@ -240,6 +240,24 @@ TEST_F(RehearsalWindow, AnotherSceneOrInputNeverTakesTheForceAlong) {
   EXPECT_TRUE(application_->reading().readiness.empty());
 }
 
+// Whoever has F2 closed sees it too.
+TEST_F(RehearsalWindow, SaysThatMotorsMayStillPushUntilTheDeviceHasAnswered) {
+  turn_on();
+  lead_slowly(outside, inside);
+  session().face = Face::stage;
+  const auto sentence = [&] { return application_->stage_reading().sentence; };
+  EXPECT_EQ(sentence().find("may still push"), std::string::npos) << sentence();
+  session().injected_fault = "unplugged";
+  ASSERT_TRUE(frames_until(1.0, [&] { return state() == FalconState::fault; }));
+  EXPECT_TRUE(motors().may_still_push);
+  EXPECT_NE(sentence().find("may still push"), std::string::npos) << sentence();
+  EXPECT_EQ(motor_words(motors(), english_stage), english_stage.motors.may_still_push);
+  session().injected_fault = "none";
+  ASSERT_TRUE(frames_until(30.0, [&] { return state() == FalconState::idle; }));
+  EXPECT_FALSE(motors().may_still_push);
+  EXPECT_EQ(sentence().find("may still push"), std::string::npos) << sentence();
+}
+
 TEST_F(RehearsalWindow, SaysThatASceneDoesNotFitTheWorkspace) {
   act(OpenScene{"fig1"});
   frames(5);

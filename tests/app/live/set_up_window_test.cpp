@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/files/png_file.h"
+#include "app/files/png_writer.h"
 #include "app/files/read_error.h"
 #include "app/lessons/lesson_file.h"
 #include "app/session/set_up_of.h"

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <string_view>
 
-#include "app/files/png_file.h"
+#include "app/files/png_writer.h"
 #include "app/session/scene_as_seen.h"
 #include "app/ui/panels/caption.h"
 #include "app/ui/panels/hints.h"

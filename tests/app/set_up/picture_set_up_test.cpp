@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/files/png_file.h"
+#include "app/files/png_writer.h"
 #include "app/files/read_error.h"
 #include "app/files/xml_text.h"
 #include "app/set_up/set_up_line.h"

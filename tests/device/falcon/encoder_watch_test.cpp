@@ -57,11 +57,35 @@ TEST(EncoderWatch, LeavesEncodersAloneThatHaveAnswered) {
   EXPECT_FALSE(encoders.is_frozen());
 }
 
-// The link has trouble of its own: what has been asked is not answered yet.
-TEST(EncoderWatch, WaitsForReplies) {
+// 200 replies a second: 25 take 125 ms, which is three questions.
+TEST(EncoderWatch, AsksAgainUntilRepliesAreEnough) {
   EncoderWatch encoders;
   watch(encoders, 1, 2, 0.0, silent);
-  for (int ms = 2; ms < 2000; ++ms) encoders.update(silent(ms), ms % 5 == 0, 1.0, ms * tick_ns);
+  const auto watch_slowly = [&](int from_ms, int to_ms) {
+    for (int ms = from_ms; ms < to_ms; ++ms) encoders.update(silent(ms), ms % 5 == 0, 1.0, ms * tick_ns);
+  };
+  watch_slowly(2, 120);
+  EXPECT_LT(encoders.force_at(119 * tick_ns), -0.5) << "the second time";
+  watch_slowly(120, 200);
+  EXPECT_FALSE(encoders.is_frozen());
+  watch_slowly(200, 215);
+  EXPECT_TRUE(encoders.is_frozen());
+}
+
+TEST(EncoderWatch, AnswersToTheSecondQuestionCount) {
+  EncoderWatch encoders;
+  watch(encoders, 1, 2, 0.0, silent);
+  for (int ms = 2; ms < 3000; ++ms) {
+    encoders.update(silent(ms) + Vector<3>(ms / 130, 0.0, 0.0), ms % 5 == 0, 1.0, ms * tick_ns);
+  }
+  EXPECT_FALSE(encoders.is_frozen());
+}
+
+// The link has trouble of its own: what has been asked is not answered yet.
+TEST(EncoderWatch, WithoutRepliesNothingIsKnown) {
+  EncoderWatch encoders;
+  watch(encoders, 1, 2, 0.0, silent);
+  for (int ms = 2; ms < 2000; ++ms) encoders.update(silent(ms), false, 1.0, ms * tick_ns);
   EXPECT_FALSE(encoders.is_frozen());
 }
 

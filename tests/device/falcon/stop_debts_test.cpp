@@ -43,9 +43,9 @@ TEST(StopDebts, KeepsTheOldestFirstAndEachOnce) {
 
 class OwedStops : public testing::Test {
  protected:
-  // What the servo does: a tick each millisecond.
+  // What the servo does.
   void tick() {
-    const std::int64_t end_ns = now_ns + ms;
+    const std::int64_t end_ns = now_ns + tick_ns;
     while (now_ns < end_ns) {
       driver->update();
       driver->wait_until(end_ns);
@@ -84,6 +84,7 @@ class OwedStops : public testing::Test {
   std::int64_t now_ns = 1000 * ms;
   FakeFalcons* link = nullptr;  // the driver's
   std::unique_ptr<Falcon> driver = driver_with({});
+  std::int64_t tick_ns = ms;
   double force = 1.0;
   bool is_armed = true;
 };
@@ -215,6 +216,66 @@ TEST_F(OwedStops, WhoHasNotPushedIsOwedNothing) {
   EXPECT_EQ(a.times_opened, before) << "it waits for its turn";
 }
 
+// Another scene or input is chosen, and with it another driver.
+TEST_F(OwedStops, ADebtOutlivesItsDriver) {
+  FalconOptions options;
+  options.debts = std::make_shared<StopDebts>();
+  driver = driver_with(options);
+  a.is_plugged = false;
+  push_with(b);
+  b.unplug();
+  run(0.1);
+  driver = driver_with(options);
+  EXPECT_TRUE(report().may_still_push) << "from the first moment";
+  EXPECT_TRUE(b.pushes());
+  run(0.1);
+  EXPECT_TRUE(report().may_still_push);
+  EXPECT_EQ(report().owed_serial.text(), b.serial);
+  a.plug();
+  b.plug();
+  is_armed = false;
+  run(1.0);
+  EXPECT_FALSE(b.pushes());
+  EXPECT_FALSE(report().may_still_push);
+}
+
+// A moment before somebody chooses another input, or ends the program.
+TEST_F(OwedStops, AChipThatIsResetBeforeItIsLetGoIsSetUpForTheStop) {
+  for (const int before_ms : {0, 5, 15, 22, 50}) {
+    SCOPED_TRACE(before_ms);
+    a = FakeFalcon("12PZ657E");
+    driver = driver_with({});
+    b.is_plugged = false;
+    push_with(a);
+    a.reset_chip();
+    const std::int64_t began_ns = now_ns;
+    run(1e-3 * before_ms);
+    driver->shut_down();
+    EXPECT_FALSE(a.pushes());
+    EXPECT_LE(a.last_force_ns - began_ns, 25 * ms);
+    EXPECT_FALSE(report().may_still_push) << "and it has answered";
+  }
+}
+
+// Three answers are on their way, all of them to forces.
+TEST_F(OwedStops, ADeviceThatHearsNoGoodbyeIsOwedAStopWhateverItStillAnswers) {
+  b.is_plugged = false;
+  push_with(a);
+  for (int delay_ms = 0; delay_ms < 20; ++delay_ms) {
+    SCOPED_TRACE(delay_ms);
+    a = FakeFalcon("12PZ657E");
+    driver = driver_with({});
+    push_with(a);
+    a.reply_delay_ns = delay_ms * ms;
+    run(0.03);
+    if (!a.pushes()) continue;
+    a.is_deaf = true;
+    driver->shut_down();
+    EXPECT_TRUE(a.pushes());
+    EXPECT_TRUE(report().may_still_push);
+  }
+}
+
 // As a program ends: the servo first, then what it had.
 TEST_F(OwedStops, AtTheEndOfTheProgramTheOwedOneIsStoppedIfItIsThere) {
   b.is_plugged = false;
@@ -330,6 +391,28 @@ TEST_F(OwedStops, AChipThatIsResetWhileItsCableIsInGetsTheStopInTime) {
   EXPECT_EQ(a.times_opened, 1) << "it is well again without being opened anew";
   EXPECT_TRUE(report().is_readable());
   EXPECT_TRUE(report().is_fast_enough()) << report().exchange_hz;
+}
+
+// However seldom it is asked, and wherever between two questions.
+TEST_F(OwedStops, AChipThatIsResetGetsTheStopInTimeAtAnyRate) {
+  b.is_plugged = false;
+  for (const int tick_ms : {1, 5, 8}) {
+    for (int offset = 0; offset < 10; ++offset) {
+      SCOPED_TRACE(std::to_string(tick_ms) + " ms, " + std::to_string(offset));
+      a = FakeFalcon("12PZ657E");
+      driver = driver_with({});
+      tick_ns = tick_ms * ms;
+      is_armed = true;
+      push_with(a);
+      link->wait_until(now_ns + offset * tick_ns / 10);
+      a.reset_chip();
+      const std::int64_t began_ns = now_ns;
+      EXPECT_GE(ms_until([&] { return !a.pushes(); }, 5.0), 0);
+      EXPECT_LE(a.last_force_ns - began_ns, 25 * ms);
+      is_armed = false;
+      EXPECT_GE(ms_until([&] { return !report().may_still_push; }, 0.5), 0) << "and it is well again";
+    }
+  }
 }
 
 // Nothing was asked meanwhile, and so nothing was left unanswered.

@@ -140,6 +140,15 @@ TEST_F(FalconBenchTest, AChipThatIsResetGetsTheStopInTime) {
   EXPECT_TRUE(bench->exchange(push)) << "and it is well again";
 }
 
+TEST_F(FalconBenchTest, AChipThatIsResetBeforeTheEndIsSetUpForTheStop) {
+  push_for_a_while();
+  falcon.reset_chip();
+  const std::int64_t began_ns = now_ns;
+  EXPECT_TRUE(bench->stop());
+  EXPECT_FALSE(falcon.pushes());
+  EXPECT_LE(falcon.last_force_ns - began_ns, 25 * ms);
+}
+
 TEST_F(FalconBenchTest, SaysThatMotorsMayStillPushWhereNobodyHearsTheStop) {
   EXPECT_FALSE(bench->may_still_push());
   push_for_a_while();

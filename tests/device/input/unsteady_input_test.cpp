@@ -19,7 +19,7 @@ namespace {
 Scene restless_wall() {
   Scene scene = slanted_wall();
   scene.stiffness_path = {{100.0, 800.0, 150.0}, {0.0, 0.6, 1.1}};
-  scene.unrest = {.tremor_rms = 0.0004, .drift_speed = 0.01, .seed = 5.0};
+  scene.tremor_and_drift = {.tremor_rms = 0.0004, .drift_speed = 0.01, .seed = 5.0};
   scene.settings.encoder_step = 60e-6;
   return scene;
 }
@@ -70,16 +70,16 @@ TEST(UnsteadyInputTest, AHandWithItsOwnUnrestGetsTheStiffnessAlone) {
 // A mouse that nobody moves holds the goal where the run goes on, wherever the hand was just then.
 TEST(UnsteadyInputTest, AMouseMeansThePlaceAroundWhichTheHandMoves) {
   const Scene scene = restless_wall();
-  const UnrestMotion unrest(scene.unrest);
+  const TremorAndDriftMotion tremor_and_drift(scene.tremor_and_drift);
   const Vector<2> meant(0.01, -0.02);
   for (const std::int64_t begin : {std::int64_t{0}, std::int64_t{3000}}) {
     const auto input = in_hand_of(scene, std::make_unique<MouseInput>(), false);
-    input->restart(unrest.shaken(meant, time_of(begin, 1000.0)));
+    input->restart(tremor_and_drift.shaken(meant, time_of(begin, 1000.0)));
     for (std::int64_t tick = begin + 1; tick < begin + 2000; ++tick) {
       const Vector<2> goal = input->goal(tick, 1000.0);
       // Two roundings of a number of that size.
-      ASSERT_NEAR(goal.x, unrest.shaken(meant, time_of(tick, 1000.0)).x, 1e-17);
-      ASSERT_NEAR(goal.y, unrest.shaken(meant, time_of(tick, 1000.0)).y, 1e-17);
+      ASSERT_NEAR(goal.x, tremor_and_drift.shaken(meant, time_of(tick, 1000.0)).x, 1e-17);
+      ASSERT_NEAR(goal.y, tremor_and_drift.shaken(meant, time_of(tick, 1000.0)).y, 1e-17);
     }
   }
 }
@@ -102,9 +102,9 @@ TEST(UnsteadyInputTest, LeadsMouseAndCircle) {
   CircleInput still(circle);
   round->restart(Vector<2>(0.0));
   still.restart(Vector<2>(0.0));
-  const UnrestMotion unrest(scene.unrest);
+  const TremorAndDriftMotion tremor_and_drift(scene.tremor_and_drift);
   for (std::int64_t tick = 1; tick < 3000; ++tick) {
-    ASSERT_EQ(round->goal(tick, 1000.0), unrest.shaken(still.goal(tick, 1000.0), time_of(tick, 1000.0)));
+    ASSERT_EQ(round->goal(tick, 1000.0), tremor_and_drift.shaken(still.goal(tick, 1000.0), time_of(tick, 1000.0)));
   }
 }
 

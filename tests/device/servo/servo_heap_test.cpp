@@ -69,7 +69,7 @@ TEST(ServoHeap, IsNotTouchedByAnyInputOrStrategy) {
 TEST(ServoHeap, IsNotTouchedByAHandThatIsNotStill) {
   Scene scene = slanted_wall();
   scene.stiffness_path = {{100.0, 800.0, 150.0}, {0.0, 0.6, 1.1}};
-  scene.unrest = {.tremor_rms = 0.0004, .drift_speed = 0.01, .seed = 5.0};
+  scene.tremor_and_drift = {.tremor_rms = 0.0004, .drift_speed = 0.01, .seed = 5.0};
   scene.settings.encoder_step = 60e-6;
   ServoCommand command = start_of(scene);
   command.measures_hand = true;

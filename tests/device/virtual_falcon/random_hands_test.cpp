@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/hand_unrest.h"
+#include "core/tremor_and_drift.h"
 #include "tests/device/virtual_falcon/held_falcon.h"
 #include "tests/support/hand_at_wall.h"
 #include "tests/support/long_run.h"
@@ -17,7 +17,7 @@ namespace {
 // A person and the device that they hold.
 struct Person {
   HeldFalcon::Options options;
-  HandUnrest unrest;
+  TremorAndDrift tremor_and_drift;
 };
 
 Person person(HandRandom& random) {
@@ -32,9 +32,9 @@ Person person(HandRandom& random) {
   for (glm::length_t leg = 0; leg < 3; ++leg) arm.motor_strengths[leg] = random.uniform(0.8, 1.2);
   const auto presets = geometry_catalog();
   arm.geometry = presets[static_cast<std::size_t>(random.uniform(0.0, static_cast<double>(presets.size())))].geometry;
-  person.unrest.tremor_rms = random.uniform(0.0, 1.0) < 0.3 ? 0.0 : random.over_decades(10e-6, 200e-6);
-  person.unrest.drift_speed = random.uniform(0.0, 1.0) < 0.5 ? 0.0 : random.over_decades(0.5e-3, 5e-3);
-  person.unrest.seed = std::floor(random.uniform(1.0, 1e6));
+  person.tremor_and_drift.tremor_rms = random.uniform(0.0, 1.0) < 0.3 ? 0.0 : random.over_decades(10e-6, 200e-6);
+  person.tremor_and_drift.drift_speed = random.uniform(0.0, 1.0) < 0.5 ? 0.0 : random.over_decades(0.5e-3, 5e-3);
+  person.tremor_and_drift.seed = std::floor(random.uniform(1.0, 1e6));
   return person;
 }
 
@@ -55,7 +55,7 @@ void spend(double seconds, HandRandom& random, Hour& hour) {
   SCOPED_TRACE(testing::Message() << "after " << hour.seconds << " s, hand of " << who.options.stiffness << " N/m, "
                                   << who.options.arm.mass << " kg, " << who.options.arm.damping << " N·s/m");
   HeldFalcon falcon(who.options);
-  const UnrestMotion unrest(who.unrest);
+  const TremorAndDriftMotion tremor_and_drift(who.tremor_and_drift);
   double time_s = 0.0;
   double until_s = 0.0;
   falcon.lead({-0.03, 0.0}, 0.3);
@@ -73,7 +73,7 @@ void spend(double seconds, HandRandom& random, Hour& hour) {
       if (random.uniform(0.0, 1.0) < 0.2) falcon.use(static_cast<StrategyId>(random.uniform(0.0, 3.0)));
       if (random.uniform(0.0, 1.0) < 0.1) falcon.disarm();
     }
-    const Vector<2> way = unrest.at(time_s);
+    const Vector<2> way = tremor_and_drift.at(time_s);
     falcon.link().shake_hand({way.x, way.y, 0.5 * (way.x + way.y)}, std::nullopt);
     if (falcon.motors().state == SafetyState::off) falcon.ask_to_arm();
     falcon.step();
@@ -108,12 +108,12 @@ TEST(RandomHands, NeverFeelMotorsThatDoNotMatch) {
     Person who = person(random);
     who.options.calibration.motor_of_leg = wrong_motors[static_cast<std::size_t>(i) % wrong_motors.size()];
     HeldFalcon falcon(who.options);
-    const UnrestMotion unrest(who.unrest);
+    const TremorAndDriftMotion tremor_and_drift(who.tremor_and_drift);
     falcon.lead({-0.03, 0.0}, 0.3);
     for (int ms = 0; ms < 6000; ++ms) {
       if (ms % 1500 == 800) falcon.lead(HeldFalcon::free_place, 0.2);
       if (ms % 1500 == 1400) falcon.lead(HeldFalcon::deep_place, 0.1);
-      const Vector<2> way = unrest.at(0.001 * ms);
+      const Vector<2> way = tremor_and_drift.at(0.001 * ms);
       falcon.link().shake_hand({way.x, way.y, 0.5 * (way.x + way.y)}, std::nullopt);
       if (falcon.motors().state == SafetyState::off) falcon.ask_to_arm();
       falcon.step();

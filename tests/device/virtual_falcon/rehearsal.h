@@ -33,7 +33,7 @@ inline Scene rehearsal_scene() {
 inline Scene restless_scene() {
   Scene scene = rehearsal_scene();
   scene.stiffness_path = {{100.0, 400.0}, {0.0, 12.0}};
-  scene.unrest = {.tremor_rms = 0.0002, .drift_speed = 0.004, .seed = 2.0};
+  scene.tremor_and_drift = {.tremor_rms = 0.0002, .drift_speed = 0.004, .seed = 2.0};
   return scene;
 }
 

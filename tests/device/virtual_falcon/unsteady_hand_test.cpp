@@ -10,7 +10,7 @@ namespace {
 
 TEST(UnsteadyHand, IsThatOfTheMomentOfTheRun) {
   const Scene scene = restless_scene();
-  const UnrestMotion unrest(scene.unrest);
+  const TremorAndDriftMotion tremor_and_drift(scene.tremor_and_drift);
   Rehearsal rehearsal({}, {}, 0.0, scene);
   rehearsal.turn_on();
   const Vector<2> meant(0.005, -0.005);
@@ -23,7 +23,7 @@ TEST(UnsteadyHand, IsThatOfTheMomentOfTheRun) {
     ASSERT_EQ(hand.stiffness(), stiffness_at(scene.stiffness_path, told_s));
     const Vector<2> goal = FalconPlane(FalconCalibration{}, Vector<2>(0.0)).in_scene(hand.goal());
     // Some roundings on the way into the workspace and back.
-    ASSERT_LT(glm::length(goal - unrest.shaken(meant, told_s)), 1e-15);
+    ASSERT_LT(glm::length(goal - tremor_and_drift.shaken(meant, told_s)), 1e-15);
     rehearsal.step();
   }
   ASSERT_EQ(rehearsal.motors().state, SafetyState::on);

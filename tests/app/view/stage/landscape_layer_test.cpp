@@ -121,7 +121,7 @@ void expect_readable(const Picture& picture, const std::string& where) {
 }
 
 class LandscapeInWords : public testing::TestWithParam<const StageLanguage*> {};
-INSTANTIATE_TEST_SUITE_P(InEachLanguage, LandscapeInWords, testing::ValuesIn(stage_language_catalog()),
+INSTANTIATE_TEST_SUITE_P(InEachLanguage, LandscapeInWords, testing::ValuesIn(stage_languages),
                          [](const auto& each) { return std::string(each.param->code); });
 
 TEST_P(LandscapeInWords, NoWordsOverlapAndNoneIsCutOff) {

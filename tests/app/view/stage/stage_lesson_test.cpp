@@ -14,7 +14,7 @@ namespace {
 constexpr int cases = 700;
 
 class StageInLesson : public testing::TestWithParam<const StageLanguage*> {};
-INSTANTIATE_TEST_SUITE_P(InEachLanguage, StageInLesson, testing::ValuesIn(stage_language_catalog()),
+INSTANTIATE_TEST_SUITE_P(InEachLanguage, StageInLesson, testing::ValuesIn(stage_languages),
                          [](const auto& each) { return std::string(each.param->code); });
 
 // Long texts, many answers and every secret.

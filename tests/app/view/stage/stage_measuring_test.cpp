@@ -46,7 +46,7 @@ void measure_by(PictureDice& dice, StageCase& shown) {
 
 class StageMeasuringTest : public testing::TestWithParam<const StageLanguage*> {};
 
-INSTANTIATE_TEST_SUITE_P(InEachLanguage, StageMeasuringTest, testing::ValuesIn(stage_language_catalog()),
+INSTANTIATE_TEST_SUITE_P(InEachLanguage, StageMeasuringTest, testing::ValuesIn(stage_languages),
                          [](const auto& tested) { return std::string(tested.param->code); });
 
 bool overlap_at_all(const ScreenBox& a, const ScreenBox& b) {

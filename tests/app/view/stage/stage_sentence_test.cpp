@@ -119,7 +119,7 @@ Settings any_settings(Dice& dice) {
 }
 
 class StageSentence : public testing::TestWithParam<const StageLanguage*> {};
-INSTANTIATE_TEST_SUITE_P(InEachLanguage, StageSentence, testing::ValuesIn(stage_language_catalog()),
+INSTANTIATE_TEST_SUITE_P(InEachLanguage, StageSentence, testing::ValuesIn(stage_languages),
                          [](const auto& each) { return std::string(each.param->code); });
 
 TEST_P(StageSentence, IsTrueAtRestAndBetweenStrategies) {

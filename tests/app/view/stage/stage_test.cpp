@@ -30,7 +30,7 @@ class Stage : public testing::TestWithParam<const StageLanguage*> {
     return made;
   }
 };
-INSTANTIATE_TEST_SUITE_P(InEachLanguage, Stage, testing::ValuesIn(stage_language_catalog()),
+INSTANTIATE_TEST_SUITE_P(InEachLanguage, Stage, testing::ValuesIn(stage_languages),
                          [](const auto& each) { return std::string(each.param->code); });
 
 TEST_P(Stage, HasNoWordsOverMarksOrEachOtherOrCutOff) {

@@ -1,4 +1,4 @@
-#include "core/hand_unrest.h"
+#include "core/tremor_and_drift.h"
 
 #include <gtest/gtest.h>
 
@@ -10,17 +10,17 @@
 
 #include <glm/geometric.hpp>
 
-namespace ghostforce::hand_unrest_test {
+namespace ghostforce::tremor_and_drift_test {
 namespace {
 
 constexpr double rate = 1000.0;
 constexpr double lasts_s = 60.0;
 
 // From where it has begun, tick by tick.
-std::vector<Vector<2>> ways_of(const HandUnrest& unrest) {
-  const UnrestMotion motion(unrest);
+std::vector<Vector<2>> ways_of(const TremorAndDrift& tremor_and_drift) {
+  const TremorAndDriftMotion motion(tremor_and_drift);
   std::vector<Vector<2>> ways;
-  for (double tick = UnrestMotion::begins_within_s * rate; tick < lasts_s * rate; ++tick) {
+  for (double tick = TremorAndDriftMotion::begins_within_s * rate; tick < lasts_s * rate; ++tick) {
     ways.push_back(motion.at(tick / rate));
   }
   return ways;
@@ -54,7 +54,7 @@ double amplitude(const std::vector<Vector<2>>& ways, double hz) {
 
 TEST(HandUnrestTest, AStillHandIsExactlyWhereItMeansToBe) {
   const Vector<2> goal(-0.0, 0.1 + 0.2);
-  for (const UnrestMotion& motion : {UnrestMotion{}, UnrestMotion(HandUnrest{})}) {
+  for (const TremorAndDriftMotion& motion : {TremorAndDriftMotion{}, TremorAndDriftMotion(TremorAndDrift{})}) {
     EXPECT_TRUE(motion.is_still());
     const Vector<2> shaken = motion.shaken(goal, 3.0);
     EXPECT_EQ(shaken, goal);
@@ -91,7 +91,7 @@ TEST(HandUnrestTest, DriftHasItsSpeedAndIsSlow) {
 }
 
 TEST(HandUnrestTest, BeginsWhereTheGoalIs) {
-  const UnrestMotion motion(HandUnrest{.tremor_rms = 0.001, .drift_speed = 0.02});
+  const TremorAndDriftMotion motion(TremorAndDrift{.tremor_rms = 0.001, .drift_speed = 0.02});
   EXPECT_FALSE(motion.is_still());
   EXPECT_EQ(motion.at(0.0), Vector<2>(0.0));
   EXPECT_EQ(motion.at(-1.0), Vector<2>(0.0));
@@ -105,21 +105,21 @@ TEST(HandUnrestTest, BeginsWhereTheGoalIs) {
 }
 
 TEST(HandUnrestTest, ASeedIsAHand) {
-  const HandUnrest one{.tremor_rms = 0.0002, .drift_speed = 0.01, .seed = 7.0};
-  HandUnrest other = one;
+  const TremorAndDrift one{.tremor_rms = 0.0002, .drift_speed = 0.01, .seed = 7.0};
+  TremorAndDrift other = one;
   other.seed = 8.0;
-  EXPECT_EQ(UnrestMotion(one).at(2.0), UnrestMotion(one).at(2.0));
-  EXPECT_NE(UnrestMotion(one).at(2.0), UnrestMotion(other).at(2.0));
-  EXPECT_NE(UnrestMotion(one).at(2.0).x, UnrestMotion(one).at(2.0).y) << "the axes are apart";
+  EXPECT_EQ(TremorAndDriftMotion(one).at(2.0), TremorAndDriftMotion(one).at(2.0));
+  EXPECT_NE(TremorAndDriftMotion(one).at(2.0), TremorAndDriftMotion(other).at(2.0));
+  EXPECT_NE(TremorAndDriftMotion(one).at(2.0).x, TremorAndDriftMotion(one).at(2.0).y) << "the axes are apart";
 }
 
 // The same on every machine: what a sine may differ by, and no more. The numbers are this generator's own.
 TEST(HandUnrestTest, IsTheSameOnEveryMachine) {
-  const UnrestMotion motion(HandUnrest{.tremor_rms = 0.0002, .drift_speed = 0.01, .seed = 1.0});
+  const TremorAndDriftMotion motion(TremorAndDrift{.tremor_rms = 0.0002, .drift_speed = 0.01, .seed = 1.0});
   const Vector<2> way = motion.at(3.25);
   EXPECT_NEAR(way.x, -0.00090497896630136018, 1e-15);
   EXPECT_NEAR(way.y, -0.00024765424940040239, 1e-15);
 }
 
 }  // namespace
-}  // namespace ghostforce::hand_unrest_test
+}  // namespace ghostforce::tremor_and_drift_test

@@ -1,4 +1,4 @@
-#include "core/hand_unrest.h"
+#include "core/tremor_and_drift.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -8,16 +8,17 @@
 
 namespace ghostforce {
 
-UnrestMotion::UnrestMotion(const HandUnrest& unrest) noexcept : is_still_(unrest.is_still()) {
-  RandomShares random(static_cast<std::uint64_t>(unrest.seed));
-  tremor_ = tremor_waves(unrest.tremor_hz, unrest.tremor_rms, random);
+TremorAndDriftMotion::TremorAndDriftMotion(const TremorAndDrift& tremor_and_drift) noexcept
+    : is_still_(tremor_and_drift.is_still()) {
+  RandomShares random(static_cast<std::uint64_t>(tremor_and_drift.seed));
+  tremor_ = tremor_waves(tremor_and_drift.tremor_hz, tremor_and_drift.tremor_rms, random);
   // All waves of both axes are equally fast: 2n of them, each with half the square of its greatest speed.
-  const double wave_speed = unrest.drift_speed / std::sqrt(static_cast<double>(drift_wave_count));
+  const double wave_speed = tremor_and_drift.drift_speed / std::sqrt(static_cast<double>(drift_wave_count));
   const auto amplitude = [wave_speed](double hz) { return wave_speed / (2.0 * std::numbers::pi * hz); };
   drift_ = random_waves<drift_wave_count>(drift_hz, amplitude, random);
 }
 
-Vector<2> UnrestMotion::at(double time_s) const noexcept {
+Vector<2> TremorAndDriftMotion::at(double time_s) const noexcept {
   Vector<2> way(0.0);
   tremor_.add_to(way, time_s);
   drift_.add_to(way, time_s);

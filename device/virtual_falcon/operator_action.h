@@ -1,5 +1,5 @@
-// Deed: what a person is asked to do with the Falcon while it is measured, as a value: the words for it are the
-// caller's, and a simulated person can do it too. [m], [N]; device frame: x right, y up, z out towards the person.
+// OperatorAction: what a person is asked to do with the Falcon while it is measured, as a value: the words for it
+// are the caller's, and a simulated person can do it too. [m], [N]; device frame: x right, y up, z out towards the person.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace ghostforce {
 
-struct Deed {
+struct OperatorAction {
   enum class Kind : std::uint8_t {
     read_on,       // nothing
     go_to,         // move the handle to `place` and hold it there

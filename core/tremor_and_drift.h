@@ -11,26 +11,26 @@
 
 namespace ghostforce {
 
-struct HandUnrest {
+struct TremorAndDrift {
   double tremor_rms = 0.0;           // of each axis [m]
   NumberRange tremor_hz{8.0, 12.0};  // where its tremor is [Hz]
   double drift_speed = 0.0;          // root of the mean square [m/s]
   double seed = 1.0;                 // another whole number: another hand of the same kind
 
   bool is_still() const noexcept { return tremor_rms == 0.0 && drift_speed == 0.0; }
-  friend bool operator==(const HandUnrest&, const HandUnrest&) = default;
+  friend bool operator==(const TremorAndDrift&, const TremorAndDrift&) = default;
 };
 
 // That motion, ready to be asked a thousand times a second.
-class UnrestMotion {
+class TremorAndDriftMotion {
  public:
   // As slow as what a person does without noticing [Hz].
   static constexpr NumberRange drift_hz{0.2, 0.8};
   // A run begins still: the goal starts where it is said to start [s].
   static constexpr double begins_within_s = 0.5;
 
-  UnrestMotion() = default;
-  explicit UnrestMotion(const HandUnrest& unrest) noexcept;
+  TremorAndDriftMotion() = default;
+  explicit TremorAndDriftMotion(const TremorAndDrift& tremor_and_drift) noexcept;
 
   bool is_still() const noexcept { return is_still_; }
 
@@ -47,6 +47,6 @@ class UnrestMotion {
   WaveSum<drift_wave_count> drift_{};
   bool is_still_ = true;
 };
-static_assert(std::is_trivially_copyable_v<UnrestMotion>);
+static_assert(std::is_trivially_copyable_v<TremorAndDriftMotion>);
 
 }  // namespace ghostforce
