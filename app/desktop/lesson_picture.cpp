@@ -35,7 +35,7 @@ void show_lesson(Session& session, const LessonPicture& picture) {
   show_lesson_step(session, picture.step);
   if (picture.answer) settle_in_lesson(session, *picture.answer - 1);
   session.stage_shown = lesson_view(session);
-  session.requests.fit_view = false;  // it stands there at once
+  session.fits_view = false;  // it stands there at once
 }
 
 }  // namespace ghostforce

@@ -11,9 +11,10 @@
 #include "app/console/interruption.h"
 #include "app/desktop/glfw_window.h"
 #include "app/paint/json_painter.h"
+#include "app/session/apply.h"
 #include "app/session/hand_burst_guide.h"
 #include "app/session/set_up_of.h"
-#include "app/session/stage_actions.h"
+#include "app/session/stage_modes.h"
 #include "app/ui/panels/panel_catalog.h"
 #include "app/ui/stage/stage_face.h"
 #include "core/divergence.h"
@@ -71,7 +72,7 @@ Session session_of(const PictureRequest& request, const Moment& moment) {
   session.time_s = moment.snapshot.time_s;
   session.face = request.face;
   session.language = request.language;
-  if (request.mode != StageMode::none) toggle_stage_mode(session, request.mode);
+  if (request.mode != StageMode::none) apply(session, ToggleMode{request.mode});
   if (request.mode == StageMode::why) session.stage.why_step = last_why_step;
   if (request.lesson) show_lesson(session, *request.lesson);
   if (moment.hand) show_hand_burst(session, *moment.hand);
@@ -228,8 +229,9 @@ void draw_settled(Window& window, Screen& screen, Session& session, const Pictur
   constexpr int frames_to_settle = 3;
   for (int i = 0; i < frames_to_settle; ++i) {
     window.set_visible_drawing(i + 1 == frames_to_settle);
-    screen.draw(session, shown_moment(request.scene, session.settings, moment), moment.history,
-                loop_of(request, moment), 0.0);
+    screen.draw(
+        session, [](const Action&) {}, shown_moment(request.scene, session.settings, moment), moment.history,
+        loop_of(request, moment), 0.0);
   }
 }
 
@@ -273,8 +275,9 @@ void draw_clip(const PictureRequest& request, const ClipTimes& times, const std:
       draw_settled(window, screen, *session, request, moment);
     } else {
       session->time_s = moment.snapshot.time_s;
-      screen.draw(*session, shown_moment(request.scene, session->settings, moment), moment.history,
-                  loop_of(request, moment), 1.0 / times.frames_per_second);
+      screen.draw(
+          *session, [](const Action&) {}, shown_moment(request.scene, session->settings, moment), moment.history,
+          loop_of(request, moment), 1.0 / times.frames_per_second);
     }
     ++drawn;
     stop_if_interrupted();

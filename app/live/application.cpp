@@ -20,8 +20,6 @@
 #include "app/session/measurement_guide.h"
 #include "app/session/scene_as_seen.h"
 #include "app/session/set_up_of.h"
-#include "app/session/stage_actions.h"
-#include "app/session/stage_modes.h"
 #include "app/session/target.h"
 #include "app/session/undo_words.h"
 #include "app/session/visit.h"
@@ -50,7 +48,7 @@ Session session_with(const Scene& scene, const ApplicationOptions& options) {
   session.folded_panels = options.folded_panels;
   if (options.offers_hints) session.hint = 0;
   session.face = options.face;
-  if (options.mode != StageMode::none) toggle_stage_mode(session, options.mode);
+  if (options.mode != StageMode::none) apply(session, ToggleMode{options.mode});
   session.language = options.language;
   session.lesson_progress = options.lesson_progress;
   if (!options.visit.empty()) {
@@ -60,7 +58,7 @@ Session session_with(const Scene& scene, const ApplicationOptions& options) {
   }
   if (session.lesson) {
     session.stage_shown = lesson_view(session);
-    session.requests.fit_view = false;  // it stands there at once
+    session.fits_view = false;  // it stands there at once
   }
   return session;
 }
@@ -279,7 +277,10 @@ bool Application::needs_drawing() const {
 }
 
 void Application::draw() {
-  screen_.take_keys(session_, [this] { do_what_is_asked(); });
+  screen_.take_keys(session_, [this](const Action& action) {
+    act(action);
+    do_what_is_asked();
+  });
   // What is changed within the frame, some of it shows and some does not: it is a reason for another one.
   frames_to_settle_ = has_changed() ? settling_frames : std::max(0, frames_to_settle_ - 1);
   drawn_ = visible();
@@ -287,14 +288,19 @@ void Application::draw() {
   // After a rest the first frame must not leap over what begins with it.
   constexpr double longest_step_s = 0.25;
   const double since_drawn_s = std::min(std::exchange(since_drawn_s_, 0.0), longest_step_s);
-  screen_.draw(session_, shown(), history_, reading(), since_drawn_s);
+  screen_.draw(
+      session_, [this](const Action& action) { act(action); }, shown(), history_, reading(), since_drawn_s);
   do_what_is_asked();
   send();
 }
 
+void Application::act(const Action& action) {
+  std::ranges::move(apply(session_, action), std::back_inserter(effects_));
+}
+
 void Application::do_what_is_asked() {
   looking_back_.follow(session_, report_.snapshot, history_.moments());
-  handle_requests();
+  do_effects();
   hand_following_.decide_source(session_);
   undo_.note(edited(), session_.is_editing || is_measuring(session_));
   offer_undo();
@@ -394,89 +400,10 @@ void Application::heartbeat() {
 
 void Application::show_notice(std::string words, bool is_problem) {
   if (session_.visit) return say("{}\n", words);
-  session_.notice = Notice{std::move(words), is_problem, 0.0};
-}
-
-void Application::handle_requests() {
-  const Requests requests = allowed_requests(session_, std::exchange(session_.requests, {}));
-  session_.requests.fit_view = requests.fit_view;  // the face that is shown does it, in its next frame
-  std::vector<std::string> dropped = window_.take_dropped_files();
-  std::ranges::move(take_chosen_files(), std::back_inserter(dropped));
-  if (session_.visit) dropped.clear();
-  // A path that cannot be written is found out before the work is done.
-  const auto save = [this](const std::string& path, const auto& make_bytes) {
-    OutputFile file(path);
-    file.write(make_bytes());
-    file.commit();
-    hand_out(path);
-    show_notice(filled(notice_words().saved, quoted_text(path, longest_path)), false);
-  };
-  try {
-    if (requests.quit) window_.close();
-    if (requests.toggle_full_screen) window_.toggle_full_screen();
-    if (requests.undo || requests.redo) take_back(requests.undo);
-    if (requests.input && *requests.input != session_.input) use_at_request(input_of(*requests.input));
-    if (requests.open_scene) open_for_dialog(*requests.open_scene);
-    if (requests.open_lesson) open_lesson(*requests.open_lesson);
-    if (!dropped.empty()) open_dropped(dropped);
-    if (const auto& path = requests.save_scene) save(*path, [&] { return scene_text(scene_as_seen(session_)); });
-    if (const auto& picture = requests.save_picture) save(picture->path, [&] { return picture_bytes(*picture); });
-    if (requests.save_clip) save_clip(*requests.save_clip);
-    if (const auto& plots = requests.save_plots) {
-      save(plots->path, [&] { return plot_file(session_, shown(), history_, *plots, painter_); });
-    }
-    if (requests.copy_picture) copy_picture(*requests.copy_picture);
-    if (requests.copy_table) {
-      window_.set_clipboard_text(live_table(shown().snapshot));
-      show_notice("Copied the live values. They can be pasted into a spreadsheet.", false);
-    }
-    if (requests.copy_set_up) copy_set_up();
-    if (requests.paste_set_up) paste_set_up();
-    if (requests.show_link && show_link_) show_link_(set_up_line(set_up_of(session_, shown())));
-    if (requests.record) start_recording(*requests.record);
-    if (requests.reset_preferences) {
-      reset_preferences(session_, window_);
-      show_notice("All preferences are as they were at first.", false);
-    }
-    if (requests.stop_recording) {
-      if (const std::string words = end_recording(); !words.empty()) show_notice(words, !recording_problem_.empty());
-    }
-  } catch (const Failure& failure) {
-    if (failure.code() == ExitCode::interrupted) throw;
-    show_notice(failure.what(), true);
-  } catch (const ReadError& error) {
-    show_notice(error.what(), true);
-  } catch (const ReaderGone&) {
-    show_notice("No program is reading from that pipe any more. Save to a file instead.", true);
-  }
-}
-
-// A mode that cannot have its input does not begin.
-void Application::use_at_request(const InputEntry& entry) {
-  try {
-    use(entry, session_.scene, session_.settings);
-  } catch (...) {
-    if (session_.stage.mode == StageMode::round && !session_.circle_test.is_on) leave_stage_mode(session_);
-    throw;
-  }
-}
-
-void Application::take_back(bool undo) {
-  if (session_.lesson) return;
-  // What a measurement has set is its own: to take it back is to cancel it.
-  if (is_measuring(session_)) {
-    if (undo) cancel_measurement(session_);
-    return;
-  }
-  // What is being changed right now is one more step to take back.
-  undo_.note(edited(), false);
-  const std::optional<Edited> edited = undo ? undo_.undo() : undo_.redo();
-  if (!edited) return;
-  if (edited->scene == session_.scene) {
-    hand_following_.restore(edited->settings, edited->belief_source, session_);
-  } else {
-    show(*edited);
-  }
+  // What has failed just now stays to be read.
+  if (has_failed_ && session_.notice) words = fmt::format("{}\n{}", session_.notice->words, words);
+  has_failed_ = has_failed_ || is_problem;
+  session_.notice = Notice{std::move(words), has_failed_, 0.0};
 }
 
 }  // namespace ghostforce

@@ -18,7 +18,7 @@
 #include "app/live/visible_state.h"
 #include "app/paint/file_painter.h"
 #include "app/runs/recording.h"
-#include "app/session/session.h"
+#include "app/session/apply.h"
 #include "app/session/undo.h"
 #include "app/set_up/set_up.h"
 #include "app/ui/screen.h"
@@ -91,6 +91,9 @@ class Application {
   // is not known here.
   bool needs_drawing() const;
 
+  // Does it with the session; what is then left to do, the next draw() does.
+  void act(const Action& action);
+
   // Shows what the last update() has found, and does what the person asked for.
   void draw();
 
@@ -139,7 +142,10 @@ class Application {
   void copy_motor_requests();
   // What one key press, or one frame, has left in the session.
   void do_what_is_asked();
-  void handle_requests();
+  struct EffectDoer;
+  // All that was asked for, each by itself: what fails keeps nothing else from being done.
+  void do_effects();
+  void attempt(const std::function<void()>& work);
   // As the picker of scenes asks for it: the dialog stays until there is something to show.
   void open_for_dialog(const std::string& name_or_path);
   void open_lesson(const std::string& name_or_path);
@@ -149,9 +155,10 @@ class Application {
   void open_scene(const std::string& name_or_path);
   void show_picture(const std::string& path);
   void replay_run(const std::string& path);
-  std::string picture_bytes(const SavePictureRequest& request);
-  void copy_picture(const CopyPictureRequest& request);
-  void save_clip(const SaveClipRequest& request);
+  std::string picture_bytes(const SavePicture& request);
+  void save(const std::string& path, const std::function<std::string()>& make_bytes);
+  void copy_picture(const CopyPicture& request);
+  void save_clip(const SaveClip& request);
   void start_recording(const std::string& path);
   void read_recording();
   void take_back(bool undo);
@@ -169,12 +176,15 @@ class Application {
   void copy_set_up();
   void paste_set_up();
   void add_to_notice(const std::string& words);
+  void dismiss_notice();
   const StageLanguage::Notices& notice_words() const { return stage_language(session_.language).notices; }
   TickState<2> start_state();
 
   Window& window_;
   Session session_;
   UndoHistory undo_;
+  Effects effects_;          // that are still to be done
+  bool has_failed_ = false;  // of what is being done at the moment, something
   std::vector<InputEntry> inputs_;
   std::vector<InputChoice> input_choices_;
   const InputEntry* input_ = nullptr;  // in use

@@ -17,7 +17,7 @@
 #include "app/runs/replay_start.h"
 #include "app/session/lesson_guide.h"
 #include "app/session/set_up_of.h"
-#include "app/session/stage_actions.h"
+#include "app/session/stage_modes.h"
 #include "app/set_up/picture_set_up.h"
 #include "app/set_up/set_up_line.h"
 
@@ -64,7 +64,7 @@ void Application::open_dropped(const std::vector<std::string>& paths) {
                   fmt::format("{} is {}.\nWhat can be dropped here: {}.", quoted_text(path, longest_path),
                               no_file.empty() ? "of no kind that can be opened" : no_file, file_kinds_words()));
   }
-  session_.notice.reset();
+  dismiss_notice();
   open(path);
   if (session_.dialog == Dialog::open_scene) session_.dialog = Dialog::none;
   if (paths.size() == 1) return;
@@ -83,7 +83,7 @@ void Application::open_lesson(const std::string& name_or_path) {
 
 void Application::show_picture(const std::string& path) {
   const SetUp set_up = read_picture_set_up(path);
-  session_.notice.reset();
+  dismiss_notice();
   show(set_up);
   add_to_notice(filled(notice_words().picture_shown, quoted_text(path, longest_path)));
 }
@@ -126,13 +126,13 @@ Edited Application::edited() const {
 void Application::show(const Edited& wanted) {
   leave_stage_mode(session_);
   // A mode that brought an input of its own has asked for the one before.
-  const std::string input = std::exchange(session_.requests.input, {}).value_or(session_.input);
+  const std::string input = std::exchange(session_.wanted_input, {}).value_or(session_.input);
   use(input_of(input), wanted.scene, wanted.settings, wanted.goal);
   hand_following_.restore(wanted.settings, wanted.belief_source, session_);
   session_.shown = wanted.view;
   session_.stage.is_black = false;
-  show_face(session_, wanted.face);
-  if (wanted.mode != StageMode::none) toggle_stage_mode(session_, wanted.mode);
+  act(ShowFace{wanted.face});
+  if (wanted.mode != StageMode::none) act(ToggleMode{wanted.mode});
 }
 
 void Application::show(const SetUp& set_up) {
@@ -142,7 +142,7 @@ void Application::show(const SetUp& set_up) {
 
 void Application::show_set_up(const std::string& line) {
   const SetUp set_up = read_set_up_line(line);
-  session_.notice.reset();
+  dismiss_notice();
   show(set_up);
 }
 
@@ -162,6 +162,7 @@ void Application::paste_set_up() {
 
 // Another scene may have ended a recording, and the person must read that too.
 void Application::add_to_notice(const std::string& words) {
+  if (has_failed_) return show_notice(words, false);
   const bool is_problem = session_.notice && session_.notice->is_problem;
   show_notice(session_.notice ? fmt::format("{}\n{}", session_.notice->words, words) : words, is_problem);
 }

@@ -4,7 +4,7 @@
 #include "app/files/png_writer.h"
 #include "app/live/application.h"
 #include "app/session/set_up_of.h"
-#include "app/session/stage_actions.h"
+#include "app/session/stage_buttons.h"
 #include "app/session/target.h"
 #include "app/set_up/picture_set_up.h"
 #include "app/set_up/set_up_line.h"
@@ -18,7 +18,7 @@ void Application::restart_drawing() {
   drawn_.reset();
 }
 
-void Application::copy_picture(const CopyPictureRequest& request) {
+void Application::copy_picture(const CopyPicture& request) {
   const DisplayKind display = window_.display_kind();
   const std::string png = png_bytes(screen_.picture(session_, shown(), history_, reading(),
                                                     request.scene_alone ? Part::scene : Part::window, request.density),
@@ -27,7 +27,7 @@ void Application::copy_picture(const CopyPictureRequest& request) {
   show_notice(problem.empty() ? std::string(notice_words().copied_picture) : problem, !problem.empty());
 }
 
-void Application::save_clip(const SaveClipRequest& request) {
+void Application::save_clip(const SaveClip& request) {
   const Scene& scene = *session_.scene;
   const double scale = session_.appearance.scale * static_cast<double>(window_.display_scale());
   const ShownMoment last = history_.moments().at(request.end_s).value_or(shown());
@@ -42,11 +42,11 @@ void Application::save_clip(const SaveClipRequest& request) {
                       .scale = scale,
                       .target = target_of(session_, report_.motors)},
                      painter_, set_up_line(set_up_of(session_, last)));
-  session_.notice.reset();
+  dismiss_notice();
   clip_saving_.look(session_);  // says at once that it has begun
 }
 
-std::string Application::picture_bytes(const SavePictureRequest& request) {
+std::string Application::picture_bytes(const SavePicture& request) {
   constexpr std::array vectors{"svg", "pdf"};
   if (format_of(request.path, vectors) == nullptr) {
     return png_bytes(screen_.picture(session_, shown(), history_, reading(),

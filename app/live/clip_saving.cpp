@@ -23,7 +23,7 @@ struct ClipCancelled {};
 
 }  // namespace
 
-std::vector<ClipMoment> clip_moments(const MomentHistory& moments, const SaveClipRequest& request) {
+std::vector<ClipMoment> clip_moments(const MomentHistory& moments, const SaveClip& request) {
   std::vector<ClipMoment> chosen;
   if (moments.is_empty()) return chosen;
   const double end_s = std::min({request.end_s, moments.newest()->snapshot.time_s, moments.changed_s() + hold_s});
@@ -39,8 +39,8 @@ std::vector<ClipMoment> clip_moments(const MomentHistory& moments, const SaveCli
   return chosen;
 }
 
-void ClipSaving::begin(const SaveClipRequest& request, const Scene& scene, const MomentHistory& moments,
-                       StageClipLook look, const FilePainter& painter, std::string_view text) {
+void ClipSaving::begin(const SaveClip& request, const Scene& scene, const MomentHistory& moments, StageClipLook look,
+                       const FilePainter& painter, std::string_view text) {
   if (is_running()) {
     throw Failure(ExitCode::wrong_call, "Another clip is being saved. Wait until it is complete, or close its notice.");
   }

@@ -11,7 +11,7 @@
 
 #include "app/files/clip_file.h"
 #include "app/paint/file_painter.h"
-#include "app/session/session.h"
+#include "app/session/action.h"
 #include "app/view/moment_history.h"
 #include "app/view/stage/stage_clip.h"
 #include "app/worker/worker.h"
@@ -20,7 +20,7 @@ namespace ghostforce {
 
 // Those of the clip, evenly, the last one last; fewer where there are no moments so old. After the last change to be
 // seen only the change of a strategy is waited for, not for a picture that stands still.
-std::vector<ClipMoment> clip_moments(const MomentHistory& moments, const SaveClipRequest& request);
+std::vector<ClipMoment> clip_moments(const MomentHistory& moments, const SaveClip& request);
 
 class ClipSaving {
  public:
@@ -32,7 +32,7 @@ class ClipSaving {
 
   // Throws Failure: where the file can never come to be, where there is nothing to save, and where the last clip is not
   // complete yet. `scene`: that the moments are of. `text`: what the file says of itself.
-  void begin(const SaveClipRequest& request, const Scene& scene, const MomentHistory& moments, StageClipLook look,
+  void begin(const SaveClip& request, const Scene& scene, const MomentHistory& moments, StageClipLook look,
              const FilePainter& painter, std::string_view text);
 
   // Often: tells the person in the session's notice how far it is and how it has ended. Where that notice was closed the

@@ -45,7 +45,7 @@ void LookingBack::follow(Session& session, const Snapshot& present, const Moment
   const bool has_changed = std::exchange(settings_, chosen) != chosen;
   const bool has_moved = std::exchange(goal_, session.goal) != session.goal || session.drags_goal;
   if (has_left || has_changed || has_moved) time_s.reset();
-  if (const int ticks = std::exchange(session.requests.ticks_through_history, 0); ticks != 0) {
+  if (const int ticks = std::exchange(session.ticks_through_history, 0); ticks != 0) {
     go_through(ticks, session, present, moments);
   }
   if (!time_s) return;

@@ -4,15 +4,15 @@ namespace ghostforce {
 
 void begin_circle_test(Session& session) {
   if (session.circle_test.is_on) {
-    session.requests.input.reset();  // which would end it, where one lesson follows another
+    session.wanted_input.reset();  // which would end it, where one lesson follows another
     return;
   }
   session.circle_test.input_before = session.input;
-  session.requests.input = circling_hand.name;
+  session.wanted_input = circling_hand.name;
 }
 
 void end_circle_test(Session& session) {
-  session.requests.input = session.circle_test.input_before;
+  session.wanted_input = session.circle_test.input_before;
 }
 
 Circle circle_of(const Session& session) noexcept {

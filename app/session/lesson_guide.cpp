@@ -53,7 +53,7 @@ void show_mode(Session& session, const SetUp& set_up) {
   if (is_why(&set_up)) session.stage.why_step = why_step_at(*session.lesson->lesson, session.lesson->step);
 }
 
-void apply(Session& session, const SetUp& set_up) {
+void state(Session& session, const SetUp& set_up) {
   LessonState& lesson = *session.lesson;
   session.settings = set_up.scene.settings;
   session.stage.switches_slowly = false;
@@ -61,7 +61,7 @@ void apply(Session& session, const SetUp& set_up) {
   const Vector<2> goal = nearest_in_scene(set_up.goal);
   lesson.glide.reset();
   if (goal != session.goal) lesson.glide = LessonState::Glide{session.goal, goal, session.goal, 0.0};
-  session.requests.fit_view = true;
+  session.fits_view = true;
 }
 
 // What was stated last on the way to this step, and at it once its question is answered; null: nothing.
@@ -108,15 +108,15 @@ void begin_step(Session& session) {
 }
 
 void show_again(Session& session) {
-  if (const SetUp* const set_up = stated_set_up(*session.lesson)) apply(session, *set_up);
+  if (const SetUp* const set_up = stated_set_up(*session.lesson)) state(session, *set_up);
   begin_step(session);
 }
 
 // A hand that moves by itself does not wait for an answer.
 void take_hand(Session& session) {
-  const std::string input = session.requests.input.value_or(session.input);
+  const std::string input = session.wanted_input.value_or(session.input);
   const auto& moving = hands_moving_by_themselves;
-  if (std::ranges::find(moving, input, &InputChoice::name) != moving.end()) session.requests.input = mouse_hand.name;
+  if (std::ranges::find(moving, input, &InputChoice::name) != moving.end()) session.wanted_input = mouse_hand.name;
 }
 
 void close_question(Session& session, LessonOutcome outcome) {
@@ -124,7 +124,7 @@ void close_question(Session& session, LessonOutcome outcome) {
   present_state(lesson).outcome = outcome;
   note_progress(session);
   session.stage.guess_is_open = false;
-  if (const auto& reveal = lesson_step(lesson).reveal) apply(session, *reveal);
+  if (const auto& reveal = lesson_step(lesson).reveal) state(session, *reveal);
 }
 
 void end_glide(Session& session) {

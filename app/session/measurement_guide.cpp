@@ -146,6 +146,10 @@ bool hides_answer(const Session& session) noexcept {
   return has_answer && !measurement.is_revealed;
 }
 
+bool hides_curves(const Session& session) noexcept {
+  return session.plots.tab != PlotTab::time && (hides_answer(session) || is_measuring(session));
+}
+
 void reveal_hand(Session& session) noexcept {
   session.measurement.is_revealed = true;
   if (is_measuring(session) && session.measurement.given_k_u) session.measurement.was_blind = false;

@@ -1,6 +1,6 @@
-// Session: what the person at the window has loaded, changed and asked for. A value of the UI thread; panels, keys and
-// gestures edit it, the application sends it on and handles its requests. Nothing in here knows of a file, or of a
-// device more than values that are told about it.
+// Session: what the person at the window has loaded, changed and asked for. A value of the UI thread; what the person does
+// changes it (action.h, apply.h), and so do time, panels and gestures; the application sends it on. Nothing in here knows
+// of a file, or of a device more than values that are told about it.
 #pragma once
 
 #include <cstdint>
@@ -63,59 +63,6 @@ enum class Dialog : std::uint8_t {
   save_clip,
   save_plots,
   reset_preferences
-};
-
-// A picture of what is on the screen: the format is the file name's.
-struct SavePictureRequest {
-  std::string path;
-  int density = 1;          // pixels per pixel of the screen, PNG only
-  bool scene_alone = true;  // without bars and panels, PNG only
-};
-
-// The last seconds of the stage as a clip, with pictures as large as the scene on the screen: the format is the file
-// name's (app/files/clip_file.h).
-struct SaveClipRequest {
-  std::string path;
-  double seconds = 5.0;  // of model time
-  double end_s = 0.0;    // of the last moment in it, model time
-  int frames_per_second = 30;
-};
-
-// A picture of what is on the screen for the system's clipboard, as PNG.
-struct CopyPictureRequest {
-  int density = 2;
-  bool scene_alone = false;
-};
-
-// What the plots show, as numbers (.csv) or as a picture (.png, .svg, .pdf).
-struct SavePlotsRequest {
-  std::string path;
-  bool whole_history = false;  // of the plots over time; else the times in sight
-};
-
-// What a frame asks of those who know files, window and inputs.
-struct Requests {
-  bool quit = false;
-  bool toggle_full_screen = false;
-  bool undo = false;
-  bool redo = false;
-  bool fit_view = false;
-  int ticks_through_history = 0;     // to look at the moment so many ticks later; negative: earlier
-  std::optional<std::string> input;  // a name of the input catalog
-  std::optional<std::string> open_scene;
-  std::optional<std::string> open_lesson;  // a shipped one's name, or a path
-  std::optional<std::string> save_scene;
-  std::optional<SavePictureRequest> save_picture;
-  std::optional<SaveClipRequest> save_clip;
-  std::optional<SavePlotsRequest> save_plots;
-  std::optional<CopyPictureRequest> copy_picture;
-  bool copy_table = false;            // the live values, as text
-  bool copy_set_up = false;           // what is shown, as a line
-  bool show_link = false;             // to this page, with that line
-  bool paste_set_up = false;          // to show what such a line describes
-  std::optional<std::string> record;  // to a file of this name
-  bool stop_recording = false;
-  bool reset_preferences = false;  // to what a new person sees
 };
 
 // What stands in the fields of the dialog that is open.
@@ -207,7 +154,10 @@ struct Session {
   std::uint32_t preference_resets = 0;  // all preferences are as at first again
   std::optional<double> dial_turned_s;  // real time since ρ was turned, while the dial says whom it acts on
   UndoOffer undo_offer;
-  Requests requests;
+  // What waits for the next frame.
+  std::optional<std::string> wanted_input;  // a name of the input catalog; empty: the one in use
+  bool fits_view = false;                   // the face that is shown then shows everything
+  int ticks_through_history = 0;            // to look at the moment so many ticks later; negative: earlier
 };
 
 inline Session session_of(const Scene& scene) {

@@ -16,12 +16,12 @@ void begin_stage_mode(Session& session, StageMode mode) {
 
 void leave_stage_mode(Session& session) {
   StageChoice& stage = session.stage;
-  const bool goes_round = session.circle_test.is_on || session.requests.input == circling_hand.name;
+  const bool goes_round = session.circle_test.is_on || session.wanted_input == circling_hand.name;
   if (stage.mode == StageMode::round && goes_round) end_circle_test(session);
   if (stage.mode == StageMode::ribbon) stage.looks_back_to_s.reset();
   if (stage.mode == StageMode::measure) session.hand_burst = {};
   // Wall and hand may be others now.
-  if (stage.mode == StageMode::landscape) session.requests.fit_view = true;
+  if (stage.mode == StageMode::landscape) session.fits_view = true;
   stage.mode = StageMode::none;
   stage.why_step = 0;
   stage.guess.reset();

@@ -81,14 +81,4 @@ void switch_to_next_language(Session& session) {
   if (const std::string language(next_language(session)); !language.empty()) session.language = language;
 }
 
-Requests allowed_requests(const Session& session, const Requests& requests) {
-  if (!session.visit) return requests;
-  // Steps of lessons bring inputs of their own.
-  Requests allowed;
-  allowed.quit = requests.quit;
-  allowed.fit_view = requests.fit_view;
-  allowed.input = requests.input;
-  return allowed;
-}
-
 }  // namespace ghostforce

@@ -36,7 +36,4 @@ bool invites_visitors(const Session& session) noexcept;
 std::string_view next_language(const Session& session);
 void switch_to_next_language(Session& session);
 
-// Of what a frame asks for, what is left: a visitor has no way to files, settings or the window.
-Requests allowed_requests(const Session& session, const Requests& requests);
-
 }  // namespace ghostforce

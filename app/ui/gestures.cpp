@@ -15,7 +15,7 @@
 namespace ghostforce {
 namespace {
 
-double& angle_of(Handle handle, Settings& settings) {
+double angle_of(Handle handle, const Settings& settings) {
   return handle == Handle::motor_axis ? settings.actuated_angle : settings.wall_normal_angle;
 }
 
@@ -41,13 +41,13 @@ const Pane& pane_of(const std::vector<Pane>& panes, StrategyId id) {
 
 }  // namespace
 
-void Gestures::take(Session& session, const std::vector<Pane>& panes, const Vector<2>& size, double unit,
-                    const ShownMoment& moment) {
+void Gestures::take(const Session& session, const ActionSink& apply, const std::vector<Pane>& panes,
+                    const Vector<2>& size, double unit, const ShownMoment& moment) {
   ImGui::SetCursorPos({0.0F, 0.0F});
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImGui::InvisibleButton("scene", {static_cast<float>(size.x), static_cast<float>(size.y)},
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
-  session.drags_goal = false;
+  if (session.drags_goal) apply(LetGoOfHand{});
   if (panes.empty()) return;
   const bool is_held = ImGui::IsItemActive();
   const bool is_hovered = ImGui::IsItemHovered();
@@ -67,27 +67,23 @@ void Gestures::take(Session& session, const std::vector<Pane>& panes, const Vect
   }
   if (const float wheel = ImGui::GetIO().MouseWheel; is_hovered && wheel != 0.0F) {
     const Pane& pane = pane_at(panes, pointer);
-    const double factor = zoom_factor(wheel);
     const Vector<2> at = to_world(pane.camera, pointer - pane.corner);
-    if (session.pane_views) {
-      session.pane_views = zoomed(*session.pane_views, factor, pane.active, at);
-    } else {
-      session.shown = zoomed(session.shown, factor, at);
-    }
+    apply(ZoomView{zoom_factor(wheel), ZoomView::Place{at, pane.active}});
   }
   if (ImGui::IsItemActivated()) {
     const Pane& pane = pane_at(panes, pointer);
     pane_ = pane.active;
-    begin(session, moment.settings, pane, pointer - pane.corner, unit);
+    begin(session, apply, moment.settings, pane, pointer - pane.corner, unit);
   }
   if (is_held) {
     // The active strategy may change during a drag; where there is one pane, it is the one.
     const Pane& pane = pane_of(panes, pane_);
-    go_on(session, moment.settings, pane, pointer - pane.corner, unit);
+    go_on(session, apply, moment.settings, pane, pointer - pane.corner, unit);
   }
 }
 
-void Gestures::begin(Session& session, const Settings& shown, const Pane& pane, const Vector<2>& pointer, double unit) {
+void Gestures::begin(const Session& session, const ActionSink& apply, const Settings& shown, const Pane& pane,
+                     const Vector<2>& pointer, double unit) {
   began_at_ = pointer;
   last_ = pointer;
   if (ImGui::IsMouseDown(ImGuiMouseButton_Right)) {
@@ -97,55 +93,45 @@ void Gestures::begin(Session& session, const Settings& shown, const Pane& pane, 
   // The legend is no place for a goal: its entries choose the strategy that they name.
   if (const Mark* const mark = mark_at(pane, fonts_, pointer, unit); mark != nullptr && mark->role == Role::legend) {
     grip_ = Grip::nothing;
-    if (mark->strategy) session.settings.active = *mark->strategy;
+    if (mark->strategy) apply(ChooseStrategy{*mark->strategy});
     return;
   }
   held_ = handle_at(shown, pane.camera, unit, pointer);
   hovered_ = held_;
   if (held_ != Handle::none) {
-    Settings settings = shown;
     grip_ = Grip::handle;
-    held_angle_.begin(pointer, angle_of(held_, settings));
+    held_angle_.begin(pointer, angle_of(held_, shown));
   } else {
     grip_ = session.pointer_moves_goal ? Grip::goal : session.circle_test.is_on ? Grip::circle : Grip::nothing;
   }
 }
 
-void Gestures::go_on(Session& session, const Settings& shown, const Pane& pane, const Vector<2>& pointer, double unit) {
+void Gestures::go_on(const Session& session, const ActionSink& apply, const Settings& shown, const Pane& pane,
+                     const Vector<2>& pointer, double unit) {
   switch (grip_) {
     case Grip::nothing:
       break;
-    case Grip::goal: {
-      if (!session.pointer_moves_goal) break;
+    case Grip::goal:
       // A pointer dragged out of the scene leaves the goal at its edge.
-      const Vector<2> at = to_world(pane.camera, glm::clamp(pointer, Vector<2>(0.0), pane.camera.size));
-      session.goal = nearest_in_scene(at);
-      session.drags_goal = true;
+      apply(MoveHandTo{to_world(pane.camera, glm::clamp(pointer, Vector<2>(0.0), pane.camera.size))});
       break;
-    }
     case Grip::circle:
       // Whoever drags wants the goal back; a click is no drag.
       if (glm::distance(pointer, began_at_) < HeldAngle::first_turn * unit) break;
-      session.requests.input = session.circle_test.input_before;
+      apply(ChooseInput{session.circle_test.input_before});
       grip_ = Grip::goal;
       break;
     case Grip::handle:
       ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
       if (const auto angle =
               held_angle_.turned(pivot_of(held_, shown, pane.camera, unit), pointer, unit, ImGui::GetIO().KeyCtrl)) {
-        angle_of(held_, session.settings) = *angle;
+        apply(held_ == Handle::motor_axis ? Action(TurnMotorTo{*angle}) : TurnWallTo{*angle});
       }
       break;
-    case Grip::picture: {
+    case Grip::picture:
       ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
-      const Vector<2> by = -to_screen_direction(pointer - last_) / pane.camera.points_per_metre;
-      if (session.pane_views) {
-        session.pane_views = moved(*session.pane_views, by);
-      } else {
-        session.shown = within_scene_limits({session.shown.center + by, session.shown.width});
-      }
+      apply(MoveView{-to_screen_direction(pointer - last_) / pane.camera.points_per_metre});
       break;
-    }
   }
   last_ = pointer;
 }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/paint/label_painter.h"
-#include "app/session/session.h"
+#include "app/session/action.h"
 #include "app/ui/widgets/pointing.h"
 #include "app/view/panes.h"
 #include "app/view/shown_moment.h"
@@ -20,8 +20,8 @@ class Gestures {
 
   // To be called inside an ImGui window that covers the scene. `panes` are the ones that the person sees: those of the
   // last frame; none yet: nothing happens. `unit` is the size of a point in the scene. `moment`: what they show.
-  void take(Session& session, const std::vector<Pane>& panes, const Vector<2>& size, double unit,
-            const ShownMoment& moment);
+  void take(const Session& session, const ActionSink& apply, const std::vector<Pane>& panes, const Vector<2>& size,
+            double unit, const ShownMoment& moment);
 
   // The handle under the pointer or in the hand.
   Handle hovered() const noexcept { return hovered_; }
@@ -29,8 +29,10 @@ class Gestures {
  private:
   enum class Grip : std::uint8_t { nothing, goal, circle, handle, picture };
 
-  void begin(Session& session, const Settings& shown, const Pane& pane, const Vector<2>& pointer, double unit);
-  void go_on(Session& session, const Settings& shown, const Pane& pane, const Vector<2>& pointer, double unit);
+  void begin(const Session& session, const ActionSink& apply, const Settings& shown, const Pane& pane,
+             const Vector<2>& pointer, double unit);
+  void go_on(const Session& session, const ActionSink& apply, const Settings& shown, const Pane& pane,
+             const Vector<2>& pointer, double unit);
 
   LabelFonts fonts_;
   Grip grip_ = Grip::nothing;

@@ -111,7 +111,7 @@ void Keyboard::follow_windows(const Session& session) {
   face_ = session.face;
 }
 
-void Keyboard::take(Window& window, Session& session, const std::function<void()>& do_what_is_asked) {
+void Keyboard::take(Window& window, const Session& session, const ActionSink& apply) {
   has_pressed_ = false;
   frames_to_wait_ = std::max(0, frames_to_wait_ - 1);
   follow_windows(session);
@@ -120,16 +120,16 @@ void Keyboard::take(Window& window, Session& session, const std::function<void()
     while (!events.empty() && frames_to_wait_ == 0) {
       const KeyEvent event = events.front();
       events.pop_front();
-      act(event, session, do_what_is_asked);
+      act(event, session, apply);
       follow_windows(session);
     }
   }
   // Whatever waits, this does not.
   const auto turns_off = [](const KeyEvent& event) { return event.is_down && event.press.key == key::escape; };
-  if (std::ranges::any_of(events, turns_off)) ++session.offs_asked;
+  if (std::ranges::any_of(events, turns_off)) apply(StopMotors{});
 }
 
-void Keyboard::act(const KeyEvent& event, Session& session, const std::function<void()>& do_what_is_asked) {
+void Keyboard::act(const KeyEvent& event, const Session& session, const ActionSink& apply) {
   const KeyPress& press = event.press;
   // Who drags something may press a modifier on the way.
   if (!event.is_down || press.key == 0 || modifier_of(press.key) != 0) return Window::hand_on(event);
@@ -139,8 +139,8 @@ void Keyboard::act(const KeyEvent& event, Session& session, const std::function<
     wait(focus_moves);
     const bool leaves_dialog = session.dialog != Dialog::none && !is_menu_open();
     const bool leaves_control = is_menu_open() || is_typing() || has_focus();
-    if (leaves_dialog || !leaves_control) return act_on_table(press, session, false, do_what_is_asked);
-    ++session.offs_asked;
+    if (leaves_dialog || !leaves_control) return act_on_table(press, session, false, apply);
+    apply(StopMotors{});
     leave_focus();
     return;
   }
@@ -155,7 +155,7 @@ void Keyboard::act(const KeyEvent& event, Session& session, const std::function<
   if (is_typing()) {
     Window::hand_on(event);
     if (is_enter(press.key)) wait(focus_moves);
-    return act_on_table(press, session, true, do_what_is_asked);
+    return act_on_table(press, session, true, apply);
   }
   if (is_menu_open() && (is_arrow(press.key) || is_end(press.key) || is_enter(press.key))) {
     Window::hand_on(event);
@@ -177,20 +177,18 @@ void Keyboard::act(const KeyEvent& event, Session& session, const std::function<
     return;
   }
   // What is typed at a dialog whose field has lost the focus is for no shortcut.
-  act_on_table(press, session, has_field(session.dialog), do_what_is_asked);
+  act_on_table(press, session, has_field(session.dialog), apply);
 }
 
-void Keyboard::act_on_table(const KeyPress& press, Session& session, bool is_typing,
-                            const std::function<void()>& do_what_is_asked) {
+void Keyboard::act_on_table(const KeyPress& press, const Session& session, bool is_typing, const ActionSink& apply) {
   const auto window_of = [&] { return std::tuple(session.dialog, session.face); };
   const auto picture_of = [&] { return std::tuple(session.stage.mode, session.stage.reveals_asked, session.scene); };
   const auto window_before = window_of();
   const auto picture_before = picture_of();
-  act_on_key(session, press, is_typing);
-  do_what_is_asked();
+  if (const std::optional<Action> action = action_of_key(press, is_typing)) apply(*action);
   if (window_of() != window_before) wait(window_appears);
   // These are followed in a frame.
-  if (picture_of() != picture_before || session.requests.fit_view || is_enter(press.key)) wait(1);
+  if (picture_of() != picture_before || session.fits_view || is_enter(press.key)) wait(1);
 }
 
 }  // namespace ghostforce

@@ -5,17 +5,16 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 
-#include "app/session/session.h"
+#include "app/session/action.h"
 #include "app/ui/window.h"
 
 namespace ghostforce {
 
 class Keyboard {
  public:
-  // `do_what_is_asked` does what a press has left in session.requests.
-  void take(Window& window, Session& session, const std::function<void()>& do_what_is_asked);
+  // `apply` does at once what a press asks for, and the session shows it.
+  void take(Window& window, const Session& session, const ActionSink& apply);
 
   // A key was pressed before the last take().
   bool has_pressed() const noexcept { return has_pressed_; }
@@ -23,9 +22,8 @@ class Keyboard {
   static bool is_waiting(Window& window);
 
  private:
-  void act(const KeyEvent& event, Session& session, const std::function<void()>& do_what_is_asked);
-  void act_on_table(const KeyPress& press, Session& session, bool is_typing,
-                    const std::function<void()>& do_what_is_asked);
+  void act(const KeyEvent& event, const Session& session, const ActionSink& apply);
+  void act_on_table(const KeyPress& press, const Session& session, bool is_typing, const ActionSink& apply);
   void follow_windows(const Session& session);
   void wait(int frames);
 

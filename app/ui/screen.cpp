@@ -39,16 +39,16 @@ void Screen::restart_drawing() {
   drawing_ = std::make_unique<Drawing>(window_.fonts());
 }
 
-void Screen::take_keys(Session& session, const std::function<void()>& do_what_is_asked) {
-  keyboard_.take(window_, session, do_what_is_asked);
+void Screen::take_keys(const Session& session, const ActionSink& apply) {
+  keyboard_.take(window_, session, apply);
 }
 
-void Screen::draw(Session& session, const ShownMoment& moment, const History& history, const LoopReading& loop,
-                  double interval_s) {
+void Screen::draw(Session& session, const ActionSink& apply, const ShownMoment& moment, const History& history,
+                  const LoopReading& loop, double interval_s) {
   if (window_.pixel_width() <= 0 || window_.pixel_height() <= 0) return;  // minimised
   // The style must not change within a frame.
   apply_appearance(session.appearance);
-  window_.frame(interval_s, [&] { draw_everything(session, moment, history, loop, {part_, true, interval_s}); });
+  window_.frame(interval_s, [&] { draw_everything(session, apply, moment, history, loop, {part_, true, interval_s}); });
 }
 
 void Screen::wait(const Session& session, double interval_s) noexcept {
@@ -66,7 +66,7 @@ Image Screen::picture(const Session& session, const ShownMoment& moment, const H
   copy.hint.reset();
   copy.has_handles = false;
   const Image image = window_.picture_of(density, [&] {
-    draw_everything(copy, moment, history, loop, {part_, false, 0.0});
+    draw_everything(copy, [](const Action&) {}, moment, history, loop, {part_, false, 0.0});
   });
   if (part == Part::window) return image;
   const auto pixels = [&](double points) {
@@ -85,11 +85,11 @@ void Screen::apply_appearance(const Appearance& appearance) {
   styled_scale_ = scale;
 }
 
-void Screen::draw_everything(Session& session, const ShownMoment& moment, const History& history,
-                             const LoopReading& loop, const Frame& frame) {
+void Screen::draw_everything(Session& session, const ActionSink& apply, const ShownMoment& moment,
+                             const History& history, const LoopReading& loop, const Frame& frame) {
   const Theme& theme = *styled_appearance_.theme;
-  const PanelContext context{session,       moment.snapshot,   moment.settings,  loop, theme, window_.fonts(),
-                             styled_scale_, drawing_->gallery, drawing_->lessons};
+  const PanelContext context{session, apply,           session,       moment.snapshot,   moment.settings,  loop,
+                             theme,   window_.fonts(), styled_scale_, drawing_->gallery, drawing_->lessons};
   if (frame.is_live) keep_tooltips_from_drags();
   if (session.face == Face::stage) {
     draw_stage(context, moment, history, frame);
@@ -131,7 +131,7 @@ void Screen::draw_stage(const PanelContext& context, const ShownMoment& moment, 
     return;
   }
   begin_screen("stage");
-  stage_.update(context.session, stage_frame, keyboard_.has_pressed(), frame.interval_s);
+  stage_.update(context.edited, context.apply, stage_frame, keyboard_.has_pressed(), frame.interval_s);
   draw_motor_frame(context);
   if (context.session.stage.is_black) draw_motor_words(context);
   ImGui::End();

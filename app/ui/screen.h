@@ -9,7 +9,7 @@
 
 #include "app/paint/gl_painter.h"
 #include "app/paint/scene_gallery.h"
-#include "app/session/session.h"
+#include "app/session/action.h"
 #include "app/ui/keyboard.h"
 #include "app/ui/panels/hints.h"
 #include "app/ui/part.h"
@@ -28,14 +28,15 @@ class Screen {
   // Throws gl::ShaderError. The window must outlive the screen.
   Screen(Window& window, Part part);
 
-  // What was pressed since the last time. `do_what_is_asked` does what a press has left in session.requests.
-  void take_keys(Session& session, const std::function<void()>& do_what_is_asked);
+  // What was pressed since the last time. `apply` does it at once.
+  void take_keys(const Session& session, const ActionSink& apply);
 
-  // Draws and shows one frame, `interval_s` after the one before; panels and gestures edit the session. Nothing
+  // Draws and shows one frame, `interval_s` after the one before; panels and gestures edit the session, or hand what the person does
+  // to `apply`. Nothing
   // is drawn while the window has no pixels. `moment` is what the frame shows: at present, the session's own settings,
   // so that a change shows at once; while somebody looks back, those of that time.
-  void draw(Session& session, const ShownMoment& moment, const History& history, const LoopReading& loop,
-            double interval_s);
+  void draw(Session& session, const ActionSink& apply, const ShownMoment& moment, const History& history,
+            const LoopReading& loop, double interval_s);
 
   // Time goes on, whether a frame is drawn or not.
   void wait(const Session& session, double interval_s) noexcept;
@@ -82,8 +83,8 @@ class Screen {
     SceneGallery gallery;
     LessonGallery lessons;
   };
-  void draw_everything(Session& session, const ShownMoment& moment, const History& history, const LoopReading& loop,
-                       const Frame& frame);
+  void draw_everything(Session& session, const ActionSink& apply, const ShownMoment& moment, const History& history,
+                       const LoopReading& loop, const Frame& frame);
   void draw_stage(const PanelContext& context, const ShownMoment& moment, const History& history, const Frame& frame);
   void apply_appearance(const Appearance& appearance);
 

@@ -49,11 +49,11 @@ void bring_into_sight(float top, float bottom) {
 void draw_column(const PanelContext& context) {
   for (const Panel& panel : panel_catalog()) {
     if (panel.is_there != nullptr && !panel.is_there(context.loop)) continue;
-    std::set<std::string, std::less<>>& folded = context.session.folded_panels;
+    std::set<std::string, std::less<>>& folded = context.edited.folded_panels;
     const bool was_folded = folded.contains(panel.title);
     ImGui::SetNextItemOpen(!was_folded);
     // What a click makes appear is laid out in the frame after.
-    const bool has_news = panel.news != nullptr && panel.news(context.session);
+    const bool has_news = panel.news != nullptr && panel.news(context.edited);
     const float top = ImGui::GetCursorPosY();
     const bool is_open = draw_panel_head(panel, context);
     if (is_open) {
@@ -61,7 +61,7 @@ void draw_column(const PanelContext& context) {
       panel.draw(context);
       if (has_news && !ImGui::IsAnyItemActive()) {
         bring_into_sight(top, ImGui::GetCursorPosY());
-        panel.news(context.session) = false;
+        panel.news(context.edited) = false;
       }
     } else if (!was_folded) {
       folded.emplace(panel.title);
@@ -143,7 +143,7 @@ void Workbench::draw_panels(const PanelContext& context, const Layout& layout, c
 }
 
 void Workbench::draw(const PanelContext& context, const WorkbenchFrame& frame) {
-  Session& session = context.session;
+  Session& session = context.edited;
   const Layout layout(frame.part, ImGui::GetIO().DisplaySize, context.scale, strategy_bar_height(context),
                       session.plots.is_open);
   const double unit = static_cast<double>(context.scale) * context.theme.thickness;
@@ -153,10 +153,10 @@ void Workbench::draw(const PanelContext& context, const WorkbenchFrame& frame) {
   begin_screen("workbench");
   if (frame.is_live && layout.scene.size.y > 0.0F) {
     begin_piece("scene", layout.scene, fixed_window | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNav);
-    gestures_.take(session, panes_, scene_size_, unit, frame.moment);
+    gestures_.take(session, context.apply, panes_, scene_size_, unit, frame.moment);
     ImGui::EndChild();
   }
-  if (frame.is_live && std::exchange(session.requests.fit_view, false)) {
+  if (frame.is_live && std::exchange(session.fits_view, false)) {
     session.pane_views.reset();
     if (session.options.compare != Compare::side_by_side) {
       session.shown = view_of_everything(session, panes_, scene_size_, unit);
@@ -193,7 +193,7 @@ std::vector<Pane> Workbench::panes_for_file(const Session& session, const ShownM
 }
 
 void Workbench::compose(const PanelContext& context, const WorkbenchFrame& frame) {
-  Session& session = context.session;
+  Session& session = context.edited;
   const bool is_live = frame.is_live;
   // They are fitted once, and not while something moves: the picture must not swim under the pointer.
   if (session.options.compare != Compare::side_by_side) session.pane_views.reset();

@@ -68,7 +68,7 @@ bool has_field(Dialog dialog) noexcept {
 }
 
 void draw_dialog(const PanelContext& context) {
-  Session& session = context.session;
+  Session& session = context.edited;
   const auto entry = std::ranges::find(dialogs, session.dialog, &Entry::id);
   if (entry == dialogs.end()) {
     session.form = {};
@@ -97,11 +97,11 @@ void draw_dialog(const PanelContext& context) {
   entry->draw(context);
   if (session.dialog != Dialog::none) session.form.belongs_to = entry->id;
   ImGui::End();
-  if (!is_open) session.dialog = Dialog::none;
+  if (!is_open) context.apply(CloseDialog{});
 }
 
 void draw_notice(const PanelContext& context, ImVec2 corner, ImVec2 size) {
-  Session& session = context.session;
+  const Session& session = context.session;
   if (!session.notice) return;
   const float scale = context.scale;
   const float width = std::min(620.0F * scale, size.x - 32.0F * scale);
@@ -130,7 +130,7 @@ void draw_notice(const PanelContext& context, ImVec2 corner, ImVec2 size) {
   ImGui::End();
   ImGui::PopStyleColor(2);
   ImGui::PopStyleVar(2);
-  if (enough) session.notice.reset();
+  if (enough) context.apply(CloseNotice{});
 }
 
 }  // namespace ghostforce

@@ -71,7 +71,7 @@ void Hints::follow(Session& session) {
 }
 
 void draw_hint(const PanelContext& context) {
-  Session& session = context.session;
+  const Session& session = context.session;
   const Hint& hint = hints[*session.hint];
   const ImVec2 corner = ImGui::GetCursorPos();
   const float gap = 12.0F * context.scale;
@@ -95,7 +95,7 @@ void draw_hint(const PanelContext& context) {
     ImGui::TextUnformatted(fmt::format("Hint {} of {}", *session.hint + 1, hints.size()).c_str());
     ImGui::SetCursorPos({right, corner.y + ImGui::GetTextLineHeightWithSpacing()});
   }
-  if (ImGui::Button(fmt::format("{}###enough", enough).c_str())) session.hint.reset();
+  if (ImGui::Button(fmt::format("{}###enough", enough).c_str())) context.apply(HideHints{});
   if (is_narrow) tooltip(long_words);
 }
 

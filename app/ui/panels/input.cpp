@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "app/session/front_keys.h"
-#include "app/session/key_bindings.h"
 #include "app/ui/panels/panel_catalog.h"
 #include "app/ui/widgets/controls.h"
 
@@ -51,7 +50,7 @@ void draw_step(const PanelContext& context) {
   if (!context.loop.device_remark.empty()) ImGui::TextUnformatted(context.loop.device_remark.c_str());
   ImGui::PopTextWrapPos();
   const std::string status = fmt::format("{}  Device status", front_keys().device_status.shown);
-  if (ImGui::SmallButton(status.c_str())) open_dialog<Dialog::doctor>(context.session);
+  if (ImGui::SmallButton(status.c_str())) context.apply(ToggleDialog{Dialog::doctor});
 }
 
 }  // namespace
@@ -61,19 +60,20 @@ void draw_input(const PanelContext& context) {
     row("Goal from", "What moves the goal of the hand.");
     const std::string_view input =
         choose("##input", context.loop.inputs, context.session.input, context.loop.why_no_falcon);
-    if (!input.empty()) context.session.requests.input = input;
+    if (!input.empty()) context.apply(ChooseInput{std::string(input)});
     if (!context.loop.injected_faults.empty()) {
       row("Injected fault", "Makes the virtual device misbehave, to show how the program reacts.");
       const std::string_view wrong =
           choose("##fault", context.loop.injected_faults,
                  context.session.injected_fault.empty() ? "none" : context.session.injected_fault);
-      if (!wrong.empty()) context.session.injected_fault = wrong;
+      if (!wrong.empty()) context.apply(InjectFault{std::string(wrong)});
     }
     if (context.loop.motors.has_motors) {
       row("Aim at a target",
           "Draws a target on the wall. Press straight into the wall there, and ghost force and drift are measured "
           "relative to the target. Without a target, nobody knows where a hand aims.");
-      ImGui::Checkbox("##target", &context.session.aims_at_target);
+      bool aims = context.session.aims_at_target;
+      if (ImGui::Checkbox("##target", &aims)) context.apply(AimAtTarget{aims});
     }
     end_rows();
   }

@@ -4,12 +4,14 @@
 
 namespace ghostforce {
 
-void draw_language_choice(Session& session) {
-  const StageLanguage& shown = stage_language(session.language);
+void draw_language_choice(const PanelContext& context) {
+  const StageLanguage& shown = stage_language(context.session.language);
   for (const StageLanguage* const language : stage_languages) {
     const float width = ImGui::GetFrameHeightWithSpacing() + ImGui::CalcTextSize(language->name.data()).x;
     if (language != stage_languages.front()) same_line_if_room(width);
-    if (ImGui::RadioButton(language->name.data(), &shown == language)) session.language = language->code;
+    if (ImGui::RadioButton(language->name.data(), &shown == language)) {
+      context.apply(ChooseLanguage{std::string(language->code)});
+    }
   }
 }
 

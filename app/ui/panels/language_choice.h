@@ -1,10 +1,10 @@
 // The language of the stage and of lessons, one of the catalog. Within a frame, UI thread.
 #pragma once
 
-#include "app/session/session.h"
+#include "app/ui/widgets/panel_context.h"
 
 namespace ghostforce {
 
-void draw_language_choice(Session& session);
+void draw_language_choice(const PanelContext& context);
 
 }  // namespace ghostforce

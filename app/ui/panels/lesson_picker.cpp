@@ -44,26 +44,27 @@ std::size_t lesson_to_begin(const Session& session) {
   return 0;
 }
 
-void draw_reset(Session& session, const StageLanguage::Picker& words) {
-  if (!session.form.asks_for_reset) {
-    if (ImGui::Button(words.forget.data())) session.form.asks_for_reset = true;
+void draw_reset(const PanelContext& context, const StageLanguage::Picker& words) {
+  bool& asks = context.edited.form.asks_for_reset;
+  if (!asks) {
+    if (ImGui::Button(words.forget.data())) asks = true;
     return;
   }
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(words.forget_question.data());
   same_line_if_room(ImGui::CalcTextSize(filled("{} {}", words.forget_yes, words.forget_no).c_str()).x);
   if (ImGui::Button(words.forget_yes.data())) {
-    session.lesson_progress = {};
-    session.form.asks_for_reset = false;
+    context.apply(ForgetLessons{});
+    asks = false;
   }
   ImGui::SameLine();
-  if (ImGui::Button(words.forget_no.data())) session.form.asks_for_reset = false;
+  if (ImGui::Button(words.forget_no.data())) asks = false;
 }
 
 }  // namespace
 
 void draw_lessons(const PanelContext& context) {
-  Session& session = context.session;
+  Session& session = context.edited;
   const StageLanguage::Picker& said = stage_language(session.language).picker;
   const bool is_new = session.form.belongs_to != Dialog::lessons;
   if (is_new) session.form.marked_lesson = lesson_to_begin(session);
@@ -93,24 +94,24 @@ void draw_lessons(const PanelContext& context) {
                            .remark = progress_words(lesson, session.lesson_progress, said),
                            .picture_width = lesson_picture_width,
                            .is_marked = is_marked};
-    if (draw_picture_card(context, card, rows.card_size(), picture_of)) session.requests.open_lesson = lesson.name;
+    if (draw_picture_card(context, card, rows.card_size(), picture_of)) context.apply(OpenLesson{lesson.name});
   }
   ImGui::PopStyleVar();
   ImGui::EndChild();
   wrapped_text(said.about, ImGui::GetCursorPosX() + rows.size().x);
   if (session.lesson_progress != LessonProgress{}) {
-    draw_reset(session, said);
+    draw_reset(context, said);
     ImGui::SameLine();
   }
   if (offers_file_chooser()) {
     if (ImGui::Button(said.open_file.data())) {
       choose_file();
-      session.dialog = Dialog::none;  // whatever is chosen is behind it
+      context.apply(CloseDialog{});  // whatever is chosen is behind it
     }
     ImGui::SameLine();
   }
-  if (ImGui::Button(said.close.data())) session.dialog = Dialog::none;
-  draw_language_choice(session);
+  if (ImGui::Button(said.close.data())) context.apply(CloseDialog{});
+  draw_language_choice(context);
 }
 
 }  // namespace ghostforce

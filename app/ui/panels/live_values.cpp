@@ -145,7 +145,7 @@ void draw_copy_button(const PanelContext& context, float top) {
     ImGui::SetCursorPosY(top);
   }
   ImGui::SetCursorPosX(copy_x);
-  if (ImGui::SmallButton(copy)) context.session.requests.copy_table = true;
+  if (ImGui::SmallButton(copy)) context.apply(CopyValues{});
   tooltip(fmt::format("Copies the values of all three strategies to the clipboard, for a spreadsheet. {}.",
                       front_keys().copy_values.shown));
 }

@@ -17,11 +17,11 @@ namespace {
 
 constexpr double ruler_reach = 0.010;  // to either side [m]
 
-void draw_invitation(Session& session) {
+void draw_invitation(const PanelContext& context) {
   wrapped_text(
       "How stiff is the hand? Change the ratio ρ until the proxy no longer drifts along the wall: that ρ gives k_u. Do "
       "this five times; the median counts.");
-  if (ImGui::Button("Start measuring")) start_measuring(session);
+  if (ImGui::Button("Start measuring")) context.apply(StartMeasuring{});
   tooltip(
       "Chooses the anisotropic strategy and a wrong ratio, and hides what would give the answer away. Afterwards, "
       "strategy and ratio are restored.");
@@ -78,7 +78,7 @@ void draw_drift(const PanelContext& context, const UserMeasurement& measurement)
 }
 
 void draw_ratio(const PanelContext& context) {
-  Stiffnesses& stiffnesses = context.session.settings.stiffnesses;
+  Stiffnesses stiffnesses = context.session.settings.stiffnesses;
   if (!begin_rows("measured ratio", context)) return;
   row("Ratio ρ", Term::tracking_ratio);
   // A decade to either side of where the reading began: what is believed must not show.
@@ -87,24 +87,24 @@ void draw_ratio(const PanelContext& context) {
   double ratio = tracking_ratio(stiffnesses);
   if (slider("##ratio", ratio, limits, "%.2f", ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp)) {
     stiffnesses.chosen_tracking_ratio = ratio;
+    context.apply(ChangeStiffnesses{stiffnesses});
   }
   tooltip("Drag, or press − and + for 5 % (Alt: 1 %).");
   end_rows();
 }
 
 void draw_nulling(const PanelContext& context) {
-  Session& session = context.session;
-  const UserMeasurement& measurement = session.measurement;
+  const UserMeasurement& measurement = context.session.measurement;
   std::string head = fmt::format("Reading {} of {}", measurement.readings.size() + 1, readings_wanted);
   if (measurement.has_begun_anew) head += ". Something changed, so the measurement started over.";
   wrapped_text(head);
   draw_step(context, measurement);
   draw_drift(context, measurement);
   draw_ratio(context);
-  if (ImGui::Button("Take   Enter")) take_reading(session);
+  if (ImGui::Button("Take   Enter")) context.apply(TakeReading{});
   tooltip("Records this ρ as a reading: k_u = k_r / (ρ − 1).");
   ImGui::SameLine();
-  if (ImGui::Button("Cancel")) cancel_measurement(session);
+  if (ImGui::Button("Cancel")) context.apply(CancelMeasuring{});
   tooltip("Restores the ratio and the strategy, and discards the readings.");
 }
 
@@ -129,8 +129,7 @@ void draw_readings(const PanelContext& context, const UserMeasurement& measureme
 }
 
 void draw_result(const PanelContext& context) {
-  Session& session = context.session;
-  const UserMeasurement& measurement = session.measurement;
+  const UserMeasurement& measurement = context.session.measurement;
   draw_readings(context, measurement);
   const Spread spread = spread_of(measurement);
   ImGui::PushFont(context.fonts.bold, 0.0F);
@@ -142,7 +141,7 @@ void draw_result(const PanelContext& context) {
   tooltip("From the lower to the upper quartile: of five readings, the second to the fourth.");
   // Of a hand that is simulated there is a true value; it was given, not measured, and may be another by now.
   if (measurement.given_k_u && !measurement.is_revealed) {
-    if (ImGui::Button("Reveal the given stiffness")) reveal_hand(session);
+    if (ImGui::Button("Reveal the given stiffness")) context.apply(RevealHand{});
     tooltip("Shows the stiffness that the simulated hand was given.");
   } else if (measurement.given_k_u) {
     text_in(context.theme.faint_text, fmt::format("(given: {:.1f} N/m)", *measurement.given_k_u));
@@ -151,7 +150,7 @@ void draw_result(const PanelContext& context) {
   if (measurement.given_k_u && !measurement.was_blind)
     wrapped_text("Not a blind measurement: the given k_u was revealed early.");
   if (ImGui::Button("Use this stiffness")) {
-    believe_measurement(session);
+    context.apply(BelieveMeasurement{});
     return;
   }
   tooltip("The renderer uses this k_u from now on.");
@@ -161,12 +160,12 @@ void draw_result(const PanelContext& context) {
   const char* const again = "Measure again";
   same_line_for(again);
   if (ImGui::Button(again)) {
-    start_measuring(session);
+    context.apply(StartMeasuring{});
     return;
   }
   const char* const close = "Close";
   same_line_for(close);
-  if (ImGui::Button(close)) cancel_measurement(session);
+  if (ImGui::Button(close)) context.apply(CancelMeasuring{});
 }
 
 }  // namespace
@@ -175,7 +174,7 @@ void draw_measure_user(const PanelContext& context) {
   const UserMeasurement& measurement = context.session.measurement;
   switch (measurement.stage) {
     case UserMeasurement::Stage::off:
-      draw_invitation(context.session);
+      draw_invitation(context);
       break;
     case UserMeasurement::Stage::nulling:
       draw_nulling(context);

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "app/session/front_keys.h"
-#include "app/session/motor_button.h"
+#include "app/session/stage_buttons.h"
 #include "app/ui/widgets/controls.h"
 #include "app/view/stage/stage_language.h"
 
@@ -39,7 +39,7 @@ void draw_motor_button(const PanelContext& context, float height) {
   const MotorReport& motors = context.loop.motors;
   const Theme& theme = context.theme;
   const bool is_on = may_push(motors);
-  const std::string words = safety_words(motors, english_stage);
+  const std::string words = motor_words(motors, english_stage);
   ImFont* const font = is_on ? context.fonts.bold : context.fonts.regular;
   const float padding = ImGui::GetStyle().FramePadding.x;
   const float usual = ImGui::GetFontSize();
@@ -59,7 +59,8 @@ void draw_motor_button(const PanelContext& context, float height) {
       is_on || (motors.has_motors && motors.reason != OffReason::none) || motors.state == SafetyState::arming;
   const Colour fill = is_on ? theme.problem : theme.panel_field;
   const Colour rim = is_on ? theme.problem : stands_out ? theme.accent : theme.panel_border;
-  ImGui::BeginDisabled(!can_press_safety_button(motors));
+  const std::optional<Action> action = action_of_motor_button(motors);
+  ImGui::BeginDisabled(!action);
   ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, (stands_out ? 2.5F : 1.0F) * context.scale);
   ImGui::PushStyleColor(ImGuiCol_Border, unpacked(rim));
   ImGui::PushStyleColor(ImGuiCol_Button, unpacked(fill));
@@ -68,7 +69,7 @@ void draw_motor_button(const PanelContext& context, float height) {
   ImGui::PushStyleColor(ImGuiCol_Text, unpacked(is_on ? theme.background : theme.text));
   const float letters = letters_for(words, font, width - 2.0F * padding, (is_on ? large_letters : 1.0F) * usual);
   ImGui::PushFont(font, letters / ImGui::GetStyle().FontScaleMain);
-  if (ImGui::Button((words + "###motors").c_str(), {width, height})) press_safety_button(context.session, motors);
+  if (ImGui::Button((words + "###motors").c_str(), {width, height}) && action) context.apply(*action);
   ImGui::PopFont();
   ImGui::PopStyleColor(5);
   ImGui::PopStyleVar();
@@ -97,7 +98,7 @@ void draw_motor_frame(const PanelContext& context) {
 
 void draw_motor_words(const PanelContext& context) {
   if (!may_push(context.loop.motors)) return;
-  const std::string words = safety_words(context.loop.motors, stage_language(context.session.language));
+  const std::string words = motor_words(context.loop.motors, stage_language(context.session.language));
   ImFont* const font = context.fonts.bold;
   const float height = 2.0F * ImGui::GetFontSize();
   const ImVec2 extent = font->CalcTextSizeA(height, 1e9F, 0.0F, words.c_str());

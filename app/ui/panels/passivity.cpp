@@ -17,11 +17,10 @@ namespace {
 
 // One button in one place, whatever the state.
 void draw_switch(const PanelContext& context) {
-  Session& session = context.session;
-  const bool is_on = session.circle_test.is_on;
+  const bool is_on = context.session.circle_test.is_on;
   const float width = ImGui::CalcTextSize("Start the circle test").x + 2.0F * ImGui::GetStyle().FramePadding.x;
   if (ImGui::Button(is_on ? "End the circle test###circle" : "Start the circle test###circle", {width, 0.0F})) {
-    is_on ? end_circle_test(session) : begin_circle_test(session);
+    context.apply(is_on ? Action(EndCircleTest{}) : BeginCircleTest{});
   }
   tooltip(is_on ? "Returns the goal to where it was, and to what moved it before."
                 : "The goal goes round a circle inside the wall, and each turn is measured.");
@@ -47,19 +46,21 @@ double greatest_radius(const Session& session) {
 }
 
 void draw_choice(const PanelContext& context, const Circle& circle) {
-  CircleChoice& choice = context.session.circle_test.choice;
+  CircleChoice choice = context.session.circle_test.choice;
   if (!begin_rows("circle", context)) return;
   row("Direction",
       "In one direction the wall gives energy. In the other it takes as much away, if the device's loop has the same "
       "area. For the same circle of the goal the loops differ slightly, and so do the energies.");
-  ImGui::Checkbox("clockwise", &choice.is_clockwise);
+  bool is_changed = ImGui::Checkbox("clockwise", &choice.is_clockwise);
   row("Radius",
       "The radius of the goal's circle, up to the size of the view. A circle that does not fit inside the wall is "
       "moved deeper.");
   double mm = mm_per_m * circle.radius;
   if (slider("##radius", mm, {least_mm, mm_per_m * greatest_radius(context.session)}, "%.1f mm")) {
     choice.radius = 0.001 * mm;
+    is_changed = true;
   }
+  if (is_changed) context.apply(ChangeCircle{choice});
   end_rows();
 }
 

@@ -33,7 +33,7 @@ class Scale {
 };
 
 // Enter on the focused dial, as on a slider, makes it a field for a number; true while it is one.
-bool type_ratio(Stiffnesses& stiffnesses, ImVec2 size) {
+bool type_ratio(const PanelContext& context, ImVec2 size) {
   const ImGuiContext& imgui = *ImGui::GetCurrentContext();
   const ImGuiID id = ImGui::GetID("ratio");
   const bool begins = imgui.NavActivateId == id && (imgui.NavActivateFlags & ImGuiActivateFlags_PreferInput) != 0;
@@ -42,9 +42,11 @@ bool type_ratio(Stiffnesses& stiffnesses, ImVec2 size) {
   const ImRect field{corner, {corner.x + size.x, corner.y + ImGui::GetFrameHeight()}};
   ImGui::ItemSize(size);
   ImGui::ItemAdd(field, id, nullptr, ImGuiItemFlags_Inputable);
+  Stiffnesses stiffnesses = context.session.settings.stiffnesses;
   double ratio = tracking_ratio(stiffnesses);
   if (ImGui::TempInputScalar(field, id, "ratio", ImGuiDataType_Double, &ratio, "%.2f")) {
     stiffnesses.chosen_tracking_ratio = tracking_ratio_range.nearest_to(ratio);
+    context.apply(ChangeStiffnesses{stiffnesses});
   }
   return true;
 }
@@ -91,7 +93,7 @@ RatioRange ratio_range(const Stiffnesses& stiffnesses) {
   return {std::min(1.0 / std::sqrt(optimal), now / 1.2), std::max(optimal * std::sqrt(optimal), now * 1.2)};
 }
 
-void choose_ratio(Stiffnesses& stiffnesses, double ratio, double snap) {
+Stiffnesses with_ratio(Stiffnesses stiffnesses, double ratio, double snap) {
   const double optimal = optimal_tracking_ratio(stiffnesses.k_r, believed_user_stiffness(stiffnesses));
   if (std::abs(std::log(ratio / optimal)) < snap) {
     stiffnesses.chosen_tracking_ratio.reset();
@@ -99,6 +101,7 @@ void choose_ratio(Stiffnesses& stiffnesses, double ratio, double snap) {
     const bool is_naive = std::abs(std::log(ratio)) < snap;
     stiffnesses.chosen_tracking_ratio = is_naive ? 1.0 : tracking_ratio_range.nearest_to(ratio);
   }
+  return stiffnesses;
 }
 
 void draw_ratio_dial(const PanelContext& context) {
@@ -108,7 +111,7 @@ void draw_ratio_dial(const PanelContext& context) {
     tooltip("The dial would show the optimal ratio, and so how stiff the hand is.");
     return;
   }
-  Stiffnesses& stiffnesses = context.session.settings.stiffnesses;
+  const Stiffnesses& stiffnesses = context.session.settings.stiffnesses;
   const double optimal = optimal_tracking_ratio(stiffnesses.k_r, believed_user_stiffness(stiffnesses));
   const Scale scale(optimal);
   const Theme& theme = context.theme;
@@ -125,13 +128,13 @@ void draw_ratio_dial(const PanelContext& context) {
   const auto x_of = [&](double place) { return left + static_cast<float>(place) * length; };
 
   const ImVec2 size{width, 2.0F * line + 2.0F * radius + 8.0F * context.scale};
-  if (type_ratio(stiffnesses, size)) return;
+  if (type_ratio(context, size)) return;
   ImGui::InvisibleButton("ratio", size, ImGuiButtonFlags_EnableNav);
   if (ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
     const float pointer = ImGui::GetIO().MousePos.x;
     const double place = std::clamp(static_cast<double>((pointer - left) / length), 0.0, 1.0);
-    choose_ratio(stiffnesses, scale.ratio(place),
-                 scale.decade() * static_cast<double>(snap_points * context.scale / length));
+    const double snap = scale.decade() * static_cast<double>(snap_points * context.scale / length);
+    context.apply(ChangeStiffnesses{with_ratio(stiffnesses, scale.ratio(place), snap)});
   }
   for (const Nudge& nudge : take_nudges()) {
     const double step = 0.01 * nudge.steps;
@@ -139,7 +142,8 @@ void draw_ratio_dial(const PanelContext& context) {
                          : nudge.way == Nudge::Way::to_greatest ? 1.0
                                                                 : scale.place(tracking_ratio(stiffnesses)) + step;
     // Half a step: whoever leaves naïve or optimal does not fall back on it.
-    choose_ratio(stiffnesses, scale.ratio(std::clamp(place, 0.0, 1.0)), 0.5 * std::abs(step) * scale.decade());
+    const double snap = 0.5 * std::abs(step) * scale.decade();
+    context.apply(ChangeStiffnesses{with_ratio(stiffnesses, scale.ratio(std::clamp(place, 0.0, 1.0)), snap)});
   }
   const bool is_used = ImGui::IsItemActive() || is_focused();
   const std::optional<HandNeedle> needle = hand_needle(context.loop.hand.estimate, stiffnesses.k_r);
@@ -167,7 +171,7 @@ void draw_ratio_dial(const PanelContext& context) {
   const float naive_x = std::min(x_of(scale.place(1.0)) - 0.5F * naive_width, naive_end - naive_width);
   // In their place, so that nothing below moves.
   const bool acts_on_another = context.settings.active != StrategyId::anisotropic;
-  if (is_turning(context.session, is_used) && acts_on_another) {
+  if (is_turning(context.edited, is_used) && acts_on_another) {
     draw_list.AddText(corner, packed(theme.text), "Only Anisotropic uses it.");
   } else {
     draw_list.AddText({optimal_x, corner.y}, packed(theme.strategy_text[index_of(StrategyId::anisotropic)]),

@@ -18,6 +18,6 @@ RatioRange ratio_range(const Stiffnesses& stiffnesses);
 
 // As a person who drags means it: near ρ* the optimal ratio from now on, near 1 exactly naïve, else this one. `snap` is
 // how near, as a difference of logarithms.
-void choose_ratio(Stiffnesses& stiffnesses, double ratio, double snap);
+Stiffnesses with_ratio(Stiffnesses stiffnesses, double ratio, double snap);
 
 }  // namespace ghostforce

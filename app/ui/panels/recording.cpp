@@ -11,12 +11,12 @@
 namespace ghostforce {
 
 void toggle_recording(const PanelContext& context) {
-  Session& session = context.session;
+  Session& session = context.edited;
   if (context.loop.recording.is_on) {
-    session.requests.stop_recording = true;
+    context.apply(StopRecording{});
   } else {
-    session.requests.record =
-        session.recording_path.empty() ? proposed_path(file_stem(session.scene->title), "csv") : session.recording_path;
+    context.apply(StartRecording{session.recording_path.empty() ? proposed_path(file_stem(session.scene->title), "csv")
+                                                                : session.recording_path});
     session.recording_path.clear();  // the next one is another file
   }
 }
@@ -35,7 +35,7 @@ void draw_recording(const PanelContext& context) {
     ImGui::BeginDisabled(recording.is_on);
     std::string shown = recording.is_on ? recording.path : context.session.recording_path;
     const bool entered = text_field("##recording", "a new name", shown);
-    if (!recording.is_on) context.session.recording_path = shown;
+    if (!recording.is_on) context.edited.recording_path = shown;
     ImGui::EndDisabled();
     if (entered) toggle_recording(context);
     end_rows();

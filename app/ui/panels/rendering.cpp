@@ -35,7 +35,7 @@ void draw_constraint(Stiffnesses& stiffnesses, float scale) {
 }  // namespace
 
 void draw_rendering(const PanelContext& context) {
-  Stiffnesses& stiffnesses = context.session.settings.stiffnesses;
+  Stiffnesses stiffnesses = context.session.settings.stiffnesses;
   if (!begin_rows("rendering", context)) return;
   row("Rendering k_r", Term::rendering_stiffness);
   stiffness_slider("##k_r", "k_r_N_per_m", stiffnesses.k_r, rendering_limits);
@@ -43,6 +43,7 @@ void draw_rendering(const PanelContext& context) {
   stiffness_slider("##k_t", "k_t_N_per_m", stiffnesses.k_t, rendering_limits);
   row("Constraint k_c", Term::constraint_stiffness);
   draw_constraint(stiffnesses, context.scale);
+  if (stiffnesses != context.session.settings.stiffnesses) context.apply(ChangeStiffnesses{stiffnesses});
   row("Ratio ρ", Term::tracking_ratio);
   draw_ratio_dial(context);
   end_rows();

@@ -42,15 +42,17 @@ std::string words_about(const MotorReport& motors) {
 }
 
 void draw_limits(const PanelContext& context) {
-  SafetyOptions& safety = context.session.safety;
+  SafetyOptions safety = context.session.safety;
   if (!begin_rows("safety", context)) return;
   row("Force limit", "The largest force that is asked of the motors. A larger one is reduced and keeps its direction.");
-  slider("##limit", safety.force_limit, {0.5, force_ceiling}, "%.1f N");
+  bool is_changed = slider("##limit", safety.force_limit, {0.5, force_ceiling}, "%.1f N");
   row("Stiffest wall",
       "k_r is limited to this while the motors are on. For more than 800 N/m, Ctrl+click and type the value.");
-  slider("##stiffest", safety.greatest_k_r, {50.0, SafetyOptions{}.greatest_k_r}, "%.0f N/m", ImGuiSliderFlags_None);
+  is_changed |= slider("##stiffest", safety.greatest_k_r, {50.0, SafetyOptions{}.greatest_k_r}, "%.0f N/m",
+                       ImGuiSliderFlags_None);
   row("Deadman switch", "Motors are on only while a grip button is held.");
-  ImGui::Checkbox("only while a button is held", &safety.needs_button);
+  is_changed |= ImGui::Checkbox("only while a button is held", &safety.needs_button);
+  if (is_changed) context.apply(ChangeSafety{safety});
   end_rows();
 }
 

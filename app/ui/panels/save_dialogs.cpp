@@ -37,7 +37,7 @@ void draw_density_choice(Form& form) {
 // True when the file shall be written. A name without one of the endings gets the first of them.
 bool draw_save_path_with(std::span<const char* const> formats, const PanelContext& context) {
   if (!draw_save_path(context)) return false;
-  std::string& path = context.session.form.path;
+  std::string& path = context.edited.form.path;
   if (format_of(path, formats) == nullptr) path += fmt::format(".{}", formats.front());
   return true;
 }
@@ -45,7 +45,7 @@ bool draw_save_path_with(std::span<const char* const> formats, const PanelContex
 }  // namespace
 
 void draw_save_picture(const PanelContext& context) {
-  Session& session = context.session;
+  Session& session = context.edited;
   Form& form = session.form;
   if (form.belongs_to != Dialog::save_picture) {
     const std::string stem =
@@ -76,25 +76,25 @@ void draw_save_picture(const PanelContext& context) {
   ImGui::SameLine();
   ImGui::BeginDisabled(!is_png);
   if (ImGui::Button("Copy to clipboard")) {
-    session.requests.copy_picture = CopyPictureRequest{form.density, form.scene_alone};
-    session.dialog = Dialog::none;
+    context.apply(CopyPicture{form.density, form.scene_alone});
+    context.apply(CloseDialog{});
   }
   ImGui::EndDisabled();
   tooltip(fmt::format("The picture as PNG, for other programs to paste. {}.", front_keys().copy_picture.shown));
   if (save_place().paints_files) {
     ImGui::SameLine();
-    if (ImGui::Button("Clip…")) session.dialog = Dialog::save_clip;
+    if (ImGui::Button("Clip…")) context.apply(OpenDialog{Dialog::save_clip});
     tooltip("The last seconds of the stage, as a moving picture. Alt+P.");
   }
   if (!shall_save) return;
-  session.requests.save_picture = SavePictureRequest{form.path, form.density, form.scene_alone};
-  session.dialog = Dialog::none;
+  context.apply(SavePicture{form.path, form.density, form.scene_alone});
+  context.apply(CloseDialog{});
 }
 
 void draw_save_clip(const PanelContext& context) {
   const std::span<const char* const> clip_formats(all_clip_formats.data(),
                                                   can_make_videos() ? all_clip_formats.size() : 1);
-  Session& session = context.session;
+  Session& session = context.edited;
   Form& form = session.form;
   if (form.belongs_to != Dialog::save_clip) {
     form.path = proposed_path(fmt::format("{}-clip", file_stem(session.scene->title)), clip_formats.front());
@@ -116,13 +116,13 @@ void draw_save_clip(const PanelContext& context) {
     end_rows();
   }
   if (!draw_save_path_with(clip_formats, context)) return;
-  session.requests.save_clip =
-      SaveClipRequest{.path = form.path, .seconds = static_cast<double>(form.clip_seconds), .end_s = form.clip_end_s};
-  session.dialog = Dialog::none;
+  context.apply(
+      SaveClip{.path = form.path, .seconds = static_cast<double>(form.clip_seconds), .end_s = form.clip_end_s});
+  context.apply(CloseDialog{});
 }
 
 void draw_save_plots(const PanelContext& context) {
-  Session& session = context.session;
+  Session& session = context.edited;
   Form& form = session.form;
   if (form.belongs_to != Dialog::save_plots) {
     form.path = proposed_path(fmt::format("{}-{}", file_stem(session.scene->title), plot_tab_name(session.plots.tab)),
@@ -143,19 +143,19 @@ void draw_save_plots(const PanelContext& context) {
     end_rows();
   }
   if (!draw_save_path_with(formats, context)) return;
-  session.requests.save_plots = SavePlotsRequest{form.path, form.whole_history};
-  session.dialog = Dialog::none;
+  context.apply(SavePlots{form.path, form.whole_history});
+  context.apply(CloseDialog{});
 }
 
 void draw_save_scene(const PanelContext& context) {
-  Session& session = context.session;
+  Session& session = context.edited;
   if (session.form.belongs_to != Dialog::save_scene) {
     session.form.path = proposed_path(file_stem(session.scene->title), "ghostforce.toml");
   }
   ImGui::TextUnformatted("The scene with its current settings, and a path that ends at the goal:");
   if (!draw_save_path(context)) return;
-  session.requests.save_scene = session.form.path;
-  session.dialog = Dialog::none;
+  context.apply(SaveScene{session.form.path});
+  context.apply(CloseDialog{});
 }
 
 }  // namespace ghostforce

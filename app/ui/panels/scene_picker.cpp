@@ -73,7 +73,7 @@ std::string beginning_of(const std::string& problem) {
 }
 
 void draw_problem(const PanelContext& context, float width) {
-  Form& form = context.session.form;
+  Form& form = context.edited.form;
   if (form.problem.empty()) return;
   ImGui::PushStyleColor(ImGuiCol_Text, unpacked(context.theme.problem));
   wrapped_text(beginning_of(form.problem), ImGui::GetCursorPosX() + width);
@@ -81,14 +81,14 @@ void draw_problem(const PanelContext& context, float width) {
   if (form.suggestion.empty()) return;
   if (ImGui::Button(fmt::format("Open {} instead###suggestion", form.suggestion).c_str())) {
     form.path = form.suggestion;
-    context.session.requests.open_scene = form.path;
+    context.apply(OpenScene{form.path});
   }
 }
 
 }  // namespace
 
 void draw_open_scene(const PanelContext& context) {
-  Session& session = context.session;
+  Session& session = context.edited;
   Form& form = session.form;
   const bool is_new = form.belongs_to != Dialog::open_scene;
   const auto& scenes = shipped_scenes();
@@ -108,7 +108,7 @@ void draw_open_scene(const PanelContext& context) {
     rows.begin_card(i);
     if (draw_scene_card(context, i, rows.card_size())) {
       form.marked_scene = i;
-      session.requests.open_scene = scenes[i].name;
+      context.apply(OpenScene{scenes[i].name});
     }
     if (i == form.marked_scene && (has_moved || is_new)) ImGui::SetScrollHereY();
   }
@@ -137,15 +137,15 @@ void draw_open_scene(const PanelContext& context) {
     if (ImGui::Button(choose_words)) choose_file();
     ImGui::SameLine();
   }
-  if (ImGui::Button(cancel_words)) session.dialog = Dialog::none;
+  if (ImGui::Button(cancel_words)) context.apply(CloseDialog{});
   if (entered || pressed) {
     const ShippedScene& marked = scenes[form.marked_scene];
     if (!form.path.empty()) {
-      session.requests.open_scene = form.path;
+      context.apply(OpenScene{form.path});
     } else if (!is_open_now(session, marked)) {
-      session.requests.open_scene = marked.name;
+      context.apply(OpenScene{marked.name});
     } else {
-      session.dialog = Dialog::none;  // it is open, and what has been changed in it stays
+      context.apply(CloseDialog{});  // it is open, and what has been changed in it stays
     }
   }
   draw_problem(context, width);

@@ -45,7 +45,7 @@ void draw_axes(const PanelContext& context, const SpaceMouseReading& reading) {
 }  // namespace
 
 void draw_spacemouse(const PanelContext& context, const SpaceMouseReading& reading, const SpaceMouseWords& words) {
-  SpaceMouseSettings& settings = context.session.spacemouse;
+  SpaceMouseSettings settings = context.session.spacemouse;
   wrapped_text(words_about(reading, words));
   draw_axes(context, reading);
   if (!begin_rows("spacemouse", context)) return;
@@ -64,6 +64,7 @@ void draw_spacemouse(const PanelContext& context, const SpaceMouseReading& readi
   row("Dead zone", "A smaller deflection of the cap does not move the goal.");
   double percent = 100.0 * settings.dead_zone;
   if (slider("##dead", percent, {0.0, 50.0}, "%.0f %%")) settings.dead_zone = percent / 100.0;
+  if (settings != context.session.spacemouse) context.apply(ChangeSpaceMouse{settings});
   end_rows();
 }
 

@@ -13,7 +13,6 @@
 
 #include "app/files/file_exchange.h"
 #include "app/session/front_keys.h"
-#include "app/session/key_bindings.h"
 #include "app/ui/panels/caption.h"
 #include "app/ui/panels/panel_catalog.h"
 #include "app/ui/widgets/controls.h"
@@ -25,23 +24,26 @@ namespace {
 // Fewer late ticks than this are felt by nobody and happen on every desktop [share of all].
 constexpr double late_share_to_tell = 1e-3;
 
-void draw_save_menu(Session& session) {
+void draw_save_menu(const PanelContext& context) {
   if (!ImGui::BeginPopup("save")) return;
   close_popup_on_escape();
+  const ActionSink& apply = context.apply;
   const FrontKeys& keys = front_keys();
   const auto item = [](const char* words, std::string_view key) {
     return ImGui::MenuItem(words, std::string(key).c_str());
   };
-  if (ImGui::MenuItem("Save this scene…", "Ctrl+S")) session.dialog = Dialog::save_scene;
-  if (item("Save a picture…", keys.save_picture.shown)) session.dialog = Dialog::save_picture;
-  if (save_place().paints_files && ImGui::MenuItem("Save a clip…", "Alt+P")) session.dialog = Dialog::save_clip;
-  if (ImGui::MenuItem("Save the plots…", nullptr, false, session.plots.is_open)) session.dialog = Dialog::save_plots;
+  if (ImGui::MenuItem("Save this scene…", "Ctrl+S")) apply(OpenDialog{Dialog::save_scene});
+  if (item("Save a picture…", keys.save_picture.shown)) apply(OpenDialog{Dialog::save_picture});
+  if (save_place().paints_files && ImGui::MenuItem("Save a clip…", "Alt+P")) apply(OpenDialog{Dialog::save_clip});
+  if (ImGui::MenuItem("Save the plots…", nullptr, false, context.session.plots.is_open)) {
+    apply(OpenDialog{Dialog::save_plots});
+  }
   ImGui::Separator();
-  if (!keys.link.shown.empty() && item("Send a link…", keys.link.shown)) session.requests.show_link = true;
-  if (item("Copy a picture", keys.copy_picture.shown)) session.requests.copy_picture = CopyPictureRequest{};
-  if (item("Copy the live values", keys.copy_values.shown)) session.requests.copy_table = true;
-  if (ImGui::MenuItem("Copy this set-up as a command", "Ctrl+C")) session.requests.copy_set_up = true;
-  if (ImGui::MenuItem("Paste a set-up", "Ctrl+V")) session.requests.paste_set_up = true;
+  if (!keys.link.shown.empty() && item("Send a link…", keys.link.shown)) apply(ShowLink{});
+  if (item("Copy a picture", keys.copy_picture.shown)) apply(CopyPicture{});
+  if (item("Copy the live values", keys.copy_values.shown)) apply(CopyValues{});
+  if (ImGui::MenuItem("Copy this set-up as a command", "Ctrl+C")) apply(CopySetUp{});
+  if (ImGui::MenuItem("Paste a set-up", "Ctrl+V")) apply(PasteSetUp{});
   ImGui::EndPopup();
 }
 
@@ -86,7 +88,7 @@ std::vector<std::string> troubles_of(const LoopReading& loop, const Settings& se
 }
 
 void draw_status_bar(const PanelContext& context, bool has_caption) {
-  Session& session = context.session;
+  const Session& session = context.session;
   const LoopReading& loop = context.loop;
   const ImGuiStyle& style = ImGui::GetStyle();
   const auto width = [](const std::string& text) { return symbol_text_width(text); };
@@ -131,14 +133,14 @@ void draw_status_bar(const PanelContext& context, bool has_caption) {
   const ImVec2 corner = ImGui::GetItemRectMin();
   draw_symbol_text(*ImGui::GetWindowDrawList(), {corner.x + style.FramePadding.x, corner.y + style.FramePadding.y},
                    ImGui::GetColorU32(ImGuiCol_Text), title);
-  if (opens_scene) open_dialog<Dialog::open_scene>(session);
+  if (opens_scene) context.apply(ToggleDialog{Dialog::open_scene});
   tooltip(fmt::format("{} Click to open another scene. Ctrl+O.", session.scene->about));
   ImGui::SameLine();
   if (ImGui::Button(save)) ImGui::OpenPopup("save");
   tooltip("Saves the scene, a picture or the plots; copies the live values or a picture.");
-  draw_save_menu(session);
+  draw_save_menu(context);
   ImGui::SameLine();
-  if (ImGui::Button(help.c_str())) open_dialog<Dialog::help>(session);
+  if (ImGui::Button(help.c_str())) context.apply(ToggleDialog{Dialog::help});
   tooltip("All keys and mouse gestures.");
 }
 

@@ -5,8 +5,6 @@
 #include <array>
 #include <string>
 
-#include "app/session/key_bindings.h"
-#include "app/session/stage_actions.h"
 #include "app/ui/panels/bar_signs.h"
 #include "app/ui/panels/hints.h"
 #include "app/ui/panels/motor_control.h"
@@ -99,7 +97,7 @@ void draw_strategy_button(const Bar& bar, const Strategy& entry) {
   const ImVec2 size{bar.width_of(entry), bar.height()};
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImGui::PushID(static_cast<int>(i));
-  if (ImGui::InvisibleButton("strategy", size, ImGuiButtonFlags_EnableNav)) context.session.settings.active = entry.id;
+  if (ImGui::InvisibleButton("strategy", size, ImGuiButtonFlags_EnableNav)) context.apply(ChooseStrategy{entry.id});
   ImGui::PopID();
   const bool hovered = ImGui::IsItemHovered();
   const bool is_hinted = i == 2 && points_at(context.session, HintTarget::third_strategy);
@@ -137,21 +135,25 @@ void bar_combo(const char* id, const std::string& shown, float width, float heig
   ImGui::PopStyleVar();
 }
 
-void draw_compare(Session& session, float width, float height) {
-  const CompareMode& mode = compare_catalog()[static_cast<std::size_t>(session.options.compare)];
+void draw_compare(const PanelContext& context, float width, float height) {
+  ViewOptions options = context.session.options;
+  const CompareMode& mode = compare_catalog()[static_cast<std::size_t>(options.compare)];
   bar_combo("##compare", std::string(mode.title), width * ImGui::GetFontSize(), height, [&] {
     for (const CompareMode& each : compare_catalog()) {
-      if (ImGui::Selectable(each.title.data(), each.id == session.options.compare)) session.options.compare = each.id;
+      if (!ImGui::Selectable(each.title.data(), each.id == mode.id)) continue;
+      options.compare = each.id;
+      context.apply(ChangeViewOptions{options});
     }
   });
   tooltip("Compare: all strategies in one picture, a picture for each, or the active one only. Key 0.");
 }
 
-void draw_speed(Session& session, float width, float height) {
+void draw_speed(const PanelContext& context, float width, float height) {
   constexpr std::array speeds{1.0, 0.5, 0.2, 0.1, 0.02};
-  bar_combo("##speed", fmt::format("{:g}×", session.speed), width * ImGui::GetFontSize(), height, [&] {
+  bar_combo("##speed", fmt::format("{:g}×", context.session.speed), width * ImGui::GetFontSize(), height, [&] {
     for (const double speed : speeds) {
-      if (ImGui::Selectable(fmt::format("{:g}×", speed).c_str(), speed == session.speed)) session.speed = speed;
+      const bool is_chosen = speed == context.session.speed;
+      if (ImGui::Selectable(fmt::format("{:g}×", speed).c_str(), is_chosen)) context.apply(ChangeSpeed{speed});
     }
   });
   tooltip("Slow motion: fewer ticks per second, the same physics.");
@@ -191,37 +193,37 @@ void draw_record_button(const Bar& bar) {
 
 void draw_time(const Bar& bar) {
   const PanelContext& context = bar.context;
-  Session& session = context.session;
+  const Session& session = context.session;
   const bool looks_back = session.stage.looks_back_to_s.has_value();
   // Nobody stops the time of a real hand; one can look back at what it did.
   const bool can_stop = !context.snapshot.measured;
   const bool is_still = session.paused || looks_back;
   if (icon_button(bar, "##pause", is_still ? draw_play_sign : draw_pause_sign, can_stop || looks_back)) {
-    toggle_pause(session);
+    context.apply(TogglePause{});
   }
   tooltip(is_still ? "Resumes model time. Space." : "Pauses model time. Space.");
   ImGui::SameLine();
-  if (icon_button(bar, "##back", draw_step_back_sign)) step_back(session);
+  if (icon_button(bar, "##back", draw_step_back_sign)) context.apply(StepBack{});
   tooltip("Pauses and steps back one tick, up to a minute. The key is the comma.");
   ImGui::SameLine();
-  if (icon_button(bar, "##step", draw_step_on_sign, can_stop || looks_back)) step_on(session);
+  if (icon_button(bar, "##step", draw_step_on_sign, can_stop || looks_back)) context.apply(StepOn{});
   tooltip("Pauses and steps forward one tick. The key is the full stop.");
   ImGui::SameLine();
-  if (icon_button(bar, "##reset", draw_reset_sign)) restart(session);
+  if (icon_button(bar, "##reset", draw_reset_sign)) context.apply(Restart{});
   tooltip("Resets the motion. Key R; Alt+R also resets the settings.");
   ImGui::SameLine();
   ImGui::BeginDisabled(!can_stop);
-  draw_speed(session, bar.sizes.speed, bar.height());
+  draw_speed(context, bar.sizes.speed, bar.height());
   ImGui::EndDisabled();
 }
 
 void draw_undo_and_redo(const Bar& bar) {
-  Session& session = bar.context.session;
-  const UndoOffer& offer = session.undo_offer;
-  if (icon_button(bar, "##undo", draw_undo_sign, !offer.undo.empty())) session.requests.undo = true;
+  const ActionSink& apply = bar.context.apply;
+  const UndoOffer& offer = bar.context.session.undo_offer;
+  if (icon_button(bar, "##undo", draw_undo_sign, !offer.undo.empty())) apply(Undo{});
   tooltip(offer.undo.empty() ? "There is nothing to undo." : fmt::format("Undo {}. Ctrl+Z.", offer.undo));
   ImGui::SameLine();
-  if (icon_button(bar, "##redo", draw_redo_sign, !offer.redo.empty())) session.requests.redo = true;
+  if (icon_button(bar, "##redo", draw_redo_sign, !offer.redo.empty())) apply(Redo{});
   tooltip(offer.redo.empty() ? "There is nothing to redo." : fmt::format("Redo {}. Ctrl+Shift+Z.", offer.redo));
 }
 
@@ -233,12 +235,11 @@ float strategy_bar_height(const PanelContext& context) {
 }
 
 void draw_strategy_bar(const PanelContext& context) {
-  Session& session = context.session;
   const BarPlan plan = plan_bar(context);
   const Bar bar{context, plan.sizes};
   for (const Strategy& entry : strategy_catalog()) draw_strategy_button(bar, entry);
   ImGui::SameLine(0.0F, bar.gap());
-  draw_compare(session, bar.sizes.compare, bar.height());
+  draw_compare(context, bar.sizes.compare, bar.height());
   // The motors' button has its place at the right edge of the first row.
   if (plan.has_two_rows) {
     draw_motor_button(context, bar.height());
@@ -251,7 +252,7 @@ void draw_strategy_bar(const PanelContext& context) {
   ImGui::SameLine(0.0F, bar.gap());
   draw_undo_and_redo(bar);
   ImGui::SameLine(0.0F, bar.gap());
-  if (ImGui::Button(stage_words, {bar.stage_width(), bar.height()})) show_face(session, Face::stage);
+  if (ImGui::Button(stage_words, {bar.stage_width(), bar.height()})) context.apply(ShowFace{Face::stage});
   tooltip("Back to the stage: one hand, one handle, one wall. F4.");
   if (!plan.has_two_rows) draw_motor_button(context, bar.height());
 }

@@ -59,14 +59,14 @@ void draw_drift_of_belief(const PanelContext& context) {
 
 // While the hand is measured, or has been and is not revealed yet, its given stiffness stands nowhere.
 void draw_hidden_hand(const PanelContext& context) {
-  Session& session = context.session;
+  const Session& session = context.session;
   row("Hand k_u", Term::user_stiffness);
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("hidden");
   if (session.measurement.given_k_u) {
     tooltip("Hidden for a blind measurement: the given stiffness is the answer.");
     ImGui::SameLine();
-    if (ImGui::Button("Reveal")) reveal_hand(session);
+    if (ImGui::Button("Reveal")) context.apply(RevealHand{});
     tooltip(is_measuring(session) ? "Shows the given k_u. The measurement is not blind then, and its result says so."
                                   : "Shows the stiffness that the simulated hand was given.");
   } else {
@@ -104,16 +104,14 @@ const char* name_of_source(const Session& session) {
   return session.settings.stiffnesses.believed_k_u ? "typed" : "same";
 }
 
-void draw_belief_source(Session& session) {
-  Stiffnesses& stiffnesses = session.settings.stiffnesses;
+void draw_belief_source(const PanelContext& context) {
+  const Session& session = context.session;
+  const Stiffnesses& stiffnesses = session.settings.stiffnesses;
   const std::string_view chosen = name_of_source(session);
   ImGui::SetNextItemWidth(-1.0F);
   if (ImGui::BeginCombo("##source", chosen.data())) {
     close_popup_on_escape();
-    const auto type = [&](std::optional<double> believed) {
-      session.belief_source = BeliefSource::typed;
-      stiffnesses.believed_k_u = believed;
-    };
+    const auto type = [&](std::optional<double> believed) { context.apply(Believe{BeliefSource::typed, believed}); };
     if (belief_choice("same", chosen == "same", Term::right_belief)) type(std::nullopt);
     if (belief_choice("typed", chosen == "typed", "The renderer believes what you set here.")) {
       type(believed_user_stiffness(stiffnesses));
@@ -121,13 +119,13 @@ void draw_belief_source(Session& session) {
     ImGui::BeginDisabled(!session.measured_k_u);
     if (belief_choice("measured", chosen == "measured",
                       "What was measured last: by “Measure the hand”, or on the stage.")) {
-      believe_measured(session, *session.measured_k_u);
+      context.apply(Believe{BeliefSource::measured});
     }
     ImGui::EndDisabled();
     if (belief_choice("live", chosen == "live",
                       "Two small tones in the motor's force measure the hand all the time, and the belief follows it. "
                       "They are felt: about 0.7 mm.")) {
-      session.belief_source = BeliefSource::live;
+      context.apply(Believe{BeliefSource::live});
     }
     ImGui::EndCombo();
   }
@@ -135,8 +133,8 @@ void draw_belief_source(Session& session) {
 }
 
 void draw_belief(const PanelContext& context, const SliderLimits& limits) {
-  Session& session = context.session;
-  Stiffnesses& stiffnesses = session.settings.stiffnesses;
+  const Session& session = context.session;
+  Stiffnesses stiffnesses = session.settings.stiffnesses;
   const ImGuiStyle& style = ImGui::GetStyle();
   const float source_width = ImGui::CalcTextSize("measured").x + ImGui::GetFrameHeight() + 2.0F * style.FramePadding.x;
   const float left = ImGui::GetCursorPosX();
@@ -160,7 +158,10 @@ void draw_belief(const PanelContext& context, const SliderLimits& limits) {
     tooltip("What the renderer believes now. It follows the hand; to set it yourself, choose “typed”, or turn ρ.");
   } else {
     ImGui::SetNextItemWidth(has_one_line ? beside : room);
-    if (stiffness_slider("##believed", "believed_k_u_N_per_m", believed, limits)) stiffnesses.believed_k_u = believed;
+    if (stiffness_slider("##believed", "believed_k_u_N_per_m", believed, limits)) {
+      stiffnesses.believed_k_u = believed;
+      context.apply(ChangeStiffnesses{stiffnesses});
+    }
     if (session.belief_source == BeliefSource::measured) {
       // A frame of its own, as of something that was found out.
       ImGui::GetWindowDrawList()->AddRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
@@ -172,7 +173,7 @@ void draw_belief(const PanelContext& context, const SliderLimits& limits) {
     ImGui::SameLine();
     ImGui::SetCursorPosX(left + beside + style.ItemSpacing.x);
   }
-  draw_belief_source(session);
+  draw_belief_source(context);
 }
 
 // What a belief that follows does while nobody knows the hand.
@@ -208,8 +209,10 @@ void draw_live_hand(const PanelContext& context) {
     text_in(context.fonts.number, fmt::format("{:>4} ± {} N/m", decimal_text(hand.k_u, 0), deviation_text(hand.sigma)));
     ImGui::SameLine();
     if (ImGui::SmallButton("Plot")) {
-      context.session.plots.is_open = true;
-      context.session.plots.tab = PlotTab::hand;
+      PlotView plots = context.session.plots;
+      plots.is_open = true;
+      plots.tab = PlotTab::hand;
+      context.apply(ChangePlots{plots});
     }
     tooltip("Over the last minute, in the plots below.");
   } else {
@@ -233,7 +236,7 @@ void draw_live_hand(const PanelContext& context) {
 
 void draw_user(const PanelContext& context) {
   constexpr SliderLimits limits{10.0, 10000.0};
-  Stiffnesses& stiffnesses = context.session.settings.stiffnesses;
+  Stiffnesses stiffnesses = context.session.settings.stiffnesses;
   if (!begin_rows("user", context)) return;
   if (hides_answer(context.session)) {
     draw_hidden_hand(context);
@@ -242,7 +245,9 @@ void draw_user(const PanelContext& context) {
     return;
   }
   row("Hand k_u", Term::user_stiffness);
-  stiffness_slider("##k_u", "k_u_N_per_m", stiffnesses.k_u, limits);
+  if (stiffness_slider("##k_u", "k_u_N_per_m", stiffnesses.k_u, limits)) {
+    context.apply(ChangeStiffnesses{stiffnesses});
+  }
   row("Believed k_u", Term::believed_user_stiffness);
   draw_belief(context, limits);
   if (context.session.belief_source == BeliefSource::live || context.loop.hand.is_measuring) draw_live_hand(context);

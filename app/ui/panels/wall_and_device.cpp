@@ -5,12 +5,14 @@
 namespace ghostforce {
 
 void draw_wall_and_device(const PanelContext& context) {
-  Settings& settings = context.session.settings;
+  const Settings& settings = context.session.settings;
   if (!begin_rows("wall", context)) return;
   row("Wall normal", Term::wall_normal);
-  angle_slider("##normal", settings.wall_normal_angle);
+  double normal = settings.wall_normal_angle;
+  if (angle_slider("##normal", normal)) context.apply(TurnWallTo{normal});
   row("Actuated direction", Term::motor_axis);
-  angle_slider("##actuated", settings.actuated_angle);
+  double actuated = settings.actuated_angle;
+  if (angle_slider("##actuated", actuated)) context.apply(TurnMotorTo{actuated});
   end_rows();
 }
 

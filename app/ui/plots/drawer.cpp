@@ -74,13 +74,16 @@ float width_of_buttons(PlotTab tab) {
 }
 
 void draw_tabs(const PanelContext& context, const char* Tab::*title) {
-  PlotView& view = context.session.plots;
+  PlotView view = context.session.plots;
   for (const Tab& tab : tabs) {
     if (&tab != tabs.data()) ImGui::SameLine();
     const bool is_chosen = tab.id == view.tab;
     ImGui::PushFont(is_chosen ? context.fonts.bold : context.fonts.regular, 0.0F);
     if (is_chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
-    if (ImGui::Button(tab.*title, {width_of(context.fonts.bold, tab.*title), 0.0F})) view.tab = tab.id;
+    if (ImGui::Button(tab.*title, {width_of(context.fonts.bold, tab.*title), 0.0F})) {
+      view.tab = tab.id;
+      context.apply(ChangePlots{view});
+    }
     if (is_chosen) ImGui::PopStyleColor();
     ImGui::PopFont();
     tooltip(tab.sentence);
@@ -88,7 +91,8 @@ void draw_tabs(const PanelContext& context, const char* Tab::*title) {
 }
 
 // The wheel's choice once more, for the keyboard.
-void draw_span(PlotView& view) {
+void draw_span(const PanelContext& context) {
+  PlotView view = context.session.plots;
   constexpr std::array spans_s{0.1, 0.5, 1.0, 2.0, 4.0, 10.0, 30.0, 60.0};
   ImGui::SetNextItemWidth(width_of_span());
   const std::string shown = words_of_span(view.span_s());
@@ -96,7 +100,10 @@ void draw_span(PlotView& view) {
     close_popup_on_escape();
     for (const double span_s : spans_s) {
       const std::string words = words_of_span(span_s);
-      if (ImGui::Selectable(words.c_str(), words == shown)) view.set_span(span_s);
+      if (ImGui::Selectable(words.c_str(), words == shown)) {
+        view.set_span(span_s);
+        context.apply(ChangePlots{view});
+      }
       if (words == shown) ImGui::SetItemDefaultFocus();
     }
     ImGui::EndCombo();
@@ -106,38 +113,30 @@ void draw_span(PlotView& view) {
 
 // At the right edge of the line.
 void draw_buttons(const PanelContext& context) {
-  PlotView& view = context.session.plots;
+  const PlotView& view = context.session.plots;
   const float first = ImGui::GetContentRegionMax().x - width_of_buttons(view.tab);
   ImGui::SetCursorPosX(std::max(first, ImGui::GetCursorPosX()));
   if (is_over_time(view.tab)) {
-    draw_span(view);
+    draw_span(context);
     ImGui::SameLine();
   }
-  std::optional<double>& looks_back_to_s = context.session.stage.looks_back_to_s;
-  ImGui::BeginDisabled((view.follows && !looks_back_to_s) || !is_over_time(view.tab));
-  if (ImGui::Button(live_words)) {
-    view.follows = true;
-    looks_back_to_s.reset();
-  }
+  ImGui::BeginDisabled((view.follows && !context.session.stage.looks_back_to_s) || !is_over_time(view.tab));
+  if (ImGui::Button(live_words)) context.apply(FollowNewest{});
   ImGui::EndDisabled();
   tooltip("Back to the newest moment, at the right edge.");
   ImGui::SameLine();
-  if (ImGui::Button(save_words)) context.session.dialog = Dialog::save_plots;
+  if (ImGui::Button(save_words)) context.apply(OpenDialog{Dialog::save_plots});
   tooltip(save_place().paints_files ? "Saves what is shown, as numbers (CSV) or as a picture (PNG, SVG, PDF)."
                                     : "Saves what is shown, as numbers (CSV).");
   ImGui::SameLine();
-  if (ImGui::Button(close_words)) view.is_open = false;
+  if (ImGui::Button(close_words)) context.apply(TogglePlots{});
   tooltip(fmt::format("Closes the plots. {} opens them again.", front_keys().plots.shown));
 }
 
 }  // namespace
 
-bool hides_curves(const Session& session) noexcept {
-  return session.plots.tab != PlotTab::time && (hides_answer(session) || is_measuring(session));
-}
-
 void draw_plots(const PanelContext& context, const History& history) {
-  PlotView& view = context.session.plots;
+  const PlotView& view = context.session.plots;
   const float room = ImGui::GetContentRegionAvail().x;
   const float gap = 2.0F * ImGui::GetStyle().ItemSpacing.x;
   // Short words first; then a line of their own for the buttons.

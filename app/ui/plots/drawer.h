@@ -9,10 +9,6 @@ namespace ghostforce {
 // Into the current ImGui window. Edits session.plots, and settings where an operating point is dragged.
 void draw_plots(const PanelContext& context, const History& history);
 
-// The curves of theory know the hand, and so does what was measured live: they are nowhere to be seen while a person
-// measures it.
-bool hides_curves(const Session& session) noexcept;
-
 // Each fills what remains of the current ImGui window and edits the session.
 void draw_time_plots(const PanelContext& context, const PlotHistory& history);
 void draw_wall_angle_plots(const PanelContext& context);

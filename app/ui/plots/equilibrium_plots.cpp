@@ -177,7 +177,7 @@ void draw_wall_angle_plots(const PanelContext& context) {
   if (const auto dragged = draw_equilibrium_plots(context, curves, axis, question, condition)) {
     const double degrees = std::clamp(*dragged, axis.least, axis.greatest);
     const double angle = (ImGui::GetIO().KeyCtrl ? degrees : std::round(degrees)) * radians_per_degree;
-    Session& session = context.session;
+    Session& session = context.edited;
     if (session.pointer_moves_goal) {
       session.goal = nearest_in_scene(goal_turned_with_wall(session.settings, session.goal, angle));
     }
@@ -211,8 +211,9 @@ void draw_ratio_plots(const PanelContext& context) {
   }
   const auto dragged = draw_equilibrium_plots(context, curves, axis, question, "");
   if (!dragged) return;
-  choose_ratio(context.session.settings.stiffnesses, std::clamp(*dragged, least, greatest),
-               static_cast<double>(snap_points * context.scale) * decades_per_pixel);
+  const double snap = static_cast<double>(snap_points * context.scale) * decades_per_pixel;
+  context.apply(
+      ChangeStiffnesses{with_ratio(context.session.settings.stiffnesses, std::clamp(*dragged, least, greatest), snap)});
 }
 
 }  // namespace ghostforce

@@ -15,7 +15,6 @@
 #include "app/files/run_file.h"
 #include "app/session/scene_as_seen.h"
 #include "app/ui/panels/ratio_dial.h"
-#include "app/ui/plots/drawer.h"
 #include "app/ui/plots/equilibrium_curves.h"
 #include "app/ui/widgets/save_path.h"
 #include "app/view/number_text.h"
@@ -262,12 +261,7 @@ std::string picture_of(const std::vector<Chart>& charts, const Session& session,
 }  // namespace
 
 std::string plot_file(const Session& session, const ShownMoment& moment, const History& history,
-                      const SavePlotsRequest& request, const FilePainter& painter) {
-  if (hides_curves(session)) {
-    throw Failure(ExitCode::wrong_call,
-                  "These curves cannot be saved while the hand is measured: they would show the answer. Finish the "
-                  "measurement and reveal the hand first.");
-  }
+                      const SavePlots& request, const FilePainter& painter) {
   const Export result = export_of(session, moment, history, request.whole_history);
   constexpr std::array numbers{"csv"};
   if (format_of(request.path, numbers) != nullptr) return provenance(scene_as_seen(session)) + csv_text(result.table);

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/paint/file_painter.h"
-#include "app/session/session.h"
+#include "app/session/action.h"
 #include "app/view/shown_moment.h"
 #include "app/view/trail_history.h"
 
@@ -13,6 +13,6 @@ namespace ghostforce {
 // The file's content; the ending of `request.path` says which format. Throws Failure where the painter of pictures
 // does, and for curves that the drawer hides.
 std::string plot_file(const Session& session, const ShownMoment& moment, const History& history,
-                      const SavePlotsRequest& request, const FilePainter& painter);
+                      const SavePlots& request, const FilePainter& painter);
 
 }  // namespace ghostforce

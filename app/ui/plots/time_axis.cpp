@@ -26,7 +26,7 @@ void bring_into_sight(double time_s, PlotView& view) {
 }  // namespace
 
 void bring_times_into_sight(const PanelContext& context, const PlotHistory& history) {
-  PlotView& view = context.session.plots;
+  PlotView& view = context.edited.plots;
   if (view.follows) {
     const double span = view.span_s();
     view.to_s = history.is_empty() ? span : history.newest_s();
@@ -49,12 +49,12 @@ void set_up_value_axis(double least, double greatest, float height) {
 }
 
 std::optional<double> draw_time_cursor(const PanelContext& context) {
-  std::optional<double>& looks_back_to_s = context.session.stage.looks_back_to_s;
+  const std::optional<double>& looks_back_to_s = context.session.stage.looks_back_to_s;
   if (const auto cursor_s = context.session.plots.cursor_s) draw_upright_line(context, *cursor_s, 1.0F);
   if (looks_back_to_s) draw_upright_line(context, *looks_back_to_s, 2.0F);
   if (!ImPlot::IsPlotHovered()) return std::nullopt;
   const double pointer_s = ImPlot::GetPlotMousePos().x;
-  if (is_click()) looks_back_to_s = pointer_s;
+  if (is_click()) context.apply(LookBackTo{pointer_s});
   return pointer_s;
 }
 

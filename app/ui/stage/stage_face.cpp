@@ -11,8 +11,8 @@
 #include "app/session/front_keys.h"
 #include "app/session/hand_burst_guide.h"
 #include "app/session/lesson_guide.h"
-#include "app/session/motor_button.h"
-#include "app/session/stage_actions.h"
+#include "app/session/stage_buttons.h"
+#include "app/session/stage_modes.h"
 #include "app/session/target.h"
 #include "app/session/visit.h"
 #include "app/ui/panels/hints.h"
@@ -85,7 +85,7 @@ std::optional<StageCornerButton> corner_button(const Session& session, const Mot
   const StageLanguage& language = stage_language(session.language);
   if (motors.has_motors) {
     const bool may_push = motors.state != SafetyState::off || motors.may_still_push;
-    return StageCornerButton{StageCommand::motors, safety_words(motors, language), may_push};
+    return StageCornerButton{StageCommand::motors, motor_words(motors, language), may_push};
   }
   const StageChoice& stage = session.stage;
   if (session.lesson || stage.mode == StageMode::none) return std::nullopt;
@@ -163,7 +163,7 @@ void StageFace::follow_session(const Session& session, const StageFrame& frame) 
 void StageFace::follow_view(Session& session, const StageFrame& frame, double interval_s) {
   constexpr double glides_s = 0.12;  // until two thirds of the way
   const bool is_other_scene = scene_ != session.scene;
-  if (std::exchange(session.requests.fit_view, false)) {
+  if (std::exchange(session.fits_view, false)) {
     session.stage_shown = session.lesson ? lesson_view(session) : stage_view_of(session.settings, session.goal);
   } else if (session.stage_shown != wanted_view_ || is_other_scene || session.stage.mode == StageMode::landscape) {
     view_ = session.stage_shown;
@@ -194,8 +194,9 @@ void StageFace::follow_view(Session& session, const StageFrame& frame, double in
   if (!view_moves_) view_ = session.stage_shown;
 }
 
-void StageFace::update(Session& session, const StageFrame& frame, bool has_keys, double interval_s) {
-  pointer_.update(session, frame, picture_);
+void StageFace::update(Session& session, const ActionSink& apply, const StageFrame& frame, bool has_keys,
+                       double interval_s) {
+  pointer_.update(session, apply, frame, picture_);
   follow_view(session, frame, interval_s);
   // What begins in this frame begins at its beginning.
   transition_.advance(interval_s);

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "app/session/session.h"
+#include "app/session/action.h"
 #include "app/ui/stage/guess_game.h"
 #include "app/ui/stage/idle_show.h"
 #include "app/ui/stage/stage_frame.h"
@@ -18,7 +18,7 @@ class StageFace {
  public:
   // The pointer on the picture of the frame before, in an ImGui window that covers it; then time goes on.
   // `has_keys`: a key was pressed in this frame.
-  void update(Session& session, const StageFrame& frame, bool has_keys, double interval_s);
+  void update(Session& session, const ActionSink& apply, const StageFrame& frame, bool has_keys, double interval_s);
 
   // The picture of now.
   const StagePicture& compose(const Session& session, const StageFrame& frame, double interval_s);

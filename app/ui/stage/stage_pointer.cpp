@@ -6,8 +6,8 @@
 
 #include "app/lessons/lesson_slider.h"
 #include "app/session/lesson_guide.h"
-#include "app/session/scene_view_limits.h"
-#include "app/session/stage_actions.h"
+#include "app/session/permit.h"
+#include "app/session/stage_buttons.h"
 #include "app/ui/widgets/focus.h"
 #include "app/view/screen_box.h"
 #include "app/view/stage/landscape_layout.h"
@@ -18,9 +18,27 @@ namespace {
 
 constexpr double hand_room = 30.0;  // of a fist round the goal [points of the design]
 
-// The ring is at a wall and at a stiffness.
-bool may_change_landscape(const Session& session) {
-  return is_allowed(session, LessonControl::wall);
+void press(const StageAction& button, const ActionSink& apply, const MotorReport& motors) {
+  if (const std::optional<Action> action = action_of_button(button, motors)) apply(*action);
+}
+
+// With the focus, arrows are the slider's.
+void nudge_by_key(const ActionSink& apply) {
+  for (const Nudge& nudge : take_nudges()) {
+    constexpr double everything = 1000.0;
+    const double ends = nudge.way == Nudge::Way::to_least ? -everything : everything;
+    apply(NudgeSlider{nudge.way == Nudge::Way::step ? nudge.steps : ends});
+  }
+}
+
+// Only while the step has one.
+std::optional<Action> action_of_slider(const Session& session, const StagePicture& picture, const Vector<2>& pointer) {
+  const StageAction slider{StageCommand::slider};
+  const auto button = std::ranges::find(picture.buttons, slider, &StageButton::action);
+  if (button == picture.buttons.end()) return std::nullopt;
+  const SliderTrack track = slider_track(button->box, picture.unit);
+  const double share = (pointer.x - track.from.x) / (track.to.x - track.from.x);
+  return MoveSliderTo{slider_value_at(*lesson_step(*session.lesson).slider, share)};
 }
 
 std::optional<StageAction> button_at(const StagePicture& picture, const Vector<2>& pointer) {
@@ -55,17 +73,15 @@ struct StagePointer::Scene {
   }
 };
 
-StagePointer::Hold StagePointer::hold_at(const Session& session, const Scene& scene, const Vector<2>& pointer) const {
+// What lies there, whether it may be held or not.
+StagePointer::Hold StagePointer::hold_at(const Session& session, const Scene& scene, const Vector<2>& pointer) {
   const StagePicture& picture = scene.picture;
   if (session.stage.mode == StageMode::landscape && picture.landscape) {
     switch (landscape_handle_under(*picture.landscape, pointer)) {
       case LandscapeHandle::ring:
-        return may_change_landscape(session) ? Hold::landscape_ring : Hold::nothing;
+        return Hold::landscape_ring;
       case LandscapeHandle::dial:
-        // With every motor there is none.
-        return session.settings.active == StrategyId::full || !is_allowed(session, LessonControl::strategies)
-                   ? Hold::nothing
-                   : Hold::landscape_dial;
+        return Hold::landscape_dial;
       case LandscapeHandle::none:
         return Hold::nothing;
     }
@@ -82,11 +98,39 @@ StagePointer::Hold StagePointer::hold_at(const Session& session, const Scene& sc
   };
   if (scene.is_at_rail_end(pointer)) return Hold::motor;
   if (picture.wall_grips && is_at(*picture.wall_grips)) return Hold::wall;
-  const bool may_drag = session.pointer_moves_goal && is_allowed(session, LessonControl::hand);
-  return may_drag ? Hold::goal : Hold::nothing;
+  return Hold::goal;
 }
 
-void StagePointer::update(Session& session, const StageFrame& frame, const StagePicture& picture) {
+// Wherever it is dragged to.
+bool StagePointer::may_hold(const Session& session, Hold hold) {
+  const auto may = [&](const Action& action) { return !permit(session, action); };
+  switch (hold) {
+    case Hold::nothing:
+      return false;
+    case Hold::goal:
+      return may(MoveHandTo{});
+    case Hold::motor:
+      return may(TurnMotorTo{});
+    case Hold::wall:
+      return may(TurnWallTo{});
+    case Hold::picture:
+      return may(MoveView{});
+    case Hold::guess:
+      return may(MoveGuessTo{});
+    case Hold::landscape_ring:
+      return may(GoToLandscapePoint{});
+    case Hold::landscape_dial:
+      return may(TurnLandscapeDial{});
+    case Hold::ribbon:
+      return may(LookBackTo{});
+    case Hold::slider:
+      return may(MoveSliderTo{});
+  }
+  return false;
+}
+
+void StagePointer::update(const Session& session, const ActionSink& apply, const StageFrame& frame,
+                          const StagePicture& picture) {
   ImGui::SetCursorPos({0.0F, 0.0F});
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImGui::InvisibleButton("stage", {static_cast<float>(frame.size.x), static_cast<float>(frame.size.y)},
@@ -97,62 +141,56 @@ void StagePointer::update(Session& session, const StageFrame& frame, const Stage
   const Vector<2> pointer = vector_of(io.MousePos) - vector_of(corner);
   const Scene scene{picture};
   has_touched_ = is_held || (is_hovered && (pointer != last_ || io.MouseWheel != 0.0F));
-  session.drags_goal = false;
+  if (session.drags_goal) apply(LetGoOfHand{});
 
   if (!is_held) {
     hold_ = Hold::nothing;
     hovered_.reset();
     hovered_grip_ = StageGrip::none;
-    if (is_hovered) {
-      hovered_ = button_at(picture, pointer);
-      if (!hovered_) {
-        const Hold hold = hold_at(session, scene, pointer);
-        if (hold == Hold::motor) hovered_grip_ = StageGrip::motor;
-        if (hold == Hold::wall) hovered_grip_ = StageGrip::wall;
-        if (hold != Hold::nothing && hold != Hold::goal) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-      }
+    if (is_hovered) hovered_ = button_at(picture, pointer);
+    const Hold hold = is_hovered && !hovered_ ? hold_at(session, scene, pointer) : Hold::nothing;
+    if (may_hold(session, hold)) {
+      if (hold == Hold::motor) hovered_grip_ = StageGrip::motor;
+      if (hold == Hold::wall) hovered_grip_ = StageGrip::wall;
+      if (hold != Hold::goal) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     }
   }
-  // What a visitor has moved away would be lost for the next one.
-  const bool has_own_view =
-      session.stage.mode == StageMode::landscape || session.stage.mode == StageMode::round || session.visit;
-  if (is_hovered && io.MouseWheel != 0.0F && !has_own_view) {
-    session.stage_shown = zoomed(session.stage_shown, zoom_factor(io.MouseWheel), scene.world(pointer));
+  if (is_hovered && io.MouseWheel != 0.0F) {
+    apply(ZoomView{zoom_factor(io.MouseWheel), ZoomView::Place{scene.world(pointer), session.settings.active}});
   }
-  if (ImGui::IsItemActivated()) {
-    last_ = pointer;
-    hold_ = Hold::nothing;
-    if (ImGui::IsMouseDown(ImGuiMouseButton_Right)) {
-      if (!has_own_view) hold_ = Hold::picture;
-    } else if (session.stage.is_black) {
-      session.stage.is_black = false;
-    } else if (const auto action = button_at(picture, pointer)) {
-      // Where the pointer is now: who is quick comes and presses within one frame.
-      hovered_ = action;
-      if (action == StageAction(StageCommand::slider)) hold_ = Hold::slider;
-      act_on_stage(session, *action, frame.loop.motors);
-    } else {
-      hold_ = hold_at(session, scene, pointer);
-      if (hold_ == Hold::motor) held_angle_.begin(pointer, session.settings.actuated_angle);
-      if (hold_ == Hold::wall) held_angle_.begin(pointer, session.settings.wall_normal_angle);
-    }
+  if (ImGui::IsItemActivated()) begin(session, apply, frame, scene, pointer);
+  if (is_held) {
+    // A key may have ended the mode that what is held belongs to, and a step of a lesson may not allow it any more.
+    if (!may_hold(session, hold_)) hold_ = Hold::nothing;
+    if (const std::optional<Action> action = drag(session, scene, pointer)) apply(*action);
   }
-  if (is_held) drag(session, scene, pointer);
   last_ = pointer;
-  press_by_key(session, frame, picture, corner);
+  press_by_key(apply, frame, picture, corner);
 }
 
-// With the focus, arrows are the slider's.
-void StagePointer::nudge_by_key(Session& session) {
-  for (const Nudge& nudge : take_nudges()) {
-    constexpr double everything = 1000.0;
-    const double ends = nudge.way == Nudge::Way::to_least ? -everything : everything;
-    nudge_lesson_slider(session, nudge.way == Nudge::Way::step ? nudge.steps : ends);
+void StagePointer::begin(const Session& session, const ActionSink& apply, const StageFrame& frame, const Scene& scene,
+                         const Vector<2>& pointer) {
+  last_ = pointer;
+  hold_ = Hold::nothing;
+  if (ImGui::IsMouseDown(ImGuiMouseButton_Right)) {
+    hold_ = Hold::picture;
+  } else if (session.stage.is_black) {
+    apply(ToggleBlank{});
+  } else if (const auto button = button_at(scene.picture, pointer)) {
+    // Where the pointer is now: who is quick comes and presses within one frame.
+    hovered_ = button;
+    if (button == StageAction(StageCommand::slider)) hold_ = Hold::slider;
+    press(*button, apply, frame.loop.motors);
+  } else {
+    hold_ = hold_at(session, scene, pointer);
+    if (hold_ == Hold::motor) held_angle_.begin(pointer, session.settings.actuated_angle);
+    if (hold_ == Hold::wall) held_angle_.begin(pointer, session.settings.wall_normal_angle);
   }
 }
 
 // Each button once more, for the keyboard: the pointer belongs to the whole stage, which comes first.
-void StagePointer::press_by_key(Session& session, const StageFrame& frame, const StagePicture& picture, ImVec2 corner) {
+void StagePointer::press_by_key(const ActionSink& apply, const StageFrame& frame, const StagePicture& picture,
+                                ImVec2 corner) {
   for (auto each = picture.buttons.begin(); each != picture.buttons.end(); ++each) {
     const StageButton& button = *each;
     // What can be asked for in two places is one stop.
@@ -164,78 +202,50 @@ void StagePointer::press_by_key(Session& session, const StageFrame& frame, const
     ImGui::PushID(std::visit([](auto action) { return static_cast<int>(action); }, button.action));
     if (ImGui::InvisibleButton("button", {static_cast<float>(size.x), static_cast<float>(size.y)},
                                ImGuiButtonFlags_EnableNav)) {
-      act_on_stage(session, button.action, frame.loop.motors);
+      press(button.action, apply, frame.loop.motors);
     }
-    if (button.action == StageAction(StageCommand::slider)) nudge_by_key(session);
+    if (button.action == StageAction(StageCommand::slider)) nudge_by_key(apply);
     ImGui::PopID();
     ImGui::PopID();
   }
 }
 
-void StagePointer::drag(Session& session, const Scene& scene, const Vector<2>& pointer) {
+std::optional<Action> StagePointer::drag(const Session& session, const Scene& scene, const Vector<2>& pointer) {
+  const StagePicture& picture = scene.picture;
   // The hand stays where it can be seen.
-  const ScreenBox box = scene.picture.scene.grown(-hand_room * scene.picture.unit);
+  const ScreenBox box = picture.scene.grown(-hand_room * picture.unit);
   const Vector<2> inside = glm::clamp(pointer, box.least, glm::max(box.least, box.most));
-  // A key may have ended the mode that what is held belongs to.
-  const bool holds_map = hold_ == Hold::landscape_ring || hold_ == Hold::landscape_dial;
-  if (holds_map && (!scene.picture.landscape || session.stage.mode != StageMode::landscape)) hold_ = Hold::nothing;
-  if (hold_ == Hold::guess && !(session.stage.guess && session.stage.guess_is_open)) hold_ = Hold::nothing;
-  // So may a step of a lesson that does not allow it any more.
-  if (hold_ == Hold::goal && !is_allowed(session, LessonControl::hand)) hold_ = Hold::nothing;
-  if (hold_ == Hold::motor && !is_allowed(session, LessonControl::motor)) hold_ = Hold::nothing;
-  if (hold_ == Hold::wall && !is_allowed(session, LessonControl::wall)) hold_ = Hold::nothing;
-  if (hold_ == Hold::landscape_ring && !may_change_landscape(session)) hold_ = Hold::nothing;
-  if (hold_ == Hold::landscape_dial && !is_allowed(session, LessonControl::strategies)) hold_ = Hold::nothing;
+  const auto turned = [&](const Vector<2>& pivot) {
+    return held_angle_.turned(scene.screen(pivot), pointer, 1.0, ImGui::GetIO().KeyCtrl);
+  };
   switch (hold_) {
     case Hold::nothing:
-      return;
+      break;
     case Hold::goal:
-      if (!session.pointer_moves_goal) return;
-      session.goal = nearest_in_scene(scene.world(inside));
-      session.drags_goal = true;
-      return;
+      return MoveHandTo{scene.world(inside)};
     case Hold::guess:
-      session.stage.guess = nearest_in_scene(scene.world(inside));
-      return;
+      return MoveGuessTo{scene.world(inside)};
     case Hold::motor:
-      return turn(session.settings.actuated_angle, scene.screen(scene.picture.pivot), pointer);
+      if (const auto angle = turned(picture.pivot)) return TurnMotorTo{*angle};
+      break;
     case Hold::wall:
-      return turn(session.settings.wall_normal_angle, scene.screen(session.settings.wall_point), pointer);
-    case Hold::picture: {
-      const Vector<2> moved = pointer - last_;
-      session.stage_shown = within_scene_limits(
-          {session.stage_shown.center - Vector<2>(moved.x, -moved.y) / scene.picture.pane.camera.points_per_metre,
-           session.stage_shown.width});
-      return;
-    }
+      if (const auto angle = turned(session.settings.wall_point)) return TurnWallTo{*angle};
+      break;
+    case Hold::picture:
+      return MoveView{-to_screen_direction(pointer - last_) / picture.pane.camera.points_per_metre};
     case Hold::landscape_ring:
-      session.settings =
-          with_landscape_point(session.settings, landscape_point_under(*scene.picture.landscape, pointer));
-      return;
+      if (picture.landscape) return GoToLandscapePoint{landscape_point_under(*picture.landscape, pointer)};
+      break;
     case Hold::landscape_dial:
-      session.stage.landscape_dial = dial_under(*scene.picture.landscape, pointer);
-      // The lit button is the nearer end's.
-      session.settings.active = *session.stage.landscape_dial < 0.5 ? StrategyId::naive : StrategyId::anisotropic;
-      return;
+      if (picture.landscape) return TurnLandscapeDial{dial_under(*picture.landscape, pointer)};
+      break;
     case Hold::slider:
-      return drag_slider(session, scene.picture, pointer);
+      return action_of_slider(session, picture, pointer);
     case Hold::ribbon:
-      if (scene.picture.ribbon) session.stage.looks_back_to_s = scene.picture.ribbon->axis.time_at(pointer.x);
-      return;
+      if (picture.ribbon) return LookBackTo{picture.ribbon->axis.time_at(pointer.x)};
+      break;
   }
-}
-
-void StagePointer::drag_slider(Session& session, const StagePicture& picture, const Vector<2>& pointer) {
-  const StageAction slider{StageCommand::slider};
-  const auto button = std::ranges::find(picture.buttons, slider, &StageButton::action);
-  if (button == picture.buttons.end() || !session.lesson || !lesson_step(*session.lesson).slider) return;
-  const SliderTrack track = slider_track(button->box, picture.unit);
-  const double share = (pointer.x - track.from.x) / (track.to.x - track.from.x);
-  move_lesson_slider(session, slider_value_at(*lesson_step(*session.lesson).slider, share));
-}
-
-void StagePointer::turn(double& angle, const Vector<2>& pivot, const Vector<2>& pointer) {
-  angle = held_angle_.turned(pivot, pointer, 1.0, ImGui::GetIO().KeyCtrl).value_or(angle);
+  return std::nullopt;
 }
 
 }  // namespace ghostforce

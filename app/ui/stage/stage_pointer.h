@@ -7,7 +7,7 @@
 
 #include <imgui.h>
 
-#include "app/session/session.h"
+#include "app/session/action.h"
 #include "app/ui/stage/stage_frame.h"
 #include "app/ui/widgets/pointing.h"
 #include "app/view/stage/stage.h"
@@ -17,7 +17,7 @@ namespace ghostforce {
 class StagePointer {
  public:
   // `picture`: what the person sees, of the frame before.
-  void update(Session& session, const StageFrame& frame, const StagePicture& picture);
+  void update(const Session& session, const ActionSink& apply, const StageFrame& frame, const StagePicture& picture);
 
   StageGrip hovered_grip() const noexcept { return hovered_grip_; }
   const std::optional<StageAction>& hovered() const noexcept { return hovered_; }
@@ -39,12 +39,14 @@ class StagePointer {
   };
   struct Scene;
 
-  Hold hold_at(const Session& session, const Scene& scene, const Vector<2>& pointer) const;
-  static void press_by_key(Session& session, const StageFrame& frame, const StagePicture& picture, ImVec2 corner);
-  static void nudge_by_key(Session& session);
-  void drag(Session& session, const Scene& scene, const Vector<2>& pointer);
-  static void drag_slider(Session& session, const StagePicture& picture, const Vector<2>& pointer);
-  void turn(double& angle, const Vector<2>& pivot, const Vector<2>& pointer);
+  static Hold hold_at(const Session& session, const Scene& scene, const Vector<2>& pointer);
+  static bool may_hold(const Session& session, Hold hold);
+  static void press_by_key(const ActionSink& apply, const StageFrame& frame, const StagePicture& picture,
+                           ImVec2 corner);
+  void begin(const Session& session, const ActionSink& apply, const StageFrame& frame, const Scene& scene,
+             const Vector<2>& pointer);
+  // What a drag to there does; empty: nothing.
+  std::optional<Action> drag(const Session& session, const Scene& scene, const Vector<2>& pointer);
 
   Hold hold_ = Hold::nothing;
   StageGrip hovered_grip_ = StageGrip::none;

@@ -1,5 +1,5 @@
-// What a panel gets to see and to change. A panel draws itself into the ImGui window that is current, edits the
-// session, and knows neither device nor thread.
+// What a panel gets to see and to change. A panel draws itself into the ImGui window that is current, hands what the
+// person does to `apply`, and knows neither device nor thread.
 #pragma once
 
 #include <string_view>
@@ -8,7 +8,7 @@
 
 #include "app/paint/label_painter.h"
 #include "app/paint/scene_gallery.h"
-#include "app/session/session.h"
+#include "app/session/action.h"
 #include "app/ui/widgets/lesson_gallery.h"
 #include "app/view/theme.h"
 #include "core/snapshot.h"
@@ -20,7 +20,9 @@ struct Fonts : LabelFonts {
 };
 
 struct PanelContext {
-  Session& session;
+  const Session& session;
+  const ActionSink& apply;
+  Session& edited;  // the same one, for what has no action yet: forms, folds, news, axes of time, the dial's age
   const Snapshot& snapshot;
   const Settings& settings;  // of the moment that is shown; the session's own, but for one of the past
   const LoopReading& loop;

@@ -83,7 +83,7 @@ std::string proposed_path(std::string_view stem, std::string_view extension) {
 }
 
 bool draw_save_path(const PanelContext& context) {
-  Form& form = context.session.form;
+  Form& form = context.edited.form;
   if (form.belongs_to != context.session.dialog) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(dialog_field_width(480.0F, context));
   const bool entered = text_field("##path", "", form.path);
@@ -93,7 +93,7 @@ bool draw_save_path(const PanelContext& context) {
   const bool pressed = ImGui::Button(fmt::format("{}###save", verdict.caption).c_str());
   ImGui::EndDisabled();
   ImGui::SameLine();
-  if (ImGui::Button("Cancel")) context.session.dialog = Dialog::none;
+  if (ImGui::Button("Cancel")) context.apply(CloseDialog{});
   return (entered || pressed) && verdict.can_be_written;
 }
 

@@ -185,7 +185,7 @@ TEST_F(AtRestTest, ANoticeComesAndGoes) {
 
 TEST_F(AtRestTest, ARecordingKeepsNothingAwake) {
   const TemporaryFolder folder;
-  session().requests.record = folder / "a.csv";
+  act(StartRecording{folder / "a.csv"});
   stir();
   EXPECT_TRUE(application_->needs_drawing());
   live_for(1.0);
@@ -194,7 +194,7 @@ TEST_F(AtRestTest, ARecordingKeepsNothingAwake) {
 }
 
 TEST_F(AtRestTest, ACircleTestIsDrawn) {
-  session().requests.input = "circle";
+  act(ChooseInput{"circle"});
   stir();
   EXPECT_GT(live_for(2.0), 120);
 }

@@ -28,8 +28,7 @@ class ClipWindow : public DrivenWindow {
 
   // As the dialog does.
   void ask(const std::string& path, double seconds) {
-    session().requests.save_clip =
-        SaveClipRequest{.path = path, .seconds = seconds, .end_s = now().time_s, .frames_per_second = 10};
+    act(SaveClip{.path = path, .seconds = seconds, .end_s = now().time_s, .frames_per_second = 10});
     frames(1);
   }
   std::string notice() { return session().notice ? session().notice->words : ""; }
@@ -70,8 +69,7 @@ TEST_F(ClipWindow, AltPSavesWhatTheStageHasShown) {
 TEST_F(ClipWindow, HasTheSameBytesTwiceWhateverHappensMeanwhile) {
   for (const char* const name : {"a.png", "b.png"}) {
     // The hand goes in.
-    session().requests.save_clip =
-        SaveClipRequest{.path = folder_ / name, .seconds = 1.0, .end_s = 1.5, .frames_per_second = 10};
+    act(SaveClip{.path = folder_ / name, .seconds = 1.0, .end_s = 1.5, .frames_per_second = 10});
     frames(1);
     session().settings.active = StrategyId::anisotropic;
     frames_until_saved();

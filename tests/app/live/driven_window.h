@@ -46,6 +46,8 @@ class DrivenWindow : public testing::Test {
   }
 
   Session& session() { return application_->session(); }
+  // As a panel or a dialog does.
+  void act(const Action& action) { application_->act(action); }
   const Screen& screen() const { return application_->screen(); }
   const Snapshot& now() const { return application_->report().snapshot; }
   // Where that is the input in use.

@@ -96,9 +96,9 @@ TEST_F(FindingThings, ThePickerTellsAPersonsSceneFromTheOneItWasMadeFrom) {
   const TemporaryFolder folder;
   const std::string path = folder / "mine.toml";
   session().settings.stiffnesses.k_r = 750.0;
-  session().requests.save_scene = path;
+  act(SaveScene{path});
   frames(2);
-  session().requests.open_scene = path;
+  act(OpenScene{path});
   frames(2);
   const Scene wall45 = load_scene("wall45");
   ASSERT_EQ(session().scene->title, wall45.title);

@@ -55,7 +55,7 @@ TEST_F(FrameServoWindow, NobodyTicksBeforeTheStartOrAfterTheEnd) {
 TEST_F(FrameServoWindow, GoesOnWithAnotherInput) {
   open_driven("mouse");
   draw(10);
-  session().requests.input = "circle";
+  act(ChooseInput{"circle"});
   draw(2);
   EXPECT_EQ(session().input, "circle");
   const std::int64_t before = now().tick;

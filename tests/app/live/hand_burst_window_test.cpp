@@ -3,8 +3,8 @@
 #include <cmath>
 #include <string>
 
+#include "app/session/apply.h"
 #include "app/session/hand_burst_guide.h"
-#include "app/session/stage_actions.h"
 #include "tests/app/live/driven_window.h"
 
 namespace ghostforce::hand_burst_window_test {

@@ -154,7 +154,7 @@ TEST_F(HandFollowingWindow, UndoOfAnotherSettingLeavesTheBeliefToTheServo) {
 
 TEST_F(HandFollowingWindow, ASceneSaysWhatIsBelieved) {
   follow_until_it_is_right();
-  session().requests.open_scene = "fig3-normal";
+  act(OpenScene{"fig3-normal"});
   frames(3);
   EXPECT_EQ(session().belief_source, BeliefSource::typed);
   EXPECT_EQ(session().settings, load_scene("fig3-normal").settings);
@@ -167,7 +167,7 @@ TEST_F(HandFollowingWindow, ASceneSaysWhatIsBelieved) {
 TEST_F(HandFollowingWindow, AnotherInputGoesOnWithIt) {
   follow_until_it_is_right();
   const double now = *believed();
-  session().requests.input = "virtual-falcon";
+  act(ChooseInput{"virtual-falcon"});
   frames(2, 0);
   EXPECT_EQ(session().input, "virtual-falcon");
   EXPECT_EQ(session().belief_source, BeliefSource::live);
@@ -252,7 +252,7 @@ TEST_F(HandFollowingWindow, APathOfTheHandIsWhatThePlotCallsGiven) {
 
 TEST_F(HandFollowingWindow, ALessonComesWithoutItAndGivesItBack) {
   follow_until_it_is_right();
-  session().requests.open_lesson = "ghost";
+  act(OpenLesson{"ghost"});
   frames(3);
   ASSERT_TRUE(session().lesson);
   EXPECT_EQ(session().belief_source, BeliefSource::typed);
@@ -328,12 +328,12 @@ TEST_F(HandFollowingWindow, ARecordingOfItIsReplayedBitForBit) {
   frames(2);
   follow();
   seconds(3.0);  // it is on its way
-  session().requests.record = path;
+  act(StartRecording{path});
   frames(2);
   seconds(1.0);
   stiffnesses().k_u = 500.0;
   seconds(4.0);
-  session().requests.stop_recording = true;
+  act(StopRecording{});
   frames(2);
   EXPECT_EQ(application_->recording_problem(), "");
   const auto run = load_run(path);

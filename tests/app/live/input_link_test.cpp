@@ -85,7 +85,7 @@ TEST_F(InputLinkTest, AnInputOfTheListIsChosenAndMovesTheGoal) {
   EXPECT_EQ(log_.begun, 0);
   EXPECT_EQ(application_->reading().inputs.back().title, "Switch");
   EXPECT_EQ(application_->reading().draw_input, nullptr);
-  session().requests.input = "switch";
+  act(ChooseInput{"switch"});
   frames(3);
   EXPECT_EQ(session().input, "switch");
   EXPECT_EQ(application_->reading().input_title, "Switch");
@@ -116,7 +116,7 @@ TEST_F(InputLinkTest, KeepsTheWindowAwakeAndSaysHowItEnded) {
   log_.has_news = true;
   EXPECT_TRUE(application_->needs_drawing());
   EXPECT_EQ(application_->input_link().end().code, ExitCode::device_absent);
-  session().requests.input = "mouse";
+  act(ChooseInput{"mouse"});
   frames(10);
   EXPECT_EQ(log_.ended, 1);
   EXPECT_TRUE(session().pointer_moves_goal);
@@ -126,7 +126,7 @@ TEST_F(InputLinkTest, KeepsTheWindowAwakeAndSaysHowItEnded) {
 
 TEST_F(InputLinkTest, AnInputThatIsNotInTheListIsRefusedAndTheOneInUseStays) {
   open_with_switch("switch");
-  session().requests.input = "falcon";
+  act(ChooseInput{"falcon"});
   frames(2);
   EXPECT_EQ(session().input, "switch");
   ASSERT_TRUE(session().notice);
@@ -137,7 +137,7 @@ TEST_F(InputLinkTest, AnInputThatIsNotInTheListIsRefusedAndTheOneInUseStays) {
 TEST_F(InputLinkTest, AnInputThatHasToStayStaysAndSaysWhy) {
   open_with_switch("switch");
   log_.why_not_leave = "It still pushes.";
-  session().requests.input = "mouse";
+  act(ChooseInput{"mouse"});
   frames(2);
   EXPECT_EQ(session().input, "switch");
   ASSERT_TRUE(session().notice);
@@ -147,7 +147,7 @@ TEST_F(InputLinkTest, AnInputThatHasToStayStaysAndSaysWhy) {
   frames(3);
   EXPECT_GT(log_.samples, samples) << "it goes on";
   log_.why_not_leave.clear();
-  session().requests.input = "mouse";
+  act(ChooseInput{"mouse"});
   frames(2);
   EXPECT_EQ(session().input, "mouse");
 }
@@ -167,19 +167,19 @@ TEST_F(InputLinkTest, AFalconThatIsOwedAStopIsNotLeft) {
   options.input_options.falcon.debts = std::make_shared<StopDebts>();
   options.input_options.falcon.debts->add(falcon_serial_of(falcon.serial));
   open(options, "wall45", 1280, 720);
-  session().requests.input = "mouse";
+  act(ChooseInput{"mouse"});
   frames(2);
   EXPECT_EQ(session().input, "falcon");
   ASSERT_TRUE(session().notice);
   EXPECT_NE(session().notice->words.find("may still push"), std::string::npos) << session().notice->words;
-  session().requests.open_scene = "fig1";
+  act(OpenScene{"fig1"});
   frames(2);
   EXPECT_EQ(session().scene->title, load_scene("fig1").title) << "another scene is no other input";
   EXPECT_TRUE(application_->report().motors.may_still_push);
   falcon.plug();
   for (int i = 0; i < 200 && application_->report().motors.may_still_push; ++i) frames(2);
   EXPECT_FALSE(application_->report().motors.may_still_push);
-  session().requests.input = "mouse";
+  act(ChooseInput{"mouse"});
   frames(2);
   EXPECT_EQ(session().input, "mouse");
 }
@@ -200,12 +200,12 @@ TEST_F(InputLinkTest, WithoutAPainterOfFilesPixelsAndNumbersCanStillBeSaved) {
       std::make_unique<Application>(*window_, load_scene("wall45"), ApplicationOptions{.inputs = portable_inputs({})});
   frames(2);
   const TemporaryFolder folder;
-  session().requests.save_picture = SavePictureRequest{.path = folder / "a.png"};
-  session().requests.save_plots = SavePlotsRequest{.path = folder / "a.csv"};
+  act(SavePicture{.path = folder / "a.png"});
+  act(SavePlots{.path = folder / "a.csv"});
   frames(1);
   EXPECT_FALSE(session().notice->is_problem) << session().notice->words;
   EXPECT_EQ(folder.count(), 2);
-  session().requests.save_picture = SavePictureRequest{.path = folder / "a.pdf"};
+  act(SavePicture{.path = folder / "a.pdf"});
   frames(1);
   EXPECT_TRUE(session().notice->is_problem);
   EXPECT_NE(session().notice->words.find(".png"), std::string::npos) << session().notice->words;

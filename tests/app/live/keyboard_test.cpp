@@ -9,8 +9,8 @@
 
 #include <imgui_internal.h>
 
+#include "app/session/apply.h"
 #include "app/session/measurement_guide.h"
-#include "app/session/stage_actions.h"
 #include "app/ui/widgets/focus.h"
 #include "tests/app/live/driven_window.h"
 #include "tests/support/screen_text.h"

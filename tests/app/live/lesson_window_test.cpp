@@ -281,7 +281,7 @@ TEST_F(LessonWindow, ALessonThatIsDroppedBegins) {
 
 TEST_F(LessonWindow, AnotherSceneEndsALesson) {
   begin(shipped_lessons().front());
-  session().requests.open_scene = "fig1";
+  act(OpenScene{"fig1"});
   frames(3);
   EXPECT_FALSE(session().lesson);
   EXPECT_EQ(session().settings, load_scene("fig1").settings);
@@ -361,8 +361,7 @@ TEST_F(LessonWindow, NothingThatIsPressedBreaksALesson) {
   for (int i = 0; i < 1200; ++i) {
     if (!session().lesson) {
       session().settings = before;
-      session().requests.open_lesson =
-          shipped_lessons()[static_cast<std::size_t>(any(9)) % shipped_lessons().size()]->name;
+      act(OpenLesson{shipped_lessons()[static_cast<std::size_t>(any(9)) % shipped_lessons().size()]->name});
     } else if (any(6) == 0) {
       next_lesson_step(session());
     } else if (any(2) == 0) {

@@ -101,7 +101,7 @@ TEST_F(LookingBackTest, StepsBeyondTheNewestAreTakenByTheServo) {
   pause();
   const std::int64_t present = now().tick;
   press(key::comma);
-  session().requests.ticks_through_history = 4;
+  session().ticks_through_history = 4;
   frames(3);
   EXPECT_FALSE(looks_back_to_s());
   EXPECT_EQ(now().tick, present + 3);
@@ -209,8 +209,8 @@ TEST_F(LookingBackTest, ChangingAnythingEndsIt) {
   ends("the goal", [&] { press(key::left); });
   ends("a drag of the goal", [&] { drag(on_window({0.0, 0.0}), on_window({0.01, 0.01})); });
   ends("a reset", [&] { press(key::r); });
-  ends("another scene", [&] { session().requests.open_scene = "fig1"; });
-  ends("another input", [&] { session().requests.input = "script"; });
+  ends("another scene", [&] { act(OpenScene{"fig1"}); });
+  ends("another input", [&] { act(ChooseInput{"script"}); });
   ends("Esc", [&] { press(key::escape); });
   ends("another mode", [&] { session().stage.mode = StageMode::why; });
   ends("leaving its mode", [&] {
@@ -296,7 +296,7 @@ TEST_F(LookingBackTest, ServoAndRecordingKnowNothingOfIt) {
     frames(20);
     scrub(0.3);
     frames(20);
-    session().requests.stop_recording = true;
+    act(StopRecording{});
     frames(2);
     return now();
   };

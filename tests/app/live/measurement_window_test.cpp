@@ -275,7 +275,7 @@ TEST_F(ExperimentsWindow, ReadingsOfAnotherHandBeginAnew) {
   take_readings(1);
   ASSERT_EQ(measurement().readings.size(), 1U);
   EXPECT_FALSE(measurement().has_begun_anew);
-  session().requests.open_scene = "fig1";
+  act(OpenScene{"fig1"});
   frames(3);
   EXPECT_FALSE(is_measuring(session()));
   EXPECT_EQ(session().settings, load_scene("fig1").settings) << "nothing of the old scene comes back";

@@ -13,10 +13,10 @@
 #include <glad/gl.h>
 #include <imgui_internal.h>
 
+#include "app/session/apply.h"
 #include "app/session/key_bindings.h"
 #include "app/session/scene_as_seen.h"
 #include "app/session/scene_view_limits.h"
-#include "app/session/stage_actions.h"
 #include "app/ui/gestures.h"
 #include "tests/app/live/driven_window.h"
 #include "tests/app/live/monkey.h"
@@ -119,13 +119,12 @@ class MonkeyTest : public DrivenWindow {
         send_key(any_of(std::array{key::escape, key::tab, key::enter, key::up, key::backspace}), GLFW_PRESS, 0);
         break;
       case 10:
-        if (any(3) == 0) session().requests.open_scene = any_of(shipped_scene_names());
+        if (any(3) == 0) act(OpenScene{std::string(any_of(shipped_scene_names()))});
         if (any(3) == 0) {
-          session().requests.input =
-              any_of(std::array{"mouse", "script", "circle", "virtual-falcon", "virtual-falcon"});
+          act(ChooseInput{any_of(std::array{"mouse", "script", "circle", "virtual-falcon", "virtual-falcon"})});
         }
-        if (any(4) == 0) session().requests.record = any_of(std::array{"a.csv", "b.csv", "no/such/folder.csv"});
-        if (any(8) == 0) session().requests.open_scene = any_of(std::array{"a.csv", "b.csv", "broken.toml"});
+        if (any(4) == 0) act(StartRecording{any_of(std::array{"a.csv", "b.csv", "no/such/folder.csv"})});
+        if (any(8) == 0) act(OpenScene{any_of(std::array{"a.csv", "b.csv", "broken.toml"})});
         break;
     }
     frame();
@@ -144,11 +143,11 @@ class MonkeyTest : public DrivenWindow {
   void lead_back() {
     session().folded_panels.clear();
     // Many keys lead to the stage, and one to the workbench.
-    if (any(20) == 0) show_face(session(), Face::workbench);
-    if (any(40) == 0) toggle_stage_mode(session(), any_of(stage_mode_catalog()).id);
+    if (any(20) == 0) apply(session(), ShowFace{Face::workbench});
+    if (any(40) == 0) apply(session(), ToggleMode{any_of(stage_mode_catalog()).id});
     ++frames_on_[session().face == Face::stage ? 0 : 1];
     if (any(20) == 0) session().plots.is_open = true;
-    if (session().input == "falcon" || session().input == "spacemouse") session().requests.input = "virtual-falcon";
+    if (session().input == "falcon" || session().input == "spacemouse") act(ChooseInput{"virtual-falcon"});
     // Motors that push want somebody who takes all the steps, and that takes its time.
     if (any(30) == 0 && session().input == "virtual-falcon") {
       session().goal = {-0.02, 0.02};
@@ -170,7 +169,7 @@ class MonkeyTest : public DrivenWindow {
 
 TEST_F(MonkeyTest, BreaksNothing) {
   const int events = number_from_environment("GHOSTFORCE_MONKEY_EVENTS", 1500);
-  session().requests.record = "a.csv";
+  act(StartRecording{"a.csv"});
   for (int i = 0; i < events; ++i) {
     lead_back();
     do_something();
@@ -196,8 +195,8 @@ TEST_F(MonkeyTest, BreaksNothing) {
   // And at the end all is as it was at the beginning for who asks for it.
   press(key::escape);
   press(key::escape);
-  session().requests.input = "mouse";
-  session().requests.open_scene = "wall45";
+  act(ChooseInput{"mouse"});
+  act(OpenScene{"wall45"});
   frames(5);
   EXPECT_EQ(session().settings, load_scene("wall45").settings);
   write_whole(folder_ / "last.toml", scene_text(scene_as_seen(session())));

@@ -140,7 +140,8 @@ void name_the_parts_of_the_session(Session& session) {
       // KEPT: whether there are any.
       hint,
       // Of this moment.
-      dialog, form, notice, preference_resets, dial_turned_s, undo_offer, requests] = session;
+      dialog, form, notice, preference_resets, dial_turned_s, undo_offer, wanted_input, fits_view,
+      ticks_through_history] = session;
   [[maybe_unused]] auto& [is_open, tab, follows, from_s, to_s, cursor_s] = plots;
 }
 

@@ -2,7 +2,7 @@
 // driver, led by the pointer. Its clock is moved by the servo's steps.
 #include <algorithm>
 
-#include "app/session/motor_button.h"
+#include "app/session/stage_buttons.h"
 #include "app/view/stage/stage_language.h"
 #include "tests/app/live/driven_window.h"
 
@@ -164,7 +164,7 @@ TEST_F(RehearsalWindow, EscapeTurnsOffAlsoBehindAMenuAndWhileTyping) {
 
 TEST_F(RehearsalWindow, WordsPromiseNoKeyThatCannotArrive) {
   const auto words = [&](const StageLanguage& language) {
-    return safety_words(application_->reading().motors, language);
+    return motor_words(application_->reading().motors, language);
   };
   const auto promises_escape = [&] {
     return words(english_stage).find("Esc") != std::string::npos ||
@@ -230,11 +230,11 @@ TEST_F(RehearsalWindow, AnotherSceneOrInputNeverTakesTheForceAlong) {
   turn_on();
   lead_slowly(outside, inside);
   ASSERT_GT(glm::length(motors().sent), 0.5);
-  session().requests.open_scene = "fig1";
+  act(OpenScene{"fig1"});
   frames(5);
   EXPECT_EQ(motors().state, SafetyState::off);
   EXPECT_EQ(motors().sent, Vector<2>(0.0));
-  session().requests.input = "mouse";
+  act(ChooseInput{"mouse"});
   frames(5);
   EXPECT_FALSE(motors().has_motors);
   EXPECT_TRUE(application_->reading().readiness.empty());
@@ -251,7 +251,7 @@ TEST_F(RehearsalWindow, SaysThatMotorsMayStillPushUntilTheDeviceHasAnswered) {
   ASSERT_TRUE(frames_until(1.0, [&] { return state() == FalconState::fault; }));
   EXPECT_TRUE(motors().may_still_push);
   EXPECT_NE(sentence().find("may still push"), std::string::npos) << sentence();
-  EXPECT_EQ(safety_words(motors(), english_stage), english_stage.motors.may_still_push);
+  EXPECT_EQ(motor_words(motors(), english_stage), english_stage.motors.may_still_push);
   session().injected_fault = "none";
   ASSERT_TRUE(frames_until(30.0, [&] { return state() == FalconState::idle; }));
   EXPECT_FALSE(motors().may_still_push);
@@ -259,10 +259,10 @@ TEST_F(RehearsalWindow, SaysThatMotorsMayStillPushUntilTheDeviceHasAnswered) {
 }
 
 TEST_F(RehearsalWindow, SaysThatASceneDoesNotFitTheWorkspace) {
-  session().requests.open_scene = "fig1";
+  act(OpenScene{"fig1"});
   frames(5);
   EXPECT_NE(application_->reading().device_remark.find("Set scale"), std::string::npos);
-  session().requests.open_scene = "wall45";
+  act(OpenScene{"wall45"});
   frames(5);
   EXPECT_EQ(application_->reading().device_remark, "");
 }

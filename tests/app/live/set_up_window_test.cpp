@@ -148,11 +148,11 @@ TEST_F(SetUpWindow, APasteThatIsNoSetUpIsSaidAndChangesNothing) {
 }
 
 TEST_F(SetUpWindow, KeepsTheInput) {
-  session().requests.input = "virtual-falcon";
+  act(ChooseInput{"virtual-falcon"});
   frames(2);
   paste("ghostforce run fig1 --strategy full");
   EXPECT_EQ(session().input, "virtual-falcon");
-  session().requests.input = "script";
+  act(ChooseInput{"script"});
   frames(2);
   paste("ghostforce run fig1 --goal-mm=5,-5");
   EXPECT_EQ(session().input, "script");
@@ -192,7 +192,7 @@ TEST_F(SetUpWindow, ADroppedPictureShowsWhatIsOnIt) {
   const auto saved = set_up_values(seen());
   const std::vector<std::string> names{"a.png", "b.svg", "c.pdf"};
   for (const std::string& name : names) {
-    session().requests.save_picture = SavePictureRequest{folder / name};
+    act(SavePicture{folder / name});
     frames(2);
   }
   // A name tells nothing here.

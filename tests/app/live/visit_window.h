@@ -54,7 +54,6 @@ class VisitWindow : public DrivenWindow {
   // What must be so at any moment, whatever was done. Empty: all is.
   std::string what_is_forbidden() {
     const Session& now = session();
-    const Requests& asked = now.requests;
     if (!now.visit || !now.lesson) return "the lesson is gone";
     if (now.face != Face::stage) return "the workbench is there";
     if (now.dialog != Dialog::none) return "a dialog is open";
@@ -62,12 +61,6 @@ class VisitWindow : public DrivenWindow {
     if (now.paused) return "time stands still";
     if (now.stage.is_black) return "the stage is black";
     if (now.stage.looks_back_to_s) return "the stage looks back";
-    if (asked.open_scene || asked.open_lesson || asked.save_scene || asked.save_picture || asked.save_clip ||
-        asked.save_plots || asked.copy_picture || asked.copy_table || asked.copy_set_up || asked.paste_set_up ||
-        asked.record) {
-      return "a file or the clipboard is asked for";
-    }
-    if (asked.toggle_full_screen || asked.reset_preferences || asked.quit) return "the window is asked for something";
     if (now.appearance != appearance_) return "it looks other";
     if (now.scene->title != scene_title_) return "another scene is open";
     if (application_->reading().recording.is_on) return "a recording is made";

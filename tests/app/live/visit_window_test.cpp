@@ -181,26 +181,11 @@ TEST_F(VisitWindowTest, ANewStartIsDrawnThoughNothingHasMoved) {
 TEST_F(VisitWindowTest, NoKeyOfTheTableLeadsAway) {
   begin();
   for (const KeyBinding& binding : key_table()) {
-    const bool is_end = binding.for_visitors && binding.key == key::q;
+    const bool is_end = binding.key == key::q && (binding.modifiers & modifier::alt) != 0;
     if (is_end) continue;
     press(binding.key, binding.modifiers);
     EXPECT_EQ(what_is_forbidden(), "") << binding.shown << ' ' << binding.sentence << ' ' << binding.key;
   }
-}
-
-TEST_F(VisitWindowTest, KeysThatVisitorsHaveAreAllowedOneByOne) {
-  for (const KeyBinding& binding : key_table()) {
-    const bool has_control = (binding.modifiers & modifier::control) != 0;
-    const bool is_arrow = binding.key >= key::right && binding.key <= key::up;
-    const bool is_end = binding.key == key::q && binding.modifiers != modifier::control;
-    const bool is_function = binding.key >= key::f1 && binding.key <= key::f12;
-    if (binding.for_visitors) {
-      EXPECT_FALSE(is_function || (has_control && !is_arrow && !is_end)) << binding.shown;
-    }
-  }
-  const auto theirs = std::ranges::count_if(key_table(), &KeyBinding::for_visitors);
-  EXPECT_GT(theirs, 20);
-  EXPECT_LT(theirs, static_cast<std::ptrdiff_t>(key_table().size()) - 40);
 }
 
 TEST_F(VisitWindowTest, OnlyTheChordEndsIt) {

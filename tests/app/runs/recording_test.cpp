@@ -260,11 +260,11 @@ TEST(Recording, KnowsWhereItIs) {
 class RecordingWindow : public DrivenWindow {
  protected:
   void record(const std::string& path) {
-    session().requests.record = path;
+    act(StartRecording{path});
     frames(2);
   }
   void stop() {
-    session().requests.stop_recording = true;
+    act(StopRecording{});
     frames(2);
   }
   void press_record_button() { click_at(863.0, 23.0); }
@@ -327,13 +327,13 @@ TEST_F(RecordingWindow, RecordsFromTheFirstTickWhenAskedOnTheCommandLine) {
 TEST_F(RecordingWindow, AnotherSceneOrInputEndsIt) {
   record(folder_ / "scene.csv");
   frames(10);
-  session().requests.open_scene = "fig1";
+  act(OpenScene{"fig1"});
   frames(2);
   EXPECT_TRUE(notice().starts_with("The recording ended because the scene or the input changed. Recorded "))
       << notice();
   record(folder_ / "input.csv");
   frames(10);
-  session().requests.input = "script";
+  act(ChooseInput{"script"});
   frames(10);
   EXPECT_TRUE(notice().starts_with("The recording ended because the scene or the input changed. Recorded "))
       << notice();

@@ -111,7 +111,7 @@ TEST(FrontKeys, NoKeyHasTwoActionsAndEachHasItsWords) {
       EXPECT_TRUE(seen.insert(chord_of(binding)).second) << binding.shown << ' ' << binding.sentence;
       EXPECT_EQ(binding.shown.empty(), binding.sentence.empty());
       EXPECT_NE(binding.key, 0);
-      EXPECT_NE(binding.act, nullptr);
+      EXPECT_TRUE(binding.action || binding.key == key::tab);
       if (!binding.group.empty()) {
         EXPECT_TRUE(groups.insert(binding.group).second) << binding.group;
       }

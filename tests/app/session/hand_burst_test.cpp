@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "app/files/scene_file.h"
+#include "app/session/apply.h"
 #include "app/session/lesson_guide.h"
 #include "app/session/session.h"
-#include "app/session/stage_actions.h"
 
 namespace ghostforce::hand_burst_test {
 namespace {
@@ -17,10 +17,10 @@ constexpr HandEstimate hand_of_310{.why = HandUnknown::none, .k_u = 310.0, .sigm
 
 class HandBurstTest : public testing::Test {
  protected:
-  HandBurstTest() { show_face(session, Face::stage); }
+  HandBurstTest() { apply(session, ShowFace{Face::stage}); }
 
   const HandBurst& burst() const { return session.hand_burst; }
-  void press_key() { toggle_stage_mode(session, StageMode::measure); }
+  void press_key() { apply(session, ToggleMode{StageMode::measure}); }
 
   // The servo tells of an estimate at each look, whose window is full after `fills_s` in the wall.
   void wait(double seconds, const HandEstimate& estimate, bool is_in_wall = true, double fills_s = 2.0) {
@@ -124,15 +124,15 @@ TEST_F(HandBurstTest, WhoLeavesTheWallAgainAndAgainIsToldSo) {
 TEST_F(HandBurstTest, EnterHasTheRendererBelieveTheNumberAndThenMeasuresAgain) {
   session.settings.stiffnesses.chosen_tracking_ratio = 2.0;
   press_key();
-  confirm_on_stage(session);
+  apply(session, GoOn{});
   EXPECT_TRUE(burst().is_running()) << "there is nothing yet";
   wait(2.2, hand_of_310);
   const double rho = 1.0 + session.settings.stiffnesses.k_r / 310.0;
-  confirm_on_stage(session);
+  apply(session, GoOn{});
   EXPECT_EQ(session.settings.stiffnesses.believed_k_u, 310.0);
   EXPECT_EQ(tracking_ratio(session.settings.stiffnesses), rho) << "the ratio that was chosen would have hidden it";
   EXPECT_TRUE(hand_burst_is_believed(session));
-  confirm_on_stage(session);
+  apply(session, GoOn{});
   EXPECT_TRUE(burst().is_running());
   ASSERT_TRUE(burst().before) << "what to compare with";
   EXPECT_EQ(*burst().before, hand_of_310);
@@ -154,7 +154,7 @@ TEST_F(HandBurstTest, EndsWithItsMode) {
   EXPECT_EQ(burst().stage, HandBurst::Stage::off);
   EXPECT_FALSE(wants_tones(session));
   press_key();
-  show_face(session, Face::workbench);
+  apply(session, ShowFace{Face::workbench});
   EXPECT_FALSE(wants_tones(session));
 }
 
@@ -187,7 +187,7 @@ TEST_F(HandBurstTest, InALessonItsButtonMeasures) {
   begin_lesson(session, std::make_shared<const Lesson>(lesson));
   EXPECT_FALSE(wants_tones(session));
   const Settings before = session.settings;
-  const auto press = [&] { act_on_stage(session, StageCommand::measure, motors); };
+  const auto press = [&] { apply(session, PressMeasuringButton{}); };
   press();
   wait(2.2, hand_of_310);
   ASSERT_TRUE(burst().is_known());

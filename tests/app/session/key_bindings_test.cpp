@@ -14,8 +14,8 @@
 #include <string_view>
 #include <vector>
 
+#include "app/session/apply.h"
 #include "app/session/lesson_guide.h"
-#include "app/session/stage_actions.h"
 #include "app/view/handles.h"
 #include "tests/app/live/driven_window.h"
 #include "tests/support/places.h"
@@ -54,9 +54,9 @@ void prepare(const KeyBinding& binding, Session& session) {
   const auto is = [&](int key, int modifiers) { return binding.key == key && binding.modifiers == modifiers; };
   session.paused = true;  // nothing but the key moves the picture
   if (binding.key == key::digit_2) session.settings.active = StrategyId::full;
-  if (binding.key == key::enter || binding.key == key::number_pad_enter) toggle_stage_mode(session, StageMode::why);
+  if (binding.key == key::enter || binding.key == key::number_pad_enter) apply(session, ToggleMode{StageMode::why});
   if (is(key::page_up, 0)) session.stage.talk_step = 3;
-  if (is(key::b, 0)) show_face(session, Face::stage);
+  if (is(key::b, 0)) apply(session, ShowFace{Face::stage});
   if (is(key::escape, 0)) session.dialog = Dialog::help;
   if (is(key::digit_0, modifier::control)) session.appearance.scale = 1.5;
   if (is(key::r, modifier::alt)) session.settings.stiffnesses.k_r = 900.0;

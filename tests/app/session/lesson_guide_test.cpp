@@ -6,12 +6,16 @@
 #include <memory>
 
 #include "app/files/scene_file.h"
+#include "app/session/apply.h"
 #include "app/session/key_bindings.h"
 #include "app/session/keys.h"
-#include "app/session/stage_actions.h"
 
 namespace ghostforce::lesson_guide_test {
 namespace {
+
+void press_key(Session& session, const KeyPress& press) {
+  if (const std::optional<Action> action = action_of_key(press, false)) apply(session, *action);
+}
 
 std::shared_ptr<const SetUp> set_up_at(const Vector<2>& goal, StrategyId active = StrategyId::naive,
                                        StageMode mode = StageMode::none) {
@@ -95,15 +99,15 @@ TEST_F(LessonGuideTest, WhatTakesItsPlaceFindsFaceAndSpeedAsTheyWere) {
 
 TEST_F(LessonGuideTest, AsksForTheMouseWhereAHandMovesByItself) {
   for (const InputChoice& hand : hands_moving_by_themselves) {
-    session.requests.input.reset();
+    session.wanted_input.reset();
     session.input = hand.name;
     begin_lesson(session, lesson_for_test());
-    EXPECT_EQ(session.requests.input, mouse_hand.name);
+    EXPECT_EQ(session.wanted_input, mouse_hand.name);
   }
-  session.requests.input.reset();
+  session.wanted_input.reset();
   session.input = "falcon";
   begin_lesson(session, lesson_for_test());
-  EXPECT_FALSE(session.requests.input) << "a hand at a device stays";
+  EXPECT_FALSE(session.wanted_input) << "a hand at a device stays";
 }
 
 TEST_F(LessonGuideTest, LeadsTheHandLikeAHandAndNeverByAJump) {
@@ -184,19 +188,19 @@ TEST_F(LessonGuideTest, SeesThatATaskIsDoneAndNotInPassing) {
   EXPECT_EQ(session.goal, deep) << "goes on with what is there";
   wait(2.0);
   EXPECT_EQ(outcome(), LessonOutcome::open);
-  choose_strategy(session, StrategyId::anisotropic, false);
+  apply(session, ChooseStrategy{StrategyId::anisotropic});
   wait(0.5);
-  choose_strategy(session, StrategyId::naive, false);
+  apply(session, ChooseStrategy{StrategyId::naive});
   wait(0.5);
   EXPECT_EQ(outcome(), LessonOutcome::open) << "in passing";
-  choose_strategy(session, StrategyId::anisotropic, false);
+  apply(session, ChooseStrategy{StrategyId::anisotropic});
   wait(1.0);
   EXPECT_EQ(outcome(), LessonOutcome::right);
 }
 
 TEST_F(LessonGuideTest, ATaskIsDoneWhileTheHandIsHeldButNotWhileAValueIsTurned) {
   go_to(3);
-  choose_strategy(session, StrategyId::anisotropic, false);
+  apply(session, ChooseStrategy{StrategyId::anisotropic});
   session.is_editing = true;
   wait(2.0);
   EXPECT_EQ(outcome(), LessonOutcome::open) << "the value may be on its way";
@@ -222,7 +226,7 @@ TEST_F(LessonGuideTest, GoesBackToWhatWasLastStated) {
   answer_in_lesson(session, 1);
   wait(1.5);
   go_to(3);
-  choose_strategy(session, StrategyId::anisotropic, false);
+  apply(session, ChooseStrategy{StrategyId::anisotropic});
   previous_lesson_step(session);
   wait(1.5);
   EXPECT_EQ(session.goal, deep);
@@ -243,12 +247,12 @@ TEST_F(LessonGuideTest, GoesBackToWhatWasLastStated) {
 TEST_F(LessonGuideTest, DoesNotDoWhatAStepDoesNotAllow) {
   go_to(4);
   for (const KeyBinding& binding : key_table()) {
-    const bool leads_on = binding.act == next_talk_step || binding.act == previous_talk_step ||
-                          binding.key == key::enter || binding.key == key::number_pad_enter ||
-                          binding.key == key::escape;
+    using LeadOn = std::variant<NextStep, PreviousStep, Confirm, Escape>;
+    const bool leads_on =
+        binding.action && std::visit([]<typename A>(const A&) { return is_one_of<A, LeadOn>; }, *binding.action);
     if (leads_on) continue;
     Session pressed = session;
-    act_on_key(pressed, {.key = binding.key, .modifiers = binding.modifiers}, false);
+    press_key(pressed, {.key = binding.key, .modifiers = binding.modifiers});
     EXPECT_EQ(pressed.settings, session.settings) << binding.sentence;
     EXPECT_EQ(pressed.goal, session.goal) << binding.sentence;
     EXPECT_EQ(pressed.stage.mode, session.stage.mode) << binding.sentence;
@@ -261,16 +265,16 @@ TEST_F(LessonGuideTest, DoesNotDoWhatAStepDoesNotAllow) {
 
 TEST_F(LessonGuideTest, DigitsAnswerWhileAQuestionIsOpen) {
   go_to(1);
-  act_on_key(session, {.key = key::digit_2}, false);
+  press_key(session, {.key = key::digit_2});
   EXPECT_EQ(outcome(), LessonOutcome::right);
   EXPECT_EQ(session.settings.active, StrategyId::naive);
-  act_on_key(session, {.key = key::digit_3}, false);
+  press_key(session, {.key = key::digit_3});
   EXPECT_EQ(session.settings.active, StrategyId::naive) << "strategies are not among its controls";
 }
 
 TEST_F(LessonGuideTest, GivesBackWhatThePersonHad) {
   go_to(4);
-  act_on_key(session, {.key = key::escape}, false);
+  press_key(session, {.key = key::escape});
   EXPECT_FALSE(session.lesson);
   EXPECT_EQ(session.settings, before.settings);
   EXPECT_EQ(session.goal, before.goal);
@@ -282,11 +286,11 @@ TEST_F(LessonGuideTest, GivesBackWhatThePersonHad) {
 TEST_F(LessonGuideTest, EscapeTurnsMotorsOffFirst) {
   session.motors_may_push = true;
   const std::uint32_t offs = session.offs_asked;
-  act_on_key(session, {.key = key::escape}, false);
+  press_key(session, {.key = key::escape});
   EXPECT_EQ(session.offs_asked, offs + 1);
   EXPECT_TRUE(session.lesson);
   session.motors_may_push = false;
-  act_on_key(session, {.key = key::escape}, false);
+  press_key(session, {.key = key::escape});
   EXPECT_FALSE(session.lesson);
 }
 

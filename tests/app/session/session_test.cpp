@@ -77,7 +77,7 @@ TEST_F(SessionTest, ADragOfAHandleIsOneStep) {
 TEST_F(SessionTest, OpeningAnotherSceneCanBeTakenBackToo) {
   session().settings.stiffnesses.k_u = 321.0;
   frames(3);
-  session().requests.open_scene = "fig1";
+  act(OpenScene{"fig1"});
   frames(3);
   EXPECT_EQ(session().settings, load_scene("fig1").settings);
   EXPECT_EQ(now().goal, load_scene("fig1").goal.points.back());
@@ -99,7 +99,7 @@ TEST_F(SessionTest, ASavedSceneShowsWhatWasSeen) {
   scroll(1.0);
   frames(100);
   const Scene seen = scene_as_seen(session());
-  session().requests.save_scene = path;
+  act(SaveScene{path});
   frames(3);
   ASSERT_TRUE(session().notice);
   EXPECT_FALSE(session().notice->is_problem) << session().notice->words;
@@ -135,7 +135,7 @@ TEST_F(SessionTest, AViewFromFarAwayCanBeSavedAndOpenedToo) {
   point_at(400.0, 400.0);
   for (int i = 0; i < 40; ++i) scroll(-10.0);
   for (int i = 0; i < 4; ++i) drag({100.0, 200.0}, {800.0, 700.0}, GLFW_MOUSE_BUTTON_RIGHT);
-  session().requests.save_scene = folder / "far.toml";
+  act(SaveScene{folder / "far.toml"});
   frames(2);
   EXPECT_EQ(load_scene(folder / "far.toml").view.width, session().shown.width);
 }
@@ -168,13 +168,30 @@ TEST_F(SessionTest, AFileThatIsNoSceneIsSaidAndChangesNothing) {
 }
 
 TEST_F(SessionTest, SavingWhereNothingCanBeIsSaid) {
-  session().requests.save_scene = "/proc/nowhere/scene.toml";
+  act(SaveScene{"/proc/nowhere/scene.toml"});
   frames(2);
   ASSERT_TRUE(session().notice);
   EXPECT_TRUE(session().notice->is_problem);
 }
 
 // --- Pictures --------------------------------------------------------------------------------------------------------
+
+TEST_F(SessionTest, WhatFailsKeepsNothingElseFromBeingDoneAndStaysToBeRead) {
+  const TemporaryFolder folder;
+  act(ChooseInput{"nobody"});
+  act(SaveScene{"/proc/nowhere/scene.toml"});
+  act(SaveScene{folder / "a.toml"});
+  frames(2);
+  EXPECT_TRUE(std::filesystem::exists(folder / "a.toml"));
+  ASSERT_TRUE(session().notice);
+  EXPECT_TRUE(session().notice->is_problem);
+  for (const char* const words : {"nobody", "/proc/nowhere", "Saved"}) {
+    EXPECT_NE(session().notice->words.find(words), std::string::npos) << session().notice->words;
+  }
+  act(SaveScene{folder / "b.toml"});
+  frames(2);
+  EXPECT_FALSE(session().notice->is_problem) << "what failed before has been there to be read";
+}
 
 TEST_F(SessionTest, APictureIsTheScreenOnceToFourTimesAsFine) {
   draw_every_frame();
@@ -184,7 +201,7 @@ TEST_F(SessionTest, APictureIsTheScreenOnceToFourTimesAsFine) {
   frames(3);
   for (const int density : {1, 2, 4}) {
     const std::string path = folder / (std::to_string(density) + ".png");
-    session().requests.save_picture = SavePictureRequest{path, density, false};
+    act(SavePicture{path, density, false});
     frames(2);
     ASSERT_TRUE(session().notice);
     EXPECT_FALSE(session().notice->is_problem) << session().notice->words;
@@ -192,7 +209,7 @@ TEST_F(SessionTest, APictureIsTheScreenOnceToFourTimesAsFine) {
     EXPECT_EQ(image.width, 1280 * density);
     EXPECT_EQ(image.height, 800 * density);
   }
-  session().requests.save_picture = SavePictureRequest{folder / "scene.png", 2, true};
+  act(SavePicture{folder / "scene.png", 2, true});
   frames(2);
   const Image scene = read_png(folder / "scene.png");
   EXPECT_NEAR(scene.width, 2.0 * screen().scene_size().x, 2.0);
@@ -214,7 +231,7 @@ TEST_F(SessionTest, APictureShowsNeitherHintsNorHandlesNorNotices) {
     session().settings.active = StrategyId::naive;
     frames(2);
     EXPECT_NE(picture(), plain);
-    session().requests.save_picture = SavePictureRequest{folder / "picture.png", 1, false};
+    act(SavePicture{folder / "picture.png", 1, false});
     frames(1);
     const Image saved = read_png(folder / "picture.png");
     ASSERT_EQ(saved.rgb.size(), plain.rgb.size());
@@ -255,13 +272,13 @@ TEST_F(SessionTest, EachDialogBeginsWithFieldsOfItsOwn) {
 // --- Inputs ----------------------------------------------------------------------------------------------------------
 
 TEST_F(SessionTest, TheInputChangesWhileTheProgramRuns) {
-  session().requests.input = "script";
+  act(ChooseInput{"script"});
   frames(3);
   EXPECT_FALSE(session().pointer_moves_goal);
   const Vector<2> early = now().goal;
   frames(60);
   EXPECT_GT(glm::distance(now().goal, early), 0.02) << "the script plays from its beginning";
-  session().requests.input = "mouse";
+  act(ChooseInput{"mouse"});
   frames(3);
   EXPECT_TRUE(session().pointer_moves_goal);
   EXPECT_EQ(now().goal, load_scene("wall45").goal.points.back());
@@ -294,7 +311,7 @@ TEST_F(SessionTest, AHintThatCannotBeFollowedIsNotOffered) {
   EXPECT_EQ(session().hint, 1U) << "a script moves the goal";
   session().hint = 2;
   frames(2);
-  session().requests.open_scene = "fig4-ratio5";
+  act(OpenScene{"fig4-ratio5"});
   frames(4);
   EXPECT_EQ(session().hint, 2U) << "another scene is no turn of the arrow";
   press(key::escape);

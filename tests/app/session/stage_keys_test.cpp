@@ -8,7 +8,8 @@
 
 #include <glad/gl.h>
 
-#include "app/session/stage_actions.h"
+#include "app/session/apply.h"
+#include "app/session/stage_modes.h"
 #include "tests/app/live/driven_window.h"
 #include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
@@ -56,7 +57,7 @@ TEST_F(StageKeysTest, AKeyBeginsItsModeAndEndsItAndTakesOverFromAnother) {
 
 TEST_F(StageKeysTest, AModesKeyOpensTheStageAndTheWorkbenchEndsIt) {
   for (const ModeKey& each : mode_keys) {
-    show_face(session(), Face::workbench);
+    apply(session(), ShowFace{Face::workbench});
     press(each.key);
     EXPECT_EQ(session().face, Face::stage);
     EXPECT_EQ(session().stage.mode, each.mode);
@@ -189,7 +190,7 @@ TEST_F(StageKeysTest, AClickerGoesThroughTheTalkAndBack) {
   };
   press(key::page_up);
   EXPECT_FALSE(session().stage.talk_step) << "nothing is before the first";
-  show_face(session(), Face::workbench);
+  apply(session(), ShowFace{Face::workbench});
   for (std::size_t i = 0; i < steps.size(); ++i) {
     press(key::page_down);
     expect_step(i);

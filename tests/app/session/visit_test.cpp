@@ -5,13 +5,17 @@
 
 #include "app/files/scene_file.h"
 #include "app/lessons/lesson_shelf.h"
+#include "app/session/apply.h"
 #include "app/session/key_bindings.h"
 #include "app/session/keys.h"
 #include "app/session/lesson_guide.h"
-#include "app/session/stage_actions.h"
 
 namespace ghostforce::visit_test {
 namespace {
+
+void press_key(Session& session, const KeyPress& press) {
+  if (const std::optional<Action> action = action_of_key(press, false)) apply(session, *action);
+}
 
 class VisitTest : public testing::Test {
  protected:
@@ -71,12 +75,12 @@ TEST_F(VisitTest, ARoundThatFollowsARoundGoesOn) {
   lesson.steps = {lesson.steps.front()};
   lesson.steps.front().set_up = round;
   begin_visit(session_, {std::make_shared<const Lesson>(lesson)});
-  EXPECT_EQ(session_.requests.input, circling_hand.name);
-  session_.requests.input.reset();
+  EXPECT_EQ(session_.wanted_input, circling_hand.name);
+  session_.wanted_input.reset();
   session_.circle_test.is_on = true;  // as the link to the circle says
   next_lesson_step(session_);
   EXPECT_EQ(session_.stage.mode, StageMode::round);
-  EXPECT_FALSE(session_.requests.input) << "the circle stays";
+  EXPECT_FALSE(session_.wanted_input) << "the circle stays";
 }
 
 TEST_F(VisitTest, EverythingIsAsAtTheStartAfterNinetySecondsWithoutAHand) {
@@ -199,31 +203,9 @@ TEST_F(VisitTest, TheLanguagesGoRound) {
 
 TEST_F(VisitTest, EscTurnsMotorsOffAndLeavesNothing) {
   const std::uint32_t offs = session_.offs_asked;
-  act_on_key(session_, {key::escape, 0, false}, false);
+  press_key(session_, {.key = key::escape});
   EXPECT_TRUE(session_.lesson);
   EXPECT_EQ(session_.offs_asked, offs + 1);
-}
-
-TEST_F(VisitTest, OfAllThatCanBeAskedForLittleIsLeft) {
-  Requests all;
-  all.quit = all.fit_view = all.toggle_full_screen = all.undo = all.redo = true;
-  all.ticks_through_history = 3;
-  all.input = "circle";
-  all.open_scene = all.open_lesson = all.save_scene = all.record = "x";
-  all.save_picture.emplace();
-  all.save_clip.emplace();
-  all.save_plots.emplace();
-  all.copy_picture.emplace();
-  all.copy_table = all.copy_set_up = all.paste_set_up = all.stop_recording = all.reset_preferences = true;
-  const Requests left = allowed_requests(session_, all);
-  EXPECT_TRUE(left.quit && left.fit_view && left.input);
-  EXPECT_FALSE(left.toggle_full_screen || left.undo || left.redo || left.ticks_through_history != 0);
-  EXPECT_FALSE(left.open_scene || left.open_lesson || left.save_scene || left.record);
-  EXPECT_FALSE(left.save_picture || left.save_clip || left.save_plots || left.copy_picture);
-  EXPECT_FALSE(left.copy_table || left.copy_set_up || left.paste_set_up || left.stop_recording);
-  EXPECT_FALSE(left.reset_preferences);
-  session_.visit.reset();
-  EXPECT_TRUE(allowed_requests(session_, all).open_scene) << "an ordinary run";
 }
 
 }  // namespace

@@ -6,7 +6,8 @@
 
 #include <glad/gl.h>
 
-#include "app/session/stage_actions.h"
+#include "app/session/apply.h"
+#include "app/session/stage_modes.h"
 #include "tests/app/live/driven_window.h"
 
 namespace ghostforce::stage_hints_test {
@@ -121,7 +122,7 @@ TEST_F(StageHintsTest, NobodyIsAskedToDragWhatAScriptMoves) {
 
 TEST_F(StageHintsTest, AModeHasWordsOfItsOwn) {
   for (const StageModeEntry& each : stage_mode_catalog()) {
-    toggle_stage_mode(session(), each.id);
+    apply(session(), ToggleMode{each.id});
     frames(3);
     expect_only("");
     leave_stage_mode(session());

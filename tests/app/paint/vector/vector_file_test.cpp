@@ -310,7 +310,7 @@ TEST(SavePicture, WritesVectorsWhereTheNameSaysSo) {
   Application application(window, load_scene("wall45"), {.inputs = desktop_inputs(), .painter = cairo_file_painter()});
   application.frame(0.016);
   const auto save = [&](const char* name) {
-    application.session().requests.save_picture = SavePictureRequest{.path = folder / name};
+    application.act(SavePicture{.path = folder / name});
     application.frame(0.016);
     EXPECT_FALSE(application.session().notice->is_problem) << application.session().notice->words;
     return read_whole(folder / name);

@@ -14,7 +14,6 @@
 #include "app/figures/figures.h"
 #include "app/files/scene_file.h"
 #include "app/paint/vector/file_painter.h"
-#include "app/session/measurement_guide.h"
 #include "app/ui/plots/equilibrium_curves.h"
 #include "app/ui/plots/plot_export.h"
 #include "app/view/plot_history.h"
@@ -337,20 +336,6 @@ TEST_F(PlotFile, HoldsTheCurvesOverASetting) {
   EXPECT_NE(file("plots.csv").find("# goal at a depth of 20.0 mm"), std::string::npos);
   session_.plots.tab = PlotTab::ratio;
   EXPECT_TRUE(rows(file("plots.csv"))[0].starts_with("tracking_ratio,strategy,"));
-}
-
-TEST_F(PlotFile, DoesNotGiveAwayTheHandThatIsMeasured) {
-  start_measuring(session_);
-  for (const PlotTab tab : {PlotTab::wall_angle, PlotTab::ratio, PlotTab::hand}) {
-    session_.plots.tab = tab;
-    EXPECT_THROW(file("plots.csv"), Failure);
-    EXPECT_THROW(file("plots.svg"), Failure);
-  }
-  session_.plots.tab = PlotTab::time;
-  EXPECT_FALSE(file("plots.csv").empty()) << "what has been seen anyway";
-  cancel_measurement(session_);
-  session_.plots.tab = PlotTab::ratio;
-  EXPECT_FALSE(file("plots.csv").empty());
 }
 
 TEST_F(PlotFile, TheHandOverTimeHasItsBandAndTheReasonOfEachGap) {

@@ -174,11 +174,11 @@ TEST_F(PlotsWindow, SavesWhatItShows) {
   const TemporaryFolder folder;
   for (const char* const name : {"plots.csv", "plots.png", "plots.svg", "plots.pdf"}) {
     const std::string path = folder / name;
-    session().requests.save_plots = SavePlotsRequest{path, false};
+    act(SavePlots{path, false});
     frames(1);
     EXPECT_EQ(file_contents(path).error, 0) << name;
   }
-  session().requests.save_plots = SavePlotsRequest{folder / "nowhere/plots.csv", false};
+  act(SavePlots{folder / "nowhere/plots.csv", false});
   frames(1);
   ASSERT_TRUE(session().notice.has_value());
   EXPECT_TRUE(session().notice->is_problem);
